@@ -8,11 +8,13 @@ use imogene_hdl::{Code, Kind, Levels};
 pub(crate) type Word = Vec<Bit>;
 
 /// The words that one clock begins with: inputs, and what registers and memories hold.
+#[derive(Clone)]
 pub(crate) struct Begin {
     words: Vec<Word>,
 }
 
 /// What one clock comes to.
+#[derive(Clone)]
 pub(crate) struct End {
     /// What can be seen.
     pub(crate) outputs: Vec<Bit>,
@@ -32,15 +34,20 @@ fn constant(value: u64) -> Word {
 impl Begin {
     /// Any inputs and any state.
     pub(crate) fn any(levels: &Levels, gates: &mut Gates) -> Begin {
-        let words = levels.words.iter().map(|word| constant(*word));
-        let mut begin = Begin {
-            words: words.collect(),
-        };
+        let mut begin = Begin::initial(levels);
         for flop in &levels.flops {
             begin.words[flop.output as usize] = free(flop.width, gates);
         }
         begin.with_inputs(levels, gates);
         begin
+    }
+
+    /// The state at power-up.
+    pub(crate) fn initial(levels: &Levels) -> Begin {
+        let words = levels.words.iter().map(|word| constant(*word));
+        Begin {
+            words: words.collect(),
+        }
     }
 
     /// Any inputs, and any words from the memories.
@@ -56,11 +63,17 @@ impl Begin {
     }
 
     /// What follows a clock, with any inputs.
-    pub(crate) fn after(mut self, end: &End, levels: &Levels, gates: &mut Gates) -> Begin {
+    pub(crate) fn after(self, end: &End, levels: &Levels, gates: &mut Gates) -> Begin {
+        let mut begin = self.with_state(end, levels);
+        begin.with_inputs(levels, gates);
+        begin
+    }
+
+    /// The same inputs in the state behind a clock.
+    pub(crate) fn with_state(mut self, end: &End, levels: &Levels) -> Begin {
         for (flop, word) in levels.flops.iter().zip(&end.registers) {
             self.words[flop.output as usize] = word.clone();
         }
-        self.with_inputs(levels, gates);
         self
     }
 
@@ -208,7 +221,7 @@ fn value(code: &Code, words: &[Word], gates: &mut Gates) -> Word {
     }
 }
 
-fn sum(gates: &mut Gates, x: &Word, y: &Word, mut carry: Bit, width: u32) -> Word {
+pub(crate) fn sum(gates: &mut Gates, x: &Word, y: &Word, mut carry: Bit, width: u32) -> Word {
     let bits = (0..width).map(|index| {
         let (sum, over) = gates.full_add(bit_of(x, index), bit_of(y, index), carry);
         carry = over;

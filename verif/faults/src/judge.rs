@@ -2,20 +2,22 @@
 //!
 //! Circuit and mutant begin a clock in the same state with the same inputs. If outputs and next states are then equal
 //! for every beginning that the circuit can come to, they are equal for ever. Only state that can reach an output
-//! counts.
+//! counts. Where they differ in a circuit that keeps nothing, what comes out after the latency is compared.
 
 use crate::controls::{Controls, Upset};
+use crate::flow::{Flow, State, keeps_nothing};
 use crate::frame::{Begin, End, Word};
 use crate::gates::{Bit, Gates, NO};
 use crate::known::Known;
 use crate::solve::can_be;
 use imogene_hdl::Levels;
 use std::collections::{HashMap, HashSet};
+use std::sync::OnceLock;
 
 /// What is known of a mutant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// It behaves like the circuit on every input.
+    /// It behaves like the circuit on every input, from the first result on.
     Equivalent,
     /// In some state, which may be one that is never reached, outputs or next state differ.
     Differs,
@@ -33,13 +35,13 @@ pub struct Judge {
     assumed: Vec<Bit>,
     /// Which state each input gate is, if it is one.
     state: HashMap<usize, State>,
-}
-
-/// A bit of a register, or what a memory gives.
-#[derive(Clone, Copy, PartialEq, Eq, Hash)]
-enum State {
-    Register(usize, usize),
-    Memory(usize),
+    latency: usize,
+    even: Vec<usize>,
+    keeps_nothing: bool,
+    /// Does what is assumed hold from power-up on?
+    always_holds: bool,
+    /// The circuit over its latency, made when it is first wanted.
+    flow: OnceLock<Flow>,
 }
 
 impl Judge {
@@ -57,17 +59,8 @@ impl Judge {
         let registers: Vec<usize> = registers.collect();
         let assumed = known.bits(&levels, &begin, &registers, &mut gates);
         let good = begin.clock(&levels, &[], &mut gates);
-        let mut state = HashMap::new();
-        for index in registers {
-            for (place, bit) in begin.register(&levels, index).iter().enumerate() {
-                state.insert(bit.gate(), State::Register(index, place));
-            }
-        }
-        for index in 0..levels.stores.len() {
-            for bit in begin.read(&levels, index) {
-                state.insert(bit.gate(), State::Memory(index));
-            }
-        }
+        let state = State::of(&levels, &begin);
+        let keeps_nothing = keeps_nothing(&gates, &good, &state, known.latency);
         Judge {
             levels,
             gates,
@@ -75,6 +68,11 @@ impl Judge {
             good,
             assumed,
             state,
+            latency: known.latency,
+            even: known.even.clone(),
+            keeps_nothing,
+            always_holds: known.always_holds,
+            flow: OnceLock::new(),
         }
     }
 
@@ -82,11 +80,32 @@ impl Judge {
     pub fn judge(&self, upsets: &[Upset]) -> Verdict {
         let mut gates = self.gates.clone();
         let bad = self.begin.clock(&self.levels, upsets, &mut gates);
-        let pairs = self.pairs(&bad, &gates);
+        let keeps_nothing =
+            self.keeps_nothing && keeps_nothing(&gates, &bad, &self.state, self.latency);
+        match self.of_a_clock(&bad, &mut gates) {
+            Verdict::Equivalent if self.always_holds || keeps_nothing => Verdict::Equivalent,
+            _ if keeps_nothing && self.flow().is_same(&self.levels, upsets) => Verdict::Equivalent,
+            Verdict::Equivalent => Verdict::Undecided,
+            other => other,
+        }
+    }
+
+    /// The circuit over its latency.
+    fn flow(&self) -> &Flow {
+        self.flow.get_or_init(|| {
+            let begin = (self.begin.clone(), &self.good);
+            let gates = self.gates.clone();
+            Flow::of(&self.levels, gates, begin, self.latency, &self.even)
+        })
+    }
+
+    /// What is known by outputs and next states of one clock.
+    fn of_a_clock(&self, bad: &End, gates: &mut Gates) -> Verdict {
+        let pairs = self.pairs(bad, gates);
         let differ = pairs.into_iter().filter(|(good, bad)| good != bad);
         let differ: Vec<Bit> = differ.map(|(good, bad)| gates.xor(good, bad)).collect();
         let any = differ.into_iter().fold(NO, |any, bit| gates.or(any, bit));
-        match can_be(&gates, any, &self.assumed) {
+        match can_be(gates, any, &self.assumed) {
             Some(false) => Verdict::Equivalent,
             Some(true) => Verdict::Differs,
             None => Verdict::Undecided,

@@ -1,7 +1,8 @@
 //! What is known of the state of a circuit, and of what it does with the state at power-up.
 
-use crate::frame::{Begin, Word, bit_of, less};
-use crate::gates::{Bit, Gates, NO};
+use crate::flow::{State, keeps_nothing};
+use crate::frame::{Begin, Word, bit_of, less, sum};
+use crate::gates::{Bit, Gates, NO, YES};
 use crate::solve::can_be;
 use imogene_hdl::{Design, Direction, Levels};
 
@@ -12,19 +13,26 @@ pub struct Contract {
     pub even: Vec<String>,
     /// Inputs that are 1 in the clock with which its work begins.
     pub begins: Vec<String>,
-    /// Pairs of points inside, both what a register holds: the first is at most twice the second. What cannot be
-    /// proven of them is dropped.
-    pub at_most_twice: Vec<[String; 2]>,
+    /// Pairs of points inside, both what a register holds: a remainder and its root, behind a row of a root. What
+    /// cannot be proven of them is dropped.
+    pub remainders: Vec<[String; 2]>,
+    /// Do the rows restore their remainders?
+    pub restores: bool,
     /// Clocks from an input to its result.
     pub latency: usize,
 }
 
 /// What holds in every state that is reached from power-up. Registers are counted without controls.
 pub struct Known {
-    even: Vec<usize>,
+    pub(crate) even: Vec<usize>,
     /// The value of each bit of each register that never changes.
     constants: Vec<Vec<Option<bool>>>,
-    at_most_twice: Vec<[usize; 2]>,
+    remainders: Vec<[usize; 2]>,
+    restores: bool,
+    /// Do the remainders hold from power-up on?
+    pub(crate) always_holds: bool,
+    /// Clocks from an input to its result.
+    pub(crate) latency: usize,
     /// Is each bit of each register forgotten once work began?
     forgotten: Vec<Vec<bool>>,
 }
@@ -45,11 +53,14 @@ impl Known {
             let mut flops = levels.flops.iter();
             flops.position(|flop| flop.output == point.place)
         };
-        let pairs = contract.at_most_twice.iter();
+        let pairs = contract.remainders.iter();
         let pairs = pairs.filter_map(|[a, b]| Some([register(a)?, register(b)?]));
         let mut known = Known {
             even: contract.even.iter().filter_map(place).collect(),
-            at_most_twice: pairs.collect(),
+            remainders: pairs.collect(),
+            restores: contract.restores,
+            always_holds: true,
+            latency: contract.latency,
             constants: initial(&levels),
             forgotten: vec![],
         };
@@ -58,6 +69,11 @@ impl Known {
         let begins: Vec<usize> = contract.begins.iter().filter_map(place).collect();
         known.forgotten = forgotten(&levels, &begins, contract.latency);
         known
+    }
+
+    /// How many remainders are proven to be what they must.
+    pub fn proven_remainders(&self) -> usize {
+        self.remainders.len()
     }
 
     /// Is what a bit of a register holds at power-up without meaning: does nothing depend on it once work began and
@@ -74,20 +90,39 @@ impl Known {
         registers: &[usize],
         gates: &mut Gates,
     ) -> Vec<Bit> {
-        let even = self.even.iter();
-        let even = even.map(|index| !bit_of(begin.input(levels, *index), 0));
-        let mut bits: Vec<Bit> = even.collect();
+        let mut bits: Vec<Bit> = even_inputs(&self.even, levels, begin).collect();
         for (register, constants) in registers.iter().zip(&self.constants) {
             let word = begin.register(levels, *register);
             let pairs = word.iter().zip(constants);
             let constant = pairs.filter_map(|(bit, constant)| Some((bit, (*constant)?)));
             bits.extend(constant.map(|(bit, is)| if is { *bit } else { !*bit }));
         }
-        for pair in &self.at_most_twice {
-            let pair = pair.map(|index| begin.register(levels, registers[index]));
-            bits.push(at_most_twice(gates, pair));
+        for pair in &self.remainders {
+            let words = pair.map(|index| begin.register(levels, registers[index]));
+            bits.push(self.is_remainder(gates, *pair, words));
         }
         bits
+    }
+
+    /// Can a remainder and a root stand behind a row? A remainder is at most twice the root. That of a row that does
+    /// not restore is less by `2 root + 1` where the last digit is 0, in two's complement of the bits that it has.
+    fn is_remainder(&self, gates: &mut Gates, registers: [usize; 2], words: [&Word; 2]) -> Bit {
+        let [remainder, root] = words;
+        if self.restores {
+            return at_most_twice(gates, remainder, root);
+        }
+        let constants = &self.constants[registers[0]];
+        let width = constants.iter().rposition(Option::is_none);
+        let width = width.map_or(0, |place| place as u32 + 1);
+        let odd: Word = [YES].into_iter().chain(root.iter().copied()).collect();
+        let added = sum(gates, remainder, &odd, NO, width);
+        let is_odd = bit_of(root, 0);
+        let restored = (0..width).map(|index| {
+            let [as_is, added] = [remainder, &added].map(|word| bit_of(word, index));
+            gates.select(is_odd, as_is, added)
+        });
+        let restored: Word = restored.collect();
+        at_most_twice(gates, &restored, root)
     }
 
     /// Drops the constants that one clock may change, until there is none.
@@ -117,24 +152,46 @@ impl Known {
         }
     }
 
-    /// Drops the pairs that do not hold at power-up, or not after a clock before which all hold, until there is none.
+    /// Do the remainders hold at power-up?
+    fn holds_at_power_up(&self, levels: &Levels) -> bool {
+        let initial = Begin::initial(levels);
+        let mut gates = Gates::new();
+        self.remainders.iter().all(|pair| {
+            let words = pair.map(|index| initial.register(levels, index));
+            self.is_remainder(&mut gates, *pair, words) == YES
+        })
+    }
+
+    /// Drops the pairs that do not hold after a clock before which all hold, until there is none.
+    ///
+    /// Those that are left need not hold at power-up: where they do not, they hold in some state, and a circuit that
+    /// keeps nothing comes to the same results from there.
     fn drop_unproven(&mut self, levels: &Levels) {
-        let word = |index: usize| levels.words[levels.flops[index].output as usize];
-        self.at_most_twice.retain(|[a, b]| word(*a) <= 2 * word(*b));
         let registers: Vec<usize> = (0..levels.flops.len()).collect();
         loop {
             let mut gates = Gates::new();
             let begin = Begin::any(levels, &mut gates);
             let assumed = self.bits(levels, &begin, &registers, &mut gates);
             let end = begin.clock(levels, &[], &mut gates);
-            let count = self.at_most_twice.len();
-            self.at_most_twice.retain(|pair| {
-                let holds = at_most_twice(&mut gates, pair.map(|index| &end.registers[index]));
+            let pairs = self.remainders.iter().copied().filter(|pair| {
+                let words = pair.map(|index| &end.registers[index]);
+                let holds = self.is_remainder(&mut gates, *pair, words);
                 can_be(&gates, !holds, &assumed) == Some(false)
             });
-            if self.at_most_twice.len() == count {
-                return;
+            let kept: Vec<[usize; 2]> = pairs.collect();
+            if kept.len() < self.remainders.len() {
+                self.remainders = kept;
+                continue;
             }
+            self.always_holds = self.holds_at_power_up(levels);
+            if !self.always_holds {
+                let state = State::of(levels, &begin);
+                let hold_in_some_state = can_be(&gates, YES, &assumed) == Some(true);
+                if !hold_in_some_state || !keeps_nothing(&gates, &end, &state, self.latency) {
+                    self.remainders.clear();
+                }
+            }
+            return;
         }
     }
 }
@@ -150,7 +207,17 @@ fn initial(levels: &Levels) -> Vec<Vec<Option<bool>>> {
     flops.collect()
 }
 
-fn at_most_twice(gates: &mut Gates, [a, b]: [&Word; 2]) -> Bit {
+/// Bits that are 1 where these inputs are even.
+pub(crate) fn even_inputs(
+    even: &[usize],
+    levels: &Levels,
+    begin: &Begin,
+) -> impl Iterator<Item = Bit> {
+    let even = even.iter();
+    even.map(|index| !bit_of(begin.input(levels, *index), 0))
+}
+
+fn at_most_twice(gates: &mut Gates, a: &Word, b: &Word) -> Bit {
     let twice: Word = [NO].into_iter().chain(b.iter().copied()).collect();
     let width = a.len().max(twice.len()) as u32;
     !less(gates, &twice, a, width)

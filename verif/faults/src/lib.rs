@@ -25,6 +25,7 @@
 //! ```
 
 mod controls;
+mod flow;
 mod frame;
 mod gates;
 mod judge;

@@ -98,8 +98,8 @@ pub fn run(
     Ok(report.ended(started))
 }
 
-/// What a unit may rely on, and what the proofs may: the second differences of a PE2 are even; the remainder behind a
-/// row of a root is at most twice the root.
+/// What a unit may rely on, and what the proofs may: the second differences of a PE2 are even; behind a row of a root
+/// stand a remainder and its root.
 fn contract(subject: &Subject, design: &Design) -> Contract {
     let inputs = subject.inputs.iter().map(|signal| signal.name.clone());
     let is_even = |name: &String| {
@@ -114,7 +114,8 @@ fn contract(subject: &Subject, design: &Design) -> Contract {
     Contract {
         even: inputs.filter(is_even).collect(),
         begins: BEGINS.map(str::to_owned).to_vec(),
-        at_most_twice: pairs.collect(),
+        remainders: pairs.collect(),
+        restores: subject.name != "square_root_non_restoring",
         latency: subject.latency,
     }
 }
@@ -174,4 +175,22 @@ fn differences(
         found.iter().all(Option::is_some)
     });
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use imogene_contract::Request;
+
+    /// Behind every row there is a remainder of a known size.
+    #[test]
+    fn what_is_known_of_roots_is_proven() {
+        for unit in ["square_root", "square_root_non_restoring", "quadric_pe"] {
+            let request = Request::given(unit, 16, &[]).expect("a unit of the catalogue");
+            let subject = crate::unit::subject(&request).expect("its defaults are legal");
+            let design = imogene_rtl::emit::design(&request).expect("a legal request");
+            let known = Known::new(&design, &contract(&subject, &design));
+            assert_eq!(known.proven_remainders(), 16, "{unit}");
+        }
+    }
 }

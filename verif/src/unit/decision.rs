@@ -26,7 +26,8 @@ pub(super) fn flat(v: Visible) -> [i64; FIELDS] {
     [v.depth, v.id.into(), v.number.into(), nx, ny, nz]
 }
 
-/// Inputs with ids in random order, scattered, neighbours or all the same, and depths that often tie.
+/// Inputs with ids in random order, scattered, neighbours or all the same, and depths that often tie. In some stimuli
+/// two depths and two ids are all there is, so that inputs of different clocks tie too.
 fn objects(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let count = subject.inputs.len() / FIELDS;
     let width = subject.inputs[0].width;
@@ -35,12 +36,25 @@ fn objects(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let neighbours = (0..=256 - count as i64)
         .prop_map(move |first| (first..first + count as i64).collect::<Vec<i64>>());
     let same = (0i64..256).prop_map(move |id| vec![id; count]);
+    let few = proptest::collection::vec(0i64..2, count);
+    let ids = prop_oneof![scattered, neighbours, same]
+        .prop_shuffle()
+        .boxed();
+    let any = stimulus(ids, depth(width), count, clocks);
+    let close = stimulus(few.boxed(), (0i64..2).boxed(), count, clocks);
+    prop_oneof![3 => any, 1 => close].boxed()
+}
+
+/// Rows of objects with these ids and depths.
+fn stimulus(
+    ids: BoxedStrategy<Vec<i64>>,
+    depth: BoxedStrategy<i64>,
+    count: usize,
+    clocks: usize,
+) -> BoxedStrategy<Vec<Inputs>> {
     let payload = (0i64..16, any::<[i16; 3]>());
-    let one = (
-        prop_oneof![scattered, neighbours, same].prop_shuffle(),
-        proptest::collection::vec((depth(width), payload), count),
-    )
-        .prop_map(|(ids, fields)| {
+    let one =
+        (ids, proptest::collection::vec((depth, payload), count)).prop_map(|(ids, fields)| {
             ids.into_iter()
                 .zip(fields)
                 .flat_map(|(id, (depth, (number, n)))| {

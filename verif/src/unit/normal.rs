@@ -9,6 +9,9 @@ use imogene_golden::unit::normal::select;
 use imogene_golden::unit::pe1::Pe1;
 use proptest::prelude::*;
 
+/// The bits of `g` below those of a component.
+const LOW: i64 = (1 << Format::NORMAL_FRACTION) - 1;
+
 /// Where the ports begin, in their order.
 mod port {
     pub const NUMBER: usize = 3;
@@ -16,6 +19,7 @@ mod port {
     pub const ROOT: usize = 5;
     pub const SHIFT: usize = 6;
     pub const WORDS: usize = 7;
+    pub const FACTORS: usize = 16;
     pub const PLANES: usize = 19;
 }
 
@@ -42,26 +46,62 @@ fn normal(g: &mut Option<[Pe1; 3]>, i: &[i64], planes: usize) -> Option<[i64; 3]
     Some(found.map(i64::from))
 }
 
-/// Coefficients are read over several clocks, so they are held; numbers and roots change every clock.
+/// A bit of a word, often a low one.
+fn low_bit(width: u32) -> impl Strategy<Value = u32> {
+    prop_oneof![1 => 0..width, 2 => 0..3u32]
+}
+
+/// Numbers and roots change every clock; words are held, but for those that are read with the start alone, a clock
+/// after it.
+///
+/// Half of the stimuli have words where a product decides by its lowest bit: factors and roots of one bit, and a `g`
+/// whose low bits are those of `c` alone, often all of them 0 or 1.
 fn words_held(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let held: Vec<_> = subject.inputs[port::SHIFT..].iter().map(word).collect();
+    let linear = &subject.inputs[port::WORDS..port::FACTORS];
+    let linear: Vec<_> = linear.iter().map(word).collect();
+    let root = &subject.inputs[port::ROOT];
+    let power = low_bit(root.width).prop_map(|bit| 1i64 << bit);
     let moving = (
         flags(),
-        0i64..16,
+        prop_oneof![0i64..16, 0i64..2],
         prop_oneof![4 => Just(0i64), 1 => Just(1)],
-        word(&subject.inputs[port::ROOT]),
+        prop_oneof![word(root), power],
+        linear,
+        prop_oneof![Just(0), Just(LOW), 0..=LOW],
     );
-    (held, proptest::collection::vec(moving, clocks))
-        .prop_map(|(held, list)| {
-            let clock = |(flags, number, absent, root): ([i64; 3], i64, i64, i64)| {
-                flags
-                    .into_iter()
-                    .chain([number, absent, root])
-                    .chain(held.iter().copied())
-                    .collect::<Inputs>()
+    let factor = (
+        low_bit(subject.inputs[port::FACTORS].width - 1),
+        any::<bool>(),
+    );
+    let factor = factor.prop_map(|(bit, negate)| if negate { -(1i64 << bit) } else { 1 << bit });
+    let factor = factor.boxed();
+    let shift = prop_oneof![Just(0i64), 0i64..4];
+    let exact = proptest::option::of((shift, [factor.clone(), factor.clone(), factor]));
+    (held, exact, proptest::collection::vec(moving, clocks))
+        .prop_map(|(mut held, exact, list)| {
+            if let Some((shift, factors)) = exact {
+                held[0] = shift;
+                held[port::FACTORS - port::SHIFT..][..3].copy_from_slice(&factors);
+            }
+            let clock = |(flags, number, absent, root, mut linear, low)| {
+                let (flags, linear): ([i64; 3], &mut Vec<i64>) = (flags, &mut linear);
+                if exact.is_some() {
+                    linear.iter_mut().for_each(|word| *word &= !LOW);
+                    let c = linear.iter_mut().skip(2).step_by(3);
+                    c.for_each(|word| *word |= low);
+                }
+                let words = [&linear[..], &held[port::FACTORS - port::SHIFT..]].concat();
+                [&flags[..], &[number, absent, root, held[0]], &words].concat()
             };
             let mut list: Vec<Inputs> = list.into_iter().map(clock).collect();
             list[0][..3].copy_from_slice(&[1, 1, 0]);
+            for clock in 1..list.len() {
+                if list[clock - 1][..2] == [1, 1] {
+                    let words = list[clock - 1][port::WORDS..port::FACTORS].to_vec();
+                    list[clock][port::WORDS..port::FACTORS].copy_from_slice(&words);
+                }
+            }
             list
         })
         .boxed()

@@ -27,7 +27,8 @@ pub(super) fn patch_decider(format: Format) -> Description {
     })
 }
 
-/// Roots and planes on a few levels about zero and about both ends, so that ties are common.
+/// Roots and planes on a few levels about zero and about both ends, so that ties are common; some roots in the other
+/// order, to which sums beyond their width come.
 fn decisions(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let width = subject.outputs[0].width;
     let sum = || prop_oneof![8 => depth(width), 1 => crate::stimulus::word(&subject.inputs[0])];
@@ -35,9 +36,14 @@ fn decisions(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let planes = (subject.inputs.len() - DECIDER_PORTS) / 2;
     let plane = || (0i64..4, depth(width));
     let planes = proptest::collection::vec(plane(), planes);
-    let one = ([sum(), sum()], [often(), often()], planes).prop_map(
-        |([a, b], [inside, there], planes)| {
-            let mut inputs = vec![a.min(b), a.max(b), inside, there];
+    let one = ([sum(), sum()], [often(), often(), often()], planes).prop_map(
+        |([a, b], [inside, there, in_order], planes)| {
+            let [near, far] = if in_order == 1 {
+                [a.min(b), a.max(b)]
+            } else {
+                [a, b]
+            };
+            let mut inputs = vec![near, far, inside, there];
             inputs.extend(planes.into_iter().flat_map(|(kind, zp)| [kind, zp]));
             inputs
         },

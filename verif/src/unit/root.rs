@@ -2,13 +2,13 @@
 
 use super::description::{Description, late, scan, stated};
 use super::zone::Reader;
-use crate::stimulus::raster;
+use crate::stimulus::{radicand, raster};
 use crate::subject::{Inputs, Subject};
 use imogene_golden::format::{Format, wrap64};
 use imogene_golden::unit::pe1::Pe1;
 use imogene_golden::unit::pe2::Pe2;
 use imogene_golden::unit::root::restoring_root;
-use proptest::strategy::{BoxedStrategy, Strategy};
+use proptest::prelude::*;
 
 /// The low bits of a word as a number without sign.
 pub(super) fn unsigned(value: i128, width: u32) -> u128 {
@@ -17,7 +17,7 @@ pub(super) fn unsigned(value: i128, width: u32) -> u128 {
 
 pub(super) fn quadric_pe(format: Format, rows_per_stage: usize) -> Description {
     let root_latency = (format.root as usize).div_ceil(rows_per_stage);
-    Description::new(coefficients_held, move || {
+    Description::new(any_words, move || {
         let mut zone = None;
         let (mut late, mut late_flags) = (late(root_latency + 2), late(root_latency));
         move |i: &[i64]| {
@@ -33,28 +33,40 @@ pub(super) fn quadric_pe(format: Format, rows_per_stage: usize) -> Description {
     })
 }
 
-/// Sets of coefficients in a stimulus.
-const SETS: usize = 4;
-/// Clocks without a pixel between two sets, more than the deepest network has.
-const PAUSE: usize = 40;
+/// Where the ports of f1 and f2 begin, and that of the value with which f2 does.
+const F1: usize = 3;
+const F2: usize = 6;
+const F2_VALUE: usize = 11;
 
-/// The f1 processor starts later than the f2 processor, so coefficients change only when the pipeline has drained.
-fn coefficients_held(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
-    let one_set = raster(&subject.inputs, (clocks / SETS).max(1)).prop_map(|mut list| {
-        let held: Vec<i64> = list[0][3..].to_vec();
-        for inputs in &mut list {
-            inputs[3..].copy_from_slice(&held);
-            // Second differences are even: they are twice a coefficient.
-            inputs[6] &= !1;
-            inputs[7] &= !1;
-        }
-        let mut rest = list[0].clone();
-        rest[..3].fill(0);
-        list.extend(std::iter::repeat_n(rest, PAUSE));
-        list
-    });
-    proptest::collection::vec(one_set, SETS)
-        .prop_map(|sets| sets.concat())
+/// Words change every clock; those of f1 are read again when its processor starts, behind the root.
+///
+/// Half of the time f2 begins at or beside a square and goes on in small steps, where the root tells one radicand from
+/// the next.
+fn any_words(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let rows = subject.latency - 2;
+    let f2 = &subject.inputs[F2_VALUE];
+    let near = (radicand(f2), f2.width - 4..f2.width);
+    let near = proptest::collection::vec(proptest::option::of(near), clocks);
+    (raster(&subject.inputs, clocks), near)
+        .prop_map(move |(mut list, near)| {
+            for (inputs, near) in list.iter_mut().zip(near) {
+                if let Some((value, by)) = near {
+                    inputs[F2..F2_VALUE]
+                        .iter_mut()
+                        .for_each(|step| *step >>= by);
+                    inputs[F2_VALUE] = value;
+                }
+                // Second differences are even: they are twice a coefficient.
+                inputs[F2..F2 + 2].iter_mut().for_each(|step| *step &= !1);
+            }
+            for clock in rows..list.len() {
+                if list[clock - rows][..2] == [1, 1] {
+                    let f1 = list[clock - rows][F1..F2].to_vec();
+                    list[clock][F1..F2].copy_from_slice(&f1);
+                }
+            }
+            list
+        })
         .boxed()
 }
 

@@ -120,3 +120,52 @@ fn a_counter_forgets_nothing() {
     let known = Known::new(&design, &contract);
     assert!((0..4).all(|bit| !known.is_forgotten(0, bit)));
 }
+
+/// A register holds 1 from the first clock on, and 0 before: what takes it for 1 differs in no result.
+#[test]
+fn a_difference_that_is_gone_before_the_first_result_is_none() {
+    let design = Design::of(|| {
+        module("gate", "top", ("a", Bits::input(1)), |a| {
+            net! { let one = Bits::new(1, 1).reg(); }
+            ("y", (a & one).reg())
+        });
+    });
+    let controls = Controls::new(&design, &sites(&design));
+    let verdict = |text: &str, latency: usize| {
+        let contract = Contract {
+            latency,
+            ..Contract::default()
+        };
+        let judge = Judge::new(&controls, &Known::new(&design, &contract));
+        let mutants = controls.mutants();
+        let mut mutants = mutants.iter();
+        let mutant = mutants.find(|mutant| controls.describe(mutant).starts_with(text));
+        judge.judge(&mutant.expect("a mutant").upsets)
+    };
+    assert_eq!(verdict("one[0] stuck at 1", 2), Verdict::Equivalent);
+    assert_eq!(verdict("one[0] stuck at 0", 2), Verdict::Differs);
+    // One clock after the power-up the first state still shows.
+    assert_eq!(verdict("one[0] stuck at 1", 1), Verdict::Differs);
+}
+
+/// What a counter holds never leaves it: it is not judged by its last inputs alone.
+#[test]
+fn no_mutant_of_a_counter_that_shows_is_called_equivalent() {
+    let design = Design::of(|| {
+        module("counter", "top", ("enable", Bits::input(1)), |enable| {
+            let count = Bits::register(2).named("count");
+            count.load_when(enable, count + Bits::new(1, 2));
+            ("value", count)
+        });
+    });
+    let contract = Contract {
+        latency: 4,
+        ..Contract::default()
+    };
+    let controls = Controls::new(&design, &sites(&design));
+    let judge = Judge::new(&controls, &Known::new(&design, &contract));
+    for mutant in controls.mutants() {
+        let text = controls.describe(&mutant);
+        assert_eq!(judge.judge(&mutant.upsets), Verdict::Differs, "{text}");
+    }
+}

@@ -5,7 +5,7 @@
 //! when a mutant *does* differ.
 
 use super::cut::{cut, cut_command};
-use super::facts::{ASSUMED, assume};
+use super::facts::{ASSUMED, Proof, assume};
 use super::mutant::{Design, Mutant};
 use crate::mutation::score::{Fate, MutationError, Options};
 use crate::subject::Subject;
@@ -23,6 +23,7 @@ pub(super) struct Judge<'a> {
     /// Text of the netlist with the facts.
     netlist: String,
     begins_at_zero: bool,
+    facts: Proof,
     seconds: u32,
 }
 
@@ -36,7 +37,7 @@ impl<'a> Judge<'a> {
         subject: &Subject,
         options: &Options,
     ) -> Result<Judge<'a>, MutationError> {
-        assume(folder, design.top, &subject.name)?;
+        let facts = assume(folder, design.top, &subject.name)?;
         let netlist = read(&folder.join(ASSUMED))?;
         write(&folder.join(CUT), &cut(&netlist))?;
         let mut initial = netlist
@@ -50,6 +51,7 @@ impl<'a> Judge<'a> {
             folder,
             design,
             begins_at_zero,
+            facts,
             netlist,
             seconds: options.proof_seconds,
         })
@@ -99,8 +101,12 @@ impl<'a> Judge<'a> {
         let reason = if time.contains("model found for base case") {
             "It differs from the unit on some input: the stimulus is too weak, or the contract leaves that input open".into()
         } else {
+            let without = match self.facts {
+                Proof::Proven(_) => "",
+                Proof::Failed => ", without the facts of its registers, whose proof failed",
+            };
             format!(
-                "Undecided: no stimulus found a difference, and no proof within {} s",
+                "Undecided: no stimulus found a difference, and no proof within {} s{without}",
                 self.seconds
             )
         };

@@ -1,9 +1,10 @@
 //! What a unit may rely on, for judging its mutants: legal inputs, and invariants of its registers.
 //!
 //! Inputs come from the contract. The invariants are proven before they are used: from any state where all hold, they
-//! hold after a clock. If that fails they are dropped, so that they can make a proof succeed sooner but never wrongly.
-//! They hold where registers begin, at 0, but for the network that does not restore; there they hold once the pipeline
-//! is filled, for it has no feedback, and nothing is stated of a result before.
+//! hold after a clock. If that fails they are dropped, so that they can make a proof succeed sooner but never wrongly,
+//! and what then survives says so. They hold where registers begin, at 0, but for the network that does not restore.
+//! There one state in which all hold is enough: it keeps nothing, so that its results are the same from any state, and
+//! nothing is stated of a result before.
 
 use super::elaborate::NETLIST;
 use imogene_tools::{ToolError, read, write, yosys};
@@ -24,24 +25,20 @@ pub(super) struct Facts {
 impl Facts {
     /// The facts of a unit.
     ///
-    /// Root rows: `remainder <= 2 root` after each row; with a row that does not restore, the remainder is less by `2
-    /// root + 1` where the last digit is 0. Second differences of a PE2 are even.
+    /// Root rows: `remainder <= 2 root` behind each row; see [`unrestored`] for rows that do not restore. Second
+    /// differences of a PE2 are even.
     fn of(unit: &str, wires: &BTreeMap<String, usize>) -> Facts {
         let last = |name: &str| name.rsplit('.').next().unwrap_or_default().to_owned();
         let even = |name: &String| format!("!({{{name}}} & 1)");
         let inputs = ["a2", "b2", "f2_a2", "f2_b2"].map(String::from);
         let registers = ["kept_a2", "kept_b2"].map(String::from);
         let second_differences = wires.keys().filter(|name| registers.contains(&last(name)));
-        let stages = wires.keys().filter_map(|name| {
-            let stage = name.strip_suffix(".kept_remainder")?;
-            let root = format!("{stage}.kept_root");
-            wires.contains_key(&root).then_some((stage, name, root))
-        });
-        let rows = stages.map(|(stage, remainder, root)| {
-            if unit == "square_root_non_restoring" {
-                unrestored(stage, remainder, &root)
-            } else {
-                format!("{{{remainder}}} <= 2 * {{{root}}}")
+        let rows = stages(wires).map(|stage| {
+            let remainder = format!("{{{stage}.next_remainder}}");
+            let root = format!("{{{stage}.next_root}}");
+            match unit {
+                "square_root_non_restoring" => unrestored(&remainder, &root, &live(stage, wires)),
+                _ => format!("{remainder} <= 2 * {root}"),
             }
         });
         Facts {
@@ -104,13 +101,38 @@ impl Facts {
     }
 }
 
-/// The invariant of a row that does not restore. Row k, from 0, leaves a remainder of `k + 3` bits.
-fn unrestored(stage: &str, remainder: &str, root: &str) -> String {
-    let row = stage.rsplit('_').next().and_then(|row| row.parse().ok());
-    let mask = (1u64 << (row.unwrap_or(0u32) + 3).min(63)) - 1;
-    let restored =
-        format!("({{{root}}} & 1) ? {{{remainder}}} : {{{remainder}}} + 2 * {{{root}}} + 1");
-    format!("(({restored}) & 64'd{mask}) <= 2 * {{{root}}}")
+/// The stages of a root: instances with rows inside, whose registers hold root and remainder.
+fn stages(wires: &BTreeMap<String, usize>) -> impl Iterator<Item = &str> {
+    let stages = wires.keys();
+    let stages = stages.filter_map(|name| name.strip_suffix(".next_remainder"));
+    stages.filter(|stage| within(wires, &format!("{stage}.rows")).next().is_some())
+}
+
+/// The wires whose names begin so.
+fn within<'a>(
+    wires: &'a BTreeMap<String, usize>,
+    begin: &str,
+) -> impl Iterator<Item = &'a String> + use<'a> {
+    let begin = begin.to_owned();
+    let wires = wires.range(begin.clone()..);
+    wires
+        .map(|(name, _)| name)
+        .take_while(move |name| name.starts_with(&begin))
+}
+
+/// The bits that the remainder of a stage can have: those of its last row, which has those of the others too.
+fn live(stage: &str, wires: &BTreeMap<String, usize>) -> String {
+    let rows = within(wires, &format!("{stage}.rows"));
+    let rows = rows.filter(|name| name.ends_with(".next_live"));
+    let rows: Vec<String> = rows.map(|name| format!("{{{name}}}")).collect();
+    rows.join(" | ")
+}
+
+/// The invariant of a row that does not restore: where the last digit is 0, the remainder is less than that of a row
+/// that restores by `2 root + 1`, in two's complement of its live bits.
+fn unrestored(remainder: &str, root: &str, live: &str) -> String {
+    let restored = format!("({root} & 1) ? {remainder} : {remainder} + 2 * {root} + 1");
+    format!("(({restored}) & ({live})) <= 2 * {root}")
 }
 
 /// Names and widths of the named wires in the text of a netlist.
@@ -131,23 +153,35 @@ pub(super) fn wires(netlist: &str) -> BTreeMap<String, usize> {
     found
 }
 
+/// What became of the facts of the registers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Proof {
+    /// So many are proven, which may be none.
+    Proven(usize),
+    /// They do not hold, or there was no proof in time.
+    Failed,
+}
+
 /// Writes [`ASSUMED`]: the netlist with the facts that hold.
-pub(super) fn assume(folder: &Path, top: &str, unit: &str) -> Result<(), ToolError> {
+pub(super) fn assume(folder: &Path, top: &str, unit: &str) -> Result<Proof, ToolError> {
     let netlist = read(&folder.join(NETLIST))?;
     let wires = wires(&netlist);
     let mut facts = Facts::of(unit, &wires);
     if facts == Facts::default() {
-        return Ok(write(&folder.join(ASSUMED), &netlist)?);
+        write(&folder.join(ASSUMED), &netlist)?;
+        return Ok(Proof::Proven(0));
     }
     let build = format!(
         "read_rtlil stated.il\nread_verilog -formal facts.v\nproc facts\nflatten {top}\ndelete facts\nselect -clear\n"
     );
+    let mut outcome = Proof::Proven(facts.registers.len());
     if !facts.registers.is_empty() {
         facts.insert("assert", folder, &netlist, &wires)?;
         let proof = "sat -tempinduct -tempinduct-inductonly -prove-asserts -set-assumes -maxsteps 1 -timeout 120";
         let said = yosys(folder, "facts.ys", &format!("{build}{proof} {top}\n"))?;
         if !said.contains("SUCCESS") {
             facts.registers.clear();
+            outcome = Proof::Failed;
         }
     }
     facts.insert("assume", folder, &netlist, &wires)?;
@@ -156,31 +190,83 @@ pub(super) fn assume(folder: &Path, top: &str, unit: &str) -> Result<(), ToolErr
         "assume.ys",
         &format!("{build}write_rtlil {ASSUMED}\n"),
     )?;
-    Ok(())
+    Ok(outcome)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::mutation::netlist::elaborate::{SOURCE, elaborate};
+    use crate::mutation::netlist::mutant::Design;
+    use crate::mutation::score::Options;
+    use imogene_contract::Request;
+    use imogene_rtl::emit::emit;
+    use imogene_tools::scratch;
 
     #[test]
     fn facts_name_wires_of_the_netlist() {
-        let text = "module \\m\n  wire width 4 input 2 \\a2\n  wire width 5 \\s_0.kept_remainder\n  wire width 4 \\s_0.kept_root\n  \
-                    wire $1\nend\n";
+        let text = "module \\m\n  wire width 4 input 2 \\a2\n  wire width 5 \\s[0].t.next_remainder\n  \
+                    wire width 4 \\s[0].t.next_root\n  wire width 5 \\s[0].t.rows_0.next_remainder\n  \
+                    wire width 4 \\s[0].t.rows_0.next_root\n  wire width 5 \\s[0].t.rows_0.next_live\n  wire $1\nend\n";
         let wires = wires(text);
         assert_eq!(wires.get("a2"), Some(&4));
-        assert_eq!(wires.len(), 3);
+        assert_eq!(wires.len(), 6);
         let facts = Facts::of("square_root", &wires);
         assert_eq!(facts.inputs, ["!({a2} & 1)"]);
         assert_eq!(
             facts.registers,
-            ["{s_0.kept_remainder} <= 2 * {s_0.kept_root}"]
+            ["{s[0].t.next_remainder} <= 2 * {s[0].t.next_root}"]
         );
         let (verilog, connections) = facts.module("assert", &wires);
         assert!(
             verilog.contains("assert({64'd0, p1} <= 2 * {64'd0, p2});"),
             "{verilog}"
         );
-        assert!(connections.contains("connect \\p2 \\s_0.kept_root"));
+        assert!(connections.contains("connect \\p2 \\s[0].t.next_root"));
+        assert_eq!(live("s[0].t", &wires), "{s[0].t.rows_0.next_live}");
+    }
+
+    /// What becomes of the facts of a unit that is taken for `named`, and the netlist with them.
+    fn assumed(unit: &str, rows_per_stage: u32, named: &str) -> (Proof, String) {
+        let options = [("rows-per-stage", Some(rows_per_stage))];
+        let request = Request::given(unit, 16, &options).expect("a unit of the catalogue");
+        let emitted = emit(&request).expect("a legal request");
+        let text = &emitted.bundle();
+        let design = Design {
+            top: &emitted.top,
+            text,
+            latency: emitted.latency,
+        };
+        let scratch = scratch().expect("a folder");
+        let folder = scratch.path();
+        write(&folder.join(SOURCE), text).expect("a file");
+        elaborate(folder, &design, &Options::default()).expect("a legal unit");
+        let proof = assume(folder, design.top, named).expect("yosys runs");
+        (proof, read(&folder.join(ASSUMED)).expect("a netlist"))
+    }
+
+    /// A remainder behind each stage, but the last one of a PE, which nothing reads; two second differences of a PE2.
+    #[test]
+    fn facts_of_roots_are_proven() {
+        let units = [
+            ("square_root", 1, 16),
+            ("square_root", 3, 6),
+            ("square_root_non_restoring", 1, 16),
+            ("square_root_non_restoring", 3, 6),
+            ("quadric_pe", 1, 15 + 2),
+        ];
+        for (unit, rows_per_stage, facts) in units {
+            let (proof, netlist) = assumed(unit, rows_per_stage, unit);
+            assert_eq!(proof, Proof::Proven(facts), "{unit}");
+            assert!(netlist.matches("cell $assume").count() >= facts, "{unit}");
+        }
+    }
+
+    /// What does not hold is not assumed: rows that do not restore are taken for rows that do.
+    #[test]
+    fn facts_that_do_not_hold_are_told() {
+        let (proof, netlist) = assumed("square_root_non_restoring", 1, "square_root");
+        assert_eq!(proof, Proof::Failed);
+        assert!(!netlist.contains("cell $assume"));
     }
 }
