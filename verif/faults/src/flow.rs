@@ -1,7 +1,7 @@
 //! Circuits that keep nothing: what comes out depends on the inputs of the last clocks alone, as many as the latency.
 //!
-//! Circuit and mutant begin in the same state, which may be any, and take the same inputs over the latency. If what then
-//! comes out is equal, and both keep nothing, it is equal for ever.
+//! Circuit and mutant begin in the same state, which may be any, and take the same inputs over the latency. If what
+//! then comes out is equal, and both keep nothing, it is equal for ever.
 
 use crate::controls::Upset;
 use crate::frame::{Begin, End};
