@@ -27,7 +27,7 @@ pub fn pair_generators(model: &Model, face: usize, planes: &mut Planes, found: &
     let axis = surface.axis;
     let lines = lines(model, face);
     let distinct = distinct(&lines, axis);
-    let mut plane_of = vec![0; distinct.len()];
+    let mut plane_of = vec![None; distinct.len()];
     for first in (0..distinct.len()).step_by(2) {
         let a = &lines[distinct[first][0]];
         let second = (first + 1) % distinct.len();
@@ -37,16 +37,16 @@ pub fn pair_generators(model: &Model, face: usize, planes: &mut Planes, found: &
         } else {
             common_normal(surface, a, &lines[distinct[second][0]])
         };
-        let plane = planes.find_or_add(a.point, unit(normal));
+        // A straight edge on the axis is no generator, and has no plane.
+        let plane = (length(normal) > 0.0).then(|| planes.find_or_add(a.point, unit(normal)));
         plane_of[first] = plane;
         if second > first {
             plane_of[second] = plane;
         }
     }
     for (group, plane) in distinct.iter().zip(plane_of) {
-        for line in group {
-            found.insert((face, lines[*line].edge), plane);
-        }
+        let edges = group.iter().map(|line| (face, lines[*line].edge));
+        found.extend(edges.filter_map(|edge| Some((edge, plane?))));
     }
 }
 
