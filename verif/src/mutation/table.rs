@@ -31,9 +31,10 @@ A test suite is worth what it notices. *Every* mutant of each unit's circuit is 
 stuck at 1 and inverted, each bit of a constant inverted, each operator exchanged for another, the enable of each
 register stuck and inverted, each bit of what it holds at power-up inverted, in every instance. A mutant is *killed*
 when the unit's own stimulus shows a difference from the golden model. It is *equivalent* when it is proven to have the
-outputs and next states of the unit for every input and every state that the unit can come to, so that no test could
-kill it. It is *forgotten* when it changes the state at power-up and it is proven that nothing of it is left once the
-work began and the latency passed. The score is the share of the killed among the killed and the surviving.
+outputs and next states of the unit for every input and every state that the unit can come to, or, where the unit keeps
+nothing longer than its latency, the outputs for all inputs of that time: no test could kill it. It is *forgotten* when
+it changes the state at power-up and it is proven that nothing of it is left once the work began and the latency passed.
+The score is the share of the killed among the killed and the surviving.
 
 A score below 100 % says that the stimulus is too weak, that the unit's contract leaves an input open, or that the
 proof needs to know more of the states that are never reached.
