@@ -1,4 +1,7 @@
 //! Instructions of x86-64 with AVX2, as bytes: Intel's manual, volume 2, sections 2.3 (VEX) and 2.1 (memory operands).
+//!
+//! A selection is one instruction less, and its condition is found once for many, where the processor has the masks of
+//! AVX-512 (section 2.7, EVEX).
 
 use crate::layout::Lanes;
 use crate::line::Two;
@@ -34,12 +37,21 @@ const SHIFT: Code = Code(1, 1, 0, 0x73);
 /// The top bit of each lane, in a general register (rax).
 const TOP_BITS: Code = Code(1, 1, 0, 0x50);
 const SELECT: Code = Code(3, 1, 0, 0x4b);
+const PAIR: Code = Code(1, 1, 0, 0x6c);
+const HALVES: Code = Code(3, 1, 0, 0x38);
+const BLEND: Code = Code(3, 1, 0, 0x02);
+const TO_MASK: Code = Code(2, 2, 1, 0x39);
+const SELECT_BY_MASK: Code = Code(2, 1, 1, 0x64);
+
+/// Masks of AVX-512 but for the first, which means none.
+pub(crate) const MASKS: usize = 7;
 
 fn code(how: Two) -> Code {
     match how {
         Two::Add => Code(1, 1, 0, 0xd4),
         Two::Sub => Code(1, 1, 0, 0xfb),
         Two::And => Code(1, 1, 0, 0xdb),
+        Two::AndNot => Code(1, 1, 0, 0xdf),
         Two::Or => Code(1, 1, 0, 0xeb),
         Two::Xor => Code(1, 1, 0, 0xef),
         Two::Equal => Code(2, 1, 0, 0x29),
@@ -56,6 +68,7 @@ fn code(how: Two) -> Code {
 pub(crate) struct Assembler {
     pub(crate) bytes: Vec<u8>,
     pub(crate) lanes: Lanes,
+    pub(crate) has_masks: bool,
 }
 
 impl Assembler {
@@ -74,17 +87,38 @@ impl Assembler {
                 self.bytes.extend([0xc4, middle, last, code]);
             }
         }
+        match second {
+            Operand::Memory(base, bytes) if i8::try_from(bytes).is_ok() => {
+                let reg = (reg & 7) << 3;
+                self.bytes.extend([0x40 | reg | base as u8, bytes as u8]);
+            }
+            _ => self.operand(reg, second),
+        }
+    }
+
+    fn operand(&mut self, reg: u8, second: Operand) {
         let reg = (reg & 7) << 3;
         match second {
             Operand::Register(register) => self.bytes.push(0xc0 | reg | register & 7),
-            Operand::Memory(base, bytes) => match i8::try_from(bytes) {
-                Ok(short) => self.bytes.extend([0x40 | reg | base as u8, short as u8]),
-                Err(_) => {
-                    self.bytes.push(0x80 | reg | base as u8);
-                    self.bytes.extend(bytes.to_le_bytes());
-                }
-            },
+            Operand::Memory(base, bytes) => {
+                self.bytes.push(0x80 | reg | base as u8);
+                self.bytes.extend(bytes.to_le_bytes());
+            }
         }
+    }
+
+    fn evex(&mut self, code: Code, reg: u8, first: u8, second: Operand, mask: u8) {
+        let Code(table, prefix, w, code) = code;
+        let beyond = |register: u8| (!register >> 3) & 1;
+        let beyond_second = match second {
+            Operand::Register(register) => beyond(register),
+            Operand::Memory(..) => 1,
+        };
+        let registers = beyond(reg) << 7 | 1 << 6 | beyond_second << 5 | 1 << 4 | table;
+        let middle = w << 7 | (!first & 15) << 3 | 1 << 2 | prefix;
+        let last = u8::from(self.lanes == Lanes::Four) << 5 | 1 << 3 | mask;
+        self.bytes.extend([0x62, registers, middle, last, code]);
+        self.operand(reg, second);
     }
 
     fn vector(&mut self, code: Code, reg: u8, first: u8, second: Operand) {
@@ -111,28 +145,55 @@ impl Assembler {
         self.bytes.push(which << 4);
     }
 
+    /// The top bits of a vector in a mask.
+    pub(crate) fn to_mask(&mut self, mask: u8, which: u8) {
+        self.evex(TO_MASK, mask, 0, Operand::Register(which), 0);
+    }
+
+    /// The first operand where the mask has a one, else `or`.
+    pub(crate) fn select_by_mask(&mut self, to: u8, mask: u8, then: Operand, or: u8) {
+        self.evex(SELECT_BY_MASK, to, or, then, mask);
+    }
+
+    /// Two words side by side.
+    pub(crate) fn pair(&mut self, to: u8, a: u8, b: Operand) {
+        self.vex(PAIR, false, to, a, b);
+    }
+
+    /// Two pairs side by side.
+    pub(crate) fn halves(&mut self, to: u8, low: u8, high: u8) {
+        self.vex(HALVES, true, to, low, Operand::Register(high));
+        self.bytes.push(1);
+    }
+
+    /// The words of a vector with another in the first lane.
+    pub(crate) fn patch(&mut self, to: u8, others: u8, first: u8) {
+        self.vex(BLEND, true, to, others, Operand::Register(first));
+        self.bytes.push(0b11);
+    }
+
     /// A whole vector.
     pub(crate) fn load(&mut self, to: u8, from: Operand) {
-        self.vector(LOAD, to, 0, from);
+        self.vex(LOAD, true, to, 0, from);
     }
 
     /// A whole vector.
     pub(crate) fn store(&mut self, from: u8, to: Operand) {
-        self.vector(STORE, from, 0, to);
+        self.vex(STORE, true, from, 0, to);
     }
 
     /// The words of the lanes alone.
-    pub(crate) fn load_words(&mut self, to: u8, from: Operand) {
-        match self.lanes {
-            Lanes::One => self.vector(LOAD_WORD, to, 0, from),
+    pub(crate) fn load_words(&mut self, lanes: Lanes, to: u8, from: Operand) {
+        match lanes {
+            Lanes::One => self.vex(LOAD_WORD, false, to, 0, from),
             Lanes::Four => self.load(to, from),
         }
     }
 
     /// The words of the lanes alone.
-    pub(crate) fn store_words(&mut self, from: u8, to: Operand) {
-        match self.lanes {
-            Lanes::One => self.vector(STORE_WORD, from, 0, to),
+    pub(crate) fn store_words(&mut self, lanes: Lanes, from: u8, to: Operand) {
+        match lanes {
+            Lanes::One => self.vex(STORE_WORD, false, from, 0, to),
             Lanes::Four => self.store(from, to),
         }
     }

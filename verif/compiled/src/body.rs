@@ -2,7 +2,7 @@
 //!
 //! A word is computed where it is first wanted.
 
-use crate::layout::{Lanes, Layout};
+use crate::layout::{Lanes, Layout, Spot};
 use crate::line::{Line, Step, Value};
 use crate::word::Word;
 use imogene_hdl::{Direction, Module, Net, Op};
@@ -11,10 +11,10 @@ use std::rc::Rc;
 /// An instance in a function.
 pub(crate) struct Scope<'d> {
     pub(crate) module: &'d Rc<Module>,
-    /// Of its first word, from the beginning of the function's block.
-    pub(crate) place: usize,
-    /// In what its block lies.
-    pub(crate) lanes: Lanes,
+    /// Where its words lie, from the beginning of the function's block.
+    pub(crate) spot: Spot,
+    /// It is four equal instances in a function of one lane, or in them: the scopes of these alone.
+    pub(crate) rows: Option<[usize; 4]>,
     /// The scope around it, and which of its instances it is.
     pub(crate) around: Option<(usize, usize)>,
     /// The function writes its registers.
@@ -40,6 +40,7 @@ pub(crate) struct Body<'d> {
     pub(crate) to: Line,
     pub(crate) layout: &'d Layout,
     pub(crate) scopes: Vec<Scope<'d>>,
+    pub(crate) lanes: Lanes,
     /// What was known before of the words of nets, while that will be wanted again.
     before: Option<Vec<(Place, Known)>>,
 }
@@ -51,24 +52,25 @@ impl<'d> Body<'d> {
             to: Line::default(),
             layout,
             scopes: vec![],
+            lanes,
             before: None,
         };
-        body.open(module, 0, lanes, None, true);
+        let stride = lanes.count();
+        body.open(module, Spot { place: 0, stride }, None, true);
         body
     }
 
     fn open(
         &mut self,
         module: &'d Rc<Module>,
-        place: usize,
-        lanes: Lanes,
+        spot: Spot,
         around: Option<(usize, usize)>,
         is_own: bool,
     ) -> usize {
         self.scopes.push(Scope {
             module,
-            place,
-            lanes,
+            spot,
+            rows: None,
             around,
             is_own,
             words: vec![Known::Nothing; module.nodes.len()],
@@ -84,19 +86,38 @@ impl<'d> Body<'d> {
         }
         let around = &self.scopes[scope];
         let module = &around.module.instances[index].module;
-        let is_own = around.is_own && !self.layout.is_called(module);
-        let (place, lanes) = self
-            .layout
-            .part(around.module, around.place, around.lanes, index);
-        let part = self.open(module, place, lanes, Some((scope, index)), is_own);
+        let (spot, rows) = (
+            self.layout.part(around.module, around.spot, index),
+            around.rows,
+        );
+        // Rows that run together are no part of what runs alone.
+        let is_own = around.is_own
+            && !self.layout.is_called(module)
+            && (rows.is_some() || around.spot.stride == spot.stride);
+        let part = self.open(module, spot, Some((scope, index)), is_own);
         self.scopes[scope].parts[index] = Some(part);
+        self.scopes[part].rows = rows;
         part
+    }
+
+    /// The scope of four equal instances that run together.
+    pub(crate) fn rows(&mut self, around: usize, indices: [usize; 4]) -> usize {
+        let rows = indices.map(|index| self.part(around, index));
+        let first = &self.scopes[rows[0]];
+        let together = self.open(first.module, first.spot, None, true);
+        self.scopes[together].rows = Some(rows);
+        together
+    }
+
+    /// Where the input of rows that run together gets its bits.
+    pub(crate) fn origins(&mut self, rows: [usize; 4], input: Net) -> [Place; 4] {
+        rows.map(|row| self.origin((row, input)))
     }
 
     /// The place of a word of a scope, by its number in the block.
     pub(crate) fn at(&self, scope: usize, word: usize) -> usize {
         let own = &self.scopes[scope];
-        own.place + word * own.lanes.count()
+        own.spot.place + word * own.spot.stride
     }
 
     /// Where a net that is another name gets its bits, through the ports of instances.
@@ -140,6 +161,7 @@ impl<'d> Body<'d> {
         for ((scope, net), known) in self.before.take().into_iter().flatten().rev() {
             self.scopes[scope].words[net.0] = known;
         }
+        self.to.forget_from(begin.0 as usize);
         self.to.steps[begin.0 as usize] = Step::OnlyIf(which, self.to.steps.len());
     }
 

@@ -6,7 +6,7 @@
 use crate::body::{Body, Place};
 use crate::layout::Lanes;
 use crate::line::{Step, Two, Value};
-use imogene_hdl::{Binary, Module, Net, Op};
+use imogene_hdl::{Binary, Direction, Module, Net, Op};
 use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
@@ -24,11 +24,19 @@ impl Body<'_> {
         while let Some(&scope) = owned.get(next) {
             next += 1;
             for (index, instance) in self.scopes[scope].module.instances.iter().enumerate() {
-                if self.layout.is_called(&instance.module) {
-                    called.push(self.part(scope, index));
-                } else if instance.module.is_clocked() {
-                    owned.push(self.part(scope, index));
+                if !instance.module.is_clocked() {
+                    continue;
                 }
+                let part = self.part(scope, index);
+                if self.layout.is_called(&instance.module) {
+                    called.push(part);
+                } else if self.scopes[part].is_own {
+                    owned.push(part);
+                }
+            }
+            if self.lanes == Lanes::One && self.scopes[scope].rows.is_none() {
+                let rows = self.layout.rows(self.scopes[scope].spot.place);
+                owned.extend(rows.iter().map(|rows| self.rows(scope, *rows)));
             }
         }
         for &part in &called {
@@ -47,7 +55,7 @@ impl Body<'_> {
 
     /// The functions that are called, and for which blocks: in one lane a call for each group.
     fn calls(&self, called: &[usize]) -> Vec<(Rc<Module>, usize)> {
-        match self.scopes[0].lanes {
+        match self.lanes {
             Lanes::One => {
                 let groups = self.layout.groups.iter();
                 groups
@@ -57,7 +65,7 @@ impl Body<'_> {
             Lanes::Four => {
                 let parts = called.iter().map(|part| &self.scopes[*part]);
                 parts
-                    .map(|part| (part.module.clone(), part.place))
+                    .map(|part| (part.module.clone(), part.spot.place))
                     .collect()
             }
         }
@@ -81,6 +89,13 @@ impl Body<'_> {
             let net = self.scopes[scope].module.registers[index].net;
             self.word((scope, net));
         }
+        for &scope in owned {
+            if let (Some(rows), None) = (self.scopes[scope].rows, self.scopes[scope].around) {
+                let inputs = self.scopes[scope].module.ports_of(Direction::In);
+                inputs.for_each(|port| _ = self.word((scope, port.net)));
+                rows.into_iter().for_each(|row| self.read_registers(row));
+            }
+        }
         let (regions, others) = self.regions(&ordered);
         for at in others {
             self.register(at, None);
@@ -92,6 +107,20 @@ impl Body<'_> {
                     body.register(at, Some(enable));
                 }
             });
+        }
+    }
+
+    /// What the registers of a scope hold, and of all parts in it.
+    fn read_registers(&mut self, scope: usize) {
+        let module = self.scopes[scope].module;
+        for register in &module.registers {
+            self.word((scope, register.net));
+        }
+        for (index, instance) in module.instances.iter().enumerate() {
+            if instance.module.is_clocked() {
+                let part = self.part(scope, index);
+                self.read_registers(part);
+            }
         }
     }
 
@@ -146,12 +175,14 @@ impl Body<'_> {
         let next = register.next.expect("a closed module has all inputs");
         let mut next = self.kept((scope, next));
         if let Some(enable) = register.enable {
-            let is_known =
-                self.scopes[0].lanes == Lanes::One && known == Some(self.origin((scope, enable)));
+            let is_known = self.lanes == Lanes::One && known == Some(self.origin((scope, enable)));
             if !is_known {
                 let enable = self.high((scope, enable));
-                next = self.to.add(Step::Select(enable, next, held));
+                next = self.to.select(enable, next, held);
             }
+        }
+        if self.scopes[scope].rows.is_some() {
+            next = self.to.in_four(next);
         }
         self.to.add(Step::Store(next, place));
     }
@@ -170,8 +201,8 @@ impl Body<'_> {
         let nowhere = self.to.constant(memory.words as u64 + 1);
         let read_at = self.index_or(address, words, words);
         let write_at = self.index_or(at, words, nowhere);
-        let write_at = self.to.add(Step::Select(enable, write_at, nowhere));
-        let lanes = self.scopes[scope].lanes.count();
+        let write_at = self.to.select(enable, write_at, nowhere);
+        let lanes = self.lanes.count();
         let [read_at, write_at] = [read_at, write_at].map(|at| self.to.left(at, lanes.ilog2()));
         let first = place + lanes;
         let read = self.to.add(Step::Read(first, read_at));
@@ -183,8 +214,8 @@ impl Body<'_> {
     fn index_or(&mut self, index: Value, words: Value, or: Value) -> Value {
         let is_there = self.to.two(Two::Greater, words, index);
         // An index of 64 bits is no number below zero.
-        let is_number = self.to.add(Step::Select(index, or, index));
-        self.to.add(Step::Select(is_there, is_number, or))
+        let is_number = self.to.select(index, or, index);
+        self.to.select(is_there, is_number, or)
     }
 
     /// The registers of these scopes, those that read before those that are read, as far as they go in no ring.

@@ -1,7 +1,8 @@
 //! Where the state of a design lies: a block of words for each instance, the blocks of its parts within it.
 //!
 //! In four lanes each word lies four times, side by side. Equal parts of what runs in one lane lie so, as many as there
-//! are: they run together.
+//! are: they run together. So do the small ones that stand in one module, as the rows of a root do: word by word those
+//! of all rows, so that what each row takes from the one before lies side by side too.
 
 use crate::word::kept;
 use imogene_hdl::{Design, Direction, Module};
@@ -57,12 +58,21 @@ pub(crate) struct Group {
     parts: usize,
 }
 
+/// Where the words of an instance lie: the first, and how far it is to the next.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Spot {
+    pub(crate) place: usize,
+    pub(crate) stride: usize,
+}
+
 /// The blocks of all modules, and the groups of a design in one lane.
 pub(crate) struct Layout {
     blocks: HashMap<*const Module, Block>,
     pub(crate) groups: Vec<Group>,
-    /// Of each part of a group by the place of what is around it, and its number there.
-    grouped: HashMap<(usize, usize), usize>,
+    /// Parts that lie among equal ones, by the place of what is around them, and their numbers there.
+    grouped: HashMap<(usize, usize), Spot>,
+    /// Of the parts in the module at a place those that run together, four at a time.
+    rows: HashMap<usize, Vec<[usize; 4]>>,
     /// All words.
     pub(crate) size: usize,
 }
@@ -75,6 +85,7 @@ impl Layout {
             blocks: HashMap::new(),
             groups: vec![],
             grouped: HashMap::new(),
+            rows: HashMap::new(),
             size: 0,
         };
         for module in &modules {
@@ -122,10 +133,14 @@ impl Layout {
         }
     }
 
-    /// Gives a lane to each part with a function that is in a block.
+    /// Gives a lane to each part with a function that is in a block, and to small parts that stand side by side.
     fn group(&mut self, module: &Rc<Module>, place: usize) {
+        self.group_rows(module, place);
         for (index, instance) in module.instances.iter().enumerate() {
             let part = &instance.module;
+            if self.grouped.contains_key(&(place, index)) {
+                continue;
+            }
             if !self.is_called(part) {
                 let place = place + self.block(module).parts[0][index];
                 self.group(part, place);
@@ -146,10 +161,46 @@ impl Layout {
                     self.groups.last_mut().expect("a group")
                 }
             };
-            self.grouped
-                .insert((place, index), group.place + group.parts);
+            let spot = Spot {
+                place: group.place + group.parts,
+                stride: 4,
+            };
+            self.grouped.insert((place, index), spot);
             group.parts += 1;
         }
+    }
+
+    fn group_rows(&mut self, module: &Rc<Module>, place: usize) {
+        let mut equal: Vec<(&Rc<Module>, Vec<usize>)> = vec![];
+        for (index, instance) in module.instances.iter().enumerate() {
+            let part = &instance.module;
+            match equal.iter_mut().find(|(known, _)| Rc::ptr_eq(known, part)) {
+                Some((_, indices)) => indices.push(index),
+                None if part.is_clocked() && !self.is_called(part) && runs_alike(part) => {
+                    equal.push((part, vec![index]));
+                }
+                None => {}
+            }
+        }
+        for (part, indices) in equal {
+            let (rows, _) = indices.as_chunks::<4>();
+            let stride = 4 * rows.len();
+            for (lane, index) in rows.as_flattened().iter().enumerate() {
+                let place_of_row = self.size + lane;
+                let spot = Spot {
+                    place: place_of_row,
+                    stride,
+                };
+                self.grouped.insert((place, *index), spot);
+            }
+            self.size += stride * self.block(part).sizes[1];
+            self.rows.entry(place).or_default().extend(rows);
+        }
+    }
+
+    /// Parts of the module at a place that run together.
+    pub(crate) fn rows(&self, place: usize) -> &[[usize; 4]] {
+        self.rows.get(&place).map_or(&[], Vec::as_slice)
     }
 
     pub(crate) fn block(&self, module: &Rc<Module>) -> &Block {
@@ -160,40 +211,29 @@ impl Layout {
         self.block(module).is_called
     }
 
-    /// Where an instance in a module lies, and in what lanes, by the place of the module and its lanes.
-    pub(crate) fn part(
-        &self,
-        around: &Rc<Module>,
-        place: usize,
-        lanes: Lanes,
-        index: usize,
-    ) -> (usize, Lanes) {
-        let within = self.block(around).parts[lanes as usize][index];
-        match lanes {
-            Lanes::One if self.is_called(&around.instances[index].module) => {
-                (self.grouped[&(place, index)], Lanes::Four)
-            }
-            _ => (place + within * lanes.count(), lanes),
+    /// Where an instance in a module lies, by where the module does.
+    pub(crate) fn part(&self, around: &Rc<Module>, spot: Spot, index: usize) -> Spot {
+        let among_others = self.grouped.get(&(spot.place, index));
+        if let Some(grouped) = among_others.filter(|_| spot.stride == 1) {
+            return *grouped;
         }
+        let parts = &self.block(around).parts[usize::from(spot.stride > 1)];
+        let place = spot.place + parts[index] * spot.stride;
+        Spot { place, ..spot }
     }
 
     /// The places, widths and first words of all registers, those of instances before those of the module around them.
     pub(crate) fn registers(&self, top: &Rc<Module>, lanes: Lanes) -> Vec<Register> {
         let mut found = vec![];
-        self.add_registers(top, 0, lanes, &mut found);
+        let stride = lanes.count();
+        self.add_registers(top, Spot { place: 0, stride }, &mut found);
         found
     }
 
-    fn add_registers(
-        &self,
-        module: &Rc<Module>,
-        place: usize,
-        lanes: Lanes,
-        found: &mut Vec<Register>,
-    ) {
+    fn add_registers(&self, module: &Rc<Module>, spot: Spot, found: &mut Vec<Register>) {
         for (index, instance) in module.instances.iter().enumerate() {
-            let (place, lanes) = self.part(module, place, lanes, index);
-            self.add_registers(&instance.module, place, lanes, found);
+            let part = self.part(module, spot, index);
+            self.add_registers(&instance.module, part, found);
         }
         let block = self.block(module);
         found.extend(
@@ -204,7 +244,7 @@ impl Layout {
                 .map(|(index, register)| {
                     let width = module.node(register.net).width;
                     Register {
-                        place: place + block.register(index) * lanes.count(),
+                        place: spot.place + block.register(index) * spot.stride,
                         width,
                         initial: kept(register.initial, width),
                     }
@@ -218,6 +258,14 @@ pub(crate) struct Register {
     pub(crate) place: usize,
     pub(crate) width: u32,
     pub(crate) initial: u64,
+}
+
+/// Registers that all take a word on every clock, and nothing else that is clocked: equal ones do the same.
+fn runs_alike(module: &Module) -> bool {
+    let mut parts = module.instances.iter();
+    module.memories.is_empty()
+        && (module.registers.iter()).all(|register| register.enable.is_none())
+        && parts.all(|instance| runs_alike(&instance.module))
 }
 
 /// How often each module stands in a design.

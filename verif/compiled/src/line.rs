@@ -2,7 +2,9 @@
 //!
 //! Every lane does the same. A value is the number of the step that computes it.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
+
+const ONES: u64 = u64::MAX;
 
 /// The word that a step computes, in each lane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -14,6 +16,8 @@ pub(crate) enum Two {
     Add,
     Sub,
     And,
+    /// The bits of the second that the first does not have.
+    AndNot,
     Or,
     Xor,
     /// All ones where they are equal, else zero.
@@ -31,17 +35,45 @@ pub(crate) enum Two {
 }
 
 impl Two {
+    /// Of two words.
+    pub(crate) fn of(self, a: u64, b: u64) -> u64 {
+        let mask = |is_so: bool| if is_so { ONES } else { 0 };
+        let by = |count: u64| u32::try_from(count).unwrap_or(u32::MAX);
+        match self {
+            Two::Add => a.wrapping_add(b),
+            Two::Sub => a.wrapping_sub(b),
+            Two::And => a & b,
+            Two::AndNot => !a & b,
+            Two::Or => a | b,
+            Two::Xor => a ^ b,
+            Two::Equal => mask(a == b),
+            Two::Greater => mask(a as i64 > b as i64),
+            Two::LeftBy => a.checked_shl(by(b)).unwrap_or(0),
+            Two::RightBy => a.checked_shr(by(b)).unwrap_or(0),
+            Two::Product => u64::from(a as u32) * u64::from(b as u32),
+            Two::SignedProduct => (i64::from(a as i32) * i64::from(b as i32)) as u64,
+        }
+    }
+
     /// It is the same of both in the other order.
     pub(crate) fn commutes(self) -> bool {
-        !matches!(self, Two::Sub | Two::Greater | Two::LeftBy | Two::RightBy)
+        use Two::*;
+        !matches!(self, Sub | AndNot | Greater | LeftBy | RightBy)
     }
 }
 
 /// A step. Places are counted in words from the beginning of a block, of memories by their first word.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Step {
-    Constant(u64),
+    /// A word for each lane.
+    Constant([u64; 4]),
     Load(usize),
+    /// Four words that lie side by side, where everything else has one lane.
+    LoadFour(usize),
+    /// Words of one lane side by side.
+    Gather([Value; 4]),
+    /// Four words, the first lane of which is another word of one lane.
+    Patch(Value, Value),
     Two(Two, Value, Value),
     Left(Value, u32),
     Right(Value, u32),
@@ -64,14 +96,16 @@ pub(crate) enum Step {
 impl Step {
     /// The values that it reads.
     pub(crate) fn reads(&self) -> impl Iterator<Item = Value> {
-        let [a, b, c] = match *self {
-            Step::Constant(_) | Step::Load(_) | Step::Call(..) => [None; 3],
-            Step::Left(a, _) | Step::Right(a, _) | Step::Read(_, a) => [Some(a), None, None],
-            Step::Store(a, _) | Step::Give(a, _) | Step::OnlyIf(a, _) => [Some(a), None, None],
-            Step::Two(_, a, b) | Step::Write(_, a, b) => [Some(a), Some(b), None],
-            Step::Select(a, b, c) => [Some(a), Some(b), Some(c)],
+        use Step::*;
+        let reads = match *self {
+            Constant(_) | Load(_) | LoadFour(_) | Call(..) => [None; 4],
+            Left(a, _) | Right(a, _) | Read(_, a) => [Some(a), None, None, None],
+            Store(a, _) | Give(a, _) | OnlyIf(a, _) => [Some(a), None, None, None],
+            Two(_, a, b) | Write(_, a, b) | Patch(a, b) => [Some(a), Some(b), None, None],
+            Select(a, b, c) => [Some(a), Some(b), Some(c), None],
+            Gather(lanes) => lanes.map(Some),
         };
-        [a, b, c].into_iter().flatten()
+        reads.into_iter().flatten()
     }
 
     /// It is there for its value alone.
@@ -84,11 +118,13 @@ impl Step {
     }
 }
 
-/// Code that is being written.
+/// Code that is being written. Equal steps are one, and simple ones are folded.
 #[derive(Default)]
 pub(crate) struct Line {
     pub(crate) steps: Vec<Step>,
-    constants: HashMap<u64, Value>,
+    known: HashMap<Step, Value>,
+    /// Values that are all ones or zero.
+    masks: HashSet<Value>,
 }
 
 impl Line {
@@ -97,30 +133,231 @@ impl Line {
         Value(self.steps.len() as u32 - 1)
     }
 
-    pub(crate) fn constant(&mut self, word: u64) -> Value {
-        if let Some(known) = self.constants.get(&word) {
+    /// A step that follows from what it reads alone.
+    fn once(&mut self, step: Step) -> Value {
+        if let Some(known) = self.known.get(&step) {
             return *known;
         }
-        let value = self.add(Step::Constant(word));
-        self.constants.insert(word, value);
+        let is_mask = match step {
+            Step::Constant(words) => words.iter().all(|word| matches!(*word, 0 | ONES)),
+            Step::Gather(lanes) => lanes.iter().all(|lane| self.is_mask(*lane)),
+            Step::Patch(a, b) => self.is_mask(a) && self.is_mask(b),
+            Step::Two(how, a, b) => match how {
+                Two::Equal | Two::Greater => true,
+                Two::And | Two::AndNot | Two::Or | Two::Xor => self.is_mask(a) && self.is_mask(b),
+                _ => false,
+            },
+            Step::Select(_, a, b) => self.is_mask(a) && self.is_mask(b),
+            _ => false,
+        };
+        let value = self.add(step);
+        self.known.insert(step, value);
+        if is_mask {
+            self.masks.insert(value);
+        }
         value
     }
 
+    pub(crate) fn is_mask(&self, value: Value) -> bool {
+        self.masks.contains(&value)
+    }
+
+    /// Steps from this one on may not have been done: only constants among them may be read.
+    pub(crate) fn forget_from(&mut self, begin: usize) {
+        let is_kept = |step: &Step, value: &Value| {
+            matches!(step, Step::Constant(_)) || (value.0 as usize) < begin
+        };
+        self.known.retain(|step, value| is_kept(step, value));
+    }
+
+    pub(crate) fn step(&self, value: Value) -> Step {
+        self.steps[value.0 as usize]
+    }
+
+    fn as_constants(&self, value: Value) -> Option<[u64; 4]> {
+        match self.step(value) {
+            Step::Constant(words) => Some(words),
+            _ => None,
+        }
+    }
+
+    /// A constant that is the same in every lane.
+    pub(crate) fn as_constant(&self, value: Value) -> Option<u64> {
+        let words = self.as_constants(value)?;
+        (words == [words[0]; 4]).then_some(words[0])
+    }
+
+    fn constants(&mut self, words: [u64; 4]) -> Value {
+        self.once(Step::Constant(words))
+    }
+
+    pub(crate) fn constant(&mut self, word: u64) -> Value {
+        self.constants([word; 4])
+    }
+
+    /// Words of the block that are all ones or zero.
+    pub(crate) fn load_mask(&mut self, load: Step) -> Value {
+        let value = self.add(load);
+        self.masks.insert(value);
+        value
+    }
+
+    /// Four words of one lane side by side.
+    pub(crate) fn gather(&mut self, lanes: [Value; 4]) -> Value {
+        let constants = lanes.map(|lane| self.as_constant(lane));
+        match constants {
+            [Some(a), Some(b), Some(c), Some(d)] => self.constants([a, b, c, d]),
+            _ => self.once(Step::Gather(lanes)),
+        }
+    }
+
+    /// A value of rows that run together, which may be a constant.
+    pub(crate) fn in_four(&mut self, value: Value) -> Value {
+        match self.as_constant(value) {
+            Some(_) => self.once(Step::Gather([value; 4])),
+            None => value,
+        }
+    }
+
+    /// Words side by side with another in front.
+    pub(crate) fn patch(&mut self, first: Value, others: Value) -> Value {
+        self.once(Step::Patch(first, others))
+    }
+
+    /// What is of four lanes where all else is of one.
+    pub(crate) fn of_four(&self) -> Vec<bool> {
+        let mut found: Vec<bool> = vec![];
+        for step in &self.steps {
+            found.push(match step {
+                Step::LoadFour(_) | Step::Gather(_) | Step::Patch(..) => true,
+                Step::Constant(words) => *words != [words[0]; 4],
+                _ => step.reads().any(|value| found[value.0 as usize]),
+            });
+        }
+        found
+    }
+
+    /// What a value is the inverse of.
+    fn inverse(&self, value: Value) -> Option<Value> {
+        match self.step(value) {
+            Step::Two(Two::Xor, a, b) if self.as_constant(b) == Some(ONES) => Some(a),
+            _ => None,
+        }
+    }
+
     pub(crate) fn two(&mut self, how: Two, a: Value, b: Value) -> Value {
-        self.add(Step::Two(how, a, b))
+        // A constant stands second.
+        let (a, b) = match self.as_constant(a) {
+            Some(_) if how.commutes() => (b, a),
+            _ => (a, b),
+        };
+        if let (Some(a), Some(b)) = (self.as_constants(a), self.as_constants(b)) {
+            return self.constants([0, 1, 2, 3].map(|lane| how.of(a[lane], b[lane])));
+        }
+        match (self.as_constant(a), self.as_constant(b)) {
+            (_, Some(0)) => match how {
+                Two::Add | Two::Sub | Two::Or | Two::Xor | Two::LeftBy | Two::RightBy => return a,
+                Two::And | Two::AndNot | Two::Product | Two::SignedProduct => return b,
+                _ => {}
+            },
+            (_, Some(ONES)) if how == Two::And => return a,
+            (_, Some(ONES)) if how == Two::Or => return b,
+            (_, Some(ONES)) if how == Two::Xor => {
+                if let Some(inverse) = self.inverse(a) {
+                    return inverse;
+                }
+            }
+            (_, Some(mask)) if how == Two::And => {
+                if let Step::Two(Two::And, a, inner) = self.step(a)
+                    && let Some(inner) = self.as_constant(inner)
+                {
+                    let mask = self.constant(mask & inner);
+                    return self.two(Two::And, a, mask);
+                }
+            }
+            _ => {}
+        }
+        if how == Two::And {
+            for (a, b) in [(a, b), (b, a)] {
+                if let Some(inverse) = self.inverse(a) {
+                    return self.once(Step::Two(Two::AndNot, inverse, b));
+                }
+            }
+        }
+        self.once(Step::Two(how, a, b))
     }
 
     pub(crate) fn left(&mut self, value: Value, count: u32) -> Value {
-        match count {
-            0 => value,
-            _ => self.add(Step::Left(value, count)),
+        match self.step(value) {
+            _ if count == 0 => value,
+            Step::Constant(words) => self.constants(words.map(|word| word << count)),
+            Step::Left(inner, more) if count + more < 64 => self.left(inner, count + more),
+            // A mask of bits that are shifted out.
+            Step::Two(Two::And, inner, mask)
+                if self
+                    .as_constant(mask)
+                    .is_some_and(|mask| mask << count == ONES << count) =>
+            {
+                self.left(inner, count)
+            }
+            _ => self.once(Step::Left(value, count)),
+        }
+    }
+
+    /// By a count of each lane.
+    fn left_each(&mut self, value: Value, counts: [u32; 4]) -> Value {
+        match counts == [counts[0]; 4] {
+            true => self.left(value, counts[0]),
+            false => {
+                let counts = self.constants(counts.map(u64::from));
+                self.two(Two::LeftBy, value, counts)
+            }
         }
     }
 
     pub(crate) fn right(&mut self, value: Value, count: u32) -> Value {
-        match count {
-            0 => value,
-            _ => self.add(Step::Right(value, count)),
+        match self.step(value) {
+            _ if count == 0 => value,
+            Step::Constant(words) => self.constants(words.map(|word| word >> count)),
+            Step::Right(inner, more) if count + more < 64 => self.right(inner, count + more),
+            _ => self.once(Step::Right(value, count)),
+        }
+    }
+
+    /// One of two words, by the top bit of another.
+    pub(crate) fn select(&mut self, which: Value, then: Value, or: Value) -> Value {
+        if then == or {
+            return then;
+        }
+        if let Some(inverse) = self.inverse(which) {
+            return self.select(inverse, or, then);
+        }
+        match self.step(which) {
+            Step::Constant(words) if words.iter().all(|word| word >> 63 == 1) => return then,
+            Step::Constant(words) if words.iter().all(|word| word >> 63 == 0) => return or,
+            // The sign of a number is its top bit.
+            Step::Two(Two::Greater, zero, number) if self.as_constant(zero) == Some(0) => {
+                return self.select(number, then, or);
+            }
+            // A bit that is zero.
+            Step::Two(Two::Equal, bits, zero) if self.as_constant(zero) == Some(0) => {
+                if let Step::Two(Two::And, word, bit) = self.step(bits)
+                    && let Some(bits) = self.as_constants(bit)
+                    && bits.iter().all(|bit| bit.is_power_of_two())
+                {
+                    let top = self.left_each(word, bits.map(u64::leading_zeros));
+                    return self.select(top, or, then);
+                }
+            }
+            _ => {}
+        }
+        let [zero, ones] =
+            [0, ONES].map(|word| [then, or].map(|v| self.as_constant(v) == Some(word)));
+        match (self.is_mask(which), zero, ones) {
+            (true, [_, true], _) => self.two(Two::And, which, then),
+            (true, [true, _], _) => self.two(Two::AndNot, which, or),
+            (true, _, [true, _]) => self.two(Two::Or, which, or),
+            _ => self.once(Step::Select(which, then, or)),
         }
     }
 

@@ -31,6 +31,7 @@ impl Machine {
             let mut to = Assembler {
                 bytes,
                 lanes: function.lanes,
+                has_masks: has_masks(),
             };
             let begin = to.bytes.len();
             spilled = spilled.max(registers::write(
@@ -88,9 +89,23 @@ impl Machine {
     }
 }
 
+#[cfg(target_arch = "x86_64")]
 fn has_avx2() -> bool {
-    #[cfg(target_arch = "x86_64")]
-    return std::arch::is_x86_feature_detected!("avx2");
-    #[cfg(not(target_arch = "x86_64"))]
-    return false;
+    std::arch::is_x86_feature_detected!("avx2")
+}
+
+#[cfg(target_arch = "x86_64")]
+fn has_masks() -> bool {
+    use std::arch::is_x86_feature_detected as is_there;
+    is_there!("avx512vl") && is_there!("avx512dq")
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+fn has_avx2() -> bool {
+    false
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+fn has_masks() -> bool {
+    false
 }

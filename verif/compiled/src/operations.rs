@@ -6,12 +6,51 @@ use crate::word::Word;
 use imogene_hdl::{Binary, Net, Op};
 
 impl Body<'_> {
-    fn load(&mut self, place: usize, width: u32) -> Word {
-        let value = self.to.add(Step::Load(place));
+    fn load(&mut self, scope: usize, word: usize, width: u32) -> Word {
+        let place = self.at(scope, word);
+        self.loaded(
+            match self.scopes[scope].rows {
+                None => Step::Load(place),
+                Some(_) => Step::LoadFour(place),
+            },
+            width,
+        )
+    }
+
+    fn loaded(&mut self, load: Step, width: u32) -> Word {
         match width {
-            1 => Word::with_signs_above(value, 1),
-            _ => Word::new(value, width),
+            1 => Word::as_kept(self.to.load_mask(load), 1),
+            _ => Word::as_kept(self.to.add(load), width),
         }
+    }
+
+    /// An input of rows that run together: what lies side by side is read so, perhaps but for the first row's.
+    fn gathered(&mut self, rows: [usize; 4], input: Net, width: u32) -> Word {
+        let origins = self.origins(rows, input);
+        let places = origins.map(
+            |(scope, net)| match self.scopes[scope].module.node(net).op {
+                Op::Register(index) => {
+                    let block = self.layout.block(self.scopes[scope].module);
+                    Some(self.at(scope, block.register(index)))
+                }
+                _ => None,
+            },
+        );
+        let follows = |lane: usize| {
+            let before = places[lane - 1];
+            before.is_some_and(|before| places[lane] == Some(before + 1))
+        };
+        if let (Some(second), true, true) = (places[1], follows(2), follows(3)) {
+            let others = self.loaded(Step::LoadFour(second - 1), width);
+            if follows(1) {
+                return others;
+            }
+            let first = self.kept(origins[0]);
+            let all = self.to.patch(first, others.value);
+            return Word::as_kept(all, width);
+        }
+        let lanes = origins.map(|origin| self.kept(origin));
+        Word::as_kept(self.to.gather(lanes), width)
     }
 
     pub(crate) fn compute(&mut self, at: Place) -> Word {
@@ -22,8 +61,11 @@ impl Body<'_> {
         let in_scope = |net: &Net| (scope, *net);
         match &module.node(net).op {
             Op::Literal(bits) => Word::constant(*bits, width, &mut self.to),
-            Op::Input => self.load(self.at(scope, input_index(module, net)), width),
-            Op::Register(index) => self.load(self.at(scope, block.register(*index)), width),
+            Op::Input => match self.scopes[scope].rows {
+                Some(rows) => self.gathered(rows, net, width),
+                None => self.load(scope, input_index(module, net), width),
+            },
+            Op::Register(index) => self.load(scope, block.register(*index), width),
             Op::Read(index) => {
                 let place = self.at(scope, block.memories[*index]);
                 Word::with_zeros_above(self.to.add(Step::Load(place)), width)
@@ -48,7 +90,7 @@ impl Body<'_> {
                 };
                 let which = self.high(which);
                 let (a, b) = (self.word(in_scope(a)), self.word(in_scope(b)));
-                self.together(a, b, width, |to, a, b| to.add(Step::Select(which, a, b)))
+                self.together(a, b, width, |to, a, b| to.select(which, a, b))
             }
             Op::Slice(a, low) => self.slice(in_scope(a), *low, width),
             Op::Join(parts) => {

@@ -1,6 +1,6 @@
 //! The steps of a line in registers: straight-line code, so what is wanted last leaves first (Belady's rule).
 
-use crate::assemble::{Assembler, Base, Operand, REGISTERS};
+use crate::assemble::{Assembler, Base, MASKS, Operand, REGISTERS};
 use crate::layout::Lanes;
 use crate::line::{Line, Step, Value};
 use std::collections::HashMap;
@@ -23,14 +23,14 @@ enum Home {
 /// The constants of a program, each once.
 #[derive(Default)]
 pub(crate) struct Constants {
-    pub(crate) words: Vec<u64>,
-    known: HashMap<u64, usize>,
+    pub(crate) words: Vec<[u64; 4]>,
+    known: HashMap<[u64; 4], usize>,
 }
 
 impl Constants {
-    fn index(&mut self, word: u64) -> usize {
-        *self.known.entry(word).or_insert_with(|| {
-            self.words.push(word);
+    fn index(&mut self, words: [u64; 4]) -> usize {
+        *self.known.entry(words).or_insert_with(|| {
+            self.words.push(words);
             self.words.len() - 1
         })
     }
@@ -44,7 +44,10 @@ pub(crate) fn write(
     begins: &[usize],
 ) -> usize {
     let count = line.steps.len();
+    let (lanes, of_four) = (to.lanes, line.of_four());
+    let lanes_of = |is_four: bool| if is_four { Lanes::Four } else { lanes };
     let mut writer = Writer {
+        lanes: of_four.into_iter().map(lanes_of).collect(),
         to,
         constants,
         register: vec![None; count],
@@ -53,6 +56,7 @@ pub(crate) fn write(
         held: [None; REGISTERS],
         is_busy: [false; REGISTERS],
         loaded: HashMap::new(),
+        masks: vec![],
         free: vec![],
         freed: vec![],
         spilled: PASSING,
@@ -85,6 +89,7 @@ struct Writer<'a> {
     to: &'a mut Assembler,
     constants: &'a mut Constants,
     /// Of each value.
+    lanes: Vec<Lanes>,
     register: Vec<Option<u8>>,
     home: Vec<Option<Home>>,
     uses: Vec<Vec<usize>>,
@@ -92,8 +97,10 @@ struct Writer<'a> {
     held: [Option<Value>; REGISTERS],
     /// This step needs what the register holds.
     is_busy: [bool; REGISTERS],
-    /// The value that was loaded from a word of the block.
-    loaded: HashMap<usize, Value>,
+    /// The values that were loaded from a word of the block on, of one lane and of four.
+    loaded: HashMap<usize, Vec<Value>>,
+    /// The values whose top bits are in masks, the one that was found last in front.
+    masks: Vec<(Value, u8)>,
     /// Spilled vectors that may be taken; those that were freed in this step may be read by it yet.
     free: Vec<usize>,
     freed: Vec<usize>,
@@ -110,13 +117,32 @@ impl Writer<'_> {
         }
         self.is_busy = [false; REGISTERS];
         self.free.append(&mut self.freed);
+        self.to.lanes = self.lanes[index];
         match *step {
-            Step::Constant(word) => {
-                self.home[index] = Some(Home::Constant(self.constants.index(word)));
+            Step::Constant(words) => {
+                self.home[index] = Some(Home::Constant(self.constants.index(words)));
             }
-            Step::Load(place) => {
+            Step::Gather([a, b, c, d]) => {
+                self.keep(step);
+                let [a, c] = [a, c].map(|value| self.fetch(value));
+                let [b, d] = [b, d].map(|value| self.operand(value));
+                // Into what nothing lies in, since the pairs are there before all is read.
+                let [pair, into] = [self.take(), self.take()];
+                self.to.pair(pair, a, b);
+                self.to.pair(into, c, d);
+                self.to.halves(into, pair, into);
+                self.release(index, step);
+                self.hold(into, value);
+            }
+            Step::Patch(first, others) => {
+                self.keep(step);
+                let (others, first) = (self.fetch(others), self.fetch(first));
+                let into = self.result(index, step);
+                self.to.patch(into, others, first);
+            }
+            Step::Load(place) | Step::LoadFour(place) => {
                 self.home[index] = Some(Home::State(place));
-                self.loaded.insert(place, value);
+                self.loaded.entry(place).or_default().push(value);
             }
             Step::Two(how, a, b) => {
                 let is_better = self.register_of(a).is_none() && self.register_of(b).is_some();
@@ -139,10 +165,14 @@ impl Writer<'_> {
             }
             Step::Select(which, then, or) => {
                 self.keep(step);
-                let (which, or) = (self.fetch(which), self.fetch(or));
-                let then = self.operand(then);
+                let mask = self.to.has_masks.then(|| self.mask(which));
+                let which = mask.unwrap_or_else(|| self.fetch(which));
+                let (or, then) = (self.fetch(or), self.operand(then));
                 let into = self.result(index, step);
-                self.to.select(into, which, then, or);
+                match mask {
+                    Some(mask) => self.to.select_by_mask(into, mask, then, or),
+                    None => self.to.select(into, which, then, or),
+                }
             }
             Step::Read(place, at) => self.read(index, step, place, at),
             Step::Write(place, at, word) => {
@@ -163,7 +193,7 @@ impl Writer<'_> {
                 let from = self.fetch(value);
                 let bytes = 8 * place * self.to.lanes.count();
                 let to = Operand::Memory(Base::Given, bytes as i32);
-                self.to.store_words(from, to);
+                self.to.store_words(self.lanes[index], from, to);
                 self.release(index, step);
             }
             Step::Call(function, place) => self.to.call(begins[function], 8 * place as i32),
@@ -178,6 +208,7 @@ impl Writer<'_> {
         };
         self.jump = None;
         self.to.land(jump);
+        self.masks.clear();
         for register in &mut self.held {
             if let Some(value) = register.take() {
                 self.register[value.0 as usize] = None;
@@ -189,6 +220,7 @@ impl Writer<'_> {
     fn only_if(&mut self, index: usize, which: Value, steps: &[Step]) {
         self.is_busy = [false; REGISTERS];
         self.free.append(&mut self.freed);
+        self.to.lanes = self.lanes[index];
         let register = self.fetch(which);
         let end = steps.len();
         let is_wanted = |writer: &Self, value: Value| {
@@ -196,12 +228,13 @@ impl Writer<'_> {
             last.is_some_and(|last| *last >= end)
         };
         for step in &steps[index + 1..] {
-            let Step::Store(_, place) = *step else {
+            let Step::Store(value, place) = *step else {
                 continue;
             };
-            let loaded = self.loaded.get(&place).copied();
-            if let Some(loaded) = loaded.filter(|loaded| is_wanted(self, *loaded)) {
-                self.move_home(loaded, Some(Home::State(place)));
+            for (place, loaded) in self.loaded_at(place, value) {
+                if is_wanted(self, loaded) {
+                    self.move_home(loaded, Some(Home::State(place)));
+                }
             }
         }
         for held in self.held.into_iter().flatten() {
@@ -223,6 +256,21 @@ impl Writer<'_> {
             self.spill(register, value.0 as usize);
             self.is_busy = busy;
         }
+    }
+
+    /// The mask of a value's top bits, the one that was found first if all are taken.
+    fn mask(&mut self, which: Value) -> u8 {
+        if let Some((_, mask)) = self.masks.iter().find(|(value, _)| *value == which) {
+            return *mask;
+        }
+        let mask = match self.masks.len() {
+            MASKS => self.masks.pop().expect("there are some").1,
+            taken => taken as u8 + 1,
+        };
+        let register = self.fetch(which);
+        self.to.to_mask(mask, register);
+        self.masks.insert(0, (which, mask));
+        mask
     }
 
     fn register_of(&self, value: Value) -> Option<u8> {
@@ -266,7 +314,7 @@ impl Writer<'_> {
         let from = self.place(home);
         match home {
             // A vector across two words that were stored one by one would wait for both.
-            Home::State(_) => self.to.load_words(register, from),
+            Home::State(_) => (self.to).load_words(self.lanes[value.0 as usize], register, from),
             _ => self.to.load(register, from),
         }
         self.hold(register, value);
@@ -281,11 +329,12 @@ impl Writer<'_> {
     /// A value where it lies, if that is as good: a constant, or what is not wanted again.
     fn operand(&mut self, value: Value) -> Operand {
         let home = self.home[value.0 as usize];
+        let lanes = self.lanes[value.0 as usize];
         let is_last = self.uses[value.0 as usize].len() == 1;
         match (self.register_of(value), home) {
             (None, Some(home @ Home::Constant(_))) => self.place(home),
             (None, Some(home @ Home::Spilled(_))) if is_last => self.place(home),
-            (None, Some(home)) if is_last && self.to.lanes == Lanes::Four => self.place(home),
+            (None, Some(home)) if is_last && lanes == Lanes::Four => self.place(home),
             _ => Operand::Register(self.fetch(value)),
         }
     }
@@ -373,22 +422,34 @@ impl Writer<'_> {
         }
         let into = self.result(index, step);
         let from = self.spill_at(1);
-        self.to.load_words(into, from);
+        self.to.load_words(self.lanes[index], into, from);
+    }
+
+    /// The values that were loaded from places to which this one is stored.
+    fn loaded_at(&self, place: usize, stored: Value) -> Vec<(usize, Value)> {
+        let words = |value: Value| self.lanes[value.0 as usize].count();
+        let most = Lanes::Four.count() - 1;
+        let places = place.saturating_sub(most)..place + words(stored);
+        let of = |place| self.loaded.get(&place).into_iter().flatten();
+        let loaded = places.flat_map(|place| of(place).map(move |value| (place, *value)));
+        loaded
+            .filter(|(begin, loaded)| begin + words(*loaded) > place)
+            .collect()
     }
 
     fn store(&mut self, index: usize, step: &Step, value: Value, place: usize) {
         let from = self.fetch(value);
         // What was loaded from there and is wanted yet lies there no longer.
-        if let Some(loaded) = self.loaded.remove(&place)
-            && loaded != value
-            && self.home[loaded.0 as usize] == Some(Home::State(place))
-            && !self.uses[loaded.0 as usize].is_empty()
-        {
-            self.fetch(loaded);
-            self.home[loaded.0 as usize] = None;
+        for (begin, loaded) in self.loaded_at(place, value) {
+            let is_there = self.home[loaded.0 as usize] == Some(Home::State(begin));
+            let is_the_same = (begin, loaded) == (place, value);
+            if is_there && !is_the_same && !self.uses[loaded.0 as usize].is_empty() {
+                self.fetch(loaded);
+                self.home[loaded.0 as usize] = None;
+            }
         }
-        self.to
-            .store_words(from, Operand::Memory(Base::Block, 8 * place as i32));
+        let to = Operand::Memory(Base::Block, 8 * place as i32);
+        self.to.store_words(self.lanes[index], from, to);
         self.home[value.0 as usize].get_or_insert(Home::State(place));
         self.release(index, step);
     }

@@ -45,6 +45,14 @@ impl Word {
         }
     }
 
+    /// As it stands in memory: see [`Word::kept`].
+    pub(crate) fn as_kept(value: Value, width: u32) -> Word {
+        match width {
+            1 => Word::with_signs_above(value, 1),
+            _ => Word::new(value, width),
+        }
+    }
+
     pub(crate) fn constant(bits: u64, width: u32, to: &mut Line) -> Word {
         let free = 64 - width;
         let high = bits << free;

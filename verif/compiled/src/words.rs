@@ -17,12 +17,10 @@ impl Words {
         }
     }
 
-    /// Each four times, for every lane.
-    pub(crate) fn of_constants(constants: &[u64]) -> Words {
+    /// One for each lane, side by side.
+    pub(crate) fn of_constants(constants: &[[u64; 4]]) -> Words {
         let mut words = Words::new(4 * constants.len());
-        for (place, word) in words.chunks_exact_mut(4).zip(constants) {
-            place.fill(*word);
-        }
+        words[..4 * constants.len()].copy_from_slice(constants.as_flattened());
         words
     }
 }
