@@ -7,18 +7,19 @@ use clap::ValueEnum;
 use imogene_rtl::emit::emit;
 use imogene_verif::engine::Engine;
 use imogene_verif::engine::design::with_verilog;
-use imogene_verif::engine::speed::{self, Drive, FRAME, measure};
+use imogene_verif::engine::speed::{self, Drive, Entrant, FRAME, measure};
 use imogene_verif::subject::Subject;
 use imogene_verif::unit;
 use std::time::Duration;
 
 /// Measures how fast the engines run a unit, side by side.
 pub fn run(options: &Speed, json: bool) -> Result<(), Failure> {
-    let mut engines: Vec<Subject> = EngineName::value_variants()
+    let mut engines: Vec<Entrant> = EngineName::value_variants()
         .iter()
-        .map(|engine| subject(options, *engine))
+        .map(|engine| Entrant::new(|| subject(options, *engine)))
         .collect::<Result<_, Failure>>()?;
-    engines.insert(1, unit::levelised(&options.shape.request(&options.unit)?)?);
+    let request = options.shape.request(&options.unit)?;
+    engines.insert(1, Entrant::new(|| unit::levelised(&request))?);
     let seconds = Duration::from_secs(options.seconds.into());
     let drive = if options.random {
         Drive::Random
@@ -27,7 +28,7 @@ pub fn run(options: &Speed, json: bool) -> Result<(), Failure> {
     };
     let speeds = measure(&engines, drive, seconds)?;
     output::report(json, &speeds, |_| {
-        output::text(table(&options.unit, &engines[0].options, &speeds))
+        output::text(table(&options.unit, engines[0].options(), &speeds))
     });
     Ok(())
 }
@@ -44,16 +45,24 @@ fn subject(options: &Speed, engine: EngineName) -> Result<Subject, Failure> {
 
 fn table(unit: &str, parameters: &str, speeds: &[speed::Speed]) -> String {
     let mut text = format!(
-        "{unit} {parameters}, one thread; a frame has {}x{} clocks\n{:<11} {:<12} {:>14} {:>8} {:>12} {:>15}",
-        FRAME.0, FRAME.1, "engine", "work", "clocks/second", "ratio", "frame", "VCD bytes/clock"
+        "{unit} {parameters}, one thread; a frame has {}x{} clocks\n{:<11} {:<12} {:>14} {:>8} {:>12} {:>12} {:>15}",
+        FRAME.0,
+        FRAME.1,
+        "engine",
+        "work",
+        "clocks/second",
+        "ratio",
+        "first clock",
+        "frame",
+        "VCD bytes/clock"
     );
     for s in speeds {
         let work = format!("{:?}", s.work).to_lowercase();
         let bytes = s.vcd_bytes_per_clock;
         let bytes = bytes.map_or("-".into(), |bytes| format!("{bytes:.1}"));
         text += &format!(
-            "\n{:<11} {work:<12} {:>14.0} {:>8.1} {:>10.2} s {bytes:>15}",
-            s.engine, s.clocks_per_second, s.ratio, s.frame_seconds
+            "\n{:<11} {work:<12} {:>14.0} {:>8.1} {:>10.3} s {:>10.2} s {bytes:>15}",
+            s.engine, s.clocks_per_second, s.ratio, s.first_clock_seconds, s.frame_seconds
         );
     }
     text

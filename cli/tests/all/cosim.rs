@@ -189,6 +189,7 @@ fn the_engines_are_timed_side_by_side() {
                 "work",
                 "clocks_per_second",
                 "ratio",
+                "first_clock_seconds",
                 "frame_seconds",
             ],
         );

@@ -37,6 +37,7 @@ const SHIFT: Code = Code(1, 1, 0, 0x73);
 /// The top bit of each lane, in a general register (rax).
 const TOP_BITS: Code = Code(1, 1, 0, 0x50);
 const SELECT: Code = Code(3, 1, 0, 0x4b);
+const SPREAD: Code = Code(2, 1, 0, 0x59);
 const PAIR: Code = Code(1, 1, 0, 0x6c);
 const HALVES: Code = Code(3, 1, 0, 0x38);
 const BLEND: Code = Code(3, 1, 0, 0x02);
@@ -146,13 +147,18 @@ impl Assembler {
     }
 
     /// The top bits of a vector in a mask.
-    pub(crate) fn to_mask(&mut self, mask: u8, which: u8) {
+    pub(crate) fn mask_of(&mut self, mask: u8, which: u8) {
         self.evex(TO_MASK, mask, 0, Operand::Register(which), 0);
     }
 
     /// The first operand where the mask has a one, else `or`.
     pub(crate) fn select_by_mask(&mut self, to: u8, mask: u8, then: Operand, or: u8) {
         self.evex(SELECT_BY_MASK, to, or, then, mask);
+    }
+
+    /// A word in every lane.
+    pub(crate) fn spread(&mut self, to: u8, from: u8) {
+        self.vex(SPREAD, true, to, 0, Operand::Register(from));
     }
 
     /// Two words side by side.

@@ -68,6 +68,10 @@ impl Code {
         self.machine = None;
     }
 
+    pub(crate) fn bytes(&self) -> Option<&[u8]> {
+        self.machine.as_ref().map(Machine::bytes)
+    }
+
     /// Vectors that its functions spill to.
     pub(crate) fn spilled(&self) -> usize {
         self.machine.as_ref().map_or(0, Machine::spilled)

@@ -39,8 +39,9 @@ impl Body<'_> {
                 owned.extend(rows.iter().map(|rows| self.rows(scope, *rows)));
             }
         }
-        for &part in &called {
-            self.hand_inputs(part);
+        match self.lanes {
+            Lanes::One => self.hand_inputs_side_by_side(&called),
+            Lanes::Four => called.iter().for_each(|part| self.hand_inputs(*part)),
         }
         for &scope in &owned {
             for index in 0..self.scopes[scope].module.memories.len() {
@@ -72,13 +73,45 @@ impl Body<'_> {
     }
 
     fn hand_inputs(&mut self, part: usize) {
-        let (around, index) = self.scopes[part].around.expect("an instance");
-        let instance = &self.scopes[around].module.instances[index];
-        for (input, net) in instance.inputs.iter().enumerate() {
-            let value = self.kept((around, *net));
+        for input in 0..self.inputs(part) {
+            let value = self.input(part, input);
             let place = self.at(part, input);
             self.to.add(Step::Store(value, place));
         }
+    }
+
+    /// Inputs of parts that are in a group, of all its lanes at once.
+    fn hand_inputs_side_by_side(&mut self, called: &[usize]) {
+        let mut called = called.to_vec();
+        called.sort_by_key(|part| self.scopes[*part].spot.place);
+        let mut called = called.as_slice();
+        let layout = self.layout;
+        for group in &layout.groups {
+            let (parts, others) = called.split_at(group.parts);
+            called = others;
+            if let [part] = parts[..] {
+                self.hand_inputs(part);
+                continue;
+            }
+            let all = [0, 1, 2, 3].map(|lane| *parts.get(lane).unwrap_or(&parts[0]));
+            for input in 0..self.inputs(parts[0]) {
+                let values = all.map(|part| self.input(part, input));
+                let value = self.to.gather(values);
+                let value = self.to.in_four(value);
+                self.to.add(Step::Store(value, group.place + 4 * input));
+            }
+        }
+    }
+
+    fn inputs(&self, part: usize) -> usize {
+        self.scopes[part].module.ports_of(Direction::In).count()
+    }
+
+    /// What an input of an instance gets.
+    fn input(&mut self, part: usize, input: usize) -> Value {
+        let (around, index) = self.scopes[part].around.expect("an instance");
+        let net = self.scopes[around].module.instances[index].inputs[input];
+        self.kept((around, net))
     }
 
     /// What all registers of these scopes take.

@@ -55,7 +55,7 @@ impl Block {
 pub(crate) struct Group {
     pub(crate) module: Rc<Module>,
     pub(crate) place: usize,
-    parts: usize,
+    pub(crate) parts: usize,
 }
 
 /// Where the words of an instance lie: the first, and how far it is to the next.

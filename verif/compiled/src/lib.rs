@@ -46,7 +46,7 @@ pub use program::{Port, Program};
 use code::Task;
 use program::Place;
 use std::sync::Arc;
-use word::kept;
+use word::{kept, kept_by};
 use words::Words;
 
 /// An instance of a design that runs clock by clock; in four lanes it is four of them.
@@ -89,7 +89,7 @@ impl Simulation {
     /// Gives all inputs their words, in the order of the ports and in every lane; bits beyond a width count nothing.
     pub fn set_all(&mut self, words: impl IntoIterator<Item = u64>) {
         let given = self.program.inputs().iter().zip(words);
-        let given = given.map(|(width, word)| kept(word, *width));
+        let given = given.map(|(single, word)| kept_by(word, *single));
         match self.program.lanes() {
             1 => (self.words.iter_mut().zip(given)).for_each(|(place, word)| *place = word),
             lanes => {
@@ -103,8 +103,8 @@ impl Simulation {
     /// Gives all inputs of one lane their words.
     pub fn set_lane(&mut self, lane: usize, words: impl IntoIterator<Item = u64>) {
         let places = self.words.chunks_exact_mut(self.program.lanes());
-        for ((place, width), word) in places.zip(self.program.inputs()).zip(words) {
-            place[lane] = kept(word, *width);
+        for ((place, single), word) in places.zip(self.program.inputs()).zip(words) {
+            place[lane] = kept_by(word, *single);
         }
         self.is_read = [false; 2];
     }

@@ -54,6 +54,10 @@ impl Machine {
         })
     }
 
+    pub(crate) fn bytes(&self) -> &[u8] {
+        &self.code
+    }
+
     /// Vectors that must be there for what is spilled.
     pub(crate) fn spilled(&self) -> usize {
         self.spilled

@@ -3,6 +3,7 @@
 use crate::body;
 use crate::code::{Code, Task};
 use crate::layout::{Lanes, Layout, Register};
+use crate::word::single;
 use crate::words::Words;
 use imogene_hdl::{Design, Direction, Module};
 use std::collections::HashMap;
@@ -29,7 +30,8 @@ pub struct Program {
     size: usize,
     registers: Vec<Register>,
     ports: HashMap<String, Port>,
-    inputs: Vec<u32>,
+    /// Of each input all ones if it has one bit.
+    inputs: Vec<u64>,
     given: [usize; 2],
 }
 
@@ -71,7 +73,7 @@ impl Program {
         add(points, Place::Point);
         let inputs = design.top.ports_of(Direction::In);
         Program {
-            inputs: inputs.map(|port| port.width).collect(),
+            inputs: inputs.map(|port| single(port.width)).collect(),
             given: [outputs.len(), points.len()],
             code: Code::of(design, &layout, lanes, [&outputs, points]),
             lanes,
@@ -95,6 +97,11 @@ impl Program {
     pub fn port(&self, name: &str) -> Port {
         let found = self.ports.get(name);
         *found.unwrap_or_else(|| panic!("no port `{name}`"))
+    }
+
+    /// The machine code, for a disassembler; none without AVX2.
+    pub fn machine_code(&self) -> Option<&[u8]> {
+        self.code.bytes()
     }
 
     /// How many runs lie side by side: 1 or 4.
@@ -123,8 +130,8 @@ impl Program {
         &self.registers[index]
     }
 
-    /// The widths of the inputs.
-    pub(crate) fn inputs(&self) -> &[u32] {
+    /// Of each input all ones if it has one bit.
+    pub(crate) fn inputs(&self) -> &[u64] {
         &self.inputs
     }
 

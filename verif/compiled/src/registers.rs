@@ -122,6 +122,11 @@ impl Writer<'_> {
             Step::Constant(words) => {
                 self.home[index] = Some(Home::Constant(self.constants.index(words)));
             }
+            Step::Gather([a, b, c, d]) if [b, c, d] == [a; 3] => {
+                let from = self.fetch(a);
+                let into = self.result(index, step);
+                self.to.spread(into, from);
+            }
             Step::Gather([a, b, c, d]) => {
                 self.keep(step);
                 let [a, c] = [a, c].map(|value| self.fetch(value));
@@ -268,7 +273,7 @@ impl Writer<'_> {
             taken => taken as u8 + 1,
         };
         let register = self.fetch(which);
-        self.to.to_mask(mask, register);
+        self.to.mask_of(mask, register);
         self.masks.insert(0, (which, mask));
         mask
     }

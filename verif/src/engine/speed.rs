@@ -55,8 +55,36 @@ pub struct Speed {
     pub ratio: f64,
     /// Seconds for a frame of 640x480 pixels, a pixel per clock.
     pub frame_seconds: f64,
+    /// Seconds from the request to the end of the first clock: what is made of the circuit before anything runs.
+    pub first_clock_seconds: f64,
     /// Bytes of the waveform file per clock.
     pub vcd_bytes_per_clock: Option<f64>,
+}
+
+/// A unit in an engine, and how long it took to make.
+pub struct Entrant {
+    subject: Subject,
+    seconds: f64,
+}
+
+impl Entrant {
+    /// Makes one, and lets it do its first clock.
+    ///
+    /// # Errors
+    ///
+    /// Those of making it.
+    pub fn new<E>(make: impl FnOnce() -> Result<Subject, E>) -> Result<Entrant, E> {
+        let started = Instant::now();
+        let subject = make()?;
+        (subject.hardware)().run(&random::stimuli(&subject, 1, 1).concat());
+        let seconds = started.elapsed().as_secs_f64();
+        Ok(Entrant { subject, seconds })
+    }
+
+    /// What the unit was made with.
+    pub fn options(&self) -> &str {
+        &self.subject.options
+    }
 }
 
 /// A measurement: clocks, seconds, bytes written.
@@ -69,14 +97,14 @@ type Sample = (usize, f64, u64);
 ///
 /// When the waveforms cannot be written.
 pub fn measure(
-    engines: &[Subject],
+    engines: &[Entrant],
     drive: Drive,
     most: Duration,
 ) -> Result<Vec<Speed>, WriteError> {
     let stimulus = match (engines.first(), drive) {
         (None, _) => return Ok(Vec::new()),
-        (Some(subject), Drive::Frame) => frame_stimulus(subject),
-        (Some(subject), Drive::Random) => random::stimuli(subject, RANDOM_CLOCKS, 1).concat(),
+        (Some(first), Drive::Frame) => frame_stimulus(&first.subject),
+        (Some(first), Drive::Random) => random::stimuli(&first.subject, RANDOM_CLOCKS, 1).concat(),
     };
     let most = most / ROUNDS as u32;
     let mut speeds: Vec<Speed> = Vec::new();
@@ -84,7 +112,7 @@ pub fn measure(
         let mut samples = vec![Vec::new(); engines.len()];
         for _ in 0..ROUNDS {
             for (engine, samples) in engines.iter().zip(&mut samples) {
-                samples.push(run(engine, work, &stimulus, most)?);
+                samples.push(run(&engine.subject, work, &stimulus, most)?);
             }
         }
         let first = median(&samples[0]);
@@ -93,11 +121,12 @@ pub fn measure(
             let rate = median(samples);
             let (clocks, _, bytes) = samples[0];
             Speed {
-                engine: engine.engine.to_owned(),
+                engine: engine.subject.engine.to_owned(),
                 work,
                 clocks_per_second: rate,
                 ratio: rate / first,
                 frame_seconds: (FRAME.0 * FRAME.1) as f64 / rate,
+                first_clock_seconds: engine.seconds,
                 vcd_bytes_per_clock: (work == Work::Waveforms)
                     .then(|| bytes as f64 / clocks as f64),
             }
@@ -203,7 +232,7 @@ mod tests {
 
     #[test]
     fn every_kind_of_work_is_measured_and_the_first_engine_has_ratio_one() {
-        let pe1 = || subject(&Request::new(Unit::Pe1)).expect("a legal subject");
+        let pe1 = || Entrant::new(|| subject(&Request::new(Unit::Pe1))).expect("a legal subject");
         for drive in [Drive::Frame, Drive::Random] {
             check(&measure(&[pe1(), pe1()], drive, Duration::from_millis(30)).expect("a trace"));
         }
@@ -214,6 +243,7 @@ mod tests {
         for pair in speeds.chunks(2) {
             assert_eq!(pair[0].ratio, 1.0);
             assert!(pair[0].clocks_per_second > 0.0 && pair[1].ratio > 0.0);
+            assert!(pair[0].first_clock_seconds > 0.0);
             assert_eq!(
                 pair[0].vcd_bytes_per_clock.is_some_and(|bytes| bytes > 1.0),
                 pair[0].work == Work::Waveforms

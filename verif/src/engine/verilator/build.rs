@@ -8,6 +8,9 @@ use std::sync::{Mutex, OnceLock};
 /// Environment variable that names the folder of the compiled libraries.
 pub const CACHE_VARIABLE: &str = "IMOGENE_CACHE";
 
+/// Environment variable with options of the C++ compiler that are added to ours, as in `-O3 -march=native`.
+const COMPILER_VARIABLE: &str = "IMOGENE_CXXFLAGS";
+
 /// Options that shape the code; a change of them makes new libraries.
 const VERILATOR_OPTIONS: [&str; 7] = [
     "--cc",
@@ -80,7 +83,11 @@ fn build_folder() -> Option<PathBuf> {
 /// The library of these sources, compiled unless it is kept.
 pub(super) fn library(sources: &Sources) -> Result<PathBuf, ToolError> {
     let tools = tools()?;
-    let options = [VERILATOR_OPTIONS.join(" "), COMPILER_OPTIONS.join(" ")].join("\n");
+    let options = [
+        VERILATOR_OPTIONS.join(" "),
+        compiler_options(tools).join(" "),
+    ]
+    .join("\n");
     let name = digest([&*sources.verilog, &sources.shim, &tools.versions, &options]);
     let cache = cache_folder();
     let path = cache.join(format!("{name}.so"));
@@ -108,9 +115,11 @@ fn verilate(folder: &Path) -> Result<(), ToolError> {
     Ok(())
 }
 
-/// The compiler's options, with the folders of Verilator's run time.
+/// The compiler's options, with those of the user and the folders of Verilator's run time.
 fn compiler_options(tools: &Tools) -> Vec<String> {
     let mut options = COMPILER_OPTIONS.map(String::from).to_vec();
+    let more = std::env::var(COMPILER_VARIABLE).unwrap_or_default();
+    options.extend(more.split_whitespace().map(String::from));
     for folder in ["include", "include/vltstd"] {
         options.extend(["-I".into(), tools.root.join(folder).display().to_string()]);
     }
