@@ -6,13 +6,15 @@ use std::collections::{HashMap, HashSet};
 use std::fmt::{Display, Formatter, Result};
 use std::panic::Location;
 use std::rc::Rc;
+use std::sync::LazyLock;
 
 /// Words that Verilog, SystemVerilog or VHDL reserve.
 const RESERVED: &str = include_str!("reserved_words.txt");
 
 /// May nothing be called so?
 pub(crate) fn is_reserved(name: &str) -> bool {
-    RESERVED.split_whitespace().any(|word| word == name)
+    static WORDS: LazyLock<HashSet<&str>> = LazyLock::new(|| RESERVED.split_whitespace().collect());
+    WORDS.contains(name)
 }
 
 /// Ends the building: the circuit is none.

@@ -3,7 +3,7 @@
 use crate::assemble::{Assembler, Base, MASKS, Operand, REGISTERS};
 use crate::layout::Lanes;
 use crate::line::{Line, Step, Value};
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// Vectors in front of those that are spilled: what goes to and comes from memories word by word.
 const PASSING: usize = 2;
@@ -55,7 +55,7 @@ pub(crate) fn write(
         uses: uses(&line.steps),
         held: [None; REGISTERS],
         is_busy: [false; REGISTERS],
-        loaded: HashMap::new(),
+        loaded: BTreeMap::new(),
         masks: vec![],
         free: vec![],
         freed: vec![],
@@ -98,7 +98,7 @@ struct Writer<'a> {
     /// This step needs what the register holds.
     is_busy: [bool; REGISTERS],
     /// The values that were loaded from a word of the block on, of one lane and of four.
-    loaded: HashMap<usize, Vec<Value>>,
+    loaded: BTreeMap<usize, Vec<Value>>,
     /// The values whose top bits are in masks, the one that was found last in front.
     masks: Vec<(Value, u8)>,
     /// Spilled vectors that may be taken; those that were freed in this step may be read by it yet.
@@ -435,8 +435,8 @@ impl Writer<'_> {
         let words = |value: Value| self.lanes[value.0 as usize].count();
         let most = Lanes::Four.count() - 1;
         let places = place.saturating_sub(most)..place + words(stored);
-        let of = |place| self.loaded.get(&place).into_iter().flatten();
-        let loaded = places.flat_map(|place| of(place).map(move |value| (place, *value)));
+        let loaded = self.loaded.range(places);
+        let loaded = loaded.flat_map(|(place, values)| values.iter().map(move |v| (*place, *v)));
         loaded
             .filter(|(begin, loaded)| begin + words(*loaded) > place)
             .collect()

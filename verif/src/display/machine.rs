@@ -6,14 +6,12 @@ use crate::engine::design::{Design as _, DesignError, Instance, Source};
 use crate::signal::Signal;
 use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
 use imogene_rtl::emit::{Direction, Port};
-use std::collections::HashMap;
 
 /// One running machine. Inputs keep their values until set again.
 pub struct Machine {
     running: Box<dyn Instance>,
     inputs: Vec<Signal>,
     outputs: Vec<Signal>,
-    places: HashMap<String, usize>,
     given: Vec<u64>,
     found: Vec<Option<u64>>,
     /// Name of its top module.
@@ -48,10 +46,8 @@ impl Machine {
                 simulator.compile(&source)?.instance()
             }
         };
-        let ports = inputs.iter().enumerate().chain(outputs.iter().enumerate());
         Ok(Machine {
             running,
-            places: ports.map(|(at, s)| (s.name.clone(), at)).collect(),
             given: vec![0; inputs.len()],
             found: vec![Some(0); outputs.len()],
             inputs,
@@ -67,7 +63,7 @@ impl Machine {
     ///
     /// When there is no such port.
     pub fn set(&mut self, port: &str, value: i64) {
-        let place = self.places[port];
+        let place = place(&self.inputs, port);
         self.given[place] = self.inputs[place].bits(value);
     }
 
@@ -77,7 +73,7 @@ impl Machine {
     ///
     /// When there is no such port.
     pub fn get(&self, port: &str) -> Option<i64> {
-        let place = self.places[port];
+        let place = place(&self.outputs, port);
         self.found[place].map(|bits| self.outputs[place].value(bits))
     }
 
@@ -91,6 +87,12 @@ impl Machine {
         self.running.clock(&self.given, &mut self.found);
         self.clocks += 1;
     }
+}
+
+/// There are a few ports, so that no table is faster.
+fn place(ports: &[Signal], port: &str) -> usize {
+    let place = ports.iter().position(|signal| signal.name == port);
+    place.unwrap_or_else(|| panic!("no port `{port}`"))
 }
 
 fn signal(port: &Port) -> Signal {
