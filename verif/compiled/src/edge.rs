@@ -208,8 +208,8 @@ impl Body<'_> {
         let next = register.next.expect("a closed module has all inputs");
         let mut next = self.kept((scope, next));
         if let Some(enable) = register.enable {
-            let is_known = self.lanes == Lanes::One && known == Some(self.origin((scope, enable)));
-            if !is_known {
+            let is_alone = self.lanes == Lanes::One && self.scopes[scope].rows.is_none();
+            if !is_alone || known != Some(self.origin((scope, enable))) {
                 let enable = self.high((scope, enable));
                 next = self.to.select(enable, next, held);
             }

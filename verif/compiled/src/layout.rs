@@ -98,6 +98,8 @@ impl Layout {
         layout.size = layout.block(&design.top).sizes[lanes as usize] * lanes.count();
         if lanes == Lanes::One {
             layout.group(&design.top, 0);
+            // Rows are read four at a time, perhaps with words behind them.
+            layout.size += 3;
         }
         layout
     }
@@ -183,7 +185,7 @@ impl Layout {
             }
         }
         for (part, indices) in equal {
-            let (rows, _) = indices.as_chunks::<4>();
+            let rows: Vec<[usize; 4]> = indices.chunks(4).filter_map(four).collect();
             let stride = 4 * rows.len();
             for (lane, index) in rows.as_flattened().iter().enumerate() {
                 let place_of_row = self.size + lane;
@@ -191,7 +193,7 @@ impl Layout {
                     place: place_of_row,
                     stride,
                 };
-                self.grouped.insert((place, *index), spot);
+                self.grouped.entry((place, *index)).or_insert(spot);
             }
             self.size += stride * self.block(part).sizes[1];
             self.rows.entry(place).or_default().extend(rows);
@@ -260,12 +262,18 @@ pub(crate) struct Register {
     pub(crate) initial: u64,
 }
 
-/// Registers that all take a word on every clock, and nothing else that is clocked: equal ones do the same.
+/// Parts for four lanes, the last of three in two of them: fewer are no faster so.
+fn four(parts: &[usize]) -> Option<[usize; 4]> {
+    match *parts {
+        [a, b, c] => Some([a, b, c, c]),
+        _ => parts.try_into().ok(),
+    }
+}
+
+/// A module without memories: equal ones can run side by side, each in its lane.
 fn runs_alike(module: &Module) -> bool {
     let mut parts = module.instances.iter();
-    module.memories.is_empty()
-        && (module.registers.iter()).all(|register| register.enable.is_none())
-        && parts.all(|instance| runs_alike(&instance.module))
+    module.memories.is_empty() && parts.all(|instance| runs_alike(&instance.module))
 }
 
 /// How often each module stands in a design.

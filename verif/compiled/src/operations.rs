@@ -40,7 +40,9 @@ impl Body<'_> {
             let before = places[lane - 1];
             before.is_some_and(|before| places[lane] == Some(before + 1))
         };
-        if let (Some(second), true, true) = (places[1], follows(2), follows(3)) {
+        // The last lane may be the third part again, and then takes anything.
+        let ends = rows[3] == rows[2] || follows(3);
+        if let (Some(second), true, true) = (places[1], follows(2), ends) {
             let others = self.loaded(Step::LoadFour(second - 1), width);
             if follows(1) {
                 return others;
