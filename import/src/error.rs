@@ -1,6 +1,5 @@
 //! Why a file was not read.
 
-use std::fmt;
 use thiserror::Error;
 
 /// Where in a text file, from 1.
@@ -25,37 +24,18 @@ impl Place {
     }
 }
 
-impl fmt::Display for Place {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}:{}", self.line, self.column)
-    }
-}
-
 /// Why a file was not read.
 #[derive(Debug, Error)]
-pub enum ImportError {
-    /// The text is not what its format asks for.
-    #[error("{file}:{place}: {problem}; {accepted}")]
-    Malformed {
-        /// Name of the file.
-        file: String,
-        /// Where.
-        place: Place,
-        /// What is wrong.
-        problem: String,
-        /// What would be accepted.
-        accepted: String,
-    },
-    /// The file as a whole cannot be used.
-    #[error("{file}: {problem}; {accepted}")]
-    Unusable {
-        /// Name of the file.
-        file: String,
-        /// What is wrong.
-        problem: String,
-        /// What would be accepted.
-        accepted: String,
-    },
+#[error("{file}{}: {problem}; {accepted}", .place.map_or(String::new(), |p| format!(":{}:{}", p.line, p.column)))]
+pub struct ImportError {
+    /// Name of the file.
+    pub file: String,
+    /// Where its text is not what its format asks for; nothing if it cannot be used as a whole.
+    pub place: Option<Place>,
+    /// What is wrong.
+    pub problem: String,
+    /// What would be accepted.
+    pub accepted: String,
 }
 
 impl ImportError {
@@ -66,20 +46,11 @@ impl ImportError {
         problem: impl ToString,
         accepted: impl ToString,
     ) -> ImportError {
-        let (file, problem, accepted) =
-            (file.to_owned(), problem.to_string(), accepted.to_string());
-        match place {
-            Some(place) => Self::Malformed {
-                file,
-                place,
-                problem,
-                accepted,
-            },
-            None => Self::Unusable {
-                file,
-                problem,
-                accepted,
-            },
+        ImportError {
+            file: file.to_owned(),
+            place,
+            problem: problem.to_string(),
+            accepted: accepted.to_string(),
         }
     }
 }
@@ -99,24 +70,4 @@ pub(crate) fn decoded<'a>(bytes: &'a [u8], file: &str, accepted: &str) -> Result
 /// A refusal of a file as a whole.
 pub(crate) fn unusable(file: &str, problem: impl ToString, accepted: impl ToString) -> ImportError {
     ImportError::new(file, None, problem, accepted)
-}
-
-#[cfg(all(test, feature = "terrain"))]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_byte_that_is_no_text_has_its_place() {
-        let cases: [(&[u8], &str); 4] = [
-            (b"\xff", "1:1"),
-            (b"1 2\n3 \xff", "2:3"),
-            (b"1 2\n\xff", "2:1"),
-            (b"\xc3\xa9\n\xc3\xa9\xff", "2:2"),
-        ];
-        for (bytes, place) in cases {
-            let error = decoded(bytes, "grid", "a text").expect_err("no text");
-            let wanted = format!("grid:{place}: this byte is no UTF-8 text; a text");
-            assert_eq!(error.to_string(), wanted);
-        }
-    }
 }

@@ -118,7 +118,11 @@ impl Kind {
             return Some(Kind::Step);
         }
         let word = first.split_whitespace().next()?;
-        if is_cif(word) {
+        let start = word.to_ascii_lowercase();
+        if ["data_", "loop_", "global_", "_"]
+            .iter()
+            .any(|own| start.starts_with(own))
+        {
             return Some(Kind::Mmcif);
         }
         if is_grid_keyword(word) || lines().filter(is_told).take(3).all(is_heights) {
@@ -137,14 +141,6 @@ impl Kind {
         };
         is_record(first).then_some(Kind::Pdb)
     }
-}
-
-/// The first word of a CIF text that is no comment.
-fn is_cif(word: &str) -> bool {
-    let word = word.to_ascii_lowercase();
-    ["data_", "loop_", "global_", "_"]
-        .iter()
-        .any(|start| word.starts_with(start))
 }
 
 /// Whether a word is a keyword of the header of an ESRI ASCII grid, in any case.

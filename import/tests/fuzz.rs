@@ -119,16 +119,14 @@ fn structure(bytes: &[u8], format: pdb::Format) -> Outcome {
         assembly: Some("1".into()),
         ..pdb::Options::default()
     });
-    match (outcome(plain), assembly) {
-        (Outcome::Read, Err(ImportError::Malformed { place, .. })) => {
-            Outcome::Malformed(place.line, place.column)
-        }
+    match (outcome(plain), assembly.map_err(|error| error.place)) {
+        (Outcome::Read, Err(Some(place))) => Outcome::Malformed(place.line, place.column),
         (plain, _) => plain,
     }
 }
 
 fn outcome(read: Result<imogene_import::Imported, ImportError>) -> Outcome {
-    match read {
+    match read.map_err(|error| error.place) {
         Ok(imported) => {
             // What was read can be written.
             imported
@@ -137,8 +135,8 @@ fn outcome(read: Result<imogene_import::Imported, ImportError>) -> Outcome {
                 .expect("a scene that can be written");
             Outcome::Read
         }
-        Err(ImportError::Malformed { place, .. }) => Outcome::Malformed(place.line, place.column),
-        Err(ImportError::Unusable { .. }) => Outcome::Refused,
+        Err(Some(place)) => Outcome::Malformed(place.line, place.column),
+        Err(None) => Outcome::Refused,
     }
 }
 

@@ -21,9 +21,7 @@ pub const SMALLEST_PIECE: f64 = 1e-7;
 /// An edge of a face, which lies on one of the separators.
 #[derive(Clone, Debug)]
 pub struct Boundary {
-    /// Index of the separator.
     pub separator: usize,
-    /// Its course.
     pub curve: Curve,
     /// Whether the loop passes it from start to end.
     pub forward: bool,
@@ -36,17 +34,12 @@ pub struct Sample {
     pub sides: u128,
     /// The face has it.
     pub inside: bool,
-    /// Where.
     pub point: Vector,
 }
 
-/// Why the pieces of a face cannot be told: a line over the surface enters the face and never leaves it.
-const OPEN: &str = "its loops are not closed on the surface";
 /// Loops of a sphere contradict each other in what is on their left.
 const CONTRADICTION: &str =
     "its loops contradict each other: the face has to be on the left of every edge";
-/// More separators than [`MAX_SEPARATORS`].
-const TOO_MANY: &str = "it has more than 128 different planes";
 
 /// The angles over which a curve runs on a cylinder or cone, where a plane has one point at every angle.
 #[derive(Clone, Copy, Debug)]
@@ -64,11 +57,8 @@ impl Span {
         {
             return None;
         }
-        let angles: Vec<f64> = curve
-            .sampled(1)
-            .into_iter()
-            .map(|p| chart.u_of(p))
-            .collect();
+        let points = curve.sampled(1).into_iter();
+        let angles: Vec<f64> = points.map(|p| chart.u_of(p)).collect();
         let turn = |pair: &[f64]| nearest_turn(pair[1] - pair[0], 0.0);
         Some(Span {
             from: angles[0],
@@ -77,22 +67,15 @@ impl Span {
     }
 
     fn has(self, u: f64) -> bool {
-        let turned = if self.sweep < 0.0 {
-            self.from - u
-        } else {
-            u - self.from
-        };
-        positive_angle(turned) < self.sweep.abs()
+        positive_angle((u - self.from) * self.sweep.signum()) < self.sweep.abs()
     }
 }
 
 /// What is needed to divide a face.
 pub struct Division<'a> {
-    /// The support surface.
     pub surface: &'a Surface,
     /// What divides it.
     pub separators: &'a [Separator],
-    /// The edges of the face.
     pub boundaries: &'a [Boundary],
     /// Size of the part, scene units.
     pub size: f64,
@@ -110,20 +93,15 @@ impl Division<'_> {
     /// One sample of every piece.
     pub fn samples(&self) -> Result<Vec<Sample>, &'static str> {
         if self.separators.len() > MAX_SEPARATORS {
-            return Err(TOO_MANY);
+            return Err("it has more than 128 different planes");
         }
         let Some(chart) = Chart::free(self.surface, self.separators) else {
             return Ok(vec![]);
         };
-        let spans = self
-            .boundaries
-            .iter()
-            .map(|own| Span::of(&chart, &own.curve));
-        let spans: Vec<Option<Span>> = spans.collect();
-        let mut lines = vec![];
-        for u in self.middles(&chart) {
-            lines.push((u, self.crossings(&chart, u, &spans)));
-        }
+        let curves = self.boundaries.iter().map(|own| &own.curve);
+        let spans: Vec<Option<Span>> = curves.map(|curve| Span::of(&chart, curve)).collect();
+        let line = |u| (u, self.crossings(&chart, u, &spans));
+        let lines: Vec<_> = self.middles(&chart).into_iter().map(line).collect();
         let pole = self.pole(&lines)?;
         let mut samples = vec![];
         for (u, crossings) in &lines {
@@ -155,10 +133,9 @@ impl Division<'_> {
             limits.push(last + self.size);
         }
         let smallest = SMALLEST_PIECE * if chart.is_round() { 1.0 } else { self.size };
-        let wide = limits
-            .windows(2)
-            .filter(|pair| pair[1] - pair[0] > smallest);
-        wide.map(|pair| 0.5 * (pair[0] + pair[1])).collect()
+        let pairs = limits.windows(2).map(|pair| (pair[0], pair[1]));
+        let wide = pairs.filter(|(from, to)| to - from > smallest);
+        wide.map(|(from, to)| 0.5 * (from + to)).collect()
     }
 
     fn crossings(&self, chart: &Chart, u: f64, spans: &[Option<Span>]) -> Vec<Crossing> {
@@ -173,9 +150,17 @@ impl Division<'_> {
                     edges: 0,
                     inside_above: false,
                 };
-                for (boundary, span) in self.boundaries.iter().zip(spans) {
-                    if boundary.separator == index {
-                        self.pass(chart, u, boundary, *span, &mut crossing);
+                let p = chart.point(u, w);
+                // The other nappe of a cone has no edge.
+                let is_there = !self.surface.is_cone() || w > 0.0;
+                let edges = self.boundaries.iter().zip(spans);
+                for (own, span) in edges.filter(|(own, _)| is_there && own.separator == index) {
+                    if let Some(span) = span {
+                        crossing.edges += usize::from(span.has(u));
+                    } else if let Some(course) = own.curve.direction_at(p, 1e-6 * self.size) {
+                        let east = dot(course, chart.eastwards(p)) > 0.0;
+                        crossing.edges += 1;
+                        crossing.inside_above = east == own.forward;
                     }
                 }
                 all.push(crossing);
@@ -183,30 +168,6 @@ impl Division<'_> {
         }
         all.sort_by(|a, b| a.w.total_cmp(&b.w));
         all
-    }
-
-    /// Counts an edge that passes this crossing.
-    fn pass(
-        &self,
-        chart: &Chart,
-        u: f64,
-        boundary: &Boundary,
-        span: Option<Span>,
-        crossing: &mut Crossing,
-    ) {
-        if self.surface.is_cone() && crossing.w <= 0.0 {
-            return;
-        }
-        if let Some(span) = span {
-            crossing.edges += usize::from(span.has(u));
-            return;
-        }
-        let p = chart.point(u, crossing.w);
-        if let Some(direction) = boundary.curve.direction_at(p, 1e-6 * self.size) {
-            let east = dot(direction, chart.eastwards(p)) > 0.0;
-            crossing.edges += 1;
-            crossing.inside_above = east == boundary.forward;
-        }
     }
 
     /// Whether the south pole of a sphere is in the face: what all lines that meet an edge say.
@@ -241,7 +202,7 @@ impl Division<'_> {
         // A cone is entered from its open end, since its apex may belong to the face; all others from below.
         let mut inside = if cone { total % 2 == 1 } else { pole };
         if !(cone || sphere) && total % 2 == 1 {
-            return Err(OPEN);
+            return Err("its loops are not closed on the surface");
         }
         let [low, high] = chart.reach();
         let mut from = low;

@@ -29,12 +29,11 @@ impl Patch {
 
     /// The place of two parameters from 0 to 1, and the directions of growing u and v there.
     pub fn at(&self, u: f64, v: f64) -> (Vector, [Vector; 2]) {
-        let [p, q] = self.degrees;
-        let rows: Vec<(Pole, Pole)> = (0..=p)
-            .map(|i| casteljau(&self.poles[i * (q + 1)..(i + 1) * (q + 1)], v))
-            .collect();
-        let (place, du) = casteljau(&rows.iter().map(|row| row.0).collect::<Vec<_>>(), u);
-        let (dv, _) = casteljau(&rows.iter().map(|row| row.1).collect::<Vec<_>>(), u);
+        let [_, q] = self.degrees;
+        let rows = self.poles.chunks(q + 1).map(|row| casteljau(row, v));
+        let (places, slopes): (Vec<Pole>, Vec<Pole>) = rows.unzip();
+        let (place, du) = casteljau(&places, u);
+        let (dv, _) = casteljau(&slopes, u);
         let weight = place[3];
         let point: Vector = std::array::from_fn(|k| place[k] / weight);
         let slope = |d: Pole| std::array::from_fn(|k| (d[k] - point[k] * d[3]) / weight);
@@ -83,16 +82,13 @@ fn binomials(degree: usize) -> Vec<f64> {
 impl Bernstein {
     fn of(degrees: [usize; 2], plain: impl Iterator<Item = f64>) -> Bernstein {
         let [rows, columns] = degrees.map(binomials);
-        let scaled = plain
-            .enumerate()
-            .map(|(k, value)| value * rows[k / columns.len()] * columns[k % columns.len()]);
-        Bernstein {
-            degrees,
-            scaled: scaled.collect(),
-        }
+        let width = columns.len();
+        let each = plain.enumerate();
+        let scaled = each.map(|(k, value)| value * rows[k / width] * columns[k % width]);
+        let scaled = scaled.collect();
+        Bernstein { degrees, scaled }
     }
 
-    /// The product.
     pub fn times(&self, other: &Bernstein) -> Bernstein {
         let [p, q] = self.degrees;
         let [r, s] = other.degrees;
@@ -110,11 +106,6 @@ impl Bernstein {
         }
     }
 
-    /// The square.
-    pub fn squared(&self) -> Bernstein {
-        self.times(self)
-    }
-
     /// `self + factor * other`, of the same degrees.
     pub fn plus(mut self, factor: f64, other: &Bernstein) -> Bernstein {
         for (value, other) in self.scaled.iter_mut().zip(&other.scaled) {
@@ -126,11 +117,10 @@ impl Bernstein {
     /// No place of the patch has a greater absolute value.
     pub fn bound(&self) -> f64 {
         let [rows, columns] = self.degrees.map(binomials);
+        let width = columns.len();
         let each = self.scaled.iter().enumerate();
-        each.map(|(k, value)| {
-            (value / (rows[k / columns.len()] * columns[k % columns.len()])).abs()
-        })
-        .fold(0.0, f64::max)
+        let plain = each.map(|(k, value)| value / (rows[k / width] * columns[k % width]));
+        plain.map(f64::abs).fold(0.0, f64::max)
     }
 }
 
@@ -159,10 +149,9 @@ pub fn de_boor(
         let u = argument(round - 1);
         for k in (round..=degree).rev() {
             let (left, right) = (knots[span - degree + k], knots[span + 1 + k - round]);
-            let share = if right > left {
-                (u - left) / (right - left)
-            } else {
-                0.0
+            let share = match right > left {
+                true => (u - left) / (right - left),
+                false => 0.0,
             };
             let before = points[k - 1];
             points[k] = std::array::from_fn(|n| (1.0 - share) * before[n] + share * points[k][n]);
@@ -173,26 +162,21 @@ pub fn de_boor(
 
 /// The patches of a B-spline surface; `poles[i][j]` is that of the i-th in u and the j-th in v.
 pub fn patches(degrees: [usize; 2], knots: [&[f64]; 2], poles: &[Vec<Pole>]) -> Vec<Patch> {
-    let along_v: Vec<Vec<Vec<Pole>>> = poles
-        .iter()
-        .map(|row| pieces(degrees[1], knots[1], row))
-        .collect();
+    let rows = poles.iter().map(|row| pieces(degrees[1], knots[1], row));
+    let along_v: Vec<Vec<Vec<Pole>>> = rows.collect();
+    let counts = degrees.map(|degree| degree + 1);
     let mut all = vec![];
     for piece in 0..along_v[0].len() {
         // For each control point of the piece in v the column in u.
-        let columns: Vec<Vec<Vec<Pole>>> = (0..=degrees[1])
-            .map(|j| {
-                let column: Vec<Pole> = along_v.iter().map(|row| row[piece][j]).collect();
-                pieces(degrees[0], knots[0], &column)
-            })
-            .collect();
-        let count = columns.first().map_or(0, Vec::len);
-        all.extend((0..count).map(|own| {
-            let pole = |k: usize| columns[k % (degrees[1] + 1)][own][k / (degrees[1] + 1)];
-            Patch {
-                degrees,
-                poles: (0..(degrees[0] + 1) * (degrees[1] + 1)).map(pole).collect(),
-            }
+        let column = |j: usize| {
+            let column: Vec<Pole> = along_v.iter().map(|row| row[piece][j]).collect();
+            pieces(degrees[0], knots[0], &column)
+        };
+        let columns: Vec<Vec<Vec<Pole>>> = (0..counts[1]).map(column).collect();
+        all.extend((0..columns[0].len()).map(|own| {
+            let pole = |k: usize| columns[k % counts[1]][own][k / counts[1]];
+            let poles = (0..counts[0] * counts[1]).map(pole).collect();
+            Patch { degrees, poles }
         }));
     }
     all
@@ -211,12 +195,10 @@ mod tests {
             [square * v, mean + v, 1.0, 1.0 + mean]
         };
         let pairs = [[0.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
+        let poles = pairs.map(|pair| [value(pair, 0.0), value(pair, 1.0)]);
         Patch {
             degrees: [2, 1],
-            poles: pairs
-                .iter()
-                .flat_map(|pair| [value(*pair, 0.0), value(*pair, 1.0)])
-                .collect(),
+            poles: poles.concat(),
         }
     }
 
@@ -243,14 +225,11 @@ mod tests {
     fn pieces_join_and_are_the_curve() {
         // u^2 over knots 0, 1, 3 by its polar form.
         let knots = [0.0, 0.0, 0.0, 1.0, 3.0, 3.0, 3.0];
-        let poles: Vec<Pole> = (0..4)
-            .map(|k| [knots[k + 1] * knots[k + 2], 0.0, 0.0, 1.0])
-            .collect();
-        let pieces = pieces(2, &knots, &poles);
-        let xs: Vec<Vec<f64>> = pieces
-            .iter()
-            .map(|p| p.iter().map(|q| q[0]).collect())
-            .collect();
+        let pole = |k: usize| [knots[k + 1] * knots[k + 2], 0.0, 0.0, 1.0];
+        let poles: Vec<Pole> = (0..4).map(pole).collect();
+        let pieces = pieces(2, &knots, &poles).into_iter();
+        let xs = pieces.map(|piece| piece.iter().map(|pole| pole[0]).collect());
+        let xs: Vec<Vec<f64>> = xs.collect();
         assert_eq!(xs, [[0.0, 0.0, 1.0], [1.0, 3.0, 9.0]]);
     }
 }

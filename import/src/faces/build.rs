@@ -25,11 +25,9 @@ pub fn build(source: Source) -> Result<Model> {
     })?;
     let version = *keys.format.as_ref();
     if version != FORMAT_VERSION {
-        return Err(source.error(
-            &keys.format,
-            format!("version {version} of the format is not known"),
-            format!("this program reads `format = {FORMAT_VERSION}`"),
-        ));
+        let problem = format!("version {version} of the format is not known");
+        let accepted = format!("this program reads `format = {FORMAT_VERSION}`");
+        return Err(source.error(&keys.format, problem, accepted));
     }
     let vertices = Vertices::of(&source, &keys.vertices)?;
     let edges = edges(&source, &keys, &vertices)?;
@@ -63,11 +61,8 @@ fn few(source: &Source, extra: Option<&Name>, what: &str, count: usize) -> Resul
 fn unique(source: &Source, names: &mut HashSet<String>, name: &Name, what: &str) -> Result<()> {
     let text = name.as_ref();
     if text.trim().is_empty() || text.starts_with('-') {
-        return Err(source.error(
-            name,
-            format!("`{text}` is no name of a {what}"),
-            "a name that is not empty and does not begin with `-` is needed",
-        ));
+        let accepted = "a name that is not empty and does not begin with `-` is needed";
+        return Err(source.error(name, format!("`{text}` is no name of a {what}"), accepted));
     }
     if !names.insert(text.clone()) {
         let problem = format!("the name `{text}` is taken by an earlier {what}");
@@ -95,22 +90,16 @@ fn edges(source: &Source, keys: &ListKeys, vertices: &Vertices) -> Result<Vec<Ed
 fn faces(source: &Source, keys: &[FaceKeys], edges: &[Edge]) -> Result<Vec<Face>> {
     let extra = keys.get(MAX_PARTS).map(|key| &key.name);
     few(source, extra, "faces", keys.len())?;
-    let by_name: HashMap<&str, usize> = edges
-        .iter()
-        .map(|edge| edge.name.as_str())
-        .zip(0..)
-        .collect();
+    let edge_names = edges.iter().map(|edge| edge.name.as_str());
+    let by_name: HashMap<&str, usize> = edge_names.zip(0..).collect();
     let mut names = HashSet::new();
     let mut faces = vec![];
     for key in keys {
         unique(source, &mut names, &key.name, "face")?;
         let surface = surface(source, &key.surface)?;
         let name = key.name.as_ref().clone();
-        let loops = key
-            .loops
-            .iter()
-            .map(|list| edge_loop(source, list, &by_name, edges));
-        let loops: Vec<Vec<EdgeUse>> = loops.collect::<Result<_, _>>()?;
+        let edge_loop = |list| edge_loop(source, list, &by_name, edges);
+        let loops: Vec<Vec<EdgeUse>> = key.loops.iter().map(edge_loop).collect::<Result<_>>()?;
         let has_end = surface.is_sphere() || surface.is_torus() || surface.is_other();
         if loops.is_empty() && !has_end {
             return Err(source.error(
@@ -141,9 +130,8 @@ fn edge_loop(
     let mut uses = vec![];
     for name in names {
         let text = name.as_ref().as_str();
-        let (plain, forward) = text
-            .strip_prefix('-')
-            .map_or((text, true), |plain| (plain, false));
+        let plain = text.strip_prefix('-').unwrap_or(text);
+        let forward = plain.len() == text.len();
         let edge = *by_name.get(plain).ok_or_else(|| source.error(
             name,
             format!("`{plain}` is not an edge of this list"),
@@ -165,11 +153,8 @@ fn edge_loop(
         let next = (index + 1) % uses.len();
         let (text, after) = (name.as_ref(), names[next].as_ref());
         let (Some([_, end]), Some([start, _])) = (ends(uses[index]), ends(uses[next])) else {
-            return Err(source.error(
-                name,
-                format!("a closed edge stands in one loop with others, at `{text}`"),
-                "a closed edge is a loop of its own",
-            ));
+            let problem = format!("a closed edge stands in one loop with others, at `{text}`");
+            return Err(source.error(name, problem, "a closed edge is a loop of its own"));
         };
         if end != start {
             return Err(source.error(
@@ -188,15 +173,12 @@ fn materials(source: &Source, keys: &[Spanned<Material>]) -> Result<Vec<Material
         let m = material.as_ref();
         let name = Spanned::new(material.span(), m.name.clone());
         unique(source, &mut names, &name, "material")?;
-        let mut shares = [m.ambient, m.diffuse, m.specular]
-            .into_iter()
-            .chain(m.colour);
-        if let Some(value) = shares.find(|v| !(0.0..=1.0).contains(v)) {
-            return Err(source.error(
-                material,
-                format!("{value} in material `{}` is out of range", m.name),
-                "colours and shares are numbers from 0 to 1",
-            ));
+        let [r, g, b] = m.colour;
+        let shares = [m.ambient, m.diffuse, m.specular, r, g, b];
+        if let Some(value) = shares.iter().find(|v| !(0.0..=1.0).contains(*v)) {
+            let problem = format!("{value} in material `{}` is out of range", m.name);
+            let accepted = "colours and shares are numbers from 0 to 1";
+            return Err(source.error(material, problem, accepted));
         }
     }
     Ok(keys.iter().map(|m| m.as_ref().clone()).collect())
@@ -212,11 +194,9 @@ fn solids(source: &Source, keys: &ListKeys, materials: &[Material]) -> Result<Ve
         unique(source, &mut names, &key.name, "solid")?;
         let material = key.material.as_ref();
         if !materials.iter().any(|m| m.name == *material) {
-            return Err(source.error(
-                &key.material,
-                format!("`{material}` is not a material of this list"),
-                "the name of an entry of `[[materials]]` is needed",
-            ));
+            let problem = format!("`{material}` is not a material of this list");
+            let accepted = "the name of an entry of `[[materials]]` is needed";
+            return Err(source.error(&key.material, problem, accepted));
         }
         let face = |name: &Name| {
             let text = name.as_ref();
@@ -235,11 +215,9 @@ fn solids(source: &Source, keys: &ListKeys, materials: &[Material]) -> Result<Ve
     }
     if let Some(lost) = owned.iter().position(|owned| !owned) {
         let name = &keys.faces[lost].name;
-        return Err(source.error(
-            name,
-            format!("face `{}` belongs to no solid", name.as_ref()),
-            "every face belongs to exactly one of `[[solids]]`",
-        ));
+        let problem = format!("face `{}` belongs to no solid", name.as_ref());
+        let accepted = "every face belongs to exactly one of `[[solids]]`";
+        return Err(source.error(name, problem, accepted));
     }
     Ok(solids)
 }

@@ -32,8 +32,8 @@ pub struct Vertices {
 
 impl Vertices {
     pub fn of(source: &Source, keys: &BTreeMap<String, Spanned<Vector>>) -> Result<Vertices> {
-        let points: Result<Vec<Vector>, _> = keys.values().map(|p| source.point(p)).collect();
-        let points = points?;
+        let points = keys.values().map(|p| source.point(p));
+        let points: Vec<Vector> = points.collect::<Result<_>>()?;
         Ok(Vertices {
             index: keys.keys().cloned().zip(0..).collect(),
             size: hull(&points).map_or(0.0, |[low, high]| distance(low, high)),
@@ -43,16 +43,13 @@ impl Vertices {
 
     fn find(&self, source: &Source, name: &Spanned<String>) -> Result<usize> {
         self.index.get(name.as_ref()).copied().ok_or_else(|| {
-            source.error(
-                name,
-                format!("`{}` is not a vertex of this list", name.as_ref()),
-                "the name of an entry of `[vertices]` is needed",
-            )
+            let problem = format!("`{}` is not a vertex of this list", name.as_ref());
+            let accepted = "the name of an entry of `[vertices]` is needed";
+            source.error(name, problem, accepted)
         })
     }
 }
 
-/// Makes one edge.
 pub struct EdgeBuilder<'a> {
     pub source: &'a Source<'a>,
     pub keys: &'a EdgeKeys,
@@ -64,30 +61,23 @@ fn needed<T>(value: &Option<T>) -> &T {
 }
 
 impl EdgeBuilder<'_> {
-    /// The edge.
     pub fn edge(&self) -> Result<Edge> {
         let vertices = self.vertices()?;
         let kind = self.keys.kind.as_ref();
         let Some((kind, allowed)) = KINDS.iter().find(|(name, _)| name == kind) else {
-            return Err(self.source.error(
-                &self.keys.kind,
-                format!("`{kind}` is not a kind of edge"),
-                "line, circle, ellipse and points are possible",
-            ));
+            let problem = format!("`{kind}` is not a kind of edge");
+            let accepted = "line, circle, ellipse and points are possible";
+            return Err(self.source.error(&self.keys.kind, problem, accepted));
         };
         for (key, is) in self.keys.given() {
-            let (problem, accepted) = match (is, allowed.contains(&key)) {
-                (true, false) => (
-                    format!("`{key}` is no key of kind \"{kind}\""),
-                    "only the keys of its kind are possible",
-                ),
-                (false, true) => (
-                    format!("kind \"{kind}\" needs `{key}`"),
-                    "this key is needed",
-                ),
-                _ => continue,
-            };
-            return Err(self.error(problem, accepted));
+            if is && !allowed.contains(&key) {
+                let problem = format!("`{key}` is no key of kind \"{kind}\"");
+                return Err(self.error(problem, "only the keys of its kind are possible"));
+            }
+            if !is && allowed.contains(&key) {
+                let problem = format!("kind \"{kind}\" needs `{key}`");
+                return Err(self.error(problem, "this key is needed"));
+            }
         }
         let ends = vertices.map(|ends| ends.map(|index| self.vertices.points[index]));
         let one_vertex = vertices.is_some_and(|[a, b]| a == b);
@@ -139,10 +129,8 @@ impl EdgeBuilder<'_> {
             return Err(self.error("a line has two ends", "`start` and `end` are needed"));
         };
         if distance(from, to) <= COINCIDENT * self.vertices.size {
-            return Err(self.error(
-                "the line has no length",
-                "two vertices at different places are needed",
-            ));
+            let accepted = "two vertices at different places are needed";
+            return Err(self.error("the line has no length", accepted));
         }
         Ok(Curve::Line { from, to })
     }
@@ -158,10 +146,8 @@ impl EdgeBuilder<'_> {
             None => frame(normal, 0.0)[0],
         };
         if length(x) <= COINCIDENT * radius {
-            return Err(self.error(
-                "the start is the centre",
-                "a vertex on the circle is needed",
-            ));
+            let accepted = "a vertex on the circle is needed";
+            return Err(self.error("the start is the centre", accepted));
         }
         Ok(Ellipse {
             centre,
@@ -207,10 +193,10 @@ impl EdgeBuilder<'_> {
         let size = reach(points.iter().copied(), points[0]);
         for k in 0..points.len() - usize::from(!closed) {
             if distance(points[k], points[(k + 1) % points.len()]) <= 1e-9 * size.max(1e-9) {
-                return Err(self.error(
-                    format!("{:?} follows itself", points[k]),
-                    "different points are needed, and a closed edge does not repeat its first",
-                ));
+                let problem = format!("{:?} follows itself", points[k]);
+                let accepted =
+                    "different points are needed, and a closed edge does not repeat its first";
+                return Err(self.error(problem, accepted));
             }
         }
         Ok(Curve::through(points, closed, COINCIDENT * size))

@@ -40,8 +40,7 @@ pub fn surface(source: &Source, keys: &Spanned<SurfaceKeys>) -> Result<Surface> 
             ),
         ));
     }
-    let (vectors, sizes) =
-        known.map_or((&[][..], &[][..]), |(_, vectors, sizes)| (*vectors, *sizes));
+    let (_, vectors, sizes) = *known.unwrap_or(&("", &[], &[]));
     let allowed = [vectors, sizes].concat();
     let given = own.given();
     if let Some(key) = given.iter().find(|key| !allowed.contains(*key)) {
@@ -66,14 +65,8 @@ pub fn surface(source: &Source, keys: &Spanned<SurfaceKeys>) -> Result<Surface> 
         Some(key) => source.direction(vector(key)?)?,
         None => [0.0, 0.0, 1.0],
     };
-    let mut numbers = vec![];
-    for key in sizes {
-        numbers.push(size(
-            source,
-            key,
-            own.number(key).ok_or_else(|| missing(key))?,
-        )?);
-    }
+    let size = |key: &&str| size(source, key, own.number(key).ok_or_else(|| missing(key))?);
+    let numbers: Vec<f64> = sizes.iter().map(size).collect::<Result<_>>()?;
     let form = match (kind, &numbers[..]) {
         ("cylinder", [radius]) => Form::Cylinder(*radius),
         ("cone", [angle]) => Form::Cone(*angle),
@@ -92,11 +85,8 @@ fn size(source: &Source, key: &str, value: &Spanned<f64>) -> Result<f64> {
         return Ok(number);
     }
     if !(0.1..=89.9).contains(&number) {
-        return Err(source.error(
-            value,
-            format!("{number} degrees between axis and surface is out of range"),
-            "0.1 to 89.9 degrees are possible",
-        ));
+        let problem = format!("{number} degrees between axis and surface is out of range");
+        return Err(source.error(value, problem, "0.1 to 89.9 degrees are possible"));
     }
     Ok(number.to_radians())
 }

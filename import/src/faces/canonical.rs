@@ -6,11 +6,9 @@
 
 use super::bezier::{Bernstein, Patch};
 use super::surface::{Form, Surface};
-use super::vector::{
-    Vector, across, along, cross, distance, dot, frame, length, minus, opposite, plus, reach,
-    times, unit,
-};
+use super::vector::*;
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Vector3, Vector6};
+use std::f64::consts::PI;
 
 /// Places of a patch in each direction.
 const PLACES: usize = 5;
@@ -18,11 +16,8 @@ const PLACES: usize = 5;
 const MOST_SAMPLED: usize = 40;
 /// Steps of the search for the best of a kind.
 const STEPS: usize = 6;
-/// Smallest and greatest angle of a cone, radians.
-const ANGLES: [f64; 2] = [
-    0.1 * std::f64::consts::PI / 180.0,
-    89.9 * std::f64::consts::PI / 180.0,
-];
+/// Smallest and greatest angle of a cone, degrees.
+const ANGLES: [f64; 2] = [0.1, 89.9];
 
 /// A place of a surface and its unit normal.
 type Place = (Vector, Vector);
@@ -30,7 +25,6 @@ type Place = (Vector, Vector);
 /// What a surface is taken for.
 #[derive(Clone, Debug)]
 pub struct Found {
-    /// The surface.
     pub surface: Surface,
     /// Why it is not drawn although it is a quadric.
     pub refused: Option<String>,
@@ -47,12 +41,9 @@ pub fn canonical(patches: &[Patch], tolerance: f64) -> Option<Found> {
     let candidates = [plane, cylinder, sphere, cone, torus];
     let found = candidates.iter().filter_map(|fit| {
         let surface = improved(fit(&places, middle)?, &places);
-        let near = |p: &Vector| {
-            surface
-                .nearest(*p)
-                .is_some_and(|q| distance(*p, q) <= tolerance)
-        };
-        if !places.iter().all(|(p, _)| near(p)) {
+        let nearest = |(p, _): &Place| Some(distance(*p, surface.nearest(*p)?));
+        let near = |place| nearest(place).is_some_and(|off| off <= tolerance);
+        if !places.iter().all(near) {
             return None;
         }
         let bounds = patches.iter().map(|patch| bound(patch, &surface));
@@ -164,7 +155,8 @@ fn cone(places: &[Place], middle: Vector) -> Option<Surface> {
         axis = opposite(axis);
     }
     let half_angle = dot(normal, axis).abs().min(1.0).asin();
-    let possible = (ANGLES[0]..ANGLES[1]).contains(&half_angle);
+    let [least, most] = ANGLES.map(|angle| angle * PI / 180.0);
+    let possible = (least..most).contains(&half_angle);
     possible.then(|| Surface::new(apex, axis, Form::Cone(half_angle)))
 }
 
@@ -283,20 +275,20 @@ pub fn bound(patch: &Patch, surface: &Surface) -> f64 {
         return f64::INFINITY;
     }
     // A length along a direction from a point, times the weight.
-    let along = |from: Vector, d: Vector| patch.polynomial([d[0], d[1], d[2], -dot(from, d)]);
-    let one = patch.polynomial([0.0, 0.0, 0.0, 1.0]);
-    let squares = |from: Vector, axes: &[Vector]| -> Bernstein {
-        let first = along(from, axes[0]).squared();
-        axes[1..].iter().fold(first, |sum, axis| {
-            sum.plus(1.0, &along(from, *axis).squared())
-        })
-    };
     let Surface { origin, axis, .. } = *surface;
+    let along = |d: Vector| patch.polynomial([d[0], d[1], d[2], -dot(origin, d)]);
+    let square = |d: &Vector| along(*d).times(&along(*d));
+    let squares = |axes: &[Vector]| -> Bernstein {
+        let rest = axes[1..].iter();
+        rest.fold(square(&axes[0]), |sum, d| sum.plus(1.0, &square(d)))
+    };
+    let one = patch.polynomial([0.0, 0.0, 0.0, 1.0]);
+    let unit = one.times(&one);
     let heights = || patch.hull().map(|p| dot(minus(p, origin), axis));
     let [e, f] = frame(axis, 0.0);
     // The difference of squares over the sum.
     let round = |axes: &[Vector], radius: f64| {
-        let rest = squares(origin, axes).plus(-radius * radius, &one.squared());
+        let rest = squares(axes).plus(-radius * radius, &unit);
         rest.bound() / (weight * weight * radius)
     };
     match surface.form {
@@ -305,8 +297,7 @@ pub fn bound(patch: &Patch, surface: &Surface) -> f64 {
         Form::Sphere(radius) => round(&[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], radius),
         Form::Cone(half_angle) => {
             let (sine, cosine) = half_angle.sin_cos();
-            let up = along(origin, axis).squared();
-            let scaled = squares(origin, &[e, f]).plus(-(sine / cosine).powi(2), &up);
+            let scaled = squares(&[e, f]).plus(-(sine / cosine).powi(2), &square(&axis));
             let product = cosine * cosine * scaled.bound() / (weight * weight);
             // The product of the distances from the cone and from its mirror image, which is at least the height times
             // twice the sine.
@@ -317,14 +308,13 @@ pub fn bound(patch: &Patch, surface: &Surface) -> f64 {
             product.sqrt().min(product / (height.max(0.0) * sine))
         }
         Form::Torus(major, minor) => {
-            let unit = one.squared();
             let inner = major * major - minor * minor;
             if inner <= 0.0 {
                 return f64::INFINITY;
             }
-            let sum = squares(origin, &[e, f, axis]).plus(inner, &unit);
-            let out = squares(origin, &[e, f]).times(&unit);
-            let quartic = sum.squared().plus(-4.0 * major * major, &out);
+            let sum = squares(&[e, f, axis]).plus(inner, &unit);
+            let out = squares(&[e, f]).times(&unit);
+            let quartic = sum.times(&sum).plus(-4.0 * major * major, &out);
             quartic.bound() / (weight.powi(4) * inner * minor)
         }
         Form::Other(_) => f64::INFINITY,

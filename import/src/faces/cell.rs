@@ -16,7 +16,7 @@ pub enum Verdict {
 }
 
 /// A part of a face that is one object of a scene.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Cell {
     /// The quadric; of a cell of a plane, what bounds it besides planes, kept where it is negative.
     pub quadric: Option<Implicit>,

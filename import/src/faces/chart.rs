@@ -3,7 +3,7 @@
 use super::planes::{Planes, Separator};
 use super::polynomial::{harmonic, quadratic};
 use super::surface::{Form, Surface};
-use super::vector::{Vector, along, cross, dot, frame, length, minus, plus, positive_angle, times};
+use super::vector::*;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// A surface with coordinates. u runs eastwards, v northwards, and both turn counter-clockwise seen from the side of
@@ -157,21 +157,14 @@ impl Chart {
         let (rise, spread) = (higher - up, other - out);
         let size = length([rise, spread, 0.0]);
         if spread.abs() <= 1e-3 * size {
-            return Some(Surface::new(
-                origin,
-                axis,
-                Form::Cylinder(0.5 * (out + other)),
-            ));
+            let form = Form::Cylinder(0.5 * (out + other));
+            return Some(Surface::new(origin, axis, form));
         }
         if rise.abs() <= 1e-3 * size {
             return None;
         }
         // From the apex, where the distance from the axis is 0, towards the wider circle.
-        let widening = if (spread > 0.0) == (rise > 0.0) {
-            1.0
-        } else {
-            -1.0
-        };
+        let widening = spread.signum() * rise.signum();
         let apex = along(self.on_axis(up), -out * rise / spread, axis);
         let form = Form::Cone((spread / rise).abs().atan());
         Some(Surface::new(apex, times(widening, axis), form))
@@ -225,13 +218,9 @@ impl Chart {
         for p in points {
             let mut next = self.coordinates(*p);
             if let Some(last) = path.last() {
-                for (k, turns) in [self.is_round(), self.surface.is_torus()]
-                    .into_iter()
-                    .enumerate()
-                {
-                    if turns {
-                        next[k] = nearest_turn(next[k], last[k]);
-                    }
+                let turns = [self.is_round(), self.surface.is_torus()];
+                for k in (0..2).filter(|k| turns[*k]) {
+                    next[k] = nearest_turn(next[k], last[k]);
                 }
             }
             path.push(next);
@@ -289,5 +278,5 @@ pub fn free_pole(surface: &Surface, separators: &[Separator]) -> Option<Vector> 
         [across * angle.cos(), across * angle.sin(), z]
     });
     let best = directions.max_by(|p, q| nearest(p).total_cmp(&nearest(q)));
-    best.map(super::vector::unit)
+    best.map(unit)
 }

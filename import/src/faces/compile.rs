@@ -1,19 +1,19 @@
-//! From a face to cells: what all faces need, and faces on quadrics.
+//! From a face to cells: what all faces need, and faces on quadrics and tori.
 
 use super::arrangement::Sample;
 use super::cell::{Cell, Compiled, Made, Verdict};
+use super::chart::Chart;
 use super::courses::Courses;
 use super::cover::Term;
 use super::curve::{Curve, PlaneOf, arc_through};
 use super::model::{COINCIDENT, EdgeUse, Face, Model};
 use super::parting::{AUXILIARY, EDGE, Parting, halving};
 use super::planes::Planes;
+use super::rings::{MOST, Rings};
 use super::slabs::{Band, Slabs};
 use super::surface::Surface;
-use super::terms::{Rules, terms};
-use super::vector::{
-    Vector, cross, distance, farthest, length, mean, minus, off_line, onto_plane, plus, times, unit,
-};
+use super::terms::terms;
+use super::vector::*;
 use imogene_scene::MAX_CUTS;
 
 /// Places of a curve at which it is compared with its surface.
@@ -41,11 +41,9 @@ impl<'a> Task<'a> {
             Err(reason) => return Err(reason),
         };
         // What is off by the digits of the file alone is exact.
-        let exact = deviation <= self.model.rounding();
-        let verdict = if exact {
-            Verdict::Exact
-        } else {
-            Verdict::Approximated(deviation)
+        let verdict = match deviation <= self.model.rounding() {
+            true => Verdict::Exact,
+            false => Verdict::Approximated(deviation),
         };
         Ok(Compiled { verdict, cells })
     }
@@ -161,20 +159,31 @@ pub fn quadric_face(task: Task, planes: &mut Planes) -> Made<Compiled> {
         let large = terms.iter().filter(|term| !fits(parting, term));
         large.map(|term| halving(term, samples, surface)).collect()
     };
-    let rules = Rules {
-        fits: &fits,
-        refine: &refine,
-    };
     let cell = |parting: &Parting, term: &Term| Cell {
         quadric: Some(implicit),
         flat: None,
         cuts: parting.cuts(term),
     };
-    let cells = match terms(task.model, surface, &mut parting, planes, &rules) {
+    let cells = match terms(task, &mut parting, planes, &fits, &refine) {
         Ok(terms) => Ok(terms.iter().map(|term| cell(&parting, term)).collect()),
         Err(_) => task.slabs(&border, &Band::whole(surface), None, planes),
     };
     task.compiled(cells, deviation)
+}
+
+/// Compiles a face that lies on a torus.
+pub fn torus_face(task: Task, planes: &mut Planes) -> Made<Compiled> {
+    if task.courses.max_deviation == 0.0 {
+        return Err("a torus is not exact, and a deviation of 0 is accepted".into());
+    }
+    let (surface, most) = (&task.face().surface, task.courses.bands);
+    let rings = Rings::of(task.model, surface, most).zip(Chart::of(surface, None));
+    let (rings, chart) = rings
+        .ok_or_else(|| format!("more than {MOST} bands would be needed to be within {most:.3e}"))?;
+    let off = task.deviation()?;
+    let parting = task.parting(planes)?;
+    let cells = task.slabs(&parting, &rings.bands(&chart), None, planes);
+    task.compiled(cells, off.max(rings.deviation))
 }
 
 /// The plane through a straight edge across its surface, which it follows within the accepted deviation.
@@ -212,18 +221,8 @@ fn on_sphere(curve: &Curve, surface: &Surface) -> Option<Curve> {
         return None;
     };
     let (origin, normal) = line.plane?;
-    let centre = onto_plane(surface.origin, origin, normal);
-    let points = [
-        line.points[0],
-        line.points[1],
-        line.points[line.points.len() - 1],
-    ];
-    let radius = distance(points[0], centre);
-    Some(arc_through(
-        (centre, normal),
-        radius,
-        points,
-        None,
-        line.closed,
-    ))
+    let circle = (onto_plane(surface.origin, origin, normal), normal);
+    let points = [0, 1, line.points.len() - 1].map(|k| line.points[k]);
+    let radius = distance(points[0], circle.0);
+    Some(arc_through(circle, radius, points, None, line.closed))
 }

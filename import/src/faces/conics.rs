@@ -2,10 +2,7 @@
 
 use super::curve::{Curve, Ellipse, PlaneOf};
 use super::surface::{Form, Implicit, Surface};
-use super::vector::{
-    Vector, across, along, cross, distance, dot, frame, length, mean, minus, plus, range, times,
-    unit,
-};
+use super::vector::*;
 use std::f64::consts::PI;
 
 /// Most sides of a polygon between two circles, one in the other.

@@ -44,7 +44,8 @@ pub struct Courses {
 impl Courses {
     /// Of all edges of a model.
     pub fn new(model: &Model, planes: &mut Planes, max_deviation: f64, bands: f64) -> Courses {
-        let courses = (0..model.edges.len())
+        let courses = 0..model.edges.len();
+        let courses = courses
             .map(|edge| course(model, edge, max_deviation, bands))
             .collect();
         let mut generators = Generators::new();
@@ -79,9 +80,8 @@ fn course(model: &Model, index: usize, max_deviation: f64, bands: f64) -> Result
             deviation: edge.off,
         });
     };
-    let surfaces = model.users[index]
-        .iter()
-        .map(|face| &model.faces[*face].surface);
+    let faces = model.users[index].iter().map(|face| &model.faces[*face]);
+    let surfaces = faces.map(|face| &face.surface);
     let surfaces: Vec<&Surface> = surfaces.filter(|surface| !surface.is_other()).collect();
     let mut refined = refine(line, &surfaces);
     if line.closed {
@@ -141,10 +141,9 @@ fn pieces(points: &[Vector], surfaces: &[&Surface], max_deviation: f64) -> Optio
         let mut too_long = last + 1;
         let mut reach = 2;
         while best.0 + 1 < too_long {
-            let end = if start + reach < too_long {
-                start + reach
-            } else {
-                usize::midpoint(best.0, too_long)
+            let end = match start + reach < too_long {
+                true => start + reach,
+                false => usize::midpoint(best.0, too_long),
             };
             reach *= 2;
             match fit(end) {
@@ -205,9 +204,7 @@ fn through_chord(run: &[Vector], surfaces: &[&Surface]) -> Vec<Vector> {
     let (first, last) = (run[0], run[run.len() - 1]);
     let chord = unit(minus(last, first));
     let middle = run[run.len() / 2];
-    let normals = surfaces
-        .iter()
-        .filter_map(|surface| surface.normal_at(middle));
+    let normals = surfaces.iter().filter_map(|own| own.normal_at(middle));
     let normals: Vec<Vector> = normals.map(|normal| unit(across(normal, chord))).collect();
     match normals[..] {
         [] => vec![],
@@ -252,12 +249,11 @@ mod tests {
     /// Viviani's curve: the sphere of radius 2 and the cylinder of radius 1 through its centre; (1 + cos t, sin t, 2
     /// sin t/2).
     fn viviani(count: usize) -> (Vec<Vector>, [Surface; 2]) {
-        let points = (0..count)
-            .map(|k| {
-                let t = 0.3 + 2.0 * k as f64 / count as f64;
-                [1.0 + t.cos(), t.sin(), 2.0 * (0.5 * t).sin()]
-            })
-            .collect();
+        let point = |k: usize| {
+            let t = 0.3 + 2.0 * k as f64 / count as f64;
+            [1.0 + t.cos(), t.sin(), 2.0 * (0.5 * t).sin()]
+        };
+        let points = (0..count).map(point).collect();
         let axis = [0.0, 0.0, 1.0];
         let sphere = Surface::new([0.0; 3], axis, Form::Sphere(2.0));
         let cylinder = Surface::new([1.0, 0.0, 0.0], axis, Form::Cylinder(1.0));
@@ -289,10 +285,8 @@ mod tests {
                     });
                     let off = off.fold(f64::INFINITY, f64::min);
                     // Beside a joint the nearest piece may count as ended.
-                    let joint = course
-                        .pieces
-                        .iter()
-                        .any(|piece| piece.ends().iter().any(|e| distance(*e, q) < 1e-3));
+                    let mut ends = course.pieces.iter().flat_map(Curve::ends);
+                    let joint = ends.any(|end| distance(end, q) < 1e-3);
                     assert!(off <= course.deviation || joint, "{off} at {t} for {asked}");
                 }
             }

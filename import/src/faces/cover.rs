@@ -5,6 +5,8 @@
 //! not need.
 
 use super::arrangement::Sample;
+use super::vector::distance;
+use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
 /// The AND of sides: those of `mask`, each as in `sides`.
@@ -22,7 +24,6 @@ impl Term {
         (sides ^ self.sides) & self.mask == 0
     }
 
-    /// Number of sides.
     pub fn len(&self) -> u32 {
         self.mask.count_ones()
     }
@@ -38,9 +39,7 @@ impl Term {
 /// Two samples that have the same sides, one in the face and one not.
 #[derive(Clone, Copy, Debug)]
 pub struct Conflict {
-    /// In the face.
     pub inside: Sample,
-    /// Not in it.
     pub outside: Sample,
 }
 
@@ -65,10 +64,8 @@ pub fn cover(
     let kept: BTreeSet<u128> = sides(samples, true);
     let lost: Vec<u128> = sides(samples, false).into_iter().collect();
     let both = lost.iter().filter(|side| kept.contains(side));
-    let conflicts: Vec<Conflict> = both
-        .take(MAX_CONFLICTS)
-        .map(|sides| nearest_conflict(samples, *sides))
-        .collect();
+    let first = both.take(MAX_CONFLICTS);
+    let conflicts: Vec<Conflict> = first.map(|s| nearest_conflict(samples, *s)).collect();
     if !conflicts.is_empty() {
         return Err(conflicts);
     }
@@ -84,12 +81,9 @@ pub fn cover(
     let mut terms = vec![];
     while !open.is_empty() {
         let taken = |term: &Term| open.iter().filter(|side| term.takes(**side)).count();
-        let best = candidates
-            .iter()
-            .copied()
-            .max_by_key(|term| (taken(term), std::cmp::Reverse(term.len())))
-            .filter(|term| taken(term) > 0);
-        let best = best.unwrap_or_else(|| {
+        let rank = |term: &Term| (taken(term), Reverse(term.len()));
+        let best = candidates.iter().copied().max_by_key(rank);
+        let best = best.filter(|term| taken(term) > 0).unwrap_or_else(|| {
             let seed = *open.first().expect("not empty");
             let whole = shortened(seed, &lost, ranks, false);
             match fits {
@@ -104,11 +98,8 @@ pub fn cover(
 }
 
 fn sides(samples: &[Sample], inside: bool) -> BTreeSet<u128> {
-    samples
-        .iter()
-        .filter(|sample| sample.inside == inside)
-        .map(|sample| sample.sides)
-        .collect()
+    let own = samples.iter().filter(|sample| sample.inside == inside);
+    own.map(|sample| sample.sides).collect()
 }
 
 fn candidates(kept: &BTreeSet<u128>, lost: &[u128], ranks: &[u8]) -> Vec<Term> {
@@ -125,13 +116,9 @@ fn candidates(kept: &BTreeSet<u128>, lost: &[u128], ranks: &[u8]) -> Vec<Term> {
 /// The term of all sides of a piece, less those that are not needed.
 fn shortened(seed: u128, lost: &[u128], ranks: &[u8], backwards: bool) -> Term {
     let separators = ranks.len();
-    let all = if separators >= 128 {
-        u128::MAX
-    } else {
-        (1 << separators) - 1
-    };
+    let all = u128::MAX.checked_shr(128 - separators as u32);
     let mut term = Term {
-        mask: all,
+        mask: all.unwrap_or(0),
         sides: seed,
     };
     let mut order: Vec<usize> = (0..separators).collect();
@@ -154,20 +141,15 @@ fn shortened(seed: u128, lost: &[u128], ranks: &[u8], backwards: bool) -> Term {
 
 fn nearest_conflict(samples: &[Sample], sides: u128) -> Conflict {
     let of = |inside: bool| {
-        samples
-            .iter()
-            .filter(move |s| s.sides == sides && s.inside == inside)
+        let own = samples.iter().copied();
+        own.filter(move |s| s.sides == sides && s.inside == inside)
             .take(200)
     };
-    let distance = |(a, b): &(&Sample, &Sample)| super::vector::distance(a.point, b.point);
-    let pair = of(true)
-        .flat_map(|a| of(false).map(move |b| (a, b)))
-        .min_by(|p, q| distance(p).total_cmp(&distance(q)));
-    let (inside, outside) = pair.expect("both have these sides");
-    Conflict {
-        inside: *inside,
-        outside: *outside,
-    }
+    let pairs =
+        of(true).flat_map(|inside| of(false).map(move |outside| Conflict { inside, outside }));
+    let apart = |pair: &Conflict| distance(pair.inside.point, pair.outside.point);
+    let nearest = pairs.min_by(|p, q| apart(p).total_cmp(&apart(q)));
+    nearest.expect("both have these sides")
 }
 
 #[cfg(test)]

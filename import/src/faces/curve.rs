@@ -1,9 +1,6 @@
 //! Curves of edges.
 
-use super::vector::{
-    Vector, along, cross, distance, dot, farthest, length, minus, onto_plane, opposite, plus,
-    positive_angle, times, unit,
-};
+use super::vector::*;
 use std::f64::consts::TAU;
 
 /// A plane in its own right: a point of it and its unit normal.

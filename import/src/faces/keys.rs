@@ -10,7 +10,6 @@ pub const FORMAT_VERSION: i64 = 1;
 
 pub type Name = Spanned<String>;
 
-/// A face list.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ListKeys {
@@ -44,7 +43,6 @@ pub struct EdgeKeys {
     pub points: Option<Spanned<Vec<[f64; 3]>>>,
 }
 
-/// A face.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FaceKeys {

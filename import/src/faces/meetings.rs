@@ -89,13 +89,11 @@ impl Chart {
         let [a, b, c] = implicit.on_line(start, direction);
         let meetings = quadratic(a, b, c).into_iter().map(u_at);
         // A point of the other nappe lies on the line of the opposite angle.
-        let both = |u: f64| {
-            [
-                Some(u),
-                self.surface.is_cone().then(|| positive_angle(u + PI)),
-            ]
-        };
-        meetings.flat_map(both).flatten().collect()
+        let opposite = |u: f64| self.surface.is_cone().then(|| positive_angle(u + PI));
+        meetings
+            .flat_map(|u| [Some(u), opposite(u)])
+            .flatten()
+            .collect()
     }
 
     fn plane_and_conic(&self, (n, c): (Vector, f64), implicit: &Implicit) -> Vec<f64> {
@@ -108,10 +106,8 @@ impl Chart {
         let start = self.point(rest * n1, rest * n2);
         let direction = along(times(-n2, self.e[0]), n1, self.e[1]);
         let [a, b, c] = implicit.on_line(start, direction);
-        let meetings = quadratic(a, b, c).into_iter();
-        meetings
-            .map(|t| self.u_of(along(start, t, direction)))
-            .collect()
+        let u_at = |t: f64| self.u_of(along(start, t, direction));
+        quadratic(a, b, c).into_iter().map(u_at).collect()
     }
 
     /// Roots of the resultant of the two quadratics in v.
@@ -122,10 +118,8 @@ impl Chart {
         let [(a, b, c), (d, f, g)] = [one, other].map(|implicit| self.conic(implicit));
         let combine = |factor: f64, u: &[f64], by: f64, v: &[f64]| -> Vec<f64> {
             let at = |list: &[f64], k: usize| list.get(k).copied().unwrap_or(0.0);
-            let most = u.len().max(v.len());
-            (0..most)
-                .map(|k| factor * at(u, k) - by * at(v, k))
-                .collect()
+            let each = 0..u.len().max(v.len());
+            each.map(|k| factor * at(u, k) - by * at(v, k)).collect()
         };
         let product = |u: &[f64], v: &[f64]| -> Vec<f64> {
             let mut all = vec![0.0; u.len() + v.len() - 1];
@@ -140,13 +134,10 @@ impl Chart {
         let af = combine(a, &f, d, &b);
         let bg: Vec<f64> = combine(1.0, &product(&b, &g), 1.0, &product(&f, &c));
         let resultant = combine(1.0, &product(&ag, &ag), 1.0, &product(&af, &bg));
-        let mut reach = self.turns_of_conic(one);
-        reach.extend(self.turns_of_conic(other));
-        let ends = [
-            reach.iter().min_by(|a, b| a.total_cmp(b)),
-            reach.iter().max_by(|a, b| a.total_cmp(b)),
-        ];
-        let [Some(low), Some(high)] = ends else {
+        let turns = [one, other].map(|implicit| self.turns_of_conic(implicit));
+        let mut turns = turns.concat();
+        turns.sort_by(f64::total_cmp);
+        let [Some(low), Some(high)] = [turns.first(), turns.last()] else {
             return vec![];
         };
         let margin = high - low;

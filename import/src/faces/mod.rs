@@ -34,19 +34,18 @@ mod source;
 mod step;
 mod surface;
 mod terms;
-mod torus;
 pub mod vector;
 mod volume;
 
 pub use cell::{Cell, Compilation, Compiled, Verdict};
-pub use curve::{Arc, Curve, Ellipse, Polyline};
-pub use planes::{Planes, SharedPlane};
+pub use curve::{Arc, Curve, Ellipse, PlaneOf, Polyline};
+pub use planes::Planes;
 pub use step::Beside;
 pub use surface::{Form, Implicit, Surface};
 
 use crate::error::{decoded, unusable};
 use crate::{Imported, Result};
-use compile::{Task, quadric_face};
+use compile::{Task, quadric_face, torus_face};
 use courses::Courses;
 use imogene_files::text::counted;
 use model::Model;
@@ -191,7 +190,7 @@ fn compile_solid(
         let made = match (&face.refused, &face.surface.form) {
             (Some(reason), _) => Err(reason.clone()),
             (_, Form::Plane) => plane_face::plane_face(task, planes),
-            (_, Form::Torus(..)) => torus::torus_face(task, planes),
+            (_, Form::Torus(..)) => torus_face(task, planes),
             (_, Form::Other(name)) => Err(format!("{} is no quadric", with_article(name))),
             _ => quadric_face(task, planes),
         };

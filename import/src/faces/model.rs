@@ -154,16 +154,11 @@ impl Model {
     fn outline(&self) -> Vec<Vector> {
         let used = self.edges.iter().zip(&self.users);
         let used = used.filter(|(_, users)| !users.is_empty());
-        let steps = |curve: &Curve| {
-            if matches!(curve, Curve::Line { .. }) {
-                1
-            } else {
-                32
-            }
+        let sampled = |edge: &Edge| match edge.curve {
+            Curve::Line { .. } => edge.curve.sampled(1),
+            _ => edge.curve.sampled(32),
         };
-        let mut points: Vec<Vector> = used
-            .flat_map(|(edge, _)| edge.curve.sampled(steps(&edge.curve)))
-            .collect();
+        let mut points: Vec<Vector> = used.flat_map(|(edge, _)| sampled(edge)).collect();
         for face in self.faces.iter().filter(|face| face.loops.is_empty()) {
             let Surface { origin, axis, .. } = face.surface;
             let reach = match face.surface.form {
@@ -224,9 +219,7 @@ impl Model {
 
     /// Faces other than `face` that have an edge.
     pub fn neighbours(&self, face: usize, edge: usize) -> impl Iterator<Item = usize> + '_ {
-        self.users[edge]
-            .iter()
-            .copied()
-            .filter(move |other| *other != face)
+        let all = self.users[edge].iter().copied();
+        all.filter(move |other| *other != face)
     }
 }

@@ -15,11 +15,8 @@ pub fn orient(model: &mut Model) {
         if !is_oriented(face) {
             continue;
         }
-        let says = match seam_votes(model, face) {
-            0 => neighbour_votes(model, index),
-            votes => votes,
-        };
-        if says < 0 {
+        let seams = seam_votes(model, face);
+        if seams < 0 || (seams == 0 && neighbour_votes(model, index) < 0) {
             for own in &mut model.faces[index].loops {
                 *own = reversed(own);
             }

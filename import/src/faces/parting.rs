@@ -15,7 +15,6 @@ pub struct Parting {
     pub planes: Vec<Option<usize>>,
     /// For each: separators of the lower rank are dropped first.
     pub ranks: Vec<u8>,
-    /// The edges.
     pub boundaries: Vec<Boundary>,
 }
 
@@ -77,7 +76,8 @@ impl Parting {
 
     /// The quadrics of a term.
     pub fn conics(&self, term: &Term) -> Vec<(usize, bool)> {
-        term.literals()
+        let literals = term.literals();
+        literals
             .filter(|(k, _)| self.planes[*k].is_none())
             .collect()
     }

@@ -3,9 +3,7 @@
 
 use super::curve::{Curve, PlaneOf, Polyline, arc_through, common_plane};
 use super::model::Model;
-use super::vector::{
-    Vector, cross, distance, dot, length, minus, off_line, onto_plane, plus, unit,
-};
+use super::vector::*;
 
 /// Takes every edge that is given by points for the simplest that it is within a share of the part's size.
 pub fn plain(model: &mut Model) {
@@ -54,9 +52,8 @@ fn line(own: &Polyline, tolerance: f64) -> Option<(Curve, f64)> {
 
 /// The plane of a plane face that has the edge: what borders it is in it.
 fn plane_of_face(model: &Model, edge: usize, points: &[Vector], tolerance: f64) -> Option<PlaneOf> {
-    let mut planes = model.users[edge]
-        .iter()
-        .filter_map(|face| model.faces[*face].surface.plane());
+    let faces = model.users[edge].iter();
+    let mut planes = faces.filter_map(|face| model.faces[*face].surface.plane());
     planes.find(|plane| points.iter().all(|p| off_plane(*p, *plane) <= tolerance))
 }
 
@@ -66,10 +63,9 @@ fn circle(own: &Polyline, (origin, normal): PlaneOf, tolerance: f64) -> Option<(
     if points.len() < 5 {
         return None;
     }
-    let last = if own.closed {
-        points.len() * 2 / 3
-    } else {
-        points.len() - 1
+    let last = match own.closed {
+        true => points.len() * 2 / 3,
+        false => points.len() - 1,
     };
     let [a, b, c] = [0, last / 2, last].map(|k| onto_plane(points[k], origin, normal));
     let (u, v) = (minus(b, a), minus(c, a));
@@ -90,15 +86,8 @@ fn circle(own: &Polyline, (origin, normal): PlaneOf, tolerance: f64) -> Option<(
     let off = off.fold(0.0, f64::max);
     // A circle that large is a line of too few digits.
     let size = distance(a, b).max(distance(b, c));
-    let arc = || {
-        arc_through(
-            (centre, normal),
-            radius,
-            [a, points[1], c],
-            Some(c),
-            own.closed,
-        )
-    };
+    let circle = (centre, normal);
+    let arc = || arc_through(circle, radius, [a, points[1], c], Some(c), own.closed);
     (off <= tolerance && radius <= 1e4 * size).then(|| (arc(), off))
 }
 

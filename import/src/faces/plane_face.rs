@@ -13,7 +13,7 @@ use super::parting::{EDGE, Parting, halving};
 use super::planes::{Planes, Separator};
 use super::slabs::Band;
 use super::surface::Surface;
-use super::terms::{Rules, terms};
+use super::terms::terms;
 use super::vector::{Vector, along, cross, distance, dot, minus, unit};
 use imogene_scene::MAX_CUTS;
 
@@ -33,11 +33,7 @@ pub fn plane_face(task: Task, planes: &mut Planes) -> Made<Compiled> {
     let refine = |parting: &Parting, terms: &[Term], samples: &[Sample]| {
         refined(parting, terms, samples, &border.conics, surface)
     };
-    let rules = Rules {
-        fits: &fits,
-        refine: &refine,
-    };
-    if let Ok(terms) = terms(task.model, surface, &mut searched, planes, &rules) {
+    if let Ok(terms) = terms(task, &mut searched, planes, &fits, &refine) {
         let cells = terms.iter().map(|term| cell(&searched, term, flat));
         return task.compiled(Ok(cells.collect()), border.deviation);
     }
@@ -68,16 +64,12 @@ fn border<'a>(task: Task<'a>, conics: bool, planes: &mut Planes) -> Made<Border<
 }
 
 fn cell(parting: &Parting, term: &Term, flat: usize) -> Cell {
-    let quadric =
-        parting
-            .conics(term)
-            .first()
-            .and_then(|(k, positive)| match parting.separators[*k] {
-                Separator::Quadric(implicit) => Some(implicit.kept(*positive)),
-                Separator::Plane(_) => None,
-            });
+    let kept = |(k, positive): &(usize, bool)| match parting.separators[*k] {
+        Separator::Quadric(implicit) => Some(implicit.kept(*positive)),
+        Separator::Plane(_) => None,
+    };
     Cell {
-        quadric,
+        quadric: parting.conics(term).first().and_then(kept),
         flat: Some(flat),
         cuts: parting.cuts(term),
     }
@@ -186,7 +178,7 @@ impl Border<'_> {
                 None => courses.generator(other, edge),
             });
         }
-        let steep = own.filter(|plane| self.is_steep(planes.get(*plane).normal));
+        let steep = own.filter(|plane| self.is_steep(planes.get(*plane).1));
         let plane = steep.unwrap_or_else(|| {
             let (point, normal) = self.upright(from, to);
             planes.find_or_add(point, normal)

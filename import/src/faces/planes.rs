@@ -1,5 +1,6 @@
 //! The planes of a part, each with one description that all faces use.
 
+use super::curve::PlaneOf;
 use super::surface::Implicit;
 use super::vector::{Vector, cross, dot, length, minus};
 
@@ -22,19 +23,10 @@ impl Separator {
     }
 }
 
-/// A plane as it stands in the scene.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SharedPlane {
-    /// A point of it.
-    pub point: Vector,
-    /// Its unit normal; a face on the other side has the opposite one.
-    pub normal: Vector,
-}
-
 /// All planes of a part.
 #[derive(Debug)]
 pub struct Planes {
-    all: Vec<SharedPlane>,
+    all: Vec<PlaneOf>,
     tolerance: f64,
 }
 
@@ -50,30 +42,30 @@ impl Planes {
     /// The index of the plane through a point; an earlier description of the same plane is used again.
     pub fn find_or_add(&mut self, point: Vector, normal: Vector) -> usize {
         let normal = clean(normal);
-        let same = |plane: &SharedPlane| {
-            length(cross(plane.normal, normal)) <= 1e-9
-                && dot(minus(point, plane.point), plane.normal).abs() <= self.tolerance
+        let same = |(other, along): &PlaneOf| {
+            length(cross(*along, normal)) <= 1e-9
+                && dot(minus(point, *other), *along).abs() <= self.tolerance
         };
         self.all.iter().position(same).unwrap_or_else(|| {
-            self.all.push(SharedPlane { point, normal });
+            self.all.push((point, normal));
             self.all.len() - 1
         })
     }
 
-    /// A plane.
-    pub fn get(&self, index: usize) -> SharedPlane {
+    /// A point and the unit normal of a plane; a face on the other side has the opposite one.
+    pub fn get(&self, index: usize) -> PlaneOf {
         self.all[index]
     }
 
     /// Whether a point is on the side of a plane's normal.
     pub fn is_positive(&self, index: usize, p: Vector) -> bool {
-        let SharedPlane { point, normal } = self.all[index];
+        let (point, normal) = self.all[index];
         dot(minus(p, point), normal) > 0.0
     }
 
     /// A plane as a separator.
     pub fn separator(&self, index: usize) -> Separator {
-        let SharedPlane { point, normal } = self.all[index];
+        let (point, normal) = self.all[index];
         Separator::Plane((normal, dot(normal, point)))
     }
 }
@@ -102,7 +94,7 @@ mod tests {
         let again = planes.find_or_add([5.0, 1.0, -3.0], [0.0, -1.0, 0.0]);
         assert_eq!(again, first);
         assert_ne!(planes.find_or_add([0.0, 1.1, 0.0], [0.0, 1.0, 0.0]), first);
-        assert_eq!(planes.get(first).normal, [0.0, 1.0, 0.0]);
+        assert_eq!(planes.get(first).1, [0.0, 1.0, 0.0]);
         assert_eq!(clean([1.0, 6e-17, -0.0]), [1.0, 0.0, 0.0]);
     }
 }

@@ -4,12 +4,9 @@ use super::vector::positive_angle;
 
 /// Real roots of `a x^2 + b x + c`, ascending, a double root once; none if all are zero.
 pub fn quadratic(a: f64, b: f64, c: f64) -> Vec<f64> {
-    let size = a.abs().max(b.abs()).max(c.abs());
-    if size == 0.0 {
-        return vec![];
-    }
-    if a.abs() <= 1e-14 * size {
-        return if b.abs() <= 1e-14 * size {
+    let least = 1e-14 * a.abs().max(b.abs()).max(c.abs());
+    if a.abs() <= least {
+        return if b.abs() <= least {
             vec![]
         } else {
             vec![-c / b]
@@ -34,11 +31,8 @@ pub fn quadratic(a: f64, b: f64, c: f64) -> Vec<f64> {
 /// Angles from 0 to 2 pi with `a cos u + b sin u = c`.
 pub fn harmonic(a: f64, b: f64, c: f64) -> Vec<f64> {
     let size = a.hypot(b);
-    if size == 0.0 {
-        return vec![];
-    }
     let ratio = c / size;
-    if ratio.abs() > 1.0 + 1e-13 {
+    if size == 0.0 || ratio.abs() > 1.0 + 1e-13 {
         return vec![];
     }
     let (middle, half) = (b.atan2(a), ratio.clamp(-1.0, 1.0).acos());
@@ -56,31 +50,18 @@ pub fn roots_between(coefficients: &[f64], from: f64, to: f64) -> Vec<f64> {
     if coefficients.len() < 2 {
         return vec![];
     }
-    let derivative: Vec<f64> = coefficients
-        .iter()
-        .enumerate()
-        .skip(1)
-        .map(|(power, c)| power as f64 * c)
-        .collect();
+    let terms = || coefficients.iter().enumerate();
+    let derivative: Vec<f64> = terms().skip(1).map(|(power, c)| power as f64 * c).collect();
     let turns = roots_between(&derivative, from, to);
-    let mut ends = vec![from];
-    ends.extend(&turns);
-    ends.push(to);
-    let mut roots = vec![];
-    for pair in ends.windows(2) {
-        roots.extend(bisected(coefficients, pair[0], pair[1]));
-    }
+    let ends = [&[from], &turns[..], &[to]].concat();
+    let stretches = ends.windows(2);
+    let passed = stretches.filter_map(|pair| bisected(coefficients, pair[0], pair[1]));
+    let mut roots: Vec<f64> = passed.collect();
     let reach = from.abs().max(to.abs());
-    let size: f64 = coefficients
-        .iter()
-        .enumerate()
-        .map(|(power, c)| c.abs() * reach.powi(power as i32))
-        .sum();
-    roots.extend(
-        turns
-            .into_iter()
-            .filter(|x| value(coefficients, *x).abs() <= 1e-10 * size),
-    );
+    let sizes = terms().map(|(power, c)| c.abs() * reach.powi(power as i32));
+    let least = 1e-10 * sizes.sum::<f64>();
+    let touches = |x: &f64| value(coefficients, *x).abs() <= least;
+    roots.extend(turns.into_iter().filter(touches));
     roots.sort_by(f64::total_cmp);
     roots
 }
@@ -123,11 +104,9 @@ mod tests {
     fn quartics_give_simple_and_double_roots() {
         // (x^2 - 1)(x - 2)^2 = x^4 - 4x^3 + 3x^2 + 4x - 4
         let roots = roots_between(&[-4.0, 4.0, 3.0, -4.0, 1.0], -9.0, 9.0);
-        for expected in [-1.0, 1.0, 2.0] {
-            assert!(
-                roots.iter().any(|r| (r - expected).abs() < 1e-6),
-                "{roots:?}"
-            );
+        for expected in [-1.0_f64, 1.0, 2.0] {
+            let near = |root: &f64| (root - expected).abs() < 1e-6;
+            assert!(roots.iter().any(near), "{roots:?}");
         }
     }
 

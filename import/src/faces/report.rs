@@ -4,6 +4,7 @@ use super::cell::{Compilation, Verdict};
 use super::courses::Courses;
 use super::curve::Curve;
 use super::model::Model;
+use super::surface::Form;
 use imogene_files::text::counted;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
@@ -93,10 +94,9 @@ impl Report {
             let (form, verdict, cells) = match compilation {
                 Compilation::Volume(_) => ("volume", &Verdict::Exact, &[][..]),
                 Compilation::Faces(faces) => {
-                    let form = if face.surface.is_plane() {
-                        "flat"
-                    } else {
-                        "patch"
+                    let form = match face.surface.form {
+                        Form::Plane => "flat",
+                        _ => "patch",
                     };
                     (form, &faces[position].verdict, &faces[position].cells[..])
                 }
@@ -212,21 +212,15 @@ fn notes(report: &Report) -> Vec<String> {
 
 /// A reason with `...` for the numbers and names of its own face.
 fn without_numbers(reason: &str) -> String {
-    let mut words: Vec<&str> = vec![];
-    for word in reason.split(' ') {
-        let own = word.contains('#') || word.chars().any(|c| c.is_ascii_digit());
-        words.push(if own { "..." } else { word });
-    }
-    words.join(" ")
+    let own = |word: &str| word.contains(|c: char| c == '#' || c.is_ascii_digit());
+    let shown = |word| if own(word) { "..." } else { word };
+    reason.split(' ').map(shown).collect::<Vec<_>>().join(" ")
 }
 
 /// The first of some names, and how many more there are.
 fn listed(names: &[&str]) -> String {
-    let first: Vec<String> = names
-        .iter()
-        .take(MOST_NAMES)
-        .map(|n| format!("`{n}`"))
-        .collect();
+    let first = names.iter().take(MOST_NAMES);
+    let first: Vec<String> = first.map(|name| format!("`{name}`")).collect();
     match names.len().saturating_sub(MOST_NAMES) {
         0 => first.join(", "),
         more => format!("{} and {more} more", first.join(", ")),
@@ -236,19 +230,10 @@ fn listed(names: &[&str]) -> String {
 impl Report {
     /// What is not drawn, by kinds of surfaces; `None` if all is.
     pub fn rejected(&self) -> Option<String> {
-        let kinds: Vec<String> = self
-            .counts
-            .iter()
-            .filter(|(_, counts)| counts.rejected > 0)
-            .map(|(kind, counts)| format!("{} {kind}", counts.rejected))
-            .collect();
-        (!kinds.is_empty()).then(|| {
-            format!(
-                "{} of {} ({})",
-                self.total.rejected,
-                counted(self.faces.len(), "face"),
-                kinds.join(", ")
-            )
-        })
+        let some = self.counts.iter().filter(|(_, counts)| counts.rejected > 0);
+        let kind = |(kind, counts): (&String, &Counts)| format!("{} {kind}", counts.rejected);
+        let kinds: Vec<String> = some.map(kind).collect();
+        let (rejected, all) = (self.total.rejected, counted(self.faces.len(), "face"));
+        (!kinds.is_empty()).then(|| format!("{rejected} of {all} ({})", kinds.join(", ")))
     }
 }

@@ -42,18 +42,16 @@ impl Rings {
         let count = (0.5 * FRAC_PI_2 / half).ceil().clamp(1.0, MAX_BANDS);
         let step = FRAC_PI_2 / count;
         let (edges, ranges) = reached(model, surface, &chart);
+        let ends = |k: &usize| [*k as f64 * step, (*k + 1) as f64 * step];
         let is_reached = |k: &usize| {
-            let (low, high) = (*k as f64 * step, (*k + 1) as f64 * step);
-            ranges.iter().any(|[from, to]| {
-                let turn = ((from - high) / TAU).ceil() * TAU;
-                low + turn <= *to
-            })
+            let [low, high] = ends(k);
+            let turn = |from: f64| ((from - high) / TAU).ceil() * TAU;
+            ranges.iter().any(|[from, to]| low + turn(*from) <= *to)
         };
         let wanted: Vec<usize> = (0..4 * count as usize).filter(is_reached).collect();
         if wanted.len() > MOST {
             return None;
         }
-        let ends = |k: &usize| [*k as f64 * step, (*k + 1) as f64 * step];
         let mut angles: Vec<f64> = wanted.iter().flat_map(ends).collect();
         angles.sort_by(f64::total_cmp);
         angles.dedup_by(|next, kept| *next - *kept <= SAME_ANGLE);
@@ -81,7 +79,6 @@ impl Rings {
         })
     }
 
-    /// The cones.
     pub fn bands(&self, chart: &Chart) -> Vec<Band> {
         let band = |pair: &[f64]| {
             let surface = chart.chord(pair[0], pair[1])?;
@@ -135,10 +132,7 @@ pub fn chords(model: &Model, edge: usize, max_deviation: f64) -> Option<(Vec<Cur
             return None;
         };
         let (ellipse, off) = (&arc.ellipse, model.rounding());
-        let about = ellipse
-            .radii
-            .iter()
-            .all(|radius| (radius - minor).abs() <= off);
+        let about = ellipse.radii.iter().all(|r| (r - minor).abs() <= off);
         (about && dot(ellipse.normal, surface.axis).abs() <= 1e-9).then_some(surface)
     };
     let surface = model.users[edge].iter().find_map(of_torus)?;

@@ -2,7 +2,8 @@
 
 use super::cell::{Cell, Compilation};
 use super::model::{Model, Up};
-use super::planes::{Planes, SharedPlane};
+use super::planes::Planes;
+use super::surface::Implicit;
 use super::vector::{Vector, along, cross, opposite, unit};
 use imogene_golden::format::Format;
 use imogene_prepare::{Framing, Options, refused};
@@ -78,42 +79,33 @@ fn refusals(scene: &SceneFile) -> Vec<String> {
         return vec![];
     };
     let found = refused(&framed, Format::BASE, Options::default()).into_iter();
-    found
-        .map(|(index, _)| scene.objects[index].name.clone())
-        .collect()
+    let name = |(index, _): (usize, _)| scene.objects[index].name.clone();
+    found.map(name).collect()
 }
 
 /// A cell of a quadric face is a patch, one of a plane face a solid without thickness, a volume a solid.
 fn object(name: &str, material: &str, cell: &Cell, planes: &Planes, volume: bool) -> Object {
-    let flat = cell
-        .flat
-        .into_iter()
-        .flat_map(|flat| [(flat, true), (flat, false)]);
-    let cuts = flat.chain(cell.cuts.iter().copied());
-    let cuts = cuts
-        .map(|(plane, positive)| cut(planes.get(plane), positive))
-        .collect();
-    let shape = cell
-        .quadric
-        .map_or(Shape::Polyhedron, |implicit| Shape::Quadric {
-            coefficients: implicit.0,
-        });
+    // It keeps the side of the plane's normal, or the other.
+    let cut = |(plane, positive): (usize, bool)| {
+        let (point, normal) = planes.get(plane);
+        let normal = if positive { opposite(normal) } else { normal };
+        Cut { point, normal }
+    };
+    let both = cell.flat.map(|flat| [(flat, true), (flat, false)]);
+    let cuts = both.into_iter().flatten().chain(cell.cuts.iter().copied());
+    let shape = match cell.quadric {
+        Some(Implicit(coefficients)) => Shape::Quadric { coefficients },
+        None => Shape::Polyhedron,
+    };
     let mode = match cell.flat.is_some() || volume {
         true => Surface::Solid,
         false => Surface::Patch,
     };
     Object {
         mode,
-        cuts,
+        cuts: cuts.map(cut).collect(),
         ..crate::object(name.to_owned(), shape, material.to_owned())
     }
-}
-
-/// The cut that keeps the side of the plane's normal, or the other.
-fn cut(plane: SharedPlane, positive: bool) -> Cut {
-    let SharedPlane { point, normal } = plane;
-    let normal = if positive { opposite(normal) } else { normal };
-    Cut { point, normal }
 }
 
 /// Where a part may be looked at from: the direction of the eye, in a picture in which y points up, and its distance
@@ -136,9 +128,7 @@ fn camera(model: &Model, (from, sizes): (Vector, f64), objects: &[Object]) -> Ca
     let towards = turned(model.up, unit(from));
     let right = unit(cross(turned(model.up, [0.0, 1.0, 0.0]), towards));
     let axes = [right, cross(towards, right), towards];
-    let bodies = objects
-        .iter()
-        .map(|object| Body::of(object, middle, 1e4 * size));
+    let bodies = objects.iter().map(|o| Body::of(o, middle, 1e4 * size));
     let ends = |axis: &Vector| [*axis, axis.map(|v| -v)];
     let has_end = |body: &Body| axes.iter().flat_map(ends).all(|end| body.reach(end) < size);
     let mut bodies: Vec<Body> = bodies.filter(has_end).collect();

@@ -46,7 +46,6 @@ impl Source<'_> {
         Err(self.error(value, format!("{wrong} is out of range"), accepted))
     }
 
-    /// A point.
     pub fn point(&self, value: &Spanned<Vector>) -> Result<Vector> {
         self.checked(value, value.as_ref())?;
         Ok(*value.as_ref())
@@ -56,11 +55,8 @@ impl Source<'_> {
     pub fn direction(&self, value: &Spanned<Vector>) -> Result<Vector> {
         let vector = self.point(value)?;
         if length(vector) < 1e-9 {
-            return Err(self.error(
-                value,
-                format!("{vector:?} has no direction"),
-                "a vector with at least one number other than 0 is needed",
-            ));
+            let accepted = "a vector with at least one number other than 0 is needed";
+            return Err(self.error(value, format!("{vector:?} has no direction"), accepted));
         }
         Ok(unit(vector))
     }

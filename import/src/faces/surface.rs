@@ -1,8 +1,6 @@
 //! Support surfaces of faces.
 
-use super::vector::{
-    Vector, across, along, cross, distance, dot, length, minus, onto_plane, times, unit,
-};
+use super::vector::*;
 
 /// What a face lies on.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -83,13 +81,12 @@ impl Implicit {
 
     /// `one * identity - by * axis axis^T`, centred at `centre`, and the constant there.
     fn centred(axis: Vector, by: f64, centre: Vector, constant: f64) -> Implicit {
-        let matrix: [Vector; 3] = std::array::from_fn(|r| {
-            std::array::from_fn(|c| {
-                let product = by * axis[r] * axis[c];
-                let value = if r == c { 1.0 - product } else { -product };
-                if value == 0.0 { 0.0 } else { value }
-            })
-        });
+        let entry = |r: usize, c: usize| {
+            let product = by * axis[r] * axis[c];
+            let value = if r == c { 1.0 - product } else { -product };
+            if value == 0.0 { 0.0 } else { value }
+        };
+        let matrix = [0, 1, 2].map(|r| [0, 1, 2].map(|c| entry(r, c)));
         let [[a, d, e], [_, b, f], [_, _, c]] = matrix;
         let linear = matrix.map(|row| -dot(row, centre));
         let [g, h, i] = linear;
@@ -165,20 +162,15 @@ impl Surface {
                 let slope = clean_tangent(half_angle);
                 Some(Implicit::centred(axis, 1.0 + slope * slope, origin, 0.0))
             }
-            Form::Sphere(radius) => {
-                Some(Implicit::centred([0.0; 3], 0.0, origin, -radius * radius))
-            }
+            Form::Sphere(r) => Some(Implicit::centred([0.0; 3], 0.0, origin, -r * r)),
             Form::Plane | Form::Torus(..) | Form::Other(_) => None,
         }
     }
 
     /// The middle of the tube of a torus nearest to a point; nothing on the axis.
     fn spine(&self, major: f64, p: Vector) -> Option<Vector> {
-        Some(along(
-            self.origin,
-            major,
-            outwards(across(minus(p, self.origin), self.axis))?,
-        ))
+        let out = outwards(across(minus(p, self.origin), self.axis))?;
+        Some(along(self.origin, major, out))
     }
 
     /// The unit normal at a point of the surface, away from axis or centre; nothing at an apex and for another surface.
@@ -279,17 +271,13 @@ fn outwards(out: Vector) -> Option<Vector> {
 pub fn clean_tangent(angle: f64) -> f64 {
     let tangent = angle.tan();
     let rounded = (tangent * 1e12).round() / 1e12;
-    if (tangent - rounded).abs() <= 4.0 * f64::EPSILON * tangent {
-        rounded
-    } else {
-        tangent
-    }
+    let is_near = (tangent - rounded).abs() <= 4.0 * f64::EPSILON * tangent;
+    if is_near { rounded } else { tangent }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::faces::vector::frame;
 
     fn surfaces() -> [Surface; 3] {
         let axis = unit([1.0, 2.0, -2.0]);

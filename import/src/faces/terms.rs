@@ -1,9 +1,9 @@
 //! Terms of a face, split until each is one object.
 
 use super::arrangement::{Division, MAX_SEPARATORS, Sample};
+use super::compile::Task;
 use super::cover::{Conflict, Term, cover};
 use super::curve::PlaneOf;
-use super::model::Model;
 use super::parting::{Parting, within};
 use super::planes::Planes;
 use super::surface::Surface;
@@ -18,41 +18,35 @@ const MOST_SEARCHED: usize = 128;
 /// Most pieces of a surface that are searched.
 const MOST_SAMPLES: usize = 100_000;
 
-/// Planes that take terms apart, a point and a normal each.
-pub type Refine<'a> = &'a dyn Fn(&Parting, &[Term], &[Sample]) -> Vec<PlaneOf>;
-
-/// What one object can be, and planes for what it cannot be.
-pub struct Rules<'a> {
-    /// Whether a term is one object.
-    pub fits: &'a dyn Fn(&Parting, &Term) -> bool,
-    /// Planes that take apart terms that are not; none if all are.
-    pub refine: Refine<'a>,
-}
+/// Whether a term is one object.
+type Fits<'a> = &'a dyn Fn(&Parting, &Term) -> bool;
+/// Planes that take apart terms that are not, a point and a normal each; none if all are.
+type Refine<'a> = &'a dyn Fn(&Parting, &[Term], &[Sample]) -> Vec<PlaneOf>;
 
 /// Terms of a parting, split until each is one object.
 ///
 /// First with the fewest sides for every term, which drops a plane that only halves a convex piece; where that does
 /// not end on a plane, once more with the halves.
 pub fn terms(
-    model: &Model,
-    surface: &Surface,
+    task: Task,
     parting: &mut Parting,
     planes: &mut Planes,
-    rules: &Rules,
+    fits: Fits,
+    refine: Refine,
 ) -> Result<Vec<Term>, String> {
     if parting.separators.len() > MOST_SEARCHED {
         return Err("its border has too many pieces for the search".into());
     }
     let start = parting.clone();
-    match attempt(model, surface, parting, planes, rules, false) {
-        Err(Trouble::Unresolved(_)) if surface.is_plane() => {
+    match attempt(task, parting, planes, fits, refine, false) {
+        Err(Trouble::Unresolved(_)) if task.face().surface.is_plane() => {
             *parting = start;
-            attempt(model, surface, parting, planes, rules, true)
+            attempt(task, parting, planes, fits, refine, true)
         }
         other => other,
     }
     .map_err(|trouble| match trouble {
-        Trouble::Wrong(reason) => reason,
+        Trouble::Wrong(reason) => reason.into(),
         Trouble::Unresolved(trouble) => format!(
             "it is not resolved within {MAX_ROUNDS} rounds of splitting and {MAX_SEPARATORS} planes: {trouble}"
         ),
@@ -62,44 +56,43 @@ pub fn terms(
 /// Why there are no terms.
 enum Trouble {
     /// Its loops make no face.
-    Wrong(String),
+    Wrong(&'static str),
     /// The rounds or planes were not enough.
     Unresolved(&'static str),
 }
 
 fn attempt(
-    model: &Model,
-    surface: &Surface,
+    task: Task,
     parting: &mut Parting,
     planes: &mut Planes,
-    rules: &Rules,
+    fits: Fits,
+    refine: Refine,
     halves: bool,
 ) -> Result<Vec<Term>, Trouble> {
+    let surface = &task.face().surface;
     let mut trouble = "";
     for _ in 0..MAX_ROUNDS {
         let division = Division {
             surface,
             separators: &parting.separators,
             boundaries: &parting.boundaries,
-            size: model.size(),
+            size: task.model.size(),
         };
-        let samples = division
-            .samples()
-            .map_err(|reason| Trouble::Wrong(reason.into()))?;
+        let samples = division.samples().map_err(Trouble::Wrong)?;
         if samples.len() > MOST_SAMPLES {
             break;
         }
         if !samples.iter().any(|sample| sample.inside) {
-            return Err(Trouble::Wrong("its loops enclose nothing".into()));
+            return Err(Trouble::Wrong("its loops enclose nothing"));
         }
-        let fits = |term: &Term| (rules.fits)(parting, term);
+        let fits = |term: &Term| fits(parting, term);
         let new = match cover(&samples, &parting.ranks, halves.then_some(&fits)) {
             Err(conflicts) => {
                 trouble = "pieces of it lie on the same side of all its planes as others that are not of it";
                 conflicts.iter().map(|c| between(c, surface)).collect()
             }
             Ok(terms) => {
-                let new = (rules.refine)(parting, &terms, &samples);
+                let new = refine(parting, &terms, &samples);
                 if new.is_empty() {
                     return Ok(terms);
                 }

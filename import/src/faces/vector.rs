@@ -1,16 +1,12 @@
 //! Vectors of three numbers.
 
-/// A point or a vector, scene units.
-pub type Vector = [f64; 3];
+pub use imogene_algebra::vector::{Vector, cross, dot, minus};
+
+use std::f64::consts::TAU;
 
 /// `u + v`.
 pub fn plus(u: Vector, v: Vector) -> Vector {
     std::array::from_fn(|k| u[k] + v[k])
-}
-
-/// `u - v`.
-pub fn minus(u: Vector, v: Vector) -> Vector {
-    std::array::from_fn(|k| u[k] - v[k])
 }
 
 /// `factor * v`.
@@ -21,20 +17,6 @@ pub fn times(factor: f64, v: Vector) -> Vector {
 /// The point `origin + factor * direction`.
 pub fn along(origin: Vector, factor: f64, direction: Vector) -> Vector {
     plus(origin, times(factor, direction))
-}
-
-/// Scalar product.
-pub fn dot(u: Vector, v: Vector) -> f64 {
-    u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
-}
-
-/// Vector product.
-pub fn cross(u: Vector, v: Vector) -> Vector {
-    [
-        u[1] * v[2] - u[2] * v[1],
-        u[2] * v[0] - u[0] * v[2],
-        u[0] * v[1] - u[1] * v[0],
-    ]
 }
 
 /// Length.
@@ -68,11 +50,9 @@ pub fn across(v: Vector, axis: Vector) -> Vector {
 /// Two unit vectors that make a right-handed frame (e1, e2, axis), turned by `turn` radians about the unit vector
 /// `axis`.
 pub fn frame(axis: Vector, turn: f64) -> [Vector; 2] {
-    let smallest = (0..3)
-        .min_by(|i, j| axis[*i].abs().total_cmp(&axis[*j].abs()))
-        .expect("three axes");
+    let smallest = (0..3).min_by(|i, j| axis[*i].abs().total_cmp(&axis[*j].abs()));
     let mut other = [0.0; 3];
-    other[smallest] = 1.0;
+    other[smallest.expect("three axes")] = 1.0;
     let e1 = unit(across(other, axis));
     let e2 = cross(axis, e1);
     let (sine, cosine) = turn.sin_cos();
@@ -89,12 +69,8 @@ pub fn onto_plane(p: Vector, origin: Vector, normal: Vector) -> Vector {
 
 /// An angle brought into 0 to 2 pi.
 pub fn positive_angle(angle: f64) -> f64 {
-    let turned = angle.rem_euclid(std::f64::consts::TAU);
-    if turned >= std::f64::consts::TAU {
-        0.0
-    } else {
-        turned
-    }
+    let turned = angle.rem_euclid(TAU);
+    if turned >= TAU { 0.0 } else { turned }
 }
 
 /// The opposite vector, without the sign of a zero.

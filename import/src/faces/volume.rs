@@ -10,15 +10,15 @@ use super::courses::Courses;
 use super::curve::Curve;
 use super::model::{COINCIDENT, Model, border};
 use super::planes::{Planes, Separator};
-use super::surface::{Implicit, Surface};
-use super::vector::{distance, dot, minus};
+use super::surface::Surface;
+use super::vector::{Vector, distance, dot, minus};
 use imogene_scene::MAX_CUTS;
 
-/// The half-spaces of a solid.
+/// The half-spaces of a solid, and the surface of its quadric.
+#[derive(Default)]
 struct Body {
-    quadric: Option<(Surface, Implicit)>,
-    /// Planes, and whether the side of their normal is kept.
-    cuts: Vec<(usize, bool)>,
+    surface: Option<Surface>,
+    cell: Cell,
 }
 
 /// The one cell that is the whole solid, if there is one.
@@ -37,57 +37,43 @@ pub fn volume(model: &Model, solid: usize, courses: &Courses, planes: &mut Plane
     }
     let mut body = body(model, faces, planes)?;
     if proven(model, faces, &body, planes) {
-        return Some(body.cell());
+        return Some(body.cell);
     }
     // A cone goes on beyond its apex unless something keeps its other nappe off.
-    let (Surface { origin, axis, .. }, _) = body.quadric.clone().filter(|q| q.0.is_cone())?;
+    let Surface { origin, axis, .. } = *body.surface.as_ref().filter(|own| own.is_cone())?;
     let nappes = planes.find_or_add(origin, axis);
-    let positive = dot(planes.get(nappes).normal, axis) > 0.0;
-    body.cuts.push((nappes, positive));
-    (body.cuts.len() <= MAX_CUTS && proven(model, faces, &body, planes)).then(|| body.cell())
-}
-
-impl Body {
-    fn cell(&self) -> Cell {
-        Cell {
-            quadric: self.quadric.as_ref().map(|(_, implicit)| *implicit),
-            flat: None,
-            cuts: self.cuts.clone(),
-        }
-    }
+    let positive = dot(planes.get(nappes).1, axis) > 0.0;
+    body.cell.cuts.push((nappes, positive));
+    let fits = body.cell.cuts.len() <= MAX_CUTS;
+    (fits && proven(model, faces, &body, planes)).then_some(body.cell)
 }
 
 fn body(model: &Model, faces: &[usize], planes: &mut Planes) -> Option<Body> {
-    let mut body = Body {
-        quadric: None,
-        cuts: vec![],
-    };
+    let mut body = Body::default();
+    let cuts = &mut body.cell.cuts;
     for face in faces.iter().map(|face| &model.faces[*face]) {
         if let Some((origin, normal)) = face.surface.plane() {
             let index = planes.find_or_add(origin, normal);
-            let outwards = dot(planes.get(index).normal, normal) > 0.0;
+            let outwards = dot(planes.get(index).1, normal) > 0.0;
             let kept = (index, outwards == face.reversed);
-            if body.cuts.contains(&(index, !kept.1)) {
+            if cuts.contains(&(index, !kept.1)) {
                 return None;
             }
-            if !body.cuts.contains(&kept) {
-                body.cuts.push(kept);
+            if !cuts.contains(&kept) {
+                cuts.push(kept);
             }
             continue;
         }
         let implicit = face.surface.implicit()?.kept(face.reversed);
-        match &body.quadric {
-            None => body.quadric = Some((face.surface.clone(), implicit)),
-            Some((surface, known)) => {
-                let same = surface.same(&face.surface, COINCIDENT * model.size());
-                let [a, b] = [known, &implicit].map(|q| q.value(model.middle()) > 0.0);
-                if !same || a != b {
-                    return None;
-                }
-            }
+        let known = *body.cell.quadric.get_or_insert(implicit);
+        let surface = body.surface.get_or_insert_with(|| face.surface.clone());
+        let same = surface.same(&face.surface, COINCIDENT * model.size());
+        let [a, b] = [known, implicit].map(|q| q.value(model.middle()) > 0.0);
+        if !same || a != b {
+            return None;
         }
     }
-    (body.cuts.len() <= MAX_CUTS).then_some(body)
+    (cuts.len() <= MAX_CUTS).then_some(body)
 }
 
 /// Whether the AND of all half-spaces keeps of every surface exactly its faces.
@@ -96,18 +82,18 @@ fn proven(model: &Model, faces: &[usize], body: &Body, planes: &Planes) -> bool 
     let (flat, curved): (Vec<usize>, Vec<usize>) = faces.iter().partition(is_flat);
     let on_quadric = curved.is_empty() || keeps(model, &curved, body, None, planes);
     let on_cut = |(index, (plane, _)): (usize, &(usize, bool))| {
-        let shared = planes.get(*plane);
+        let (point, normal) = planes.get(*plane);
         let is_on = |face: &&usize| {
             let Surface { origin, axis, .. } = model.faces[**face].surface;
-            let off = dot(minus(origin, shared.point), shared.normal).abs();
-            let along = dot(axis, shared.normal).abs() > 1.0 - 1e-12;
+            let off = dot(minus(origin, point), normal).abs();
+            let along = dot(axis, normal).abs() > 1.0 - 1e-12;
             along && off <= COINCIDENT * model.size()
         };
         let own: Vec<usize> = flat.iter().filter(is_on).copied().collect();
         // The plane between the nappes of a cone has no face of its own.
         own.is_empty() || keeps(model, &own, body, Some(index), planes)
     };
-    on_quadric && body.cuts.iter().enumerate().all(on_cut)
+    on_quadric && body.cell.cuts.iter().enumerate().all(on_cut)
 }
 
 /// The same on one surface: that of cut number `cut`, or of the quadric.
@@ -115,19 +101,17 @@ fn keeps(model: &Model, faces: &[usize], body: &Body, cut: Option<usize>, planes
     let surface = &model.faces[faces[0]].surface;
     let mut separators = vec![];
     let mut wanted: u128 = 0;
-    for (index, (plane, positive)) in body.cuts.iter().enumerate() {
+    for (index, (plane, positive)) in body.cell.cuts.iter().enumerate() {
         if Some(index) != cut {
             wanted |= u128::from(*positive) << separators.len();
             separators.push(planes.separator(*plane));
         }
     }
-    if let (Some((_, implicit)), Some(_)) = (&body.quadric, cut) {
-        separators.push(Separator::Quadric(*implicit));
-    }
+    let quadric = body.cell.quadric.filter(|_| cut.is_some());
+    separators.extend(quadric.map(Separator::Quadric));
     let loops = faces.iter().flat_map(|face| &model.faces[*face].loops);
-    let uses = loops.flatten().copied();
     let mut boundaries = vec![];
-    for edge_use in border(uses) {
+    for edge_use in border(loops.flatten().copied()) {
         let curve = model.edges[edge_use.edge].curve.clone();
         let Some(separator) = carrier(model, &curve, &separators, body) else {
             return false;
@@ -152,17 +136,11 @@ fn keeps(model: &Model, faces: &[usize], body: &Body, cut: Option<usize>, planes
 fn carrier(model: &Model, curve: &Curve, separators: &[Separator], body: &Body) -> Option<usize> {
     let tolerance = COINCIDENT * model.size();
     let points = curve.sampled(16);
-    let on_quadric = |p: &[f64; 3]| {
-        let (surface, _) = body.quadric.as_ref()?;
-        Some(distance(*p, surface.nearest(*p)?))
+    let off = |separator: &Separator, p: Vector| match separator {
+        Separator::Plane((normal, offset)) => Some((dot(*normal, p) - offset).abs()),
+        Separator::Quadric(_) => Some(distance(p, body.surface.as_ref()?.nearest(p)?)),
     };
-    separators.iter().position(|separator| match separator {
-        Separator::Plane((normal, offset)) => {
-            let off = |p: &[f64; 3]| (dot(*normal, *p) - offset).abs();
-            points.iter().all(|p| off(p) <= tolerance)
-        }
-        Separator::Quadric(_) => points
-            .iter()
-            .all(|p| on_quadric(p).is_some_and(|off| off <= tolerance)),
-    })
+    let is_on = |own: &Separator, p: &Vector| off(own, *p).is_some_and(|off| off <= tolerance);
+    let mut all = separators.iter();
+    all.position(|own| points.iter().all(|p| is_on(own, p)))
 }

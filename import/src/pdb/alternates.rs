@@ -5,10 +5,6 @@ use super::structure::Atom;
 use super::words::{Word, Words};
 use std::collections::{BTreeMap, HashMap};
 
-/// A residue of a model: chain, number and insertion code. Its name is no part of it, because alternate locations may
-/// be of different residues.
-type Residue = (Word, Word);
-
 /// Leaves one location of each atom, all of a residue from the same alternate as far as it has them; how many others
 /// there were.
 pub fn locate(atoms: &mut Vec<Atom>, choice: &Alternates, words: &Words) -> usize {
@@ -18,9 +14,10 @@ pub fn locate(atoms: &mut Vec<Atom>, choice: &Alternates, words: &Words) -> usiz
         // A name that no atom has is no alternate's.
         Alternates::Named(name) => words.find(name),
     };
-    let residue = |atom: &Atom| -> Residue { (atom.chain, atom.number) };
+    // Its name is no part of a residue, because alternate locations may be of different residues.
+    let residue = |atom: &Atom| (atom.chain, atom.number);
     let disordered = atoms.iter().filter(|atom| !atom.alternate.is_empty());
-    let mut residues: HashMap<Residue, Vec<usize>> =
+    let mut residues: HashMap<(Word, Word), Vec<usize>> =
         disordered.map(|atom| (residue(atom), vec![])).collect();
     if residues.is_empty() {
         return 0;
@@ -95,20 +92,17 @@ fn one_location(atoms: &[Atom], members: &[usize], asked: Option<Word>, keep: &m
     }
     let ranked = ranking(&groups, atoms, asked);
     // Of alternates that are different residues only one is drawn.
-    let best = members
-        .iter()
-        .find(|i| Some(&atoms[**i].alternate) == ranked.first());
-    let residue = best.map(|i| atoms[*i].residue);
+    let mut own = members.iter().map(|index| &atoms[*index]);
+    let best = own.find(|atom| Some(&atom.alternate) == ranked.first());
+    let residue = best.map(|atom| atom.residue);
     for locations in groups.values() {
         let rank = |index: &usize| {
             let alternate = atoms[*index].alternate;
             let place = ranked.iter().position(|a| *a == alternate);
             place.unwrap_or(ranked.len())
         };
-        let of_residue = |i: &&usize| {
-            let shared = atoms[**i].alternate.is_empty();
-            shared || Some(atoms[**i].residue) == residue
-        };
+        let of_residue =
+            |i: &&usize| atoms[**i].alternate.is_empty() || Some(atoms[**i].residue) == residue;
         // The same name and letter twice is no alternate: both are drawn.
         let first = locations.iter().filter(of_residue).map(rank).min();
         for index in locations {

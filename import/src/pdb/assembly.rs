@@ -6,11 +6,12 @@ use std::collections::HashMap;
 
 /// Most operators of a part of an assembly; the largest virus shells have some thousand.
 const MOST_OPERATORS: usize = 100_000;
+/// What is possible where an assembly is not.
+pub const AS_THEY_STAND: &str = "the coordinates as they stand are drawn without --assembly";
 
 /// A movement, or the copy of a crystal: three rows of a matrix, each with its displacement in angstroms behind.
 pub type Rows = [[f64; 4]; 3];
 
-/// No movement.
 pub const IDENTITY: Rows = [
     [1.0, 0.0, 0.0, 0.0],
     [0.0, 1.0, 0.0, 0.0],
@@ -20,7 +21,6 @@ pub const IDENTITY: Rows = [
 /// An operator by the name that the file gives it, or that its parts have together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Operator {
-    /// Its name.
     pub name: String,
     /// Where it takes a point.
     pub rows: Rows,
@@ -107,37 +107,26 @@ impl Assemblies {
         if let Some(problem) = self.problem.take() {
             return Err(problem);
         }
-        let parts = self.parts.iter().filter(|part| part.assembly == name);
-        let found: Result<Vec<_>> = parts
-            .map(|part| {
-                let operators = match &part.copies {
-                    Copies::List(operators) => Ok(operators.clone()),
-                    Copies::Expression(text) => expand(text, &self.operators),
-                };
-                let refuse = |problem| {
-                    unusable(
-                        file,
-                        format!("assembly {name}: {problem}"),
-                        "the coordinates as they stand are drawn without --assembly",
-                    )
-                };
-                Ok((part.chains.clone(), operators.map_err(refuse)?))
-            })
-            .collect();
-        match found {
-            Ok(parts) if parts.is_empty() => Err(self.unknown(name, file)),
-            found => found,
-        }
-    }
-
-    fn unknown(&self, name: &str, file: &str) -> ImportError {
         let names = self.names();
         if names.is_empty() {
-            let accepted = "the coordinates as they stand are drawn without --assembly";
-            return unusable(file, "it describes no assembly", accepted);
+            return Err(unusable(file, "it describes no assembly", AS_THEY_STAND));
         }
-        let accepted = format!("--assembly {} would be accepted", listed(names));
-        unusable(file, format!("it has no assembly {name}"), accepted)
+        if !names.contains(&name) {
+            let accepted = format!("--assembly {} would be accepted", listed(names));
+            let problem = format!("it has no assembly {name}");
+            return Err(unusable(file, problem, accepted));
+        }
+        let parts = self.parts.iter().filter(|part| part.assembly == name);
+        let moved = |part: &Part| {
+            let operators = match &part.copies {
+                Copies::List(operators) => Ok(operators.clone()),
+                Copies::Expression(text) => expand(text, &self.operators),
+            };
+            let problem = |problem| format!("assembly {name}: {problem}");
+            let operators = operators.map_err(|e| unusable(file, problem(e), AS_THEY_STAND))?;
+            Ok((part.chains.clone(), operators))
+        };
+        parts.map(moved).collect()
     }
 }
 
@@ -146,17 +135,15 @@ fn expand(text: &str, known: &HashMap<String, Rows>) -> Result<Vec<Operator>, St
     let mut all: Option<Vec<Operator>> = None;
     for factor in factors(text)? {
         let factor = list(factor, known)?;
-        let next: Vec<Operator> = match all {
-            None => factor,
-            Some(outer) if outer.len() * factor.len() > MOST_OPERATORS => {
-                return Err(format!("`{text}` is more than {MOST_OPERATORS} operators"));
-            }
-            Some(outer) => {
-                let pairs = outer.iter().flat_map(|o| factor.iter().map(|f| o.after(f)));
-                pairs.collect()
-            }
+        let Some(outer) = all else {
+            all = Some(factor);
+            continue;
         };
-        all = Some(next);
+        if outer.len() * factor.len() > MOST_OPERATORS {
+            return Err(format!("`{text}` is more than {MOST_OPERATORS} operators"));
+        }
+        let pairs = outer.iter().flat_map(|o| factor.iter().map(|f| o.after(f)));
+        all = Some(pairs.collect());
     }
     all.filter(|all| !all.is_empty())
         .ok_or_else(|| "it names no operator".to_owned())
@@ -182,25 +169,20 @@ fn factors(text: &str) -> Result<Vec<&str>, String> {
 }
 
 fn list(text: &str, known: &HashMap<String, Rows>) -> Result<Vec<Operator>, String> {
-    let find = |name: &str| {
-        let rows = known.get(name).copied();
+    let find = |name: &str| -> Result<Operator, String> {
+        let rows = known.get(name);
+        let rows = *rows.ok_or_else(|| format!("there is no operator `{name}`"))?;
         let name = name.to_owned();
-        match rows {
-            Some(rows) => Ok(Operator { name, rows }),
-            None => Err(format!("there is no operator `{name}`")),
-        }
+        Ok(Operator { name, rows })
     };
     let mut operators = vec![];
     for item in text.split(',').map(str::trim).filter(|i| !i.is_empty()) {
-        let range = || {
-            let (first, last) = item.split_once('-')?;
-            Some((
-                first.trim().parse::<u32>().ok()?,
-                last.trim().parse::<u32>().ok()?,
-            ))
-        };
-        match range() {
-            Some((first, last)) if !known.contains_key(item) => {
+        let number = |text: &str| text.trim().parse::<u32>().ok();
+        let ends = item
+            .split_once('-')
+            .map(|(first, last)| (number(first), number(last)));
+        match ends {
+            Some((Some(first), Some(last))) if !known.contains_key(item) => {
                 if first > last {
                     return Err(format!("`{item}` runs backwards"));
                 }
@@ -242,12 +224,8 @@ mod tests {
     }
 
     fn names(text: &str) -> Result<String, String> {
-        let all = expand(text, &known())?;
-        Ok(all
-            .iter()
-            .map(|o| o.name.as_str())
-            .collect::<Vec<_>>()
-            .join(" "))
+        let all = expand(text, &known())?.into_iter().map(|o| o.name);
+        Ok(all.collect::<Vec<_>>().join(" "))
     }
 
     #[test]

@@ -1,9 +1,9 @@
 //! REMARK 350 of the PDB format: biological molecules as copies of chains.
 
-use super::assembly::{Assemblies, Copies, Operator, Part, Rows};
+use super::assembly::{AS_THEY_STAND, Assemblies, Copies, Operator, Part, Rows};
 use super::columns::Columns;
 use super::words::Words;
-use crate::error::{ImportError, Place, unusable};
+use crate::error::{ImportError, unusable};
 
 /// The remarks read so far.
 #[derive(Default)]
@@ -77,13 +77,16 @@ impl Reading {
         seen[row] = true;
         for (k, first) in [24, 34, 44, 54].into_iter().enumerate() {
             let last = if k == 3 { 68 } else { first + 9 };
-            match columns.number(first, last) {
-                Some(number) => operator.rows[row][k] = number,
-                None => drop(
-                    self.problem
-                        .get_or_insert_with(|| no_number(columns, first, last)),
-                ),
+            let number = columns.number(first, last);
+            if number.is_none() && self.problem.is_none() {
+                let text = columns.field(first, last);
+                let problem = format!("`{text}` of an operator is not a number");
+                let accepted = format!(
+                    "a decimal number such as 0.500000 in columns {first} to {last} would be accepted"
+                );
+                self.problem = Some(columns.error(first, problem, accepted));
             }
+            operator.rows[row][k] = number.unwrap_or_default();
         }
     }
 
@@ -96,7 +99,7 @@ impl Reading {
                 self.problem = Some(unusable(
                     file,
                     "REMARK 350 has an operator without its lines BIOMT1, BIOMT2 and BIOMT3",
-                    "the coordinates as they stand are drawn without --assembly",
+                    AS_THEY_STAND,
                 ));
             }
             let operators: Vec<Operator> = lines.operators.into_iter().map(|(o, _)| o).collect();
@@ -114,22 +117,6 @@ impl Reading {
             ..Assemblies::default()
         }
     }
-}
-
-fn no_number(columns: &Columns, first: usize, last: usize) -> ImportError {
-    let place = Place {
-        line: columns.number,
-        column: columns.end().min(first),
-    };
-    ImportError::new(
-        columns.file,
-        Some(place),
-        format!(
-            "`{}` of an operator is not a number",
-            columns.field(first, last)
-        ),
-        format!("a decimal number such as 0.500000 in columns {first} to {last} would be accepted"),
-    )
 }
 
 /// The names of a list.

@@ -2,6 +2,7 @@
 
 use super::structure::{Atom, End};
 use crate::error::{Result, unusable};
+use imogene_algebra::vector::{length, minus};
 use std::collections::{HashMap, HashSet};
 
 /// A bond is at most this much longer than the sum of the covalent radii, in angstroms (the tolerance of Open Babel
@@ -72,11 +73,8 @@ pub fn find(
 
 /// Pairs by distance, found in a grid of cells that are as wide as the longest bond.
 fn by_distance(atoms: &[Atom], file: &str) -> Result<Vec<[usize; 2]>> {
-    let widest = atoms
-        .iter()
-        .map(|a| a.element.covalent())
-        .fold(0.0, f64::max);
-    let width = 2.0 * widest + TOLERANCE;
+    let radii = atoms.iter().map(|a| a.element.covalent());
+    let width = 2.0 * radii.fold(0.0, f64::max) + TOLERANCE;
     let cell = |atom: &Atom| -> Cell { atom.place.map(|v| (v / width).floor() as i64) };
     let mut grid: HashMap<Cell, Vec<usize>> = HashMap::new();
     for (index, atom) in atoms.iter().enumerate() {
@@ -93,28 +91,22 @@ fn by_distance(atoms: &[Atom], file: &str) -> Result<Vec<[usize; 2]>> {
             ));
         }
     }
-    let mut pairs = Vec::new();
+    let mut pairs = vec![];
     for (index, atom) in atoms.iter().enumerate() {
-        for near in neighbours(cell(atom)) {
-            let members = grid.get(&near).map(Vec::as_slice).unwrap_or_default();
-            let later = members.iter().filter(|other| **other > index);
-            pairs.extend(
-                later
-                    .filter(|o| are_bonded(atom, &atoms[**o]))
-                    .map(|o| [index, *o]),
-            );
+        let [x, y, z] = cell(atom);
+        for k in 0..27 {
+            let near = [x + k % 3 - 1, y + k / 3 % 3 - 1, z + k / 9 - 1];
+            let members = grid.get(&near).into_iter().flatten();
+            let later = members.filter(|other| **other > index);
+            let bonded = later.filter(|other| are_bonded(atom, &atoms[**other]));
+            pairs.extend(bonded.map(|other| [index, *other]));
         }
     }
     Ok(pairs)
 }
 
-fn neighbours([x, y, z]: Cell) -> impl Iterator<Item = Cell> {
-    (0..27).map(move |k| [x + k % 3 - 1, y + k / 3 % 3 - 1, z + k / 9 - 1])
-}
-
 fn distance(a: &Atom, b: &Atom) -> f64 {
-    let squares = a.place.iter().zip(b.place).map(|(u, v)| (u - v) * (u - v));
-    squares.sum::<f64>().sqrt()
+    length(minus(a.place, b.place))
 }
 
 /// Near enough, not two hydrogens, and not of different alternates.
@@ -191,12 +183,8 @@ mod tests {
     #[test]
     fn bonds_end_where_the_radii_and_the_tolerance_do() {
         // C and N: 0.76 + 0.71 + 0.45 = 1.92.
-        let at = |x: f64| {
-            [
-                atom("C", "1", "", [0.0; 3]),
-                atom("N", "2", "", [x, 0.0, 0.0]),
-            ]
-        };
+        let first = || atom("C", "1", "", [0.0; 3]);
+        let at = |x: f64| [first(), atom("N", "2", "", [x, 0.0, 0.0])];
         let count = |atoms: &[Atom]| bonds_of(atoms, &[]).pairs.len();
         let counts = [1.91, 1.93, 0.41, 0.39].map(|x| count(&at(x)));
         assert_eq!(counts, [1, 0, 1, 0]);
@@ -224,16 +212,11 @@ mod tests {
     /// Names hold within each copy, whatever its chains are called.
     #[test]
     fn connections_hold_within_each_copy() {
-        let copy = |y: f64| {
-            [
-                atom("S", "1", "A", [0.0, y, 0.0]),
-                atom("S", "2", "B", [5.0, y, 0.0]),
-            ]
-        };
+        let ends = [("1", "A", 0.0), ("2", "B", 5.0)];
+        let copy = |y: f64| ends.map(|(serial, own, x)| atom("S", serial, own, [x, y, 0.0]));
         let atoms = [copy(0.0), copy(20.0)].concat();
         let words = known();
-        let end =
-            |alternate| End::Names(["A", "7", "CA", alternate].map(|t| words.find(t).unwrap()));
+        let end = |own| End::Names(["A", "7", "CA", own].map(|t| words.find(t).unwrap()));
         let said = [[end("A"), end("B")]];
         let found = |copies: &[usize]| find(&atoms, copies, &said, "x").unwrap().pairs;
         assert_eq!(found(&[2, 4]), [[0, 1], [2, 3]]);
@@ -243,17 +226,14 @@ mod tests {
 
     #[test]
     fn crowds_are_refused_and_stars_are_thinned() {
-        let crowd: Vec<Atom> = (0..1000)
-            .map(|k| atom("C", "1", "", [0.001 * f64::from(k), 0.0, 0.0]))
-            .collect();
-        let error = find(&crowd, &[1000], &[], "f.pdb").unwrap_err().to_string();
-        assert!(
-            error.starts_with("f.pdb: more than 256 atoms within 2.0 angstroms"),
-            "{error}"
-        );
-        let star: Vec<Atom> = (0..20)
-            .map(|k| atom("C", &k.to_string(), "", [100.0 * f64::from(k), 0.0, 0.0]))
-            .collect();
+        let row = |count: u32, step: f64| -> Vec<Atom> {
+            let atom = |k: u32| atom("C", &k.to_string(), "", [step * f64::from(k), 0.0, 0.0]);
+            (0..count).map(atom).collect()
+        };
+        let error = find(&row(1000, 0.001), &[1000], &[], "f.pdb").unwrap_err();
+        let says = "f.pdb: more than 256 atoms within 2.0 angstroms";
+        assert!(error.to_string().starts_with(says), "{error}");
+        let star = row(20, 100.0);
         let said: Vec<[End; 2]> = (1..20).map(|k| serials("0", &k.to_string())).collect();
         let bonds = bonds_of(&star, &said);
         assert_eq!((bonds.pairs.len(), bonds.left_out), (16, 3));

@@ -48,23 +48,20 @@ pub fn choose(
 ) -> Result<(Vec<Chosen>, LeftOut)> {
     let mut left_out = LeftOut::default();
     let wanted = models(structure, file, options.model)?;
-    let (chains, residues) = (&options.chains, &options.residues);
-    let mut selection = Selection::new(structure, &wanted, chains, residues, file)?;
+    let mut selection = Selection::new(structure, &wanted, options, file)?;
     let assembly = options.assembly.as_deref();
     let parts = assembly.map(|name| structure.assemblies.find(name, file));
     let parts = parts.transpose()?;
-    let mut chosen = Vec::new();
-    for (index, model) in std::mem::take(&mut structure.models)
-        .into_iter()
-        .enumerate()
-    {
+    let mut chosen = vec![];
+    let models = std::mem::take(&mut structure.models);
+    for (index, model) in models.into_iter().enumerate() {
         if !wanted.contains(&index) {
             left_out.other_models += model.atoms.len();
             continue;
         }
         let words = &mut structure.words;
         let mut atoms = model.atoms;
-        select(&mut atoms, &mut selection, words, &mut left_out);
+        selection.apply(&mut atoms, words, &mut left_out);
         left_out.alternate_locations += locate(&mut atoms, &options.alternates, words);
         keep(&mut atoms, options, words, &mut left_out);
         let (atoms, copies) = match &parts {
@@ -112,48 +109,24 @@ fn models(structure: &Structure, file: &str, choice: ModelChoice) -> Result<Vec<
         ModelChoice::First => Ok(vec![0]),
         ModelChoice::All => Ok((0..structure.models.len()).collect()),
         ModelChoice::Number(number) => {
-            let mut models = structure.models.iter();
-            let found = models.position(|m| m.number == number);
+            let numbers = || structure.models.iter().map(|m| m.number);
+            let found = numbers().position(|n| n == number);
             found.map(|index| vec![index]).ok_or_else(|| {
-                let numbers = structure.models.iter().map(|m| m.number.to_string());
-                unusable(
-                    file,
-                    format!("it has no model {number}"),
-                    format!("{} or all would be accepted", listed(numbers)),
-                )
+                let problem = format!("it has no model {number}");
+                let numbers = listed(numbers().map(|n| n.to_string()));
+                unusable(file, problem, format!("{numbers} or all would be accepted"))
             })
         }
     }
 }
 
-fn select(atoms: &mut Vec<Atom>, asked: &mut Selection, words: &Words, left_out: &mut LeftOut) {
-    atoms.retain(|atom| {
-        if !asked.has_chain(atom) {
-            left_out.other_chains += 1;
-            return false;
-        }
-        let is_asked = asked.has_residue(atom, words);
-        left_out.other_residues += usize::from(!is_asked);
-        is_asked
-    });
-}
-
 fn keep(atoms: &mut Vec<Atom>, options: &Options, words: &Words, left_out: &mut LeftOut) {
-    let mut known: HashMap<Word, bool> = HashMap::new();
-    let mut of_water = |residue: Word| {
-        let known = known.entry(residue);
-        *known.or_insert_with(|| is_water(words.text(residue)))
-    };
     atoms.retain(|atom| {
-        if !options.water && of_water(atom.residue) {
-            left_out.water += 1;
-            return false;
-        }
-        if !options.hydrogens && atom.element.is_hydrogen() {
-            left_out.hydrogens += 1;
-            return false;
-        }
-        true
+        let water = !options.water && is_water(words.text(atom.residue));
+        let hydrogen = !water && !options.hydrogens && atom.element.is_hydrogen();
+        left_out.water += usize::from(water);
+        left_out.hydrogens += usize::from(hydrogen);
+        !water && !hydrogen
     });
 }
 
@@ -168,16 +141,12 @@ fn copied(
     let (mut copies, mut ends) = (vec![], vec![]);
     for (chains, operators) in parts {
         let chains: HashSet<Word> = chains.iter().copied().collect();
-        let members = atoms.iter();
-        let members: Vec<&Atom> = members
-            .filter(|atom| chains.is_empty() || chains.contains(&atom.part))
-            .collect();
+        let is_member = |atom: &&Atom| chains.is_empty() || chains.contains(&atom.part);
+        let members: Vec<&Atom> = atoms.iter().filter(is_member).collect();
         if copies.len() + members.len() * operators.len() > MOST_ATOMS {
-            return Err(unusable(
-                file,
-                format!("the assembly has more than {MOST_ATOMS} atoms"),
-                "--chain and --residue take a part of it",
-            ));
+            let problem = format!("the assembly has more than {MOST_ATOMS} atoms");
+            let accepted = "--chain and --residue take a part of it";
+            return Err(unusable(file, problem, accepted));
         }
         for operator in operators {
             let mut names: HashMap<Word, Word> = HashMap::new();
@@ -186,8 +155,7 @@ fn copied(
                     if operator.is_identity() {
                         return atom.chain;
                     }
-                    let name = format!("{}-{}", words.text(atom.chain), operator.name);
-                    words.keep(&name)
+                    words.keep(&format!("{}-{}", words.text(atom.chain), operator.name))
                 });
                 copies.push(Atom {
                     place: operator.place(atom.place),

@@ -5,11 +5,14 @@ use std::borrow::Cow;
 
 /// One line of a file: a character in each column, where anything that is not ASCII counts as one.
 pub struct Columns<'a> {
-    /// Name of the file.
-    pub file: &'a str,
-    /// Number of the line, counted from 1.
-    pub number: usize,
+    file: &'a str,
+    number: usize,
     text: Cow<'a, [u8]>,
+}
+
+/// A control character is written as `?`.
+fn plain(c: u8) -> u8 {
+    if c.is_ascii_control() { b'?' } else { c }
 }
 
 impl<'a> Columns<'a> {
@@ -24,9 +27,13 @@ impl<'a> Columns<'a> {
         Columns { file, number, text }
     }
 
-    /// The column behind the last.
-    pub fn end(&self) -> usize {
-        self.text.len() + 1
+    /// What is wrong at a column, or where the line ends if it ends before.
+    pub fn error(&self, column: usize, problem: String, accepted: String) -> ImportError {
+        let place = Place {
+            line: self.number,
+            column: column.min(self.text.len() + 1),
+        };
+        ImportError::new(self.file, Some(place), problem, accepted)
     }
 
     /// The characters of the columns `first` to `last`, counted from 1; fewer if the line is shorter.
@@ -42,24 +49,13 @@ impl<'a> Columns<'a> {
 
     /// The same as text, without the spaces around it; control characters are written as `?`.
     pub fn field(&self, first: usize, last: usize) -> String {
-        let plain = |c: &u8| {
-            if c.is_ascii_control() {
-                '?'
-            } else {
-                *c as char
-            }
-        };
-        let bytes = self.bytes(first, last).trim_ascii();
-        bytes.iter().map(plain).collect()
+        let bytes = self.bytes(first, last).trim_ascii().iter();
+        bytes.map(|c| char::from(plain(*c))).collect()
     }
 
     /// The character of a column; a space behind the end of the line.
     pub fn character(&self, column: usize) -> u8 {
-        match self.text.get(column - 1) {
-            Some(c) if c.is_ascii_control() => b'?',
-            Some(c) => *c,
-            None => b' ',
-        }
+        self.text.get(column - 1).map_or(b' ', |c| plain(*c))
     }
 
     /// A number in decimal notation, if that is all there is in the columns.
@@ -92,15 +88,10 @@ impl<'a> Columns<'a> {
             let bytes = self.bytes(first, last);
             let blanks = bytes.iter().take_while(|c| c.is_ascii_whitespace()).count();
             let at = if text.is_empty() { 0 } else { blanks };
-            // Where the line ends if it ends before.
-            let place = Place {
-                line: self.number,
-                column: (first + at).min(self.end()),
-            };
             let accepted = format!(
                 "a decimal number such as -12.345 in columns {first} to {last} would be accepted"
             );
-            ImportError::new(self.file, Some(place), problem, accepted)
+            self.error(first + at, problem, accepted)
         })
     }
 }

@@ -7,7 +7,6 @@
 /// What is known of an element; radii in picometres, 0 where the sources have none.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Element {
-    /// Chemical symbol.
     pub symbol: &'static str,
     covalent: u16,
     bondi: u16,
@@ -142,19 +141,12 @@ pub const ELEMENTS: [Element; 99] = [
 impl Element {
     /// Radius of its sphere when it touches what it is not bonded to, in angstroms.
     pub fn van_der_waals(&self) -> f64 {
-        let known = [self.bondi, self.alvarez, UNKNOWN.alvarez];
-        let radius = known.into_iter().find(|r| *r > 0);
-        f64::from(radius.expect("the last is not 0")) / 100.0
+        known(&[self.bondi, self.alvarez, UNKNOWN.alvarez])
     }
 
     /// Its share of the length of a bond, in angstroms.
     pub fn covalent(&self) -> f64 {
-        let radius = if self.covalent > 0 {
-            self.covalent
-        } else {
-            UNKNOWN.covalent
-        };
-        f64::from(radius) / 100.0
+        known(&[self.covalent, UNKNOWN.covalent])
     }
 
     /// Red, green and blue, 0 to 1.
@@ -177,14 +169,19 @@ impl Element {
     }
 }
 
+/// The first radius that the sources have, in angstroms.
+fn known(radii: &[u16]) -> f64 {
+    let radius = radii.iter().find(|radius| **radius > 0);
+    f64::from(*radius.expect("the last is not 0")) / 100.0
+}
+
 /// The element of a symbol in any case; deuterium and tritium are hydrogen.
 pub fn of_symbol(symbol: &str) -> Option<&'static Element> {
     if ["D", "T"].iter().any(|s| s.eq_ignore_ascii_case(symbol)) {
         return ELEMENTS.first();
     }
-    ELEMENTS
-        .iter()
-        .find(|e| e.symbol.eq_ignore_ascii_case(symbol))
+    let mut all = ELEMENTS.iter();
+    all.find(|e| e.symbol.eq_ignore_ascii_case(symbol))
 }
 
 /// Residues of proteins and nucleic acids, and water: all their atoms have one-letter elements, selenium apart.

@@ -1,11 +1,11 @@
 //! A camera that sees a whole set of balls.
 
+use imogene_algebra::vector::{cross, length, minus};
 use imogene_scene::{Body, Camera, ImageSize, fitting_from};
 
 /// The viewer is this many radii of the bounding sphere away: the depth word is finest when the scene is not deeper
 /// than a third of the distance.
 pub const DISTANCE_IN_RADII: f64 = 6.0;
-/// Size of the picture.
 pub const IMAGE: ImageSize = ImageSize {
     width: 960,
     height: 720,
@@ -38,14 +38,10 @@ pub fn bounding_sphere(balls: &[Ball]) -> Ball {
 
 /// The ball that reaches farthest from a point, and how far.
 fn farthest(balls: &[Ball], from: [f64; 3]) -> (usize, f64) {
-    let reach = |(place, radius): &Ball| {
-        let squares = place.iter().zip(from).map(|(p, q)| (p - q) * (p - q));
-        squares.sum::<f64>().sqrt() + radius
-    };
+    let reach = |(place, radius): &Ball| length(minus(place, from)) + radius;
     let reaches = balls.iter().map(reach).enumerate();
-    reaches
-        .max_by(|(_, a), (_, b)| a.total_cmp(b))
-        .expect("at least one ball")
+    let farthest = reaches.max_by(|(_, a), (_, b)| a.total_cmp(b));
+    farthest.expect("at least one ball")
 }
 
 /// Least and greatest coordinates of all balls.
@@ -63,7 +59,6 @@ pub fn bounding_box(balls: &[Ball]) -> ([f64; 3], [f64; 3]) {
 /// A camera and the directions of its picture.
 #[derive(Debug)]
 pub struct Framing {
-    /// The camera.
     pub camera: Camera,
     /// To the right, upwards and towards the viewer, in scene coordinates.
     pub axes: [[f64; 3]; 3],
@@ -81,8 +76,7 @@ pub fn frame(balls: &[Ball]) -> Framing {
     let (up, towards): ([f64; 3], [f64; 3]) = (unit(order[1]), unit(order[2]));
     let right = cross(up, towards);
     let distance = five_digits_up(DISTANCE_IN_RADII * radius);
-    let about_middle =
-        |(place, radius): &Ball| Body::ball(std::array::from_fn(|k| place[k] - middle[k]), *radius);
+    let about_middle = |(place, radius): &Ball| Body::ball(minus(place, middle), *radius);
     let bodies: Vec<Body> = balls.iter().map(about_middle).collect();
     let shape = f64::from(IMAGE.width) / f64::from(IMAGE.height);
     let ([x, y], tangent) = fitting_from(&bodies, &[right, up, towards], distance, shape);
@@ -93,13 +87,6 @@ pub fn frame(balls: &[Ball]) -> Framing {
         camera: Camera::perspective([eye, target, up], distance, height),
         axes: [right, up, towards],
     }
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|k| {
-        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        a[i] * b[j] - a[j] * b[i]
-    })
 }
 
 fn short(value: f64) -> f64 {
@@ -123,6 +110,7 @@ fn five_digits_up(value: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use imogene_algebra::vector::dot;
     use proptest::prelude::*;
 
     fn balls() -> impl Strategy<Value = Vec<Ball>> {
@@ -152,12 +140,10 @@ mod tests {
             let Framing { camera, axes: [right, up, towards] } = frame(&balls);
             let Camera { eye, target, view_height, lens, .. } = camera;
             let imogene_scene::Lens::Perspective { viewer_distance: d, .. } = lens else { panic!("perspective") };
-            let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-            let from = |p: [f64; 3], q: [f64; 3]| -> [f64; 3] { std::array::from_fn(|k| p[k] - q[k]) };
-            prop_assert!((dot(from(eye, target), towards) - d).abs() < 2e-4);
+            prop_assert!((dot(minus(eye, target), towards) - d).abs() < 2e-4);
             let mut widest = 0f64;
             for (place, radius) in &balls {
-                let v = from(*place, eye);
+                let v = minus(place, eye);
                 let depth = -dot(v, towards);
                 prop_assert!(depth - radius > 0.5 * d, "before the near end");
                 for (axis, half) in [(right, view_height / 1.5), (up, 0.5 * view_height)] {
@@ -181,8 +167,7 @@ mod tests {
             let mut least = 0f64;
             for (p, r) in &balls {
                 for (q, s) in &balls {
-                    let between = p.iter().zip(q).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt();
-                    least = least.max(0.5 * (between + r + s)).max(*r);
+                    least = least.max(0.5 * (length(minus(p, q)) + r + s)).max(*r);
                 }
             }
             prop_assert!(radius >= least * (1.0 - 1e-12));

@@ -3,7 +3,7 @@
 use super::biomt;
 use super::columns::Columns;
 use super::structure::{Atom, End, Model, Structure};
-use super::words::{Serial, Word};
+use super::words::{Repeated, Serial};
 use crate::error::{Result, unusable};
 
 /// State of a reading.
@@ -14,14 +14,8 @@ struct Reading {
     /// Number that the next atoms' model has been given, if it has not begun yet.
     next_model: Option<i64>,
     biomt: biomt::Reading,
-    known: Known,
-}
-
-/// Words of the atom before: the next one has most of them too.
-#[derive(Default)]
-struct Known {
-    residue: (Vec<u8>, Word),
-    number: (Vec<u8>, Word),
+    residue: Repeated,
+    number: Repeated,
 }
 
 /// Reads the lines of a file.
@@ -41,11 +35,8 @@ pub fn read(bytes: &[u8], file: &str) -> Result<Structure> {
         structure.title = reading.header;
     }
     if structure.models.is_empty() {
-        return Err(unusable(
-            file,
-            "it has no ATOM or HETATM line",
-            "a structure in the PDB format with at least one atom would be accepted",
-        ));
+        let accepted = "a structure in the PDB format with at least one atom would be accepted";
+        return Err(unusable(file, "it has no ATOM or HETATM line", accepted));
     }
     structure.assemblies = reading.biomt.assemblies(&mut structure.words, file);
     Ok(structure)
@@ -97,16 +88,12 @@ impl Reading {
             (name, columns.field(18, 20))
         });
         let words = &mut self.structure.words;
-        let mut again = |known: &mut (Vec<u8>, Word), first, last| {
-            let bytes = columns.bytes(first, last);
-            if known.0 != bytes {
-                known.1 = words.keep(&columns.field(first, last).replace(' ', ""));
-                known.0 = bytes.to_vec();
-            }
-            known.1
+        let mut again = |known: &mut Repeated, first, last| {
+            let text = || columns.field(first, last).replace(' ', "");
+            known.of(columns.bytes(first, last), || words.keep(&text()))
         };
-        let residue = again(&mut self.known.residue, 18, 20);
-        let number = again(&mut self.known.number, 23, 27);
+        let residue = again(&mut self.residue, 18, 20);
+        let number = again(&mut self.number, 23, 27);
         let chain = words.keep_bytes(columns.bytes(22, 22).trim_ascii());
         let atom = Atom {
             place,
@@ -154,8 +141,7 @@ fn serial<'a>(columns: &'a Columns) -> &'a [u8] {
 fn join(text: &mut String, line: &[u8], skipped: usize) {
     let whole = String::from_utf8_lossy(line);
     let part: String = whole.chars().skip(skipped).take(70).collect();
-    let plain = |c: char| if c.is_control() { ' ' } else { c };
-    let part: String = part.trim().chars().map(plain).collect();
+    let part = part.trim().replace(char::is_control, " ");
     // Some hundred lines of title are the work of a program gone wrong.
     if part.is_empty() || text.len() > 400 {
         return;

@@ -7,12 +7,12 @@ mod alternates;
 mod assembly;
 mod bcif;
 mod biomt;
-pub mod bonds;
+mod bonds;
 mod choose;
 mod cif;
 mod columns;
-pub mod element;
-pub mod framing;
+mod element;
+mod framing;
 mod lines;
 mod names;
 mod options;
@@ -43,17 +43,15 @@ pub enum Format {
 
 impl Format {
     fn read(self, bytes: &[u8], file: &str) -> Result<Structure> {
-        if self == Format::Bcif {
-            return bcif::read(bytes, file);
-        }
-        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-        if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
-            let accepted = "text in UTF-8 would be accepted";
-            return Err(unusable(file, "this is text in UTF-16", accepted));
-        }
+        let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         match self {
-            Format::Pdb => lines::read(bytes, file),
-            _ => cif::read(bytes, file),
+            Format::Bcif => bcif::read(bytes, file),
+            _ if text.starts_with(&[0xff, 0xfe]) || text.starts_with(&[0xfe, 0xff]) => {
+                let accepted = "text in UTF-8 would be accepted";
+                Err(unusable(file, "this is text in UTF-16", accepted))
+            }
+            Format::Pdb => lines::read(text, file),
+            Format::Mmcif => cif::read(text, file),
         }
     }
 }

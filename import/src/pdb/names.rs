@@ -30,14 +30,14 @@ impl Names {
     /// `A/17/CA`: chain, residue number, atom; with the alternate behind it if there is one, the model in front if
     /// there are several, and the serial number if another atom has the same.
     pub fn of_atom(&mut self, atom: &Atom, words: &Words, model: Option<i64>) -> String {
-        let or_dash = |text: &str| {
+        let or_dash = |text: String| {
             if text.is_empty() {
                 "-".to_owned()
             } else {
-                text.to_owned()
+                text
             }
         };
-        let text = |word: Word| or_dash(words.text(word));
+        let text = |word: Word| or_dash(words.text(word).to_owned());
         let mut name = [atom.chain, atom.number, atom.name].map(text).join("/");
         if !atom.alternate.is_empty() {
             name = format!("{name}.{}", words.text(atom.alternate));
@@ -46,7 +46,7 @@ impl Names {
             name = format!("{model}/{name}");
         }
         if self.taken.contains(&name) {
-            name = format!("{name} #{}", or_dash(&atom.serial.text(words)));
+            name = format!("{name} #{}", or_dash(atom.serial.text(words)));
         }
         self.unique(name)
     }

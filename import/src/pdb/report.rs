@@ -90,84 +90,70 @@ pub fn report(
         ),
         None => format!("{} of {atoms} drawn, {of_all}{bonds}", drawn.spheres),
     }];
-    let of_atoms = [
-        (
+    // How many there are of something, and what became of them.
+    let told = |count: usize, one: &str, rest: &str| {
+        (count > 0).then(|| format!("{} {rest}", counted(count, one)))
+    };
+    let assemblies = listed(read.assemblies.iter().cloned());
+    let as_they_stand = options.assembly.is_none() && !read.assemblies.is_empty();
+    let no_occupancy = remark(Remark::NoOccupancy);
+    let guessed = guessed.into_iter().collect::<Vec<_>>().join(", ");
+    let farther = format!(
+        "that only the file says: farther apart than the covalent radii and {TOLERANCE} angstroms, or of a kind that is not looked for"
+    );
+    let lines = [
+        told(
             left_out.other_models,
             "atom",
             "of other models left out; --model N or --model all draws them",
         ),
-        (left_out.other_chains, "atom", "of other chains left out"),
-        (
+        told(left_out.other_chains, "atom", "of other chains left out"),
+        told(
             left_out.other_residues,
             "atom",
             "of other residues left out",
         ),
-    ];
-    notes.extend(of_atoms.into_iter().filter_map(told));
-    if options.assembly.is_none() && !read.assemblies.is_empty() {
-        let names = listed(read.assemblies.iter().cloned());
-        notes.push(format!(
-            "the coordinates as they stand; --assembly {names} draws what it makes of them"
-        ));
-    }
-    if remark(Remark::OtherBlocks) > 0 {
-        let note = "further data blocks left out: the first that has atoms is drawn";
-        notes.push(note.to_owned());
-    }
-    let of_places = [
-        (
+        as_they_stand.then(|| {
+            format!(
+                "the coordinates as they stand; --assembly {assemblies} draws what it makes of them"
+            )
+        }),
+        (remark(Remark::OtherBlocks) > 0)
+            .then(|| "further data blocks left out: the first that has atoms is drawn".to_owned()),
+        told(
             remark(Remark::OtherCells),
             "bond",
             "to other cells of the crystal left out",
         ),
-        (
+        told(
             left_out.alternate_locations,
             "alternate location",
             "left out; --alternates all draws them",
         ),
-        (left_out.hydrogens, "hydrogen", "left out"),
-        (left_out.water, "atom", "of water left out"),
-        (
+        told(left_out.hydrogens, "hydrogen", "left out"),
+        told(left_out.water, "atom", "of water left out"),
+        told(
             remark(Remark::NamedElement),
             "atom",
             "without an element's symbol: element from the atom's name",
         ),
-        (
+        told(
             remark(Remark::NoElement),
             "atom",
             "of no known element: drawn with a van der Waals radius of 2.0 and a covalent one of 1.5 angstroms, in pink",
         ),
-    ];
-    notes.extend(of_places.into_iter().filter_map(told));
-    let other = remark(Remark::NoOccupancy);
-    if other > 0 {
-        notes.push(format!(
-            "occupancies that are no numbers, taken as 1: {other}"
-        ));
-    }
-    if !guessed.is_empty() {
-        let names: Vec<&str> = guessed.into_iter().collect();
-        notes.push(format!(
-            "no published radius of {}: 2.0 angstroms, or 1.5 covalent, instead",
-            names.join(", ")
-        ));
-    }
-    let farther = format!(
-        "that only the file says: farther apart than the covalent radii and {TOLERANCE} angstroms, or of a kind that is not looked for"
-    );
-    let of_bonds = [
-        (drawn.bonds.connected, "bond", farther.as_str()),
-        (
+        (no_occupancy > 0)
+            .then(|| format!("occupancies that are no numbers, taken as 1: {no_occupancy}")),
+        (!guessed.is_empty()).then(|| {
+            format!("no published radius of {guessed}: 2.0 angstroms, or 1.5 covalent, instead")
+        }),
+        told(drawn.bonds.connected, "bond", &farther),
+        told(
             drawn.bonds.left_out,
             "bond",
             "left out at atoms that have sixteen already",
         ),
     ];
-    notes.extend(of_bonds.into_iter().filter_map(told));
+    notes.extend(lines.into_iter().flatten());
     (value, notes)
-}
-
-/// How many there are of something, and what became of them.
-fn told((count, one, rest): (usize, &str, &str)) -> Option<String> {
-    (count > 0).then(|| format!("{} {rest}", counted(count, one)))
 }

@@ -9,6 +9,7 @@ use super::structure::{Atom, Structure};
 use super::words::{Word, Words};
 use crate::error::Result;
 use crate::object;
+use imogene_algebra::vector::{dot, length, minus};
 use imogene_scene::{Axis, Cut, Light, Material, Object, Rotation, SceneFile, Shape, Step};
 use std::collections::HashMap;
 
@@ -23,9 +24,7 @@ const MOST_COLOURS: usize = 240;
 
 /// What became of the chosen atoms.
 pub struct Drawn {
-    /// The scene.
     pub scene: SceneFile,
-    /// Spheres.
     pub spheres: usize,
     /// Cylinders; a bond between two colours has two.
     pub cylinders: usize,
@@ -191,13 +190,9 @@ fn cylinders(ends: [(&Atom, &Object); 2], eye: [f64; 3], names: &mut Names) -> V
         ends.swap(0, 1);
     }
     let [(low, first), (high, second)] = ends;
-    let along: [f64; 3] = std::array::from_fn(|k| high.place[k] - low.place[k]);
-    let length = along.iter().map(|v| v * v).sum::<f64>().sqrt();
-    let normal = normal(
-        along,
-        length,
-        std::array::from_fn(|k| eye[k] - low.place[k]),
-    );
+    let along = minus(high.place, low.place);
+    let length = length(along);
+    let normal = normal(along, length, minus(eye, low.place));
     let piece = |name: String, from: f64, to: f64, material: &str| {
         let cut = |y: f64, side: f64| Cut {
             point: [0.0, y, 0.0],
@@ -230,11 +225,8 @@ fn cylinders(ends: [(&Atom, &Object); 2], eye: [f64; 3], names: &mut Names) -> V
 /// the line of sight rises from it by [`LEAST_SINE`], which the balls hide at the ends and nobody sees in the middle
 /// of a stick.
 fn normal(along: [f64; 3], length: f64, to_eye: [f64; 3]) -> [f64; 3] {
-    let unit = |v: [f64; 3]| {
-        let length = dot(v, v).sqrt();
-        v.map(|u| u / length)
-    };
-    let (axis, sight) = (along.map(|v| v / length), unit(to_eye));
+    let away = self::length(to_eye);
+    let (axis, sight) = (along.map(|v| v / length), to_eye.map(|v| v / away));
     let sine = dot(axis, sight);
     if sine.abs() >= LEAST_SINE {
         return [0.0, 1.0, 0.0];
@@ -246,10 +238,6 @@ fn normal(along: [f64; 3], length: f64, to_eye: [f64; 3]) -> [f64; 3] {
     let square = dot(line, line);
     let share = 2.0 * dot(line, tilted) / square;
     std::array::from_fn(|k| ((share * line[k] - tilted[k]) * 1e4).round() / 1e4 + 0.0)
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a.iter().zip(b).map(|(u, v)| u * v).sum()
 }
 
 /// The line half way between the y axis and a direction, with six digits after the point.

@@ -1,6 +1,7 @@
 //! Which atoms of a model are asked for by chain and residue.
 
-use super::options::Residues;
+use super::choose::LeftOut;
+use super::options::{Options, Residues};
 use super::structure::{Atom, Structure};
 use super::words::{Word, Words, listed};
 use crate::error::{ImportError, Result, unusable};
@@ -19,67 +20,64 @@ impl<'a> Selection<'a> {
     pub fn new(
         structure: &Structure,
         models: &[usize],
-        chains: &[String],
-        residues: &'a [Residues],
+        options: &'a Options,
         file: &str,
     ) -> Result<Selection<'a>> {
         let words = &structure.words;
         let atoms = || models.iter().flat_map(|m| &structure.models[*m].atoms);
         let mut there: HashSet<Word> = HashSet::new();
-        if !chains.is_empty() {
+        if !options.chains.is_empty() {
             there.extend(atoms().map(|atom| atom.chain));
         }
-        let chains: Result<Vec<Word>> = chains
-            .iter()
-            .map(|name| {
-                let word = words.find(name).filter(|word| there.contains(word));
-                word.ok_or_else(|| no_chain(name, there.iter().map(|w| words.text(*w)), file))
+        let chain = |name: &String| {
+            let word = words.find(name).filter(|word| there.contains(word));
+            word.ok_or_else(|| {
+                let there: BTreeSet<&str> = there.iter().map(|word| words.text(*word)).collect();
+                let there = listed(there.into_iter().filter(|chain| !chain.is_empty()));
+                let problem = format!("it has no chain {name}");
+                unusable(file, problem, format!("{there} would be accepted"))
             })
-            .collect();
+        };
         let selection = Selection {
-            chains: chains?,
-            residues,
+            chains: options.chains.iter().map(chain).collect::<Result<_>>()?,
+            residues: &options.residues,
             known: HashMap::new(),
         };
-        selection.check_residues(words, atoms, file)?;
-        Ok(selection)
-    }
-
-    fn check_residues<'b, I: Iterator<Item = &'b Atom>>(
-        &self,
-        words: &Words,
-        atoms: impl Fn() -> I,
-        file: &str,
-    ) -> Result<()> {
-        if self.residues.is_empty() {
-            return Ok(());
+        if selection.residues.is_empty() {
+            return Ok(selection);
         }
-        let atoms = atoms().filter(|atom| self.has_chain(atom));
-        let there: BTreeSet<(Word, Word)> = atoms.map(|a| (a.number, a.residue)).collect();
-        for residues in self.residues {
-            let found = there
-                .iter()
-                .any(|residue| matches(residues, *residue, words));
-            if !found {
+        let members = atoms().filter(|atom| selection.has_chain(atom));
+        let there: BTreeSet<(Word, Word)> = members.map(|a| (a.number, a.residue)).collect();
+        for residues in selection.residues {
+            if !there.iter().any(|one| matches(residues, *one, words)) {
                 return Err(no_residue(residues, &there, words, file));
             }
         }
-        Ok(())
+        Ok(selection)
     }
 
-    /// Whether an atom's chain is asked for.
-    pub fn has_chain(&self, atom: &Atom) -> bool {
+    fn has_chain(&self, atom: &Atom) -> bool {
         self.chains.is_empty() || self.chains.contains(&atom.chain)
     }
 
-    /// Whether its residue is asked for.
-    pub fn has_residue(&mut self, atom: &Atom, words: &Words) -> bool {
+    fn has_residue(&mut self, atom: &Atom, words: &Words) -> bool {
         let residue = (atom.number, atom.residue);
         self.residues.is_empty()
             || *self.known.entry(residue).or_insert_with(|| {
                 let mut asked = self.residues.iter();
                 asked.any(|residues| matches(residues, residue, words))
             })
+    }
+
+    /// Leaves the atoms that are asked for.
+    pub fn apply(&mut self, atoms: &mut Vec<Atom>, words: &Words, left_out: &mut LeftOut) {
+        atoms.retain(|atom| {
+            let other_chain = !self.has_chain(atom);
+            let other_residue = !other_chain && !self.has_residue(atom, words);
+            left_out.other_chains += usize::from(other_chain);
+            left_out.other_residues += usize::from(other_residue);
+            !other_chain && !other_residue
+        });
     }
 }
 
@@ -102,15 +100,6 @@ fn digits(text: &str) -> Option<i64> {
     text.trim_end_matches(is_code).parse().ok()
 }
 
-fn no_chain<'a>(name: &str, there: impl Iterator<Item = &'a str>, file: &str) -> ImportError {
-    let there: BTreeSet<&str> = there.filter(|chain| !chain.is_empty()).collect();
-    unusable(
-        file,
-        format!("it has no chain {name}"),
-        format!("{} would be accepted", listed(there)),
-    )
-}
-
 fn no_residue(
     residues: &Residues,
     there: &BTreeSet<(Word, Word)>,
@@ -123,9 +112,7 @@ fn no_residue(
         (Some(least), Some(most)) => format!("numbers from {least} to {most} and the "),
         _ => "the ".to_owned(),
     };
-    unusable(
-        file,
-        format!("it has no residue {residues} in what is asked for"),
-        format!("{numbers}names {} would be accepted", listed(names)),
-    )
+    let problem = format!("it has no residue {residues} in what is asked for");
+    let accepted = format!("{numbers}names {} would be accepted", listed(names));
+    unusable(file, problem, accepted)
 }

@@ -10,13 +10,11 @@ use std::collections::HashMap;
 pub struct Atom {
     /// Place in angstroms.
     pub place: [f64; 3],
-    /// What it is.
     pub element: &'static Element,
     /// Its number in the file, which is only compared.
     pub serial: Serial,
     /// Share of the molecules that have the atom here; 1 if the file does not say.
     pub occupancy: f32,
-    /// Name.
     pub name: Word,
     /// Alternate location, or nothing.
     pub alternate: Word,
@@ -114,11 +112,9 @@ impl Structure {
         name: impl FnOnce() -> ([u8; 4], String),
     ) -> &'static Element {
         // A charge may stand behind the symbol; in files before 1996 there are digits.
-        let end = symbol
-            .iter()
-            .take_while(|c| c.is_ascii_alphabetic())
-            .count();
-        let letters = std::str::from_utf8(&symbol[..end]).expect("letters");
+        let end = symbol.iter().position(|c| !c.is_ascii_alphabetic());
+        let letters = &symbol[..end.unwrap_or(symbol.len())];
+        let letters = std::str::from_utf8(letters).expect("letters");
         if let Some(element) = of_symbol(letters) {
             return element;
         }

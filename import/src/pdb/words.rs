@@ -1,16 +1,14 @@
 //! Words that many atoms share, each kept once: names of atoms, residues and chains.
 
-use std::collections::HashMap;
+use indexmap::IndexSet;
 
 /// A word of [`Words`]; the default is the empty one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Word(u32);
 
 impl Word {
-    /// No text.
     pub const EMPTY: Word = Word(0);
 
-    /// Whether there is no text.
     pub fn is_empty(self) -> bool {
         self == Word::EMPTY
     }
@@ -18,32 +16,21 @@ impl Word {
 
 /// All words of a structure.
 #[derive(Debug)]
-pub struct Words {
-    texts: Vec<Box<str>>,
-    places: HashMap<Box<str>, Word>,
-}
+pub struct Words(IndexSet<Box<str>>);
 
 impl Default for Words {
     fn default() -> Self {
-        let mut words = Words {
-            texts: vec![],
-            places: HashMap::new(),
-        };
-        words.keep("");
-        words
+        Words(IndexSet::from(["".into()]))
     }
 }
 
 impl Words {
     /// The word of a text, kept if it is new.
     pub fn keep(&mut self, text: &str) -> Word {
-        if let Some(word) = self.places.get(text) {
-            return *word;
-        }
-        let word = Word(u32::try_from(self.texts.len()).expect("fewer words than bytes of a file"));
-        self.texts.push(text.into());
-        self.places.insert(text.into(), word);
-        word
+        self.find(text).unwrap_or_else(|| {
+            let (place, _) = self.0.insert_full(text.into());
+            Word(u32::try_from(place).expect("fewer words than bytes of a file"))
+        })
     }
 
     /// The word of a text as a file has it: what is not text, and control characters, become `?`.
@@ -56,25 +43,32 @@ impl Words {
 
     /// The word of a text, if it is known.
     pub fn find(&self, text: &str) -> Option<Word> {
-        self.places.get(text).copied()
+        self.0.get_index_of(text).map(|place| Word(place as u32))
     }
 
-    /// Its text.
     pub fn text(&self, word: Word) -> &str {
-        &self.texts[word.0 as usize]
+        &self.0[word.0 as usize]
+    }
+}
+
+/// A word that an atom often has in common with the one before, and the bytes that it was read from.
+#[derive(Default)]
+pub struct Repeated(Vec<u8>, Word);
+
+impl Repeated {
+    /// The word of some bytes, read from them if they are not the same again.
+    pub fn of(&mut self, bytes: &[u8], read: impl FnOnce() -> Word) -> Word {
+        if self.0 != bytes {
+            *self = Repeated(bytes.to_vec(), read());
+        }
+        self.1
     }
 }
 
 /// Text for people: what is no text, and control characters, are written as `?`.
 pub fn plain(bytes: &[u8]) -> String {
-    let plain = |c: char| {
-        if c.is_control() || c == char::REPLACEMENT_CHARACTER {
-            '?'
-        } else {
-            c
-        }
-    };
-    String::from_utf8_lossy(bytes).chars().map(plain).collect()
+    let is_odd = |c: char| c.is_control() || c == char::REPLACEMENT_CHARACTER;
+    String::from_utf8_lossy(bytes).replace(is_odd, "?")
 }
 
 /// The number that a file gives an atom. Most are whole numbers; hybrid-36, hexadecimal and starred ones are words.
@@ -82,19 +76,16 @@ pub fn plain(bytes: &[u8]) -> String {
 pub enum Serial {
     /// Decimal, without leading zeros.
     Number(u32),
-    /// Anything else.
     Word(Word),
 }
 
 impl Serial {
     /// From its text.
     pub fn of(text: &[u8], words: &mut Words) -> Serial {
-        let decimal = |text: &[u8]| {
-            let whole = !text.is_empty() && text.len() <= 9 && text.iter().all(u8::is_ascii_digit);
-            let number = |n: u32, c: &u8| 10 * n + u32::from(c - b'0');
-            (whole && (text[0] != b'0' || text.len() == 1)).then(|| text.iter().fold(0, number))
-        };
-        match decimal(text) {
+        // Neither a sign nor leading zeros.
+        let is_plain = matches!(text, [b'0'] | [b'1'..=b'9', ..]);
+        let decimal = std::str::from_utf8(text).ok().filter(|_| is_plain);
+        match decimal.and_then(|text| text.parse().ok()) {
             Some(number) => Serial::Number(number),
             None => Serial::Word(words.keep_bytes(text)),
         }

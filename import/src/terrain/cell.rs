@@ -1,8 +1,8 @@
 //! One cell of a grid as cut surfaces, in coordinates (u, height, v) of the cell: u east and v south, 0 to 1 each.
 
 use super::exact::proportional;
-use super::grid::{Corners, twist};
-use imogene_algebra::rational::integer;
+use super::grid::{Corners, is_plane, twist};
+use imogene_algebra::rational::{integer, to_f64};
 use imogene_scene::{Cut, Mesh};
 use num_rational::BigRational;
 
@@ -41,7 +41,6 @@ pub enum Edge {
 }
 
 impl Edge {
-    /// All four.
     pub const ALL: [Edge; 4] = [Edge::West, Edge::East, Edge::North, Edge::South];
 
     /// The vertical plane through the edge, moved outwards by a part of the cell.
@@ -79,15 +78,13 @@ pub fn bilinear_piece(z: &Corners, outwards: [f64; 4]) -> Option<Piece> {
     })
 }
 
-/// The cell as flat facets: one if it is a plane, else two that meet in the diagonal from its north-western corner. The
-/// heights are decimals.
-pub fn facets(z: &[[f64; 2]; 2], plane: bool) -> Mesh {
-    let faces = if plane {
-        vec![vec![0, 1, 2, 3]]
-    } else {
-        vec![vec![0, 1, 2], vec![0, 2, 3]]
+/// The cell as flat facets: one if it is a plane, else two that meet in the diagonal from its north-western corner.
+pub fn facets(z: &Corners) -> Mesh {
+    let faces = match is_plane(z) {
+        true => vec![vec![0, 1, 2, 3]],
+        false => vec![vec![0, 1, 2], vec![0, 2, 3]],
     };
-    let corner = |(u, v): (usize, usize)| [u as f64, z[v][u], v as f64];
+    let corner = |(u, v): (usize, usize)| [u as f64, to_f64(&z[v][u]), v as f64];
     Mesh {
         vertices: [(0, 0), (0, 1), (1, 1), (1, 0)].map(corner).to_vec(),
         faces,
@@ -138,8 +135,8 @@ mod tests {
 
     #[test]
     fn facets_look_upwards() {
-        for plane in [true, false] {
-            let mesh = facets(&[[1.0, 2.0], [3.0, 4.0]], plane);
+        for last in [4, 5] {
+            let mesh = facets(&[[1, 2], [3, last]].map(|row| row.map(integer)));
             for face in &mesh.faces {
                 let [p, q, r] = [0, 1, 2].map(|k| mesh.vertices[face[k]]);
                 let (s, t) = ([q[0] - p[0], q[2] - p[2]], [r[0] - p[0], r[2] - p[2]]);

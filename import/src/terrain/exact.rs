@@ -1,10 +1,10 @@
 //! Exact numbers as the decimals of a scene file, which reads them back without loss.
 
 use imogene_algebra::rational::{from_decimal, to_f64};
+use imogene_algebra::whole::{greatest, primitive};
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::One;
 
 /// Largest whole number that a scene file takes.
 const LARGEST: i64 = 1_000_000_000_000;
@@ -12,13 +12,13 @@ const LARGEST: i64 = 1_000_000_000_000;
 /// The numbers times one positive factor, each a decimal that reads back as exactly what it stands for; `None` if 15
 /// digits cannot hold them.
 pub fn proportional<const N: usize>(values: [&BigRational; N]) -> Option<[f64; N]> {
-    let whole = whole(values);
-    let greatest = whole.iter().map(BigInt::abs).max().unwrap_or_default();
+    let whole = primitive(values.map(BigRational::clone));
+    let greatest = greatest(whole.each_ref());
     let mut unit = BigInt::one();
-    while &greatest / &unit > BigInt::from(LARGEST) {
+    while greatest.numer() / &unit > BigInt::from(LARGEST) {
         unit *= 10;
     }
-    let scaled = whole.map(|value| BigRational::new(value, unit.clone()));
+    let scaled = whole.map(|value| value / &unit);
     decimals(scaled.each_ref())
 }
 
@@ -29,23 +29,11 @@ pub fn decimals<const N: usize>(values: [&BigRational; N]) -> Option<[f64; N]> {
     floats.iter().zip(&values).all(kept).then_some(floats)
 }
 
-/// The numbers times the positive factor that makes them integers without common divisor.
-fn whole<const N: usize>(values: [&BigRational; N]) -> [BigInt; N] {
-    let denominator = values
-        .iter()
-        .fold(BigInt::one(), |lcm, v| lcm.lcm(v.denom()));
-    let whole = values.map(|v| v.numer() * (&denominator / v.denom()));
-    let divisor = whole.iter().fold(BigInt::zero(), |gcd, v| gcd.gcd(v));
-    if divisor.is_zero() {
-        return whole;
-    }
-    whole.map(|v| v / &divisor)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use imogene_algebra::rational::fraction;
+    use num_traits::Signed;
     use proptest::prelude::*;
 
     proptest! {

@@ -6,6 +6,7 @@ use super::map::{Map, VIEW};
 use crate::Result;
 use crate::error::unusable;
 use imogene_algebra::rational::{from_decimal, to_f64};
+use imogene_algebra::vector::{dot, length, minus, square};
 use imogene_golden::format::Format;
 use imogene_prepare::{Framing, Options, refused};
 
@@ -40,18 +41,16 @@ impl Map<'_> {
         for row in 0..grid.rows - 1 {
             for column in 0..grid.columns - 1 {
                 let known = |v: usize, u: usize| grid.height(column + u, row + v);
-                let [Some(nw), Some(ne), Some(sw), Some(se)] =
-                    [known(0, 0), known(0, 1), known(1, 0), known(1, 1)]
-                else {
-                    continue;
-                };
-                let [nw, ne, sw, se] = [nw, ne, sw, se].map(|h| from_decimal(h) * &factor);
-                cells.push(Cell {
-                    column,
-                    row,
-                    corners: [[nw, ne], [sw, se]],
-                    form: Form::Surfaces,
-                });
+                let known = [0, 1].map(|v| [0, 1].map(|u| known(v, u)));
+                if known.as_flattened().iter().all(Option::is_some) {
+                    let height = |h: Option<f64>| from_decimal(h.expect("checked")) * &factor;
+                    cells.push(Cell {
+                        column,
+                        row,
+                        corners: known.map(|row| row.map(height)),
+                        form: Form::Surfaces,
+                    });
+                }
             }
         }
         cells
@@ -62,14 +61,12 @@ impl Map<'_> {
         if self.options.cells != Cells::Auto {
             return 0;
         }
-        let mut count = 0;
-        for cell in cells {
+        for cell in cells.iter_mut() {
             if is_plane(&cell.corners) || self.bulge(cell).is_some_and(|pixels| pixels < FLAT) {
                 cell.form = Form::Facets;
-                count += 1;
             }
         }
-        count
+        count(cells, Form::Facets)
     }
 
     /// Most pixels between a patch and its facets on the screen: |e| / 4 upwards at the corner that is nearest along
@@ -91,15 +88,12 @@ impl Map<'_> {
 
     /// How far each corner is before the eye, along the gaze, and the square of its distance.
     fn corners_from_eye(&self, cell: &Cell) -> [(f64, f64); 4] {
-        let gaze: [f64; 3] = std::array::from_fn(|k| self.target[k] - self.eye[k]);
-        let length = gaze.iter().map(|g| g * g).sum::<f64>().sqrt();
+        let gaze = minus(self.target, self.eye);
         [[0, 0], [1, 0], [0, 1], [1, 1]].map(|[u, v]| {
             let place = self.place([cell.column + u, cell.row + v]);
             let [x, z] = place.map(|p| to_f64(&p));
-            let point = [x, to_f64(&cell.corners[v][u]), z];
-            let from: [f64; 3] = std::array::from_fn(|k| point[k] - self.eye[k]);
-            let along = from.iter().zip(&gaze).map(|(a, b)| a * b).sum::<f64>() / length;
-            (along, from.iter().map(|f| f * f).sum())
+            let from = minus([x, to_f64(&cell.corners[v][u]), z], self.eye);
+            (dot(from, gaze) / length(gaze), square(from))
         })
     }
 
@@ -117,12 +111,11 @@ impl Map<'_> {
         let mut open: Vec<usize> = (0..cells.len()).collect();
         open.retain(|&index| cells[index].form != Form::LeftOut);
         while !open.is_empty() {
-            let trial = open.iter().map(|&index| &cells[index]);
             let mut owners = vec![];
             let mut scene = self.empty_scene();
-            for (place, cell) in trial.enumerate() {
-                let objects = self.objects(cell, cells)?;
-                owners.extend(objects.iter().map(|_| open[place]));
+            for &index in &open {
+                let objects = self.objects(&cells[index], cells)?;
+                owners.extend(objects.iter().map(|_| index));
                 scene.objects.extend(objects);
             }
             if scene.objects.is_empty() {
@@ -134,15 +127,13 @@ impl Map<'_> {
             let mut again = vec![];
             for (object, _) in refused(&framed, Format::BASE, Options::default()) {
                 let cell = owners[object];
-                if again.last() == Some(&cell) {
-                    continue;
+                if again.last() != Some(&cell) {
+                    again.push(cell);
+                    cells[cell].form = match cells[cell].form {
+                        Form::Facets => Form::LeftOut,
+                        _ => Form::Facets,
+                    };
                 }
-                let form = match cells[cell].form {
-                    Form::Facets => Form::LeftOut,
-                    _ => Form::Facets,
-                };
-                again.push(cell);
-                cells[cell].form = form;
             }
             open = again;
             open.retain(|&cell| cells[cell].form == Form::Facets);

@@ -33,11 +33,7 @@ impl HeightGrid {
 
     /// Nodes `first`, `first + every`, .. of a region of `nodes` nodes of this grid, which lies within it.
     pub fn part(&self, first: [usize; 2], nodes: [usize; 2], every: usize) -> HeightGrid {
-        let kept = |axis: usize| {
-            (0..nodes[axis])
-                .step_by(every)
-                .map(move |n| first[axis] + n)
-        };
+        let kept = |axis: usize| (first[axis]..first[axis] + nodes[axis]).step_by(every);
         let heights = kept(1).flat_map(|row| kept(0).map(move |column| self.height(column, row)));
         HeightGrid {
             columns: kept(0).count(),
@@ -56,7 +52,6 @@ pub fn twist(z: &Corners) -> BigRational {
     &z[0][0] + &z[1][1] - &z[0][1] - &z[1][0]
 }
 
-/// Is the cell a plane.
 pub fn is_plane(z: &Corners) -> bool {
     twist(z).is_zero()
 }

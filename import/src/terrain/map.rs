@@ -5,6 +5,7 @@ use super::options::TerrainOptions;
 use crate::Result;
 use crate::error::unusable;
 use imogene_algebra::rational::{fraction, from_decimal, integer, to_f64};
+use imogene_algebra::vector::length;
 use imogene_scene::{Camera, ImageSize, Light, Material, SceneFile};
 use num_rational::BigRational;
 
@@ -39,17 +40,12 @@ pub(super) struct Map<'a> {
 impl<'a> Map<'a> {
     pub fn new(grid: &HeightGrid, file: &'a str, options: &'a TerrainOptions) -> Result<Map<'a>> {
         let factor = options.height_factor;
-        let (low, high) = grid.range().ok_or_else(|| {
-            unusable(
-                file,
-                "no node of the region has a height",
-                "choose another region",
-            )
-        })?;
-        let heights = if factor > 0.0 {
-            (low * factor, high * factor)
-        } else {
-            (high * factor, low * factor)
+        let problem = "no node of the region has a height";
+        let none = || unusable(file, problem, "choose another region");
+        let (low, high) = grid.range().ok_or_else(none)?;
+        let heights = match factor > 0.0 {
+            true => (low * factor, high * factor),
+            false => (high * factor, low * factor),
         };
         let step = grid.step.map(from_decimal);
         let nodes = [grid.columns, grid.rows];
@@ -71,7 +67,7 @@ impl<'a> Map<'a> {
             outside(eye[1], heights.0, heights.1),
             outside(eye[2], -half[1], half[1]),
         ];
-        let nearest = gaps.iter().map(|g| g * g).sum::<f64>().sqrt();
+        let nearest = length(gaps);
         Ok(Map {
             file,
             options,

@@ -12,22 +12,14 @@ pub mod random_field;
 mod read;
 mod ruled;
 mod scene;
-mod store;
-mod text;
-mod write;
 
-pub use crate::kind::is_grid_keyword;
 pub use cell::Cells;
-pub use grid::{HeightGrid, MAX_NODES};
 pub use options::{Region, TerrainOptions};
-pub use read::read;
-pub use scene::{MAX_CELLS, scene_of};
-pub use write::heights_text;
+pub use random_field::heights_text;
 
 use crate::{Imported, Result};
 
 /// The scene of a file of heights; `file` is the name that messages give it.
 pub fn import(bytes: &[u8], file: &str, options: &TerrainOptions) -> Result<Imported> {
-    let grid = read(bytes, file)?;
-    scene_of(&grid, file, options)
+    scene::scene_of(&read::read(bytes, file)?, file, options)
 }

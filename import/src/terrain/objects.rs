@@ -3,7 +3,6 @@
 use super::cell::{Cells, Piece, bilinear_piece, facets};
 use super::exact::decimals;
 use super::form::{Cell, Form};
-use super::grid::is_plane;
 use super::map::{BANDS, Map};
 use super::ruled::pieces_for;
 use crate::error::unusable;
@@ -45,14 +44,7 @@ impl Map<'_> {
     pub(super) fn objects(&self, cell: &Cell, cells: &[Cell]) -> Result<Vec<Object>> {
         let shapes: Vec<(Shape, Vec<_>)> = match cell.form {
             Form::LeftOut => return Ok(vec![]),
-            Form::Facets => {
-                let heights = cell
-                    .corners
-                    .each_ref()
-                    .map(|row| row.each_ref().map(to_f64));
-                let mesh = facets(&heights, is_plane(&cell.corners));
-                vec![(Shape::Mesh(mesh), vec![])]
-            }
+            Form::Facets => vec![(Shape::Mesh(facets(&cell.corners)), vec![])],
             Form::Surfaces => {
                 let pieces = self.pieces(cell, cells).ok_or_else(|| self.digits())?;
                 let shape = |piece: Piece| {
@@ -67,12 +59,10 @@ impl Map<'_> {
         let [sx, sz] = self.step.each_ref().map(to_f64);
         let single = shapes.len() == 1;
         let object = |(index, (shape, cuts)): (usize, (Shape, Vec<_>))| {
-            let part = if single {
-                String::new()
-            } else {
-                format!("-{index}")
-            };
-            let name = format!("cell-{}-{}{part}", cell.column, cell.row);
+            let mut name = format!("cell-{}-{}", cell.column, cell.row);
+            if !single {
+                name = format!("{name}-{index}");
+            }
             let material = format!("altitude-{}", self.band(cell));
             Object {
                 mode: Surface::Patch,

@@ -4,10 +4,11 @@
 //! cracks and nothing is computed twice. Regions are visited south-west, south-east, north-west, north-east, and what
 //! no later region needs is freed at once: the storage grows with the side of the grid, not with its area.
 
-use super::store::Store;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
+use slab::Slab;
+use std::fmt::Write;
 use thiserror::Error;
 
 /// Most levels: a grid of 1025 x 1025 nodes.
@@ -75,18 +76,17 @@ pub fn field(options: &FieldOptions) -> Result<Field, FieldError> {
     let mut maker = Maker {
         random: ChaCha8Rng::seed_from_u64(seed),
         factor: (-smoothness).exp2(),
-        side,
-        heights: vec![0.0; side * side],
-        vertices: Store::default(),
-        edges: Store::default(),
+        made: Field {
+            side,
+            heights: vec![0.0; side * side],
+            most_vertices: 0,
+            most_edges: 0,
+        },
+        vertices: Slab::new(),
+        edges: Slab::new(),
     };
     maker.whole(relief, levels);
-    Ok(Field {
-        side,
-        heights: maker.heights,
-        most_vertices: maker.vertices.most,
-        most_edges: maker.edges.most,
-    })
+    Ok(maker.made)
 }
 
 #[derive(Clone, Copy)]
@@ -110,10 +110,9 @@ type Area = [usize; 4];
 struct Maker {
     random: ChaCha8Rng,
     factor: f64,
-    side: usize,
-    heights: Vec<f64>,
-    vertices: Store<Vertex>,
-    edges: Store<Edge>,
+    made: Field,
+    vertices: Slab<Vertex>,
+    edges: Slab<Edge>,
 }
 
 impl Maker {
@@ -123,44 +122,41 @@ impl Maker {
     }
 
     fn vertex(&mut self, at: [usize; 2], value: f64) -> usize {
-        self.vertices.take(Vertex { at, value, uses: 0 })
+        let vertex = self.vertices.insert(Vertex { at, value, uses: 0 });
+        self.made.most_vertices = self.made.most_vertices.max(self.vertices.len());
+        vertex
     }
 
     fn edge(&mut self, ends: [usize; 2]) -> usize {
         for end in ends {
-            self.vertices.records[end].uses += 1;
+            self.vertices[end].uses += 1;
         }
-        self.edges.take(Edge::Whole(ends))
+        let edge = self.edges.insert(Edge::Whole(ends));
+        self.made.most_edges = self.made.most_edges.max(self.edges.len());
+        edge
     }
 
     /// A vertex that nothing uses any more has its final height.
     fn release(&mut self, vertex: usize) {
-        let record = &mut self.vertices.records[vertex];
-        record.uses -= 1;
-        if record.uses == 0 {
-            let ([x, y], value) = (record.at, record.value);
-            self.heights[(self.side - 1 - y) * self.side + x] = value;
-            self.vertices.free.push(vertex);
+        self.vertices[vertex].uses -= 1;
+        if self.vertices[vertex].uses == 0 {
+            let Vertex {
+                at: [x, y], value, ..
+            } = self.vertices.remove(vertex);
+            let side = self.made.side;
+            self.made.heights[(side - 1 - y) * side + x] = value;
         }
-    }
-
-    /// Gives back an edge that is not divided, with its ends.
-    fn free_whole(&mut self, edge: usize) {
-        if let Edge::Whole(ends) = self.edges.records[edge] {
-            ends.into_iter().for_each(|end| self.release(end));
-        }
-        self.edges.free.push(edge);
     }
 
     fn middle(&self, [from, to]: [usize; 2]) -> ([usize; 2], f64) {
-        let [a, b] = [from, to].map(|v| self.vertices.records[v]);
+        let [a, b] = [from, to].map(|v| self.vertices[v]);
         let at = std::array::from_fn(|k| (a.at[k] + b.at[k]) / 2);
         (at, 0.5 * (a.value + b.value))
     }
 
     /// Divides an edge at a new vertex, unless a neighbour has done so already.
     fn divide(&mut self, edge: usize, deviation: f64) -> [usize; 2] {
-        let ends = match self.edges.records[edge] {
+        let ends = match self.edges[edge] {
             Edge::Divided(halves) => return halves,
             Edge::Whole(ends) => ends,
         };
@@ -172,14 +168,14 @@ impl Maker {
 
     fn divide_at(&mut self, edge: usize, [from, to]: [usize; 2], vertex: usize) -> [usize; 2] {
         let halves = [self.edge([from, vertex]), self.edge([vertex, to])];
-        self.edges.records[edge] = Edge::Divided(halves);
+        self.edges[edge] = Edge::Divided(halves);
         self.release(from);
         self.release(to);
         halves
     }
 
     fn end_of(&self, edge: usize) -> usize {
-        match self.edges.records[edge] {
+        match self.edges[edge] {
             Edge::Whole([_, end]) => end,
             Edge::Divided([_, second]) => self.end_of(second),
         }
@@ -192,13 +188,12 @@ impl Maker {
         let estimates = [[s, n], [w, e]].map(|ends| {
             let (at, mean) = self.middle(ends);
             let value = mean + self.displacement(deviation);
-            (at, self.vertex(at, value))
+            self.vertex(at, value)
         });
-        let [(_, centre), (_, twin)] = estimates;
-        let other = self.vertices.records[twin].value;
-        let record = &mut self.vertices.records[centre];
-        record.value = 0.5 * (record.value + other);
-        self.vertices.free.push(twin);
+        let [centre, twin] = estimates;
+        let other = self.vertices.remove(twin).value;
+        let centre_value = &mut self.vertices[centre].value;
+        *centre_value = 0.5 * (*centre_value + other);
         [[s, n], [w, e]].map(|ends| {
             let edge = self.edge(ends);
             (edge, self.divide_at(edge, ends, centre))
@@ -206,7 +201,7 @@ impl Maker {
     }
 
     fn whole(&mut self, relief: f64, levels: u32) {
-        let far = self.side - 1;
+        let far = self.made.side - 1;
         let corners = [[0, 0], [far, 0], [0, far], [far, far]].map(|at| {
             let value = self.displacement(relief);
             self.vertex(at, value)
@@ -220,23 +215,20 @@ impl Maker {
         }
     }
 
-    /// Gives back an edge with the halves that are left of it.
+    /// Gives back an edge with its ends, or with the halves that are left of it.
     fn free_all(&mut self, edge: usize) {
         let mut open = vec![edge];
         while let Some(edge) = open.pop() {
-            match self.edges.records[edge] {
-                Edge::Whole(_) => self.free_whole(edge),
-                Edge::Divided(halves) => {
-                    open.extend(halves.into_iter().filter(|&half| half != FREED));
-                    self.edges.free.push(edge);
-                }
+            match self.edges.remove(edge) {
+                Edge::Whole(ends) => ends.into_iter().for_each(|end| self.release(end)),
+                Edge::Divided(halves) => open.extend(halves.into_iter().filter(|&h| h != FREED)),
             }
         }
     }
 
     /// Gives back one half of an edge, with what is left of it.
     fn free_half(&mut self, edge: usize, which: usize) {
-        let half = match &mut self.edges.records[edge] {
+        let half = match &mut self.edges[edge] {
             Edge::Divided(halves) => std::mem::replace(&mut halves[which], FREED),
             Edge::Whole(_) => unreachable!("a half of a divided edge"),
         };
@@ -272,9 +264,34 @@ impl Maker {
 /// In the place of a half that was given back.
 const FREED: usize = usize::MAX;
 
+/// A field as the text of a file of heights: a comment that says how it was made, the distance of nodes and the rows. Heights are rounded to a
+/// thousandth.
+pub fn heights_text(field: &Field, options: &FieldOptions, step: f64) -> String {
+    let FieldOptions {
+        levels,
+        smoothness,
+        relief,
+        seed,
+    } = options;
+    let mut text = format!(
+        "# imogene terrain --levels {levels} --roughness {smoothness} --relief {relief} --seed {seed}\nstep {step} {step}\n"
+    );
+    for row in field.heights.chunks(field.side) {
+        for (index, height) in row.iter().enumerate() {
+            let gap = if index > 0 { " " } else { "" };
+            // A rounded number prints without the digits of its error; -0 prints as 0.
+            let rounded = (height * 1000.0).round() / 1000.0 + 0.0;
+            write!(text, "{gap}{rounded}").expect("strings can be written");
+        }
+        text.push('\n');
+    }
+    text
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::terrain::read::read;
 
     fn options(levels: u32, seed: u64) -> FieldOptions {
         FieldOptions {
@@ -321,11 +338,10 @@ mod tests {
                     edges.push(at(x, y + half) - 0.5 * (at(x, y) + at(x, y + width)));
                 }
                 if x + width < made.side && y + width < made.side {
-                    let sides = at(x + half, y)
-                        + at(x + half, y + width)
-                        + at(x, y + half)
-                        + at(x + width, y + half);
-                    centres.push(at(x + half, y + half) - 0.25 * sides);
+                    let (north, south) = (at(x + half, y), at(x + half, y + width));
+                    let (west, east) = (at(x, y + half), at(x + width, y + half));
+                    let mean = 0.25 * (north + south + west + east);
+                    centres.push(at(x + half, y + half) - mean);
                 }
             }
         }
@@ -340,11 +356,8 @@ mod tests {
     #[test]
     fn levels_are_smoother_by_their_factor() {
         for smoothness in [0.0, 0.3, 0.6, 1.0] {
-            let made = field(&FieldOptions {
-                smoothness,
-                ..options(9, 3)
-            });
-            let made = made.unwrap();
+            let rest = options(9, 3);
+            let made = field(&FieldOptions { smoothness, ..rest }).unwrap();
             for level in 5..8 {
                 let [edge, centre] = deviations(&made, level);
                 let [next, _] = deviations(&made, level + 1);
@@ -375,5 +388,21 @@ mod tests {
         assert_eq!(refused(3, -0.1, 100.0), FieldError::Smoothness(-0.1));
         assert_eq!(refused(3, 0.6, 0.0), FieldError::Relief(0.0));
         refused(3, f64::NAN, 100.0);
+    }
+
+    #[test]
+    fn the_reader_reads_what_is_written() {
+        let options = FieldOptions {
+            levels: 4,
+            smoothness: 0.5,
+            relief: 10.0,
+            seed: 5,
+        };
+        let made = field(&options).unwrap();
+        let grid = read(heights_text(&made, &options, 2.5).as_bytes(), "made").unwrap();
+        assert_eq!((grid.columns, grid.rows, grid.step), (17, 17, [2.5, 2.5]));
+        for (read, made) in grid.heights.iter().zip(&made.heights) {
+            assert!((read.unwrap() - made).abs() <= 0.000_5 + 1e-9);
+        }
     }
 }

@@ -1,7 +1,6 @@
 //! Readers of height grids: ESRI ASCII grids, and plain rows of numbers.
 
 use super::grid::{HeightGrid, MAX_NODES};
-use super::text::{Word, shown, words};
 use crate::error::{decoded, unusable};
 use crate::kind::{KEYS, is_grid_keyword};
 use crate::{ImportError, Place, Result};
@@ -15,11 +14,15 @@ pub fn read(bytes: &[u8], file: &str) -> Result<HeightGrid> {
     let text = decoded(bytes, file, "a grid of heights is plain text")?;
     let reader = Reader { file, text };
     let first = reader.words().next();
-    if first.is_some_and(|word| is_grid_keyword(word.text)) {
-        reader.esri()
-    } else {
-        reader.plain()
+    let grid = match first.is_some_and(|word| is_grid_keyword(word.text)) {
+        true => reader.esri()?,
+        false => reader.plain()?,
+    };
+    if grid.heights.iter().all(Option::is_none) {
+        let accepted = "the four corners of at least one cell are needed";
+        return Err(unusable(file, "no node has a height", accepted));
     }
+    Ok(grid)
 }
 
 struct Reader<'a> {
@@ -57,10 +60,8 @@ impl<'a> Reader<'a> {
         let plain = |b: u8| b.is_ascii_digit() || b"+-.eE".contains(&b);
         let value = word.text.parse::<f64>().ok();
         let value = value.filter(|v| word.text.bytes().all(plain) && v.abs() <= MAX_NUMBER);
-        value.ok_or_else(|| {
-            let accepted = "a decimal number of magnitude up to 1e8 is expected";
-            self.refused(word, &format!("is no {what}"), accepted)
-        })
+        let accepted = "a decimal number of magnitude up to 1e8 is expected";
+        value.ok_or_else(|| self.refused(word, &format!("is no {what}"), accepted))
     }
 
     fn positive(&self, word: Word, what: &str) -> Result<f64> {
@@ -98,25 +99,22 @@ impl<'a> Reader<'a> {
                 let problem = format!("more than {columns} x {rows} heights");
                 return Err(self.malformed(last, problem, "`ncols` times `nrows` are expected"));
             }
-            let height = self.number_or(word, header[9])?;
-            heights.push(height);
+            // The mark of missing data may be of any magnitude.
+            let is_known = header[9].is_none() || word.text.parse::<f64>().ok() != header[9];
+            let known = is_known.then(|| self.number(word, "height"));
+            heights.push(known.transpose()?);
         }
-        if heights.len() < columns * rows {
-            let problem = format!(
-                "the file ends after {} of {columns} x {rows} heights",
-                heights.len()
-            );
+        let count = heights.len();
+        if count < columns * rows {
+            let problem = format!("the file ends after {count} of {columns} x {rows} heights");
             return Err(self.malformed(last, problem, "`ncols` times `nrows` are expected"));
         }
-        self.grid(columns, rows, step, heights)
-    }
-
-    /// A height; nothing where it is the mark of missing data, whatever its magnitude.
-    fn number_or(&self, word: Word, missing: Option<f64>) -> Result<Option<f64>> {
-        if missing.is_some() && word.text.parse::<f64>().ok() == missing {
-            return Ok(None);
-        }
-        Ok(Some(self.number(word, "height")?))
+        Ok(HeightGrid {
+            columns,
+            rows,
+            step,
+            heights,
+        })
     }
 
     fn key(&self, word: Word, header: &Header) -> Result<usize> {
@@ -128,10 +126,7 @@ impl<'a> Reader<'a> {
                 let problem = format!("{name} for the second time");
                 Err(self.malformed(word.place, problem, accepted))
             }
-            None => {
-                let problem = "is no keyword of the header and no height";
-                Err(self.refused(word, problem, accepted))
-            }
+            None => Err(self.refused(word, "is no keyword of the header and no height", accepted)),
         }
     }
 
@@ -220,7 +215,12 @@ impl<'a> Reader<'a> {
                 "at least 2 rows of 2 are needed, a row on each line (or the header of an ESRI ASCII grid)",
             ));
         }
-        self.grid(columns, rows, step.unwrap_or([1.0, 1.0]), heights)
+        Ok(HeightGrid {
+            columns,
+            rows,
+            step: step.unwrap_or([1.0, 1.0]),
+            heights,
+        })
     }
 
     fn plain_step<'w>(
@@ -229,38 +229,50 @@ impl<'a> Reader<'a> {
         place: Place,
     ) -> Result<[f64; 2]> {
         let accepted = "`step EAST SOUTH`, two distances of nodes, is expected";
-        let mut next = || {
-            let word = values.next();
-            let word =
-                word.ok_or_else(|| self.malformed(place, "a distance is missing", accepted))?;
-            self.positive(word, "distance of two nodes")
-        };
+        let missing = || self.malformed(place, "a distance is missing", accepted);
+        let mut next =
+            || self.positive(values.next().ok_or_else(missing)?, "distance of two nodes");
         let step = [next()?, next()?];
         match values.next() {
             None => Ok(step),
             Some(word) => Err(self.refused(word, "too many", accepted)),
         }
     }
+}
 
-    fn grid(
-        &self,
-        columns: usize,
-        rows: usize,
-        step: [f64; 2],
-        heights: Vec<Option<f64>>,
-    ) -> Result<HeightGrid> {
-        if heights.iter().all(Option::is_none) {
-            return Err(self.unusable(
-                "no node has a height",
-                "the four corners of at least one cell are needed",
-            ));
-        }
-        Ok(HeightGrid {
-            columns,
-            rows,
-            step,
-            heights,
-        })
+#[derive(Clone, Copy, Debug)]
+struct Word<'a> {
+    text: &'a str,
+    place: Place,
+}
+
+/// The words of a line, from 1; what follows a `#` is left out.
+fn words(line: &str, number: usize) -> impl Iterator<Item = Word<'_>> {
+    let code = line.split('#').next().unwrap_or_default();
+    let (mut rest, mut column) = (code, 1);
+    std::iter::from_fn(move || {
+        let start = rest.find(|c: char| !c.is_whitespace())?;
+        column += rest[..start].chars().count();
+        rest = &rest[start..];
+        let length = rest.find(char::is_whitespace).unwrap_or(rest.len());
+        let word = Word {
+            text: &rest[..length],
+            place: Place {
+                line: number,
+                column,
+            },
+        };
+        column += word.text.chars().count();
+        rest = &rest[length..];
+        Some(word)
+    })
+}
+
+/// A word for a message: at most a few characters of it.
+fn shown(word: &str) -> String {
+    match word.char_indices().nth(24) {
+        Some((end, _)) => format!("`{}..`", &word[..end]),
+        None => format!("`{word}`"),
     }
 }
 

@@ -9,6 +9,7 @@
 use super::cell::{Edge, Piece, bilinear_piece, surface};
 use super::exact::proportional;
 use super::grid::{Corners, is_plane, twist};
+use imogene_algebra::matrix::transposed;
 use imogene_algebra::rational::{fraction, integer};
 use imogene_scene::Cut;
 use num_rational::BigRational;
@@ -31,9 +32,8 @@ pub fn ruled_pieces(z: &Corners, eye: &Point, outwards: [f64; 4]) -> Option<Vec<
         let edges = passed(eye, bounds)?;
         Some(Sector { bounds, edges })
     });
-    sectors
-        .map(|sector| piece(z, eye, &sector, outwards))
-        .collect()
+    let pieces = sectors.map(|sector| piece(z, eye, &sector, outwards));
+    pieces.collect()
 }
 
 /// The pieces of a cell as an eye sees it that stands at `eye` (u, v), moved outwards as [`bilinear_piece`] is; the
@@ -50,11 +50,7 @@ pub fn pieces_for(z: &Corners, eye: &[BigRational; 2], outwards: [f64; 4]) -> Op
 fn corners_in_order(eye: &Point) -> [(usize, usize); 4] {
     let mut corners = [(0, 0), (1, 0), (1, 1), (0, 1)];
     // The eye is outside of a convex cell: all turns are less than half a circle.
-    corners.sort_by(|p, q| {
-        turn(eye, &at(*p), &at(*q))
-            .cmp(&BigRational::zero())
-            .reverse()
-    });
+    corners.sort_by(|p, q| integer(0).cmp(&turn(eye, &at(*p), &at(*q))));
     corners
 }
 
@@ -141,12 +137,8 @@ fn plane(z: &Corners, edges: [Edge; 2]) -> Option<[f64; 10]> {
 /// Factors of `xy, x, y^2, yz, y, z, 1` of the surface on the edges y = 0 and y = 1: with z as height,
 /// `[b + ye (a - b)] xy - ye a x + [xe (b - a) + c] y^2 - y z + [xe (a - b) - ye c + z00] y + ye z - ye z00`.
 fn implicit(z: &Corners, [xe, ye]: &Point) -> [BigRational; 7] {
-    let (a, b, c) = (
-        &z[0][1] - &z[0][0],
-        &z[1][1] - &z[1][0],
-        &z[1][0] - &z[0][0],
-    );
     let low = &z[0][0];
+    let (a, b, c) = (&z[0][1] - low, &z[1][1] - &z[1][0], &z[1][0] - low);
     let less = &a - &b;
     [
         &b + ye * &less,
@@ -171,10 +163,7 @@ fn ruled(z: &Corners, eye: &Point) -> Option<[f64; 10]> {
 
 /// On the western and the eastern edge: the same with u and v exchanged.
 fn ruled_between_sides(z: &Corners, [xe, ye]: &Point) -> Option<[f64; 10]> {
-    let turned = [
-        [z[0][0].clone(), z[1][0].clone()],
-        [z[0][1].clone(), z[1][1].clone()],
-    ];
+    let turned = transposed(z);
     let [a, b, c, d, e, f, g, h, i, j] = ruled(&turned, &[ye.clone(), xe.clone()])?;
     Some([c, b, a, f, e, d, i, h, g, j])
 }
@@ -183,7 +172,8 @@ fn ruled_between_sides(z: &Corners, [xe, ye]: &Point) -> Option<[f64; 10]> {
 /// other forms.
 fn oriented(factors: [BigRational; 7], z: &Corners) -> [BigRational; 7] {
     debug_assert!(!twist(z).is_zero());
-    if factors[5].is_positive() {
+    let is_below = factors[5].is_positive();
+    if is_below {
         factors
     } else {
         factors.map(|f| -f)

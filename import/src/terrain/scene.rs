@@ -1,12 +1,11 @@
 //! The scene of a grid of heights.
 
-use super::form::{Cell, Form, count};
+use super::form::{Form, count};
 use super::grid::HeightGrid;
 use super::map::Map;
 use super::options::{Region, TerrainOptions};
 use crate::error::unusable;
 use crate::{Imported, Result};
-use imogene_scene::SceneFile;
 use serde_json::json;
 
 /// Most cells of a scene.
@@ -23,7 +22,14 @@ pub fn scene_of(grid: &HeightGrid, file: &str, options: &TerrainOptions) -> Resu
     }
     let flat = map.choose_facets(&mut cells);
     let (by_facets, left_out) = map.replace_refused(&mut cells)?;
-    let scene = map.scene(&cells)?;
+    let mut scene = map.empty_scene();
+    for cell in &cells {
+        scene.objects.extend(map.objects(cell, &cells)?);
+    }
+    if scene.objects.is_empty() {
+        let accepted = "an eye and a target that see the terrain are needed";
+        return Err(unusable(file, "every cell lies behind the eye", accepted));
+    }
     let holes = (grid.columns - 1) * (grid.rows - 1) - cells.len();
     let notes = notes(holes, flat, by_facets, left_out);
     let of = |form: Form| count(&cells, form);
@@ -79,14 +85,12 @@ fn chosen(grid: &HeightGrid, file: &str, options: &TerrainOptions) -> Result<Hei
         end.is_some_and(|end| end <= whole[k]) && every > 0 && nodes[k] > every
     });
     if !fits {
-        let [columns, rows] = nodes;
+        let ([columns, rows], [c, r], [width, depth]) = (nodes, first, whole);
         let problem = format!(
-            "a region of {columns} x {rows} nodes from node ({}, {}), every {every} of them",
-            first[0], first[1]
+            "a region of {columns} x {rows} nodes from node ({c}, {r}), every {every} of them"
         );
         let accepted = format!(
-            "at least two nodes a side within the grid of {} x {} nodes are needed",
-            whole[0], whole[1]
+            "at least two nodes a side within the grid of {width} x {depth} nodes are needed"
         );
         return Err(unusable(file, problem, accepted));
     }
@@ -101,31 +105,14 @@ fn chosen(grid: &HeightGrid, file: &str, options: &TerrainOptions) -> Result<Hei
     Ok(part)
 }
 
-impl Map<'_> {
-    fn scene(&self, cells: &[Cell]) -> Result<SceneFile> {
-        let mut scene = self.empty_scene();
-        for cell in cells {
-            scene.objects.extend(self.objects(cell, cells)?);
-        }
-        if scene.objects.is_empty() {
-            return Err(unusable(
-                self.file,
-                "every cell lies behind the eye",
-                "an eye and a target that see the terrain are needed",
-            ));
-        }
-        Ok(scene)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::terrain::cell::{Cells, Edge};
     use crate::terrain::objects::SEAM;
-    use crate::terrain::read;
+    use crate::terrain::read::read;
     use imogene_algebra::rational::{fraction, integer};
-    use imogene_scene::{Object, Quadric};
+    use imogene_scene::{Object, Quadric, SceneFile};
 
     const HILLS: &str = "step 60 90\n10 20 30 20\n15 40.5 60 20\n10 30 - 10\n";
 
@@ -136,11 +123,8 @@ mod tests {
     #[test]
     fn a_scene_is_one_that_can_be_read_back() {
         for cells in [Cells::Bilinear, Cells::Auto, Cells::Ruled] {
-            let options = TerrainOptions {
-                cells,
-                ..TerrainOptions::default()
-            };
-            let made = imported(&options).unwrap();
+            let defaults = TerrainOptions::default();
+            let made = imported(&TerrainOptions { cells, ..defaults }).unwrap();
             let text = made.scene.to_toml().unwrap();
             assert_eq!(SceneFile::parse(&text, "again").unwrap(), made.scene);
             assert_eq!(made.report["cells"], 4);
@@ -184,21 +168,17 @@ mod tests {
 
     #[test]
     fn what_does_not_fit_is_refused() {
-        let with = |change: fn(&mut TerrainOptions)| {
+        let with = |change: &dyn Fn(&mut TerrainOptions)| {
             let mut options = TerrainOptions::default();
             change(&mut options);
             imported(&options).unwrap_err().to_string()
         };
-        let out = with(|o| {
-            o.region = Some(Region {
-                first: [2, 0],
-                nodes: [3, 2],
-            })
-        });
+        let (first, nodes) = ([2, 0], [3, 2]);
+        let out = with(&|o| o.region = Some(Region { first, nodes }));
         assert!(out.contains("within the grid of 4 x 3 nodes"), "{out}");
-        let wide = with(|o| o.every = 3);
+        let wide = with(&|o| o.every = 3);
         assert!(wide.contains("every 3 of them"), "{wide}");
-        let back = with(|o| {
+        let back = with(&|o| {
             o.eye = Some([0.0, 100.0, -1000.0]);
             o.target = Some([0.0, 100.0, -2000.0]);
         });

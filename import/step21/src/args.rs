@@ -35,11 +35,8 @@ impl<'a> Entity<'a> {
 
     /// Its record that has one of these names.
     pub fn find(&self, names: &[&str]) -> Option<Args<'a>> {
-        let record = self
-            .own
-            .records
-            .iter()
-            .find(|record| names.contains(&record.name))?;
+        let mut records = self.own.records.iter();
+        let record = records.find(|record| names.contains(&record.name))?;
         let entity = *self;
         Some(Args { entity, record })
     }
@@ -51,7 +48,7 @@ impl<'a> Entity<'a> {
             let others = names.iter().skip(1).map(|name| format!(" or {name}"));
             let first = names
                 .first()
-                .map_or("nothing".into(), |name| with_article(name));
+                .map_or("nothing".into(), |own| with_article(own));
             let needed = first + &others.collect::<String>();
             self.error(problem, format!("{needed} is needed where it is named"))
         })
@@ -115,6 +112,14 @@ impl<'a> Args<'a> {
         self.error_at(value.at, problem, format!("{needed} is needed"))
     }
 
+    /// The record that has the parameters of a supertype: its own in a complex entity, this one in a simple one.
+    pub fn of(&self, supertype: &str) -> Result<Args<'a>> {
+        match self.entity.complex {
+            true => self.entity.need(&[supertype]),
+            false => Ok(*self),
+        }
+    }
+
     /// The place of the first parameter behind the name, which only a simple entity has.
     pub fn first(&self) -> usize {
         usize::from(!self.entity.complex)
@@ -131,12 +136,12 @@ impl<'a> Args<'a> {
     }
 
     fn as_number(&self, value: &Value) -> Result<f64> {
-        match &value.kind {
-            Kind::Number(number, _) => Ok(*number),
-            Kind::Typed(_, values) if values.len() == 1 => match values[0].kind {
-                Kind::Number(number, _) => Ok(number),
-                _ => Err(self.wrong(value, "a number")),
-            },
+        let inner = match &value.kind {
+            Kind::Typed(_, values) if values.len() == 1 => &values[0],
+            _ => value,
+        };
+        match inner.kind {
+            Kind::Number(number, _) => Ok(number),
             _ => Err(self.wrong(value, "a number")),
         }
     }

@@ -149,10 +149,8 @@ impl<'a> Parser<'a> {
     /// `(` parameters `)`
     fn list(&mut self, depth: usize) -> Result<Vec<Value<'a>>> {
         if depth > DEEPEST {
-            return Err(self.tokens.error(
-                "a list inside too many others",
-                format!("at most {DEEPEST} lists inside each other are possible"),
-            ));
+            let accepted = format!("at most {DEEPEST} lists inside each other are possible");
+            return Err(self.tokens.error("a list inside too many others", accepted));
         }
         self.sign(b'(')?;
         let mut values = vec![];

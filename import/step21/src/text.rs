@@ -13,9 +13,7 @@ pub fn decoded(bytes: &[u8]) -> String {
         rest = &rest[taken..];
     }
     text.push_str(rest);
-    text.chars()
-        .map(|c| if c.is_control() { ' ' } else { c })
-        .collect()
+    text.replace(char::is_control, " ")
 }
 
 /// `a torus`, `an EDGE_CURVE`: a name with its article.
@@ -28,11 +26,9 @@ pub fn with_article(name: &str) -> String {
 /// A directive at the start of a text: its length and what it stands for.
 fn directive(text: &str) -> Option<(usize, String)> {
     let hexadecimal = |digits: &str, width: usize| {
+        let number = |group| u32::from_str_radix(std::str::from_utf8(group).ok()?, 16).ok();
         let groups = digits.as_bytes().chunks(width);
-        let units: Option<Vec<u32>> = groups
-            .map(|group| u32::from_str_radix(std::str::from_utf8(group).ok()?, 16).ok())
-            .collect();
-        units
+        groups.map(number).collect::<Option<Vec<u32>>>()
     };
     if text.starts_with("\\\\") {
         return Some((2, "\\".into()));
@@ -52,17 +48,13 @@ fn directive(text: &str) -> Option<(usize, String)> {
         if let Some(rest) = text.strip_prefix(start) {
             let end = rest.find("\\X0\\")?;
             let units = hexadecimal(&rest[..end], width)?;
-            let characters = if width == 4 {
-                let units: Option<Vec<u16>> =
-                    units.into_iter().map(|u| u16::try_from(u).ok()).collect();
-                String::from_utf16(&units?).ok()?
+            let characters: Option<String> = if width == 4 {
+                let units = units.iter().map(|unit| *unit as u16);
+                char::decode_utf16(units).map(Result::ok).collect()
             } else {
-                units
-                    .into_iter()
-                    .map(char::from_u32)
-                    .collect::<Option<_>>()?
+                units.into_iter().map(char::from_u32).collect()
             };
-            return Some((start.len() + end + 4, characters));
+            return Some((start.len() + end + 4, characters?));
         }
     }
     let code = text.strip_prefix("\\X\\")?.get(..2)?;

@@ -121,7 +121,7 @@ impl Camera {
 }
 
 /// The keys of `[camera]` as they stand in the file.
-#[derive(Serialize, Deserialize)]
+#[derive(Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct CameraKeys {
     kind: CameraKind,
@@ -154,44 +154,27 @@ fn is_whole(sample_at: &[f64; 2]) -> bool {
     *sample_at == [0.0; 2]
 }
 
-#[derive(Serialize, Deserialize)]
+#[derive(Default, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 enum CameraKind {
+    #[default]
     Perspective,
     Orthographic,
 }
 
 impl CameraKeys {
-    /// The projection, and the height of the window in scene units.
-    fn lens(&self) -> Result<(Lens, f64), String> {
-        match self.kind {
-            CameraKind::Perspective => self.perspective(),
-            CameraKind::Orthographic => self.orthographic(),
-        }
-    }
-
     fn perspective(&self) -> Result<(Lens, f64), String> {
-        let refuse =
-            |key, present, wanted| refuse_keys([(key, present)], "a perspective camera", wanted);
-        refuse("half_depth", self.half_depth.is_some(), "`viewer_distance`")?;
-        refuse(
-            "far",
-            self.far.is_some(),
-            "`near` alone; its depth reaches to infinity",
-        )?;
-        let viewer_distance = match (self.viewer_distance, self.view_height) {
-            (Some(distance), _) => distance,
-            // Seen under an angle, the window may stand anywhere.
-            (None, None) => 1.0,
-            (None, Some(_)) => {
-                return Err(
-                    "missing field `viewer_distance`: a perspective camera with `view_height` needs the distance \
-                     from the eye to the screen plane, on which that height is measured; \
-                     `field_of_view` or `focal` need none"
-                        .into(),
-                );
-            }
-        };
+        let owner = "a perspective camera";
+        let (half_depth, far) = (self.half_depth.is_some(), self.far.is_some());
+        refuse_keys([("half_depth", half_depth)], owner, "`viewer_distance`")?;
+        let wanted = "`near` alone; its depth reaches to infinity";
+        refuse_keys([("far", far)], owner, wanted)?;
+        let missing = "missing field `viewer_distance`: a perspective camera with `view_height` needs the distance \
+                       from the eye to the screen plane, on which that height is measured; \
+                       `field_of_view` or `focal` need none";
+        // Seen under an angle, the window may stand anywhere.
+        let anywhere = self.view_height.is_none().then_some(1.0);
+        let viewer_distance = self.viewer_distance.or(anywhere).ok_or(missing)?;
         let lens = Lens::Perspective {
             viewer_distance,
             near: self.near,
@@ -275,7 +258,11 @@ impl TryFrom<CameraKeys> for Camera {
     type Error = String;
 
     fn try_from(keys: CameraKeys) -> Result<Self, String> {
-        let (lens, view_height) = keys.lens()?;
+        // With the height of the window in scene units.
+        let (lens, view_height) = match keys.kind {
+            CameraKind::Perspective => keys.perspective()?,
+            CameraKind::Orthographic => keys.orthographic()?,
+        };
         Ok(Camera {
             eye: keys.eye,
             target: keys.target,
@@ -296,21 +283,15 @@ impl TryFrom<CameraKeys> for Camera {
 impl From<Camera> for CameraKeys {
     fn from(camera: Camera) -> Self {
         let mut keys = CameraKeys {
-            kind: CameraKind::Perspective,
             eye: camera.eye,
             target: camera.target,
             up: camera.up,
-            viewer_distance: None,
             view_height: Some(camera.view_height),
-            focal: None,
-            field_of_view: None,
-            half_depth: None,
-            near: None,
-            far: None,
             sample_at: camera.sample_at,
             name: camera.node.name,
             group: camera.node.group,
             place: camera.node.place,
+            ..CameraKeys::default()
         };
         match camera.lens {
             Lens::Perspective {

@@ -137,21 +137,20 @@ impl SceneFile {
     /// Reads and checks a scene file.
     pub fn read(path: &Path) -> Result<Self, SceneError> {
         let file = path.display().to_string();
-        let unreadable = |source| SceneError::Unreadable {
-            file: file.clone(),
-            source,
+        let unreadable = |error| {
+            SceneError::File(format!(
+                "{file}: the scene file cannot be read ({error}); give the path of a readable TOML scene file"
+            ))
         };
         let bytes = imogene_files::read(path, MAX_BYTES).map_err(unreadable)?;
         check_memory(bytes.len() as u64).map_err(unreadable)?;
-        let text = match std::str::from_utf8(&bytes) {
-            Ok(text) => text,
-            Err(error) => {
-                let offset = error.valid_up_to();
-                let good = String::from_utf8_lossy(&bytes[..offset]);
-                let (line, _) = line_and_column(&good, offset);
-                return Err(SceneError::NotText { file, line, offset });
-            }
-        };
+        let text = std::str::from_utf8(&bytes).map_err(|error| {
+            let offset = error.valid_up_to();
+            let (line, _) = line_and_column(&String::from_utf8_lossy(&bytes[..offset]), offset);
+            SceneError::File(format!(
+                "{file}:{line}: byte {offset} is not UTF-8 text; a scene file is a TOML text in UTF-8"
+            ))
+        })?;
         Self::parse(text, &file)
     }
 
@@ -160,9 +159,7 @@ impl SceneFile {
         let syntax = |error| SceneError::syntax(file, text, &error);
         // Read once for both, because reading takes longer than all else of a scene of ten thousand objects.
         let mut table = DeTable::parse(text).map_err(syntax)?;
-        if !is_known_version(table.get_ref()) {
-            check_version(text, file)?;
-        }
+        check_version(table.get_ref(), text, file)?;
         let leads = first_camera_leads(table.get_mut());
         let scene = Self::deserialize(toml::Deserializer::from(table)).map_err(syntax)?;
         let first = leads.then_some(&scene.camera);
@@ -179,7 +176,8 @@ impl SceneFile {
     /// The scene as the text of a scene file; [`SceneFile::parse`] reads it back as the same scene.
     pub fn to_toml(&self) -> Result<String, SceneError> {
         self.validate_text()?;
-        toml::to_string(self).map_err(|source| SceneError::Unwritable { source })
+        let problem = |e| SceneError::File(format!("the scene cannot be written as TOML ({e})"));
+        toml::to_string(self).map_err(problem)
     }
 }
 
@@ -187,14 +185,13 @@ impl SceneFile {
 fn check_memory(bytes: u64) -> std::io::Result<()> {
     let needed = bytes * MEMORY_PER_BYTE;
     let gib = |bytes: u64| bytes as f64 / f64::from(1 << 30);
-    match imogene_files::free_memory() {
-        Some(free) if needed > free => Err(std::io::Error::other(format!(
-            "it takes {:.1} GiB of memory and more, and {:.1} GiB are free",
-            gib(needed),
-            gib(free)
-        ))),
-        _ => Ok(()),
-    }
+    let Some(free) = imogene_files::free_memory().filter(|free| needed > *free) else {
+        return Ok(());
+    };
+    let (needed, free) = (gib(needed), gib(free));
+    Err(std::io::Error::other(format!(
+        "it takes {needed:.1} GiB of memory and more, and {free:.1} GiB are free"
+    )))
 }
 
 /// Without `[camera]` the first of `[[cameras]]` takes its place.
@@ -208,30 +205,25 @@ fn first_camera_leads(table: &mut DeTable) -> bool {
     let mut each = std::mem::replace(cameras, DeArray::new()).into_iter();
     let first = each.next();
     *cameras = each.collect();
-    let Some(first) = first else {
-        return false;
-    };
-    table.insert(toml::Spanned::new(first.span(), "camera".into()), first);
-    true
-}
-
-/// The version of the format is there and is ours.
-fn is_known_version(table: &DeTable) -> bool {
-    let version = table.get("format").map(|value| value.get_ref());
-    let whole = version.and_then(|value| value.as_integer());
-    whole.is_some_and(|number| number.as_str() == FORMAT_VERSION.to_string())
+    let leads = first.map(|own| table.insert(toml::Spanned::new(own.span(), "camera".into()), own));
+    leads.is_some()
 }
 
 /// Refuses another version before its unknown keys are blamed on the author.
-fn check_version(text: &str, file: &str) -> Result<(), SceneError> {
+fn check_version(table: &DeTable, text: &str, file: &str) -> Result<(), SceneError> {
+    let version = table.get("format").map(|value| value.get_ref());
+    let whole = version.and_then(|value| value.as_integer());
+    if whole.is_some_and(|number| number.as_str() == FORMAT_VERSION.to_string()) {
+        return Ok(());
+    }
     let table: toml::Table =
         toml::from_str(text).map_err(|error| SceneError::syntax(file, text, &error))?;
     let accepted = format!("this program reads `format = {FORMAT_VERSION}`");
     let refuse =
         |problem: String| Err(SceneError::value("format", problem, accepted).in_file(file));
     match table.get("format") {
-        None if table.is_empty() => refuse("the file is empty".to_owned()),
-        None => refuse("the version of the format is missing".to_owned()),
+        None if table.is_empty() => refuse("the file is empty".into()),
+        None => refuse("the version of the format is missing".into()),
         Some(toml::Value::Integer(FORMAT_VERSION)) => Ok(()),
         Some(other) => refuse(format!("version {other} is not known")),
     }

@@ -120,22 +120,17 @@ impl SceneFile {
     ) -> Result<Vec<FramedObject>, SceneError> {
         let whole = WholeTransform::new(camera);
         // Collected before the first error is taken, so that the same object is named in every run.
-        let framed: Vec<Result<FramedObject, SceneError>> = self
-            .objects
-            .par_iter()
-            .enumerate()
-            .map(|(index, object)| {
-                let material = self
-                    .materials
-                    .iter()
-                    .position(|material| material.name == object.material)
-                    .expect("validated: every material exists");
-                match kept(index, material)? {
-                    Some(framed) => Ok(framed),
-                    None => framed_object(object, material, camera, &whole),
-                }
-            })
-            .collect();
+        let framed = |(index, object): (usize, &Object)| {
+            let mut materials = self.materials.iter();
+            let material = materials.position(|own| own.name == object.material);
+            let material = material.expect("validated: every material exists");
+            match kept(index, material)? {
+                Some(framed) => Ok(framed),
+                None => framed_object(object, material, camera, &whole),
+            }
+        };
+        let objects = self.objects.par_iter().enumerate();
+        let framed: Vec<Result<FramedObject, SceneError>> = objects.map(framed).collect();
         framed.into_iter().collect()
     }
 }
@@ -164,9 +159,9 @@ fn camera_frame(
             Ok((frame, Projection::Perspective { distance }))
         }
         Lens::Orthographic { .. } => {
-            let half_depth = range.half_length() * &pixels_per_unit;
+            let range = range.middle_and_half();
+            let [middle, half_depth] = range.map(|length| length * &pixels_per_unit);
             let frame = sight.frame(&sight.target, &pixels_per_unit);
-            let middle = range.middle() * &pixels_per_unit;
             let frame = match middle.is_zero() {
                 true => frame,
                 false => behind(-middle).after(&frame),
@@ -200,12 +195,10 @@ fn framed_object(
     let cut = || Box::new(cut_quadric(object, material, whole));
     let ball = |radius: f64| Box::new(FramedSphere::new(name, material, radius, &to_camera()));
     Ok(match (&object.shape, object.drawn_by()) {
-        (Shape::Mesh(mesh), _) => FramedObject::Mesh(Box::new(FramedMesh::new(
-            name,
-            material,
-            mesh,
-            &to_camera(),
-        ))),
+        (Shape::Mesh(mesh), _) => {
+            let mesh = FramedMesh::new(name, material, mesh, &to_camera());
+            FramedObject::Mesh(Box::new(mesh))
+        }
         (Shape::Polyhedron, _) | (_, None) => FramedObject::Polyhedron(cut()),
         (_, Some(Processor::Quadric)) => FramedObject::Quadric(cut()),
         (_, Some(Processor::Patch)) => FramedObject::Patch(cut()),
@@ -243,17 +236,13 @@ pub(super) fn cut_quadric(
         }
         _ => object.cuts.iter().map(Plane::from_cut).collect(),
     };
+    let quadric = Quadric::from_shape(&object.shape).expect("a mesh is framed apart");
+    let framed = |plane: &Plane| plane.transformed_whole(&inverse).primitive();
     FramedQuadric {
         name: object.name.clone(),
         surface: object.mode,
-        quadric: Quadric::from_shape(&object.shape)
-            .expect("a mesh is framed apart")
-            .transformed_whole(&inverse)
-            .primitive(),
-        planes: local
-            .iter()
-            .map(|plane| plane.transformed_whole(&inverse).primitive())
-            .collect(),
+        quadric: quadric.transformed_whole(&inverse).primitive(),
+        planes: local.iter().map(framed).collect(),
         material,
         casts_shadow: object.casts_shadow,
     }

@@ -90,34 +90,28 @@ impl FramedObject {
         matches!(self, Self::Unseen(_))
     }
 
-    /// Unique name.
-    pub fn name(&self) -> &str {
+    fn name_and_material(&self) -> (&str, usize) {
         match self {
-            Self::Unseen(unseen) => &unseen.name,
-            Self::Mesh(mesh) => &mesh.name,
-            Self::Sphere(sphere) | Self::CurvedSphere(sphere) => &sphere.name,
-            Self::Cylinder(cylinder) => &cylinder.name,
+            Self::Unseen(unseen) => (&unseen.name, unseen.material),
+            Self::Mesh(mesh) => (&mesh.name, mesh.material),
+            Self::Sphere(sphere) | Self::CurvedSphere(sphere) => (&sphere.name, sphere.material),
+            Self::Cylinder(cylinder) => (&cylinder.name, cylinder.material),
             Self::Quadric(q)
             | Self::Patch(q)
             | Self::FirstGeneration(q)
             | Self::Polyhedron(q)
-            | Self::CurvedFacet(q) => &q.name,
+            | Self::CurvedFacet(q) => (&q.name, q.material),
         }
+    }
+
+    /// Unique name.
+    pub fn name(&self) -> &str {
+        self.name_and_material().0
     }
 
     /// Index of the material.
     pub fn material(&self) -> usize {
-        match self {
-            Self::Unseen(unseen) => unseen.material,
-            Self::Mesh(mesh) => mesh.material,
-            Self::Sphere(sphere) | Self::CurvedSphere(sphere) => sphere.material,
-            Self::Cylinder(cylinder) => cylinder.material,
-            Self::Quadric(q)
-            | Self::Patch(q)
-            | Self::FirstGeneration(q)
-            | Self::Polyhedron(q)
-            | Self::CurvedFacet(q) => q.material,
-        }
+        self.name_and_material().1
     }
 
     /// Name of the processor that draws it.

@@ -159,10 +159,8 @@ impl ActionKeys {
                 forms.join(", ")
             ));
         };
-        match present
-            .iter()
-            .find(|key| *key != name && !others.contains(key))
-        {
+        let is_other = |key: &&&str| *key != name && !others.contains(*key);
+        match present.iter().find(is_other) {
             Some(key) => Err(format!(
                 "an action with `{name}` has no `{key}`; {written} would be accepted"
             )),
@@ -173,24 +171,27 @@ impl ActionKeys {
     /// A move, or showing and hiding.
     fn of_target(self, target: String) -> Result<Action, String> {
         let moves = self.translate.is_some() || self.rotate.is_some() || self.scale.is_some();
-        match self.show {
-            Some(_) if moves || self.frame.is_some() => Err(format!(
-                "the action on `{target}` moves and shows at once; write each in its own {{ }}, in the order they apply"
-            )),
-            Some(show) => Ok(Action::Show { target, show }),
-            None if !moves => Err(format!(
-                "the action on `{target}` is empty; it needs one of `translate`, `rotate`, `scale`, `show`"
-            )),
-            None => Ok(Action::Move {
-                step: Step::try_from(StepKeys {
+        let problem = match self.show {
+            Some(_) if moves || self.frame.is_some() => {
+                "moves and shows at once; write each in its own { }, in the order they apply"
+            }
+            Some(show) => return Ok(Action::Show { target, show }),
+            None if !moves => "is empty; it needs one of `translate`, `rotate`, `scale`, `show`",
+            None => {
+                let step = Step::try_from(StepKeys {
                     translate: self.translate,
                     rotate: self.rotate,
                     scale: self.scale,
-                })?,
-                frame: self.frame.unwrap_or_default(),
-                target,
-            }),
-        }
+                })?;
+                let frame = self.frame.unwrap_or_default();
+                return Ok(Action::Move {
+                    target,
+                    step,
+                    frame,
+                });
+            }
+        };
+        Err(format!("the action on `{target}` {problem}"))
     }
 }
 

@@ -46,20 +46,14 @@ pub(super) fn check_images(file: &SceneFile, names: &Names) -> Checked {
 
 fn check_timing(place: &str, image: &KeyImage) -> Checked {
     let accepted = format!("each frame is shown for {SHORTEST_FRAME} to {LONGEST_FRAME} seconds");
-    let range = [SHORTEST_FRAME, LONGEST_FRAME];
-    check_within(
+    let (key, range) = (
         format!("{place}, duration"),
-        image.duration,
-        range,
-        &accepted,
-    )?;
+        [SHORTEST_FRAME, LONGEST_FRAME],
+    );
+    check_within(key, image.duration, range, &accepted)?;
     let accepted = format!("an image has 1 to {MAX_FRAMES} frames");
-    check_within(
-        format!("{place}, steps"),
-        image.steps,
-        [1, MAX_FRAMES],
-        &accepted,
-    )
+    let (key, range) = (format!("{place}, steps"), [1, MAX_FRAMES]);
+    check_within(key, image.steps, range, &accepted)
 }
 
 fn check_action(
@@ -96,33 +90,28 @@ fn check_target(place: &str, name: &str, classes: &[Class], names: &Names) -> Ch
     let words: Vec<_> = classes.iter().map(|class| class.word()).collect();
     let (problem, accepted) = match names.get(name) {
         Some(class) if classes.contains(class) => return Ok(()),
-        Some(class) => (
-            format!("`{name}` is {} {}", article(class.word()), class.word()),
-            format!(
-                "the name of {} {} is needed",
-                article(words[0]),
-                words.join(" or ")
-            ),
-        ),
+        Some(class) => {
+            let words = words.join(" or ");
+            (
+                format!("`{name}` is {}", with_article(class.word())),
+                format!("the name of {} is needed", with_article(&words)),
+            )
+        }
         None => {
-            let mut fitting: Vec<&str> = names
-                .iter()
-                .filter(|(_, class)| classes.contains(class))
-                .map(|(name, _)| *name)
-                .collect();
+            let fitting = names.iter().filter(|(_, class)| classes.contains(class));
+            let mut fitting: Vec<&str> = fitting.map(|(name, _)| *name).collect();
             fitting.sort_unstable();
             let what = format!("{} with this name", words.join(" or "));
-            (
-                format!("nothing of this scene has the name `{name}`"),
-                known(fitting.into_iter(), &what),
-            )
+            let problem = format!("nothing of this scene has the name `{name}`");
+            (problem, known(fitting.into_iter(), &what))
         }
     };
     Err(SceneError::value(place, problem, accepted))
 }
 
-fn article(word: &str) -> &'static str {
-    if word.starts_with('o') { "an" } else { "a" }
+fn with_article(words: &str) -> String {
+    let vowel = words.starts_with('o');
+    format!("{} {words}", if vowel { "an" } else { "a" })
 }
 
 fn check_focal(place: &str, name: &str, focal: f64, file: &SceneFile) -> Checked {
@@ -131,11 +120,8 @@ fn check_focal(place: &str, name: &str, focal: f64, file: &SceneFile) -> Checked
     let camera = cameras.find(|camera| camera.node.name.as_deref() == Some(name));
     unless(camera.is_none_or(Camera::is_perspective), || {
         let problem = format!("`{name}` is an orthographic camera and has no lens");
-        (
-            format!("{place}.camera"),
-            problem,
-            "a perspective camera is needed",
-        )
+        let accepted = "a perspective camera is needed";
+        (format!("{place}.camera"), problem, accepted)
     })?;
     check_number(&format!("{place}.focal"), focal)?;
     let accepted =
@@ -150,15 +136,12 @@ fn check_parts(place: &str, step: &Step, steps: u32) -> Checked {
         return Ok(());
     };
     let factors = scale.factors();
-    unless(
-        steps <= 1 || factors.iter().all(|factor| *factor >= 0.0),
-        || {
-            let problem =
-                format!("{factors:?} mirrors, which cannot be spread over {steps} frames");
-            let accepted = "factors above 0, or an image with `steps = 1`, are needed";
-            (format!("{place}.scale"), problem, accepted)
-        },
-    )
+    let mirrors = factors.iter().any(|factor| *factor < 0.0);
+    unless(steps <= 1 || !mirrors, || {
+        let problem = format!("{factors:?} mirrors, which cannot be spread over {steps} frames");
+        let accepted = "factors above 0, or an image with `steps = 1`, are needed";
+        (format!("{place}.scale"), problem, accepted)
+    })
 }
 
 /// Refuses parents that do not exist and images that start from themselves.
@@ -173,11 +156,9 @@ fn check_parents(images: &[KeyImage], index_of: &HashMap<&str, usize>) -> Checke
                 break;
             }
             if path.contains(&index) {
-                let circle = path.iter().skip_while(|i| **i != index);
-                let names: Vec<String> = circle
-                    .chain([&index])
-                    .map(|i| format!("`{}`", images[*i].name))
-                    .collect();
+                let circle = path.iter().skip_while(|i| **i != index).chain([&index]);
+                let names = circle.map(|i| format!("`{}`", images[*i].name));
+                let names: Vec<String> = names.collect();
                 return Err(SceneError::value(
                     format!("image `{}`, parent", image.name),
                     format!("the images start from each other: {}", names.join(" from ")),

@@ -60,13 +60,8 @@ fn require_processor(does: bool, at: (&str, &Object), problem: &str, accepted: &
 
 fn without_choice(place: &str, object: &Object, owner: &str) -> Checked {
     let problem = format!("does not draw {owner}, which has a processor of its own");
-    let accepted = "no `processor` is needed";
-    require_processor(
-        object.processor.is_none(),
-        (place, object),
-        &problem,
-        accepted,
-    )
+    let (is_none, at) = (object.processor.is_none(), (place, object));
+    require_processor(is_none, at, &problem, "no `processor` is needed")
 }
 
 fn check_mesh(place: &str, object: &Object, mesh: &Mesh) -> Checked {
@@ -75,11 +70,8 @@ fn check_mesh(place: &str, object: &Object, mesh: &Mesh) -> Checked {
     let count = mesh.vertices.len();
     unless(count >= 3, || {
         let problem = format!("vertices: {count}, which make no facet");
-        (
-            format!("{place}, vertices"),
-            problem,
-            "at least three are needed",
-        )
+        let accepted = "at least three are needed";
+        (format!("{place}, vertices"), problem, accepted)
     })?;
     unless(!mesh.faces.is_empty(), || {
         let accepted = "at least one [i, j, k] or [i, j, k, l] is needed";
@@ -110,11 +102,8 @@ fn check_face(place: &str, corners: &[usize], vertices: &[[BigRational; 3]]) -> 
         let problem = format!("has {} corners", corners.len());
         (problem, "a face has three or four".to_owned())
     } else if let Some(index) = corners.iter().find(|index| **index >= vertices.len()) {
-        let last = vertices.len() - 1;
-        (
-            format!("names vertex {index}"),
-            format!("the mesh has vertices 0 to {last}"),
-        )
+        let accepted = format!("the mesh has vertices 0 to {}", vertices.len() - 1);
+        (format!("names vertex {index}"), accepted)
     } else if corners.iter().collect::<HashSet<_>>().len() < corners.len() {
         let accepted = "different vertices are needed";
         ("names a vertex twice".into(), accepted.into())
@@ -142,20 +131,20 @@ fn check_tetrahedron(
         check_numbers(&format!("{place}, corners[{index}]"), corner)?;
     }
     check_numbers(&format!("{place}, weights"), weights)?;
-    require_processor(
-        matches!(
-            object.processor,
-            None | Some(Processor::Patch | Processor::Quadric)
-        ),
-        (place, object),
-        "does not draw a tetrahedral patch",
-        "\"patch\" (default) and \"quadric\" do",
-    )?;
+    let does = matches!(
+        object.drawn_by(),
+        Some(Processor::Patch | Processor::Quadric)
+    );
+    let problem = "does not draw a tetrahedral patch";
+    let accepted = "\"patch\" (default) and \"quadric\" do";
+    require_processor(does, (place, object), problem, accepted)?;
     let Some(quadric) = Quadric::from_shape(&object.shape) else {
+        let problem = "the four corners lie in one plane";
+        let accepted = "corners of a tetrahedron with a volume are needed";
         return Err(SceneError::value(
             format!("{place}, corners"),
-            "the four corners lie in one plane",
-            "corners of a tetrahedron with a volume are needed",
+            problem,
+            accepted,
         ));
     };
     let is_plane = quadric.coefficients()[..6].iter().all(|v| v.is_zero());
@@ -212,11 +201,8 @@ fn check_first_generation(place: &str, object: &Object) -> Checked {
     };
     let accepted =
         "exactly two parallel cuts, with normals that point away from each other, are needed";
-    Err(SceneError::value(
-        format!("{place}, cuts"),
-        problem,
-        accepted,
-    ))
+    let place = format!("{place}, cuts");
+    Err(SceneError::value(place, problem, accepted))
 }
 
 fn check_paraboloid(place: &str, object: &Object) -> Checked {
@@ -275,11 +261,8 @@ fn check_discs(place: &str, object: &Object) -> Checked {
         ),
     };
     let accepted = "exactly two cuts with normals [0, 1, 0] and, below it, [0, -1, 0] are needed";
-    Err(SceneError::value(
-        format!("{place}, cuts"),
-        problem,
-        accepted,
-    ))
+    let place = format!("{place}, cuts");
+    Err(SceneError::value(place, problem, accepted))
 }
 
 fn check_curved_facet(place: &str, object: &Object) -> Checked {

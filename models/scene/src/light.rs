@@ -68,7 +68,7 @@ impl Light {
 }
 
 /// The keys of an entry of `[[lights]]` as they stand in the file.
-#[derive(Serialize, Deserialize)]
+#[derive(Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct LightKeys {
     kind: LightKind,
@@ -91,11 +91,12 @@ struct LightKeys {
     place: Vec<Step>,
 }
 
-#[derive(Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 enum LightKind {
     Directional,
     Point,
+    #[default]
     Spot,
 }
 
@@ -106,24 +107,21 @@ fn full() -> f64 {
 impl LightKeys {
     /// Refuses the keys of other kinds, and gives the words for this one.
     fn owner(&self) -> Result<&'static str, String> {
+        let of_spot = "`position`, `target` or `towards`, and `half_angle`";
         let (owner, taken) = match self.kind {
             LightKind::Directional => ("a directional light", "`from`"),
             LightKind::Point => ("a point light", "`position`"),
-            LightKind::Spot => (
-                "a spot",
-                "`position`, `target` or `towards`, and `half_angle`",
-            ),
+            LightKind::Spot => ("a spot", of_spot),
         };
-        let is_directional = self.kind == LightKind::Directional;
-        let is_spot = self.kind == LightKind::Spot;
-        let others = [
-            ("from", self.from.is_some() && !is_directional),
-            ("position", self.position.is_some() && is_directional),
-            ("target", self.target.is_some() && !is_spot),
-            ("towards", self.towards.is_some() && !is_spot),
-            ("half_angle", self.half_angle.is_some() && !is_spot),
+        let present = [
+            ("from", self.from.is_some()),
+            ("position", self.position.is_some()),
+            ("target", self.target.is_some()),
+            ("towards", self.towards.is_some()),
+            ("half_angle", self.half_angle.is_some()),
         ];
-        refuse_keys(others, owner, taken)?;
+        let is_other = |(key, _): &(&str, bool)| !taken.contains(&format!("`{key}`"));
+        refuse_keys(present.into_iter().filter(is_other), owner, taken)?;
         Ok(owner)
     }
 
@@ -186,12 +184,6 @@ impl TryFrom<LightKeys> for Light {
 impl From<Light> for LightKeys {
     fn from(light: Light) -> Self {
         let mut keys = LightKeys {
-            kind: LightKind::Spot,
-            from: None,
-            position: None,
-            target: None,
-            towards: None,
-            half_angle: None,
             colour: light.colour,
             intensity: light.intensity,
             shadows: light.shadows,
@@ -199,6 +191,7 @@ impl From<Light> for LightKeys {
             group: light.node.group,
             visible: light.node.visible,
             place: light.node.place,
+            ..LightKeys::default()
         };
         match light.beam {
             Beam::Directional { from } => {

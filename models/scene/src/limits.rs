@@ -152,11 +152,8 @@ pub(super) fn check_up(key: &str, view: [f64; 3], up: [f64; 3]) -> Checked {
     let is_parallel = dot(side, side).sqrt() < PARALLEL;
     unless(!is_parallel, || {
         let problem = format!("{up:?} is parallel to the viewing direction {view:?}");
-        (
-            key,
-            problem,
-            "a direction seen upwards in the picture is needed",
-        )
+        let accepted = "a direction seen upwards in the picture is needed";
+        (key, problem, accepted)
     })
 }
 

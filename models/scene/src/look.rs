@@ -9,7 +9,7 @@ use super::reach::Body;
 use super::step::{Axis, Rotation};
 use super::transform::rotation_matrix;
 use imogene_algebra::rational::to_f64;
-use imogene_algebra::vector::{cross, dot, minus, normalised, square};
+use imogene_algebra::vector::{cross, dot, length, minus, normalised};
 use rayon::prelude::*;
 
 type Vector = [f64; 3];
@@ -59,31 +59,22 @@ impl Side {
     /// The directions of a picture of a scene whose camera has this upwards.
     fn axes(self, up: Vector) -> Axes {
         let axis = (0..3).fold(0, |k, l| if up[l].abs() > up[k].abs() { l } else { k });
-        let unit = |axis: usize, sign: f64| -> Vector {
-            std::array::from_fn(|k| if k == axis { sign } else { 0.0 })
+        let sign = up[axis].signum();
+        let up = std::array::from_fn(|k| if k == axis { sign } else { 0.0 });
+        let front = match axis {
+            2 => [0.0, -1.0, 0.0],
+            _ => [0.0, 0.0, 1.0],
         };
-        let up = unit(axis, up[axis].signum());
-        let front = if axis == 2 {
-            unit(1, -1.0)
-        } else {
-            unit(2, 1.0)
-        };
-        let right = cross(up, front);
-        let [towards, up] = self
-            .directions()
-            .map(|v| normalised(combined([right, up, front], v)));
+        let axes = [cross(up, front), up, front];
+        let [towards, up] = self.directions().map(|v| normalised(combined(axes, v)));
         [cross(up, towards), up, towards]
     }
 }
 
 /// The sum of axes, each times a factor; no part of it is -0.
 fn combined(axes: Axes, factors: Vector) -> Vector {
-    std::array::from_fn(|k| {
-        (0..3)
-            .map(|axis| axes[axis][k] * factors[axis])
-            .sum::<f64>()
-            + 0.0
-    })
+    let parts = |k: usize| (0..3).map(move |axis| axes[axis][k] * factors[axis]);
+    std::array::from_fn(|k| parts(k).sum::<f64>() + 0.0)
 }
 
 /// How the camera of a scene is changed.
@@ -119,7 +110,7 @@ impl Look {
         let mut scene = scene.flattened().into_owned();
         let sight = Sight::of(&scene.camera)?;
         let [eye, target] = [&sight.eye, &sight.target].map(|p| p.each_ref().map(to_f64));
-        let distance = square(minus(eye, target)).sqrt();
+        let distance = length(minus(eye, target));
         let [right, down, forward] = sight.axes();
         let axes = [right, down.map(|v| 0.0 - v), forward.map(|v| 0.0 - v)];
         let before = axes;
@@ -161,20 +152,14 @@ impl SceneFile {
     pub fn nearest_pixel(&self, lines: u32) -> Result<f64, SceneError> {
         let scene = self.flattened();
         let sight = Sight::of(&scene.camera)?;
-        let eye = sight.eye.each_ref().map(to_f64);
-        let target = sight.target.each_ref().map(to_f64);
-        let far = ENDLESS * square(minus(eye, target)).sqrt();
+        let [eye, target] = [&sight.eye, &sight.target].map(|p| p.each_ref().map(to_f64));
+        let far = ENDLESS * length(minus(eye, target));
         let [_, _, forward] = sight.axes();
         let towards = forward.map(|v| -v);
-        let reaches = scene.objects.par_iter().map(|object| {
-            let reach = Body::of(object, eye, 10.0 * far).reach(towards);
-            if reach < far {
-                reach
-            } else {
-                f64::NEG_INFINITY
-            }
-        });
-        let nearest = -reaches.reduce(|| f64::NEG_INFINITY, f64::max);
+        let objects = scene.objects.par_iter();
+        let reaches = objects.map(|object| Body::of(object, eye, 10.0 * far).reach(towards));
+        let with_end = reaches.filter(|reach| *reach < far);
+        let nearest = -with_end.reduce(|| f64::NEG_INFINITY, f64::max);
         let height = scene.camera.view_height / f64::from(lines);
         Ok(match scene.camera.lens {
             Lens::Perspective {
@@ -230,17 +215,14 @@ impl Pose {
         let bodies: Vec<Body> = objects.map(|o| Body::of(o, self.target, size)).collect();
         let ends = bodies.par_iter().map(|body| {
             let far = ENDLESS * self.distance;
-            let within = |along: Vector| body.reach(along) < far * dot(along, along).sqrt();
+            let within = |along: Vector| body.reach(along) < far * length(along);
             sides(&self.axes, tangents).into_iter().all(within)
         });
         let has_end: Vec<bool> = ends.collect();
         let left_out = scene.objects.iter().zip(&has_end).filter(|(_, end)| !**end);
         let left_out = left_out.map(|(object, _)| object.name.clone()).collect();
-        let mut kept = has_end.into_iter();
-        let bodies: Vec<Body> = bodies
-            .into_iter()
-            .filter(|_| kept.next() == Some(true))
-            .collect();
+        let kept = bodies.into_iter().zip(has_end).filter(|(_, end)| *end);
+        let bodies: Vec<Body> = kept.map(|(body, _)| body).collect();
         let ([x, y, z], halves) = fitting(&bodies, &self.axes, tangents);
         if ![x, y].iter().all(|v| v.is_finite()) {
             return Err(SceneError::value(

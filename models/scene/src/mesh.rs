@@ -82,10 +82,8 @@ impl FramedMesh {
 /// The facets of a face, as indices of vertices.
 fn parts(vertices: &[Point], corners: &[usize]) -> Vec<Vec<usize>> {
     let from = |first: usize, which: &[usize]| -> Vec<usize> {
-        which
-            .iter()
-            .map(|k| corners[(first + k) % corners.len()])
-            .collect()
+        let corner = |k: &usize| corners[(first + k) % corners.len()];
+        which.iter().map(corner).collect()
     };
     match face(vertices, corners) {
         Some(Face::Folded(first)) => vec![from(first, &[0, 1, 2]), from(first, &[0, 2, 3])],

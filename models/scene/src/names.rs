@@ -1,6 +1,8 @@
 //! The checks of names: who is called what, who belongs to whom, and that nothing goes round in circles.
 
+use super::camera::Camera;
 use super::file::SceneFile;
+use super::flat::Groups;
 use super::limits::{Checked, check_name, check_new, unless};
 use std::collections::HashMap;
 
@@ -68,15 +70,19 @@ pub(super) fn check_members(file: &SceneFile) -> Checked {
         check_group(file, &light.node.group, || format!("lights[{index}]"))?;
     }
     for camera in file.all_cameras() {
-        let name = camera.node.name.as_ref();
-        let place = || name.map_or("camera".to_owned(), |name| format!("camera `{name}`"));
-        check_group(file, &camera.node.group, place)?;
+        check_group(file, &camera.node.group, || place_of(camera))?;
     }
     check_circles(file)?;
     match &file.active_camera {
         Some(name) => check_camera_name(file, "active_camera", name),
         None => Ok(()),
     }
+}
+
+/// A camera in a message.
+pub(super) fn place_of(camera: &Camera) -> String {
+    let name = camera.node.name.as_ref();
+    name.map_or("camera".to_owned(), |name| format!("camera `{name}`"))
 }
 
 fn check_group(file: &SceneFile, group: &Option<String>, place: impl Fn() -> String) -> Checked {
@@ -94,10 +100,8 @@ fn check_group(file: &SceneFile, group: &Option<String>, place: impl Fn() -> Str
 
 /// Refuses a name that no camera has.
 pub(super) fn check_camera_name(file: &SceneFile, place: &str, name: &str) -> Checked {
-    let names = || {
-        file.all_cameras()
-            .filter_map(|camera| camera.node.name.as_deref())
-    };
+    let cameras = || file.all_cameras();
+    let names = || cameras().filter_map(|camera| camera.node.name.as_deref());
     unless(names().any(|known| known == name), || {
         let problem = format!("`{name}` is not a camera of this scene");
         (place, problem, known(names(), "camera with a `name`"))
@@ -126,43 +130,25 @@ pub(super) fn known_all<'a>(names: impl Iterator<Item = &'a str>, what: &str) ->
 
 /// Refuses groups that contain themselves, or are nested too deeply.
 fn check_circles(file: &SceneFile) -> Checked {
-    let above: HashMap<&str, Option<&str>> = file
-        .groups
-        .iter()
-        .map(|group| (group.name.as_str(), group.group.as_deref()))
-        .collect();
+    let groups = Groups::of(file);
     for group in &file.groups {
         let place = || format!("group `{}`, group", group.name);
-        let mut path = vec![group.name.as_str()];
-        let mut next = group.group.as_deref();
-        while let Some(name) = next {
-            path.push(name);
-            unless(name != group.name, || {
-                let problem = format!("the group is within itself: {}", arrows(&path));
-                (
-                    place(),
-                    problem,
-                    "a group belongs to one outside it, or to none".to_owned(),
-                )
+        let mut path = vec![format!("`{}`", group.name)];
+        for above in groups.chain(group.group.as_deref()) {
+            path.push(format!("`{}`", above.name));
+            unless(above.name != group.name, || {
+                let problem = format!("the group is within itself: {}", path.join(" in "));
+                let accepted = "a group belongs to one outside it, or to none";
+                (place(), problem, accepted)
             })?;
             unless(path.len() <= MAX_NESTING, || {
                 let problem = format!(
                     "more than {MAX_NESTING} groups are above it, or they go round in a circle"
                 );
-                (
-                    place(),
-                    problem,
-                    format!("at most {MAX_NESTING} are possible"),
-                )
+                let accepted = format!("at most {MAX_NESTING} are possible");
+                (place(), problem, accepted)
             })?;
-            next = above.get(name).copied().flatten();
         }
     }
     Ok(())
-}
-
-/// A circle of names as it is gone through.
-fn arrows(path: &[&str]) -> String {
-    let names: Vec<String> = path.iter().map(|name| format!("`{name}`")).collect();
-    names.join(" in ")
 }

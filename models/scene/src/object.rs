@@ -43,7 +43,7 @@ impl Object {
 }
 
 /// The keys of an entry of `[[objects]]` as they stand in the file.
-#[derive(Serialize, Deserialize)]
+#[derive(Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct ObjectKeys {
     name: String,
@@ -88,7 +88,8 @@ impl ObjectKeys {
         refuse_keys(others, &owner, wanted)?;
         let radii = self.radii.take();
         let two = |radii| fixed::<2>(radii, &owner, wanted);
-        let three = |radii| fixed::<3>(radii, &owner, wanted);
+        let three =
+            |radii, shape: fn([f64; 3]) -> Shape| fixed::<3>(radii, &owner, wanted).map(shape);
         Ok(match self.kind {
             Kind::Sphere => Shape::Sphere {
                 radius: require(self.radius, &owner, wanted)?,
@@ -96,24 +97,18 @@ impl ObjectKeys {
             Kind::EllipticCylinder => Shape::EllipticCylinder { radii: two(radii)? },
             Kind::HyperbolicCylinder => Shape::HyperbolicCylinder { radii: two(radii)? },
             Kind::ParabolicCylinder => Shape::ParabolicCylinder { radii: two(radii)? },
-            Kind::Ellipsoid => Shape::Ellipsoid {
-                radii: three(radii)?,
-            },
-            Kind::Cone => Shape::Cone {
-                radii: three(radii)?,
-            },
-            Kind::HyperboloidOneSheet => Shape::HyperboloidOneSheet {
-                radii: three(radii)?,
-            },
-            Kind::HyperboloidTwoSheets => Shape::HyperboloidTwoSheets {
-                radii: three(radii)?,
-            },
-            Kind::EllipticParaboloid => Shape::EllipticParaboloid {
-                radii: three(radii)?,
-            },
-            Kind::HyperbolicParaboloid => Shape::HyperbolicParaboloid {
-                radii: three(radii)?,
-            },
+            Kind::Ellipsoid => three(radii, |radii| Shape::Ellipsoid { radii })?,
+            Kind::Cone => three(radii, |radii| Shape::Cone { radii })?,
+            Kind::HyperboloidOneSheet => {
+                three(radii, |radii| Shape::HyperboloidOneSheet { radii })?
+            }
+            Kind::HyperboloidTwoSheets => {
+                three(radii, |radii| Shape::HyperboloidTwoSheets { radii })?
+            }
+            Kind::EllipticParaboloid => three(radii, |radii| Shape::EllipticParaboloid { radii })?,
+            Kind::HyperbolicParaboloid => {
+                three(radii, |radii| Shape::HyperbolicParaboloid { radii })?
+            }
             Kind::Quadric => Shape::Quadric {
                 coefficients: fixed(self.coefficients.take(), &owner, wanted)?,
             },
@@ -196,14 +191,7 @@ impl From<Object> for ObjectKeys {
         let mut keys = Self {
             name: object.name,
             kind: object.shape.kind(),
-            radius: None,
             radii: object.shape.radii().map(<[f64]>::to_vec),
-            coefficients: None,
-            vertices: None,
-            faces: None,
-            normals: None,
-            corners: None,
-            weights: None,
             processor: object.processor,
             mode: Some(object.mode),
             material: object.material,
@@ -212,6 +200,7 @@ impl From<Object> for ObjectKeys {
             casts_shadow: object.casts_shadow,
             group: object.group,
             visible: object.visible,
+            ..Self::default()
         };
         match object.shape {
             Shape::Sphere { radius } => keys.radius = Some(radius),

@@ -13,7 +13,7 @@ use imogene_algebra::rational::{from_decimal, from_f64_exact, integer, to_f64};
 use imogene_algebra::vector::{dot, minus, square};
 use imogene_algebra::whole::greatest;
 use num_rational::BigRational;
-use num_traits::{Signed, Zero};
+use num_traits::Signed;
 
 /// Greatest relative difference of lengths, and greatest cosine between directions, that count as the rounding of
 /// rotations.
@@ -125,14 +125,9 @@ impl FramedCylinder {
         let most = greatest(axis.each_ref());
         let [x, y, z] = axis.each_ref().map(|v| to_f64(&(v / &most)));
         let (level, length) = (x.hypot(y), x.hypot(y).hypot(z));
-        let seen = if level < LEAST_PART * length {
-            Some("end-on")
-        } else if z < LEAST_PART * length {
-            Some("side-on")
-        } else {
-            None
-        };
-        if let Some(seen) = seen {
+        let least = LEAST_PART * length;
+        if level < least || z < least {
+            let seen = if level < least { "end-on" } else { "side-on" };
             return Err(SceneError::value(
                 format!("object `{name}`, processor"),
                 format!(
@@ -144,10 +139,8 @@ impl FramedCylinder {
         let [cos, sin] = on_unit_circle(x, y);
         let [level, deep] = on_unit_circle(level, z);
         let [across, _, other] = to_camera.columns();
-        let radius = [(across, radii[0]), (other, radii[1])]
-            .map(|(v, r)| square(&v) * from_decimal(r).pow(2))
-            .iter()
-            .sum::<BigRational>();
+        let [a, c] = radii.map(|r| from_decimal(r).pow(2));
+        let radius = square(&across) * a + square(&other) * c;
         Ok(FramedCylinder {
             name: name.to_owned(),
             material,
@@ -225,11 +218,7 @@ fn on_unit_circle(x: f64, y: f64) -> [BigRational; 2] {
     let below = integer(1) + &square;
     let cos = (integer(1) - square) / &below;
     let sin = integer(2) * t / below;
-    if x.is_sign_negative() && !x.is_zero() {
-        [-cos, sin]
-    } else {
-        [cos, sin]
-    }
+    [if x < 0.0 { -cos } else { cos }, sin]
 }
 
 #[cfg(test)]

@@ -50,8 +50,7 @@ impl Plane {
     /// The same half-space after the change of frame `P' = M P`.
     ///
     /// `cof(M) p` is the exact image times det(M): a mirror would exchange the kept and the removed side, so the sign
-    /// of the
-    /// determinant is put back, which the source omits (section 5.1.2).
+    /// of the determinant is put back, which the source omits (section 5.1.2).
     pub fn transformed(&self, transform: &Transform) -> Self {
         let inverse = WholeTransform::new(transform).inverse();
         let whole = self.transformed_whole(&inverse);

@@ -44,7 +44,7 @@ impl Quadric {
         Self::from_array(std::array::from_fn(|_| BigRational::zero()))
     }
 
-    /// It is zero everywhere, so that it bounds nothing.
+    /// Whether it bounds nothing.
     pub fn is_everywhere(&self) -> bool {
         self.coefficients().iter().all(|value| value.is_zero())
     }

@@ -140,10 +140,8 @@ impl DepthRange {
     /// The range with its ends moved by a power of two: the near end of a perspective view, both ends of an
     /// orthographic one.
     pub fn scaled(&self, exponent: i32) -> DepthRange {
-        let factor = match exponent {
-            0.. => power_of_two(exponent.unsigned_abs()),
-            _ => power_of_two(exponent.unsigned_abs()).recip(),
-        };
+        let power = power_of_two(exponent.unsigned_abs());
+        let factor = if exponent < 0 { power.recip() } else { power };
         let origin = match (exponent, self.origin) {
             (0, origin) => origin,
             _ => RangeOrigin::Scene,
@@ -152,25 +150,20 @@ impl DepthRange {
         DepthRange::of_ends(&self.near * &factor, far, origin)
     }
 
-    /// Middle of an orthographic range, from the screen plane.
-    pub(super) fn middle(&self) -> BigRational {
+    /// Middle of an orthographic range, from the screen plane, and half its length.
+    pub(super) fn middle_and_half(&self) -> [BigRational; 2] {
         let far = self.far.as_ref().unwrap_or(&self.near);
-        (&self.near + far) / integer(2)
-    }
-
-    /// Half the length of an orthographic range.
-    pub(super) fn half_length(&self) -> BigRational {
-        let far = self.far.as_ref().unwrap_or(&self.near);
-        (far - &self.near) / integer(2)
+        [&self.near + far, far - &self.near].map(|twice| twice / integer(2))
     }
 
     /// The distance of a depth, given as a share of the greatest depth word: from the eye in perspective, from the
     /// screen plane in an orthographic view.
     pub fn distance(&self, share: f64) -> f64 {
-        match &self.far {
-            None => 2.0 * to_f64(&self.near) / (1.0 - share),
-            Some(_) => to_f64(&self.middle()) + to_f64(&self.half_length()) * share,
+        if self.far.is_none() {
+            return 2.0 * to_f64(&self.near) / (1.0 - share);
         }
+        let [middle, half] = self.middle_and_half().map(|v| to_f64(&v));
+        middle + half * share
     }
 
     /// What a report says of the range, for depth words up to `z_max`.
@@ -181,8 +174,8 @@ impl DepthRange {
                 format!("({product}) / ({z_max} - w)")
             }
             Some(_) => {
-                let unit = self.half_length() * fraction(1, z_max);
-                format!("({}) + ({unit}) * w", self.middle())
+                let [middle, half] = self.middle_and_half();
+                format!("({middle}) + ({}) * w", half * fraction(1, z_max))
             }
         };
         RangeReport {

@@ -9,7 +9,7 @@ use super::object::Object;
 use super::shape::{Shape, Surface};
 use super::transform::{Transform, WholeTransform};
 use imogene_algebra::rational::{from_decimal, to_f64};
-use imogene_algebra::vector::{cross, dot, normalised, square};
+use imogene_algebra::vector::{cross, dot, length, normalised};
 use imogene_algebra::whole::greatest;
 use num_traits::Zero;
 
@@ -88,7 +88,7 @@ impl Body {
         match self {
             Body::Ball(middle, axes) => {
                 let parts = axes.map(|axis| dot(axis, along));
-                dot(*middle, along) + square(parts).sqrt()
+                dot(*middle, along) + length(parts)
             }
             Body::Points(points) => farthest(points.iter().copied(), along),
             Body::Cut(body) => body.reach(along),
@@ -117,7 +117,7 @@ impl CutBody {
         let cuts = exact.planes.iter().map(|plane| {
             let most = greatest([&plane.a, &plane.b, &plane.c]);
             let [a, b, c, d] = plane.coefficients().map(|v| to_f64(&(v / &most)));
-            let length = square([a, b, c]).sqrt();
+            let length = length([a, b, c]);
             ([a, b, c].map(|v| v / length), d / length)
         });
         let sides = (0..6).map(|side| {
@@ -163,10 +163,9 @@ impl CutBody {
     }
 
     fn is_kept(&self, point: Vector) -> bool {
-        let spare = self.spare + TOLERANCE * square(point).sqrt();
-        self.planes
-            .iter()
-            .all(|(normal, d)| dot(*normal, point) + d <= spare)
+        let spare = self.spare + TOLERANCE * length(point);
+        let mut planes = self.planes.iter();
+        planes.all(|(normal, d)| dot(*normal, point) + d <= spare)
     }
 
     /// Where two planes meet the quadric, and of a solid also where three planes meet within it.
@@ -202,10 +201,8 @@ impl CutBody {
     /// Where a line meets the quadric.
     fn on_line(&self, from: Vector, along: Vector) -> Option<[Vector; 2]> {
         let image = self.image(along);
-        let (a, b) = (
-            dot(image, along),
-            dot(image, from) + dot(self.linear, along),
-        );
+        let a = dot(image, along);
+        let b = dot(image, from) + dot(self.linear, along);
         let (c, _) = self.value(from);
         let root = (b * b - a * c).max(0.0).sqrt();
         // Without cancellation, and also where a is 0.
@@ -217,10 +214,8 @@ impl CutBody {
     /// Where planes across a direction touch the quadric.
     fn touched(&self, along: Vector) -> Option<[Vector; 2]> {
         let [mut x, mut y, mut z] = self.square;
-        let size = [x, y, z]
-            .into_iter()
-            .flatten()
-            .fold(0.0, |m: f64, v| m.max(v.abs()));
+        let entries = [x, y, z].into_iter().flatten();
+        let size = entries.fold(0.0, |most: f64, v| most.max(v.abs()));
         if dot(x, cross(y, z)).abs() < SINGULAR * size.powi(3) {
             (x[0], y[1], z[2]) = (x[0] + CLOSING, y[1] + CLOSING, z[2] + CLOSING);
         }

@@ -179,9 +179,10 @@ pub struct Cut {
 }
 
 /// The word of a shape in the file.
-#[derive(Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum Kind {
+    #[default]
     Ellipsoid,
     Sphere,
     EllipticCylinder,

@@ -81,16 +81,15 @@ fn spot_cone(light: &Light, camera: &Transform) -> Option<SpotCone> {
 fn cone_about(apex: &[BigRational; 3], axis: &[BigRational; 3], degrees: f64) -> Quadric {
     let (_, cosine) = sine_and_cosine(2.0 * degrees);
     let equal = (integer(1) + from_f64_exact(cosine)) / integer(2) * square(axis);
-    let m: [[BigRational; 3]; 3] = std::array::from_fn(|row| {
-        std::array::from_fn(|column| {
-            let product = &axis[row] * &axis[column];
-            if row == column {
-                &equal - product
-            } else {
-                -product
-            }
-        })
-    });
+    let entry = |row: usize, column: usize| {
+        let product = &axis[row] * &axis[column];
+        if row == column {
+            &equal - product
+        } else {
+            -product
+        }
+    };
+    let m = [0, 1, 2].map(|row| [0, 1, 2].map(|column| entry(row, column)));
     // About the origin the cone is v' M v; moved to the apex it is v' M v - 2 (M apex)' v + apex' M apex.
     let moved = image(&m, apex);
     let constant = dot(&moved, apex);

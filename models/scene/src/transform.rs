@@ -56,9 +56,8 @@ impl Transform {
 
     /// The steps of a placement, the first applied first.
     pub fn placement(steps: &[Step]) -> Self {
-        steps.iter().fold(Self::identity(), |placed, step| {
-            Self::from_step(step).after(&placed)
-        })
+        let after = |placed, step| Self::from_step(step).after(&placed);
+        steps.iter().fold(Self::identity(), after)
     }
 
     fn from_step(step: &Step) -> Self {
@@ -123,17 +122,12 @@ impl WholeTransform {
     pub(super) fn new(transform: &Transform) -> Self {
         let all = || transform.rows.iter().flatten();
         let unit = all().fold(BigInt::one(), |lcm, v| {
-            if v.denom().is_one() || *v.denom() == lcm {
-                lcm
-            } else {
-                lcm.lcm(v.denom())
-            }
+            let divides = v.denom().is_one() || *v.denom() == lcm;
+            if divides { lcm } else { lcm.lcm(v.denom()) }
         });
         let whole = |v: &BigRational| v.numer() * (&unit / v.denom());
-        let rows = transform
-            .rows
-            .each_ref()
-            .map(|row| row.each_ref().map(whole));
+        let rows = transform.rows.each_ref();
+        let rows = rows.map(|row| row.each_ref().map(whole));
         Self { rows, unit }
     }
 

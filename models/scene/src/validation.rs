@@ -8,21 +8,21 @@ use super::image_validation::check_images;
 use super::kind_validation::check_kind;
 use super::light::{Aim, Beam, Light};
 use super::limits::*;
-use super::names::{check_members, check_names, known_all};
+use super::names::{check_members, check_names, known_all, place_of};
 use super::object::Object;
 use super::shape::{Cut, Shape, Surface};
+use imogene_algebra::vector::minus;
 use rayon::prelude::*;
+use std::borrow::Cow;
 use std::collections::HashSet;
 
 impl SceneFile {
     /// Refuses a scene that cannot be drawn; [`SceneFile::parse`] has done so already, unless molecules are to be read.
     pub fn validate(&self) -> Checked {
         if let Some(molecule) = self.molecules.first() {
-            return Err(SceneError::value(
-                "molecules",
-                format!("`{}` has not been read", molecule.file),
-                "the scene is drawn once each is turned into objects",
-            ));
+            let problem = format!("`{}` has not been read", molecule.file);
+            let accepted = "the scene is drawn once each is turned into objects";
+            return Err(SceneError::value("molecules", problem, accepted));
         }
         self.validate_text()
     }
@@ -30,12 +30,9 @@ impl SceneFile {
     /// Refuses what cannot be drawn, as far as it stands in the scene's own file.
     pub(super) fn validate_text(&self) -> Checked {
         unless(self.format == FORMAT_VERSION, || {
+            let problem = format!("version {} is not known", self.format);
             let accepted = format!("this program reads `format = {FORMAT_VERSION}`");
-            (
-                "format",
-                format!("version {} is not known", self.format),
-                accepted,
-            )
+            ("format", problem, accepted)
         })?;
         check_colour("background", self.background)?;
         check_colour("ambient", self.ambient)?;
@@ -82,13 +79,11 @@ impl SceneFile {
             let place = format!("object `{}`", object.name);
             self.check_material_name(&place, object)?;
             check_object(&place, object)?;
+            let mut placed = Cow::Borrowed(object);
             if object.group.is_some() {
-                let mut placed = object.clone();
-                placed.place = groups.whole(&object.place, object.group.as_deref());
-                check_kind(&place, &placed, self.active())
-            } else {
-                check_kind(&place, object, self.active())
+                placed.to_mut().place = groups.whole(&object.place, object.group.as_deref());
             }
+            check_kind(&place, &placed, self.active())
         };
         let objects = self.objects.par_iter();
         let first = objects.find_map_first(|object| problem(object).err());
@@ -104,22 +99,18 @@ impl SceneFile {
     }
 
     fn check_material_name(&self, place: &str, object: &Object) -> Checked {
-        let mut names = self.materials.iter().map(|m| m.name.as_str());
-        unless(names.any(|name| name == object.material), || {
-            let names = self.materials.iter().map(|m| m.name.as_str());
-            (
-                format!("{place}, material"),
-                format!("`{}` is not a material of this scene", object.material),
-                known_all(names, "`[[materials]]`"),
-            )
+        let names = || self.materials.iter().map(|m| m.name.as_str());
+        unless(names().any(|name| name == object.material), || {
+            let problem = format!("`{}` is not a material of this scene", object.material);
+            let accepted = known_all(names(), "`[[materials]]`");
+            (format!("{place}, material"), problem, accepted)
         })
     }
 }
 
 fn check_camera(camera: &Camera) -> Checked {
-    let name = camera.node.name.as_ref();
-    let place = name.map_or("camera".to_owned(), |name| format!("camera `{name}`"));
-    let key = |key: &str| match name {
+    let place = place_of(camera);
+    let key = |key: &str| match camera.node.name {
         Some(_) => format!("{place}, {key}"),
         None => format!("camera.{key}"),
     };
@@ -158,14 +149,11 @@ fn check_camera(camera: &Camera) -> Checked {
     }
     check_numbers(&key("target"), &target)?;
     check_direction(&key("up"), up)?;
-    let view: [f64; 3] = std::array::from_fn(|axis| target[axis] - eye[axis]);
+    let view = minus(target, eye);
     unless(view != [0.0; 3], || {
         let problem = format!("{target:?} is the eye itself, so there is no viewing direction");
-        (
-            key("target"),
-            problem,
-            "a point away from the eye is needed",
-        )
+        let accepted = "a point away from the eye is needed";
+        (key("target"), problem, accepted)
     })?;
     check_up(&key("up"), view, up)?;
     check_place(&place, &camera.node.place)
@@ -186,15 +174,10 @@ fn check_light(place: &str, light: &Light) -> Checked {
                 Aim::Towards(direction) => check_direction(&key("towards"), direction)?,
                 Aim::Target(target) => {
                     check_numbers(&key("target"), &target)?;
+                    let problem = "is the position of the spot itself, so it has no axis";
+                    let accepted = "a point away from `position` is needed";
                     unless(target != position, || {
-                        let problem = format!(
-                            "{target:?} is the position of the spot itself, so it has no axis"
-                        );
-                        (
-                            key("target"),
-                            problem,
-                            "a point away from `position` is needed",
-                        )
+                        (key("target"), format!("{target:?} {problem}"), accepted)
                     })?;
                 }
             }
@@ -221,24 +204,15 @@ fn check_material(place: &str, material: &Material) -> Checked {
     check_share(&format!("{place}, diffuse"), material.diffuse, 1.0)?;
     check_share(&format!("{place}, specular"), material.specular, 1.0)?;
     let accepted = format!("a whole number from 1 to {MAX_SPECULAR_EXPONENT} is possible");
-    let range = [1, MAX_SPECULAR_EXPONENT];
-    check_within(
-        format!("{place}, exponent"),
-        material.exponent,
-        range,
-        &accepted,
-    )
+    let (key, range) = (format!("{place}, exponent"), [1, MAX_SPECULAR_EXPONENT]);
+    check_within(key, material.exponent, range, &accepted)
 }
 
 fn check_object(place: &str, object: &Object) -> Checked {
     check_shape(place, object)?;
     check_place(place, &object.place)?;
-    check_count(
-        format!("{place}, cuts"),
-        object.cuts.len(),
-        "cut planes",
-        MAX_CUTS,
-    )?;
+    let (key, count) = (format!("{place}, cuts"), object.cuts.len());
+    check_count(key, count, "cut planes", MAX_CUTS)?;
     for (index, Cut { point, normal }) in object.cuts.iter().enumerate() {
         check_numbers(&format!("{place}, cuts[{index}].point"), point)?;
         check_direction(&format!("{place}, cuts[{index}].normal"), *normal)?;

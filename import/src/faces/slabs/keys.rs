@@ -1,9 +1,9 @@
 //! The planes and the quadric that bound a strip within a slab.
 
-use super::face::OVERLAP;
 use super::strips::{Crossing, Strip};
-use super::work::Work;
+use super::{OVERLAP, Work};
 use crate::faces::planes::{Planes, Separator};
+use crate::faces::surface::Form;
 use crate::faces::vector::Vector;
 use std::f64::consts::TAU;
 
@@ -30,21 +30,16 @@ impl Work<'_> {
     /// The bands that a strip has a part of, with their ends at its turn, and a v of it in each.
     pub fn bands_of(&self, slab: usize, strip: &Strip) -> Vec<Part> {
         let [low, high] = self.extent(slab, strip);
-        let turns = if self.face.surface.is_torus() {
-            -1..=2
-        } else {
-            0..=0
+        let turns = match self.face.surface.form {
+            Form::Torus(..) => -1..=2,
+            _ => 0..=0,
         };
         let mut found = vec![];
         for (band, own) in self.face.bands.iter().enumerate() {
             for turn in turns.clone() {
                 let ends = own.ends.map(|v| v + f64::from(turn) * TAU);
-                let height = if ends[0].is_finite() {
-                    ends[1] - ends[0]
-                } else {
-                    1.0
-                };
-                let least = 1e-9 * height;
+                let height = Some(ends[1] - ends[0]).filter(|height| height.is_finite());
+                let least = 1e-9 * height.unwrap_or(1.0);
                 if ends[1].min(high) - ends[0].max(low) > least {
                     let v = self.inner(strip.at, ends);
                     let goes_on = [low < ends[0] - least, high > ends[1] + least];
@@ -157,10 +152,9 @@ impl Work<'_> {
             return None;
         }
         let below = self.rails[strip.ends[0]?.rail].separator;
-        let (lower, upper) = if below == one.0 {
-            (one, other)
-        } else {
-            (other, one)
+        let (lower, upper) = match below == one.0 {
+            true => (one, other),
+            false => (other, one),
         };
         let at = 0.5 * (low + high);
         Some(vec![
@@ -201,16 +195,13 @@ impl Work<'_> {
         for share in [0.001, 0.25, 0.5, 0.75, 0.999] {
             let u = from + share * (to - from);
             let all = self.chart.crossings(u, separator);
-            let near = |v: &&f64| (**v - strip.at[end]).abs();
-            let own = all
-                .iter()
-                .min_by(|a, b| near(a).total_cmp(&near(b)))
-                .copied();
-            for v in all.iter().filter(|v| Some(**v) != own) {
-                if *v > strip.at[0] && *v < strip.at[1] {
-                    let [low, high] = back.unwrap_or([*v, *v]);
-                    back = Some([low.min(*v), high.max(*v)]);
-                }
+            let near = |v: &f64| (v - strip.at[end]).abs();
+            let each = all.iter().copied();
+            let own = each.min_by(|a, b| near(a).total_cmp(&near(b)));
+            let others = all.into_iter().filter(|v| Some(*v) != own);
+            for v in others.filter(|v| *v > strip.at[0] && *v < strip.at[1]) {
+                let [low, high] = back.unwrap_or([v, v]);
+                back = Some([low.min(v), high.max(v)]);
             }
         }
         back

@@ -5,25 +5,92 @@
 //! six half-spaces at most: those of the slab, of the piece below and of that above, and of two parallels where the
 //! surface is curved along v. The search of [`super::terms`] finds fewer parts where it finds any; this always ends.
 
-mod face;
 mod keys;
 mod probes;
 mod rail;
 mod sectors;
 mod strips;
-mod work;
-
-pub use face::{Band, OVERLAP, Slabs};
 
 use super::cell::Cell;
+use super::chart::{Chart, free_pole};
+use super::curve::Curve;
+use super::parting::Parting;
 use super::planes::Planes;
+use super::surface::{Implicit, Surface};
+use super::vector::{minus, unit};
+use rail::Rail;
 use sectors::{Run, join};
-use work::Work;
 
 /// Most times that slabs are halved.
 const MAX_HALVINGS: usize = 6;
 
+/// Greatest gap between the ends of two pieces of a border that follow each other, in sizes of the part or radians.
+pub const WIDEST_GAP: f64 = 1e-4;
+/// Share of its height by which a band goes on under or over the next, so that the rounding of both leaves no pixel to
+/// neither. Out there a chord is a twelfth of the deviation off.
+pub const OVERLAP: f64 = 0.02;
+
+/// A part of the surface between two parallels, drawn as one quadric.
+#[derive(Clone, Debug)]
+pub struct Band {
+    /// Its quadric; nothing on a plane.
+    pub quadric: Option<Implicit>,
+    /// Least and greatest v.
+    pub ends: [f64; 2],
+    /// Share of its height by which it goes on beyond the border of its face, within the deviation.
+    pub beyond: f64,
+}
+
+impl Band {
+    /// All of a surface.
+    pub fn whole(surface: &Surface) -> Vec<Band> {
+        vec![Band {
+            quadric: surface.implicit(),
+            ends: [f64::NEG_INFINITY, f64::INFINITY],
+            beyond: 0.0,
+        }]
+    }
+}
+
+/// What is needed to take a face apart.
+pub struct Slabs<'a> {
+    /// What it lies on.
+    pub surface: &'a Surface,
+    pub parting: &'a Parting,
+    /// What it is drawn with.
+    pub bands: &'a [Band],
+    /// The plane of a face that is flat.
+    pub flat: Option<usize>,
+    /// Size of the part, scene units.
+    pub size: f64,
+}
+
+/// One try with the ends of slabs.
+pub struct Work<'a> {
+    pub face: &'a Slabs<'a>,
+    pub chart: &'a Chart,
+    pub rails: &'a [Rail],
+    pub limits: Vec<f64>,
+    /// Strips are also bounded by parallels.
+    pub parallels: bool,
+}
+
 impl Slabs<'_> {
+    /// The coordinates of the surface.
+    fn chart(&self) -> Option<Chart> {
+        let line = |curve: &Curve| match curve {
+            Curve::Line { from, to } => Some(unit(minus(*to, *from))),
+            _ => None,
+        };
+        let mut border = self.parting.boundaries.iter();
+        let north = if self.surface.is_plane() {
+            border.find_map(|own| line(&own.curve))
+        } else {
+            free_pole(self.surface, &self.parting.separators)
+        };
+        Chart::of(self.surface, north)
+    }
+
     /// The cells of the face.
     pub fn cells(&self, planes: &mut Planes) -> Result<Vec<Cell>, String> {
         let chart = self.chart().ok_or("it has no coordinates")?;
@@ -50,6 +117,14 @@ impl Slabs<'_> {
 type Crowded = Vec<f64>;
 
 impl Work<'_> {
+    pub fn slabs(&self) -> usize {
+        self.limits.len().saturating_sub(1)
+    }
+
+    pub fn middle(&self, slab: usize) -> f64 {
+        0.5 * (self.limits[slab] + self.limits[slab + 1])
+    }
+
     fn cells(&self, planes: &mut Planes) -> Result<Result<Vec<Cell>, Crowded>, String> {
         let strips = self.strips()?;
         let mut runs: Vec<Run> = vec![];

@@ -1,6 +1,6 @@
 //! The border of a face on its way over the surface, and the lines that divide it into slabs.
 
-use super::face::{Slabs, WIDEST_GAP};
+use super::{Slabs, WIDEST_GAP};
 use crate::faces::arrangement::{Boundary, SMALLEST_PIECE};
 use crate::faces::chart::Chart;
 use crate::faces::curve::Curve;
@@ -101,10 +101,8 @@ impl Slabs<'_> {
     pub fn without_gaps(&self, chart: &Chart, rails: &[Rail], mut limits: Vec<f64>) -> Vec<f64> {
         let widest = WIDEST_GAP * if chart.is_round() { 1.0 } else { self.size };
         let crossings = |u: f64| -> usize {
-            rails
-                .iter()
-                .map(|rail| rail.crossings(u, chart.is_round()).len())
-                .sum()
+            let of = |rail: &Rail| rail.crossings(u, chart.is_round()).len();
+            rails.iter().map(of).sum()
         };
         let mut slab = 0;
         while limits.len() > 2 && slab + 1 < limits.len() {

@@ -1,7 +1,7 @@
 //! Neighbouring slabs that have a cell in common, and the sectors that their cells become.
 
+use super::Work;
 use super::keys::Key;
-use super::work::Work;
 use crate::faces::cell::Cell;
 use crate::faces::chart::nearest_turn;
 use crate::faces::planes::{Planes, Separator};
@@ -23,11 +23,8 @@ pub struct Run {
 
 /// Adds a cell of a slab to the run that it continues.
 pub fn join(runs: &mut Vec<Run>, key: Key, slab: usize, sample: Vector) {
-    let before = runs
-        .iter_mut()
-        .rev()
-        .find(|run| run.slabs[1] + 1 == slab && run.key == key);
-    match before {
+    let mut before = runs.iter_mut().rev();
+    match before.find(|run| run.slabs[1] + 1 == slab && run.key == key) {
         Some(run) => {
             run.slabs[1] = slab;
             run.samples.push(sample);
@@ -73,25 +70,22 @@ impl Work<'_> {
 
     /// The spans of u of a run, none wider than two planes through an axis can bound, each with a sample.
     pub fn sectors(&self, run: &Run) -> Vec<([f64; 2], Vector)> {
-        let whole = [f64::NEG_INFINITY, f64::INFINITY];
-        let (from, to) = (self.limit(run.slabs[0]), self.limit(run.slabs[1] + 1));
+        let ends = [run.slabs[0], run.slabs[1] + 1];
         if !self.chart.is_round() {
-            let to = self.limits[run.slabs[1] + 1];
-            return vec![([self.limits[run.slabs[0]], to], run.samples[0])];
+            return vec![(ends.map(|end| self.limits[end]), run.samples[0])];
         }
-        if run.slabs[1] + 1 - run.slabs[0] == self.slabs() {
-            return vec![(whole, run.samples[0])];
+        if ends[1] - ends[0] == self.slabs() {
+            return vec![([f64::NEG_INFINITY, f64::INFINITY], run.samples[0])];
         }
+        let [from, to] = ends.map(|end| self.limit(end));
         let parts = ((to - from) / WIDEST).ceil().max(1.0);
         let step = (to - from) / parts;
-        (0..parts as usize)
-            .map(|k| {
-                let span = [from + step * k as f64, from + step * (k + 1) as f64];
-                let middle = 0.5 * (span[0] + span[1]);
-                let v = self.chart.coordinates(run.samples[0])[1];
-                (span, self.chart.point(middle, v))
-            })
-            .collect()
+        let v = self.chart.coordinates(run.samples[0])[1];
+        let sector = |k: usize| {
+            let span = [from + step * k as f64, from + step * (k + 1) as f64];
+            (span, self.chart.point(0.5 * (span[0] + span[1]), v))
+        };
+        (0..parts as usize).map(sector).collect()
     }
 
     pub fn cell(&self, run: &Run, span: [f64; 2], sample: Vector, planes: &mut Planes) -> Cell {
@@ -102,12 +96,10 @@ impl Work<'_> {
             cuts: run.key.planes.clone(),
         };
         for (separator, positive) in &run.key.sides {
-            match (parting.planes[*separator], parting.separators[*separator]) {
-                (Some(plane), _) => cell.cuts.push((plane, *positive)),
-                (None, Separator::Quadric(implicit)) => {
-                    cell.quadric = Some(implicit.kept(*positive));
-                }
-                _ => {}
+            if let Some(plane) = parting.planes[*separator] {
+                cell.cuts.push((plane, *positive));
+            } else if let Separator::Quadric(implicit) = parting.separators[*separator] {
+                cell.quadric = Some(implicit.kept(*positive));
             }
         }
         if span[0].is_finite() {
@@ -136,7 +128,7 @@ impl Work<'_> {
             let u = span[1] + (TAU - width) * (f64::from(k) + 0.5) / f64::from(PROBES);
             let p = self.chart.point(u, v);
             own.iter()
-                .all(|(plane, positive)| planes.is_positive(*plane, p) == *positive)
+                .all(|(plane, side)| planes.is_positive(*plane, p) == *side)
         };
         if !self.chart.is_round() || edges == [None; 2] || !(0..PROBES).any(elsewhere) {
             own
@@ -146,30 +138,19 @@ impl Work<'_> {
     }
 
     /// The plane of an upright edge at an end of a span, if it has all of the span on one side.
-    pub fn edge_at(
-        &self,
-        u: f64,
-        span: [f64; 2],
-        v: f64,
-        planes: &Planes,
-    ) -> Option<(usize, bool)> {
+    fn edge_at(&self, u: f64, span: [f64; 2], v: f64, planes: &Planes) -> Option<(usize, bool)> {
         let narrow = 2.0 * self.face.narrow(self.chart);
-        let upright = self.rails.iter().filter(|rail| rail.is_upright(narrow));
-        for rail in upright {
+        let mut upright = self.rails.iter().filter(|rail| rail.is_upright(narrow));
+        upright.find_map(|rail| {
             let mut off = rail.path[0][0] - u;
             if self.chart.is_round() {
                 off = nearest_turn(off, 0.0);
             }
             let plane = self.face.parting.planes[rail.separator];
-            let Some(plane) = plane.filter(|_| off.abs() <= narrow) else {
-                continue;
-            };
+            let plane = plane.filter(|_| off.abs() <= narrow)?;
             let shares = [0.02, 0.5, 0.98].map(|share| span[0] + share * (span[1] - span[0]));
             let sides = shares.map(|u| planes.is_positive(plane, self.chart.point(u, v)));
-            if sides == [sides[0]; 3] {
-                return Some((plane, sides[0]));
-            }
-        }
-        None
+            (sides == [sides[0]; 3]).then_some((plane, sides[0]))
+        })
     }
 }

@@ -1,7 +1,8 @@
 //! What lies between the crossings of a slab with the border.
 
-use super::work::Work;
+use super::Work;
 use crate::faces::chart::nearest_turn;
+use crate::faces::surface::Form;
 use std::f64::consts::TAU;
 
 /// A crossing of the middle of a slab.
@@ -27,22 +28,21 @@ pub struct Strip {
 impl Work<'_> {
     /// The strips of every slab.
     pub fn strips(&self) -> Result<Vec<Vec<Strip>>, String> {
-        let crossings: Vec<Vec<Crossing>> = (0..self.slabs())
-            .map(|slab| self.crossings(self.middle(slab)))
-            .collect();
-        let oriented = self.face.surface.is_sphere() || self.face.surface.is_torus();
-        let has_end = self.face.surface.is_cone() || self.face.surface.is_sphere();
+        let middles = (0..self.slabs()).map(|slab| self.middle(slab));
+        let crossings: Vec<Vec<Crossing>> = middles.map(|u| self.crossings(u)).collect();
+        let surface = self.face.surface;
+        let oriented = surface.is_sphere() || surface.is_torus();
+        let has_end = surface.is_cone() || surface.is_sphere();
         if !has_end && crossings.iter().any(|all| all.len() % 2 == 1) {
             return Err("its loops are not closed on the surface".into());
         }
-        let below = if oriented {
-            self.below(&crossings)
-        } else {
-            vec![false; crossings.len()]
+        let below = match oriented {
+            true => self.below(&crossings),
+            false => vec![false; crossings.len()],
         };
         let of = |(all, below): (&Vec<Crossing>, bool)| {
             // A cone is entered from its open end, since its apex may belong to the face.
-            let odd = self.face.surface.is_cone() && all.len() % 2 == 1;
+            let odd = surface.is_cone() && all.len() % 2 == 1;
             self.between(all, odd || below)
         };
         Ok(crossings.iter().zip(below).map(of).collect())
@@ -52,11 +52,8 @@ impl Work<'_> {
         let mut all = vec![];
         for (index, rail) in self.rails.iter().enumerate() {
             for (v, east) in rail.crossings(u, self.chart.is_round()) {
-                let v = if self.face.surface.is_torus() {
-                    v.rem_euclid(TAU)
-                } else {
-                    v
-                };
+                let turned = self.face.surface.is_torus().then(|| v.rem_euclid(TAU));
+                let v = turned.unwrap_or(v);
                 all.push(Crossing {
                     v,
                     rail: index,
@@ -84,17 +81,13 @@ impl Work<'_> {
         let said: Vec<Option<bool>> = said.map(|sum| (sum != 0).then_some(sum > 0)).collect();
         if self.face.surface.is_sphere() {
             // All lines begin at one pole.
-            let sum: i64 = said
-                .iter()
-                .flatten()
-                .map(|yes| if *yes { 1 } else { -1 })
-                .sum();
-            let any = said.iter().any(Option::is_some);
-            return vec![sum > 0 || !any; crossings.len()];
+            let yes = said.iter().flatten().filter(|yes| **yes).count();
+            let all = said.iter().flatten().count();
+            return vec![2 * yes > all || all == 0; crossings.len()];
         }
-        (0..crossings.len())
-            .map(|slab| said[slab].unwrap_or_else(|| self.beside(slab, crossings, &said)))
-            .collect()
+        let beside = |slab: usize| self.beside(slab, crossings, &said);
+        let below = (0..said.len()).map(|slab| said[slab].unwrap_or_else(|| beside(slab)));
+        below.collect()
     }
 
     /// Whether a line of a tube that no border crosses is in the face: what the next border to the west says.
@@ -127,21 +120,13 @@ impl Work<'_> {
     }
 
     pub fn between(&self, all: &[Crossing], first: bool) -> Vec<Strip> {
-        let [end, high] = self.chart.reach();
-        let low = if self.face.surface.is_cone() {
-            0.0
-        } else {
-            end
+        let [low, high] = match self.face.surface.form {
+            Form::Torus(..) => [0.0, TAU],
+            Form::Cone(_) => [0.0, f64::INFINITY],
+            _ => self.chart.reach(),
         };
-        if self.face.surface.is_torus() {
-            let count = all.len();
-            if count == 0 {
-                return vec![Strip {
-                    ends: [None; 2],
-                    at: [0.0, TAU],
-                    inside: first,
-                }];
-            }
+        let count = all.len();
+        if self.face.surface.is_torus() && count > 0 {
             let strip = |index: usize| {
                 let (from, to) = (all[index], all[(index + 1) % count]);
                 let top = if index + 1 == count { to.v + TAU } else { to.v };
@@ -182,17 +167,13 @@ impl Work<'_> {
             let u = from + inner + (to - from - 2.0 * inner) * f64::from(k) / f64::from(steps);
             // A closed piece has two branches, which run in opposite directions.
             let branch = rail.crossings(u, self.chart.is_round()).into_iter();
-            let v = branch
-                .filter(|(_, east)| *east == crossing.east)
-                .map(|(v, _)| {
-                    if self.face.surface.is_torus() {
-                        nearest_turn(v, at)
-                    } else {
-                        v
-                    }
-                })
-                .min_by(|v, w| (v - at).abs().total_cmp(&(w - at).abs()));
-            if let Some(v) = v {
+            let branch = branch.filter(|(_, east)| *east == crossing.east);
+            let v = branch.map(|(v, _)| match self.face.surface.form {
+                Form::Torus(..) => nearest_turn(v, at),
+                _ => v,
+            });
+            let nearest = v.min_by(|v, w| (v - at).abs().total_cmp(&(w - at).abs()));
+            if let Some(v) = nearest {
                 range = [range[0].min(v), range[1].max(v)];
             }
         }

@@ -14,7 +14,6 @@ const MOST_PLACED: usize = 10_000;
 /// A representation where it is placed.
 #[derive(Clone, Copy, Debug)]
 pub struct Placed<'a> {
-    /// The representation.
     pub representation: Args<'a>,
     /// Where it is.
     pub place: Placement,
@@ -67,10 +66,8 @@ const DEFINING: [&str; 2] = [
 ];
 
 /// The two representations of a relationship, whichever of its subtypes says so.
-fn relation(entity: Entity) -> Result<[Entity; 2]> {
-    let own: Vec<&str> = entity.records.iter().map(|r| r.name).collect();
-    let whole = entity.complex.then(|| vec!["REPRESENTATION_RELATIONSHIP"]);
-    let args = entity.need(&whole.unwrap_or(own))?;
+fn relation<'a>(args: &Args<'a>) -> Result<[Entity<'a>; 2]> {
+    let args = args.of("REPRESENTATION_RELATIONSHIP")?;
     Ok([args.entity(2)?, args.entity(3)?])
 }
 
@@ -97,12 +94,8 @@ impl<'a> Assembly<'a> {
             let Some(record) = entity.records.iter().find(|r| is_shape(r.name)) else {
                 continue;
             };
-            let name = if entity.complex {
-                "REPRESENTATION"
-            } else {
-                record.name
-            };
-            if let Some(args) = entity.find(&[name]) {
+            let whole = entity.complex.then_some("REPRESENTATION");
+            if let Some(args) = entity.find(&[whole.unwrap_or(record.name)]) {
                 all.index.insert(entity.id, all.representations.len());
                 all.group.push(all.representations.len());
                 all.representations.push(args);
@@ -117,9 +110,8 @@ impl<'a> Assembly<'a> {
 
     /// Keeps what was found, and says why something was not.
     fn keep<T>(&mut self, what: &str, found: Result<T>) -> Option<T> {
-        found
-            .map_err(|error| self.notes.push(format!("{what}: {error}")))
-            .ok()
+        let found = found.map_err(|error| self.notes.push(format!("{what}: {error}")));
+        found.ok()
     }
 
     fn find(&self, entity: Entity) -> Option<usize> {
@@ -137,7 +129,7 @@ impl<'a> Assembly<'a> {
             if args.entity.find(&PLACING).is_some() {
                 continue;
             }
-            let found = relation(args.entity);
+            let found = relation(&args);
             let Some(ends) = self.keep("a relationship is left out", found) else {
                 continue;
             };
@@ -169,31 +161,12 @@ impl<'a> Assembly<'a> {
             let Ok(Some(group)) = args.entity(1).map(|entity| self.find(entity)) else {
                 continue;
             };
-            match self.product(&args) {
-                Ok(Some(product)) => {
-                    self.products.entry(group).or_insert(product);
-                }
-                _ => {
-                    self.properties.insert(group);
-                }
+            if let Some(product) = product(&args) {
+                self.products.entry(group).or_insert(product);
+            } else {
+                self.properties.insert(group);
             }
         }
-    }
-
-    /// The number and the name of the product whose shape a representation is.
-    fn product(&self, args: &Args<'a>) -> Result<Option<(u64, String)>> {
-        let Some(shape) = args.entity(0)?.find(&["PRODUCT_DEFINITION_SHAPE"]) else {
-            return Ok(None);
-        };
-        let names = [
-            "PRODUCT_DEFINITION",
-            "PRODUCT_DEFINITION_WITH_ASSOCIATED_DOCUMENTS",
-        ];
-        let Some(definition) = shape.entity(2)?.find(&names) else {
-            return Ok(None);
-        };
-        let name = product_name(&definition).unwrap_or_default();
-        Ok(Some((definition.entity.id, name)))
     }
 
     /// The context of a representation.
@@ -204,15 +177,10 @@ impl<'a> Assembly<'a> {
     /// `NEXT_ASSEMBLY_USAGE_OCCURRENCE` and what places it.
     fn place_components(&mut self) {
         let file = self.file;
-        // For each relationship the product that is the assembly.
-        let mut wholes = HashMap::new();
-        for args in file.all(&["CONTEXT_DEPENDENT_SHAPE_REPRESENTATION"]) {
-            if let Ok(Some((relation, whole))) = self.usage(&args) {
-                wholes.insert(relation, whole);
-            }
-        }
+        let usages = file.all(&["CONTEXT_DEPENDENT_SHAPE_REPRESENTATION"]);
+        let wholes: HashMap<u64, u64> = usages.filter_map(|args| usage(&args)).collect();
         for placed in file.all(&PLACING) {
-            let ends = relation(placed.entity).ok();
+            let ends = relation(&placed).ok();
             let child = ends.and_then(|ends| self.find(ends[0]));
             let link = self.component(&placed, &wholes);
             self.link("a component is left out", link, child);
@@ -229,29 +197,19 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    /// The relationship that places a usage, and the product that uses.
-    fn usage(&self, args: &Args<'a>) -> Result<Option<(u64, u64)>> {
-        let shape = args.named(1, &["PRODUCT_DEFINITION_SHAPE"])?;
-        let names = ["NEXT_ASSEMBLY_USAGE_OCCURRENCE"];
-        let usage = shape.entity(2)?.find(&names);
-        usage
-            .map(|usage| Ok((args.entity(0)?.id, usage.entity(3)?.id)))
-            .transpose()
-    }
-
     /// The group that has a component, and where.
     fn component(&self, placed: &Args<'a>, wholes: &HashMap<u64, u64>) -> Result<Option<Inside>> {
-        let ends = relation(placed.entity)?;
+        let ends = relation(placed)?;
         let [Some(first), Some(second)] = ends.map(|end| self.index.get(&end.id).copied()) else {
             return Ok(None);
         };
         let last = if placed.entity.complex { 0 } else { 4 };
         let operator = placed.named(last, &["ITEM_DEFINED_TRANSFORMATION"])?;
-        let mut frames = [Placement::IN_PLACE; 2];
-        for (k, index) in [first, second].into_iter().enumerate() {
+        let frame = |k: usize, index: usize| {
             let context = self.context(&self.representations[index])?;
-            frames[k] = placement(operator.entity(2 + k)?, &context)?;
-        }
+            placement(operator.entity(2 + k)?, &context)
+        };
+        let frames = [frame(0, first)?, frame(1, second)?];
         // The first is the component, unless its product is the one that uses.
         let whole = wholes.get(&placed.entity.id);
         let product = self.products.get(&self.group[first]).map(|(id, _)| id);
@@ -317,25 +275,20 @@ impl<'a> Assembly<'a> {
         let links = self.links.values().flatten();
         let mut inner: HashSet<usize> = links.map(|link| link.child).collect();
         inner.extend(&self.lost);
-        let is_part = |group: &usize| {
-            if self.products.is_empty() {
-                !self.properties.contains(group)
-            } else {
-                self.products.contains_key(group)
-            }
+        let is_part = |group: &usize| match self.products.is_empty() {
+            true => !self.properties.contains(group),
+            false => self.products.contains_key(group),
         };
-        (0..self.group.len())
-            .filter(|index| self.group[*index] == *index && !inner.contains(index))
-            .filter(is_part)
-            .collect()
+        let groups = (0..self.group.len()).filter(|index| self.group[*index] == *index);
+        let outer = groups.filter(|group| !inner.contains(group));
+        outer.filter(is_part).collect()
     }
 
     /// All representations where they are placed, whole assemblies first.
     pub fn placed(&self) -> Result<Vec<Placed<'a>>> {
         let roots = self.roots().into_iter().rev();
-        let mut waiting: Vec<(usize, Placement, usize, u64)> = roots
-            .map(|group| (group, Placement::IN_PLACE, 0, 0))
-            .collect();
+        let in_place = roots.map(|group| (group, Placement::IN_PLACE, 0, 0));
+        let mut waiting: Vec<(usize, Placement, usize, u64)> = in_place.collect();
         let mut members = vec![vec![]; self.group.len()];
         for (index, group) in self.group.iter().enumerate() {
             members[*group].push(index);
@@ -377,6 +330,29 @@ impl<'a> Assembly<'a> {
     }
 }
 
+/// The relationship that places a usage, and the product that uses.
+fn usage(args: &Args) -> Option<(u64, u64)> {
+    let shape = args
+        .named(1, &["PRODUCT_DEFINITION_SHAPE"])
+        .ok()?
+        .entity(2)
+        .ok()?;
+    let usage = shape.find(&["NEXT_ASSEMBLY_USAGE_OCCURRENCE"])?;
+    Some((args.entity(0).ok()?.id, usage.entity(3).ok()?.id))
+}
+
+/// The number and the name of the product whose shape a representation is.
+fn product(args: &Args) -> Option<(u64, String)> {
+    let names = [
+        "PRODUCT_DEFINITION",
+        "PRODUCT_DEFINITION_WITH_ASSOCIATED_DOCUMENTS",
+    ];
+    let shape = args.entity(0).ok()?.find(&["PRODUCT_DEFINITION_SHAPE"])?;
+    let definition = shape.entity(2).ok()?.find(&names)?;
+    let name = product_name(&definition).unwrap_or_default();
+    Some((definition.entity.id, name))
+}
+
 /// The name of a product; `None` if it has no words for it.
 fn product_name(definition: &Args) -> Option<String> {
     let formations = [
@@ -385,10 +361,6 @@ fn product_name(definition: &Args) -> Option<String> {
     ];
     let formation = definition.entity(2).ok()?.find(&formations)?;
     let product = formation.entity(2).ok()?.find(&["PRODUCT"])?;
-    let name = product.text(1);
-    Some(if name.is_empty() {
-        product.text(0)
-    } else {
-        name
-    })
+    let names = [product.text(1), product.text(0)];
+    names.into_iter().find(|name| !name.is_empty())
 }

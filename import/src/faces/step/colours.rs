@@ -78,18 +78,15 @@ fn colour_of(file: &Exchange, entity: Entity, steps: &mut usize) -> Result<Optio
     if args.record.name == "COLOUR_RGB" {
         let colour = [args.number(1)?, args.number(2)?, args.number(3)?];
         if colour.iter().any(|share| !(0.0..=1.0).contains(share)) {
-            return Err(args.error(
-                format!("the colour {colour:?}"),
-                "red, green and blue from 0 to 1 are possible",
-            ));
+            let problem = format!("the colour {colour:?}");
+            return Err(args.error(problem, "red, green and blue from 0 to 1 are possible"));
         }
         return Ok(Some(colour));
     }
     if *steps == 0 {
-        return Err(args.error(
-            "its colour is defined by itself, or by too many others",
-            format!("at most {MOST_STEPS} steps to a colour are possible"),
-        ));
+        let problem = "its colour is defined by itself, or by too many others";
+        let accepted = format!("at most {MOST_STEPS} steps to a colour are possible");
+        return Err(args.error(problem, accepted));
     }
     *steps -= 1;
     // Lists of styles have several members; the first that leads to a colour is taken.

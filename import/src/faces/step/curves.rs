@@ -7,7 +7,7 @@ use crate::faces::build_edge::MISSED;
 use crate::faces::curve::{Arc, Curve, Ellipse, Polyline, Tolerance};
 use crate::faces::model::COINCIDENT;
 use crate::faces::source::MAX_NUMBER;
-use crate::faces::vector::{Vector, across, distance, dot, length, minus, opposite, reach, unit};
+use crate::faces::vector::*;
 use step21::{Args, Entity, Result, with_article};
 
 /// Most curves that are defined by each other.
@@ -92,16 +92,13 @@ impl<'a> Span<'a> {
         Ok(("line", Curve::Line { from, to }))
     }
 
-    fn radius(&self, args: &Args, index: usize) -> Result<f64> {
-        radius(args, index, self.context)
-    }
-
     fn ellipse(&self, args: &Args<'a>) -> Found {
         let place = placement(args.entity(1)?, self.context)?;
         let [x, _, z] = place.axes;
-        let first = self.radius(args, 2)?;
+        let radius = |index| radius(args, index, self.context);
+        let first = radius(2)?;
         let circle = args.record.name == "CIRCLE";
-        let second = if circle { first } else { self.radius(args, 3)? };
+        let second = if circle { first } else { radius(3)? };
         let normal = if self.forward { z } else { opposite(z) };
         let towards = across(minus(self.ends[0], place.origin), normal);
         let is_off = circle && length(towards) > COINCIDENT * first;
@@ -121,13 +118,10 @@ impl<'a> Span<'a> {
     /// A hyperbola or a parabola: points on it, evenly in its parameter.
     fn open_conic(&self, args: &Args<'a>) -> Found {
         let place = placement(args.entity(1)?, self.context)?;
-        let first = self.radius(args, 2)?;
+        let radius = |index| radius(args, index, self.context);
+        let first = radius(2)?;
         let hyperbola = args.record.name == "HYPERBOLA";
-        let second = if hyperbola {
-            self.radius(args, 3)?
-        } else {
-            first
-        };
+        let second = if hyperbola { radius(3)? } else { first };
         let at = |t: f64| {
             let (x, y) = if hyperbola {
                 (first * t.cosh(), second * t.sinh())
@@ -138,10 +132,9 @@ impl<'a> Span<'a> {
         };
         let parameter = |p: Vector| {
             let y = dot(minus(p, place.origin), place.axes[1]);
-            if hyperbola {
-                (y / second).asinh()
-            } else {
-                y / (2.0 * first)
+            match hyperbola {
+                true => (y / second).asinh(),
+                false => y / (2.0 * first),
             }
         };
         let [from, to] = self.ends.map(parameter);
@@ -161,10 +154,9 @@ impl<'a> Span<'a> {
         let tolerance = self.tolerance(reach);
         on_curve(off.max(other), tolerance)?;
         let comes_back = distance(spline.at(low), spline.at(high)) <= tolerance.missed;
-        let (mut from, mut to) = if self.forward {
-            (start, end)
-        } else {
-            (end, start)
+        let (mut from, mut to) = match self.forward {
+            true => (start, end),
+            false => (end, start),
         };
         if self.closed || to <= from {
             if !comes_back {
@@ -218,9 +210,8 @@ impl<'a> Span<'a> {
             points[last] = self.ends[1];
         }
         points.dedup_by(|next, kept| distance(*next, *kept) <= least);
-        if points.len() < if closed { 3 } else { 2 }
-            || points.iter().flatten().any(|v| !v.is_finite())
-        {
+        let is_short = points.len() < if closed { 3 } else { 2 };
+        if is_short || points.iter().flatten().any(|v| !v.is_finite()) {
             return Err("it has no length".into());
         }
         Ok(("points", Curve::through(points, closed, COINCIDENT * size)))
@@ -242,10 +233,8 @@ pub fn radius(args: &Args, index: usize, context: &Context) -> Result<f64> {
     if (1e-9..=MAX_NUMBER).contains(&radius) {
         return Ok(radius);
     }
-    Err(args.error(
-        format!("a radius of {written}"),
-        format!("a length above 0 and up to {MAX_NUMBER:e} mm is needed"),
-    ))
+    let accepted = format!("a length above 0 and up to {MAX_NUMBER:e} mm is needed");
+    Err(args.error(format!("a radius of {written}"), accepted))
 }
 
 /// A curve where its part is placed.

@@ -27,7 +27,7 @@ const KINDS: [&str; 4] = [
 /// The patches of a free-form surface; nothing for one of another kind.
 pub fn freeform(entity: Entity, context: &Context) -> Result<Option<Vec<Patch>>> {
     if let Some(kind) = entity.find(&KINDS) {
-        return spline_surface(entity, &kind, context).map(Some);
+        return spline_surface(&kind, context).map(Some);
     }
     match entity.find(&["SURFACE_OF_LINEAR_EXTRUSION", "SURFACE_OF_REVOLUTION"]) {
         Some(args) if args.record.name == "SURFACE_OF_REVOLUTION" => revolution(&args, context),
@@ -36,16 +36,9 @@ pub fn freeform(entity: Entity, context: &Context) -> Result<Option<Vec<Patch>>>
     }
 }
 
-fn spline_surface<'a>(
-    entity: Entity<'a>,
-    kind: &Args<'a>,
-    context: &Context,
-) -> Result<Vec<Patch>> {
-    let whole = entity
-        .complex
-        .then(|| entity.need(&["B_SPLINE_SURFACE"]))
-        .transpose()?;
-    let surface = whole.unwrap_or(*kind);
+fn spline_surface(kind: &Args, context: &Context) -> Result<Vec<Patch>> {
+    let entity = kind.entity;
+    let surface = kind.of("B_SPLINE_SURFACE")?;
     let first = surface.first();
     let degrees = [surface.whole(first)?, surface.whole(first + 1)?];
     let rows = surface.list(first + 2)?;
@@ -64,8 +57,7 @@ fn spline_surface<'a>(
         poles.push(entities.into_iter().map(pole).collect::<Result<_, _>>()?);
     }
     let width = poles.first().map_or(0, Vec::len);
-    let fits =
-        |degree: usize, count: usize| (1..=HIGHEST_DEGREE).contains(&degree) && count > degree;
+    let fits = |degree, count| (1..=HIGHEST_DEGREE).contains(&degree) && count > degree;
     let even = poles.iter().all(|row| row.len() == width) && count <= MOST_POLES;
     if !even || !fits(degrees[0], poles.len()) || !fits(degrees[1], width) {
         return Err(surface.error(
@@ -76,13 +68,11 @@ fn spline_surface<'a>(
     if let Some(rational) = entity.find(&["RATIONAL_B_SPLINE_SURFACE"]) {
         let rows = rational.list(0)?;
         if rows.len() != poles.len() {
-            return Err(rational.error(
-                format!("{} rows of weights", rows.len()),
-                "as many rows as control points have are needed",
-            ));
+            let problem = format!("{} rows of weights", rows.len());
+            return Err(rational.error(problem, "as many rows as control points have are needed"));
         }
         for (row, values) in poles.iter_mut().zip(rows) {
-            let weights = weights(&rational, &rational.numbers_of(values)?, width)?;
+            let weights = weights(&rational, rational.numbers_of(values)?, width)?;
             for (pole, weight) in row.iter_mut().zip(weights) {
                 *pole = pole.map(|value| value * weight);
             }
@@ -106,11 +96,7 @@ fn spline_surface<'a>(
 
 /// The curve that is moved or turned, as Bezier pieces; nothing for a curve of another kind. Of a line it is a part,
 /// not at its origin, which may be on the axis.
-fn profile<'a>(
-    mut entity: Entity<'a>,
-    context: &Context,
-    reach: f64,
-) -> Result<Option<Vec<Vec<Pole>>>> {
+fn profile<'a>(mut entity: Entity<'a>, context: &Context) -> Result<Option<Vec<Vec<Pole>>>> {
     for _ in 0..8 {
         let Some(args) = entity.find(&["TRIMMED_CURVE", "SURFACE_CURVE", "SEAM_CURVE"]) else {
             break;
@@ -127,7 +113,7 @@ fn profile<'a>(
             let [x, y, z] = along(origin, factor, course);
             [x, y, z, 1.0]
         };
-        return Ok(Some(vec![vec![pole(reach), pole(2.0 * reach)]]));
+        return Ok(Some(vec![vec![pole(1.0), pole(2.0)]]));
     }
     if let Some(args) = entity.find(&["CIRCLE", "ELLIPSE"]) {
         let place = placement(args.entity(1)?, context)?;
@@ -159,10 +145,10 @@ fn arcs(centre: Vector, x: Vector, y: Vector) -> Vec<Vec<Pole>> {
 
 fn extrusion<'a>(args: &Args<'a>, context: &Context) -> Result<Option<Vec<Patch>>> {
     let course = direction(args.named(2, &["VECTOR"])?.entity(1)?)?;
-    let Some(curve) = profile(args.entity(1)?, context, 1.0)? else {
+    let Some(curve) = profile(args.entity(1)?, context)? else {
         return Ok(None);
     };
-    let reach = REACH * extent(&curve);
+    let reach = REACH * reach(curve.iter().flatten().map(plain), plain(&curve[0][0]));
     let moved = |[x, y, z, weight]: Pole, factor: f64| -> Pole {
         let [a, b, c] = course.map(|value| factor * weight * value);
         [x + a, y + b, z + c, weight]
@@ -175,10 +161,6 @@ fn extrusion<'a>(args: &Args<'a>, context: &Context) -> Result<Option<Vec<Patch>
     Ok(Some(curve.iter().map(patch).collect()))
 }
 
-fn extent(curve: &[Vec<Pole>]) -> f64 {
-    reach(curve.iter().flatten().map(plain), plain(&curve[0][0]))
-}
-
 fn revolution<'a>(args: &Args<'a>, context: &Context) -> Result<Option<Vec<Patch>>> {
     let placed = args.named(2, &["AXIS1_PLACEMENT"])?;
     let origin = point(placed.entity(1)?, context)?;
@@ -186,7 +168,7 @@ fn revolution<'a>(args: &Args<'a>, context: &Context) -> Result<Option<Vec<Patch
         Some(entity) => direction(entity)?,
         None => [0.0, 0.0, 1.0],
     };
-    let Some(curve) = profile(args.entity(1)?, context, 1.0)? else {
+    let Some(curve) = profile(args.entity(1)?, context)? else {
         return Ok(None);
     };
     let mut all = vec![];

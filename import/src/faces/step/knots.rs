@@ -3,23 +3,16 @@
 use step21::{Args, Result};
 
 /// Weights of control points, checked.
-pub fn weights(args: &Args, weights: &[f64], count: usize) -> Result<Vec<f64>> {
+pub fn weights(args: &Args, weights: Vec<f64>, count: usize) -> Result<Vec<f64>> {
     if weights.len() != count {
-        return Err(args.error(
-            format!("{} weights for {count} control points", weights.len()),
-            "a weight for every control point is needed",
-        ));
+        let problem = format!("{} weights for {count} control points", weights.len());
+        return Err(args.error(problem, "a weight for every control point is needed"));
     }
-    match weights
-        .iter()
-        .find(|weight| !(1e-9..=1e9).contains(*weight))
-    {
-        Some(weight) => Err(args.error(
-            format!("a weight of {weight}"),
-            "weights from 1e-9 to 1e9 are possible",
-        )),
-        None => Ok(weights.to_vec()),
+    if let Some(weight) = weights.iter().find(|w| !(1e-9..=1e9).contains(*w)) {
+        let problem = format!("a weight of {weight}");
+        return Err(args.error(problem, "weights from 1e-9 to 1e9 are possible"));
     }
+    Ok(weights)
 }
 
 /// Knots as they are written, each as often as it counts; at these two places are the multiplicities and the knots.
@@ -47,15 +40,11 @@ pub fn written_knots(
             "as many rising knots as multiplicities are needed, none above the degree and one, and together a knot for every control point and the degree and one more",
         ));
     }
-    let each = values.into_iter().zip(times);
-    let knots: Vec<f64> = each
-        .flat_map(|(value, times)| std::iter::repeat_n(value, times))
-        .collect();
+    let repeated = |(value, times)| std::iter::repeat_n(value, times);
+    let knots: Vec<f64> = values.into_iter().zip(times).flat_map(repeated).collect();
     if knots[degree] >= knots[count] {
-        return Err(args.error(
-            "its parameter has no range",
-            "knots that differ between the first and the last pieces are needed",
-        ));
+        let accepted = "knots that differ between the first and the last pieces are needed";
+        return Err(args.error("its parameter has no range", accepted));
     }
     Ok(knots)
 }
@@ -72,10 +61,9 @@ pub fn implied_knots(args: &Args, name: &str, degree: usize, count: usize) -> Re
         _ => index.div_ceil(degree).clamp(1, (count - 1) / degree + 1) as f64,
     };
     if is("BEZIER") && !(count - 1).is_multiple_of(degree) {
-        return Err(args.error(
-            format!("{count} control points for pieces of degree {degree}"),
-            "one control point and as many as the degree for every piece are needed",
-        ));
+        let problem = format!("{count} control points for pieces of degree {degree}");
+        let accepted = "one control point and as many as the degree for every piece are needed";
+        return Err(args.error(problem, accepted));
     }
     Ok((0..total).map(knot).collect())
 }

@@ -6,7 +6,6 @@
 mod assembly;
 mod colours;
 mod curves;
-mod external;
 mod freeform;
 mod knots;
 mod measure;
@@ -23,11 +22,10 @@ use crate::error::unusable;
 use crate::{ImportError, Place, Result};
 use assembly::Assembly;
 use colours::colours;
-use external::external;
 use placement::Placement;
 use reader::{Found, Reader};
 use std::collections::HashSet;
-use step21::{Error, Exchange, Kind, decoded};
+use step21::{Error, Exchange, Kind, Value, decoded};
 use summary::Summary;
 
 /// Most files that place each other's parts.
@@ -43,11 +41,9 @@ pub fn build(bytes: &[u8], file: &str, beside: Beside) -> Result<(Model, Summary
     let mut summary = summary.map_err(|error| of_file(file, error))?;
     let mut model = found.model;
     if model.faces.is_empty() {
-        return Err(unusable(
-            file,
-            nothing(&summary),
-            "a MANIFOLD_SOLID_BREP, BREP_WITH_VOIDS or SHELL_BASED_SURFACE_MODEL is needed",
-        ));
+        let accepted =
+            "a MANIFOLD_SOLID_BREP, BREP_WITH_VOIDS or SHELL_BASED_SURFACE_MODEL is needed";
+        return Err(unusable(file, nothing(&summary), accepted));
     }
     summary.placed_faces = model.faces.len();
     if model.title.is_empty() {
@@ -131,11 +127,39 @@ fn schema(file: &Exchange) -> Vec<String> {
         Some(Kind::List(values)) => &values[..],
         _ => &[],
     };
-    let words = names.iter().filter_map(|value| match value.kind {
-        Kind::Text(name) => Some(decoded(name)),
+    let word = |value: &Value| match value.kind {
+        Kind::Text(name) => Some(
+            decoded(name)
+                .split_whitespace()
+                .next()
+                .unwrap_or("")
+                .to_owned(),
+        ),
         _ => None,
-    });
-    words
-        .map(|name| name.split_whitespace().next().unwrap_or("").to_owned())
-        .collect()
+    };
+    names.iter().filter_map(word).collect()
+}
+
+/// The names of the files that have the shape of a product, without folders.
+fn external(file: &Exchange, product: Option<u64>) -> Vec<String> {
+    let mut names: Vec<String> = vec![];
+    for reference in file.all(&["APPLIED_DOCUMENT_REFERENCE"]) {
+        let items = reference.entities(2).unwrap_or_default();
+        let own = items.iter().any(|item| Some(item.id) == product);
+        let document = reference.entity(0).ok().filter(|_| own);
+        let Some(document) = document.and_then(|entity| entity.find(&["DOCUMENT_FILE"])) else {
+            continue;
+        };
+        let mut assigned = file.all(&["APPLIED_EXTERNAL_IDENTIFICATION_ASSIGNMENT"]);
+        let assigned = assigned.find(|assigned| {
+            let items = assigned.entities(3).unwrap_or_default();
+            items.iter().any(|item| item.id == document.entity.id)
+        });
+        let path = assigned.unwrap_or(document).text(0);
+        let name = path.rsplit(['/', '\\']).next().unwrap_or_default();
+        if !name.is_empty() && !names.iter().any(|known| known == name) {
+            names.push(name.to_owned());
+        }
+    }
+    names
 }

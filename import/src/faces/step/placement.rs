@@ -28,7 +28,6 @@ impl Placement {
         axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
     };
 
-    /// A direction.
     pub fn direction(&self, v: Vector) -> Vector {
         if self.axes == Self::IN_PLACE.axes {
             return v;
@@ -37,7 +36,6 @@ impl Placement {
         plus(plus(times(v[0], x), times(v[1], y)), times(v[2], z))
     }
 
-    /// A point.
     pub fn point(&self, p: Vector) -> Vector {
         plus(self.origin, self.direction(p))
     }
@@ -66,14 +64,12 @@ impl Placement {
 
 /// The numbers of a point or a direction.
 fn triple(args: &Args, index: usize) -> Result<Vector> {
-    let numbers = args.numbers(index)?;
-    let count = numbers.len();
-    numbers.try_into().map_err(|_| {
-        args.error(
-            format!("it has {count} coordinates"),
-            "three coordinates are needed",
-        )
-    })
+    args.numbers(index)?
+        .try_into()
+        .map_err(|numbers: Vec<f64>| {
+            let problem = format!("it has {} coordinates", numbers.len());
+            args.error(problem, "three coordinates are needed")
+        })
 }
 
 /// A point, millimetres.
@@ -93,10 +89,8 @@ pub fn direction(entity: Entity) -> Result<Vector> {
     let args = entity.need(&["DIRECTION"])?;
     let numbers = triple(&args, 1)?;
     if !(1e-9..=MAX_NUMBER).contains(&length(numbers)) {
-        return Err(args.error(
-            format!("{numbers:?} has no direction"),
-            "a vector with a number other than 0 is needed",
-        ));
+        let problem = format!("{numbers:?} has no direction");
+        return Err(args.error(problem, "a vector with a number other than 0 is needed"));
     }
     Ok(clean(unit(numbers)))
 }
@@ -105,10 +99,7 @@ pub fn direction(entity: Entity) -> Result<Vector> {
 pub fn placement(entity: Entity, context: &Context) -> Result<Placement> {
     let args = entity.need(&["AXIS2_PLACEMENT_3D"])?;
     let origin = point(args.entity(1)?, context)?;
-    let given = |index| -> Result<Option<Vector>> {
-        let entity = args.maybe(index)?;
-        entity.map(direction).transpose()
-    };
+    let given = |index| args.maybe(index)?.map(direction).transpose();
     let z = given(2)?.unwrap_or([0.0, 0.0, 1.0]);
     let wanted = given(3)?.unwrap_or([1.0, 0.0, 0.0]);
     let mut x = across(wanted, z);

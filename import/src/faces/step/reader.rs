@@ -55,31 +55,24 @@ impl<'f, 'a> Reader<'f, 'a> {
     /// Reads the items of a representation where it is placed; those that cannot be read are missing.
     pub fn representation(&mut self, part: &Placed<'a>, place: Placement) {
         let own = part.representation;
-        let read = self
-            .assembly
-            .context(&own)
-            .and_then(|context| Ok((context, own.list(1)?)));
-        let (context, items) = match read {
+        let context = self.assembly.context(&own);
+        let (context, items) = match context.and_then(|context| Ok((context, own.list(1)?))) {
             Ok(read) => read,
             Err(error) => return self.leave_out(part, &error),
         };
         let mut space = Space::new(context, place);
         for item in items {
-            let solid = own
-                .as_entity(item)
-                .and_then(|item| self.item(part, &mut space, item));
-            if let Err(error) = solid {
+            let item = own.as_entity(item);
+            if let Err(error) = item.and_then(|item| self.item(part, &mut space, item)) {
                 self.leave_out(part, &error);
             }
         }
     }
 
     fn leave_out(&mut self, part: &Placed, error: &Error) {
-        let name = self.assembly.name(part.group);
-        let part = if name.is_empty() {
-            "left out".into()
-        } else {
-            format!("part `{name}`")
+        let part = match self.assembly.name(part.group) {
+            "" => "left out".into(),
+            name => format!("part `{name}`"),
         };
         self.summary.missing.push(format!("{part}: {error}"));
     }
@@ -112,24 +105,19 @@ impl<'f, 'a> Reader<'f, 'a> {
     /// Moves what was read to what has been found.
     pub fn finish(mut self, file: &Exchange) -> Summary {
         self.summary.faces = self.placed.values().sum();
-        let of_shells = file
-            .all(&SHELLS)
-            .flat_map(|shell| shell.list(1).unwrap_or_default());
-        let of_shells = of_shells.filter_map(|face| match face.kind {
+        let shells = file.all(&SHELLS);
+        let faces = shells.flat_map(|shell| shell.list(1).unwrap_or_default());
+        let faces = faces.filter_map(|face| match face.kind {
             Kind::Reference(id) => Some(id),
             _ => None,
         });
-        let of_shells: HashSet<u64> = of_shells.collect();
+        let of_shells: HashSet<u64> = faces.collect();
         self.summary.unplaced_faces = of_shells.len().saturating_sub(self.summary.faces);
         let model = &mut self.found.model;
         let (first_edge, first_face) = (model.edges.len(), model.faces.len());
         let mut own = self.topology.model;
-        for edge_use in own
-            .faces
-            .iter_mut()
-            .flat_map(|face| &mut face.loops)
-            .flatten()
-        {
+        let loops = own.faces.iter_mut().flat_map(|face| &mut face.loops);
+        for edge_use in loops.flatten() {
             edge_use.edge += first_edge;
         }
         for face in own.solids.iter_mut().flat_map(|solid| &mut solid.faces) {
@@ -180,11 +168,7 @@ fn shells(item: Entity) -> Result<Vec<Entity>> {
         return args.entities(args.first());
     }
     if let Some(voids) = item.find(&["BREP_WITH_VOIDS"]) {
-        let whole = item
-            .complex
-            .then(|| item.need(&["MANIFOLD_SOLID_BREP"]))
-            .transpose()?;
-        let outer = whole.unwrap_or(voids);
+        let outer = voids.of("MANIFOLD_SOLID_BREP")?;
         let mut shells = vec![outer.entity(outer.first())?];
         shells.extend(voids.entities(2 * voids.first())?);
         return Ok(shells);

@@ -17,7 +17,6 @@ const PLACES: std::ops::RangeInclusive<usize> = 64..=2048;
 /// A curve over a range of its parameter.
 #[derive(Clone, Debug)]
 pub struct Spline {
-    /// Degree.
     pub degree: usize,
     /// Each as often as it counts.
     pub knots: Vec<f64>,
@@ -42,12 +41,8 @@ impl Spline {
     /// From its words.
     pub fn read(entity: Entity, context: &Context) -> Result<Spline> {
         let kind = entity.need(&KINDS)?;
-        // In a complex entity every part has its own parameters, in a simple one they follow a name.
-        let (curve, first) = if entity.complex {
-            (entity.need(&["B_SPLINE_CURVE"])?, 0)
-        } else {
-            (kind, 1)
-        };
+        let curve = kind.of("B_SPLINE_CURVE")?;
+        let first = curve.first();
         let degree = curve.whole(first)?;
         let points = curve.entities(first + 1)?;
         let count = points.len();
@@ -58,7 +53,7 @@ impl Spline {
             ));
         }
         let weights = match entity.find(&["RATIONAL_B_SPLINE_CURVE"]) {
-            Some(args) => weights(&args, &args.numbers(0)?, count)?,
+            Some(args) => weights(&args, args.numbers(0)?, count)?,
             None => vec![1.0; count],
         };
         let mut poles = vec![];
@@ -85,7 +80,6 @@ impl Spline {
         [self.knots[self.degree], self.knots[self.poles.len()]]
     }
 
-    /// Number of pieces.
     pub fn pieces(&self) -> usize {
         let inside = &self.knots[self.degree..=self.poles.len()];
         inside.windows(2).filter(|pair| pair[0] < pair[1]).count()
@@ -115,20 +109,19 @@ impl Spline {
         let off = |u: f64| distance(self.at(u), p);
         let steps = (16 * self.pieces()).clamp(*PLACES.start(), *PLACES.end());
         let place = |k: usize| low + (high - low) * k as f64 / steps as f64;
-        let best = (0..=steps)
-            .min_by(|i, j| off(place(*i)).total_cmp(&off(place(*j))))
-            .unwrap_or(0);
+        let best = (0..=steps).min_by(|i, j| off(place(*i)).total_cmp(&off(place(*j))));
+        let best = best.unwrap_or(0);
         let [mut a, mut b] = [place(best.saturating_sub(1)), place((best + 1).min(steps))];
         // A third of the interval goes in every round.
         for _ in 0..80 {
             let [c, d] = [a + (b - a) / 3.0, b - (b - a) / 3.0];
             (a, b) = if off(c) <= off(d) { (a, d) } else { (c, b) };
         }
-        [low, high, place(best), 0.5 * (a + b)]
-            .map(|u| (u, off(u)))
+        let found = [low, high, place(best), 0.5 * (a + b)].map(|u| (u, off(u)));
+        let nearest = found
             .into_iter()
-            .min_by(|one, other| one.1.total_cmp(&other.1))
-            .unwrap_or((low, off(low)))
+            .min_by(|one, other| one.1.total_cmp(&other.1));
+        nearest.expect("four places")
     }
 }
 
@@ -171,18 +164,13 @@ mod tests {
         let knots = vec![0.0, 0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 3.0, 3.0, 3.0];
         let pole = |k: usize| {
             let [a, b, c] = [knots[k + 1], knots[k + 2], knots[k + 3]];
-            [
-                (a + b + c) / 3.0,
-                (a * b + b * c + c * a) / 3.0,
-                a * b * c,
-                1.0,
-            ]
+            let [sum, pairs] = [a + b + c, a * b + b * c + c * a];
+            [sum / 3.0, pairs / 3.0, a * b * c, 1.0]
         };
-        let poles = (0..6).map(pole).collect();
         let spline = Spline {
             degree: 3,
-            knots: knots.clone(),
-            poles,
+            poles: (0..6).map(pole).collect(),
+            knots,
         };
         assert_eq!(spline.pieces(), 3);
         for k in 0..=30 {

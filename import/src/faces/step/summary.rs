@@ -9,7 +9,6 @@ use std::collections::BTreeMap;
 pub struct Summary {
     /// What the header calls the schema.
     pub schema: Vec<String>,
-    /// Number of entities.
     pub entities: usize,
     /// Faces of the file that are part of a shell, each counted once.
     pub faces: usize,

@@ -56,10 +56,8 @@ pub fn surface(
     }
     let inner = |args: &Args| -> Result<Found> {
         if depth == DEEPEST {
-            return Err(args.error(
-                "it is defined by itself, or by too many others",
-                format!("at most {DEEPEST} surfaces defined by each other are possible"),
-            ));
+            let accepted = format!("at most {DEEPEST} surfaces defined by each other are possible");
+            return Err(args.error("it is defined by itself, or by too many others", accepted));
         }
         surface(args.entity(1)?, context, place, tolerance, depth + 1)
     };
@@ -116,17 +114,11 @@ fn cone(args: &Args, context: &Context, own: &Placement) -> Result<Found> {
         return Ok(Found::refused("cone", reason));
     }
     // A negative angle, which some systems write, narrows the cone along its axis.
-    let axis = if angle < 0.0 {
-        opposite(own.axes[2])
-    } else {
-        own.axes[2]
-    };
+    let axis = own.axes[2];
+    let axis = if angle < 0.0 { opposite(axis) } else { axis };
     let apex = along(own.origin, -radius / clean_tangent(angle.abs()), axis);
-    Ok(Found::exact(Surface::new(
-        apex,
-        axis,
-        Form::Cone(angle.abs()),
-    )))
+    let form = Form::Cone(angle.abs());
+    Ok(Found::exact(Surface::new(apex, axis, form)))
 }
 
 /// The name of a surface that is no quadric, as in a face list where that has one.

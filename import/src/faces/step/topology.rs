@@ -172,10 +172,9 @@ impl Topology {
         }
         let label = args.text(0);
         Ok(Face {
-            name: if label.is_empty() || label == "NONE" {
-                format!("#{}", entity.id)
-            } else {
-                format!("{label} #{}", entity.id)
+            name: match label.as_str() {
+                "" | "NONE" => format!("#{}", entity.id),
+                label => format!("{label} #{}", entity.id),
             },
             surface,
             loops,
@@ -199,12 +198,9 @@ impl Topology {
 
     /// Whether edges are on the side of an apex from which the axis comes.
     fn is_behind(&self, loops: &[Vec<EdgeUse>], cone: &Surface) -> bool {
-        let points = self
-            .model
-            .places(&border(loops.iter().flatten().copied()), 8);
-        let heights = points
-            .iter()
-            .map(|p| dot(minus(*p, cone.origin), cone.axis));
+        let border = border(loops.iter().flatten().copied());
+        let points = self.model.places(&border, 8).into_iter();
+        let heights = points.map(|p| dot(minus(p, cone.origin), cone.axis));
         heights.sum::<f64>() < 0.0
     }
 
@@ -213,14 +209,12 @@ impl Topology {
         let inner = Surface::new(torus.origin, torus.axis, Form::Torus(-major, minor));
         let off = |surface: &Surface| -> f64 {
             let points = self.model.places(loops.iter().flatten(), 8).into_iter();
-            points
-                .filter_map(|p| Some(distance(p, surface.nearest(p)?)))
-                .sum()
+            let distances = points.filter_map(|p| Some(distance(p, surface.nearest(p)?)));
+            distances.sum()
         };
-        if minor > major && off(&inner) < off(torus) {
-            inner.form
-        } else {
-            torus.form.clone()
+        match minor > major && off(&inner) < off(torus) {
+            true => inner.form,
+            false => torus.form.clone(),
         }
     }
 
@@ -274,16 +268,13 @@ impl Topology {
             }
             let key = [from.id.min(to.id), from.id.max(to.id)];
             let forward = from.id == key[0];
-            let [low, high] = if forward { ends } else { [ends[1], ends[0]] };
+            let [from, to] = if forward { ends } else { [ends[1], ends[0]] };
             let edges = &mut self.model.edges;
             let edge = *space.sides.entry(key).or_insert_with(|| {
                 edges.push(Edge {
                     name: format!("#{}-#{}", key[0], key[1]),
                     kind: "line",
-                    curve: Curve::Line {
-                        from: low,
-                        to: high,
-                    },
+                    curve: Curve::Line { from, to },
                     off: 0.0,
                     vertices: None,
                 });
@@ -298,9 +289,8 @@ impl Topology {
     fn check_chain(&self, args: &Args, uses: &[(EdgeUse, u64)]) -> Result<(), String> {
         let place = format!("`#{}` EDGE_LOOP", args.entity.id);
         if uses.is_empty() {
-            return Err(format!(
-                "{place}: it has no edge; at least one edge is needed"
-            ));
+            let problem = "it has no edge; at least one edge is needed";
+            return Err(format!("{place}: {problem}"));
         }
         let ends = |own: EdgeUse| {
             let [from, to] = self.model.edges[own.edge].vertices.unwrap_or_default();
@@ -353,11 +343,9 @@ impl Topology {
             closed: vertices[0] == vertices[1] || self.same_place(vertices[0], vertices[1]),
             forward: args.flag(4)?,
         };
-        // Other faces of the edge are refused with the same words.
         let curve = args.entity(3).map_err(String::from);
-        let found = curve.and_then(|curve| span.of(curve));
-        let edge = found
-            .map(|(kind, curve)| {
+        let edge = match curve.and_then(|curve| span.of(curve)) {
+            Ok((kind, curve)) => {
                 self.model.edges.push(Edge {
                     name: format!("#{}", entity.id),
                     kind,
@@ -365,9 +353,11 @@ impl Topology {
                     off: 0.0,
                     vertices: Some(vertices),
                 });
-                self.model.edges.len() - 1
-            })
-            .map_err(|reason| format!("edge `#{}`: {reason}", entity.id));
+                Ok(self.model.edges.len() - 1)
+            }
+            // Other faces of the edge are refused with the same words.
+            Err(reason) => Err(format!("edge `#{}`: {reason}", entity.id)),
+        };
         space.edges.insert(entity.id, edge.clone());
         Ok(edge)
     }

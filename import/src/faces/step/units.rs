@@ -77,10 +77,8 @@ fn unit_of(entity: Entity, quantity: Quantity, chain: usize) -> Result<Option<f6
     }
     let args = entity.need(&["SI_UNIT", "CONVERSION_BASED_UNIT"])?;
     if chain == LONGEST_CHAIN {
-        return Err(args.error(
-            "it is defined by itself, or by too many others",
-            format!("at most {LONGEST_CHAIN} conversions are possible"),
-        ));
+        let accepted = format!("at most {LONGEST_CHAIN} conversions are possible");
+        return Err(args.error("it is defined by itself, or by too many others", accepted));
     }
     let measures = [
         "LENGTH_MEASURE_WITH_UNIT",
@@ -88,24 +86,18 @@ fn unit_of(entity: Entity, quantity: Quantity, chain: usize) -> Result<Option<f6
         "MEASURE_WITH_UNIT",
     ];
     let Some(measure) = args.entity(1)?.find(&measures) else {
-        return Err(args.error(
-            "it has no measure",
-            "a LENGTH_MEASURE_WITH_UNIT or a PLANE_ANGLE_MEASURE_WITH_UNIT is needed",
-        ));
+        let accepted = "a LENGTH_MEASURE_WITH_UNIT or a PLANE_ANGLE_MEASURE_WITH_UNIT is needed";
+        return Err(args.error("it has no measure", accepted));
     };
     let factor = measure.number(0)?;
     let Some(base) = unit_of(measure.entity(1)?, quantity, chain + 1)? else {
-        return Err(measure.error(
-            "its unit is of another quantity",
-            format!("a {} is needed", quantity.0),
-        ));
+        let problem = "its unit is of another quantity";
+        return Err(measure.error(problem, format!("a {} is needed", quantity.0)));
     };
     let value = factor * base;
     if !(1e-9..=1e9).contains(&value) {
-        return Err(measure.error(
-            format!("{factor} of its unit is out of range"),
-            "a factor above 0 is needed, 1e-9 to 1e9 mm or radians",
-        ));
+        let accepted = "a factor above 0 is needed, 1e-9 to 1e9 mm or radians";
+        return Err(measure.error(format!("{factor} of its unit is out of range"), accepted));
     }
     Ok(Some(value))
 }
@@ -114,17 +106,13 @@ fn si_unit(args: &Args, (part, name, own_power): Quantity) -> Result<f64> {
     // As a part of a complex entity it has its own two parameters, alone also that of `NAMED_UNIT`.
     let first = if args.record.values.len() > 2 { 1 } else { 0 };
     if args.word(first + 1)? != Some(name) {
-        return Err(args.error(
-            format!("it is no unit of a {part}"),
-            format!("`.{name}.` is needed"),
-        ));
+        let problem = format!("it is no unit of a {part}");
+        return Err(args.error(problem, format!("`.{name}.` is needed")));
     }
     let prefix = args.word(first)?.unwrap_or("");
     let Some((_, power)) = PREFIXES.iter().find(|(name, _)| *name == prefix) else {
-        return Err(args.error(
-            format!("`.{prefix}.` is no prefix of this program"),
-            "`.NANO.` to `.KILO.` are possible, and `$`",
-        ));
+        let problem = format!("`.{prefix}.` is no prefix of this program");
+        return Err(args.error(problem, "`.NANO.` to `.KILO.` are possible, and `$`"));
     };
     // A power of ten divides exactly where it would not multiply so.
     let power = power + own_power;

@@ -6,9 +6,7 @@ use std::fmt::Write;
 /// A column's values, without its mask.
 #[derive(Debug, PartialEq)]
 pub enum Values<'a> {
-    /// Whole numbers.
     Whole(Vec<i64>),
-    /// Other numbers.
     Numbers(Vec<f64>),
     /// Texts, and which of them each row has; a negative one is no text.
     Texts(Vec<&'a str>, Vec<i64>),
@@ -19,18 +17,13 @@ pub struct Budget(pub usize);
 
 impl Budget {
     fn take(&mut self, count: usize) -> Result<(), String> {
-        match self.0.checked_sub(count) {
-            Some(rest) => {
-                self.0 = rest;
-                Ok(())
-            }
-            None => Err("it holds more values than a file of its size can".to_owned()),
-        }
+        let rest = self.0.checked_sub(count);
+        self.0 = rest.ok_or("it holds more values than a file of its size can")?;
+        Ok(())
     }
 }
 
 impl Values<'_> {
-    /// How many there are.
     pub fn len(&self) -> usize {
         match self {
             Values::Whole(values) => values.len(),
@@ -59,12 +52,10 @@ pub fn get<'a, 'v>(map: &'v ValueRef<'a>, key: &str) -> Result<&'v ValueRef<'a>,
         ValueRef::Map(pairs) => pairs.iter().find(|(name, _)| text(name) == Ok(key)),
         _ => None,
     };
-    found
-        .map(|(_, value)| value)
-        .ok_or_else(|| format!("it has no `{key}`"))
+    let value = found.map(|(_, value)| value);
+    value.ok_or_else(|| format!("it has no `{key}`"))
 }
 
-/// A text.
 pub fn text<'a>(value: &ValueRef<'a>) -> Result<&'a str, String> {
     let text = match value {
         ValueRef::String(text) => text.into_str(),
@@ -73,7 +64,6 @@ pub fn text<'a>(value: &ValueRef<'a>) -> Result<&'a str, String> {
     text.ok_or_else(|| "a text is missing".to_owned())
 }
 
-/// The members of an array.
 pub fn array<'a, 'v>(value: &'v ValueRef<'a>) -> Result<&'v [ValueRef<'a>], String> {
     match value {
         ValueRef::Array(members) => Ok(members),
@@ -88,23 +78,20 @@ fn number(map: &ValueRef, key: &str) -> Result<f64, String> {
         ValueRef::F64(value) => Some(*value),
         _ => None,
     };
-    value
-        .filter(|v| v.is_finite())
-        .ok_or_else(|| format!("its `{key}` is no number"))
+    let value = value.filter(|v| v.is_finite());
+    value.ok_or_else(|| format!("its `{key}` is no number"))
 }
 
 fn whole(map: &ValueRef, key: &str) -> Result<i64, String> {
     let value = number(map, key)?;
-    if value.fract() == 0.0 && value.abs() < 1e15 {
-        Ok(value as i64)
-    } else {
-        Err(format!("its `{key}` is no whole number"))
-    }
+    let is_whole = value.fract() == 0.0 && value.abs() < 1e15;
+    let value = is_whole.then_some(value as i64);
+    value.ok_or_else(|| format!("its `{key}` is no whole number"))
 }
 
 fn count(map: &ValueRef, key: &str, budget: &mut Budget) -> Result<usize, String> {
-    let count =
-        usize::try_from(whole(map, key)?).map_err(|_| format!("its `{key}` is negative"))?;
+    let count = usize::try_from(whole(map, key)?);
+    let count = count.map_err(|_| format!("its `{key}` is negative"))?;
     budget.take(count)?;
     Ok(count)
 }
@@ -190,15 +177,15 @@ fn string_array<'a>(
     let (Values::Whole(offsets), Values::Whole(places)) = (offsets, places) else {
         return Err("its texts have no whole offsets".to_owned());
     };
-    let texts: Option<Vec<&str>> = offsets
-        .windows(2)
-        .map(|pair| {
-            let [from, to] = [pair[0], pair[1]].map(|offset| usize::try_from(offset).ok());
-            all.get(from?..to?)
-        })
-        .collect();
-    let texts = texts.ok_or("its texts have wrong offsets")?;
-    Ok(Values::Texts(texts, places))
+    let text = |pair: &[i64]| {
+        let [from, to] = [pair[0], pair[1]].map(|offset| usize::try_from(offset).ok());
+        all.get(from?..to?)
+    };
+    let texts: Option<Vec<&str>> = offsets.windows(2).map(text).collect();
+    Ok(Values::Texts(
+        texts.ok_or("its texts have wrong offsets")?,
+        places,
+    ))
 }
 
 fn fixed_point(numbers: &[i64], factor: f64) -> Result<Vec<f64>, String> {
@@ -210,11 +197,9 @@ fn fixed_point(numbers: &[i64], factor: f64) -> Result<Vec<f64>, String> {
 
 fn interval(numbers: &[i64], encoding: &ValueRef) -> Result<Vec<f64>, String> {
     let (low, high) = (number(encoding, "min")?, number(encoding, "max")?);
-    let steps = whole(encoding, "numSteps")? as f64 - 1.0;
-    let step = if steps > 0.0 {
-        (high - low) / steps
-    } else {
-        0.0
+    let step = match whole(encoding, "numSteps")? as f64 - 1.0 {
+        steps if steps > 0.0 => (high - low) / steps,
+        _ => 0.0,
     };
     Ok(numbers.iter().map(|n| low + step * *n as f64).collect())
 }
@@ -234,9 +219,10 @@ fn run_length(numbers: &[i64], size: usize) -> Result<Vec<i64>, String> {
 }
 
 fn delta(numbers: &[i64], origin: i64) -> Vec<i64> {
-    let sums = numbers.iter().scan(origin, |sum, n| {
-        *sum = sum.wrapping_add(*n);
-        Some(*sum)
+    let mut sum = origin;
+    let sums = numbers.iter().map(|n| {
+        sum = sum.wrapping_add(*n);
+        sum
     });
     sums.collect()
 }
@@ -269,10 +255,8 @@ mod tests {
     use super::*;
 
     fn map<'a>(pairs: &[(&'a str, ValueRef<'a>)]) -> ValueRef<'a> {
-        let pairs = pairs
-            .iter()
-            .map(|(key, value)| ((*key).into(), value.clone()));
-        ValueRef::Map(pairs.collect())
+        let pair = |(key, value): &(&'a str, ValueRef<'a>)| ((*key).into(), value.clone());
+        ValueRef::Map(pairs.iter().map(pair).collect())
     }
 
     /// The examples of the format's description.

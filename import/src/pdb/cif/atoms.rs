@@ -1,7 +1,7 @@
 //! Rows of `_atom_site`.
 
 use super::super::structure::{Atom, Model, Structure};
-use super::super::words::{Serial, Word, plain};
+use super::super::words::{Repeated, Serial, plain};
 use std::collections::HashMap;
 
 /// The items that are read, in the order in which a row is handed on.
@@ -31,11 +31,8 @@ const MOST: f64 = 1e8;
 /// A value that cannot be used: its place in [`WANTED`], what is wrong, and what would be accepted.
 #[derive(Debug)]
 pub struct Defect {
-    /// Place in [`WANTED`].
     pub column: usize,
-    /// What is wrong.
     pub problem: String,
-    /// What would be accepted.
     pub accepted: &'static str,
 }
 
@@ -45,10 +42,10 @@ pub struct Atoms {
     models: HashMap<i64, usize>,
     /// Text of the model of the last atom, and its place.
     model: (Vec<u8>, usize),
-    residue: (Vec<u8>, Word),
-    chain: (Vec<u8>, Word),
-    part: (Vec<u8>, Word),
-    number: ([Vec<u8>; 2], Word),
+    residue: Repeated,
+    chain: Repeated,
+    part: Repeated,
+    number: Repeated,
 }
 
 impl Atoms {
@@ -88,23 +85,13 @@ impl Atoms {
         let element = structure.element(symbol, || (in_columns(name), plain(residue)));
         let occupancy = structure.occupancy(!occupancy.is_empty(), self::number(occupancy));
         let words = &mut structure.words;
-        let mut again = |known: &mut (Vec<u8>, Word), text: &[u8]| {
-            if known.0 != text {
-                *known = (text.to_vec(), words.keep_bytes(text));
-            }
-            known.1
-        };
+        let mut again =
+            |known: &mut Repeated, text: &[u8]| known.of(text, || words.keep_bytes(text));
         let residue = again(&mut self.residue, residue);
         let part = again(&mut self.part, given(chain, own_chain));
         let chain = again(&mut self.chain, given(own_chain, chain));
-        let number = given(own_number, number);
-        if self.number.0[0] != number || self.number.0[1] != insertion {
-            let whole = [number, insertion].concat();
-            self.number = (
-                [number.to_vec(), insertion.to_vec()],
-                words.keep_bytes(&whole),
-            );
-        }
+        let number = [given(own_number, number), insertion].concat();
+        let number = again(&mut self.number, &number);
         let atom = Atom {
             place,
             element,
@@ -113,7 +100,7 @@ impl Atoms {
             name: words.keep_bytes(name),
             alternate: words.keep_bytes(alternate),
             residue,
-            number: self.number.1,
+            number,
             chain,
             part,
         };
@@ -130,12 +117,10 @@ impl Atoms {
             Some(Ok(number)) => number,
             _ if text.is_empty() => 1,
             _ => {
+                let text = plain(text);
                 return Err(Defect {
                     column: 16,
-                    problem: format!(
-                        "the number `{}` of the model is not a whole number",
-                        plain(text)
-                    ),
+                    problem: format!("the number `{text}` of the model is not a whole number"),
                     accepted: "a number such as 1 would be accepted",
                 });
             }
@@ -172,13 +157,9 @@ pub fn number(text: &[u8]) -> Option<f64> {
 fn coordinate(text: &[u8], column: usize, axis: char) -> Result<f64, Defect> {
     number(text).ok_or_else(|| Defect {
         column,
-        problem: if text.is_empty() {
-            format!("the atom has no {axis} coordinate")
-        } else {
-            format!(
-                "the {axis} coordinate `{}` is not a number up to 1e8",
-                plain(text)
-            )
+        problem: match plain(text).as_str() {
+            "" => format!("the atom has no {axis} coordinate"),
+            text => format!("the {axis} coordinate `{text}` is not a number up to 1e8"),
         },
         accepted: "a decimal number such as -12.345 would be accepted",
     })

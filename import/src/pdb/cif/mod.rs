@@ -39,7 +39,6 @@ pub fn columns(items: &[String]) -> Option<[Option<usize>; WANTED.len()]> {
     columns[..3].iter().all(Option::is_some).then_some(columns)
 }
 
-/// A data block.
 #[derive(Default)]
 struct Block {
     name: String,
@@ -57,17 +56,12 @@ pub fn read(bytes: &[u8], file: &str) -> Result<Structure> {
         structure: Structure::default(),
     };
     reader.blocks()?;
-    let Reader {
-        tokens,
-        block,
-        mut structure,
-        ..
-    } = reader;
+    let (block, mut structure) = (reader.block, reader.structure);
     if structure.models.is_empty() {
         return Err(no_atoms(block.other, file));
     }
     finish(&mut structure, &block.tables, &|at, problem, accepted| {
-        tokens.malformed(at, problem, accepted)
+        reader.tokens.malformed(at, problem, accepted)
     });
     if structure.entry.is_empty() {
         structure.entry = block.name;
@@ -157,21 +151,17 @@ impl<'a> Reader<'a> {
                         self.structure.remark(Remark::OtherBlocks);
                         return Ok(());
                     }
-                    self.block = Block {
-                        name: plain(name),
-                        tables: Tables::default(),
-                        other: self.block.other,
-                    };
+                    self.block.name = plain(name);
+                    self.block.tables.clear();
                 }
                 Token::Loop => self.whole_loop(at)?,
                 Token::Tag(tag) => self.item(tag, at)?,
                 Token::Other => {}
                 Token::Bare(_) | Token::Quoted(_) => {
-                    return Err(self.tokens.malformed(
-                        at,
-                        "a value without a name",
-                        "a name such as _entry.id before each value would be accepted",
-                    ));
+                    let accepted = "a name such as _entry.id before each value would be accepted";
+                    return Err(self
+                        .tokens
+                        .malformed(at, "a value without a name", accepted));
                 }
             }
         }
@@ -181,11 +171,9 @@ impl<'a> Reader<'a> {
     fn item(&mut self, tag: &[u8], at: usize) -> Result<()> {
         let (category, item) = parts(tag);
         let Some(value) = self.value()? else {
-            return Err(self.tokens.malformed(
-                at,
-                format!("the item `{}` has no value", plain(tag)),
-                "a value behind each name, such as ?, would be accepted",
-            ));
+            let problem = format!("the item `{}` has no value", plain(tag));
+            let accepted = "a value behind each name, such as ?, would be accepted";
+            return Err(self.tokens.malformed(at, problem, accepted));
         };
         self.notice(&category);
         if let Some(name) = kept(&category) {
@@ -237,11 +225,10 @@ impl<'a> Reader<'a> {
         }
         let width = items.len();
         if width == 0 {
-            return Err(self.tokens.malformed(
-                start,
-                "a loop without names",
-                "names such as _atom_site.id behind `loop_` would be accepted",
-            ));
+            let accepted = "names such as _atom_site.id behind `loop_` would be accepted";
+            return Err(self
+                .tokens
+                .malformed(start, "a loop without names", accepted));
         }
         match (kept(&category), columns(&items)) {
             (Some(ATOMS), Some(columns)) => {
@@ -254,10 +241,8 @@ impl<'a> Reader<'a> {
             (None | Some(ATOMS), _) => self.rows(width, |_, _| Ok(())),
             (Some(name), _) => {
                 let mut table = Table::new(items);
-                self.rows(width, |_, row| {
-                    table.push_row(row.iter().copied());
-                    Ok(())
-                })?;
+                let push = |_: &mut Self, row: &[Cell]| Ok(table.push_row(row.iter().copied()));
+                self.rows(width, push)?;
                 self.block.tables.insert(name, table);
                 Ok(())
             }
@@ -278,16 +263,14 @@ impl<'a> Reader<'a> {
                 row.clear();
             }
         }
-        match row.first() {
-            Some((_, at)) => Err(self.tokens.malformed(
-                *at,
-                format!(
-                    "the last row of the loop has {} of {width} values",
-                    row.len()
-                ),
-                format!("{width} values in each row, one for each name, would be accepted"),
-            )),
-            None => Ok(()),
-        }
+        let Some((_, at)) = row.first() else {
+            return Ok(());
+        };
+        let problem = format!(
+            "the last row of the loop has {} of {width} values",
+            row.len()
+        );
+        let accepted = format!("{width} values in each row, one for each name, would be accepted");
+        Err(self.tokens.malformed(*at, problem, accepted))
     }
 }

@@ -38,7 +38,6 @@ impl Table {
         self.push_row([value]);
     }
 
-    /// Its rows.
     pub fn rows(&self) -> impl Iterator<Item = Row<'_>> {
         let rows = self.values.chunks_exact(self.items.len().max(1));
         rows.map(|values| Row {

@@ -44,7 +44,6 @@ impl<'a> Tokens<'a> {
         }
     }
 
-    /// Where the last word begins, in bytes.
     pub fn start(&self) -> usize {
         self.start
     }
@@ -134,11 +133,9 @@ impl<'a> Tokens<'a> {
         loop {
             at += line_length(&self.bytes[at..]);
             if at >= self.bytes.len() {
-                return Err(self.malformed(
-                    self.start,
-                    "the text that begins here is not closed",
-                    "a line that begins with a semicolon would close it",
-                ));
+                let problem = "the text that begins here is not closed";
+                let accepted = "a line that begins with a semicolon would close it";
+                return Err(self.malformed(self.start, problem, accepted));
             }
             let end = at;
             at += 1;

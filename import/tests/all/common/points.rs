@@ -8,8 +8,8 @@ use std::f64::consts::TAU;
 pub fn kept(part: &Part, cells: &[Cell], p: Vector) -> bool {
     cells.iter().any(|cell| {
         let planes = cell.cuts.iter().all(|(plane, positive)| {
-            let plane = part.planes.get(*plane);
-            (dot(minus(p, plane.point), plane.normal) > 0.0) == *positive
+            let (point, normal) = part.planes.get(*plane);
+            (dot(minus(p, point), normal) > 0.0) == *positive
         });
         // Of a flat cell the quadric is a side; of others it is the surface itself.
         let conic = cell.flat.is_none() || cell.quadric.is_none_or(|q| q.value(p) <= 0.0);

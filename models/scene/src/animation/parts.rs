@@ -18,13 +18,7 @@ impl Part {
         self.done == self.steps
     }
 
-    /// The part of a value: the nearest `f64` to the exact one.
-    fn of(self, value: f64) -> f64 {
-        let [done, steps] = [self.done, self.steps].map(|n| integer(i64::from(n)));
-        to_f64(&(from_decimal(value) * done / steps))
-    }
-
-    /// The part of the way from one value to another.
+    /// The part of the way from one value to another: the nearest `f64` to the exact one.
     pub fn between(self, from: f64, to: f64) -> f64 {
         if self.is_whole() {
             return to;
@@ -41,10 +35,12 @@ impl Part {
         }
         let power = f64::from(self.done) / f64::from(self.steps);
         match step {
-            Step::Translate(offset) => Step::Translate(offset.map(|value| self.of(value))),
+            Step::Translate(offset) => {
+                Step::Translate(offset.map(|value| self.between(0.0, value)))
+            }
             Step::Rotate(rotation) => Step::Rotate(Rotation {
                 axis: rotation.axis,
-                degrees: self.of(rotation.degrees),
+                degrees: self.between(0.0, rotation.degrees),
             }),
             Step::Scale(Scale::Uniform(factor)) => Step::Scale(Scale::Uniform(factor.powf(power))),
             Step::Scale(Scale::PerAxis(factors)) => {

@@ -56,23 +56,18 @@ impl<'a> Playback<'a> {
     ///
     /// Without any active image.
     pub fn new(file: &'a SceneFile) -> Result<Playback<'a>, PlaybackError> {
-        let named = file.images.iter().enumerate();
-        let named: HashMap<&str, usize> =
-            named.map(|(i, image)| (image.name.as_str(), i)).collect();
+        let images = || file.images.iter().enumerate();
+        let named: HashMap<&str, usize> = images().map(|(i, own)| (&*own.name, i)).collect();
         let parent = |image: &KeyImage| {
             let name = image.parent.as_deref();
             name.and_then(|name| named.get(name).copied())
         };
-        let frames: Vec<(usize, Part)> = file
-            .images
-            .iter()
-            .enumerate()
-            .filter(|(_, image)| image.active)
-            .flat_map(|(index, image)| {
-                let steps = image.steps;
-                (1..=steps).map(move |done| (index, Part { done, steps }))
-            })
-            .collect();
+        let of_image = |(index, image): (usize, &KeyImage)| {
+            let steps = image.steps;
+            (1..=steps).map(move |done| (index, Part { done, steps }))
+        };
+        let active = images().filter(|(_, image)| image.active);
+        let frames: Vec<(usize, Part)> = active.flat_map(of_image).collect();
         if frames.is_empty() {
             return Err(PlaybackError::NoFrames);
         }
@@ -124,7 +119,14 @@ impl<'a> Playback<'a> {
         let mut state = State::default();
         for ancestor in chain {
             let part = if ancestor == image { part } else { Part::WHOLE };
-            self.act(&mut state, ancestor, part)?;
+            let image = &self.file.images[ancestor];
+            for action in &image.actions {
+                let done = state.act(action, part, self.file);
+                done.map_err(|target| PlaybackError::TooManyMoves {
+                    image: image.name.clone(),
+                    target: target.to_owned(),
+                })?;
+            }
         }
         Ok(state.scene(self.file))
     }
@@ -143,18 +145,5 @@ impl<'a> Playback<'a> {
             Ok((name, self.scene(index)?))
         };
         (0..self.count()).map(named).collect()
-    }
-
-    fn act(&self, state: &mut State<'a>, image: usize, part: Part) -> Result<(), PlaybackError> {
-        let image = &self.file.images[image];
-        for action in &image.actions {
-            state
-                .act(action, part, self.file)
-                .map_err(|target| PlaybackError::TooManyMoves {
-                    image: image.name.clone(),
-                    target: target.to_owned(),
-                })?;
-        }
-        Ok(())
     }
 }
