@@ -88,18 +88,19 @@ fn open_part(object: &PreparedQuadric, prepared: &PreparedScene) -> Option<Part>
         return None;
     }
     let at = |x, y| Presence::of(&decide(object, format, x, y));
-    let mut around: Option<ScreenBox> = None;
+    let mut around = ScreenBox::EMPTY;
     let mut pixels = 0;
     for y in window.y0..=window.y1 {
         for [first, last] in near_zero(object, format, y) {
             for x in (first..=last).filter(|&x| at(x, y) == Presence::Open) {
                 pixels += 1;
-                let one = ScreenBox::of([x, x], [y, y]);
-                around = Some(around.map_or(one, |found| found.around(&one)));
+                around = around.around(&ScreenBox::of([x, x], [y, y]));
             }
         }
     }
-    let around = around.filter(|_| pixels > 3)?;
+    if pixels <= 3 {
+        return None;
+    }
     // One more on each side, where the neighbours are.
     let window = ScreenBox::of(
         [around.x0 - 1, around.x1 + 1],

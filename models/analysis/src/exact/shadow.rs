@@ -12,10 +12,12 @@
 use super::ray::ray_points;
 use super::render::{Rays, visible};
 use super::surd::Surd;
+use imogene_algebra::matrix::image;
+use imogene_algebra::vector;
+use imogene_algebra::whole::common_denominator;
 use imogene_golden::machine::lighting::{ALL_SOURCES, Lighting};
 use imogene_scene::{FramedObject, FramedScene, FramedSource, Surface};
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::Zero;
 use rayon::prelude::*;
@@ -34,7 +36,7 @@ pub fn lighting(scene: &FramedScene, line_done: impl Fn() + Sync) -> Lighting {
         .iter()
         .map(|source| Source::new(source, &solids))
         .collect();
-    let (constant, slope) = ray_points(&scene.projection, width, height);
+    let (constant, slope) = ray_points(scene);
     let line = |y: i64| {
         let flags: Vec<u16> = (0..i64::from(width))
             .map(|x| {
@@ -71,13 +73,9 @@ pub fn lighting(scene: &FramedScene, line_done: impl Fn() + Sync) -> Lighting {
 
 /// `d (from + w along)`, whole, for `w = n / d`, d > 0.
 fn homogeneous(from: &Vector4, along: &Vector4, (n, d): &(Surd, BigInt)) -> Point {
-    let all = from.iter().chain(along);
-    let denominator = all.fold(BigInt::from(1), |lcm, v| lcm.lcm(v.denom()));
-    let whole = |v: &BigRational| v.numer() * (&denominator / v.denom());
-    std::array::from_fn(|k| {
-        n.times(&whole(&along[k]))
-            .plus(&Surd::whole(whole(&from[k]) * d, n))
-    })
+    let [[a, b, c, e], [s, t, u, v]] = [from, along].map(|p| p.each_ref());
+    let (whole, _) = common_denominator([a, b, c, e, s, t, u, v]);
+    std::array::from_fn(|k| n.times(&whole[k + 4]).plus(&Surd::whole(&whole[k] * d, n)))
 }
 
 type Vector4 = [BigRational; 4];
@@ -133,21 +131,13 @@ struct Seen {
 
 impl Source {
     fn new(source: &FramedSource, solids: &[Solid]) -> Source {
-        let denominator = source
-            .point
-            .iter()
-            .fold(BigInt::from(1), |lcm, v| lcm.lcm(v.denom()));
-        let point = source
-            .point
-            .each_ref()
-            .map(|v| v.numer() * (&denominator / v.denom()));
-        let product =
-            |a: &Vector, b: &Vector| -> BigInt { a.iter().zip(b).map(|(x, y)| x * y).sum() };
+        let (point, _) = common_denominator(source.point.each_ref());
         let seen = solids.iter().map(|solid| {
-            let polar: Vector = std::array::from_fn(|row| product(&solid.q[row], &point));
+            let polar = image(&solid.q, &point);
+            let planes = solid.planes.iter();
             Seen {
-                value: product(&polar, &point),
-                planes: solid.planes.iter().map(|p| product(p, &point)).collect(),
+                value: vector::dot(&polar, &point),
+                planes: planes.map(|p| vector::dot(p, &point)).collect(),
                 polar,
             }
         });

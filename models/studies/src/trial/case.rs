@@ -101,14 +101,11 @@ fn stated(
     reach: &ScreenBox,
 ) -> RoundingBounds {
     let unit = |guards: u32| 0.5f64.powi(guards as i32);
+    let normals = normal.g.iter().map(|g| g.residual().max_abs_on(reach));
     RoundingBounds {
         f1: f1.residual().max_abs_on(reach) * unit(format.guard_linear),
         f2: f2.residual().max_abs_on(reach) * unit(format.guard_quadratic),
-        normal: normal
-            .g
-            .iter()
-            .map(|g| g.residual().max_abs_on(reach))
-            .fold(0.0, f64::max),
+        normal: normals.fold(0.0, f64::max),
         ..RoundingBounds::of_format(format)
     }
 }
@@ -118,12 +115,7 @@ fn stated(
 fn most_pixels(format: &Format) -> u64 {
     let fits = |most: &u64| {
         let side = (most / 2) as i64;
-        let reach = ScreenBox {
-            x0: -side,
-            x1: side,
-            y0: -side,
-            y1: side,
-        };
+        let reach = ScreenBox::of([-side, side], [-side, side]);
         let word = |bits: u32| f64::exp2(f64::from(bits));
         Anchor::ORIGIN.linear_bound(&reach) <= 0.05 * word(format.depth + format.guard_linear)
             && Anchor::ORIGIN.quadratic_bound(&reach) <= 0.1 * word(format.pe2_width() - 1)
@@ -133,31 +125,18 @@ fn most_pixels(format: &Format) -> u64 {
 }
 
 fn draw_box(most: u64, random: &mut Random) -> (ScreenBox, Anchor, ScreenBox) {
+    // All magnitudes of boxes alike.
     let mut side = || {
-        let limit = random_limit(most, random.next());
+        let limit = (most >> (random.next() % 10)).max(1);
         random.below(limit) as i64
     };
     let (width, height) = (side(), side());
     let (x0, y0) = (random.between(0, 2047), random.between(0, 2047));
-    let window = ScreenBox {
-        x0,
-        x1: x0 + width,
-        y0,
-        y1: y0 + height,
-    };
+    let (columns, lines) = ([x0, x0 + width], [y0, y0 + height]);
+    let window = ScreenBox::of(columns, lines);
     let anchor = Anchor::middle_of(&window);
-    let reach = ScreenBox {
-        x0: window.x0 - anchor.x,
-        x1: window.x1 - anchor.x,
-        y0: window.y0 - anchor.y,
-        y1: window.y1 - anchor.y,
-    };
+    let reach = ScreenBox::of(columns.map(|x| x - anchor.x), lines.map(|y| y - anchor.y));
     (window, anchor, reach)
-}
-
-/// All magnitudes of boxes alike.
-fn random_limit(most: u64, bits: u64) -> u64 {
-    (most >> (bits % 10)).max(1)
 }
 
 /// Bits that hold the greatest root on the box, of the rounded f2: where the exact one is next to nothing, rounding
@@ -207,6 +186,5 @@ fn placed_linear(exact: &ExactLinear, anchor: Anchor) -> Linear {
 }
 
 fn placed_quadratic(exact: &ExactQuadratic, anchor: Anchor) -> Quadratic {
-    let [a, b, c, d, e, f] = exact.rounded();
-    Quadratic { a, b, c, d, e, f }.from_zone(-anchor.x, -anchor.y)
+    Quadratic::new(exact.rounded()).from_zone(-anchor.x, -anchor.y)
 }
