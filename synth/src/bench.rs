@@ -2,7 +2,7 @@
 
 use crate::error::SynthError;
 use crate::harness;
-use crate::nextpnr::{self, RouteReport, Run};
+use crate::nextpnr::{self, RouteReport};
 use crate::report::{SeedResult, SynthReport, median};
 use crate::target::{Family, Target};
 use crate::tools::Programs;
@@ -99,8 +99,8 @@ impl<'a> Bench<'a> {
         else {
             return Ok(());
         };
-        let run = |netlist, run| nextpnr::run(router, &device, self.folder, netlist, run);
-        let packed = run(UNIT_NETLIST, Run::Pack)?;
+        let run = |netlist, seed| nextpnr::run(router, &device, self.folder, netlist, seed);
+        let packed = run(UNIT_NETLIST, None)?;
         let logic_cells = packed.utilisation.get(device.logic_cell);
         report.logic_cells = logic_cells.map(|cells| cells.0);
         if options.seeds == 0 {
@@ -108,13 +108,13 @@ impl<'a> Bench<'a> {
         }
         report.goal_mhz = Some(device.goal_mhz);
         self.synthesise_harness()?;
-        report.does_not_fit = run(HARNESS_NETLIST, Run::Pack)?.excess();
+        report.does_not_fit = run(HARNESS_NETLIST, None)?.excess();
         if report.does_not_fit.is_some() {
             return Ok(());
         }
         let seeds = (1..=options.seeds).into_par_iter();
         report.seeds = seeds
-            .map(|seed| seed_result(seed, run(HARNESS_NETLIST, Run::Route { seed })?))
+            .map(|seed| seed_result(seed, run(HARNESS_NETLIST, Some(seed))?))
             .collect::<Result<_, _>>()?;
         report.fmax_mhz = median(&report.seeds);
         Ok(())

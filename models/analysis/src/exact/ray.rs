@@ -282,7 +282,8 @@ pub(super) fn common_integers<const N: usize, const M: usize>(
     })
 }
 
-fn second_degree(p: &[BigInt; 6], x: i64, y: i64) -> BigInt {
+/// The value of a second-degree expression at a pixel.
+pub(crate) fn second_degree(p: &[BigInt; 6], x: i64, y: i64) -> BigInt {
     (&p[0] * x + &p[2] * y + &p[3]) * x + (&p[1] * y + &p[4]) * y + &p[5]
 }
 

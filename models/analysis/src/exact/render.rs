@@ -62,20 +62,11 @@ pub fn render(
     format: &Format,
     line_done: impl Fn() + Sync,
 ) -> Vec<Option<ExactPixel>> {
-    render_some(scene, format, |_| true, line_done)
+    render_where(scene, format, |_| true, line_done)
 }
 
-/// The same for the pixels that are wanted, row-major, alone; the others are `None`.
+/// The same for the pixels that are wanted, by their index, alone; the others are `None`.
 pub fn render_where(
-    scene: &FramedScene,
-    format: &Format,
-    wanted: &[bool],
-    line_done: impl Fn() + Sync,
-) -> Vec<Option<ExactPixel>> {
-    render_some(scene, format, |index| wanted[index], line_done)
-}
-
-fn render_some(
     scene: &FramedScene,
     format: &Format,
     wanted: impl Fn(usize) -> bool + Sync,

@@ -163,26 +163,16 @@ impl Source {
     }
 }
 
-/// A point `a source + b point` of the segment.
-#[derive(Clone)]
-struct Weights {
-    a: Surd,
-    b: Surd,
-}
+/// The factors a and b of a point `a source + b point` of the segment.
+type Weights = [Surd; 2];
 
 /// Does the segment from the source to the point, the point itself left out, meet the solid.
 fn is_in_the_way(solid: &Solid, seen: &Seen, point: &Point) -> bool {
     let like = &point[0];
     let number = |v: i64| Surd::whole(BigInt::from(v), like);
     // From the source towards the point, b / a grows.
-    let mut start = Weights {
-        a: number(1),
-        b: number(0),
-    };
-    let mut end = Weights {
-        a: number(0),
-        b: number(1),
-    };
+    let mut start = [number(1), number(0)];
+    let mut end = [number(0), number(1)];
     let mut end_is_point = true;
     for (plane, at_source) in solid.planes.iter().zip(&seen.planes) {
         let at_source = Surd::whole(at_source.clone(), like);
@@ -193,19 +183,13 @@ fn is_in_the_way(solid: &Solid, seen: &Seen, point: &Point) -> bool {
             (false, false) => return false,
             // Crossed where a at_source + b at_point = 0.
             (false, true) => {
-                let bound = Weights {
-                    a: at_point.negated(),
-                    b: at_source,
-                };
+                let bound = [at_point.negated(), at_source];
                 if is_before(&start, &bound) {
                     start = bound;
                 }
             }
             (true, false) => {
-                let bound = Weights {
-                    a: at_point,
-                    b: at_source.negated(),
-                };
+                let bound = [at_point, at_source.negated()];
                 if is_before(&bound, &end) {
                     end = bound;
                     end_is_point = false;
@@ -221,7 +205,7 @@ fn is_in_the_way(solid: &Solid, seen: &Seen, point: &Point) -> bool {
         ab: dot(&seen.polar, point),
         bb: value(&solid.q, point),
     };
-    if start.a.sign() == Ordering::Equal {
+    if start[0].sign() == Ordering::Equal {
         // Only the point itself is left.
         return false;
     }
@@ -248,7 +232,7 @@ fn is_in_the_way(solid: &Solid, seen: &Seen, point: &Point) -> bool {
 
 /// Is the first nearer to the source: b1 / a1 < b2 / a2.
 fn is_before(first: &Weights, second: &Weights) -> bool {
-    let (left, right) = (first.b.product(&second.a), second.b.product(&first.a));
+    let (left, right) = (first[1].product(&second[0]), second[1].product(&first[0]));
     left.minus(&right).sign() == Ordering::Less
 }
 
@@ -261,9 +245,9 @@ struct Form {
 
 impl Form {
     fn at(&self, u: &Weights, v: &Weights) -> Surd {
-        let mixed = u.a.product(&v.b).plus(&u.b.product(&v.a));
-        let aa = self.aa.product(&u.a.product(&v.a));
-        let bb = self.bb.product(&u.b.product(&v.b));
+        let mixed = u[0].product(&v[1]).plus(&u[1].product(&v[0]));
+        let aa = self.aa.product(&u[0].product(&v[0]));
+        let bb = self.bb.product(&u[1].product(&v[1]));
         aa.plus(&self.ab.product(&mixed)).plus(&bb)
     }
 }

@@ -15,11 +15,8 @@ pub const LONG: u64 = 8;
 pub struct Tally {
     /// Additions and subtractions.
     pub additions: u64,
-    /// Multiplications.
     pub multiplications: u64,
-    /// Divisions.
     pub divisions: u64,
-    /// Square roots.
     pub roots: u64,
     /// Comparisons.
     pub tests: u64,
@@ -121,8 +118,6 @@ impl<'c> Counted<'c> {
     pub fn is_negative(self) -> bool {
         self.is_below(self.constant(0.0))
     }
-
-    /// Is it zero?
     pub fn is_zero(self) -> bool {
         self.counter.note(|tally| &mut tally.tests);
         self.value == 0.0

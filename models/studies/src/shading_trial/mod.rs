@@ -1,7 +1,7 @@
 //! How far the shading processor is from its formula, and what each bit of its widths is worth.
 
 mod case;
-pub mod exact;
+mod exact;
 
 use super::trial::random::{Random, in_pieces};
 pub use case::{Case, sequence};

@@ -75,7 +75,6 @@ pub struct SweepResult {
 }
 
 impl SweepResult {
-    /// The records of a series.
     pub(super) fn of_series(&self, name: &str) -> Vec<&Record> {
         self.records.iter().filter(|r| r.series == name).collect()
     }

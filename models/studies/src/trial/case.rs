@@ -6,6 +6,7 @@
 use super::exact::{ExactLinear, ExactQuadratic};
 use super::random::Random;
 use super::shape::{draw_linear, draw_quadratic};
+use imogene_algebra::rational::to_f64_up;
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
 use imogene_golden::unit::depth_interval::Class;
@@ -13,7 +14,8 @@ use imogene_golden::unit::normal::NormalWords;
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;
 use imogene_prepare::RoundingBounds;
-use imogene_prepare::rounding::Anchor;
+use imogene_prepare::forms::{LinearForm, QuadraticForm};
+use imogene_prepare::rounding::{Anchor, linear_error, quadratic_error};
 
 /// Most pixels of a box along each side.
 const MOST_PIXELS: u64 = 1 << 10;
@@ -24,23 +26,18 @@ pub(super) struct ExactNormal {
     pub g: [ExactLinear; 3],
     /// Numerators of the factors.
     pub k: [i128; 3],
-    /// Their denominator.
     pub denominator: i128,
 }
 
 /// One case. Exact expressions are in units of the last guard bit, in coordinates centred on the anchor.
 pub(super) struct Case {
-    /// Widths.
     pub format: Format,
     /// Pixel about which is rounded.
     pub anchor: Anchor,
     /// The box in coordinates centred on the anchor.
     pub reach: ScreenBox,
-    /// Exact f1.
     pub f1: ExactLinear,
-    /// Exact f2.
     pub f2: ExactQuadratic,
-    /// Exact normal.
     pub normal: ExactNormal,
     /// What the machine is loaded with.
     pub words: QuadricWords,
@@ -51,7 +48,6 @@ pub(super) struct Case {
 }
 
 impl Case {
-    /// Draws a case.
     pub fn draw(format: &Format, random: &mut Random) -> Case {
         let (window, anchor, reach) = draw_box(most_pixels(format), random);
         let f1 = draw_linear(format, &reach, random);
@@ -101,11 +97,20 @@ fn stated(
     reach: &ScreenBox,
 ) -> RoundingBounds {
     let unit = |guards: u32| 0.5f64.powi(guards as i32);
-    let normals = normal.g.iter().map(|g| g.residual().max_abs_on(reach));
+    let linear = |exact: &ExactLinear| {
+        let [a, b, c] = exact.rounded();
+        let form = LinearForm::of_array(exact.form());
+        to_f64_up(&linear_error(&Linear::new(a, b, c), &form, 0, reach))
+    };
+    let (words, form) = (
+        Quadratic::new(f2.rounded()),
+        QuadraticForm::of_array(f2.form()),
+    );
+    let f2 = to_f64_up(&quadratic_error(&words, &form, 0, reach));
     RoundingBounds {
-        f1: f1.residual().max_abs_on(reach) * unit(format.guard_linear),
-        f2: f2.residual().max_abs_on(reach) * unit(format.guard_quadratic),
-        normal: normals.fold(0.0, f64::max),
+        f1: linear(f1) * unit(format.guard_linear),
+        f2: f2 * unit(format.guard_quadratic),
+        normal: normal.g.iter().map(linear).fold(0.0, f64::max),
         ..RoundingBounds::of_format(format)
     }
 }
