@@ -3,7 +3,7 @@
 use crate::cache::Cache;
 use crate::error::SynthError;
 use crate::figures::Figures;
-use crate::flow::{synthesise_with, tools};
+use crate::flow::{synthesise, tools};
 use crate::regression::{Change, Tolerance, Verdict, compare, worst};
 use crate::table::{Measured, Row, Table};
 use rayon::prelude::*;
@@ -93,7 +93,7 @@ fn check_row(row: &Row, known: &Measured, options: &CheckOptions) -> Result<RowC
     if !options.clock {
         flow.seeds = 0;
     }
-    let report = synthesise_with(&row.request, row.target, &flow, options.cache)?;
+    let report = synthesise(&row.request, row.target, &flow, options.cache)?;
     let changes = compare(
         (known.latency, &known.figures),
         (report.latency, &Figures::from(&report)),

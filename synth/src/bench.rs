@@ -2,11 +2,11 @@
 
 use crate::error::SynthError;
 use crate::harness;
-use crate::nextpnr::{self, RouteReport, Run};
-use crate::report::{SeedResult, median};
-use crate::target::Target;
+use crate::nextpnr::{self, RouteReport};
+use crate::report::{SeedResult, SynthReport, median};
+use crate::target::{Family, Target};
 use crate::tools::Programs;
-use crate::yosys::{self, Resources, Statistics};
+use crate::yosys;
 use imogene_rtl::emit::Emitted;
 use imogene_tools::{read, write};
 use rayon::prelude::*;
@@ -42,16 +42,6 @@ pub(crate) struct Bench<'a> {
     pub read_with_harness: &'a str,
 }
 
-/// What packing, placing and routing tell; nothing where the target has neither.
-#[derive(Debug, Default)]
-pub(crate) struct Clock {
-    pub logic_cells: Option<u64>,
-    pub goal_mhz: Option<u32>,
-    pub does_not_fit: Option<String>,
-    pub seeds: Vec<SeedResult>,
-    pub fmax_mhz: Option<f64>,
-}
-
 impl<'a> Bench<'a> {
     /// An emitted unit and its harness, whose texts are written into the folder.
     pub fn of(
@@ -73,8 +63,8 @@ impl<'a> Bench<'a> {
         })
     }
 
-    /// Resources of the design alone; its netlist stays in the folder.
-    pub fn resources(&self) -> Result<(Statistics, Resources), SynthError> {
+    /// Resources of the design alone, and its clock in its harness.
+    pub fn report(&self, options: &Options) -> Result<SynthReport, SynthError> {
         let script = format!(
             "{}; {}; delete t:$scopeinfo; write_json {UNIT_NETLIST}; tee -q -o unit.stat {}",
             self.read,
@@ -83,38 +73,51 @@ impl<'a> Bench<'a> {
         );
         yosys::run(&self.programs.yosys, self.folder, &script)?;
         let statistics = yosys::parse_statistics(&read(&self.folder.join("unit.stat"))?)?;
-        let resources = yosys::resources(self.target.family(), &statistics.cells);
-        Ok((statistics, resources))
+        let family = self.target.family();
+        let resources = yosys::resources(family, &statistics.cells);
+        let counted = |count: u64| (family != Family::Gates).then_some(count);
+        let mut report = SynthReport {
+            unit: self.top.to_owned(),
+            target: self.target.name().to_owned(),
+            lut: counted(resources.lut),
+            ff: counted(resources.ff),
+            carry: counted(resources.carry),
+            dsp: counted(resources.dsp),
+            bram: counted(resources.bram),
+            transistors: statistics.transistors,
+            cells: statistics.cells,
+            ..SynthReport::default()
+        };
+        self.clock(options, &mut report)?;
+        Ok(report)
     }
 
-    /// Packs the design alone, after its resources, and places and routes it in its harness with every seed.
-    pub fn clock(&self, options: &Options) -> Result<Clock, SynthError> {
+    /// Packs the design alone, and places and routes it in its harness with every seed; nothing where the target has
+    /// neither.
+    fn clock(&self, options: &Options, report: &mut SynthReport) -> Result<(), SynthError> {
         let (Some(router), Some(device)) = (&self.programs.router, self.target.place_and_route())
         else {
-            return Ok(Clock::default());
+            return Ok(());
         };
-        let run = |netlist, run| nextpnr::run(router, &device, self.folder, netlist, run);
-        let packed = run(UNIT_NETLIST, Run::Pack)?;
+        let run = |netlist, seed| nextpnr::run(router, &device, self.folder, netlist, seed);
+        let packed = run(UNIT_NETLIST, None)?;
         let logic_cells = packed.utilisation.get(device.logic_cell);
-        let mut clock = Clock {
-            logic_cells: logic_cells.map(|cells| cells.0),
-            ..Clock::default()
-        };
+        report.logic_cells = logic_cells.map(|cells| cells.0);
         if options.seeds == 0 {
-            return Ok(clock);
+            return Ok(());
         }
-        clock.goal_mhz = Some(device.goal_mhz);
+        report.goal_mhz = Some(device.goal_mhz);
         self.synthesise_harness()?;
-        clock.does_not_fit = run(HARNESS_NETLIST, Run::Pack)?.excess();
-        if clock.does_not_fit.is_some() {
-            return Ok(clock);
+        report.does_not_fit = run(HARNESS_NETLIST, None)?.excess();
+        if report.does_not_fit.is_some() {
+            return Ok(());
         }
         let seeds = (1..=options.seeds).into_par_iter();
-        clock.seeds = seeds
-            .map(|seed| seed_result(seed, run(HARNESS_NETLIST, Run::Route { seed })?))
+        report.seeds = seeds
+            .map(|seed| seed_result(seed, run(HARNESS_NETLIST, Some(seed))?))
             .collect::<Result<_, _>>()?;
-        clock.fmax_mhz = median(&clock.seeds);
-        Ok(clock)
+        report.fmax_mhz = median(&report.seeds);
+        Ok(())
     }
 
     fn synthesise_harness(&self) -> Result<(), SynthError> {

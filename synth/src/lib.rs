@@ -50,7 +50,7 @@ mod yosys;
 pub use cache::{Cache, digest};
 pub use error::SynthError;
 pub use figures::Figures;
-pub use flow::{Options, synthesise, synthesise_with};
+pub use flow::{Options, synthesise};
 pub use netlist::{Netlist, netlist};
 pub use nextpnr::RouteReport;
 pub use report::{CriticalPath, SeedResult, SynthReport};

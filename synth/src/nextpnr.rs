@@ -32,36 +32,23 @@ impl RouteReport {
     }
 }
 
-/// How far a run goes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Run {
-    Pack,
-    Route { seed: usize },
-}
-
-/// Runs nextpnr on a netlist of the folder.
+/// Runs nextpnr on a netlist of the folder: packs it and, with a seed, places and routes it too.
 pub(crate) fn run(
     tool: &Tool,
     device: &PlaceAndRoute,
     folder: &Path,
     netlist: &str,
-    run: Run,
+    seed: Option<usize>,
 ) -> Result<RouteReport, SynthError> {
-    let name = match run {
-        Run::Pack => format!("{netlist}.pack.report"),
-        Run::Route { seed } => format!("{netlist}.{seed}.report"),
-    };
+    let seed = seed.map(|seed| seed.to_string());
+    let name = format!("{netlist}.{}.report", seed.as_deref().unwrap_or("pack"));
     let goal = device.goal_mhz.to_string();
-    let seed;
     let mut arguments = device.arguments.to_vec();
     arguments.extend(["--json", netlist, "--report", &name, "-q", "--freq", &goal]);
     arguments.push("--timing-allow-fail");
-    match run {
-        Run::Pack => arguments.push("--pack-only"),
-        Run::Route { seed: number } => {
-            seed = number.to_string();
-            arguments.extend(["--seed", &seed]);
-        }
+    match &seed {
+        Some(seed) => arguments.extend(["--seed", seed]),
+        None => arguments.push("--pack-only"),
     }
     let outcome = tool.run(&arguments, folder)?;
     outcome.map_err(|said| SynthError::tool(tool.name, &said))?;

@@ -4,13 +4,14 @@ mod design;
 mod source;
 
 use crate::bench::Bench;
+use crate::cache::Cache;
 pub use crate::error::PeerError;
 use crate::error::SynthError;
 use crate::figures::Figures;
 use crate::flow::{Options, synthesise};
 use crate::harness;
 use crate::report::SeedResult;
-use crate::target::{Family, Target};
+use crate::target::Target;
 use crate::tools::Programs;
 pub use design::Peer;
 use imogene_contract::Request;
@@ -70,7 +71,7 @@ pub fn compare(
     peer.check()?;
     let programs = Programs::find(target)?;
     let measured = measure(peer, &programs, target, options)?;
-    let report = synthesise(request, target, options)?;
+    let report = synthesise(request, target, options, Cache::Use)?;
     let unit = Measured {
         top: report.unit.clone(),
         parameters: report
@@ -113,26 +114,14 @@ fn measure(
         read: &source.read,
         read_with_harness: &format!("{}; read_verilog harness.v", source.read),
     };
-    let (statistics, resources) = bench.resources()?;
-    let clocked = bench.clock(options)?;
-    let counted = |count: u64| (target.family() != Family::Gates).then_some(count);
+    let report = bench.report(options)?;
     Ok(Measured {
         top: peer.top.clone(),
         parameters: peer.parameters.iter().cloned().collect(),
         clock,
         latency: None,
-        figures: Figures {
-            lut: counted(resources.lut),
-            ff: counted(resources.ff),
-            carry: counted(resources.carry),
-            dsp: counted(resources.dsp),
-            bram: counted(resources.bram),
-            cells: clocked.logic_cells,
-            transistors: statistics.transistors,
-            fmax_mhz: clocked.fmax_mhz,
-            does_not_fit: clocked.does_not_fit,
-        },
-        seeds: clocked.seeds,
+        figures: Figures::from(&report),
+        seeds: report.seeds,
         verilog: source.digest,
     })
 }

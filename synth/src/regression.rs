@@ -145,6 +145,7 @@ fn growth(before: f64, after: f64) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
+    use super::Verdict::{Better, Same, Within, Worse};
     use super::*;
 
     fn figures() -> Figures {
@@ -163,54 +164,53 @@ mod tests {
 
     fn verdicts(now: &Figures) -> Vec<(&'static str, Verdict)> {
         let changes = compare((3, &figures()), (3, now), true, Tolerance::default());
-        let changes = changes.into_iter();
-        changes
-            .filter(|change| change.verdict != Verdict::Same)
-            .map(|change| (change.measure, change.verdict))
-            .collect()
-    }
-
-    fn lut(lut: u64) -> Figures {
-        Figures {
-            lut: Some(lut),
-            ..figures()
-        }
-    }
-
-    fn fmax(clock: f64) -> Figures {
-        Figures {
-            fmax_mhz: Some(clock),
-            ..figures()
-        }
+        let changes = changes
+            .iter()
+            .map(|change| (change.measure, change.verdict));
+        changes.filter(|(_, verdict)| *verdict != Same).collect()
     }
 
     #[test]
     fn equal_figures_are_the_same() {
         let changes = compare((3, &figures()), (3, &figures()), true, Tolerance::default());
         let measures: Vec<_> = changes.iter().map(|change| change.measure).collect();
-        assert_eq!(
-            measures,
-            [
-                "latency", "LUT", "FF", "carry", "DSP", "BRAM", "cells", "Fmax"
-            ]
-        );
-        assert_eq!(worst(&changes), Verdict::Same);
+        let expected = "latency LUT FF carry DSP BRAM cells Fmax";
+        assert_eq!(measures.join(" "), expected);
+        assert_eq!(worst(&changes), Same);
     }
 
     #[test]
-    fn a_resource_may_grow_by_the_tolerance_and_no_further() {
-        assert_eq!(verdicts(&lut(102)), [("LUT", Verdict::Within)]);
-        assert_eq!(verdicts(&lut(103)), [("LUT", Verdict::Worse)]);
-        assert_eq!(verdicts(&lut(98)), [("LUT", Verdict::Within)]);
-        assert_eq!(verdicts(&lut(97)), [("LUT", Verdict::Better)]);
-    }
-
-    #[test]
-    fn the_clock_may_fall_by_its_own_tolerance_and_no_further() {
-        assert_eq!(verdicts(&fmax(90.0)), [("Fmax", Verdict::Within)]);
-        assert_eq!(verdicts(&fmax(89.999)), [("Fmax", Verdict::Worse)]);
-        assert_eq!(verdicts(&fmax(110.0)), [("Fmax", Verdict::Within)]);
-        assert_eq!(verdicts(&fmax(110.001)), [("Fmax", Verdict::Better)]);
+    fn a_figure_may_get_worse_by_its_own_tolerance_and_no_further() {
+        type Changed = fn(&mut Figures);
+        let cases: [(Changed, &str, Verdict); 11] = [
+            (|now| now.lut = Some(102), "LUT", Within),
+            (|now| now.lut = Some(103), "LUT", Worse),
+            (|now| now.lut = Some(98), "LUT", Within),
+            (|now| now.lut = Some(97), "LUT", Better),
+            (|now| now.fmax_mhz = Some(90.0), "Fmax", Within),
+            (|now| now.fmax_mhz = Some(89.999), "Fmax", Worse),
+            (|now| now.fmax_mhz = Some(110.0), "Fmax", Within),
+            (|now| now.fmax_mhz = Some(110.001), "Fmax", Better),
+            // A figure that only one side has.
+            (|now| now.cells = None, "cells", Worse),
+            (|now| now.fmax_mhz = None, "Fmax", Worse),
+            (
+                |now| (now.fmax_mhz, now.does_not_fit) = full(),
+                "Fmax",
+                Worse,
+            ),
+        ];
+        for (change, measure, verdict) in cases {
+            let mut now = figures();
+            change(&mut now);
+            assert_eq!(verdicts(&now), [(measure, verdict)], "{now:?}");
+        }
+        let without = Figures {
+            cells: None,
+            ..figures()
+        };
+        let back = compare((3, &without), (3, &figures()), true, Tolerance::default());
+        assert_eq!(worst(&back), Worse);
     }
 
     #[test]
@@ -224,32 +224,36 @@ mod tests {
             clock: 1e6,
         };
         let changes = compare((3, &figures()), (3, &now), true, all);
-        assert_eq!(worst(&changes), Verdict::Worse);
-        assert_eq!(verdicts(&now), [("DSP", Verdict::Worse)]);
+        assert_eq!(worst(&changes), Worse);
+        assert_eq!(verdicts(&now), [("DSP", Worse)]);
     }
 
     #[test]
     fn a_clock_more_of_latency_is_worse_and_one_less_better() {
-        let change = |latency| {
-            let tolerance = Tolerance::default();
-            compare((100, &figures()), (latency, &figures()), true, tolerance)[0].verdict
-        };
-        assert_eq!(change(101), Verdict::Worse);
-        assert_eq!(change(99), Verdict::Better);
+        for (latency, verdict) in [(101, Worse), (99, Better)] {
+            let now = (latency, &figures());
+            let changes = compare((100, &figures()), now, true, Tolerance::default());
+            assert_eq!(changes[0].verdict, verdict);
+        }
+    }
+
+    /// Clock and excess of a design that does not fit.
+    fn full() -> (Option<f64>, Option<String>) {
+        (None, Some("9000 ICESTORM_LC of 7680".into()))
     }
 
     #[test]
-    fn a_design_that_no_longer_fits_is_worse_and_one_that_fits_again_better() {
+    fn a_design_that_fits_again_is_better_and_one_that_still_does_not_the_same() {
+        let (fmax_mhz, does_not_fit) = full();
         let full = Figures {
-            fmax_mhz: None,
-            does_not_fit: Some("9000 ICESTORM_LC of 7680".into()),
+            fmax_mhz,
+            does_not_fit,
             ..figures()
         };
-        assert_eq!(verdicts(&full), [("Fmax", Verdict::Worse)]);
         let back = compare((3, &full), (3, &figures()), true, Tolerance::default());
-        assert_eq!(back.last().map(|c| c.verdict), Some(Verdict::Better));
+        assert_eq!(back.last().map(|c| c.verdict), Some(Better));
         let still = compare((3, &full), (3, &full), true, Tolerance::default());
-        assert_eq!(worst(&still), Verdict::Same);
+        assert_eq!(worst(&still), Same);
     }
 
     #[test]
@@ -260,18 +264,5 @@ mod tests {
         };
         let changes = compare((3, &figures()), (3, &now), false, Tolerance::default());
         assert!(changes.iter().all(|change| change.measure != "Fmax"));
-        // Measured and yet none is another matter.
-        assert_eq!(verdicts(&now), [("Fmax", Verdict::Worse)]);
-    }
-
-    #[test]
-    fn a_figure_that_only_one_side_has_is_worse() {
-        let now = Figures {
-            cells: None,
-            ..figures()
-        };
-        assert_eq!(verdicts(&now), [("cells", Verdict::Worse)]);
-        let back = compare((3, &now), (3, &figures()), true, Tolerance::default());
-        assert_eq!(worst(&back), Verdict::Worse);
     }
 }

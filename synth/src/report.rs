@@ -29,7 +29,7 @@ pub struct SeedResult {
 }
 
 /// The result of a synthesis; the keys of its JSON are stable.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct SynthReport {
     /// Unit.
     pub unit: String,

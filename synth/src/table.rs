@@ -10,7 +10,7 @@ mod transistors;
 use crate::cache::{Cache, digest};
 use crate::error::SynthError;
 use crate::figures::Figures;
-use crate::flow::{parameters, synthesise_with, tools};
+use crate::flow::{parameters, synthesise, tools};
 use crate::report::{CriticalPath, SynthReport};
 use crate::target::Target;
 use imogene_contract::Unit;
@@ -86,7 +86,7 @@ pub fn make(
         let measured = match kept {
             Some(measured) => measured.clone(),
             None => {
-                let report = synthesise_with(&row.request, row.target, &row.options, cache)?;
+                let report = synthesise(&row.request, row.target, &row.options, cache)?;
                 Measured::of(row, report)
             }
         };

@@ -59,17 +59,38 @@ impl Target {
         Self::Transistors,
     ];
 
+    /// Name on the command line, architecture, and the commands that synthesise the module `{top}`.
+    const fn row(self) -> (&'static str, Family, &'static str) {
+        // Wide look-up tables take a fifth more cells of ECP5 and give no more clock (docs/synthesis.md).
+        const ECP5: &str = "synth_ecp5 -nowidelut -top {top}";
+        match self {
+            Self::Ice40Hx8k => ("ice40-hx8k", Family::Ice40, "synth_ice40 -top {top}"),
+            Self::Ice40Up5k => (
+                "ice40-up5k",
+                Family::Ice40,
+                "synth_ice40 -device u -dsp -top {top}",
+            ),
+            Self::Ecp5With45k => ("ecp5-45k", Family::Ecp5, ECP5),
+            Self::Ecp5With85k => ("ecp5-85k", Family::Ecp5, ECP5),
+            Self::Xilinx7 => (
+                "xilinx7",
+                Family::Xilinx7,
+                "synth_xilinx -family xc7 -flatten -noiopad -top {top}",
+            ),
+            Self::Gowin => ("gowin", Family::Gowin, "synth_gowin -noiopads -top {top}"),
+            // Enables become gates, for a plain flip-flop is the only one whose transistors are known; an `opt` after
+            // dfflegalize would take them back.
+            Self::Transistors => (
+                "transistors",
+                Family::Gates,
+                "synth -flatten -top {top}; dfflegalize -cell $_DFF_P_ 01; techmap; abc -g cmos; opt_clean",
+            ),
+        }
+    }
+
     /// Name on the command line.
     pub const fn name(self) -> &'static str {
-        match self {
-            Self::Ice40Hx8k => "ice40-hx8k",
-            Self::Ice40Up5k => "ice40-up5k",
-            Self::Ecp5With45k => "ecp5-45k",
-            Self::Ecp5With85k => "ecp5-85k",
-            Self::Xilinx7 => "xilinx7",
-            Self::Gowin => "gowin",
-            Self::Transistors => "transistors",
-        }
+        self.row().0
     }
 
     /// The names of all targets.
@@ -88,30 +109,12 @@ impl Target {
     }
 
     pub(crate) const fn family(self) -> Family {
-        match self {
-            Self::Ice40Hx8k | Self::Ice40Up5k => Family::Ice40,
-            Self::Ecp5With45k | Self::Ecp5With85k => Family::Ecp5,
-            Self::Xilinx7 => Family::Xilinx7,
-            Self::Gowin => Family::Gowin,
-            Self::Transistors => Family::Gates,
-        }
+        self.row().1
     }
 
     /// Commands that synthesise the module `top` and leave only cells of the target.
     pub(crate) fn synthesis(self, top: &str) -> String {
-        match self {
-            Self::Ice40Hx8k => format!("synth_ice40 -top {top}"),
-            Self::Ice40Up5k => format!("synth_ice40 -device u -dsp -top {top}"),
-            // Wide look-up tables take a fifth more cells and give no more clock (docs/synthesis.md).
-            Self::Ecp5With45k | Self::Ecp5With85k => format!("synth_ecp5 -nowidelut -top {top}"),
-            Self::Xilinx7 => format!("synth_xilinx -family xc7 -flatten -noiopad -top {top}"),
-            Self::Gowin => format!("synth_gowin -noiopads -top {top}"),
-            // Enables become gates, for a plain flip-flop is the only one whose transistors are known; an `opt` after
-            // dfflegalize would take them back.
-            Self::Transistors => format!(
-                "synth -flatten -top {top}; dfflegalize -cell $_DFF_P_ 01; techmap; abc -g cmos; opt_clean"
-            ),
-        }
+        self.row().2.replace("{top}", top)
     }
 
     /// The same for a part of a machine, alone: in look-up tables of four inputs alone. Where nothing is around a

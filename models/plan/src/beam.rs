@@ -1,15 +1,14 @@
 //! The words that a machine is given for a scene, or why it cannot show it.
 
 use super::description::MachineDescription;
-use super::zone::plan::PlanError;
+use super::zone::plan::{self, Part, PlanError};
 use imogene_golden::machine::shader::{LIGHT_ADDRESS, ShaderWords};
 use imogene_golden::machine::zone::beat::{Beat, kind};
 use imogene_golden::object::as_quadric::AsQuadricError;
 use imogene_golden::object::load::{LoadWord, load_words};
 use imogene_golden::object::load_volume::load_volume;
 use imogene_golden::object::paraboloid::plane_guard;
-use imogene_golden::object::quadric::{MAX_PLANES, PlaneWords, QuadricWords};
-use imogene_golden::object::slot::Slot;
+use imogene_golden::object::quadric::{MAX_PLANES, PlaneWords};
 use imogene_golden::object::unused;
 use imogene_golden::object::volume::{VolumePlane, VolumeWords};
 use imogene_prepare::PreparedScene;
@@ -92,32 +91,21 @@ fn dark_light(light: u16) -> impl Iterator<Item = (u16, u32)> {
     (first..first + 16).map(|address| (address, 0))
 }
 
-/// Object and words of every part of the scene, for processors of so many planes.
-pub(super) fn parts(
-    prepared: &PreparedScene,
-    planes: usize,
-) -> Result<Vec<(usize, QuadricWords)>, DisplayError> {
-    let part = |slot: Slot| {
-        let words = slot.words.on_quadric_processor(&prepared.format, planes);
-        let object = || prepared.objects[slot.object].name().to_owned();
-        let words = words.map_err(|why| match why {
-            AsQuadricError::Planes { needed, .. } => DisplayError::Planes {
-                what: format!("object '{}'", object()),
-                needed,
-            },
-            AsQuadricError::GuardBits { .. } => DisplayError::Guards {
-                object: object(),
-                why,
-                enough: plane_guard(&prepared.format),
-            },
-            why => DisplayError::Object {
-                object: object(),
-                why,
-            },
-        })?;
-        Ok((slot.object, words))
-    };
-    prepared.slots().into_iter().map(part).collect()
+/// Every part of the scene, for processors of so many planes.
+pub(super) fn parts(prepared: &PreparedScene, planes: usize) -> Result<Vec<Part>, DisplayError> {
+    let enough = plane_guard(&prepared.format);
+    plan::parts(prepared, planes, |object, why| match why {
+        AsQuadricError::Planes { needed, .. } => DisplayError::Planes {
+            what: format!("object '{object}'"),
+            needed,
+        },
+        AsQuadricError::GuardBits { .. } => DisplayError::Guards {
+            object,
+            why,
+            enough,
+        },
+        why => DisplayError::Object { object, why },
+    })
 }
 
 /// Words of every volume of the scene, for processors of so many planes.
@@ -125,20 +113,13 @@ pub(super) fn volumes(
     prepared: &PreparedScene,
     planes: usize,
 ) -> Result<Vec<VolumeWords>, DisplayError> {
-    let volumes = prepared.volumes.iter().map(|volume| {
-        let words = volume.words.on_quadric_processor(planes);
-        words.map_err(|why| match why {
-            AsQuadricError::Planes { needed, .. } => DisplayError::Planes {
-                what: volume.name.clone(),
-                needed,
-            },
-            why => DisplayError::Volume {
-                volume: volume.name.clone(),
-                why,
-            },
-        })
-    });
-    volumes.collect()
+    plan::volumes(prepared, planes, |volume, why| match why {
+        AsQuadricError::Planes { needed, .. } => DisplayError::Planes {
+            what: volume,
+            needed,
+        },
+        why => DisplayError::Volume { volume, why },
+    })
 }
 
 /// The words of a whole frame of a beam machine, tables first; processors without an object are emptied.
@@ -158,12 +139,12 @@ pub(super) fn beam_words(
         .map(|(address, word)| Beat::new(kind::SHADING, 0, address, word.into()))
         .collect();
     let slots = machine.slots();
-    for (place, (object, words)) in parts.iter().enumerate() {
+    for (place, part) in parts.iter().enumerate() {
         let planes = slots.get(place).map(|slot| slot.planes as usize);
         let planes = planes.unwrap_or(machine.planes);
-        let material = materials[*object].into();
+        let material = materials[usize::from(part.object)].into();
         beats.push(Beat::new(kind::MATERIAL, 0, place as u16, material));
-        let mut words = words.clone();
+        let mut words = part.words.clone();
         words.planes.resize(planes, PlaneWords::default());
         let words = load_words(&words, format, planes);
         beats.extend(words.iter().map(load(kind::OBJECT, place)));

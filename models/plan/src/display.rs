@@ -4,7 +4,7 @@ pub use super::beam::DisplayError;
 use super::beam::{beam_words, parts, shading_words};
 use super::description::{MachineDescription, MachineKind, Smoothing};
 use super::needs;
-use super::zone::plan::ZonePlan;
+use super::zone::plan::{Part, ZonePlan};
 use super::zone::refine::Refinement;
 use imogene_golden::machine::accumulator::{Accumulator, PassPixel};
 use imogene_golden::machine::beam;
@@ -76,9 +76,9 @@ pub fn refined_image(
             (beats, frame, lighting, Some(plan))
         }
         MachineKind::Beam => {
-            let slot = |(object, words)| Slot {
-                object,
-                words: ProcessorWords::Quadric(words),
+            let slot = |part: Part| Slot {
+                object: part.object.into(),
+                words: ProcessorWords::Quadric(part.words),
             };
             let parts = parts(prepared, machine.planes)?;
             let slots: Vec<Slot> = parts.into_iter().map(slot).collect();

@@ -71,11 +71,11 @@ fn add(
             two_volumes: false,
         };
         slots.resize(slots.len().max(parts.len()), none);
-        for (slot, (_, words)) in slots.iter_mut().zip(&parts) {
-            *slot = slot.or(&FittedSlot::of(words));
+        for (slot, part) in slots.iter_mut().zip(&parts) {
+            *slot = slot.or(&FittedSlot::of(&part.words));
         }
     }
-    let planes = parts.iter().map(|(_, words)| words.planes.len()).max();
+    let planes = parts.iter().map(|part| part.words.planes.len()).max();
     let volume_planes = volumes.iter().map(|words| words.planes.len()).max();
     for (given, needed) in [
         (&mut machine.objects, objects),

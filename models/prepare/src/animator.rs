@@ -52,10 +52,10 @@ pub struct FrameError {
     pub source: Box<FrameProblem>,
 }
 
-/// Why a frame cannot be drawn.
+/// Why a frame cannot be drawn, or an animation cannot be played.
 #[derive(Debug, Error)]
 pub enum FrameProblem {
-    /// The actions cannot be done.
+    /// There are no frames, or the actions cannot be done.
     #[error(transparent)]
     Playback(#[from] PlaybackError),
     /// The scene cannot be had as the actions leave it.
@@ -64,17 +64,6 @@ pub enum FrameProblem {
     /// The words are too short for it.
     #[error(transparent)]
     Prepare(#[from] PrepareError),
-}
-
-/// An animation that cannot be played.
-#[derive(Debug, Error)]
-pub enum AnimationError {
-    /// The scene is refused.
-    #[error(transparent)]
-    Scene(#[from] SceneError),
-    /// It has no frames.
-    #[error(transparent)]
-    Playback(#[from] PlaybackError),
 }
 
 impl<'a> Animator<'a> {
@@ -87,7 +76,7 @@ impl<'a> Animator<'a> {
         file: &'a SceneFile,
         size: (u32, u32),
         format: Format,
-    ) -> Result<Animator<'a>, AnimationError> {
+    ) -> Result<Animator<'a>, FrameProblem> {
         file.validate()?;
         Ok(Animator {
             playback: Playback::new(file)?,

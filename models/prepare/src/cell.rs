@@ -1,6 +1,4 @@
-//! Axis-parallel cells of screen space, and boxes of pixels.
-
-use imogene_golden::object::quadric::ScreenBox;
+//! Axis-parallel cells of screen space.
 
 /// An axis-parallel cell: centre and half extent along x, y, z.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,13 +51,5 @@ impl Cell {
             cell.centre[axis] += side * self.half[axis];
             cell
         })
-    }
-}
-
-/// A box of pixels that may be empty, which then is the usual empty one.
-pub(super) fn tidy(found: ScreenBox) -> ScreenBox {
-    match found.is_empty() {
-        true => ScreenBox::EMPTY,
-        false => found,
     }
 }

@@ -1,6 +1,5 @@
 //! How a scene is prepared, and what all its objects share.
 
-use super::cell::tidy;
 use super::error::PrepareError;
 use super::forms::{LinearForm, QuadraticForm};
 use super::perspective;
@@ -101,13 +100,9 @@ impl Context {
         };
         let first = |value: BigRational, size| within(value.ceil().to_integer(), size).max(0);
         let last = |value: BigRational, size| within(floor(&value), size).min(i64::from(size) - 1);
-        let found = ScreenBox {
-            x0: first(x0, self.width),
-            x1: last(x1, self.width),
-            y0: first(y0, self.height),
-            y1: last(y1, self.height),
-        };
-        tidy(found)
+        let columns = [first(x0, self.width), last(x1, self.width)];
+        let lines = [first(y0, self.height), last(y1, self.height)];
+        ScreenBox::of(columns, lines).or_empty()
     }
 
     /// Refuses an object that neither a quadric nor a patch processor draws: fitted machines have those alone.

@@ -3,7 +3,7 @@
 //! A plane touches a quadric of matrix Q iff its coefficients p satisfy `p' adj(Q) p = 0`. For the planes `x = v` that
 //! is an equation of second degree in v, whose roots are the least and the greatest x of the quadric.
 
-use super::cell::{Cell, tidy};
+use super::cell::Cell;
 use imogene_algebra::matrix::{Matrix4, cofactor, symmetric};
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_scene::Quadric;
@@ -81,25 +81,24 @@ impl Extent {
         }
         let columns = self.pixels(0, width)?;
         let lines = self.pixels(1, height)?;
-        let (Side::Seen(x0, x1), Side::Seen(y0, y1)) = (columns, lines) else {
+        let (Some((x0, x1)), Some((y0, y1))) = (columns, lines) else {
             return Some(ScreenBox::EMPTY);
         };
-        let found = ScreenBox { x0, x1, y0, y1 };
-        Some(tidy(found))
+        Some(ScreenBox { x0, x1, y0, y1 }.or_empty())
     }
 
-    /// Pixels along an axis of a screen of `size` pixels, the first at `-size / 2`; `None` if the extent passes a
-    /// side.
-    fn pixels(&self, axis: usize, size: u32) -> Option<Side> {
+    /// Pixels along an axis of a screen of `size` pixels, the first at `-size / 2`, an inner nothing beside it; `None`
+    /// if the extent passes a side.
+    fn pixels(&self, axis: usize, size: u32) -> Option<Option<(i64, i64)>> {
         let (first, last) = self.integers_within(axis, i64::from(size));
         let end = BigInt::from(size) - 1;
         if last.is_negative() || first > end {
-            return Some(Side::Beyond);
+            return Some(None);
         }
         if first.is_negative() || last > end {
             return None;
         }
-        Some(Side::Seen(first.to_i64()?, last.to_i64()?))
+        Some(Some((first.to_i64()?, last.to_i64()?)))
     }
 
     /// A cell around the quadric; `None` if it reaches so far that `f64` does not hold all integers and their halves.
@@ -111,11 +110,6 @@ impl Extent {
             .all(is_held)
             .then(|| Cell::between(around.map(|(low, _)| low), around.map(|(_, high)| high)))
     }
-}
-
-enum Side {
-    Seen(i64, i64),
-    Beyond,
 }
 
 /// Sylvester's criterion on the second-degree part.

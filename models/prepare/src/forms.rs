@@ -226,7 +226,8 @@ impl QuadraticForm {
         least.abs().max(greatest.abs())
     }
 
-    /// Least and greatest value over the rectangle of a box of pixels.
+    /// Least and greatest value over the rectangle of a box of pixels: they lie in a corner, on an edge where the
+    /// derivative along the edge is zero, or where both derivatives are zero.
     pub fn range_on(&self, window: &ScreenBox) -> (BigRational, BigRational) {
         let ([a, b, c, d, e, f], denominator) = self.whole();
         let at = |(x, y): (i64, i64)| ((&a * x + &c * y + &d) * x + (&b * y + &e) * y + &f).into();
@@ -257,40 +258,13 @@ impl QuadraticForm {
         (over(least), over(greatest))
     }
 
-    /// Least and greatest value over the rectangle `x0 .. x1`, `y0 .. y1`: they lie in a corner, on an edge where the
-    /// derivative along the edge is zero, or where both derivatives are zero.
+    /// Least and greatest value over the rectangle `x0 .. x1`, `y0 .. y1`.
     pub fn range_between(&self, rectangle: &[BigRational; 4]) -> (BigRational, BigRational) {
-        let [x0, x1, y0, y1] = rectangle.clone();
-        let corners = [(&x0, &y0), (&x1, &y0), (&x0, &y1), (&x1, &y1)];
-        let mut points = corners.map(|(x, y)| (x.clone(), y.clone())).to_vec();
-        let two = integer(2);
-        if !self.a.is_zero() {
-            for y in [&y0, &y1] {
-                let x = -(&self.c * y + &self.d) / (&two * &self.a);
-                points.push((x, y.clone()));
-            }
-        }
-        if !self.b.is_zero() {
-            for x in [&x0, &x1] {
-                let y = -(&self.c * x + &self.e) / (&two * &self.b);
-                points.push((x.clone(), y));
-            }
-        }
-        let determinant = integer(4) * &self.a * &self.b - &self.c * &self.c;
-        if !determinant.is_zero() {
-            let x = (&self.c * &self.e - &two * &self.b * &self.d) / &determinant;
-            let y = (&self.c * &self.d - &two * &self.a * &self.e) / &determinant;
-            points.push((x, y));
-        }
-        let inside =
-            |(x, y): &&(BigRational, BigRational)| *x >= x0 && *x <= x1 && *y >= y0 && *y <= y1;
-        let values: Vec<BigRational> = points
-            .iter()
-            .filter(inside)
-            .map(|(x, y)| self.at(x, y))
-            .collect();
-        let (least, greatest) = ends(&values);
-        (least.clone(), greatest.clone())
+        let [x0, x1, y0, y1] = rectangle;
+        let (zero, unit) = (integer(0), ScreenBox::of([0, 1], [0, 1]));
+        let (columns, lines) = (x1 - x0, y1 - y0);
+        let in_unit = self.in_frame([[&columns, &zero], [&zero, &lines]], [x0, y0]);
+        in_unit.range_on(&unit)
     }
 }
 

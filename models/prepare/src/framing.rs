@@ -4,9 +4,10 @@ use super::range::frame_keeping;
 use super::unseen::Seen;
 use imogene_golden::format::Format;
 use imogene_scene::{FramedScene, SceneError, SceneFile};
+use std::borrow::Borrow;
 
 /// A scene file in the camera frame of a picture.
-pub trait Framing {
+pub trait Framing: Borrow<SceneFile> {
     /// The scene in the camera frame of a picture of `width` by `height` pixels, with the range of the depth word
     /// that it names or that is chosen for it.
     ///
@@ -27,7 +28,11 @@ pub trait Framing {
         width: u32,
         height: u32,
         done: &(impl Fn() + Sync),
-    ) -> Result<FramedScene, SceneError>;
+    ) -> Result<FramedScene, SceneError> {
+        let file = self.borrow();
+        file.validate()?;
+        frame_keeping(&file.flattened(), (width, height), |_, _| Ok(None), done)
+    }
 
     /// The same without objects that are proven to be nowhere in the picture in a format:
     /// [`FramedObject::Unseen`](imogene_scene::FramedObject::Unseen) stands in their place, so that the index of every
@@ -43,33 +48,14 @@ pub trait Framing {
         width: u32,
         height: u32,
         format: &Format,
-    ) -> Result<FramedScene, SceneError>;
+    ) -> Result<FramedScene, SceneError> {
+        Seen::of(self.borrow(), (width, height), format, &|| ())?.frame(&|| ())
+    }
 
     /// Steps of the framing, for a bar of its progress.
-    fn frame_steps(&self) -> u64;
-}
-
-impl Framing for SceneFile {
-    fn frame_reporting(
-        &self,
-        width: u32,
-        height: u32,
-        done: &(impl Fn() + Sync),
-    ) -> Result<FramedScene, SceneError> {
-        self.validate()?;
-        frame_keeping(&self.flattened(), (width, height), |_, _| Ok(None), done)
-    }
-
-    fn frame_seen(
-        &self,
-        width: u32,
-        height: u32,
-        format: &Format,
-    ) -> Result<FramedScene, SceneError> {
-        Seen::of(self, (width, height), format, &|| ())?.frame(&|| ())
-    }
-
     fn frame_steps(&self) -> u64 {
-        2 * self.objects.len() as u64
+        2 * self.borrow().objects.len() as u64
     }
 }
+
+impl Framing for SceneFile {}

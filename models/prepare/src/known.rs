@@ -33,7 +33,6 @@ pub(super) struct Known<'a> {
 }
 
 impl Known<'_> {
-    /// Nothing.
     pub fn nothing(scene: &FramedScene) -> Known<'static> {
         Known {
             objects: scene.objects.iter().map(|_| None).collect(),
@@ -53,8 +52,6 @@ impl Known<'_> {
             *known = known.filter(|kept| kept.place == *place);
         }
     }
-
-    /// The words of an object.
     pub fn object(&self, index: usize) -> Option<&PreparedObject> {
         self.objects[index].map(|kept| &kept.prepared)
     }

@@ -90,9 +90,9 @@ fn prepare_parts(object: &FramedObject, context: &Context) -> Result<PreparedPar
         }
         FramedObject::FirstGeneration(q) => first_generation::prepare_first_generation(q, context),
         FramedObject::Mesh(mesh) => mesh::prepare_mesh(mesh, context),
-        FramedObject::Sphere(sphere) => paraboloids::prepare_sphere(sphere, context),
+        FramedObject::Sphere(sphere) => paraboloids::prepare_sphere(sphere, false, context),
         FramedObject::Cylinder(cylinder) => paraboloids::prepare_cylinder(cylinder, context),
-        FramedObject::CurvedSphere(sphere) => paraboloids::prepare_curved_sphere(sphere, context),
+        FramedObject::CurvedSphere(sphere) => paraboloids::prepare_sphere(sphere, true, context),
         FramedObject::CurvedFacet(q) => curved_facet::prepare_curved_facet(q, context),
     }
 }

@@ -47,7 +47,7 @@ pub(super) fn prepare_mesh(
             None => edge_on.push(facet.face),
             Some(words) => {
                 for one in words {
-                    parts.screen_box = hull(&parts.screen_box, &one.screen_box);
+                    parts.screen_box = parts.screen_box.around(&one.screen_box);
                     parts.words.push(ProcessorWords::Facet(one));
                 }
             }
@@ -217,16 +217,4 @@ fn facet_box(corners: &[Corner], context: &Context) -> ScreenBox {
     };
     let ([x0, x1], [y0, y1]) = (bound(|c| c.x), bound(|c| c.y));
     context.pixels_between([x0, x1, y0, y1])
-}
-
-fn hull(one: &ScreenBox, other: &ScreenBox) -> ScreenBox {
-    if one.is_empty() {
-        return *other;
-    }
-    ScreenBox {
-        x0: one.x0.min(other.x0),
-        x1: one.x1.max(other.x1),
-        y0: one.y0.min(other.y0),
-        y1: one.y1.max(other.y1),
-    }
 }

@@ -21,86 +21,63 @@ const UNSEEN: &str = "outside the screen or its depth range: nothing to draw";
 
 const UNCAPPED: &str = "reaches nearer than the near end; it is absent there, without a cap";
 
-/// Words of the sphere processor.
+/// Words of the sphere processor, or of one facet with the sphere's outline for a side.
 pub(super) fn prepare_sphere(
     sphere: &FramedSphere,
+    as_facet: bool,
     context: &Context,
 ) -> Result<PreparedParts, PrepareError> {
     let Some((shape, window)) = on_screen(sphere, context) else {
         return Ok(PreparedParts::unseen(&sphere.name, UNSEEN));
     };
-    let format = &context.format;
+    let (format, full) = (&context.format, context.format.quadratic);
     let mut ledger = Ledger::new(&sphere.name, window, context);
     let on_box = ledger.on_box();
     let form = QuadraticForm::of_array;
-    let (depth, full) = (form(shape.paraboloid()), format.quadratic);
     let contour = ledger.sign("outline", &form(shape.outline()), full)?;
-    let front = ledger.value("depth", &depth, depth_guard(format), full, &on_box)?;
+    let exact = form(shape.paraboloid());
+    let depth = ledger.value("depth", &exact, depth_guard(format), full, &on_box)?;
+    let across = shape.normal_across().map(LinearForm::of_array);
+    let deep = form(shape.normal_deep());
+    let normal_guard = normal_guard(format);
+    if as_facet {
+        let [x, y] = across.map(|n| QuadraticForm::of_linear(&n));
+        let mut normal = |word, n| ledger.value(word, n, normal_guard, full, &on_box);
+        let words = CurvedFacetWords {
+            screen_box: window,
+            sides: vec![contour],
+            depth,
+            normal: [
+                normal("normal x", &x)?,
+                normal("normal y", &y)?,
+                normal("normal z", &deep)?,
+            ],
+        };
+        let mut parts = ledger.finish(ProcessorWords::CurvedFacet(words));
+        if &sphere.centre[2] - &sphere.radius < -&context.full_depth {
+            parts.notes.push(UNCAPPED.into());
+        }
+        return Ok(parts);
+    }
     let twice = integer(2) * &shape.z;
-    let (least, greatest) = on_box(&depth);
+    let (least, greatest) = on_box(&exact);
     let back = (&twice - least).abs().max((&twice - greatest).abs());
     // One count for each of the two roundings.
     ledger.prove("back depth", &(back + integer(2)), format.sum)?;
     let guard = LINEAR_WIDTH - format.normal;
-    let [x, y] = shape.normal_across().map(LinearForm::of_array);
+    let [x, y] = &across;
     let words = SphereWords {
         screen_box: window,
         contour,
-        front,
+        front: depth,
         sum: round_half_up(&twice).to_i64().expect("proven to be short"),
         normal: [
-            ledger.linear_value("normal x", &x, guard, LINEAR_WIDTH, &on_box)?,
-            ledger.linear_value("normal y", &y, guard, LINEAR_WIDTH, &on_box)?,
+            ledger.linear_value("normal x", x, guard, LINEAR_WIDTH, &on_box)?,
+            ledger.linear_value("normal y", y, guard, LINEAR_WIDTH, &on_box)?,
         ],
-        normal_z: ledger.value(
-            "normal z",
-            &form(shape.normal_deep()),
-            normal_guard(format),
-            full,
-            &on_box,
-        )?,
+        normal_z: ledger.value("normal z", &deep, normal_guard, full, &on_box)?,
     };
     Ok(ledger.finish(ProcessorWords::Sphere(words)))
-}
-
-/// The same sphere as one facet with its outline for a side.
-pub(super) fn prepare_curved_sphere(
-    sphere: &FramedSphere,
-    context: &Context,
-) -> Result<PreparedParts, PrepareError> {
-    let Some((shape, window)) = on_screen(sphere, context) else {
-        return Ok(PreparedParts::unseen(&sphere.name, UNSEEN));
-    };
-    let format = &context.format;
-    let mut ledger = Ledger::new(&sphere.name, window, context);
-    let on_box = ledger.on_box();
-    let form = QuadraticForm::of_array;
-    let full = format.quadratic;
-    let [x, y] = shape
-        .normal_across()
-        .map(|n| QuadraticForm::of_linear(&LinearForm::of_array(n)));
-    let guard = normal_guard(format);
-    let words = CurvedFacetWords {
-        screen_box: window,
-        sides: vec![ledger.sign("outline", &form(shape.outline()), full)?],
-        depth: ledger.value(
-            "depth",
-            &form(shape.paraboloid()),
-            depth_guard(format),
-            full,
-            &on_box,
-        )?,
-        normal: [
-            ledger.value("normal x", &x, guard, full, &on_box)?,
-            ledger.value("normal y", &y, guard, full, &on_box)?,
-            ledger.value("normal z", &form(shape.normal_deep()), guard, full, &on_box)?,
-        ],
-    };
-    let mut parts = ledger.finish(ProcessorWords::CurvedFacet(words));
-    if &sphere.centre[2] - &sphere.radius < -&context.full_depth {
-        parts.notes.push(UNCAPPED.into());
-    }
-    Ok(parts)
 }
 
 /// Words of the cylinder processor.

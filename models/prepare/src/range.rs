@@ -77,7 +77,6 @@ pub(super) struct Depths<'a> {
 /// A range, and how it was found.
 pub(super) struct Choice {
     pub range: DepthRange,
-    /// Its level.
     pub level: i32,
     /// The level in which all that is seen fits, before it was widened.
     pub seen: i32,
@@ -332,7 +331,7 @@ fn body(object: &FramedObject, context: &Context) -> Body {
             regions: walls(&quadric.q, &planes),
             reach: EVERYWHERE,
             is_about_eye: true,
-            witness: None,
+            ..Body::NOWHERE
         };
     }
     let extent = planes.is_empty().then(|| Extent::of(&quadric.q)).flatten();
@@ -342,8 +341,7 @@ fn body(object: &FramedObject, context: &Context) -> Body {
             (centre[2] - half[2], centre[2] + half[2])
         }),
         regions: vec![Region::new(&quadric.q, &planes, framed.surface)],
-        is_about_eye: false,
-        witness: None,
+        ..Body::NOWHERE
     }
 }
 
@@ -368,9 +366,7 @@ fn between_corners(mesh: &FramedMesh, context: &Context) -> Body {
     let least = depths.iter().copied().fold(f64::INFINITY, f64::min);
     let greatest = depths.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     Body {
-        regions: vec![],
         reach: (least, greatest),
-        is_about_eye: false,
-        witness: None,
+        ..Body::NOWHERE
     }
 }

@@ -111,8 +111,7 @@ pub fn round_contour(form: &QuadraticForm, anchor: Anchor) -> Result<Quadratic, 
         return round_quadratic(form, anchor);
     }
     let Quadratic { a, b, c, d, e, f } = round_quadratic(&form.scaled(&integer(-1)), anchor)?;
-    let [a, b, c, d, e, f] = [a, b, c, d, e, f].map(|v| -v);
-    Ok(Quadratic { a, b, c, d, e, f })
+    Ok(Quadratic::new([a, b, c, d, e, f].map(|v| -v)))
 }
 
 fn leads_downwards<const N: usize>(factors: [&BigRational; N]) -> bool {

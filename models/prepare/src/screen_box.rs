@@ -6,7 +6,6 @@
 //! runs out the box is only larger.
 
 pub use super::cell::Cell;
-use super::cell::tidy;
 use super::enclosure::{REACH, around};
 use super::forms::unreduced;
 use imogene_algebra::rational::to_f64;
@@ -231,24 +230,17 @@ impl Region {
         let (w, h) = (f64::from(width), f64::from(height));
         let (left, top) = (-0.5 * w, -0.5 * h);
         let side = |axis, direction| self.extreme(domain, axis, direction, search);
-        let Some(x_low) = side(0, 1.0) else {
-            return ScreenBox::EMPTY;
-        };
-        let (Some(x_high), Some(y_low), Some(y_high)) =
-            (side(0, -1.0), side(1, 1.0), side(1, -1.0))
-        else {
+        // Where nothing is found on one side, the others need not be searched.
+        let ends = || Some([side(0, 1.0)?, side(0, -1.0)?, side(1, 1.0)?, side(1, -1.0)?]);
+        let Some([x_low, x_high, y_low, y_high]) = ends() else {
             return ScreenBox::EMPTY;
         };
         // Cell corners carry the rounding of a few halvings; a thousandth of a pixel covers it.
         let first = |v: f64| (v - 1e-3).ceil().max(0.0) as i64;
         let last = |v: f64, size: f64| (v + 1e-3).floor().min(size - 1.0) as i64;
-        let found = ScreenBox {
-            x0: first(x_low - left),
-            x1: last(-x_high - left, w),
-            y0: first(y_low - top),
-            y1: last(-y_high - top, h),
-        };
-        tidy(found)
+        let columns = [first(x_low - left), last(-x_high - left, w)];
+        let lines = [first(y_low - top), last(-y_high - top, h)];
+        ScreenBox::of(columns, lines).or_empty()
     }
 }
 

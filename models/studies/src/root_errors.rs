@@ -162,22 +162,15 @@ fn steps(method: Method, root_bits: u32) -> Steps {
 
 /// The test sphere of the source's restatement, 4.3: centre (20, -10, 300), radius 100, viewer distance 1000, 720 x 540
 /// pixels.
-struct Sphere {
-    f1: Linear,
-    f2: Quadratic,
-}
-
-const SPHERE: Sphere = Sphere {
-    f1: Linear::new(-100, 50, 1_921_817),
-    f2: Quadratic {
-        a: -41_863_718,
-        b: -41_871_193,
-        c: -9_967,
-        d: 31_440_272_584,
-        e: 21_966_180_078,
-        f: -8_533_734_878_403,
-    },
-};
+const F1: Linear = Linear::new(-100, 50, 1_921_817);
+const F2: Quadratic = Quadratic::new([
+    -41_863_718,
+    -41_871_193,
+    -9_967,
+    31_440_272_584,
+    21_966_180_078,
+    -8_533_734_878_403,
+]);
 const COLUMNS: i64 = 720;
 const LINES: i64 = 540;
 /// Depth words per pixel of depth, `Kp = (2^23 - 1) / 1000`.
@@ -198,11 +191,11 @@ fn sphere(method: Method) -> DepthError {
     let mut found = DepthError::default();
     for line in 0..LINES {
         for column in 0..COLUMNS {
-            let radicand = SPHERE.f2.wrapped_at(column, line, Format::BASE.quadratic);
+            let radicand = F2.wrapped_at(column, line, Format::BASE.quadratic);
             if radicand < 0 {
                 continue;
             }
-            let f1 = SPHERE.f1.wrapped_at(column, line, Format::BASE.sum);
+            let f1 = F1.wrapped_at(column, line, Format::BASE.sum);
             let root = root(method, radicand as u128, Format::BASE.root).root;
             let off = ((f1 - i128::from(root)) as f64 - true_depth(column, line)).abs();
             found.pixels += 1;
@@ -275,10 +268,10 @@ mod tests {
         // Second difference and slope of the real depth's linear part give back the words.
         let square = 3361.0 / 2000.0;
         let per_pixel = -WORDS_PER_PIXEL / 50.0 / square;
-        assert_eq!(per_pixel.round() as i128, SPHERE.f1.a);
+        assert_eq!(per_pixel.round() as i128, F1.a);
         let scale = WORDS_PER_PIXEL * WORDS_PER_PIXEL;
         let a = scale * (1.0 / 2500.0 / square - 1.0) / square;
-        assert_eq!(a.round() as i128, SPHERE.f2.a);
+        assert_eq!(a.round() as i128, F2.a);
     }
 
     /// The floors weigh most in the lowest octaves, which are searched closely.

@@ -42,19 +42,23 @@ pub fn draw(table: &Table) -> Result<Option<String>, SynthError> {
     let Some(panels) = panels else {
         return Ok(None);
     };
-    let failed = |error: &dyn std::fmt::Display| SynthError::Picture(error.to_string());
     let mut text = String::new();
-    {
-        let area = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
-        area.fill(&WHITE).map_err(|error| failed(&error))?;
-        let parts = area.split_evenly((2, 2));
-        let panels = PANELS.iter().zip(&panels).enumerate();
-        for (part, (index, (panel, lines))) in parts.iter().zip(panels) {
-            draw_panel(part, panel.title, lines, index == 0).map_err(|error| failed(&error))?;
-        }
-        area.present().map_err(|error| failed(&error))?;
-    }
+    let drawn = draw_panels(&mut text, &panels);
+    drawn.map_err(|error| SynthError::Picture(error.to_string()))?;
     Ok(Some(text))
+}
+
+type Drawn = Result<(), Box<dyn std::error::Error>>;
+
+fn draw_panels(text: &mut String, panels: &[Vec<Line>]) -> Drawn {
+    let area = SVGBackend::with_string(text, SIZE).into_drawing_area();
+    area.fill(&WHITE)?;
+    let parts = area.split_evenly((2, 2));
+    let panels = PANELS.iter().zip(panels).enumerate();
+    for (part, (index, (panel, lines))) in parts.iter().zip(panels) {
+        draw_panel(part, panel.title, lines, index == 0)?;
+    }
+    Ok(area.present()?)
 }
 
 /// A network on a device: its measures, in the order of the rows per stage.
@@ -114,12 +118,7 @@ impl Line {
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
-fn draw_panel(
-    area: &Area<'_>,
-    title: &str,
-    lines: &[Line],
-    is_first: bool,
-) -> Result<(), Box<dyn std::error::Error>> {
+fn draw_panel(area: &Area<'_>, title: &str, lines: &[Line], is_first: bool) -> Drawn {
     let values = lines.iter().flat_map(|line| &line.values);
     let top = values.copied().fold(0.0, f64::max) * 1.1;
     let last = ROWS_PER_STAGE.len() as i32 - 1;

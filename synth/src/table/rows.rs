@@ -93,11 +93,13 @@ pub fn rows() -> Vec<Row> {
         let rows = move |unit| ROWS_PER_STAGE.map(|rows| root_row(unit, rows as u32, target));
         ROOTS.into_iter().flat_map(rows)
     });
-    let transistors = GATES.map(|unit| Row {
-        section: Section::Transistors,
-        request: Request::new(unit),
-        target: Target::Transistors,
-        options: Options { seeds: 0 },
+    let transistors = GATES.map(|unit| {
+        row(
+            Section::Transistors,
+            Request::new(unit),
+            Target::Transistors,
+            0,
+        )
     });
     units
         .chain(planes)
@@ -106,29 +108,30 @@ pub fn rows() -> Vec<Row> {
         .collect()
 }
 
-fn planes_row(unit: Unit, planes: u32) -> Row {
+fn row(section: Section, request: Request, target: Target, seeds: usize) -> Row {
     Row {
-        section: Section::Planes,
-        request: Request {
-            planes,
-            ..Request::new(unit)
-        },
-        target: Target::Ecp5With45k,
-        // A plane adds a stage of its own beside the others: it costs cells, and the clock is that of the units table.
-        options: Options { seeds: 0 },
+        section,
+        request,
+        target,
+        options: Options { seeds },
     }
 }
 
+fn planes_row(unit: Unit, planes: u32) -> Row {
+    let request = Request {
+        planes,
+        ..Request::new(unit)
+    };
+    // A plane adds a stage of its own beside the others: it costs cells, and the clock is that of the units table.
+    row(Section::Planes, request, Target::Ecp5With45k, 0)
+}
+
 fn sides_row(sides: u32) -> Row {
-    Row {
-        section: Section::Planes,
-        request: Request {
-            sides,
-            ..Request::new(Unit::FacetProcessor)
-        },
-        target: Target::Ecp5With45k,
-        options: Options { seeds: 0 },
-    }
+    let request = Request {
+        sides,
+        ..Request::new(Unit::FacetProcessor)
+    };
+    row(Section::Planes, request, Target::Ecp5With45k, 0)
 }
 
 fn unit_row(unit: Unit, target: Target) -> Row {
@@ -137,24 +140,15 @@ fn unit_row(unit: Unit, target: Target) -> Row {
     let is_too_long =
         unit == Unit::Beam || target == Target::Ice40Hx8k && OTHER_PROCESSORS.contains(&unit);
     let seeds = if is_too_long { 0 } else { SEEDS };
-    Row {
-        section: Section::Units,
-        request: Request::new(unit),
-        target,
-        options: Options { seeds },
-    }
+    row(Section::Units, Request::new(unit), target, seeds)
 }
 
 fn root_row(unit: Unit, rows_per_stage: u32, target: Target) -> Row {
-    Row {
-        section: Section::Rows,
-        request: Request {
-            rows_per_stage,
-            ..Request::new(unit)
-        },
-        target,
-        options: Options { seeds: SEEDS },
-    }
+    let request = Request {
+        rows_per_stage,
+        ..Request::new(unit)
+    };
+    row(Section::Rows, request, target, SEEDS)
 }
 
 /// The rows of a unit and of a target, or of all of them.

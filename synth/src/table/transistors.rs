@@ -3,7 +3,6 @@
 use super::Table;
 use super::rows::Section;
 use crate::target::Target;
-use std::fmt::Write;
 
 /// An adder with its register in the source: 13 of them take 19 344.
 const ADDER: u64 = 19_344 / 13;
@@ -16,47 +15,25 @@ const ROOT: u64 = 96_598;
 /// The three multipliers of the source.
 const MULTIPLIERS: u64 = 47_616;
 
-/// A unit in the source.
-struct Counterpart {
-    unit: &'static str,
-    /// What stands for it there.
-    there: &'static str,
-    transistors: u64,
-    /// Bits there and here, where the unit has a width.
-    bits: Option<(u64, u64)>,
-}
+/// A unit, what stands for it in the source, its transistors there, and the bits there and here where it has a width.
+type Counterpart = (&'static str, &'static str, u64, Option<(u64, u64)>);
 
 const COUNTERPARTS: [Counterpart; 5] = [
-    Counterpart {
-        unit: "pe1",
-        there: "PE1",
-        transistors: PE1,
-        bits: Some((24, 26)),
-    },
-    Counterpart {
-        unit: "pe2",
-        there: "PE2",
-        transistors: PE2,
-        bits: Some((48, 48)),
-    },
-    Counterpart {
-        unit: "square_root",
-        there: "root",
-        transistors: ROOT,
-        bits: Some((48, 48)),
-    },
-    Counterpart {
-        unit: "quadric_pe",
-        there: "PE1, PE2, root, 2 adders with registers",
-        transistors: PE1 + PE2 + ROOT + 2 * ADDER,
-        bits: None,
-    },
-    Counterpart {
-        unit: "normal_unit",
-        there: "3 multipliers, 3 adders with registers",
-        transistors: MULTIPLIERS + 3 * ADDER,
-        bits: None,
-    },
+    ("pe1", "PE1", PE1, Some((24, 26))),
+    ("pe2", "PE2", PE2, Some((48, 48))),
+    ("square_root", "root", ROOT, Some((48, 48))),
+    (
+        "quadric_pe",
+        "PE1, PE2, root, 2 adders with registers",
+        PE1 + PE2 + ROOT + 2 * ADDER,
+        None,
+    ),
+    (
+        "normal_unit",
+        "3 multipliers, 3 adders with registers",
+        MULTIPLIERS + 3 * ADDER,
+        None,
+    ),
 ];
 
 const INTRODUCTION: &str = "
@@ -88,27 +65,19 @@ pub fn write(table: &Table) -> String {
     }
     text + COMPARABILITY
 }
-
-/// The line of a unit.
 fn line(unit: &str, here: u64) -> String {
-    let mut text = String::new();
-    let found = COUNTERPARTS.iter().find(|known| known.unit == unit);
-    let (name, there) = found.map_or(("-", "-".to_owned()), |known| {
-        (known.there, known.transistors.to_string())
-    });
-    let _ = match found.and_then(|known| Some((known.bits?, known.transistors))) {
-        Some(((bits_there, bits), transistors)) => writeln!(
-            text,
-            "| `{unit}` | {name} | {bits} | {here} | {} | {bits_there} | {there} | {} |",
+    let found = COUNTERPARTS.iter().find(|known| known.0 == unit);
+    match found {
+        Some((_, name, there, Some((bits_there, bits)))) => format!(
+            "| `{unit}` | {name} | {bits} | {here} | {} | {bits_there} | {there} | {} |\n",
             here / bits,
-            transistors / bits_there
+            there / bits_there
         ),
-        None => writeln!(
-            text,
-            "| `{unit}` | {name} | - | {here} | - | - | {there} | - |"
-        ),
-    };
-    text
+        Some((_, name, there, None)) => {
+            format!("| `{unit}` | {name} | - | {here} | - | - | {there} | - |\n")
+        }
+        None => format!("| `{unit}` | - | - | {here} | - | - | - | - |\n"),
+    }
 }
 
 #[cfg(test)]
@@ -126,7 +95,7 @@ mod tests {
     #[test]
     fn every_unit_of_the_section_has_a_counterpart() {
         for unit in super::super::rows::GATES {
-            assert!(COUNTERPARTS.iter().any(|known| known.unit == unit.name()));
+            assert!(COUNTERPARTS.iter().any(|known| known.0 == unit.name()));
         }
     }
 

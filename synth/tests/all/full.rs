@@ -14,7 +14,7 @@ fn is_full() -> bool {
 
 fn run(unit: Unit, target: Target) -> SynthReport {
     let request = Request::new(unit);
-    synthesise(&request, target, &Options { seeds: 1 })
+    synthesise(&request, target, &Options { seeds: 1 }, Cache::Use)
         .unwrap_or_else(|error| panic!("{} for {}: {error}", unit.name(), target.name()))
 }
 

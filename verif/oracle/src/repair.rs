@@ -55,7 +55,11 @@ pub fn repair(scene: &FramedScene, prepared: &PreparedScene, done: impl Fn() + S
     let open = open_pixels(prepared);
     let find_seconds = started.elapsed().as_secs_f64();
     let started = Instant::now();
-    let exact = to_frame(&render_where(scene, format, &open, done), scene, format);
+    let exact = to_frame(
+        &render_where(scene, format, |index| open[index], done),
+        scene,
+        format,
+    );
     let mut frame = first.clone();
     let mut mended = 0;
     for index in (0..open.len()).filter(|&i| open[i]) {

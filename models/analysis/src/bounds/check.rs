@@ -1,7 +1,7 @@
 //! The check of a whole scene.
 
 use super::jury::Jury;
-use super::object::{ObjectBounds, Review, quantile_999, review};
+use super::object::{ObjectBounds, quantile_999, review};
 use super::pixels::Shown;
 use super::report::ObjectReport;
 use super::summary::{Summary, summary, visible_pixels};
@@ -79,7 +79,6 @@ impl CheckReport {
 pub fn check(scene: &FramedScene, prepared: &PreparedScene) -> CheckReport {
     let seen = visible_pixels(prepared);
     let jury = Jury::new(scene, prepared);
-    let mut reviews: Vec<Review> = vec![];
     let drawn = scene.objects.iter().zip(&prepared.objects).zip(seen);
     type Drawn<'a> = ((&'a FramedObject, &'a PreparedObject), usize);
     let report = |(id, ((framed, object), visible_pixels)): (usize, Drawn)| {
@@ -90,9 +89,7 @@ pub fn check(scene: &FramedScene, prepared: &PreparedScene) -> CheckReport {
         };
         match (framed.quadric(), object.quadric()) {
             (Some(framed), Some(quadric)) => {
-                let review = review(framed, quadric, prepared, &jury, shown);
-                let report = review.report.clone();
-                reviews.push(review);
+                let report = review(framed, quadric, prepared, &jury, shown);
                 ObjectReport::Quadric(Box::new(report))
             }
             _ => {
@@ -102,7 +99,7 @@ pub fn check(scene: &FramedScene, prepared: &PreparedScene) -> CheckReport {
         }
     };
     let objects: Vec<ObjectReport> = drawn.enumerate().map(report).collect();
-    let bounds = scene_bounds(&reviews, &objects);
+    let bounds = scene_bounds(&objects);
     let held = objects.iter().all(|object| object.undecided().adrift == 0);
     let needed = prepared.needed();
     let fits = needed.sum <= prepared.format.sum
@@ -142,27 +139,21 @@ fn planes_fit(object: &ObjectReport, format: &Format) -> bool {
     accumulators.is_none_or(|a| a.planes.iter().all(|&bits| bits <= format.plane))
 }
 
-fn scene_bounds(reviews: &[Review], objects: &[ObjectReport]) -> SceneBounds {
+fn scene_bounds(objects: &[ObjectReport]) -> SceneBounds {
     let depth = objects.iter().map(ObjectReport::depth_lsb);
+    let quadrics = || objects.iter().filter_map(ObjectReport::quadric);
     let greatest = |of: fn(&ObjectBounds) -> f64| {
-        reviews
-            .iter()
-            .map(|r| of(&r.report.bounds))
-            .fold(0.0, f64::max)
+        let all = quadrics().map(|report| of(&report.bounds));
+        all.fold(0.0, f64::max)
     };
-    let mut angles: Vec<f32> = reviews
-        .iter()
-        .flat_map(|r| r.angles.iter().copied())
-        .collect();
+    let angles = quadrics().flat_map(|report| report.angles.iter().copied());
+    let undetermined = quadrics().map(|report| report.bounds.normals_undetermined);
     SceneBounds {
         depth_lsb: depth.fold(0.0, f64::max),
         depth_lsb_closed_form: greatest(|b| b.depth_lsb_closed_form),
         silhouette_px: greatest(|b| b.silhouette_px),
         normal_deg: greatest(|b| b.normal_deg),
-        normal_deg_999: quantile_999(&mut angles),
-        normals_undetermined: reviews
-            .iter()
-            .map(|r| r.report.bounds.normals_undetermined)
-            .sum(),
+        normal_deg_999: quantile_999(&mut angles.collect::<Vec<f32>>()),
+        normals_undetermined: undetermined.sum(),
     }
 }

@@ -111,14 +111,16 @@ struct Rectangle {
 }
 
 impl Rectangle {
-    fn around_both(a: Option<Rectangle>, b: Option<Rectangle>) -> Option<Rectangle> {
-        let (Some(a), Some(b)) = (a, b) else {
-            return a.or(b);
-        };
-        Some(Rectangle {
-            low: [a.low[0].min(b.low[0]), a.low[1].min(b.low[1])],
-            high: [a.high[0].max(b.high[0]), a.high[1].max(b.high[1])],
-        })
+    const EMPTY: Rectangle = Rectangle {
+        low: [f64::INFINITY; 2],
+        high: [f64::NEG_INFINITY; 2],
+    };
+
+    fn around_both(self, other: Rectangle) -> Rectangle {
+        Rectangle {
+            low: [0, 1].map(|k| self.low[k].min(other.low[k])),
+            high: [0, 1].map(|k| self.high[k].max(other.high[k])),
+        }
     }
 }
 
@@ -128,19 +130,19 @@ struct Survey {
     /// Lower bound of the gradient where the part meets the band; infinite if it does not.
     least_gradient: f64,
     /// The rectangle around the cells on which the gradient may vanish.
-    flat: Option<Rectangle>,
+    flat: Rectangle,
 }
 
 impl Survey {
     const EMPTY: Survey = Survey {
         least_gradient: f64::INFINITY,
-        flat: None,
+        flat: Rectangle::EMPTY,
     };
 
     fn merged(self, other: Survey) -> Survey {
         Survey {
             least_gradient: self.least_gradient.min(other.least_gradient),
-            flat: Rectangle::around_both(self.flat, other.flat),
+            flat: self.flat.around_both(other.flat),
         }
     }
 }
@@ -190,12 +192,13 @@ impl<'a> Contour<'a> {
 
     fn conclude(&self, survey: &Survey) -> Displacement {
         let steep = self.error / survey.least_gradient * (1.0 + FLOAT_MARGIN);
-        let Some(Rectangle { low, high }) = survey.flat else {
+        let Rectangle { low, high } = survey.flat;
+        if low[0] > high[0] {
             return Displacement {
                 pixels: steep,
                 singular: None,
             };
-        };
+        }
         let window = self.words.screen_box;
         let diagonal = ((window.x1 - window.x0) as f64).hypot((window.y1 - window.y0) as f64);
         let middle = [0, 1].map(|k| (0.5 * (low[k] + high[k])).round() as i64);
@@ -273,7 +276,7 @@ impl<'a> Contour<'a> {
                     survey.least_gradient = survey.least_gradient.min(low);
                 }
                 Some(_) if depth == DEPTH_OF_SEARCH || examined > CELL_BUDGET => {
-                    survey.flat = Rectangle::around_both(survey.flat, Some(cell.at(x, y)));
+                    survey.flat = survey.flat.around_both(cell.at(x, y));
                 }
                 Some(_) => open.extend(quarters(cell).map(|c| (c, depth + 1))),
             }

@@ -2,7 +2,7 @@
 
 use super::depth::Range;
 use super::outline::Silhouette;
-use super::truth::{True, Truth, around};
+use super::truth::{True, Truth};
 use super::verdict::{Contest, Verdict, decide};
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::ScreenBox;
@@ -142,7 +142,7 @@ impl<'a> Judge<'a> {
         let window = match truth.window() {
             Some(own) => {
                 let (width, height) = (i64::from(scene.width), i64::from(scene.height));
-                let both = around(&own, object.screen_box());
+                let both = own.around(object.screen_box());
                 both.in_zone(0, 0, width, height)
             }
             None => *object.screen_box(),

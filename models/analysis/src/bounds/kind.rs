@@ -9,14 +9,7 @@ use num_traits::{Signed, Zero};
 
 /// The type of the surface Q = 0, named as in scene files where they have a name for it.
 pub fn quadric_kind(quadric: &Quadric) -> &'static str {
-    let q = quadric;
-    let row = |v: [&BigRational; 4]| v.map(Clone::clone).to_vec();
-    let matrix = vec![
-        row([&q.a, &q.d, &q.e, &q.g]),
-        row([&q.d, &q.b, &q.f, &q.h]),
-        row([&q.e, &q.f, &q.c, &q.i]),
-        row([&q.g, &q.h, &q.i, &q.j]),
-    ];
+    let matrix = quadric.matrix().map(Vec::from).to_vec();
     let part: Vec<Vec<BigRational>> = matrix[..3].iter().map(|r| r[..3].to_vec()).collect();
     named(unsigned(inertia(part)), unsigned(inertia(matrix)))
 }

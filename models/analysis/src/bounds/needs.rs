@@ -22,26 +22,6 @@ pub struct MachineNeeds {
     pub plane_limit: String,
 }
 
-/// One of the two widths that a scene decides; the others are of the format.
-#[derive(Clone, Copy)]
-enum Word {
-    Root,
-    Plane,
-}
-
-impl Word {
-    /// The widths with this word a bit shorter, or why there are none.
-    fn less(self, widths: &MachineWords) -> Result<MachineWords, String> {
-        let mut less = *widths;
-        match self {
-            Word::Root => less.root -= 1,
-            Word::Plane => less.plane -= 1,
-        }
-        Format::fitted(&less).map_err(|e| e.to_string())?;
-        Ok(less)
-    }
-}
-
 /// Searches the narrowest machine; `None` if other processors than quadric and patch draw a part of the scene, which
 /// have no fitted machine.
 pub fn machine_needs(scene: &FramedScene, prepared: &PreparedScene) -> Option<MachineNeeds> {
@@ -50,8 +30,8 @@ pub fn machine_needs(scene: &FramedScene, prepared: &PreparedScene) -> Option<Ma
     }
     let search = Search { scene, prepared };
     let mut widths = search.guess();
-    let root_limit = search.narrow(Word::Root, &mut widths);
-    let plane_limit = search.narrow(Word::Plane, &mut widths);
+    let root_limit = search.narrow(&mut widths, |less| less.root -= 1);
+    let plane_limit = search.narrow(&mut widths, |less| less.plane -= 1);
     Some(MachineNeeds {
         widths: widths::print(&widths),
         slots: slots::print(&prepared.fitted_machine(1).slots),
@@ -79,14 +59,12 @@ impl Search<'_> {
     }
 
     /// Shortens a word as far as it goes, and says why no further.
-    fn narrow(&self, word: Word, widths: &mut MachineWords) -> String {
+    fn narrow(&self, widths: &mut MachineWords, shorten: fn(&mut MachineWords)) -> String {
         loop {
-            let less = word.less(widths).and_then(|less| {
-                self.keeps(&less)?;
-                Ok(less)
-            });
-            match less {
-                Ok(less) => *widths = less,
+            let mut less = *widths;
+            shorten(&mut less);
+            match self.keeps(&less) {
+                Ok(()) => *widths = less,
                 Err(why) => return why,
             }
         }

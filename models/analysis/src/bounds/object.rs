@@ -64,6 +64,9 @@ pub struct QuadricReport {
     pub undecided: Undecided,
     /// What a person should know.
     pub problems: Vec<String>,
+    /// The normal bounds that the scene's quantile is taken of.
+    #[serde(skip)]
+    pub(super) angles: Vec<f32>,
 }
 
 /// Bounds of one object.
@@ -94,19 +97,13 @@ pub struct ObjectBounds {
     pub normals_undetermined: usize,
 }
 
-/// A report, and the normal bounds that the scene's quantile is taken of.
-pub(super) struct Review {
-    pub report: QuadricReport,
-    pub angles: Vec<f32>,
-}
-
 pub(super) fn review(
     framed: &FramedQuadric,
     object: &PreparedQuadric,
     prepared: &PreparedScene,
     jury: &Jury,
     shown: Shown,
-) -> Review {
+) -> QuadricReport {
     let format = &prepared.format;
     let window = object.words.screen_box;
     let mut found = lines(&window)
@@ -123,7 +120,7 @@ pub(super) fn review(
         pixels if pixels < 1.0 => vec![],
         _ => jury.adrift(&Silhouette {
             window,
-            presence: &found.presence,
+            presence: std::mem::take(&mut found.presence),
             size,
         }),
     };
@@ -142,7 +139,7 @@ pub(super) fn review(
         normals_undetermined: found.undetermined,
     };
     let without_effect = planes_without_effect(object, &found, format);
-    let report = QuadricReport {
+    QuadricReport {
         name: object.name.clone(),
         kind: quadric_kind(&framed.quadric),
         processor: shown.processor,
@@ -164,9 +161,6 @@ pub(super) fn review(
         undecided: found.undecided,
         problems: problems(object, format, &without_effect, &found, silhouette, &adrift),
         planes_without_effect: without_effect,
-    };
-    Review {
-        report,
         angles: found.angles,
     }
 }

@@ -32,14 +32,14 @@ impl Presence {
 }
 
 /// An object on its screen box, row-major; beside the box it is absent.
-pub(super) struct Silhouette<'a> {
+pub(super) struct Silhouette {
     pub window: ScreenBox,
-    pub presence: &'a [Presence],
+    pub presence: Vec<Presence>,
     /// Columns and lines of the picture, beyond which nothing is known.
     pub size: (u32, u32),
 }
 
-impl Silhouette<'_> {
+impl Silhouette {
     /// The pixels at which the outline may be a pixel or more away from the true one.
     pub fn adrift(&self) -> Vec<(i64, i64)> {
         let window = self.window;
@@ -109,7 +109,7 @@ mod tests {
         let window = ScreenBox::of([1, 8], [1, 4]);
         Silhouette {
             window,
-            presence: &presence,
+            presence,
             size: (10, 6),
         }
         .adrift()
@@ -148,13 +148,13 @@ mod tests {
 
     #[test]
     fn nothing_is_known_beyond_the_picture() {
-        let presence = [Presence::Open; 4];
+        let presence = vec![Presence::Open; 4];
         let window = ScreenBox::of([0, 3], [0, 0]);
         let size = (4, 1);
         assert!(
             Silhouette {
                 window,
-                presence: &presence,
+                presence,
                 size
             }
             .adrift()

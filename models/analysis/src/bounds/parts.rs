@@ -65,7 +65,7 @@ pub(super) fn report(
     };
     let adrift = jury.adrift(&Silhouette {
         window: judge.window(),
-        presence: &found.presence,
+        presence: std::mem::take(&mut found.presence),
         size: (prepared.width, prepared.height),
     });
     found.undecided.adrift = adrift.len();

@@ -41,7 +41,7 @@ pub fn failing(scene: &FramedScene, prepared: &PreparedScene) -> Vec<Failing> {
     let found = quadrics.into_par_iter().filter_map(|object| {
         let reason = wraps(object, &prepared.format).or_else(|| {
             let silhouette = open_part(object, prepared)?;
-            let adrift = jury().adrift(&silhouette.as_ref());
+            let adrift = jury().adrift(&silhouette);
             let is_far = || displacement(object, &prepared.format).pixels >= 1.0;
             adrift_problem(&adrift).filter(|_| is_far())
         });
@@ -64,42 +64,27 @@ fn wraps(object: &PreparedQuadric, format: &Format) -> Option<String> {
 }
 
 /// The part of an object around its open pixels.
-struct Part {
-    window: ScreenBox,
-    presence: Vec<Presence>,
-    size: (u32, u32),
-}
-
-impl Part {
-    fn as_ref(&self) -> Silhouette<'_> {
-        Silhouette {
-            window: self.window,
-            presence: &self.presence,
-            size: self.size,
-        }
-    }
-}
-
 /// `None` if too few pixels are open for a square of four.
-fn open_part(object: &PreparedQuadric, prepared: &PreparedScene) -> Option<Part> {
+fn open_part(object: &PreparedQuadric, prepared: &PreparedScene) -> Option<Silhouette> {
     let format = &prepared.format;
     let window = object.words.screen_box;
     if window.is_empty() || steep_everywhere(object, format) {
         return None;
     }
     let at = |x, y| Presence::of(&decide(object, format, x, y));
-    let mut around: Option<ScreenBox> = None;
+    let mut around = ScreenBox::EMPTY;
     let mut pixels = 0;
     for y in window.y0..=window.y1 {
         for [first, last] in near_zero(object, format, y) {
             for x in (first..=last).filter(|&x| at(x, y) == Presence::Open) {
                 pixels += 1;
-                let one = ScreenBox::of([x, x], [y, y]);
-                around = Some(around.map_or(one, |found| found.around(&one)));
+                around = around.around(&ScreenBox::of([x, x], [y, y]));
             }
         }
     }
-    let around = around.filter(|_| pixels > 3)?;
+    if pixels <= 3 {
+        return None;
+    }
     // One more on each side, where the neighbours are.
     let window = ScreenBox::of(
         [around.x0 - 1, around.x1 + 1],
@@ -107,7 +92,7 @@ fn open_part(object: &PreparedQuadric, prepared: &PreparedScene) -> Option<Part>
     );
     let window = window.in_zone(0, 0, prepared.width.into(), prepared.height.into());
     let lines = window.y0..=window.y1;
-    Some(Part {
+    Some(Silhouette {
         window,
         presence: lines
             .flat_map(|y| (window.x0..=window.x1).map(move |x| at(x, y)))

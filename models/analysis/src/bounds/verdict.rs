@@ -26,12 +26,8 @@ pub(super) enum Verdict {
     },
 }
 
-/// A face with the range of its depth.
-#[derive(Clone, Copy)]
-struct Bounded {
-    number: u8,
-    depth: Range,
-}
+/// The number of a face, and the range of its depth.
+type Bounded = (u8, Range);
 
 /// The values of one object at one pixel, each with the range in which true and computed one lie.
 pub(super) struct Pixel {
@@ -121,14 +117,9 @@ impl Pixel {
 
     /// The near end and the front planes: the ray is kept behind the farthest of them.
     fn entries(&self) -> Vec<Bounded> {
-        let planes = self.planes_of(PlaneKind::Front).map(|(i, depth)| Bounded {
-            number: FACE_PLANE + i as u8,
-            depth,
-        });
-        let near_end = Bounded {
-            number: FACE_NEAR_END,
-            depth: Range::new(self.ends[0], self.ends[0]),
-        };
+        let planes = self.planes_of(PlaneKind::Front);
+        let planes = planes.map(|(i, depth)| (FACE_PLANE + i as u8, depth));
+        let near_end = (FACE_NEAR_END, Range::point(self.ends[0]));
         std::iter::once(near_end).chain(planes).collect()
     }
 
@@ -152,7 +143,7 @@ impl Pixel {
         }
         let behind_all = entry.not_above(&exit) && entry.high < self.far_end();
         match winner(entries) {
-            Some(face) if behind_all => Verdict::Face(face.number, face.depth),
+            Some((number, depth)) if behind_all => Verdict::Face(number, depth),
             _ => self.undecided(entry.low),
         }
     }
@@ -167,10 +158,7 @@ impl Pixel {
         if self.far.below(&ends) {
             return Verdict::Absent;
         }
-        entries.push(Bounded {
-            number: FACE_NEAR,
-            depth: self.near,
-        });
+        entries.push((FACE_NEAR, self.near));
         let certain = self.seen == Some(true) && ends.not_above(&self.far);
         match self.convex(&entries, self.exit()) {
             Verdict::Face(_, depth) if !certain => self.undecided(depth.low),
@@ -190,10 +178,7 @@ impl Pixel {
         let between = self.near.below(&entry) && entry.below(&self.far);
         if self.seen == Some(true) && between {
             let mut behind = entries;
-            behind.push(Bounded {
-                number: FACE_FAR,
-                depth: self.far,
-            });
+            behind.push((FACE_FAR, self.far));
             return self.convex(&behind, self.exit());
         }
         self.undecided(entry.low)
@@ -235,24 +220,18 @@ impl Pixel {
 }
 
 fn farthest(faces: &[Bounded]) -> Range {
-    faces
-        .iter()
-        .map(|f| f.depth)
-        .reduce(|a, b| a.max(&b))
-        .expect("the near end is always there")
+    let depths = faces.iter().map(|f| f.1);
+    let farthest = depths.reduce(|a, b| a.max(&b));
+    farthest.expect("the near end is always there")
 }
 
 /// The face that is certainly the farthest, if there is one.
 fn winner(faces: &[Bounded]) -> Option<Bounded> {
-    let last = faces
-        .iter()
-        .enumerate()
-        .max_by(|a, b| a.1.depth.low.total_cmp(&b.1.depth.low));
+    let last = faces.iter().enumerate();
+    let last = last.max_by(|(_, a), (_, b)| a.1.low.total_cmp(&b.1.low));
     let (index, best) = last.expect("the near end is always there");
-    let alone = faces
-        .iter()
-        .enumerate()
-        .all(|(i, face)| i == index || face.depth.below(&best.depth));
+    let mut others = faces.iter().enumerate().filter(|(i, _)| *i != index);
+    let alone = others.all(|(_, face)| face.1.below(&best.1));
     alone.then_some(*best)
 }
 

@@ -67,25 +67,17 @@ pub fn backs(
     scene: &FramedScene,
     format: &Format,
 ) -> Vec<Option<ExactBack>> {
-    let (width, height) = (scene.width, scene.height);
-    let rays: Vec<Option<RayObject>> = scene
+    let rays = scene
         .objects
         .iter()
-        .map(|o| {
-            Some(RayObject::new(
-                o.quadric()?,
-                &scene.projection,
-                width,
-                height,
-            ))
-        })
-        .collect();
+        .map(|object| Some(RayObject::new(object.quadric()?, scene)));
+    let rays: Vec<Option<RayObject>> = rays.collect();
     let full = BigInt::from(format.z_max());
     let back = |(index, pixel): (usize, &Option<ExactPixel>)| {
         let pixel = pixel.as_ref()?;
         let object = rays[pixel.id as usize].as_ref()?;
-        let (x, y) = (index % width as usize, index / width as usize);
-        let (x, y) = (x as i64, y as i64);
+        let width = scene.width as usize;
+        let (x, y) = ((index % width) as i64, (index / width) as i64);
         let hit = object.first_hit(x, y)?;
         let w = object.back_of(&hit, x, y);
         let depth = w.fixed(&full, &full, DEPTH_FRACTION).to_i64();

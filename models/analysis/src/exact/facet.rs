@@ -3,9 +3,10 @@
 use super::ray::{Affine, Hit, common_integers, dot, first_degree, is_visible, ray_points};
 use super::real::SurdReal;
 use imogene_algebra::rational::{integer, to_f64};
+use imogene_algebra::vector::{self, Vector, cross, minus};
 use imogene_golden::object::facet::FACE_FACET;
 use imogene_golden::object::quadric::ScreenBox;
-use imogene_scene::{FramedFacet, FramedMesh, Projection};
+use imogene_scene::{FramedFacet, FramedMesh, FramedScene, Projection};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
@@ -28,15 +29,15 @@ pub(crate) struct RayFacet {
 }
 
 impl RayMesh {
-    /// Sets up the rays of a screen of `width` x `height` pixels. A facet with a corner that is not before the viewer,
-    /// which the preparation refuses, is left out, as is one that is a line on the screen.
-    pub fn new(mesh: &FramedMesh, projection: &Projection, width: u32, height: u32) -> RayMesh {
-        let rays = ray_points(projection, width, height);
-        let first = [width, height].map(|n| -integer(i64::from(n)) / integer(2));
+    /// Sets up the rays of a scene's screen. A facet with a corner that is not before the viewer, which the preparation
+    /// refuses, is left out, as is one that is a line on the screen.
+    pub fn new(mesh: &FramedMesh, scene: &FramedScene) -> RayMesh {
+        let rays = ray_points(scene);
+        let first = [scene.width, scene.height].map(|n| -integer(i64::from(n)) / integer(2));
         let seen: Vec<Option<[BigRational; 2]>> = mesh
             .vertices
             .iter()
-            .map(|vertex| on_screen(vertex, projection, &first))
+            .map(|vertex| on_screen(vertex, &scene.projection, &first))
             .collect();
         let facet = |(index, facet): (usize, &FramedFacet)| {
             let corners: Option<Vec<[BigRational; 2]>> =
@@ -154,11 +155,9 @@ fn window(corners: &[[BigRational; 2]]) -> ScreenBox {
 
 /// The factors of the plane through three points.
 fn plane_through(p: &Point, q: &Point, r: &Point) -> [BigRational; 4] {
-    let minus = |s: &Point| -> Point { std::array::from_fn(|k| &s[k] - &p[k]) };
-    let (u, v) = (minus(q), minus(r));
-    let n = |i: usize, j: usize| &u[i] * &v[j] - &u[j] * &v[i];
-    let [a, b, c] = [n(1, 2), n(2, 0), n(0, 1)];
-    let d = -(&a * &p[0] + &b * &p[1] + &c * &p[2]);
+    let normal = cross(minus(q, p), minus(r, p));
+    let d = -vector::dot(&normal, p);
+    let [a, b, c] = normal;
     [a, b, c, d]
 }
 
@@ -208,9 +207,8 @@ impl MeshNormals<'_> {
     }
 }
 
-fn barycentric([p, q, r]: [[f64; 3]; 3], point: [f64; 3]) -> [f64; 3] {
-    let minus = |u: [f64; 3], v: [f64; 3]| -> [f64; 3] { std::array::from_fn(|k| u[k] - v[k]) };
-    let dot = |u: [f64; 3], v: [f64; 3]| -> f64 { u.iter().zip(v).map(|(a, b)| a * b).sum() };
+fn barycentric([p, q, r]: [Vector; 3], point: Vector) -> Vector {
+    let dot = |u: Vector, v: Vector| vector::dot(u, v);
     let (u, v, w) = (minus(q, p), minus(r, p), minus(point, p));
     let (uu, uv, vv, wu, wv) = (dot(u, u), dot(u, v), dot(v, v), dot(w, u), dot(w, v));
     let area = uu * vv - uv * uv;

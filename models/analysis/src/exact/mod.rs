@@ -4,8 +4,8 @@
 //! sight is put into the camera-frame equation, the polynomial along the ray is solved, and numbers `(p + s sqrt(q)) /
 //! d` are compared exactly ([`real`]). Only the scene's camera frame is shared with the preparation.
 
-pub mod back;
-pub mod facet;
+pub(crate) mod back;
+pub(crate) mod facet;
 pub mod ray;
 pub mod real;
 pub mod render;

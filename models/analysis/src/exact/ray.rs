@@ -5,9 +5,10 @@
 //! half_depth (1 + w)`.
 
 use super::real::SurdReal;
+use imogene_algebra::matrix::Matrix4;
 use imogene_algebra::rational::integer;
 use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
-use imogene_scene::{FramedQuadric, Projection, Surface};
+use imogene_scene::{FramedQuadric, FramedScene, Projection, Surface};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
@@ -47,21 +48,10 @@ pub struct RayObject {
 pub(super) type Affine = [BigRational; 3];
 
 impl RayObject {
-    /// Sets up the rays of a screen of `width` x `height` pixels.
-    pub fn new(
-        object: &FramedQuadric,
-        projection: &Projection,
-        width: u32,
-        height: u32,
-    ) -> RayObject {
-        let (constant, slope) = ray_points(projection, width, height);
-        let q = &object.quadric;
-        let matrix = [
-            [&q.a, &q.d, &q.e, &q.g],
-            [&q.d, &q.b, &q.f, &q.h],
-            [&q.e, &q.f, &q.c, &q.i],
-            [&q.g, &q.h, &q.i, &q.j],
-        ];
+    /// Sets up the rays of a scene's screen.
+    pub fn new(object: &FramedQuadric, scene: &FramedScene) -> RayObject {
+        let (constant, slope) = ray_points(scene);
+        let matrix = object.quadric.matrix();
         let form = |u: &[Affine; 4], v: &[Affine; 4]| bilinear(&matrix, u, v);
         let mixed = form(&constant, &slope);
         let along = [
@@ -70,7 +60,7 @@ impl RayObject {
             form(&constant, &constant),
         ];
         let planes = object.planes.iter().map(|p| {
-            let factors = [&p.a, &p.b, &p.c, &p.d];
+            let factors = p.coefficients();
             common_integers([dot(&factors, &slope), dot(&factors, &constant)])
         });
         RayObject {
@@ -228,17 +218,13 @@ pub(super) fn ordered_roots(a: &BigInt, b: &BigInt, c: &BigInt) -> Option<[SurdR
 
 /// Homogeneous points of the ray, `constant + w * slope`, each of the four coordinates `a x + b y + c` in pixel column
 /// and line.
-pub(super) fn ray_points(
-    projection: &Projection,
-    width: u32,
-    height: u32,
-) -> ([Affine; 4], [Affine; 4]) {
+pub(super) fn ray_points(scene: &FramedScene) -> ([Affine; 4], [Affine; 4]) {
     let zero = || [integer(0), integer(0), integer(0)];
     let only = |c: BigRational| [integer(0), integer(0), c];
     let half = |n: u32| -integer(i64::from(n)) / integer(2);
-    let column = [integer(1), integer(0), half(width)];
-    let line = [integer(0), integer(1), half(height)];
-    match projection {
+    let column = [integer(1), integer(0), half(scene.width)];
+    let line = [integer(0), integer(1), half(scene.height)];
+    match &scene.projection {
         // (eye + t direction) / t with 1/t = -w: direction (x, y, D, 0), eye (0, 0, -D, 1).
         Projection::Perspective { distance } => (
             [column, line, only(distance.clone()), zero()],
@@ -252,7 +238,7 @@ pub(super) fn ray_points(
 }
 
 /// u' M v as `a x^2 + b y^2 + c xy + d x + e y + f`.
-fn bilinear(matrix: &[[&BigRational; 4]; 4], u: &[Affine; 4], v: &[Affine; 4]) -> [BigRational; 6] {
+fn bilinear(matrix: &Matrix4<BigRational>, u: &[Affine; 4], v: &[Affine; 4]) -> [BigRational; 6] {
     let mut sum: [BigRational; 6] = std::array::from_fn(|_| integer(0));
     for (row, p) in matrix.iter().zip(u) {
         for (factor, q) in row.iter().zip(v) {
@@ -265,7 +251,7 @@ fn bilinear(matrix: &[[&BigRational; 4]; 4], u: &[Affine; 4], v: &[Affine; 4]) -
                 &p[2] * &q[2],
             ];
             for (total, term) in sum.iter_mut().zip(product) {
-                *total += term * *factor;
+                *total += term * factor;
             }
         }
     }
@@ -296,7 +282,8 @@ pub(super) fn common_integers<const N: usize, const M: usize>(
     })
 }
 
-fn second_degree(p: &[BigInt; 6], x: i64, y: i64) -> BigInt {
+/// The value of a second-degree expression at a pixel.
+pub(crate) fn second_degree(p: &[BigInt; 6], x: i64, y: i64) -> BigInt {
     (&p[0] * x + &p[2] * y + &p[3]) * x + (&p[1] * y + &p[4]) * y + &p[5]
 }
 

@@ -2,15 +2,16 @@
 
 use super::facet::{MeshNormals, RayMesh};
 use super::ray::{Hit, RayObject};
-use imogene_algebra::rational::{integer, to_f64};
+use imogene_algebra::rational::to_f64;
+use imogene_algebra::whole::greatest;
 use imogene_golden::format::Format;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::unit::depth_interval::{FACE_NEAR_END, FACE_PLANE};
 use imogene_golden::unit::normal::NEAR_END_NORMAL;
-use imogene_scene::{FramedObject, FramedQuadric, FramedScene, Projection};
+use imogene_scene::{FramedObject, FramedQuadric, FramedScene};
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{Signed, ToPrimitive, Zero};
+use num_traits::{ToPrimitive, Zero};
 use rayon::prelude::*;
 
 /// Fraction bits of an exact depth in depth words.
@@ -39,12 +40,9 @@ pub(super) enum Rays {
 
 impl Rays {
     pub(super) fn new(object: &FramedObject, scene: &FramedScene) -> Rays {
-        let (projection, width, height) = (&scene.projection, scene.width, scene.height);
         match (object, object.cut_quadric()) {
-            (FramedObject::Mesh(mesh), _) => {
-                Rays::Mesh(RayMesh::new(mesh, projection, width, height))
-            }
-            (_, Some(cut)) => Rays::Cut(Box::new(RayObject::new(&cut, projection, width, height))),
+            (FramedObject::Mesh(mesh), _) => Rays::Mesh(RayMesh::new(mesh, scene)),
+            (_, Some(cut)) => Rays::Cut(Box::new(RayObject::new(&cut, scene))),
             (_, None) => Rays::Unseen,
         }
     }
@@ -64,20 +62,11 @@ pub fn render(
     format: &Format,
     line_done: impl Fn() + Sync,
 ) -> Vec<Option<ExactPixel>> {
-    render_some(scene, format, |_| true, line_done)
+    render_where(scene, format, |_| true, line_done)
 }
 
-/// The same for the pixels that are wanted, row-major, alone; the others are `None`.
+/// The same for the pixels that are wanted, by their index, alone; the others are `None`.
 pub fn render_where(
-    scene: &FramedScene,
-    format: &Format,
-    wanted: &[bool],
-    line_done: impl Fn() + Sync,
-) -> Vec<Option<ExactPixel>> {
-    render_some(scene, format, |index| wanted[index], line_done)
-}
-
-fn render_some(
     scene: &FramedScene,
     format: &Format,
     wanted: impl Fn(usize) -> bool + Sync,
@@ -148,7 +137,7 @@ pub fn directions(
     format: &Format,
 ) -> Vec<[f64; 3]> {
     let width = scene.width as usize;
-    let full = full_depth(&scene.projection);
+    let full = scene.projection.full_depth();
     let unit = (1i64 << DEPTH_FRACTION) as f64 * format.z_max() as f64;
     let normals: Vec<Normals> = scene.objects.iter().map(Normals::new).collect();
     let direction = |(index, pixel): (usize, &Option<ExactPixel>)| {
@@ -160,13 +149,6 @@ pub fn directions(
         normals[pixel.id as usize].at(pixel, point)
     };
     pixels.iter().enumerate().map(direction).collect()
-}
-
-fn full_depth(projection: &Projection) -> f64 {
-    to_f64(match projection {
-        Projection::Perspective { distance } => distance,
-        Projection::Orthographic { half_depth } => half_depth,
-    })
 }
 
 /// Where the normals of an object come from.
@@ -207,29 +189,10 @@ struct Gradient {
 
 impl Gradient {
     fn new(object: &FramedQuadric) -> Gradient {
-        let scaled = |coefficients: &[&BigRational]| -> Vec<f64> {
-            let greatest = coefficients
-                .iter()
-                .map(|c| c.abs())
-                .max()
-                .filter(|c| !c.is_zero())
-                .unwrap_or_else(|| integer(1));
-            coefficients
-                .iter()
-                .map(|c| to_f64(&(*c / &greatest)))
-                .collect()
-        };
-        let q = scaled(&object.quadric.coefficients());
+        let normals = object.planes.iter().map(|p| scaled([&p.a, &p.b, &p.c]));
         Gradient {
-            quadric: std::array::from_fn(|k| q[k]),
-            planes: object
-                .planes
-                .iter()
-                .map(|p| {
-                    let n = scaled(&[&p.a, &p.b, &p.c]);
-                    [n[0], n[1], n[2]]
-                })
-                .collect(),
+            quadric: scaled(object.quadric.coefficients()),
+            planes: normals.collect(),
         }
     }
 
@@ -247,5 +210,14 @@ impl Gradient {
                 ]
             }
         }
+    }
+}
+
+/// Numbers over the greatest of them.
+fn scaled<const N: usize>(coefficients: [&BigRational; N]) -> [f64; N] {
+    let greatest = greatest(coefficients);
+    match greatest.is_zero() {
+        true => [0.0; N],
+        false => coefficients.map(|c| to_f64(&(c / &greatest))),
     }
 }

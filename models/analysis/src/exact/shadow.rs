@@ -12,10 +12,12 @@
 use super::ray::ray_points;
 use super::render::{Rays, visible};
 use super::surd::Surd;
+use imogene_algebra::matrix::image;
+use imogene_algebra::vector;
+use imogene_algebra::whole::common_denominator;
 use imogene_golden::machine::lighting::{ALL_SOURCES, Lighting};
 use imogene_scene::{FramedObject, FramedScene, FramedSource, Surface};
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::Zero;
 use rayon::prelude::*;
@@ -34,7 +36,7 @@ pub fn lighting(scene: &FramedScene, line_done: impl Fn() + Sync) -> Lighting {
         .iter()
         .map(|source| Source::new(source, &solids))
         .collect();
-    let (constant, slope) = ray_points(&scene.projection, width, height);
+    let (constant, slope) = ray_points(scene);
     let line = |y: i64| {
         let flags: Vec<u16> = (0..i64::from(width))
             .map(|x| {
@@ -71,13 +73,9 @@ pub fn lighting(scene: &FramedScene, line_done: impl Fn() + Sync) -> Lighting {
 
 /// `d (from + w along)`, whole, for `w = n / d`, d > 0.
 fn homogeneous(from: &Vector4, along: &Vector4, (n, d): &(Surd, BigInt)) -> Point {
-    let all = from.iter().chain(along);
-    let denominator = all.fold(BigInt::from(1), |lcm, v| lcm.lcm(v.denom()));
-    let whole = |v: &BigRational| v.numer() * (&denominator / v.denom());
-    std::array::from_fn(|k| {
-        n.times(&whole(&along[k]))
-            .plus(&Surd::whole(whole(&from[k]) * d, n))
-    })
+    let [[a, b, c, e], [s, t, u, v]] = [from, along].map(|p| p.each_ref());
+    let (whole, _) = common_denominator([a, b, c, e, s, t, u, v]);
+    std::array::from_fn(|k| n.times(&whole[k + 4]).plus(&Surd::whole(&whole[k] * d, n)))
 }
 
 type Vector4 = [BigRational; 4];
@@ -133,21 +131,13 @@ struct Seen {
 
 impl Source {
     fn new(source: &FramedSource, solids: &[Solid]) -> Source {
-        let denominator = source
-            .point
-            .iter()
-            .fold(BigInt::from(1), |lcm, v| lcm.lcm(v.denom()));
-        let point = source
-            .point
-            .each_ref()
-            .map(|v| v.numer() * (&denominator / v.denom()));
-        let product =
-            |a: &Vector, b: &Vector| -> BigInt { a.iter().zip(b).map(|(x, y)| x * y).sum() };
+        let (point, _) = common_denominator(source.point.each_ref());
         let seen = solids.iter().map(|solid| {
-            let polar: Vector = std::array::from_fn(|row| product(&solid.q[row], &point));
+            let polar = image(&solid.q, &point);
+            let planes = solid.planes.iter();
             Seen {
-                value: product(&polar, &point),
-                planes: solid.planes.iter().map(|p| product(p, &point)).collect(),
+                value: vector::dot(&polar, &point),
+                planes: planes.map(|p| vector::dot(p, &point)).collect(),
                 polar,
             }
         });
@@ -173,26 +163,16 @@ impl Source {
     }
 }
 
-/// A point `a source + b point` of the segment.
-#[derive(Clone)]
-struct Weights {
-    a: Surd,
-    b: Surd,
-}
+/// The factors a and b of a point `a source + b point` of the segment.
+type Weights = [Surd; 2];
 
 /// Does the segment from the source to the point, the point itself left out, meet the solid.
 fn is_in_the_way(solid: &Solid, seen: &Seen, point: &Point) -> bool {
     let like = &point[0];
     let number = |v: i64| Surd::whole(BigInt::from(v), like);
     // From the source towards the point, b / a grows.
-    let mut start = Weights {
-        a: number(1),
-        b: number(0),
-    };
-    let mut end = Weights {
-        a: number(0),
-        b: number(1),
-    };
+    let mut start = [number(1), number(0)];
+    let mut end = [number(0), number(1)];
     let mut end_is_point = true;
     for (plane, at_source) in solid.planes.iter().zip(&seen.planes) {
         let at_source = Surd::whole(at_source.clone(), like);
@@ -203,19 +183,13 @@ fn is_in_the_way(solid: &Solid, seen: &Seen, point: &Point) -> bool {
             (false, false) => return false,
             // Crossed where a at_source + b at_point = 0.
             (false, true) => {
-                let bound = Weights {
-                    a: at_point.negated(),
-                    b: at_source,
-                };
+                let bound = [at_point.negated(), at_source];
                 if is_before(&start, &bound) {
                     start = bound;
                 }
             }
             (true, false) => {
-                let bound = Weights {
-                    a: at_point,
-                    b: at_source.negated(),
-                };
+                let bound = [at_point, at_source.negated()];
                 if is_before(&bound, &end) {
                     end = bound;
                     end_is_point = false;
@@ -231,7 +205,7 @@ fn is_in_the_way(solid: &Solid, seen: &Seen, point: &Point) -> bool {
         ab: dot(&seen.polar, point),
         bb: value(&solid.q, point),
     };
-    if start.a.sign() == Ordering::Equal {
+    if start[0].sign() == Ordering::Equal {
         // Only the point itself is left.
         return false;
     }
@@ -258,7 +232,7 @@ fn is_in_the_way(solid: &Solid, seen: &Seen, point: &Point) -> bool {
 
 /// Is the first nearer to the source: b1 / a1 < b2 / a2.
 fn is_before(first: &Weights, second: &Weights) -> bool {
-    let (left, right) = (first.b.product(&second.a), second.b.product(&first.a));
+    let (left, right) = (first[1].product(&second[0]), second[1].product(&first[0]));
     left.minus(&right).sign() == Ordering::Less
 }
 
@@ -271,9 +245,9 @@ struct Form {
 
 impl Form {
     fn at(&self, u: &Weights, v: &Weights) -> Surd {
-        let mixed = u.a.product(&v.b).plus(&u.b.product(&v.a));
-        let aa = self.aa.product(&u.a.product(&v.a));
-        let bb = self.bb.product(&u.b.product(&v.b));
+        let mixed = u[0].product(&v[1]).plus(&u[1].product(&v[0]));
+        let aa = self.aa.product(&u[0].product(&v[0]));
+        let bb = self.bb.product(&u[1].product(&v[1]));
         aa.plus(&self.ab.product(&mixed)).plus(&bb)
     }
 }

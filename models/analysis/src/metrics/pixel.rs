@@ -3,6 +3,7 @@
 use super::truth::Truth;
 use crate::exact::back::ExactBack;
 use crate::exact::render::{DEPTH_FRACTION, ExactPixel};
+use imogene_algebra::vector::{cross, dot, length};
 use imogene_golden::format::Format;
 use imogene_golden::machine::frame::Frame;
 
@@ -123,16 +124,10 @@ pub(super) fn one_word(format: &Format) -> f64 {
 
 /// The angle between two lines in degrees; 90 where one of them has no direction, the worst there is.
 pub(super) fn angle(a: [f64; 3], b: [f64; 3]) -> f64 {
-    let dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    let cross = [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ];
-    let sine = cross.iter().map(|v| v * v).sum::<f64>().sqrt();
-    if sine == 0.0 && dot == 0.0 {
+    let (sine, cosine) = (length(cross(a, b)), dot(a, b));
+    if sine == 0.0 && cosine == 0.0 {
         return 90.0;
     }
     // The cosine alone has no digits left near zero.
-    sine.atan2(dot.abs()).to_degrees()
+    sine.atan2(cosine.abs()).to_degrees()
 }

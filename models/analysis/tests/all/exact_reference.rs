@@ -172,7 +172,7 @@ fn agrees_with_a_slow_ray_caster_wherever_floats_can_tell() {
             .objects
             .iter()
             .filter_map(|o| o.quadric())
-            .map(|o| RayObject::new(o, &scene.projection, scene.width, scene.height))
+            .map(|o| RayObject::new(o, &scene))
             .collect();
         for _ in 0..1500 {
             let at = |v: f64, size: u32| ((v + 1.0) * 0.5 * f64::from(size)) as usize;
@@ -278,7 +278,7 @@ fn rational_roots_are_exact() {
             projection.clone(),
             vec![object("ball", surface, sphere([0, 0, 0], 25), &[])],
         );
-        let ray = RayObject::new(framed(&scene), &scene.projection, 64, 64);
+        let ray = RayObject::new(framed(&scene), &scene);
         for (u, v, z) in [
             (0, 0, 25),
             (7, 0, 24),

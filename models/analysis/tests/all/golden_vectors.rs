@@ -249,7 +249,7 @@ fn sphere_words_and_pixels() {
 
 /// The exact front depth in depth words, from the reference that solves the ray.
 fn exact_front(scene: &FramedScene, x: i64, y: i64) -> f64 {
-    let ray = RayObject::new(framed(scene), &scene.projection, scene.width, scene.height);
+    let ray = RayObject::new(framed(scene), scene);
     let full = BigInt::from(Format::BASE.z_max());
     let hit = ray.first_hit(x, y).expect("the object is seen here");
     let fixed: i64 = hit

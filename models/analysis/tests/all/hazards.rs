@@ -24,7 +24,7 @@ fn values(words: &QuadricWords, x: i64, y: i64) -> (i64, i64) {
 }
 
 fn exact_number(scene: &FramedScene, x: i64, y: i64) -> Option<u8> {
-    let ray = RayObject::new(framed(scene), &scene.projection, scene.width, scene.height);
+    let ray = RayObject::new(framed(scene), scene);
     ray.first_hit(x, y).map(|hit| hit.number)
 }
 

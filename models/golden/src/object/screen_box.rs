@@ -35,12 +35,16 @@ impl ScreenBox {
         self.x0 > self.x1 || self.y0 > self.y1
     }
 
-    /// The least box around two that contain pixels.
+    /// The least box around two, of which any may be empty.
     pub fn around(&self, other: &ScreenBox) -> ScreenBox {
-        ScreenBox::of(
-            [self.x0.min(other.x0), self.x1.max(other.x1)],
-            [self.y0.min(other.y0), self.y1.max(other.y1)],
-        )
+        match (self.is_empty(), other.is_empty()) {
+            (true, _) => *other,
+            (_, true) => *self,
+            _ => ScreenBox::of(
+                [self.x0.min(other.x0), self.x1.max(other.x1)],
+                [self.y0.min(other.y0), self.y1.max(other.y1)],
+            ),
+        }
     }
 
     /// True if the boxes have a pixel in common, or pixels side by side.
@@ -94,7 +98,8 @@ impl ScreenBox {
         part.or_empty()
     }
 
-    fn or_empty(self) -> ScreenBox {
+    /// The same, or the usual empty one.
+    pub fn or_empty(self) -> ScreenBox {
         if self.is_empty() {
             ScreenBox::EMPTY
         } else {

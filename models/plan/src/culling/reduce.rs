@@ -122,17 +122,8 @@ fn draw(words: &ProcessorWords, format: &Format) -> Vec<Drawn> {
 }
 
 fn box_around(drawn: &[Drawn]) -> ScreenBox {
-    let mut around = ScreenBox::EMPTY;
-    for (place, &(x, y, _)) in drawn.iter().enumerate() {
-        if place == 0 {
-            around = ScreenBox::of([x, x], [y, y]);
-        }
-        around.x0 = around.x0.min(x);
-        around.x1 = around.x1.max(x);
-        around.y0 = around.y0.min(y);
-        around.y1 = around.y1.max(y);
-    }
-    around
+    let boxes = drawn.iter().map(|&(x, y, _)| ScreenBox::of([x, x], [y, y]));
+    boxes.fold(ScreenBox::EMPTY, |around, one| around.around(&one))
 }
 
 fn reduce(object: &PreparedObject, seen: u64, format: &Format, pixels: u64) -> ReducedObject {

@@ -22,6 +22,34 @@ pub const fn all_planes(count: usize) -> Planes {
     (1 << count) - 1
 }
 
+/// What of an object or a volume matters on a window.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Matter {
+    /// Nothing: the object is at no pixel, or no surface point is inside the volume.
+    Nothing,
+    /// It does with these of its planes; the others cut nothing.
+    With(Planes),
+}
+
+impl Matter {
+    /// Of one with so many planes. `is_nothing` says whether it is nothing with these planes or, asked of another one,
+    /// whether that is idle beside them.
+    pub(super) fn of(count: usize, is_nothing: impl Fn(Planes, Option<usize>) -> bool) -> Matter {
+        let mut planes = all_planes(count);
+        if is_nothing(planes, None) {
+            return Matter::Nothing;
+        }
+        // One after the other: what is left out is idle beside the planes that are still there.
+        for index in 0..count {
+            let without = planes & !(1 << index);
+            if is_nothing(without, Some(index)) {
+                planes = without;
+            }
+        }
+        Matter::With(planes)
+    }
+}
+
 /// Leaves these planes only, one after the other.
 pub(super) fn keep<T>(list: &mut Vec<T>, planes: Planes) {
     let mut index = 0;

@@ -7,7 +7,7 @@
 use super::blocks::{everywhere, shared};
 use super::part::with_planes;
 use super::surface::{
-    DepthBounds, Planes, Roots, Surface, all_planes, difference, keep, plus, radicand, times,
+    DepthBounds, Matter, Planes, Roots, Surface, difference, keep, plus, radicand, times,
 };
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
@@ -36,18 +36,10 @@ impl Seen {
     }
 }
 
-/// What of a volume matters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum VolumeMatter {
-    /// No surface point is inside.
-    AllOutside,
-    /// Some may be; the planes are those that matter, without the others the answer is the same at every surface point.
-    With(Planes),
-}
-
-/// What of a volume matters to these objects, by bounds alone.
-pub fn matter_of_volume(words: &VolumeWords, seen: &[Seen], format: &Format) -> VolumeMatter {
-    let outside = |planes: Planes, idle: Option<usize>| {
+/// What of a volume matters to these objects, by bounds alone: [`Matter::Nothing`] if no surface point is inside;
+/// without planes that are left out the answer is the same at every surface point.
+pub fn matter_of_volume(words: &VolumeWords, seen: &[Seen], format: &Format) -> Matter {
+    Matter::of(words.planes.len(), |planes, idle| {
         seen.iter().all(|seen| {
             let window = shared(&seen.window, &words.screen_box);
             everywhere(&window, &|w| {
@@ -55,18 +47,7 @@ pub fn matter_of_volume(words: &VolumeWords, seen: &[Seen], format: &Format) -> 
                 near.is_outside(planes) || idle.is_some_and(|index| near.keeps_all(index))
             })
         })
-    };
-    let mut planes = all_planes(words.planes.len());
-    if outside(planes, None) {
-        return VolumeMatter::AllOutside;
-    }
-    for index in 0..words.planes.len() {
-        let without = planes & !(1 << index);
-        if outside(without, Some(index)) {
-            planes = without;
-        }
-    }
-    VolumeMatter::With(planes)
+    })
 }
 
 /// The same volume with these planes only.

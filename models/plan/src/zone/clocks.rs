@@ -110,8 +110,6 @@ impl FrameClocks {
         clocks
     }
 }
-
-/// Words of a pass.
 fn words_of(plan: &ZonePlan, zone: &Zone, pass: &Pass) -> u64 {
     match pass {
         Pass::Draw { parts, .. } => {

@@ -6,6 +6,7 @@ use imogene_golden::machine::zone::sample::Sample;
 use imogene_golden::machine::zone::{ID_BITS, MAX_PICTURE, ZoneMachine, ZoneMachineError};
 use imogene_golden::object::as_quadric::AsQuadricError;
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
+use imogene_golden::object::slot::Slot;
 use imogene_golden::object::volume::{VolumeKind, VolumeWords};
 use imogene_golden::object::words::Words;
 use imogene_prepare::PreparedScene;
@@ -169,8 +170,16 @@ impl ZonePlan {
         if scene.objects.len() > 1 << ID_BITS {
             return Err(PlanError::Objects(scene.objects.len()));
         }
-        let parts = parts(scene, machine.planes)?;
-        let volumes = volumes(scene, &machine)?;
+        let parts = parts(scene, machine.planes, |object, why| PlanError::Object {
+            object,
+            why,
+        })?;
+        if machine.volume_processors == 0 && !scene.volumes.is_empty() {
+            return Err(PlanError::NoVolumeProcessor(scene.volumes.len()));
+        }
+        let volumes = volumes(scene, machine.volume_planes, |volume, why| {
+            PlanError::Volume { volume, why }
+        })?;
         let mut plan = ZonePlan {
             format: scene.format,
             machine,
@@ -290,31 +299,32 @@ fn zones_of(window: &ScreenBox, width: u32, machine: &ZoneMachine) -> Vec<usize>
     zones
 }
 
-fn parts(scene: &PreparedScene, planes: usize) -> Result<Vec<Part>, PlanError> {
-    let part = |slot: imogene_golden::object::slot::Slot| {
+/// Object and words of every part of a scene, for processors of so many planes; `refused` says of an object why not.
+pub(crate) fn parts<E>(
+    scene: &PreparedScene,
+    planes: usize,
+    refused: impl Fn(String, AsQuadricError) -> E,
+) -> Result<Vec<Part>, E> {
+    let part = |slot: Slot| {
         let words = slot.words.on_quadric_processor(&scene.format, planes);
-        let words = words.map_err(|why| PlanError::Object {
-            object: scene.objects[slot.object].name().to_owned(),
-            why,
-        })?;
+        let name = || scene.objects[slot.object].name().to_owned();
         Ok(Part {
             object: slot.object as u16,
-            words,
+            words: words.map_err(|why| refused(name(), why))?,
         })
     };
     scene.slots().into_iter().map(part).collect()
 }
 
-fn volumes(scene: &PreparedScene, machine: &ZoneMachine) -> Result<Vec<VolumeWords>, PlanError> {
-    if machine.volume_processors == 0 && !scene.volumes.is_empty() {
-        return Err(PlanError::NoVolumeProcessor(scene.volumes.len()));
-    }
+/// The same of every volume.
+pub(crate) fn volumes<E>(
+    scene: &PreparedScene,
+    planes: usize,
+    refused: impl Fn(String, AsQuadricError) -> E,
+) -> Result<Vec<VolumeWords>, E> {
     let volumes = scene.volumes.iter().map(|volume| {
-        let words = volume.words.on_quadric_processor(machine.volume_planes);
-        words.map_err(|why| PlanError::Volume {
-            volume: volume.name.clone(),
-            why,
-        })
+        let words = volume.words.on_quadric_processor(planes);
+        words.map_err(|why| refused(volume.name.clone(), why))
     });
     volumes.collect()
 }

@@ -3,7 +3,7 @@
 
 use super::plan::{Zone, ZonePlan};
 use crate::culling::part::{Matter, matter, with_planes};
-use crate::culling::volume::{Seen, VolumeMatter, matter_of_volume, volume_with_planes};
+use crate::culling::volume::{Seen, matter_of_volume, volume_with_planes};
 use crate::culling::{Planes, all_planes, shared};
 use imogene_golden::machine::zone::sample::Sample;
 use imogene_golden::object::line::for_each_present;
@@ -150,17 +150,16 @@ impl<'a> ZoneRefiner<'a> {
             let matter = matter_of_volume(self.volume(index), &seen, &self.plan.format);
             (index, matter)
         };
-        let matters: Vec<(u32, VolumeMatter)> =
-            self.zone.volumes.iter().map(|&v| matters(v)).collect();
+        let matters: Vec<(u32, Matter)> = self.zone.volumes.iter().map(|&v| matters(v)).collect();
         self.keep(&matters);
     }
 
     /// Keeps the volumes that matter. A source whose light reaches nothing here has no shadows to draw.
-    fn keep(&mut self, matters: &[(u32, VolumeMatter)]) {
+    fn keep(&mut self, matters: &[(u32, Matter)]) {
         let is_light = |index| self.volume(index).kind == VolumeKind::Light;
         let dark: BTreeSet<u8> = matters
             .iter()
-            .filter(|(index, matter)| is_light(*index) && *matter == VolumeMatter::AllOutside)
+            .filter(|(index, matter)| is_light(*index) && *matter == Matter::Nothing)
             .map(|(index, _)| self.volume(*index).source)
             .collect();
         let mut left = vec![];
@@ -168,10 +167,10 @@ impl<'a> ZoneRefiner<'a> {
         for &(index, matter) in matters {
             let words = self.volume(index);
             match (words.kind, matter) {
-                (VolumeKind::Shadow, VolumeMatter::AllOutside) => continue,
+                (VolumeKind::Shadow, Matter::Nothing) => continue,
                 (VolumeKind::Shadow, _) if dark.contains(&words.source) => continue,
-                (VolumeKind::Light, VolumeMatter::AllOutside) => {}
-                (_, VolumeMatter::With(planes)) => {
+                (VolumeKind::Light, Matter::Nothing) => {}
+                (_, Matter::With(planes)) => {
                     if planes != all_planes(words.planes.len()) {
                         masks.push((index, planes));
                     }

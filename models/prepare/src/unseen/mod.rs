@@ -165,7 +165,6 @@ impl Balls {
     }
 
     fn view(&self, range: &DepthRange, format: &Format) -> View<'_> {
-        let z_max = format.z_max() as f64;
         View {
             camera: &self.camera,
             width: self.size.0,
@@ -173,14 +172,13 @@ impl Balls {
             depth: match self.is_perspective {
                 true => DepthWord::Perspective {
                     near: to_f64(&range.near),
-                    z_max,
                 },
                 false => DepthWord::Orthographic {
                     middle: range.distance(0.0),
                     half: range.distance(1.0) - range.distance(0.0),
-                    z_max,
                 },
             },
+            z_max: format.z_max() as f64,
         }
     }
 

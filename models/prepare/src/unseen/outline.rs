@@ -78,14 +78,10 @@ impl Outline {
     /// other.
     pub fn of(ball: &Ball, view: &View) -> Option<Outline> {
         let pixels = view.camera.pixels;
-        let middle = view.middle();
+        let (middle, z_max) = (view.middle(), view.z_max);
         let [x, y, z] = ball.centre;
         match view.depth {
-            DepthWord::Orthographic {
-                middle: zero,
-                half,
-                z_max,
-            } => {
+            DepthWord::Orthographic { middle: zero, half } => {
                 let scale = z_max / half;
                 let unit = scale / pixels;
                 let conic = |radius: f64| Conic {
@@ -104,7 +100,7 @@ impl Outline {
                     inner: conic(ball.radius - ball.spare),
                 })
             }
-            DepthWord::Perspective { near, z_max } => {
+            DepthWord::Perspective { near } => {
                 // Then |c|^2 - r^2 is at least three quarters of |c|^2, whatever else is between r -+ spare.
                 if z.abs() < 2.01 * ball.radius {
                     return None;
@@ -246,7 +242,7 @@ impl Outline {
 
     /// True if the ball lies between the ends of the depth, and not within two pixels of depth of one.
     pub fn is_within_ends(&self, view: &View, window: &ScreenBox) -> bool {
-        let end = view.depth.z_max() - 2.0 * view.words_per_pixel();
+        let end = view.z_max - 2.0 * view.words_per_pixel();
         self.is_between([-end, end], window, &WordErrors::NONE)
     }
 

@@ -10,23 +10,16 @@ pub(crate) struct View<'a> {
     pub width: u32,
     pub height: u32,
     pub depth: DepthWord,
+    pub z_max: f64,
 }
 
 /// A depth word of a distance along the view.
 #[derive(Clone, Copy)]
 pub(crate) enum DepthWord {
     /// `zmax (1 - 2 near / distance)`.
-    Perspective { near: f64, z_max: f64 },
+    Perspective { near: f64 },
     /// `zmax (distance - middle) / half`.
-    Orthographic { middle: f64, half: f64, z_max: f64 },
-}
-
-impl DepthWord {
-    pub fn z_max(&self) -> f64 {
-        match *self {
-            Self::Perspective { z_max, .. } | Self::Orthographic { z_max, .. } => z_max,
-        }
-    }
+    Orthographic { middle: f64, half: f64 },
 }
 
 impl View<'_> {
@@ -49,7 +42,7 @@ impl View<'_> {
 
     /// Depth words of one pixel of depth.
     pub fn words_per_pixel(&self) -> f64 {
-        self.depth.z_max() / self.full_depth()
+        self.z_max / self.full_depth()
     }
 
     /// The depth in pixels of a distance along the view.
@@ -74,8 +67,6 @@ impl View<'_> {
         let middle = self.middle();
         std::array::from_fn(|k| middle[k].max(last[k] - middle[k]))
     }
-
-    /// The whole screen.
     pub fn screen(&self) -> ScreenBox {
         ScreenBox::of_screen(self.width, self.height)
     }

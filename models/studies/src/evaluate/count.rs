@@ -15,11 +15,8 @@ pub const LONG: u64 = 8;
 pub struct Tally {
     /// Additions and subtractions.
     pub additions: u64,
-    /// Multiplications.
     pub multiplications: u64,
-    /// Divisions.
     pub divisions: u64,
-    /// Square roots.
     pub roots: u64,
     /// Comparisons.
     pub tests: u64,
@@ -121,8 +118,6 @@ impl<'c> Counted<'c> {
     pub fn is_negative(self) -> bool {
         self.is_below(self.constant(0.0))
     }
-
-    /// Is it zero?
     pub fn is_zero(self) -> bool {
         self.counter.note(|tally| &mut tally.tests);
         self.value == 0.0
@@ -194,18 +189,25 @@ impl Neg for Counted<'_> {
     }
 }
 
-/// The sum of products of two lists of the same length, not empty.
-pub fn dot<'c>(left: &[Counted<'c>], right: &[Counted<'c>]) -> Counted<'c> {
-    assert_eq!(left.len(), right.len());
-    let products = left.iter().zip(right).map(|(&l, &r)| l * r);
-    products
-        .reduce(|sum, product| sum + product)
-        .expect("not empty")
+// By reference, as the algebra of this project multiplies and subtracts.
+impl<'c> Mul for &Counted<'c> {
+    type Output = Counted<'c>;
+    fn mul(self, other: Self) -> Counted<'c> {
+        *self * *other
+    }
+}
+
+impl<'c> Sub for &Counted<'c> {
+    type Output = Counted<'c>;
+    fn sub(self, other: Self) -> Counted<'c> {
+        *self - *other
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use imogene_algebra::vector::dot;
 
     #[test]
     fn every_operation_is_counted_once() {
@@ -237,7 +239,7 @@ mod tests {
     fn a_product_of_lists_has_one_addition_less() {
         let tally = cost(|counter| {
             let list = counter.numbers([1.0, 2.0, 3.0, 4.0]);
-            assert_eq!(dot(&list, &list).value, 30.0);
+            assert_eq!(dot(list, list).value, 30.0);
         });
         assert_eq!((tally.multiplications, tally.additions), (4, 3));
     }

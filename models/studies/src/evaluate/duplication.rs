@@ -8,11 +8,8 @@ use serde::Serialize;
 /// Shares of the places at which a box touches 1, 2 and 4 zones; the rest touches more.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Touched {
-    /// One zone.
     pub one: f64,
-    /// Two.
     pub two: f64,
-    /// Four.
     pub four: f64,
     /// Mean number of zones: the duplication factor.
     pub mean: f64,

@@ -194,36 +194,32 @@ fn patch_bits(words: &[LoadWord]) -> f64 {
 fn storage(patch: &Moving) -> Result<Value, EvaluateError> {
     let format = Format::BASE;
     let [file_ratio, facet_reals] = file_ratio()?;
-    let others = others()?;
-    let of = |count: fn(&ProcessorWords) -> Option<f64>| {
-        let mut found = others.iter().filter_map(count);
-        found.next().expect("the scenes have one")
-    };
+    // Of the first of each kind.
+    let mut counts = serde_json::Map::new();
+    for words in others()? {
+        let found = match &words {
+            ProcessorWords::Facet(facet) if facet.edges.len() == 3 => {
+                let planes = numbers(&facet.edges) + numbers(&facet.depth);
+                let normal = f64::from(format.normal_linear) * numbers(&facet.normal);
+                let bits = planes * f64::from(format.plane) + normal;
+                counts.entry("facet_bits").or_insert(json!(bits));
+                ("facet_words", numbers(facet))
+            }
+            ProcessorWords::Sphere(sphere) => ("sphere_words", numbers(sphere)),
+            ProcessorWords::Cylinder(cylinder) => ("cylinder_words", numbers(cylinder)),
+            _ => continue,
+        };
+        counts.entry(found.0).or_insert(json!(found.1));
+    }
     let pixel = f64::from(format.depth + ID_BITS + 3 * format.normal) + f64::from(SOURCES);
     Ok(json!({
         "file_ratio": file_ratio,
         "facet_reals": facet_reals,
         "quadric_reals": quadric_reals(3),
-        "facet_words": of(|words| match words {
-            ProcessorWords::Facet(facet) if facet.edges.len() == 3 => Some(numbers(facet)),
-            _ => None,
-        }),
-        "facet_bits": of(|words| match words {
-            ProcessorWords::Facet(facet) if facet.edges.len() == 3 => {
-                let planes = numbers(&facet.edges) + numbers(&facet.depth);
-                let normal = f64::from(Format::BASE.normal_linear) * numbers(&facet.normal);
-                Some(planes * f64::from(Format::BASE.plane) + normal)
-            }
-            _ => None,
-        }),
-        "sphere_words": of(|words| match words {
-            ProcessorWords::Sphere(sphere) => Some(numbers(sphere)),
-            _ => None,
-        }),
-        "cylinder_words": of(|words| match words {
-            ProcessorWords::Cylinder(cylinder) => Some(numbers(cylinder)),
-            _ => None,
-        }),
+        "facet_words": counts["facet_words"],
+        "facet_bits": counts["facet_bits"],
+        "sphere_words": counts["sphere_words"],
+        "cylinder_words": counts["cylinder_words"],
         "patch_bits": patch_bits(&load_words(patch.words(), &format, MACHINE_PLANES)),
         "depth_of_quadric_words": load_words(patch.words(), &format, 0).iter().take(9).count(),
         "pixel_bits": pixel,

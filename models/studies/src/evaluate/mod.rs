@@ -2,11 +2,11 @@
 //! IV).
 //!
 //! The rows stand in `evaluation.toml`: what is printed, and of which counts ours is made. No figure of ours is typed
-//! in. Operations are counted by running the algorithms in numbers that count ([`count`], [`work`]); words, beats and
+//! in. Operations are counted by running the algorithms in numbers that count (`count`, [`work`]); words, beats and
 //! clocks are those of the golden machines; parts of processors come from the hierarchy that is emitted and are handed
 //! in as [`Hardware`]; cells and clock rates come from the table of resources.
 
-pub mod count;
+mod count;
 mod duplication;
 mod error;
 mod figures;

@@ -18,8 +18,6 @@ const COMMAND: &str = "imogene evaluate --out DIR";
 const INTRODUCTION: &str = "Every cost table of the two sources beside our own counts: Nyiri 1994, chapter 5 and the sections it builds on, and where it is named, Chaillou 1991, chapter IV. *Printed* is what the source prints; \
 *corrected* is its own sum or formula done again where the print does not hold; *ours* is counted by running code and never typed in. The difference is that to the corrected value, else to the printed one. \
 What is printed and not counted is at the end, with the reason.";
-
-/// Cells of a row.
 fn cells(row: &Row) -> [String; 8] {
     let or_dash = |value: Option<String>| value.unwrap_or_else(|| "-".into());
     let printed = match row.printed.text.as_str() {

@@ -76,17 +76,25 @@ pub struct Row {
 }
 
 impl Row {
-    /// A row that is not compared yet.
-    pub fn new(name: &str, section: &str, printed: impl Into<Printed>, unit: &str) -> Row {
+    /// A row with our count, and with what the source should print if that is something else.
+    pub fn new(
+        [name, section, unit]: [&str; 3],
+        printed: impl Into<Printed>,
+        ours: f64,
+        corrected: Option<f64>,
+    ) -> Row {
+        let printed = printed.into();
+        let reference = corrected.or(printed.value);
+        let of_some = reference.filter(|&value| value != 0.0);
         Row {
             name: name.into(),
             section: section.into(),
-            printed: printed.into(),
-            corrected: None,
-            ours: 0.0,
+            printed,
+            corrected,
+            ours,
             unit: unit.into(),
-            difference: None,
-            percent: None,
+            difference: reference.map(|value| ours - value),
+            percent: of_some.map(|value| 100.0 * (ours / value - 1.0)),
             why: String::new(),
         }
     }
@@ -94,16 +102,6 @@ impl Row {
     /// The number that ours is compared with.
     pub fn reference(&self) -> Option<f64> {
         self.corrected.or(self.printed.value)
-    }
-
-    /// With our count, and with what the source should print if that is something else.
-    pub fn compared(mut self, ours: f64, corrected: Option<f64>) -> Row {
-        self.ours = ours;
-        self.corrected = corrected;
-        self.difference = self.reference().map(|value| ours - value);
-        let of_some = self.reference().filter(|&value| value != 0.0);
-        self.percent = of_some.map(|value| 100.0 * (ours / value - 1.0));
-        self
     }
 }
 
@@ -177,12 +175,13 @@ mod tests {
 
     #[test]
     fn a_correction_is_what_ours_is_compared_with() {
-        let row = Row::new("x", "5.1", 600.0, "operations").compared(480.0, None);
+        let names = ["x", "5.1", "operations"];
+        let row = Row::new(names, 600.0, 480.0, None);
         let percent = 100.0 * (0.8 - 1.0);
         assert_eq!((row.difference, row.percent), (Some(-120.0), Some(percent)));
-        let row = row.compared(480.0, Some(400.0));
+        let row = Row::new(names, 600.0, 480.0, Some(400.0));
         assert_eq!(row.difference, Some(80.0));
-        let limit = Row::new("x", "5.1", "more than 100", "").compared(3.0, None);
+        let limit = Row::new(names, "more than 100", 3.0, None);
         assert_eq!(limit.difference, None);
     }
 }

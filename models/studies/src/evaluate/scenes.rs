@@ -58,8 +58,6 @@ impl Moving {
             ..self.scene.clone()
         }
     }
-
-    /// Its words.
     pub fn words(&self) -> &imogene_golden::object::quadric::QuadricWords {
         &self.object.words
     }

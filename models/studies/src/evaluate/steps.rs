@@ -6,7 +6,13 @@
 use super::count::{Counted, Counter, Tally, cost};
 use super::work::facet::{self, Contour, Corners};
 use super::work::lighting::{Colours, Place, light, power};
+use super::work::transform::{
+    affine_product, cofactors_of_shared_minors, determinant, determinant_alone, direction, divided,
+    inverse, normalised, point, quadric_in_full,
+};
+use super::work::zones::{outline, outline_of};
 use super::work::{quadric, transform, zones};
+use imogene_algebra::matrix::{cofactors4, image, product};
 use serde_json::{Value, json};
 
 const MATRIX: [[f64; 4]; 4] = [
@@ -43,46 +49,32 @@ const WORST_EXPONENT: u32 = 127;
 type Step = (&'static str, fn(&Counter));
 
 const STEPS: &[Step] = &[
-    ("product", |c| {
-        done(transform::product(&matrix(c), &matrix(c)))
-    }),
+    ("product", |c| done(product(&matrix(c), &matrix(c)))),
     ("affine_product", |c| {
-        done(transform::affine_product(&matrix(c), &matrix(c)))
+        done(affine_product(&matrix(c), &matrix(c)))
     }),
-    ("point", |c| {
-        done(transform::point(&matrix(c), c.numbers(POINT)))
-    }),
+    ("point", |c| done(point(&matrix(c), c.numbers(POINT)))),
     ("direction", |c| {
-        done(transform::direction(&matrix(c), c.numbers(POINT)))
+        done(direction(&matrix(c), c.numbers(POINT)))
     }),
-    ("divide", |c| {
-        done(transform::divided(c.numbers([1.0, 2.0, 3.0, 4.0])))
-    }),
+    ("divide", |c| done(divided(c.numbers([1.0, 2.0, 3.0, 4.0])))),
     ("plane_image", |c| {
-        done(transform::plane(&matrix(c), c.numbers(PLANE)))
+        done(image(&matrix(c), &c.numbers(PLANE)))
     }),
     ("quadric_in_full", |c| {
-        done(transform::quadric_in_full(&matrix(c), c.numbers(QUADRIC)))
+        done(quadric_in_full(&matrix(c), c.numbers(QUADRIC)))
     }),
     ("quadric_image", |c| {
         done(transform::quadric(&matrix(c), c.numbers(QUADRIC)))
     }),
-    ("cofactors", |c| done(transform::cofactors(&matrix(c)))),
+    ("cofactors", |c| done(cofactors4(&matrix(c)))),
     ("shared_cofactors", |c| {
-        done(transform::cofactors_of_shared_minors(&matrix(c)))
+        done(cofactors_of_shared_minors(&matrix(c)))
     }),
-    ("determinant_alone", |c| {
-        done(transform::determinant_alone(&matrix(c)))
-    }),
-    ("determinant", |c| {
-        done(transform::determinant(&matrix(c), &matrix(c)))
-    }),
-    ("inverse", |c| {
-        done(transform::inverse(&matrix(c), c.number(2.0)))
-    }),
-    ("normalised", |c| {
-        done(transform::normalised(c.numbers(POINT)))
-    }),
+    ("determinant_alone", |c| done(determinant_alone(&matrix(c)))),
+    ("determinant", |c| done(determinant(&matrix(c), &matrix(c)))),
+    ("inverse", |c| done(inverse(&matrix(c), c.number(2.0)))),
+    ("normalised", |c| done(normalised(c.numbers(POINT)))),
     ("contour", |c| done(contour(c))),
     ("contour_and_followed", |c| {
         let contour = contour(c);
@@ -163,23 +155,19 @@ const STEPS: &[Step] = &[
         let window = zones::box_of_outline(&depth(c).f2);
         done(zones::zones(window, c.number(1.0 / 128.0)));
     }),
-    ("facet_sides", |c| {
-        done(zones::outline(&points(c, &CUBE[..3])))
-    }),
+    ("facet_sides", |c| done(outline(&points(c, &CUBE[..3])))),
     ("facet_sides_and_corner", |c| {
-        corner(c, zones::outline(&points(c, &CUBE[..3])))
+        corner(c, outline(&points(c, &CUBE[..3])))
     }),
-    ("patch_sides", |c| {
-        done(zones::outline(&points(c, &TETRAHEDRON)))
-    }),
+    ("patch_sides", |c| done(outline(&points(c, &TETRAHEDRON)))),
     ("patch_sides_and_corner", |c| {
-        corner(c, zones::outline(&points(c, &TETRAHEDRON)))
+        corner(c, outline(&points(c, &TETRAHEDRON)))
     }),
     ("quadric_sides", |c| {
-        done(zones::outline_of(&points(c, &CUBE), is_edge))
+        done(outline_of(&points(c, &CUBE), is_edge))
     }),
     ("quadric_sides_and_corner", |c| {
-        corner(c, zones::outline_of(&points(c, &CUBE), is_edge))
+        corner(c, outline_of(&points(c, &CUBE), is_edge))
     }),
     ("moved_line", |c| {
         let [k, l] = c.numbers([128.0, 256.0]);

@@ -139,16 +139,19 @@ impl<'a> Sums<'a> {
             Amount::Number(value) => Ok(*value),
             Amount::Sum(sum) => self.value(sum),
         });
-        let unit = of(&line.unit, &usual.unit);
-        let row = Row::new(
-            &line.name,
-            &of(&line.section, &usual.section),
-            printed,
-            &unit,
+        let (section, unit) = (
+            of(&line.section, &usual.section),
+            of(&line.unit, &usual.unit),
         );
+        let names = [&*line.name, &*section, &*unit];
         Ok(Row {
             why: self.text(&of(&line.why, &usual.why))?,
-            ..row.compared(self.value(&line.ours)?, corrected.transpose()?)
+            ..Row::new(
+                names,
+                printed,
+                self.value(&line.ours)?,
+                corrected.transpose()?,
+            )
         })
     }
 }
@@ -176,7 +179,7 @@ impl Processor {
         let ours = [parts.pe1, parts.pe2, parts.roots, parts.multipliers];
         let row = |what: &str, unit: &str, printed: Printed, ours: f64, corrected: Option<f64>| {
             let name = format!("{}: {what}", self.name);
-            let row = Row::new(&name, &self.section, printed, unit).compared(ours, corrected);
+            let row = Row::new([&*name, &*self.section, unit], printed, ours, corrected);
             let why = match row.reference() == Some(ours) {
                 true => "counted in the emitted hierarchy",
                 false => &self.why,
@@ -190,13 +193,8 @@ impl Processor {
         let counts = kinds.iter().zip(self.counts.into_iter().zip(ours));
         let counts = counts.filter(|(_, (there, here))| there + here > 0);
         let counts = counts.map(|(kind, (there, here))| {
-            row(
-                kind,
-                "units",
-                Printed::from(there as f64),
-                here as f64,
-                None,
-            )
+            let there = Printed::from(there as f64);
+            row(kind, "units", there, here as f64, None)
         });
         let (there, here) = (additions(self.counts), additions(ours));
         let what = "additions of its expressions";
@@ -216,10 +214,9 @@ mod tests {
         let all = table.groups.into_iter().flat_map(|group| group.processors);
         let parts = all.map(|processor| {
             let [pe1, pe2, roots, multipliers] = processor.counts;
-            let (unit, parameters) = (processor.unit, processor.parameters);
             Parts {
-                unit,
-                parameters,
+                unit: processor.unit,
+                parameters: processor.parameters,
                 pe1,
                 pe2,
                 roots,

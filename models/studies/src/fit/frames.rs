@@ -2,7 +2,7 @@
 
 use super::FitError;
 use super::budget::{Budget, Item, worst};
-use crate::kit::words::{narrowest, widest};
+use crate::kit::words::narrowest;
 use imogene_analysis::metrics::{Drawing, Metrics, Truth, measure};
 use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
@@ -34,21 +34,6 @@ impl Frame {
 /// All frames of an animation, or the one of a picture.
 pub struct Frames(Vec<Frame>);
 
-/// What decides the pixels; all other widths are those that the frames require.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Words {
-    /// Depth word.
-    pub depth: u32,
-    /// Bits of a normal component.
-    pub normal: u32,
-    /// Guard bits of f1.
-    pub guard_linear: u32,
-    /// Guard bits of f2.
-    pub guard_quadratic: u32,
-    /// Last digits of the root that are not computed.
-    pub dropped_rows: u32,
-}
-
 /// The frames in words, against their truth.
 #[derive(Clone)]
 pub struct Drawn {
@@ -78,8 +63,7 @@ impl Drawn {
                 continue;
             }
             for (slot, other) in slots.iter_mut().zip(frame) {
-                slot.planes = slot.planes.max(other.planes);
-                slot.two_volumes |= other.two_volumes;
+                *slot = slot.or(&other);
             }
         }
         FittedMachine {
@@ -131,10 +115,11 @@ impl Frames {
         &self.0
     }
 
-    /// Draws all frames in the narrowest widths that take them; `None` if these words are too few for a frame.
+    /// Draws all frames in the narrowest widths, up to these, that take them; `None` if these are too few for a frame.
     /// Fails if a frame cannot be drawn by any machine.
-    pub fn draw(&self, words: &Words, budget: &Budget) -> Result<Option<Drawn>, FitError> {
-        let Some((widths, prepared)) = self.prepared(words)? else {
+    pub fn draw(&self, wide: &MachineWords, budget: &Budget) -> Result<Option<Drawn>, FitError> {
+        let in_widths = |widths: &MachineWords| self.in_widths(widths);
+        let Some((widths, prepared)) = narrowest(wide, in_widths, PreparedScene::needed)? else {
             return Ok(None);
         };
         let mut metrics = Vec::new();
@@ -151,19 +136,6 @@ impl Frames {
             metrics,
             items: worst(&items),
         }))
-    }
-
-    fn prepared(
-        &self,
-        words: &Words,
-    ) -> Result<Option<(MachineWords, Vec<PreparedScene>)>, FitError> {
-        let guards = (words.guard_linear, words.guard_quadratic);
-        let wide = widest(words.depth, words.normal, guards, words.dropped_rows);
-        narrowest(
-            &wide,
-            |widths| self.in_widths(widths),
-            PreparedScene::needed,
-        )
     }
 
     /// The frames in a format; `None` if there is no such format, or a word of it is too short.

@@ -5,7 +5,7 @@
 //! comparing every pixel. `docs/fit.md` is the user's page.
 
 pub mod budget;
-pub mod estimate;
+mod estimate;
 pub mod frames;
 pub mod proof;
 pub mod search;

@@ -8,7 +8,9 @@
 use super::FitError;
 use super::budget::{Budget, Item};
 use super::estimate;
-use super::frames::{Drawn, Frames, Words};
+use super::frames::{Drawn, Frames};
+use crate::kit::words::widest;
+use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
 use rayon::prelude::*;
 
@@ -70,25 +72,20 @@ struct Search<'a, T: Fn() + Sync> {
 }
 
 /// The most exact words of a depth word.
-fn most_exact(depth: u32) -> Words {
+fn most_exact(depth: u32) -> MachineWords {
     // The second-degree processor has at most 64 bits, and the root as many as the depth unless the scene needs fewer.
-    Words {
-        depth,
-        normal: NORMALS.1,
-        guard_linear: GUARDS.0,
-        guard_quadratic: GUARDS.1.min(64 - 2 * depth.min(32)),
-        dropped_rows: 0,
-    }
+    let guard_quadratic = GUARDS.1.min(64 - 2 * depth.min(32));
+    widest(depth, NORMALS.1, (GUARDS.0, guard_quadratic), 0)
 }
 
 impl<T: Fn() + Sync> Search<'_, T> {
-    fn draw(&self, words: &Words) -> Result<Option<Drawn>, FitError> {
+    fn draw(&self, words: &MachineWords) -> Result<Option<Drawn>, FitError> {
         let drawn = self.frames.draw(words, self.budget)?;
         (self.tried)();
         Ok(drawn)
     }
 
-    fn fits(&self, words: &Words) -> Result<bool, FitError> {
+    fn fits(&self, words: &MachineWords) -> Result<bool, FitError> {
         Ok(self.draw(words)?.is_some_and(|drawn| drawn.fits()))
     }
 
@@ -96,7 +93,7 @@ impl<T: Fn() + Sync> Search<'_, T> {
     fn least(
         &self,
         (mut low, mut high): (u32, u32),
-        of: impl Fn(u32) -> Words,
+        of: impl Fn(u32) -> MachineWords,
     ) -> Result<u32, FitError> {
         while low < high {
             let middle = (low + high) / 2;
@@ -122,18 +119,18 @@ impl<T: Fn() + Sync> Search<'_, T> {
         if !self.fits(&words)? {
             return Ok(None);
         }
-        words.normal = self.least(NORMALS, |normal| Words { normal, ..words })?;
+        words.normal = self.least(NORMALS, |normal| MachineWords { normal, ..words })?;
         let most = Format::MAX_DROPPED_ROWS.min(depth / 2);
-        let kept = self.least((0, most), |kept| Words {
+        let kept = self.least((0, most), |kept| MachineWords {
             dropped_rows: most - kept,
             ..words
         })?;
         words.dropped_rows = most - kept;
-        words.guard_quadratic = self.least((0, words.guard_quadratic), |bits| Words {
+        words.guard_quadratic = self.least((0, words.guard_quadratic), |bits| MachineWords {
             guard_quadratic: bits,
             ..words
         })?;
-        words.guard_linear = self.least((0, words.guard_linear), |bits| Words {
+        words.guard_linear = self.least((0, words.guard_linear), |bits| MachineWords {
             guard_linear: bits,
             ..words
         })?;

@@ -1,10 +1,19 @@
 //! What all studies share: sentences, tables and pages, plots, pictures.
 
-mod error;
 pub mod page;
 pub mod picture;
 pub mod plot;
 pub mod preview;
 pub mod words;
 
-pub use error::DrawError;
+use thiserror::Error;
+
+/// A plot or a page that the library does not make.
+#[derive(Debug, Error)]
+#[error("{what}: {problem}")]
+pub struct DrawError {
+    /// What cannot be made.
+    pub what: String,
+    /// Why not.
+    pub problem: String,
+}

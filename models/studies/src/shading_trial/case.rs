@@ -1,6 +1,7 @@
 //! Random words and pixels, biased to where shading is hard: grazing light, lobes at their steepest, short and
 //! axis-parallel vectors, near and far points.
 
+use super::exact::{place, ray};
 use crate::trial::random::Random;
 use imogene_algebra::vector::{Vector, dot};
 use imogene_golden::machine::shader::{LightWords, MaterialWords, Pixel, ShaderWords};
@@ -46,7 +47,7 @@ impl Case {
             normal: [0; 3],
             flags: random.next() as u16 | random.next() as u16,
         };
-        let ray = sight(&words, &pixel);
+        let ray = ray(&words, &pixel);
         let normal = draw_normal(ray, random);
         pixel.normal = normal.map(|v| v.round() as i16);
         let lights = 1 + random.below(4).min(random.below(4));
@@ -117,7 +118,7 @@ pub fn sequence(seed: u64, depth: u32, lights: usize, pixels: usize) -> (ShaderW
             pixel.x = random.below(4096) as u16;
             pixel.y = random.below(4096) as u16;
             pixel.depth = draw_depth(depth, &mut random);
-            let ray = sight(&words, &pixel);
+            let ray = ray(&words, &pixel);
             pixel.normal = draw_normal(ray, &mut random).map(|v| v.round() as i16);
         } else {
             let k = random.below(3) as usize;
@@ -171,23 +172,6 @@ fn material(random: &mut Random) -> MaterialWords {
             1 => 1 + random.below(4) as u8,
             _ => 1 + random.below(200) as u8,
         },
-    }
-}
-
-/// As the unit forms it; here only the direction matters.
-fn sight(words: &ShaderWords, pixel: &Pixel) -> Vector {
-    let at = |at: u16, size: u16| {
-        ((64 * i64::from(at) - 32 * i64::from(size)) >> words.view_shift) as f64
-    };
-    let distance = f64::from(words.distance);
-    if words.perspective {
-        [
-            at(pixel.x, words.size[0]),
-            at(pixel.y, words.size[1]),
-            distance,
-        ]
-    } else {
-        [0.0, 0.0, distance]
     }
 }
 
@@ -283,12 +267,8 @@ fn at_a_point(light: &mut LightWords, words: &ShaderWords, pixel: &Pixel, random
     light.point = true;
     light.shift = random.below(14) as u8;
     light.slope = [(); 3].map(|()| bounded((random.signed() * random.magnitude(1.3e8, 27)) as i64));
-    let places = [
-        2 * i64::from(pixel.x) - i64::from(words.size[0]),
-        2 * i64::from(pixel.y) - i64::from(words.size[1]),
-        0,
-    ];
-    for (k, place) in places.into_iter().enumerate() {
+    let [x, y] = place(words, pixel);
+    for (k, place) in [x, y, 0].into_iter().enumerate() {
         let deep = (i64::from(light.slope[k]) * pixel.depth) >> (words.depth - 1);
         light.base[k] = bounded(i64::from(light.base[k]) + (place << light.shift) + deep);
     }

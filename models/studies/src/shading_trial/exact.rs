@@ -38,7 +38,7 @@ pub fn levels(words: &ShaderWords, pixel: &Pixel) -> Vector {
 }
 
 /// From the middle of the picture, in half pixels.
-fn place(words: &ShaderWords, pixel: &Pixel) -> [i64; 2] {
+pub(super) fn place(words: &ShaderWords, pixel: &Pixel) -> [i64; 2] {
     [
         2 * i64::from(pixel.x) - i64::from(words.size[0]),
         2 * i64::from(pixel.y) - i64::from(words.size[1]),
@@ -46,7 +46,7 @@ fn place(words: &ShaderWords, pixel: &Pixel) -> [i64; 2] {
 }
 
 /// Away from the viewer.
-fn ray(words: &ShaderWords, pixel: &Pixel) -> Vector {
+pub(super) fn ray(words: &ShaderWords, pixel: &Pixel) -> Vector {
     let distance = f64::from(words.distance);
     if !words.perspective {
         return [0.0, 0.0, distance];

@@ -1,13 +1,13 @@
 //! How far the shading processor is from its formula, and what each bit of its widths is worth.
 
 mod case;
-pub mod exact;
+mod exact;
 
-use super::trial::random::Random;
+use super::trial::random::{Random, in_pieces};
 pub use case::{Case, sequence};
 use imogene_golden::machine::shader::{LEVEL_FRACTION, Shader, ShaderWidths};
-use rayon::prelude::*;
 use serde::Serialize;
+use std::ops::Range;
 
 /// Cases that are drawn, and improved, one after another by one thread.
 const BATCH: u64 = 1 << 12;
@@ -81,19 +81,20 @@ impl ShadingErrors {
         worst
     }
 
-    fn batch(shader: &Shader, seed: u64, batch: u64, cases: u64) -> ShadingErrors {
+    fn batch(shader: &Shader, seed: u64, cases: Range<u64>) -> ShadingErrors {
+        let batch = cases.start / BATCH;
         let mut errors = ShadingErrors {
-            cases,
+            cases: cases.end - cases.start,
             ..ShadingErrors::default()
         };
-        for number in 0..cases {
-            let mut random = Random::of_case(seed, batch * BATCH + number);
+        for number in cases {
+            let mut random = Random::of_case(seed, number);
             let case = Case::draw(&mut random);
             errors.compare(&case, shader, true);
         }
         errors.random_error = errors.error;
         let mut random = Random::of_case(!seed, batch);
-        for _ in 0..STEPS * cases / BATCH {
+        for _ in 0..STEPS * errors.cases / BATCH {
             let Some(worst) = &errors.worst else { break };
             let case = worst.near(&mut random);
             errors.compare(&case, shader, false);
@@ -112,15 +113,11 @@ pub fn errors(
     done: impl Fn(u64) + Sync,
 ) -> ShadingErrors {
     let shader = Shader::with_widths(&Default::default(), widths);
-    (0..cases.div_ceil(BATCH))
-        .into_par_iter()
-        .map(|batch| {
-            let count = BATCH.min(cases - batch * BATCH);
-            let errors = ShadingErrors::batch(&shader, seed, batch, count);
-            done(count);
-            errors
-        })
-        .reduce(ShadingErrors::default, ShadingErrors::merge)
+    let batches = in_pieces(cases, BATCH, done, |cases| {
+        ShadingErrors::batch(&shader, seed, cases)
+    });
+    let none = ShadingErrors::default();
+    batches.into_iter().fold(none, ShadingErrors::merge)
 }
 
 #[cfg(test)]

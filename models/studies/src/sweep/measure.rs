@@ -144,46 +144,54 @@ pub fn measure(scene: &FramedScene, prepared: &PreparedScene) -> Figures {
 }
 
 impl Figures {
+    /// Holds an error, known to `spare`, against its bound: a violation if it is greater, else its part of the bound.
+    fn hold(
+        &mut self,
+        (off, bound, spare): (f64, f64, f64),
+        ratio: fn(&mut Ratios) -> &mut f64,
+        violation: impl FnOnce() -> String,
+    ) {
+        if off > bound + spare {
+            self.violations.push(violation());
+        }
+        if bound > 0.0 {
+            let ratio = ratio(&mut self.ratios);
+            *ratio = ratio.max(off / bound);
+        }
+    }
+
     fn silhouette(&mut self, name: &str, off: f64, bound: f64) {
-        if off > bound {
-            self.violations.push(format!(
-                "the silhouette of '{name}' is displaced by {off:.3e} pixels, proven were {bound:.3e}"
-            ));
-        }
-        if bound > 0.0 {
-            self.ratios.silhouette = self.ratios.silhouette.max(off / bound);
-        }
+        self.hold((off, bound, 0.0), |ratios| &mut ratios.silhouette, || {
+            format!("the silhouette of '{name}' is displaced by {off:.3e} pixels, proven were {bound:.3e}")
+        });
     }
 
-    fn depth(&mut self, at: [usize; 2], off: f64, bound: f64) {
-        if off > bound + CUT {
-            let [x, y] = at;
-            self.violations.push(format!(
-                "depth off by {off:.3} words at pixel ({x}, {y}), proven were {bound:.3}"
-            ));
-        }
+    fn depth(&mut self, [x, y]: [usize; 2], off: f64, bound: f64) {
         self.observed.depth_words = self.observed.depth_words.max(off);
-        if bound > 0.0 {
-            let certain = (off - CUT).max(0.0);
-            self.ratios.depth = self.ratios.depth.max(certain / bound);
-        }
+        // Without what the exact depth itself can be off.
+        let certain = (off - CUT).max(0.0);
+        self.hold(
+            (certain, bound, 0.0),
+            |ratios| &mut ratios.depth,
+            || format!("depth off by {off:.3} words at pixel ({x}, {y}), proven were {bound:.3}"),
+        );
     }
 
-    fn normal(&mut self, at: [usize; 2], off: f64, bound: f64) {
+    fn normal(&mut self, [x, y]: [usize; 2], off: f64, bound: f64) {
         if bound >= 180.0 {
             return;
         }
-        if off > bound + ANGLE_MARGIN {
-            let [x, y] = at;
-            self.violations.push(format!(
-                "normal off by {off:.4} degrees at pixel ({x}, {y}), proven were {bound:.4}"
-            ));
-        }
         self.observed.normals += 1;
         self.observed.normal_deg = self.observed.normal_deg.max(off);
-        if bound > 0.0 {
-            self.ratios.normal = self.ratios.normal.max(off / bound);
-        }
+        self.hold(
+            (off, bound, ANGLE_MARGIN),
+            |ratios| &mut ratios.normal,
+            || {
+                format!(
+                    "normal off by {off:.4} degrees at pixel ({x}, {y}), proven were {bound:.4}"
+                )
+            },
+        );
     }
 }
 
@@ -197,14 +205,15 @@ fn compare_pixels(figures: &mut Figures, scene: &FramedScene, prepared: &Prepare
     let exact: Vec<Option<TruePixel>> = (0..width * height).into_par_iter().map(at).collect();
     figures.covered = golden.covered();
     for (index, exact) in exact.iter().enumerate() {
-        match difference(&golden, index, exact.as_ref()) {
-            Difference::None => continue,
-            Difference::Same(exact) => {
+        let (id, number) = (golden.id[index], golden.number[index]);
+        match exact {
+            None if id < 0 => continue,
+            Some(exact) if (id, number) == (exact.id as i32, exact.number) => {
                 compare_faces(figures, prepared, &golden, index, exact);
                 continue;
             }
-            Difference::Presence => figures.observed.silhouette_pixels += 1,
-            Difference::Face => figures.observed.wrong_faces += 1,
+            Some(_) if id >= 0 => figures.observed.wrong_faces += 1,
+            _ => figures.observed.silhouette_pixels += 1,
         }
         if !undecided[index] {
             let (x, y) = (index % width, index / width);
@@ -214,30 +223,6 @@ fn compare_pixels(figures: &mut Figures, scene: &FramedScene, prepared: &Prepare
         }
     }
     figures.observed.depth_px = figures.observed.depth_words / figures.words_per_pixel;
-}
-
-/// How a pixel of the golden picture stands to the truth.
-enum Difference<'a> {
-    /// Background in both.
-    None,
-    /// Covered in one alone.
-    Presence,
-    /// Another object or face.
-    Face,
-    /// The same face.
-    Same(&'a TruePixel),
-}
-
-fn difference<'a>(golden: &Frame, index: usize, exact: Option<&'a TruePixel>) -> Difference<'a> {
-    let id = golden.id[index];
-    match exact {
-        None if id < 0 => Difference::None,
-        Some(exact) if id >= 0 => match (id as usize, golden.number[index]) {
-            face if face == (exact.id, exact.number) => Difference::Same(exact),
-            _ => Difference::Face,
-        },
-        _ => Difference::Presence,
-    }
 }
 
 fn compare_faces(

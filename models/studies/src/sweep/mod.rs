@@ -11,7 +11,7 @@ mod families;
 mod family;
 mod grid;
 mod measure;
-pub mod naive;
+mod naive;
 mod page;
 mod plot;
 mod record;

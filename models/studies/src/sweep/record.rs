@@ -75,14 +75,9 @@ pub struct SweepResult {
 }
 
 impl SweepResult {
-    /// The records of a series.
     pub(super) fn of_series(&self, name: &str) -> Vec<&Record> {
-        of_series(&self.records, name)
+        self.records.iter().filter(|r| r.series == name).collect()
     }
-}
-
-fn of_series<'a>(records: &'a [Record], name: &str) -> Vec<&'a Record> {
-    records.iter().filter(|r| r.series == name).collect()
 }
 
 impl Record {
@@ -120,7 +115,8 @@ pub(super) fn gives_out(series: &[&'static str], records: &[Record]) -> Vec<Give
     let mut found = vec![];
     for name in series {
         let mut accepted = None;
-        for run in runs(&of_series(records, name)) {
+        let own: Vec<&Record> = records.iter().filter(|r| r.series == *name).collect();
+        for run in runs(&own) {
             let (first, last) = (run[0], run[run.len() - 1].parameter.clone());
             let before = accepted.take();
             match first.notice() {

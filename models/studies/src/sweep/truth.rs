@@ -39,7 +39,7 @@ impl<'a> Truth<'a> {
     pub fn new(scene: &'a FramedScene, greatest_depth: i64) -> Truth<'a> {
         let objects = scene.objects.iter().map(|object| {
             let object = object.quadric().expect("sweeps draw quadrics alone");
-            let rays = RayObject::new(object, &scene.projection, scene.width, scene.height);
+            let rays = RayObject::new(object, scene);
             (object, rays, Gradient::new(object, scene))
         });
         Truth {

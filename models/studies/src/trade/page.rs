@@ -28,7 +28,7 @@ pub fn page(trade: &Trade, folder: &Path) -> Result<String, TradeError> {
         "target": trade.target,
         "points": trade.points,
         "pictures": pictures(trade, &source)?,
-        "truth": data_uri(&source.reduced(&trade.truth)?),
+        "truth": data_uri(&source.png(&trade.truth, false)?),
     });
     let values = context! {
         trade => Serde(json!({
@@ -70,11 +70,7 @@ fn pictures(trade: &Trade, source: &Pictures) -> Result<BTreeMap<String, String>
             let Some(name) = name.as_ref().filter(|name| !all.contains_key(*name)) else {
                 continue;
             };
-            let png = match is_map {
-                true => source.exact(name)?,
-                false => source.reduced(name)?,
-            };
-            all.insert(name.clone(), data_uri(&png));
+            all.insert(name.clone(), data_uri(&source.png(name, is_map)?));
         }
     }
     Ok(all)
@@ -94,34 +90,19 @@ struct Pictures<'a> {
 impl Pictures<'_> {
     fn new<'a>(trade: &Trade, folder: &'a Path) -> Result<Pictures<'a>, TradeError> {
         let size = (trade.width, trade.height);
-        let truth = read(folder, &trade.truth, size)?;
         Ok(Pictures {
             folder,
             size,
-            reducer: Reducer::new(&truth),
+            reducer: Reducer::new(&read(folder, &trade.truth, size)?),
         })
     }
 
-    fn reduced(&self, name: &str) -> Result<Vec<u8>, TradeError> {
-        let rgb = read(self.folder, name, self.size)?;
-        self.encoded(name, self.reducer.png(self.size.0, self.size.1, &rgb))
-    }
-
-    /// A map as it is: it has few colours.
-    fn exact(&self, name: &str) -> Result<Vec<u8>, TradeError> {
+    /// A picture as PNG; a map as it is, for it has few colours.
+    fn png(&self, name: &str, is_map: bool) -> Result<Vec<u8>, TradeError> {
         let rgb = read(self.folder, name, self.size)?;
         let (width, height) = self.size;
-        match exact_png(width, height, &rgb) {
-            Some(png) => self.encoded(name, png),
-            None => self.reduced(name),
-        }
-    }
-
-    fn encoded(
-        &self,
-        name: &str,
-        png: Result<Vec<u8>, png::EncodingError>,
-    ) -> Result<Vec<u8>, TradeError> {
+        let exact = is_map.then(|| exact_png(width, height, &rgb)).flatten();
+        let png = exact.unwrap_or_else(|| self.reducer.png(width, height, &rgb));
         png.map_err(|error| unreadable(self.folder, name, error))
     }
 }

@@ -9,7 +9,6 @@ use std::ops::Range;
 const SIZE: (u32, u32) = (420, 270);
 /// Silhouette-exact points.
 const EXACT: RGBColor = RGBColor(10, 120, 80);
-/// The others.
 const OTHER: RGBColor = RGBColor(190, 90, 20);
 /// The line through a front.
 const FRONT: RGBColor = RGBColor(170, 170, 170);

@@ -1,7 +1,7 @@
 //! All points of a design space, in any order, on any number of programs, each kept when it is finished.
 
 use super::TradeError;
-use super::design::{Accuracy, Design};
+use super::design::Design;
 use super::measure::{Measured, measure};
 use super::point::{Cost, CostsOf, Point};
 use super::report::{Trade, assemble};
@@ -56,11 +56,8 @@ pub struct Shard {
 /// Machines whose costs are asked for at once, and kept before the next ones.
 const TOGETHER: usize = 48;
 
-/// Points of the same pixels.
-struct Group<'a> {
-    accuracy: Accuracy,
-    designs: &'a [Design],
-}
+/// Points of the same pixels, at least one.
+type Group<'a> = &'a [Design];
 
 /// A scene, solved when a point first asks for it.
 struct Subject<'a> {
@@ -78,7 +75,7 @@ pub fn run(request: &Request) -> Result<Trade, TradeError> {
     if !request.out.join(&truth).is_file() {
         subject.truth()?;
     }
-    subject.finish(&groups(&request.designs))?;
+    subject.finish(&groups(&request.designs).collect::<Vec<_>>())?;
     subject.add_costs()?;
     let points = request.designs.iter().map(|design| {
         let id = design.name();
@@ -111,23 +108,14 @@ pub fn check(request: &Request) -> Result<(), TradeError> {
 /// Measures a part of the points and keeps them, without costs; gives their number.
 pub fn run_shard(request: &Request, shard: Shard) -> Result<usize, TradeError> {
     let subject = Subject::new(request)?;
-    let groups: Vec<Group> = groups(&request.designs)
-        .into_iter()
-        .skip(shard.number - 1)
-        .step_by(shard.of)
-        .collect();
+    let groups = groups(&request.designs).skip(shard.number - 1);
+    let groups: Vec<Group> = groups.step_by(shard.of).collect();
     subject.finish(&groups)?;
-    Ok(groups.iter().map(|group| group.designs.len()).sum())
+    Ok(groups.concat().len())
 }
 
-fn groups(designs: &[Design]) -> Vec<Group<'_>> {
-    designs
-        .chunk_by(|a, b| a.accuracy == b.accuracy)
-        .map(|designs| Group {
-            accuracy: designs[0].accuracy,
-            designs,
-        })
-        .collect()
+fn groups(designs: &[Design]) -> impl Iterator<Item = Group<'_>> {
+    designs.chunk_by(|a, b| a.accuracy == b.accuracy)
 }
 
 impl<'a> Subject<'a> {
@@ -184,13 +172,13 @@ impl<'a> Subject<'a> {
             if !self.is_kept(group) {
                 self.measure(group)?;
             }
-            (self.request.done)(group.designs.len() as u64);
+            (self.request.done)(group.len() as u64);
             Ok(())
         })
     }
 
-    fn is_kept(&self, group: &Group) -> bool {
-        let mut names = group.designs.iter().map(Design::name);
+    fn is_kept(&self, group: Group) -> bool {
+        let mut names = group.iter().map(Design::name);
         names.all(|id| self.store.take(&id).is_some())
     }
 
@@ -238,10 +226,11 @@ impl<'a> Subject<'a> {
         }
     }
 
-    fn measure(&self, group: &Group) -> Result<(), TradeError> {
+    fn measure(&self, group: Group) -> Result<(), TradeError> {
         let truth = self.truth()?;
-        let measured = measure(&self.framed, truth, &group.accuracy);
-        let name = group.accuracy.name();
+        let accuracy = group[0].accuracy;
+        let measured = measure(&self.framed, truth, &accuracy);
+        let name = accuracy.name();
         let files = (format!("pictures/{name}.png"), format!("maps/{name}.png"));
         if let Ok(measured) = &measured {
             for (file, rgb) in [(&files.0, &measured.rgb), (&files.1, &measured.map)] {
@@ -249,7 +238,7 @@ impl<'a> Subject<'a> {
                 write_png(&path, truth.width, truth.height, rgb)?;
             }
         }
-        for design in group.designs {
+        for design in group {
             let point = match &measured {
                 Ok(measured) => self.point(design, measured, &files),
                 Err(problem) => self.refused(design, problem),

@@ -12,11 +12,9 @@ pub struct Key {
     pub scene: String,
     /// The scene as the commands name it.
     pub name: String,
-    /// Picture size.
     pub size: (u32, u32),
     /// Device of the costs.
     pub target: String,
-    /// The program.
     pub program: String,
 }
 
@@ -28,7 +26,6 @@ struct Kept {
 
 /// A folder of results.
 pub struct Store<'a> {
-    /// The folder.
     pub folder: &'a Path,
     /// What its results must belong to.
     pub key: Key,
@@ -51,8 +48,6 @@ impl Store<'_> {
             .all(|name| self.folder.join(name).is_file());
         (kept.key == self.key && kept.point.id == id && has_pictures).then_some(kept.point)
     }
-
-    /// Keeps a point.
     pub fn keep(&self, point: &Point) -> Result<(), WriteError> {
         let kept = Kept {
             key: self.key.clone(),

@@ -6,6 +6,7 @@
 use super::exact::{ExactLinear, ExactQuadratic};
 use super::random::Random;
 use super::shape::{draw_linear, draw_quadratic};
+use imogene_algebra::rational::to_f64_up;
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
 use imogene_golden::unit::depth_interval::Class;
@@ -13,7 +14,8 @@ use imogene_golden::unit::normal::NormalWords;
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;
 use imogene_prepare::RoundingBounds;
-use imogene_prepare::rounding::Anchor;
+use imogene_prepare::forms::{LinearForm, QuadraticForm};
+use imogene_prepare::rounding::{Anchor, linear_error, quadratic_error};
 
 /// Most pixels of a box along each side.
 const MOST_PIXELS: u64 = 1 << 10;
@@ -24,23 +26,18 @@ pub(super) struct ExactNormal {
     pub g: [ExactLinear; 3],
     /// Numerators of the factors.
     pub k: [i128; 3],
-    /// Their denominator.
     pub denominator: i128,
 }
 
 /// One case. Exact expressions are in units of the last guard bit, in coordinates centred on the anchor.
 pub(super) struct Case {
-    /// Widths.
     pub format: Format,
     /// Pixel about which is rounded.
     pub anchor: Anchor,
     /// The box in coordinates centred on the anchor.
     pub reach: ScreenBox,
-    /// Exact f1.
     pub f1: ExactLinear,
-    /// Exact f2.
     pub f2: ExactQuadratic,
-    /// Exact normal.
     pub normal: ExactNormal,
     /// What the machine is loaded with.
     pub words: QuadricWords,
@@ -51,7 +48,6 @@ pub(super) struct Case {
 }
 
 impl Case {
-    /// Draws a case.
     pub fn draw(format: &Format, random: &mut Random) -> Case {
         let (window, anchor, reach) = draw_box(most_pixels(format), random);
         let f1 = draw_linear(format, &reach, random);
@@ -101,14 +97,20 @@ fn stated(
     reach: &ScreenBox,
 ) -> RoundingBounds {
     let unit = |guards: u32| 0.5f64.powi(guards as i32);
+    let linear = |exact: &ExactLinear| {
+        let [a, b, c] = exact.rounded();
+        let form = LinearForm::of_array(exact.form());
+        to_f64_up(&linear_error(&Linear::new(a, b, c), &form, 0, reach))
+    };
+    let (words, form) = (
+        Quadratic::new(f2.rounded()),
+        QuadraticForm::of_array(f2.form()),
+    );
+    let f2 = to_f64_up(&quadratic_error(&words, &form, 0, reach));
     RoundingBounds {
-        f1: f1.residual().max_abs_on(reach) * unit(format.guard_linear),
-        f2: f2.residual().max_abs_on(reach) * unit(format.guard_quadratic),
-        normal: normal
-            .g
-            .iter()
-            .map(|g| g.residual().max_abs_on(reach))
-            .fold(0.0, f64::max),
+        f1: linear(f1) * unit(format.guard_linear),
+        f2: f2 * unit(format.guard_quadratic),
+        normal: normal.g.iter().map(linear).fold(0.0, f64::max),
         ..RoundingBounds::of_format(format)
     }
 }
@@ -118,12 +120,7 @@ fn stated(
 fn most_pixels(format: &Format) -> u64 {
     let fits = |most: &u64| {
         let side = (most / 2) as i64;
-        let reach = ScreenBox {
-            x0: -side,
-            x1: side,
-            y0: -side,
-            y1: side,
-        };
+        let reach = ScreenBox::of([-side, side], [-side, side]);
         let word = |bits: u32| f64::exp2(f64::from(bits));
         Anchor::ORIGIN.linear_bound(&reach) <= 0.05 * word(format.depth + format.guard_linear)
             && Anchor::ORIGIN.quadratic_bound(&reach) <= 0.1 * word(format.pe2_width() - 1)
@@ -133,31 +130,18 @@ fn most_pixels(format: &Format) -> u64 {
 }
 
 fn draw_box(most: u64, random: &mut Random) -> (ScreenBox, Anchor, ScreenBox) {
+    // All magnitudes of boxes alike.
     let mut side = || {
-        let limit = random_limit(most, random.next());
+        let limit = (most >> (random.next() % 10)).max(1);
         random.below(limit) as i64
     };
     let (width, height) = (side(), side());
     let (x0, y0) = (random.between(0, 2047), random.between(0, 2047));
-    let window = ScreenBox {
-        x0,
-        x1: x0 + width,
-        y0,
-        y1: y0 + height,
-    };
+    let (columns, lines) = ([x0, x0 + width], [y0, y0 + height]);
+    let window = ScreenBox::of(columns, lines);
     let anchor = Anchor::middle_of(&window);
-    let reach = ScreenBox {
-        x0: window.x0 - anchor.x,
-        x1: window.x1 - anchor.x,
-        y0: window.y0 - anchor.y,
-        y1: window.y1 - anchor.y,
-    };
+    let reach = ScreenBox::of(columns.map(|x| x - anchor.x), lines.map(|y| y - anchor.y));
     (window, anchor, reach)
-}
-
-/// All magnitudes of boxes alike.
-fn random_limit(most: u64, bits: u64) -> u64 {
-    (most >> (bits % 10)).max(1)
 }
 
 /// Bits that hold the greatest root on the box, of the rounded f2: where the exact one is next to nothing, rounding
@@ -207,6 +191,5 @@ fn placed_linear(exact: &ExactLinear, anchor: Anchor) -> Linear {
 }
 
 fn placed_quadratic(exact: &ExactQuadratic, anchor: Anchor) -> Quadratic {
-    let [a, b, c, d, e, f] = exact.rounded();
-    Quadratic { a, b, c, d, e, f }.from_zone(-anchor.x, -anchor.y)
+    Quadratic::new(exact.rounded()).from_zone(-anchor.x, -anchor.y)
 }

@@ -24,7 +24,6 @@ use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
 use imogene_golden::widths;
 use random::Random;
-use rayon::prelude::*;
 use serde::Serialize;
 use tally::Tally;
 
@@ -154,19 +153,14 @@ pub fn run(
     always_exactly: bool,
     piece_done: impl Fn(u64) + Sync,
 ) -> TrialReport {
-    let pieces = cases.div_ceil(PIECE);
-    // Collected and added in order, so that the sums are the same in every run.
-    let tallies: Vec<Tally> = (0..pieces)
-        .into_par_iter()
-        .map(|piece| {
-            let range = piece * PIECE..cases.min((piece + 1) * PIECE);
-            let count = range.end - range.start;
-            let mut tally = Tally::new(always_exactly);
-            range.for_each(|case| try_case(format, seed, case, &mut tally));
-            piece_done(count);
-            tally
-        })
-        .collect();
+    let tallies = random::in_pieces(cases, PIECE, piece_done, |range| {
+        let mut tally = Tally {
+            always_exactly,
+            ..Tally::default()
+        };
+        range.for_each(|case| try_case(format, seed, case, &mut tally));
+        tally
+    });
     let tally = tallies.into_iter().fold(Tally::default(), Tally::merged);
     report(format, cases, tally)
 }

@@ -5,12 +5,13 @@ use super::tally::{Tally, Term};
 use imogene_algebra::rational::from_f64_exact;
 use imogene_algebra::vector::{cross, dot, length};
 use imogene_analysis::bounds::quadric_sine;
+use imogene_analysis::exact::surd::Surd;
 use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR};
 use imogene_golden::unit::normal::select;
 use imogene_golden::unit::root::fast_root;
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::Signed;
+use std::cmp::Ordering;
 
 /// Compares the directions of both faces' normals at a place of the box, where both signs of f2 are not negative.
 pub(super) fn try_normals(case: &Case, place: (i64, i64), tally: &mut Tally) {
@@ -48,9 +49,6 @@ struct Truth {
     radicand: (i128, i128),
 }
 
-/// `p + q s`, exactly, with the positive root s of the radicand.
-type WithRoot = (BigRational, BigRational);
-
 impl Truth {
     fn at(case: &Case, (u, v): (i64, i64), sign: i128) -> Truth {
         let unit = 1i128 << (u32::from(case.words.normal.shift) + case.format.product_fraction());
@@ -85,49 +83,26 @@ impl Truth {
     /// The angle is less than a right one and its sine at most `sine`, exactly: `|u x N|^2 <= sine^2 |u|^2 |N|^2` and
     /// `u N > 0`.
     fn within(&self, normal: [i16; 3], sine: f64) -> bool {
-        let ratio = |(n, d): (i128, i128)| BigRational::new(n.into(), d.into());
-        let radicand = ratio(self.radicand);
-        let n: [WithRoot; 3] =
-            std::array::from_fn(|k| (ratio(self.linear[k]), ratio(self.factor[k])));
-        let u = normal.map(|v| BigRational::from_integer(BigInt::from(v)));
-        let times = |k: usize, j: usize| -> WithRoot { (&u[k] * &n[j].0, &u[k] * &n[j].1) };
-        let minus = |a: WithRoot, b: WithRoot| (a.0 - b.0, a.1 - b.1);
-        let across = [(1, 2), (2, 0), (0, 1)].map(|(k, j)| minus(times(k, j), times(j, k)));
-        let along = [0, 1, 2].map(|k| times(k, k));
-        let along = sum(along);
-        let squared = |(p, q): &WithRoot| -> WithRoot {
-            (
-                p * p + q * q * &radicand,
-                BigRational::from_integer(2.into()) * p * q,
-            )
-        };
-        let limit = from_f64_exact(sine);
-        let size: BigRational = u.iter().map(|v| v * v).sum();
-        let factor = &limit * &limit * size;
-        let left = sum(across.each_ref().map(squared));
-        let right = sum(n.each_ref().map(squared));
-        let rest = (right.0 * &factor - left.0, right.1 * &factor - left.1);
-        !is_negative(&rest, &radicand) && is_positive(&along, &radicand)
+        // Times a positive factor, which changes neither, all is whole.
+        let [radicand, unit] = [self.radicand.0, self.radicand.1].map(BigInt::from);
+        let n: [Surd; 3] = std::array::from_fn(|k| {
+            let ((p, d), (q, e)) = (self.linear[k], self.factor[k]);
+            let [p, d, q, e] = [p, d, q, e].map(BigInt::from);
+            Surd::new(p * e * &unit, q * d, &radicand * &unit)
+        });
+        let u = normal.map(BigInt::from);
+        let across =
+            [(1, 2), (2, 0), (0, 1)].map(|(k, j)| n[j].times(&u[k]).minus(&n[k].times(&u[j])));
+        let along = sum([0, 1, 2].map(|k| n[k].times(&u[k])));
+        let square = |n: &[Surd; 3]| sum(n.each_ref().map(|v| v.product(v)));
+        let limit = from_f64_exact(sine).pow(2) * BigRational::from_integer(dot(&u, &u));
+        let rest = square(&n)
+            .times(limit.numer())
+            .minus(&square(&across).times(limit.denom()));
+        rest.sign() != Ordering::Less && along.sign() == Ordering::Greater
     }
 }
 
-fn sum(parts: [WithRoot; 3]) -> WithRoot {
-    let [a, b, c] = parts;
-    (a.0 + b.0 + c.0, a.1 + b.1 + c.1)
-}
-
-/// True if `p + q sqrt(b) < 0`.
-fn is_negative((p, q): &WithRoot, b: &BigRational) -> bool {
-    let root = q * q * b;
-    match (p.is_negative(), q.is_negative()) {
-        (false, false) => false,
-        (true, true) => true,
-        // The greater square wins.
-        (true, false) => root < p * p,
-        (false, true) => root > p * p,
-    }
-}
-
-fn is_positive((p, q): &WithRoot, b: &BigRational) -> bool {
-    is_negative(&(-p, -q), b)
+fn sum([a, b, c]: [Surd; 3]) -> Surd {
+    a.plus(&b).plus(&c)
 }

@@ -3,9 +3,10 @@
 
 use super::case::Case;
 use super::tally::{Tally, Term};
-use imogene_algebra::rational::from_f64_exact;
+use imogene_algebra::rational::{from_f64_exact, integer};
 use imogene_analysis::bounds::displacement_at;
-use num_bigint::BigInt;
+use imogene_golden::unit::pe2::Quadratic;
+use imogene_prepare::forms::QuadraticForm;
 use num_rational::BigRational;
 use num_traits::Signed;
 
@@ -64,11 +65,7 @@ fn crossing(case: &Case, (u, v): (i64, i64), [n, m]: [f64; 2]) -> f64 {
 
 /// The true f2 a step beside a place of the box, exactly but for a positive factor.
 fn exact_at(case: &Case, (u, v): (i64, i64), step: [f64; 2]) -> BigRational {
-    let [a, b, c, d, e, f] = case
-        .f2
-        .factors
-        .map(|n| BigRational::from_integer(BigInt::from(n)));
-    let at = |start: i64, s: f64| BigRational::from_integer(start.into()) + from_f64_exact(s);
-    let (u, v) = (at(u, step[0]), at(v, step[1]));
-    (a * &u + c * &v + d) * &u + (b * &v + e) * &v + f
+    let at = |start: i64, s: f64| integer(start) + from_f64_exact(s);
+    let form = QuadraticForm::of_words(&Quadratic::new(case.f2.factors));
+    form.at(&at(u, step[0]), &at(v, step[1]))
 }

@@ -1,6 +1,28 @@
 //! Random numbers for the trial: the same from the same seed in every build (SplitMix64 of Steele, Lea and Flood,
 //! 2014).
 
+use rayon::prelude::*;
+use std::ops::Range;
+
+/// What `tried` makes of `cases` cases, piece by piece of so many, on all threads; `piece_done` is called after each
+/// with the number of cases in it. In the order of the cases, so that sums are the same in every run.
+pub(crate) fn in_pieces<T: Send>(
+    cases: u64,
+    piece: u64,
+    piece_done: impl Fn(u64) + Sync,
+    tried: impl Fn(Range<u64>) -> T + Sync,
+) -> Vec<T> {
+    let pieces = (0..cases.div_ceil(piece)).into_par_iter();
+    let one = |number: u64| {
+        let range = number * piece..cases.min((number + 1) * piece);
+        let count = range.end - range.start;
+        let found = tried(range);
+        piece_done(count);
+        found
+    };
+    pieces.map(one).collect()
+}
+
 /// The state of a generator.
 pub(crate) struct Random(u64);
 

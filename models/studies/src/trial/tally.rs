@@ -92,26 +92,18 @@ pub struct Fared {
     pub comparisons: u64,
     /// Greatest ratio of an error to its bound.
     pub tightness: f64,
-    /// Mean ratio of an error to its bound, where the bound is not zero.
+    /// Mean ratio of an error to its bound, where the bound is not zero; while it is counted, their sum.
     pub mean: f64,
     /// The error where that was.
     pub observed: f64,
     /// The bound where that was.
     pub bound: f64,
-}
-
-/// [`Fared`] while it is counted.
-#[derive(Clone, Copy, Debug, Default)]
-struct Count {
-    comparisons: u64,
+    /// Comparisons with a bound that is not zero.
+    #[serde(skip)]
     bounded: u64,
-    sum: f64,
-    tightness: f64,
-    observed: f64,
-    bound: f64,
 }
 
-impl Count {
+impl Fared {
     fn add(&mut self, observed: f64, bound: f64) {
         self.comparisons += 1;
         if bound == 0.0 {
@@ -119,21 +111,21 @@ impl Count {
         }
         let ratio = observed / bound;
         self.bounded += 1;
-        self.sum += ratio;
+        self.mean += ratio;
         if ratio > self.tightness {
             (self.tightness, self.observed, self.bound) = (ratio, observed, bound);
         }
     }
 
-    fn merged(self, other: Count) -> Count {
+    fn merged(self, other: Fared) -> Fared {
         let tighter = match other.tightness > self.tightness {
             true => other,
             false => self,
         };
-        Count {
+        Fared {
             comparisons: self.comparisons + other.comparisons,
             bounded: self.bounded + other.bounded,
-            sum: self.sum + other.sum,
+            mean: self.mean + other.mean,
             ..tighter
         }
     }
@@ -158,18 +150,11 @@ pub(super) struct Tally {
     pub signs: u64,
     /// Normals whose direction the words do not determine.
     pub undetermined: u64,
-    counts: [Count; Term::ALL.len()],
+    /// How each bound fares.
+    pub counts: [Fared; Term::ALL.len()],
 }
 
 impl Tally {
-    /// Nothing counted yet.
-    pub fn new(always_exactly: bool) -> Tally {
-        Tally {
-            always_exactly,
-            ..Tally::default()
-        }
-    }
-
     /// Compares an error with its bound. `exactly` makes the same comparison in integers and is asked whenever `f64`
     /// cannot tell.
     pub fn compare(
@@ -204,11 +189,8 @@ impl Tally {
     pub fn fared(&self, term: Term) -> Fared {
         let count = self.counts[term as usize];
         Fared {
-            comparisons: count.comparisons,
-            tightness: count.tightness,
-            mean: count.sum / count.bounded.max(1) as f64,
-            observed: count.observed,
-            bound: count.bound,
+            mean: count.mean / count.bounded.max(1) as f64,
+            ..count
         }
     }
 

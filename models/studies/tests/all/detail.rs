@@ -19,7 +19,7 @@ use imogene_golden::unit::pe2::Quadratic;
 use imogene_plan::culling::all_planes;
 use imogene_plan::culling::part::{Matter, matter, with_planes};
 use imogene_plan::culling::reduce::{Fate, Reduced};
-use imogene_plan::culling::volume::{Seen, VolumeMatter, matter_of_volume, volume_with_planes};
+use imogene_plan::culling::volume::{Seen, matter_of_volume, volume_with_planes};
 use imogene_plan::culling::zones::window_of;
 use imogene_plan::split::Division;
 use imogene_prepare::PreparedScene;
@@ -274,11 +274,11 @@ fn bounds_never_contradict_a_volume_at_any_surface_point() {
                     asked += 1;
                     truly += usize::from(truth.is_empty());
                     match matter_of_volume(&volume, &seen, &format) {
-                        VolumeMatter::AllOutside => {
+                        Matter::Nothing => {
                             outside += 1;
                             assert!(truth.is_empty(), "{path} {window:?}");
                         }
-                        VolumeMatter::With(planes) => {
+                        Matter::With(planes) => {
                             let left = volume_with_planes(&volume, planes);
                             assert!(
                                 inside(&left, &pixels, size, &format) == truth,

@@ -1,12 +1,14 @@
 //! The search for the smallest machine: what is found meets the budget, and one bit less anywhere does not.
 
+use imogene_contract::MachineWords;
 use imogene_scene::SceneFile;
 use imogene_studies::fit::FitError;
 use imogene_studies::fit::budget::{Budget, CountLimit, DepthLimit};
-use imogene_studies::fit::frames::{Drawn, Frames, Words};
+use imogene_studies::fit::frames::{Drawn, Frames};
 use imogene_studies::fit::proof;
 use imogene_studies::fit::proof::Proof;
 use imogene_studies::fit::search::{Outcome, search};
+use imogene_studies::kit::words::widest;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -29,15 +31,10 @@ fn found(frames: &Frames, budget: &Budget) -> Vec<Drawn> {
     }
 }
 
-fn words_of(drawn: &Drawn) -> Words {
+fn words_of(drawn: &Drawn) -> MachineWords {
     let w = &drawn.widths;
-    Words {
-        depth: w.depth,
-        normal: w.normal,
-        guard_linear: w.guard_linear,
-        guard_quadratic: w.guard_quadratic,
-        dropped_rows: w.dropped_rows,
-    }
+    let guards = (w.guard_linear, w.guard_quadratic);
+    widest(w.depth, w.normal, guards, w.dropped_rows)
 }
 
 fn budgets() -> [Budget; 3] {
@@ -70,16 +67,19 @@ fn what_is_found_meets_the_budget_and_one_bit_less_does_not() {
             assert!(!found.is_empty() && found.iter().all(Drawn::fits));
             for drawn in &found {
                 let words = words_of(drawn);
-                let fits = |words: &Words| {
+                let fits = |words: &MachineWords| {
                     let drawn = frames.draw(words, &budget).unwrap();
                     drawn.is_some_and(|drawn| drawn.fits())
                 };
                 let less = [
-                    words.guard_linear.checked_sub(1).map(|guard_linear| Words {
-                        guard_linear,
-                        ..words
-                    }),
-                    (words.normal > 10).then(|| Words {
+                    words
+                        .guard_linear
+                        .checked_sub(1)
+                        .map(|guard_linear| MachineWords {
+                            guard_linear,
+                            ..words
+                        }),
+                    (words.normal > 10).then(|| MachineWords {
                         normal: words.normal - 1,
                         ..words
                     }),

@@ -209,8 +209,7 @@ impl Subject<'_> {
         let window = object.words.screen_box;
         let anchor = object.anchor;
         let signs = true_signs(&object.exact.f2, &window, |x, y| {
-            let (u, v) = ((x - anchor.x).abs() as f64, (y - anchor.y).abs() as f64);
-            0.5 * (u * u + v * v + u * v + u + v + 1.0)
+            anchor.quadratic_bound(&ScreenBox::of([x, x], [y, y]))
         });
         Subject {
             object,

@@ -1,11 +1,11 @@
 //! The true sign of f2 at every pixel of a box, in big integers.
 
-use imogene_algebra::rational::integer;
+use crate::exact::ray::second_degree;
+use imogene_algebra::whole::common_denominator;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_prepare::forms::QuadraticForm;
 use num_bigint::{BigInt, Sign};
-use num_integer::Integer;
-use num_traits::{One, Signed, ToPrimitive};
+use num_traits::{Signed, ToPrimitive};
 use rayon::prelude::*;
 
 /// What is true of f2 on a box; no format and no rounding has a part in it but the scale.
@@ -26,19 +26,19 @@ pub(super) fn true_signs(
     window: &ScreenBox,
     reach: impl Fn(i64, i64) -> f64 + Sync,
 ) -> TrueSigns {
-    let (form, denominator) = whole(exact);
+    let (form, denominator) = common_denominator(exact.factors());
     let unit = denominator.to_f64().expect("a finite or infinite float");
     let line = |y: i64| {
-        let mut line = Line {
+        let mut line = TrueSigns {
             present: vec![],
             ties: 0,
             risk: 0.0,
         };
         // Forward differences along the line.
-        let at = |x: i64| form.value(x, y);
+        let at = |x: i64| second_degree(&form, x, y);
         let mut value = at(window.x0);
         let mut step = at(window.x0 + 1) - &value;
-        let second: BigInt = &form.0[0] * 2;
+        let second: BigInt = &form[0] * 2;
         for x in window.x0..=window.x1 {
             line.present.push(!value.is_negative());
             if value.sign() == Sign::NoSign {
@@ -52,18 +52,12 @@ pub(super) fn true_signs(
         }
         line
     };
-    let lines: Vec<Line> = (window.y0..=window.y1).into_par_iter().map(line).collect();
+    let lines: Vec<TrueSigns> = (window.y0..=window.y1).into_par_iter().map(line).collect();
     TrueSigns {
         ties: lines.iter().map(|l| l.ties).sum(),
         risk: lines.iter().map(|l| l.risk).fold(0.0, f64::max),
         present: lines.into_iter().flat_map(|l| l.present).collect(),
     }
-}
-
-struct Line {
-    present: Vec<bool>,
-    ties: u64,
-    risk: f64,
 }
 
 /// |value / denominator|, also where one of them is beyond `f64`.
@@ -77,28 +71,4 @@ fn magnitude(value: &BigInt, denominator: &BigInt, unit: f64) -> f64 {
     let lead = |v: &BigInt, bits: i64| (v.abs() >> (bits - 60).max(0)).to_f64().expect("60 bits");
     let power = (n - 60).max(0) - (d - 60).max(0);
     lead(value, n) / lead(denominator, d) * f64::exp2(power as f64)
-}
-
-/// Integer factors a to f.
-struct Whole([BigInt; 6]);
-
-impl Whole {
-    fn value(&self, x: i64, y: i64) -> BigInt {
-        let [a, b, c, d, e, f] = &self.0;
-        (a * x + c * y + d) * x + (b * y + e) * y + f
-    }
-}
-
-/// The expression as integers over one positive denominator.
-fn whole(form: &QuadraticForm) -> (Whole, BigInt) {
-    let factors = [&form.a, &form.b, &form.c, &form.d, &form.e, &form.f];
-    let denominator = factors
-        .iter()
-        .fold(BigInt::one(), |acc, v| acc.lcm(v.denom()));
-    let numerators = factors.map(|v| v.numer() * (&denominator / v.denom()));
-    debug_assert_eq!(
-        form.at(&integer(3), &integer(5)).numer() * &denominator,
-        Whole(numerators.clone()).value(3, 5) * form.at(&integer(3), &integer(5)).denom()
-    );
-    (Whole(numerators), denominator)
 }

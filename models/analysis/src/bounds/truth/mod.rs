@@ -43,19 +43,13 @@ enum Shape {
 
 impl Truth {
     pub fn new(object: &FramedObject, scene: &FramedScene, format: &Format) -> Truth {
-        let (projection, width, height) = (&scene.projection, scene.width, scene.height);
-        let shape = match object.cut_quadric() {
-            Some(cut) => {
-                let ray = RayObject::new(&cut, projection, width, height);
-                Shape::Cut(Box::new(CutShape::new(ray)))
+        let shape = match (object, object.cut_quadric()) {
+            (_, Some(cut)) => Shape::Cut(Box::new(CutShape::new(RayObject::new(&cut, scene)))),
+            (FramedObject::Mesh(mesh), None) => {
+                let mesh = RayMesh::new(mesh, scene);
+                Shape::Mesh(MeshShape::new(mesh, scene.height.into()))
             }
-            None => {
-                let FramedObject::Mesh(mesh) = object else {
-                    unreachable!("only a mesh is no cut quadric")
-                };
-                let mesh = RayMesh::new(mesh, projection, width, height);
-                Shape::Mesh(MeshShape::new(mesh, i64::from(height)))
-            }
+            _ => unreachable!("only a mesh is no cut quadric"),
         };
         Truth {
             shape,
@@ -297,7 +291,7 @@ impl MeshShape {
         let mut window = ScreenBox::EMPTY;
         for (index, facet) in facets.iter().enumerate() {
             let own = &facet.ray.window;
-            window = around(&window, own);
+            window = window.around(own);
             for y in own.y0.max(0)..=own.y1.min(height - 1) {
                 by_line[y as usize].push(index);
             }
@@ -326,15 +320,6 @@ impl MeshShape {
             }
         }
         seen
-    }
-}
-
-/// The least box around two, of which any may be empty.
-pub(super) fn around(one: &ScreenBox, other: &ScreenBox) -> ScreenBox {
-    match (one.is_empty(), other.is_empty()) {
-        (true, _) => *other,
-        (_, true) => *one,
-        _ => one.around(other),
     }
 }
 

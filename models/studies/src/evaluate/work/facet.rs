@@ -1,7 +1,8 @@
 //! A facet of three corners on its way to the display: set-up of both conversions, quantities over it, whole numbers
 //! (source: Tables 5.1, 5.4, 5.5).
 
-use crate::evaluate::count::{Counted, dot};
+use crate::evaluate::count::Counted;
+use imogene_algebra::vector::dot;
 
 /// Corners: column, line, depth.
 pub type Corners<'c> = [[Counted<'c>; 3]; 3];
@@ -146,7 +147,7 @@ pub fn expressed<'c>(shape: &Shape<'c>, corners: Corners<'c>, w: [Counted<'c>; 3
 
 /// The value of an expression.
 pub fn value<'c>(line: &Line<'c>, x: Counted<'c>, y: Counted<'c>) -> Counted<'c> {
-    dot(&line[..2], &[x, y]) + line[2]
+    dot([line[0], line[1]], [x, y]) + line[2]
 }
 
 /// Is a point inside the facet? All sides are asked.

@@ -1,7 +1,8 @@
 //! The light at a corner, by Phong's formula (source: 1.2.4, Tables 5.2 and 5.3).
 
 use super::transform::normalised;
-use crate::evaluate::count::{Counted, dot};
+use crate::evaluate::count::Counted;
+use imogene_algebra::vector::dot;
 
 /// Where a source or the viewer is.
 #[derive(Clone, Copy, Debug)]
@@ -64,10 +65,10 @@ pub fn light<'c>(
 ) -> [Counted<'c>; 3] {
     let n = normalised(normal);
     let l = source.seen_from(point);
-    let cosine = clamped(dot(&n, &l));
+    let cosine = clamped(dot(n, l));
     let twice = cosine.doubled();
     let mirrored: [Counted<'c>; 3] = std::array::from_fn(|axis| twice * n[axis] - l[axis]);
-    let glance = clamped(dot(&viewer.seen_from(point), &mirrored));
+    let glance = clamped(dot(viewer.seen_from(point), mirrored));
     let shine = power(glance, colours.exponent);
     std::array::from_fn(|k| {
         colours.ambient[k] + colours.diffuse[k] * cosine + colours.specular[k] * shine

@@ -1,38 +1,20 @@
-//! Changes of frame: points, normals, planes and quadrics under a matrix of 4 x 4 (source: 2.1.1, 5.1.2).
+//! Changes of frame: points, normals, planes and quadrics under a matrix of 4 x 4 (source: 2.1.1, 5.1.2). Products and
+//! cofactors are those with which the preparation of this project computes.
 
-use crate::evaluate::count::{Counted, dot};
+use crate::evaluate::count::Counted;
+use imogene_algebra::matrix::{Matrix4, SYMMETRIC, cofactor, product, symmetric, transposed};
+use imogene_algebra::vector::dot;
 
 /// A matrix by rows; points are columns.
-pub type Matrix<'c> = [[Counted<'c>; 4]; 4];
+pub type Matrix<'c> = Matrix4<Counted<'c>>;
 
-/// Rows and columns of the ten coefficients of a quadric in its matrix, in the order a to j.
-pub const PLACES: [(usize, usize); 10] = [
-    (0, 0),
-    (1, 1),
-    (2, 2),
-    (0, 1),
-    (0, 2),
-    (1, 2),
-    (0, 3),
-    (1, 3),
-    (2, 3),
-    (3, 3),
-];
-
-fn column<'c>(m: &Matrix<'c>, index: usize) -> [Counted<'c>; 4] {
-    m.map(|row| row[index])
-}
-
-/// The product of two matrices.
-pub fn product<'c>(left: &Matrix<'c>, right: &Matrix<'c>) -> Matrix<'c> {
-    std::array::from_fn(|row| std::array::from_fn(|col| dot(&left[row], &column(right, col))))
-}
-
-/// The same for matrices whose last row is 0 0 0 1, which is neither read nor computed.
+/// The product of matrices whose last row is 0 0 0 1, which is neither read nor computed.
 pub fn affine_product<'c>(left: &Matrix<'c>, right: &Matrix<'c>) -> Matrix<'c> {
+    let columns = transposed(right);
     let entry = |row: usize, col: usize| {
-        let sum = dot(&left[row][..3], &column(right, col)[..3]);
-        if col == 3 { sum + left[row][3] } else { sum }
+        let ([a, b, c, d], [x, y, z, _]) = (left[row], columns[col]);
+        let sum = dot([a, b, c], [x, y, z]);
+        if col == 3 { sum + d } else { sum }
     };
     let last = right[3];
     std::array::from_fn(|row| match row {
@@ -42,8 +24,8 @@ pub fn affine_product<'c>(left: &Matrix<'c>, right: &Matrix<'c>) -> Matrix<'c> {
 }
 
 /// The homogeneous image of a point.
-pub fn point<'c>(m: &Matrix<'c>, [x, y, z]: [Counted<'c>; 3]) -> [Counted<'c>; 4] {
-    m.map(|row| dot(&row[..3], &[x, y, z]) + row[3])
+pub fn point<'c>(m: &Matrix<'c>, p: [Counted<'c>; 3]) -> [Counted<'c>; 4] {
+    m.map(|[a, b, c, d]| dot([a, b, c], p) + d)
 }
 
 /// A point from its homogeneous one.
@@ -54,58 +36,20 @@ pub fn divided([x, y, z, w]: [Counted<'_>; 4]) -> [Counted<'_>; 3] {
 
 /// The image of a direction under the linear part.
 pub fn direction<'c>(m: &Matrix<'c>, v: [Counted<'c>; 3]) -> [Counted<'c>; 3] {
-    std::array::from_fn(|row| dot(&m[row][..3], &v))
-}
-
-/// The image of a plane's column under the cofactors.
-pub fn plane<'c>(cofactors: &Matrix<'c>, p: [Counted<'c>; 4]) -> [Counted<'c>; 4] {
-    cofactors.map(|row| dot(&row, &p))
+    let [x, y, z, _] = m.map(|[a, b, c, _]| [a, b, c]);
+    [x, y, z].map(|row| dot(row, v))
 }
 
 /// `C Q C'` of a symmetric Q; the product is symmetric, so ten of its entries are computed.
 pub fn quadric<'c>(cofactors: &Matrix<'c>, q: [Counted<'c>; 10]) -> [Counted<'c>; 10] {
-    let half = product(cofactors, &symmetric(q));
-    PLACES.map(|(row, col)| dot(&half[row], &cofactors[col]))
+    let half = product(cofactors, &symmetric(q.each_ref()));
+    SYMMETRIC.map(|[row, col]| dot(half[row], cofactors[col]))
 }
 
 /// The same, all sixteen entries of both products.
 pub fn quadric_in_full<'c>(cofactors: &Matrix<'c>, q: [Counted<'c>; 10]) -> Matrix<'c> {
-    let transposed = std::array::from_fn(|row| column(cofactors, row));
-    product(&product(cofactors, &symmetric(q)), &transposed)
-}
-
-fn symmetric(q: [Counted<'_>; 10]) -> Matrix<'_> {
-    let mut m = [[q[0]; 4]; 4];
-    for ((row, col), value) in PLACES.into_iter().zip(q) {
-        m[row][col] = value;
-        m[col][row] = value;
-    }
-    m
-}
-
-fn signed(value: Counted<'_>, row: usize, col: usize) -> Counted<'_> {
-    if (row + col).is_multiple_of(2) {
-        value
-    } else {
-        -value
-    }
-}
-
-/// All cofactors, one determinant of 3 x 3 after the other, each by its first row: how the preparation of this project
-/// forms them.
-pub fn cofactors<'c>(m: &Matrix<'c>) -> Matrix<'c> {
-    std::array::from_fn(|row| std::array::from_fn(|col| cofactor(m, row, col)))
-}
-
-fn cofactor<'c>(m: &Matrix<'c>, row: usize, col: usize) -> Counted<'c> {
-    let others = |skipped: usize| -> [usize; 3] {
-        std::array::from_fn(|index| index + usize::from(index >= skipped))
-    };
-    let [r0, r1, r2] = others(row).map(|index| &m[index]);
-    let [c0, c1, c2] = others(col);
-    let minor = |i: usize, j: usize| r1[i] * r2[j] - r1[j] * r2[i];
-    let value = r0[c0] * minor(c1, c2) - r0[c1] * minor(c0, c2) + r0[c2] * minor(c0, c1);
-    signed(value, row, col)
+    let half = product(cofactors, &symmetric(q.each_ref()));
+    product(&half, &transposed(cofactors))
 }
 
 /// All cofactors from the twelve minors of 2 x 2 that they share.
@@ -134,31 +78,34 @@ pub fn cofactors_of_shared_minors<'c>(m: &Matrix<'c>) -> Matrix<'c> {
                 std::array::from_fn(|index: usize| index + usize::from(index >= col));
             let sum = beside[c0] * table[c1][c2] - beside[c1] * table[c0][c2]
                 + beside[c2] * table[c0][c1];
-            signed(sum, row, col)
+            match (row + col).is_multiple_of(2) {
+                true => sum,
+                false => -sum,
+            }
         })
     })
 }
 
 /// The determinant from a row and its cofactors.
 pub fn determinant<'c>(m: &Matrix<'c>, cofactors: &Matrix<'c>) -> Counted<'c> {
-    dot(&m[0], &cofactors[0])
+    dot(m[0], cofactors[0])
 }
 
 /// The determinant alone, by the first row.
 pub fn determinant_alone<'c>(m: &Matrix<'c>) -> Counted<'c> {
     let row: [Counted<'c>; 4] = std::array::from_fn(|col| cofactor(m, 0, col));
-    dot(&m[0], &row)
+    dot(m[0], row)
 }
 
 /// The inverse: the transposed cofactors over the determinant.
 pub fn inverse<'c>(cofactors: &Matrix<'c>, determinant: Counted<'c>) -> Matrix<'c> {
     let one = determinant.reciprocal();
-    std::array::from_fn(|row| column(cofactors, row).map(|value| value * one))
+    transposed(cofactors).map(|row| row.map(|value| value * one))
 }
 
 /// A vector of length 1.
 pub fn normalised(v: [Counted<'_>; 3]) -> [Counted<'_>; 3] {
-    let one = dot(&v, &v).root().reciprocal();
+    let one = dot(v, v).root().reciprocal();
     v.map(|value| value * one)
 }
 
@@ -166,6 +113,7 @@ pub fn normalised(v: [Counted<'_>; 3]) -> [Counted<'_>; 3] {
 mod tests {
     use super::*;
     use crate::evaluate::count::Counter;
+    use imogene_algebra::matrix::{cofactors4, image};
 
     /// Whole numbers, so that every result is exact.
     const M: [[f64; 4]; 4] = [
@@ -188,13 +136,12 @@ mod tests {
     fn both_ways_to_the_cofactors_agree_and_invert() {
         let counter = Counter::default();
         let m = matrix(&counter);
-        let one_by_one = cofactors(&m);
+        let one_by_one = cofactors4(&m);
         assert_eq!(values(&one_by_one), values(&cofactors_of_shared_minors(&m)));
         let det = determinant(&m, &one_by_one);
         assert_eq!(det.value, determinant_alone(&m).value);
         // M times the transposed cofactors is the determinant times the identity.
-        let transposed = std::array::from_fn(|row| column(&one_by_one, row));
-        let identity = values(&product(&m, &transposed));
+        let identity = values(&product(&m, &transposed(&one_by_one)));
         for (i, row) in identity.into_iter().enumerate() {
             for (j, value) in row.into_iter().enumerate() {
                 assert_eq!(value, if i == j { det.value } else { 0.0 }, "{i} {j}");
@@ -214,20 +161,20 @@ mod tests {
     fn transformed_surfaces_go_through_the_images_of_their_points() {
         let counter = Counter::default();
         let m = matrix(&counter);
-        let c = cofactors(&m);
+        let c = cofactors4(&m);
         let det = determinant(&m, &c).value;
         let at = |q: [f64; 10], p: [f64; 4]| -> f64 {
-            let pairs = PLACES.iter().zip(q);
+            let pairs = SYMMETRIC.iter().zip(q);
             pairs
-                .map(|(&(i, j), v)| if i == j { v } else { 2.0 * v } * p[i] * p[j])
+                .map(|(&[i, j], v)| if i == j { v } else { 2.0 * v } * p[i] * p[j])
                 .sum()
         };
         let q = counter.numbers(Q);
         let moved = quadric(&c, q).map(|v| v.value);
         let full = values(&quadric_in_full(&c, q));
-        assert_eq!(moved, PLACES.map(|(row, col)| full[row][col]));
+        assert_eq!(moved, SYMMETRIC.map(|[row, col]| full[row][col]));
         let flat = [3.0, -2.0, 1.0, 4.0];
-        let moved_plane = plane(&c, counter.numbers(flat)).map(|v| v.value);
+        let moved_plane = image(&c, &counter.numbers(flat)).map(|v| v.value);
         for p in [[1.0, 2.0, 3.0], [-4.0, 0.0, 5.0], [2.0, -7.0, 1.0]] {
             let image = point(&m, counter.numbers(p)).map(|v| v.value);
             let [x, y, z] = p;
