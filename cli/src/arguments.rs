@@ -2,8 +2,6 @@
 
 mod accuracy;
 mod cosim;
-mod detail;
-mod evaluate;
 mod fit;
 mod frames;
 mod help;
@@ -14,31 +12,26 @@ mod oracle;
 mod parse;
 mod proof;
 mod scene;
-mod split;
 mod synth;
-mod terrain;
 mod trade;
 mod unit;
 
-pub use accuracy::{Bounds, Shading, Sweep};
+pub use accuracy::{Bounds, Evaluate, Shading, Sweep};
 use clap::{Parser, Subcommand};
 pub use cosim::{Cosim, EngineName, Speed};
-pub use detail::Detail;
-pub use evaluate::Evaluate;
 pub use fit::{Fit, FitEngine};
 pub use frames::FrameRange;
-pub use help::{Entry, GROUPS, Group, command};
-pub use import::{CellForm, Deviation, Import, ImportKind};
+pub use help::{GROUPS, Group, command};
+pub use import::{CellForm, Deviation, Import, ImportKind, Terrain};
 pub use look::LookOptions;
 pub use machine::{Machine, Refine};
 pub use oracle::{Cracks, Raytrace, Repair};
 pub use proof::{Mutate, Prove};
 pub use scene::{
-    Check, Guards, Model, New, Prepare, Primitives, Render, Scene, SceneWords, Size, View, Widths,
+    Check, Detail, Guards, Model, New, Prepare, Primitives, Render, Scene, SceneWords, Size, Split,
+    View,
 };
-pub use split::Split;
-pub use synth::{Parameter, Peers, Synth};
-pub use terrain::Terrain;
+pub use synth::{Peers, Synth};
 pub use trade::{Points, Trade, TradeEngine};
 pub use unit::{Contract, Demo, Emit, Fitted, Package, Processors, Roots, Shape};
 

@@ -62,6 +62,12 @@ pub fn json_text(value: &impl Serialize) -> String {
     serde_json::to_string_pretty(value).expect("reports have no unserialisable keys")
 }
 
+/// The texts of a list with a mark between them.
+pub fn joined<T: ToString>(list: impl IntoIterator<Item = T>, mark: &str) -> String {
+    let texts: Vec<String> = list.into_iter().map(|one| one.to_string()).collect();
+    texts.join(mark)
+}
+
 /// Prints text, followed by a new line.
 pub fn text(value: impl std::fmt::Display) {
     if TAKEN.load(Ordering::Relaxed) {

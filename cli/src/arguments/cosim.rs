@@ -6,7 +6,6 @@ use imogene_verif::engine::Engine;
 use imogene_verif::engine::design::Simulator;
 use imogene_verif::scene::Fault;
 use std::path::PathBuf;
-use std::str::FromStr;
 
 /// What runs the hardware.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -78,7 +77,7 @@ pub struct Cosim {
     pub trace_object: usize,
     /// Flip one bit of one coefficient word in the hardware, to see it found.
     #[arg(long, value_name = "OBJECT:ADDRESS:BIT")]
-    pub inject_fault: Option<FaultArgument>,
+    pub inject_fault: Option<Fault>,
 }
 
 /// Arguments of `speed`.
@@ -96,26 +95,6 @@ pub struct Speed {
     /// Seconds for each engine and each kind of work.
     #[arg(long, default_value_t = 3, value_name = "S", value_parser = clap::value_parser!(u32).range(1..=600))]
     pub seconds: u32,
-}
-
-/// A fault as written on the command line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct FaultArgument(pub Fault);
-
-impl FromStr for FaultArgument {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<FaultArgument, String> {
-        let numbers: Option<Vec<u8>> = text.split(':').map(|part| part.parse().ok()).collect();
-        match numbers.as_deref() {
-            Some(&[object, address, bit]) => Ok(FaultArgument(Fault {
-                object,
-                address,
-                bit,
-            })),
-            _ => Err("expected OBJECT:ADDRESS:BIT, three numbers below 256, such as 0:2:5".into()),
-        }
-    }
 }
 
 fn pixel(text: &str) -> Result<(usize, usize), String> {

@@ -10,7 +10,7 @@ pub use faces::{Deviation, FaceOptions};
 use imogene_import::Kind;
 pub use molecule::MoleculeOptions;
 use std::path::PathBuf;
-pub use terrain::{CellForm, TerrainOptions};
+pub use terrain::{CellForm, Terrain, TerrainOptions};
 
 /// Arguments of `import`.
 #[derive(Debug, Args)]

@@ -1,11 +1,11 @@
 //! A scene as an argument, and the commands that draw, prepare and check one.
 
-use super::{FrameRange, LookOptions, Split, depth_word, parse};
+use super::{FrameRange, LookOptions, depth_word, parse};
 use clap::{Args, ValueEnum};
 use imogene_contract::MachineWords;
 use imogene_golden::format::{FittedError, Format};
 use imogene_golden::widths;
-use imogene_golden::widths::WidthsError;
+use imogene_plan::split::Division;
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -54,8 +54,8 @@ pub struct SceneWords {
     pub guards: Guards,
     /// Every width of a machine that is fitted to a scene, instead of --format and --guards:
     /// depth=20,root=18,plane=30,normal=16,g1=2,g2=4,dropped=0; what is left out follows from the depth.
-    #[arg(long, value_name = "LIST", conflicts_with_all = ["format", "guards"])]
-    pub widths: Option<Widths>,
+    #[arg(long, value_name = "LIST", value_parser = widths::parse, conflicts_with_all = ["format", "guards"])]
+    pub widths: Option<MachineWords>,
 }
 
 impl SceneWords {
@@ -66,7 +66,7 @@ impl SceneWords {
 
     /// The format with a depth word that holds where no widths are given.
     pub fn format(&self, depth: u32) -> Result<Format, FittedError> {
-        if let Some(Widths(widths)) = self.widths {
+        if let Some(widths) = self.widths {
             return Format::fitted(&widths);
         }
         let Guards { linear, quadratic } = self.guards;
@@ -79,7 +79,7 @@ impl SceneWords {
 
     /// As on the command line, with a blank before each option.
     pub fn options(&self, depth: u32) -> String {
-        if let Some(Widths(widths)) = self.widths {
+        if let Some(widths) = self.widths {
             return format!(" --widths {}", widths::print(&widths));
         }
         let guards = match self.is_none() {
@@ -107,18 +107,6 @@ impl View {
         let camera = self.camera.iter().map(|name| format!(" --camera '{name}'"));
         let frame = self.frame.iter().map(|number| format!(" --frame {number}"));
         camera.chain(frame).collect()
-    }
-}
-
-/// Widths of a fitted machine as written on the command line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Widths(pub MachineWords);
-
-impl FromStr for Widths {
-    type Err = WidthsError;
-
-    fn from_str(text: &str) -> Result<Widths, WidthsError> {
-        widths::parse(text).map(Widths)
     }
 }
 
@@ -175,6 +163,19 @@ pub struct Render {
     pub rows_per_stage: usize,
 }
 
+/// Arguments of a divided picture.
+#[derive(Clone, Copy, Debug, Args)]
+pub struct Split {
+    /// Divide the screen among workers that know nothing of each other: zones:WxH, or lines:N for N groups of
+    /// interleaved lines (model golden).
+    #[arg(long, value_name = "zones:WxH|lines:N", conflicts_with = "zone")]
+    pub split: Option<Division>,
+    /// Workers of a divided screen, 1 to 1024; worker i of N has the pieces i, i + N, i + 2 N, .. [default: one for
+    /// each core].
+    #[arg(long, value_name = "N", requires = "split", value_parser = clap::value_parser!(u16).range(1..=1_024))]
+    pub workers: Option<u16>,
+}
+
 impl Render {
     /// The picture file, or the folder of the frames: what was asked for, or the scene's name without its ending.
     pub fn output(&self) -> PathBuf {
@@ -212,6 +213,24 @@ pub struct Check {
     /// where all is decided).
     #[arg(long, value_name = "FILE")]
     pub map: Option<PathBuf>,
+}
+
+/// Arguments of `detail`.
+#[derive(Debug, Args)]
+pub struct Detail {
+    /// Scene.
+    #[command(flatten)]
+    pub scene: Scene,
+    /// Side of the square zones in pixels, 8 or more.
+    #[arg(long, default_value_t = 64, value_name = "N", value_parser = clap::value_parser!(u32).range(8..=4095))]
+    pub zone: u32,
+    /// Leave out objects at fewer than P pixels, and planes of an object as long as at most P of its pixels change;
+    /// with 0 no pixel changes.
+    #[arg(long, default_value_t = 0, value_name = "P", value_parser = clap::value_parser!(u64).range(0..=1_000_000))]
+    pub pixels: u64,
+    /// Folder of the pictures: the scene with what is left of it, and maps of its zones.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
 }
 
 /// Arguments of `primitives`.

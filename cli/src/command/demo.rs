@@ -102,7 +102,12 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
     };
     files.add_text(&summary_path, &(output::json_text(&summary) + "\n"))?;
     files.finish()?;
-    tell(&summary, json)
+    output::report(json, &summary, tell);
+    verdict(&summary.report)?;
+    match summary.pictures_identical {
+        true => Ok(()),
+        false => Err(Failure::Check("pins.png and golden.png differ".into())),
+    }
 }
 
 /// The same scene in a small picture, with the waveforms of a processor: its inside is compared as well.
@@ -119,31 +124,15 @@ fn inside(file: &SceneFile, format: Format) -> Result<Report, Failure> {
     Ok(beam::run(&prepared, &options, Engine::BuiltIn)?.0)
 }
 
-fn tell(summary: &Summary, json: bool) -> Result<(), Failure> {
-    if json {
-        output::json(summary);
-    } else {
-        let Summary {
-            width,
-            height,
-            clocks_per_frame,
-            objects,
-            planes,
-            ..
-        } = summary;
-        output::text(describe(&summary.report));
-        output::text(format!(
-            "{objects} object processors of {planes} cut planes on a screen of {width} x {height}: {clocks_per_frame} clocks \
-             a frame, 16.7 ms at 25.175 MHz; the picture on the pins is {} golden picture",
-            match summary.pictures_identical {
-                true => "the",
-                false => "NOT the",
-            }
-        ));
-    }
-    verdict(&summary.report)?;
-    match summary.pictures_identical {
-        true => Ok(()),
-        false => Err(Failure::Check("pins.png and golden.png differ".into())),
-    }
+fn tell(summary: &Summary) {
+    let picture = match summary.pictures_identical {
+        true => "the",
+        false => "NOT the",
+    };
+    output::text(describe(&summary.report));
+    output::text(format!(
+        "{} object processors of {} cut planes on a screen of {} x {}: {} clocks a frame, 16.7 ms at 25.175 MHz; the picture \
+         on the pins is {picture} golden picture",
+        summary.objects, summary.planes, summary.width, summary.height, summary.clocks_per_frame
+    ));
 }

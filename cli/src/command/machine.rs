@@ -103,7 +103,7 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
     summary.files.push(path.clone());
     files.add_text(&path, &output::json_text(&summary))?;
     files.finish()?;
-    tell(&summary, json);
+    output::report(json, &summary, tell);
     match &summary.report {
         Some(report) => verdict(report),
         None => Ok(()),
@@ -126,7 +126,7 @@ fn views(options: &Machine) -> Result<Vec<(&Path, View)>, Failure> {
         let file = read_scene(path, &as_written)?;
         let playback = Playback::new(&file).map_err(|e| named(e.to_string()))?;
         let frames = range.of("--animation", playback.count());
-        for frame in frames.map_err(|e| named(e.to_string()))? {
+        for frame in frames.map_err(named)? {
             let view = View {
                 frame: Some(frame as u32),
                 ..as_written.clone()
@@ -209,11 +209,7 @@ fn overlay_of(
 }
 
 fn command_of(options: &Machine) -> String {
-    let scenes: Vec<String> = options
-        .scenes
-        .iter()
-        .map(|path| path.display().to_string())
-        .collect();
+    let scenes = options.scenes.iter().map(|path| path.display());
     let refine = match options.refine {
         Refine::Box => "",
         Refine::Bounds => " --refine bounds",
@@ -228,7 +224,7 @@ fn command_of(options: &Machine) -> String {
     });
     format!(
         "imogene machine {}{}{frames} --machine {}{refine} --out DIR",
-        scenes.join(" "),
+        output::joined(scenes, " "),
         view.options(),
         options.machine.display()
     )

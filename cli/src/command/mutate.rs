@@ -42,11 +42,10 @@ pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
             None => (String::new(), table::OF_CIRCUITS),
             Some(mutants) => (format!(" --netlist {mutants}"), table::OF_NETLISTS),
         };
-        let formats: Vec<String> = options.format.iter().map(u32::to_string).collect();
         let command = format!(
             "imogene mutate {} --format {}{kind} --stimuli {} --clocks {} --out {}",
             options.unit.join(","),
-            formats.join(","),
+            output::joined(&options.format, ","),
             options.stimuli,
             options.clocks,
             path.display()

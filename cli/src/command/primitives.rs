@@ -59,12 +59,10 @@ pub fn run(options: &Primitives, json: bool) -> Result<(), Failure> {
     if let Some(folder) = &options.out {
         write(folder, &comparison, &text, &subject, &drawn)?;
     }
-    if json {
-        output::json(&comparison);
-    } else {
+    output::report(json, &comparison, |comparison| {
         output::text(text.trim_end());
         output::text(format!("\n{}", page::speed(&comparison.speed)));
-    }
+    });
     Ok(())
 }
 

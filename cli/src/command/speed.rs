@@ -4,9 +4,6 @@ use crate::arguments::{EngineName, Speed};
 use crate::failure::Failure;
 use crate::output;
 use clap::ValueEnum;
-use imogene_rtl::emit::emit;
-use imogene_verif::engine::Engine;
-use imogene_verif::engine::design::with_verilog;
 use imogene_verif::engine::speed::{self, Drive, FRAME, measure};
 use imogene_verif::subject::Subject;
 use imogene_verif::unit;
@@ -14,11 +11,11 @@ use std::time::Duration;
 
 /// Measures how fast the engines run a unit, side by side.
 pub fn run(options: &Speed, json: bool) -> Result<(), Failure> {
-    let mut engines: Vec<Subject> = EngineName::value_variants()
-        .iter()
-        .map(|engine| subject(options, *engine))
-        .collect::<Result<_, Failure>>()?;
-    engines.insert(1, unit::levelised(&options.shape.request(&options.unit)?)?);
+    let request = options.shape.request(&options.unit)?;
+    let engines = EngineName::value_variants().iter();
+    let engines = engines.map(|name| name.engine().unit(&request));
+    let mut engines: Vec<Subject> = engines.collect::<Result<_, _>>()?;
+    engines.insert(1, unit::levelised(&request)?);
     let seconds = Duration::from_secs(options.seconds.into());
     let drive = if options.random {
         Drive::Random
@@ -30,16 +27,6 @@ pub fn run(options: &Speed, json: bool) -> Result<(), Failure> {
         output::text(table(&options.unit, &engines[0].options, &speeds))
     });
     Ok(())
-}
-
-fn subject(options: &Speed, engine: EngineName) -> Result<Subject, Failure> {
-    let request = options.shape.request(&options.unit)?;
-    let subject = unit::subject(&request)?;
-    let Engine::Verilog(simulator) = engine.engine() else {
-        return Ok(subject);
-    };
-    let emitted = emit(&request)?;
-    with_verilog(subject, simulator, &emitted.top, &emitted.bundle()).map_err(Failure::from)
 }
 
 fn table(unit: &str, parameters: &str, speeds: &[speed::Speed]) -> String {

@@ -53,11 +53,11 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
         done: &|points| bar.inc(points),
     };
     if let Some(shard) = options.shard {
-        let points = run::run_shard(&request, shard.0)?;
+        let points = run::run_shard(&request, shard)?;
         bar.finish_and_clear();
-        say(json, &json!({ "points": points, "files": [] }), || {
+        output::report(json, &json!({ "points": points, "files": [] }), |_| {
             let measured = counted(points, "point");
-            format!("part {} of {}: {measured}", shard.0.number, shard.0.of)
+            output::text(format!("part {} of {}: {measured}", shard.number, shard.of))
         });
         return Ok(());
     }
@@ -79,7 +79,9 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
         "seconds": seconds,
         "files": files,
     });
-    say(json, &summary, || text(&trade, &files, seconds));
+    output::report(json, &summary, |_| {
+        output::text(text(&trade, &files, seconds))
+    });
     let refusals: Option<Vec<&String>> = (trade.points.iter())
         .map(|entry| entry.point.refused.as_ref())
         .collect();
@@ -91,14 +93,6 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
             refusals.last().map_or("nothing", |why| why.as_str())
         ))),
         None => Ok(()),
-    }
-}
-
-fn say(json: bool, document: &serde_json::Value, text: impl FnOnce() -> String) {
-    if json {
-        output::json(document);
-    } else {
-        output::text(text());
     }
 }
 

@@ -1,62 +1,35 @@
 //! A machine in any engine, seen through its ports.
 
 use crate::engine::Engine;
-use crate::engine::circuit::Compiled;
-use crate::engine::design::{Design as _, DesignError, Instance, Source};
-use crate::signal::Signal;
-use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
-use imogene_rtl::emit::{Direction, Port};
+use crate::engine::design::{DesignError, Instance};
+use crate::engine::machine::MachineDesign;
+use imogene_rtl::emit::machine::MachineRequest;
 use std::collections::HashMap;
 
 /// One running machine. Inputs keep their values until set again.
 pub struct Machine {
     running: Box<dyn Instance>,
-    inputs: Vec<Signal>,
-    outputs: Vec<Signal>,
+    /// What it is made of.
+    pub design: MachineDesign,
     places: HashMap<String, usize>,
     given: Vec<u64>,
     found: Vec<Option<u64>>,
-    /// Name of its top module.
-    pub name: String,
     /// Clocks given.
     pub clocks: u64,
 }
 
 impl Machine {
     /// Builds, and if the engine wants it compiles, a machine.
-    ///
-    /// # Errors
-    ///
-    /// When a number of the request is out of its range, a tool is missing, or a file cannot be written.
     pub fn start(request: &MachineRequest, engine: Engine) -> Result<Machine, DesignError> {
-        let emitted = emit_machine(request)?;
-        let of = |direction| {
-            let ports = emitted.ports.iter();
-            let of = |port: &&Port| port.direction == direction && port.name != "clock";
-            ports.filter(of).map(signal).collect::<Vec<_>>()
-        };
-        let (inputs, outputs) = (of(Direction::In), of(Direction::Out));
-        let running: Box<dyn Instance> = match engine {
-            Engine::BuiltIn => Compiled::of(&request.design()?, &[]).instance(),
-            Engine::Verilog(simulator) => {
-                let source = Source {
-                    top: &emitted.top,
-                    text: &emitted.bundle(),
-                    inputs: &inputs,
-                    outputs: &outputs,
-                };
-                simulator.compile(&source)?.instance()
-            }
-        };
+        let design = MachineDesign::compile(engine, request, &[])?;
+        let (inputs, outputs) = (&design.inputs, &design.outputs);
         let ports = inputs.iter().enumerate().chain(outputs.iter().enumerate());
         Ok(Machine {
-            running,
+            running: design.instance(),
             places: ports.map(|(at, s)| (s.name.clone(), at)).collect(),
             given: vec![0; inputs.len()],
             found: vec![Some(0); outputs.len()],
-            inputs,
-            outputs,
-            name: emitted.top,
+            design,
             clocks: 0,
         })
     }
@@ -68,7 +41,7 @@ impl Machine {
     /// When there is no such port.
     pub fn set(&mut self, port: &str, value: i64) {
         let place = self.places[port];
-        self.given[place] = self.inputs[place].bits(value);
+        self.given[place] = self.design.inputs[place].bits(value);
     }
 
     /// An output after the last clock; `None` where the engine shows an undefined bit.
@@ -78,7 +51,7 @@ impl Machine {
     /// When there is no such port.
     pub fn get(&self, port: &str) -> Option<i64> {
         let place = self.places[port];
-        self.found[place].map(|bits| self.outputs[place].value(bits))
+        self.found[place].map(|bits| self.design.outputs[place].value(bits))
     }
 
     /// True if an output of one bit is 1.
@@ -90,13 +63,5 @@ impl Machine {
     pub fn clock(&mut self) {
         self.running.clock(&self.given, &mut self.found);
         self.clocks += 1;
-    }
-}
-
-fn signal(port: &Port) -> Signal {
-    Signal {
-        name: port.name.clone(),
-        width: port.width as u32,
-        signed: port.signed,
     }
 }

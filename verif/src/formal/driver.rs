@@ -69,11 +69,8 @@ impl Run<'_> {
     }
 
     fn failed(&self, tool: &str, said: &Said) -> FormalError {
-        FormalError::Tool {
-            job: self.job.name.clone(),
-            tool: tool.to_owned(),
-            message: last_lines(&said.all()),
-        }
+        let message = last_lines(&said.all());
+        FormalError::Tool(self.job.name.clone(), tool.to_owned(), message)
     }
 
     /// The assertion that fails: the line of the text that the tool names.

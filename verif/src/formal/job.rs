@@ -74,10 +74,6 @@ pub struct Job {
 impl Job {
     /// The text that the tool reads, with a mutant in its design if one is given: SystemVerilog, or SMT-LIB for
     /// [`Method::Integers`].
-    ///
-    /// # Errors
-    ///
-    /// When the design cannot be emitted, or a property or the mutant does not find its place in it.
     pub fn source(&self, mutant: Option<&Mutant>) -> Result<String, FormalError> {
         let mut design = self.design()?;
         if let Some(mutant) = mutant {
@@ -109,7 +105,7 @@ impl Job {
                 let body = text.split_once("\nmodule").map_or("", |(_, body)| body);
                 if left.iter().any(|number| body.contains(number.as_str())) {
                     let problem = format!("a width {from} is left after narrowing to {to} bits");
-                    return Err(FormalError::text(&self.name, problem));
+                    return Err(FormalError::Text(self.name.clone(), problem));
                 }
                 Ok(text)
             }

@@ -31,10 +31,6 @@ pub struct Toolchain {
 
 impl Toolchain {
     /// SymbiYosys if it is there, else Yosys and its SMT driver.
-    ///
-    /// # Errors
-    ///
-    /// When neither is there.
     pub fn find() -> Result<Toolchain, FormalError> {
         let folders = search_folders();
         Self::of(&folders, Driver::Packaged)
@@ -43,10 +39,6 @@ impl Toolchain {
     }
 
     /// Yosys and its SMT driver of the system.
-    ///
-    /// # Errors
-    ///
-    /// When they are not there.
     pub fn system() -> Result<Toolchain, FormalError> {
         Self::of(&path_folders(), Driver::Smtbmc)
     }
@@ -55,8 +47,7 @@ impl Toolchain {
         let mut missing = driver.programs().to_vec();
         missing.retain(|program| find(folders, &[program]).is_none());
         if !missing.is_empty() {
-            let missing = missing.join(", ");
-            return Err(FormalError::MissingTools { missing });
+            return Err(FormalError::MissingTools(missing.join(", ")));
         }
         let rest = path_folders();
         let path = std::env::join_paths(folders.iter().chain(&rest))

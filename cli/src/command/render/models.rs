@@ -100,9 +100,8 @@ fn reproduce(options: &Render) -> String {
 /// The frame of processors that run by themselves.
 fn slots_frame(options: &Render, prepared: &PreparedScene) -> Result<(Report, Frame), Failure> {
     let drawn = output::during(slots::pixels(prepared), "processors in simulation", |bar| {
-        slots::run(prepared, options.rows_per_stage, &|s, _| Ok(s), |n| {
-            bar.inc(n)
-        })
+        let rows = options.rows_per_stage;
+        slots::run(prepared, rows, Engine::BuiltIn, |n| bar.inc(n))
     });
     drawn.map_err(Failure::from)
 }
