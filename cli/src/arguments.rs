@@ -18,18 +18,17 @@ mod unit;
 
 pub use accuracy::{Bounds, Evaluate, Shading, Sweep};
 use clap::{Parser, Subcommand};
-pub use cosim::{Cosim, EngineName, Speed};
+pub use cosim::{Cosim, Speed};
 pub use fit::{Fit, FitEngine};
 pub use frames::FrameRange;
 pub use help::{GROUPS, Group, command};
-pub use import::{CellForm, Deviation, Import, ImportKind, Terrain};
+pub use import::{Deviation, Import, Terrain};
 pub use look::LookOptions;
-pub use machine::{Machine, Refine};
+pub use machine::Machine;
 pub use oracle::{Cracks, Raytrace, Repair};
 pub use proof::{Mutate, Prove};
 pub use scene::{
-    Check, Detail, Guards, Model, New, Prepare, Primitives, Render, Scene, SceneWords, Size, Split,
-    View,
+    Check, Detail, Model, New, Primitives, Render, Scene, SceneWords, Size, Split, View,
 };
 pub use synth::{Peers, Synth};
 pub use trade::{Points, Trade, TradeEngine};
@@ -121,7 +120,7 @@ pub enum Command {
     /// Judge a scene before it is drawn: whether it fits, its proven error bounds, the bits and planes it needs.
     Check(Check),
     /// Print the integer words that the hardware is loaded with for a scene.
-    Prepare(Prepare),
+    Prepare(Scene),
     /// Find what a scene's picture does not need: hidden objects, planes without effect, empty zones.
     Detail(Detail),
     /// Compare the golden pictures of scenes with those of an independent ray tracer.

@@ -30,7 +30,6 @@ static PRINTER: LazyLock<Mutex<Printer>> = LazyLock::new(|| {
         flushed: Instant::now(),
     })
 });
-/// A report was printed.
 static REPORTED: AtomicBool = AtomicBool::new(false);
 /// Standard output takes a file, and reports go to standard error.
 static TAKEN: AtomicBool = AtomicBool::new(false);

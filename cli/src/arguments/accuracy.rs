@@ -1,5 +1,6 @@
 //! Arguments of the commands that measure accuracy.
 
+use super::scene::size;
 use super::{Size, depth_word};
 use clap::Args;
 use std::path::PathBuf;
@@ -39,6 +40,7 @@ pub struct Bounds {
     #[arg(
         long,
         value_name = "WxH",
+        value_parser = size,
         value_delimiter = ',',
         default_value = "160x120,320x240,640x480,1024x768",
         requires = "scenes"

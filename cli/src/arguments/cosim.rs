@@ -1,35 +1,22 @@
 //! Arguments of the commands that simulate.
 
+use super::parse::{Choices, choice};
+use super::scene::size;
 use super::{SceneWords, Shape, Size, View};
-use clap::{Args, ValueEnum};
+use clap::Args;
 use imogene_verif::engine::Engine;
 use imogene_verif::engine::design::Simulator;
 use imogene_verif::scene::Fault;
 use std::path::PathBuf;
 
 /// What runs the hardware.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum EngineName {
-    /// The circuits, compiled in process; needs no outside tool.
-    // Its name in the scripts of those who had it before.
-    #[value(alias = "rust-hdl")]
-    BuiltIn,
-    /// The emitted Verilog in Icarus Verilog.
-    Icarus,
-    /// The emitted Verilog in Verilator.
-    Verilator,
-}
-
-impl EngineName {
-    /// The engine.
-    pub fn engine(self) -> Engine {
-        match self {
-            EngineName::BuiltIn => Engine::BuiltIn,
-            EngineName::Icarus => Engine::Verilog(Simulator::Icarus),
-            EngineName::Verilator => Engine::Verilog(Simulator::Verilator),
-        }
-    }
-}
+#[rustfmt::skip]
+pub(super) const ENGINES: Choices<Engine> = &[
+    (Engine::BuiltIn, "built-in", "The circuits, compiled in process; needs no outside tool"),
+    (Engine::BuiltIn, "rust-hdl", ""),
+    (Engine::Verilog(Simulator::Icarus), "icarus", "The emitted Verilog in Icarus Verilog"),
+    (Engine::Verilog(Simulator::Verilator), "verilator", "The emitted Verilog in Verilator"),
+];
 
 /// Arguments of `cosim`.
 #[derive(Debug, Args)]
@@ -37,8 +24,8 @@ pub struct Cosim {
     /// Scene file, a unit as listed by `imogene units`, or a named extreme: extremes/NAME, or extremes for all.
     pub subject: String,
     /// What runs the hardware.
-    #[arg(long, value_enum, default_value_t = EngineName::BuiltIn)]
-    pub engine: EngineName,
+    #[arg(long, value_parser = choice(ENGINES), default_value = "built-in")]
+    pub engine: Engine,
     /// Run what synthesis makes of a unit instead of the emitted Verilog: ice40-hx8k, ice40-up5k, ecp5-45k or ecp5-85k.
     #[arg(long, value_name = "T")]
     pub netlist: Option<String>,
@@ -64,7 +51,7 @@ pub struct Cosim {
     #[command(flatten)]
     pub shape: Shape,
     /// Picture size of a scene; the scene's own if not given.
-    #[arg(long, value_name = "WxH")]
+    #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<Size>,
     /// Words of the machine of a scene.
     #[command(flatten)]

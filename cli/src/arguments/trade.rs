@@ -1,5 +1,6 @@
 //! Arguments of `trade`.
 
+use super::scene::size;
 use super::{Size, parse};
 use clap::{Args, ValueEnum};
 use imogene_studies::trade::run::Shard;
@@ -14,7 +15,7 @@ pub struct Trade {
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
     /// Picture size in pixels; the scene's own if not given.
-    #[arg(long, value_name = "WxH")]
+    #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<Size>,
     /// Device of the costs: ice40-hx8k, ice40-up5k, ecp5-45k or ecp5-85k.
     #[arg(long, value_name = "T", default_value = "ecp5-45k")]

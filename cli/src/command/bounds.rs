@@ -3,14 +3,12 @@
 use super::frame_in;
 use crate::arguments::{Bounds, Size};
 use crate::failure::Failure;
-use crate::molecules;
-use crate::output;
+use crate::{molecules, output};
 use imogene_analysis::bounds::headroom::{Headroom, Summary, headroom, summaries};
 use imogene_files::text::counted;
 use imogene_golden::format::Format;
 use imogene_scene::SceneFile;
-use imogene_studies::trial;
-use imogene_studies::trial::{FORMATS, Term, TrialReport};
+use imogene_studies::trial::{self, FORMATS, Term, TrialReport};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 

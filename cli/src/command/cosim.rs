@@ -10,13 +10,11 @@ use imogene_prepare::PreparedScene;
 use imogene_synth::{Target, netlist};
 use imogene_verif::engine::Engine;
 use imogene_verif::engine::design::with_verilog;
-use imogene_verif::random;
 use imogene_verif::report::Report;
 use imogene_verif::scene::{self, WaveformRequest, WindowStart, slots, volumes};
-use imogene_verif::unit;
+use imogene_verif::{random, unit};
 use std::path::Path;
 
-/// Compares hardware and golden model.
 pub fn run(options: &Cosim, json: bool) -> Result<(), Failure> {
     if extremes::is_meant(&options.subject) {
         return extremes::run(&options.subject, json);
@@ -52,9 +50,8 @@ fn run_unit(options: &Cosim) -> Result<Report, Failure> {
             "--guards and --widths are those of a scene's machine; give a scene file".into(),
         ));
     }
-    let engine = options.engine.engine();
-    let subject = match (&options.netlist, engine) {
-        (None, _) => engine.unit(&request)?,
+    let subject = match (&options.netlist, options.engine) {
+        (None, engine) => engine.unit(&request)?,
         (Some(_), Engine::BuiltIn) => {
             return Err(Failure::Input(
                 "a netlist is Verilog, which the built-in engine does not run; give --engine icarus or --engine verilator"
@@ -116,7 +113,7 @@ fn run_scene(options: &Cosim) -> Result<Report, Failure> {
         run_slots(options, &prepared)?
     };
     run_volumes(options, &prepared, &mut report)?;
-    report.engine = options.engine.engine().name().into();
+    report.engine = options.engine.name().into();
     report.subject = options.subject.clone();
     report.reproduce = format!(
         "imogene cosim {} --engine {} --size {}x{}{} --rows-per-stage {}",
@@ -150,7 +147,7 @@ fn run_beam(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failure
         }),
         fault: options.inject_fault,
     };
-    Ok(beam::run(prepared, &run_options, options.engine.engine())?.0)
+    Ok(beam::run(prepared, &run_options, options.engine)?.0)
 }
 
 /// A scene with processors that a beam machine does not have: each processor by itself.
@@ -167,7 +164,7 @@ fn run_slots(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failur
     }
     let rows = options.shape.rows_per_stage();
     let outcome = output::during(slots::pixels(prepared), "processors in simulation", |bar| {
-        slots::run(prepared, rows, options.engine.engine(), |n| bar.inc(n))
+        slots::run(prepared, rows, options.engine, |n| bar.inc(n))
     });
     outcome.map(|(report, _)| report).map_err(Failure::from)
 }
@@ -183,7 +180,7 @@ fn run_volumes(
     }
     let frame = golden_frame(prepared);
     let rows = options.shape.rows_per_stage();
-    let (pixels, engine) = (volumes::pixels(prepared), options.engine.engine());
+    let (pixels, engine) = (volumes::pixels(prepared), options.engine);
     let part = output::during(pixels, "volumes in simulation", |bar| {
         volumes::run(prepared, &frame, rows, engine, |n| bar.inc(n))
     })?;

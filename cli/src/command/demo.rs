@@ -20,15 +20,9 @@ use serde::Serialize;
 const TEAPOT: &str = include_str!("../../../scenes/teapot.toml");
 const MACHINE: &str = include_str!("../../../machines/beam-640x480.toml");
 /// The screen of the machine.
-const SCREEN: Size = Size {
-    width: 640,
-    height: 480,
-};
+const SCREEN: Size = (640, 480);
 /// Picture of the run whose waveforms are kept.
-const TRACED_SIZE: Size = Size {
-    width: 160,
-    height: 120,
-};
+const TRACED_SIZE: Size = (160, 120);
 /// Clocks of waveforms kept.
 const TRACE_CLOCKS: u64 = 1_600;
 /// Object whose processor is traced: the body of the pot.
@@ -48,7 +42,6 @@ struct Summary {
     pictures_identical: bool,
 }
 
-/// Runs the demo.
 pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
     let file = SceneFile::parse(TEAPOT, "teapot.toml")?;
     let machine = MachineDescription::parse(MACHINE, "beam-640x480.toml")?;
@@ -93,8 +86,8 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
     report.files.push(summary_path.clone());
     let summary = Summary {
         report,
-        width: SCREEN.width,
-        height: SCREEN.height,
+        width: SCREEN.0,
+        height: SCREEN.1,
         clocks_per_frame: outcome.clocks_per_frame,
         objects: machine.objects,
         planes: machine.planes,
@@ -131,8 +124,8 @@ fn tell(summary: &Summary) {
     };
     output::text(describe(&summary.report));
     output::text(format!(
-        "{} object processors of {} cut planes on a screen of {} x {}: {} clocks a frame, 16.7 ms at 25.175 MHz; the picture \
-         on the pins is {picture} golden picture",
+        "{} object processors of {} cut planes on a screen of {} x {}: {} clocks a frame, 16.7 ms at 25.175 MHz; \
+         the picture on the pins is {picture} golden picture",
         summary.objects, summary.planes, summary.width, summary.height, summary.clocks_per_frame
     ));
 }

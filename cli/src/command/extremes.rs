@@ -16,7 +16,6 @@ pub fn is_meant(subject: &str) -> bool {
             .is_some_and(|rest| rest.starts_with('/') && !rest.ends_with(".toml"))
 }
 
-/// Runs one case, or all.
 pub fn run(subject: &str, json: bool) -> Result<(), Failure> {
     let chosen = chosen(subject)?;
     let mut findings = Vec::new();

@@ -5,8 +5,7 @@ mod contract;
 use super::{fitted, size_of, threads};
 use crate::arguments::{Fit, FitEngine};
 use crate::failure::Failure;
-use crate::molecules;
-use crate::{missing, output};
+use crate::{missing, molecules, output};
 use contract::{FitReport, Saving};
 use imogene_files::text::counted;
 use imogene_golden::format::Format;
@@ -23,9 +22,7 @@ use imogene_studies::fit::search::{Outcome, search};
 use imogene_studies::picture;
 use imogene_synth::Target;
 use imogene_synth::fitted::MachineCost;
-use imogene_verif::engine::Engine;
 use imogene_verif::engine::beam::BeamDesign;
-use imogene_verif::engine::design::Simulator;
 use imogene_verif::report::Report;
 use imogene_verif::scene;
 use std::time::Instant;
@@ -116,9 +113,8 @@ fn frames(options: &Fit) -> Result<Frames, Failure> {
             files.extend(playback.scenes(&name)?);
         }
     }
-    let size = options.size.map(|size| (size.width, size.height));
     let frames = output::during(0, "lines of the truth", |bar| {
-        Frames::new(&files, size, || bar.inc(1))
+        Frames::new(&files, options.size, || bar.inc(1))
     });
     frames.map_err(Failure::from)
 }
@@ -192,11 +188,8 @@ fn saving(cost: &MachineCost, base: &MachineCost) -> Saving {
 
 /// Every frame in hardware against the golden machine.
 fn cosimulate(choice: &Choice, engine: FitEngine) -> Result<Vec<Report>, Failure> {
-    let engine = match engine {
-        FitEngine::None => return Ok(vec![]),
-        FitEngine::BuiltIn => Engine::BuiltIn,
-        FitEngine::Verilator => Engine::Verilog(Simulator::Verilator),
-        FitEngine::Icarus => Engine::Verilog(Simulator::Icarus),
+    let Some(engine) = engine else {
+        return Ok(vec![]);
     };
     let machine = &choice.machine;
     let design = BeamDesign::compile(engine, &scene::request(machine, ""), vec![])?;

@@ -29,7 +29,6 @@ pub fn asked(options: &Fitted, request: &Request) -> Result<Option<FittedMachine
     }))
 }
 
-/// The Verilog of a machine.
 pub fn emit(machine: &FittedMachine, prefix: Option<&str>) -> Result<Emitted, Failure> {
     emit_machine(&request_of(machine, prefix)).map_err(Failure::from)
 }

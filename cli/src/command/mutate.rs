@@ -9,7 +9,6 @@ use imogene_rtl::emit::{design, emit};
 use imogene_verif::mutation::{MutationReport, Options, circuit, netlist, table};
 use imogene_verif::unit::subject;
 
-/// Scores one unit or all.
 pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
     let named = options.unit.iter().map(String::as_str);
     let units: Vec<&str> = match (options.unit == ["all"], options.netlist) {
@@ -81,7 +80,6 @@ fn of_netlist(request: &Request, options: &Options) -> Result<MutationReport, Fa
     Ok(report?)
 }
 
-/// A score as text.
 fn describe(report: &MutationReport) -> String {
     format!(
         "{}: {} of {}, {} killed, {} equivalent, {} forgotten, {} surviving: score {:.2} % ({:.1} s)",
@@ -97,7 +95,6 @@ fn describe(report: &MutationReport) -> String {
     )
 }
 
-/// Success if nothing survived.
 fn verdict(reports: &[MutationReport]) -> Result<(), Failure> {
     let count: usize = reports.iter().map(|report| report.surviving.len()).sum();
     if count == 0 {

@@ -1,7 +1,7 @@
 //! `imogene prepare`.
 
 use super::load_scene;
-use crate::arguments::Prepare;
+use crate::arguments::Scene;
 use crate::failure::Failure;
 use crate::output;
 use imogene_algebra::rational::to_f64;
@@ -18,8 +18,8 @@ use imogene_scene::FramedObject;
 use serde_json::{Value, json};
 
 /// Shows the coefficient words of every object.
-pub fn run(options: &Prepare, json: bool) -> Result<(), Failure> {
-    let (framed, scene) = load_scene(&options.scene)?;
+pub fn run(options: &Scene, json: bool) -> Result<(), Failure> {
+    let (framed, scene) = load_scene(options)?;
     let object = |(framed, o): (&FramedObject, &PreparedObject)| -> Value {
         let Some(q) = o.quadric() else {
             return parts(framed, o);

@@ -1,21 +1,21 @@
 //! `imogene speed`.
 
-use crate::arguments::{EngineName, Speed};
+use crate::arguments::Speed;
 use crate::failure::Failure;
 use crate::output;
-use clap::ValueEnum;
+use imogene_verif::engine::Engine;
+use imogene_verif::engine::design::Simulator;
 use imogene_verif::engine::speed::{self, Drive, FRAME, measure};
-use imogene_verif::subject::Subject;
 use imogene_verif::unit;
 use std::time::Duration;
 
 /// Measures how fast the engines run a unit, side by side.
 pub fn run(options: &Speed, json: bool) -> Result<(), Failure> {
     let request = options.shape.request(&options.unit)?;
-    let engines = EngineName::value_variants().iter();
-    let engines = engines.map(|name| name.engine().unit(&request));
-    let mut engines: Vec<Subject> = engines.collect::<Result<_, _>>()?;
-    engines.insert(1, unit::levelised(&request)?);
+    let mut engines = vec![unit::subject(&request)?, unit::levelised(&request)?];
+    for simulator in Simulator::ALL {
+        engines.push(Engine::Verilog(simulator).unit(&request)?);
+    }
     let seconds = Duration::from_secs(options.seconds.into());
     let drive = if options.random {
         Drive::Random

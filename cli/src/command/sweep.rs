@@ -1,11 +1,9 @@
 //! `imogene sweep`.
 
-use crate::arguments;
 use crate::failure::Failure;
-use crate::output;
+use crate::{arguments, output};
 use imogene_golden::format::Format;
-use imogene_studies::sweep;
-use imogene_studies::sweep::{Sweep, SweepResult, heading, markdown, plot, section};
+use imogene_studies::sweep::{self, Sweep, SweepResult, heading, markdown, plot, section};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 

@@ -106,7 +106,6 @@ fn resources(counts: [Option<u64>; 6]) -> Vec<String> {
         .collect()
 }
 
-/// A report as text.
 fn describe(report: &SynthReport) -> String {
     let mut lines = vec![format!("{} for {}", report.unit, report.target)];
     lines.extend(resources([

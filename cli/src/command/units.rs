@@ -21,7 +21,6 @@ struct ParameterEntry {
     range: String,
 }
 
-/// Lists every unit.
 pub fn run(json: bool) -> Result<(), Failure> {
     let units: Vec<UnitEntry> = Unit::ALL.into_iter().map(entry).collect();
     if json {

@@ -1,15 +1,16 @@
 //! Options of `import` for terrain, and the arguments of `terrain`.
 
-use clap::{Args, ValueEnum};
-use imogene_import::terrain::Region;
+use crate::arguments::parse::{Choices, choice};
+use clap::Args;
+use imogene_import::terrain::{Cells, Region};
 use std::path::PathBuf;
 
 /// Options of terrain.
 #[derive(Clone, Debug, Args)]
 pub struct TerrainOptions {
     /// What a cell of the grid is drawn as.
-    #[arg(long, value_enum, default_value = "bilinear", value_name = "FORM")]
-    pub cells: CellForm,
+    #[arg(long, value_parser = choice(CELLS), default_value = "bilinear", value_name = "FORM")]
+    pub cells: Cells,
     /// Factor of the heights.
     #[arg(
         long,
@@ -55,16 +56,12 @@ pub struct Terrain {
     pub seed: u64,
 }
 
-/// What a cell is drawn as.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum CellForm {
-    /// Bilinear patches, whatever the eye.
-    Bilinear,
-    /// Surfaces ruled from edge to edge as the eye sees them: one quotient a pixel and no root.
-    Ruled,
-    /// Facets where the bilinear patch is flat to half a pixel, else bilinear patches.
-    Auto,
-}
+#[rustfmt::skip]
+const CELLS: Choices<Cells> = &[
+    (Cells::Bilinear, "bilinear", "Bilinear patches, whatever the eye"),
+    (Cells::Ruled, "ruled", "Surfaces ruled from edge to edge as the eye sees them: one quotient a pixel and no root"),
+    (Cells::Auto, "auto", "Facets where the bilinear patch is flat to half a pixel, else bilinear patches"),
+];
 
 fn point(text: &str) -> Result<[f64; 3], String> {
     let numbers: Option<Vec<f64>> = text

@@ -30,7 +30,7 @@ struct ImportReport {
 pub fn run(options: &Import, json: bool) -> Result<(), Failure> {
     let bytes = load(&options.file)?;
     let kind = match options.kind {
-        Some(kind) => kind.kind(),
+        Some(kind) => kind,
         None => kind_of(&bytes, &options.file)?,
     };
     let mut imported = match kind {

@@ -40,7 +40,6 @@ pub fn exact_frame(framed: &FramedScene, prepared: &PreparedScene) -> Frame {
     exact::render::to_frame(&pixels, framed, &prepared.format)
 }
 
-/// The golden model's frame.
 pub fn golden_frame(prepared: &PreparedScene) -> Frame {
     let bar = output::progress(u64::from(prepared.height), "golden model");
     let (width, height) = (prepared.width as usize, prepared.height as usize);
