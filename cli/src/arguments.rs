@@ -2,8 +2,6 @@
 
 mod accuracy;
 mod cosim;
-mod detail;
-mod evaluate;
 mod fit;
 mod frames;
 mod help;
@@ -14,31 +12,25 @@ mod oracle;
 mod parse;
 mod proof;
 mod scene;
-mod split;
 mod synth;
-mod terrain;
 mod trade;
 mod unit;
 
-pub use accuracy::{Bounds, Shading, Sweep};
+pub use accuracy::{Bounds, Evaluate, Shading, Sweep};
 use clap::{Parser, Subcommand};
-pub use cosim::{Cosim, EngineName, Speed};
-pub use detail::Detail;
-pub use evaluate::Evaluate;
+pub use cosim::{Cosim, Speed};
 pub use fit::{Fit, FitEngine};
 pub use frames::FrameRange;
-pub use help::{Entry, GROUPS, Group, command};
-pub use import::{CellForm, Deviation, Import, ImportKind};
+pub use help::{GROUPS, Group, command};
+pub use import::{Deviation, Import, Terrain};
 pub use look::LookOptions;
-pub use machine::{Machine, Refine};
+pub use machine::Machine;
 pub use oracle::{Cracks, Raytrace, Repair};
 pub use proof::{Mutate, Prove};
 pub use scene::{
-    Check, Guards, Model, New, Prepare, Primitives, Render, Scene, SceneWords, Size, View, Widths,
+    Check, Detail, Model, New, Primitives, Render, Scene, SceneWords, Size, Split, View,
 };
-pub use split::Split;
-pub use synth::{Parameter, Peers, Synth};
-pub use terrain::Terrain;
+pub use synth::{Peers, Synth};
 pub use trade::{Points, Trade, TradeEngine};
 pub use unit::{Contract, Demo, Emit, Fitted, Package, Processors, Roots, Shape};
 
@@ -128,7 +120,7 @@ pub enum Command {
     /// Judge a scene before it is drawn: whether it fits, its proven error bounds, the bits and planes it needs.
     Check(Check),
     /// Print the integer words that the hardware is loaded with for a scene.
-    Prepare(Prepare),
+    Prepare(Scene),
     /// Find what a scene's picture does not need: hidden objects, planes without effect, empty zones.
     Detail(Detail),
     /// Compare the golden pictures of scenes with those of an independent ray tracer.

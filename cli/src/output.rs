@@ -30,7 +30,6 @@ static PRINTER: LazyLock<Mutex<Printer>> = LazyLock::new(|| {
         flushed: Instant::now(),
     })
 });
-/// A report was printed.
 static REPORTED: AtomicBool = AtomicBool::new(false);
 /// Standard output takes a file, and reports go to standard error.
 static TAKEN: AtomicBool = AtomicBool::new(false);
@@ -60,6 +59,12 @@ pub fn wrote(files: &[PathBuf]) {
 /// A value as a JSON document.
 pub fn json_text(value: &impl Serialize) -> String {
     serde_json::to_string_pretty(value).expect("reports have no unserialisable keys")
+}
+
+/// The texts of a list with a mark between them.
+pub fn joined<T: ToString>(list: impl IntoIterator<Item = T>, mark: &str) -> String {
+    let texts: Vec<String> = list.into_iter().map(|one| one.to_string()).collect();
+    texts.join(mark)
 }
 
 /// Prints text, followed by a new line.

@@ -50,7 +50,7 @@ impl Paths {
                         .file("--normals", &o.normals),
                 }
             }
-            Command::Prepare(o) => paths.reads([&o.scene.scene]),
+            Command::Prepare(o) => paths.reads([&o.scene]),
             Command::Cosim(o) => {
                 let save = o.vcd.as_deref().map(save_path);
                 let paths = paths.reads([&PathBuf::from(&o.subject)]);

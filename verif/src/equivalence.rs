@@ -33,10 +33,6 @@ pub struct Text<'a> {
 }
 
 /// Compares the emitted text of a unit with rust-hdl's own.
-///
-/// # Errors
-///
-/// When a parameter is out of its range, or a tool is missing or refuses a text.
 pub fn unit(request: &Request) -> Result<Verdict, DesignError> {
     let printed = raw(request)?;
     let emitted = emit(request)?;
@@ -52,10 +48,6 @@ pub fn unit(request: &Request) -> Result<Verdict, DesignError> {
 }
 
 /// Compares two texts from their initial values on.
-///
-/// # Errors
-///
-/// When a tool is missing or refuses a text.
 pub fn compare(one: Text, other: Text) -> Result<Verdict, ToolError> {
     let scratch = scratch()?;
     let folder = scratch.path();

@@ -11,4 +11,4 @@ mod score;
 pub mod table;
 mod vectors;
 
-pub use score::{Fate, MutationError, MutationReport, Options, Survivor};
+pub use score::{Fate, Kill, MutationError, MutationReport, Options, Survivor};

@@ -3,6 +3,14 @@
 use crate::report::Report;
 use crate::subject::{Inputs, Subject};
 use crate::waveform::Trace;
+use proptest::test_runner::{RngAlgorithm, TestRng};
+
+/// The generator of a seed.
+pub(crate) fn generator(seed: u64) -> TestRng {
+    let mut bytes = [0u8; 32];
+    bytes[..8].copy_from_slice(&seed.to_le_bytes());
+    TestRng::from_seed(RngAlgorithm::ChaCha, &bytes)
+}
 
 /// Clocks of one stimulus: long enough for every pipeline to fill, short enough that a run sees many coefficient sets.
 const STIMULUS_CLOCKS: usize = 500;

@@ -42,11 +42,6 @@ impl Signal {
         }
     }
 
-    /// A single bit.
-    pub fn bit(name: impl Into<String>) -> Signal {
-        Signal::unsigned(name, 1)
-    }
-
     /// The bits of a value as they stand on the wires.
     pub fn bits(&self, value: i64) -> u64 {
         value as u64 & (u64::MAX >> (64 - self.width))

@@ -1,11 +1,12 @@
 //! A unit under co-simulation: its ports, its hardware and its golden model behind one interface, and the scoreboard
 //! over them.
 
+use crate::random::generator;
 use crate::report::Report;
 use crate::signal::Signal;
 use crate::waveform::{Group, Sample, Trace};
 use proptest::strategy::{BoxedStrategy, Strategy, ValueTree};
-use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use proptest::test_runner::{Config, TestRunner};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -63,10 +64,7 @@ pub struct Subject {
 impl Subject {
     /// A stimulus of about `clocks` clocks, the same for the same seed.
     pub fn seeded_stimulus(&self, clocks: usize, seed: u64) -> Vec<Inputs> {
-        let mut bytes = [0u8; 32];
-        bytes[..8].copy_from_slice(&seed.to_le_bytes());
-        let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &bytes);
-        let mut runner = TestRunner::new_with_rng(Config::default(), rng);
+        let mut runner = TestRunner::new_with_rng(Config::default(), generator(seed));
         (self.stimulus)(self, clocks)
             .new_tree(&mut runner)
             .expect("stimulus strategies reject nothing")

@@ -10,6 +10,10 @@ use vcd::{IdCode, SimulationCommand, TimescaleUnit, Value, VarType};
 /// Time units of one clock in the trace; the edge is in the middle.
 const PERIOD: u64 = 10;
 
+/// Pixels of a character in GTKWave's font, and of the slanted edges on both sides of a value.
+const CHARACTER: usize = 8;
+const EDGES: usize = 16;
+
 /// A group of signals that belong together, such as one unit.
 #[derive(Clone, Debug)]
 pub struct Group {
@@ -103,15 +107,8 @@ impl Trace {
     /// Adds both to other files of a run.
     pub fn add_to(&self, files: &mut Outputs, path: &Path) -> Result<(), WriteError> {
         files.add(path, |mut out| self.write_vcd(&mut out))?;
-        let save = self.save_file(path, self.first_mismatch());
+        let save = self.save_file(path);
         files.add_text(&save_path(path), &save)
-    }
-
-    fn first_mismatch(&self) -> Option<u64> {
-        self.clocks
-            .iter()
-            .find(|(_, samples)| samples.iter().any(Sample::differs))
-            .map(|(clock, _)| clock * PERIOD)
     }
 
     fn write_vcd(&self, out: &mut impl Write) -> std::io::Result<()> {
@@ -144,11 +141,9 @@ impl Trace {
         }
     }
 
-    fn save_file(&self, vcd_path: &Path, first_mismatch: Option<u64>) -> String {
-        let file = vcd_path
-            .file_name()
-            .map(|name| name.to_string_lossy().into_owned())
-            .unwrap_or_default();
+    fn save_file(&self, vcd_path: &Path) -> String {
+        let file = vcd_path.file_name().unwrap_or_default();
+        let file = file.to_string_lossy();
         let start = self.clocks.first().map_or(0, |(clock, _)| clock * PERIOD);
         let mut text = format!(
             "[dumpfile] \"{file}\"\n[timestart] {start}\n[size] 1600 1000\n[signals_width] {}\n*{:.6} ",
@@ -156,7 +151,9 @@ impl Trace {
             self.zoom()
         );
         // The marker stands at the first mismatch; -1 is no marker.
-        text += &first_mismatch.map_or("-1".to_string(), |time| time.to_string());
+        let differs = |samples: &[Sample]| samples.iter().any(Sample::differs);
+        let first = self.clocks.iter().find(|(_, samples)| differs(samples));
+        text += &first.map_or("-1".to_string(), |(clock, _)| (clock * PERIOD).to_string());
         text += " -1 -1\n@28\nimogene.clock\n";
         for group in &self.groups {
             let name = &group.name;
@@ -173,14 +170,7 @@ impl Trace {
         }
         text
     }
-}
 
-/// Pixels of a character in GTKWave's font, and of the slanted edges on both sides of a value.
-const CHARACTER: usize = 8;
-/// See [`CHARACTER`].
-const EDGES: usize = 16;
-
-impl Trace {
     /// The zoom at which a clock has room for every digit of what changes in each: GTKWave shows 2^-zoom time units
     /// on 200 pixels.
     fn zoom(&self) -> f64 {

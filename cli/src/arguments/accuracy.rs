@@ -1,5 +1,6 @@
 //! Arguments of the commands that measure accuracy.
 
+use super::scene::size;
 use super::{Size, depth_word};
 use clap::Args;
 use std::path::PathBuf;
@@ -39,6 +40,7 @@ pub struct Bounds {
     #[arg(
         long,
         value_name = "WxH",
+        value_parser = size,
         value_delimiter = ',',
         default_value = "160x120,320x240,640x480,1024x768",
         requires = "scenes"
@@ -65,6 +67,14 @@ pub struct Sweep {
     #[arg(long, default_value_t = 24, value_name = "W", value_parser = depth_word)]
     pub format: u32,
     /// Folder for NAME.svg of each sweep, sweeps.json and sweeps.md; nothing is written without it.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+/// Arguments of `evaluate`.
+#[derive(Debug, Args)]
+pub struct Evaluate {
+    /// Folder for index.html, evaluation.json, evaluation.md and images/; nothing is written without it.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }

@@ -1,36 +1,22 @@
 //! Arguments of the commands that simulate.
 
+use super::parse::{Choices, choice};
+use super::scene::size;
 use super::{SceneWords, Shape, Size, View};
-use clap::{Args, ValueEnum};
+use clap::Args;
 use imogene_verif::engine::Engine;
 use imogene_verif::engine::design::Simulator;
 use imogene_verif::scene::Fault;
 use std::path::PathBuf;
-use std::str::FromStr;
 
 /// What runs the hardware.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum EngineName {
-    /// The circuits, compiled in process; needs no outside tool.
-    // Its name in the scripts of those who had it before.
-    #[value(alias = "rust-hdl")]
-    BuiltIn,
-    /// The emitted Verilog in Icarus Verilog.
-    Icarus,
-    /// The emitted Verilog in Verilator.
-    Verilator,
-}
-
-impl EngineName {
-    /// The engine.
-    pub fn engine(self) -> Engine {
-        match self {
-            EngineName::BuiltIn => Engine::BuiltIn,
-            EngineName::Icarus => Engine::Verilog(Simulator::Icarus),
-            EngineName::Verilator => Engine::Verilog(Simulator::Verilator),
-        }
-    }
-}
+#[rustfmt::skip]
+pub(super) const ENGINES: Choices<Engine> = &[
+    (Engine::BuiltIn, "built-in", "The circuits, compiled in process; needs no outside tool"),
+    (Engine::BuiltIn, "rust-hdl", ""),
+    (Engine::Verilog(Simulator::Icarus), "icarus", "The emitted Verilog in Icarus Verilog"),
+    (Engine::Verilog(Simulator::Verilator), "verilator", "The emitted Verilog in Verilator"),
+];
 
 /// Arguments of `cosim`.
 #[derive(Debug, Args)]
@@ -38,8 +24,8 @@ pub struct Cosim {
     /// Scene file, a unit as listed by `imogene units`, or a named extreme: extremes/NAME, or extremes for all.
     pub subject: String,
     /// What runs the hardware.
-    #[arg(long, value_enum, default_value_t = EngineName::BuiltIn)]
-    pub engine: EngineName,
+    #[arg(long, value_parser = choice(ENGINES), default_value = "built-in")]
+    pub engine: Engine,
     /// Run what synthesis makes of a unit instead of the emitted Verilog: ice40-hx8k, ice40-up5k, ecp5-45k or ecp5-85k.
     #[arg(long, value_name = "T")]
     pub netlist: Option<String>,
@@ -65,7 +51,7 @@ pub struct Cosim {
     #[command(flatten)]
     pub shape: Shape,
     /// Picture size of a scene; the scene's own if not given.
-    #[arg(long, value_name = "WxH")]
+    #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<Size>,
     /// Words of the machine of a scene.
     #[command(flatten)]
@@ -78,7 +64,7 @@ pub struct Cosim {
     pub trace_object: usize,
     /// Flip one bit of one coefficient word in the hardware, to see it found.
     #[arg(long, value_name = "OBJECT:ADDRESS:BIT")]
-    pub inject_fault: Option<FaultArgument>,
+    pub inject_fault: Option<Fault>,
 }
 
 /// Arguments of `speed`.
@@ -96,26 +82,6 @@ pub struct Speed {
     /// Seconds for each engine and each kind of work.
     #[arg(long, default_value_t = 3, value_name = "S", value_parser = clap::value_parser!(u32).range(1..=600))]
     pub seconds: u32,
-}
-
-/// A fault as written on the command line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct FaultArgument(pub Fault);
-
-impl FromStr for FaultArgument {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<FaultArgument, String> {
-        let numbers: Option<Vec<u8>> = text.split(':').map(|part| part.parse().ok()).collect();
-        match numbers.as_deref() {
-            Some(&[object, address, bit]) => Ok(FaultArgument(Fault {
-                object,
-                address,
-                bit,
-            })),
-            _ => Err("expected OBJECT:ADDRESS:BIT, three numbers below 256, such as 0:2:5".into()),
-        }
-    }
 }
 
 fn pixel(text: &str) -> Result<(usize, usize), String> {

@@ -1,8 +1,12 @@
 //! Arguments of `fit`.
 
+use super::parse::{Choices, choice};
+use super::scene::size;
 use super::{Size, parse};
-use clap::{Args, ValueEnum};
+use clap::Args;
 use imogene_studies::fit::budget::{Budget, CountLimit, DepthLimit};
+use imogene_verif::engine::Engine;
+use imogene_verif::engine::design::Simulator;
 use std::path::PathBuf;
 
 /// Arguments of `fit`.
@@ -16,7 +20,7 @@ pub struct Fit {
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
     /// Picture size in pixels; the scene's own if not given.
-    #[arg(long, value_name = "WxH")]
+    #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<Size>,
     /// Greatest depth error: words of the base format, D / (2^23 - 1), such as 1, or pixels of depth such as 0.5px.
     #[arg(long, value_name = "LIMIT")]
@@ -43,22 +47,20 @@ pub struct Fit {
     #[arg(long, value_name = "T", default_value = "ecp5-45k")]
     pub target: String,
     /// Simulator that checks the hardware on every frame; icarus and verilator run the emitted Verilog.
-    #[arg(long, value_enum, default_value_t = FitEngine::BuiltIn)]
+    #[arg(long, value_parser = choice(ENGINES), default_value = "built-in")]
     pub engine: FitEngine,
 }
 
-/// Simulators of fitted machines.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum FitEngine {
-    /// The simulator of the circuits, in process; needs no outside tool.
-    BuiltIn,
-    /// Verilator.
-    Verilator,
-    /// Icarus Verilog.
-    Icarus,
-    /// The Verilog is written unchecked.
-    None,
-}
+/// The simulator of a fitted machine, if it is checked.
+pub type FitEngine = Option<Engine>;
+
+#[rustfmt::skip]
+const ENGINES: Choices<FitEngine> = &[
+    (Some(Engine::BuiltIn), "built-in", "The simulator of the circuits, in process; needs no outside tool"),
+    (Some(Engine::Verilog(Simulator::Verilator)), "verilator", "Verilator"),
+    (Some(Engine::Verilog(Simulator::Icarus)), "icarus", "Icarus Verilog"),
+    (None, "none", "The Verilog is written unchecked"),
+];
 
 impl Fit {
     /// What is allowed.
@@ -80,8 +82,8 @@ impl Fit {
             .map(|s| s.display().to_string())
             .collect();
         let mut command = format!("imogene fit {}", scenes.join(" "));
-        if let Some(size) = self.size {
-            command += &format!(" --size {}x{}", size.width, size.height);
+        if let Some((width, height)) = self.size {
+            command += &format!(" --size {width}x{height}");
         }
         command += &budget.options();
         if let Some(mhz) = self.min_mhz {

@@ -5,12 +5,13 @@ mod molecule;
 mod terrain;
 
 use super::LookOptions;
-use clap::{Args, ValueEnum};
+use super::parse::{Choices, choice};
+use clap::Args;
 pub use faces::{Deviation, FaceOptions};
 use imogene_import::Kind;
 pub use molecule::MoleculeOptions;
 use std::path::PathBuf;
-pub use terrain::{CellForm, TerrainOptions};
+pub use terrain::{Terrain, TerrainOptions};
 
 /// Arguments of `import`.
 #[derive(Debug, Args)]
@@ -21,8 +22,8 @@ pub struct Import {
     #[arg(short, long, value_name = "SCENE.toml")]
     pub output: PathBuf,
     /// What the file is; found out from what it holds, and else from its name.
-    #[arg(long = "as", value_enum, value_name = "KIND")]
-    pub kind: Option<ImportKind>,
+    #[arg(long = "as", value_parser = choice(KINDS), value_name = "KIND")]
+    pub kind: Option<Kind>,
     /// How the scene's camera looks at it; its directional lights turn with it.
     #[command(flatten)]
     pub look: LookOptions,
@@ -38,32 +39,12 @@ pub struct Import {
 }
 
 /// Kinds of files that are read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum ImportKind {
-    /// A structure of the Protein Data Bank in its PDB format (.pdb, .ent).
-    Pdb,
-    /// A structure in the PDBx/mmCIF format (.cif, .mmcif).
-    Mmcif,
-    /// A structure in the BinaryCIF format (.bcif).
-    Bcif,
-    /// A list of CAD faces (.faces.toml).
-    Faces,
-    /// A STEP file, ISO 10303-21 (.step, .stp, .p21).
-    Step,
-    /// A grid of heights (.heights, .asc).
-    Heights,
-}
-
-impl ImportKind {
-    /// The kind that it names.
-    pub fn kind(self) -> Kind {
-        match self {
-            ImportKind::Pdb => Kind::Pdb,
-            ImportKind::Mmcif => Kind::Mmcif,
-            ImportKind::Bcif => Kind::Bcif,
-            ImportKind::Faces => Kind::Faces,
-            ImportKind::Step => Kind::Step,
-            ImportKind::Heights => Kind::Heights,
-        }
-    }
-}
+#[rustfmt::skip]
+const KINDS: Choices<Kind> = &[
+    (Kind::Pdb, "pdb", "A structure of the Protein Data Bank in its PDB format (.pdb, .ent)"),
+    (Kind::Mmcif, "mmcif", "A structure in the PDBx/mmCIF format (.cif, .mmcif)"),
+    (Kind::Bcif, "bcif", "A structure in the BinaryCIF format (.bcif)"),
+    (Kind::Faces, "faces", "A list of CAD faces (.faces.toml)"),
+    (Kind::Step, "step", "A STEP file, ISO 10303-21 (.step, .stp, .p21)"),
+    (Kind::Heights, "heights", "A grid of heights (.heights, .asc)"),
+];

@@ -1,15 +1,15 @@
 //! Another look at a scene, without editing it.
 
-use super::parse;
-use clap::{Args, ValueEnum};
+use super::parse::{self, Choices, choice};
+use clap::Args;
 use imogene_scene::{Look, Side};
 
 /// Options of another look at a scene.
 #[derive(Clone, Debug, Default, Args)]
 pub struct LookOptions {
     /// Look from this side: the eye goes there about the target, as far away as it is.
-    #[arg(long = "view", value_enum, value_name = "SIDE")]
-    side: Option<SideName>,
+    #[arg(long = "view", value_parser = choice(SIDES), value_name = "SIDE")]
+    side: Option<Side>,
     /// Turn what is seen, by degrees about the picture's directions to the right, upwards and, if a third angle is
     /// given, towards the viewer, in this order.
     #[arg(long, value_name = "AX,AY[,AZ]", value_parser = angles, allow_hyphen_values = true)]
@@ -23,38 +23,22 @@ pub struct LookOptions {
 }
 
 /// Sides; which axis is up is taken from the camera's `up`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum SideName {
-    /// From +z where y is up, from -y where z is up.
-    Front,
-    /// From behind.
-    Back,
-    /// From the left of the front.
-    Left,
-    /// From the right of the front.
-    Right,
-    /// From above, the front at the bottom of the picture.
-    Top,
-    /// From below, the front at the top of the picture.
-    Bottom,
-    /// From the front, the right and above, at equal angles.
-    Iso,
-}
+#[rustfmt::skip]
+const SIDES: Choices<Side> = &[
+    (Side::Front, "front", "From +z where y is up, from -y where z is up"),
+    (Side::Back, "back", "From behind"),
+    (Side::Left, "left", "From the left of the front"),
+    (Side::Right, "right", "From the right of the front"),
+    (Side::Top, "top", "From above, the front at the bottom of the picture"),
+    (Side::Bottom, "bottom", "From below, the front at the top of the picture"),
+    (Side::Iso, "iso", "From the front, the right and above, at equal angles"),
+];
 
 impl LookOptions {
     /// What is asked for; nothing for the scene as it is. `lights` says whether they turn with the camera.
     pub fn look(&self, lights: bool) -> Option<Look> {
-        let side = self.side.map(|side| match side {
-            SideName::Front => Side::Front,
-            SideName::Back => Side::Back,
-            SideName::Left => Side::Left,
-            SideName::Right => Side::Right,
-            SideName::Top => Side::Top,
-            SideName::Bottom => Side::Bottom,
-            SideName::Iso => Side::Iso,
-        });
         let look = Look {
-            side,
+            side: self.side,
             turn: self.rotate,
             fit: self.fit,
             zoom: self.zoom,

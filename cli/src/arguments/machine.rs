@@ -1,8 +1,11 @@
 //! Arguments of `machine`.
 
-use super::{EngineName, FrameRange};
-use clap::{Args, ValueEnum};
+use super::FrameRange;
+use super::cosim::ENGINES;
+use super::parse::{Choices, choice};
+use clap::Args;
 use imogene_plan::zone::refine::Refinement;
+use imogene_verif::engine::Engine;
 use std::path::PathBuf;
 
 /// Arguments of `machine`.
@@ -15,8 +18,8 @@ pub struct Machine {
     #[arg(long, value_name = "FILE.toml")]
     pub machine: PathBuf,
     /// What runs the hardware.
-    #[arg(long, value_enum, default_value = "built-in")]
-    pub engine: EngineName,
+    #[arg(long, value_parser = choice(ENGINES), default_value = "built-in")]
+    pub engine: Engine,
     /// Folder of the Verilog, the picture from the pins, the golden picture and summary.json.
     #[arg(long, value_name = "DIR", default_value = "imogene-machine")]
     pub out: PathBuf,
@@ -41,8 +44,8 @@ pub struct Machine {
     #[arg(long, value_name = "MASK.png")]
     pub overlay: Option<PathBuf>,
     /// How the host of a zone machine decides what goes to a zone; the picture is the same.
-    #[arg(long, value_enum, default_value_t = Refine::Box)]
-    pub refine: Refine,
+    #[arg(long, value_parser = choice(REFINEMENTS), default_value = "box")]
+    pub refine: Refinement,
     /// Write the Verilog, the clocks and the files of a bench of your own (docs/machines.md), and run nothing.
     #[arg(long)]
     pub emit_only: bool,
@@ -52,23 +55,9 @@ pub struct Machine {
     pub growth: bool,
 }
 
-/// How the host decides what goes to a zone.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Refine {
-    /// By screen boxes.
-    Box,
-    /// By bounds of what the words say on the zone.
-    Bounds,
-    /// By drawing the zone in software: the least that can be sent.
-    Pixels,
-}
-
-impl From<Refine> for Refinement {
-    fn from(refine: Refine) -> Refinement {
-        match refine {
-            Refine::Box => Refinement::Box,
-            Refine::Bounds => Refinement::Bounds,
-            Refine::Pixels => Refinement::Pixels,
-        }
-    }
-}
+#[rustfmt::skip]
+const REFINEMENTS: Choices<Refinement> = &[
+    (Refinement::Box, "box", "By screen boxes"),
+    (Refinement::Bounds, "bounds", "By bounds of what the words say on the zone"),
+    (Refinement::Pixels, "pixels", "By drawing the zone in software: the least that can be sent"),
+];

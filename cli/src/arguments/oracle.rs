@@ -1,5 +1,6 @@
 //! Arguments of `raytrace`, `cracks` and `repair`.
 
+use super::scene::size;
 use super::{Scene, Size, View, depth_word, parse};
 use clap::Args;
 use std::path::PathBuf;
@@ -17,7 +18,7 @@ pub struct Raytrace {
     #[arg(long, default_value_t = 1, value_name = "SEED", requires = "random")]
     pub seed: u64,
     /// Picture size in pixels; each scene's own if not given.
-    #[arg(long, value_name = "WxH")]
+    #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<Size>,
     /// Depth word in bits, 8 to 32.
     #[arg(long, default_value_t = 24, value_name = "W", value_parser = depth_word)]

@@ -1,6 +1,23 @@
 //! Values as they are written on the command line.
 
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use std::str::FromStr;
+
+/// Values, their names, and what the help says of each; nothing of a name from before, which is understood still.
+pub type Choices<T> = &'static [(T, &'static str, &'static str)];
+
+/// Reads one of these names.
+pub fn choice<T: Copy + Send + Sync>(table: Choices<T>) -> impl TypedValueParser<Value = T> {
+    let names = table.iter();
+    let names = names.map(|(_, name, help)| {
+        let name = PossibleValue::new(*name).help(*help);
+        name.hide(help.is_empty())
+    });
+    PossibleValuesParser::new(names).map(|name| {
+        let row = table.iter().find(|row| row.1 == name);
+        row.expect("no other name is accepted").0
+    })
+}
 
 /// A value that is accepted, or what would be.
 pub fn value<T: FromStr>(

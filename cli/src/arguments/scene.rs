@@ -1,13 +1,12 @@
 //! A scene as an argument, and the commands that draw, prepare and check one.
 
-use super::{FrameRange, LookOptions, Split, depth_word, parse};
+use super::{FrameRange, LookOptions, depth_word, parse};
 use clap::{Args, ValueEnum};
 use imogene_contract::MachineWords;
 use imogene_golden::format::{FittedError, Format};
 use imogene_golden::widths;
-use imogene_golden::widths::WidthsError;
+use imogene_plan::split::Division;
 use std::path::PathBuf;
-use std::str::FromStr;
 
 /// Which model draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -26,7 +25,7 @@ pub struct Scene {
     /// Scene file (TOML).
     pub scene: PathBuf,
     /// Picture size in pixels; the scene's own if not given.
-    #[arg(long, value_name = "WxH")]
+    #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<Size>,
     /// Depth word in bits, 8 to 32.
     #[arg(long, default_value_t = 24, value_name = "W", value_parser = depth_word)]
@@ -50,41 +49,41 @@ impl Scene {
 #[derive(Clone, Debug, Args)]
 pub struct SceneWords {
     /// Guard bits of f1 and f2 below their last bits, 0 to 16 each.
-    #[arg(long, default_value = "0:0", value_name = "G1:G2")]
-    pub guards: Guards,
+    #[arg(long, default_value = "0:0", value_name = "G1:G2", value_parser = guards)]
+    pub guards: (u32, u32),
     /// Every width of a machine that is fitted to a scene, instead of --format and --guards:
     /// depth=20,root=18,plane=30,normal=16,g1=2,g2=4,dropped=0; what is left out follows from the depth.
-    #[arg(long, value_name = "LIST", conflicts_with_all = ["format", "guards"])]
-    pub widths: Option<Widths>,
+    #[arg(long, value_name = "LIST", value_parser = widths::parse, conflicts_with_all = ["format", "guards"])]
+    pub widths: Option<MachineWords>,
 }
 
 impl SceneWords {
     /// True if all words follow from the depth word.
     pub fn is_none(&self) -> bool {
-        self.guards == Guards::default() && self.widths.is_none()
+        self.guards == (0, 0) && self.widths.is_none()
     }
 
     /// The format with a depth word that holds where no widths are given.
     pub fn format(&self, depth: u32) -> Result<Format, FittedError> {
-        if let Some(Widths(widths)) = self.widths {
+        if let Some(widths) = self.widths {
             return Format::fitted(&widths);
         }
-        let Guards { linear, quadratic } = self.guards;
+        let (guard_linear, guard_quadratic) = self.guards;
         Format::fitted(&MachineWords {
-            guard_linear: linear,
-            guard_quadratic: quadratic,
+            guard_linear,
+            guard_quadratic,
             ..MachineWords::of(depth)
         })
     }
 
     /// As on the command line, with a blank before each option.
     pub fn options(&self, depth: u32) -> String {
-        if let Some(Widths(widths)) = self.widths {
+        if let Some(widths) = self.widths {
             return format!(" --widths {}", widths::print(&widths));
         }
         let guards = match self.is_none() {
             true => String::new(),
-            false => format!(" --guards {}:{}", self.guards.linear, self.guards.quadratic),
+            false => format!(" --guards {}:{}", self.guards.0, self.guards.1),
         };
         format!(" --format {depth}{guards}")
     }
@@ -107,18 +106,6 @@ impl View {
         let camera = self.camera.iter().map(|name| format!(" --camera '{name}'"));
         let frame = self.frame.iter().map(|number| format!(" --frame {number}"));
         camera.chain(frame).collect()
-    }
-}
-
-/// Widths of a fitted machine as written on the command line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Widths(pub MachineWords);
-
-impl FromStr for Widths {
-    type Err = WidthsError;
-
-    fn from_str(text: &str) -> Result<Widths, WidthsError> {
-        widths::parse(text).map(Widths)
     }
 }
 
@@ -175,6 +162,19 @@ pub struct Render {
     pub rows_per_stage: usize,
 }
 
+/// Arguments of a divided picture.
+#[derive(Clone, Copy, Debug, Args)]
+pub struct Split {
+    /// Divide the screen among workers that know nothing of each other: zones:WxH, or lines:N for N groups of
+    /// interleaved lines (model golden).
+    #[arg(long, value_name = "zones:WxH|lines:N", conflicts_with = "zone")]
+    pub split: Option<Division>,
+    /// Workers of a divided screen, 1 to 1024; worker i of N has the pieces i, i + N, i + 2 N, .. [default: one for
+    /// each core].
+    #[arg(long, value_name = "N", requires = "split", value_parser = clap::value_parser!(u16).range(1..=1_024))]
+    pub workers: Option<u16>,
+}
+
 impl Render {
     /// The picture file, or the folder of the frames: what was asked for, or the scene's name without its ending.
     pub fn output(&self) -> PathBuf {
@@ -194,14 +194,6 @@ fn samples(text: &str) -> Result<u32, String> {
     parse::value(text, |count| [4, 16].contains(count), expected)
 }
 
-/// Arguments of `prepare`.
-#[derive(Debug, Args)]
-pub struct Prepare {
-    /// Scene.
-    #[command(flatten)]
-    pub scene: Scene,
-}
-
 /// Arguments of `check`.
 #[derive(Debug, Args)]
 pub struct Check {
@@ -214,6 +206,24 @@ pub struct Check {
     pub map: Option<PathBuf>,
 }
 
+/// Arguments of `detail`.
+#[derive(Debug, Args)]
+pub struct Detail {
+    /// Scene.
+    #[command(flatten)]
+    pub scene: Scene,
+    /// Side of the square zones in pixels, 8 or more.
+    #[arg(long, default_value_t = 64, value_name = "N", value_parser = clap::value_parser!(u32).range(8..=4095))]
+    pub zone: u32,
+    /// Leave out objects at fewer than P pixels, and planes of an object as long as at most P of its pixels change;
+    /// with 0 no pixel changes.
+    #[arg(long, default_value_t = 0, value_name = "P", value_parser = clap::value_parser!(u64).range(0..=1_000_000))]
+    pub pixels: u64,
+    /// Folder of the pictures: the scene with what is left of it, and maps of its zones.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
 /// Arguments of `primitives`.
 #[derive(Debug, Args)]
 pub struct Primitives {
@@ -221,42 +231,20 @@ pub struct Primitives {
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Picture size in pixels.
-    #[arg(long, value_name = "WxH", default_value = "320x240")]
+    #[arg(long, value_name = "WxH", value_parser = size, default_value = "320x240")]
     pub size: Size,
 }
 
-/// A picture size.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Size {
-    /// Pixels per line.
-    pub width: u32,
-    /// Lines.
-    pub height: u32,
+/// A picture size: pixels per line, and lines.
+pub type Size = (u32, u32);
+
+/// A picture size as written on the command line.
+pub(super) fn size(text: &str) -> Result<Size, String> {
+    let size = parse::pair(text, 'x');
+    size.ok_or_else(|| "expected WIDTHxHEIGHT in pixels, such as 320x240".to_string())
 }
 
-impl FromStr for Size {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Size, String> {
-        let size = parse::pair(text, 'x').map(|(width, height)| Size { width, height });
-        size.ok_or_else(|| "expected WIDTHxHEIGHT in pixels, such as 320x240".to_string())
-    }
-}
-
-/// Guard bits of f1 and f2.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Guards {
-    /// Of f1.
-    pub linear: u32,
-    /// Of f2.
-    pub quadratic: u32,
-}
-
-impl FromStr for Guards {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Guards, String> {
-        let guards = parse::pair(text, ':').map(|(linear, quadratic)| Guards { linear, quadratic });
-        guards.ok_or_else(|| "expected G1:G2, two numbers of bits, such as 2:4".to_string())
-    }
+fn guards(text: &str) -> Result<(u32, u32), String> {
+    let guards = parse::pair(text, ':');
+    guards.ok_or_else(|| "expected G1:G2, two numbers of bits, such as 2:4".to_string())
 }

@@ -4,7 +4,6 @@ use super::{Fitted, Shape, parse};
 use clap::Args;
 use imogene_synth::Cache;
 use std::path::PathBuf;
-use std::str::FromStr;
 
 /// Arguments of `synth`.
 #[derive(Debug, Args)]
@@ -95,8 +94,8 @@ pub struct Peers {
     #[arg(long, value_name = "DIR")]
     pub include: Vec<PathBuf>,
     /// A parameter of its top module; may be given several times.
-    #[arg(long, value_name = "NAME=VALUE")]
-    pub parameter: Vec<Parameter>,
+    #[arg(long, value_name = "NAME=VALUE", value_parser = parameter)]
+    pub parameter: Vec<(String, String)>,
     /// Unit to measure beside it, as listed by `imogene units`.
     #[arg(long, value_name = "UNIT")]
     pub against: String,
@@ -111,17 +110,11 @@ pub struct Peers {
     pub seeds: usize,
 }
 
-/// A parameter of a module and its value.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Parameter(pub String, pub String);
-
-impl FromStr for Parameter {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Parameter, String> {
-        text.split_once('=')
-            .filter(|(name, value)| !name.is_empty() && !value.is_empty())
-            .map(|(name, value)| Parameter(name.to_owned(), value.to_owned()))
-            .ok_or_else(|| "expected NAME=VALUE, such as WIDTH=24".to_string())
+fn parameter(text: &str) -> Result<(String, String), String> {
+    match text.split_once('=') {
+        Some((name, value)) if !name.is_empty() && !value.is_empty() => {
+            Ok((name.to_owned(), value.to_owned()))
+        }
+        _ => Err("expected NAME=VALUE, such as WIDTH=24".to_owned()),
     }
 }

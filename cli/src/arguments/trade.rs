@@ -1,10 +1,10 @@
 //! Arguments of `trade`.
 
+use super::scene::size;
 use super::{Size, parse};
 use clap::{Args, ValueEnum};
 use imogene_studies::trade::run::Shard;
 use std::path::PathBuf;
-use std::str::FromStr;
 
 /// Arguments of `trade`.
 #[derive(Debug, Args)]
@@ -15,7 +15,7 @@ pub struct Trade {
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
     /// Picture size in pixels; the scene's own if not given.
-    #[arg(long, value_name = "WxH")]
+    #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<Size>,
     /// Device of the costs: ice40-hx8k, ice40-up5k, ecp5-45k or ecp5-85k.
     #[arg(long, value_name = "T", default_value = "ecp5-45k")]
@@ -31,8 +31,8 @@ pub struct Trade {
     #[arg(long, value_enum, default_value_t = Points::Full)]
     pub points: Points,
     /// Measure part K of N of the points alone, and sum up nothing.
-    #[arg(long, value_name = "K/N")]
-    pub shard: Option<ShardArgument>,
+    #[arg(long, value_name = "K/N", value_parser = shard)]
+    pub shard: Option<Shard>,
     /// What runs the points: this program on all cores, or jobs of a HyperQueue server.
     #[arg(long, value_enum, default_value_t = TradeEngine::Local, conflicts_with = "shard")]
     pub engine: TradeEngine,
@@ -63,17 +63,8 @@ pub enum Points {
     Full,
 }
 
-/// A part of the points as written on the command line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct ShardArgument(pub Shard);
-
-impl FromStr for ShardArgument {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<ShardArgument, String> {
-        parse::pair::<usize>(text, '/')
-            .filter(|(number, of)| (1..=*of).contains(number))
-            .map(|(number, of)| ShardArgument(Shard { number, of }))
-            .ok_or_else(|| "expected K/N with K from 1 to N, such as 2/8".to_string())
-    }
+fn shard(text: &str) -> Result<Shard, String> {
+    let shard = parse::pair::<usize>(text, '/').map(|(number, of)| Shard { number, of });
+    let shard = shard.filter(|shard| (1..=shard.of).contains(&shard.number));
+    shard.ok_or_else(|| "expected K/N with K from 1 to N, such as 2/8".to_string())
 }

@@ -1,14 +1,12 @@
 //! Arguments of the commands about units: what they are, their Verilog, contracts and packages.
 
-use super::{Widths, depth_word};
+use super::depth_word;
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches, value_parser};
 use imogene_contract::parameters::{PARAMETERS, Parameter};
-use imogene_contract::{Request, RequestError};
+use imogene_contract::{MachineWords, Request, RequestError};
 use imogene_golden::machine::fitted::FittedSlot;
-use imogene_golden::slots;
-use imogene_golden::slots::SlotsError;
+use imogene_golden::{slots, widths};
 use std::path::PathBuf;
-use std::str::FromStr;
 
 /// Arguments of `processors`.
 #[derive(Debug, Args)]
@@ -125,24 +123,16 @@ pub struct Emit {
 #[derive(Debug, Args)]
 pub struct Fitted {
     /// Widths of a machine that is fitted to a scene, instead of --format; with --slots, for the unit beam alone.
-    #[arg(long, value_name = "LIST", requires = "slots", conflicts_with_all = ["format", "planes", "objects"])]
-    pub widths: Option<Widths>,
+    #[arg(long, value_name = "LIST", value_parser = widths::parse, requires = "slots",
+          conflicts_with_all = ["format", "planes", "objects"])]
+    pub widths: Option<MachineWords>,
     /// Slots of that machine: the planes of each, with a v for those with half B, such as 3,0,2v.
-    #[arg(long, value_name = "LIST", requires = "widths")]
+    #[arg(long, value_name = "LIST", value_parser = slots::parse, requires = "widths")]
     pub slots: Option<Slots>,
 }
 
 /// Slots of a fitted machine.
-#[derive(Clone, Debug)]
-pub struct Slots(pub Vec<FittedSlot>);
-
-impl FromStr for Slots {
-    type Err = SlotsError;
-
-    fn from_str(text: &str) -> Result<Self, Self::Err> {
-        slots::parse(text).map(Slots)
-    }
-}
+pub type Slots = Vec<FittedSlot>;
 
 /// Arguments of `contract`.
 #[derive(Debug, Args)]

@@ -3,14 +3,12 @@
 use super::frame_in;
 use crate::arguments::{Bounds, Size};
 use crate::failure::Failure;
-use crate::molecules;
-use crate::output;
+use crate::{molecules, output};
 use imogene_analysis::bounds::headroom::{Headroom, Summary, headroom, summaries};
 use imogene_files::text::counted;
 use imogene_golden::format::Format;
 use imogene_scene::SceneFile;
-use imogene_studies::trial;
-use imogene_studies::trial::{FORMATS, Term, TrialReport};
+use imogene_studies::trial::{self, FORMATS, Term, TrialReport};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -69,11 +67,11 @@ fn try_bounds(options: &Bounds, json: bool) -> Result<(), Failure> {
 
 /// The table's head: one column for each bound, with the worst and the mean ratio of an error to it.
 fn trial_head() -> String {
-    let terms: Vec<&str> = Term::ALL.iter().map(|t| t.name()).collect();
+    let terms = Term::ALL.iter().map(|t| t.name());
     format!(
         "| W, g1:g2 | cases | comparisons | in integers | violations | {} |\n|{}",
-        terms.join(" | "),
-        "---|".repeat(5 + terms.len())
+        output::joined(terms, " | "),
+        "---|".repeat(5 + Term::ALL.len())
     )
 }
 
@@ -82,7 +80,6 @@ fn trial_line(report: &TrialReport) -> String {
         0.0 => "-".into(),
         _ => format!("{:.4}, {:.2}", t.fared.tightness, t.fared.mean),
     });
-    let ratios: Vec<String> = ratios.collect();
     format!(
         "| {} | {} | {} | {} | {} | {} |",
         report.label(),
@@ -90,7 +87,7 @@ fn trial_line(report: &TrialReport) -> String {
         report.comparisons,
         report.decided_exactly,
         report.violations,
-        ratios.join(" | ")
+        output::joined(ratios, " | ")
     )
 }
 
@@ -150,18 +147,13 @@ fn show_headroom(options: &Bounds, json: bool) -> Result<(), Failure> {
         summary: summaries(&all),
         scenes: rows,
     };
-    if json {
-        output::json(&table);
-        return Ok(());
-    }
-    output::text(SUMMARY_HEAD);
-    for summary in &table.summary {
-        output::text(summary_line(summary));
-    }
-    output::text(format!("\n{HEADROOM_HEAD}"));
-    for row in &table.scenes {
-        output::text(line(row));
-    }
+    output::report(json, &table, |table| {
+        output::text(SUMMARY_HEAD);
+        let summaries = table.summary.iter();
+        summaries.for_each(|summary| output::text(summary_line(summary)));
+        output::text(format!("\n{HEADROOM_HEAD}"));
+        table.scenes.iter().for_each(|row| output::text(line(row)));
+    });
     Ok(())
 }
 

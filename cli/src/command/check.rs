@@ -7,18 +7,18 @@ use crate::output;
 use imogene_analysis::bounds::{
     Accumulators, CheckReport, ObjectReport, PartsReport, QuadricReport, Summary, check,
 };
+use imogene_files::text::counted;
 use imogene_studies::picture;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
 /// What was found; the keys are stable.
 #[derive(Serialize)]
-struct Output<'a> {
+struct Output {
     #[serde(flatten)]
-    report: &'a CheckReport,
-    files: &'a [PathBuf],
+    report: CheckReport,
+    files: Vec<PathBuf>,
 }
-use imogene_files::text::counted;
 
 /// Shows what a scene needs and how exact its picture is.
 pub fn run(options: &Check, json: bool) -> Result<(), Failure> {
@@ -29,16 +29,12 @@ pub fn run(options: &Check, json: bool) -> Result<(), Failure> {
     if let Some(map) = map {
         map.write(&report, prepared.width as usize)?;
     }
-    if json {
-        output::json(&Output {
-            report: &report,
-            files: &files,
-        });
-    } else {
-        describe(&report);
-        output::wrote(&files);
-    }
-    verdict(&report)
+    let output = Output { report, files };
+    output::report(json, &output, |output| {
+        describe(&output.report);
+        output::wrote(&output.files);
+    });
+    verdict(&output.report)
 }
 
 fn verdict(report: &CheckReport) -> Result<(), Failure> {
@@ -46,13 +42,11 @@ fn verdict(report: &CheckReport) -> Result<(), Failure> {
         return Ok(());
     }
     let adrift = report.objects.iter().filter(|o| o.undecided().adrift > 0);
-    let adrift: Vec<String> = adrift.map(|o| format!("'{}'", o.name())).collect();
-    let why = match adrift.is_empty() {
-        true => "a word wraps".to_owned(),
-        false => format!(
-            "the outline of {} may be a pixel or more away from the true one",
-            adrift.join(", ")
-        ),
+    let why = match output::joined(adrift.map(|o| format!("'{}'", o.name())), ", ") {
+        none if none.is_empty() => "a word wraps".to_owned(),
+        adrift => {
+            format!("the outline of {adrift} may be a pixel or more away from the true one")
+        }
     };
     Err(Failure::Check(format!("{why}; see the objects' problems")))
 }
@@ -126,10 +120,7 @@ fn describe_quadric(o: &QuadricReport) {
 }
 
 fn describe_accumulators(a: &Accumulators) {
-    let list = |bits: &[u32]| {
-        let bits: Vec<String> = bits.iter().map(u32::to_string).collect();
-        bits.join(" ")
-    };
+    let list = |bits: &[u32]| output::joined(bits, " ");
     let mut values = vec![format!("f1 {}", a.f1)];
     if let (Some(near), Some(far)) = (a.f1_minus_r, a.f1_plus_r) {
         values.push(format!("f1 - r {near}, f1 + r {far}"));
@@ -225,12 +216,10 @@ fn describe_parts(o: &PartsReport) {
         o.bounds.depth_lsb,
         o.undecided.silhouette + o.undecided.edge
     ));
-    let needed: Vec<String> = o
-        .needed
-        .iter()
-        .map(|n| format!("{} {} / {}", n.word, n.needed, n.available))
-        .collect();
-    if !needed.is_empty() {
-        output::text(format!("  bits needed / available: {}", needed.join(", ")));
+    let needed = o.needed.iter();
+    let needed = needed.map(|n| format!("{} {} / {}", n.word, n.needed, n.available));
+    if !o.needed.is_empty() {
+        let needed = output::joined(needed, ", ");
+        output::text(format!("  bits needed / available: {needed}"));
     }
 }

@@ -5,20 +5,16 @@ use super::{beam, describe, extremes, frame_in, read_scene, threads, verdict};
 use crate::arguments::Cosim;
 use crate::failure::Failure;
 use crate::output;
-use imogene_contract::{Request, Unit};
+use imogene_contract::Unit;
 use imogene_prepare::PreparedScene;
-use imogene_rtl::emit::emit;
 use imogene_synth::{Target, netlist};
 use imogene_verif::engine::Engine;
-use imogene_verif::engine::design::{DesignError, with_verilog};
-use imogene_verif::random;
+use imogene_verif::engine::design::with_verilog;
 use imogene_verif::report::Report;
 use imogene_verif::scene::{self, WaveformRequest, WindowStart, slots, volumes};
-use imogene_verif::subject::Subject;
-use imogene_verif::unit;
+use imogene_verif::{random, unit};
 use std::path::Path;
 
-/// Compares hardware and golden model.
 pub fn run(options: &Cosim, json: bool) -> Result<(), Failure> {
     if extremes::is_meant(&options.subject) {
         return extremes::run(&options.subject, json);
@@ -39,7 +35,6 @@ pub fn run(options: &Cosim, json: bool) -> Result<(), Failure> {
 
 fn run_unit(options: &Cosim) -> Result<Report, Failure> {
     let request = options.shape.request(&options.subject)?;
-    let subject = unit::subject(&request)?;
     if options.inject_fault.is_some() {
         return Err(Failure::Input(
             "--inject-fault flips a coefficient bit of a scene's object; give a scene file".into(),
@@ -55,17 +50,22 @@ fn run_unit(options: &Cosim) -> Result<Report, Failure> {
             "--guards and --widths are those of a scene's machine; give a scene file".into(),
         ));
     }
-    let subject = match options.engine.engine() {
-        Engine::BuiltIn if options.netlist.is_some() => {
+    let subject = match (&options.netlist, options.engine) {
+        (None, engine) => engine.unit(&request)?,
+        (Some(_), Engine::BuiltIn) => {
             return Err(Failure::Input(
                 "a netlist is Verilog, which the built-in engine does not run; give --engine icarus or --engine verilator"
                     .into(),
             ));
         }
-        Engine::BuiltIn => subject,
-        Engine::Verilog(simulator) => {
-            let (top, text) = verilog(options, &request)?;
-            with_verilog(subject, simulator, &top, &text)?
+        (Some(target), Engine::Verilog(simulator)) => {
+            let netlist = netlist(&request, Target::from_name(target)?)?;
+            with_verilog(
+                unit::subject(&request)?,
+                simulator,
+                &netlist.top,
+                &netlist.text,
+            )?
         }
     };
     if options.vcd_from.is_some() {
@@ -88,18 +88,6 @@ fn run_unit(options: &Cosim) -> Result<Report, Failure> {
         report.reproduce += &format!(" --netlist {target}");
     }
     Ok(report)
-}
-
-/// Name of the top module and text of the unit's Verilog, or of its netlist.
-fn verilog(options: &Cosim, request: &Request) -> Result<(String, String), Failure> {
-    if let Some(target) = &options.netlist {
-        let target = Target::from_name(target)?;
-        let netlist = netlist(request, target)?;
-        return Ok((netlist.top, netlist.text));
-    }
-    let emitted = emit(request)?;
-    let text = emitted.bundle();
-    Ok((emitted.top, text))
 }
 
 fn run_scene(options: &Cosim) -> Result<Report, Failure> {
@@ -125,7 +113,7 @@ fn run_scene(options: &Cosim) -> Result<Report, Failure> {
         run_slots(options, &prepared)?
     };
     run_volumes(options, &prepared, &mut report)?;
-    report.engine = options.engine.engine().name().into();
+    report.engine = options.engine.name().into();
     report.subject = options.subject.clone();
     report.reproduce = format!(
         "imogene cosim {} --engine {} --size {}x{}{} --rows-per-stage {}",
@@ -137,8 +125,8 @@ fn run_scene(options: &Cosim) -> Result<Report, Failure> {
         options.shape.rows_per_stage()
     );
     report.reproduce += &options.view.options();
-    if let Some(f) = options.inject_fault.map(|f| f.0) {
-        report.reproduce += &format!(" --inject-fault {}:{}:{}", f.object, f.address, f.bit);
+    if let Some(fault) = options.inject_fault {
+        report.reproduce += &format!(" --inject-fault {fault}");
     }
     Ok(report)
 }
@@ -157,9 +145,9 @@ fn run_beam(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failure
             },
             clocks: options.vcd_clocks,
         }),
-        fault: options.inject_fault.map(|f| f.0),
+        fault: options.inject_fault,
     };
-    Ok(beam::run(prepared, &run_options, options.engine.engine())?.0)
+    Ok(beam::run(prepared, &run_options, options.engine)?.0)
 }
 
 /// A scene with processors that a beam machine does not have: each processor by itself.
@@ -176,9 +164,7 @@ fn run_slots(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failur
     }
     let rows = options.shape.rows_per_stage();
     let outcome = output::during(slots::pixels(prepared), "processors in simulation", |bar| {
-        slots::run(prepared, rows, &|s, r| engine(options, s, r), |n| {
-            bar.inc(n)
-        })
+        slots::run(prepared, rows, options.engine, |n| bar.inc(n))
     });
     outcome.map(|(report, _)| report).map_err(Failure::from)
 }
@@ -194,24 +180,12 @@ fn run_volumes(
     }
     let frame = golden_frame(prepared);
     let rows = options.shape.rows_per_stage();
-    let bar = output::progress(volumes::pixels(prepared), "volumes in simulation");
-    let asked = |n| bar.inc(n);
-    let part = volumes::run(prepared, &frame, rows, &|s, r| engine(options, s, r), asked);
-    bar.finish_and_clear();
-    let part = part?;
+    let (pixels, engine) = (volumes::pixels(prepared), options.engine);
+    let part = output::during(pixels, "volumes in simulation", |bar| {
+        volumes::run(prepared, &frame, rows, engine, |n| bar.inc(n))
+    })?;
     let seconds = report.seconds + part.seconds;
     report.absorb(part);
     report.timed(seconds);
     Ok(())
-}
-
-/// Puts the engine asked for under a unit.
-fn engine(options: &Cosim, subject: Subject, request: &Request) -> Result<Subject, DesignError> {
-    match options.engine.engine() {
-        Engine::BuiltIn => Ok(subject),
-        Engine::Verilog(simulator) => {
-            let emitted = emit(request).expect("a checked request");
-            with_verilog(subject, simulator, &emitted.top, &emitted.bundle())
-        }
-    }
 }

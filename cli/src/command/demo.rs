@@ -20,15 +20,9 @@ use serde::Serialize;
 const TEAPOT: &str = include_str!("../../../scenes/teapot.toml");
 const MACHINE: &str = include_str!("../../../machines/beam-640x480.toml");
 /// The screen of the machine.
-const SCREEN: Size = Size {
-    width: 640,
-    height: 480,
-};
+const SCREEN: Size = (640, 480);
 /// Picture of the run whose waveforms are kept.
-const TRACED_SIZE: Size = Size {
-    width: 160,
-    height: 120,
-};
+const TRACED_SIZE: Size = (160, 120);
 /// Clocks of waveforms kept.
 const TRACE_CLOCKS: u64 = 1_600;
 /// Object whose processor is traced: the body of the pot.
@@ -48,7 +42,6 @@ struct Summary {
     pictures_identical: bool,
 }
 
-/// Runs the demo.
 pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
     let file = SceneFile::parse(TEAPOT, "teapot.toml")?;
     let machine = MachineDescription::parse(MACHINE, "beam-640x480.toml")?;
@@ -93,8 +86,8 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
     report.files.push(summary_path.clone());
     let summary = Summary {
         report,
-        width: SCREEN.width,
-        height: SCREEN.height,
+        width: SCREEN.0,
+        height: SCREEN.1,
         clocks_per_frame: outcome.clocks_per_frame,
         objects: machine.objects,
         planes: machine.planes,
@@ -102,7 +95,12 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
     };
     files.add_text(&summary_path, &(output::json_text(&summary) + "\n"))?;
     files.finish()?;
-    tell(&summary, json)
+    output::report(json, &summary, tell);
+    verdict(&summary.report)?;
+    match summary.pictures_identical {
+        true => Ok(()),
+        false => Err(Failure::Check("pins.png and golden.png differ".into())),
+    }
 }
 
 /// The same scene in a small picture, with the waveforms of a processor: its inside is compared as well.
@@ -119,31 +117,15 @@ fn inside(file: &SceneFile, format: Format) -> Result<Report, Failure> {
     Ok(beam::run(&prepared, &options, Engine::BuiltIn)?.0)
 }
 
-fn tell(summary: &Summary, json: bool) -> Result<(), Failure> {
-    if json {
-        output::json(summary);
-    } else {
-        let Summary {
-            width,
-            height,
-            clocks_per_frame,
-            objects,
-            planes,
-            ..
-        } = summary;
-        output::text(describe(&summary.report));
-        output::text(format!(
-            "{objects} object processors of {planes} cut planes on a screen of {width} x {height}: {clocks_per_frame} clocks \
-             a frame, 16.7 ms at 25.175 MHz; the picture on the pins is {} golden picture",
-            match summary.pictures_identical {
-                true => "the",
-                false => "NOT the",
-            }
-        ));
-    }
-    verdict(&summary.report)?;
-    match summary.pictures_identical {
-        true => Ok(()),
-        false => Err(Failure::Check("pins.png and golden.png differ".into())),
-    }
+fn tell(summary: &Summary) {
+    let picture = match summary.pictures_identical {
+        true => "the",
+        false => "NOT the",
+    };
+    output::text(describe(&summary.report));
+    output::text(format!(
+        "{} object processors of {} cut planes on a screen of {} x {}: {} clocks a frame, 16.7 ms at 25.175 MHz; \
+         the picture on the pins is {picture} golden picture",
+        summary.objects, summary.planes, summary.width, summary.height, summary.clocks_per_frame
+    ));
 }

@@ -47,7 +47,6 @@ struct Row<'a> {
     guards: [u32; 2],
 }
 
-/// Shows what a scene requires.
 pub fn run(options: &Detail, json: bool) -> Result<(), Failure> {
     let (framed, prepared) = load_scene(&options.scene)?;
     let report = output::during(1, "what the scene requires", |_| {

@@ -49,9 +49,7 @@ pub fn run(options: &Emit, json: bool) -> Result<(), Failure> {
         modules: emitted.modules.len(),
         ports: emitted.ports.iter().map(port).collect(),
     };
-    if json {
-        output::json(&report);
-    } else {
+    output::report(json, &report, |report| {
         output::wrote(&report.files);
         output::text(format!(
             "top {}, {}, {}, latency {}",
@@ -60,7 +58,7 @@ pub fn run(options: &Emit, json: bool) -> Result<(), Failure> {
             counted(report.ports.len(), "port"),
             counted(report.latency, "clock")
         ));
-    }
+    });
     Ok(())
 }
 

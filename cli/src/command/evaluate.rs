@@ -32,12 +32,10 @@ pub fn run(options: &Evaluate, json: bool) -> Result<(), Failure> {
         Some(folder) => write(folder, &evaluation)?,
         None => vec![],
     };
-    if json {
-        output::json(&Report { evaluation, files });
-        return Ok(());
-    }
-    output::text(markdown(&evaluation).trim_end());
-    output::wrote(&files);
+    output::report(json, &Report { evaluation, files }, |report| {
+        output::text(markdown(&report.evaluation).trim_end());
+        output::wrote(&report.files);
+    });
     Ok(())
 }
 

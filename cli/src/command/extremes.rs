@@ -16,7 +16,6 @@ pub fn is_meant(subject: &str) -> bool {
             .is_some_and(|rest| rest.starts_with('/') && !rest.ends_with(".toml"))
 }
 
-/// Runs one case, or all.
 pub fn run(subject: &str, json: bool) -> Result<(), Failure> {
     let chosen = chosen(subject)?;
     let mut findings = Vec::new();
@@ -30,18 +29,10 @@ pub fn run(subject: &str, json: bool) -> Result<(), Failure> {
     if json {
         output::json(&findings);
     }
-    let failed: Vec<&str> = findings
-        .iter()
-        .filter(|f| !f.held)
-        .map(|f| f.name.as_str())
-        .collect();
-    if failed.is_empty() {
-        Ok(())
-    } else {
-        Err(Failure::Check(format!(
-            "not as stated: {}",
-            failed.join(", ")
-        )))
+    let failed = findings.iter().filter(|f| !f.held).map(|f| &f.name);
+    match output::joined(failed, ", ") {
+        none if none.is_empty() => Ok(()),
+        failed => Err(Failure::Check(format!("not as stated: {failed}"))),
     }
 }
 
@@ -53,20 +44,13 @@ fn chosen(subject: &str) -> Result<Vec<&'static Extreme>, Failure> {
     if name.is_empty() {
         return Ok(extremes::all().collect());
     }
-    let names = || {
-        extremes::all()
-            .map(|e| e.name)
-            .collect::<Vec<_>>()
-            .join(", ")
-    };
-    extremes::find(name)
-        .map(|extreme| vec![extreme])
-        .ok_or_else(|| {
-            Failure::Input(format!(
-                "there is no extreme `{name}`; the extremes are {}",
-                names()
-            ))
-        })
+    match extremes::find(name) {
+        Some(extreme) => Ok(vec![extreme]),
+        None => Err(Failure::Input(format!(
+            "there is no extreme `{name}`; the extremes are {}",
+            output::joined(extremes::all().map(|e| e.name), ", ")
+        ))),
+    }
 }
 
 fn print(finding: &Finding) {

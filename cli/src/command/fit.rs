@@ -5,8 +5,7 @@ mod contract;
 use super::{fitted, size_of, threads};
 use crate::arguments::{Fit, FitEngine};
 use crate::failure::Failure;
-use crate::molecules;
-use crate::{missing, output};
+use crate::{missing, molecules, output};
 use contract::{FitReport, Saving};
 use imogene_files::text::counted;
 use imogene_golden::format::Format;
@@ -23,8 +22,7 @@ use imogene_studies::fit::search::{Outcome, search};
 use imogene_studies::picture;
 use imogene_synth::Target;
 use imogene_synth::fitted::MachineCost;
-use imogene_verif::engine::Engine;
-use imogene_verif::engine::design::Simulator;
+use imogene_verif::engine::beam::BeamDesign;
 use imogene_verif::report::Report;
 use imogene_verif::scene;
 use std::time::Instant;
@@ -61,7 +59,7 @@ pub fn run(options: &Fit, json: bool) -> Result<(), Failure> {
     let costs = fitted::costs(&machines, target, with_clock)?;
     let (cost, base_cost) = (costs[0], costs[1]);
     let emitted = fitted::emit(&choice.machine, None)?;
-    let cosim = cosimulate(&choice, &emitted, options.engine)?;
+    let cosim = cosimulate(&choice, options.engine)?;
     let bounds = proof::bounds(&frames, choice.drawn);
     let limits = proof::proofs(&frames, &budget, choice.drawn, &bounds);
     let format = choice.machine.format()?;
@@ -115,9 +113,8 @@ fn frames(options: &Fit) -> Result<Frames, Failure> {
             files.extend(playback.scenes(&name)?);
         }
     }
-    let size = options.size.map(|size| (size.width, size.height));
     let frames = output::during(0, "lines of the truth", |bar| {
-        Frames::new(&files, size, || bar.inc(1))
+        Frames::new(&files, options.size, || bar.inc(1))
     });
     frames.map_err(Failure::from)
 }
@@ -190,19 +187,12 @@ fn saving(cost: &MachineCost, base: &MachineCost) -> Saving {
 }
 
 /// Every frame in hardware against the golden machine.
-fn cosimulate(
-    choice: &Choice,
-    emitted: &Emitted,
-    engine: FitEngine,
-) -> Result<Vec<Report>, Failure> {
-    let engine = match engine {
-        FitEngine::None => return Ok(vec![]),
-        FitEngine::BuiltIn => Engine::BuiltIn,
-        FitEngine::Verilator => Engine::Verilog(Simulator::Verilator),
-        FitEngine::Icarus => Engine::Verilog(Simulator::Icarus),
+fn cosimulate(choice: &Choice, engine: FitEngine) -> Result<Vec<Report>, Failure> {
+    let Some(engine) = engine else {
+        return Ok(vec![]);
     };
     let machine = &choice.machine;
-    let design = scene::fitted::compile(engine, machine, emitted)?;
+    let design = BeamDesign::compile(engine, &scene::request(machine, ""), vec![])?;
     let options = scene::Options::plain(machine.rows_per_stage as usize, threads());
     let frames = &choice.drawn.prepared;
     let pixels: u64 = frames
@@ -211,10 +201,8 @@ fn cosimulate(
         .sum();
     let bar = output::progress(pixels, "hardware in simulation");
     let one = |prepared| {
-        let outcome = scene::fitted::run(prepared, machine, &options, &design, || bar.inc(1));
-        let (mut report, _) = outcome?;
-        report.engine = engine.name().into();
-        Ok(report)
+        let drawn = scene::run_on(&design, machine, prepared, &options, || bar.inc(1));
+        Ok(drawn?.0)
     };
     let reports = frames.iter().map(one).collect();
     bar.finish_and_clear();

@@ -1,6 +1,6 @@
 //! Hardware of any widths, for the commands that need it.
 
-use crate::arguments::{Fitted, Widths};
+use crate::arguments::Fitted;
 use crate::failure::Failure;
 use crate::output;
 use imogene_contract::{Request, Unit};
@@ -9,11 +9,11 @@ use imogene_rtl::emit::Emitted;
 use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
 use imogene_synth::Target;
 use imogene_synth::fitted::{MachineCost, machine_costs};
-use imogene_verif::scene::fitted::request;
+use imogene_verif::scene::request;
 
 /// The machine of the widths and slots asked for, if any are.
 pub fn asked(options: &Fitted, request: &Request) -> Result<Option<FittedMachine>, Failure> {
-    let (Some(Widths(widths)), Some(slots)) = (options.widths, &options.slots) else {
+    let (Some(widths), Some(slots)) = (options.widths, &options.slots) else {
         return Ok(None);
     };
     if request.unit != Unit::Beam {
@@ -25,11 +25,10 @@ pub fn asked(options: &Fitted, request: &Request) -> Result<Option<FittedMachine
     Ok(Some(FittedMachine {
         widths,
         rows_per_stage: request.rows_per_stage,
-        slots: slots.0.clone(),
+        slots: slots.clone(),
     }))
 }
 
-/// The Verilog of a machine.
 pub fn emit(machine: &FittedMachine, prefix: Option<&str>) -> Result<Emitted, Failure> {
     emit_machine(&request_of(machine, prefix)).map_err(Failure::from)
 }

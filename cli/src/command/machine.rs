@@ -4,7 +4,7 @@ mod files;
 mod report;
 
 use super::{frame_in, read_scene, verdict};
-use crate::arguments::{Machine, Refine, View};
+use crate::arguments::{Machine, View};
 use crate::failure::Failure;
 use crate::output;
 use files::{Scene, add_bench, grow, zone_timing_of};
@@ -14,6 +14,7 @@ use imogene_plan::description::{MachineDescription, Output};
 use imogene_plan::display::{DisplayError, Image, refined_image};
 use imogene_plan::needs;
 use imogene_plan::zone::clocks::clocks;
+use imogene_plan::zone::refine::Refinement;
 use imogene_scene::animation::Playback;
 use imogene_studies::picture::read_mask;
 use imogene_verif::display::pins::{PinsOutcome, PinsRun, run as run_pins};
@@ -103,7 +104,7 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
     summary.files.push(path.clone());
     files.add_text(&path, &output::json_text(&summary))?;
     files.finish()?;
-    tell(&summary, json);
+    output::report(json, &summary, tell);
     match &summary.report {
         Some(report) => verdict(report),
         None => Ok(()),
@@ -126,7 +127,7 @@ fn views(options: &Machine) -> Result<Vec<(&Path, View)>, Failure> {
         let file = read_scene(path, &as_written)?;
         let playback = Playback::new(&file).map_err(|e| named(e.to_string()))?;
         let frames = range.of("--animation", playback.count());
-        for frame in frames.map_err(|e| named(e.to_string()))? {
+        for frame in frames.map_err(named)? {
             let view = View {
                 frame: Some(frame as u32),
                 ..as_written.clone()
@@ -139,12 +140,9 @@ fn views(options: &Machine) -> Result<Vec<(&Path, View)>, Failure> {
 
 fn prepared(path: &Path, view: &View, machine: &MachineDescription) -> Result<Scene, Failure> {
     let file = read_scene(path, view)?;
-    let (width, height) = machine
-        .drawn_size()
-        .ok_or_else(|| Failure::Input("no video mode".into()))?;
-    let size = crate::arguments::Size { width, height };
-    let format = machine.format()?;
-    let (framed, prepared) = frame_in(&file, Some(size), format)?;
+    let size = machine.drawn_size();
+    let size = size.ok_or_else(|| Failure::Input("no video mode".into()))?;
+    let (framed, prepared) = frame_in(&file, Some(size), machine.format()?)?;
     Ok(Scene {
         name: format!("{}{}", path.display(), view.options()),
         framed,
@@ -169,12 +167,7 @@ fn images(
     let all: Vec<_> = scenes.iter().map(Scene::parts).collect();
     needs::check(machine, &all).map_err(|error| named(&options.machine.display(), error))?;
     let image = |scene: &Scene| {
-        let image = refined_image(
-            &scene.framed,
-            &scene.prepared,
-            machine,
-            options.refine.into(),
-        );
+        let image = refined_image(&scene.framed, &scene.prepared, machine, options.refine);
         image.map_err(|error| named(&scene.name, error))
     };
     scenes.iter().map(image).collect()
@@ -209,15 +202,11 @@ fn overlay_of(
 }
 
 fn command_of(options: &Machine) -> String {
-    let scenes: Vec<String> = options
-        .scenes
-        .iter()
-        .map(|path| path.display().to_string())
-        .collect();
+    let scenes = options.scenes.iter().map(|path| path.display());
     let refine = match options.refine {
-        Refine::Box => "",
-        Refine::Bounds => " --refine bounds",
-        Refine::Pixels => " --refine pixels",
+        Refinement::Box => "",
+        Refinement::Bounds => " --refine bounds",
+        Refinement::Pixels => " --refine pixels",
     };
     let view = View {
         camera: options.camera.clone(),
@@ -228,7 +217,7 @@ fn command_of(options: &Machine) -> String {
     });
     format!(
         "imogene machine {}{}{frames} --machine {}{refine} --out DIR",
-        scenes.join(" "),
+        output::joined(scenes, " "),
         view.options(),
         options.machine.display()
     )
@@ -242,7 +231,7 @@ fn show(
 ) -> Result<PinsOutcome, Failure> {
     let run = PinsRun {
         overlay,
-        engine: options.engine.engine(),
+        engine: options.engine,
         stalls: options.stalls,
         late: options.late,
         frames: options.frames as usize,

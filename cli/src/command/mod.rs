@@ -41,8 +41,7 @@ use crate::{missing, molecules, output};
 use imogene_files::text::counted;
 use imogene_files::{free_memory, memory_limit};
 use imogene_golden::format::Format;
-use imogene_prepare::Framing;
-use imogene_prepare::{PreparedScene, Seen, memory, prepare_reporting, steps};
+use imogene_prepare::{Framing, PreparedScene, Seen, memory, prepare_reporting, steps};
 use imogene_scene::animation::Playback;
 use imogene_scene::{FramedScene, Look, SceneFile};
 use imogene_verif::report::Report;
@@ -109,10 +108,7 @@ fn looked(file: SceneFile, look: Option<Look>, size: Option<Size>) -> Result<Sce
 
 /// Size of a picture: the one asked for, or the scene's own.
 fn size_of(file: &SceneFile, size: Option<Size>) -> (u32, u32) {
-    match size {
-        Some(size) => (size.width, size.height),
-        None => (file.image.width, file.image.height),
-    }
+    size.unwrap_or((file.image.width, file.image.height))
 }
 
 fn frame_in(

@@ -9,7 +9,6 @@ use imogene_rtl::emit::{design, emit};
 use imogene_verif::mutation::{MutationReport, Options, circuit, netlist, table};
 use imogene_verif::unit::subject;
 
-/// Scores one unit or all.
 pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
     let named = options.unit.iter().map(String::as_str);
     let units: Vec<&str> = match (options.unit == ["all"], options.netlist) {
@@ -42,11 +41,10 @@ pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
             None => (String::new(), table::OF_CIRCUITS),
             Some(mutants) => (format!(" --netlist {mutants}"), table::OF_NETLISTS),
         };
-        let formats: Vec<String> = options.format.iter().map(u32::to_string).collect();
         let command = format!(
             "imogene mutate {} --format {}{kind} --stimuli {} --clocks {} --out {}",
             options.unit.join(","),
-            formats.join(","),
+            output::joined(&options.format, ","),
             options.stimuli,
             options.clocks,
             path.display()
@@ -82,7 +80,6 @@ fn of_netlist(request: &Request, options: &Options) -> Result<MutationReport, Fa
     Ok(report?)
 }
 
-/// A score as text.
 fn describe(report: &MutationReport) -> String {
     format!(
         "{}: {} of {}, {} killed, {} equivalent, {} forgotten, {} surviving: score {:.2} % ({:.1} s)",
@@ -98,7 +95,6 @@ fn describe(report: &MutationReport) -> String {
     )
 }
 
-/// Success if nothing survived.
 fn verdict(reports: &[MutationReport]) -> Result<(), Failure> {
     let count: usize = reports.iter().map(|report| report.surviving.len()).sum();
     if count == 0 {

@@ -17,7 +17,6 @@ struct PackageReport {
     files: Vec<PathBuf>,
 }
 
-/// Writes units as IP cores.
 pub fn run(options: &Package, json: bool) -> Result<(), Failure> {
     let units: Result<Vec<Unit>, Failure> = options
         .units

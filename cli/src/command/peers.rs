@@ -1,6 +1,6 @@
 //! `imogene peers`.
 
-use crate::arguments::{Parameter, Peers};
+use crate::arguments::Peers;
 use crate::failure::Failure;
 use crate::output;
 use imogene_files::text::counted;
@@ -12,15 +12,12 @@ pub fn run(options: &Peers, json: bool) -> Result<(), Failure> {
     let request = options.shape.request(&options.against)?;
     request.check()?;
     let target = Target::from_name(&options.target)?;
-    let parameters = options.parameter.iter();
     let peer = Peer {
         files: options.rtl.clone(),
         top: options.top.clone(),
         clock: options.clock.clone(),
         include: options.include.clone(),
-        parameters: parameters
-            .map(|Parameter(name, value)| (name.clone(), value.clone()))
-            .collect(),
+        parameters: options.parameter.clone(),
     };
     let seeds = options.seeds;
     let comparison = compare(&peer, &request, target, &Options { seeds })?;
@@ -31,9 +28,7 @@ pub fn run(options: &Peers, json: bool) -> Result<(), Failure> {
 fn describe(comparison: &Comparison) -> String {
     let (peer, unit) = (&comparison.peer, &comparison.unit);
     let tools = comparison.tools.iter();
-    let tools: Vec<String> = tools
-        .map(|(tool, version)| format!("{tool} {version}"))
-        .collect();
+    let tools = tools.map(|(tool, version)| format!("{tool} {version}"));
     let mut lines = vec![
         format!(
             "{} beside {} for {}",
@@ -43,7 +38,7 @@ fn describe(comparison: &Comparison) -> String {
         ),
         format!(
             "{}, {}",
-            tools.join(", "),
+            output::joined(tools, ", "),
             counted(comparison.seeds, "seed")
         ),
         format!(
@@ -73,13 +68,10 @@ fn describe(comparison: &Comparison) -> String {
 
 fn title(design: &Measured) -> String {
     let parameters = design.parameters.iter();
-    let parameters: Vec<String> = parameters
-        .map(|(name, value)| format!("{name}={value}"))
-        .collect();
-    if parameters.is_empty() {
-        design.top.clone()
-    } else {
-        format!("{} ({})", design.top, parameters.join(", "))
+    let parameters = parameters.map(|(name, value)| format!("{name}={value}"));
+    match output::joined(parameters, ", ") {
+        none if none.is_empty() => design.top.clone(),
+        parameters => format!("{} ({parameters})", design.top),
     }
 }
 

@@ -1,7 +1,7 @@
 //! `imogene prepare`.
 
 use super::load_scene;
-use crate::arguments::Prepare;
+use crate::arguments::Scene;
 use crate::failure::Failure;
 use crate::output;
 use imogene_algebra::rational::to_f64;
@@ -18,8 +18,8 @@ use imogene_scene::FramedObject;
 use serde_json::{Value, json};
 
 /// Shows the coefficient words of every object.
-pub fn run(options: &Prepare, json: bool) -> Result<(), Failure> {
-    let (framed, scene) = load_scene(&options.scene)?;
+pub fn run(options: &Scene, json: bool) -> Result<(), Failure> {
+    let (framed, scene) = load_scene(options)?;
     let object = |(framed, o): (&FramedObject, &PreparedObject)| -> Value {
         let Some(q) = o.quadric() else {
             return parts(framed, o);
@@ -112,9 +112,7 @@ fn describe_parts(framed: &FramedObject, o: &PreparedParts) {
     for words in &o.words {
         output::text(format!("  {}", json!(words)));
     }
-    for note in &o.notes {
-        output::text(format!("  note: {note}"));
-    }
+    describe_notes(&o.notes);
 }
 
 fn describe_volume(v: &PreparedVolume) {
@@ -128,7 +126,11 @@ fn describe_volume(v: &PreparedVolume) {
     for (index, plane) in w.planes.iter().enumerate() {
         describe_plane("plane", index, plane.kind, &plane.depth);
     }
-    for note in &v.notes {
+    describe_notes(&v.notes);
+}
+
+fn describe_notes(notes: &[String]) {
+    for note in notes {
         output::text(format!("  note: {note}"));
     }
 }
@@ -163,20 +165,9 @@ fn describe(framed: &FramedObject, o: &PreparedQuadric) {
         other => output::text(format!("\n{} ({:?}, processor {other})", o.name, w.class)),
     }
     describe_box(&w.screen_box);
-    output::text(format!("  f1   {} {} {}", w.f1.a, w.f1.b, w.f1.c));
-    let f2 = &w.f2;
-    output::text(format!(
-        "  f2   {} {} {} {} {} {}",
-        f2.a, f2.b, f2.c, f2.d, f2.e, f2.f
-    ));
+    describe_quadric(&w.f1, &w.f2);
     for (index, plane) in w.planes.iter().enumerate() {
-        let d = &plane.depth;
-        output::text(format!(
-            "  cut {index} {:?} {} {} {}",
-            plane.kind, d.a, d.b, d.c
-        ));
+        describe_plane("cut", index, plane.kind, &plane.depth);
     }
-    for note in &o.notes {
-        output::text(format!("  note: {note}"));
-    }
+    describe_notes(&o.notes);
 }

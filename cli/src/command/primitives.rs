@@ -3,7 +3,7 @@
 mod hardware;
 mod page;
 
-use crate::arguments::{Primitives, Size};
+use crate::arguments::Primitives;
 use crate::failure::Failure;
 use crate::output;
 use imogene_analysis::metrics::PixelError;
@@ -28,7 +28,7 @@ const TIME: Duration = Duration::from_millis(400);
 /// Draws the scene in every way, measures, and writes the page, the picture and the figures if there is a folder for
 /// them.
 pub fn run(options: &Primitives, json: bool) -> Result<(), Failure> {
-    let Size { width, height } = options.size;
+    let (width, height) = options.size;
     let file = SceneFile::parse(SCENE, "three-solids.toml")?;
     let format = Format::BASE;
     let subject = Subject::new(&file, (width, height), format)?;
@@ -59,12 +59,10 @@ pub fn run(options: &Primitives, json: bool) -> Result<(), Failure> {
     if let Some(folder) = &options.out {
         write(folder, &comparison, &text, &subject, &drawn)?;
     }
-    if json {
-        output::json(&comparison);
-    } else {
+    output::report(json, &comparison, |comparison| {
         output::text(text.trim_end());
         output::text(format!("\n{}", page::speed(&comparison.speed)));
-    }
+    });
     Ok(())
 }
 

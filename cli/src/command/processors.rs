@@ -23,16 +23,13 @@ pub fn run(options: &Processors, json: bool) -> Result<(), Failure> {
             (p.census.roots, "root"),
             (p.census.multipliers, "multipliers"),
         ];
-        let parts: Vec<String> = parts
-            .iter()
-            .filter(|(count, _)| *count > 0)
-            .map(|(count, name)| format!("{count} {name}"))
-            .collect();
+        let parts = parts.iter().filter(|(count, _)| *count > 0);
+        let parts = parts.map(|(count, name)| format!("{count} {name}"));
         output::text(format!(
             "{} {}\n  parts:      {}\n  latency:    {} = {}\n  source:     {} ({})\n  difference: {}\n",
             p.unit,
             p.parameters,
-            parts.join(", "),
+            output::joined(parts, ", "),
             counted(p.latency, "clock"),
             p.latency_formula,
             p.source,

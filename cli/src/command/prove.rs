@@ -7,7 +7,6 @@ use imogene_verif::formal::mutants;
 use imogene_verif::formal::runner::{ProofReport, Task, Verdict, prove_all, select};
 use imogene_verif::formal::toolchain::Toolchain;
 
-/// Runs proofs, or their mutants.
 pub fn run(options: &Prove, json: bool) -> Result<(), Failure> {
     let jobs = select(&options.name, options.full)?;
     let tasks: Vec<Task> = if options.mutants {
@@ -48,7 +47,6 @@ pub fn run(options: &Prove, json: bool) -> Result<(), Failure> {
     verdict(&reports)
 }
 
-/// A report as text.
 fn describe(report: &ProofReport) -> String {
     let result = match report.result {
         Verdict::Proved => "proved",

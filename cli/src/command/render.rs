@@ -73,7 +73,6 @@ impl RenderReport {
     }
 }
 
-/// Draws a scene.
 pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
     if let Some(range) = options.frames {
         return frames::run(options, range, json);

@@ -13,15 +13,10 @@ const HEAD: &str = "\
 /// Prints the measured table of the family of square root networks, as Markdown or JSON.
 pub fn run(options: &Roots, json: bool) -> Result<(), Failure> {
     let format = Format::new(options.format)?;
-    let rows = table(&format);
-    if json {
-        output::json(&rows);
-        return Ok(());
-    }
-    output::text(HEAD);
-    for row in rows {
-        output::text(line(&row));
-    }
+    output::report(json, &table(&format), |rows| {
+        output::text(HEAD);
+        rows.iter().for_each(|row| output::text(line(row)));
+    });
     Ok(())
 }
 

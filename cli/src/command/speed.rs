@@ -1,25 +1,24 @@
 //! `imogene speed`.
 
-use crate::arguments::{EngineName, Speed};
+use crate::arguments::Speed;
 use crate::failure::Failure;
 use crate::output;
-use clap::ValueEnum;
-use imogene_rtl::emit::emit;
 use imogene_verif::engine::Engine;
-use imogene_verif::engine::design::with_verilog;
+use imogene_verif::engine::design::Simulator;
 use imogene_verif::engine::speed::{self, Drive, Entrant, FRAME, measure};
-use imogene_verif::subject::Subject;
 use imogene_verif::unit;
 use std::time::Duration;
 
 /// Measures how fast the engines run a unit, side by side.
 pub fn run(options: &Speed, json: bool) -> Result<(), Failure> {
-    let mut engines: Vec<Entrant> = EngineName::value_variants()
-        .iter()
-        .map(|engine| Entrant::new(|| subject(options, *engine)))
-        .collect::<Result<_, Failure>>()?;
     let request = options.shape.request(&options.unit)?;
-    engines.insert(1, Entrant::new(|| unit::levelised(&request))?);
+    let mut engines = vec![
+        Entrant::new(|| unit::subject(&request))?,
+        Entrant::new(|| unit::levelised(&request))?,
+    ];
+    for simulator in Simulator::ALL {
+        engines.push(Entrant::new(|| Engine::Verilog(simulator).unit(&request))?);
+    }
     let seconds = Duration::from_secs(options.seconds.into());
     let drive = if options.random {
         Drive::Random
@@ -31,16 +30,6 @@ pub fn run(options: &Speed, json: bool) -> Result<(), Failure> {
         output::text(table(&options.unit, engines[0].options(), &speeds))
     });
     Ok(())
-}
-
-fn subject(options: &Speed, engine: EngineName) -> Result<Subject, Failure> {
-    let request = options.shape.request(&options.unit)?;
-    let subject = unit::subject(&request)?;
-    let Engine::Verilog(simulator) = engine.engine() else {
-        return Ok(subject);
-    };
-    let emitted = emit(&request)?;
-    with_verilog(subject, simulator, &emitted.top, &emitted.bundle()).map_err(Failure::from)
 }
 
 fn table(unit: &str, parameters: &str, speeds: &[speed::Speed]) -> String {

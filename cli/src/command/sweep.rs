@@ -1,11 +1,9 @@
 //! `imogene sweep`.
 
-use crate::arguments;
 use crate::failure::Failure;
-use crate::output;
+use crate::{arguments, output};
 use imogene_golden::format::Format;
-use imogene_studies::sweep;
-use imogene_studies::sweep::{Sweep, SweepResult, heading, markdown, plot, section};
+use imogene_studies::sweep::{self, Sweep, SweepResult, heading, markdown, plot, section};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -30,12 +28,10 @@ pub fn run(options: &arguments::Sweep, json: bool) -> Result<(), Failure> {
         None => vec![],
     };
     let report = Report { sweeps, files };
-    if json {
-        output::json(&report);
-    } else {
+    output::report(json, &report, |report| {
         output::text(page(&report.sweeps).trim_end());
         output::wrote(&report.files);
-    }
+    });
     verdict(&report.sweeps)
 }
 
@@ -48,9 +44,8 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Sweep>, Failure> {
 }
 
 fn page(sweeps: &[SweepResult]) -> String {
-    let sections = sweeps.iter();
-    let sections = sections.map(|sweep| format!("{}\n\n{}", heading(sweep), markdown(sweep)));
-    sections.collect::<Vec<_>>().join("\n")
+    let section = |sweep| format!("{}\n\n{}", heading(sweep), markdown(sweep));
+    output::joined(sweeps.iter().map(section), "\n")
 }
 
 fn write(folder: &Path, sweeps: &[SweepResult]) -> Result<Vec<PathBuf>, Failure> {
@@ -61,8 +56,8 @@ fn write(folder: &Path, sweeps: &[SweepResult]) -> Result<Vec<PathBuf>, Failure>
     }
     let figures = output::json_text(&sweeps) + "\n";
     files.add_text(&folder.join("sweeps.json"), &figures)?;
-    let sections: Vec<String> = sweeps.iter().map(|sweep| section(sweep, "")).collect();
-    files.add_text(&folder.join("sweeps.md"), &sections.join("\n"))?;
+    let sections = output::joined(sweeps.iter().map(|sweep| section(sweep, "")), "\n");
+    files.add_text(&folder.join("sweeps.md"), &sections)?;
     Ok(files.finish()?)
 }
 

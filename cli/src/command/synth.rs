@@ -80,12 +80,10 @@ fn run_table(options: &Synth, json: bool) -> Result<(), Failure> {
         files.add_text(&beside(&options.out, table::PICTURE), &picture)?;
     }
     let files = files.finish()?;
-    if json {
-        output::json(&table);
-    } else {
-        let files = files.iter().map(|path| path.display().to_string());
-        output::text(format!("wrote {}", files.collect::<Vec<_>>().join(", ")));
-    }
+    output::report(json, &table, |_| {
+        let files = output::joined(files.iter().map(|path| path.display()), ", ");
+        output::text(format!("wrote {files}"));
+    });
     Ok(())
 }
 
@@ -108,7 +106,6 @@ fn resources(counts: [Option<u64>; 6]) -> Vec<String> {
         .collect()
 }
 
-/// A report as text.
 fn describe(report: &SynthReport) -> String {
     let mut lines = vec![format!("{} for {}", report.unit, report.target)];
     lines.extend(resources([
@@ -146,11 +143,8 @@ fn describe(report: &SynthReport) -> String {
             )
         }),
     );
-    let tools: Vec<String> = report
-        .tools
-        .iter()
-        .map(|(tool, version)| format!("{tool} {version}"))
-        .collect();
-    line("tools", Some(tools.join(", ")));
+    let tools = report.tools.iter();
+    let tools = tools.map(|(tool, version)| format!("{tool} {version}"));
+    line("tools", Some(output::joined(tools, ", ")));
     lines.join("\n")
 }

@@ -45,16 +45,14 @@ pub fn run(options: &Terrain, json: bool) -> Result<(), Failure> {
         most_edges: made.most_edges,
         files: vec![options.output.clone()],
     };
-    if json {
-        output::json(&report);
-        return Ok(());
-    }
-    output::text(format!(
-        "{side} x {side} nodes, heights {:.1} to {:.1}; wrote {}",
-        report.lowest,
-        report.highest,
-        options.output.display(),
-        side = report.side,
-    ));
+    output::report(json, &report, |report| {
+        output::text(format!(
+            "{side} x {side} nodes, heights {:.1} to {:.1}; wrote {}",
+            report.lowest,
+            report.highest,
+            options.output.display(),
+            side = report.side,
+        ))
+    });
     Ok(())
 }

@@ -5,8 +5,7 @@ mod parts;
 use super::{fitted, size_of};
 use crate::arguments::{Points, Trade, TradeEngine};
 use crate::failure::Failure;
-use crate::molecules;
-use crate::{missing, output};
+use crate::{missing, molecules, output};
 use imogene_files::text::counted;
 use imogene_golden::format::Format;
 use imogene_golden::machine::fitted::FittedMachine;
@@ -15,10 +14,8 @@ use imogene_studies::trade::design::Space;
 use imogene_studies::trade::page::page;
 use imogene_studies::trade::plot;
 use imogene_studies::trade::point::Cost;
-use imogene_studies::trade::report;
-use imogene_studies::trade::report::FRONTS;
-use imogene_studies::trade::run;
-use imogene_studies::trade::run::Request;
+use imogene_studies::trade::report::{self, FRONTS};
+use imogene_studies::trade::run::{self, Request};
 use imogene_synth::Target;
 use imogene_synth::fitted::MachineCost;
 use serde_json::json;
@@ -53,11 +50,11 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
         done: &|points| bar.inc(points),
     };
     if let Some(shard) = options.shard {
-        let points = run::run_shard(&request, shard.0)?;
+        let points = run::run_shard(&request, shard)?;
         bar.finish_and_clear();
-        say(json, &json!({ "points": points, "files": [] }), || {
+        output::report(json, &json!({ "points": points, "files": [] }), |_| {
             let measured = counted(points, "point");
-            format!("part {} of {}: {measured}", shard.0.number, shard.0.of)
+            output::text(format!("part {} of {}: {measured}", shard.number, shard.of))
         });
         return Ok(());
     }
@@ -79,7 +76,9 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
         "seconds": seconds,
         "files": files,
     });
-    say(json, &summary, || text(&trade, &files, seconds));
+    output::report(json, &summary, |_| {
+        output::text(text(&trade, &files, seconds))
+    });
     let refusals: Option<Vec<&String>> = (trade.points.iter())
         .map(|entry| entry.point.refused.as_ref())
         .collect();
@@ -91,14 +90,6 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
             refusals.last().map_or("nothing", |why| why.as_str())
         ))),
         None => Ok(()),
-    }
-}
-
-fn say(json: bool, document: &serde_json::Value, text: impl FnOnce() -> String) {
-    if json {
-        output::json(document);
-    } else {
-        output::text(text());
     }
 }
 

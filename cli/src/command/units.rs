@@ -21,7 +21,6 @@ struct ParameterEntry {
     range: String,
 }
 
-/// Lists every unit.
 pub fn run(json: bool) -> Result<(), Failure> {
     let units: Vec<UnitEntry> = Unit::ALL.into_iter().map(entry).collect();
     if json {
@@ -29,26 +28,21 @@ pub fn run(json: bool) -> Result<(), Failure> {
         return Ok(());
     }
     for unit in units {
-        let options: Vec<String> = unit
-            .parameters
-            .iter()
-            .map(|p| format!("--{} {}", p.option, p.range))
-            .collect();
+        let options = unit.parameters.iter();
+        let options = options.map(|p| format!("--{} {}", p.option, p.range));
         output::text(format!(
             "{}\n  {}\n  parameters: {}\n  latency:    {} clock{}\n  source:     {}\n",
             unit.name,
             unit.contract,
-            options.join(", "),
+            output::joined(options, ", "),
             unit.latency,
             if unit.latency == "1" { "" } else { "s" },
             unit.source
         ));
     }
-    let symbols = PARAMETERS
-        .iter()
-        .map(|p| format!("{} --{}", p.symbol, p.option));
-    let symbols: Vec<String> = symbols.collect();
-    output::text(format!("W --format, {}", symbols.join(", ")));
+    let symbols = PARAMETERS.iter();
+    let symbols = symbols.map(|p| format!("{} --{}", p.symbol, p.option));
+    output::text(format!("W --format, {}", output::joined(symbols, ", ")));
     Ok(())
 }
 

@@ -32,13 +32,13 @@ impl State {
     /// Which state each input gate is, if it is one.
     pub(crate) fn of(levels: &Levels, begin: &Begin) -> HashMap<usize, State> {
         let mut state = HashMap::new();
-        for index in 0..levels.flops.len() {
-            for (place, bit) in begin.register(levels, index).iter().enumerate() {
+        for (index, flop) in levels.flops.iter().enumerate() {
+            for (place, bit) in begin.at(flop.output).iter().enumerate() {
                 state.insert(bit.gate(), State::Register(index, place));
             }
         }
-        for index in 0..levels.stores.len() {
-            for bit in begin.read(levels, index) {
+        for (index, store) in levels.stores.iter().enumerate() {
+            for bit in begin.at(store.output) {
                 state.insert(bit.gate(), State::Memory(index));
             }
         }

@@ -24,7 +24,7 @@ pub(crate) struct End {
     pub(crate) memories: Vec<Word>,
 }
 
-fn constant(value: u64) -> Word {
+pub(crate) fn constant(value: u64) -> Word {
     let width = 64 - value.leading_zeros();
     (0..width)
         .map(|bit| Bit::of(value >> bit & 1 == 1))
@@ -77,42 +77,14 @@ impl Begin {
         self
     }
 
-    /// The bits of an input.
-    pub(crate) fn input(&self, levels: &Levels, index: usize) -> &Word {
-        &self.words[levels.inputs()[index].place as usize]
+    /// The word at a place.
+    pub(crate) fn at(&self, place: u32) -> &Word {
+        &self.words[place as usize]
     }
 
-    /// Fixes an input.
-    pub(crate) fn set(&mut self, levels: &Levels, index: usize, value: u64) {
-        self.words[levels.inputs()[index].place as usize] = constant(value);
-    }
-
-    /// Makes the lowest bit of an input 0.
-    pub(crate) fn clear_lowest(&mut self, levels: &Levels, index: usize) {
-        self.words[levels.inputs()[index].place as usize][0] = NO;
-    }
-
-    /// Fixes the bits of a register that are constant.
-    pub(crate) fn fix(&mut self, levels: &Levels, index: usize, constants: &[Option<bool>]) {
-        let word = &mut self.words[levels.flops[index].output as usize];
-        for (bit, constant) in word.iter_mut().zip(constants) {
-            *bit = constant.map_or(*bit, Bit::of);
-        }
-    }
-
-    /// The bits of a register.
-    pub(crate) fn register(&self, levels: &Levels, index: usize) -> &Word {
-        &self.words[levels.flops[index].output as usize]
-    }
-
-    /// The bits that a memory gave.
-    pub(crate) fn read(&self, levels: &Levels, index: usize) -> &Word {
-        &self.words[levels.stores[index].output as usize]
-    }
-
-    /// Fixes a register.
-    pub(crate) fn hold(&mut self, levels: &Levels, index: usize, value: u64) {
-        self.words[levels.flops[index].output as usize] = constant(value);
+    /// The word at a place, to be fixed.
+    pub(crate) fn at_mut(&mut self, place: u32) -> &mut Word {
+        &mut self.words[place as usize]
     }
 
     /// One clock; some registers hold other words.

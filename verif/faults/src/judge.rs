@@ -6,7 +6,7 @@
 
 use crate::controls::{Controls, Upset};
 use crate::flow::{Flow, State, keeps_nothing};
-use crate::frame::{Begin, End, Word};
+use crate::frame::{Begin, End, Word, constant};
 use crate::gates::{Bit, Gates, NO};
 use crate::known::Known;
 use crate::solve::can_be;
@@ -52,8 +52,8 @@ impl Judge {
         let mut begin = Begin::any(&levels, &mut gates);
         let held: HashSet<usize> = controls.registers().collect();
         for register in &held {
-            let word = levels.words[levels.flops[*register].output as usize];
-            begin.hold(&levels, *register, word);
+            let place = levels.flops[*register].output;
+            *begin.at_mut(place) = constant(levels.words[place as usize]);
         }
         let registers = (0..levels.flops.len()).filter(|index| !held.contains(index));
         let registers: Vec<usize> = registers.collect();

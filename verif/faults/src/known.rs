@@ -1,7 +1,7 @@
 //! What is known of the state of a circuit, and of what it does with the state at power-up.
 
 use crate::flow::{State, keeps_nothing};
-use crate::frame::{Begin, Word, bit_of, less, sum};
+use crate::frame::{Begin, Word, bit_of, constant, less, sum};
 use crate::gates::{Bit, Gates, NO, YES};
 use crate::solve::can_be;
 use imogene_hdl::{Design, Direction, Levels};
@@ -92,13 +92,13 @@ impl Known {
     ) -> Vec<Bit> {
         let mut bits: Vec<Bit> = even_inputs(&self.even, levels, begin).collect();
         for (register, constants) in registers.iter().zip(&self.constants) {
-            let word = begin.register(levels, *register);
+            let word = begin.at(levels.flops[*register].output);
             let pairs = word.iter().zip(constants);
             let constant = pairs.filter_map(|(bit, constant)| Some((bit, (*constant)?)));
             bits.extend(constant.map(|(bit, is)| if is { *bit } else { !*bit }));
         }
         for pair in &self.remainders {
-            let words = pair.map(|index| begin.register(levels, registers[index]));
+            let words = pair.map(|index| begin.at(levels.flops[registers[index]].output));
             bits.push(self.is_remainder(gates, *pair, words));
         }
         bits
@@ -131,10 +131,13 @@ impl Known {
             let mut gates = Gates::new();
             let mut begin = Begin::any(levels, &mut gates);
             for index in &self.even {
-                begin.clear_lowest(levels, *index);
+                begin.at_mut(levels.inputs()[*index].place)[0] = NO;
             }
-            for (register, constants) in self.constants.iter().enumerate() {
-                begin.fix(levels, register, constants);
+            for (flop, constants) in levels.flops.iter().zip(&self.constants) {
+                let bits = begin.at_mut(flop.output).iter_mut();
+                for (bit, constant) in bits.zip(constants) {
+                    *bit = constant.map_or(*bit, Bit::of);
+                }
             }
             let end = begin.clock(levels, &[], &mut gates);
             let mut is_done = true;
@@ -157,7 +160,7 @@ impl Known {
         let initial = Begin::initial(levels);
         let mut gates = Gates::new();
         self.remainders.iter().all(|pair| {
-            let words = pair.map(|index| initial.register(levels, index));
+            let words = pair.map(|index| initial.at(levels.flops[index].output));
             self.is_remainder(&mut gates, *pair, words) == YES
         })
     }
@@ -214,7 +217,7 @@ pub(crate) fn even_inputs(
     begin: &Begin,
 ) -> impl Iterator<Item = Bit> {
     let even = even.iter();
-    even.map(|index| !bit_of(begin.input(levels, *index), 0))
+    even.map(|index| !bit_of(begin.at(levels.inputs()[*index].place), 0))
 }
 
 fn at_most_twice(gates: &mut Gates, a: &Word, b: &Word) -> Bit {
@@ -228,13 +231,12 @@ fn at_most_twice(gates: &mut Gates, a: &Word, b: &Word) -> Bit {
 fn forgotten(levels: &Levels, begins: &[usize], latency: usize) -> Vec<Vec<bool>> {
     let mut gates = Gates::new();
     let mut begin = Begin::any(levels, &mut gates);
-    let registers = 0..levels.flops.len();
-    let registers: Vec<Word> = registers
-        .map(|index| begin.register(levels, index).clone())
-        .collect();
+    let registers = levels.flops.iter();
+    let registers = registers.map(|flop| begin.at(flop.output).clone());
+    let registers: Vec<Word> = registers.collect();
     let before = begin.clock(levels, &[], &mut gates);
     for index in begins {
-        begin.set(levels, *index, 1);
+        *begin.at_mut(levels.inputs()[*index].place) = constant(1);
     }
     let mut end = begin.clock(levels, &[], &mut gates);
     let mut kept: Word = end.memories.concat();

@@ -15,6 +15,7 @@ use imogene_algebra::rational::{from_decimal, from_f64_exact, integer, to_f64};
 use imogene_scene::{Camera, DepthRange, Lens, Step};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
+use std::ops::{Mul, Sub};
 
 /// Coefficients of X, of Y, and a constant. X and Y are in half pixels from the middle of the picture.
 pub type Affine = [Vector; 3];
@@ -195,20 +196,18 @@ impl Observer {
 /// The dual of the axes right, down and forward.
 fn screen_axes(view: [f64; 3], up: [f64; 3]) -> [[BigRational; 3]; 3] {
     let forward = unit(view);
-    let right = unit(cross_f64(forward, unit(up)));
-    let down = cross_f64(forward, right);
+    let right = unit(cross(&forward, &unit(up)));
+    let down = cross(&forward, &right);
     let [r, d, f] = [right, down, forward].map(|axis| axis.map(from_f64_exact));
     let duals = [cross(&d, &f), cross(&f, &r), cross(&r, &d)];
     let volume: BigRational = (0..3).map(|k| &duals[0][k] * &r[k]).sum();
     duals.map(|dual| dual.map(|v| v / &volume))
 }
 
-fn cross_f64(u: [f64; 3], v: [f64; 3]) -> [f64; 3] {
-    let part = |i: usize, j: usize| u[i] * v[j] - u[j] * v[i];
-    [part(1, 2), part(2, 0), part(0, 1)]
-}
-
-fn cross(u: &[BigRational; 3], v: &[BigRational; 3]) -> [BigRational; 3] {
+fn cross<T: Sub<Output = T>>(u: &[T; 3], v: &[T; 3]) -> [T; 3]
+where
+    for<'a> &'a T: Mul<Output = T>,
+{
     let part = |i: usize, j: usize| &u[i] * &v[j] - &u[j] * &v[i];
     [part(1, 2), part(2, 0), part(0, 1)]
 }

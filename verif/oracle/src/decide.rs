@@ -142,7 +142,7 @@ impl CutBody {
         if end.below(start) || start.lo >= cell.last {
             return Verdict::Absent;
         }
-        let open = Verdict::Open { from: start.lo };
+        let open = Verdict::Open(start.lo);
         let there = !bounds.open && start.not_above(end) && start.hi < cell.last;
         let Line { r, s, t, .. } = *line;
         let two = Interval::point(2.0);
@@ -179,7 +179,7 @@ impl CutBody {
         let (lo, hi) = (entry.lo.max(start.lo), entry.hi);
         match self.solid_number(line) {
             Some(number) if there && enters && kept => hit(Interval { lo, hi }, number),
-            _ if enters => Verdict::Open { from: lo },
+            _ if enters => Verdict::Open(lo),
             _ => open,
         }
     }
@@ -202,10 +202,8 @@ impl CutBody {
         if line.discriminant.hi < 0.0 {
             return Verdict::Absent;
         }
-        let open = Verdict::Open { from: cell.first };
-        let open_from = |t: Interval| Verdict::Open {
-            from: t.lo.max(cell.first),
-        };
+        let open = Verdict::Open(cell.first);
+        let open_from = |t: Interval| Verdict::Open(t.lo.max(cell.first));
         let Line { r, s, t, .. } = *line;
         if r.is_zero() && !s.holds_zero() {
             let only = -t / (Interval::point(2.0) * s);

@@ -197,9 +197,7 @@ impl Triangle {
                 part: self.part,
             }
         } else {
-            Verdict::Open {
-                from: t.lo.max(cell.first),
-            }
+            Verdict::Open(t.lo.max(cell.first))
         }
     }
 }

@@ -39,10 +39,6 @@ const PANELS: [Panel; 3] = [
 ];
 
 /// Draws the scores (SVG).
-///
-/// # Errors
-///
-/// When the plotting library fails.
 pub fn plot(scores: &[Score]) -> Result<String, PlotError> {
     let mut text = String::new();
     let drawn = draw(scores, &mut text);

@@ -6,8 +6,7 @@ use crate::trace::Tracer;
 use imogene_golden::format::Format;
 use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
-use imogene_prepare::Framing;
-use imogene_prepare::{PreparedScene, prepare};
+use imogene_prepare::{Framing, PreparedScene, prepare};
 use imogene_scene::{FramedScene, SceneError, SceneFile};
 use std::time::Instant;
 

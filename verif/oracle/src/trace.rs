@@ -7,7 +7,7 @@
 use crate::body::Body;
 use crate::camera::Sight;
 use crate::interval::Interval;
-use crate::verdict::{Cell, Ends, Solved, Verdict};
+use crate::verdict::{Ends, Solved, Verdict};
 use imogene_scene::{DepthRange, SceneFile};
 use num_traits::Signed;
 use rayon::prelude::*;
@@ -95,14 +95,9 @@ impl Tracer {
         let drawn: Vec<Vec<((u32, u32), Drawn)>> = cells
             .par_iter()
             .map(|&(x, y)| {
-                let area = Area {
-                    x0: x,
-                    y0: y,
-                    x1: (x + LARGEST).min(width),
-                    y1: (y + LARGEST).min(height),
-                };
+                let to = [(x + LARGEST).min(width), (y + LARGEST).min(height)];
                 let mut pixels = vec![];
-                self.area(area, &all, &mut pixels);
+                self.area([[x, y], to], &all, &mut pixels);
                 done();
                 pixels
             })
@@ -152,27 +147,23 @@ impl Tracer {
         cells(self.sight.width) * cells(self.sight.height)
     }
 
-    fn cell(&self, area: &Area) -> Cell {
-        let Area { x0, y0, x1, y1 } = *area;
-        self.sight.cell([x0, y0], [x1 - 1, y1 - 1])
-    }
-
-    /// The bodies of a list that intervals do not rule out, with what they say of them.
-    fn left(&self, list: &[u32], cell: &Cell) -> Vec<(u32, Verdict)> {
+    /// The bodies of a list that intervals do not rule out on an area, with what they say of them.
+    fn left(&self, list: &[u32], [from, to]: Area) -> Vec<(u32, Verdict)> {
+        let cell = self.sight.cell(from, to.map(|end| end - 1));
         let mut limit = f64::INFINITY;
         let mut left = vec![];
         for &index in list {
-            let verdict = self.bodies[index as usize].1.decide(cell);
+            let verdict = self.bodies[index as usize].1.decide(&cell);
             match verdict {
                 Verdict::Absent => continue,
                 Verdict::Hit { t, .. } => limit = limit.min(t.hi),
-                Verdict::Open { .. } => {}
+                Verdict::Open(_) => {}
             }
             left.push((index, verdict));
         }
         left.retain(|(_, verdict)| match verdict {
             Verdict::Hit { t, .. } => t.lo <= limit,
-            Verdict::Open { from } => *from <= limit,
+            Verdict::Open(from) => *from <= limit,
             Verdict::Absent => false,
         });
         left
@@ -182,29 +173,24 @@ impl Tracer {
         if list.is_empty() {
             return;
         }
-        let left = self.left(list, &self.cell(&area));
+        let left = self.left(list, area);
         let list: Vec<u32> = left.iter().map(|(index, _)| *index).collect();
-        if area.is_small() {
-            for y in area.y0..area.y1 {
-                for x in area.x0..area.x1 {
+        if is_small(area) {
+            let [[x0, y0], [x1, y1]] = area;
+            for y in y0..y1 {
+                for x in x0..x1 {
                     pixels.push(((x, y), self.pixel(x, y, &list)));
                 }
             }
         } else {
-            for quarter in area.quarters() {
+            for quarter in quarters(area) {
                 self.area(quarter, &list, pixels);
             }
         }
     }
 
     fn pixel(&self, x: u32, y: u32, list: &[u32]) -> Drawn {
-        let area = Area {
-            x0: x,
-            y0: y,
-            x1: x + 1,
-            y1: y + 1,
-        };
-        let left = self.left(list, &self.cell(&area));
+        let left = self.left(list, [[x, y], [x + 1, y + 1]]);
         if left.is_empty() {
             return (None, false);
         }
@@ -269,30 +255,18 @@ impl Tracer {
     }
 }
 
-/// Pixels from x0, y0 to before x1, y1.
-#[derive(Clone, Copy)]
-struct Area {
-    x0: u32,
-    y0: u32,
-    x1: u32,
-    y1: u32,
+/// Pixels from one column and line to before another.
+type Area = [[u32; 2]; 2];
+
+fn is_small([[x0, y0], [x1, y1]]: Area) -> bool {
+    x1 - x0 <= SMALLEST && y1 - y0 <= SMALLEST
 }
 
-impl Area {
-    fn is_small(&self) -> bool {
-        self.x1 - self.x0 <= SMALLEST && self.y1 - self.y0 <= SMALLEST
-    }
-
-    fn quarters(&self) -> Vec<Area> {
-        let (x, y) = (
-            (self.x0 + self.x1).div_ceil(2),
-            (self.y0 + self.y1).div_ceil(2),
-        );
-        let columns = [(self.x0, x), (x, self.x1)];
-        let lines = [(self.y0, y), (y, self.y1)];
-        let all = lines
-            .into_iter()
-            .flat_map(|(y0, y1)| columns.map(|(x0, x1)| Area { x0, y0, x1, y1 }));
-        all.filter(|a| a.x0 < a.x1 && a.y0 < a.y1).collect()
-    }
+fn quarters([[x0, y0], [x1, y1]]: Area) -> Vec<Area> {
+    let (x, y) = ((x0 + x1).div_ceil(2), (y0 + y1).div_ceil(2));
+    let columns = [(x0, x), (x, x1)];
+    let lines = [(y0, y), (y, y1)].into_iter();
+    let all = lines.flat_map(|(y0, y1)| columns.map(|(x0, x1)| [[x0, y0], [x1, y1]]));
+    all.filter(|[from, to]| from[0] < to[0] && from[1] < to[1])
+        .collect()
 }

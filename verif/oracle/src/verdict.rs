@@ -37,10 +37,7 @@ pub enum Verdict {
         part: u32,
     },
     /// Not known; if it is there, not before this parameter.
-    Open {
-        /// The parameter.
-        from: f64,
-    },
+    Open(f64),
 }
 
 /// The parameters between which everything drawn lies.

@@ -45,23 +45,13 @@ pub struct Bench<'a> {
     pub overlay: Option<&'a OverlayPlane>,
 }
 
-/// A part of a line: so many hexadecimal digits, the first part in the high bits of the word.
-struct Field {
-    name: &'static str,
-    digits: usize,
-    /// Bits that are not always zero.
-    bits: usize,
-    /// Where it goes, and what it means.
-    meaning: &'static str,
-}
+/// A part of a line, the first one in the high bits of the word: its name, its bits that are not always zero, and where
+/// it goes and what it means.
+type Field = (&'static str, usize, &'static str);
 
-const fn field(name: &'static str, digits: usize, bits: usize, meaning: &'static str) -> Field {
-    Field {
-        name,
-        digits,
-        bits,
-        meaning,
-    }
+/// Hexadecimal digits of a field.
+fn digits((_, bits, _): &Field) -> usize {
+    bits.div_ceil(4)
 }
 
 /// A file of words: one a line, its fields joined by underscores, which `$readmemh` passes over as it does comments.
@@ -75,16 +65,15 @@ struct Words<'a> {
 
 impl Words<'_> {
     fn text(&self) -> String {
-        let names: Vec<&str> = self.fields.iter().map(|field| field.name).collect();
+        let names: Vec<&str> = self.fields.iter().map(|field| field.0).collect();
         let mut text = format!("// {}: {}\n", self.what, names.join("_"));
         for (comment, lines) in &self.groups {
             // A name may hold a line break; what follows one would be read as words.
             let _ = writeln!(text, "// {}", comment.replace(['\n', '\r'], " "));
             for words in lines {
-                let words = words.iter().zip(self.fields);
-                let digits =
-                    words.map(|(word, field)| format!("{word:0width$x}", width = field.digits));
-                text += &digits.collect::<Vec<_>>().join("_");
+                let words = words.iter().zip(self.fields.iter().map(digits));
+                let words = words.map(|(word, digits)| format!("{word:0digits$x}"));
+                text += &words.collect::<Vec<_>>().join("_");
                 text.push('\n');
             }
         }
@@ -96,17 +85,12 @@ impl Words<'_> {
     }
 
     fn description(&self) -> Value {
-        let digits = self.fields.iter().map(|field| field.digits);
-        let mut above: usize = digits.sum::<usize>() * 4;
+        let mut above = self.fields.iter().map(digits).sum::<usize>() * 4;
         let fields = self.fields.iter().map(|field| {
-            above -= field.digits * 4;
-            json!({
-                "name": field.name,
-                "digits": field.digits,
-                "low_bit": above,
-                "bits": field.bits,
-                "meaning": field.meaning,
-            })
+            let (name, bits, meaning) = field;
+            let digits = digits(field);
+            above -= digits * 4;
+            json!({ "name": name, "digits": digits, "low_bit": above, "bits": bits, "meaning": meaning })
         });
         let fields: Vec<Value> = fields.collect();
         json!({ "file": self.file, "what": self.what, "count": self.count(), "fields": fields })
@@ -115,10 +99,6 @@ impl Words<'_> {
 
 impl Bench<'_> {
     /// The files, each with its name.
-    ///
-    /// # Errors
-    ///
-    /// When the bench cannot be written from its template.
     pub fn files(&self) -> Result<Vec<(&'static str, String)>, BenchError> {
         let data = self.data_bits();
         let beat = beat_fields(data);
@@ -286,53 +266,46 @@ fn overlay(plane: &OverlayPlane) -> Words<'static> {
 }
 
 fn beat_fields(data: usize) -> [Field; 5] {
-    let digits = data.div_ceil(4);
     [
-        field(
+        (
             "last",
-            1,
             1,
             "1 in the last beat of a frame: s_tlast of a beam machine",
         ),
-        field(
+        (
             "kind",
-            1,
             4,
             "s_tdest: 0 word of an object processor, 1 of a volume processor, 2 of the shading processor, 3 material of an object, 4 command",
         ),
-        field("unit", 2, 8, "s_tuser, bits 23..16: the processor"),
-        field(
+        ("unit", 8, "s_tuser, bits 23..16: the processor"),
+        (
             "address",
-            4,
             16,
             "s_tuser, bits 15..0: address of the word, object of the material, or the command",
         ),
-        field("data", digits, data, "s_tdata: the word, in its low bits"),
+        ("data", data, "s_tdata: the word, in its low bits"),
     ]
 }
 
 const SHADING_FIELDS: [Field; 2] = [
-    field(
+    (
         "address",
-        4,
         16,
         "0 to 4 picture, view and background; 16 (j + 1) on light j; 4096 + 4 m on material m, with its share of the ambient light (section 8.1 of docs/architecture.md)",
     ),
-    field("data", 8, 32, "the word"),
+    ("data", 32, "the word"),
 ];
 const PIXEL_FIELDS: [Field; 3] = [
-    field("red", 2, 8, "red"),
-    field("green", 2, 8, "green"),
-    field(
+    ("red", 8, "red"),
+    ("green", 8, "green"),
+    (
         "blue",
-        2,
         8,
         "blue; line by line from the top, each from the left",
     ),
 ];
-const OVERLAY_FIELDS: [Field; 1] = [field(
+const OVERLAY_FIELDS: [Field; 1] = [(
     "pixels",
-    8,
     32,
     "overlay_data of address 0, 1, ..: 32 pixels, line by line, the first in bit 0",
 )];

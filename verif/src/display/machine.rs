@@ -1,58 +1,32 @@
 //! A machine in any engine, seen through its ports.
 
 use crate::engine::Engine;
-use crate::engine::circuit::Compiled;
-use crate::engine::design::{Design as _, DesignError, Instance, Source};
+use crate::engine::design::{DesignError, Instance};
+use crate::engine::machine::MachineDesign;
 use crate::signal::Signal;
-use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
-use imogene_rtl::emit::{Direction, Port};
+use imogene_rtl::emit::machine::MachineRequest;
 
 /// One running machine. Inputs keep their values until set again.
 pub struct Machine {
     running: Box<dyn Instance>,
-    inputs: Vec<Signal>,
-    outputs: Vec<Signal>,
+    /// What it is made of.
+    pub design: MachineDesign,
     given: Vec<u64>,
     found: Vec<Option<u64>>,
-    /// Name of its top module.
-    pub name: String,
     /// Clocks given.
     pub clocks: u64,
 }
 
 impl Machine {
     /// Builds, and if the engine wants it compiles, a machine.
-    ///
-    /// # Errors
-    ///
-    /// When a number of the request is out of its range, a tool is missing, or a file cannot be written.
     pub fn start(request: &MachineRequest, engine: Engine) -> Result<Machine, DesignError> {
-        let emitted = emit_machine(request)?;
-        let of = |direction| {
-            let ports = emitted.ports.iter();
-            let of = |port: &&Port| port.direction == direction && port.name != "clock";
-            ports.filter(of).map(signal).collect::<Vec<_>>()
-        };
-        let (inputs, outputs) = (of(Direction::In), of(Direction::Out));
-        let running: Box<dyn Instance> = match engine {
-            Engine::BuiltIn => Compiled::of(&request.design()?, &[]).instance(),
-            Engine::Verilog(simulator) => {
-                let source = Source {
-                    top: &emitted.top,
-                    text: &emitted.bundle(),
-                    inputs: &inputs,
-                    outputs: &outputs,
-                };
-                simulator.compile(&source)?.instance()
-            }
-        };
+        let design = MachineDesign::compile(engine, request, &[])?;
+        let (inputs, outputs) = (&design.inputs, &design.outputs);
         Ok(Machine {
-            running,
+            running: design.instance(),
             given: vec![0; inputs.len()],
             found: vec![Some(0); outputs.len()],
-            inputs,
-            outputs,
-            name: emitted.top,
+            design,
             clocks: 0,
         })
     }
@@ -63,8 +37,8 @@ impl Machine {
     ///
     /// When there is no such port.
     pub fn set(&mut self, port: &str, value: i64) {
-        let place = place(&self.inputs, port);
-        self.given[place] = self.inputs[place].bits(value);
+        let place = place(&self.design.inputs, port);
+        self.given[place] = self.design.inputs[place].bits(value);
     }
 
     /// An output after the last clock; `None` where the engine shows an undefined bit.
@@ -73,8 +47,8 @@ impl Machine {
     ///
     /// When there is no such port.
     pub fn get(&self, port: &str) -> Option<i64> {
-        let place = place(&self.outputs, port);
-        self.found[place].map(|bits| self.outputs[place].value(bits))
+        let place = place(&self.design.outputs, port);
+        self.found[place].map(|bits| self.design.outputs[place].value(bits))
     }
 
     /// True if an output of one bit is 1.
@@ -93,12 +67,4 @@ impl Machine {
 fn place(ports: &[Signal], port: &str) -> usize {
     let place = ports.iter().position(|signal| signal.name == port);
     place.unwrap_or_else(|| panic!("no port `{port}`"))
-}
-
-fn signal(port: &Port) -> Signal {
-    Signal {
-        name: port.name.clone(),
-        width: port.width as u32,
-        signed: port.signed,
-    }
 }

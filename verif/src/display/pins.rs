@@ -16,10 +16,6 @@ pub use super::run::{PinsOutcome, PinsRun};
 
 /// Shows images one after the other and compares every pin on every clock, or every pixel of a machine that streams. A
 /// frame is that of the image that came on last, or black.
-///
-/// # Errors
-///
-/// When the hardware cannot be built or run.
 pub fn run(
     machine: &MachineDescription,
     images: &[Image],

@@ -72,10 +72,6 @@ fn shape(machine: &ZoneMachine) -> ZoneShape {
 }
 
 /// The clocks of a zone machine's passes, as the analytic count wants them: after the clock that takes the command.
-///
-/// # Errors
-///
-/// When a number of the request is out of its range.
 pub fn zone_timing(request: &MachineRequest) -> Result<ZoneTiming, RequestError> {
     let clocks = request.clocks()?;
     Ok(ZoneTiming {

@@ -48,7 +48,7 @@ impl PinsOutcome {
         started: Instant,
     ) -> PinsOutcome {
         let report = &mut self.report;
-        report.subject = machine.name.clone();
+        report.subject = machine.design.name.clone();
         report.engine = options.engine.name().into();
         report.seed = options.stalls;
         report.cycles = machine.clocks;

@@ -1,7 +1,8 @@
 //! Random stalls of a stream.
 
+use crate::random::generator;
 use proptest::prelude::Rng;
-use proptest::test_runner::{RngAlgorithm, TestRng};
+use proptest::test_runner::TestRng;
 
 /// Stalls one clock in three, or never.
 pub struct Stalls(Option<TestRng>);
@@ -9,11 +10,7 @@ pub struct Stalls(Option<TestRng>);
 impl Stalls {
     /// Stalls of a seed; without one there are none.
     pub fn new(seed: Option<u64>) -> Stalls {
-        Stalls(seed.map(|seed| {
-            let mut bytes = [0u8; 32];
-            bytes[..8].copy_from_slice(&seed.to_le_bytes());
-            TestRng::from_seed(RngAlgorithm::ChaCha, &bytes)
-        }))
+        Stalls(seed.map(generator))
     }
 
     /// Does the stream stall on the next clock?

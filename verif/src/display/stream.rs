@@ -16,10 +16,6 @@ const PATIENCE: u64 = 1 << 22;
 
 /// Sends the words of images and takes pixels until the last image was seen `frames` times. Every pixel of a frame has
 /// to come exactly once, its word has to stay while the receiver stalls, and the first and last have to say so.
-///
-/// # Errors
-///
-/// When the hardware cannot be built or run.
 pub fn run(
     machine: &MachineDescription,
     images: &[Image],

@@ -48,10 +48,6 @@ pub enum CoreError {
 
 /// Runs a stream through hardware and golden model. The report's cycles are those from the first beat to the last
 /// pixel.
-///
-/// # Errors
-///
-/// When the hardware cannot be run, or the golden model refuses the stream.
 pub fn run(
     beats: &[Beat],
     format: &Format,

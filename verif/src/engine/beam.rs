@@ -1,98 +1,49 @@
 //! A beam machine in any engine.
 
-use super::circuit::Compiled;
-use super::design::{Design, DesignError, Instance, Simulator, Source};
-use super::{Engine, MachineInputs, MachineOutputs, MachineShape, ProbeSignal, processor_signals};
-use crate::signal::Signal;
+use super::design::{DesignError, Instance};
+use super::machine::MachineDesign;
+use super::{Engine, ProbeSignal};
 use imogene_golden::object::load::LoadWord;
-use imogene_rtl::emit::Emitted;
-use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
+use imogene_rtl::emit::machine::MachineRequest;
 
-/// The compiled beam machine of a shape.
+/// Values of the outputs of a beam machine: whether a pixel is there, its depth word, slot of the visible object,
+/// number and normal of its visible face; `None` where the engine shows an undefined bit.
+pub type Outputs = [Option<i64>; 7];
+
+/// A compiled beam machine.
 pub struct BeamDesign {
-    design: Box<dyn Design>,
-    outputs: Vec<Signal>,
+    /// The machine.
+    pub machine: MachineDesign,
+    /// What runs it.
+    pub engine: Engine,
     /// Signals inside a slot that the engine shows.
     inside: Vec<ProbeSignal>,
 }
 
 impl BeamDesign {
-    /// Compiles the machine; in the built-in engine its slots show their inside.
-    ///
-    /// # Errors
-    ///
-    /// When the shape is out of its range, a tool is missing, or a file cannot be written.
-    pub fn compile(engine: Engine, shape: &MachineShape) -> Result<BeamDesign, DesignError> {
-        let outputs = MachineOutputs::signals(&shape.format.widths());
-        match engine {
-            Engine::BuiltIn => {
-                let inside = processor_signals(shape);
-                BeamDesign::built_in(&shape.request(), outputs, inside)
-            }
-            Engine::Verilog(simulator) => {
-                let emitted = emit_machine(&shape.request())?;
-                BeamDesign::emitted(simulator, &emitted, outputs)
-            }
-        }
-    }
-
-    /// Compiles a machine with these outputs for the built-in engine; each slot has these signals inside.
-    ///
-    /// # Errors
-    ///
-    /// When a number of the request is out of its range.
-    pub fn built_in(
+    /// Compiles a machine; each slot has these signals inside, which the built-in engine shows.
+    pub fn compile(
+        engine: Engine,
         request: &MachineRequest,
-        outputs: Vec<Signal>,
-        inside: Vec<ProbeSignal>,
+        mut inside: Vec<ProbeSignal>,
     ) -> Result<BeamDesign, DesignError> {
+        if engine != Engine::BuiltIn {
+            inside.clear();
+        }
         let slots = 0..request.slots.len();
         let points = slots.flat_map(|slot| inside.iter().map(move |probe| path(slot, probe)));
         let points: Vec<String> = points.collect();
         Ok(BeamDesign {
-            design: Box::new(Compiled::of(&request.design()?, &points)),
-            outputs,
+            machine: MachineDesign::compile(engine, request, &points)?,
+            engine,
             inside,
-        })
-    }
-
-    /// Compiles an emitted machine with these outputs.
-    ///
-    /// # Errors
-    ///
-    /// When a tool is missing, or a file cannot be written.
-    pub fn emitted(
-        simulator: Simulator,
-        emitted: &Emitted,
-        outputs: Vec<Signal>,
-    ) -> Result<BeamDesign, DesignError> {
-        let bus = emitted.ports.iter().find(|port| port.name == "load_data");
-        let inputs = [
-            Signal::bit("go"),
-            Signal::unsigned("width", 12),
-            Signal::unsigned("height", 12),
-            Signal::bit("load_valid"),
-            Signal::unsigned("load_object", 8),
-            Signal::unsigned("load_address", 8),
-            Signal::unsigned("load_data", bus.map_or(0, |port| port.width as u32)),
-        ];
-        let design = simulator.compile(&Source {
-            top: &emitted.top,
-            text: &emitted.bundle(),
-            inputs: &inputs,
-            outputs: &outputs,
-        })?;
-        Ok(BeamDesign {
-            design,
-            outputs,
-            inside: vec![],
         })
     }
 
     /// A fresh machine: every slot is empty.
     pub fn machine(&self) -> Beam<'_> {
         Beam {
-            instance: self.design.instance(),
+            instance: self.machine.instance(),
             design: self,
         }
     }
@@ -111,18 +62,13 @@ impl Beam<'_> {
         self.instance.clock(&words, &mut [None; 7]);
     }
 
-    /// One clock without a write.
-    pub fn clock(&mut self, inputs: MachineInputs) -> MachineOutputs {
-        let zone = [inputs.width, inputs.height].map(u64::from);
-        let words = [inputs.go.into(), zone[0], zone[1], 0, 0, 0, 0];
+    /// One clock without a write: whether a zone starts, its pixels per line and its lines.
+    pub fn clock(&mut self, [go, width, height]: [u64; 3]) -> Outputs {
         let mut found = [None; 7];
+        let words = [go, width, height, 0, 0, 0, 0];
         self.instance.clock(&words, &mut found);
-        let mut outputs = MachineOutputs::default();
-        let places = outputs.values.iter_mut().zip(&self.design.outputs);
-        for ((value, signal), bits) in places.zip(found) {
-            *value = bits.map(|bits| signal.value(bits));
-        }
-        outputs
+        let signals = &self.design.machine.outputs;
+        std::array::from_fn(|k| found[k].map(|bits| signals[k].value(bits)))
     }
 
     /// The signals inside a slot that this engine shows; none where it shows only ports.

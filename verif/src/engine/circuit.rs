@@ -1,6 +1,6 @@
 //! A circuit in process, compiled or levelised, stepped with plain numbers.
 
-use super::source::{self, Instance};
+use super::design::{self, Instance};
 use crate::signal::Signal;
 use crate::subject::{Clocked, Inputs};
 use imogene_compiled::{Program, Simulation};
@@ -29,7 +29,7 @@ impl Compiled {
     }
 }
 
-impl source::Design for Arc<Compiled> {
+impl design::Design for Arc<Compiled> {
     fn instance(&self) -> Box<dyn Instance> {
         Box::new(Circuit::new(self))
     }

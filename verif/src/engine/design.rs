@@ -1,13 +1,78 @@
-//! Verilog text in a simulator, seen through its ports: the same for every simulator.
+//! Verilog of a design, what every engine makes of it, and Verilog in a simulator, seen through its ports.
 
 use super::icarus::IcarusDesign;
 use super::verilator::Model;
 use crate::signal::Signal;
 use crate::subject::{Clocked, Inputs, Subject};
+use imogene_contract::RequestError;
+use imogene_tools::ToolError;
 use std::hint::black_box;
+use std::path::PathBuf;
 use std::sync::Arc;
+use thiserror::Error;
 
-pub use super::source::{Design, DesignError, Instance, Source};
+/// Why a design cannot be run.
+#[derive(Debug, Error)]
+pub enum DesignError {
+    /// It cannot be emitted.
+    #[error(transparent)]
+    Emit(#[from] RequestError),
+    /// A program is missing or refused the design.
+    #[error(transparent)]
+    Tool(#[from] ToolError),
+    /// The library that Verilator's output was compiled to cannot be loaded.
+    #[error("{}: {source}; remove the file and try again", path.display())]
+    Load {
+        /// Library.
+        path: PathBuf,
+        /// What the loader says.
+        source: libloading::Error,
+    },
+}
+
+/// Verilog of a design: the clock is the port `clock`, every other port has at most 64 bits.
+#[derive(Clone, Copy, Debug)]
+pub struct Source<'a> {
+    /// Name of the top module.
+    pub top: &'a str,
+    /// All modules.
+    pub text: &'a str,
+    /// Input ports without the clock.
+    pub inputs: &'a [Signal],
+    /// Output ports.
+    pub outputs: &'a [Signal],
+}
+
+impl<'a> Source<'a> {
+    /// Verilog with the ports of a subject.
+    pub fn of(subject: &'a Subject, top: &'a str, text: &'a str) -> Source<'a> {
+        Source {
+            top,
+            text,
+            inputs: &subject.inputs,
+            outputs: &subject.outputs,
+        }
+    }
+}
+
+/// A compiled design; makes any number of instances.
+pub trait Design: Send + Sync {
+    /// A fresh instance: registers have their initial values.
+    fn instance(&self) -> Box<dyn Instance>;
+}
+
+/// One instance of a design.
+pub trait Instance: Send {
+    /// One clock on raw words, one for each port in the order of the signals: inputs change while the clock is low,
+    /// outputs are those after the rising edge, `None` where a bit is undefined. An unused high bit of an input must be
+    /// 0.
+    fn clock(&mut self, inputs: &[u64], outputs: &mut [Option<u64>]);
+
+    /// The bits of a point inside, if the engine shows it.
+    fn point(&mut self, _path: &str) -> Option<u64> {
+        None
+    }
+}
 
 /// A simulator of Verilog.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,10 +96,6 @@ impl Simulator {
     }
 
     /// Compiles a design.
-    ///
-    /// # Errors
-    ///
-    /// When a tool is missing or refuses the text, or a file cannot be written.
     pub fn compile(self, source: &Source) -> Result<Box<dyn Design>, DesignError> {
         Ok(match self {
             Simulator::Icarus => Box::new(IcarusDesign::compile(source)?),
@@ -44,10 +105,6 @@ impl Simulator {
 }
 
 /// Puts Verilog `text` (module `top`) in the place of the subject's hardware.
-///
-/// # Errors
-///
-/// As [`Simulator::compile`].
 pub fn with_verilog(
     subject: Subject,
     simulator: Simulator,

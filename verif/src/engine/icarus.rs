@@ -3,7 +3,7 @@
 //!
 //! It knows undefined bits, so that it shows what nothing drives or sets, where the other engines read 0.
 
-use super::source::{Design, DesignError, Instance, Source};
+use super::design::{Design, DesignError, Instance, Source};
 use crate::signal::Signal;
 use imogene_tools::{ICARUS, ToolError, VVP, scratch, write};
 use std::fmt::Write as _;
@@ -26,10 +26,6 @@ pub struct IcarusDesign {
 
 impl IcarusDesign {
     /// Compiles a design.
-    ///
-    /// # Errors
-    ///
-    /// When Icarus Verilog is missing or refuses the text, or a file cannot be written.
     pub fn compile(source: &Source) -> Result<IcarusDesign, DesignError> {
         let folder = scratch().map_err(ToolError::from)?;
         for (name, text) in [("design.v", source.text), ("bench.v", &bench(source))] {

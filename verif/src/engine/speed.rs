@@ -92,10 +92,6 @@ type Sample = (usize, f64, u64);
 
 /// Measures every kind of work in every engine, at most so long each; the first engine is the one that the ratios refer
 /// to.
-///
-/// # Errors
-///
-/// When the waveforms cannot be written.
 pub fn measure(
     engines: &[Entrant],
     drive: Drive,

@@ -10,7 +10,7 @@ mod shim;
 
 pub use build::{CACHE_VARIABLE, cache_folder};
 
-use super::source::{Design, DesignError, Instance, Source};
+use super::design::{Design, DesignError, Instance, Source};
 use libloading::Library;
 use std::ffi::c_void;
 use std::sync::Arc;
@@ -33,10 +33,6 @@ pub struct Model {
 
 impl Model {
     /// Compiles a design, or takes the library that is kept from before.
-    ///
-    /// # Errors
-    ///
-    /// When Verilator or the C++ compiler is missing or refuses the text, or a file cannot be written.
     pub fn compile(source: &Source) -> Result<Model, DesignError> {
         let sources = shim::Sources::new(source);
         let path = build::library(&sources)?;

@@ -18,10 +18,6 @@ pub struct Row {
 
 impl Row {
     /// Compares a unit at a depth word.
-    ///
-    /// # Errors
-    ///
-    /// When a tool is missing or refuses a text.
     pub fn of(unit_of_row: Unit, depth_word: u32) -> Result<Row, DesignError> {
         let request = Request::of(unit_of_row, depth_word);
         let design = design(&request)?;

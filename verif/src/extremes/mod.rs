@@ -6,7 +6,6 @@
 //! case itself is checked. A scene that cannot be drawn must be refused with a message that says why. A unit runs over
 //! a stimulus written for the case.
 
-mod case;
 mod pictures;
 mod processors;
 mod scenes;
@@ -17,8 +16,6 @@ use crate::report::Report;
 use crate::scene::{self, Options};
 use crate::subject::{Inputs, Subject};
 use crate::unit::subject;
-pub use case::Extreme;
-use case::{Case, Claim};
 use imogene_contract::{Request, Unit};
 use imogene_golden::format::Format;
 use imogene_golden::machine::beam::render;
@@ -26,6 +23,47 @@ use imogene_prepare::{Framing, PreparedScene, prepare};
 use imogene_scene::{FramedScene, SceneFile};
 use pictures::Pictures;
 use serde::Serialize;
+
+/// What a picture must show.
+type Claim = fn(&Pictures) -> Result<(), String>;
+
+/// What is run, and what must come of it.
+enum Case {
+    /// A scene that is drawn, and what its picture must show.
+    Drawn(&'static str, Claim),
+    /// A scene that the golden machine draws by a processor without hardware, and what its picture must show.
+    Modelled(&'static str, Claim),
+    /// A scene that is drawn, but of which the check says that its silhouette has no bound.
+    Flagged(&'static str),
+    /// A stimulus of a unit.
+    Unit(Unit, fn(&Subject) -> Vec<Inputs>),
+}
+
+/// A named case.
+pub struct Extreme {
+    /// Name, without `extremes/`.
+    pub name: &'static str,
+    /// Item of the list of extremes: of section 17, or 13.8.
+    pub item: &'static str,
+    /// What happens, and why that is right.
+    pub outcome: &'static str,
+    case: Case,
+}
+
+const fn driven(
+    item: &'static str,
+    name: &'static str,
+    unit: Unit,
+    stimulus: fn(&Subject) -> Vec<Inputs>,
+    outcome: &'static str,
+) -> Extreme {
+    Extreme {
+        name,
+        item,
+        outcome,
+        case: Case::Unit(unit, stimulus),
+    }
+}
 
 /// What came of a case.
 #[derive(Clone, Debug, Serialize)]

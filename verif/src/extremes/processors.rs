@@ -1,8 +1,8 @@
 //! Extremes of the object processors beside the quadric processor, of the volumes, and of the elementary processors
 //! with a mode or a memory: each configuration is a zone of one pixel, its words held until the result is out.
 
-use super::case::{Extreme, driven};
 use super::units::{ends, every, inputs};
+use super::{Extreme, driven};
 use crate::subject::{Inputs, Subject};
 use imogene_contract::Unit;
 

@@ -1,7 +1,7 @@
 //! Extremes of whole scenes; each stands in `scenes/extremes/` under its name and can be drawn from there too.
 
-use super::case::{Case, Extreme};
 use super::pictures::Pictures;
+use super::{Case, Extreme};
 
 /// What is done with a scene, its item, its name, what its picture must show, and what happens.
 macro_rules! scene {

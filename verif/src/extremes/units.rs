@@ -1,7 +1,7 @@
 //! Extremes of single units: the words themselves at their ends.
 
-use super::case::{Extreme, driven};
 use super::processors::DEPTHS;
+use super::{Extreme, driven};
 use crate::signal::Signal;
 use crate::subject::{Inputs, Subject};
 use imogene_contract::Unit;

@@ -14,16 +14,19 @@ use super::error::FormalError;
 pub fn resolve(job: &str, design: &str, properties: &str) -> Result<String, FormalError> {
     let mut design = design.to_owned();
     let mut kept = String::new();
+    let wrong = |problem: &str| FormalError::Text(job.to_owned(), problem.to_owned());
     let mut rest = properties;
     while let Some((before, statement)) = split_at_line(rest, "bind ") {
         kept += before;
         let end = statement
             .find("\n);")
-            .ok_or_else(|| FormalError::text(job, "a `bind` statement does not end with `);`"))?;
+            .ok_or_else(|| wrong("a `bind` statement does not end with `);`"))?;
         let (module, instance) = statement["bind ".len()..end + 3]
             .split_once(' ')
-            .ok_or_else(|| FormalError::text(job, "a `bind` statement names no instance"))?;
-        design = insert(job, &design, module, instance)?;
+            .ok_or_else(|| wrong("a `bind` statement names no instance"))?;
+        let range = module_range(&design, module)
+            .ok_or_else(|| wrong(&format!("module `{module}` is not in the design once")))?;
+        design.insert_str(range.end, &format!("\n    {instance}\n"));
         rest = &statement[end + 3..];
     }
     Ok(design + "\n" + &kept + rest)
@@ -49,14 +52,6 @@ pub(super) fn module_range(design: &str, module: &str) -> Option<std::ops::Range
     }
     let length = design[start..].find("\nendmodule")?;
     Some(start..start + length)
-}
-
-fn insert(job: &str, design: &str, module: &str, instance: &str) -> Result<String, FormalError> {
-    let range = module_range(design, module).ok_or_else(|| {
-        FormalError::text(job, format!("module `{module}` is not in the design once"))
-    })?;
-    let (head, tail) = design.split_at(range.end);
-    Ok(format!("{head}\n    {instance}\n{tail}"))
 }
 
 #[cfg(test)]

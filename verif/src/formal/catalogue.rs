@@ -14,10 +14,57 @@ macro_rules! property {
     };
 }
 
-mod base;
 mod root;
 
-use base::{BASE, Definitions, at_format, define, integers, job};
+/// The format whose proofs run without `--full`.
+const BASE: usize = 24;
+
+/// Widths and counts under the names that the properties give them.
+type Definitions = Vec<(&'static str, usize)>;
+
+/// A job bound to an emitted unit of the base format, by induction from one clock to the next.
+fn job(
+    name: impl Into<String>,
+    statement: &'static str,
+    properties: &'static str,
+    unit: Unit,
+) -> Job {
+    Job {
+        name: name.into(),
+        statement,
+        method: Method::Induction(1),
+        widths: String::new(),
+        full: false,
+        design: Design::Emitted(Request::new(unit)),
+        properties,
+        definitions: Vec::new(),
+        words: |_| Vec::new(),
+        top: unit.name(),
+    }
+}
+
+/// The same with these widths and counts.
+fn with(job: Job, definitions: &[(&str, usize)]) -> Job {
+    let named = definitions.iter();
+    let named = named.map(|(name, value)| ((*name).to_owned(), value.to_string()));
+    let definitions: Vec<(String, String)> = named.collect();
+    let widths = definitions.iter();
+    let widths = widths.map(|(name, value)| format!("{name} = {value}"));
+    Job {
+        widths: widths.collect::<Vec<_>>().join(", "),
+        definitions,
+        ..job
+    }
+}
+
+fn integers(name: &str, statement: &'static str, text: &'static str) -> Job {
+    Job {
+        method: Method::Integers,
+        design: Design::Text(text),
+        widths: "any".into(),
+        ..job(name, statement, "", Unit::Pe1)
+    }
+}
 
 /// All proofs, those for `--full` included; the longest first.
 pub fn jobs() -> Vec<Job> {
@@ -40,11 +87,14 @@ struct Family {
 
 impl Family {
     fn at(&self, depth_word: u32) -> Job {
-        let depth_word = depth_word as usize;
-        let widths = (self.widths)(depth_word);
+        let widths = (self.widths)(depth_word as usize);
         let name = format!("{}-{}", self.name, widths[0].1);
         let job = job(name, self.statement, self.properties, self.unit);
-        at_format(job, depth_word, &widths)
+        Job {
+            design: Design::Emitted(Request::of(self.unit, depth_word)),
+            full: depth_word as usize != BASE,
+            ..with(job, &widths)
+        }
     }
 }
 
@@ -103,13 +153,13 @@ fn elementary() -> Vec<Job> {
         .flat_map(|family| DEPTH_WORDS.map(|word| family.at(word)))
         .collect();
     let pe1 = job(
-        "pe1-products".into(),
+        "pe1-products",
         "pe1 against a x + b y + c with multipliers, narrowed",
         property!("pe1_products.sv"),
         Unit::Pe1,
     );
     let pe2 = job(
-        "pe2-products".into(),
+        "pe2-products",
         "pe2 against a x^2 + b y^2 + c x y + d x + e y + f with multipliers, narrowed",
         property!("pe2_products.sv"),
         Unit::Pe2,
@@ -125,28 +175,26 @@ fn elementary() -> Vec<Job> {
             "the ghost sums of pe2 have their closed forms and add up to the polynomial",
             property!("pe2.smt2"),
         ),
-        products(pe1, BASE + 2, 6),
-        products(pe2, 2 * BASE, 5),
+        products(pe1, Unit::Pe1, BASE + 2, 6),
+        products(pe2, Unit::Pe2, 2 * BASE, 5),
     ]);
     jobs
 }
 
 /// Narrowed to where a solver can multiply.
-fn products(mut job: Job, width: usize, clocks: usize) -> Job {
-    if let Design::Emitted(request) = job.design {
-        job.design = Design::Narrowed(request, width, PRODUCT);
+fn products(job: Job, unit: Unit, width: usize, clocks: usize) -> Job {
+    Job {
+        design: Design::Narrowed(Request::new(unit), width, PRODUCT),
+        method: Method::Bounded(clocks),
+        ..with(job, &[("N", PRODUCT)])
     }
-    job.method = Method::Bounded { clocks };
-    job.definitions = define(&[("N", PRODUCT)]);
-    job.widths = format!("N = {PRODUCT}");
-    job
 }
 
 fn depths() -> Vec<Job> {
     let at = |word: u32| {
         let order = Job {
             top: "cut_plane_order",
-            method: Method::Induction { depth: 2 },
+            method: Method::Induction(2),
             ..CUT_PLANE_ORDER.at(word)
         };
         let [cut, interval, merge] =
@@ -159,7 +207,7 @@ fn depths() -> Vec<Job> {
 fn raster() -> Vec<Job> {
     let control = |name: &str, statement, properties| Job {
         widths: "coordinates 12".into(),
-        ..job(name.to_owned(), statement, properties, Unit::RasterControl)
+        ..job(name, statement, properties, Unit::RasterControl)
     };
     let count = control(
         "raster_control-3x3",
@@ -173,7 +221,7 @@ fn raster() -> Vec<Job> {
             property!("raster_control.sv"),
         ),
         Job {
-            method: Method::Bounded { clocks: 22 },
+            method: Method::Bounded(22),
             ..count
         },
         integers(
@@ -187,12 +235,12 @@ fn raster() -> Vec<Job> {
     jobs
 }
 
-/// A job about a latency of the base format, which is also the depth of its induction.
+/// A job about a latency, which is also the depth of its induction.
 fn late(job: Job, latency: usize, definitions: &[(&str, usize)]) -> Job {
     let definitions = [definitions, &[("LATENCY", latency)]].concat();
     Job {
-        method: Method::Induction { depth: latency },
-        ..at_format(job, BASE, &definitions)
+        method: Method::Induction(latency),
+        ..with(job, &definitions)
     }
 }
 
@@ -218,7 +266,7 @@ fn valid_path((planes, rows_per_stage): (usize, usize)) -> Job {
 
 fn beam_valid() -> Job {
     let beam = job(
-        "beam-m4-n3".into(),
+        "beam-m4-n3",
         "beam: valid is that of its raster control, L + N + 7 + tree clocks later; none lost, none made",
         property!("beam_valid.sv"),
         Unit::Beam,

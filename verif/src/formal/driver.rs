@@ -52,10 +52,10 @@ impl Run<'_> {
     pub(super) fn prove(&self) -> Result<Outcome, FormalError> {
         match (self.method, self.tools.driver) {
             (Method::Integers, _) => self.integers(),
-            (Method::Induction { depth }, Driver::Smtbmc) => self.smtbmc(depth, true),
-            (Method::Bounded { clocks }, Driver::Smtbmc) => self.smtbmc(clocks, false),
-            (Method::Induction { depth }, _) => self.sby("prove", depth),
-            (Method::Bounded { clocks }, _) => self.sby("bmc", clocks),
+            (Method::Induction(depth), Driver::Smtbmc) => self.smtbmc(depth, true),
+            (Method::Bounded(clocks), Driver::Smtbmc) => self.smtbmc(clocks, false),
+            (Method::Induction(depth), _) => self.sby("prove", depth),
+            (Method::Bounded(clocks), _) => self.sby("bmc", clocks),
         }
     }
 
@@ -69,11 +69,8 @@ impl Run<'_> {
     }
 
     fn failed(&self, tool: &str, said: &Said) -> FormalError {
-        FormalError::Tool {
-            job: self.job.name.clone(),
-            tool: tool.to_owned(),
-            message: last_lines(&said.all()),
-        }
+        let message = last_lines(&said.all());
+        FormalError::Tool(self.job.name.clone(), tool.to_owned(), message)
     }
 
     /// The assertion that fails: the line of the text that the tool names.

@@ -10,17 +10,11 @@ use std::fmt::{self, Write};
 /// How a job is proved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
-    /// Unbounded in time: base case and `k`-induction.
-    Induction {
-        /// `k`, clocks.
-        depth: usize,
-    },
+    /// Unbounded in time: base case and induction over so many clocks.
+    Induction(usize),
     /// Every input sequence of some clocks from the initial state. For a design without registers one clock is
     /// complete.
-    Bounded {
-        /// Clocks.
-        clocks: usize,
-    },
+    Bounded(usize),
     /// Statements over the unbounded integers, each refuted in its negation.
     Integers,
 }
@@ -28,9 +22,9 @@ pub enum Method {
 impl fmt::Display for Method {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Method::Induction { depth } => write!(f, "{depth}-induction"),
-            Method::Bounded { clocks: 1 } => write!(f, "all inputs, no registers"),
-            Method::Bounded { clocks } => write!(f, "bounded, {clocks} clocks"),
+            Method::Induction(depth) => write!(f, "{depth}-induction"),
+            Method::Bounded(1) => write!(f, "all inputs, no registers"),
+            Method::Bounded(clocks) => write!(f, "bounded, {clocks} clocks"),
             Method::Integers => write!(f, "integers"),
         }
     }
@@ -74,10 +68,6 @@ pub struct Job {
 impl Job {
     /// The text that the tool reads, with a mutant in its design if one is given: SystemVerilog, or SMT-LIB for
     /// [`Method::Integers`].
-    ///
-    /// # Errors
-    ///
-    /// When the design cannot be emitted, or a property or the mutant does not find its place in it.
     pub fn source(&self, mutant: Option<&Mutant>) -> Result<String, FormalError> {
         let mut design = self.design()?;
         if let Some(mutant) = mutant {
@@ -109,7 +99,7 @@ impl Job {
                 let body = text.split_once("\nmodule").map_or("", |(_, body)| body);
                 if left.iter().any(|number| body.contains(number.as_str())) {
                     let problem = format!("a width {from} is left after narrowing to {to} bits");
-                    return Err(FormalError::text(&self.name, problem));
+                    return Err(FormalError::Text(self.name.clone(), problem));
                 }
                 Ok(text)
             }

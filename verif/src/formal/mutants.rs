@@ -25,13 +25,13 @@ impl Mutant {
     pub fn apply(&self, design: &str) -> Result<String, FormalError> {
         match design.matches(self.from).count() {
             1 => Ok(design.replacen(self.from, self.to, 1)),
-            count => Err(FormalError::Text {
-                job: format!("{}, mutant `{}`", self.job, self.name),
-                problem: format!(
+            count => Err(FormalError::Text(
+                format!("{}, mutant `{}`", self.job, self.name),
+                format!(
                     "`{}` is in the design {count} times instead of once",
                     self.from
                 ),
-            }),
+            )),
         }
     }
 }

@@ -54,10 +54,6 @@ pub struct Task {
 
 /// The jobs of a name: one job, all jobs whose name begins with it, or `all`. Jobs for `--full` are among them only
 /// with `full`, when named in full, or when there are no others.
-///
-/// # Errors
-///
-/// When no job has this name.
 pub fn select(name: &str, full: bool) -> Result<Vec<Job>, FormalError> {
     let jobs = catalogue::jobs();
     if let Some(job) = jobs.iter().find(|job| job.name == name) {
@@ -70,8 +66,7 @@ pub fn select(name: &str, full: bool) -> Result<Vec<Job>, FormalError> {
     let (mut family, others): (Vec<Job>, Vec<Job>) = jobs.into_iter().partition(of_family);
     if family.is_empty() {
         let names: Vec<String> = others.into_iter().map(|job| job.name).collect();
-        let (name, names) = (name.to_owned(), names.join(", "));
-        return Err(FormalError::Unknown { name, names });
+        return Err(FormalError::Unknown(name.to_owned(), names.join(", ")));
     }
     if !full && family.iter().any(|job| !job.full) {
         family.retain(|job| !job.full);
@@ -80,10 +75,6 @@ pub fn select(name: &str, full: bool) -> Result<Vec<Job>, FormalError> {
 }
 
 /// Runs tasks and calls `done` after each; reports come in the order of the tasks.
-///
-/// # Errors
-///
-/// When a task cannot be run. A property that does not hold is a report.
 pub fn prove_all(
     tasks: &[Task],
     tools: &Toolchain,
@@ -112,18 +103,12 @@ fn kept(folder: tempfile::TempDir) -> Result<PathBuf, FormalError> {
 }
 
 /// Runs one task.
-///
-/// # Errors
-///
-/// When it cannot be run.
 pub fn prove(task: &Task, tools: &Toolchain) -> Result<ProofReport, FormalError> {
     let Task { job, mutant } = task;
     let text = job.source(mutant.as_ref())?;
     // A counterexample is looked for from the initial state.
     let method = match (mutant, job.method) {
-        (Some(mutant), Method::Induction { .. }) => Method::Bounded {
-            clocks: mutant.clocks,
-        },
+        (Some(mutant), Method::Induction(_)) => Method::Bounded(mutant.clocks),
         (_, method) => method,
     };
     let folder = tempfile::Builder::new()

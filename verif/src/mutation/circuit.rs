@@ -4,7 +4,7 @@
 //! Sites are compiled in groups into one program of the built-in engine; a mutant is an upset of it. What no stimulus
 //! kills goes to the solver.
 
-use super::score::{Fate, MutationError, MutationReport, Options};
+use super::score::{Fate, Kill, MutationError, MutationReport, Options};
 use super::vectors::{Vectors, vectors};
 use crate::subject::Subject;
 use imogene_compiled::{Program, Simulation};
@@ -36,10 +36,6 @@ pub fn count(design: &Design) -> u64 {
 /// Runs every mutant of a unit's circuit on the unit's stimulus, and judges those that nothing killed.
 ///
 /// `on_done` is called once for each mutant, from any thread.
-///
-/// # Errors
-///
-/// When the circuit itself differs from its golden model.
 pub fn run(
     subject: &Subject,
     design: &Design,
@@ -53,11 +49,8 @@ pub fn run(
     let mut run = |controls: &Controls, judge: &(dyn Fn(&Mutant) -> Fate + Sync)| {
         let program = Arc::new(Program::in_lanes(&controls.design, &[]));
         if let [Some((stimulus, clock))] = kills(&program, &[&[]], &vectors, &|| ())[..] {
-            return Err(MutationError::Baseline {
-                unit: subject.name.clone(),
-                stimulus,
-                clock,
-            });
+            let unit = subject.name.clone();
+            return Err(MutationError::Baseline(unit, stimulus, clock));
         }
         let mutants = controls.mutants();
         let upsets: Vec<&[Upset]> = mutants.iter().map(|mutant| &mutant.upsets[..]).collect();
@@ -66,7 +59,7 @@ pub fn run(
             .par_iter()
             .zip(kills)
             .map(|(mutant, kill)| match kill {
-                Some((stimulus, clock)) => Fate::Killed { stimulus, clock },
+                Some(kill) => Fate::Killed(kill),
                 None => {
                     let fate = judge(mutant);
                     on_done();
@@ -119,9 +112,6 @@ fn contract(subject: &Subject, design: &Design) -> Contract {
         latency: subject.latency,
     }
 }
-
-/// A stimulus and a clock of it.
-type Kill = (usize, usize);
 
 /// The first stimulus and clock that show each mutant, which these upsets make; `on_kill` is called for each that one
 /// shows. Mutants run side by side, and those that a stimulus did not kill run together again with the next.

@@ -10,10 +10,9 @@ mod cut;
 mod elaborate;
 mod equivalence;
 mod facts;
-mod list;
 mod mutant;
 
-pub use mutant::{Design, Mutant};
+pub use mutant::Design;
 
 use super::score::{MutationError, MutationReport, Options};
 use crate::subject::Subject;
@@ -23,10 +22,6 @@ use std::time::Instant;
 /// Makes mutants of a unit's emitted Verilog, kills them, and proves the rest equivalent where that is so.
 ///
 /// `on_done` is called once for each mutant, from any thread.
-///
-/// # Errors
-///
-/// When a tool is missing or refuses the unit, or the unit without mutation already differs from its golden model.
 pub fn run(
     subject: &Subject,
     design: &Design,
@@ -43,7 +38,7 @@ pub fn run(
     let fates = judge.judge(&mutants, kills, &on_done)?;
     let mut report = MutationReport::new(subject);
     for (mutant, fate) in mutants.iter().zip(fates) {
-        report.count(fate, options.clocks, || mutant.to_string());
+        report.count(fate, options.clocks, || mutant.text.clone());
     }
     report.candidates = candidates;
     Ok(report.ended(started))

@@ -46,33 +46,24 @@ pub enum MutationError {
     /// The mutants cannot be compiled or loaded.
     #[error(transparent)]
     Verilator(#[from] DesignError),
-    /// The unit itself, without a mutation, differs from the golden model.
+    /// A unit itself, without a mutation, differs from the golden model, in a stimulus at a clock.
     #[error(
-        "{unit} without a mutation differs from its golden model at clock {clock} of stimulus {stimulus}; a score means nothing"
+        "{0} without a mutation differs from its golden model at clock {2} of stimulus {1}; a score means nothing"
     )]
-    Baseline {
-        /// Unit.
-        unit: String,
-        /// Stimulus.
-        stimulus: usize,
-        /// Clock.
-        clock: usize,
-    },
+    Baseline(String, usize, usize),
     /// What Yosys wrote is not as expected.
     #[error("the mutation list of yosys cannot be read: {0}")]
     List(String),
 }
 
+/// A stimulus that found a mutant, and the clock of the difference.
+pub type Kill = (usize, usize);
+
 /// What became of a mutant.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Fate {
     /// An output differed from the golden model.
-    Killed {
-        /// Stimulus that found it.
-        stimulus: usize,
-        /// Clock of the difference.
-        clock: usize,
-    },
+    Killed(Kill),
     /// Proven to behave like the unit on every input.
     Equivalent,
     /// A change of the state at power-up that is proven to be gone before the first result.
@@ -139,7 +130,7 @@ impl MutationReport {
     pub(super) fn count(&mut self, fate: Fate, clocks: usize, mutant: impl Fn() -> String) {
         self.mutants += 1;
         match fate {
-            Fate::Killed { stimulus, clock } => {
+            Fate::Killed((stimulus, clock)) => {
                 self.killed += 1;
                 self.longest_life = self.longest_life.max(stimulus * clocks + clock + 1);
             }

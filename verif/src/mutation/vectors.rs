@@ -1,6 +1,6 @@
 //! The stimuli of a unit, and what its golden model states of them.
 
-use super::score::Options;
+use super::score::{Kill, Options};
 use crate::subject::Subject;
 use rayon::prelude::*;
 
@@ -66,7 +66,7 @@ impl Stated<'_> {
 pub(super) fn first_difference<C: FnMut(&[u64], &Stated) -> bool>(
     vectors: &[Vectors],
     start: impl Fn() -> C,
-) -> Option<(usize, usize)> {
+) -> Option<Kill> {
     vectors.iter().enumerate().find_map(|(stimulus, vectors)| {
         let mut differs = start();
         let clock = vectors.first(|_, inputs, stated| differs(inputs, stated))?;

@@ -2,8 +2,8 @@
 
 use super::golden::{GoldenMachine, probe_values};
 use super::request::{Fault, WaveformRequest, middle_line};
-use crate::engine::beam::Beam;
-use crate::engine::{MachineInputs, MachineOutputs, ProbeSignal};
+use crate::engine::ProbeSignal;
+use crate::engine::beam::{Beam, Outputs};
 use crate::report::Report;
 use crate::signal::{Delay, Signal};
 use crate::waveform::{Group, Sample, Trace};
@@ -44,7 +44,8 @@ pub(super) fn run(band: &Band, machine: &mut Beam, pixel_done: &impl Fn()) -> Pa
     }
     let mut scan = Scan::new(band, machine.inside());
     for clock in 0..band.clocks() {
-        let outputs = machine.clock(band.inputs(clock));
+        let size = [band.scene.width as u64, band.lines as u64];
+        let outputs = machine.clock([u64::from(clock == 0), size[0], size[1]]);
         if scan.clock(clock, &outputs, |object| machine.probe(object)) {
             pixel_done();
         }
@@ -81,7 +82,7 @@ impl<'a> Scan<'a> {
     fn clock(
         &mut self,
         clock: usize,
-        outputs: &MachineOutputs,
+        outputs: &Outputs,
         probe: impl FnOnce(usize) -> Vec<i64>,
     ) -> bool {
         let Scan { band, report, .. } = self;
@@ -97,7 +98,7 @@ impl<'a> Scan<'a> {
             band.score_inside(recorder, clock, &inside, &golden, report);
             recorder.clock(outputs, stated, inside, golden, report);
         }
-        let is_pixel = outputs.valid() && index < band.pixels();
+        let is_pixel = outputs[0] == Some(1) && index < band.pixels();
         if is_pixel {
             store(&mut self.frame, index, outputs, band.scene.format.z_max());
         }
@@ -116,14 +117,6 @@ impl Band<'_> {
         self.pixels() + self.latency - 1
     }
 
-    fn inputs(&self, clock: usize) -> MachineInputs {
-        MachineInputs {
-            go: clock == 0,
-            width: self.scene.width as u16,
-            height: self.lines as u16,
-        }
-    }
-
     /// Column and line on the screen of the pixel with this index in the band.
     fn pixel(&self, index: usize) -> (i64, i64) {
         let width = self.scene.width as usize;
@@ -137,29 +130,18 @@ impl Band<'_> {
     fn load_words(&self, object: usize) -> Vec<LoadWord> {
         let words = &self.objects[object];
         let mut words = load_words(words, &self.scene.format, words.planes.len());
-        words.iter_mut().for_each(|word| self.inject(object, word));
+        if let Some(fault) = self.fault.filter(|f| usize::from(f.object) == object) {
+            let place = words.iter_mut().filter(|w| w.address == fault.address);
+            place.for_each(|word| word.bits ^= 1 << fault.bit);
+        }
         words
     }
 
-    fn inject(&self, object: usize, word: &mut LoadWord) {
-        if let Some(fault) = self.fault
-            && (usize::from(fault.object), fault.address) == (object, word.address)
-        {
-            word.bits ^= 1 << fault.bit;
-        }
-    }
-
-    fn score(
-        &self,
-        outputs: &MachineOutputs,
-        stated: Option<Visible>,
-        index: usize,
-        report: &mut Report,
-    ) {
+    fn score(&self, outputs: &Outputs, stated: Option<Visible>, index: usize, report: &mut Report) {
         let pixel = stated.map(|_| self.pixel(index));
         let cycle = report.cycles;
         let golden = output_values(stated);
-        for ((signal, hardware), golden) in self.outputs.iter().zip(outputs.values).zip(golden) {
+        for ((signal, &hardware), golden) in self.outputs.iter().zip(outputs).zip(golden) {
             let Some(golden) = golden else { continue };
             report.compare(cycle, pixel, &signal.name, hardware, golden);
         }
@@ -192,17 +174,15 @@ impl Band<'_> {
 /// What the golden machine states of the outputs: no pixel, or all of it.
 fn output_values(stated: Option<Visible>) -> [Option<i64>; 7] {
     let Some(v) = stated else {
-        let mut none = [None; 7];
-        none[0] = Some(0);
-        return none;
+        return [Some(0), None, None, None, None, None, None];
     };
     let [nx, ny, nz] = v.normal.map(i64::from);
     [1, v.depth, v.id.into(), v.number.into(), nx, ny, nz].map(Some)
 }
 
 /// Keeps a pixel; an undefined word is a mismatch and is drawn as 0.
-fn store(frame: &mut Frame, index: usize, outputs: &MachineOutputs, z_max: i64) {
-    let [_, depth, id, number, nx, ny, nz] = outputs.values.map(Option::unwrap_or_default);
+fn store(frame: &mut Frame, index: usize, outputs: &Outputs, z_max: i64) {
+    let [_, depth, id, number, nx, ny, nz] = outputs.map(Option::unwrap_or_default);
     frame.depth[index] = depth;
     if depth != z_max {
         frame.id[index] = id as _;
@@ -265,7 +245,7 @@ impl Recorder {
 
     fn clock(
         &mut self,
-        outputs: &MachineOutputs,
+        outputs: &Outputs,
         stated: Option<Visible>,
         inside: Vec<i64>,
         golden: Vec<Option<i64>>,
@@ -278,7 +258,7 @@ impl Recorder {
         }
         let machine = Sample {
             stimulus: vec![],
-            hardware: outputs.values.to_vec(),
+            hardware: outputs.to_vec(),
             golden: output_values(stated).to_vec(),
         };
         let mut samples = vec![machine];

@@ -4,7 +4,6 @@
 //! machine with several graphics modules (source: 2.4.4).
 
 mod band;
-pub mod fitted;
 pub(crate) mod golden;
 mod request;
 pub mod slots;
@@ -12,44 +11,44 @@ pub mod volumes;
 pub mod zone;
 
 use crate::engine::beam::BeamDesign;
-use crate::engine::{Engine, MachineOutputs, MachineShape};
+use crate::engine::{Engine, processor_signals, slots_of};
 use crate::report::Report;
 use crate::signal::Signal;
 pub use request::{CosimError, Fault, MAX_OBJECTS, Options, WaveformRequest, WindowStart};
 
 use band::{Band, Part};
+use imogene_golden::machine::fitted::{FittedMachine, FittedSlot};
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::object::load::load_words;
 use imogene_golden::object::quadric::{MAX_PLANES, PlaneWords, QuadricWords};
 use imogene_golden::object::words::Words;
 use imogene_prepare::{PreparedObject, PreparedScene};
+use imogene_rtl::emit::machine::MachineRequest;
+use rayon::prelude::*;
 use request::middle_line;
 use std::time::Instant;
 
-/// The machine that a scene needs.
-pub fn shape_of(scene: &PreparedScene, rows_per_stage: usize) -> Result<MachineShape, CosimError> {
+/// The machine that a scene needs: every slot has the same chain, and planes that an object does not use are of kind
+/// none.
+pub fn machine_of(
+    scene: &PreparedScene,
+    rows_per_stage: usize,
+) -> Result<FittedMachine, CosimError> {
     let count = scene.objects.len();
     if !(1..=MAX_OBJECTS).contains(&count) {
-        return Err(CosimError::Objects { count });
+        return Err(CosimError::Objects(count));
     }
     let words = quadric_words(scene)?;
     let planes = words.iter().map(|w| w.planes.len()).max().unwrap_or(0);
     if planes > MAX_PLANES {
-        return Err(CosimError::Planes { count: planes });
+        return Err(CosimError::Planes(planes));
     }
     let limit = scene.format.root_rows();
     if !(1..=limit as usize).contains(&rows_per_stage) {
-        return Err(CosimError::Rows {
-            value: rows_per_stage,
-            limit,
-        });
+        return Err(CosimError::Rows(rows_per_stage, limit));
     }
-    Ok(MachineShape {
-        format: scene.format,
-        objects: count,
-        planes,
-        rows_per_stage,
-    })
+    let (planes, rows) = (planes as u32, rows_per_stage as u32);
+    Ok(FittedMachine::uniform(&scene.format, count, planes, rows))
 }
 
 /// The words of a scene of quadric processors alone.
@@ -57,20 +56,19 @@ fn quadric_words(scene: &PreparedScene) -> Result<Vec<&QuadricWords>, CosimError
     fn words(object: &PreparedObject) -> Result<&QuadricWords, CosimError> {
         match object {
             PreparedObject::Quadric(quadric) => Ok(&quadric.words),
-            other => Err(CosimError::Processor {
-                object: other.name().to_owned(),
-            }),
+            other => Err(CosimError::Processor(other.name().to_owned())),
         }
     }
     scene.objects.iter().map(words).collect()
 }
 
-/// Latency in clocks from `go` to the first pixel of a machine.
-pub fn latency(scene: &PreparedScene, shape: &MachineShape) -> u32 {
-    use imogene_golden::machine::decider;
-    use imogene_golden::object::quadric;
-    1 + quadric::latency(&scene.format, shape.planes, shape.rows_per_stage as u32)
-        + decider::latency(shape.objects)
+/// The request for the hardware of a machine; `command` is stated in the header of its Verilog.
+pub fn request(machine: &FittedMachine, command: &str) -> MachineRequest {
+    let (words, slots) = (machine.widths, slots_of(&machine.slots));
+    MachineRequest {
+        command: command.to_owned(),
+        ..MachineRequest::fitted(words, machine.rows_per_stage as usize, slots)
+    }
 }
 
 /// Runs the scene through the hardware in an engine and compares with the golden machine.
@@ -82,33 +80,47 @@ pub fn run(
     engine: Engine,
     pixel_done: impl Fn() + Sync,
 ) -> Result<(Report, Frame), CosimError> {
-    let shape = shape_of(scene, options.rows_per_stage)?;
-    let all_words = quadric_words(scene)?;
-    check_requests(options, &shape, all_words[0])?;
+    let rows = options.rows_per_stage;
+    let machine = machine_of(scene, rows)?;
+    let planes = machine.slots[0].planes as usize;
+    check_requests(options, scene, planes, quadric_words(scene)?[0])?;
     check_window(options, scene)?;
-    // Every slot has the same chain; planes that an object does not use are of kind none.
-    let planes = vec![shape.planes; all_words.len()];
+    let inside = processor_signals(&scene.format, planes, rows);
+    let design = BeamDesign::compile(engine, &request(&machine, ""), inside)?;
+    run_on(&design, &machine, scene, options, pixel_done)
+}
+
+/// The same through a compiled machine, in whose words `scene` was prepared.
+pub fn run_on(
+    design: &BeamDesign,
+    machine: &FittedMachine,
+    scene: &PreparedScene,
+    options: &Options,
+    pixel_done: impl Fn() + Sync,
+) -> Result<(Report, Frame), CosimError> {
+    let words = quadric_words(scene)?;
+    let slots = words.iter().zip(&machine.slots);
     let bands = Bands {
         scene,
-        words: fitted_to(&all_words, &planes),
-        outputs: MachineOutputs::signals(&scene.format.widths()),
-        latency: latency(scene, &shape) as usize,
+        words: slots
+            .map(|(words, slot)| with_planes(words, slot))
+            .collect(),
+        outputs: design.machine.outputs.clone(),
+        latency: machine.latency(&scene.format) as usize,
         options,
     };
-    let design = BeamDesign::compile(engine, &shape)?;
-    let (mut report, frame) = bands.run(&design, pixel_done);
-    report.engine = engine.name().into();
+    let (mut report, frame) = bands.run(design, pixel_done);
+    report.engine = design.engine.name().into();
     Ok((report, frame))
 }
 
-/// The words with as many planes as each slot has.
-fn fitted_to(words: &[&QuadricWords], planes: &[usize]) -> Vec<QuadricWords> {
-    let one = |(words, &planes): (&&QuadricWords, &usize)| {
-        let mut words = (*words).clone();
-        words.planes.resize(planes, PlaneWords::default());
-        words
-    };
-    words.iter().zip(planes).map(one).collect()
+/// The words with as many planes as their slot has.
+fn with_planes(words: &QuadricWords, slot: &FittedSlot) -> QuadricWords {
+    let mut words = words.clone();
+    words
+        .planes
+        .resize(slot.planes as usize, PlaneWords::default());
+    words
 }
 
 /// A machine over the whole screen, cut into bands.
@@ -125,18 +137,8 @@ impl Bands<'_> {
     fn run(&self, design: &BeamDesign, pixel_done: impl Fn() + Sync) -> (Report, Frame) {
         let started = Instant::now();
         let bands = self.cut(self.options.threads);
-        let parts: Vec<Part> = std::thread::scope(|scope| {
-            let pixel_done = &pixel_done;
-            let run =
-                |band| scope.spawn(move || band::run(band, &mut design.machine(), pixel_done));
-            let handles: Vec<_> = bands.iter().map(run).collect();
-            let join = |handle: std::thread::ScopedJoinHandle<'_, _>| {
-                handle
-                    .join()
-                    .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
-            };
-            handles.into_iter().map(join).collect()
-        });
+        let run = |band: &Band| band::run(band, &mut design.machine(), &pixel_done);
+        let parts: Vec<Part> = bands.par_iter().map(run).collect();
         let mut report = Report::default();
         let width = self.scene.width as usize;
         let mut frame = Frame::background(width, 0, self.scene.format.z_max());
@@ -187,46 +189,34 @@ impl Bands<'_> {
 }
 
 fn check_window(options: &Options, scene: &PreparedScene) -> Result<(), CosimError> {
-    let (width, height) = (scene.width as usize, scene.height as usize);
+    let [width, height] = [scene.width, scene.height].map(|size| size as usize);
     match options.trace.as_ref().map(|request| request.from) {
-        Some(WindowStart::Pixel(column, line)) if column >= width || line >= height => {
-            Err(CosimError::TracedPixel {
-                column,
-                line,
-                width,
-                height,
-            })
-        }
+        Some(WindowStart::Pixel(column, line)) if column >= width || line >= height => Err(
+            CosimError::TracedPixel([column, line], [width - 1, height - 1]),
+        ),
         _ => Ok(()),
     }
 }
 
-/// `words` are those of any object.
+/// `words` are those of any object, in a slot of so many planes.
 fn check_requests(
     options: &Options,
-    shape: &MachineShape,
+    scene: &PreparedScene,
+    planes: usize,
     words: &QuadricWords,
 ) -> Result<(), CosimError> {
+    let objects = scene.objects.len();
     if let Some(request) = &options.trace
-        && request.object >= shape.objects
+        && request.object >= objects
     {
-        return Err(CosimError::TracedObject {
-            object: request.object,
-            objects: shape.objects,
-        });
+        return Err(CosimError::TracedObject(request.object, objects - 1));
     }
-    if let Some(f) = options.fault {
-        let words = load_words(words, &shape.format, shape.planes);
-        let word = words.get(usize::from(f.address));
-        let is_there = word.is_some_and(|word| u32::from(f.bit) < word.width);
-        if usize::from(f.object) >= shape.objects || !is_there {
-            return Err(CosimError::Fault {
-                object: f.object,
-                address: f.address,
-                bit: f.bit,
-                objects: shape.objects,
-                addresses: words.len(),
-            });
+    if let Some(fault) = options.fault {
+        let words = load_words(words, &scene.format, planes);
+        let word = words.get(usize::from(fault.address));
+        let is_there = word.is_some_and(|word| u32::from(fault.bit) < word.width);
+        if usize::from(fault.object) >= objects || !is_there {
+            return Err(CosimError::Fault(fault, objects, words.len()));
         }
     }
     Ok(())

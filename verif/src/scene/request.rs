@@ -2,6 +2,8 @@
 
 use crate::engine::design::DesignError;
 use imogene_golden::object::quadric::{MAX_PLANES, QuadricWords};
+use std::fmt;
+use std::str::FromStr;
 use thiserror::Error;
 
 /// Most objects of a beam machine.
@@ -51,6 +53,28 @@ pub struct Fault {
     pub bit: u8,
 }
 
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}:{}", self.object, self.address, self.bit)
+    }
+}
+
+impl FromStr for Fault {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Fault, String> {
+        let numbers: Option<Vec<u8>> = text.split(':').map(|part| part.parse().ok()).collect();
+        match numbers.as_deref() {
+            Some(&[object, address, bit]) => Ok(Fault {
+                object,
+                address,
+                bit,
+            }),
+            _ => Err("expected OBJECT:ADDRESS:BIT, three numbers below 256, such as 0:2:5".into()),
+        }
+    }
+}
+
 /// How to run.
 #[derive(Clone, Debug)]
 pub struct Options {
@@ -79,73 +103,34 @@ impl Options {
 /// Why a scene cannot be co-simulated.
 #[derive(Debug, Error)]
 pub enum CosimError {
-    /// More objects than slots.
-    #[error("the scene has {count} objects; a beam machine takes 1 to {MAX_OBJECTS}")]
-    Objects {
-        /// Objects of the scene.
-        count: usize,
-    },
+    /// More objects than slots, or none.
+    #[error("the scene has {0} objects; a beam machine takes 1 to {MAX_OBJECTS}")]
+    Objects(usize),
     /// More planes than a processor can have.
-    #[error("an object has {count} cut planes; a quadric processor takes at most {MAX_PLANES}")]
-    Planes {
-        /// Planes of the object.
-        count: usize,
-    },
+    #[error("an object has {0} cut planes; a quadric processor takes at most {MAX_PLANES}")]
+    Planes(usize),
     /// An object of a processor that the machine does not have.
     #[error(
-        "object '{object}' is not drawn by a quadric processor, and a beam machine has no other; each of its processors runs by itself"
+        "object '{0}' is not drawn by a quadric processor, and a beam machine has no other; each of its processors runs by itself"
     )]
-    Processor {
-        /// Name of the object.
-        object: String,
-    },
-    /// Rows per stage out of range.
-    #[error("rows-per-stage is {value}; accepted: 1 to {limit}")]
-    Rows {
-        /// Given value.
-        value: usize,
-        /// Rows of the network.
-        limit: u32,
-    },
-    /// A slot, address or bit that does not exist.
+    Processor(String),
+    /// Rows per stage out of range, and the rows of the network.
+    #[error("rows-per-stage is {0}; accepted: 1 to {1}")]
+    Rows(usize, u32),
+    /// A slot, address or bit that does not exist; the slots of the machine, and the words of a slot.
     #[error(
-        "fault {object}:{address}:{bit} names no coefficient bit of this machine; accepted: OBJECT below {objects}, ADDRESS below {addresses}, BIT below the width of that word"
+        "fault {0} names no coefficient bit of this machine; accepted: OBJECT below {1}, ADDRESS below {2}, BIT below the width of that word"
     )]
-    Fault {
-        /// Slot.
-        object: u8,
-        /// Address.
-        address: u8,
-        /// Bit.
-        bit: u8,
-        /// Slots of the machine.
-        objects: usize,
-        /// Words of a slot.
-        addresses: usize,
-    },
+    Fault(Fault, usize, usize),
     /// The machine cannot be compiled.
     #[error(transparent)]
     Design(#[from] DesignError),
-    /// A pixel to trace from that the picture does not have.
-    #[error("there is no pixel {column},{line} to trace from; accepted: 0,0 to {},{}", width - 1, height - 1)]
-    TracedPixel {
-        /// Given column.
-        column: usize,
-        /// Given line.
-        line: usize,
-        /// Pixels of a line.
-        width: usize,
-        /// Lines.
-        height: usize,
-    },
-    /// A slot to trace that does not exist.
-    #[error("there is no object {object} to trace; accepted: 0 to {}", objects - 1)]
-    TracedObject {
-        /// Given slot.
-        object: usize,
-        /// Slots of the machine.
-        objects: usize,
-    },
+    /// A pixel to trace from that the picture does not have, and its last one.
+    #[error("there is no pixel {},{} to trace from; accepted: 0,0 to {},{}", .0[0], .0[1], .1[0], .1[1])]
+    TracedPixel([usize; 2], [usize; 2]),
+    /// A slot to trace that does not exist, and the last one.
+    #[error("there is no object {0} to trace; accepted: 0 to {1}")]
+    TracedObject(usize, usize),
 }
 
 /// The middle line of an object on the screen.

@@ -5,7 +5,8 @@
 //! golden model, from the words that the preparation made; what all of them draw together is compared with the frame of
 //! the golden machine.
 
-use super::zone::{Engine, SlotError, Zone};
+use super::zone::{SlotError, Zone};
+use crate::engine::Engine;
 use crate::report::{Report, place};
 use crate::subject::{Inputs, Subject};
 use crate::unit::words::processor;
@@ -28,12 +29,7 @@ struct Drawn {
     normal: [i16; 3],
 }
 
-/// Runs all processors of a scene; `engine` may put another engine under a subject, `pixel_done` is told of pixels,
-/// from any thread.
-///
-/// # Errors
-///
-/// When a processor cannot be co-simulated, or the engine cannot be built.
+/// Runs all processors of a scene in an engine; `pixel_done` is told of pixels, from any thread.
 pub fn run(
     scene: &PreparedScene,
     rows_per_stage: usize,
@@ -49,8 +45,8 @@ pub fn run(
         .iter()
         .find(|slot| processor(&slot.words, &scene.format).is_none());
     if let Some(slot) = without {
-        let object = scene.objects[slot.object].name().to_owned();
-        return Err(SlotError::NoHardware { object });
+        let object = scene.objects[slot.object].name();
+        return Err(SlotError::NoHardware(object.to_owned()));
     }
     let jobs: Vec<Job> = slots.iter().filter_map(|slot| job(slot, scene)).collect();
     let width = scene.width as usize;

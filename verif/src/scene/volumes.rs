@@ -1,7 +1,8 @@
 //! Co-simulation of the shadow and light volumes of a scene: each on the zone of its screen box, on the depths that are
 //! seen, its answers into the flags of the light sources.
 
-use super::zone::{Engine, SlotError, Zone};
+use super::zone::{SlotError, Zone};
+use crate::engine::Engine;
 use crate::report::{Report, place};
 use crate::subject::{Inputs, Subject};
 use crate::unit::words::volume;
@@ -18,12 +19,7 @@ const FROM_DEPTH: usize = 3;
 /// A volume that is on the screen.
 type Job<'a> = super::zone::Job<&'a VolumeWords>;
 
-/// Runs all volumes of a scene on a frame; `engine` may put another engine under a subject, `pixel_done` is told of
-/// pixels, from any thread.
-///
-/// # Errors
-///
-/// When a processor cannot be co-simulated, or the engine cannot be built.
+/// Runs all volumes of a scene on a frame in an engine; `pixel_done` is told of pixels, from any thread.
 pub fn run(
     scene: &PreparedScene,
     frame: &Frame,

@@ -1,9 +1,9 @@
 //! Processors that run by themselves on the zone of their screen box.
 
+use crate::engine::Engine;
 use crate::engine::design::DesignError;
 use crate::report::Report;
 use crate::subject::{Inputs, Subject};
-use crate::unit::subject;
 use crate::unit::words::Loaded;
 use imogene_contract::Request;
 use imogene_golden::object::quadric::ScreenBox;
@@ -15,24 +15,18 @@ use thiserror::Error;
 /// Pixels around the screen box that are drawn too: the object is absent there.
 const BORDER: i64 = 1;
 
-/// Puts another engine under the description of a unit that is emitted by a request.
-pub type Engine<'a> = &'a (dyn Fn(Subject, &Request) -> Result<Subject, DesignError> + Sync);
-
 /// Why a scene's processors cannot be co-simulated.
 #[derive(Debug, Error)]
 pub enum SlotError {
     /// A processor has no legal parameters, or the engine cannot be built.
     #[error(transparent)]
     Design(#[from] DesignError),
-    /// There is no hardware of the processor.
+    /// There is no hardware of the processor of an object.
     #[error(
-        "object '{object}': drawn by the quotient processor, because the viewer lies on its quadric (or looks along an asymptotic direction of it); \
+        "object '{0}': drawn by the quotient processor, because the viewer lies on its quadric (or looks along an asymptotic direction of it); \
          there is no hardware of that processor: move the camera by any small amount, or draw the scene with --model golden or exact"
     )]
-    NoHardware {
-        /// Name of the object.
-        object: String,
-    },
+    NoHardware(String),
     /// Widths that processors have in a machine alone.
     #[error(
         "only a beam machine takes --guards and --widths, and it draws 1 to 256 quadrics; \
@@ -101,8 +95,7 @@ fn subjects<T>(
             rows_per_stage: rows_per_stage as u32,
             ..loaded.request
         };
-        let subject = subject(&request).map_err(DesignError::from)?;
-        place.insert(engine(subject, &request)?);
+        place.insert(engine.unit(&request)?);
     }
     Ok(list)
 }

@@ -12,7 +12,6 @@ mod object;
 mod patch;
 mod raster;
 mod root;
-mod root_family;
 mod shading;
 mod solid;
 mod transparency;
@@ -42,10 +41,6 @@ pub fn units() -> impl Iterator<Item = Unit> {
 }
 
 /// A unit with its parameters, ready to be co-simulated.
-///
-/// # Errors
-///
-/// When a parameter is out of its range.
 pub fn subject(request: &Request) -> Result<Subject, RequestError> {
     let request = *request;
     let top = design(&request)?.top;
@@ -72,10 +67,6 @@ pub fn subject(request: &Request) -> Result<Subject, RequestError> {
 }
 
 /// The same in the simulator of `imogene-hdl`.
-///
-/// # Errors
-///
-/// When a parameter is out of its range.
 pub fn levelised(request: &Request) -> Result<Subject, RequestError> {
     let request = *request;
     Ok(Subject {
@@ -93,14 +84,14 @@ fn describe(p: &Request) -> Description {
     let format = Format::new(p.depth_word).expect("a checked request");
     let n = |count: u32| count as usize;
     let [planes, rows, objects] = [p.planes, p.rows_per_stage, p.objects].map(n);
-    let network = |method| root_family::network(format, method, rows);
+    let network = |method| root::network(format, method, rows);
     let (kept, corrections) = (p.digits, p.corrections);
     match p.unit {
         Unit::Pe1 => elementary::pe1(format.sum),
         Unit::Pe2 => elementary::pe2(format.quadratic),
         Unit::SquareRoot => network(Method::Restoring),
         Unit::SquareRootNonRestoring => network(Method::NonRestoring),
-        Unit::SquareRootIterative => root_family::iterative(format),
+        Unit::SquareRootIterative => root::iterative(format),
         Unit::SquareRootRows => network(Method::Rows { kept }),
         Unit::SquareRootLeading => network(Method::Leading { kept }),
         Unit::SquareRootLinear => network(Method::Linear { corrections }),

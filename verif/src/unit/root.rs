@@ -1,18 +1,61 @@
-//! The quadric elementary processor, around a square root network.
+//! The family of square root networks, and the quadric elementary processor around one of them.
 
-use super::description::{Description, late, scan, stated};
+use super::description::{Description, bit, late, scan, stated};
 use super::zone::Reader;
-use crate::stimulus::{radicand, raster};
+use crate::stimulus::{each, radicand, raster};
 use crate::subject::{Inputs, Subject};
 use imogene_golden::format::{Format, wrap64};
 use imogene_golden::unit::pe1::Pe1;
 use imogene_golden::unit::pe2::Pe2;
-use imogene_golden::unit::root::restoring_root;
+use imogene_golden::unit::root::iterative::IterativeRoot;
+use imogene_golden::unit::root::{Method, restoring_root, root};
 use proptest::prelude::*;
 
 /// The low bits of a word as a number without sign.
-pub(super) fn unsigned(value: i128, width: u32) -> u128 {
+fn unsigned(value: i128, width: u32) -> u128 {
     value as u128 & (u128::MAX >> (128 - width))
+}
+
+/// A free running member: one radicand and one result each clock.
+pub(super) fn network(format: Format, method: Method, rows_per_stage: usize) -> Description {
+    let latency = method.latency(format.root, rows_per_stage as u32) as usize;
+    Description::new(radicands, move || {
+        let mut late = late(latency);
+        move |i: &[i64]| {
+            let radicand = unsigned(i[0].into(), format.quadratic);
+            let found = late.push(root(method, radicand, format.root));
+            let mut values = vec![found.map(|r| r.root as i64)];
+            if method.is_exact() {
+                values.push(found.and_then(|r| r.remainder).map(|r| r as i64));
+            }
+            values
+        }
+    })
+}
+
+fn radicands(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    each(vec![radicand(&subject.inputs[0])], clocks)
+}
+
+pub(super) fn iterative(format: Format) -> Description {
+    Description::new(starts, move || {
+        let mut unit = IterativeRoot::new(format.root);
+        move |i: &[i64]| {
+            let shown = unit.clock(bit(i[0]), unsigned(i[1].into(), format.quadratic));
+            vec![
+                Some(shown.busy.into()),
+                Some(shown.done.into()),
+                Some(shown.root as i64),
+                Some(shown.remainder as i64),
+            ]
+        }
+    })
+}
+
+/// Starts at any time, many of them during the work and some beside `done`.
+fn starts(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let start = prop_oneof![3 => Just(1i64), 1 => Just(0i64)].boxed();
+    each(vec![start, radicand(&subject.inputs[1])], clocks)
 }
 
 pub(super) fn quadric_pe(format: Format, rows_per_stage: usize) -> Description {

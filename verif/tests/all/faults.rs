@@ -214,8 +214,8 @@ fn every_band_reports_the_places_of_its_band() {
     };
     let (good, frame) = run(None);
     assert!(good.passed(), "{:?}", good.first_mismatches);
-    let shape = scene::shape_of(&scene, 4).unwrap();
-    let latency = u64::from(scene::latency(&scene, &shape));
+    let machine = scene::machine_of(&scene, 4).unwrap();
+    let latency = u64::from(machine.latency(&scene.format));
     assert_eq!(
         (good.pixels, good.cycles),
         (48 * 36, 48 * 36 + 5 * (latency - 1))

@@ -5,13 +5,13 @@ use imogene_golden::format::Format;
 use imogene_golden::machine::fitted::FittedMachine;
 use imogene_prepare::Framing;
 use imogene_prepare::{PreparedScene, prepare};
-use imogene_rtl::emit::Emitted;
 use imogene_rtl::emit::machine::emit_machine;
 use imogene_scene::SceneFile;
 use imogene_verif::engine::Engine;
+use imogene_verif::engine::beam::BeamDesign;
 use imogene_verif::engine::design::Simulator;
 use imogene_verif::report::Report;
-use imogene_verif::scene::{Fault, Options, fitted};
+use imogene_verif::scene::{Fault, Options, request, run_on};
 use std::path::Path;
 
 const SIZE: (u32, u32) = (64, 48);
@@ -67,35 +67,31 @@ fn prepared(index: usize) -> (PreparedScene, FittedMachine) {
     (prepared, machine)
 }
 
-fn emitted() -> Vec<Emitted> {
-    (0..MACHINES.len())
-        .map(|index| emit_machine(&fitted::request(&prepared(index).1, "test")).unwrap())
-        .collect()
-}
-
-fn run(index: usize, emitted: &Emitted, fault: Option<Fault>) -> Report {
+fn run(index: usize, fault: Option<Fault>) -> Report {
     let (prepared, machine) = prepared(index);
-    let design = fitted::compile(Engine::Verilog(Simulator::Verilator), &machine, emitted).unwrap();
+    let engine = Engine::Verilog(Simulator::Verilator);
+    let design = BeamDesign::compile(engine, &request(&machine, ""), vec![]).unwrap();
     let options = Options {
         rows_per_stage: machine.rows_per_stage as usize,
         threads: 1,
         trace: None,
         fault,
     };
-    let outcome = fitted::run(&prepared, &machine, &options, &design, || ());
+    let outcome = run_on(&design, &machine, &prepared, &options, || ());
     outcome.unwrap().0
 }
 
 #[test]
 fn machines_of_any_words_are_the_golden_machine() {
-    for (index, emitted) in emitted().iter().enumerate() {
+    for (index, words) in MACHINES.iter().enumerate() {
         let (prepared, machine) = prepared(index);
+        let emitted = emit_machine(&request(&machine, "test")).unwrap();
         assert_eq!(emitted.latency as u32, machine.latency(&prepared.format));
-        let report = run(index, emitted, None);
+        let report = run(index, None);
         assert_eq!(
             report.mismatches, 0,
-            "{:?}: {:?}",
-            MACHINES[index], report.first_mismatches
+            "{words:?}: {:?}",
+            report.first_mismatches
         );
         assert_eq!(report.pixels, u64::from(SIZE.0 * SIZE.1));
         let seen = imogene_golden::machine::beam::render(
@@ -112,11 +108,10 @@ fn machines_of_any_words_are_the_golden_machine() {
 /// Four depth words more in each step of f1 along the line.
 #[test]
 fn a_wrong_bit_in_a_fitted_machine_is_found() {
-    let emitted = emitted();
     let fault = Fault {
         object: 0,
         address: 0,
         bit: 6,
     };
-    assert!(run(1, &emitted[1], Some(fault)).mismatches > 0);
+    assert!(run(1, Some(fault)).mismatches > 0);
 }

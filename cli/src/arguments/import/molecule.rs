@@ -1,6 +1,7 @@
 //! Options of `import` for molecules.
 
-use clap::{Args, ValueEnum};
+use crate::arguments::parse::{Choices, choice};
+use clap::Args;
 use imogene_import::pdb::{Alternates, Colouring, ModelChoice, Options, Residues, Style};
 use std::str::FromStr;
 
@@ -8,11 +9,11 @@ use std::str::FromStr;
 #[derive(Clone, Debug, Args)]
 pub struct MoleculeOptions {
     /// How it is drawn.
-    #[arg(long, value_enum, default_value_t = StyleName::SpaceFilling)]
-    style: StyleName,
+    #[arg(long, value_parser = choice(STYLES), default_value = "space-filling")]
+    style: Style,
     /// What gives an atom its colour.
-    #[arg(long, alias = "color", value_enum, default_value_t = ColourName::Element)]
-    colour: ColourName,
+    #[arg(long, alias = "color", value_parser = choice(COLOURS), default_value = "element")]
+    colour: Colouring,
     /// Model to draw: `first`, its number, or `all`, each where its coordinates put it.
     #[arg(long, default_value = "first", value_parser = ModelChoice::from_str, value_name = "N|first|all", allow_hyphen_values = true)]
     model: ModelChoice,
@@ -43,39 +44,23 @@ pub struct MoleculeOptions {
     pub inline: bool,
 }
 
-/// Styles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum StyleName {
-    /// Spheres of the van der Waals radii.
-    SpaceFilling,
-    /// Small spheres, and cylinders for bonds.
-    BallAndStick,
-}
-
-/// What gives the colours.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum ColourName {
-    /// The element.
-    Element,
-    /// The chain.
-    Chain,
-    /// The model.
-    Model,
-}
+#[rustfmt::skip]
+const STYLES: Choices<Style> = &[
+    (Style::SpaceFilling, "space-filling", "Spheres of the van der Waals radii"),
+    (Style::BallAndStick, "ball-and-stick", "Small spheres, and cylinders for bonds"),
+];
+const COLOURS: Choices<Colouring> = &[
+    (Colouring::Element, "element", "The element"),
+    (Colouring::Chain, "chain", "The chain"),
+    (Colouring::Model, "model", "The model"),
+];
 
 impl MoleculeOptions {
     /// The options of the reader.
     pub fn options(&self) -> Options {
         Options {
-            style: match self.style {
-                StyleName::SpaceFilling => Style::SpaceFilling,
-                StyleName::BallAndStick => Style::BallAndStick,
-            },
-            colouring: match self.colour {
-                ColourName::Element => Colouring::Element,
-                ColourName::Chain => Colouring::Chain,
-                ColourName::Model => Colouring::Model,
-            },
+            style: self.style,
+            colouring: self.colour,
             model: self.model,
             alternates: self.alternates.clone(),
             hydrogens: !self.without_hydrogens,

@@ -1,14 +1,16 @@
-//! Options of `import` for terrain.
+//! Options of `import` for terrain, and the arguments of `terrain`.
 
-use clap::{Args, ValueEnum};
-use imogene_import::terrain::Region;
+use crate::arguments::parse::{Choices, choice};
+use clap::Args;
+use imogene_import::terrain::{Cells, Region};
+use std::path::PathBuf;
 
 /// Options of terrain.
 #[derive(Clone, Debug, Args)]
 pub struct TerrainOptions {
     /// What a cell of the grid is drawn as.
-    #[arg(long, value_enum, default_value = "bilinear", value_name = "FORM")]
-    pub cells: CellForm,
+    #[arg(long, value_parser = choice(CELLS), default_value = "bilinear", value_name = "FORM")]
+    pub cells: Cells,
     /// Factor of the heights.
     #[arg(
         long,
@@ -31,16 +33,35 @@ pub struct TerrainOptions {
     pub look_at: Option<[f64; 3]>,
 }
 
-/// What a cell is drawn as.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum CellForm {
-    /// Bilinear patches, whatever the eye.
-    Bilinear,
-    /// Surfaces ruled from edge to edge as the eye sees them: one quotient a pixel and no root.
-    Ruled,
-    /// Facets where the bilinear patch is flat to half a pixel, else bilinear patches.
-    Auto,
+/// Arguments of `terrain`.
+#[derive(Debug, Args)]
+pub struct Terrain {
+    /// File of heights to write.
+    #[arg(short, long, value_name = "FILE.heights")]
+    pub output: PathBuf,
+    /// Levels of recursion: 2^N + 1 nodes a side, N from 1 to 10.
+    #[arg(long, default_value_t = 6, value_name = "N")]
+    pub levels: u32,
+    /// The exponent h from 0 (rough) to 1 (smooth): each level is displaced by 2^-h of the one before.
+    #[arg(long, default_value_t = 0.8, value_name = "H")]
+    pub roughness: f64,
+    /// Deviation of the corners of the grid, in units of height.
+    #[arg(long, default_value_t = 100.0, value_name = "UNITS")]
+    pub relief: f64,
+    /// Distance of two nodes.
+    #[arg(long, default_value_t = 10.0, value_name = "UNITS")]
+    pub node_distance: f64,
+    /// Seed of the random numbers.
+    #[arg(long, default_value_t = 1, value_name = "SEED")]
+    pub seed: u64,
 }
+
+#[rustfmt::skip]
+const CELLS: Choices<Cells> = &[
+    (Cells::Bilinear, "bilinear", "Bilinear patches, whatever the eye"),
+    (Cells::Ruled, "ruled", "Surfaces ruled from edge to edge as the eye sees them: one quotient a pixel and no root"),
+    (Cells::Auto, "auto", "Facets where the bilinear patch is flat to half a pixel, else bilinear patches"),
+];
 
 fn point(text: &str) -> Result<[f64; 3], String> {
     let numbers: Option<Vec<f64>> = text

@@ -58,7 +58,6 @@ fn named(scenes: &[String]) -> String {
     }
 }
 
-/// A few lines.
 pub fn summary(report: &FitReport) -> String {
     let mut text = format!(
         "{}: beam --widths {} --slots {} --rows-per-stage {}\n",
@@ -108,7 +107,6 @@ fn how(limit: &Proven) -> String {
     }
 }
 
-/// The contract as a page.
 pub fn page(report: &FitReport, emitted: &Emitted) -> String {
     let mut text = format!(
         "# `{}`: a beam machine fitted to {}\n\nMade by `{}`; the same Verilog: `{}`.\n\n",

@@ -11,7 +11,7 @@ use crate::molecules::load;
 use crate::{missing, output};
 use imogene_files::text::counted;
 use imogene_import::pdb::Format;
-use imogene_import::{Imported, Kind, Kinds, is_scene};
+use imogene_import::{Kind, Kinds, is_scene};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -30,7 +30,7 @@ struct ImportReport {
 pub fn run(options: &Import, json: bool) -> Result<(), Failure> {
     let bytes = load(&options.file)?;
     let kind = match options.kind {
-        Some(kind) => kind.kind(),
+        Some(kind) => kind,
         None => kind_of(&bytes, &options.file)?,
     };
     let mut imported = match kind {
@@ -47,30 +47,23 @@ pub fn run(options: &Import, json: bool) -> Result<(), Failure> {
     missing::incomplete(&options.file, imported.scene.incomplete.as_deref())?;
     let text = imported.scene.to_toml()?;
     output::write_text(&options.output, &text)?;
-    print(options, kind.name(), objects, imported, json);
-    Ok(())
-}
-
-fn print(options: &Import, kind: &'static str, objects: usize, imported: Imported, json: bool) {
     let report = ImportReport {
         file: options.file.clone(),
-        kind,
+        kind: kind.name(),
         objects,
         report: imported.report,
         notes: imported.notes,
         files: vec![options.output.clone()],
     };
-    if json {
-        return output::json(&report);
-    }
-    for note in &report.notes {
-        output::text(note);
-    }
-    output::text(format!(
-        "{}; wrote {}",
-        counted(report.objects, "object"),
-        options.output.display()
-    ));
+    output::report(json, &report, |report| {
+        report.notes.iter().for_each(output::text);
+        output::text(format!(
+            "{}; wrote {}",
+            counted(report.objects, "object"),
+            options.output.display()
+        ));
+    });
+    Ok(())
 }
 
 /// What a file is, or what would be read.

@@ -1,9 +1,9 @@
 //! `imogene import` of terrain.
 
-use crate::arguments::{CellForm, Import};
+use crate::arguments::Import;
 use crate::failure::Failure;
 use imogene_import::Imported;
-use imogene_import::terrain::{Cells, TerrainOptions, import as import_terrain};
+use imogene_import::terrain::{TerrainOptions, import as import_terrain};
 
 /// The scene of a file.
 pub fn import(bytes: &[u8], options: &Import) -> Result<Imported, Failure> {
@@ -17,11 +17,7 @@ pub fn import(bytes: &[u8], options: &Import) -> Result<Imported, Failure> {
     let file = options.file.display().to_string();
     let title = options.file.file_stem().map(|name| name.to_string_lossy());
     let terrain = TerrainOptions {
-        cells: match asked.cells {
-            CellForm::Bilinear => Cells::Bilinear,
-            CellForm::Ruled => Cells::Ruled,
-            CellForm::Auto => Cells::Auto,
-        },
+        cells: asked.cells,
         height_factor: factor,
         region: asked.region,
         every: asked.every as usize,

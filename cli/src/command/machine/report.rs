@@ -37,11 +37,7 @@ pub(super) struct MachineReport<'a> {
     pub(super) files: Vec<PathBuf>,
 }
 
-pub(super) fn tell(summary: &MachineReport, json: bool) {
-    if json {
-        output::json(summary);
-        return;
-    }
+pub(super) fn tell(summary: &MachineReport) {
     let pace = match summary.clocks_per_frame {
         Some(clocks) => format!("in {clocks} clocks of a frame on the pins"),
         None => "of a frame over AXI4-Stream".to_owned(),

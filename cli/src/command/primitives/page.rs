@@ -1,6 +1,7 @@
 //! The comparison as tables of Markdown. Nothing here depends on the machine it runs on.
 
 use super::hardware::{Hardware, TARGET};
+use crate::output::joined;
 use imogene_files::text::wrapped;
 use imogene_studies::primitives::errors::{Bulge, Errors};
 use imogene_studies::primitives::speed::{FacetWork, Speed};
@@ -41,11 +42,7 @@ const STATED: [f64; 5] = [29.45, -4.50, 5.08, 1.6, 16.4];
 
 /// The page: what is drawn, then a table for each question.
 pub fn markdown(comparison: &Comparison) -> String {
-    let radii: Vec<String> = comparison
-        .radii_px
-        .iter()
-        .map(|r| format!("{r:.1}"))
-        .collect();
+    let radii = comparison.radii_px.iter().map(|r| format!("{r:.1}"));
     let drawn = format!(
         "{}, {} x {}, depth word {}, {:.1} depth words to the pixel; radii {} pixels.",
         comparison.scene,
@@ -53,7 +50,7 @@ pub fn markdown(comparison: &Comparison) -> String {
         comparison.height,
         comparison.depth_word,
         comparison.words_per_pixel,
-        radii.join(", ")
+        joined(radii, ", ")
     );
     let mut text = wrapped(&drawn, "") + "\n\n";
     text += "| drawn as | sides around | presence differs | object differs | depth max px | depth rms px | depth max words | depth rms words | normal mean | normal max |\n";
@@ -179,22 +176,16 @@ fn label(row: &Row) -> String {
 }
 
 fn sides(row: &Row) -> String {
-    let all: Vec<String> = row.sides.iter().flatten().map(usize::to_string).collect();
-    if all.is_empty() {
-        "-".into()
-    } else {
-        all.join(", ")
+    match joined(row.sides.iter().flatten(), ", ") {
+        none if none.is_empty() => "-".into(),
+        all => all,
     }
 }
 
 fn kinds(row: &Row) -> String {
-    let all: Vec<String> = row
-        .hardware
-        .kinds
-        .iter()
-        .map(|(kind, number)| format!("{number} {}", kind.replace("_processor", "")))
-        .collect();
-    let all = all.join("; ");
+    let kinds = row.hardware.kinds.iter();
+    let kinds = kinds.map(|(kind, number)| format!("{number} {}", kind.replace("_processor", "")));
+    let all = joined(kinds, "; ");
     match row.hardware.kinds.len() {
         1 => all,
         _ => format!("{}: {all}", row.hardware.processors),

@@ -67,9 +67,8 @@ pub fn run(options: &Render, range: FrameRange, json: bool) -> Result<(), Failur
     let format = options.scene.format()?;
     let animator = Animator::new(&file, size, format).map_err(|e| named(e.to_string()))?;
     let animator = animator.with_options(missing::options());
-    let range = range
-        .of("--frames", animator.playback().count())
-        .map_err(|e| named(e.to_string()))?;
+    let range = range.of("--frames", animator.playback().count());
+    let range = range.map_err(named)?;
     let preview_path = options.output().join("animation.png");
     let count = range.clone().count();
     let failed = |error| Failure::from(WriteError::at(&preview_path)(error));
@@ -93,12 +92,10 @@ pub fn run(options: &Render, range: FrameRange, json: bool) -> Result<(), Failur
     let report_path = options.output().join("frames.json");
     files.add_text(&report_path, &(output::json_text(&report) + "\n"))?;
     files.finish()?;
-    if json {
-        output::json(&report);
-    } else {
-        describe(&report);
-        output::text(format!("wrote {}", report_path.display()));
-    }
+    output::report(json, &report, |report| {
+        describe(report);
+        output::wrote(&[report_path]);
+    });
     Ok(())
 }
 

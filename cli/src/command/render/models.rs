@@ -40,7 +40,6 @@ pub fn exact_frame(framed: &FramedScene, prepared: &PreparedScene) -> Frame {
     exact::render::to_frame(&pixels, framed, &prepared.format)
 }
 
-/// The golden model's frame.
 pub fn golden_frame(prepared: &PreparedScene) -> Frame {
     let bar = output::progress(u64::from(prepared.height), "golden model");
     let (width, height) = (prepared.width as usize, prepared.height as usize);
@@ -100,9 +99,8 @@ fn reproduce(options: &Render) -> String {
 /// The frame of processors that run by themselves.
 fn slots_frame(options: &Render, prepared: &PreparedScene) -> Result<(Report, Frame), Failure> {
     let drawn = output::during(slots::pixels(prepared), "processors in simulation", |bar| {
-        slots::run(prepared, options.rows_per_stage, &|s, _| Ok(s), |n| {
-            bar.inc(n)
-        })
+        let rows = options.rows_per_stage;
+        slots::run(prepared, rows, Engine::BuiltIn, |n| bar.inc(n))
     });
     drawn.map_err(Failure::from)
 }

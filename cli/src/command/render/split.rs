@@ -25,7 +25,6 @@ pub struct SplitReport {
     workers: Vec<Worker>,
 }
 
-/// Draws a picture in pieces.
 pub fn draw(
     options: &Render,
     division: Division,

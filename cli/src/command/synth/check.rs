@@ -25,14 +25,10 @@ pub fn run(options: &Synth, json: bool) -> Result<(), Failure> {
     let bar = output::progress(rows.len() as u64, "synthesis");
     let checks = check(&rows, &baseline, &check_options, || bar.inc(1))?;
     bar.finish_and_clear();
-    if json {
-        output::json(&checks);
-    } else {
-        for check in &checks {
-            output::text(describe(check));
-        }
-        output::text(summary(&checks));
-    }
+    output::report(json, &checks, |checks| {
+        checks.iter().for_each(|row| output::text(describe(row)));
+        output::text(summary(checks));
+    });
     verdict(&checks, options)
 }
 
@@ -72,22 +68,18 @@ fn select(options: &Synth, baseline: &Table) -> Result<Vec<Row>, Failure> {
 }
 
 fn name(check: &RowCheck) -> String {
-    let parameters: Vec<String> = check
-        .parameters
-        .iter()
-        .map(|(option, value)| format!("--{option} {value}"))
-        .collect();
+    let parameters = check.parameters.iter();
+    let parameters = parameters.map(|(option, value)| format!("--{option} {value}"));
     format!(
         "{} {} for {}",
         check.unit,
-        parameters.join(" "),
+        output::joined(parameters, " "),
         check.target
     )
 }
 
 /// A row: every figure, with its baseline where they differ.
 fn describe(check: &RowCheck) -> String {
-    let changes: Vec<String> = check.changes.iter().map(figure).collect();
     let verilog = if check.is_same_verilog {
         ""
     } else {
@@ -97,7 +89,7 @@ fn describe(check: &RowCheck) -> String {
         "{}: {}{verilog}\n  {}",
         name(check),
         word(check.verdict),
-        changes.join(", ")
+        output::joined(check.changes.iter().map(figure), ", ")
     )
 }
 
@@ -157,9 +149,7 @@ fn verdict(checks: &[RowCheck], options: &Synth) -> Result<(), Failure> {
 /// The figures of a row that got worse.
 fn complaint(check: &RowCheck) -> String {
     let changes = check.changes.iter();
-    let worse: Vec<String> = changes
-        .filter(|change| change.verdict == Verdict::Worse)
-        .map(figure)
-        .collect();
-    format!("  {}: {}", name(check), worse.join(", "))
+    let worse = changes.filter(|change| change.verdict == Verdict::Worse);
+    let worse = output::joined(worse.map(figure), ", ");
+    format!("  {}: {worse}", name(check))
 }

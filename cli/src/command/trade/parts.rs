@@ -26,8 +26,8 @@ pub fn run(options: &Trade, points: &str) -> Result<(), Failure> {
         "--points".into(),
         points.into(),
     ];
-    if let Some(size) = options.size {
-        command.extend(["--size".into(), format!("{}x{}", size.width, size.height)]);
+    if let Some((width, height)) = options.size {
+        command.extend(["--size".into(), format!("{width}x{height}")]);
     }
     let request = json!({
         "command": command,

@@ -3,7 +3,7 @@
 use super::{documents, root};
 use crate::common::imogene;
 use clap::error::ErrorKind;
-use imogene::arguments::{GROUPS, command};
+use imogene::arguments::{GROUPS, Group, command};
 use regex::Regex;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -51,9 +51,9 @@ fn lines() -> Vec<Line> {
             }
         }
     }
-    for entry in GROUPS.iter().flat_map(|group| group.entries) {
-        all.extend(entry.examples.iter().map(|text| Line {
-            page: format!("imogene {} --help", entry.name),
+    for (name, examples) in GROUPS.iter().flat_map(Group::commands) {
+        all.extend(examples.iter().map(|text| Line {
+            page: format!("imogene {name} --help"),
             text: without_remark(text),
             is_whole: true,
         }));

@@ -61,8 +61,8 @@ impl Rays {
             exact(least).is_none_or(|least| t.cmp_fraction(&least) != Ordering::Less)
         };
         let agrees = match (&verdict, &truth) {
-            (Verdict::Absent, None) | (Verdict::Open { .. }, None) => true,
-            (Verdict::Open { from }, Some(found)) => not_before(&found.t, *from),
+            (Verdict::Absent, None) | (Verdict::Open(_), None) => true,
+            (Verdict::Open(from), Some(found)) => not_before(&found.t, *from),
             (Verdict::Hit { t, number, .. }, Some(found)) => {
                 let not_behind =
                     exact(t.hi).is_none_or(|most| found.t.cmp_fraction(&most) != Ordering::Greater);

@@ -12,24 +12,9 @@ pub const CACHE_VARIABLE: &str = "IMOGENE_CACHE";
 const COMPILER_VARIABLE: &str = "IMOGENE_CXXFLAGS";
 
 /// Options that shape the code; a change of them makes new libraries.
-const VERILATOR_OPTIONS: [&str; 7] = [
-    "--cc",
-    "-O3",
-    "--x-assign",
-    "fast",
-    "-Wno-fatal",
-    "-Wno-lint",
-    "-Wno-style",
-];
+const VERILATOR_OPTIONS: &str = "--cc -O3 --x-assign fast -Wno-fatal -Wno-lint -Wno-style";
 /// No symbol of one library may stand for that of another in the same process, hence the hidden and not unique symbols.
-const COMPILER_OPTIONS: [&str; 6] = [
-    "-std=c++17",
-    "-O2",
-    "-fPIC",
-    "-fvisibility=hidden",
-    "-fno-gnu-unique",
-    "-w",
-];
+const COMPILER_OPTIONS: &str = "-std=c++17 -O2 -fPIC -fvisibility=hidden -fno-gnu-unique -w";
 /// Verilator's run time, compiled once for all designs.
 const RUN_TIME: [&str; 2] = ["verilated", "verilated_threads"];
 
@@ -83,11 +68,7 @@ fn build_folder() -> Option<PathBuf> {
 /// The library of these sources, compiled unless it is kept.
 pub(super) fn library(sources: &Sources) -> Result<PathBuf, ToolError> {
     let tools = tools()?;
-    let options = [
-        VERILATOR_OPTIONS.join(" "),
-        compiler_options(tools).join(" "),
-    ]
-    .join("\n");
+    let options = format!("{VERILATOR_OPTIONS}\n{}", compiler_options(tools).join(" "));
     let name = digest([&*sources.verilog, &sources.shim, &tools.versions, &options]);
     let cache = cache_folder();
     let path = cache.join(format!("{name}.so"));
@@ -102,24 +83,17 @@ pub(super) fn library(sources: &Sources) -> Result<PathBuf, ToolError> {
 }
 
 fn verilate(folder: &Path) -> Result<(), ToolError> {
-    let placing = [
-        "--prefix",
-        CLASS,
-        "--top-module",
-        WRAPPER,
-        "--Mdir",
-        "cpp",
-        "design.v",
-    ];
-    VERILATOR.run(VERILATOR_OPTIONS.iter().chain(&placing), folder)?;
+    let placing = format!("--prefix {CLASS} --top-module {WRAPPER} --Mdir cpp design.v");
+    let options = VERILATOR_OPTIONS.split(' ').chain(placing.split(' '));
+    VERILATOR.run(options, folder)?;
     Ok(())
 }
 
 /// The compiler's options, with those of the user and the folders of Verilator's run time.
 fn compiler_options(tools: &Tools) -> Vec<String> {
-    let mut options = COMPILER_OPTIONS.map(String::from).to_vec();
     let more = std::env::var(COMPILER_VARIABLE).unwrap_or_default();
-    options.extend(more.split_whitespace().map(String::from));
+    let all = COMPILER_OPTIONS.split(' ').chain(more.split_whitespace());
+    let mut options: Vec<String> = all.map(String::from).collect();
     for folder in ["include", "include/vltstd"] {
         options.extend(["-I".into(), tools.root.join(folder).display().to_string()]);
     }

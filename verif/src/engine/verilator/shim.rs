@@ -1,7 +1,7 @@
 //! The two texts put around a design: a Verilog module with numbered ports, and the C interface to what Verilator makes
 //! of it.
 
-use crate::engine::source::Source;
+use crate::engine::design::Source;
 use crate::signal::Signal;
 use std::fmt::Write as _;
 

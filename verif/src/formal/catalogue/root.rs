@@ -1,6 +1,6 @@
 //! The proofs of the root networks.
 
-use super::base::{BASE, at_format, integers, job};
+use super::{BASE, integers, job, with};
 use crate::formal::job::{Design, Job, Method, stage_words};
 use imogene_contract::{Request, Unit};
 
@@ -52,9 +52,9 @@ fn lemma(k: usize) -> Job {
     );
     Job {
         design: Design::Text(property!("root_reference.sv")),
-        method: Method::Bounded { clocks: 1 },
+        method: Method::Bounded(1),
         top: "root_lemma",
-        ..at_format(lemma, BASE, &[("K", k)])
+        ..with(lemma, &[("K", k)])
     }
 }
 

@@ -4,7 +4,7 @@ use super::elaborate::all_mutants;
 use super::mutant::{Mutant, selector};
 use crate::engine::design::Source;
 use crate::engine::verilator::Model;
-use crate::mutation::score::{MutationError, Options};
+use crate::mutation::score::{Kill, MutationError, Options};
 use crate::mutation::vectors::{Stated, first_difference, vectors};
 use crate::subject::Subject;
 use rayon::prelude::*;
@@ -17,7 +17,7 @@ pub(super) fn run(
     folder: &Path,
     mutants: &[Mutant],
     options: &Options,
-) -> Result<Vec<Option<(usize, usize)>>, MutationError> {
+) -> Result<Vec<Option<Kill>>, MutationError> {
     let text = all_mutants(folder, top, mutants)?;
     let mut inputs = subject.inputs.clone();
     inputs.push(selector(mutants.len()));
@@ -40,11 +40,8 @@ pub(super) fn run(
         })
     };
     if let Some((stimulus, clock)) = first(0) {
-        return Err(MutationError::Baseline {
-            unit: subject.name.clone(),
-            stimulus,
-            clock,
-        });
+        let unit = subject.name.clone();
+        return Err(MutationError::Baseline(unit, stimulus, clock));
     }
     Ok(mutants
         .par_iter()

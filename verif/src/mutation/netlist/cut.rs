@@ -8,15 +8,10 @@ const FIRST_PORT: usize = 10_000;
 
 /// A register of a netlist.
 struct Register<'a> {
-    /// Cell.
     cell: &'a str,
-    /// Bits.
     width: &'a str,
-    /// Signal of its value.
     value: &'a str,
-    /// Signal of its next value.
     next: &'a str,
-    /// Signal of its clock.
     clock: &'a str,
 }
 

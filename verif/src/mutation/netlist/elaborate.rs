@@ -1,7 +1,6 @@
 //! Yosys: the elaborated unit, its list of mutants, and all mutants in one design.
 
-use super::list::parse;
-use super::mutant::{Design, Mutant, selector};
+use super::mutant::{Design, Mutant, parse, selector};
 use crate::mutation::score::{MutationError, Options};
 use imogene_tools::{read, yosys};
 use std::fmt::Write as _;

@@ -7,7 +7,7 @@
 use super::cut::{cut, cut_command};
 use super::facts::{ASSUMED, Proof, assume};
 use super::mutant::{Design, Mutant};
-use crate::mutation::score::{Fate, MutationError, Options};
+use crate::mutation::score::{Fate, Kill, MutationError, Options};
 use crate::subject::Subject;
 use imogene_tools::{ToolError, read, write, yosys};
 use rayon::prelude::*;
@@ -61,12 +61,12 @@ impl<'a> Judge<'a> {
     pub(super) fn judge(
         &self,
         mutants: &[Mutant],
-        kills: Vec<Option<(usize, usize)>>,
+        kills: Vec<Option<Kill>>,
         on_done: &(impl Fn() + Sync),
     ) -> Result<Vec<Fate>, MutationError> {
         let judged = mutants.par_iter().zip(kills).map(|(mutant, kill)| {
             let fate = match kill {
-                Some((stimulus, clock)) => Fate::Killed { stimulus, clock },
+                Some(kill) => Fate::Killed(kill),
                 None => self.survivor(mutant)?,
             };
             on_done();

@@ -1,0 +1,56 @@
+//! A machine in any engine.
+
+use super::Engine;
+use super::circuit::Compiled;
+use super::design::{Design, DesignError, Instance, Source};
+use crate::signal::Signal;
+use imogene_hdl::Direction;
+use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
+
+/// A compiled machine; makes any number of instances.
+pub struct MachineDesign {
+    design: Box<dyn Design>,
+    /// Name of its top module.
+    pub name: String,
+    /// Input ports without the clock.
+    pub inputs: Vec<Signal>,
+    /// Output ports.
+    pub outputs: Vec<Signal>,
+}
+
+impl MachineDesign {
+    /// Compiles a machine, with the points inside that will be asked for; the built-in engine alone shows them.
+    pub fn compile(
+        engine: Engine,
+        request: &MachineRequest,
+        points: &[String],
+    ) -> Result<MachineDesign, DesignError> {
+        let circuit = request.design()?;
+        let ports = |direction| circuit.top.ports_of(direction).map(Signal::of).collect();
+        let (inputs, outputs): (Vec<Signal>, Vec<Signal>) =
+            (ports(Direction::In), ports(Direction::Out));
+        let design = match engine {
+            Engine::BuiltIn => Box::new(Compiled::of(&circuit, points)),
+            Engine::Verilog(simulator) => {
+                let emitted = emit_machine(request)?;
+                simulator.compile(&Source {
+                    top: &emitted.top,
+                    text: &emitted.bundle(),
+                    inputs: &inputs,
+                    outputs: &outputs,
+                })?
+            }
+        };
+        Ok(MachineDesign {
+            design,
+            name: circuit.top.name.clone(),
+            inputs,
+            outputs,
+        })
+    }
+
+    /// A fresh instance: registers have their initial values.
+    pub fn instance(&self) -> Box<dyn Instance> {
+        self.design.instance()
+    }
+}
