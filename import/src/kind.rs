@@ -174,15 +174,9 @@ pub struct Kinds;
 
 impl fmt::Display for Kinds {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (place, (_, _, what, endings)) in KINDS.iter().enumerate() {
-            let between = match place {
-                0 => "",
-                _ if place + 1 == KINDS.len() => " or ",
-                _ => ", ",
-            };
-            write!(f, "{between}{what} ({})", endings.join(", "))?;
-        }
-        Ok(())
+        let kinds = KINDS.map(|(.., what, endings)| format!("{what} ({})", endings.join(", ")));
+        let (last, others) = kinds.split_last().expect("kinds");
+        write!(f, "{} or {last}", others.join(", "))
     }
 }
 

@@ -117,10 +117,10 @@ impl EdgeBuilder<'_> {
         match (&self.keys.start, &self.keys.end) {
             (None, None) => Ok(None),
             (Some(start), Some(end)) => Ok(Some([find(start)?, find(end)?])),
-            _ => Err(self.error(
-                "it has one of `start` and `end`",
-                "both are needed, or none for a closed edge",
-            )),
+            _ => {
+                let accepted = "both are needed, or none for a closed edge";
+                Err(self.error("it has one of `start` and `end`", accepted))
+            }
         }
     }
 

@@ -31,23 +31,20 @@ pub fn surface(source: &Source, keys: &Spanned<SurfaceKeys>) -> Result<Surface> 
     let kind = own.kind.as_ref().as_str();
     let known = KINDS.iter().find(|(name, ..)| *name == kind);
     if known.is_none() && !OTHER_SURFACES.contains(&kind) {
-        return Err(source.error(
-            &own.kind,
-            format!("`{kind}` is not a kind of surface"),
-            format!(
-                "plane, cylinder, cone, sphere, and as names of what is not drawn {}, are possible",
-                OTHER_SURFACES.join(", ")
-            ),
-        ));
+        let others = OTHER_SURFACES.join(", ");
+        let problem = format!("`{kind}` is not a kind of surface");
+        let accepted = format!(
+            "plane, cylinder, cone, sphere, and as names of what is not drawn {others}, are possible"
+        );
+        return Err(source.error(&own.kind, problem, accepted));
     }
     let (_, vectors, sizes) = *known.unwrap_or(&("", &[], &[]));
     let allowed = [vectors, sizes].concat();
     let given = own.given();
     if let Some(key) = given.iter().find(|key| !allowed.contains(*key)) {
-        let accepted = if allowed.is_empty() {
-            "its name alone is possible".to_owned()
-        } else {
-            format!("it has {}", allowed.join(", "))
+        let accepted = match allowed.join(", ").as_str() {
+            "" => "its name alone is possible".to_owned(),
+            allowed => format!("it has {allowed}"),
         };
         return Err(source.error(keys, format!("a {kind} has no `{key}`"), accepted));
     }

@@ -57,12 +57,10 @@ impl Chart {
 
     /// The ends of v, of both nappes of a cone.
     pub fn reach(&self) -> [f64; 2] {
-        let end = if self.surface.is_sphere() {
-            FRAC_PI_2
-        } else {
-            f64::INFINITY
-        };
-        [-end, end]
+        match self.surface.form {
+            Form::Sphere(_) => [-FRAC_PI_2, FRAC_PI_2],
+            _ => [f64::NEG_INFINITY, f64::INFINITY],
+        }
     }
 
     /// The coordinates of a point of the surface.

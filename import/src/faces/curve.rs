@@ -79,19 +79,15 @@ impl Ellipse {
     fn at(&self, angle: f64) -> Vector {
         let (sine, cosine) = angle.sin_cos();
         let [a, b] = self.radii;
-        plus(
-            self.centre,
-            plus(times(a * cosine, self.x), times(b * sine, self.y())),
-        )
+        let out = plus(times(a * cosine, self.x), times(b * sine, self.y()));
+        plus(self.centre, out)
     }
 
     /// The angle of a point, and how far it is off the ellipse within its plane and off the plane.
     fn angle(&self, p: Vector) -> (f64, f64, f64) {
         let from = minus(p, self.centre);
-        let [a, b] = [
-            dot(from, self.x) / self.radii[0],
-            dot(from, self.y()) / self.radii[1],
-        ];
+        let a = dot(from, self.x) / self.radii[0];
+        let b = dot(from, self.y()) / self.radii[1];
         let off = (a.hypot(b) - 1.0).abs() * self.radii[0].max(self.radii[1]);
         (b.atan2(a), off, dot(from, self.normal).abs())
     }
@@ -119,10 +115,9 @@ impl Ellipse {
             _ => (0.0, TAU),
         };
         if sweep * self.radii[0].min(self.radii[1]) <= tolerance.shortest {
-            return Err((
-                "the arc has no length".into(),
-                "two vertices at different places, counter-clockwise about `axis`, are needed",
-            ));
+            let accepted =
+                "two vertices at different places, counter-clockwise about `axis`, are needed";
+            return Err(("the arc has no length".into(), accepted));
         }
         Ok(Curve::Arc(Arc {
             ellipse: self,
@@ -275,16 +270,13 @@ impl Curve {
                 let off = distance(p, along(*from, share, course));
                 ((0.0..=1.0).contains(&share) && off <= tolerance).then_some(course)
             }
-            Self::Arc(Arc {
-                ellipse,
-                start,
-                sweep,
-            }) => {
+            Self::Arc(arc) => {
+                let ellipse = &arc.ellipse;
                 let (angle, off, above) = ellipse.angle(p);
                 let on = off <= tolerance && above <= tolerance;
                 let (sine, cosine) = (angle.sin(), angle.cos());
                 let [a, b] = ellipse.radii;
-                (on && positive_angle(angle - start) <= *sweep)
+                (on && positive_angle(angle - arc.start) <= arc.sweep)
                     .then(|| plus(times(-a * sine, ellipse.x), times(b * cosine, ellipse.y())))
             }
             Self::Points(line) => line.direction_at(p),

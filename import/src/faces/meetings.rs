@@ -26,14 +26,9 @@ impl Chart {
             }
             Form::Sphere(radius) => {
                 let rest = rest / radius;
-                let square = rest * rest - up * up;
-                let mut turns = vec![];
-                if square >= 0.0 {
-                    turns.extend(harmonic(n1, n2, square.sqrt()));
-                    turns.extend(harmonic(n1, n2, -square.sqrt()));
-                }
-                turns.extend(harmonic(n1, n2, 0.0));
-                turns
+                let root = (rest * rest - up * up).sqrt();
+                let rests = [root, -root, 0.0].into_iter().filter(|rest| !rest.is_nan());
+                rests.flat_map(|rest| harmonic(n1, n2, rest)).collect()
             }
             _ => vec![],
         }
@@ -170,10 +165,9 @@ mod tests {
         .map(|surface| Chart::free(&surface, &[]).unwrap())
     }
 
-    fn through(chart: &Chart, more: f64) -> Separator {
+    fn through(chart: &Chart, more: f64) -> (Vector, f64) {
         let normal = unit([0.3, 0.9, 0.2]);
-        let offset = dot(normal, chart.point(1.0, 0.3)) + more;
-        Separator::Plane((normal, offset))
+        (normal, dot(normal, chart.point(1.0, 0.3)) + more)
     }
 
     #[test]
@@ -192,15 +186,12 @@ mod tests {
     #[test]
     fn crossings_lie_on_the_separator() {
         for chart in charts() {
-            let separator = through(&chart, 0.0);
-            let Separator::Plane((normal, offset)) = separator else {
-                unreachable!()
-            };
+            let plane = through(&chart, 0.0);
             let mut found = 0;
             for k in 0..60 {
                 let u = 0.1 * f64::from(k);
-                for w in chart.crossings(u, &separator) {
-                    let off = dot(normal, chart.point(u, w)) - offset;
+                for w in chart.crossings(u, &Separator::Plane(plane)) {
+                    let off = dot(plane.0, chart.point(u, w)) - plane.1;
                     assert!(off.abs() < 1e-9, "{chart:?}");
                     found += 1;
                 }
@@ -212,7 +203,7 @@ mod tests {
     #[test]
     fn numbers_of_crossings_change_at_turns_alone() {
         for chart in charts() {
-            let separator = through(&chart, 0.4);
+            let separator = Separator::Plane(through(&chart, 0.4));
             let turns = chart.turns(&separator);
             let count = |u: f64| chart.crossings(u, &separator).len();
             for k in 0..2000 {

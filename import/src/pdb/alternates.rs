@@ -45,7 +45,7 @@ struct Votes {
     /// Atoms of which it is the location that stands first in the file.
     firsts: usize,
     /// Where it stands first in the file.
-    order: usize,
+    order: Option<usize>,
 }
 
 /// The alternates of a residue, the best first: the one asked for, then those of the highest mean occupancy, then
@@ -60,16 +60,11 @@ fn ranking(groups: &BTreeMap<Word, Vec<usize>>, atoms: &[Atom], asked: Option<Wo
             continue;
         }
         for (k, index) in members.iter().enumerate() {
-            let entry = votes
-                .entry(atoms[*index].alternate)
-                .or_insert_with(|| Votes {
-                    order: *index,
-                    ..Votes::default()
-                });
+            let entry = votes.entry(atoms[*index].alternate).or_default();
             entry.occupancy += f64::from(atoms[*index].occupancy);
             entry.atoms += 1;
             entry.firsts += usize::from(k == 0);
-            entry.order = entry.order.min(*index);
+            entry.order = Some(entry.order.map_or(*index, |order| order.min(*index)));
         }
     }
     let asked = |alternate: Word| asked != Some(alternate);

@@ -96,11 +96,9 @@ impl Reading {
         for lines in self.parts {
             let whole = lines.operators.iter().all(|(_, seen)| *seen == [true; 3]);
             if !whole && self.problem.is_none() {
-                self.problem = Some(unusable(
-                    file,
-                    "REMARK 350 has an operator without its lines BIOMT1, BIOMT2 and BIOMT3",
-                    AS_THEY_STAND,
-                ));
+                let problem =
+                    "REMARK 350 has an operator without its lines BIOMT1, BIOMT2 and BIOMT3";
+                self.problem = Some(unusable(file, problem, AS_THEY_STAND));
             }
             let operators: Vec<Operator> = lines.operators.into_iter().map(|(o, _)| o).collect();
             for assembly in lines.molecules {

@@ -50,10 +50,8 @@ pub fn bounding_box(balls: &[Ball]) -> ([f64; 3], [f64; 3]) {
         let ends = balls.iter().map(|(p, r)| sign * p[axis] + r);
         sign * ends.fold(f64::NEG_INFINITY, f64::max)
     };
-    (
-        std::array::from_fn(|axis| along(-1.0, axis)),
-        std::array::from_fn(|axis| along(1.0, axis)),
-    )
+    let ends = |sign: f64| [0, 1, 2].map(|axis| along(sign, axis));
+    (ends(-1.0), ends(1.0))
 }
 
 /// A camera and the directions of its picture.
@@ -98,12 +96,10 @@ fn short(value: f64) -> f64 {
 fn five_digits_up(value: f64) -> f64 {
     let exponent = value.log10().floor() as i32 - 4;
     // Dividing by a power of ten gives the nearest number to the decimal; multiplying by its inverse would not.
-    if exponent < 0 {
-        let unit = 10f64.powi(-exponent);
-        (value * unit).ceil() / unit
-    } else {
-        let unit = 10f64.powi(exponent);
-        (value / unit).ceil() * unit
+    let unit = 10f64.powi(exponent.abs());
+    match exponent < 0 {
+        true => (value * unit).ceil() / unit,
+        false => (value / unit).ceil() * unit,
     }
 }
 
@@ -120,16 +116,8 @@ mod tests {
 
     #[test]
     fn digits_are_rounded_upwards() {
-        let cases = [
-            (12.34501, 12.346),
-            (0.0123401, 0.012341),
-            (987651.0, 987660.0),
-            (1.0, 1.0),
-            (99999.5, 100000.0),
-        ];
-        for (value, rounded) in cases {
-            assert_eq!(five_digits_up(value), rounded);
-        }
+        let values = [12.34501, 0.0123401, 987651.0, 1.0, 99999.5].map(five_digits_up);
+        assert_eq!(values, [12.346, 0.012341, 987660.0, 1.0, 100000.0]);
     }
 
     proptest! {

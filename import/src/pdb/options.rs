@@ -102,10 +102,8 @@ fn named<T: Copy>(table: &[(&str, T)], text: &str) -> Result<T, String> {
     let found = table.iter().find(|(name, _)| *name == text);
     found.map(|(_, value)| *value).ok_or_else(|| {
         let names: Vec<&str> = table.iter().map(|(name, _)| *name).collect();
-        format!(
-            "`{text}` is not known; {} would be accepted",
-            names.join(" or ")
-        )
+        let names = names.join(" or ");
+        format!("`{text}` is not known; {names} would be accepted")
     })
 }
 
@@ -121,10 +119,10 @@ impl FromStr for ModelChoice {
         match text {
             "first" => Ok(Self::First),
             "all" => Ok(Self::All),
-            number => number
-                .parse()
-                .map(Self::Number)
-                .map_err(|_| "a number, first or all would be accepted".into()),
+            number => match number.parse() {
+                Ok(number) => Ok(Self::Number(number)),
+                Err(_) => Err("a number, first or all would be accepted".into()),
+            },
         }
     }
 }
@@ -181,9 +179,10 @@ impl FromStr for Residues {
             Some((first.parse::<i64>().ok()?, last.parse::<i64>().ok()?))
         });
         match range {
-            Some((first, last)) if first > last => Err(format!(
-                "the range {text} runs backwards; {last}-{first} would be accepted"
-            )),
+            Some((first, last)) if first > last => {
+                let accepted = format!("{last}-{first} would be accepted");
+                Err(format!("the range {text} runs backwards; {accepted}"))
+            }
             Some((first, last)) => Ok(Self::Range(first, last)),
             None => Ok(Self::Called(text.to_owned())),
         }
@@ -286,9 +285,7 @@ mod tests {
             ..Options::default().molecule("a.cif")
         };
         let error = Options::of(&wrong).unwrap_err();
-        assert!(
-            error.starts_with("style: `sticks` is not known; space-filling or ball-and-stick"),
-            "{error}"
-        );
+        let says = "style: `sticks` is not known; space-filling or ball-and-stick";
+        assert!(error.starts_with(says), "{error}");
     }
 }

@@ -146,9 +146,8 @@ pub fn build(
     let (spheres, cylinders) = (objects.len(), sticks.len());
     objects.extend(sticks);
     let extent = framing::bounding_box(&balls);
-    let scene = scene(title(structure, file), framing, materials.list, objects);
     Ok(Drawn {
-        scene,
+        scene: scene(title(structure, file), framing, materials.list, objects),
         spheres,
         cylinders,
         bonds: all,
@@ -253,11 +252,8 @@ fn placed(along: [f64; 3], length: f64, origin: [f64; 3]) -> Vec<Step> {
     if line[0] == 0.0 && line[2] == 0.0 {
         return vec![translate];
     }
-    let turn = Step::Rotate(Rotation {
-        axis: Axis::Vector(line),
-        degrees: 180.0,
-    });
-    vec![turn, translate]
+    let (axis, degrees) = (Axis::Vector(line), 180.0);
+    vec![Step::Rotate(Rotation { axis, degrees }), translate]
 }
 
 fn scene(

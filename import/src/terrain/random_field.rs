@@ -28,19 +28,10 @@ pub struct FieldOptions {
     pub seed: u64,
 }
 
-/// Options out of their range.
+/// An option out of its range, and what is accepted.
 #[derive(Clone, Debug, Error, PartialEq)]
-pub enum FieldError {
-    /// The levels.
-    #[error("{0} levels; 1 to {MAX_LEVELS} are accepted")]
-    Levels(u32),
-    /// The smoothness.
-    #[error("a roughness exponent h of {0}; 0 (rough) to 1 (smooth) is accepted")]
-    Smoothness(f64),
-    /// The relief.
-    #[error("a relief of {0}; more than 0 and up to 1000000 is accepted")]
-    Relief(f64),
-}
+#[error("{0}")]
+pub struct FieldError(String);
 
 /// A field of heights.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,14 +54,19 @@ pub fn field(options: &FieldOptions) -> Result<Field, FieldError> {
         relief,
         seed,
     } = *options;
+    let refuse = |problem: String| Err(FieldError(problem));
     if !(1..=MAX_LEVELS).contains(&levels) {
-        return Err(FieldError::Levels(levels));
+        return refuse(format!("{levels} levels; 1 to {MAX_LEVELS} are accepted"));
     }
     if !(0.0..=1.0).contains(&smoothness) {
-        return Err(FieldError::Smoothness(smoothness));
+        let accepted = "0 (rough) to 1 (smooth) is accepted";
+        return refuse(format!(
+            "a roughness exponent h of {smoothness}; {accepted}"
+        ));
     }
     if !(relief > 0.0 && relief <= 1e6) {
-        return Err(FieldError::Relief(relief));
+        let accepted = "more than 0 and up to 1000000 is accepted";
+        return refuse(format!("a relief of {relief}; {accepted}"));
     }
     let side = (1 << levels) + 1;
     let mut maker = Maker {
@@ -264,17 +260,12 @@ impl Maker {
 /// In the place of a half that was given back.
 const FREED: usize = usize::MAX;
 
-/// A field as the text of a file of heights: a comment that says how it was made, the distance of nodes and the rows. Heights are rounded to a
-/// thousandth.
+/// A field as the text of a file of heights: a comment that says how it was made, the distance of nodes and the rows.
+/// Heights are rounded to a thousandth.
 pub fn heights_text(field: &Field, options: &FieldOptions, step: f64) -> String {
-    let FieldOptions {
-        levels,
-        smoothness,
-        relief,
-        seed,
-    } = options;
     let mut text = format!(
-        "# imogene terrain --levels {levels} --roughness {smoothness} --relief {relief} --seed {seed}\nstep {step} {step}\n"
+        "# imogene terrain --levels {} --roughness {} --relief {} --seed {}\nstep {step} {step}\n",
+        options.levels, options.smoothness, options.relief, options.seed
     );
     for row in field.heights.chunks(field.side) {
         for (index, height) in row.iter().enumerate() {
@@ -381,12 +372,12 @@ mod tests {
                 relief,
                 ..options(levels, 1)
             };
-            field(&changed).unwrap_err()
+            field(&changed).unwrap_err().to_string()
         };
-        assert_eq!(refused(0, 0.6, 100.0), FieldError::Levels(0));
-        assert_eq!(refused(11, 0.6, 100.0), FieldError::Levels(11));
-        assert_eq!(refused(3, -0.1, 100.0), FieldError::Smoothness(-0.1));
-        assert_eq!(refused(3, 0.6, 0.0), FieldError::Relief(0.0));
+        assert!(refused(0, 0.6, 100.0).starts_with("0 levels; 1 to 10"));
+        assert!(refused(11, 0.6, 100.0).starts_with("11 levels"));
+        assert!(refused(3, -0.1, 100.0).starts_with("a roughness exponent h of -0.1"));
+        assert!(refused(3, 0.6, 0.0).starts_with("a relief of 0"));
         refused(3, f64::NAN, 100.0);
     }
 

@@ -39,11 +39,8 @@ impl<'a> Reader<'a> {
     }
 
     fn refused(&self, word: Word, problem: &str, accepted: &str) -> ImportError {
-        self.malformed(
-            word.place,
-            format!("{} {problem}", shown(word.text)),
-            accepted,
-        )
+        let problem = format!("{} {problem}", shown(word.text));
+        self.malformed(word.place, problem, accepted)
     }
 
     fn unusable(&self, problem: impl ToString, accepted: &str) -> ImportError {
@@ -90,7 +87,10 @@ impl<'a> Reader<'a> {
         }
         let (columns, rows) = (self.count(&header, 0)?, self.count(&header, 1)?);
         let step = self.esri_step(&header)?;
-        self.check_count(columns, rows)?;
+        if columns.saturating_mul(rows) > MAX_NODES {
+            let accepted = format!("at most {MAX_NODES} are read");
+            return Err(self.unusable(format!("{columns} x {rows} nodes"), &accepted));
+        }
         let mut heights = Vec::with_capacity(columns * rows);
         let mut last = Place { line: 1, column: 1 };
         for word in all {
@@ -163,14 +163,6 @@ impl<'a> Reader<'a> {
                 "`cellsize N`, or `dx N` and `dy N`, are needed",
             )),
         }
-    }
-
-    fn check_count(&self, columns: usize, rows: usize) -> Result<()> {
-        if columns.saturating_mul(rows) > MAX_NODES {
-            let accepted = format!("at most {MAX_NODES} are read");
-            return Err(self.unusable(format!("{columns} x {rows} nodes"), &accepted));
-        }
-        Ok(())
     }
 
     fn plain(&self) -> Result<HeightGrid> {
@@ -327,10 +319,8 @@ step 1 2 3\n1 2\n3 4\n | hills:1:10: `3` too many
             assert!(message.contains(&says), "{text:?}: {message}");
         }
         let binary = read(b"1 2\n3 \xff4\n", "hills").unwrap_err().to_string();
-        assert!(
-            binary.contains("hills:2:3: this byte is no UTF-8 text"),
-            "{binary}"
-        );
+        let says = "hills:2:3: this byte is no UTF-8 text";
+        assert!(binary.starts_with(says), "{binary}");
     }
 
     proptest! {

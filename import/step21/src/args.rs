@@ -128,10 +128,8 @@ impl<'a> Args<'a> {
     /// A parameter.
     pub fn value(&self, index: usize) -> Result<&'a Value<'a>> {
         self.record.values.get(index).ok_or_else(|| {
-            self.error(
-                format!("it has {} parameters", self.record.values.len()),
-                format!("at least {} are needed", index + 1),
-            )
+            let problem = format!("it has {} parameters", self.record.values.len());
+            self.error(problem, format!("at least {} are needed", index + 1))
         })
     }
 

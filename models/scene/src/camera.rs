@@ -196,15 +196,17 @@ impl CameraKeys {
                 within(what, degrees, [NARROWEST_FIELD, WIDEST_FIELD])?;
                 Ok(2.0 * distance * (0.5 * degrees).to_radians().tan())
             }
-            (None, None, None) => Err(
-                "missing field `view_height`: a perspective camera needs the height of its window in the screen \
-                 plane, or `focal` or `field_of_view` instead"
-                    .into(),
-            ),
-            _ => Err(
-                "a perspective camera takes one of `view_height`, `focal`, `field_of_view`; found several"
-                    .into(),
-            ),
+            (None, None, None) => {
+                let problem = "missing field `view_height`: a perspective camera needs the height of its window in \
+                               the screen plane, or `focal` or `field_of_view` instead";
+                Err(problem.into())
+            }
+            _ => {
+                let keys = "`view_height`, `focal`, `field_of_view`";
+                Err(format!(
+                    "a perspective camera takes one of {keys}; found several"
+                ))
+            }
         }
     }
 
@@ -229,19 +231,15 @@ impl CameraKeys {
 
     /// Both ends of the depth of an orthographic camera, or none.
     fn ends(&self) -> Result<Option<[f64; 2]>, String> {
-        match (self.near, self.far, self.half_depth) {
-            (None, None, _) => Ok(None),
-            (Some(near), Some(far), None) => Ok(Some([near, far])),
-            (Some(_), Some(_), Some(_)) => Err(
-                "an orthographic camera takes `half_depth`, or `near` and `far`; found all three"
-                    .into(),
-            ),
-            _ => Err(
-                "an orthographic camera takes both `near` and `far`, distances from the screen plane away from the \
-                 observer, or none of them"
-                    .into(),
-            ),
-        }
+        let problem = match (self.near, self.far, self.half_depth) {
+            (None, None, _) => return Ok(None),
+            (Some(near), Some(far), None) => return Ok(Some([near, far])),
+            (Some(_), Some(_), Some(_)) => "`half_depth`, or `near` and `far`; found all three",
+            _ => {
+                "both `near` and `far`, distances from the screen plane away from the observer, or none of them"
+            }
+        };
+        Err(format!("an orthographic camera takes {problem}"))
     }
 }
 

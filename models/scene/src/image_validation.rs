@@ -159,11 +159,11 @@ fn check_parents(images: &[KeyImage], index_of: &HashMap<&str, usize>) -> Checke
                 let circle = path.iter().skip_while(|i| **i != index).chain([&index]);
                 let names = circle.map(|i| format!("`{}`", images[*i].name));
                 let names: Vec<String> = names.collect();
-                return Err(SceneError::value(
-                    format!("image `{}`, parent", image.name),
-                    format!("the images start from each other: {}", names.join(" from ")),
-                    "a chain of parents that ends with an image without `parent` is needed",
-                ));
+                let place = format!("image `{}`, parent", image.name);
+                let problem = format!("the images start from each other: {}", names.join(" from "));
+                let accepted =
+                    "a chain of parents that ends with an image without `parent` is needed";
+                return Err(SceneError::value(place, problem, accepted));
             }
             path.push(index);
             next = parent_of(&images[index], images, index_of)?;
@@ -183,12 +183,11 @@ fn parent_of(
     let Some(name) = &image.parent else {
         return Ok(None);
     };
-    match index_of.get(name.as_str()) {
-        Some(index) => Ok(Some(*index)),
-        None => Err(SceneError::value(
-            format!("image `{}`, parent", image.name),
-            format!("`{name}` is not an image of this scene"),
-            known(images.iter().map(|i| i.name.as_str()), "`[[images]]`"),
-        )),
-    }
+    let index = index_of.get(name.as_str()).copied();
+    unless(index.is_some(), || {
+        let problem = format!("`{name}` is not an image of this scene");
+        let accepted = known(images.iter().map(|i| i.name.as_str()), "`[[images]]`");
+        (format!("image `{}`, parent", image.name), problem, accepted)
+    })?;
+    Ok(index)
 }

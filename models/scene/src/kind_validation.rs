@@ -141,11 +141,8 @@ fn check_tetrahedron(
     let Some(quadric) = Quadric::from_shape(&object.shape) else {
         let problem = "the four corners lie in one plane";
         let accepted = "corners of a tetrahedron with a volume are needed";
-        return Err(SceneError::value(
-            format!("{place}, corners"),
-            problem,
-            accepted,
-        ));
+        let place = format!("{place}, corners");
+        return Err(SceneError::value(place, problem, accepted));
     };
     let is_plane = quadric.coefficients()[..6].iter().all(|v| v.is_zero());
     unless(!is_plane, || {

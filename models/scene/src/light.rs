@@ -126,38 +126,33 @@ impl LightKeys {
     }
 
     fn aim(&self) -> Result<Aim, String> {
-        match (self.target, self.towards) {
-            (Some(Three(target)), None) => Ok(Aim::Target(target)),
-            (None, Some(Three(direction))) => Ok(Aim::Towards(direction)),
-            (None, None) => Err(
+        let problem = match (self.target, self.towards) {
+            (Some(Three(target)), None) => return Ok(Aim::Target(target)),
+            (None, Some(Three(direction))) => return Ok(Aim::Towards(direction)),
+            (None, None) => {
                 "a spot needs `target`, a point on its axis, or `towards`, the direction of its axis"
-                    .into(),
-            ),
-            (Some(_), Some(_)) => Err("a spot takes `target` or `towards`; found both".into()),
-        }
+            }
+            (Some(_), Some(_)) => "a spot takes `target` or `towards`; found both",
+        };
+        Err(problem.into())
     }
 
     fn beam(&self) -> Result<Beam, String> {
         let owner = self.owner()?;
-        let position = || Ok::<_, String>(require(self.position, owner, "`position`")?.0);
-        Ok(match self.kind {
-            LightKind::Directional => {
-                let wanted = "`from`, the direction the light comes from";
-                let Three(from) = require(self.from, owner, wanted)?;
-                Beam::Directional { from }
-            }
-            LightKind::Point => Beam::Point {
-                position: position()?,
-            },
-            LightKind::Spot => Beam::Spot {
-                position: position()?,
-                aim: self.aim()?,
-                half_angle: require(
-                    self.half_angle,
-                    owner,
-                    "`half_angle`, the angle in degrees between its axis and its cone",
-                )?,
-            },
+        if self.kind == LightKind::Directional {
+            let wanted = "`from`, the direction the light comes from";
+            let Three(from) = require(self.from, owner, wanted)?;
+            return Ok(Beam::Directional { from });
+        }
+        let Three(position) = require(self.position, owner, "`position`")?;
+        if self.kind == LightKind::Point {
+            return Ok(Beam::Point { position });
+        }
+        let wanted = "`half_angle`, the angle in degrees between its axis and its cone";
+        Ok(Beam::Spot {
+            position,
+            aim: self.aim()?,
+            half_angle: require(self.half_angle, owner, wanted)?,
         })
     }
 }

@@ -12,24 +12,27 @@ pub struct Part {
     pub band: usize,
     /// Of the band, as many turns on as the strip is.
     pub ends: [f64; 2],
-    /// Of a place in both.
-    pub v: f64,
+    /// A point of both.
+    pub sample: Vector,
     /// Whether the strip goes on beyond each end.
     pub goes_on: [bool; 2],
 }
 
-/// Planes and at most one quadric of a cell, by separators and sides.
+/// A separator and its side.
+type Side = (usize, bool);
+
+/// Planes and at most one quadric of a cell.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Key {
     pub band: usize,
-    pub sides: Vec<(usize, bool)>,
+    pub sides: Vec<Side>,
     pub planes: Vec<(usize, bool)>,
 }
 
 impl Work<'_> {
-    /// The bands that a strip has a part of, with their ends at its turn, and a v of it in each.
-    pub fn bands_of(&self, slab: usize, strip: &Strip) -> Vec<Part> {
-        let [low, high] = self.extent(slab, strip);
+    /// The bands that a strip has a part of, with their ends at its turn.
+    pub fn bands_of(&self, strip: &Strip) -> Vec<Part> {
+        let [low, high] = self.extent(strip);
         let turns = match self.face.surface.form {
             Form::Torus(..) => -1..=2,
             _ => 0..=0,
@@ -42,12 +45,11 @@ impl Work<'_> {
                 let least = 1e-9 * height.unwrap_or(1.0);
                 if ends[1].min(high) - ends[0].max(low) > least {
                     let v = self.inner(strip.at, ends);
-                    let goes_on = [low < ends[0] - least, high > ends[1] + least];
                     found.push(Part {
                         band,
                         ends,
-                        v,
-                        goes_on,
+                        sample: self.chart.point(self.middle(strip.slab), v),
+                        goes_on: [low < ends[0] - least, high > ends[1] + least],
                     });
                 }
             }
@@ -57,21 +59,13 @@ impl Work<'_> {
 
     /// What bounds a strip in a band, besides the slab: one cell, or two if it lies between two conics; `None` if
     /// these are too near.
-    pub fn keys(
-        &self,
-        slab: usize,
-        strip: &Strip,
-        part: &Part,
-        sample: Vector,
-        planes: &mut Planes,
-    ) -> Option<Vec<Key>> {
+    pub fn keys(&self, strip: &Strip, part: &Part, planes: &mut Planes) -> Option<Vec<Key>> {
         let separators = &self.face.parting.separators;
-        let side = |crossing: &Crossing| {
+        let side = |crossing: &Crossing| -> Side {
             let separator = self.rails[crossing.rail].separator;
-            (separator, separators[separator].is_positive(sample))
+            (separator, separators[separator].is_positive(part.sample))
         };
-        let ranges = [0, 1]
-            .map(|end| strip.ends[end].map(|crossing| self.range(slab, &crossing, strip.at[end])));
+        let ranges = self.ranges(strip);
         let mut key = Key {
             band: part.band,
             sides: vec![],
@@ -92,40 +86,29 @@ impl Work<'_> {
             }
             if self.parallels {
                 let plane = self.chart.parallel_plane(range[end], planes);
-                key.planes.push((plane, planes.is_positive(plane, sample)));
+                key.planes
+                    .push((plane, planes.is_positive(plane, part.sample)));
             }
         }
-        let mut keys = self.between_conics(slab, strip, key, ranges, planes)?;
+        let mut keys = self.between_conics(strip, key, planes)?;
         for (end, crossing) in strip.ends.iter().enumerate() {
             let (Some(crossing), Some(range)) = (crossing, ranges[end]) else {
                 continue;
             };
-            let same = strip.ends[1 - end].is_some_and(|other| side(&other) == side(crossing));
-            let back = self.comes_back(slab, strip, crossing, end);
-            let Some(back) = back.filter(|_| !same) else {
+            let own = side(crossing);
+            let same = strip.ends[1 - end].is_some_and(|other| side(&other) == own);
+            let Some(back) = self.comes_back(strip, crossing).filter(|_| !same) else {
                 continue;
             };
             // The part of the strip that it crosses again is parted off, and needs it no more.
-            let (low, high) = if end == 0 {
-                (range[1], back[0])
-            } else {
-                (back[1], range[0])
-            };
-            if low >= high {
+            let (beyond, near) = (back[end], range[1 - end]);
+            if (end == 0 && near >= beyond) || (end == 1 && beyond >= near) {
                 return None;
             }
-            let own = side(crossing);
-            let part = |key: Key| -> Vec<Key> {
-                if key.sides.contains(&own) {
-                    let (beyond, near) = if end == 0 { (high, low) } else { (low, high) };
-                    let at = 0.5 * (low + high);
-                    vec![
-                        self.half(&key, slab, at, beyond, Some(own), planes),
-                        self.half(&key, slab, at, near, None, planes),
-                    ]
-                } else {
-                    vec![key]
-                }
+            let parts = [(beyond, Some(own)), (near, None)];
+            let part = |key: Key| match key.sides.contains(&own) {
+                true => self.halves(&key, strip, parts, planes),
+                false => vec![key],
             };
             keys = keys.into_iter().flat_map(part).collect();
         }
@@ -133,20 +116,14 @@ impl Work<'_> {
     }
 
     /// A strip that lies between two conics as two cells; `None` if these are too near.
-    pub fn between_conics(
-        &self,
-        slab: usize,
-        strip: &Strip,
-        key: Key,
-        ranges: [Option<[f64; 2]>; 2],
-        planes: &mut Planes,
-    ) -> Option<Vec<Key>> {
+    fn between_conics(&self, strip: &Strip, key: Key, planes: &mut Planes) -> Option<Vec<Key>> {
         let separators = &self.face.parting.separators;
-        let is_conic = |(k, _): &&(usize, bool)| matches!(separators[*k], Separator::Quadric(_));
-        let conics: Vec<(usize, bool)> = key.sides.iter().filter(is_conic).copied().collect();
+        let is_conic = |(k, _): &&Side| matches!(separators[*k], Separator::Quadric(_));
+        let conics: Vec<Side> = key.sides.iter().filter(is_conic).copied().collect();
         let [one, other] = conics[..] else {
             return Some(vec![key]);
         };
+        let ranges = self.ranges(strip);
         let (low, high) = (ranges[0]?[1], ranges[1]?[0]);
         if low >= high {
             return None;
@@ -156,46 +133,39 @@ impl Work<'_> {
             true => (one, other),
             false => (other, one),
         };
-        let at = 0.5 * (low + high);
-        Some(vec![
-            self.half(&key, slab, at, low, Some(upper), planes),
-            self.half(&key, slab, at, high, Some(lower), planes),
-        ])
+        let parts = [(low, Some(upper)), (high, Some(lower))];
+        Some(self.halves(&key, strip, parts, planes))
     }
 
-    /// The part of a cell on the side of the parallel `at` on which `v` is, without one of its sides.
-    pub fn half(
+    /// A cell as two, parted by the parallel half way between a v in each, and each without one of the sides.
+    fn halves(
         &self,
         key: &Key,
-        slab: usize,
-        at: f64,
-        v: f64,
-        without: Option<(usize, bool)>,
+        strip: &Strip,
+        parts: [(f64, Option<Side>); 2],
         planes: &mut Planes,
-    ) -> Key {
-        let mut half = key.clone();
-        half.sides.retain(|side| Some(*side) != without);
+    ) -> Vec<Key> {
+        let at = 0.5 * (parts[0].0 + parts[1].0);
         let plane = self.chart.parallel_plane(at, planes);
-        let inside = self.chart.point(self.middle(slab), v);
-        half.planes.push((plane, planes.is_positive(plane, inside)));
-        half
+        let half = |(v, without): (f64, Option<Side>)| {
+            let mut half = key.clone();
+            half.sides.retain(|side| Some(*side) != without);
+            let inside = self.chart.point(self.middle(strip.slab), v);
+            half.planes.push((plane, planes.is_positive(plane, inside)));
+            half
+        };
+        parts.map(half).to_vec()
     }
 
     /// Least and greatest v at which the surface of a border crosses its strip again.
-    pub fn comes_back(
-        &self,
-        slab: usize,
-        strip: &Strip,
-        crossing: &Crossing,
-        end: usize,
-    ) -> Option<[f64; 2]> {
+    fn comes_back(&self, strip: &Strip, crossing: &Crossing) -> Option<[f64; 2]> {
         let separator = &self.face.parting.separators[self.rails[crossing.rail].separator];
-        let (from, to) = (self.limits[slab], self.limits[slab + 1]);
+        let (from, to) = (self.limits[strip.slab], self.limits[strip.slab + 1]);
         let mut back: Option<[f64; 2]> = None;
         for share in [0.001, 0.25, 0.5, 0.75, 0.999] {
             let u = from + share * (to - from);
             let all = self.chart.crossings(u, separator);
-            let near = |v: &f64| (v - strip.at[end]).abs();
+            let near = |v: &f64| (v - crossing.v).abs();
             let each = all.iter().copied();
             let own = each.min_by(|a, b| near(a).total_cmp(&near(b)));
             let others = all.into_iter().filter(|v| Some(*v) != own);
@@ -208,7 +178,7 @@ impl Work<'_> {
     }
 
     /// The planes that a part has besides those of the border: of its band, and of a cone that between its nappes.
-    pub fn band_planes(&self, part: &Part, planes: &mut Planes) -> Vec<(usize, bool)> {
+    fn band_planes(&self, part: &Part, planes: &mut Planes) -> Vec<(usize, bool)> {
         if self.face.surface.is_cone() {
             let plane = self.chart.parallel_plane(0.0, planes);
             let inside = self.chart.on_axis(self.face.size);

@@ -83,10 +83,9 @@ impl Slabs<'_> {
             _ => None,
         };
         let mut border = self.parting.boundaries.iter();
-        let north = if self.surface.is_plane() {
-            border.find_map(|own| line(&own.curve))
-        } else {
-            free_pole(self.surface, &self.parting.separators)
+        let north = match self.surface.is_plane() {
+            true => border.find_map(|own| line(&own.curve)),
+            false => free_pole(self.surface, &self.parting.separators),
         };
         Chart::of(self.surface, north)
     }
@@ -129,18 +128,14 @@ impl Work<'_> {
         let strips = self.strips()?;
         let mut runs: Vec<Run> = vec![];
         let mut crowded = vec![];
-        for (slab, strips) in strips.iter().enumerate() {
-            let middle = self.middle(slab);
-            for strip in strips.iter().filter(|strip| strip.inside) {
-                for part in self.bands_of(slab, strip) {
-                    let sample = self.chart.point(middle, part.v);
-                    let keys = self.keys(slab, strip, &part, sample, planes);
-                    if keys.is_none() {
-                        crowded.push(middle);
-                    }
-                    for key in keys.into_iter().flatten() {
-                        join(&mut runs, key, slab, sample);
-                    }
+        for strip in strips.iter().filter(|strip| strip.inside) {
+            for part in self.bands_of(strip) {
+                let keys = self.keys(strip, &part, planes);
+                if keys.is_none() {
+                    crowded.push(self.middle(strip.slab));
+                }
+                for key in keys.into_iter().flatten() {
+                    join(&mut runs, key, strip.slab, part.sample);
                 }
             }
         }

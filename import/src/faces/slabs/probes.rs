@@ -13,7 +13,7 @@ impl Work<'_> {
     }
 
     /// Slabs with places of the face that no cell has.
-    pub fn lost(&self, cells: &[Cell], strips: &[Vec<Strip>], planes: &Planes) -> Vec<f64> {
+    pub fn lost(&self, cells: &[Cell], strips: &[Strip], planes: &Planes) -> Vec<f64> {
         if self.is_exact() {
             return vec![];
         }
@@ -24,27 +24,19 @@ impl Work<'_> {
     }
 
     /// Whether a cell has places of strips that are not of the face.
-    pub fn takes_others(&self, cell: &Cell, strips: &[Vec<Strip>], planes: &Planes) -> bool {
+    pub fn takes_others(&self, cell: &Cell, strips: &[Strip], planes: &Planes) -> bool {
         let mut outside = self.probed(strips, false).flat_map(|(_, places)| places);
         !self.is_exact() && outside.any(|p| cell.takes(p, planes))
     }
 
     /// For each strip that is of the face, or is not, the middle of its slab and places of it.
-    fn probed(
-        &self,
-        strips: &[Vec<Strip>],
-        inside: bool,
-    ) -> impl Iterator<Item = (f64, Vec<Vector>)> {
-        let slabs = strips.iter().enumerate();
-        let all = slabs.flat_map(|(slab, strips)| strips.iter().map(move |strip| (slab, strip)));
-        let own = all.filter(move |(_, strip)| strip.inside == inside);
-        own.map(|(slab, strip)| {
-            let middle = self.middle(slab);
-            let place = |v: f64| self.chart.point(middle, v);
-            (
-                middle,
-                self.probes(strip.at).into_iter().map(place).collect(),
-            )
+    fn probed(&self, strips: &[Strip], inside: bool) -> impl Iterator<Item = (f64, Vec<Vector>)> {
+        let own = strips.iter().filter(move |strip| strip.inside == inside);
+        own.map(|strip| {
+            let middle = self.middle(strip.slab);
+            let places = self.probes(strip.at).into_iter();
+            let places = places.map(|v| self.chart.point(middle, v));
+            (middle, places.collect())
         })
     }
 

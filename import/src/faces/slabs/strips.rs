@@ -19,15 +19,16 @@ pub struct Crossing {
 /// What is between two crossings of a slab; a side without one is open.
 #[derive(Clone, Copy, Debug)]
 pub struct Strip {
+    pub slab: usize,
     pub ends: [Option<Crossing>; 2],
-    /// v of the ends in the middle of the slab.
+    /// v of the ends in the middle of the slab, on a tube the second above the first.
     pub at: [f64; 2],
     pub inside: bool,
 }
 
 impl Work<'_> {
     /// The strips of every slab.
-    pub fn strips(&self) -> Result<Vec<Vec<Strip>>, String> {
+    pub fn strips(&self) -> Result<Vec<Strip>, String> {
         let middles = (0..self.slabs()).map(|slab| self.middle(slab));
         let crossings: Vec<Vec<Crossing>> = middles.map(|u| self.crossings(u)).collect();
         let surface = self.face.surface;
@@ -40,15 +41,15 @@ impl Work<'_> {
             true => self.below(&crossings),
             false => vec![false; crossings.len()],
         };
-        let of = |(all, below): (&Vec<Crossing>, bool)| {
+        let of = |(slab, all): (usize, &Vec<Crossing>)| {
             // A cone is entered from its open end, since its apex may belong to the face.
             let odd = surface.is_cone() && all.len() % 2 == 1;
-            self.between(all, odd || below)
+            self.between(slab, all, odd || below[slab])
         };
-        Ok(crossings.iter().zip(below).map(of).collect())
+        Ok(crossings.iter().enumerate().flat_map(of).collect())
     }
 
-    pub fn crossings(&self, u: f64) -> Vec<Crossing> {
+    fn crossings(&self, u: f64) -> Vec<Crossing> {
         let mut all = vec![];
         for (index, rail) in self.rails.iter().enumerate() {
             for (v, east) in rail.crossings(u, self.chart.is_round()) {
@@ -68,7 +69,7 @@ impl Work<'_> {
 
     /// For each slab whether what is below its first crossing is of the face: what most of its crossings say, or what
     /// the slab beside it says.
-    pub fn below(&self, crossings: &[Vec<Crossing>]) -> Vec<bool> {
+    fn below(&self, crossings: &[Vec<Crossing>]) -> Vec<bool> {
         let votes = |all: &[Crossing]| -> i64 {
             let vote = |(index, crossing): (usize, &Crossing)| {
                 // Every other crossing is entered.
@@ -91,7 +92,7 @@ impl Work<'_> {
     }
 
     /// Whether a line of a tube that no border crosses is in the face: what the next border to the west says.
-    pub fn beside(&self, slab: usize, crossings: &[Vec<Crossing>], said: &[Option<bool>]) -> bool {
+    fn beside(&self, slab: usize, crossings: &[Vec<Crossing>], said: &[Option<bool>]) -> bool {
         let slabs = self.slabs();
         let narrow = self.face.narrow(self.chart);
         for step in 0..slabs {
@@ -100,7 +101,7 @@ impl Work<'_> {
                 && let Some(below) = said[own]
             {
                 // The widest strip goes on where the others end.
-                let strips = self.between(&crossings[own], below);
+                let strips = self.between(own, &crossings[own], below);
                 let width = |strip: &&Strip| strip.at[1] - strip.at[0];
                 let widest = strips.iter().max_by(|a, b| width(a).total_cmp(&width(b)));
                 return widest.is_some_and(|strip| strip.inside);
@@ -119,7 +120,7 @@ impl Work<'_> {
         true
     }
 
-    pub fn between(&self, all: &[Crossing], first: bool) -> Vec<Strip> {
+    fn between(&self, slab: usize, all: &[Crossing], first: bool) -> Vec<Strip> {
         let [low, high] = match self.face.surface.form {
             Form::Torus(..) => [0.0, TAU],
             Form::Cone(_) => [0.0, f64::INFINITY],
@@ -128,11 +129,14 @@ impl Work<'_> {
         let count = all.len();
         if self.face.surface.is_torus() && count > 0 {
             let strip = |index: usize| {
-                let (from, to) = (all[index], all[(index + 1) % count]);
-                let top = if index + 1 == count { to.v + TAU } else { to.v };
+                let (from, mut to) = (all[index], all[(index + 1) % count]);
+                if index + 1 == count {
+                    to.v += TAU;
+                }
                 Strip {
+                    slab,
                     ends: [Some(from), Some(to)],
-                    at: [from.v, top],
+                    at: [from.v, to.v],
                     inside: first == (index % 2 == 1),
                 }
             };
@@ -142,6 +146,7 @@ impl Work<'_> {
         let (mut from, mut at, mut inside) = (None, low, first);
         for crossing in all {
             strips.push(Strip {
+                slab,
                 ends: [from, Some(*crossing)],
                 at: [at, crossing.v],
                 inside,
@@ -149,6 +154,7 @@ impl Work<'_> {
             (from, at, inside) = (Some(*crossing), crossing.v, !inside);
         }
         strips.push(Strip {
+            slab,
             ends: [from, None],
             at: [at, high],
             inside,
@@ -156,9 +162,15 @@ impl Work<'_> {
         strips
     }
 
-    /// Least and greatest v of a border over a slab, near where it crosses the middle.
-    pub fn range(&self, slab: usize, crossing: &Crossing, at: f64) -> [f64; 2] {
-        let (from, to) = (self.limits[slab], self.limits[slab + 1]);
+    /// Least and greatest v of both borders of a strip over its slab.
+    pub fn ranges(&self, strip: &Strip) -> [Option<[f64; 2]>; 2] {
+        let range = |crossing: Crossing| self.range(strip.slab, &crossing);
+        strip.ends.map(|end| end.map(range))
+    }
+
+    /// The same of one border, near where it crosses the middle.
+    fn range(&self, slab: usize, crossing: &Crossing) -> [f64; 2] {
+        let (from, to, at) = (self.limits[slab], self.limits[slab + 1], crossing.v);
         let inner = 1e-6 * (to - from);
         let rail = &self.rails[crossing.rail];
         let mut range = [at, at];
@@ -181,10 +193,9 @@ impl Work<'_> {
     }
 
     /// From the lowest place of the border below to the highest of that above.
-    pub fn extent(&self, slab: usize, strip: &Strip) -> [f64; 2] {
-        let low = strip.ends[0].map_or(strip.at[0], |c| self.range(slab, &c, strip.at[0])[0]);
-        let high = strip.ends[1].map_or(strip.at[1], |c| self.range(slab, &c, strip.at[1])[1]);
-        [low, high]
+    pub fn extent(&self, strip: &Strip) -> [f64; 2] {
+        let ranges = self.ranges(strip);
+        [0, 1].map(|end| ranges[end].map_or(strip.at[end], |range| range[end]))
     }
 
     /// A v between both ends, in the band if that has any.

@@ -80,22 +80,16 @@ pub fn no_atoms(other: Option<&str>, file: &str) -> ImportError {
 
 /// What a category says of a file that has no atoms.
 pub fn instead_of_atoms(category: &str) -> Option<&'static str> {
-    const OTHERS: [(&str, &str); 3] = [
-        (
-            "_atom_site_fract_x",
-            "this is the CIF of a small molecule or a crystal, with atoms as fractions of its cell in _atom_site_fract_x",
-        ),
-        (
-            "_chem_comp_atom",
-            "this is the definition of a chemical component, which has no _atom_site",
-        ),
-        (
-            "_refln",
-            "these are structure factors, which have no _atom_site",
-        ),
-    ];
-    let found = OTHERS.iter().find(|(name, _)| *name == category);
-    found.map(|(_, problem)| *problem)
+    Some(match category {
+        "_atom_site_fract_x" => {
+            "this is the CIF of a small molecule or a crystal, with atoms as fractions of its cell in _atom_site_fract_x"
+        }
+        "_chem_comp_atom" => {
+            "this is the definition of a chemical component, which has no _atom_site"
+        }
+        "_refln" => "these are structure factors, which have no _atom_site",
+        _ => return None,
+    })
 }
 
 struct Reader<'a> {
@@ -241,8 +235,10 @@ impl<'a> Reader<'a> {
             (None | Some(ATOMS), _) => self.rows(width, |_, _| Ok(())),
             (Some(name), _) => {
                 let mut table = Table::new(items);
-                let push = |_: &mut Self, row: &[Cell]| Ok(table.push_row(row.iter().copied()));
-                self.rows(width, push)?;
+                self.rows(width, |_, row| {
+                    table.push_row(row.iter().copied());
+                    Ok(())
+                })?;
                 self.block.tables.insert(name, table);
                 Ok(())
             }

@@ -93,10 +93,8 @@ impl<'a> Tokens<'a> {
             return Token::Bare(word);
         }
         let is = |name: &[u8]| word.eq_ignore_ascii_case(name);
-        let begins = |name: &[u8]| {
-            let start = word.get(..name.len());
-            start.is_some_and(|start| start.eq_ignore_ascii_case(name))
-        };
+        let start = &word[..word.len().min(5)];
+        let begins = |name: &[u8; 5]| start.eq_ignore_ascii_case(name);
         if begins(b"data_") {
             Token::Data(&word[5..])
         } else if is(b"loop_") {
@@ -113,17 +111,13 @@ impl<'a> Tokens<'a> {
         let line = &self.bytes[self.at..];
         let line = &line[..line_length(line)];
         let ends = |k: &usize| line[*k] == quote && line.get(k + 1).is_none_or(|b| is_blank(*b));
-        match (1..line.len()).find(ends) {
-            Some(end) => {
-                self.at += end + 1;
-                Ok(Token::Quoted(&line[1..end]))
-            }
-            None => Err(self.malformed(
-                self.start,
-                "the quote is not closed on its line",
-                "a value such as 'two words' would be accepted",
-            )),
-        }
+        let Some(end) = (1..line.len()).find(ends) else {
+            let problem = "the quote is not closed on its line";
+            let accepted = "a value such as 'two words' would be accepted";
+            return Err(self.malformed(self.start, problem, accepted));
+        };
+        self.at += end + 1;
+        Ok(Token::Quoted(&line[1..end]))
     }
 
     /// From a semicolon that begins a line to the next.
