@@ -137,19 +137,17 @@ impl SceneFile {
     /// Reads and checks a scene file.
     pub fn read(path: &Path) -> Result<Self, SceneError> {
         let file = path.display().to_string();
-        let unreadable = |error| {
-            SceneError::File(format!(
-                "{file}: the scene file cannot be read ({error}); give the path of a readable TOML scene file"
-            ))
+        let unreadable = |source| SceneError::Unreadable {
+            file: file.clone(),
+            source,
         };
         let bytes = imogene_files::read(path, MAX_BYTES).map_err(unreadable)?;
         check_memory(bytes.len() as u64).map_err(unreadable)?;
         let text = std::str::from_utf8(&bytes).map_err(|error| {
             let offset = error.valid_up_to();
             let (line, _) = line_and_column(&String::from_utf8_lossy(&bytes[..offset]), offset);
-            SceneError::File(format!(
-                "{file}:{line}: byte {offset} is not UTF-8 text; a scene file is a TOML text in UTF-8"
-            ))
+            let file = file.clone();
+            SceneError::NotText { file, line, offset }
         })?;
         Self::parse(text, &file)
     }
@@ -176,8 +174,7 @@ impl SceneFile {
     /// The scene as the text of a scene file; [`SceneFile::parse`] reads it back as the same scene.
     pub fn to_toml(&self) -> Result<String, SceneError> {
         self.validate_text()?;
-        let problem = |e| SceneError::File(format!("the scene cannot be written as TOML ({e})"));
-        toml::to_string(self).map_err(problem)
+        toml::to_string(self).map_err(|source| SceneError::Unwritable { source })
     }
 }
 
