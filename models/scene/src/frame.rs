@@ -135,6 +135,27 @@ impl SceneFile {
     }
 }
 
+impl FramedScene {
+    /// Where a pixel samples the screen plane of the camera frame, which is moved to where pixels are sampled.
+    pub fn pixel_centre(&self, column: usize, line: usize) -> [f64; 2] {
+        [
+            column as f64 - 0.5 * f64::from(self.width),
+            line as f64 - 0.5 * f64::from(self.height),
+        ]
+    }
+
+    /// The normal in a frame at right angles, of one in the frame that is moved to where pixels are sampled.
+    pub fn upright(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+        match &self.projection {
+            Projection::Perspective { distance } => {
+                let [u, v] = self.sample_at;
+                [x, y, z - (u * x + v * y) / to_f64(distance)]
+            }
+            Projection::Orthographic { .. } => [x, y, z],
+        }
+    }
+}
+
 /// The change from scene to camera coordinates.
 ///
 /// A perspective picture does not change when the scene grows about the eye. So the frame is scaled until the point

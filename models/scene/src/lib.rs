@@ -53,7 +53,6 @@ mod quadric;
 mod range;
 mod reach;
 mod shape;
-mod sight;
 mod source;
 mod step;
 mod tetrahedron;

@@ -59,12 +59,13 @@ impl FramedMesh {
         let local: Vec<Point> = mesh.vertices.iter().map(|v| v.map(from_decimal)).collect();
         let vertices: Vec<Point> = local.iter().map(|v| to_camera.point(v)).collect();
         let mut facets = vec![];
-        for (index, corners) in mesh.faces.iter().enumerate() {
-            for part in parts(&local, corners) {
+        for (face, indices) in mesh.faces.iter().enumerate() {
+            for corners in parts(&local, indices) {
+                let p = |k: usize| &vertices[corners[k]];
                 facets.push(FramedFacet {
-                    face: index,
-                    normal: full_length(&plane_normal(&vertices, &part)),
-                    corners: part,
+                    face,
+                    normal: full_length(&cross(minus(p(1), p(0)), minus(p(2), p(0)))),
+                    corners,
                 });
             }
         }
@@ -103,19 +104,13 @@ pub(super) fn face(vertices: &[Point], corners: &[usize]) -> Option<Face> {
     let area = cross(minus(p(2), p(0)), minus(p(3), p(1)));
     let ahead = |k: usize, l: usize, m: usize| dot(turn(k, l, m), &area).is_positive();
     let halves = |k: usize| ahead(k, k + 1, k + 2) && ahead(k, k + 2, k + 3);
-    let (first, second) = (halves(0), halves(1));
     let plane = dot(turn(0, 1, 2), minus(p(3), p(0))).is_zero();
-    match (first, second) {
+    match (halves(0), halves(1)) {
         (true, true) if plane => Some(Face::Flat(0)),
         (true, _) => Some(Face::Folded(0)),
         (false, true) => Some(Face::Folded(1)),
         (false, false) => None,
     }
-}
-
-fn plane_normal(vertices: &[Point], corners: &[usize]) -> Point {
-    let p = |k: usize| &vertices[corners[k]];
-    cross(minus(p(1), p(0)), minus(p(2), p(0)))
 }
 
 /// A normal is turned as a plane is: by the cofactors, whose sign a mirror changes.

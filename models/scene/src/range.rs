@@ -24,6 +24,36 @@ pub enum Projection {
     },
 }
 
+impl Projection {
+    /// The point of the camera frame that a pixel shows at depth `z_p` (pixels).
+    pub fn antecedent(&self, [x, y]: [f64; 2], depth: f64) -> [f64; 3] {
+        match self {
+            Projection::Perspective { distance } => {
+                let d = to_f64(distance);
+                let k = d / (d - depth);
+                [x * k, y * k, depth * k]
+            }
+            Projection::Orthographic { .. } => [x, y, depth],
+        }
+    }
+
+    /// Pixels of depth that fill the depth word.
+    pub fn full_depth(&self) -> f64 {
+        match self {
+            Projection::Perspective { distance } => to_f64(distance),
+            Projection::Orthographic { half_depth } => to_f64(half_depth),
+        }
+    }
+
+    /// From a point towards the viewer, of any length.
+    pub fn towards_viewer(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+        match self {
+            Projection::Perspective { distance } => [-x, -y, -to_f64(distance) - z],
+            Projection::Orthographic { .. } => [0.0, 0.0, -1.0],
+        }
+    }
+}
+
 /// What the depth word covers, in scene units along the view.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DepthRange {
@@ -96,11 +126,8 @@ impl DepthRange {
                 near: Some(near), ..
             } => (from_decimal(near), None, RangeOrigin::Hand),
             Lens::Perspective {
-                viewer_distance, ..
-            } => {
-                let near = from_decimal(viewer_distance) / integer(2);
-                (near, None, RangeOrigin::Camera)
-            }
+                viewer_distance: d, ..
+            } => (from_decimal(d) / integer(2), None, RangeOrigin::Camera),
             Lens::Orthographic {
                 ends: Some(ends), ..
             } => {

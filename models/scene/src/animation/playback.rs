@@ -1,6 +1,6 @@
 //! The frames of an animation, and the scene in each of them.
 
-use super::parts::Part;
+use super::moves::Part;
 use super::state::{MAX_MOVES, State};
 use crate::{KeyImage, SceneFile};
 use std::collections::HashMap;

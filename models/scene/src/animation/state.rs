@@ -1,7 +1,6 @@
 //! What the images so far have made of a scene.
 
-use super::parts::Part;
-use super::placement::Moves;
+use super::moves::{Moves, Part};
 use crate::{Action, SceneFile};
 use std::collections::HashMap;
 
@@ -45,15 +44,14 @@ impl<'a> State<'a> {
                 self.shown.insert(target, *show);
             }
             Action::Intensity { light, intensity } => {
-                let now = self.intensities.get(light.as_str()).copied();
-                let now = now.unwrap_or_else(|| intensity_of(scene, light));
-                let then = part.between(now, *intensity);
-                self.intensities.insert(light, then);
+                let now = self.intensities.entry(light);
+                let now = now.or_insert_with(|| intensity_of(scene, light));
+                *now = part.between(*now, *intensity);
             }
             Action::Focal { camera, focal } => {
-                let now = self.focals.get(camera.as_str()).copied();
-                let now = now.unwrap_or_else(|| focal_of(scene, camera));
-                self.focals.insert(camera, part.between(now, *focal));
+                let now = self.focals.entry(camera);
+                let now = now.or_insert_with(|| focal_of(scene, camera));
+                *now = part.between(*now, *focal);
             }
             Action::ActiveCamera(name) => self.active_camera = Some(name),
         }
