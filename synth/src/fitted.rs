@@ -24,16 +24,9 @@ use std::collections::{BTreeMap, HashMap};
 /// What a machine takes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct MachineCost {
-    /// Look-up tables of logic.
-    pub lut: u64,
-    /// Flip-flops.
-    pub ff: u64,
-    /// Carry cells.
-    pub carry: u64,
-    /// Multipliers.
-    pub dsp: u64,
-    /// Block memories.
-    pub bram: u64,
+    /// All but the clock and the cells.
+    #[serde(flatten)]
+    pub resources: Resources,
     /// Logic cells: look-up tables and those that carry cells take.
     pub cells: u64,
     /// Clock of its slowest unit, placed and routed alone; none if it was not asked for or the target is not placed.
@@ -166,17 +159,12 @@ impl Knowledge {
             .iter()
             .filter_map(|unit| self.clocks.get(&unit_digest(unit)));
         // A carry cell of ECP5 takes two logic cells; one of iCE40 lies in the cell of its look-up table.
-        let per_carry = if self.target.family() == Family::Ecp5 {
-            2
-        } else {
-            0
+        let per_carry = match self.target.family() {
+            Family::Ecp5 => 2,
+            _ => 0,
         };
         MachineCost {
-            lut: sum.lut,
-            ff: sum.ff,
-            carry: sum.carry,
-            dsp: sum.dsp,
-            bram: sum.bram,
+            resources: sum,
             cells: sum.lut + per_carry * sum.carry,
             fmax_mhz: clocks.copied().reduce(f64::min),
         }

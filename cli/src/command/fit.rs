@@ -160,7 +160,7 @@ fn choose<'a>(
     let fastest = priced.iter().filter_map(|choice| choice.cost.fmax_mhz);
     let fastest = fastest.reduce(f64::max);
     let cheapest = priced.into_iter().filter(fast);
-    let cheapest = cheapest.min_by_key(|choice| (choice.cost.cells, choice.cost.ff));
+    let cheapest = cheapest.min_by_key(|choice| (choice.cost.cells, choice.cost.resources.ff));
     cheapest.ok_or_else(|| {
         Failure::Check(format!(
             "no machine reaches {} MHz on {}: the slowest unit of the fastest machine that meets the budget runs at {} MHz",
@@ -181,8 +181,8 @@ fn saving(cost: &MachineCost, base: &MachineCost) -> Saving {
     let percent = |own: u64, base: u64| 100.0 * (1.0 - own as f64 / base.max(1) as f64);
     Saving {
         cells: percent(cost.cells, base.cells),
-        lut: percent(cost.lut, base.lut),
-        ff: percent(cost.ff, base.ff),
+        lut: percent(cost.resources.lut, base.resources.lut),
+        ff: percent(cost.resources.ff, base.resources.ff),
     }
 }
 

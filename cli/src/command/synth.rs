@@ -43,9 +43,8 @@ fn run_machine(machine: FittedMachine, target: Target, json: bool) -> Result<(),
         output::json(&cost);
         return Ok(());
     }
-    let counts = [
-        cost.lut, cost.ff, cost.carry, cost.dsp, cost.bram, cost.cells,
-    ];
+    let own = cost.resources;
+    let counts = [own.lut, own.ff, own.carry, own.dsp, own.bram, cost.cells];
     let mut lines = vec![format!("beam for {}, the sum of its units", target.name())];
     lines.extend(resources(counts.map(Some)));
     let clock = |fmax: f64| {

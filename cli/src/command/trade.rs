@@ -101,9 +101,9 @@ fn costs(machines: &[FittedMachine], target: Target, options: &Trade) -> Result<
     let costs = fitted::costs(machines, target, options.clock)
         .map_err(|failure| failure.message().unwrap_or_default())?;
     let cost = |c: &MachineCost| Cost {
-        lut: c.lut,
-        ff: c.ff,
-        dsp: c.dsp,
+        lut: c.resources.lut,
+        ff: c.resources.ff,
+        dsp: c.resources.dsp,
         cells: c.cells,
         fmax_mhz: c.fmax_mhz,
     };

@@ -80,15 +80,11 @@ pub enum DisplayError {
 
 /// The words of the shading processor; lights that the scene has not got are dark.
 pub(super) fn shading_words(shader: &ShaderWords, machine: &MachineDescription) -> Vec<(u16, u32)> {
-    let missing = shader.lights.len()..machine.lights;
-    let dark = missing.flat_map(|light| dark_light(light as u16));
+    // The colour of a light that sends nothing is black.
+    let missing = shader.lights.len() as u16..machine.lights as u16;
+    let first = missing.map(|light| LIGHT_ADDRESS + 16 * light);
+    let dark = first.flat_map(|first| (first..first + 16).map(|address| (address, 0)));
     shader.load_words().into_iter().chain(dark).collect()
-}
-
-/// The words of a light that sends nothing: its colour is black.
-fn dark_light(light: u16) -> impl Iterator<Item = (u16, u32)> {
-    let first = LIGHT_ADDRESS + 16 * light;
-    (first..first + 16).map(|address| (address, 0))
 }
 
 /// Every part of the scene, for processors of so many planes.

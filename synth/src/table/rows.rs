@@ -86,7 +86,15 @@ pub fn rows() -> Vec<Row> {
         .into_iter()
         .flat_map(|target| units().map(move |unit| unit_row(unit, target)));
     let over_planes = |unit| PLANES.map(move |planes| planes_row(unit, planes as u32));
-    let sides = [3, 4].map(sides_row);
+    let sides = [3, 4].map(|sides| {
+        let unit = Request::new(Unit::FacetProcessor);
+        row(
+            Section::Planes,
+            Request { sides, ..unit },
+            Target::Ecp5With45k,
+            0,
+        )
+    });
     let planes = CUT.into_iter().flat_map(over_planes).chain(sides);
 
     let roots = DEVICES.into_iter().flat_map(|target| {
@@ -123,14 +131,6 @@ fn planes_row(unit: Unit, planes: u32) -> Row {
         ..Request::new(unit)
     };
     // A plane adds a stage of its own beside the others: it costs cells, and the clock is that of the units table.
-    row(Section::Planes, request, Target::Ecp5With45k, 0)
-}
-
-fn sides_row(sides: u32) -> Row {
-    let request = Request {
-        sides,
-        ..Request::new(Unit::FacetProcessor)
-    };
     row(Section::Planes, request, Target::Ecp5With45k, 0)
 }
 

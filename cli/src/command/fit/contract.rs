@@ -74,11 +74,11 @@ pub fn summary(report: &FitReport) -> String {
         "  {}: {} logic cells, {} LUT, {} FF; the base format takes {} cells, {} LUT, {} FF: {:.1} % of the LUT saved",
         report.target,
         report.cost.cells,
-        report.cost.lut,
-        report.cost.ff,
+        report.cost.resources.lut,
+        report.cost.resources.ff,
         report.base_cost.cells,
-        report.base_cost.lut,
-        report.base_cost.ff,
+        report.base_cost.resources.lut,
+        report.base_cost.resources.ff,
         report.saving_percent.lut
     );
     for cosim in &report.cosim {
@@ -205,10 +205,11 @@ fn ports(emitted: &Emitted) -> String {
 
 fn cost(report: &FitReport) -> String {
     let row = |name: &str, cost: &MachineCost| {
+        let own = &cost.resources;
         let clock = cost.fmax_mhz.map_or("-".into(), |mhz| format!("{mhz:.1}"));
         format!(
             "| {name} | {} | {} | {} | {} | {} | {clock} |\n",
-            cost.cells, cost.lut, cost.ff, cost.carry, cost.dsp
+            cost.cells, own.lut, own.ff, own.carry, own.dsp
         )
     };
     format!(

@@ -96,15 +96,12 @@ impl DrawnPiece {
     fn apply_volume(&mut self, words: &VolumeWords, format: &Format) {
         let window = self.piece.part_of(&words.screen_box);
         let inside = self.inside(words, window, format);
-        match words.kind {
-            VolumeKind::Shadow => {}
-            // Outside of it is dark, also outside its box.
-            VolumeKind::Light => {
-                for (at, flags) in self.flags.iter_mut().enumerate() {
-                    let (x, y) = (at % self.frame.width, at / self.frame.width);
-                    if !window.contains(x as i64, y as i64) {
-                        *flags = words.after(*flags, false);
-                    }
+        // Outside of a light is dark, also outside its box.
+        if words.kind == VolumeKind::Light {
+            for (at, flags) in self.flags.iter_mut().enumerate() {
+                let (x, y) = (at % self.frame.width, at / self.frame.width);
+                if !window.contains(x as i64, y as i64) {
+                    *flags = words.after(*flags, false);
                 }
             }
         }

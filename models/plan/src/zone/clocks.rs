@@ -6,6 +6,7 @@
 
 use super::plan::{Pass, Zone, ZonePlan};
 use super::stream::{beats_of_part, beats_of_volume};
+use crate::culling::all_planes;
 use imogene_golden::machine::zone::beat::BEAT_BYTES;
 use serde::{Deserialize, Serialize};
 
@@ -114,15 +115,17 @@ fn words_of(plan: &ZonePlan, zone: &Zone, pass: &Pass) -> u64 {
     match pass {
         Pass::Draw { parts, .. } => {
             let beats = |&index: &u32| {
-                let planes = plan.used_planes_of_part(zone, index);
-                beats_of_part(planes, plan.machine.planes)
+                let all = all_planes(plan.parts[index as usize].words.planes.len());
+                let used = (zone.planes_of_part(index) & all).count_ones();
+                beats_of_part(used as usize, plan.machine.planes)
             };
             parts.iter().map(beats).sum()
         }
         Pass::Light { volumes, .. } => {
             let beats = |&index: &u32| {
-                let planes = plan.used_planes_of_volume(zone, index);
-                beats_of_volume(planes, plan.machine.volume_planes)
+                let all = all_planes(plan.volumes[index as usize].planes.len());
+                let used = (zone.planes_of_volume(index) & all).count_ones();
+                beats_of_volume(used as usize, plan.machine.volume_planes)
             };
             volumes.iter().map(beats).sum()
         }

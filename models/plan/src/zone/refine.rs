@@ -2,7 +2,7 @@
 //! (source: 1.3.2, 5.5).
 
 use super::plan::{Zone, ZonePlan};
-use crate::culling::part::{Matter, matter, with_planes};
+use crate::culling::part::{Matter, matter};
 use crate::culling::volume::{Seen, matter_of_volume, volume_with_planes};
 use crate::culling::{Planes, all_planes, shared};
 use imogene_golden::machine::zone::sample::Sample;
@@ -45,9 +45,7 @@ impl ZonePlan {
         self.zones = zones.into_par_iter().map(one).collect();
         self
     }
-}
 
-impl ZonePlan {
     /// The plan without zones, with the words of one sample of the pixels.
     fn at_sample(&self, sample: Sample) -> ZonePlan {
         let mut plan = self.clone();
@@ -220,10 +218,7 @@ impl<'a> ZoneRefiner<'a> {
     /// The visible points that a volume takes its source from.
     fn darkened(&self, index: u32, depths: &[i64], is_surface: &[bool]) -> Vec<bool> {
         let inside = self.inside(index, depths);
-        let dark = match self.volume(index).kind {
-            VolumeKind::Shadow => true,
-            VolumeKind::Light => false,
-        };
+        let dark = self.volume(index).kind == VolumeKind::Shadow;
         let points = inside.into_iter().zip(is_surface);
         points
             .map(|(inside, &surface)| surface && inside == dark)
@@ -282,31 +277,5 @@ impl Zone {
             .get(&index)
             .copied()
             .unwrap_or(Planes::MAX)
-    }
-}
-
-impl ZonePlan {
-    /// The words of a part for a zone, before they are moved there.
-    pub(super) fn part_words(&self, zone: &Zone, index: u32) -> QuadricWords {
-        let words = &self.parts[index as usize].words;
-        with_planes(words, zone.planes_of_part(index))
-    }
-
-    /// How many planes of a part are sent to a zone.
-    pub(super) fn used_planes_of_part(&self, zone: &Zone, index: u32) -> usize {
-        let all = all_planes(self.parts[index as usize].words.planes.len());
-        (zone.planes_of_part(index) & all).count_ones() as usize
-    }
-
-    /// The same of a volume.
-    pub(super) fn used_planes_of_volume(&self, zone: &Zone, index: u32) -> usize {
-        let all = all_planes(self.volumes[index as usize].planes.len());
-        (zone.planes_of_volume(index) & all).count_ones() as usize
-    }
-
-    /// The same of a volume.
-    pub(super) fn volume_words(&self, zone: &Zone, index: u32) -> VolumeWords {
-        let words = &self.volumes[index as usize];
-        volume_with_planes(words, zone.planes_of_volume(index))
     }
 }

@@ -1,6 +1,8 @@
 //! The command stream of a plan, beat by beat.
 
 use super::plan::{Pass, Zone, ZonePlan};
+use crate::culling::part::with_planes;
+use crate::culling::volume::volume_with_planes;
 use imogene_golden::machine::zone::beat::{
     Beat, ID_ADDRESS, OBJECT_PLANES, VOLUME_PLANES, command, kind,
 };
@@ -51,7 +53,8 @@ impl ZonePlan {
             Pass::Draw { parts, .. } => {
                 for (unit, &index) in parts.iter().enumerate() {
                     let object = self.parts[index as usize].object;
-                    let words = zone.moved(&self.part_words(zone, index));
+                    let planes = zone.planes_of_part(index);
+                    let words = zone.moved(&with_planes(&self.parts[index as usize].words, planes));
                     let list = load_words(&words, &self.format, words.planes.len());
                     let unused = words.planes.len()..self.machine.planes;
                     let unused = unused.map(unused::object_plane);
@@ -62,7 +65,9 @@ impl ZonePlan {
             }
             Pass::Light { volumes, .. } => {
                 for (unit, &index) in volumes.iter().enumerate() {
-                    let words = zone.moved(&self.volume_words(zone, index));
+                    let planes = zone.planes_of_volume(index);
+                    let words = volume_with_planes(&self.volumes[index as usize], planes);
+                    let words = zone.moved(&words);
                     let list = load_volume(&words, &self.format, words.planes.len());
                     let unused = words.planes.len()..self.machine.volume_planes;
                     let unused = unused.map(unused::volume_plane);
