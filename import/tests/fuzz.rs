@@ -1,8 +1,8 @@
 //! Random bytes and changed real files through every reader: no panic, no hang, no unbounded memory, and what is
 //! malformed has a place in the file.
 //!
-//! Ten million random bytes for each reader, and 1 500 changed files of the collection; 20 000 of them for each reader
-//! under `IMOGENE_FULL=1`, or as many as `IMOGENE_FUZZ_CHANGES` says. `IMOGENE_FUZZ_FILES` names a folder of
+//! Two million random bytes for each reader, and 500 changed files of the collection; ten million and 20 000 under
+//! `IMOGENE_FULL=1`, or as many files as `IMOGENE_FUZZ_CHANGES` says. `IMOGENE_FUZZ_FILES` names a folder of
 //! further files to change, `IMOGENE_FUZZ_READERS=mmcif,bcif` some of the readers.
 
 mod memory;
@@ -18,8 +18,8 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
-/// Random bytes for each reader.
-const RANDOM_BYTES: usize = 10_000_000;
+/// Bytes of a random text.
+const RANDOM_BYTES: usize = 500;
 /// What counts as a hang; the slowest file takes a fraction of a second, but the computer may be busy with other
 /// things.
 const PATIENCE: Duration = Duration::from_secs(600);
@@ -347,15 +347,16 @@ fn readers_survive_anything() {
     let changed = match std::env::var("IMOGENE_FUZZ_CHANGES") {
         Ok(number) => number.parse().expect("IMOGENE_FUZZ_CHANGES is a number"),
         Err(_) if is_full => 20_000,
-        Err(_) => 1_500,
+        Err(_) => 500,
     };
+    let texts = if is_full { 20_000 } else { 4_000 };
     let only = std::env::var("IMOGENE_FUZZ_READERS").ok();
     let is_asked = |name: &str| {
         only.as_ref()
             .is_none_or(|o| o.split(',').any(|n| n == name))
     };
     for reader in READERS.iter().filter(|reader| is_asked(reader.name)) {
-        let random = run(reader, 20_000, |dice| dice.bytes(RANDOM_BYTES / 20_000));
+        let random = run(reader, texts, |dice| dice.bytes(RANDOM_BYTES));
         println!("{}: random bytes: {random:?}", reader.name);
         assert_eq!(random.read, 0, "{}", reader.name);
         let files = files_of(reader);

@@ -16,7 +16,7 @@ fn page() -> String {
 }
 
 /// Units that take seconds.
-const SMALL: [Unit; 9] = [
+const SMALL: [Unit; 8] = [
     Unit::Pe1,
     Unit::Pe2,
     Unit::SquareRoot,
@@ -25,7 +25,6 @@ const SMALL: [Unit; 9] = [
     Unit::DepthInterval,
     Unit::Decider,
     Unit::RasterControl,
-    Unit::QuadricProcessor,
 ];
 
 /// The rows of the table at a depth word, of units that are all proven equal where rust-hdl prints them.
