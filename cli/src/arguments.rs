@@ -152,7 +152,7 @@ pub enum Command {
     Cosim(Cosim),
     /// Prove properties of the emitted Verilog, or show that each is refuted on broken designs.
     Prove(Prove),
-    /// Score the stimulus of a unit: how many small changes of its netlist it notices.
+    /// Score the stimulus of a unit: how many small changes of its circuit it notices.
     Mutate(Mutate),
     /// Measure how fast the simulators run a unit: clocks per second alone, with the scoreboard, with waveforms.
     Speed(Speed),

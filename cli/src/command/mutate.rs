@@ -3,6 +3,7 @@
 use crate::arguments::Mutate;
 use crate::failure::Failure;
 use crate::output;
+use imogene_contract::video::VideoMode;
 use imogene_contract::{Request, Unit};
 use imogene_files::text::counted;
 use imogene_rtl::emit::{design, emit};
@@ -16,9 +17,14 @@ pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
         (true, Some(_)) => table::NETLISTS.to_vec(),
         (false, _) => named.collect(),
     };
+    let stimuli = if options.netlist.is_some() {
+        150
+    } else {
+        20_000
+    };
     let scale = Options {
         mutants: options.netlist.unwrap_or_default() as usize,
-        stimuli: options.stimuli,
+        stimuli: options.stimuli.unwrap_or(stimuli),
         clocks: options.clocks as usize,
         ..Options::default()
     };
@@ -45,7 +51,7 @@ pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
             "imogene mutate {} --format {}{kind} --stimuli {} --clocks {} --out {}",
             options.unit.join(","),
             output::joined(&options.format, ","),
-            options.stimuli,
+            scale.stimuli,
             options.clocks,
             path.display()
         );
@@ -61,9 +67,24 @@ pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
 fn of_circuit(request: &Request, options: &Options) -> Result<MutationReport, Failure> {
     let (subject, design) = (subject(request)?, design(request)?);
     let bar = output::progress(circuit::count(&design), "mutants");
-    let report = circuit::run(&subject, &design, options, || bar.inc(1));
+    let options = match request.unit {
+        Unit::VideoTiming => of_frames(options, request.mode),
+        _ => *options,
+    };
+    let report = circuit::run(&subject, &design, &options, || bar.inc(1));
     bar.finish_and_clear();
     Ok(report?)
+}
+
+/// Two stimuli of two frames of a video mode, in which every counter comes to its end.
+fn of_frames(options: &Options, mode: u32) -> Options {
+    let frame = VideoMode::ALL[mode as usize].clocks() as usize;
+    Options {
+        // Some clocks are without `enable`.
+        clocks: options.clocks.max(2 * frame + frame / 4),
+        stimuli: options.stimuli.min(2),
+        ..*options
+    }
 }
 
 fn of_netlist(request: &Request, options: &Options) -> Result<MutationReport, Failure> {

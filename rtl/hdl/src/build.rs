@@ -8,13 +8,13 @@ use crate::scope::{
 use crate::tree::{Direction, Instance, Module, Op, PortRecord};
 use std::collections::{HashMap, HashSet};
 use std::panic::Location;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// A module with all modules in it.
 #[derive(Clone, Debug)]
 pub struct Design {
     /// The module at the top.
-    pub top: Rc<Module>,
+    pub top: Arc<Module>,
 }
 
 impl Design {
@@ -107,8 +107,8 @@ fn declare(label: Label, direction: Direction, value: Handle) {
 
 /// The same tree, in which modules that were to be called alike are called after the width of the first port in which
 /// all of them differ, as `pe1_w24` and `pe1_w36`; where there is none, they keep their numbers.
-fn told_apart(top: &Rc<Module>, closed: &Closed) -> Rc<Module> {
-    let mut renamed: HashMap<*const Module, Rc<Module>> = HashMap::new();
+fn told_apart(top: &Arc<Module>, closed: &Closed) -> Arc<Module> {
+    let mut renamed: HashMap<*const Module, Arc<Module>> = HashMap::new();
     for (wanted, module) in closed {
         let alike = closed.iter().filter(|(other, _)| other == wanted);
         let alike: Vec<&Module> = alike.map(|(_, other)| &**other).collect();
@@ -117,11 +117,11 @@ fn told_apart(top: &Rc<Module>, closed: &Closed) -> Rc<Module> {
             own.name = format!("{wanted}_w{width}");
         }
         for instance in &mut own.instances {
-            instance.module = renamed[&Rc::as_ptr(&instance.module)].clone();
+            instance.module = renamed[&Arc::as_ptr(&instance.module)].clone();
         }
-        renamed.insert(Rc::as_ptr(module), Rc::new(own));
+        renamed.insert(Arc::as_ptr(module), Arc::new(own));
     }
-    renamed[&Rc::as_ptr(top)].clone()
+    renamed[&Arc::as_ptr(top)].clone()
 }
 
 /// The width of the first port that has another in each of some modules.

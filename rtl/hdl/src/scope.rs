@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
 use std::fmt::{Display, Formatter, Result};
 use std::panic::Location;
-use std::rc::Rc;
+use std::sync::Arc;
 use std::sync::LazyLock;
 
 /// Words that Verilog, SystemVerilog or VHDL reserve.
@@ -36,7 +36,7 @@ pub(crate) struct Scope {
 }
 
 /// Modules that are built, each with the name that was asked for, those inside before those around them.
-pub(crate) type Closed = Vec<(String, Rc<Module>)>;
+pub(crate) type Closed = Vec<(String, Arc<Module>)>;
 
 #[derive(Default)]
 struct Builder {
@@ -71,7 +71,7 @@ pub(crate) fn clear() -> Closed {
 }
 
 /// The module that is equal to this one, or this one; another of the same name makes it take a number.
-pub(crate) fn share(mut module: Module) -> Rc<Module> {
+pub(crate) fn share(mut module: Module) -> Arc<Module> {
     BUILDER.with_borrow_mut(|Builder { closed, .. }| {
         let wanted = module.name.clone();
         for number in 2.. {
@@ -81,7 +81,7 @@ pub(crate) fn share(mut module: Module) -> Rc<Module> {
                 None => break,
             }
         }
-        let module = Rc::new(module);
+        let module = Arc::new(module);
         closed.push((wanted, module.clone()));
         module
     })

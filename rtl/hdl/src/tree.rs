@@ -1,7 +1,7 @@
 //! The tree of a design: what simulation, Verilog and rust-hdl read.
 
 use std::panic::Location;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// Widest word.
 pub const WIDEST: u32 = 64;
@@ -193,7 +193,7 @@ pub struct Instance {
     /// Its name.
     pub name: String,
     /// Its module.
-    pub module: Rc<Module>,
+    pub module: Arc<Module>,
     /// What its inputs are connected with, in their order.
     pub inputs: Vec<Net>,
     /// Its outputs, in their order.
@@ -244,13 +244,13 @@ impl Module {
     }
 
     /// It and all modules below it, each once, those without instances first.
-    pub fn all(self: &Rc<Module>) -> Vec<Rc<Module>> {
-        let mut found: Vec<Rc<Module>> = vec![];
-        fn visit(module: &Rc<Module>, found: &mut Vec<Rc<Module>>) {
+    pub fn all(self: &Arc<Module>) -> Vec<Arc<Module>> {
+        let mut found: Vec<Arc<Module>> = vec![];
+        fn visit(module: &Arc<Module>, found: &mut Vec<Arc<Module>>) {
             for instance in &module.instances {
                 visit(&instance.module, found);
             }
-            if !found.iter().any(|other| Rc::ptr_eq(other, module)) {
+            if !found.iter().any(|other| Arc::ptr_eq(other, module)) {
                 found.push(module.clone());
             }
         }

@@ -12,7 +12,7 @@ use imogene_hdl::block::Block;
 use imogene_hdl::{Design, Module, verilog};
 use rust_hdl::core::prelude::generate_verilog;
 use std::fmt::Write;
-use std::rc::Rc;
+use std::sync::Arc;
 use textwrap::{Options, WordSeparator, WordSplitter, WrapAlgorithm, fill};
 
 /// A port of the emitted module.
@@ -156,7 +156,7 @@ struct Heading<'a> {
 /// The text of a design.
 fn emitted(design: &Design, prefix: &str, latency: usize, heading: &Heading) -> Emitted {
     let modules = design.top.all();
-    let module = |module: &Rc<Module>| {
+    let module = |module: &Arc<Module>| {
         let name = format!("{prefix}{}", module.name);
         (name, verilog::write(module, prefix))
     };

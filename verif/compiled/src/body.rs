@@ -6,11 +6,11 @@ use crate::layout::{Lanes, Layout, Spot};
 use crate::line::{Line, Step, Value};
 use crate::word::Word;
 use imogene_hdl::{Direction, Module, Net, Op};
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// An instance in a function.
 pub(crate) struct Scope<'d> {
-    pub(crate) module: &'d Rc<Module>,
+    pub(crate) module: &'d Arc<Module>,
     /// Where its words lie, from the beginning of the function's block.
     pub(crate) spot: Spot,
     /// It is four equal instances in a function of one lane, or in them: the scopes of these alone.
@@ -47,7 +47,7 @@ pub(crate) struct Body<'d> {
 
 impl<'d> Body<'d> {
     /// Of the function of a module, in so many lanes.
-    pub(crate) fn new(layout: &'d Layout, module: &'d Rc<Module>, lanes: Lanes) -> Body<'d> {
+    pub(crate) fn new(layout: &'d Layout, module: &'d Arc<Module>, lanes: Lanes) -> Body<'d> {
         let mut body = Body {
             to: Line::default(),
             layout,
@@ -62,7 +62,7 @@ impl<'d> Body<'d> {
 
     fn open(
         &mut self,
-        module: &'d Rc<Module>,
+        module: &'d Arc<Module>,
         spot: Spot,
         around: Option<(usize, usize)>,
         is_own: bool,

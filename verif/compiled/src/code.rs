@@ -7,7 +7,7 @@ use crate::line::{Line, Step};
 use crate::machine::Machine;
 use imogene_hdl::{Design, Module};
 use std::collections::HashMap;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// What a program is asked for: the rising edge, or what outputs or points give.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,15 +36,15 @@ impl Code {
     pub(crate) fn of(design: &Design, layout: &Layout, lanes: Lanes, read: [&[String]; 2]) -> Code {
         let modules = design.top.all();
         let called = modules.iter().filter(|module| layout.is_called(module));
-        let called: Vec<&Rc<Module>> = called.collect();
+        let called: Vec<&Arc<Module>> = called.collect();
         let number: HashMap<*const Module, usize> = called
             .iter()
             .enumerate()
-            .map(|(index, module)| (Rc::as_ptr(module), index))
+            .map(|(index, module)| (Arc::as_ptr(module), index))
             .collect();
         let clock = |module, lanes| {
             let mut body = Body::new(layout, module, lanes);
-            body.update(&|part: &Rc<Module>| number[&Rc::as_ptr(part)]);
+            body.update(&|part: &Arc<Module>| number[&Arc::as_ptr(part)]);
             Function {
                 line: body.to,
                 lanes,
@@ -94,7 +94,7 @@ impl Code {
 }
 
 /// What reads the nets at these paths.
-fn reading(top: &Rc<Module>, layout: &Layout, lanes: Lanes, paths: &[String]) -> Line {
+fn reading(top: &Arc<Module>, layout: &Layout, lanes: Lanes, paths: &[String]) -> Line {
     let mut body = Body::new(layout, top, lanes);
     for (index, path) in paths.iter().enumerate() {
         let place = body.find(path);

@@ -8,7 +8,7 @@ use crate::layout::Lanes;
 use crate::line::{Step, Two, Value};
 use imogene_hdl::{Binary, Direction, Module, Net, Op};
 use std::collections::{HashMap, HashSet};
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// A register: its scope, and its number there.
 type Flop = (usize, usize);
@@ -18,7 +18,7 @@ const FEW: usize = 3;
 
 impl Body<'_> {
     /// All that a rising edge does: calls of what has a function of its own come last, for what it held is read before.
-    pub(crate) fn update(&mut self, function: &dyn Fn(&Rc<Module>) -> usize) {
+    pub(crate) fn update(&mut self, function: &dyn Fn(&Arc<Module>) -> usize) {
         let (mut owned, mut called) = (vec![0], vec![]);
         let mut next = 0;
         while let Some(&scope) = owned.get(next) {
@@ -55,7 +55,7 @@ impl Body<'_> {
     }
 
     /// The functions that are called, and for which blocks: in one lane a call for each group.
-    fn calls(&self, called: &[usize]) -> Vec<(Rc<Module>, usize)> {
+    fn calls(&self, called: &[usize]) -> Vec<(Arc<Module>, usize)> {
         match self.lanes {
             Lanes::One => {
                 let groups = self.layout.groups.iter();

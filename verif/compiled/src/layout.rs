@@ -7,7 +7,7 @@
 use crate::word::kept;
 use imogene_hdl::{Design, Direction, Module};
 use std::collections::HashMap;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// Modules with fewer nets, all parts counted, become part of what is around them: a call would cost more.
 const SMALL: usize = 60;
@@ -53,7 +53,7 @@ impl Block {
 
 /// Equal parts of what runs in one lane, at most as many as there are lanes.
 pub(crate) struct Group {
-    pub(crate) module: Rc<Module>,
+    pub(crate) module: Arc<Module>,
     pub(crate) place: usize,
     pub(crate) parts: usize,
 }
@@ -90,10 +90,10 @@ impl Layout {
         };
         for module in &modules {
             let is_shared = count
-                .get(&Rc::as_ptr(module))
+                .get(&Arc::as_ptr(module))
                 .is_some_and(|count| *count > 1);
             let block = layout.new_block(module, is_shared);
-            layout.blocks.insert(Rc::as_ptr(module), block);
+            layout.blocks.insert(Arc::as_ptr(module), block);
         }
         layout.size = layout.block(&design.top).sizes[lanes as usize] * lanes.count();
         if lanes == Lanes::One {
@@ -136,7 +136,7 @@ impl Layout {
     }
 
     /// Gives a lane to each part with a function that is in a block, and to small parts that stand side by side.
-    fn group(&mut self, module: &Rc<Module>, place: usize) {
+    fn group(&mut self, module: &Arc<Module>, place: usize) {
         self.group_rows(module, place);
         for (index, instance) in module.instances.iter().enumerate() {
             let part = &instance.module;
@@ -148,7 +148,7 @@ impl Layout {
                 self.group(part, place);
                 continue;
             }
-            let is_open = |group: &&mut Group| Rc::ptr_eq(&group.module, part) && group.parts < 4;
+            let is_open = |group: &&mut Group| Arc::ptr_eq(&group.module, part) && group.parts < 4;
             let group = match self.groups.iter_mut().find(is_open) {
                 Some(group) => group,
                 None => {
@@ -172,11 +172,11 @@ impl Layout {
         }
     }
 
-    fn group_rows(&mut self, module: &Rc<Module>, place: usize) {
-        let mut equal: Vec<(&Rc<Module>, Vec<usize>)> = vec![];
+    fn group_rows(&mut self, module: &Arc<Module>, place: usize) {
+        let mut equal: Vec<(&Arc<Module>, Vec<usize>)> = vec![];
         for (index, instance) in module.instances.iter().enumerate() {
             let part = &instance.module;
-            match equal.iter_mut().find(|(known, _)| Rc::ptr_eq(known, part)) {
+            match equal.iter_mut().find(|(known, _)| Arc::ptr_eq(known, part)) {
                 Some((_, indices)) => indices.push(index),
                 None if part.is_clocked() && !self.is_called(part) && runs_alike(part) => {
                     equal.push((part, vec![index]));
@@ -205,16 +205,16 @@ impl Layout {
         self.rows.get(&place).map_or(&[], Vec::as_slice)
     }
 
-    pub(crate) fn block(&self, module: &Rc<Module>) -> &Block {
-        &self.blocks[&Rc::as_ptr(module)]
+    pub(crate) fn block(&self, module: &Arc<Module>) -> &Block {
+        &self.blocks[&Arc::as_ptr(module)]
     }
 
-    pub(crate) fn is_called(&self, module: &Rc<Module>) -> bool {
+    pub(crate) fn is_called(&self, module: &Arc<Module>) -> bool {
         self.block(module).is_called
     }
 
     /// Where an instance in a module lies, by where the module does.
-    pub(crate) fn part(&self, around: &Rc<Module>, spot: Spot, index: usize) -> Spot {
+    pub(crate) fn part(&self, around: &Arc<Module>, spot: Spot, index: usize) -> Spot {
         let among_others = self.grouped.get(&(spot.place, index));
         if let Some(grouped) = among_others.filter(|_| spot.stride == 1) {
             return *grouped;
@@ -225,14 +225,14 @@ impl Layout {
     }
 
     /// The places, widths and first words of all registers, those of instances before those of the module around them.
-    pub(crate) fn registers(&self, top: &Rc<Module>, lanes: Lanes) -> Vec<Register> {
+    pub(crate) fn registers(&self, top: &Arc<Module>, lanes: Lanes) -> Vec<Register> {
         let mut found = vec![];
         let stride = lanes.count();
         self.add_registers(top, Spot { place: 0, stride }, &mut found);
         found
     }
 
-    fn add_registers(&self, module: &Rc<Module>, spot: Spot, found: &mut Vec<Register>) {
+    fn add_registers(&self, module: &Arc<Module>, spot: Spot, found: &mut Vec<Register>) {
         for (index, instance) in module.instances.iter().enumerate() {
             let part = self.part(module, spot, index);
             self.add_registers(&instance.module, part, found);
@@ -277,13 +277,13 @@ fn runs_alike(module: &Module) -> bool {
 }
 
 /// How often each module stands in a design.
-fn instances(top: &Rc<Module>, modules: &[Rc<Module>]) -> HashMap<*const Module, usize> {
-    let mut found: HashMap<*const Module, usize> = HashMap::from([(Rc::as_ptr(top), 1)]);
+fn instances(top: &Arc<Module>, modules: &[Arc<Module>]) -> HashMap<*const Module, usize> {
+    let mut found: HashMap<*const Module, usize> = HashMap::from([(Arc::as_ptr(top), 1)]);
     // A module stands behind those in it.
     for module in modules.iter().rev() {
-        let around = found[&Rc::as_ptr(module)];
+        let around = found[&Arc::as_ptr(module)];
         for instance in &module.instances {
-            *found.entry(Rc::as_ptr(&instance.module)).or_default() += around;
+            *found.entry(Arc::as_ptr(&instance.module)).or_default() += around;
         }
     }
     found

@@ -4,7 +4,7 @@ use crate::sites::{Site, SiteKind};
 use imogene_hdl::{Binary, Design, Module, Net, Node, Op, Register};
 use std::collections::HashMap;
 use std::fmt;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// A register with another value at power-up: its place among all of the design, those of the instances in a module
 /// before its own, and the value.
@@ -50,21 +50,30 @@ pub struct Mutant {
     control: usize,
 }
 
+/// A mutant of a design, the same under any controls that make it.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Key {
+    path: String,
+    kind: ControlKind,
+    bit: u32,
+    change: Change,
+}
+
 /// A control in an instance.
 struct Control {
     /// Names of the instances around it.
     path: String,
     /// Its module, among all of the design.
-    module: Rc<Module>,
+    module: Arc<Module>,
     kind: ControlKind,
     /// Its first register, among all of the design.
     register: usize,
 }
 
 /// What a control does in a module.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum ControlKind {
-    Site(SiteKind),
+    Site(Site),
     /// The power-up of a register of the module, by its number.
     Initial(usize),
 }
@@ -79,27 +88,27 @@ pub struct Controls {
 impl Controls {
     /// Gives these sites of a design controls.
     pub fn new(design: &Design, sites: &[Site]) -> Controls {
-        let mut made: HashMap<*const Module, Rc<Module>> = HashMap::new();
+        let mut made: HashMap<*const Module, Arc<Module>> = HashMap::new();
         let mut added = HashMap::new();
         for (index, module) in design.top.all().iter().enumerate() {
             let mut own = Module::clone(module);
             for instance in &mut own.instances {
-                instance.module = made[&Rc::as_ptr(&instance.module)].clone();
+                instance.module = made[&Arc::as_ptr(&instance.module)].clone();
             }
             let of_module = sites.iter().filter(|site| site.module == index);
             let of_module = of_module.map(|site| {
                 let register = control(&mut own, module, site.kind);
-                (ControlKind::Site(site.kind), register)
+                (ControlKind::Site(*site), register)
             });
             let of_module: Vec<(ControlKind, usize)> = of_module.collect();
-            let own = Rc::new(own);
-            added.insert(Rc::as_ptr(&own), (module.clone(), of_module));
-            made.insert(Rc::as_ptr(module), own);
+            let own = Arc::new(own);
+            added.insert(Arc::as_ptr(&own), (module.clone(), of_module));
+            made.insert(Arc::as_ptr(module), own);
         }
-        let top = made[&Rc::as_ptr(&design.top)].clone();
+        let top = made[&Arc::as_ptr(&design.top)].clone();
         let mut controls = vec![];
         walk(&top, "", &mut 0, &mut |instance, path, first| {
-            let (module, of_module) = &added[&Rc::as_ptr(instance)];
+            let (module, of_module) = &added[&Arc::as_ptr(instance)];
             controls.extend(of_module.iter().map(|(kind, register)| Control {
                 path: path.to_owned(),
                 module: module.clone(),
@@ -135,8 +144,10 @@ impl Controls {
     pub(crate) fn registers(&self) -> impl Iterator<Item = usize> {
         self.controls.iter().flat_map(|control| {
             let count = match control.kind {
-                ControlKind::Site(SiteKind::Operator(..)) => 1,
-                ControlKind::Site(_) => 2,
+                ControlKind::Site(site) => match site.kind {
+                    SiteKind::Operator(..) => 1,
+                    _ => 2,
+                },
                 ControlKind::Initial(_) => 0,
             };
             control.register..control.register + count
@@ -159,6 +170,22 @@ impl Controls {
         mutants.collect()
     }
 
+    /// Where a mutant is, and what it changes; nothing of a site for what is held at power-up.
+    pub fn key(&self, mutant: &Mutant) -> (Option<Site>, Key) {
+        let Control { path, kind, .. } = &self.controls[mutant.control];
+        let site = match kind {
+            ControlKind::Site(site) => Some(*site),
+            ControlKind::Initial(_) => None,
+        };
+        let key = Key {
+            path: path.clone(),
+            kind: *kind,
+            bit: mutant.bit,
+            change: mutant.change,
+        };
+        (site, key)
+    }
+
     /// What a mutant changes, as `f2.kept_b[3] stuck at 1 (pe2.rs:40)`.
     pub fn describe(&self, mutant: &Mutant) -> String {
         let Control {
@@ -166,12 +193,14 @@ impl Controls {
         } = &self.controls[mutant.control];
         let register = |index: usize| module.registers[index].net;
         let (net, what) = match *kind {
-            ControlKind::Site(SiteKind::Bits(net)) => (net, format!("[{}]", mutant.bit)),
-            ControlKind::Site(SiteKind::Operator(net, which)) => (
-                net,
-                format!(" by {}", exchange_name(&module.node(net).op, which)),
-            ),
-            ControlKind::Site(SiteKind::Enable(index)) => (register(index), " enable".to_owned()),
+            ControlKind::Site(site) => match site.kind {
+                SiteKind::Bits(net) => (net, format!("[{}]", mutant.bit)),
+                SiteKind::Operator(net, which) => {
+                    let other = exchange_name(&module.node(net).op, which);
+                    (net, format!(" by {other}"))
+                }
+                SiteKind::Enable(index) => (register(index), " enable".to_owned()),
+            },
             ControlKind::Initial(index) => (register(index), format!("[{}]", mutant.bit)),
         };
         let node = module.node(net);
@@ -196,16 +225,18 @@ impl Control {
     fn changes(&self) -> (u32, &'static [Change]) {
         use Change::{Exchanged, Initial, Inverted, StuckAt0, StuckAt1};
         match self.kind {
-            ControlKind::Site(SiteKind::Bits(net)) => {
-                let node = self.node(net);
-                match node.op {
-                    // Its other value is its inverse.
-                    Op::Literal(_) => (node.width, &[Inverted]),
-                    _ => (node.width, &[StuckAt0, StuckAt1, Inverted]),
+            ControlKind::Site(site) => match site.kind {
+                SiteKind::Bits(net) => {
+                    let node = self.node(net);
+                    match node.op {
+                        // Its other value is its inverse.
+                        Op::Literal(_) => (node.width, &[Inverted]),
+                        _ => (node.width, &[StuckAt0, StuckAt1, Inverted]),
+                    }
                 }
-            }
-            ControlKind::Site(SiteKind::Operator(..)) => (1, &[Exchanged]),
-            ControlKind::Site(SiteKind::Enable(_)) => (1, &[StuckAt0, StuckAt1, Inverted]),
+                SiteKind::Operator(..) => (1, &[Exchanged]),
+                SiteKind::Enable(_) => (1, &[StuckAt0, StuckAt1, Inverted]),
+            },
             ControlKind::Initial(index) => (
                 self.node(self.module.registers[index].net).width,
                 &[Initial],
@@ -231,7 +262,10 @@ impl Control {
 
     fn width(&self) -> u32 {
         match self.kind {
-            ControlKind::Site(SiteKind::Bits(net)) => self.node(net).width,
+            ControlKind::Site(Site {
+                kind: SiteKind::Bits(net),
+                ..
+            }) => self.node(net).width,
             _ => 1,
         }
     }
@@ -239,10 +273,10 @@ impl Control {
 
 /// Every instance with its path and the number of its first register among all.
 fn walk(
-    module: &Rc<Module>,
+    module: &Arc<Module>,
     path: &str,
     registers: &mut usize,
-    visit: &mut impl FnMut(&Rc<Module>, &str, usize),
+    visit: &mut impl FnMut(&Arc<Module>, &str, usize),
 ) {
     for instance in &module.instances {
         let path = format!("{path}{}.", instance.name);

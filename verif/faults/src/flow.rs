@@ -4,21 +4,21 @@
 //! then comes out is equal, and both keep nothing, it is equal for ever.
 
 use crate::controls::Upset;
-use crate::frame::{Begin, End};
+use crate::frame::{Begin, End, Frame, constant, upset};
 use crate::gates::{Bit, Gates, NO};
-use crate::known::even_inputs;
-use crate::solve::can_be;
+use crate::held::Held;
+use crate::known::zero_inputs;
 use imogene_hdl::Levels;
 use std::collections::HashMap;
 
-/// A circuit over its latency.
-pub(crate) struct Flow {
+/// Gates in all clocks, at most: beyond, a proof takes minutes.
+const GATES: usize = 8_000_000;
+
+/// A circuit over some clocks.
+pub(crate) struct Unrolled {
     gates: Gates,
-    /// What each clock begins with.
-    begins: Vec<Begin>,
-    outputs: Vec<Bit>,
-    /// Bits that are 1.
-    assumed: Vec<Bit>,
+    /// Each clock, and what it begins with.
+    clocks: Vec<(Begin, Frame)>,
 }
 
 /// A bit of a register, or what a memory gives.
@@ -77,46 +77,101 @@ pub(crate) fn keeps_nothing(
     end.outputs.iter().all(|bit| !is_old[bit.gate()])
 }
 
-impl Flow {
-    /// Of a circuit that keeps nothing, from a clock on.
-    pub(crate) fn of(
+impl Unrolled {
+    /// So many clocks; nothing if that is too large. `fix` fixes inputs of a clock, by its number and the clocks before.
+    fn new(
         levels: &Levels,
-        mut gates: Gates,
-        (first, end): (Begin, &End),
-        latency: usize,
-        even: &[usize],
-    ) -> Flow {
-        let mut end = end.clone();
-        let mut begins = vec![first];
-        for clock in 0..latency {
-            let begin = begins[clock].clone().after(&end, levels, &mut gates);
-            end = begin.clock(levels, &[], &mut gates);
-            begins.push(begin);
+        gates: &Gates,
+        begin: &Begin,
+        clocks: usize,
+        fix: impl Fn(usize, &mut Begin, &[(Begin, Frame)]),
+    ) -> Option<Unrolled> {
+        if gates.len().max(levels.code.len() * 16) * clocks > GATES {
+            return None;
         }
-        let even = begins
-            .iter()
-            .flat_map(|begin| even_inputs(even, levels, begin));
-        Flow {
-            assumed: even.collect(),
-            outputs: end.outputs,
-            gates,
-            begins,
+        let mut gates = gates.clone();
+        let mut all: Vec<(Begin, Frame)> = vec![];
+        for index in 0..clocks {
+            let mut begin = match all.last() {
+                None => begin.clone(),
+                Some((begin, last)) => begin.clone().after(&last.end, levels, &mut gates),
+            };
+            fix(index, &mut begin, &all);
+            let clock = begin.clock(levels, &mut gates);
+            all.push((begin, clock));
         }
+        Some(Unrolled {
+            gates: gates.frozen(),
+            clocks: all,
+        })
     }
 
-    /// Has the mutant that upsets make the outputs of the circuit?
-    pub(crate) fn is_same(&self, levels: &Levels, upsets: &[Upset]) -> bool {
+    /// Over its latency, from any clock on.
+    pub(crate) fn of(
+        levels: &Levels,
+        gates: &Gates,
+        begin: &Begin,
+        latency: usize,
+    ) -> Option<Unrolled> {
+        Unrolled::new(levels, gates, begin, latency + 1, |_, _, _| ())
+    }
+
+    /// Over its latency, from the clock on with which the work begins, while inputs are held. Before it, as long, nothing
+    /// was under way.
+    pub(crate) fn from_start(
+        levels: &Levels,
+        gates: &Gates,
+        begin: &Begin,
+        held: &Held,
+        latency: usize,
+    ) -> Option<Unrolled> {
+        let place = |input: &usize| levels.inputs()[*input].place;
+        let clocks = 2 * latency + 1;
+        Unrolled::new(levels, gates, begin, clocks, |index, begin, before| {
+            if index <= latency {
+                let begins = u64::from(index == latency);
+                for input in &held.begins {
+                    *begin.at_mut(place(input)) = constant(begins);
+                }
+            }
+            if let Some((start, _)) = before.get(latency) {
+                held.hold(levels, start, begin);
+            }
+        })
+    }
+
+    /// What a clock begins with.
+    pub(crate) fn begin(&self, clock: usize) -> &Begin {
+        &self.clocks[clock].0
+    }
+
+    /// What the last clock comes to.
+    pub(crate) fn end(&self) -> &End {
+        let (_, last) = self.clocks.last().expect("there is a first clock");
+        &last.end
+    }
+
+    /// Bits that are 1 where these inputs are 0 in every clock.
+    pub(crate) fn zeros(&self, zeros: &[(usize, u32)], levels: &Levels) -> Vec<Bit> {
+        let begins = self.clocks.iter().map(|(begin, _)| begin);
+        begins
+            .flat_map(|begin| zero_inputs(zeros, levels, begin))
+            .collect()
+    }
+
+    /// What the mutant that upsets make comes to in each clock, beside the circuit, and all gates.
+    pub(crate) fn with(&self, levels: &Levels, upsets: &[Upset]) -> (Gates, Vec<[End; 2]>) {
         let mut gates = self.gates.clone();
-        let mut end = self.begins[0].clock(levels, upsets, &mut gates);
-        for begin in &self.begins[1..] {
-            let begin = begin.clone().with_state(&end, levels);
-            end = begin.clock(levels, upsets, &mut gates);
+        let mut ends: Vec<[End; 2]> = vec![];
+        for (begin, clock) in &self.clocks {
+            let state = ends.last().map_or(&[][..], |[_, end]| &end.registers);
+            let state = levels.flops.iter().zip(state);
+            let state = state.map(|(flop, word)| (flop.output, word.clone()));
+            let others = state.filter(|(place, word)| begin.at(*place) != word);
+            let others = others.chain(upset(levels, upsets));
+            let end = clock.with(levels, others, &mut gates);
+            ends.push([clock.end.clone(), end]);
         }
-        let pairs = self.outputs.iter().zip(&end.outputs);
-        let differ = pairs.fold(NO, |any, (good, bad)| {
-            let differ = gates.xor(*good, *bad);
-            gates.or(any, differ)
-        });
-        can_be(&gates, differ, &self.assumed) == Some(false)
+        (gates, ends)
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::controls::Upset;
 use crate::gates::{Bit, Gates, NO, YES};
-use imogene_hdl::{Code, Kind, Levels};
+use imogene_hdl::{Code, Flop, Kind, Levels, Store};
 
 /// Bits of a word, the lowest first; those beyond are 0.
 pub(crate) type Word = Vec<Bit>;
@@ -87,43 +87,122 @@ impl Begin {
         &mut self.words[place as usize]
     }
 
-    /// One clock; some registers hold other words.
-    pub(crate) fn clock(&self, levels: &Levels, upsets: &[Upset], gates: &mut Gates) -> End {
+    /// One clock.
+    pub(crate) fn clock(&self, levels: &Levels, gates: &mut Gates) -> Frame {
         let mut words = self.words.clone();
-        for (register, value) in upsets {
-            words[levels.flops[*register].output as usize] = constant(*value);
-        }
         for code in &levels.code {
-            words[code.to as usize] = value(code, &words, gates);
+            let from = code.from.map(|place| &words[place as usize]);
+            words[code.to as usize] = value(code, from, gates);
         }
-        let at = |place: u32, index: u32| bit_of(&words[place as usize], index);
-        let outputs = levels.outputs().iter();
-        let outputs = outputs.flat_map(|port| (0..port.width).map(|index| at(port.place, index)));
-        let outputs = outputs.collect();
-        let registers = levels.flops.iter().map(|flop| {
-            let enable = at(flop.enable, 0);
-            let bits = (0..flop.width).map(|index| {
-                let (next, held) = (at(flop.next, index), at(flop.output, index));
-                gates.select(enable, next, held)
-            });
-            bits.collect()
-        });
-        let registers = registers.collect();
-        let memories = levels.stores.iter().map(|store| {
-            let [enable, address, data] = store.write;
-            let enable = at(enable, 0);
-            let written = [address, data].into_iter();
-            let written = written.flat_map(|place| words[place as usize].iter());
-            let written: Word = written.map(|bit| gates.and(enable, *bit)).collect();
-            let read = words[store.address as usize].iter().copied();
-            [enable].into_iter().chain(written).chain(read).collect()
-        });
-        End {
-            memories: memories.collect(),
-            outputs,
+        let word = |place: u32| &words[place as usize];
+        let registers = levels.flops.iter();
+        let registers = registers.map(|flop| next(flop, &word, gates)).collect();
+        let stores = levels.stores.iter();
+        let memories = stores.map(|store| taken(store, &word, gates)).collect();
+        let end = End {
+            outputs: outputs(levels, &word),
             registers,
-        }
+            memories,
+        };
+        Frame { words, end }
     }
+}
+
+/// All words of a clock.
+pub(crate) struct Frame {
+    words: Vec<Word>,
+    /// What it comes to.
+    pub(crate) end: End,
+}
+
+impl Frame {
+    /// The same clock where these places begin with other words.
+    pub(crate) fn with(
+        &self,
+        levels: &Levels,
+        others: impl Iterator<Item = (u32, Word)>,
+        gates: &mut Gates,
+    ) -> End {
+        let mut changed: Vec<Option<Word>> = vec![None; self.words.len()];
+        others.for_each(|(place, word)| changed[place as usize] = Some(word));
+        for code in &levels.code {
+            if code
+                .from
+                .iter()
+                .any(|place| changed[*place as usize].is_some())
+            {
+                let from = code.from.map(|place| self.or(&changed, place));
+                let word = value(code, from, gates);
+                if word != self.words[code.to as usize] {
+                    changed[code.to as usize] = Some(word);
+                }
+            }
+        }
+        let is_changed = |place: u32| changed[place as usize].is_some();
+        let word = |place: u32| self.or(&changed, place);
+        let mut end = self.end.clone();
+        end.outputs = outputs(levels, &word);
+        for (flop, held) in levels.flops.iter().zip(&mut end.registers) {
+            if [flop.enable, flop.next, flop.output]
+                .into_iter()
+                .any(is_changed)
+            {
+                *held = next(flop, &word, gates);
+            }
+        }
+        for (store, held) in levels.stores.iter().zip(&mut end.memories) {
+            if store
+                .write
+                .into_iter()
+                .chain([store.address])
+                .any(is_changed)
+            {
+                *held = taken(store, &word, gates);
+            }
+        }
+        end
+    }
+
+    fn or<'a>(&'a self, changed: &'a [Option<Word>], place: u32) -> &'a Word {
+        let place = place as usize;
+        changed[place].as_ref().unwrap_or(&self.words[place])
+    }
+}
+
+/// The words that upsets put into registers.
+pub(crate) fn upset<'a>(
+    levels: &'a Levels,
+    upsets: &'a [Upset],
+) -> impl Iterator<Item = (u32, Word)> + 'a {
+    let upsets = upsets.iter();
+    upsets.map(|(register, value)| (levels.flops[*register].output, constant(*value)))
+}
+
+fn outputs<'a>(levels: &Levels, word: &impl Fn(u32) -> &'a Word) -> Vec<Bit> {
+    let ports = levels.outputs().iter();
+    ports
+        .flat_map(|port| (0..port.width).map(|index| bit_of(word(port.place), index)))
+        .collect()
+}
+
+/// What a register holds after a clock.
+fn next<'a>(flop: &Flop, word: &impl Fn(u32) -> &'a Word, gates: &mut Gates) -> Word {
+    let enable = bit_of(word(flop.enable), 0);
+    let bits = (0..flop.width).map(|index| {
+        let [next, held] = [flop.next, flop.output].map(|place| bit_of(word(place), index));
+        gates.select(enable, next, held)
+    });
+    bits.collect()
+}
+
+/// What a memory takes in a clock.
+fn taken<'a>(store: &Store, word: &impl Fn(u32) -> &'a Word, gates: &mut Gates) -> Word {
+    let [enable, address, data] = store.write.map(word);
+    let enable = bit_of(enable, 0);
+    let written = address.iter().chain(data);
+    let written: Word = written.map(|bit| gates.and(enable, *bit)).collect();
+    let read = word(store.address).iter().copied();
+    [enable].into_iter().chain(written).chain(read).collect()
 }
 
 /// Bits of which nothing is known.
@@ -137,9 +216,8 @@ pub(crate) fn bit_of(word: &Word, index: u32) -> Bit {
 }
 
 /// The result of an operation.
-fn value(code: &Code, words: &[Word], gates: &mut Gates) -> Word {
+fn value(code: &Code, [x, y, z]: [&Word; 3], gates: &mut Gates) -> Word {
     let width = 64 - code.mask.leading_zeros();
-    let [x, y, z] = code.from.map(|place| &words[place as usize]);
     let count = code.count;
     let longest = x.len().max(y.len()) as u32;
     let mut each = |of: &mut dyn FnMut(&mut Gates, u32) -> Bit| -> Word {

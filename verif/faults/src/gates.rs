@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 use std::ops::Not;
+use std::sync::Arc;
 
 /// The output of a gate, or its inverse.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -35,25 +36,44 @@ impl Not for Bit {
     }
 }
 
-/// All gates.
-#[derive(Clone)]
-pub(crate) struct Gates {
+/// Some gates.
+#[derive(Clone, Default)]
+struct Table {
     /// Operands, those of a gate before it; two times 0 is an input.
     gates: Vec<[Bit; 2]>,
     known: HashMap<[Bit; 2], Bit>,
 }
 
+/// All gates.
+#[derive(Clone)]
+pub(crate) struct Gates {
+    /// Those that copies share.
+    shared: Arc<Table>,
+    own: Table,
+}
+
 impl Gates {
     pub(crate) fn new() -> Gates {
+        let shared = Arc::default();
+        let mut own = Table::default();
+        own.gates.push([NO; 2]);
+        Gates { shared, own }
+    }
+
+    /// The same gates, of which a copy costs nothing.
+    pub(crate) fn frozen(self) -> Gates {
+        let mut all = Arc::unwrap_or_clone(self.shared);
+        all.gates.extend(self.own.gates);
+        all.known.extend(self.own.known);
         Gates {
-            gates: vec![[NO; 2]],
-            known: HashMap::new(),
+            shared: Arc::new(all),
+            own: Table::default(),
         }
     }
 
     fn add(&mut self, operands: [Bit; 2]) -> Bit {
-        self.gates.push(operands);
-        Bit((self.gates.len() as u32 - 1) << 1)
+        self.own.gates.push(operands);
+        Bit((self.len() as u32 - 1) << 1)
     }
 
     pub(crate) fn input(&mut self) -> Bit {
@@ -62,21 +82,28 @@ impl Gates {
 
     /// What a gate reads; nothing if it is an input or the constant.
     pub(crate) fn operands(&self, gate: usize) -> Option<[Bit; 2]> {
-        let operands = self.gates[gate];
+        let operands = self.at(gate);
         (operands != [NO; 2]).then_some(operands)
     }
 
+    fn at(&self, gate: usize) -> [Bit; 2] {
+        match gate.checked_sub(self.shared.gates.len()) {
+            Some(own) => self.own.gates[own],
+            None => self.shared.gates[gate],
+        }
+    }
+
     pub(crate) fn len(&self) -> usize {
-        self.gates.len()
+        self.shared.gates.len() + self.own.gates.len()
     }
 
     /// Does one of these bits depend on each gate?
     pub(crate) fn behind(&self, bits: impl Iterator<Item = Bit>) -> Vec<bool> {
-        let mut is_behind = vec![false; self.gates.len()];
+        let mut is_behind = vec![false; self.len()];
         bits.for_each(|bit| is_behind[bit.gate()] = true);
-        for gate in (0..self.gates.len()).rev() {
+        for gate in (0..self.len()).rev() {
             if is_behind[gate] {
-                for bit in self.gates[gate] {
+                for bit in self.at(gate) {
                     is_behind[bit.gate()] = true;
                 }
             }
@@ -91,14 +118,15 @@ impl Gates {
             (YES, _) => b,
             _ if a == b => a,
             _ if a == !b => NO,
-            _ => match self.known.get(&[a, b]) {
-                Some(known) => *known,
-                None => {
-                    let gate = self.add([a, b]);
-                    self.known.insert([a, b], gate);
-                    gate
+            _ => {
+                let known = self.shared.known.get(&[a, b]);
+                if let Some(known) = known.or_else(|| self.own.known.get(&[a, b])) {
+                    return *known;
                 }
-            },
+                let gate = self.add([a, b]);
+                self.own.known.insert([a, b], gate);
+                gate
+            }
         }
     }
 

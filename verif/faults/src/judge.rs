@@ -2,14 +2,16 @@
 //!
 //! Circuit and mutant begin a clock in the same state with the same inputs. If outputs and next states are then equal
 //! for every beginning that the circuit can come to, they are equal for ever. Only state that can reach an output
-//! counts. Where they differ in a circuit that keeps nothing, what comes out after the latency is compared.
+//! counts. Where they differ in a circuit that keeps nothing, what comes out after the latency is compared. Where inputs
+//! are held while a circuit works that forgets all else when the work begins, the clocks of the work are compared alone.
 
 use crate::controls::{Controls, Upset};
-use crate::flow::{Flow, State, keeps_nothing};
-use crate::frame::{Begin, End, Word, constant};
+use crate::flow::{State, Unrolled, keeps_nothing};
+use crate::frame::{Begin, End, Frame, Word, constant, upset};
 use crate::gates::{Bit, Gates, NO};
+use crate::held::Held;
 use crate::known::Known;
-use crate::solve::can_be;
+use crate::solve::{CONFLICTS, can_be};
 use imogene_hdl::Levels;
 use std::collections::{HashMap, HashSet};
 use std::sync::OnceLock;
@@ -30,18 +32,25 @@ pub struct Judge {
     levels: Levels,
     gates: Gates,
     begin: Begin,
-    good: End,
+    good: Frame,
     /// Bits that are 1.
     assumed: Vec<Bit>,
     /// Which state each input gate is, if it is one.
     state: HashMap<usize, State>,
+    /// Those that are no controls.
+    registers: Vec<usize>,
     latency: usize,
-    even: Vec<usize>,
+    /// Bits of inputs that are 0.
+    zeros: Vec<(usize, u32)>,
     keeps_nothing: bool,
     /// Does what is assumed hold from power-up on?
     always_holds: bool,
-    /// The circuit over its latency, made when it is first wanted.
-    flow: OnceLock<Flow>,
+    held: Held,
+    /// A clock of the work, where inputs are held and registers hold them.
+    work: Option<Frame>,
+    /// The circuit over its latency, made when it is first wanted: from any clock, and from the beginning of the work.
+    flow: OnceLock<Option<Unrolled>>,
+    start: OnceLock<Option<Unrolled>>,
 }
 
 impl Judge {
@@ -58,63 +67,129 @@ impl Judge {
         let registers = (0..levels.flops.len()).filter(|index| !held.contains(index));
         let registers: Vec<usize> = registers.collect();
         let assumed = known.bits(&levels, &begin, &registers, &mut gates);
-        let good = begin.clock(&levels, &[], &mut gates);
+        let good = begin.clock(&levels, &mut gates);
+        let held_bits = !known.held.is_empty();
+        let work = held_bits.then(|| known.held.work(&levels, begin.clone(), &registers));
+        let work = work.map(|begin| begin.clock(&levels, &mut gates));
         let state = State::of(&levels, &begin);
-        let keeps_nothing = keeps_nothing(&gates, &good, &state, known.latency);
+        let keeps_nothing = keeps_nothing(&gates, &good.end, &state, known.latency);
         Judge {
             levels,
-            gates,
+            gates: gates.frozen(),
             begin,
             good,
             assumed,
             state,
+            registers,
             latency: known.latency,
-            even: known.even.clone(),
+            zeros: known.zeros.clone(),
             keeps_nothing,
             always_holds: known.always_holds,
+            work,
+            held: known.held.clone(),
             flow: OnceLock::new(),
+            start: OnceLock::new(),
         }
+    }
+
+    /// Is the mutant that upsets make soon proven to be none? Where inputs are held while the circuit works, only one
+    /// clock is tried.
+    pub fn is_soon_same(&self, upsets: &[Upset]) -> bool {
+        if self.work.is_none() {
+            return self.judge(upsets) == Verdict::Equivalent;
+        }
+        let mut gates = self.gates.clone();
+        let bad = self.with(&self.good, upsets, &mut gates);
+        self.always_holds && self.of_a_clock(&bad, &mut gates) == Verdict::Equivalent
     }
 
     /// What is known of the mutant that upsets make.
     pub fn judge(&self, upsets: &[Upset]) -> Verdict {
         let mut gates = self.gates.clone();
-        let bad = self.begin.clock(&self.levels, upsets, &mut gates);
+        let bad = self.with(&self.good, upsets, &mut gates);
+        let of_a_clock = self.of_a_clock(&bad, &mut gates);
+        if of_a_clock == Verdict::Equivalent && self.always_holds {
+            return Verdict::Equivalent;
+        }
+        if self.is_same_at_work(upsets) {
+            return Verdict::Equivalent;
+        }
         let keeps_nothing =
             self.keeps_nothing && keeps_nothing(&gates, &bad, &self.state, self.latency);
-        match self.of_a_clock(&bad, &mut gates) {
-            Verdict::Equivalent if self.always_holds || keeps_nothing => Verdict::Equivalent,
-            _ if keeps_nothing && self.flow().is_same(&self.levels, upsets) => Verdict::Equivalent,
+        let is_equal = of_a_clock == Verdict::Equivalent;
+        if keeps_nothing && (is_equal || self.is_same_in_the_end(upsets)) {
+            return Verdict::Equivalent;
+        }
+        match of_a_clock {
             Verdict::Equivalent => Verdict::Undecided,
             other => other,
         }
     }
 
-    /// The circuit over its latency.
-    fn flow(&self) -> &Flow {
-        self.flow.get_or_init(|| {
-            let begin = (self.begin.clone(), &self.good);
-            let gates = self.gates.clone();
-            Flow::of(&self.levels, gates, begin, self.latency, &self.even)
+    fn with(&self, good: &Frame, upsets: &[Upset], gates: &mut Gates) -> End {
+        good.with(&self.levels, upset(&self.levels, upsets), gates)
+    }
+
+    /// Is what comes out after the latency equal?
+    fn is_same_in_the_end(&self, upsets: &[Upset]) -> bool {
+        let flow = self
+            .flow
+            .get_or_init(|| Unrolled::of(&self.levels, &self.gates, &self.begin, self.latency));
+        let Some(flow) = flow else { return false };
+        let (mut gates, ends) = flow.with(&self.levels, upsets);
+        let last = ends.last().expect("there is a first clock");
+        let pairs = zip(&last[0].outputs, &last[1].outputs);
+        let zeros = flow.zeros(&self.zeros, &self.levels);
+        equality(pairs, &zeros, &mut gates, CONFLICTS) == Verdict::Equivalent
+    }
+
+    /// Are circuit and mutant the same while the work goes on, and do they come to the same state when it begins,
+    /// whatever was before?
+    fn is_same_at_work(&self, upsets: &[Upset]) -> bool {
+        let Some(work) = &self.work else {
+            return false;
+        };
+        let mut gates = self.gates.clone();
+        let bad = self.with(work, upsets, &mut gates);
+        let pairs = state_pairs(&self.registers, &work.end, &bad);
+        let pairs = pairs.chain(zip(&work.end.outputs, &bad.outputs)).collect();
+        if equality(pairs, &self.assumed, &mut gates, CONFLICTS) != Verdict::Equivalent {
+            return false;
+        }
+        let start = self.start.get_or_init(|| {
+            let (gates, begin) = (&self.gates, &self.begin);
+            Unrolled::from_start(&self.levels, gates, begin, &self.held, self.latency)
+        });
+        let Some(start) = start else { return false };
+        let (mut gates, ends) = start.with(&self.levels, upsets);
+        let [good, bad] = ends.last().expect("there is a first clock");
+        let state = state_pairs(&self.registers, good, bad);
+        let pairs = self.results(&ends).chain(state).collect();
+        let zeros = start.zeros(&self.zeros, &self.levels);
+        equality(pairs, &zeros, &mut gates, CONFLICTS / 10) == Verdict::Equivalent
+    }
+
+    /// The outputs from the beginning of the work on: before the first result nothing counts but the first output, which
+    /// tells that there is none.
+    fn results<'a>(&self, ends: &'a [[End; 2]]) -> impl Iterator<Item = (Bit, Bit)> + use<'a> {
+        let latency = self.latency;
+        let from_start = ends.iter().skip(latency).enumerate();
+        from_start.flat_map(move |(clock, [good, bad])| {
+            let all = zip(&good.outputs, &bad.outputs);
+            let count = if clock < latency { 1 } else { all.len() };
+            all.into_iter().take(count)
         })
     }
 
     /// What is known by outputs and next states of one clock.
     fn of_a_clock(&self, bad: &End, gates: &mut Gates) -> Verdict {
         let pairs = self.pairs(bad, gates);
-        let differ = pairs.into_iter().filter(|(good, bad)| good != bad);
-        let differ: Vec<Bit> = differ.map(|(good, bad)| gates.xor(good, bad)).collect();
-        let any = differ.into_iter().fold(NO, |any, bit| gates.or(any, bit));
-        match can_be(gates, any, &self.assumed) {
-            Some(false) => Verdict::Equivalent,
-            Some(true) => Verdict::Differs,
-            None => Verdict::Undecided,
-        }
+        equality(pairs, &self.assumed, gates, CONFLICTS)
     }
 
     /// Outputs of circuit and mutant, and next states of all bits that either of them reads for an output.
     fn pairs(&self, bad: &End, gates: &Gates) -> Vec<(Bit, Bit)> {
-        let good = &self.good;
+        let good = &self.good.end;
         let mut pairs: Vec<(Bit, Bit)> = zip(&good.outputs, &bad.outputs);
         let mut is_seen = vec![false; gates.len()];
         let mut is_taken = HashSet::new();
@@ -144,6 +219,28 @@ impl Judge {
             }
         }
         pairs
+    }
+}
+
+/// What some registers hold after a clock.
+fn state_pairs<'a>(
+    registers: &'a [usize],
+    good: &'a End,
+    bad: &'a End,
+) -> impl Iterator<Item = (Bit, Bit)> + 'a {
+    let registers = registers.iter();
+    registers.flat_map(|index| zip(&good.registers[*index], &bad.registers[*index]))
+}
+
+/// Are the bits of all pairs equal?
+fn equality(pairs: Vec<(Bit, Bit)>, assumed: &[Bit], gates: &mut Gates, conflicts: u64) -> Verdict {
+    let differ = pairs.into_iter().filter(|(good, bad)| good != bad);
+    let differ: Vec<Bit> = differ.map(|(good, bad)| gates.xor(good, bad)).collect();
+    let any = differ.into_iter().fold(NO, |any, bit| gates.or(any, bit));
+    match can_be(gates, any, assumed, conflicts) {
+        Some(false) => Verdict::Equivalent,
+        Some(true) => Verdict::Differs,
+        None => Verdict::Undecided,
     }
 }
 

@@ -3,16 +3,19 @@
 use crate::flow::{State, keeps_nothing};
 use crate::frame::{Begin, Word, bit_of, constant, less, sum};
 use crate::gates::{Bit, Gates, NO, YES};
-use crate::solve::can_be;
+use crate::held::Held;
+use crate::solve::{CONFLICTS, can_be};
 use imogene_hdl::{Design, Direction, Levels};
 
 /// What a circuit may rely on.
 #[derive(Clone, Debug, Default)]
 pub struct Contract {
-    /// Inputs whose lowest bit is 0.
-    pub even: Vec<String>,
+    /// Bits of inputs that are 0.
+    pub zeros: Vec<(String, u32)>,
     /// Inputs that are 1 in the clock with which its work begins.
     pub begins: Vec<String>,
+    /// Inputs that do not change between two such clocks.
+    pub held: Vec<String>,
     /// Pairs of points inside, both what a register holds: a remainder and its root, behind a row of a root. What
     /// cannot be proven of them is dropped.
     pub remainders: Vec<[String; 2]>,
@@ -24,7 +27,7 @@ pub struct Contract {
 
 /// What holds in every state that is reached from power-up. Registers are counted without controls.
 pub struct Known {
-    pub(crate) even: Vec<usize>,
+    pub(crate) zeros: Vec<(usize, u32)>,
     /// The value of each bit of each register that never changes.
     constants: Vec<Vec<Option<bool>>>,
     remainders: Vec<[usize; 2]>,
@@ -35,6 +38,8 @@ pub struct Known {
     pub(crate) latency: usize,
     /// Is each bit of each register forgotten once work began?
     forgotten: Vec<Vec<bool>>,
+    /// What holds while the circuit works.
+    pub(crate) held: Held,
 }
 
 impl Known {
@@ -55,19 +60,27 @@ impl Known {
         };
         let pairs = contract.remainders.iter();
         let pairs = pairs.filter_map(|[a, b]| Some([register(a)?, register(b)?]));
+        let zeros = contract.zeros.iter();
         let mut known = Known {
-            even: contract.even.iter().filter_map(place).collect(),
+            zeros: zeros
+                .filter_map(|(name, bit)| Some((place(name)?, *bit)))
+                .collect(),
             remainders: pairs.collect(),
             restores: contract.restores,
             always_holds: true,
             latency: contract.latency,
             constants: initial(&levels),
             forgotten: vec![],
+            held: Held::default(),
         };
         known.drop_changing(&levels);
         known.drop_unproven(&levels);
         let begins: Vec<usize> = contract.begins.iter().filter_map(place).collect();
         known.forgotten = forgotten(&levels, &begins, contract.latency);
+        if known.forgets_all() && levels.stores.is_empty() {
+            let inputs: Vec<usize> = contract.held.iter().filter_map(place).collect();
+            known.held = Held::of(&levels, begins, inputs, contract.latency);
+        }
         known
     }
 
@@ -82,6 +95,14 @@ impl Known {
         self.forgotten[register][bit as usize]
     }
 
+    /// Is nothing left of any state once work began and the latency passed?
+    fn forgets_all(&self) -> bool {
+        let bits = self.forgotten.iter().flatten();
+        let constants = self.constants.iter().flatten();
+        bits.zip(constants)
+            .all(|(is, constant)| *is || constant.is_some())
+    }
+
     /// Bits that are 1 in every state that is reached; `registers` are those without controls.
     pub(crate) fn bits(
         &self,
@@ -90,7 +111,7 @@ impl Known {
         registers: &[usize],
         gates: &mut Gates,
     ) -> Vec<Bit> {
-        let mut bits: Vec<Bit> = even_inputs(&self.even, levels, begin).collect();
+        let mut bits: Vec<Bit> = zero_inputs(&self.zeros, levels, begin).collect();
         for (register, constants) in registers.iter().zip(&self.constants) {
             let word = begin.at(levels.flops[*register].output);
             let pairs = word.iter().zip(constants);
@@ -130,8 +151,8 @@ impl Known {
         loop {
             let mut gates = Gates::new();
             let mut begin = Begin::any(levels, &mut gates);
-            for index in &self.even {
-                begin.at_mut(levels.inputs()[*index].place)[0] = NO;
+            for (index, bit) in &self.zeros {
+                begin.at_mut(levels.inputs()[*index].place)[*bit as usize] = NO;
             }
             for (flop, constants) in levels.flops.iter().zip(&self.constants) {
                 let bits = begin.at_mut(flop.output).iter_mut();
@@ -139,7 +160,7 @@ impl Known {
                     *bit = constant.map_or(*bit, Bit::of);
                 }
             }
-            let end = begin.clock(levels, &[], &mut gates);
+            let end = begin.clock(levels, &mut gates).end;
             let mut is_done = true;
             for (constants, next) in self.constants.iter_mut().zip(&end.registers) {
                 for (constant, next) in constants.iter_mut().zip(next) {
@@ -175,11 +196,11 @@ impl Known {
             let mut gates = Gates::new();
             let begin = Begin::any(levels, &mut gates);
             let assumed = self.bits(levels, &begin, &registers, &mut gates);
-            let end = begin.clock(levels, &[], &mut gates);
+            let end = begin.clock(levels, &mut gates).end;
             let pairs = self.remainders.iter().copied().filter(|pair| {
                 let words = pair.map(|index| &end.registers[index]);
                 let holds = self.is_remainder(&mut gates, *pair, words);
-                can_be(&gates, !holds, &assumed) == Some(false)
+                can_be(&gates, !holds, &assumed, CONFLICTS) == Some(false)
             });
             let kept: Vec<[usize; 2]> = pairs.collect();
             if kept.len() < self.remainders.len() {
@@ -189,7 +210,7 @@ impl Known {
             self.always_holds = self.holds_at_power_up(levels);
             if !self.always_holds {
                 let state = State::of(levels, &begin);
-                let hold_in_some_state = can_be(&gates, YES, &assumed) == Some(true);
+                let hold_in_some_state = can_be(&gates, YES, &assumed, CONFLICTS) == Some(true);
                 if !hold_in_some_state || !keeps_nothing(&gates, &end, &state, self.latency) {
                     self.remainders.clear();
                 }
@@ -210,14 +231,14 @@ fn initial(levels: &Levels) -> Vec<Vec<Option<bool>>> {
     flops.collect()
 }
 
-/// Bits that are 1 where these inputs are even.
-pub(crate) fn even_inputs(
-    even: &[usize],
+/// Bits that are 1 where these bits of inputs are 0.
+pub(crate) fn zero_inputs(
+    zeros: &[(usize, u32)],
     levels: &Levels,
     begin: &Begin,
 ) -> impl Iterator<Item = Bit> {
-    let even = even.iter();
-    even.map(|index| !bit_of(begin.at(levels.inputs()[*index].place), 0))
+    let zeros = zeros.iter();
+    zeros.map(|(index, bit)| !bit_of(begin.at(levels.inputs()[*index].place), *bit))
 }
 
 fn at_most_twice(gates: &mut Gates, a: &Word, b: &Word) -> Bit {
@@ -234,15 +255,15 @@ fn forgotten(levels: &Levels, begins: &[usize], latency: usize) -> Vec<Vec<bool>
     let registers = levels.flops.iter();
     let registers = registers.map(|flop| begin.at(flop.output).clone());
     let registers: Vec<Word> = registers.collect();
-    let before = begin.clock(levels, &[], &mut gates);
+    let before = begin.clock(levels, &mut gates).end;
     for index in begins {
         *begin.at_mut(levels.inputs()[*index].place) = constant(1);
     }
-    let mut end = begin.clock(levels, &[], &mut gates);
+    let mut end = begin.clock(levels, &mut gates).end;
     let mut kept: Word = end.memories.concat();
     for _ in 1..latency.max(1) {
         begin = begin.after(&end, levels, &mut gates);
-        end = begin.clock(levels, &[], &mut gates);
+        end = begin.clock(levels, &mut gates).end;
         kept.extend(end.memories.iter().flatten());
     }
     kept.extend(end.registers.iter().flatten());

@@ -28,12 +28,13 @@ mod controls;
 mod flow;
 mod frame;
 mod gates;
+mod held;
 mod judge;
 mod known;
 mod sites;
 mod solve;
 
-pub use controls::{Change, Controls, Mutant, Upset};
+pub use controls::{Change, Controls, Key, Mutant, Upset};
 pub use judge::{Judge, Verdict};
 pub use known::{Contract, Known};
 pub use sites::{Site, SiteKind, sites};

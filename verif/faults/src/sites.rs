@@ -1,10 +1,10 @@
 //! Where a circuit can be changed.
 
 use imogene_hdl::{Binary, Design, Direction, Module, Net, Op};
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// A place in a module where something can be changed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Site {
     /// Module, by its place in [`Module::all`] of the top.
     pub module: usize,
@@ -13,7 +13,7 @@ pub struct Site {
 }
 
 /// What can be changed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SiteKind {
     /// The bits of a net.
     Bits(Net),
@@ -29,7 +29,7 @@ pub fn sites(design: &Design) -> Vec<Site> {
     let mut found = vec![];
     for (module, tree) in design.top.all().iter().enumerate() {
         let lives = live(tree);
-        let is_top = Rc::ptr_eq(tree, &design.top);
+        let is_top = Arc::ptr_eq(tree, &design.top);
         let mut add = |kind| found.push(Site { module, kind });
         for (net, node) in tree.nets().filter(|(net, _)| lives[net.0]) {
             let is_other_name = match node.op {

@@ -4,22 +4,22 @@ use crate::gates::{Bit, Gates, NO};
 use batsat::{Callbacks, ClauseKind, Lit, Solver, SolverInterface, SolverOpts, lbool};
 use std::collections::HashMap;
 
-/// Conflicts after which the solver gives up.
+/// Conflicts after which the solver gives up, a tenth of them where the beginning of the work is compared.
 pub const CONFLICTS: u64 = 10_000;
 
 /// Stops the solver: each conflict teaches it a clause.
-#[derive(Default)]
 struct Effort {
-    conflicts: u64,
+    left: u64,
 }
 
 impl Callbacks for Effort {
     fn on_new_clause(&mut self, _: &[Lit], kind: ClauseKind) {
-        self.conflicts += u64::from(kind == ClauseKind::Learnt);
+        let taken = u64::from(kind == ClauseKind::Learnt);
+        self.left = self.left.saturating_sub(taken);
     }
 
     fn stop(&self) -> bool {
-        self.conflicts >= CONFLICTS
+        self.left == 0
     }
 }
 
@@ -30,14 +30,14 @@ struct Clauses<'a> {
     known: HashMap<usize, Lit>,
 }
 
-/// Can a bit be 1 where others are 1? Unknown if the solver gave up.
-pub(crate) fn can_be(gates: &Gates, wanted: Bit, assumed: &[Bit]) -> Option<bool> {
+/// Can a bit be 1 where others are 1? Unknown if the solver gave up, after so many conflicts.
+pub(crate) fn can_be(gates: &Gates, wanted: Bit, assumed: &[Bit], conflicts: u64) -> Option<bool> {
     if wanted == NO {
         return Some(false);
     }
     let mut clauses = Clauses {
         gates,
-        solver: Solver::new(SolverOpts::default(), Effort::default()),
+        solver: Solver::new(SolverOpts::default(), Effort { left: conflicts }),
         known: HashMap::new(),
     };
     for bit in assumed.iter().chain([&wanted]) {

@@ -6,19 +6,33 @@
 
 use super::score::{Fate, Kill, MutationError, MutationReport, Options};
 use super::vectors::{Vectors, vectors};
+use crate::signal::Signal;
 use crate::subject::Subject;
 use imogene_compiled::{Program, Simulation};
-use imogene_faults::{CONFLICTS, Contract, Controls, Judge, Known, Mutant, Upset, Verdict, sites};
+use imogene_faults::{
+    CONFLICTS, Contract, Controls, Judge, Key, Known, Mutant, Site, Upset, Verdict, sites,
+};
 use imogene_hdl::{Design, Levels};
 use rayon::prelude::*;
+use std::collections::HashSet;
+use std::ops::Range;
 use std::sync::Arc;
 use std::time::Instant;
 
 /// Sites of a group: as few as let one compilation serve thousands of mutants, so that they hardly slow it.
 const GROUP: usize = 24;
 
+/// Stimuli before a first look at what is left: a proof of one clock is tried.
+const FIRST: u64 = 150;
+
+/// Stimuli before proofs of many clocks.
+const SECOND: u64 = 3_000;
+
+/// Stimuli between two looks at what is left.
+const BATCH: usize = 600;
+
 /// Inputs that are 1 in the clock with which the work of a unit begins.
-const BEGINS: [&str; 4] = ["pixel", "start", "go", "valid"];
+const BEGINS: [&str; 5] = ["pixel", "start", "go", "valid", "load"];
 
 const DIFFERS: &str = "It differs in some state; no stimulus came to one whose outputs show it";
 
@@ -33,7 +47,8 @@ pub fn count(design: &Design) -> u64 {
     (all.mutants().len() + of_power_up.mutants().len()) as u64
 }
 
-/// Runs every mutant of a unit's circuit on the unit's stimulus, and judges those that nothing killed.
+/// Runs every mutant of a unit's circuit on the unit's stimulus, and judges those that nothing killed; those that differ
+/// in some state run on, as long as there are stimuli.
 ///
 /// `on_done` is called once for each mutant, from any thread.
 pub fn run(
@@ -43,61 +58,209 @@ pub fn run(
     on_done: impl Fn() + Sync,
 ) -> Result<MutationReport, MutationError> {
     let started = Instant::now();
-    let vectors = vectors(subject, options);
     let known = Known::new(design, &contract(subject, design));
     let mut report = MutationReport::new(subject);
-    let mut run = |controls: &Controls, judge: &(dyn Fn(&Mutant) -> Fate + Sync)| {
-        let program = Arc::new(Program::in_lanes(&controls.design, &[]));
-        if let [Some((stimulus, clock))] = kills(&program, &[&[]], &vectors, &|| ())[..] {
-            let unit = subject.name.clone();
-            return Err(MutationError::Baseline(unit, stimulus, clock));
-        }
-        let mutants = controls.mutants();
-        let upsets: Vec<&[Upset]> = mutants.iter().map(|mutant| &mutant.upsets[..]).collect();
-        let kills = kills(&program, &upsets, &vectors, &on_done);
-        let fates = mutants
-            .par_iter()
-            .zip(kills)
-            .map(|(mutant, kill)| match kill {
-                Some(kill) => Fate::Killed(kill),
-                None => {
-                    let fate = judge(mutant);
-                    on_done();
-                    fate
-                }
-            });
-        let fates: Vec<Fate> = fates.collect();
-        for (mutant, fate) in mutants.iter().zip(fates) {
-            report.count(fate, options.clocks, || controls.describe(mutant));
-        }
-        Ok(())
+    let campaign = Campaign {
+        subject,
+        clocks: options.clocks,
+        bare: Arc::new(Program::in_lanes(design, &[])),
+        on_done: &on_done,
     };
-    for group in sites(design).chunks(GROUP) {
-        let controls = Controls::new(design, group);
-        let judge = Judge::new(&controls, &known);
-        run(&controls, &|mutant| match judge.judge(&mutant.upsets) {
-            Verdict::Equivalent => Fate::Equivalent,
-            Verdict::Differs => Fate::Survived(DIFFERS.to_owned()),
-            Verdict::Undecided => Fate::Survived(undecided()),
-        })?;
-    }
-    run(&Controls::of_power_up(design), &|mutant| {
-        let (register, _) = mutant.upsets[0];
-        match known.is_forgotten(register, mutant.bit) {
-            true => Fate::Forgotten,
-            false => Fate::Survived(DIFFERS.to_owned()),
+    let end = options.stimuli;
+    let vectors = campaign.stimuli(0..FIRST.min(end))?;
+    let sites = sites(design);
+    let groups = sites.chunks(GROUP).map(Some).chain([None]);
+    let groups: Vec<Option<&[Site]>> = groups.collect();
+    let first = groups.into_par_iter().map(|sites| {
+        let group = Group::of(design, sites, |_| true);
+        let killed = group.kills(&vectors, &on_done);
+        let judge = sites.map(|_| Judge::new(&group.controls, &known));
+        let fates = group.mutants.par_iter().zip(killed).map(|(mutant, kill)| {
+            let fate = match (kill, &judge) {
+                (Some(kill), _) => return Ok(Fate::Killed(kill)),
+                (None, Some(judge)) if judge.is_soon_same(&mutant.upsets) => Fate::Equivalent,
+                (None, None) if is_forgotten(&known, mutant) => Fate::Forgotten,
+                _ => return Err(group.controls.key(mutant)),
+            };
+            on_done();
+            Ok(fate)
+        });
+        fates.collect::<Vec<_>>()
+    });
+    let first: Vec<Vec<_>> = first.collect();
+    let mut alive = vec![];
+    for fate in first.into_iter().flatten() {
+        match fate {
+            Ok(fate) => report.count(fate, options.clocks, String::new),
+            Err(key) => alive.push(key),
         }
-    })?;
+    }
+    let mut groups = regrouped(design, alive);
+    campaign.kill(&mut groups, FIRST..SECOND.min(end), &mut report)?;
+    campaign.prove(&mut groups, &known, &mut report);
+    campaign.kill(&mut groups, SECOND..end, &mut report)?;
+    for group in groups {
+        for (mutant, reason) in group.mutants.iter().zip(group.reasons) {
+            on_done();
+            let mutant = || group.controls.describe(mutant);
+            report.count(Fate::Survived(reason), options.clocks, mutant);
+        }
+    }
     Ok(report.ended(started))
 }
 
-/// What a unit may rely on, and what the proofs may: the second differences of a PE2 are even; behind a row of a root
-/// stand a remainder and its root.
+/// All mutants of one unit.
+struct Campaign<'a, F> {
+    subject: &'a Subject,
+    clocks: usize,
+    /// The circuit as it is.
+    bare: Arc<Program>,
+    on_done: &'a F,
+}
+
+impl<F: Fn() + Sync> Campaign<'_, F> {
+    /// Stimuli on which the circuit as it is does what the golden model states.
+    fn stimuli(&self, seeds: Range<u64>) -> Result<Vec<Vectors>, MutationError> {
+        let begin = seeds.start as usize;
+        let vectors = vectors(self.subject, self.clocks, seeds);
+        match kills(&self.bare, &[&[]], &vectors, &|| ())[..] {
+            [Some((stimulus, clock))] => {
+                let (unit, stimulus) = (self.subject.name.clone(), begin + stimulus);
+                Err(MutationError::Baseline(unit, stimulus, clock))
+            }
+            _ => Ok(vectors),
+        }
+    }
+
+    /// Drops what these stimuli kill.
+    fn kill(
+        &self,
+        groups: &mut Vec<Group>,
+        seeds: Range<u64>,
+        report: &mut MutationReport,
+    ) -> Result<(), MutationError> {
+        for begin in seeds.clone().step_by(BATCH) {
+            groups.retain(|group| !group.mutants.is_empty());
+            if groups.is_empty() {
+                break;
+            }
+            let vectors = self.stimuli(begin..seeds.end.min(begin + BATCH as u64))?;
+            let kills = groups.par_iter_mut().flat_map_iter(|group| {
+                let kills = group.kills(&vectors, self.on_done);
+                group.keep(|place| kills[place].is_none());
+                kills.into_iter().flatten()
+            });
+            for (stimulus, clock) in kills.collect::<Vec<_>>() {
+                let kill = (begin as usize + stimulus, clock);
+                report.count(Fate::Killed(kill), self.clocks, String::new);
+            }
+        }
+        Ok(())
+    }
+
+    /// Drops what is proven equivalent, and tells of all else what is known of it.
+    fn prove(&self, groups: &mut [Group], known: &Known, report: &mut MutationReport) {
+        let equivalent = groups.par_iter_mut().map(|group| {
+            let judge = group.has_sites.then(|| Judge::new(&group.controls, known));
+            let verdicts = group.mutants.par_iter().map(|mutant| {
+                let judge = judge.as_ref();
+                judge.map_or(Verdict::Differs, |judge| judge.judge(&mutant.upsets))
+            });
+            let verdicts: Vec<Verdict> = verdicts.collect();
+            group.reasons = verdicts.iter().map(|verdict| reason(*verdict)).collect();
+            group.keep(|place| verdicts[place] != Verdict::Equivalent);
+            verdicts.len() - group.mutants.len()
+        });
+        for _ in 0..equivalent.sum() {
+            (self.on_done)();
+            report.count(Fate::Equivalent, self.clocks, String::new);
+        }
+    }
+}
+
+/// What is known of a mutant that no stimulus killed.
+fn reason(verdict: Verdict) -> String {
+    match verdict {
+        Verdict::Undecided => undecided(),
+        _ => DIFFERS.to_owned(),
+    }
+}
+
+fn is_forgotten(known: &Known, mutant: &Mutant) -> bool {
+    let (register, _) = mutant.upsets[0];
+    known.is_forgotten(register, mutant.bit)
+}
+
+/// Mutants that one compilation serves.
+struct Group {
+    controls: Controls,
+    program: Arc<Program>,
+    mutants: Vec<Mutant>,
+    /// Is it of sites, not of what is held at power-up?
+    has_sites: bool,
+    /// Why each survives so far, where that is known.
+    reasons: Vec<String>,
+}
+
+impl Group {
+    /// Of some sites, or of what is held at power-up: the mutants that are wanted.
+    fn of(design: &Design, sites: Option<&[Site]>, wanted: impl Fn(&Key) -> bool) -> Group {
+        let controls = match sites {
+            Some(sites) => Controls::new(design, sites),
+            None => Controls::of_power_up(design),
+        };
+        let mut mutants = controls.mutants();
+        mutants.retain(|mutant| wanted(&controls.key(mutant).1));
+        Group {
+            program: Arc::new(Program::in_lanes(&controls.design, &[])),
+            has_sites: sites.is_some(),
+            controls,
+            mutants,
+            reasons: vec![],
+        }
+    }
+
+    fn kills(&self, vectors: &[Vectors], on_kill: &(impl Fn() + Sync)) -> Vec<Option<Kill>> {
+        let upsets = self.mutants.iter().map(|mutant| &mutant.upsets[..]);
+        let upsets: Vec<&[Upset]> = upsets.collect();
+        kills(&self.program, &upsets, vectors, on_kill)
+    }
+
+    /// Keeps the mutants at some places.
+    fn keep(&mut self, is_kept: impl Fn(usize) -> bool) {
+        let mut places = 0..;
+        self.mutants.retain(|_| places.next().is_some_and(&is_kept));
+        let mut places = 0..;
+        self.reasons.retain(|_| places.next().is_some_and(&is_kept));
+    }
+}
+
+/// The mutants that are left, of many sites each, in groups as before.
+fn regrouped(design: &Design, alive: Vec<(Option<Site>, Key)>) -> Vec<Group> {
+    let (mut sites, keys): (Vec<Option<Site>>, HashSet<Key>) = alive.into_iter().unzip();
+    let mut seen = HashSet::new();
+    sites.retain(|site| seen.insert(*site));
+    let of_power_up = sites.contains(&None).then_some(None);
+    let sites: Vec<Site> = sites.into_iter().flatten().collect();
+    let groups = sites.chunks(GROUP).map(Some).chain(of_power_up);
+    let groups: Vec<Option<&[Site]>> = groups.collect();
+    let groups = groups.into_par_iter();
+    groups
+        .map(|sites| Group::of(design, sites, |key| keys.contains(key)))
+        .collect()
+}
+
+/// What a unit may rely on, and what the proofs may: the second differences of a PE2 are even; a margin is at most half
+/// the depths; behind a row of a root stand a remainder and its root.
 fn contract(subject: &Subject, design: &Design) -> Contract {
-    let inputs = subject.inputs.iter().map(|signal| signal.name.clone());
-    let is_even = |name: &String| {
-        let last = name.rsplit('_').next().unwrap_or_default();
-        last == "a2" || last == "b2"
+    let zero = |signal: &Signal| {
+        let last = signal.name.rsplit('_').next().unwrap_or_default();
+        let bit = match last {
+            "a2" | "b2" => 0,
+            "margin" => signal.width - 1,
+            _ => return None,
+        };
+        Some((signal.name.clone(), bit))
     };
     let points = Levels::of(design).points;
     let remainders = points
@@ -105,11 +268,28 @@ fn contract(subject: &Subject, design: &Design) -> Contract {
         .filter_map(|(path, _)| Some((path, path.strip_suffix(".next_remainder")?)));
     let pairs = remainders.map(|(path, stage)| [path.clone(), format!("{stage}.next_root")]);
     Contract {
-        even: inputs.filter(is_even).collect(),
+        zeros: subject.inputs.iter().filter_map(zero).collect(),
         begins: BEGINS.map(str::to_owned).to_vec(),
+        held: held(subject),
         remainders: pairs.collect(),
         restores: subject.name != "square_root_non_restoring",
-        latency: subject.latency,
+        latency: subject.latency + usize::from(subject.name == "programmable_pe"),
+    }
+}
+
+/// Inputs that do not change while the unit works: the words of a zone, behind the raster of an object or a volume.
+fn held(subject: &Subject) -> Vec<String> {
+    let names: Vec<&str> = subject
+        .inputs
+        .iter()
+        .map(|signal| &signal.name[..])
+        .collect();
+    match names[..] {
+        ["valid", "start", "line", "x", "y", ref words @ ..] => {
+            let words = words.iter().filter(|name| **name != "depth");
+            words.map(|name| (*name).to_owned()).collect()
+        }
+        _ => vec![],
     }
 }
 

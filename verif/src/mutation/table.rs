@@ -31,9 +31,13 @@ stuck at 1 and inverted, each bit of a constant inverted, each operator exchange
 register stuck and inverted, each bit of what it holds at power-up inverted, in every instance. A mutant is *killed*
 when the unit's own stimulus shows a difference from the golden model. It is *equivalent* when it is proven to have the
 outputs and next states of the unit for every input and every state that the unit can come to, or, where the unit keeps
-nothing longer than its latency, the outputs for all inputs of that time: no test could kill it. It is *forgotten* when
-it changes the state at power-up and it is proven that nothing of it is left once the work began and the latency passed.
-The score is the share of the killed among the killed and the surviving.
+nothing longer than its latency, the outputs for all inputs of that time: no test could kill it. The words of an object
+or a volume are held over a zone, and change while nothing is under way; there the clocks of a zone are compared. A
+mutant is *forgotten* when it changes the state at power-up and it is proven that nothing of it is left once the work
+began and the latency passed. The score is the share of the killed among the killed and the surviving.
+
+A mutant runs on up to 20 000 stimuli. Proofs are tried after 150 of them, over one clock, and after 3 000, over the
+latency. The solver gives up after 10 000 conflicts, and a mutant of which it knows nothing survives.
 
 A score below 100 % says that the stimulus is too weak, that the unit's contract leaves an input open, or that the
 proof needs to know more of the states that are never reached.

@@ -1,8 +1,9 @@
 //! The stimuli of a unit, and what its golden model states of them.
 
-use super::score::{Kill, Options};
+use super::score::Kill;
 use crate::subject::Subject;
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// One stimulus and what the golden model states of it, as words on the ports.
 pub(super) struct Vectors {
@@ -10,11 +11,11 @@ pub(super) struct Vectors {
     expected: Vec<Vec<Option<u64>>>,
 }
 
-/// The stimuli of a unit.
-pub(super) fn vectors(subject: &Subject, options: &Options) -> Vec<Vectors> {
-    let seeds = (0..options.stimuli).into_par_iter();
+/// The stimuli of a unit of these seeds.
+pub(super) fn vectors(subject: &Subject, clocks: usize, seeds: Range<u64>) -> Vec<Vectors> {
+    let seeds = seeds.into_par_iter();
     seeds
-        .map(|seed| Vectors::new(subject, options.clocks, seed))
+        .map(|seed| Vectors::new(subject, clocks, seed))
         .collect()
 }
 

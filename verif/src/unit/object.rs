@@ -2,7 +2,7 @@
 //! branch.
 
 use super::description::Description;
-use super::zone::{Likely, Reader, WORDS, even_differences, held, planned, zone};
+use super::zone::{Likely, Reader, even_differences, planned, zone};
 use crate::signal::Signal;
 use crate::stimulus::word;
 use crate::subject::{Inputs, Subject};
@@ -167,20 +167,14 @@ pub(super) fn quadric_processor(
     rows_per_stage: usize,
 ) -> Description {
     let latency = quadric::latency(&format, planes, rows_per_stage as u32);
-    object(quadrics, format, latency, move |reader| {
+    let plan = planned(&[
+        ("f1_", Likely::Depth(0)),
+        ("f2_", Likely::Conic),
+        ("plane_", Likely::Depth(0)),
+    ]);
+    object(plan, format, latency, move |reader| {
         ProcessorWords::Quadric(reader.quadric_processor(planes))
     })
-}
-
-/// Full-range words, or a plausible object whose depths, silhouette and planes meet on the zone.
-fn quadrics(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
-    let ports = &subject.inputs[WORDS..];
-    let any_words: Vec<_> = ports.iter().map(word).collect();
-    let any_words = even_differences(ports, any_words.boxed());
-    held(
-        prop_oneof![1 => any_words, 4 => plausible(ports)].boxed(),
-        clocks,
-    )
 }
 
 /// Words of an object about the middle of a small zone: depths of a few thousand units, planes through them.

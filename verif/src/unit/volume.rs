@@ -71,9 +71,9 @@ fn points(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     ];
     let words = planes_any_kind(words(&subject.inputs, width, &plan), subject);
     let near = 12_000i64.min((1 << (width - 1)) - 1);
-    let point = prop_oneof![4 => -near..near, 1 => depth(width)];
+    let point = prop_oneof![3 => -near..near, 2 => -12i64..12, 1 => depth(width)];
     (
-        held(words, clocks),
+        held(&subject.inputs, words, clocks),
         proptest::collection::vec(point, clocks),
     )
         .prop_map(move |(mut list, points)| {

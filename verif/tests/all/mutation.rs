@@ -126,11 +126,18 @@ fn no_mutant_of_an_arithmetic_circuit_survives() {
         "card_decider",
         "csg_decider",
     ];
-    for (name, width) in names.into_iter().flat_map(|name| [(name, 16), (name, 24)]) {
+    let processors = ["facet_processor", "sphere_processor", "polyhedral_volume"];
+    let processors = processors.map(|name| (name, 16));
+    let of_both_widths = names.into_iter().flat_map(|name| [(name, 16), (name, 24)]);
+    let options = Options {
+        stimuli: 20_000,
+        ..Options::default()
+    };
+    for (name, width) in of_both_widths.chain(processors) {
         let request = Request::given(name, width, &[]).expect("a unit of the catalogue");
         let subject = subject(&request).expect("its defaults are legal");
         let design = design(&request).expect("a legal request");
-        let report = circuit::run(&subject, &design, &Options::default(), || ());
+        let report = circuit::run(&subject, &design, &options, || ());
         let report = report.unwrap_or_else(|error| panic!("{error}"));
         assert_eq!(report.mutants as u64, circuit::count(&design), "{name}");
         assert!(report.mutants > 500 && report.killed > 400, "{name}");

@@ -5,7 +5,7 @@ use crate::build::Design;
 use crate::scope::{described, refuse};
 use crate::tree::{Binary, Direction, Module, Net, Op, PortRecord, in_order};
 use crate::value::mask;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// A port of the design's top module, or a point inside, by its place in a simulator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -114,7 +114,7 @@ struct Flat {
     /// Words that are the same as others.
     copies: Vec<(u32, u32)>,
     /// The net that each operation writes, for messages.
-    described: Vec<(Rc<Module>, Net)>,
+    described: Vec<(Arc<Module>, Net)>,
     points: Vec<(String, Port)>,
 }
 
@@ -126,7 +126,7 @@ impl Flat {
 
     /// Adds a module whose inputs are these words, and gives those of its outputs; `path` stands before the names
     /// inside.
-    fn place(&mut self, module: &Rc<Module>, path: &str, inputs: &[u32]) -> Vec<u32> {
+    fn place(&mut self, module: &Arc<Module>, path: &str, inputs: &[u32]) -> Vec<u32> {
         // Words first, so that operations may refer forward.
         let mut places = vec![u32::MAX; module.nodes.len()];
         for (port, place) in module.ports_of(Direction::In).zip(inputs) {
@@ -205,7 +205,7 @@ impl Flat {
         }
     }
 
-    fn operation(&mut self, module: &Rc<Module>, net: Net, op: &Op, at: &impl Fn(Net) -> u32) {
+    fn operation(&mut self, module: &Arc<Module>, net: Net, op: &Op, at: &impl Fn(Net) -> u32) {
         let to = at(net);
         let front = |net: &Net| 64 - module.node(*net).width;
         let is_signed = |net: &Net| module.node(*net).signed;
@@ -244,7 +244,7 @@ impl Flat {
     }
 
     /// Parts one behind the other, two by two; all but the last pair need a word between.
-    fn join(&mut self, module: &Rc<Module>, net: Net, parts: &[Net], at: &impl Fn(Net) -> u32) {
+    fn join(&mut self, module: &Arc<Module>, net: Net, parts: &[Net], at: &impl Fn(Net) -> u32) {
         let mut above = at(parts[0]);
         for (index, part) in parts.iter().enumerate().skip(1) {
             let to = (index + 1 == parts.len()).then(|| at(net));
@@ -259,7 +259,7 @@ impl Flat {
     /// Adds an operation, one of those that a net needs, and gives the word that it writes: without `to` a new one.
     fn push(
         &mut self,
-        module: &Rc<Module>,
+        module: &Arc<Module>,
         net: Net,
         kind: Kind,
         operands: &[u32],

@@ -7,7 +7,7 @@
 use super::name::Name;
 use crate::tree::{Direction, Instance, Module, Net, Op};
 use std::ops::Range;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// Fewer equal instances are written one by one.
 const LEAST: usize = 2;
@@ -41,7 +41,7 @@ pub(super) fn of(module: &Module) -> Vec<Row> {
             let rest = module.instances[first..].iter().enumerate();
             let same = |(k, other): &(usize, &Instance)| {
                 base_of(other, *k) == Some(base)
-                    && Rc::ptr_eq(&other.module, &module.instances[first].module)
+                    && Arc::ptr_eq(&other.module, &module.instances[first].module)
             };
             rest.take_while(same).count()
         });

@@ -1,7 +1,7 @@
 //! Mutants of small circuits against what they must do, written by hand, and against what a proof says of them.
 
 use imogene_compiled::{Program, Simulation};
-use imogene_faults::{Change, Contract, Controls, Judge, Known, Mutant, Verdict, sites};
+use imogene_faults::{Change, Contract, Controls, Judge, Known, Mutant, Upset, Verdict, sites};
 use imogene_hdl::{Bits, Design, Value, module, net};
 use std::sync::Arc;
 
@@ -167,5 +167,83 @@ fn no_mutant_of_a_counter_that_shows_is_called_equivalent() {
     for mutant in controls.mutants() {
         let text = controls.describe(&mutant);
         assert_eq!(judge.judge(&mutant.upsets), Verdict::Differs, "{text}");
+    }
+}
+
+/// Keeps the word of the clock with `start`, and gives it a clock later beside a flag.
+fn keeper() -> Design {
+    Design::of(|| {
+        let inputs = (("start", Bits::input(1)), ("word", Bits::input(2)));
+        module("keeper", "top", inputs, |(start, word)| {
+            net! { let kept = word.reg_when(start); }
+            (("is_first", start.reg().reg()), ("y", kept.reg()))
+        });
+    })
+}
+
+fn verdicts(held: &[&str]) -> Vec<(String, Mutant, Verdict)> {
+    let design = keeper();
+    let contract = Contract {
+        begins: vec!["start".to_owned()],
+        held: held.iter().map(|name| (*name).to_owned()).collect(),
+        latency: 2,
+        ..Contract::default()
+    };
+    let controls = Controls::new(&design, &sites(&design));
+    let judge = Judge::new(&controls, &Known::new(&design, &contract));
+    let mutants = controls.mutants().into_iter().map(|mutant| {
+        let verdict = judge.judge(&mutant.upsets);
+        (controls.describe(&mutant), mutant, verdict)
+    });
+    mutants.collect()
+}
+
+/// Zones of five clocks with a word each, which changes while nothing is under way: what comes out from the second clock
+/// of the first zone on.
+fn zones(upsets: &[Upset]) -> Vec<u64> {
+    let design = keeper();
+    let controls = Controls::new(&design, &sites(&design));
+    let program = Arc::new(Program::new(&controls.design, &[]));
+    let mut simulation = Simulation::new(&program);
+    for (register, word) in upsets {
+        simulation.upset(0, *register, *word);
+    }
+    let words = [1, 2, 0, 3, 1, 0, 2, 3];
+    let clocks = words
+        .iter()
+        .flat_map(|word| [1, 0, 0, 0, 0].map(|start| [start, *word]));
+    let outputs = clocks.map(|inputs| {
+        simulation.set_all(inputs);
+        simulation.clock();
+        simulation.outputs()[..2].to_vec()
+    });
+    let outputs: Vec<Vec<u64>> = outputs.collect();
+    // While the next word is already there and the last result is not yet out, nothing is asked.
+    let asked = outputs.iter().enumerate().skip(1);
+    let asked = asked.filter(|(clock, _)| clock % 5 != 0);
+    asked.flat_map(|(_, output)| output.clone()).collect()
+}
+
+#[test]
+fn what_is_equivalent_where_words_are_held_shows_in_no_zone() {
+    let verdicts = verdicts(&["word"]);
+    let good = zones(&[]);
+    let mut equivalent = vec![];
+    for (text, mutant, verdict) in verdicts {
+        if verdict == Verdict::Equivalent {
+            assert_eq!(zones(&mutant.upsets), good, "{text}");
+            equivalent.push(text);
+        } else {
+            assert_ne!(zones(&mutant.upsets), good, "{text}");
+        }
+    }
+    let is_load = |text: &String| text.starts_with("kept enable stuck at 1");
+    assert!(equivalent.iter().any(is_load), "{equivalent:?}");
+}
+
+#[test]
+fn no_mutant_is_equivalent_because_of_words_that_may_change() {
+    for (text, _, verdict) in verdicts(&[]) {
+        assert_eq!(verdict, Verdict::Differs, "{text}");
     }
 }

@@ -27,7 +27,7 @@ pub(super) fn run(
         inputs: &inputs,
         outputs: &subject.outputs,
     })?;
-    let vectors = vectors(subject, options);
+    let vectors = vectors(subject, options.clocks, 0..options.stimuli);
     let first = |mutant: usize| {
         first_difference(&vectors, || {
             let mut unit = model.instance();

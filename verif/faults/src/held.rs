@@ -1,0 +1,118 @@
+//! What the registers of a circuit hold while it works, of inputs that are held so long and of constants.
+
+use crate::flow::Unrolled;
+use crate::frame::{Begin, Word};
+use crate::gates::{Bit, Gates, NO};
+use imogene_hdl::Levels;
+use std::collections::HashMap;
+
+/// What bits of registers are once the latency passed after the beginning, whatever was before, and stay while the
+/// circuit works. Registers are counted without controls.
+#[derive(Clone, Default)]
+pub(crate) struct Held {
+    /// Inputs that are 1 in the clock with which the work begins.
+    pub(crate) begins: Vec<usize>,
+    /// Inputs that do not change between two such clocks.
+    pub(crate) inputs: Vec<usize>,
+    /// Register and bit, and what it is.
+    bits: Vec<(usize, usize, Source)>,
+}
+
+#[derive(Clone, Copy)]
+enum Source {
+    Constant(Bit),
+    /// A bit of an input, or its inverse.
+    Input(usize, usize, bool),
+}
+
+impl Held {
+    /// Of a design without controls.
+    pub(crate) fn of(
+        levels: &Levels,
+        begins: Vec<usize>,
+        inputs: Vec<usize>,
+        latency: usize,
+    ) -> Held {
+        let mut held = Held {
+            begins,
+            inputs,
+            bits: vec![],
+        };
+        let mut gates = Gates::new();
+        let any = Begin::any(levels, &mut gates);
+        let Some(flow) = Unrolled::from_start(levels, &gates, &any, &held, latency) else {
+            return held;
+        };
+        let sources = held.sources(levels, flow.begin(latency));
+        for (register, word) in flow.end().registers.iter().enumerate() {
+            for (place, bit) in word.iter().enumerate() {
+                if let Some(source) = source(&sources, *bit) {
+                    held.bits.push((register, place, source));
+                }
+            }
+        }
+        let registers: Vec<usize> = (0..levels.flops.len()).collect();
+        loop {
+            let work = held.work(levels, any.clone(), &registers);
+            let work = work.clock(levels, &mut gates);
+            let count = held.bits.len();
+            held.bits.retain(|(register, place, source)| {
+                work.end.registers[*register].get(*place) == Some(&source.bit(levels, &any))
+            });
+            if held.bits.len() == count {
+                return held;
+            }
+        }
+    }
+
+    /// Which bit of an input each gate is, of those that are held.
+    fn sources(&self, levels: &Levels, any: &Begin) -> HashMap<usize, (usize, usize)> {
+        let inputs = self.inputs.iter().flat_map(|input| {
+            let word: &Word = any.at(levels.inputs()[*input].place);
+            let bits = word.iter().enumerate();
+            bits.map(|(place, bit)| (bit.gate(), (*input, place)))
+        });
+        inputs.collect()
+    }
+
+    /// Holds the inputs of a clock in another.
+    pub(crate) fn hold(&self, levels: &Levels, first: &Begin, begin: &mut Begin) {
+        for input in &self.inputs {
+            let place = levels.inputs()[*input].place;
+            *begin.at_mut(place) = first.at(place).clone();
+        }
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.bits.is_empty()
+    }
+
+    /// What a clock of the work begins with, of a design with controls beside these registers.
+    pub(crate) fn work(&self, levels: &Levels, mut begin: Begin, registers: &[usize]) -> Begin {
+        for (register, place, source) in &self.bits {
+            let bit = source.bit(levels, &begin);
+            begin.at_mut(levels.flops[registers[*register]].output)[*place] = bit;
+        }
+        begin
+    }
+}
+
+fn source(sources: &HashMap<usize, (usize, usize)>, bit: Bit) -> Option<Source> {
+    if bit.gate() == NO.gate() {
+        return Some(Source::Constant(bit));
+    }
+    let (input, place) = sources.get(&bit.gate())?;
+    Some(Source::Input(*input, *place, bit.is_inverted()))
+}
+
+impl Source {
+    fn bit(self, levels: &Levels, begin: &Begin) -> Bit {
+        match self {
+            Source::Constant(bit) => bit,
+            Source::Input(input, place, is_inverted) => {
+                let bit = begin.at(levels.inputs()[input].place)[place];
+                if is_inverted { !bit } else { bit }
+            }
+        }
+    }
+}
