@@ -25,6 +25,7 @@
 //! ```
 
 mod controls;
+mod exchange;
 mod flow;
 mod frame;
 mod gates;

@@ -5,6 +5,7 @@ mod depth;
 mod description;
 mod elementary;
 mod lighting;
+mod likely;
 mod machine;
 mod memory;
 mod normal;

@@ -2,7 +2,8 @@
 //! branch.
 
 use super::description::Description;
-use super::zone::{Likely, Reader, even_differences, planned, zone};
+use super::likely::{Likely, even_differences, planned};
+use super::zone::{Reader, zone};
 use crate::signal::Signal;
 use crate::stimulus::word;
 use crate::subject::{Inputs, Subject};

@@ -1,7 +1,8 @@
 //! The shadow and light volumes.
 
 use super::description::Description;
-use super::zone::{Likely, Reader, WORDS, held, planes_any_kind, words, zone};
+use super::likely::{Likely, held, planes_any_kind, words};
+use super::zone::{Reader, WORDS, zone};
 use crate::stimulus::depth;
 use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
