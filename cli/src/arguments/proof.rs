@@ -31,7 +31,7 @@ pub struct Mutate {
     /// circuit; `all` are ten units.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub netlist: Option<u32>,
-    /// Stimuli that a mutant is run on at most: a proof is tried after 150 of them. [default: 20000, with --netlist 150]
+    /// Stimuli that a mutant is run on at most; a proof is tried after 150. [default: 20000, with --netlist 150]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     pub stimuli: Option<u64>,
     /// Clocks of each of them, about; the raster of a screen runs over two frames at least.

@@ -78,7 +78,8 @@ pub(crate) fn keeps_nothing(
 }
 
 impl Unrolled {
-    /// So many clocks; nothing if that is too large. `fix` fixes inputs of a clock, by its number and the clocks before.
+    /// So many clocks; nothing if that is too large. `fix` fixes inputs of a clock, by its number and the clocks
+    /// before.
     fn new(
         levels: &Levels,
         gates: &Gates,
@@ -116,8 +117,8 @@ impl Unrolled {
         Unrolled::new(levels, gates, begin, latency + 1, |_, _, _| ())
     }
 
-    /// Over its latency, from the clock on with which the work begins, while inputs are held. Before it, as long, nothing
-    /// was under way.
+    /// Over its latency, from the clock on with which the work begins, while inputs are held. Before it, as long,
+    /// nothing was under way.
     pub(crate) fn from_start(
         levels: &Levels,
         gates: &Gates,

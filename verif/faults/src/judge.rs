@@ -2,8 +2,9 @@
 //!
 //! Circuit and mutant begin a clock in the same state with the same inputs. If outputs and next states are then equal
 //! for every beginning that the circuit can come to, they are equal for ever. Only state that can reach an output
-//! counts. Where they differ in a circuit that keeps nothing, what comes out after the latency is compared. Where inputs
-//! are held while a circuit works that forgets all else when the work begins, the clocks of the work are compared alone.
+//! counts. Where they differ in a circuit that keeps nothing, what comes out after the latency is compared. Where
+//! inputs are held while a circuit works that forgets all else when the work begins, the clocks of the work are
+//! compared alone.
 
 use crate::controls::{Controls, Upset};
 use crate::flow::{State, Unrolled, keeps_nothing};
@@ -169,8 +170,8 @@ impl Judge {
         equality(pairs, &zeros, &mut gates, CONFLICTS / 10) == Verdict::Equivalent
     }
 
-    /// The outputs from the beginning of the work on: before the first result nothing counts but the first output, which
-    /// tells that there is none.
+    /// The outputs from the beginning of the work on: before the first result nothing counts but the first output,
+    /// which tells that there is none.
     fn results<'a>(&self, ends: &'a [[End; 2]]) -> impl Iterator<Item = (Bit, Bit)> + use<'a> {
         let latency = self.latency;
         let from_start = ends.iter().skip(latency).enumerate();

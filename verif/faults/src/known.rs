@@ -247,8 +247,8 @@ fn at_most_twice(gates: &mut Gates, a: &Word, b: &Word) -> Bit {
     !less(gates, &twice, a, width)
 }
 
-/// Bits of registers that are forgotten: two circuits that differ in them alone differ in no others before a clock with
-/// these inputs at 1, and in none once the latency passed after it.
+/// Bits of registers that are forgotten: two circuits that differ in them alone differ in no others before a clock
+/// with these inputs at 1, and in none once the latency passed after it.
 fn forgotten(levels: &Levels, begins: &[usize], latency: usize) -> Vec<Vec<bool>> {
     let mut gates = Gates::new();
     let mut begin = Begin::any(levels, &mut gates);

@@ -1,5 +1,5 @@
-//! Every mutant of the circuit itself: each bit of each net stuck or inverted, each operator exchanged, each enable and
-//! each initial value of a register changed, in every instance.
+//! Every mutant of the circuit itself: each bit of each net stuck or inverted, each operator exchanged, each enable
+//! and each initial value of a register changed, in every instance.
 //!
 //! Sites are compiled in groups into one program of the built-in engine; a mutant is an upset of it. What no stimulus
 //! kills goes to the solver.
@@ -47,8 +47,8 @@ pub fn count(design: &Design) -> u64 {
     (all.mutants().len() + of_power_up.mutants().len()) as u64
 }
 
-/// Runs every mutant of a unit's circuit on the unit's stimulus, and judges those that nothing killed; those that differ
-/// in some state run on, as long as there are stimuli.
+/// Runs every mutant of a unit's circuit on the unit's stimulus, and judges those that nothing killed; those that
+/// differ in some state run on, as long as there are stimuli.
 ///
 /// `on_done` is called once for each mutant, from any thread.
 pub fn run(
@@ -250,8 +250,8 @@ fn regrouped(design: &Design, alive: Vec<(Option<Site>, Key)>) -> Vec<Group> {
         .collect()
 }
 
-/// What a unit may rely on, and what the proofs may: the second differences of a PE2 are even; a margin is at most half
-/// the depths; behind a row of a root stand a remainder and its root.
+/// What a unit may rely on, and what the proofs may: the second differences of a PE2 are even; a margin is at most
+/// half the depths; behind a row of a root stand a remainder and its root.
 fn contract(subject: &Subject, design: &Design) -> Contract {
     let zero = |signal: &Signal| {
         let last = signal.name.rsplit('_').next().unwrap_or_default();

@@ -1,5 +1,5 @@
-//! Mutation scores: every mutant of a unit's circuit, and of its netlist, is killed by the unit's stimulus or proven to
-//! change nothing. Those of the netlist need the packages 'yosys', 'verilator' and 'g++' and fail without them: all
+//! Mutation scores: every mutant of a unit's circuit, and of its netlist, is killed by the unit's stimulus or proven
+//! to change nothing. Those of the netlist need the packages 'yosys', 'verilator' and 'g++' and fail without them: all
 //! units of the published table under `IMOGENE_FULL=1`, the cut plane otherwise.
 
 use imogene_contract::Request;

@@ -198,8 +198,8 @@ fn verdicts(held: &[&str]) -> Vec<(String, Mutant, Verdict)> {
     mutants.collect()
 }
 
-/// Zones of five clocks with a word each, which changes while nothing is under way: what comes out from the second clock
-/// of the first zone on.
+/// Zones of five clocks with a word each, which changes while nothing is under way: what comes out from the second
+/// clock of the first zone on.
 fn zones(upsets: &[Upset]) -> Vec<u64> {
     let design = keeper();
     let controls = Controls::new(&design, &sites(&design));
