@@ -77,8 +77,8 @@ impl Known {
         known.drop_unproven(&levels);
         let begins: Vec<usize> = contract.begins.iter().filter_map(place).collect();
         known.forgotten = forgotten(&levels, &begins, contract.latency);
-        if known.forgets_all() && levels.stores.is_empty() {
-            let inputs: Vec<usize> = contract.held.iter().filter_map(place).collect();
+        let inputs: Vec<usize> = contract.held.iter().filter_map(place).collect();
+        if !inputs.is_empty() && levels.stores.is_empty() && known.forgets_all() {
             known.held = Held::of(&levels, begins, inputs, contract.latency);
         }
         known
