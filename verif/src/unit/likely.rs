@@ -278,7 +278,7 @@ fn one(port: &Signal, likely: Likely, depth_word: u32) -> BoxedStrategy<i64> {
             "c" => spread(1 << 16, 0),
             "i0" | "p0" => spread(1 << 22, 0),
             "f" => {
-                let longest = (0..1i64 << (port.width - 1)).boxed();
+                let longest = (0..1i64 << (port.width - 1).min(62)).boxed();
                 prop_oneof![3 => -(1i64 << 25)..1 << 27, 1 => longest].boxed()
             }
             _ => (-(1i64 << 25)..1 << 27).boxed(),
