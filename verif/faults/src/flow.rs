@@ -1,7 +1,8 @@
-//! Circuits that keep nothing: what comes out depends on the inputs of the last clocks alone, as many as the latency.
+//! A circuit over several clocks, in which circuit and mutant begin in the same state, which may be any, and take the
+//! same inputs.
 //!
-//! Circuit and mutant begin in the same state, which may be any, and take the same inputs over the latency. If what
-//! then comes out is equal, and both keep nothing, it is equal for ever.
+//! Of circuits that keep nothing, what comes out depends on the inputs of the last clocks alone, as many as the
+//! latency. If it is equal over these, it is equal for ever.
 
 use crate::controls::Upset;
 use crate::frame::{Begin, End, Frame, constant, upset};

@@ -22,17 +22,17 @@ use std::time::Instant;
 /// Sites of a group: as few as let one compilation serve thousands of mutants, so that they hardly slow it.
 const GROUP: usize = 24;
 
-/// Stimuli before a first look at what is left: a proof of one clock is tried.
+/// Stimuli before the first proofs.
 const FIRST: u64 = 150;
 
-/// Stimuli before proofs of many clocks.
+/// Stimuli before the proofs of words that are held.
 const SECOND: u64 = 3_000;
 
 /// Stimuli between two looks at what is left.
 const BATCH: usize = 600;
 
 /// Inputs that are 1 in the clock with which the work of a unit begins.
-const BEGINS: [&str; 5] = ["pixel", "start", "go", "valid", "load"];
+const BEGINS: [&str; 4] = ["pixel", "start", "go", "valid"];
 
 const DIFFERS: &str = "It differs in some state; no stimulus came to one whose outputs show it";
 

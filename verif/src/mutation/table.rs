@@ -36,8 +36,8 @@ or a volume are held over a zone, and change while nothing is under way; there t
 mutant is *forgotten* when it changes the state at power-up and it is proven that nothing of it is left once the work
 began and the latency passed. The score is the share of the killed among the killed and the surviving.
 
-A mutant runs on up to 20 000 stimuli. Proofs are tried after 150 of them, over one clock, and after 3 000, over the
-latency. The solver gives up after 10 000 conflicts, and a mutant of which it knows nothing survives.
+A mutant runs on up to 20 000 stimuli. Proofs are tried after 150 of them, those of the words of a zone after 3 000. The
+solver gives up after 10 000 conflicts, or earlier, and a mutant of which it knows nothing survives.
 
 A score below 100 % says that the stimulus is too weak, that the unit's contract leaves an input open, or that the
 proof needs to know more of the states that are never reached.

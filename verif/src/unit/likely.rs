@@ -248,6 +248,7 @@ pub(super) fn planes_any_kind(
         .boxed()
 }
 
+/// A word that `likely` says of its polynomial.
 fn one(port: &Signal, likely: Likely, depth_word: u32) -> BoxedStrategy<i64> {
     let far = far_end(depth_word);
     let part = part(port);
@@ -277,11 +278,10 @@ fn one(port: &Signal, likely: Likely, depth_word: u32) -> BoxedStrategy<i64> {
             "a2" | "b2" => spread(1 << 18, 0),
             "c" => spread(1 << 16, 0),
             "i0" | "p0" => spread(1 << 22, 0),
-            "f" => {
-                let longest = (0..1i64 << (port.width - 1).min(62)).boxed();
-                prop_oneof![3 => -(1i64 << 25)..1 << 27, 1 => longest].boxed()
+            _ => {
+                let positive = 0..1i64 << (port.width - 1).min(62);
+                prop_oneof![3 => -(1i64 << 25)..1 << 27, 1 => positive].boxed()
             }
-            _ => (-(1i64 << 25)..1 << 27).boxed(),
         },
     }
 }
@@ -305,10 +305,12 @@ fn near_an_end(most: i64, far: i64, guard: u32) -> BoxedStrategy<i64> {
         1 => about(-far, most),
         1 => about(0, 2 * far),
     ];
-    // About a unit, or half of one.
-    let part = if guard == 0 { 0 } else { 1 << (guard - 1) };
-    let low = if guard == 0 { 0 } else { 1i64 };
-    let rest = prop_oneof![2 => Just(0), 1 => -low..=low, 1 => part - low..=part + low];
+    // About a unit, or half of one: what rounding decides.
+    let (half, step) = match guard {
+        0 => (0, 0),
+        _ => (1i64 << (guard - 1), 1),
+    };
+    let rest = prop_oneof![2 => Just(0), 1 => -step..=step, 1 => half - step..=half + step];
     (depth, rest)
         .prop_map(move |(v, rest)| (v << guard) + rest)
         .boxed()
