@@ -41,14 +41,27 @@ impl Machine {
         self.given[place] = self.design.inputs[place].bits(value);
     }
 
-    /// An output after the last clock; `None` where the engine shows an undefined bit.
+    /// Place of an output, for [`Machine::at`].
+    ///
+    /// # Panics
+    ///
+    /// When there is no such port.
+    pub fn output(&self, port: &str) -> usize {
+        place(&self.design.outputs, port)
+    }
+
+    /// The output at a place after the last clock; `None` where the engine shows an undefined bit.
+    pub fn at(&self, place: usize) -> Option<i64> {
+        self.found[place].map(|bits| self.design.outputs[place].value(bits))
+    }
+
+    /// An output by its name.
     ///
     /// # Panics
     ///
     /// When there is no such port.
     pub fn get(&self, port: &str) -> Option<i64> {
-        let place = place(&self.design.outputs, port);
-        self.found[place].map(|bits| self.design.outputs[place].value(bits))
+        self.at(self.output(port))
     }
 
     /// True if an output of one bit is 1.

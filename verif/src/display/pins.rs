@@ -31,6 +31,8 @@ pub fn run(
     let mut hardware = Machine::start(&request, options.engine)?;
     let started = Instant::now();
     let mut run = Run {
+        places: PINS.map(|pin| hardware.output(pin)),
+        swapped: hardware.output("swapped"),
         golden: VideoTiming::new(mode, 0),
         late: Delay::new(behind),
         width: mode.line.active as usize,
@@ -52,7 +54,9 @@ pub fn run(
     let mut seen_last = 0;
     let limit = host.limit(mode.clocks(), options.frames);
     while seen_last < options.frames && hardware.clocks < limit {
-        plane = write_plane(&mut hardware, plane, options.overlay);
+        if options.overlay.is_some() {
+            plane = write_plane(&mut hardware, plane, options.overlay);
+        }
         host.offer(&mut hardware, is_beam, &mut run.outcome);
         hardware.clock();
         run.see_swap(&hardware, &host);
@@ -88,7 +92,13 @@ fn write_plane<'a>(
     rest
 }
 
+/// What a screen is given.
+const PINS: [&str; 6] = ["red", "green", "blue", "hsync", "vsync", "de"];
+
 struct Run<'a> {
+    /// Places of [`PINS`] among the outputs, and of `swapped`.
+    places: [usize; PINS.len()],
+    swapped: usize,
     golden: VideoTiming,
     late: Delay<(Shown, bool, bool)>,
     width: usize,
@@ -105,7 +115,7 @@ struct Run<'a> {
 
 impl Run<'_> {
     fn see_swap(&mut self, hardware: &Machine, host: &Host) {
-        if hardware.is_set("swapped") {
+        if hardware.at(self.swapped) == Some(1) {
             let next = self.next.map_or(0, |image| image + 1);
             self.next = Some(next);
             if let Some(began) = host.began(next) {
@@ -136,27 +146,26 @@ impl Run<'_> {
             (true, None) => i64::from(expected[at + channel]),
             (false, _) => 0,
         };
-        let pins = [
-            ("hsync", hsync.into()),
-            ("vsync", vsync.into()),
-            ("de", shown.active.into()),
-            ("red", colour(0)),
-            ("green", colour(1)),
-            ("blue", colour(2)),
+        let wanted = [
+            colour(0),
+            colour(1),
+            colour(2),
+            hsync.into(),
+            vsync.into(),
+            shown.active.into(),
         ];
-        for (pin, golden) in pins {
-            let pixel = shown.active.then_some((shown.x.into(), shown.y.into()));
-            let (clock, found) = (hardware.clocks, hardware.get(pin));
-            let report = &mut self.outcome.report;
-            report.compare(clock, pixel, pin, found, golden);
+        let found = self.places.map(|place| hardware.at(place));
+        let pixel = shown.active.then_some((shown.x.into(), shown.y.into()));
+        let report = &mut self.outcome.report;
+        for ((pin, found), golden) in PINS.iter().zip(found).zip(wanted) {
+            report.compare(hardware.clocks, pixel, pin, found, golden);
         }
-        if !hardware.is_set("de") {
+        let [red, green, blue, _, _, Some(1)] = found else {
             return false;
-        }
-        self.outcome.report.pixels += 1;
-        for pin in ["red", "green", "blue"] {
-            self.frame.push(hardware.get(pin).unwrap_or(0) as u8);
-        }
+        };
+        report.pixels += 1;
+        let levels = [red, green, blue].map(|level| level.unwrap_or(0) as u8);
+        self.frame.extend(levels);
         let is_whole = self.frame.len() == self.black.len();
         if is_whole {
             self.outcome.picture = std::mem::take(&mut self.frame);
