@@ -19,7 +19,7 @@ mod unit;
 pub use accuracy::{Bounds, Evaluate, Shading, Sweep};
 use clap::{Parser, Subcommand};
 pub use cosim::{Cosim, Speed};
-pub use fit::{Fit, FitEngine};
+pub use fit::{Fit, MACHINE_FILE};
 pub use frames::FrameRange;
 pub use help::{GROUPS, Group, command};
 pub use import::{Deviation, Import, Terrain};

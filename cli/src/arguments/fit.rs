@@ -1,10 +1,13 @@
 //! Arguments of `fit`.
 
-use super::parse::{Choices, choice};
+use super::parse::{Choices, choice, name};
 use super::scene::size;
 use super::{Size, parse};
 use clap::Args;
+use imogene_plan::description::MachineKind;
 use imogene_studies::fit::budget::{Budget, CountLimit, DepthLimit};
+use imogene_studies::fit::frames::Frames;
+use imogene_studies::fit::machine::{Pace, Wishes};
 use imogene_verif::engine::Engine;
 use imogene_verif::engine::design::Simulator;
 use std::path::PathBuf;
@@ -37,6 +40,15 @@ pub struct Fit {
     /// Greatest angle of a normal in degrees, where picture and truth show the same face.
     #[arg(long, value_name = "DEGREES", value_parser = at_least_zero)]
     pub max_normal_error: Option<f64>,
+    /// Which machine; if not given, a beam machine for up to 16 processors, and a zone machine for more.
+    #[arg(long, value_parser = choice(MACHINES))]
+    pub machine: Option<MachineKind>,
+    /// Frames per second that the machine must reach, at the clock of --min-mhz or at 50 MHz.
+    #[arg(long, value_name = "F", value_parser = at_least_zero)]
+    pub min_fps: Option<f64>,
+    /// Leave out synthesis: no costs, and the machine that should be smallest is taken.
+    #[arg(long, conflicts_with_all = ["clock", "min_mhz"])]
+    pub no_cost: bool,
     /// Place and route the slowest units as well, for their clock.
     #[arg(long)]
     pub clock: bool,
@@ -53,6 +65,17 @@ pub struct Fit {
 
 /// The simulator of a fitted machine, if it is checked.
 pub type FitEngine = Option<Engine>;
+
+/// The description of the machine among the files.
+pub const MACHINE_FILE: &str = "machine.toml";
+
+const MACHINES: Choices<MachineKind> = &[
+    (MachineKind::Beam, "beam", "A processor for each object"),
+    (MachineKind::Zone, "zone", "Processors shared zone by zone"),
+];
+
+/// Clock at which frames per second are counted if none is asked for, in MHz.
+const CLOCK: f64 = 50.0;
 
 #[rustfmt::skip]
 const ENGINES: Choices<FitEngine> = &[
@@ -74,6 +97,33 @@ impl Fit {
         }
     }
 
+    /// What is asked of the machine besides its errors.
+    pub fn wishes(&self) -> Wishes {
+        Wishes {
+            kind: self.machine,
+            pace: self.min_fps.map(|frames| Pace {
+                frames,
+                mhz: self.min_mhz.unwrap_or(CLOCK),
+            }),
+        }
+    }
+
+    /// The command line that shows the scenes on the machine.
+    pub fn command(&self, frames: &Frames) -> String {
+        let scenes = self.scenes.iter().map(|path| path.display().to_string());
+        let scenes: Vec<String> = scenes.collect();
+        let animation = match frames.all().len() > scenes.len() {
+            true => " --animation",
+            false => "",
+        };
+        let machine = self.out.join(MACHINE_FILE);
+        let scenes = scenes.join(" ");
+        format!(
+            "imogene machine {scenes}{animation} --machine {} --out DIR",
+            machine.display()
+        )
+    }
+
     /// The command line that does the same.
     pub fn reproduce(&self, budget: &Budget) -> String {
         let scenes: Vec<String> = self
@@ -86,6 +136,15 @@ impl Fit {
             command += &format!(" --size {width}x{height}");
         }
         command += &budget.options();
+        if let Some(kind) = self.machine {
+            command += &format!(" --machine {}", name(MACHINES, kind));
+        }
+        if let Some(frames) = self.min_fps {
+            command += &format!(" --min-fps {frames}");
+        }
+        if self.no_cost {
+            command += " --no-cost";
+        }
         if let Some(mhz) = self.min_mhz {
             command += &format!(" --min-mhz {mhz}");
         }

@@ -19,6 +19,12 @@ pub fn choice<T: Copy + Send + Sync>(table: Choices<T>) -> impl TypedValueParser
     })
 }
 
+/// The name of a value of the table.
+pub fn name<T: PartialEq>(table: Choices<T>, value: T) -> &'static str {
+    let row = table.iter().find(|row| row.0 == value);
+    row.expect("a value of the table").1
+}
+
 /// A value that is accepted, or what would be.
 pub fn value<T: FromStr>(
     text: &str,

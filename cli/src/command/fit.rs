@@ -2,29 +2,33 @@
 
 mod contract;
 
-use super::{fitted, size_of, threads};
-use crate::arguments::{Fit, FitEngine};
+use super::fitted::costs_of;
+use super::size_of;
+use crate::arguments::{Fit, MACHINE_FILE};
 use crate::failure::Failure;
 use crate::{missing, molecules, output};
 use contract::{FitReport, Saving};
 use imogene_files::text::counted;
 use imogene_golden::format::Format;
-use imogene_golden::machine::fitted::FittedMachine;
 use imogene_golden::{slots, widths};
+use imogene_plan::description::MachineDescription;
+use imogene_plan::display::{Image, image};
 use imogene_prepare::Options;
 use imogene_rtl::emit::Emitted;
+use imogene_rtl::emit::machine::emit_machine;
 use imogene_scene::SceneFile;
 use imogene_scene::animation::Playback;
 use imogene_studies::fit::budget::Item;
 use imogene_studies::fit::frames::{Drawn, Frames};
-use imogene_studies::fit::proof;
+use imogene_studies::fit::machine::{self, Fitted};
 use imogene_studies::fit::search::{Outcome, search};
+use imogene_studies::fit::{FitError, proof};
 use imogene_studies::picture;
 use imogene_synth::Target;
 use imogene_synth::fitted::MachineCost;
-use imogene_verif::engine::beam::BeamDesign;
+use imogene_verif::display::pins::{PinsRun, run as run_pins};
+use imogene_verif::display::request::{request, zone_timing};
 use imogene_verif::report::Report;
-use imogene_verif::scene;
 use std::time::Instant;
 
 /// Machines of different depth words whose costs are compared.
@@ -35,8 +39,8 @@ const ROWS: [u32; 4] = [1, 2, 3, 4];
 /// A machine that meets the budget, with what it costs.
 struct Choice<'a> {
     drawn: &'a Drawn,
-    machine: FittedMachine,
-    cost: MachineCost,
+    machine: Fitted,
+    cost: Option<MachineCost>,
 }
 
 /// Finds, proves, emits and co-simulates the smallest machine.
@@ -52,47 +56,56 @@ pub fn run(options: &Fit, json: bool) -> Result<(), Failure> {
         Outcome::Fits(found) => found,
         Outcome::Unreachable { items, nearest } => return Err(unreachable(&items, &nearest)),
     };
-    let choice = choose(&found, options.min_mhz, target)?;
-    let base = base_machine(&choice.machine);
-    let machines = [choice.machine.clone(), base];
-    let with_clock = options.clock || options.min_mhz.is_some();
-    let costs = fitted::costs(&machines, target, with_clock)?;
-    let (cost, base_cost) = (costs[0], costs[1]);
-    let emitted = fitted::emit(&choice.machine, None)?;
-    let cosim = cosimulate(&choice, options.engine)?;
-    let bounds = proof::bounds(&frames, choice.drawn);
-    let limits = proof::proofs(&frames, &budget, choice.drawn, &bounds);
-    let format = choice.machine.format()?;
+    let command = options.command(&frames);
+    let choice = choose(&frames, &found, options, target, json)?;
+    let description = &choice.machine.description;
+    let request = request(description, &command);
+    let emitted = emit_machine(&request)?;
+    let base_cost = match choice.cost {
+        Some(_) => Some(price(&[machine::base(description)], target, options)?[0]),
+        None => None,
+    };
+    let (images, cosim) = show(&choice, &frames, options)?;
+    let bounds = frames
+        .has_bounds
+        .then(|| proof::bounds(&frames, choice.drawn));
+    let limits = proof::proofs(&frames, &budget, choice.drawn, bounds.as_ref());
     let (width, height) = (frames.all()[0].truth.width, frames.all()[0].truth.height);
+    let saving = choice.cost.zip(base_cost);
     let mut report = FitReport {
         scenes: frames.all().iter().map(|f| f.name.clone()).collect(),
         width,
         height,
-        unit: "beam",
-        format: choice.machine.widths,
-        widths: widths::print(&choice.machine.widths),
-        slots: slots::print(&choice.machine.slots),
-        rows_per_stage: choice.machine.rows_per_stage,
-        latency: choice.machine.latency(&format),
-        clocks_per_frame: choice
-            .machine
-            .clocks_per_frame(&format, width as u32, height as u32),
+        unit: emitted.top.clone(),
+        machine: description,
+        format: choice.drawn.widths,
+        widths: widths::print(&choice.drawn.widths),
+        slots: slots::print(&description.slots()),
+        rows_per_stage: description.rows_per_stage,
+        latency: emitted.latency,
+        clocks_per_frame: choice.machine.clocks,
         limits,
         bounds,
         measured: choice.drawn.metrics.clone(),
         target: target.name(),
-        cost,
+        cost: choice.cost,
         base_cost,
-        saving_percent: saving(&cost, &base_cost),
+        saving_percent: saving.map(|(cost, base)| saved(&cost, &base)),
         cosim,
-        command: choice.machine.command(),
+        command,
         reproduce: options.reproduce(&budget),
         budget,
         files: vec![],
         seconds: 0.0,
     };
     report.seconds = started.elapsed().as_secs_f64();
-    write(&mut report, &frames, choice.drawn, &emitted, options)?;
+    write(
+        &mut report,
+        &frames,
+        (choice.drawn, &images),
+        &emitted,
+        options,
+    )?;
     output::report(json, &report, |_| output::text(contract::summary(&report)));
     verdict(&report)
 }
@@ -134,33 +147,89 @@ fn unreachable(items: &[Item], nearest: &Drawn) -> Failure {
 
 /// The cheapest of the machines found; with a clock asked for, the cheapest that reaches it.
 fn choose<'a>(
+    frames: &Frames,
     found: &'a [Drawn],
-    min_mhz: Option<f64>,
+    options: &Fit,
     target: Target,
+    json: bool,
 ) -> Result<Choice<'a>, Failure> {
-    let rows: &[u32] = if min_mhz.is_some() { &ROWS } else { &ROWS[..1] };
-    let candidates: Vec<(&Drawn, FittedMachine)> = found
+    let rows: &[u32] = match options.min_mhz {
+        Some(_) => &ROWS,
+        None => &ROWS[..1],
+    };
+    let candidates = found
         .iter()
-        .take(SYNTHESISED)
+        .take(if options.no_cost { 1 } else { SYNTHESISED })
         .flat_map(|drawn| rows.iter().map(move |&rows| (drawn, rows)))
-        .filter(|(drawn, rows)| *rows <= drawn.widths.root - drawn.widths.dropped_rows)
-        .map(|(drawn, rows)| (drawn, drawn.machine(rows)))
+        .filter(|(drawn, rows)| *rows <= drawn.widths.root - drawn.widths.dropped_rows);
+    let candidates: Vec<(&Drawn, Fitted)> = candidates
+        .map(|(drawn, rows)| Ok((drawn, fitted(frames, drawn, rows, options)?)))
+        .collect::<Result<_, Failure>>()?;
+    if options.no_cost {
+        let (drawn, machine) = candidates.into_iter().next().expect("a machine was found");
+        let cost = None;
+        return Ok(Choice {
+            drawn,
+            machine,
+            cost,
+        });
+    }
+    if !json {
+        for (drawn, machine) in &candidates {
+            output::text(contract::found(drawn, &machine.description));
+        }
+    }
+    let machines: Vec<MachineDescription> = candidates
+        .iter()
+        .map(|(_, machine)| machine.description.clone())
         .collect();
-    let machines: Vec<FittedMachine> = candidates.iter().map(|(_, m)| m.clone()).collect();
-    let costs = fitted::costs(&machines, target, min_mhz.is_some())?;
+    let costs = price(&machines, target, options)?;
     let priced = candidates.into_iter().zip(costs);
     let priced: Vec<Choice> = priced
         .map(|((drawn, machine), cost)| Choice {
             drawn,
             machine,
-            cost,
+            cost: Some(cost),
         })
         .collect();
-    let fast = |choice: &Choice| min_mhz.is_none_or(|least| choice.cost.fmax_mhz >= Some(least));
-    let fastest = priced.iter().filter_map(|choice| choice.cost.fmax_mhz);
-    let fastest = fastest.reduce(f64::max);
+    cheapest(priced, options.min_mhz, target)
+}
+
+/// The machine of these words.
+fn fitted(frames: &Frames, drawn: &Drawn, rows: u32, options: &Fit) -> Result<Fitted, Failure> {
+    let timing = |machine: &MachineDescription| {
+        zone_timing(&request(machine, "")).expect("a machine that is within its ranges")
+    };
+    let machine = machine::machine(frames, drawn, rows, &options.wishes(), &timing);
+    machine.map_err(|error| match error {
+        error @ FitError::Slow { .. } => Failure::Check(error.to_string()),
+        error => error.into(),
+    })
+}
+
+fn price(
+    machines: &[MachineDescription],
+    target: Target,
+    options: &Fit,
+) -> Result<Vec<MachineCost>, Failure> {
+    let emitted = machines
+        .iter()
+        .map(|machine| emit_machine(&request(machine, "")));
+    let emitted: Vec<Emitted> = emitted.collect::<Result<_, _>>()?;
+    costs_of(&emitted, target, options.clock || options.min_mhz.is_some())
+}
+
+fn cheapest(
+    priced: Vec<Choice<'_>>,
+    min_mhz: Option<f64>,
+    target: Target,
+) -> Result<Choice<'_>, Failure> {
+    let clock = |choice: &Choice| choice.cost.and_then(|cost| cost.fmax_mhz);
+    let fast = |choice: &Choice| min_mhz.is_none_or(|least| clock(choice) >= Some(least));
+    let fastest = priced.iter().filter_map(clock).reduce(f64::max);
     let cheapest = priced.into_iter().filter(fast);
-    let cheapest = cheapest.min_by_key(|choice| (choice.cost.cells, choice.cost.resources.ff));
+    let cheapest =
+        cheapest.min_by_key(|choice| choice.cost.map(|cost| (cost.cells, cost.resources.ff)));
     cheapest.ok_or_else(|| {
         Failure::Check(format!(
             "no machine reaches {} MHz on {}: the slowest unit of the fastest machine that meets the budget runs at {} MHz",
@@ -171,13 +240,7 @@ fn choose<'a>(
     })
 }
 
-/// The machine of the base format for the same scene: equal slots with half B.
-fn base_machine(machine: &FittedMachine) -> FittedMachine {
-    let planes = machine.slots.iter().map(|slot| slot.planes).max();
-    FittedMachine::uniform(&Format::BASE, machine.slots.len(), planes.unwrap_or(0), 1)
-}
-
-fn saving(cost: &MachineCost, base: &MachineCost) -> Saving {
+fn saved(cost: &MachineCost, base: &MachineCost) -> Saving {
     let percent = |own: u64, base: u64| 100.0 * (1.0 - own as f64 / base.max(1) as f64);
     Saving {
         cells: percent(cost.cells, base.cells),
@@ -186,50 +249,61 @@ fn saving(cost: &MachineCost, base: &MachineCost) -> Saving {
     }
 }
 
-/// Every frame in hardware against the golden machine.
-fn cosimulate(choice: &Choice, engine: FitEngine) -> Result<Vec<Report>, Failure> {
-    let Some(engine) = engine else {
-        return Ok(vec![]);
+/// What the machine shows of every frame, and that compared with the pins on every clock.
+fn show(
+    choice: &Choice,
+    frames: &Frames,
+    options: &Fit,
+) -> Result<(Vec<Image>, Vec<Report>), Failure> {
+    let machine = &choice.machine.description;
+    let scenes = frames.all().iter().zip(&choice.drawn.prepared);
+    let images = scenes.map(|(frame, prepared)| image(&frame.scene, prepared, machine));
+    let images: Vec<Image> = images.collect::<Result<_, _>>()?;
+    let Some(engine) = options.engine else {
+        return Ok((images, vec![]));
     };
-    let machine = &choice.machine;
-    let design = BeamDesign::compile(engine, &scene::request(machine, ""), vec![])?;
-    let options = scene::Options::plain(machine.rows_per_stage as usize, threads());
-    let frames = &choice.drawn.prepared;
-    let pixels: u64 = frames
-        .iter()
-        .map(|f| u64::from(f.width) * u64::from(f.height))
-        .sum();
-    let bar = output::progress(pixels, "hardware in simulation");
-    let one = |prepared| {
-        let drawn = scene::run_on(&design, machine, prepared, &options, || bar.inc(1));
-        Ok(drawn?.0)
+    let run = PinsRun {
+        overlay: None,
+        engine,
+        stalls: None,
+        late: 0,
+        frames: 1,
     };
-    let reports = frames.iter().map(one).collect();
-    bar.finish_and_clear();
-    reports
+    let steps = images.len() as u64 + 1;
+    let outcome = output::during(steps, "frames on the pins", |bar| {
+        run_pins(machine, &images, &run, || bar.inc(1))
+    })?;
+    Ok((images, vec![outcome.report]))
 }
 
-/// Verilog, contract, report, and of every frame the golden picture and the map of its errors.
+/// Machine, Verilog, contract, report, and of every frame the picture and the map of its errors.
 fn write(
     report: &mut FitReport,
     frames: &Frames,
-    drawn: &Drawn,
+    (drawn, images): (&Drawn, &[Image]),
     emitted: &Emitted,
     options: &Fit,
 ) -> Result<(), Failure> {
     let mut files = output::files();
-    files.add_text(&options.out.join("beam.v"), &emitted.bundle())?;
-    for (index, frame) in frames.all().iter().enumerate() {
-        let (rgb, map) = frame.picture(&drawn.prepared[index]);
-        let number = if frames.all().len() > 1 {
-            format!("-{index}")
-        } else {
-            String::new()
+    let description = format!(
+        "# Made by: {}\n{}",
+        report.reproduce,
+        report.machine.to_toml()
+    );
+    files.add_text(&options.out.join(MACHINE_FILE), &description)?;
+    let verilog = options.out.join(format!("{}.v", emitted.top));
+    files.add_text(&verilog, &emitted.bundle())?;
+    let each = frames.all().iter().zip(&drawn.prepared).zip(images);
+    for (index, ((frame, prepared), image)) in each.enumerate() {
+        let number = match frames.all().len() {
+            1 => String::new(),
+            _ => format!("-{index}"),
         };
-        for (name, picture) in [("golden", rgb), ("errors", map)] {
+        let errors = frame.errors(prepared)?;
+        for (name, picture) in [("golden", &image.picture), ("errors", &errors)] {
             let path = options.out.join(format!("{name}{number}.png"));
             let (width, height) = (frame.truth.width, frame.truth.height);
-            files.add(&path, |out| picture::png(out, width, height, &picture))?;
+            files.add(&path, |out| picture::png(out, width, height, picture))?;
         }
     }
     let page = contract::page(report, emitted);

@@ -52,13 +52,21 @@ pub fn costs(
     with_clock: bool,
 ) -> Result<Vec<MachineCost>, Failure> {
     let emitted: Result<Vec<Emitted>, Failure> = machines.iter().map(|m| emit(m, None)).collect();
-    let emitted = emitted?;
+    costs_of(&emitted?, target, with_clock)
+}
+
+/// The same of emitted machines.
+pub fn costs_of(
+    emitted: &[Emitted],
+    target: Target,
+    with_clock: bool,
+) -> Result<Vec<MachineCost>, Failure> {
     let bar = output::progress(0, "modules in synthesis");
     let done = |known, of| {
         bar.set_length(of as u64);
         bar.set_position(known as u64);
     };
-    let costs = machine_costs(&emitted, target, with_clock, &done).map_err(Failure::from);
+    let costs = machine_costs(emitted, target, with_clock, &done).map_err(Failure::from);
     bar.finish_and_clear();
     costs
 }

@@ -54,6 +54,20 @@ impl OwnWidths {
         *self == Self::default()
     }
 
+    /// Those of a machine that do not follow from its depth word.
+    pub fn of(widths: &MachineWords) -> OwnWidths {
+        let usual = MachineWords::of(widths.depth);
+        let own = |width: u32, usual: u32| (width != usual).then_some(width);
+        OwnWidths {
+            root: own(widths.root, usual.root),
+            plane: own(widths.plane, usual.plane),
+            normal: own(widths.normal, usual.normal),
+            g1: own(widths.guard_linear, usual.guard_linear),
+            g2: own(widths.guard_quadratic, usual.guard_quadratic),
+            dropped: own(widths.dropped_rows, usual.dropped_rows),
+        }
+    }
+
     /// All widths: root = depth, plane = depth + 12, normal = 16, the others 0 where they are not given.
     pub fn beside(&self, depth: u32) -> MachineWords {
         let own = MachineWords::of(depth);

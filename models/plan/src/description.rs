@@ -257,6 +257,11 @@ impl MachineDescription {
         Ok(description)
     }
 
+    /// The text of the description.
+    pub fn to_toml(&self) -> String {
+        toml::to_string(self).expect("a description is a table of plain values")
+    }
+
     /// Counts objects and planes where they are not given.
     fn count_slots(&mut self) {
         let slots = self.slots();

@@ -2,11 +2,12 @@
 
 use super::beam::{DisplayError, beam_words, parts, volumes};
 use super::description::{MachineDescription, MachineKind, Mode, Output, OwnMode, ZoneSize};
-use super::zone::plan::PlanError;
+use super::zone::plan::{Part, PlanError};
 use imogene_golden::machine::fitted::FittedSlot;
 use imogene_golden::machine::shader::MOST_LIGHTS;
 use imogene_golden::machine::zone::ID_BITS;
 use imogene_golden::object::quadric::MAX_PLANES;
+use imogene_golden::object::volume::VolumeWords;
 use imogene_golden::slots::Slots;
 use imogene_prepare::PreparedScene;
 use imogene_prepare::shader::ShaderError;
@@ -28,6 +29,22 @@ pub fn check(
     machine: &MachineDescription,
     scenes: &[(&FramedScene, &PreparedScene)],
 ) -> Result<(), DisplayError> {
+    let enough = enough(machine, scenes)?;
+    match enough == *machine {
+        true => Ok(()),
+        false => Err(DisplayError::Needs(lines(machine, &enough))),
+    }
+}
+
+/// The machine with what it lacks for the scenes; one of zones if no beam machine is large enough.
+///
+/// # Errors
+///
+/// When no machine shows one of them.
+pub fn enough(
+    machine: &MachineDescription,
+    scenes: &[(&FramedScene, &PreparedScene)],
+) -> Result<MachineDescription, DisplayError> {
     let mut enough = machine.clone();
     for (framed, prepared) in scenes {
         add(&mut enough, framed, prepared)?;
@@ -40,18 +57,23 @@ pub fn check(
             share_processors(&mut enough, machine);
         }
     }
-    match enough == *machine {
-        true => Ok(()),
-        false => Err(DisplayError::Needs(lines(machine, &enough))),
-    }
+    Ok(enough)
 }
 
-/// Gives a machine the processors, planes and lights that it lacks for a scene.
-fn add(
-    machine: &mut MachineDescription,
+/// Checks that there are machines that show a scene.
+///
+/// # Errors
+///
+/// When it has too many lights or objects, or what no processor of a machine draws.
+pub fn check_any(framed: &FramedScene, prepared: &PreparedScene) -> Result<(), DisplayError> {
+    needed(framed, prepared).map(|_| ())
+}
+
+/// Object parts and volumes, if there are machines that show the scene.
+fn needed(
     framed: &FramedScene,
     prepared: &PreparedScene,
-) -> Result<(), DisplayError> {
+) -> Result<(Vec<Part>, Vec<VolumeWords>), DisplayError> {
     let lights = framed.lights.len();
     if lights > MOST_LIGHTS {
         return Err(ShaderError::Lights(lights).into());
@@ -60,7 +82,16 @@ fn add(
         return Err(PlanError::Objects(prepared.objects.len()).into());
     }
     let parts = parts(prepared, MAX_PLANES)?;
-    let volumes = volumes(prepared, MAX_PLANES)?;
+    Ok((parts, volumes(prepared, MAX_PLANES)?))
+}
+
+/// Gives a machine the processors, planes and lights that it lacks for a scene.
+fn add(
+    machine: &mut MachineDescription,
+    framed: &FramedScene,
+    prepared: &PreparedScene,
+) -> Result<(), DisplayError> {
+    let (parts, volumes) = needed(framed, prepared)?;
     let (objects, bodies) = match machine.machine {
         MachineKind::Beam => (parts.len(), volumes.len()),
         MachineKind::Zone => (1, volumes.len().min(1)),
@@ -82,7 +113,7 @@ fn add(
         (&mut machine.planes, planes.unwrap_or(0)),
         (&mut machine.volumes, bodies),
         (&mut machine.volume_planes, volume_planes.unwrap_or(0)),
-        (&mut machine.lights, lights),
+        (&mut machine.lights, framed.lights.len()),
     ] {
         *given = needed.max(*given);
     }

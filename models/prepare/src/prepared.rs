@@ -298,6 +298,11 @@ impl PreparedObject {
         }
     }
 
+    /// True if its errors have bounds: it is of the quadric or the patch processor, or not drawn.
+    pub fn has_bounds(&self) -> bool {
+        !matches!(self, Self::Parts(_))
+    }
+
     /// The words of each of its processors.
     pub fn words(&self) -> Vec<ProcessorWords> {
         match self {

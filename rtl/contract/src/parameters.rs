@@ -60,7 +60,7 @@ macro_rules! with_parameters {
             SUBTRACTED: "subtracted" "J" subtracted, 0 to Some(8), Some(2),
                 "Objects taken away in each product of csg_decider, 0 to 8 [default: 2]";
             LIGHTS: "lights" "Q" lights, 1 to Some(MOST_LIGHTS), Some(1),
-                "Lights of the shading processor, 1 to 4 [default: 1]";
+                "Lights of the shading processor, 1 to 16 [default: 1]";
         }
     };
 }

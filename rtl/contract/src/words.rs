@@ -30,7 +30,7 @@ pub const MOST_PLANES: u32 = 12;
 /// Most sides of a facet.
 pub const MOST_SIDES: u32 = 4;
 /// Lights of a shading processor at most.
-pub const MOST_LIGHTS: u32 = 4;
+pub const MOST_LIGHTS: u32 = 16;
 /// Most objects of one machine.
 pub const MOST_OBJECTS: u32 = 256;
 /// Most transparent objects of a pipeline.

@@ -3,8 +3,11 @@
 use imogene_analysis::metrics::Metrics;
 use imogene_contract::MachineWords;
 use imogene_files::text::counted;
+use imogene_golden::{slots, widths};
+use imogene_plan::description::{MachineDescription, MachineKind};
 use imogene_rtl::emit::{Direction, Emitted};
 use imogene_studies::fit::budget::Budget;
+use imogene_studies::fit::frames::Drawn;
 use imogene_studies::fit::proof::{Bounds, Proof, Proven};
 use imogene_synth::fitted::MachineCost;
 use imogene_verif::report::Report;
@@ -14,26 +17,29 @@ use std::path::PathBuf;
 
 /// What was fitted; the keys are stable.
 #[derive(Serialize)]
-pub struct FitReport {
+pub struct FitReport<'a> {
     pub scenes: Vec<String>,
     pub width: usize,
     pub height: usize,
     pub budget: Budget,
-    pub unit: &'static str,
+    pub unit: String,
+    pub machine: &'a MachineDescription,
     pub format: MachineWords,
     pub widths: String,
     pub slots: String,
     pub rows_per_stage: u32,
-    pub latency: u32,
+    pub latency: usize,
     pub clocks_per_frame: u64,
     pub limits: Vec<Proven>,
-    pub bounds: Bounds,
+    /// None where objects have none.
+    pub bounds: Option<Bounds>,
     pub measured: Vec<Metrics>,
     pub target: &'static str,
-    pub cost: MachineCost,
-    pub base_cost: MachineCost,
+    /// None without synthesis.
+    pub cost: Option<MachineCost>,
+    pub base_cost: Option<MachineCost>,
     /// Of the base machine, in percent.
-    pub saving_percent: Saving,
+    pub saving_percent: Option<Saving>,
     pub cosim: Vec<Report>,
     pub command: String,
     pub reproduce: String,
@@ -58,29 +64,70 @@ fn named(scenes: &[String]) -> String {
     }
 }
 
+/// A machine in one line.
+fn line(machine: &MachineDescription, widths: &str) -> String {
+    let processors = match machine.zone {
+        None => format!("slots {}", slots::print(&machine.slots())),
+        Some(zone) => format!(
+            "{} of {}, zones of {} x {}",
+            counted(machine.objects, "processor"),
+            counted(machine.planes, "plane"),
+            zone.width,
+            zone.height
+        ),
+    };
+    let volumes = match machine.volumes {
+        0 => String::new(),
+        volumes => format!(
+            ", {} of {}",
+            counted(volumes, "volume processor"),
+            counted(machine.volume_planes, "plane")
+        ),
+    };
+    let kind = match machine.machine {
+        MachineKind::Beam => "beam machine",
+        MachineKind::Zone => "zone machine",
+    };
+    let (lights, rows) = (machine.lights, machine.rows_per_stage);
+    let lights = counted(lights, "light");
+    format!("{kind}, {widths}, {processors}{volumes}, {lights}, {rows} rows per stage")
+}
+
+/// What is said of a machine before synthesis.
+pub fn found(drawn: &Drawn, machine: &MachineDescription) -> String {
+    format!(
+        "meets the budget: {}",
+        line(machine, &widths::print(&drawn.widths))
+    )
+}
+
 pub fn summary(report: &FitReport) -> String {
     let mut text = format!(
-        "{}: beam --widths {} --slots {} --rows-per-stage {}\n",
+        "{}: {}\n",
         named(&report.scenes),
-        report.widths,
-        report.slots,
-        report.rows_per_stage
+        line(report.machine, &report.widths)
     );
     for limit in &report.limits {
         let _ = writeln!(text, "  {}, {}", limit.item, how(limit));
     }
-    let _ = writeln!(
-        text,
-        "  {}: {} logic cells, {} LUT, {} FF; the base format takes {} cells, {} LUT, {} FF: {:.1} % of the LUT saved",
-        report.target,
-        report.cost.cells,
-        report.cost.resources.lut,
-        report.cost.resources.ff,
-        report.base_cost.cells,
-        report.base_cost.resources.lut,
-        report.base_cost.resources.ff,
-        report.saving_percent.lut
-    );
+    let clocks = counted(report.clocks_per_frame, "clock");
+    let _ = writeln!(text, "  {clocks} a frame");
+    if let (Some(cost), Some(base), Some(saving)) =
+        (report.cost, report.base_cost, report.saving_percent)
+    {
+        let _ = writeln!(
+            text,
+            "  {}: {} logic cells, {} LUT, {} FF; the base format takes {} cells, {} LUT, {} FF: {:.1} % of the LUT saved",
+            report.target,
+            cost.cells,
+            cost.resources.lut,
+            cost.resources.ff,
+            base.cells,
+            base.resources.lut,
+            base.resources.ff,
+            saving.lut
+        );
+    }
     for cosim in &report.cosim {
         let _ = writeln!(
             text,
@@ -109,7 +156,7 @@ fn how(limit: &Proven) -> String {
 
 pub fn page(report: &FitReport, emitted: &Emitted) -> String {
     let mut text = format!(
-        "# `{}`: a beam machine fitted to {}\n\nMade by `{}`; the same Verilog: `{}`.\n\n",
+        "# `{}`: a machine fitted to {}\n\nMade by `{}`; shown and emitted again by `{}`.\n\n",
         emitted.top,
         named(&report.scenes),
         report.reproduce,
@@ -117,8 +164,11 @@ pub fn page(report: &FitReport, emitted: &Emitted) -> String {
     );
     let _ = writeln!(
         text,
-        "Draws these frames at {} x {} pixels, a pixel a clock: latency {} clocks from `go` to the first pixel, {} clocks a frame.\n",
-        report.width, report.height, report.latency, report.clocks_per_frame
+        "A {}. Shows these frames at {} x {} pixels; {} clocks a frame.\n",
+        line(report.machine, &report.widths),
+        report.width,
+        report.height,
+        report.clocks_per_frame
     );
     text += "## Errors\n\n| limit | allowed | measured | proven | how it is known |\n|---|---|---|---|---|\n";
     for limit in &report.limits {
@@ -136,23 +186,16 @@ pub fn page(report: &FitReport, emitted: &Emitted) -> String {
             item.limit, item.unit, item.allowed, item.measured
         );
     }
-    let bounds = &report.bounds;
-    let _ = writeln!(
-        text,
-        "\nProven before any pixel is drawn: depth within {:.3} words of the base format, silhouette within {:.2e} pixels, normal within {:.3} degrees; {} \
-         undecided, everywhere else the visible face is the true one.\n",
-        bounds.depth_lsb,
-        bounds.silhouette_px,
-        bounds.normal_deg,
-        counted(bounds.undecided_pixels, "pixel")
-    );
+    if let Some(bounds) = &report.bounds {
+        text += &proven(bounds);
+    }
     text += &words(report);
     text += &ports(emitted);
     text += &cost(report);
     for cosim in &report.cosim {
         let _ = writeln!(
             text,
-            "Co-simulated in {}: {}, {} compared with the golden machine, {}.",
+            "The pins in {}: {}, {} compared with the golden machine, {}.",
             cosim.engine,
             counted(cosim.cycles, "clock"),
             counted(cosim.comparisons, "value"),
@@ -162,12 +205,24 @@ pub fn page(report: &FitReport, emitted: &Emitted) -> String {
     text
 }
 
+fn proven(bounds: &Bounds) -> String {
+    format!(
+        "\nProven before any pixel is drawn: depth within {:.3} words of the base format, silhouette within {:.2e} pixels, normal within {:.3} degrees; {} \
+         undecided, everywhere else the visible face is the true one.\n\n",
+        bounds.depth_lsb,
+        bounds.silhouette_px,
+        bounds.normal_deg,
+        counted(bounds.undecided_pixels, "pixel")
+    )
+}
+
 fn words(report: &FitReport) -> String {
     let w = &report.format;
     format!(
         "## Words\n\n| word | bits |\n|---|---|\n| depth | {} |\n| f1 in its pe1 | {}, of which {} guard bits |\n| f2 in its pe2 | {}, of which {} guard bits |\n\
          | root | {}, of which the last {} are zero |\n| plane | {} |\n| normal component | {} |\n\n\
-         Slots, by their planes, with a `v` where the viewer may be inside: {}. Rows of the root network between registers: {}.\n\n",
+         Object processors, by their planes, with a `v` where the viewer may be inside: {}. Rows of the root network between \
+         registers: {}.\n\n",
         w.depth,
         w.depth + 2 + w.guard_linear,
         w.guard_linear,
@@ -200,10 +255,15 @@ fn ports(emitted: &Emitted) -> String {
             port.name, port.width
         );
     }
-    text + "\nTheir meanings, the load bus and the order of events are those of `docs/architecture.md`, section 7.\n\n"
+    text + "\nTheir meanings, the words and the order of events are those of `docs/machines.md`.\n\n"
 }
 
 fn cost(report: &FitReport) -> String {
+    let (Some(own), Some(base), Some(saving)) =
+        (report.cost, report.base_cost, report.saving_percent)
+    else {
+        return String::new();
+    };
     let row = |name: &str, cost: &MachineCost| {
         let own = &cost.resources;
         let clock = cost.fmax_mhz.map_or("-".into(), |mhz| format!("{mhz:.1}"));
@@ -217,10 +277,10 @@ fn cost(report: &FitReport) -> String {
          Saved: {:.1} % of the cells, {:.1} % of the LUT, {:.1} % of the FF. Sums over separately synthesised modules; `docs/fit.md` compares them with the flat \
          machine.\n\n",
         report.target,
-        row("fitted", &report.cost),
-        row("base format, all slots alike", &report.base_cost),
-        report.saving_percent.cells,
-        report.saving_percent.lut,
-        report.saving_percent.ff
+        row("fitted", &own),
+        row("base format, all processors alike", &base),
+        saving.cells,
+        saving.lut,
+        saving.ff
     )
 }

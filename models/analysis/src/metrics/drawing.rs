@@ -4,6 +4,7 @@ use crate::phong::shade;
 use imogene_golden::format::Format;
 use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
+use imogene_golden::machine::lighting::Lighting;
 use imogene_golden::object::slot::Slot;
 use imogene_golden::object::words::Words;
 use imogene_prepare::PreparedScene;
@@ -35,12 +36,21 @@ pub struct ZoneScene {
 }
 
 impl Drawing {
-    /// The picture of a prepared scene.
+    /// The picture of a prepared scene, shaded by the exact formula.
     pub fn of(prepared: &PreparedScene, scene: &FramedScene) -> Drawing {
+        let shade = |frame: &Frame, lit: &Lighting| shade(frame, lit, scene, &prepared.format);
+        Drawing::shaded_by(prepared, shade)
+    }
+
+    /// The picture of a prepared scene; `shade` gives red, green and blue of every pixel of the frame.
+    pub fn shaded_by(
+        prepared: &PreparedScene,
+        shade: impl FnOnce(&Frame, &Lighting) -> Vec<u8>,
+    ) -> Drawing {
         let size = (prepared.width as usize, prepared.height as usize);
         let (frame, backs) =
             beam::render_with_backs(&prepared.slots(), &prepared.format, size.0, size.1, || ());
-        Drawing::decided(frame, backs, prepared, scene)
+        Drawing::decided(frame, backs, prepared, shade)
     }
 
     /// The picture of a scene that was prepared anew for each zone; shadow and light volumes are those of the first
@@ -53,17 +63,18 @@ impl Drawing {
         for zone in zones {
             paste(zone, &mut frame, &mut backs);
         }
-        Drawing::decided(frame, backs, whole, scene)
+        let shade = |frame: &Frame, lit: &Lighting| shade(frame, lit, scene, &whole.format);
+        Drawing::decided(frame, backs, whole, shade)
     }
 
     fn decided(
         frame: Frame,
         backs: Vec<i64>,
         prepared: &PreparedScene,
-        scene: &FramedScene,
+        shade: impl FnOnce(&Frame, &Lighting) -> Vec<u8>,
     ) -> Drawing {
         let lighting = prepared.light(&frame, || ());
-        let rgb = shade(&frame, &lighting, scene, &prepared.format);
+        let rgb = shade(&frame, &lighting);
         Drawing {
             format: prepared.format,
             frame,

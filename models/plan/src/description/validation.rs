@@ -32,7 +32,11 @@ fn range(key: &'static str, value: usize, least: usize, most: usize) -> Checked 
 
 impl MachineDescription {
     /// Checks that every value is in its range; `file` is the name that messages give the description.
-    pub(crate) fn check(&self, file: &str) -> Result<(), DescriptionError> {
+    ///
+    /// # Errors
+    ///
+    /// When one is not.
+    pub fn check(&self, file: &str) -> Result<(), DescriptionError> {
         let format = self.format().map_err(|problem| DescriptionError::Widths {
             file: file.into(),
             problem,

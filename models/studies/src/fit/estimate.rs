@@ -1,17 +1,12 @@
 //! A rough count of the logic cells of a machine, to try the cheap ones first. Costs that are reported come from
 //! synthesis.
 
-use imogene_golden::machine::fitted::{FittedMachine, FittedSlot};
+use imogene_contract::MachineWords;
+use imogene_golden::machine::fitted::FittedSlot;
 
 /// Logic cells of ECP5, from the costs of the units at 24 bits and how they grow with their words: adders and registers
 /// in proportion, the root network with the square of its rows.
-pub fn cells(machine: &FittedMachine) -> f64 {
-    let slots = machine.slots.iter();
-    slots.map(|slot| of_slot(machine, slot)).sum()
-}
-
-fn of_slot(machine: &FittedMachine, slot: &FittedSlot) -> f64 {
-    let widths = &machine.widths;
+pub fn of_slot(widths: &MachineWords, slot: &FittedSlot) -> f64 {
     let [depth, root, plane, normal] =
         [widths.depth, widths.root, widths.plane, widths.normal].map(f64::from);
     let guards = [widths.guard_linear, widths.guard_quadratic].map(f64::from);
@@ -36,8 +31,11 @@ mod tests {
     #[test]
     fn the_base_processor_is_about_as_large_as_synthesis_says() {
         for (planes, synthesised) in [(0, 2693.0), (3, 4992.0), (12, 11_783.0)] {
-            let machine = FittedMachine::uniform(&Format::BASE, 1, planes, 1);
-            let ratio = cells(&machine) / synthesised;
+            let slot = FittedSlot {
+                planes,
+                two_volumes: true,
+            };
+            let ratio = of_slot(&Format::BASE.widths(), &slot) / synthesised;
             assert!((0.75..1.25).contains(&ratio), "{planes} planes: {ratio}");
         }
     }

@@ -2,13 +2,17 @@
 
 use super::FitError;
 use super::budget::{Budget, Item, worst};
+use super::search::MOST_GUARDS;
 use crate::kit::words::narrowest;
 use imogene_analysis::metrics::{Drawing, Metrics, Truth, measure};
 use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
-use imogene_golden::machine::fitted::{FittedMachine, FittedSlot};
+use imogene_golden::machine::shader::shade_picture;
+use imogene_plan::display::DisplayError;
+use imogene_plan::needs;
 use imogene_prepare::Framing;
 use imogene_prepare::error::PrepareError;
+use imogene_prepare::shader::{material_numbers, shader_words};
 use imogene_prepare::{PreparedScene, prepare_for_roots};
 use imogene_scene::{FramedScene, SceneFile};
 
@@ -23,16 +27,40 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// The golden picture of the frame, and the map of its errors: red, green and blue of every pixel.
-    pub fn picture(&self, prepared: &PreparedScene) -> (Vec<u8>, Vec<u8>) {
-        let drawing = Drawing::of(prepared, &self.scene);
-        let (_, map) = measure(&self.truth, &drawing);
-        (drawing.rgb, map)
+    /// What the machine shows, with the colours of its shading processor.
+    fn draw(&self, prepared: &PreparedScene) -> Result<Drawing, FitError> {
+        let shader = shader_words(&self.scene, &prepared.format, None);
+        let shader = shader.map_err(|source| self.refused(source.into()))?;
+        let materials = material_numbers(&self.scene);
+        Ok(Drawing::shaded_by(prepared, |frame, lighting| {
+            shade_picture(frame, lighting, &materials, &shader)
+        }))
+    }
+
+    /// The map of the errors of the picture: red, green and blue of every pixel.
+    ///
+    /// # Errors
+    ///
+    /// When the shading processor cannot be loaded.
+    pub fn errors(&self, prepared: &PreparedScene) -> Result<Vec<u8>, FitError> {
+        Ok(measure(&self.truth, &self.draw(prepared)?).1)
+    }
+
+    pub(super) fn refused(&self, source: DisplayError) -> FitError {
+        FitError::Machine {
+            scene: self.name.clone(),
+            source: Box::new(source),
+        }
     }
 }
 
 /// All frames of an animation, or the one of a picture.
-pub struct Frames(Vec<Frame>);
+pub struct Frames {
+    frames: Vec<Frame>,
+    /// Every object is of the quadric or the patch processor: their errors have bounds, and their words are free, while
+    /// those of others follow from the depth word.
+    pub has_bounds: bool,
+}
 
 /// The frames in words, against their truth.
 #[derive(Clone)]
@@ -52,31 +80,11 @@ impl Drawn {
     pub fn fits(&self) -> bool {
         self.items.iter().all(Item::holds)
     }
-
-    /// The machine: slots that take every frame.
-    pub fn machine(&self, rows_per_stage: u32) -> FittedMachine {
-        let mut slots: Vec<FittedSlot> = Vec::new();
-        for prepared in &self.prepared {
-            let frame = prepared.fitted_machine(rows_per_stage).slots;
-            if slots.is_empty() {
-                slots = frame;
-                continue;
-            }
-            for (slot, other) in slots.iter_mut().zip(frame) {
-                *slot = slot.or(&other);
-            }
-        }
-        FittedMachine {
-            widths: self.widths,
-            rows_per_stage,
-            slots,
-        }
-    }
 }
 
 impl Frames {
     /// Solves the frames; `line_done` is called once a line, from any thread.
-    /// Fails if a scene cannot be framed, is for other processors, or the frames are not of one animation.
+    /// Fails if a scene cannot be framed, no machine shows it, or the frames are not of one animation.
     pub fn new(
         files: &[(String, SceneFile)],
         size: Option<(u32, u32)>,
@@ -93,40 +101,52 @@ impl Frames {
         let scenes: Vec<FramedScene> = scenes.collect::<Result<_, _>>()?;
         for ((name, _), scene) in files.iter().zip(&scenes) {
             check(name, scene, scenes[0].objects.len())?;
-            // What the base format refuses no other words take: f2 and the planes grow with the depth word.
-            let refused = prepare_for_roots(scene, Format::BASE).err();
-            if let Some(source) = refused {
-                return Err(FitError::Prepare {
-                    scene: name.clone(),
-                    source: Box::new(source),
-                });
-            }
         }
         let frames = files.iter().zip(scenes).map(|((name, _), scene)| Frame {
             name: name.clone(),
             truth: Truth::new(&scene, &line_done),
             scene,
         });
-        Ok(Frames(frames.collect()))
+        let mut has_bounds = true;
+        let frames: Vec<Frame> = frames.collect();
+        for frame in &frames {
+            // What this format refuses no other words take: f2 and the planes grow with the depth word.
+            let wide = Format::BASE.with_guards(MOST_GUARDS.0, 0);
+            let wide = wide.expect("guard bits of f1 within their range");
+            let prepared = prepare_for_roots(&frame.scene, wide);
+            let prepared = prepared.map_err(|source| FitError::Prepare {
+                scene: frame.name.clone(),
+                source: Box::new(source),
+            })?;
+            needs::check_any(&frame.scene, &prepared).map_err(|source| frame.refused(source))?;
+            has_bounds &= prepared.objects.iter().all(|object| object.has_bounds());
+        }
+        Ok(Frames { frames, has_bounds })
     }
 
     /// The frames.
     pub fn all(&self) -> &[Frame] {
-        &self.0
+        &self.frames
     }
 
     /// Draws all frames in the narrowest widths, up to these, that take them; `None` if these are too few for a frame.
     /// Fails if a frame cannot be drawn by any machine.
     pub fn draw(&self, wide: &MachineWords, budget: &Budget) -> Result<Option<Drawn>, FitError> {
         let in_widths = |widths: &MachineWords| self.in_widths(widths);
-        let Some((widths, prepared)) = narrowest(wide, in_widths, PreparedScene::needed)? else {
+        let found = match self.has_bounds {
+            true => narrowest(wide, in_widths, PreparedScene::needed)?,
+            false => {
+                let widths = following(wide);
+                in_widths(&widths)?.map(|prepared| (widths, prepared))
+            }
+        };
+        let Some((widths, prepared)) = found else {
             return Ok(None);
         };
         let mut metrics = Vec::new();
         let mut items = Vec::new();
-        for (frame, prepared) in self.0.iter().zip(&prepared) {
-            let drawing = Drawing::of(prepared, &frame.scene);
-            let (found, _) = measure(&frame.truth, &drawing);
+        for (frame, prepared) in self.frames.iter().zip(&prepared) {
+            let (found, _) = measure(&frame.truth, &frame.draw(prepared)?);
             items.push(budget.judge(&found, frame.truth.pixels.len()));
             metrics.push(found);
         }
@@ -144,9 +164,13 @@ impl Frames {
             return Ok(None);
         };
         let mut all = Vec::new();
-        for frame in &self.0 {
+        for frame in &self.frames {
             match prepare_for_roots(&frame.scene, format) {
-                Ok(prepared) => all.push(prepared),
+                Ok(prepared) => match needs::check_any(&frame.scene, &prepared) {
+                    Ok(()) => all.push(prepared),
+                    Err(DisplayError::Guards { .. }) => return Ok(None),
+                    Err(source) => return Err(frame.refused(source)),
+                },
                 Err(PrepareError::TooLarge { .. } | PrepareError::SteepPlane { .. }) => {
                     return Ok(None);
                 }
@@ -175,12 +199,14 @@ fn check(name: &str, scene: &FramedScene, expected: usize) -> Result<(), FitErro
             expected,
         });
     }
-    match scene.objects.iter().find(|o| o.processor() != "quadric") {
-        Some(other) => Err(FitError::Processor {
-            scene: name(),
-            object: other.name().to_owned(),
-            processor: other.processor(),
-        }),
-        None => Ok(()),
+    Ok(())
+}
+
+/// Widths that follow from the depth word, with the guard bits of others.
+fn following(wide: &MachineWords) -> MachineWords {
+    MachineWords {
+        guard_linear: wide.guard_linear,
+        guard_quadratic: wide.guard_quadratic,
+        ..MachineWords::of(wide.depth)
     }
 }

@@ -1,16 +1,19 @@
 //! The smallest machine that draws a scene, or every frame of an animation, within a budget of errors.
 //!
 //! [`budget`] says what is allowed, [`frames`] holds the pictures and their truth, [`search`](mod@search) finds the
-//! machines that meet the budget, and [`proof`] says of the one that is taken what is proven by bounds and what by
-//! comparing every pixel. `docs/fit.md` is the user's page.
+//! words that meet the budget, [`machine`](mod@machine) what stands around them, and [`proof`] says of the one that is
+//! taken what is proven by bounds and what by comparing every pixel. `docs/fit.md` is the user's page.
 
 pub mod budget;
 mod estimate;
 pub mod frames;
+pub mod machine;
 pub mod proof;
 pub mod search;
 
 use imogene_files::text::counted;
+use imogene_plan::description::DescriptionError;
+use imogene_plan::display::DisplayError;
 use imogene_prepare::error::PrepareError;
 use imogene_scene::SceneError;
 use thiserror::Error;
@@ -34,19 +37,36 @@ pub enum FitError {
         /// What is in the way.
         source: Box<PrepareError>,
     },
-    /// An object of another processor.
-    #[error(
-        "{scene}: object '{object}' is drawn by the processor \"{processor}\"; fitted machines have quadric processors, which draw \
-         every object of a quadric: leave `processor` out"
-    )]
-    Processor {
+    /// A scene that no machine shows.
+    #[error("{scene}: {source}")]
+    Machine {
         /// The file.
         scene: String,
-        /// Name of the object.
-        object: String,
-        /// Its processor.
-        processor: &'static str,
+        /// What is in the way.
+        source: Box<DisplayError>,
     },
+    /// More objects or volumes than a beam machine has processors.
+    #[error(
+        "the scene has more objects or volumes than the 256 processors of a beam machine; --machine zone would do"
+    )]
+    TooManyForBeam,
+    /// No machine is as fast as asked for.
+    #[error(
+        "{scene}: no machine reaches {wanted} frames per second at {mhz} MHz; the fastest one makes {fastest:.1}"
+    )]
+    Slow {
+        /// The file of the slowest frame.
+        scene: String,
+        /// Frames per second that are asked for.
+        wanted: f64,
+        /// Clock.
+        mhz: f64,
+        /// Frames per second of the fastest machine.
+        fastest: f64,
+    },
+    /// Not a machine: too large a picture.
+    #[error(transparent)]
+    Description(#[from] DescriptionError),
     /// Frames that are not of one animation.
     #[error(
         "{scene}: {}, but the first frame has {expected}; the frames of an animation have the same objects in the same order",

@@ -62,11 +62,16 @@ pub fn bounds(frames: &Frames, drawn: &Drawn) -> Bounds {
 }
 
 /// How each limit is known to be kept.
-pub fn proofs(frames: &Frames, budget: &Budget, drawn: &Drawn, bounds: &Bounds) -> Vec<Proven> {
+pub fn proofs(
+    frames: &Frames,
+    budget: &Budget,
+    drawn: &Drawn,
+    bounds: Option<&Bounds>,
+) -> Vec<Proven> {
     let words_per_pixel = frames.all().iter().map(|f| f.truth.words_per_pixel);
     let words_per_pixel = words_per_pixel.fold(f64::INFINITY, f64::min);
     let of = |item: &Item| {
-        let bound = match item.limit {
+        let bound = bounds.and_then(|bounds| match item.limit {
             "depth" => Some(match budget.depth {
                 Some(DepthLimit::Pixels(_)) => bounds.depth_lsb / words_per_pixel,
                 _ => bounds.depth_lsb,
@@ -75,7 +80,7 @@ pub fn proofs(frames: &Frames, budget: &Budget, drawn: &Drawn, bounds: &Bounds) 
             "silhouette" | "faces" => Some(bounds.undecided_pixels as f64),
             "normal" => Some(bounds.normal_deg),
             _ => None,
-        };
+        });
         let is_proven = bound.is_some_and(|bound| bound <= item.allowed);
         Proven {
             item: item.clone(),

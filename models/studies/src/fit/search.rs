@@ -12,14 +12,15 @@ use super::frames::{Drawn, Frames};
 use crate::kit::words::widest;
 use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
+use imogene_golden::machine::fitted::FittedSlot;
 use rayon::prelude::*;
 
 /// Depth words that are tried.
 const DEPTHS: (u32, u32) = (8, 30);
 /// Depth words beyond the least that meets the budget: a longer word can need fewer guard bits.
 const MORE_DEPTHS: u32 = 3;
-/// Guard bits at most; more than these help no scene that is known.
-const GUARDS: (u32, u32) = (8, 16);
+/// Guard bits of f1 and f2 at most: as many as keep the depth of every facet, and more than help any scene known.
+pub(super) const MOST_GUARDS: (u32, u32) = (10, 16);
 /// Bits of a normal component.
 const NORMALS: (u32, u32) = (10, 16);
 
@@ -60,7 +61,13 @@ pub fn search(
         .map(|depth| search.fewest(depth))
         .collect();
     let mut found: Vec<Drawn> = found?.into_iter().flatten().collect();
-    let cells = |drawn: &Drawn| estimate::cells(&drawn.machine(1));
+    let cells = |drawn: &Drawn| {
+        let slots = drawn.prepared[0].quadrics();
+        let slots = slots.map(|(_, object)| FittedSlot::of(&object.words));
+        let each = slots.map(|slot| estimate::of_slot(&drawn.widths, &slot));
+        // Where there are none, the words alone count.
+        each.sum::<f64>() + f64::from(drawn.widths.depth)
+    };
     found.sort_by(|a, b| cells(a).total_cmp(&cells(b)));
     Ok(Outcome::Fits(found))
 }
@@ -74,8 +81,8 @@ struct Search<'a, T: Fn() + Sync> {
 /// The most exact words of a depth word.
 fn most_exact(depth: u32) -> MachineWords {
     // The second-degree processor has at most 64 bits, and the root as many as the depth unless the scene needs fewer.
-    let guard_quadratic = GUARDS.1.min(64 - 2 * depth.min(32));
-    widest(depth, NORMALS.1, (GUARDS.0, guard_quadratic), 0)
+    let guard_quadratic = MOST_GUARDS.1.min(64 - 2 * depth.min(32));
+    widest(depth, NORMALS.1, (MOST_GUARDS.0, guard_quadratic), 0)
 }
 
 impl<T: Fn() + Sync> Search<'_, T> {

@@ -16,8 +16,8 @@ use imogene_contract::shading::{
 use imogene_contract::words::far_end;
 use imogene_hdl::{Bits, Bundle, Int, Value, bundle, bundles, memory, module, net};
 
-/// Bits of a sum of levels, and of what stands behind the point.
-const SUM: u32 = 38;
+/// Bits of what is sent of a light, of which the highest two are 0, and bits behind the point.
+const SENT: u32 = 36;
 const FRACTION: u32 = shading::LEVEL_FRACTION as u32;
 /// Clock of a pixel at which its exponent is read, and at which its other words are.
 const EXPONENT: u32 = 18;
@@ -160,10 +160,12 @@ fn part(load: ShadingLoad, first: u64, words: u64, width: u32) -> LoadBus {
 
 /// Ambient light and what the surface sends back of each light, rounded to a level; the brightest one where it is more.
 fn level(sent: Vec<Bits>, ambient: Bits) -> Bits {
-    let ambient = ambient.extend(SUM).left(FRACTION - LEVEL);
-    let rounded = ambient + Bits::new(1 << (FRACTION - 1), SUM);
+    // Of ambient light and rounding there is less than a 32nd of what one light can send.
+    let width = SENT.max(SENT - 1 + sent.len().ilog2());
+    let ambient = ambient.extend(width).left(FRACTION - LEVEL);
+    let rounded = ambient + Bits::new(1 << (FRACTION - 1), width);
     let sums = sent.chunks(2).map(|pair| {
-        let pair = pair.iter().map(|level| level.extend(SUM));
+        let pair = pair.iter().map(|level| level.extend(width));
         pair.reduce(|one, other| one + other).expect("a light")
     });
     let sums: Vec<Bits> = sums.collect();
@@ -171,7 +173,7 @@ fn level(sent: Vec<Bits>, ambient: Bits) -> Bits {
     let high = sums[1..].iter();
     let sum = high.fold(first_sum, |low, high| low + high.reg());
     net! { let level_sum = sum.reg(); }
-    let is_less = level_sum.slice(SUM - 1, FRACTION + LEVEL).is(0);
+    let is_less = level_sum.slice(width - 1, FRACTION + LEVEL).is(0);
     let brightest = Bits::new((1 << LEVEL) - 1, LEVEL);
     is_less.select(level_sum.slice(FRACTION + LEVEL - 1, FRACTION), brightest)
 }

@@ -42,6 +42,9 @@ impl Bits {
         if count == 0 {
             return self;
         }
+        if count >= self.width() {
+            return Bits::new(0, self.width());
+        }
         join([self.slice(self.width() - 1 - count, 0), Bits::new(0, count)])
     }
 

@@ -1,0 +1,314 @@
+//! The machine around the words: processors, volumes, lights, zones, screen.
+
+use super::FitError;
+use super::estimate;
+use super::frames::{Drawn, Frame, Frames};
+use imogene_contract::MachineWords;
+use imogene_contract::video::VideoMode;
+use imogene_golden::format::Format;
+use imogene_golden::machine::fitted::FittedSlot;
+use imogene_golden::slots::Slots;
+use imogene_golden::widths::OwnWidths;
+use imogene_plan::description::{
+    MachineDescription, MachineKind, Mode, Output, OwnMode, Smoothing, ZoneSize,
+};
+use imogene_plan::display::DisplayError;
+use imogene_plan::needs::enough;
+use imogene_plan::zone::clocks::{ZoneTiming, clocks};
+use imogene_plan::zone::plan::ZonePlan;
+use imogene_prepare::PreparedScene;
+
+/// Object and volume processors of a beam machine at most, if nobody says which machine: more share their processors
+/// zone by zone.
+const MOST_OF_BEAM: usize = 16;
+/// Processors of a zone machine that are tried, of a kind.
+const PROCESSORS: [usize; 5] = [1, 2, 4, 8, 16];
+/// Sides of its zones that are tried.
+const SIDES: [u32; 3] = [16, 32, 64];
+/// Blanking of a screen of no published mode: front porch, synchronisation, back porch of a line and of a frame.
+const BLANKING: [[u64; 3]; 2] = [[8, 16, 16], [2, 2, 12]];
+
+/// How fast a machine has to be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pace {
+    /// Frames per second.
+    pub frames: f64,
+    /// Clock in MHz.
+    pub mhz: f64,
+}
+
+/// What is asked of a machine besides its words.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Wishes {
+    /// Which machine; if not given, a beam machine for few processors.
+    pub kind: Option<MachineKind>,
+    /// How fast; if not given, the smallest machine will do.
+    pub pace: Option<Pace>,
+}
+
+/// A machine, and the clocks of its slowest frame.
+#[derive(Clone, Debug)]
+pub struct Fitted {
+    /// What it is made of.
+    pub description: MachineDescription,
+    /// Clocks of a frame: of the screen, or of the zones where they are more.
+    pub clocks: u64,
+}
+
+/// The smallest machine of these words that shows all frames; `timing` gives the clocks of the passes of a zone
+/// machine.
+///
+/// # Errors
+///
+/// When no machine shows them, or is as fast as asked for.
+pub fn machine(
+    frames: &Frames,
+    drawn: &Drawn,
+    rows_per_stage: u32,
+    wishes: &Wishes,
+    timing: &dyn Fn(&MachineDescription) -> ZoneTiming,
+) -> Result<Fitted, FitError> {
+    let size = &frames.all()[0].scene;
+    let smallest = smallest(drawn, rows_per_stage, (size.width, size.height));
+    let beam = with_enough(&smallest, frames, drawn)?;
+    let fits_beam = beam.machine == MachineKind::Beam;
+    let is_beam = match wishes.kind {
+        Some(MachineKind::Beam) if !fits_beam => return Err(FitError::TooManyForBeam),
+        Some(kind) => kind == MachineKind::Beam,
+        None => fits_beam && beam.objects + beam.volumes <= MOST_OF_BEAM,
+    };
+    let found = match is_beam {
+        true => of_beam(beam, wishes.pace, &frames.all()[0]),
+        false => of_zones(&beam, frames, drawn, wishes.pace, timing),
+    }?;
+    found.description.check("the fitted machine")?;
+    Ok(found)
+}
+
+/// The machine of the base format for the same frames: processors that are all alike.
+pub fn base(fitted: &MachineDescription) -> MachineDescription {
+    MachineDescription {
+        depth_word: Format::BASE.depth,
+        widths: OwnWidths::default(),
+        rows_per_stage: 1,
+        slots: None,
+        ..fitted.clone()
+    }
+}
+
+/// A beam machine with nothing but words and a screen.
+fn smallest(drawn: &Drawn, rows_per_stage: u32, size: (u32, u32)) -> MachineDescription {
+    MachineDescription {
+        machine: MachineKind::Beam,
+        depth_word: drawn.widths.depth,
+        widths: OwnWidths::of(&drawn.widths),
+        rows_per_stage,
+        objects: 0,
+        planes: 0,
+        slots: Some(Slots(vec![])),
+        volumes: 0,
+        volume_planes: 0,
+        lights: 1,
+        zone: None,
+        loader_words: None,
+        mode: mode(size),
+        output: Output::Pins,
+        supersampling: 1,
+        smoothing: Smoothing::None,
+        overlay: false,
+    }
+}
+
+/// The published mode of a size, or one with a short blanking.
+fn mode((width, height): (u32, u32)) -> Mode {
+    let (width, height) = (u64::from(width), u64::from(height));
+    let is_of_size = |mode: &VideoMode| (mode.line.active, mode.frame.active) == (width, height);
+    match VideoMode::ALL.iter().any(is_of_size) {
+        true => Mode::Named(format!("{width}x{height}")),
+        false => {
+            let span = |active: u64, [front, sync, back]: [u64; 3]| [active, front, sync, back];
+            Mode::Own(OwnMode {
+                columns: span(width, BLANKING[0]),
+                lines: span(height, BLANKING[1]),
+                hsync_high: false,
+                vsync_high: false,
+            })
+        }
+    }
+}
+
+fn with_enough(
+    machine: &MachineDescription,
+    frames: &Frames,
+    drawn: &Drawn,
+) -> Result<MachineDescription, FitError> {
+    let scenes: Vec<_> = pairs(frames, drawn)
+        .map(|(frame, prepared)| (&frame.scene, prepared))
+        .collect();
+    enough(machine, &scenes).map_err(|source| frames.all()[0].refused(source))
+}
+
+fn pairs<'a>(
+    frames: &'a Frames,
+    drawn: &'a Drawn,
+) -> impl Iterator<Item = (&'a Frame, &'a PreparedScene)> {
+    frames.all().iter().zip(&drawn.prepared)
+}
+
+fn of_beam(
+    description: MachineDescription,
+    pace: Option<Pace>,
+    frame: &Frame,
+) -> Result<Fitted, FitError> {
+    let clocks = screen_clocks(&description);
+    if let Some(pace) = pace {
+        pace.check(clocks, frame)?;
+    }
+    Ok(Fitted {
+        description,
+        clocks,
+    })
+}
+
+impl Pace {
+    fn check(self, clocks: u64, frame: &Frame) -> Result<(), FitError> {
+        let fastest = self.mhz * 1e6 / clocks as f64;
+        match fastest >= self.frames {
+            true => Ok(()),
+            false => Err(FitError::Slow {
+                scene: frame.name.clone(),
+                wanted: self.frames,
+                mhz: self.mhz,
+                fastest,
+            }),
+        }
+    }
+}
+
+fn screen_clocks(description: &MachineDescription) -> u64 {
+    description.video_mode().map_or(0, |mode| mode.clocks())
+}
+
+/// The zone machine of the fewest processors that is fast enough, with the side of its zones at which it is fastest.
+fn of_zones(
+    beam: &MachineDescription,
+    frames: &Frames,
+    drawn: &Drawn,
+    pace: Option<Pace>,
+    timing: &dyn Fn(&MachineDescription) -> ZoneTiming,
+) -> Result<Fitted, FitError> {
+    let base = MachineDescription {
+        machine: MachineKind::Zone,
+        objects: 1,
+        volumes: beam.volumes.min(1),
+        slots: None,
+        loader_words: None,
+        mode: mode((frames.all()[0].scene.width, frames.all()[0].scene.height)),
+        zone: Some(ZoneSize {
+            width: SIDES[0],
+            height: SIDES[0],
+        }),
+        ..beam.clone()
+    };
+    let plans: Vec<Vec<ZonePlan>> = SIDES
+        .into_iter()
+        .map(|side| plans(&base, side, frames, drawn))
+        .collect::<Result<_, _>>()?;
+    let mut sizes: Vec<(usize, usize)> = PROCESSORS
+        .into_iter()
+        .flat_map(|objects| PROCESSORS.map(|volumes| (objects, volumes)))
+        .filter(|(_, volumes)| beam.volumes > 0 || *volumes == 1)
+        .collect();
+    let cells = |of: &(usize, usize)| cells(&drawn.widths, &base, *of);
+    sizes.sort_by(|a, b| cells(a).total_cmp(&cells(b)));
+    let mut fastest: Option<Fitted> = None;
+    for (objects, volumes) in sizes {
+        let found = with_processors(&base, (objects, volumes), &plans, timing);
+        let is_enough = pace.is_none_or(|pace| found.clocks as f64 * pace.frames <= pace.mhz * 1e6);
+        if is_enough {
+            return Ok(found);
+        }
+        if fastest
+            .as_ref()
+            .is_none_or(|fastest| found.clocks < fastest.clocks)
+        {
+            fastest = Some(found);
+        }
+    }
+    let fastest = fastest.expect("a machine was tried");
+    let pace = pace.expect("without a pace the first machine does");
+    pace.check(fastest.clocks, &frames.all()[0])?;
+    Ok(fastest)
+}
+
+/// The frames in zones of a side.
+fn plans(
+    base: &MachineDescription,
+    side: u32,
+    frames: &Frames,
+    drawn: &Drawn,
+) -> Result<Vec<ZonePlan>, FitError> {
+    let zone = Some(ZoneSize {
+        width: side,
+        height: side,
+    });
+    let machine = MachineDescription {
+        zone,
+        ..base.clone()
+    }
+    .zone_machine();
+    let plan = |(frame, prepared): (&Frame, &PreparedScene)| {
+        let plan = ZonePlan::of(prepared, machine);
+        plan.map_err(|source| frame.refused(DisplayError::Plan(source)))
+    };
+    pairs(frames, drawn).map(plan).collect()
+}
+
+/// A machine of so many processors, with the side of its zones at which its slowest frame is fastest.
+fn with_processors(
+    base: &MachineDescription,
+    (objects, volumes): (usize, usize),
+    plans: &[Vec<ZonePlan>],
+    timing: &dyn Fn(&MachineDescription) -> ZoneTiming,
+) -> Fitted {
+    let machine = MachineDescription {
+        objects,
+        volumes: volumes.min(base.volumes * volumes),
+        ..base.clone()
+    };
+    let timing = timing(&machine);
+    let slowest = |plans: &[ZonePlan]| {
+        let of_frame = |plan: &ZonePlan| {
+            let mut plan = plan.clone();
+            plan.machine.object_processors = machine.objects;
+            plan.machine.volume_processors = machine.volumes;
+            clocks(&plan, &timing).total
+        };
+        plans.iter().map(of_frame).max().unwrap_or(0)
+    };
+    let sides = SIDES.into_iter().zip(plans);
+    let timed = sides.map(|(side, plans)| (slowest(plans), side));
+    let (clocks, side) = timed.min().expect("there are sides");
+    let zone = Some(ZoneSize {
+        width: side,
+        height: side,
+    });
+    Fitted {
+        clocks: clocks.max(screen_clocks(&machine)),
+        description: MachineDescription { zone, ..machine },
+    }
+}
+
+/// Logic cells of the processors of a zone machine, roughly.
+fn cells(
+    widths: &MachineWords,
+    machine: &MachineDescription,
+    (objects, volumes): (usize, usize),
+) -> f64 {
+    let slot = |planes: usize| FittedSlot {
+        planes: planes as u32,
+        two_volumes: true,
+    };
+    let of = |planes: usize| estimate::of_slot(widths, &slot(planes));
+    objects as f64 * of(machine.planes) + volumes as f64 * of(machine.volume_planes)
+}
