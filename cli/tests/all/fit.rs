@@ -47,11 +47,13 @@ fn a_scene_is_fitted_emitted_and_compared() {
         assert!(measured <= allowed, "{limit}");
     }
     assert_eq!(report["cosim"][0]["mismatches"], 0);
-    assert_eq!(report["cosim"][0]["pixels"], 48 * 36);
+    // Every pin on every clock: a black frame, and that of the scene.
+    assert_eq!(report["cosim"][0]["pixels"], 2 * 48 * 36);
     assert!(report["cost"]["lut"].as_u64() < report["base_cost"]["lut"].as_u64());
     assert!(report["saving_percent"]["lut"].as_f64().unwrap() > 0.0);
     for file in [
-        "beam.v",
+        "machine.toml",
+        "beam_display.v",
         "contract.md",
         "fit.json",
         "golden.png",
@@ -59,7 +61,7 @@ fn a_scene_is_fitted_emitted_and_compared() {
     ] {
         assert!(out.join(file).is_file(), "{file}");
     }
-    // The command that it names writes the same Verilog.
+    // The command that it names shows the same on the pins of the same Verilog.
     let again = folder.path().join("again");
     let command = report["command"].as_str().unwrap();
     let arguments: Vec<&str> = command
@@ -75,10 +77,63 @@ fn a_scene_is_fitted_emitted_and_compared() {
         .collect();
     let (code, _, stderr) = output(&mut imogene(&arguments));
     assert_eq!(code, 0, "{stderr}");
-    let text = |folder: &Path| std::fs::read_to_string(folder.join("beam.v")).unwrap();
+    let text = |folder: &Path| std::fs::read_to_string(folder.join("beam_display.v")).unwrap();
     assert_eq!(text(&out), text(&again));
+    let bytes = |path| std::fs::read(path).unwrap();
+    assert_eq!(bytes(out.join("golden.png")), bytes(again.join("pins.png")));
     let contract = std::fs::read_to_string(out.join("contract.md")).unwrap();
     assert!(contract.contains("how it is known") && contract.contains(command));
+}
+
+/// Shadows, meshes and more objects than a beam machine has processors, without an outside tool.
+#[test]
+fn scenes_of_every_kind_are_fitted_to_the_pins() {
+    let folder = tempfile::tempdir().unwrap();
+    let cases: [(&str, &[&str], &str); 4] = [
+        ("shadows/robot", &[], "zone"),
+        ("processors/mesh", &[], "zone"),
+        ("cone", &["--machine", "zone", "--min-fps", "60"], "zone"),
+        ("extremes/sixteen-lights", &[], "beam"),
+    ];
+    for (scene, more, kind) in cases {
+        let out = folder.path().join(scene.replace('/', "-"));
+        let path = format!("scenes/{scene}.toml");
+        let mut arguments = vec!["--json", "fit", &path, "--size", "32x24", "--no-cost"];
+        arguments.extend(["--max-depth-error", "1px", "--out", out.to_str().unwrap()]);
+        arguments.extend(more);
+        let (code, stdout, stderr) = output(&mut imogene(&arguments));
+        assert_eq!(code, 0, "{scene}: {stderr}");
+        let report: Value = serde_json::from_str(&stdout).unwrap();
+        assert_eq!(report["machine"]["machine"], kind, "{scene}");
+        assert_eq!(report["cosim"][0]["mismatches"], 0, "{scene}");
+        assert_eq!(report["cost"], Value::Null, "{scene}");
+        assert!(out.join("machine.toml").is_file(), "{scene}");
+    }
+}
+
+#[test]
+fn a_pace_out_of_reach_is_refused_with_the_fastest_machine() {
+    let out = tempfile::tempdir().unwrap();
+    let out = out.path().join("fit");
+    let (code, _, stderr) = output(&mut imogene(&[
+        "fit",
+        "scenes/cone.toml",
+        "--size",
+        "32x24",
+        "--max-depth-error",
+        "1px",
+        "--no-cost",
+        "--min-fps",
+        "1e6",
+        "--out",
+        out.to_str().unwrap(),
+    ]));
+    assert_eq!(code, 1, "{stderr}");
+    assert!(
+        stderr.contains("1000000 frames per second at 50 MHz"),
+        "{stderr}"
+    );
+    assert!(!out.exists());
 }
 
 #[test]
@@ -132,13 +187,13 @@ fn bad_input_is_refused_with_what_would_be_accepted() {
         (
             &[
                 "fit",
-                "scenes/processors/mesh.toml",
+                "scenes/processors/curved-facet.toml",
                 "--out",
                 "x",
                 "--max-depth-error",
                 "1",
             ],
-            "leave `processor` out",
+            "a curved facet cannot be drawn",
         ),
         (
             &[

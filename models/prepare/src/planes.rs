@@ -145,7 +145,15 @@ fn perpendicular(
         value.scaled(&scale)
     };
     let anchor = context.anchor_of(shared);
-    let depth = round_half_plane(&exact, anchor).expect("scaled to the plane word");
+    let (exact, depth) = match round_half_plane(&exact, anchor) {
+        Ok(depth) => (exact, depth),
+        // Far too steep for a word where there is but one column or line.
+        Err(_) => {
+            let exact = on_its_only_line(exact, shared);
+            let depth = round_half_plane(&exact, anchor).expect("scaled to the plane word");
+            (exact, depth)
+        }
+    };
     PreparedPlane {
         words: PlaneWords {
             kind: PlaneKind::Perpendicular,
@@ -157,6 +165,23 @@ fn perpendicular(
         exact,
         steep,
     }
+}
+
+/// The same values on a box of one column or line, without the slope across it.
+fn on_its_only_line(form: LinearForm, window: &ScreenBox) -> LinearForm {
+    let LinearForm {
+        mut a,
+        mut b,
+        mut c,
+    } = form;
+    let mut drop_slope = |slope: &mut BigRational, from: i64, to: i64| {
+        if from == to {
+            c += std::mem::take(slope) * integer(from);
+        }
+    };
+    drop_slope(&mut a, window.x0, window.x1);
+    drop_slope(&mut b, window.y0, window.y1);
+    LinearForm::new(a, b, c)
 }
 
 /// A plane whose depth does not fit the plane word is so steep that it crosses the object's depths between two pixels

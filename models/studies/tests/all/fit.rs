@@ -1,10 +1,14 @@
 //! The search for the smallest machine: what is found meets the budget, and one bit less anywhere does not.
 
 use imogene_contract::MachineWords;
+use imogene_golden::machine::fitted::FittedSlot;
+use imogene_plan::description::{MachineDescription, MachineKind};
+use imogene_plan::zone::clocks::ZoneTiming;
 use imogene_scene::SceneFile;
 use imogene_studies::fit::FitError;
 use imogene_studies::fit::budget::{Budget, CountLimit, DepthLimit};
 use imogene_studies::fit::frames::{Drawn, Frames};
+use imogene_studies::fit::machine::{Fitted, Pace, Wishes, machine};
 use imogene_studies::fit::proof;
 use imogene_studies::fit::proof::Proof;
 use imogene_studies::fit::search::{Outcome, search};
@@ -92,22 +96,40 @@ fn what_is_found_meets_the_budget_and_one_bit_less_does_not() {
     }
 }
 
+/// A machine of these words, whose passes take a few clocks more than their pixels.
+fn machine_of(frames: &Frames, drawn: &Drawn, wishes: &Wishes) -> Result<Fitted, FitError> {
+    let timing = |_: &MachineDescription| ZoneTiming {
+        draw_drain: 40,
+        light_drain: 40,
+        show_drain: 3,
+        settle: 40,
+        command: 1,
+    };
+    machine(frames, drawn, 1, wishes, &timing)
+}
+
+fn beam_slots(frames: &Frames, drawn: &Drawn) -> Vec<FittedSlot> {
+    let machine = machine_of(frames, drawn, &Wishes::default()).unwrap();
+    assert_eq!(machine.description.machine, MachineKind::Beam);
+    machine.description.slots()
+}
+
 /// The words that are not searched are those that the scene requires: a bit less of the root or the planes and it
 /// cannot be prepared.
 #[test]
 fn the_machine_has_the_planes_and_halves_that_its_objects_have() {
     let frames = frames(&["cut-sphere"]).unwrap();
     let drawn = &found(&frames, &budgets()[1])[0];
-    let machine = drawn.machine(1);
+    let slots = beam_slots(&frames, drawn);
     let objects: Vec<usize> = frames.all()[0]
         .scene
         .objects
         .iter()
         .map(|object| object.quadric().unwrap().planes.len())
         .collect();
-    let planes: Vec<usize> = machine.slots.iter().map(|s| s.planes as usize).collect();
+    let planes: Vec<usize> = slots.iter().map(|s| s.planes as usize).collect();
     assert_eq!(planes, objects);
-    assert!(machine.slots.iter().all(|slot| !slot.two_volumes));
+    assert!(slots.iter().all(|slot| !slot.two_volumes));
     assert!(drawn.widths.root < drawn.widths.depth && drawn.widths.plane < drawn.widths.depth + 12);
 }
 
@@ -116,12 +138,8 @@ fn the_machine_has_the_planes_and_halves_that_its_objects_have() {
 fn only_slots_that_need_it_have_half_b() {
     let frames = frames(&["front-view"]).unwrap();
     let drawn = &found(&frames, &budgets()[1])[0];
-    let halves: Vec<bool> = drawn
-        .machine(1)
-        .slots
-        .iter()
-        .map(|s| s.two_volumes)
-        .collect();
+    let slots = beam_slots(&frames, drawn);
+    let halves: Vec<bool> = slots.iter().map(|slot| slot.two_volumes).collect();
     assert!(
         halves.contains(&true) && halves.contains(&false),
         "{halves:?}"
@@ -138,7 +156,7 @@ fn limits_are_proven_by_bounds_where_these_are_not_above_them() {
     };
     let drawn = &found(&frames, &budget)[0];
     let bounds = proof::bounds(&frames, drawn);
-    let proofs = proof::proofs(&frames, &budget, drawn, &bounds);
+    let proofs = proof::proofs(&frames, &budget, drawn, Some(&bounds));
     for proof in &proofs {
         if let Some(bound) = proof.bound {
             assert!(proof.item.measured <= bound, "{proof:?}");
@@ -200,16 +218,81 @@ fn an_unreachable_budget_is_told_with_the_nearest_machine() {
     }
 }
 
+/// The words of polyhedra and facets follow from the depth word, and nothing is proven of their errors.
+#[test]
+fn what_is_no_quadric_is_fitted_by_its_depth_word_alone() {
+    let budget = Budget {
+        depth: Some(DepthLimit::Pixels(1.0)),
+        ..Budget::default()
+    };
+    for name in ["processors/polyhedron", "processors/mesh"] {
+        let frames = frames(&[name]).unwrap();
+        let drawn = &found(&frames, &budget)[0];
+        assert!(drawn.fits() && !frames.has_bounds, "{name}");
+        let words = MachineWords {
+            guard_linear: drawn.widths.guard_linear,
+            guard_quadratic: drawn.widths.guard_quadratic,
+            ..MachineWords::of(drawn.widths.depth)
+        };
+        assert_eq!(drawn.widths, words, "{name}");
+        let proofs = proof::proofs(&frames, &budget, drawn, None);
+        assert!(proofs.iter().all(|p| p.proof == Proof::Exhaustive));
+    }
+}
+
+/// More frames per second take more processors, and what none reaches is refused with what the fastest does.
+#[test]
+fn a_zone_machine_has_the_processors_that_its_pace_takes() {
+    let frames = frames(&["teapot"]).unwrap();
+    let drawn = &found(&frames, &budgets()[1])[0];
+    let with = |pace: Option<f64>| {
+        let wishes = Wishes {
+            kind: Some(MachineKind::Zone),
+            pace: pace.map(|frames| Pace { frames, mhz: 1.0 }),
+        };
+        machine_of(&frames, drawn, &wishes)
+    };
+    let smallest = with(None).unwrap();
+    assert_eq!(smallest.description.objects, 1);
+    let paced = 1.5e6 / smallest.clocks as f64;
+    let faster = with(Some(paced)).unwrap();
+    assert!(faster.description.objects > 1);
+    assert!(faster.clocks as f64 * paced <= 1e6);
+    let error = with(Some(1e4)).err().unwrap().to_string();
+    assert!(
+        error.contains("10000 frames per second at 1 MHz"),
+        "{error}"
+    );
+}
+
+/// What a description says as text is read back as the same machine.
+#[test]
+fn a_fitted_machine_is_a_file() {
+    for kind in [MachineKind::Beam, MachineKind::Zone] {
+        let frames = frames(&["front-view"]).unwrap();
+        let drawn = &found(&frames, &budgets()[1])[0];
+        let wishes = Wishes {
+            kind: Some(kind),
+            pace: None,
+        };
+        let machine = machine_of(&frames, drawn, &wishes).unwrap().description;
+        let text = machine.to_toml();
+        let again = MachineDescription::parse(&text, "machine.toml").unwrap();
+        assert_eq!(again, machine, "{text}");
+        assert_eq!(again.format().unwrap().widths(), drawn.widths);
+        assert_eq!(again.drawn_size(), SIZE);
+    }
+}
+
 #[test]
 fn what_cannot_be_fitted_is_refused_by_name() {
     let refused = |names: &[&str]| frames(names).err().map(|e| e.to_string()).unwrap();
     let message = refused(&["cut-sphere", "teapot"]);
     assert!(message.contains("teapot: 10 objects"), "{message}");
-    let message = refused(&["processors/polyhedron"]);
-    assert!(
-        message.contains("drawn by the processor \"polyhedron\""),
-        "{message}"
-    );
+    let message = refused(&["processors/curved-facet"]);
+    assert!(message.contains("object 'ball'"), "{message}");
+    let message = refused(&["extremes/eye-on-quadric"]);
+    assert!(message.contains("'shell'"), "{message}");
     let frames = frames(&["cut-sphere"]).unwrap();
     let counted = AtomicUsize::new(0);
     let count = || {
