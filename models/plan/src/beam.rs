@@ -2,14 +2,18 @@
 
 use super::description::MachineDescription;
 use super::zone::plan::{self, Part, PlanError};
+use imogene_contract::object::Kind;
+use imogene_golden::format::Format;
+use imogene_golden::machine::fitted::FittedSlot;
 use imogene_golden::machine::shader::{LIGHT_ADDRESS, ShaderWords};
 use imogene_golden::machine::zone::beat::{Beat, kind};
 use imogene_golden::object::as_quadric::AsQuadricError;
-use imogene_golden::object::load::{LoadWord, load_words};
+use imogene_golden::object::load::LoadWord;
+use imogene_golden::object::load_slot::{empty_slot, load_slot};
 use imogene_golden::object::load_volume::load_volume;
 use imogene_golden::object::paraboloid::plane_guard;
-use imogene_golden::object::quadric::{MAX_PLANES, PlaneWords};
-use imogene_golden::object::unused;
+use imogene_golden::object::quadric::MAX_PLANES;
+use imogene_golden::object::slot::{ProcessorWords, Slot};
 use imogene_golden::object::volume::{VolumePlane, VolumeWords};
 use imogene_prepare::PreparedScene;
 use imogene_prepare::shader::{ShaderError, material_numbers, shader_words};
@@ -89,8 +93,14 @@ pub(super) fn shading_words(shader: &ShaderWords, machine: &MachineDescription) 
 
 /// Every part of the scene, for processors of so many planes.
 pub(super) fn parts(prepared: &PreparedScene, planes: usize) -> Result<Vec<Part>, DisplayError> {
-    let enough = plane_guard(&prepared.format);
-    plan::parts(prepared, planes, |object, why| match why {
+    plan::parts(prepared, planes, |object, why| {
+        refused(&prepared.format, object, why)
+    })
+}
+
+/// Why an object has no words for a processor of quadrics.
+fn refused(format: &Format, object: String, why: AsQuadricError) -> DisplayError {
+    match why {
         AsQuadricError::Planes { needed, .. } => DisplayError::Planes {
             what: format!("object '{object}'"),
             needed,
@@ -98,10 +108,46 @@ pub(super) fn parts(prepared: &PreparedScene, planes: usize) -> Result<Vec<Part>
         AsQuadricError::GuardBits { .. } => DisplayError::Guards {
             object,
             why,
-            enough,
+            enough: plane_guard(format),
         },
         why => DisplayError::Object { object, why },
-    })
+    }
+}
+
+/// Every part of the scene with what its slot in a beam machine has to have: of its own kind if the machine's is, else of
+/// quadrics, and where no processor of quadrics draws it, of its own kind again.
+pub(super) fn beam_slots(
+    prepared: &PreparedScene,
+    slots: &[FittedSlot],
+) -> Result<Vec<(FittedSlot, Slot)>, DisplayError> {
+    let of_part = |(place, slot): (usize, Slot)| {
+        let own = FittedSlot::of_words(&slot.words);
+        let kind = slots.get(place).map_or(Kind::Quadric, |slot| slot.kind);
+        if let Some(own) = own.filter(|own| own.kind == kind && kind != Kind::Quadric) {
+            return Ok((own, slot));
+        }
+        let words = slot
+            .words
+            .on_quadric_processor(&prepared.format, MAX_PLANES);
+        match (words, own) {
+            (Ok(words), _) => {
+                let needed = FittedSlot::of(&words);
+                let words = ProcessorWords::Quadric(words);
+                Ok((needed, Slot { words, ..slot }))
+            }
+            (Err(AsQuadricError::Processor(_)), Some(own)) => Ok((own, slot)),
+            (Err(why), _) => {
+                let name = prepared.objects[slot.object].name().to_owned();
+                Err(refused(&prepared.format, name, why))
+            }
+        }
+    };
+    prepared
+        .slots()
+        .into_iter()
+        .enumerate()
+        .map(of_part)
+        .collect()
 }
 
 /// Words of every volume of the scene, for processors of so many planes.
@@ -127,26 +173,22 @@ pub(super) fn beam_words(
     let shader = shader_words(scene, &prepared.format, None)?;
     let shading = shading_words(&shader, machine);
     let materials = material_numbers(scene);
-    let parts = parts(prepared, machine.planes)?;
+    let slots = machine.slots();
+    let parts = beam_slots(prepared, &slots)?;
     let volumes = volumes(prepared, machine.volume_planes)?;
     let format = &prepared.format;
     let shading = shading.into_iter();
     let mut beats: Vec<Beat> = shading
         .map(|(address, word)| Beat::new(kind::SHADING, 0, address, word.into()))
         .collect();
-    let slots = machine.slots();
-    for (place, part) in parts.iter().enumerate() {
-        let planes = slots.get(place).map(|slot| slot.planes as usize);
-        let planes = planes.unwrap_or(machine.planes);
-        let material = materials[usize::from(part.object)].into();
+    for (place, (needed, part)) in parts.iter().enumerate() {
+        let material = materials[part.object].into();
         beats.push(Beat::new(kind::MATERIAL, 0, place as u16, material));
-        let mut words = part.words.clone();
-        words.planes.resize(planes, PlaneWords::default());
-        let words = load_words(&words, format, planes);
+        let words = load_slot(&part.words, format, slots.get(place).unwrap_or(needed));
         beats.extend(words.iter().map(load(kind::OBJECT, place)));
     }
-    for place in parts.len()..machine.objects {
-        beats.push(load(kind::OBJECT, place)(&unused::object_slot()));
+    for (place, slot) in slots.iter().enumerate().skip(parts.len()) {
+        beats.push(load(kind::OBJECT, place)(&empty_slot(slot.kind)));
     }
     for (place, words) in volumes.iter().enumerate() {
         let (mut words, planes) = (words.clone(), machine.volume_planes);

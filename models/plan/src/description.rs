@@ -279,10 +279,7 @@ impl MachineDescription {
 
     /// Its object processors.
     pub fn slots(&self) -> Vec<FittedSlot> {
-        let alike = FittedSlot {
-            planes: self.planes as u32,
-            two_volumes: true,
-        };
+        let alike = FittedSlot::full(self.planes as u32);
         match &self.slots {
             Some(Slots(slots)) => slots.clone(),
             None => vec![alike; self.objects],

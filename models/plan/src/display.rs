@@ -1,10 +1,10 @@
 //! What a machine with a screen shows of a scene, and the words that it is given.
 
 pub use super::beam::DisplayError;
-use super::beam::{beam_words, parts, shading_words};
+use super::beam::{beam_slots, beam_words, shading_words};
 use super::description::{MachineDescription, MachineKind, Smoothing};
 use super::needs;
-use super::zone::plan::{Part, ZonePlan};
+use super::zone::plan::ZonePlan;
 use super::zone::refine::Refinement;
 use imogene_golden::machine::accumulator::{Accumulator, PassPixel};
 use imogene_golden::machine::beam;
@@ -13,7 +13,7 @@ use imogene_golden::machine::lighting::Lighting;
 use imogene_golden::machine::shader::{ShaderWords, shade_picture};
 use imogene_golden::machine::zone::beat::Beat;
 use imogene_golden::machine::zone::golden::{StreamError, ZoneMachineModel};
-use imogene_golden::object::slot::{ProcessorWords, Slot};
+use imogene_golden::object::slot::Slot;
 use imogene_prepare::PreparedScene;
 use imogene_prepare::shader::{material_numbers, shader_words};
 use imogene_scene::FramedScene;
@@ -76,12 +76,8 @@ pub fn refined_image(
             (beats, frame, lighting, Some(plan))
         }
         MachineKind::Beam => {
-            let slot = |part: Part| Slot {
-                object: part.object.into(),
-                words: ProcessorWords::Quadric(part.words),
-            };
-            let parts = parts(prepared, machine.planes)?;
-            let slots: Vec<Slot> = parts.into_iter().map(slot).collect();
+            let parts = beam_slots(prepared, &machine.slots())?;
+            let slots: Vec<Slot> = parts.into_iter().map(|(_, slot)| slot).collect();
             let frame = beam::render(&slots, &prepared.format, width, height, || ());
             let lighting = prepared.light(&frame, || ());
             (beam_words(scene, prepared, machine)?, frame, lighting, None)

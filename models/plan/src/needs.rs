@@ -1,13 +1,13 @@
 //! Has a machine what scenes need? If not, the lines of a description that has.
 
-use super::beam::{DisplayError, beam_words, parts, volumes};
+use super::beam::{DisplayError, beam_slots, beam_words, parts, volumes};
 use super::description::{MachineDescription, MachineKind, Mode, Output, OwnMode, ZoneSize};
-use super::zone::plan::{Part, PlanError};
+use super::zone::plan::PlanError;
+use imogene_contract::object::Kind;
 use imogene_golden::machine::fitted::FittedSlot;
 use imogene_golden::machine::shader::MOST_LIGHTS;
 use imogene_golden::machine::zone::ID_BITS;
 use imogene_golden::object::quadric::MAX_PLANES;
-use imogene_golden::object::volume::VolumeWords;
 use imogene_golden::slots::Slots;
 use imogene_prepare::PreparedScene;
 use imogene_prepare::shader::ShaderError;
@@ -66,14 +66,18 @@ pub fn enough(
 ///
 /// When it has too many lights or objects, or what no processor of a machine draws.
 pub fn check_any(framed: &FramedScene, prepared: &PreparedScene) -> Result<(), DisplayError> {
-    needed(framed, prepared).map(|_| ())
+    check_counts(framed, prepared)?;
+    beam_slots(prepared, &[])?;
+    volumes(prepared, MAX_PLANES).map(|_| ())
 }
 
-/// Object parts and volumes, if there are machines that show the scene.
-fn needed(
-    framed: &FramedScene,
-    prepared: &PreparedScene,
-) -> Result<(Vec<Part>, Vec<VolumeWords>), DisplayError> {
+/// True if processors of quadrics draw every part of a scene, which [`check_any`] accepts.
+pub fn is_for_quadrics(prepared: &PreparedScene) -> bool {
+    let slots = beam_slots(prepared, &[]);
+    slots.is_ok_and(|slots| slots.iter().all(|(slot, _)| slot.kind == Kind::Quadric))
+}
+
+fn check_counts(framed: &FramedScene, prepared: &PreparedScene) -> Result<(), DisplayError> {
     let lights = framed.lights.len();
     if lights > MOST_LIGHTS {
         return Err(ShaderError::Lights(lights).into());
@@ -81,8 +85,7 @@ fn needed(
     if prepared.objects.len() > 1 << ID_BITS {
         return Err(PlanError::Objects(prepared.objects.len()).into());
     }
-    let parts = parts(prepared, MAX_PLANES)?;
-    Ok((parts, volumes(prepared, MAX_PLANES)?))
+    Ok(())
 }
 
 /// Gives a machine the processors, planes and lights that it lacks for a scene.
@@ -91,22 +94,19 @@ fn add(
     framed: &FramedScene,
     prepared: &PreparedScene,
 ) -> Result<(), DisplayError> {
-    let (parts, volumes) = needed(framed, prepared)?;
-    let (objects, bodies) = match machine.machine {
-        MachineKind::Beam => (parts.len(), volumes.len()),
-        MachineKind::Zone => (1, volumes.len().min(1)),
-    };
-    if let Some(Slots(slots)) = &mut machine.slots {
-        let none = FittedSlot {
-            planes: 0,
-            two_volumes: false,
-        };
-        slots.resize(slots.len().max(parts.len()), none);
-        for (slot, part) in slots.iter_mut().zip(&parts) {
-            *slot = slot.or(&FittedSlot::of(&part.words));
+    check_counts(framed, prepared)?;
+    let volumes = volumes(prepared, MAX_PLANES)?;
+    let (objects, planes, bodies) = match machine.machine {
+        MachineKind::Beam => {
+            let planes = add_slots(machine, prepared)?;
+            (planes.len(), planes.into_iter().max(), volumes.len())
         }
-    }
-    let planes = parts.iter().map(|part| part.words.planes.len()).max();
+        MachineKind::Zone => {
+            let parts = parts(prepared, MAX_PLANES)?;
+            let planes = parts.iter().map(|part| part.words.planes.len()).max();
+            (1, planes, volumes.len().min(1))
+        }
+    };
     let volume_planes = volumes.iter().map(|words| words.planes.len()).max();
     for (given, needed) in [
         (&mut machine.objects, objects),
@@ -118,6 +118,25 @@ fn add(
         *given = needed.max(*given);
     }
     Ok(())
+}
+
+/// Gives the slots of a beam machine what they lack for a scene; the planes or sides of each part.
+fn add_slots(
+    machine: &mut MachineDescription,
+    prepared: &PreparedScene,
+) -> Result<Vec<usize>, DisplayError> {
+    let needed = beam_slots(prepared, &machine.slots())?;
+    let needed: Vec<FittedSlot> = needed.into_iter().map(|(slot, _)| slot).collect();
+    if machine.slots.is_none() && needed.iter().any(|slot| slot.kind != Kind::Quadric) {
+        machine.slots = Some(Slots(machine.slots()));
+    }
+    if let Some(Slots(slots)) = &mut machine.slots {
+        slots.resize(slots.len().max(needed.len()), FittedSlot::NONE);
+        for (slot, needed) in slots.iter_mut().zip(&needed) {
+            *slot = slot.or(needed);
+        }
+    }
+    Ok(needed.iter().map(|slot| slot.planes as usize).collect())
 }
 
 /// Gives a beam machine room for the words of a scene, in its loader and in the vertical blanking in which they are

@@ -1,6 +1,69 @@
-//! Addresses of the words of an object: f1, f2 and the words of the normal come first.
+//! Kinds of object processors in the slots of a machine, and addresses of the words of an object.
+//!
+//! Of a quadric f1, f2 and the words of the normal come first. Every other kind has its screen box at 0 and 1, and behind
+//! it the words of its other ports, each at the next address.
 
-/// Address of the columns of the screen box, in front of that of its lines.
+use crate::words::{MOST_PLANES, MOST_SIDES};
+use serde::{Deserialize, Serialize};
+
+/// Which processor stands in a slot.
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize,
+)]
+#[serde(rename_all = "snake_case")]
+pub enum Kind {
+    /// Quadrics of every class; draws patches, polyhedra and flat facets too.
+    #[default]
+    Quadric,
+    /// Bare surfaces cut by planes.
+    Patch,
+    /// Convex polyhedra.
+    Polyhedron,
+    /// Flat facets of three or four sides.
+    Facet,
+    /// Facets of second degree.
+    CurvedFacet,
+    /// Spheres by paraboloids.
+    Sphere,
+    /// Cylinders by parabolic cylinders.
+    Cylinder,
+    /// Quadrics of the first generation.
+    FirstGeneration,
+}
+
+/// Each kind, its name, and the fewest and the most planes or sides that its processor is built for.
+pub const KINDS: [(Kind, &str, [u32; 2]); 8] = [
+    (Kind::Quadric, "quadric", [0, MOST_PLANES]),
+    (Kind::Patch, "patch", [0, MOST_PLANES]),
+    (Kind::Polyhedron, "polyhedron", [1, MOST_PLANES]),
+    (Kind::Facet, "facet", [3, MOST_SIDES]),
+    (Kind::CurvedFacet, "curved_facet", [1, MOST_SIDES]),
+    (Kind::Sphere, "sphere", [0, 0]),
+    (Kind::Cylinder, "cylinder", [0, 0]),
+    (Kind::FirstGeneration, "first_generation", [0, 0]),
+];
+
+impl Kind {
+    /// Its name.
+    pub const fn name(self) -> &'static str {
+        KINDS[self as usize].1
+    }
+
+    /// The fewest and the most planes or sides.
+    pub const fn planes(self) -> [u32; 2] {
+        KINDS[self as usize].2
+    }
+
+    /// Address of the columns of the screen box.
+    pub const fn box_columns(self) -> u64 {
+        match self {
+            Kind::Quadric => BOX_COLUMNS,
+            _ => 0,
+        }
+    }
+}
+
+/// Address of the columns of the screen box of a quadric, in front of that of its lines.
 pub const BOX_COLUMNS: u64 = 21;
 /// Address of class (bits 1..0) and shift of the root (6..2).
 pub const CONTROL: u64 = 23;

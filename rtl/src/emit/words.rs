@@ -1,8 +1,9 @@
 //! Words and slots that a machine may have.
 
 use imogene_circuits::machine::Slot;
+use imogene_contract::object::Kind;
 use imogene_contract::request::in_range;
-use imogene_contract::words::{MOST_OBJECTS, MOST_PLANES};
+use imogene_contract::words::MOST_OBJECTS;
 use imogene_contract::{MachineWords, RequestError};
 
 /// Refuses words that are out of their ranges.
@@ -36,11 +37,13 @@ pub(super) fn lines(words: &MachineWords, rows_per_stage: usize) -> Vec<String> 
     ]
 }
 
-/// Refuses slots that are too many, or have too many planes.
+/// Refuses slots that are too many, or have too many planes or sides.
 pub(super) fn check_slots(slots: &[Slot]) -> Result<(), RequestError> {
     in_range("objects", slots.len(), 1, MOST_OBJECTS)?;
-    let mut planes = slots.iter().map(|slot| slot.planes);
-    planes.try_for_each(|planes| in_range("planes", planes, 0, MOST_PLANES))
+    slots.iter().try_for_each(|slot| {
+        let [least, most] = slot.kind.planes();
+        in_range("planes", slot.planes, least, most)
+    })
 }
 
 /// The slots as the header of the Verilog states them.
@@ -50,11 +53,16 @@ pub(super) fn slots_line(slots: &[Slot]) -> String {
         return format!("{count} object processors of {first} planes");
     }
     let slot = |slot: &Slot| {
-        format!(
-            " {}{}",
-            slot.planes,
-            ["", "v"][usize::from(slot.two_volumes)]
-        )
+        let kind = match slot.kind {
+            Kind::Quadric => "",
+            other => other.name(),
+        };
+        let planes = match slot.kind.planes() {
+            [0, 0] => String::new(),
+            _ => slot.planes.to_string(),
+        };
+        let half = if slot.two_volumes { "v" } else { "" };
+        format!(" {kind}{planes}{half}")
     };
     let slots: String = slots.iter().map(slot).collect();
     format!("slots, by their planes, v with half B:{slots}")

@@ -63,6 +63,7 @@ impl Engine {
 /// The slots of a golden machine, as hardware is asked for.
 pub fn slots_of(slots: &[FittedSlot]) -> Vec<Slot> {
     let slot = |slot: &FittedSlot| Slot {
+        kind: slot.kind,
         planes: slot.planes as usize,
         two_volumes: slot.two_volumes,
     };

@@ -26,10 +26,7 @@ impl FittedMachine {
     /// The machine of a format of the catalogue: all slots alike, with as many planes as the greatest needs, and with
     /// half B.
     pub fn uniform(format: &Format, objects: usize, planes: u32, rows_per_stage: u32) -> Self {
-        let slot = FittedSlot {
-            planes,
-            two_volumes: true,
-        };
+        let slot = FittedSlot::full(planes);
         FittedMachine {
             widths: format.widths(),
             rows_per_stage,

@@ -9,6 +9,7 @@ pub mod first_generation;
 mod lanes;
 pub mod line;
 pub mod load;
+pub mod load_slot;
 pub mod load_volume;
 pub mod paraboloid;
 pub mod patch;

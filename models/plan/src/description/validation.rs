@@ -1,7 +1,10 @@
 //! What a machine description may say.
 
 use super::{DescriptionError, MachineDescription, MachineKind, Output, Smoothing};
+use imogene_contract::MachineWords;
+use imogene_contract::object::Kind;
 use imogene_contract::video::VideoMode;
+use imogene_golden::format::Format;
 use imogene_golden::machine::shader::MOST_LIGHTS;
 use imogene_golden::machine::zone::{MAX_PICTURE, SAMPLES};
 use imogene_golden::object::quadric::MAX_PLANES;
@@ -44,7 +47,7 @@ impl MachineDescription {
         let checks = || {
             self.check_counts(format.root_rows() as usize)?;
             let mode = self.check_mode()?;
-            self.check_slots()?;
+            self.check_slots(&format)?;
             self.check_samples(&mode)?;
             self.check_output(&mode)?;
             self.check_kind()
@@ -71,12 +74,18 @@ impl MachineDescription {
             .try_for_each(|(key, value, least, most)| range(key, value, least, most))
     }
 
-    fn check_slots(&self) -> Checked {
+    fn check_slots(&self, format: &Format) -> Checked {
         let Some(Slots(slots)) = &self.slots else {
             return Ok(());
         };
         if self.machine == MachineKind::Zone {
             return refuse("slots", "given", "slots in a beam machine alone");
+        }
+        let other = slots.iter().find(|slot| slot.kind != Kind::Quadric);
+        if let Some(other) = other.filter(|_| format.widths() != MachineWords::of(self.depth_word)) {
+            let accepted =
+                "no widths of its own in a machine that has slots of other kinds than quadrics";
+            return refuse("slots", other.kind.name(), accepted);
         }
         let planes = slots.iter().map(|slot| slot.planes as usize).max();
         let counts = [
@@ -174,7 +183,6 @@ impl MachineDescription {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use imogene_golden::format::Format;
     use imogene_golden::slots::print;
 
     const BEAM: &str = "machine = \"beam\"\nobjects = 10\nplanes = 3\nmode = \"640x480\"\n";

@@ -31,10 +31,7 @@ mod tests {
     #[test]
     fn the_base_processor_is_about_as_large_as_synthesis_says() {
         for (planes, synthesised) in [(0, 2693.0), (3, 4992.0), (12, 11_783.0)] {
-            let slot = FittedSlot {
-                planes,
-                two_volumes: true,
-            };
+            let slot = FittedSlot::full(planes);
             let ratio = of_slot(&Format::BASE.widths(), &slot) / synthesised;
             assert!((0.75..1.25).contains(&ratio), "{planes} planes: {ratio}");
         }

@@ -60,6 +60,8 @@ pub struct Frames {
     /// Every object is of the quadric or the patch processor: their errors have bounds, and their words are free, while
     /// those of others follow from the depth word.
     pub has_bounds: bool,
+    /// Something is drawn that no processor of quadrics draws: it is for a beam machine, whose words have no guard bits.
+    pub(super) has_others: bool,
 }
 
 /// The frames in words, against their truth.
@@ -107,7 +109,7 @@ impl Frames {
             truth: Truth::new(&scene, &line_done),
             scene,
         });
-        let mut has_bounds = true;
+        let (mut has_bounds, mut has_others) = (true, false);
         let frames: Vec<Frame> = frames.collect();
         for frame in &frames {
             // What this format refuses no other words take: f2 and the planes grow with the depth word.
@@ -119,9 +121,14 @@ impl Frames {
                 source: Box::new(source),
             })?;
             needs::check_any(&frame.scene, &prepared).map_err(|source| frame.refused(source))?;
+            has_others |= !needs::is_for_quadrics(&prepared);
             has_bounds &= prepared.objects.iter().all(|object| object.has_bounds());
         }
-        Ok(Frames { frames, has_bounds })
+        Ok(Frames {
+            frames,
+            has_bounds,
+            has_others,
+        })
     }
 
     /// The frames.
@@ -136,7 +143,10 @@ impl Frames {
         let found = match self.has_bounds {
             true => narrowest(wide, in_widths, PreparedScene::needed)?,
             false => {
-                let widths = following(wide);
+                let widths = match self.has_others {
+                    true => MachineWords::of(wide.depth),
+                    false => following(wide),
+                };
                 in_widths(&widths)?.map(|prepared| (widths, prepared))
             }
         };

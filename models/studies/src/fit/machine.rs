@@ -75,7 +75,10 @@ pub fn machine(
     let is_beam = match wishes.kind {
         Some(MachineKind::Beam) if !fits_beam => return Err(FitError::TooManyForBeam),
         Some(kind) => kind == MachineKind::Beam,
-        None => fits_beam && beam.objects + beam.volumes <= MOST_OF_BEAM,
+        None => {
+            let is_small = beam.objects + beam.volumes <= MOST_OF_BEAM;
+            fits_beam && (is_small || frames.has_others)
+        }
     };
     let found = match is_beam {
         true => of_beam(beam, wishes.pace, &frames.all()[0]),
@@ -305,10 +308,6 @@ fn cells(
     machine: &MachineDescription,
     (objects, volumes): (usize, usize),
 ) -> f64 {
-    let slot = |planes: usize| FittedSlot {
-        planes: planes as u32,
-        two_volumes: true,
-    };
-    let of = |planes: usize| estimate::of_slot(widths, &slot(planes));
+    let of = |planes: usize| estimate::of_slot(widths, &FittedSlot::full(planes as u32));
     objects as f64 * of(machine.planes) + volumes as f64 * of(machine.volume_planes)
 }

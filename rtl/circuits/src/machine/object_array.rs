@@ -1,10 +1,12 @@
 //! Object processors side by side, with their words and the decider.
 
-use super::{Candidate, Held, LoadBus, coefficient_hold, coefficient_store, decider};
+use super::slot::other_processor;
+use super::{Candidate, Held, LoadBus, Slot, coefficient_hold, coefficient_store, decider};
 use crate::object::{Network, Normal, Shape, Widths, Words, quadric_processor};
 use crate::raster::Scan;
 use crate::rows::numbered;
 use crate::tree::levels;
+use imogene_contract::object::Kind;
 use imogene_hdl::{Bits, Bundle, Int, Value, bundle, bundles, module};
 
 /// Bits of the id of an object.
@@ -31,15 +33,6 @@ bundles! {
     }
 }
 
-/// A place for an object.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Slot {
-    /// Cut planes.
-    pub planes: usize,
-    /// It has half B, which objects of the class front need.
-    pub two_volumes: bool,
-}
-
 /// What object processors side by side are built for.
 #[derive(Clone, Debug)]
 pub struct Objects {
@@ -51,33 +44,19 @@ pub struct Objects {
     pub slots: Vec<Slot>,
 }
 
-impl Slot {
-    /// A place for objects of every class.
-    pub const fn full(planes: usize) -> Slot {
-        Slot {
-            planes,
-            two_volumes: true,
-        }
-    }
-
-    /// Clocks of its processor beyond those of one without planes and half B.
-    fn more(&self) -> u32 {
-        self.planes as u32 + u32::from(self.two_volumes)
-    }
-}
-
 impl Objects {
     /// Clocks from the flags of a pixel to what is seen: the longest processor and the decider.
     pub fn clocks(&self) -> u32 {
-        self.root.latency() + 6 + self.longest() + levels(self.slots.len())
+        self.longest() + levels(self.slots.len())
     }
 
     fn longest(&self) -> u32 {
-        self.slots.iter().map(Slot::more).max().unwrap_or(0)
+        let clocks = self.slots.iter().map(|slot| slot.clocks(&self.root));
+        clocks.max().unwrap_or(0)
     }
 
     /// The nearest of the objects at every pixel, with ids of so many bits. `words` makes the words and the id of a
-    /// slot of its bus and the words that are loaded.
+    /// slot of quadrics of its bus and the words that are loaded; the id of another one is its place.
     ///
     /// Processors with fewer stages begin later, so that all answer together.
     pub(super) fn nearest(
@@ -86,30 +65,44 @@ impl Objects {
         load: Load,
         words: impl Fn(usize, LoadBus, Words) -> (Words, Bits),
     ) -> (Bits, Candidate) {
-        let least = self.slots.iter().map(Slot::more).min().unwrap_or(0);
+        let clocks = |slot: &Slot| slot.clocks(&self.root);
+        let least = self.slots.iter().map(clocks).min().unwrap_or(0);
         let mut late = vec![scan];
         for _ in least..self.longest() {
             late.push(late[late.len() - 1].delayed(1));
         }
-        let stores = numbered("stores", &self.slots).enumerate();
-        let words = stores.map(|(index, (at, slot))| {
-            let bus = LoadBus {
-                write: load.valid & load.object.is(index as u64),
-                address: load.address,
-                data: load.data,
-            };
-            let loaded = coefficient_store(&at, bus, self.widths, slot.planes as u64);
-            words(index, bus, loaded)
+        let buses = (0..self.slots.len() as u64).map(|index| LoadBus {
+            write: load.valid & load.object.is(index),
+            address: load.address,
+            data: load.data,
         });
-        let words: Vec<(Words, Bits)> = words.collect();
-        let processors = numbered("processors", &self.slots).zip(words);
-        let seen = processors.map(|((at, slot), (words, id))| {
-            let shape = Shape {
-                root: self.root,
-                two_volumes: slot.two_volumes,
+        let stores = numbered("stores", self.slots.iter().zip(buses)).enumerate();
+        let stored = stores.map(|(index, (at, (slot, bus)))| match slot.kind {
+            Kind::Quadric => {
+                let loaded = coefficient_store(&at, bus, self.widths, slot.planes as u64);
+                let (words, id) = words(index, bus, loaded);
+                Stored::Quadric(words, id)
+            }
+            _ => Stored::Other(at, bus, index as u64),
+        });
+        let stored: Vec<Stored> = stored.collect();
+        let processors = numbered("processors", self.slots.iter().zip(stored));
+        let seen = processors.map(|(at, (slot, stored))| {
+            let scan = late[(self.longest() - clocks(slot)) as usize];
+            let (seen, id) = match stored {
+                Stored::Quadric(words, id) => {
+                    let shape = Shape {
+                        root: self.root,
+                        two_volumes: slot.two_volumes,
+                    };
+                    (quadric_processor(&at, scan, words, shape), id)
+                }
+                Stored::Other(store, bus, index) => {
+                    let words = (self.widths, self.root);
+                    let seen = other_processor(slot, [&at, &store], scan, bus, words);
+                    (seen, Bits::new(index, ID))
+                }
             };
-            let scan = late[(self.longest() - slot.more()) as usize];
-            let seen = quadric_processor(&at, scan, words, shape);
             let candidate = Candidate {
                 depth: seen.front.zf,
                 id,
@@ -122,6 +115,14 @@ impl Objects {
         let valid = valid[0].delayed_as("valid_late", levels(self.slots.len()));
         (valid, decider("decider", candidates))
     }
+}
+
+/// A slot before its processor.
+enum Stored {
+    /// Words and id of a quadric.
+    Quadric(Words, Bits),
+    /// Name of the store, load bus and place of another object.
+    Other(String, LoadBus, u64),
 }
 
 /// What is seen of the objects at every pixel, and whether there is a pixel: of surfaces at equal depths that of the

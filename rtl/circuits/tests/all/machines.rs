@@ -35,6 +35,7 @@ fn machine() -> BeamMachine {
             root,
             slots: slots
                 .map(|(planes, two_volumes)| Slot {
+                    kind: Kind::Quadric,
                     planes,
                     two_volumes,
                 })

@@ -32,6 +32,7 @@ fn request(kind: Kind) -> MachineRequest {
 /// A deciding beam with slots of these planes, some with a second half.
 fn beam(words: MachineWords, slots: &[(usize, bool)]) -> MachineRequest {
     let slots = slots.iter().map(|&(planes, two_volumes)| Slot {
+        kind: Kind::Quadric,
         planes,
         two_volumes,
     });

@@ -1,0 +1,254 @@
+//! Places for objects, and the processors in them that are not of quadrics.
+
+use super::LoadBus;
+use crate::object::{
+    Cylinder, Facet, Factors, FirstGeneration, Gradients, HalfSpace, Network, Normal, Patch, Plane,
+    Polyhedron, Quadric, ScreenBox, Sphere, Visible, Widths, curved_facet_processor,
+    cylinder_processor, facet_processor, first_generation_processor, patch_processor,
+    polyhedron_processor, sphere_processor,
+};
+use crate::raster::{Linear, Quadratic, Scan};
+use crate::tree::levels;
+use imogene_contract::object::Kind;
+use imogene_hdl::{Bits, Int, Plain, Ports, Value, module, net};
+
+/// A place for an object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Slot {
+    /// Its processor.
+    pub kind: Kind,
+    /// Cut planes, or sides.
+    pub planes: usize,
+    /// It has half B, which objects of the class front need.
+    pub two_volumes: bool,
+}
+
+impl Slot {
+    /// A place for quadrics of every class.
+    pub const fn full(planes: usize) -> Slot {
+        Slot {
+            kind: Kind::Quadric,
+            planes,
+            two_volumes: true,
+        }
+    }
+
+    /// Clocks from the flags of a pixel to what its processor sees.
+    pub(super) fn clocks(&self, root: &Network) -> u32 {
+        let planes = self.planes as u32;
+        match self.kind {
+            Kind::Quadric => root.latency() + 6 + planes + u32::from(self.two_volumes),
+            Kind::Patch => root.latency() + 7,
+            Kind::FirstGeneration => root.latency() + 6,
+            Kind::Polyhedron => levels(self.planes) + 4,
+            Kind::Facet | Kind::CurvedFacet => 2,
+            Kind::Sphere => 4,
+            Kind::Cylinder => 3,
+        }
+    }
+}
+
+/// The words of a store, each at the next address.
+struct Words {
+    bus: LoadBus,
+    next: u64,
+}
+
+impl Words {
+    fn take(&mut self, words: u64) -> u64 {
+        self.next += words;
+        self.next - words
+    }
+
+    fn number(&mut self, width: u32) -> Int {
+        self.bus.number(self.take(1), width)
+    }
+
+    fn bits(&mut self, width: u32) -> Bits {
+        self.bus.bits(self.take(1), width - 1, 0)
+    }
+
+    fn numbers<const N: usize>(&mut self, width: u32) -> [Int; N] {
+        self.bus.numbers(self.take(N as u64), width)
+    }
+
+    fn linear(&mut self, width: u32) -> Linear {
+        Linear::of(self.numbers(width))
+    }
+
+    fn quadratic(&mut self, width: u32) -> Quadratic {
+        Quadratic::of(self.numbers(width))
+    }
+
+    fn normal(&mut self, width: u32) -> Normal {
+        Normal::of(self.numbers(width))
+    }
+
+    fn half_space(&mut self, width: u32) -> HalfSpace {
+        HalfSpace {
+            kind: self.bits(2),
+            linear: self.linear(width),
+        }
+    }
+
+    /// At power-up it is empty.
+    fn screen_box(&mut self) -> ScreenBox {
+        let columns = self.take(2);
+        net! { let inverted_box_x0 = (!self.bus.data.low(12)).reg_when(self.bus.writes(columns)); }
+        self.bus.screen_box(columns, !inverted_box_x0)
+    }
+
+    /// Words of the quadric of a surface, its screen box before them.
+    fn quadric(&mut self, widths: Widths) -> Quadric {
+        let screen_box = self.screen_box();
+        let f1 = self.linear(widths.linear);
+        let f2 = self.quadratic(widths.quadratic);
+        let [gx, gy, gz] = [(); 3].map(|()| self.linear(widths.gradient));
+        let factors = Factors::of(self.numbers(widths.normal));
+        Quadric {
+            f1,
+            f2,
+            gradients: Gradients {
+                gx,
+                gy,
+                gz,
+                factors,
+            },
+            screen_box,
+            shift: self.bits(5),
+        }
+    }
+
+    fn many<T>(&mut self, count: usize, mut one: impl FnMut(&mut Words) -> T) -> Vec<T> {
+        (0..count).map(|_| one(self)).collect()
+    }
+}
+
+/// Keeps the words of one object, which act from the clock after they are written until they are written again.
+fn store<B: Ports>(
+    kind: Kind,
+    at: &str,
+    bus: LoadBus,
+    words: impl FnOnce(&mut Words) -> B,
+) -> B::Bare {
+    module(&format!("{}_store", kind.name()), at, bus, |bus| {
+        words(&mut Words { bus, next: 0 })
+    })
+}
+
+/// Words of a facet.
+type FacetWords<P> = (
+    ScreenBox,
+    (&'static str, Vec<P>),
+    (&'static str, P),
+    (&'static str, Vec<P>),
+);
+
+/// Words of a facet of polynomials.
+fn facet_store<P: Plain + Copy>(
+    (kind, sides): (Kind, usize),
+    at: &str,
+    bus: LoadBus,
+    side: impl Fn(&mut Words) -> P,
+    part: impl Fn(&mut Words) -> P,
+) -> Facet<P> {
+    let words = |words: &mut Words| -> FacetWords<P> {
+        let screen_box = words.screen_box();
+        let sides = ("side", words.many(sides, &side));
+        let depth = ("depth", side(words));
+        (screen_box, sides, depth, ("normal", words.many(3, &part)))
+    };
+    let (screen_box, sides, depth, normal) = store(kind, at, bus, words);
+    Facet {
+        screen_box,
+        sides,
+        depth,
+        normal: [normal[0], normal[1], normal[2]],
+    }
+}
+
+/// A processor of another kind than of quadrics, with the store of its words.
+pub(super) fn other_processor(
+    slot: &Slot,
+    [at, store_at]: [&str; 2],
+    scan: Scan,
+    bus: LoadBus,
+    (widths, root): (Widths, Network),
+) -> Visible {
+    let (kind, planes) = (slot.kind, slot.planes);
+    let (linear, quadratic) = (widths.plane, widths.quadratic);
+    match kind {
+        Kind::Quadric => unreachable!("quadrics have a store of their own"),
+        Kind::Patch => {
+            let words = store(kind, store_at, bus, |words| Patch {
+                quadric: words.quadric(widths),
+                planes: words.many(planes, |words| words.half_space(linear)),
+            });
+            patch_processor(at, scan, words, root)
+        }
+        Kind::FirstGeneration => {
+            let pair = |words: &mut Words| [words.linear(linear), words.linear(linear)].to_vec();
+            let words = store(kind, store_at, bus, |words| FirstGeneration {
+                quadric: words.quadric(widths),
+                surface: words.bits(1),
+                depths: pair(words),
+                conics: words.many(2, |words| words.quadratic(quadratic)),
+                polars: pair(words),
+                normals: words.many(2, |words| words.normal(widths.normal)),
+            });
+            first_generation_processor(at, scan, words, root)
+        }
+        Kind::Polyhedron => {
+            let words = store(kind, store_at, bus, |words| Polyhedron {
+                screen_box: words.screen_box(),
+                planes: words.many(planes, |words| Plane {
+                    half_space: words.half_space(linear),
+                    normal: words.normal(widths.normal),
+                }),
+            });
+            let seen = polyhedron_processor(at, scan, words, root.depth);
+            Visible {
+                front: seen.front,
+                number: seen.number,
+                normal: seen.normal,
+            }
+        }
+        Kind::Facet => {
+            let side = |words: &mut Words| words.linear(linear);
+            let part = |words: &mut Words| words.linear(widths.gradient);
+            let facet = facet_store((kind, planes), store_at, bus, side, part);
+            facet_processor(at, scan, facet, root.depth)
+        }
+        Kind::CurvedFacet => {
+            let word = |words: &mut Words| words.quadratic(quadratic);
+            let facet = facet_store((kind, planes), store_at, bus, word, word);
+            curved_facet_processor(at, scan, facet, root.depth)
+        }
+        Kind::Sphere => {
+            let words = store(kind, store_at, bus, |words| Sphere {
+                screen_box: words.screen_box(),
+                outline: words.quadratic(quadratic),
+                front: words.quadratic(quadratic),
+                depth_sum: words.number(widths.linear),
+                nx: words.linear(widths.gradient),
+                ny: words.linear(widths.gradient),
+                nz: words.quadratic(quadratic),
+            });
+            sphere_processor(at, scan, words)
+        }
+        Kind::Cylinder => {
+            let words = store(kind, store_at, bus, |words| Cylinder {
+                screen_box: words.screen_box(),
+                sides: words.many(4, |words| words.linear(linear)),
+                discs: words.many(2, |words| words.quadratic(quadratic)),
+                body: words.quadratic(quadratic),
+                nx: words.quadratic(quadratic),
+                ny: words.quadratic(quadratic),
+                nz: words.quadratic(quadratic),
+                lid: words.linear(linear),
+                lid_normal: words.normal(widths.normal),
+            });
+            cylinder_processor(at, scan, words, root.depth)
+        }
+    }
+}
