@@ -7,7 +7,7 @@ use clap::Args;
 use imogene_plan::description::MachineKind;
 use imogene_studies::fit::budget::{Budget, CountLimit, DepthLimit};
 use imogene_studies::fit::frames::Frames;
-use imogene_studies::fit::machine::{Pace, Wishes};
+use imogene_studies::fit::machine::Pace;
 use imogene_verif::engine::Engine;
 use imogene_verif::engine::design::Simulator;
 use std::path::PathBuf;
@@ -97,15 +97,12 @@ impl Fit {
         }
     }
 
-    /// What is asked of the machine besides its errors.
-    pub fn wishes(&self) -> Wishes {
-        Wishes {
-            kind: self.machine,
-            pace: self.min_fps.map(|frames| Pace {
-                frames,
-                mhz: self.min_mhz.unwrap_or(CLOCK),
-            }),
-        }
+    /// How fast the machine must be.
+    pub fn pace(&self) -> Option<Pace> {
+        self.min_fps.map(|frames| Pace {
+            frames,
+            mhz: self.min_mhz.unwrap_or(CLOCK),
+        })
     }
 
     /// The command line that shows the scenes on the machine.

@@ -127,7 +127,7 @@ fn frames(options: &Fit) -> Result<Frames, Failure> {
         }
     }
     let frames = output::during(0, "lines of the truth", |bar| {
-        Frames::new(&files, options.size, || bar.inc(1))
+        Frames::new(&files, options.size, options.machine, || bar.inc(1))
     });
     frames.map_err(Failure::from)
 }
@@ -200,7 +200,7 @@ fn fitted(frames: &Frames, drawn: &Drawn, rows: u32, options: &Fit) -> Result<Fi
     let timing = |machine: &MachineDescription| {
         zone_timing(&request(machine, "")).expect("a machine that is within its ranges")
     };
-    let machine = machine::machine(frames, drawn, rows, &options.wishes(), &timing);
+    let machine = machine::machine(frames, drawn, rows, options.pace(), &timing);
     machine.map_err(|error| match error {
         error @ FitError::Slow { .. } => Failure::Check(error.to_string()),
         error => error.into(),

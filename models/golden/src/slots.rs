@@ -62,6 +62,16 @@ impl FittedSlot {
         })
     }
 
+    /// True if words are for processors of this kind too: surfaces of quadrics are for both of theirs.
+    pub fn takes(&self, words: &ProcessorWords) -> bool {
+        match words {
+            ProcessorWords::Quadric(words) if words.class == Class::Patch => {
+                matches!(self.kind, Kind::Quadric | Kind::Patch)
+            }
+            other => FittedSlot::of_words(other).is_some_and(|own| own.kind == self.kind),
+        }
+    }
+
     /// What an object requires.
     pub fn of(words: &QuadricWords) -> FittedSlot {
         FittedSlot {

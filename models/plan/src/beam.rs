@@ -114,29 +114,32 @@ fn refused(format: &Format, object: String, why: AsQuadricError) -> DisplayError
     }
 }
 
-/// Every part of the scene with what its slot in a beam machine has to have: of its own kind if the machine's is, else of
-/// quadrics, and where no processor of quadrics draws it, of its own kind again.
+/// Every part of the scene with what its slot in a beam machine has to have: of the kind that the machine has, if that is
+/// for it, else of quadrics, and where no processor of quadrics draws it, of its own kind.
 pub(super) fn beam_slots(
     prepared: &PreparedScene,
     slots: &[FittedSlot],
 ) -> Result<Vec<(FittedSlot, Slot)>, DisplayError> {
     let of_part = |(place, slot): (usize, Slot)| {
-        let own = FittedSlot::of_words(&slot.words);
-        let kind = slots.get(place).map_or(Kind::Quadric, |slot| slot.kind);
-        if let Some(own) = own.filter(|own| own.kind == kind && kind != Kind::Quadric) {
-            return Ok((own, slot));
+        let given = slots.get(place).filter(|given| given.kind != Kind::Quadric);
+        if given.is_some_and(|given| given.takes(&slot.words)) {
+            return Ok(of_own_kind(slot));
         }
-        let words = slot
+        match slot
             .words
-            .on_quadric_processor(&prepared.format, MAX_PLANES);
-        match (words, own) {
-            (Ok(words), _) => {
+            .on_quadric_processor(&prepared.format, MAX_PLANES)
+        {
+            Ok(words) => {
                 let needed = FittedSlot::of(&words);
                 let words = ProcessorWords::Quadric(words);
                 Ok((needed, Slot { words, ..slot }))
             }
-            (Err(AsQuadricError::Processor(_)), Some(own)) => Ok((own, slot)),
-            (Err(why), _) => {
+            Err(AsQuadricError::Processor(_) | AsQuadricError::GuardBits { .. })
+                if FittedSlot::of_words(&slot.words).is_some() =>
+            {
+                Ok(of_own_kind(slot))
+            }
+            Err(why) => {
                 let name = prepared.objects[slot.object].name().to_owned();
                 Err(refused(&prepared.format, name, why))
             }
@@ -148,6 +151,16 @@ pub(super) fn beam_slots(
         .enumerate()
         .map(of_part)
         .collect()
+}
+
+/// A part and its slot, that of a surface of a quadric for patches.
+fn of_own_kind(slot: Slot) -> (FittedSlot, Slot) {
+    let words = match slot.words {
+        ProcessorWords::Quadric(words) => ProcessorWords::Patch(words),
+        other => other,
+    };
+    let own = FittedSlot::of_words(&words).expect("words of a processor that has slots");
+    (own, Slot { words, ..slot })
 }
 
 /// Words of every volume of the scene, for processors of so many planes.

@@ -3,7 +3,7 @@
 mod validation;
 
 use imogene_contract::video::{Span, VideoMode};
-use imogene_contract::{object, volume};
+use imogene_contract::volume;
 use imogene_golden::format::{FittedError, Format};
 use imogene_golden::machine::fitted::FittedSlot;
 use imogene_golden::machine::post_filter::Kernel;
@@ -334,7 +334,11 @@ impl MachineDescription {
 
     /// Words that the loader of a beam machine keeps: if not given, enough for all its processors and their tables.
     pub fn loader_words(&self) -> usize {
-        let objects = self.objects * (object::words(self.planes) + 1 + 4);
+        let slots = self.slots();
+        let words = slots
+            .iter()
+            .map(|slot| slot.kind.words(slot.planes as usize));
+        let objects: usize = words.map(|words| words + 1 + 4).sum();
         let volumes = self.volumes * volume::words(self.volume_planes);
         let words = objects + volumes + 8 + 16 * self.lights;
         self.loader_words.unwrap_or(words.next_power_of_two())

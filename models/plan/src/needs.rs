@@ -60,21 +60,22 @@ pub fn enough(
     Ok(enough)
 }
 
-/// Checks that there are machines that show a scene.
+/// Checks that there are machines of a kind that show a scene.
 ///
 /// # Errors
 ///
-/// When it has too many lights or objects, or what no processor of a machine draws.
-pub fn check_any(framed: &FramedScene, prepared: &PreparedScene) -> Result<(), DisplayError> {
+/// When it has too many lights or objects, or what no processor of such a machine draws.
+pub fn check_any(
+    kind: MachineKind,
+    framed: &FramedScene,
+    prepared: &PreparedScene,
+) -> Result<(), DisplayError> {
     check_counts(framed, prepared)?;
-    beam_slots(prepared, &[])?;
+    match kind {
+        MachineKind::Beam => beam_slots(prepared, &[]).map(|_| ())?,
+        MachineKind::Zone => parts(prepared, MAX_PLANES).map(|_| ())?,
+    }
     volumes(prepared, MAX_PLANES).map(|_| ())
-}
-
-/// True if processors of quadrics draw every part of a scene, which [`check_any`] accepts.
-pub fn is_for_quadrics(prepared: &PreparedScene) -> bool {
-    let slots = beam_slots(prepared, &[]);
-    slots.is_ok_and(|slots| slots.iter().all(|(slot, _)| slot.kind == Kind::Quadric))
 }
 
 fn check_counts(framed: &FramedScene, prepared: &PreparedScene) -> Result<(), DisplayError> {

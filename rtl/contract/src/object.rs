@@ -54,6 +54,21 @@ impl Kind {
         KINDS[self as usize].2
     }
 
+    /// Words of an object with so many planes or sides.
+    pub const fn words(self, planes: usize) -> usize {
+        let [first, each] = match self {
+            Kind::Quadric => return words(planes),
+            Kind::Patch => [24, 4],
+            Kind::Polyhedron => [2, 7],
+            Kind::Facet => [14, 3],
+            Kind::CurvedFacet => [26, 6],
+            Kind::Sphere => [27, 0],
+            Kind::Cylinder => [56, 0],
+            Kind::FirstGeneration => [55, 0],
+        };
+        first + each * planes
+    }
+
     /// Address of the columns of the screen box.
     pub const fn box_columns(self) -> u64 {
         match self {

@@ -1,10 +1,10 @@
 //! What a machine description may say.
 
 use super::{DescriptionError, MachineDescription, MachineKind, Output, Smoothing};
-use imogene_contract::MachineWords;
 use imogene_contract::object::Kind;
 use imogene_contract::video::VideoMode;
 use imogene_golden::format::Format;
+use imogene_golden::machine::fitted::FittedSlot;
 use imogene_golden::machine::shader::MOST_LIGHTS;
 use imogene_golden::machine::zone::{MAX_PICTURE, SAMPLES};
 use imogene_golden::object::quadric::MAX_PLANES;
@@ -81,10 +81,10 @@ impl MachineDescription {
         if self.machine == MachineKind::Zone {
             return refuse("slots", "given", "slots in a beam machine alone");
         }
-        let other = slots.iter().find(|slot| slot.kind != Kind::Quadric);
-        if let Some(other) = other.filter(|_| format.widths() != MachineWords::of(self.depth_word)) {
-            let accepted =
-                "no widths of its own in a machine that has slots of other kinds than quadrics";
+        let is_other = |slot: &&FittedSlot| !matches!(slot.kind, Kind::Quadric | Kind::Patch);
+        let other = slots.iter().find(is_other);
+        if let Some(other) = other.filter(|_| !format.follows_depth_word()) {
+            let accepted = "of the widths g1 and g2 alone, beside slots of other kinds than quadrics and patches";
             return refuse("slots", other.kind.name(), accepted);
         }
         let planes = slots.iter().map(|slot| slot.planes as usize).max();

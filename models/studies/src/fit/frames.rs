@@ -2,12 +2,14 @@
 
 use super::FitError;
 use super::budget::{Budget, Item, worst};
+use super::machine::MOST_OF_BEAM;
 use super::search::MOST_GUARDS;
 use crate::kit::words::narrowest;
 use imogene_analysis::metrics::{Drawing, Metrics, Truth, measure};
 use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
 use imogene_golden::machine::shader::shade_picture;
+use imogene_plan::description::MachineKind;
 use imogene_plan::display::DisplayError;
 use imogene_plan::needs;
 use imogene_prepare::Framing;
@@ -60,8 +62,8 @@ pub struct Frames {
     /// Every object is of the quadric or the patch processor: their errors have bounds, and their words are free, while
     /// those of others follow from the depth word.
     pub has_bounds: bool,
-    /// Something is drawn that no processor of quadrics draws: it is for a beam machine, whose words have no guard bits.
-    pub(super) has_others: bool,
+    /// Which machine they are for.
+    pub(super) kind: MachineKind,
 }
 
 /// The frames in words, against their truth.
@@ -86,10 +88,12 @@ impl Drawn {
 
 impl Frames {
     /// Solves the frames; `line_done` is called once a line, from any thread.
-    /// Fails if a scene cannot be framed, no machine shows it, or the frames are not of one animation.
+    /// They are for a machine of the kind that is asked for, or else for a beam machine if few processors do.
+    /// Fails if a scene cannot be framed, no such machine shows it, or the frames are not of one animation.
     pub fn new(
         files: &[(String, SceneFile)],
         size: Option<(u32, u32)>,
+        kind: Option<MachineKind>,
         line_done: impl Fn() + Sync,
     ) -> Result<Frames, FitError> {
         let scenes = files.iter().map(|(name, file)| {
@@ -109,7 +113,7 @@ impl Frames {
             truth: Truth::new(&scene, &line_done),
             scene,
         });
-        let (mut has_bounds, mut has_others) = (true, false);
+        let (mut has_bounds, mut is_for_zones, mut processors) = (true, true, 0);
         let frames: Vec<Frame> = frames.collect();
         for frame in &frames {
             // What this format refuses no other words take: f2 and the planes grow with the depth word.
@@ -120,14 +124,27 @@ impl Frames {
                 scene: frame.name.clone(),
                 source: Box::new(source),
             })?;
-            needs::check_any(&frame.scene, &prepared).map_err(|source| frame.refused(source))?;
-            has_others |= !needs::is_for_quadrics(&prepared);
+            let zone = needs::check_any(MachineKind::Zone, &frame.scene, &prepared);
+            let zone = zone.map_err(|source| frame.refused(source));
+            let beam = needs::check_any(MachineKind::Beam, &frame.scene, &prepared);
+            let beam = beam.map_err(|source| frame.refused(source));
+            match kind {
+                Some(MachineKind::Zone) => zone?,
+                // What processors of quadrics do not draw is for a beam machine, however many there are.
+                _ => beam.map(|()| is_for_zones &= zone.is_ok())?,
+            }
+            processors = processors.max(prepared.slots().len() + prepared.volumes.len());
             has_bounds &= prepared.objects.iter().all(|object| object.has_bounds());
         }
+        let is_large = is_for_zones && processors > MOST_OF_BEAM;
+        let kind = kind.unwrap_or(match is_large {
+            true => MachineKind::Zone,
+            false => MachineKind::Beam,
+        });
         Ok(Frames {
             frames,
             has_bounds,
-            has_others,
+            kind,
         })
     }
 
@@ -143,10 +160,7 @@ impl Frames {
         let found = match self.has_bounds {
             true => narrowest(wide, in_widths, PreparedScene::needed)?,
             false => {
-                let widths = match self.has_others {
-                    true => MachineWords::of(wide.depth),
-                    false => following(wide),
-                };
+                let widths = following(wide);
                 in_widths(&widths)?.map(|prepared| (widths, prepared))
             }
         };
@@ -176,7 +190,7 @@ impl Frames {
         let mut all = Vec::new();
         for frame in &self.frames {
             match prepare_for_roots(&frame.scene, format) {
-                Ok(prepared) => match needs::check_any(&frame.scene, &prepared) {
+                Ok(prepared) => match needs::check_any(self.kind, &frame.scene, &prepared) {
                     Ok(()) => all.push(prepared),
                     Err(DisplayError::Guards { .. }) => return Ok(None),
                     Err(source) => return Err(frame.refused(source)),

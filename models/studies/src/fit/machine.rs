@@ -7,7 +7,9 @@ use imogene_contract::MachineWords;
 use imogene_contract::video::VideoMode;
 use imogene_golden::format::Format;
 use imogene_golden::machine::fitted::FittedSlot;
+use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::slots::Slots;
+use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::widths::OwnWidths;
 use imogene_plan::description::{
     MachineDescription, MachineKind, Mode, Output, OwnMode, Smoothing, ZoneSize,
@@ -20,7 +22,7 @@ use imogene_prepare::PreparedScene;
 
 /// Object and volume processors of a beam machine at most, if nobody says which machine: more share their processors
 /// zone by zone.
-const MOST_OF_BEAM: usize = 16;
+pub(super) const MOST_OF_BEAM: usize = 16;
 /// Processors of a zone machine that are tried, of a kind.
 const PROCESSORS: [usize; 5] = [1, 2, 4, 8, 16];
 /// Sides of its zones that are tried.
@@ -35,15 +37,6 @@ pub struct Pace {
     pub frames: f64,
     /// Clock in MHz.
     pub mhz: f64,
-}
-
-/// What is asked of a machine besides its words.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Wishes {
-    /// Which machine; if not given, a beam machine for few processors.
-    pub kind: Option<MachineKind>,
-    /// How fast; if not given, the smallest machine will do.
-    pub pace: Option<Pace>,
 }
 
 /// A machine, and the clocks of its slowest frame.
@@ -65,24 +58,20 @@ pub fn machine(
     frames: &Frames,
     drawn: &Drawn,
     rows_per_stage: u32,
-    wishes: &Wishes,
+    pace: Option<Pace>,
     timing: &dyn Fn(&MachineDescription) -> ZoneTiming,
 ) -> Result<Fitted, FitError> {
     let size = &frames.all()[0].scene;
     let smallest = smallest(drawn, rows_per_stage, (size.width, size.height));
-    let beam = with_enough(&smallest, frames, drawn)?;
-    let fits_beam = beam.machine == MachineKind::Beam;
-    let is_beam = match wishes.kind {
-        Some(MachineKind::Beam) if !fits_beam => return Err(FitError::TooManyForBeam),
-        Some(kind) => kind == MachineKind::Beam,
-        None => {
-            let is_small = beam.objects + beam.volumes <= MOST_OF_BEAM;
-            fits_beam && (is_small || frames.has_others)
+    let found = match frames.kind {
+        MachineKind::Beam => {
+            let beam = with_enough(&smallest, frames, drawn)?;
+            if beam.machine != MachineKind::Beam {
+                return Err(FitError::TooManyForBeam);
+            }
+            of_beam(beam, pace, &frames.all()[0])
         }
-    };
-    let found = match is_beam {
-        true => of_beam(beam, wishes.pace, &frames.all()[0]),
-        false => of_zones(&beam, frames, drawn, wishes.pace, timing),
+        MachineKind::Zone => of_zones(&smallest, frames, drawn, pace, timing),
     }?;
     found.description.check("the fitted machine")?;
     Ok(found)
@@ -108,7 +97,7 @@ fn smallest(drawn: &Drawn, rows_per_stage: u32, size: (u32, u32)) -> MachineDesc
         rows_per_stage,
         objects: 0,
         planes: 0,
-        slots: Some(Slots(vec![])),
+        slots: Some(Slots(kinds(&drawn.prepared))),
         volumes: 0,
         volume_planes: 0,
         lights: 1,
@@ -119,6 +108,33 @@ fn smallest(drawn: &Drawn, rows_per_stage: u32, size: (u32, u32)) -> MachineDesc
         supersampling: 1,
         smoothing: Smoothing::None,
         overlay: false,
+    }
+}
+
+/// An empty slot for each part of the frames, of the smallest processor that draws it in all of them.
+fn kinds(frames: &[PreparedScene]) -> Vec<FittedSlot> {
+    let mut kinds: Vec<FittedSlot> = vec![];
+    for frame in frames {
+        for (place, slot) in frame.slots().iter().enumerate() {
+            let own = smallest_kind(&slot.words);
+            match kinds.get_mut(place) {
+                None => kinds.push(own),
+                Some(kind) if kind.kind != own.kind => *kind = FittedSlot::NONE,
+                Some(kind) => *kind = kind.or(&own),
+            }
+        }
+    }
+    kinds
+}
+
+/// What a part needs of the smallest processor that draws it: a surface of a patch processor.
+fn smallest_kind(words: &ProcessorWords) -> FittedSlot {
+    match words {
+        ProcessorWords::Quadric(words) if words.class == Class::Patch => {
+            let words = ProcessorWords::Patch(words.clone());
+            FittedSlot::of_words(&words).unwrap_or(FittedSlot::NONE)
+        }
+        other => FittedSlot::of_words(other).unwrap_or(FittedSlot::NONE),
     }
 }
 
@@ -194,25 +210,24 @@ fn screen_clocks(description: &MachineDescription) -> u64 {
 
 /// The zone machine of the fewest processors that is fast enough, with the side of its zones at which it is fastest.
 fn of_zones(
-    beam: &MachineDescription,
+    smallest: &MachineDescription,
     frames: &Frames,
     drawn: &Drawn,
     pace: Option<Pace>,
     timing: &dyn Fn(&MachineDescription) -> ZoneTiming,
 ) -> Result<Fitted, FitError> {
-    let base = MachineDescription {
+    let zone = Some(ZoneSize {
+        width: SIDES[0],
+        height: SIDES[0],
+    });
+    let one = MachineDescription {
         machine: MachineKind::Zone,
         objects: 1,
-        volumes: beam.volumes.min(1),
         slots: None,
-        loader_words: None,
-        mode: mode((frames.all()[0].scene.width, frames.all()[0].scene.height)),
-        zone: Some(ZoneSize {
-            width: SIDES[0],
-            height: SIDES[0],
-        }),
-        ..beam.clone()
+        zone,
+        ..smallest.clone()
     };
+    let base = with_enough(&one, frames, drawn)?;
     let plans: Vec<Vec<ZonePlan>> = SIDES
         .into_iter()
         .map(|side| plans(&base, side, frames, drawn))
@@ -220,7 +235,7 @@ fn of_zones(
     let mut sizes: Vec<(usize, usize)> = PROCESSORS
         .into_iter()
         .flat_map(|objects| PROCESSORS.map(|volumes| (objects, volumes)))
-        .filter(|(_, volumes)| beam.volumes > 0 || *volumes == 1)
+        .filter(|(_, volumes)| base.volumes > 0 || *volumes == 1)
         .collect();
     let cells = |of: &(usize, usize)| cells(&drawn.widths, &base, *of);
     sizes.sort_by(|a, b| cells(a).total_cmp(&cells(b)));

@@ -10,6 +10,7 @@ use crate::object::{
 use crate::raster::{Linear, Quadratic, Scan};
 use crate::tree::levels;
 use imogene_contract::object::Kind;
+use imogene_contract::words;
 use imogene_hdl::{Bits, Int, Plain, Ports, Value, module, net};
 
 /// A place for an object.
@@ -176,7 +177,8 @@ pub(super) fn other_processor(
     (widths, root): (Widths, Network),
 ) -> Visible {
     let (kind, planes) = (slot.kind, slot.planes);
-    let (linear, quadratic) = (widths.plane, widths.quadratic);
+    // Guard bits are those of f1 and f2 alone.
+    let (linear, quadratic) = (widths.plane, words::quadratic(root.digits));
     match kind {
         Kind::Quadric => unreachable!("quadrics have a store of their own"),
         Kind::Patch => {
@@ -225,11 +227,12 @@ pub(super) fn other_processor(
             curved_facet_processor(at, scan, facet, root.depth)
         }
         Kind::Sphere => {
+            let sum = words::depth_sum(root.depth);
             let words = store(kind, store_at, bus, |words| Sphere {
                 screen_box: words.screen_box(),
                 outline: words.quadratic(quadratic),
                 front: words.quadratic(quadratic),
-                depth_sum: words.number(widths.linear),
+                depth_sum: words.number(sum),
                 nx: words.linear(widths.gradient),
                 ny: words.linear(widths.gradient),
                 nz: words.quadratic(quadratic),
