@@ -89,7 +89,9 @@ fn a_scene_is_fitted_emitted_and_compared() {
 #[test]
 fn scenes_of_every_kind_are_fitted_to_the_pins() {
     let folder = tempfile::tempdir().unwrap();
-    let cases: [(&str, &[&str], &str); 7] = [
+    let cases: [(&str, &[&str], &str); 9] = [
+        ("processors/polyhedron", &[], "beam"),
+        ("terrain/hills", &["--machine", "beam"], "beam"),
         ("processors/paraboloids", &[], "beam"),
         ("processors/curved-facet", &[], "beam"),
         ("processors/first-generation", &[], "beam"),

@@ -2,6 +2,7 @@
 //! `scripts/setup --lint` installs in target/tools, and fails without it.
 
 use crate::support::{requests, write};
+use imogene_contract::object::KINDS;
 use imogene_contract::video::VideoMode;
 use imogene_contract::{Request, Unit};
 use imogene_rtl::emit::machine::{
@@ -48,8 +49,8 @@ fn slang_accepts_every_unit_without_a_warning() {
     assert_clean(&files);
 }
 
-/// A zone machine and a beam machine with their screens.
-fn machines() -> [Emitted; 2] {
+/// A zone machine and a beam machine with their screens, and one with a slot of each kind.
+fn machines() -> [Emitted; 3] {
     let screen = Output {
         mode: VideoMode::VGA,
         kernel: 2,
@@ -59,27 +60,33 @@ fn machines() -> [Emitted; 2] {
         zone_bits: 8,
         samples: 2,
     };
-    let kinds = [
-        Kind::ZoneDisplay(zone, screen),
-        Kind::BeamDisplay(8, screen),
+    let quadrics = vec![Slot::full(1); 2];
+    let each = KINDS.map(|(kind, _, [least, _])| Slot {
+        kind,
+        ..Slot::full(least as usize)
+    });
+    let machines = [
+        (Kind::ZoneDisplay(zone, screen), quadrics.clone()),
+        (Kind::BeamDisplay(8, screen), quadrics),
+        (Kind::BeamDisplay(10, screen), each.to_vec()),
     ];
-    kinds.map(|kind| {
+    machines.map(|(kind, slots)| {
         let request = MachineRequest {
             kind,
             volumes: 1,
             volume_planes: 4,
             lights: 2,
-            ..MachineRequest::fitted(MachineWords::of(24), 4, vec![Slot::full(1); 2])
+            ..MachineRequest::fitted(MachineWords::of(24), 4, slots)
         };
         emit_machine(&request).expect("legal numbers")
     })
 }
 
 #[test]
-fn slang_accepts_both_machines_without_a_warning() {
-    let machines = machines();
-    let files = machines.map(|emitted| write(&format!("slang-{}", emitted.top), &emitted));
-    assert_clean(&files);
+fn slang_accepts_machines_without_a_warning() {
+    for emitted in machines() {
+        assert_clean(&[write("slang-machine", &emitted)]);
+    }
 }
 
 /// Texts with a fault each.

@@ -90,11 +90,11 @@ fn what_the_processor_cannot_hold_is_refused() {
         shader_words(&scene, &format, Some(0.0)),
         Err(ShaderError::Attenuation(0.0))
     );
-    scene.lights = vec![scene.lights[0]; 5];
+    scene.lights = vec![scene.lights[0]; 17];
     let error = shader_words(&scene, &format, None).unwrap_err();
-    assert_eq!(error, ShaderError::Lights(5));
-    assert!(error.to_string().contains("at most 4"));
-    scene.lights.truncate(4);
+    assert_eq!(error, ShaderError::Lights(17));
+    assert!(error.to_string().contains("at most 16"));
+    scene.lights.truncate(16);
     scene.width = 5000;
     assert!(matches!(
         shader_words(&scene, &format, None),

@@ -132,6 +132,10 @@ enum Stored {
 /// pass, the next words may be loaded once all processors have started, and an object that was not loaded since the
 /// last `take` is absent. Otherwise the words act as they are loaded, the id of an object is its slot, and `take` does
 /// nothing.
+///
+/// # Panics
+///
+/// When words are held in a slot of another kind than quadrics.
 pub fn object_array(
     at: &str,
     scan: Scan,
@@ -139,6 +143,10 @@ pub fn object_array(
     objects: &Objects,
     is_held: bool,
 ) -> (Bits, Surface) {
+    assert!(
+        !is_held || objects.slots.iter().all(|slot| slot.kind == Kind::Quadric),
+        "a slot that is no quadric's: accepted are quadrics where the words are held"
+    );
     let inputs = (scan, ("take", take), ("load", load));
     module("object_array", at, inputs, |(scan, take, load)| {
         let words = |index: usize, bus: LoadBus, words: Words| match is_held {

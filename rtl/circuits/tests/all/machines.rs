@@ -5,6 +5,7 @@ use imogene_circuits::machines::{beam_display, beam_stream};
 use imogene_circuits::object::{Network, Widths};
 use imogene_circuits::video::Output;
 use imogene_contract::command_stream::SHADING_WORD;
+use imogene_contract::object;
 use imogene_contract::shading::BACKGROUND;
 use imogene_contract::video::{Span, VideoMode};
 use imogene_hdl::{Design, Port, Simulator};
@@ -35,7 +36,7 @@ fn machine() -> BeamMachine {
             root,
             slots: slots
                 .map(|(planes, two_volumes)| Slot {
-                    kind: Kind::Quadric,
+                    kind: object::Kind::Quadric,
                     planes,
                     two_volumes,
                 })

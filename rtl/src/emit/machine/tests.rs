@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::emit::emit;
-use imogene_contract::Request;
 use imogene_contract::video::VideoMode;
+use imogene_contract::{Request, object};
 
 const ZONE: ZoneShape = ZoneShape {
     zone_bits: 8,
@@ -32,7 +32,7 @@ fn request(kind: Kind) -> MachineRequest {
 /// A deciding beam with slots of these planes, some with a second half.
 fn beam(words: MachineWords, slots: &[(usize, bool)]) -> MachineRequest {
     let slots = slots.iter().map(|&(planes, two_volumes)| Slot {
-        kind: Kind::Quadric,
+        kind: object::Kind::Quadric,
         planes,
         two_volumes,
     });
@@ -138,7 +138,7 @@ fn numbers_out_of_range_are_refused() {
             |r| (r.words.root, r.words.guard_quadratic) = (30, 5),
             "root = 30",
         ),
-        (|r| r.lights = 5, "lights = 5"),
+        (|r| r.lights = 17, "lights = 17"),
         (|r| r.prefix = "9".into(), "prefix `9`"),
         (
             |r| {
