@@ -22,24 +22,29 @@ fn output(command: &mut Command) -> (i32, String, String) {
     )
 }
 
-/// Search, synthesis, Verilog and Verilator on a real scene.
+/// Search, Verilog and pins on a real scene; in the full run with the costs of both machines, whose shading processor
+/// takes a minute of synthesis.
 #[test]
 fn a_scene_is_fitted_emitted_and_compared() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("fit");
-    let (code, stdout, stderr) = output(&mut imogene(&[
-        "--json",
-        "fit",
-        "scenes/cut-sphere.toml",
-        "--size",
-        "48x36",
-        "--max-depth-error",
-        "0.5px",
-        "--max-silhouette-errors",
-        "0",
-        "--out",
-        out.to_str().unwrap(),
-    ]));
+    let with_costs = std::env::var("IMOGENE_FULL").is_ok_and(|value| value == "1");
+    let (code, stdout, stderr) = output(
+        imogene(&[
+            "--json",
+            "fit",
+            "scenes/cut-sphere.toml",
+            "--size",
+            "48x36",
+            "--max-depth-error",
+            "0.5px",
+            "--max-silhouette-errors",
+            "0",
+            "--out",
+            out.to_str().unwrap(),
+        ])
+        .args((!with_costs).then_some("--no-cost")),
+    );
     assert_eq!(code, 0, "{stderr}");
     let report: Value = serde_json::from_str(&stdout).unwrap();
     for limit in report["limits"].as_array().unwrap() {
@@ -49,8 +54,10 @@ fn a_scene_is_fitted_emitted_and_compared() {
     assert_eq!(report["cosim"][0]["mismatches"], 0);
     // Every pin on every clock: a black frame, and that of the scene.
     assert_eq!(report["cosim"][0]["pixels"], 2 * 48 * 36);
-    assert!(report["cost"]["lut"].as_u64() < report["base_cost"]["lut"].as_u64());
-    assert!(report["saving_percent"]["lut"].as_f64().unwrap() > 0.0);
+    if with_costs {
+        assert!(report["cost"]["lut"].as_u64() < report["base_cost"]["lut"].as_u64());
+        assert!(report["saving_percent"]["lut"].as_f64().unwrap() > 0.0);
+    }
     for file in [
         "machine.toml",
         "beam_display.v",
@@ -91,7 +98,7 @@ fn scenes_of_every_kind_are_fitted_to_the_pins() {
     let folder = tempfile::tempdir().unwrap();
     let cases: [(&str, &[&str], &str); 9] = [
         ("processors/polyhedron", &[], "beam"),
-        ("terrain/hills", &["--machine", "beam"], "beam"),
+        ("processors/mesh", &["--machine", "beam"], "beam"),
         ("processors/paraboloids", &[], "beam"),
         ("processors/curved-facet", &[], "beam"),
         ("processors/first-generation", &[], "beam"),
