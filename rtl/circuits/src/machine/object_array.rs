@@ -77,27 +77,27 @@ impl Objects {
             data: load.data,
         });
         let stores = numbered("stores", self.slots.iter().zip(buses)).enumerate();
-        let stored = stores.map(|(index, (at, (slot, bus)))| match slot.kind {
-            Kind::Quadric => {
+        // Other kinds have their store beside their processor.
+        let stored = stores.map(|(index, (at, (slot, bus)))| {
+            let quadric = (slot.kind == Kind::Quadric).then(|| {
                 let loaded = coefficient_store(&at, bus, self.widths, slot.planes as u64);
-                let (words, id) = words(index, bus, loaded);
-                Stored::Quadric(words, id)
-            }
-            _ => Stored::Other(at, bus, index as u64),
+                words(index, bus, loaded)
+            });
+            (index as u64, at, bus, quadric)
         });
-        let stored: Vec<Stored> = stored.collect();
+        let stored: Vec<_> = stored.collect();
         let processors = numbered("processors", self.slots.iter().zip(stored));
-        let seen = processors.map(|(at, (slot, stored))| {
+        let seen = processors.map(|(at, (slot, (index, store, bus, quadric)))| {
             let scan = late[(self.longest() - clocks(slot)) as usize];
-            let (seen, id) = match stored {
-                Stored::Quadric(words, id) => {
+            let (seen, id) = match quadric {
+                Some((words, id)) => {
                     let shape = Shape {
                         root: self.root,
                         two_volumes: slot.two_volumes,
                     };
                     (quadric_processor(&at, scan, words, shape), id)
                 }
-                Stored::Other(store, bus, index) => {
+                None => {
                     let words = (self.widths, self.root);
                     let seen = other_processor(slot, [&at, &store], scan, bus, words);
                     (seen, Bits::new(index, ID))
@@ -115,14 +115,6 @@ impl Objects {
         let valid = valid[0].delayed_as("valid_late", levels(self.slots.len()));
         (valid, decider("decider", candidates))
     }
-}
-
-/// A slot before its processor.
-enum Stored {
-    /// Words and id of a quadric.
-    Quadric(Words, Bits),
-    /// Name of the store, load bus and place of another object.
-    Other(String, LoadBus, u64),
 }
 
 /// What is seen of the objects at every pixel, and whether there is a pixel: of surfaces at equal depths that of the
