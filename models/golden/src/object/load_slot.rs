@@ -5,13 +5,11 @@ use super::first_generation::FirstGenerationWords;
 use super::load::{KIND_WIDTH, List, LoadWord, load_words};
 use super::quadric::QuadricWords;
 use super::slot::ProcessorWords;
-use super::unused;
 use crate::format::Format;
 use crate::slots::FittedSlot;
 use crate::unit::normal::NormalWords;
 use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;
-use imogene_contract::object::Kind;
 
 /// Bits of the shift of a root.
 const SHIFT: u32 = 5;
@@ -76,14 +74,6 @@ pub fn load_slot(words: &ProcessorWords, format: &Format, slot: &FittedSlot) -> 
         ProcessorWords::Quotient(_) => {}
     }
     list.0
-}
-
-/// The word that makes a slot draw nothing: the columns of an empty box.
-pub fn empty_slot(kind: Kind) -> LoadWord {
-    LoadWord {
-        address: kind.box_columns() as u8,
-        ..unused::object_slot()
-    }
 }
 
 fn padded<T: Clone + Default>(given: &[T], count: usize) -> Vec<T> {

@@ -10,6 +10,7 @@ use crate::format::Format;
 use crate::unit::cut_plane::PlaneKind;
 use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;
+use imogene_contract::object::Kind;
 use serde::Serialize;
 
 /// A plane or side that cuts nothing, in the words of its processor.
@@ -35,14 +36,14 @@ pub struct Unused {
     pub processor: &'static str,
     /// A plane or side that cuts nothing, of processors that have any.
     pub plane: Option<UnusedPlane>,
-    /// Words of the load bus that make plane 0 cut nothing; its other words do not matter. Empty where there is no
-    /// load bus.
+    /// Words of the load bus that make plane 0 cut nothing; its other words do not matter. Empty where planes have no
+    /// kind.
     pub plane_load_words: Vec<LoadWord>,
     /// What is added to their addresses from plane to plane.
     pub plane_address_step: Option<u8>,
     /// The screen box of a processor without an object.
     pub screen_box: ScreenBox,
-    /// Words of the load bus that make it absent; its other words do not matter. Empty where there is no load bus.
+    /// Words of the load bus that make it absent; its other words do not matter.
     pub slot_load_words: Vec<LoadWord>,
 }
 
@@ -64,9 +65,9 @@ fn no_kind(first: u8, words: u8, index: usize) -> LoadWord {
     }
 }
 
-/// The word that makes a quadric processor draw nothing: the columns of an empty box.
-pub fn object_slot() -> LoadWord {
-    empty_columns(load::BOX_COLUMNS)
+/// The word that makes the processor of a slot draw nothing: the columns of an empty box.
+pub fn empty_slot(kind: Kind) -> LoadWord {
+    empty_columns(kind.box_columns() as u8)
 }
 
 /// The words with which a volume processor takes no light away: a shadow in an empty box. A light would take it away
@@ -100,36 +101,40 @@ pub fn every_kind() -> Vec<Unused> {
         ..ContourPlane::default()
     };
     let plane = UnusedPlane::Plane(PlaneWords::default());
-    let ports_only = |processor, plane| Unused {
-        processor,
-        plane,
-        plane_load_words: vec![],
-        plane_address_step: None,
-        screen_box: ScreenBox::EMPTY,
-        slot_load_words: vec![],
+    // A word of no bits but zeros makes a plane cut nothing: its kind.
+    let of_kind = |kind: Kind, plane: Option<UnusedPlane>| {
+        let [first, step] = [0, 1].map(|planes| kind.words(planes) as u8);
+        let has_kind = matches!(plane, Some(UnusedPlane::Plane(_)));
+        Unused {
+            processor: kind.name(),
+            plane,
+            plane_load_words: has_kind.then(|| no_kind(first, 0, 0)).into_iter().collect(),
+            plane_address_step: has_kind.then_some(step - first),
+            screen_box: ScreenBox::EMPTY,
+            slot_load_words: vec![empty_slot(kind)],
+        }
     };
     vec![
-        Unused {
-            plane_load_words: vec![object_plane(0)],
-            plane_address_step: Some(load::PLANE_WORDS),
-            slot_load_words: vec![object_slot()],
-            ..ports_only("quadric", Some(plane))
-        },
-        ports_only("patch", Some(plane)),
-        ports_only("polyhedron", Some(plane)),
-        ports_only("first_generation", Some(UnusedPlane::Contour(contour))),
-        ports_only("facet", Some(UnusedPlane::Side(Linear::default()))),
-        ports_only(
-            "curved_facet",
+        of_kind(Kind::Quadric, Some(plane)),
+        of_kind(Kind::Patch, Some(plane)),
+        of_kind(Kind::Polyhedron, Some(plane)),
+        of_kind(Kind::FirstGeneration, Some(UnusedPlane::Contour(contour))),
+        of_kind(Kind::Facet, Some(UnusedPlane::Side(Linear::default()))),
+        of_kind(
+            Kind::CurvedFacet,
             Some(UnusedPlane::CurvedSide(Quadratic::default())),
         ),
-        ports_only("sphere", None),
-        ports_only("cylinder", None),
+        of_kind(Kind::Sphere, None),
+        of_kind(Kind::Cylinder, None),
         Unused {
             plane_load_words: vec![volume_plane(0)],
             plane_address_step: Some(load_volume::PLANE_WORDS),
             slot_load_words: volume_slot().to_vec(),
-            ..ports_only("volume", Some(UnusedPlane::Volume(VolumePlane::default())))
+            processor: "volume",
+            ..of_kind(
+                Kind::Quadric,
+                Some(UnusedPlane::Volume(VolumePlane::default())),
+            )
         },
     ]
 }
