@@ -29,12 +29,21 @@ pub struct MachineCost {
     pub resources: Resources,
     /// Logic cells: look-up tables and those that carry cells take.
     pub cells: u64,
-    /// Clock of its slowest unit, placed and routed alone; none if it was not asked for or the target is not placed.
+    /// Clock of its slowest unit, placed and routed alone; none if it was not asked for, one of them does not fit, or
+    /// the target is not placed.
     pub fmax_mhz: Option<f64>,
 }
 
 /// Units that can be the slowest; `square_root` stands for the whole network.
-const CRITICAL: [&str; 4] = ["cut_plane", "normal_unit", "depth_interval", "square_root"];
+const CRITICAL: [&str; 7] = [
+    "cut_plane",
+    "normal_unit",
+    "depth_interval",
+    "square_root",
+    "contour_choice",
+    "half_spaces",
+    "shading_processor",
+];
 
 /// The kind of result that depends on Yosys alone.
 const OWN_CELLS: &str = "own cells";
@@ -155,9 +164,9 @@ impl Knowledge {
             sum.bram += times * own.bram;
         }
         let units = critical(machine);
-        let clocks = units
-            .iter()
-            .filter_map(|unit| self.clocks.get(&unit_digest(unit)));
+        // One that does not fit has no clock, nor has the machine then.
+        let clocks = units.iter().map(|unit| self.clocks.get(&unit_digest(unit)));
+        let clocks: Option<Vec<&f64>> = clocks.collect();
         // A carry cell of ECP5 takes two logic cells; one of iCE40 lies in the cell of its look-up table.
         let per_carry = match self.target.family() {
             Family::Ecp5 => 2,
@@ -166,7 +175,7 @@ impl Knowledge {
         MachineCost {
             resources: sum,
             cells: sum.lut + per_carry * sum.carry,
-            fmax_mhz: clocks.copied().reduce(f64::min),
+            fmax_mhz: clocks.and_then(|clocks| clocks.into_iter().copied().reduce(f64::min)),
         }
     }
 }

@@ -231,12 +231,14 @@ fn cheapest(
     let cheapest =
         cheapest.min_by_key(|choice| choice.cost.map(|cost| (cost.cells, cost.resources.ff)));
     cheapest.ok_or_else(|| {
-        Failure::Check(format!(
-            "no machine reaches {} MHz on {}: the slowest unit of the fastest machine that meets the budget runs at {} MHz",
-            min_mhz.unwrap_or_default(),
-            target.name(),
-            fastest.map_or("an unknown number of".into(), |mhz| format!("{mhz:.1}"))
-        ))
+        let why = match fastest {
+            Some(mhz) => format!(
+                "the slowest unit of the fastest machine that meets the budget runs at {mhz:.1} MHz"
+            ),
+            None => "one of the units of each machine that meets the budget does not fit it".into(),
+        };
+        let (least, target) = (min_mhz.unwrap_or_default(), target.name());
+        Failure::Check(format!("no machine reaches {least} MHz on {target}: {why}"))
     })
 }
 
