@@ -156,7 +156,7 @@ pub enum Command {
     Mutate(Mutate),
     /// Measure how fast the simulators run a unit: clocks per second alone, with the scoreboard, with waveforms.
     Speed(Speed),
-    /// Find the smallest machine that draws a scene within a budget of errors; emit and co-simulate it.
+    /// Find the smallest machine that draws a scene within a budget of errors; emit it, and show the scene on its pins.
     Fit(Fit),
     /// Measure every machine of a design space on one scene: speed, area and accuracy as figures, plots and a page.
     Trade(Trade),
