@@ -115,8 +115,8 @@ fn refused(format: &Format, object: String, why: AsQuadricError) -> DisplayError
     }
 }
 
-/// Every part of the scene with what its slot in a beam machine has to have: of the kind that the machine has, if that is
-/// for it, else of quadrics, and where no processor of quadrics draws it, of its own kind.
+/// Every part of the scene with what its slot in a beam machine has to have: of the kind that the machine has, if that
+/// is for it, else of quadrics, and where no processor of quadrics draws it, of its own kind.
 pub(super) fn beam_slots(
     prepared: &PreparedScene,
     slots: &[FittedSlot],

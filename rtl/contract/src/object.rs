@@ -1,7 +1,7 @@
 //! Kinds of object processors in the slots of a machine, and addresses of the words of an object.
 //!
-//! Of a quadric f1, f2 and the words of the normal come first. Every other kind has its screen box at 0 and 1, and behind
-//! it the words of its other ports, each at the next address.
+//! Of a quadric f1, f2 and the words of the normal come first. Every other kind has its screen box at 0 and 1, and
+//! behind it the words of its other ports, each at the next address.
 
 use crate::words::{MOST_PLANES, MOST_SIDES};
 use serde::{Deserialize, Serialize};
