@@ -88,9 +88,9 @@ fn line(machine: &MachineDescription, widths: &str) -> String {
         MachineKind::Beam => "beam machine",
         MachineKind::Zone => "zone machine",
     };
-    let (lights, rows) = (machine.lights, machine.rows_per_stage);
-    let lights = counted(lights, "light");
-    format!("{kind}, {widths}, {processors}{volumes}, {lights}, {rows} rows per stage")
+    let lights = counted(machine.lights, "light");
+    let rows = counted(machine.rows_per_stage, "row");
+    format!("{kind}, {widths}, {processors}{volumes}, {lights}, {rows} per stage")
 }
 
 /// What is said of a machine before synthesis.

@@ -101,7 +101,7 @@ pub fn every_kind() -> Vec<Unused> {
         ..ContourPlane::default()
     };
     let plane = UnusedPlane::Plane(PlaneWords::default());
-    // A word of no bits but zeros makes a plane cut nothing: its kind.
+    // A plane whose kind is none, all zeros, cuts nothing.
     let of_kind = |kind: Kind, plane: Option<UnusedPlane>| {
         let [first, step] = [0, 1].map(|planes| kind.words(planes) as u8);
         let has_kind = matches!(plane, Some(UnusedPlane::Plane(_)));
