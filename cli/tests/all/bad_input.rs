@@ -363,3 +363,33 @@ fn bounds_refuse_what_they_cannot_try() {
     refused(&[cone, "--formats", "40"], &["40", "8 to 32"]);
     refused(&["nowhere.toml"], &["nowhere.toml"]);
 }
+
+/// A scene of a ball and a box, and a solid of them.
+fn solid_text(of: &str, ball: &str) -> String {
+    let ball = format!("kind = \"sphere\"\nradius = 1\n{ball}");
+    let text = scene_text(CAMERA, &ball);
+    format!(
+        "{text}\n[[objects]]\nname = \"other\"\nmaterial = \"m\"\nkind = \"sphere\"\nradius = 0.5\n\n\
+         [[solids]]\nname = \"part\"\nof = {of}\n"
+    )
+}
+
+#[test]
+fn a_solid_that_cannot_be_had_names_the_object_and_what_would_do() {
+    let both = "{ difference = [\"thing\", \"other\"] }";
+    let refused = |of: &str, ball: &str| refusal(solid_text(of, ball).as_bytes());
+    for (of, ball, parts) in [
+        ("{ difference = [\"thing\", \"hole\"] }", "", ["solid `part`, object `hole`", "`thing`, `other`"]),
+        ("{ difference = [\"thing\"] }", "", ["solid `part`", "two operands"]),
+        ("{ less = [\"thing\", \"other\"] }", "", ["unknown variant `less`", "`difference`"]),
+        ("{ union = [\"thing\", 3] }", "", ["invalid type", "the name of an object"]),
+        (both, "mode = \"patch\"", ["surface without inside", "mode = \"solid\""]),
+        (both, "processor = \"paraboloid\"", ["hands on no back", "quadric processor"]),
+    ] {
+        assert_mentions(&refused(of, ball), &parts);
+    }
+    let shadows = solid_text(both, "") + "\n[[lights]]\nkind = \"directional\"\nfrom = [0, 5, 5]\nshadows = true\n";
+    assert_mentions(&refusal(shadows.as_bytes()), &["solid 'part'", "casts_shadow = false"]);
+    let double = solid_text(both, "").replace("kind = \"sphere\"\nradius = 1\n", "kind = \"cone\"\nradii = [1, 1, 1]\nplace = [{ rotate = { axis = \"x\", degrees = 90 } }]\n");
+    assert_mentions(&refusal(double.as_bytes()), &["object 'thing' is met twice", "cut one of its two parts off"]);
+}

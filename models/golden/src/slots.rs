@@ -5,7 +5,8 @@ use crate::format::Format;
 use crate::object::quadric::{MAX_PLANES, QuadricWords};
 use crate::object::slot::ProcessorWords;
 use crate::unit::depth_interval::Class;
-use imogene_contract::object::{KINDS, Kind};
+use imogene_contract::object::{KINDS, Kind, ProductSlots};
+use imogene_contract::words::MOST_MEMBERS;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -46,6 +47,7 @@ impl FittedSlot {
     pub fn of_words(words: &ProcessorWords) -> Option<FittedSlot> {
         let (kind, planes) = match words {
             ProcessorWords::Quadric(words) => return Some(FittedSlot::of(words)),
+            ProcessorWords::Member(words) => return Some(FittedSlot::of(words.own())),
             ProcessorWords::Patch(words) => (Kind::Patch, words.planes.len()),
             ProcessorWords::FirstGeneration(_) => (Kind::FirstGeneration, 0),
             ProcessorWords::Polyhedron(words) => (Kind::Polyhedron, words.planes.len()),
@@ -180,9 +182,69 @@ impl From<Slots> for String {
     }
 }
 
+/// The slots of products, written as the objects that each intersects and those that it takes away: `2-1,1-3`.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "String")]
+pub struct Products(pub Vec<ProductSlots>);
+
+/// Text that names no products.
+#[derive(Debug, Error, PartialEq, Eq)]
+#[error(
+    "'{0}' is no product; expected a list such as 2-1,1-3: objects intersected, 1 to {MOST_MEMBERS}, and objects taken away, \
+     0 to {MOST_MEMBERS}"
+)]
+pub struct ProductsError(String);
+
+fn product(part: &str) -> Result<ProductSlots, ProductsError> {
+    let number = |text: &str, least: usize| {
+        let number = text.parse().ok();
+        number.filter(|number| (least..=MOST_MEMBERS as usize).contains(number))
+    };
+    let (intersected, subtracted) = part.split_once('-').unwrap_or_default();
+    let slots = number(intersected, 1).zip(number(subtracted, 0));
+    let (intersected, subtracted) = slots.ok_or_else(|| ProductsError(part.to_owned()))?;
+    Ok(ProductSlots {
+        intersected,
+        subtracted,
+    })
+}
+
+impl TryFrom<String> for Products {
+    type Error = ProductsError;
+
+    fn try_from(text: String) -> Result<Products, ProductsError> {
+        text.split(',')
+            .map(product)
+            .collect::<Result<_, _>>()
+            .map(Products)
+    }
+}
+
+impl From<Products> for String {
+    fn from(products: Products) -> String {
+        let text =
+            |product: &ProductSlots| format!("{}-{}", product.intersected, product.subtracted);
+        products.0.iter().map(text).collect::<Vec<_>>().join(",")
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn products_and_text_are_each_other() {
+        let products = Products::try_from("2-1,1-16".to_owned()).unwrap();
+        assert_eq!(
+            (products.0[1].intersected, products.0[1].subtracted),
+            (1, 16)
+        );
+        assert_eq!(String::from(products), "2-1,1-16");
+        for text in ["", "2", "0-1", "1-17", "1-2-3", "a-1"] {
+            let error = Products::try_from(text.to_owned()).unwrap_err();
+            assert!(error.to_string().contains("2-1,1-3"), "{text}");
+        }
+    }
 
     #[test]
     fn text_and_slots_are_each_other() {

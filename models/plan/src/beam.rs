@@ -2,7 +2,7 @@
 
 use super::description::MachineDescription;
 use super::zone::plan::{self, Part, PlanError};
-use imogene_contract::object::Kind;
+use imogene_contract::object::{Kind, ProductSlots};
 use imogene_golden::format::Format;
 use imogene_golden::machine::fitted::FittedSlot;
 use imogene_golden::machine::shader::{LIGHT_ADDRESS, ShaderWords};
@@ -115,7 +115,38 @@ fn refused(format: &Format, object: String, why: AsQuadricError) -> DisplayError
     }
 }
 
-/// Every part of the scene with what its slot in a beam machine has to have: of the kind that the machine has, if that
+/// A part of a solid in a slot of a beam machine.
+pub(super) struct Member {
+    /// Index among the slots of products.
+    pub place: usize,
+    /// What its slot has to have.
+    pub needed: FittedSlot,
+    /// Its words.
+    pub slot: Slot,
+}
+
+/// The parts of the solids in the slots of products that are large enough for them. Of objects intersected the first
+/// one stands again where a product has a slot too many.
+pub(super) fn members(prepared: &PreparedScene, products: &[ProductSlots]) -> Vec<Member> {
+    let mut slots = prepared.solids.slots().into_iter();
+    let (mut members, mut first) = (vec![], 0);
+    for (own, product) in prepared.solids.products.iter().zip(products) {
+        let [intersected, subtracted] = own.size();
+        let own: Vec<Slot> = slots.by_ref().take(intersected + subtracted).collect();
+        let again = std::iter::repeat_n(&own[0], product.intersected - intersected);
+        let kept = own[..intersected].iter().chain(again).enumerate();
+        let taken_away = (product.intersected..).zip(&own[intersected..]);
+        members.extend(kept.chain(taken_away).map(|(place, slot)| Member {
+            place: first + place,
+            needed: FittedSlot::of_words(&slot.words).expect("a quadric processor draws it"),
+            slot: slot.clone(),
+        }));
+        first += product.count();
+    }
+    members
+}
+
+/// Every part of the scene that is in no solid, with what its slot in a beam machine has to have: of the kind that the machine has, if that
 /// is for it, else of quadrics, and where no processor of quadrics draws it, of its own kind.
 pub(super) fn beam_slots(
     prepared: &PreparedScene,
@@ -147,7 +178,7 @@ pub(super) fn beam_slots(
         }
     };
     prepared
-        .slots()
+        .slots_alone()
         .into_iter()
         .enumerate()
         .map(of_part)
@@ -195,13 +226,26 @@ pub(super) fn beam_words(
     let mut beats: Vec<Beat> = shading
         .map(|(address, word)| Beat::new(kind::SHADING, 0, address, word.into()))
         .collect();
-    for (place, (needed, part)) in parts.iter().enumerate() {
+    let first = machine.slots_alone();
+    let members = members(prepared, &machine.products.0).into_iter();
+    let members = members.map(|member| (first + member.place, member.needed, member.slot));
+    let alone = parts.into_iter().enumerate();
+    let parts = alone.map(|(place, (needed, part))| (place, needed, part));
+    let mut is_empty = vec![true; slots.len()];
+    for (place, needed, part) in parts.chain(members) {
         let material = materials[part.object].into();
         beats.push(Beat::new(kind::MATERIAL, 0, place as u16, material));
-        let words = load_slot(&part.words, format, slots.get(place).unwrap_or(needed));
+        let words = load_slot(&part.words, format, slots.get(place).unwrap_or(&needed));
         beats.extend(words.iter().map(load(kind::OBJECT, place)));
+        if let Some(is_empty) = is_empty.get_mut(place) {
+            *is_empty = false;
+        }
     }
-    for (place, slot) in slots.iter().enumerate().skip(parts.len()) {
+    let empty = (0..)
+        .zip(&slots)
+        .zip(is_empty)
+        .filter(|(_, is_empty)| *is_empty);
+    for ((place, slot), _) in empty {
         beats.push(load(kind::OBJECT, place)(&empty_slot(slot.kind)));
     }
     for (place, words) in volumes.iter().enumerate() {

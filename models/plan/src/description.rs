@@ -2,13 +2,14 @@
 
 mod validation;
 
+use imogene_contract::object::ProductSlots;
 use imogene_contract::video::{Span, VideoMode};
 use imogene_contract::volume;
 use imogene_golden::format::{FittedError, Format};
 use imogene_golden::machine::fitted::FittedSlot;
 use imogene_golden::machine::post_filter::Kernel;
 use imogene_golden::machine::zone::ZoneMachine;
-use imogene_golden::slots::Slots;
+use imogene_golden::slots::{Products, Slots};
 use imogene_golden::widths::OwnWidths;
 use imogene_scene::{in_plain_words, line_and_column};
 use serde::{Deserialize, Serialize};
@@ -122,6 +123,9 @@ pub struct MachineDescription {
     /// Object processors of a beam machine that are not all alike, in place of `objects` and `planes`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub slots: Option<Slots>,
+    /// Products of solids in a beam machine; the last slots are theirs, product by product.
+    #[serde(default, skip_serializing_if = "has_none")]
+    pub products: Products,
     /// Volume processors; in a beam machine one for each volume.
     #[serde(default)]
     pub volumes: usize,
@@ -151,6 +155,10 @@ pub struct MachineDescription {
     /// An overlay plane.
     #[serde(default)]
     pub overlay: bool,
+}
+
+fn has_none(products: &Products) -> bool {
+    products.0.is_empty()
 }
 
 fn base_depth_word() -> u32 {
@@ -284,6 +292,12 @@ impl MachineDescription {
             Some(Slots(slots)) => slots.clone(),
             None => vec![alike; self.objects],
         }
+    }
+
+    /// How many of its object processors are of no product.
+    pub fn slots_alone(&self) -> usize {
+        let members: usize = self.products.0.iter().map(ProductSlots::count).sum();
+        self.slots().len().saturating_sub(members)
     }
 
     /// The format of its words.

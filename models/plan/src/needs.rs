@@ -1,9 +1,9 @@
 //! Has a machine what scenes need? If not, the lines of a description that has.
 
-use super::beam::{DisplayError, beam_slots, beam_words, parts, volumes};
+use super::beam::{DisplayError, beam_slots, beam_words, members, parts, volumes};
 use super::description::{MachineDescription, MachineKind, Mode, Output, OwnMode, ZoneSize};
 use super::zone::plan::PlanError;
-use imogene_contract::object::Kind;
+use imogene_contract::object::{Kind, ProductSlots};
 use imogene_golden::machine::fitted::FittedSlot;
 use imogene_golden::machine::shader::MOST_LIGHTS;
 use imogene_golden::machine::zone::ID_BITS;
@@ -46,7 +46,8 @@ pub fn enough(
     scenes: &[(&FramedScene, &PreparedScene)],
 ) -> Result<MachineDescription, DisplayError> {
     let mut enough = machine.clone();
-    for (framed, prepared) in scenes {
+    // Twice: in a product that a later scene enlarges, an earlier one fills more slots.
+    for (framed, prepared) in scenes.iter().chain(scenes) {
         add(&mut enough, framed, prepared)?;
     }
     if enough.machine == MachineKind::Beam {
@@ -128,16 +129,58 @@ fn add_slots(
 ) -> Result<Vec<usize>, DisplayError> {
     let needed = beam_slots(prepared, &machine.slots())?;
     let needed: Vec<FittedSlot> = needed.into_iter().map(|(slot, _)| slot).collect();
-    if machine.slots.is_none() && needed.iter().any(|slot| slot.kind != Kind::Quadric) {
-        machine.slots = Some(Slots(machine.slots()));
+    let is_plain = machine.products.0.is_empty() && prepared.solids.products.is_empty();
+    let are_quadrics = needed.iter().all(|slot| slot.kind == Kind::Quadric);
+    if machine.slots.is_none() && is_plain && are_quadrics {
+        return Ok(needed.iter().map(|slot| slot.planes as usize).collect());
     }
-    if let Some(Slots(slots)) = &mut machine.slots {
-        slots.resize(slots.len().max(needed.len()), FittedSlot::NONE);
-        for (slot, needed) in slots.iter_mut().zip(&needed) {
-            *slot = slot.or(needed);
+    let mut slots = machine.slots();
+    let mut members = slots.split_off(machine.slots_alone());
+    slots.resize(slots.len().max(needed.len()), FittedSlot::NONE);
+    for (slot, needed) in slots.iter_mut().zip(&needed) {
+        *slot = slot.or(needed);
+    }
+    enlarge(&mut machine.products.0, &mut members, prepared);
+    slots.extend(members);
+    let planes = slots.iter().map(|slot| slot.planes as usize).collect();
+    if slots != machine.slots() {
+        machine.slots = Some(Slots(slots));
+    }
+    Ok(planes)
+}
+
+/// Gives the products of a beam machine, and their slots, what they lack for a scene.
+fn enlarge(
+    products: &mut Vec<ProductSlots>,
+    slots: &mut Vec<FittedSlot>,
+    prepared: &PreparedScene,
+) {
+    let nothing = ProductSlots {
+        intersected: 0,
+        subtracted: 0,
+    };
+    let needed = prepared
+        .solids
+        .products
+        .iter()
+        .map(|product| product.size());
+    let needed: Vec<[usize; 2]> = needed.collect();
+    let mut given = std::mem::take(slots).into_iter();
+    products.resize(products.len().max(needed.len()), nothing);
+    for (place, product) in products.iter_mut().enumerate() {
+        let sizes = needed.get(place).copied().unwrap_or_default();
+        for (size, needed) in [&mut product.intersected, &mut product.subtracted]
+            .into_iter()
+            .zip(sizes)
+        {
+            slots.extend(given.by_ref().take(*size));
+            slots.extend(vec![FittedSlot::NONE; needed.saturating_sub(*size)]);
+            *size = needed.max(*size);
         }
     }
-    Ok(needed.iter().map(|slot| slot.planes as usize).collect())
+    for member in members(prepared, products) {
+        slots[member.place] = slots[member.place].or(&member.needed);
+    }
 }
 
 /// Gives a beam machine room for the words of a scene, in its loader and in the vertical blanking in which they are

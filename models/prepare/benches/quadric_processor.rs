@@ -55,6 +55,7 @@ fn scene() -> FramedScene {
         sample_at: [0.0; 2],
         projection,
         objects: vec![cut.into()],
+        solids: vec![],
         materials: vec![],
         lights: vec![],
         sources: vec![],

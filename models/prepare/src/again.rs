@@ -136,7 +136,7 @@ pub fn prepare_again(
         // What is left out must be named again.
         *kept = Kept::default();
     }
-    let prepared = prepared_scene(scene, context, objects, volumes, missing);
+    let prepared = prepared_scene(scene, context, objects, volumes, missing)?;
     Ok((prepared, reuse))
 }
 

@@ -134,6 +134,53 @@ pub enum PrepareError {
         /// How steep.
         steep: Steep,
     },
+    /// A solid whose trees multiply out to too much.
+    #[error(
+        "solid '{solid}': as a union of products it needs more than {most} processors; fewer unions that are \
+         intersected or taken away would do, or several solids"
+    )]
+    Products {
+        /// Name of the solid.
+        solid: String,
+        /// Most processors of all solids.
+        most: usize,
+    },
+    /// A product of a solid with too many objects.
+    #[error(
+        "solid '{solid}': one of its products intersects {} objects and takes {} away; at most {most} each are possible; \
+         several solids beside each other, each with a part of the holes, would do", size[0], size[1]
+    )]
+    Product {
+        /// Name of the solid.
+        solid: String,
+        /// Objects intersected, and taken away.
+        size: [usize; 2],
+        /// Most of each.
+        most: usize,
+    },
+    /// An object that cannot be a part of a solid as it is seen.
+    #[error("solid '{solid}': object '{object}' {problem}")]
+    Member {
+        /// Name of the solid.
+        solid: String,
+        /// Name of the object.
+        object: String,
+        /// What is in the way.
+        problem: String,
+    },
+    /// A solid casts no shadow.
+    #[error(
+        "solid '{solid}': lights[{light}] has shadows, and that of object '{object}' would not be the solid's; give the \
+         object `casts_shadow = false`"
+    )]
+    SolidShadow {
+        /// Name of the solid.
+        solid: String,
+        /// Name of an object in it.
+        object: String,
+        /// Index of a light with shadows.
+        light: usize,
+    },
     /// A source with shadows stands in a solid that casts one.
     #[error(
         "object '{object}': lights[{source_index}] is inside this solid (or the solid is endless towards it), which \

@@ -58,6 +58,7 @@ mod run;
 mod screen_box;
 mod seams;
 pub mod shader;
+mod solids;
 mod unseen;
 pub mod volume;
 mod witness;
@@ -70,4 +71,5 @@ pub use prepared::{
     PreparedScene, RoundingBounds,
 };
 pub use run::{prepare, prepare_for_roots, prepare_reporting, prepare_with, refused, steps};
+pub use solids::{MOST_LOADED, PreparedSolids, Product, TooMany, normal_form};
 pub use unseen::Seen;

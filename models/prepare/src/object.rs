@@ -116,7 +116,7 @@ pub(super) fn absent(name: &str, class: Class, note: &str) -> PreparedQuadric {
     }
 }
 
-fn empty_words(class: Class, screen_box: ScreenBox) -> QuadricWords {
+pub(super) fn empty_words(class: Class, screen_box: ScreenBox) -> QuadricWords {
     QuadricWords {
         class,
         screen_box,

@@ -3,6 +3,7 @@
 use super::error::PrepareError;
 use super::forms::{LinearForm, QuadraticForm};
 use super::rounding::Anchor;
+use super::solids::PreparedSolids;
 use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
 use imogene_golden::machine::fitted::{FittedMachine, FittedSlot};
@@ -30,6 +31,8 @@ pub struct PreparedScene {
     pub depth_scale: BigRational,
     /// The objects in the order of the scene; the index is the id.
     pub objects: Vec<PreparedObject>,
+    /// Solids made of objects.
+    pub solids: PreparedSolids,
     /// Shadow volumes and the light volumes of spots, in the order of sources and objects.
     pub volumes: Vec<PreparedVolume>,
     /// What is left out of a picture that is drawn without what cannot be prepared
@@ -47,13 +50,23 @@ pub struct Missing {
 }
 
 impl PreparedScene {
-    /// The processors of a machine that draws the scene, in the order of the objects.
+    /// The processors of a machine that draws the scene: in the order of the objects those that are in no solid, then
+    /// those of the solids.
     pub fn slots(&self) -> Vec<Slot> {
+        let mut slots = self.slots_alone();
+        slots.extend(self.solids.slots());
+        slots
+    }
+
+    /// The processors of the objects that are in no solid.
+    pub fn slots_alone(&self) -> Vec<Slot> {
         let of = |(object, prepared): (usize, &PreparedObject)| {
             let slot = move |words| Slot { object, words };
             prepared.words().into_iter().map(slot)
         };
-        self.objects.iter().enumerate().flat_map(of).collect()
+        let objects = self.objects.iter().enumerate();
+        let alone = objects.filter(|(id, _)| !self.solids.members.contains(id));
+        alone.flat_map(of).collect()
     }
 
     /// The words of its volumes.

@@ -6,6 +6,7 @@ use super::known::Known;
 use super::located::Located;
 use super::object;
 use super::prepared::{Missing, PreparedObject, PreparedScene};
+use super::solids::PreparedSolids;
 use super::volume::{self, Volumes, prepare_volumes};
 use imogene_golden::format::Format;
 use imogene_golden::unit::depth_interval::Class;
@@ -73,7 +74,7 @@ pub fn prepare_reporting(
     let mut missing = vec![];
     let mut objects = prepare_objects(scene, &located, &context, &known, &mut missing, done)?;
     let volumes = prepare_volumes(scene, &mut objects, &context, &known, &mut missing, done)?;
-    Ok(prepared_scene(scene, context, objects, volumes, missing))
+    prepared_scene(scene, context, objects, volumes, missing)
 }
 
 /// The objects, those that are known taken over.
@@ -118,7 +119,7 @@ pub(super) fn prepared_scene(
     mut objects: Vec<PreparedObject>,
     volumes: Volumes,
     missing: Vec<Missing>,
-) -> PreparedScene {
+) -> Result<PreparedScene, PrepareError> {
     for CutOff { object, end } in &scene.range.cut {
         let cut = objects.iter_mut().find(|o| o.name() == object);
         if let Some(cut) = cut.filter(|o| !o.screen_box().is_empty()) {
@@ -128,13 +129,14 @@ pub(super) fn prepared_scene(
             });
         }
     }
-    PreparedScene {
+    Ok(PreparedScene {
         missing,
+        solids: PreparedSolids::of(scene, &objects, &context)?,
         format: context.format,
         width: context.width,
         height: context.height,
         depth_scale: context.depth_scale,
         objects,
         volumes: volumes.into_list(),
-    }
+    })
 }

@@ -8,6 +8,7 @@ use super::keys::{numbers, white};
 use super::light::Light;
 use super::molecule::Molecule;
 use super::object::Object;
+use super::solid::Solid;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 use toml::de::{DeArray, DeTable, DeValue};
@@ -53,6 +54,9 @@ pub struct SceneFile {
     /// Objects, in the order that breaks ties of equal depth (the first wins).
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub objects: Vec<Object>,
+    /// Solids made of objects, behind those that are in none where depths are equal.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub solids: Vec<Solid>,
     /// Structure files whose atoms become further objects, behind the others, once they are read.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub molecules: Vec<Molecule>,
@@ -129,6 +133,7 @@ impl SceneFile {
             materials: vec![],
             groups: vec![],
             objects: vec![],
+            solids: vec![],
             molecules: vec![],
             images: vec![],
         }

@@ -116,6 +116,7 @@ impl SceneFile {
             ambient: self.ambient,
             image: self.image,
             materials: self.materials.clone(),
+            solids: self.solids.clone(),
             ..flat
         })
     }

@@ -23,6 +23,7 @@ use super::plane::Plane;
 use super::quadric::{FramedQuadric, Quadric};
 use super::range::{DepthRange, Projection};
 use super::shape::{Processor, Shape};
+use super::solid::FramedSolid;
 use super::source::FramedSource;
 use super::tetrahedron::implicit;
 use super::transform::{Transform, WholeTransform};
@@ -49,6 +50,8 @@ pub struct FramedScene {
     pub sample_at: [f64; 2],
     /// Objects in the order of the file.
     pub objects: Vec<FramedObject>,
+    /// Solids made of objects, in the order of the file.
+    pub solids: Vec<FramedSolid>,
     /// Materials in the order of the file.
     pub materials: Vec<Material>,
     /// Light sources in the order of the file.
@@ -105,6 +108,7 @@ impl SceneFile {
             range: range.clone(),
             sample_at,
             objects: self.framed_objects(&camera, kept)?,
+            solids: self.framed_solids(),
             materials: self.materials.clone(),
             lights: lights.map(|light| framed_light(light, &upright)).collect(),
             sources: sources.map(|l| FramedSource::new(l, &camera)).collect(),

@@ -49,8 +49,9 @@ impl SceneFile {
             check_place(&format!("group `{}`", group.name), &group.place)?;
         }
         self.check_objects()?;
-        // An action may be of an object that a molecule will bring.
+        // An action, or a solid, may be of an object that a molecule will bring.
         if self.molecules.is_empty() {
+            self.check_solids()?;
             check_images(self, &names)?;
         }
         Ok(())

@@ -103,6 +103,7 @@ pub fn scene_of(
         sample_at: [0.0; 2],
         projection,
         objects: objects.into_iter().map(FramedObject::from).collect(),
+        solids: vec![],
         materials: vec![Material {
             name: "plain".into(),
             colour: [1.0; 3],

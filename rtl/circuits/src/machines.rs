@@ -30,12 +30,13 @@ pub fn network(words: &MachineWords, rows_per_stage: u32) -> Network {
     }
 }
 
-/// Object processors side by side.
+/// Object processors side by side, for no solids.
 pub fn objects(words: &MachineWords, rows_per_stage: u32, slots: Vec<Slot>) -> Objects {
     Objects {
         widths: widths(words),
         root: network(words, rows_per_stage),
         slots,
+        products: vec![],
     }
 }
 

@@ -135,10 +135,9 @@ pub fn design(p: &Request) -> Design {
             let all = candidates(p.cards * p.objects);
             card_decider("top", all, p.objects as usize)
         }),
-        Unit::CsgDecider => alone(|| {
-            let objects = |count: u32| each(p.products * count, || Convex::input(depth));
-            let (intersected, subtracted) = (objects(p.intersected), objects(p.subtracted));
-            csg_decider("top", p.products as usize, intersected, subtracted)
+        Unit::CsgProduct => alone(|| {
+            let objects = |count| each(count, || Extent::input(depth, NORMAL, 8));
+            csg_product("top", objects(p.intersected), objects(p.subtracted))
         }),
         Unit::ShadowStage => alone(|| {
             let volumes = each(p.objects, Volume::input);

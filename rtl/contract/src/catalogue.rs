@@ -2,7 +2,7 @@
 
 use crate::parameters::{
     CARDS, CORRECTIONS, CURVED_SIDES, DIGITS, FACES, FOUR_PLANES, INTERSECTED, LAYERS, LIGHTS,
-    MODE, OBJECTS, PLANES, PRODUCTS, ROWS, SIDES, SUBTRACTED, TWO_CORRECTIONS,
+    MODE, OBJECTS, PLANES, ROWS, SIDES, SUBTRACTED, TWO_CORRECTIONS,
 };
 use crate::record::Record;
 
@@ -208,9 +208,9 @@ units! {
         computes "the colours of transparent objects blended over that of a pixel, farthest first";
         ties "at equal depth the opaque surface hides the layer; 255ths have no halves";
         error "bound: half a step of a component for each of {T} layers";
-    CsgDecider "csg_decider" [PRODUCTS, INTERSECTED, SUBTRACTED] "ceil(log2 I) + 1 + ceil(log2(G (J + 1)))", EVERY_CLOCK, "Chaillou 1991, III.1.1.4 and IV.3.5";
-        computes "the visible face of a union of products: convex objects intersected, others taken away";
-        ties "at equal depth a front goes before the back of an object taken away, then the smaller id, then the smaller face; what ends where a solid begins takes nothing of it away";
+    CsgProduct "csg_product" [INTERSECTED, SUBTRACTED] "ceil(log2 I) + 1 + ceil(log2(J + 1))", EVERY_CLOCK, "Chaillou 1991, III.1.1.4 and IV.3.5";
+        computes "the visible face of what convex objects have in common, without what others take away";
+        ties "at equal depth the earlier input; what ends where a solid begins takes nothing of it away";
         error EXACT;
     CoefficientStore "coefficient_store" [PLANES] "1", "one word written per clock", "architecture, 7";
         computes "the coefficient words of one object, loaded over a bus";

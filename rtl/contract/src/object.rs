@@ -78,6 +78,22 @@ impl Kind {
     }
 }
 
+/// The slots of one product of a solid: of the objects that it intersects, and behind them of those that it takes away.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct ProductSlots {
+    /// Objects intersected, 1 to 16.
+    pub intersected: usize,
+    /// Objects taken away, 0 to 16.
+    pub subtracted: usize,
+}
+
+impl ProductSlots {
+    /// All of them.
+    pub const fn count(&self) -> usize {
+        self.intersected + self.subtracted
+    }
+}
+
 /// Address of the columns of the screen box of a quadric, in front of that of its lines.
 pub const BOX_COLUMNS: u64 = 21;
 /// Address of class (bits 1..0) and shift of the root (6..2).

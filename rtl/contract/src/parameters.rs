@@ -1,7 +1,7 @@
 //! Parameters of units besides the format: option, symbol, range and default.
 
 use crate::video::VideoMode;
-use crate::words::{MOST_LAYERS, MOST_LIGHTS, MOST_OBJECTS, MOST_PLANES, MOST_SIDES};
+use crate::words::{MOST_LAYERS, MOST_LIGHTS, MOST_MEMBERS, MOST_OBJECTS, MOST_PLANES, MOST_SIDES};
 
 /// A parameter of a unit.
 #[derive(Clone, Copy, Debug)]
@@ -53,12 +53,10 @@ macro_rules! with_parameters {
                 "Cards of card_decider, 1 to 64, with as many processors each as --objects says [default: 2]";
             LAYERS: "layers" "T" layers, 1 to Some(MOST_LAYERS), Some(2),
                 "Layers of transparency_pipeline, 1 to 8 [default: 2]";
-            PRODUCTS: "products" "G" products, 1 to Some(16), Some(2),
-                "Products of csg_decider, 1 to 16 [default: 2]";
-            INTERSECTED: "intersected" "I" intersected, 1 to Some(8), Some(2),
-                "Objects intersected in each product of csg_decider, 1 to 8 [default: 2]";
-            SUBTRACTED: "subtracted" "J" subtracted, 0 to Some(8), Some(2),
-                "Objects taken away in each product of csg_decider, 0 to 8 [default: 2]";
+            INTERSECTED: "intersected" "I" intersected, 1 to Some(MOST_MEMBERS), Some(2),
+                "Objects that csg_product intersects, 1 to 16 [default: 2]";
+            SUBTRACTED: "subtracted" "J" subtracted, 0 to Some(MOST_MEMBERS), Some(2),
+                "Objects that csg_product takes away, 0 to 16 [default: 2]";
             LIGHTS: "lights" "Q" lights, 1 to Some(MOST_LIGHTS), Some(1),
                 "Lights of the shading processor, 1 to 16 [default: 1]";
         }

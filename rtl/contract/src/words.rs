@@ -35,6 +35,8 @@ pub const MOST_LIGHTS: u32 = 16;
 pub const MOST_OBJECTS: u32 = 256;
 /// Most transparent objects of a pipeline.
 pub const MOST_LAYERS: u32 = 8;
+/// Most objects that a product of a solid intersects, and most that it takes away.
+pub const MOST_MEMBERS: u32 = 16;
 
 /// Bits of a depth sum of a format.
 pub const fn depth_sum(depth_word: u32) -> u32 {

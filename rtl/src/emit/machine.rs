@@ -9,8 +9,9 @@ use imogene_circuits::machine::{
 use imogene_circuits::machines::{self, objects, volumes};
 pub use imogene_circuits::video::Output;
 pub use imogene_contract::MachineWords;
+use imogene_contract::object::ProductSlots;
 use imogene_contract::request::in_range;
-use imogene_contract::words::{MOST_LIGHTS, MOST_OBJECTS, MOST_PLANES};
+use imogene_contract::words::{MOST_LIGHTS, MOST_MEMBERS, MOST_OBJECTS, MOST_PLANES};
 use imogene_contract::{RequestError, Unit};
 use imogene_hdl::Design;
 
@@ -56,6 +57,8 @@ pub struct MachineRequest {
     pub rows_per_stage: usize,
     /// Object processors, in a beam machine one for each object.
     pub slots: Vec<Slot>,
+    /// Products of solids, of a beam machine alone, whose slots are the last, product by product.
+    pub products: Vec<ProductSlots>,
     /// Volume processors, in a beam machine one for each volume; may be none. A deciding beam has none.
     pub volumes: usize,
     /// Planes of each.
@@ -124,6 +127,7 @@ impl MachineRequest {
             words,
             rows_per_stage,
             slots,
+            products: vec![],
             volumes: 0,
             volume_planes: 0,
             lights: 1,
@@ -135,6 +139,7 @@ impl MachineRequest {
     fn check(&self) -> Result<(), RequestError> {
         check_words(&self.words, self.rows_per_stage)?;
         check_slots(&self.slots)?;
+        self.check_products()?;
         in_range("volumes", self.volumes, 0, MOST_OBJECTS)?;
         in_range("volume planes", self.volume_planes, 0, MOST_PLANES)?;
         in_range("lights", self.lights, 1, MOST_LIGHTS)?;
@@ -153,8 +158,25 @@ impl MachineRequest {
         }
     }
 
+    fn check_products(&self) -> Result<(), RequestError> {
+        let members: usize = self.products.iter().map(ProductSlots::count).sum();
+        let most = if self.kind.zone().is_some() {
+            0
+        } else {
+            self.slots.len()
+        };
+        in_range("slots of products", members, 0, most as u32)?;
+        self.products.iter().try_for_each(|product| {
+            in_range("objects intersected", product.intersected, 1, MOST_MEMBERS)?;
+            in_range("objects taken away", product.subtracted, 0, MOST_MEMBERS)
+        })
+    }
+
     fn objects(&self) -> Objects {
-        objects(&self.words, self.rows_per_stage as u32, self.slots.clone())
+        Objects {
+            products: self.products.clone(),
+            ..objects(&self.words, self.rows_per_stage as u32, self.slots.clone())
+        }
     }
 
     fn core(&self, zone: &ZoneShape) -> ZoneCore {
@@ -243,6 +265,13 @@ impl MachineRequest {
     fn parameters(&self) -> Vec<String> {
         let mut lines = lines(&self.words, self.rows_per_stage);
         lines.push(slots_line(&self.slots));
+        lines.extend(self.products.iter().map(|product| {
+            let ProductSlots {
+                intersected,
+                subtracted,
+            } = product;
+            format!("a product of {intersected} objects less {subtracted}, in the last slots")
+        }));
         if matches!(self.kind, Kind::Beam) {
             return lines;
         }

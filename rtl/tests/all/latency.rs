@@ -177,9 +177,9 @@ const CASES: &[Case] = &[
         "depth",
     ),
     (
-        Unit::CsgDecider,
-        &[("intersected_*_zb", 9)],
-        &[("intersected_*_zf", -4)],
+        Unit::CsgProduct,
+        &[("intersected_*_other_end", 9)],
+        &[("intersected_*_depth", -4)],
         "depth",
     ),
     (
@@ -365,26 +365,13 @@ fn shadow_stages_and_blends_of_every_depth() {
 
 #[test]
 fn solids_of_every_depth() {
-    for (products, intersected, subtracted) in [
-        (1, 1, 0),
-        (1, 1, 1),
-        (2, 2, 2),
-        (3, 3, 1),
-        (4, 5, 3),
-        (16, 8, 8),
-    ] {
-        let solid = |products| {
-            let shape = [
-                ("products", products),
-                ("intersected", intersected),
-                ("subtracted", subtracted),
-            ];
-            unit(Unit::CsgDecider, &shape)
-        };
+    for (intersected, subtracted) in [(1, 0), (1, 1), (2, 2), (3, 1), (5, 3), (8, 8)] {
+        let shape = [("intersected", intersected), ("subtracted", subtracted)];
+        let solid = unit(Unit::CsgProduct, &shape);
         check(
-            &solid(products),
-            &[("intersected_*_zb", 9)],
-            &[("intersected_*_zf", -4)],
+            &solid,
+            &[("intersected_*_other_end", 9)],
+            &[("intersected_*_depth", -4)],
             "depth",
         );
         if subtracted == 0 {
@@ -392,8 +379,8 @@ fn solids_of_every_depth() {
         }
         // What is taken away is used after the tree of the intersection.
         let skew = u32::next_power_of_two(intersected).trailing_zeros() as usize;
-        let impulse: Values = &[("subtracted_0_zb", 3)];
-        let found = measured(&solid(1), &[("intersected_*_zb", 9)], impulse, "depth");
-        assert_eq!(found + skew, solid(1).latency());
+        let impulse: Values = &[("subtracted_0_depth", 3)];
+        let found = measured(&solid, &[("intersected_*_other_end", 9)], impulse, "depth");
+        assert_eq!(found + skew, solid.latency());
     }
 }

@@ -45,6 +45,7 @@ pub mod plot;
 pub mod repair;
 pub mod root;
 pub mod run;
+mod solid;
 mod solve;
 pub mod survey;
 pub mod table;

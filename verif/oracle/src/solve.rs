@@ -21,17 +21,34 @@ impl Body {
     }
 }
 
-/// One line of sight.
-struct Line<'a> {
+/// One line of sight in the frame of an object.
+pub(crate) struct Line<'a> {
     from: Whole,
     along: Whole,
     /// The quadric along it.
-    q: Quadratic,
+    pub(crate) q: Quadratic,
     ends: &'a Ends,
+}
+
+impl Line<'_> {
+    /// A plane along it: constant and slope.
+    pub(crate) fn along(&self, plane: &Whole) -> [BigInt; 2] {
+        [dot(plane, &self.from), dot(plane, &self.along)]
+    }
 }
 
 impl CutBody {
     fn solve(&self, x: i64, y: i64, ends: &Ends) -> Option<Solved> {
+        let line = self.sight_line(x, y, ends);
+        let found = match self.surface {
+            Surface::Solid => self.solve_solid(&line),
+            Surface::Patch => self.solve_patch(&line),
+        };
+        found.map(|(t, number)| Solved { t, number, part: 0 })
+    }
+
+    /// The line of sight of a pixel.
+    pub(crate) fn sight_line<'a>(&self, x: i64, y: i64, ends: &'a Ends) -> Line<'a> {
         let at = |[a, b, c]: &[Whole; 3]| -> Whole {
             std::array::from_fn(|k| &a[k] * x + &b[k] * y + &c[k])
         };
@@ -40,7 +57,7 @@ impl CutBody {
             Some(form) => bilinear(form, u, v),
             None => BigInt::zero(),
         };
-        let line = Line {
+        Line {
             q: Quadratic {
                 a: form(&along, &along),
                 b: form(&from, &along),
@@ -49,19 +66,14 @@ impl CutBody {
             from,
             along,
             ends,
-        };
-        let found = match self.surface {
-            Surface::Solid => self.solve_solid(&line),
-            Surface::Patch => self.solve_patch(&line),
-        };
-        found.map(|(t, number)| Solved { t, number, part: 0 })
+        }
     }
 
     /// The part of the line that near end and planes leave: start, its face, and end; `None` if that is nothing.
     fn kept(&self, line: &Line) -> Option<(BigRational, u8, Option<BigRational>)> {
         let (mut start, mut number, mut end) = (line.ends.first.clone(), FACE_NEAR_END, None);
         for (plane, &own) in self.exact.planes.iter().zip(&self.numbers) {
-            let (at, slope) = (dot(plane, &line.from), dot(plane, &line.along));
+            let [at, slope] = line.along(plane);
             if slope.is_zero() {
                 if at.is_positive() {
                     return None;
@@ -134,7 +146,7 @@ impl CutBody {
     fn surely_keeps(&self, line: &Line, t: &Real) -> bool {
         line.ends.hold(t)
             && self.exact.planes.iter().all(|plane| {
-                let (at, slope) = (dot(plane, &line.from), dot(plane, &line.along));
+                let [at, slope] = line.along(plane);
                 if slope.is_zero() {
                     return !at.is_positive();
                 }

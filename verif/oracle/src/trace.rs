@@ -7,6 +7,7 @@
 use crate::body::Body;
 use crate::camera::Sight;
 use crate::interval::Interval;
+use crate::solid::{Member, SolidBody};
 use crate::verdict::{Ends, Solved, Verdict};
 use imogene_scene::{DepthRange, SceneFile};
 use num_traits::Signed;
@@ -52,6 +53,7 @@ pub struct Traced {
 pub struct Tracer {
     sight: Sight,
     bodies: Vec<(u32, Body)>,
+    solids: Vec<SolidBody>,
     ends: Ends,
 }
 
@@ -75,6 +77,11 @@ impl Tracer {
         Tracer {
             ends: sight.ends(),
             bodies: bodies.into_iter().flatten().collect(),
+            solids: scene
+                .solids
+                .iter()
+                .map(|solid| SolidBody::new(&solid.of, &scene.objects))
+                .collect(),
             sight,
         }
     }
@@ -125,7 +132,18 @@ impl Tracer {
     pub fn alone(&self, object: u32, x: u32, y: u32) -> Option<TracedPixel> {
         let bodies = self.bodies.iter().enumerate();
         let own = bodies.filter(|(_, (id, _))| *id == object);
-        let list: Vec<u32> = own.map(|(index, _)| index as u32).collect();
+        let own = own.map(|(index, _)| index as u32);
+        // One of a solid is asked for with all others of it.
+        let list: Vec<u32> = match self.solids.iter().find(|solid| solid.has(object)) {
+            None => own.collect(),
+            Some(solid) => {
+                let bodies = (0..).zip(&self.bodies);
+                bodies
+                    .filter(|(_, (id, _))| solid.has(*id))
+                    .map(|(index, _)| index)
+                    .collect()
+            }
+        };
         self.solve(x, y, &list)
     }
 
@@ -139,6 +157,12 @@ impl Tracer {
             Body::Cut(_) => None,
         });
         near.map(|(part, t)| (part, self.sight.depth(t))).collect()
+    }
+
+    /// True for a body that is not seen by itself.
+    fn is_member(&self, index: u32) -> bool {
+        let (object, _) = self.bodies[index as usize];
+        self.solids.iter().any(|solid| solid.has(object))
     }
 
     /// Steps of [`Tracer::draw`], for a bar of its progress.
@@ -156,8 +180,8 @@ impl Tracer {
             let verdict = self.bodies[index as usize].1.decide(&cell);
             match verdict {
                 Verdict::Absent => continue,
-                Verdict::Hit { t, .. } => limit = limit.min(t.hi),
-                Verdict::Open(_) => {}
+                Verdict::Hit { t, .. } if !self.is_member(index) => limit = limit.min(t.hi),
+                _ => {}
             }
             left.push((index, verdict));
         }
@@ -194,7 +218,9 @@ impl Tracer {
         if left.is_empty() {
             return (None, false);
         }
-        if let [(index, Verdict::Hit { t, number, part })] = left[..] {
+        if let [(index, Verdict::Hit { t, number, part })] = left[..]
+            && !self.is_member(index)
+        {
             let depth = self.sight.depth(t);
             if depth.width() <= CLOSE {
                 let pixel = TracedPixel {
@@ -214,15 +240,26 @@ impl Tracer {
     fn solve(&self, x: u32, y: u32, list: &[u32]) -> Option<TracedPixel> {
         let (x, y) = self.sight.place(x, y);
         let mut nearest: Option<(u32, Solved)> = None;
-        for &index in list {
+        let (members, alone): (Vec<u32>, Vec<u32>) =
+            list.iter().partition(|&&index| self.is_member(index));
+        let alone = alone.iter().filter_map(|&index| {
             let (object, body) = &self.bodies[index as usize];
-            let Some(found) = body.solve(x, y, &self.ends) else {
-                continue;
-            };
+            Some((*object, body.solve(x, y, &self.ends)?))
+        });
+        let members = members.iter().map(|&index| &self.bodies[index as usize]);
+        let members: Vec<Member> = members
+            .filter_map(|(object, body)| match body {
+                Body::Cut(body) => Some((*object, &**body)),
+                Body::Facet(_) => None,
+            })
+            .collect();
+        let solids = self.solids.iter();
+        let solids = solids.filter_map(|solid| solid.solve(&members, (x, y), &self.ends));
+        for (object, found) in alone.chain(solids) {
             let nearer = |(_, best): &(u32, Solved)| found.t.compare(&best.t) == Ordering::Less;
             // The lists are in the order of the scene: of two equal depths the first object is seen.
             if nearest.as_ref().is_none_or(nearer) {
-                nearest = Some((*object, found));
+                nearest = Some((object, found));
             }
         }
         let (object, found) = nearest?;

@@ -40,6 +40,7 @@ pub fn request(machine: &MachineDescription, command: &str) -> MachineRequest {
         words: format.widths(),
         rows_per_stage: machine.rows_per_stage as usize,
         slots: slots_of(&machine.slots()),
+        products: machine.products.0.clone(),
         volumes: machine.volumes,
         volume_planes: machine.volume_planes,
         lights: machine.lights,

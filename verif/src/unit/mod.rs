@@ -132,9 +132,7 @@ fn describe(p: &Request) -> Description {
         Unit::ShadowStage => lighting::shadow_stage(objects),
         Unit::TransparencyStage => transparency::transparency_stage(),
         Unit::TransparencyPipeline => transparency::transparency_pipeline(n(p.layers)),
-        Unit::CsgDecider => {
-            solid::csg_decider(format, n(p.products), n(p.intersected), n(p.subtracted))
-        }
+        Unit::CsgProduct => solid::csg_product(format, n(p.intersected), n(p.subtracted)),
         Unit::Decider => decision::decider(objects),
     }
 }

@@ -1,57 +1,36 @@
-//! The decider of solids.
+//! One product of a solid.
 
 use super::description::{Description, late, stated};
-use crate::stimulus::depth;
+use crate::stimulus::{depth, word};
 use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
-use imogene_golden::machine::csg::{Primitive, Product, Shown, decide, latency, skew};
+use imogene_golden::machine::csg::{Extent, front, latency, skew};
 use imogene_golden::machine::skew::Skewed;
 use proptest::prelude::*;
 
-/// Ports of one object.
-const FIELDS: usize = 4;
+/// Ports of one object: depth, id, number and normal of its face, and the depth of its other end.
+const FIELDS: usize = 7;
 
-fn primitive_of(i: &[i64]) -> Primitive {
-    Primitive {
-        zf: i[0],
-        zb: i[1],
-        id: i[2] as u8,
-        number: i[3] as u8,
-    }
-}
-
-fn flat(shown: Option<Shown>) -> Vec<Option<i64>> {
-    stated(shown.map(|s| [s.depth, s.id.into(), s.number.into(), s.is_back.into()]))
-}
-
-pub(super) fn csg_decider(
-    format: Format,
-    products: usize,
-    intersected: usize,
-    subtracted: usize,
-) -> Description {
-    let (all_intersected, all_subtracted) = (products * intersected, products * subtracted);
+pub(super) fn csg_product(format: Format, intersected: usize, subtracted: usize) -> Description {
     Description::new(solids, move || {
-        let starts = [
-            vec![0; all_intersected],
-            vec![skew(intersected); all_subtracted],
-        ]
-        .concat();
+        let starts = [vec![0; intersected], vec![skew(intersected); subtracted]].concat();
         let mut pixels = Skewed::new(starts);
-        let clocks = latency(products, intersected, subtracted) as usize;
+        let clocks = latency(intersected, subtracted) as usize;
         let mut late = late(clocks - pixels.span());
         move |i: &[i64]| {
-            let row: Vec<Primitive> = i.chunks(FIELDS).map(primitive_of).collect();
-            let shown = pixels.push(row).map(|objects| {
-                let (kept, taken) = objects.split_at(all_intersected);
-                let product = |g: usize| Product {
-                    intersected: kept[g * intersected..][..intersected].to_vec(),
-                    subtracted: taken[g * subtracted..][..subtracted].to_vec(),
-                };
-                let list: Vec<Product> = (0..products).map(product).collect();
-                decide(&list, format.z_max())
+            let row: Vec<Vec<i64>> = i.chunks(FIELDS).map(<[i64]>::to_vec).collect();
+            let seen = pixels.push(row).map(|objects| {
+                let (kept, taken) = objects.split_at(intersected);
+                // The face is the front of what is kept and the back of what is taken away.
+                let kept = kept.iter().map(|i| Extent { zf: i[0], zb: i[6] });
+                let taken = taken.iter().map(|i| Extent { zf: i[6], zb: i[0] });
+                let (kept, taken): (Vec<_>, Vec<_>) = (kept.collect(), taken.collect());
+                match front(&kept, &taken, format.z_max()) {
+                    Some(seen) => [0, 1, 2, 3, 4, 5].map(|k| objects[seen.object][k]),
+                    None => [format.z_max(), 0, 0, 0, 0, 0],
+                }
             });
-            flat(late.push(shown).flatten())
+            stated(late.push(seen).flatten())
         }
     })
 }
@@ -61,28 +40,27 @@ pub(super) fn csg_decider(
 fn solids(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let width = subject.inputs[0].width;
     let far = (1i64 << (width - 1)) - 1;
-    let one: Vec<_> = subject
-        .inputs
-        .chunks(FIELDS)
-        .map(|ports| {
-            let lengths = if ports[0].name.starts_with("intersected") {
-                4i64..16
-            } else {
-                0i64..6
-            };
-            let on_levels = (-3i64..8, lengths).prop_map(|(zf, length)| [zf, zf + length]);
-            let fronts = (-3i64..2, 8i64..12).prop_map(|(zf, zb)| [zf, zb]);
-            let sheet = (-3i64..8).prop_map(|z| [z, z]);
-            let absent = depth(width).prop_map(move |zb| [far, zb]);
-            let open = depth(width).prop_map(move |zf| [zf, far]);
-            let ends = (depth(width), depth(width)).prop_map(|(zf, zb)| [zf, zb]);
-            let interval = prop_oneof![
-                8 => on_levels, 6 => fronts, 1 => sheet, 1 => absent, 1 => open, 1 => ends
-            ];
-            let id = prop_oneof![0i64..4, 0i64..256];
-            (interval, id, 0i64..16).prop_map(|([zf, zb], id, number)| vec![zf, zb, id, number])
-        })
-        .collect();
-    let one = one.prop_map(|objects| objects.concat());
-    proptest::collection::vec(one, clocks).boxed()
+    let one = |ports: &[crate::signal::Signal]| {
+        let is_kept = ports[0].name.starts_with("intersected");
+        let lengths = if is_kept { 4i64..16 } else { 0i64..6 };
+        let on_levels = (-3i64..8, lengths).prop_map(|(zf, length)| [zf, zf + length]);
+        let fronts = (-3i64..2, 8i64..12).prop_map(|(zf, zb)| [zf, zb]);
+        let sheet = (-3i64..8).prop_map(|z| [z, z]);
+        let absent = depth(width).prop_map(move |zb| [far, zb]);
+        let open = depth(width).prop_map(move |zf| [zf, far]);
+        let ends = (depth(width), depth(width)).prop_map(|(zf, zb)| [zf, zb]);
+        let interval = prop_oneof![
+            8 => on_levels, 6 => fronts, 1 => sheet, 1 => absent, 1 => open, 1 => ends
+        ];
+        let normal = [word(&ports[3]), word(&ports[4]), word(&ports[5])];
+        (interval, 0i64..256, 0i64..16, normal).prop_map(
+            move |([zf, zb], id, number, [x, y, z])| {
+                let [face, end] = if is_kept { [zf, zb] } else { [zb, zf] };
+                vec![face, id, number, x, y, z, end]
+            },
+        )
+    };
+    let objects: Vec<_> = subject.inputs.chunks(FIELDS).map(one).collect();
+    let row = objects.prop_map(|objects| objects.concat());
+    proptest::collection::vec(row, clocks).boxed()
 }

@@ -101,7 +101,8 @@ pub fn processor(words: &ProcessorWords, format: &Format) -> Option<Loaded> {
             w.vector(c.disc_normal);
             (Unit::CylinderProcessor, 0)
         }
-        ProcessorWords::Quotient(_) => return None,
+        // What a member hands on depends on the others of its product.
+        ProcessorWords::Quotient(_) | ProcessorWords::Member(_) => return None,
     };
     Some(loaded(unit, count, w))
 }

@@ -172,21 +172,9 @@ fn blends_of_all_weights_and_components() {
 
 #[test]
 fn solids_of_every_shape() {
-    for (products, intersected, subtracted) in [
-        (1, 1, 0),
-        (1, 1, 1),
-        (1, 2, 1),
-        (2, 1, 3),
-        (3, 3, 2),
-        (5, 2, 0),
-        (2, 5, 4),
-    ] {
-        let values = [
-            ("products", products),
-            ("intersected", intersected),
-            ("subtracted", subtracted),
-        ];
-        check("csg_decider", &values, 120);
+    for (intersected, subtracted) in [(1, 0), (1, 1), (2, 1), (1, 3), (3, 2), (2, 0), (5, 4)] {
+        let values = [("intersected", intersected), ("subtracted", subtracted)];
+        check("csg_product", &values, 120);
     }
 }
 
@@ -196,12 +184,8 @@ fn solids_of_every_shape() {
 fn every_front_of_small_products() {
     let far = (1 << 23) - 1;
     for (intersected, subtracted, levels) in [(2, 1, 5), (1, 2, 5), (1, 3, 4)] {
-        let values = [
-            ("products", 1),
-            ("intersected", intersected),
-            ("subtracted", subtracted),
-        ];
-        let subject = unit("csg_decider", &values).expect("a unit in its legal range");
+        let values = [("intersected", intersected), ("subtracted", subtracted)];
+        let subject = unit("csg_product", &values).expect("a unit in its legal range");
         let mut intervals = vec![[far, 0]];
         for zf in 0..levels {
             intervals.extend((zf..levels).map(|zb| [zf, zb]));
@@ -210,8 +194,10 @@ fn every_front_of_small_products() {
         let row = |mut choice: usize| {
             let mut row = Inputs::new();
             for object in 0..(intersected + subtracted) as i64 {
-                row.extend(intervals[choice % intervals.len()]);
-                row.extend([object % 2, object]);
+                let [zf, zb] = intervals[choice % intervals.len()];
+                let is_kept = object < intersected as i64;
+                let (face, end) = if is_kept { (zf, zb) } else { (zb, zf) };
+                row.extend([face, object % 2, object, object, -object, 0, end]);
                 choice /= intervals.len();
             }
             row
@@ -221,21 +207,25 @@ fn every_front_of_small_products() {
         let rows = (0..choices + subject.latency).flat_map(|n| vec![row(n % choices); hold]);
         let report = subject.run_each(rows, |_| ());
         assert_eq!(report.mismatches, 0, "{}", subject.options);
-        assert!(report.comparisons >= 4 * choices as u64);
+        assert!(report.comparisons >= 6 * choices as u64);
     }
 }
 
 /// A stimulus under which nothing were ever taken away would prove little.
 #[test]
 fn solids_are_seen_from_the_front_from_within_and_not_at_all() {
-    let subject = unit("csg_decider", &[]).expect("a unit");
+    let subject = unit("csg_product", &[]).expect("a unit");
     let far = (1 << 23) - 1;
     let mut golden = (subject.golden)();
     let mut seen = [0; 3];
-    for row in subject.seeded_stimulus(3000, 3) {
+    for mut row in subject.seeded_stimulus(3000, 3) {
+        // The id says which of both it is.
+        for (object, fields) in row.chunks_mut(7).enumerate() {
+            fields[1] = (object >= 2).into();
+        }
         match golden.clock(&row)[..] {
             [Some(depth), ..] if depth == far => seen[0] += 1,
-            [_, _, _, Some(is_back)] => seen[1 + is_back as usize] += 1,
+            [_, Some(is_back), ..] => seen[1 + is_back as usize] += 1,
             _ => (),
         }
     }

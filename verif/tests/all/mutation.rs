@@ -124,7 +124,7 @@ fn no_mutant_of_an_arithmetic_circuit_survives() {
         "visibility_node",
         "decider",
         "card_decider",
-        "csg_decider",
+        "csg_product",
     ];
     let processors = ["facet_processor", "sphere_processor", "polyhedral_volume"];
     let processors = processors.map(|name| (name, 16));

@@ -4,7 +4,7 @@ use super::ray::{Hit, RayObject, is_visible, ordered_roots};
 use super::real::SurdReal;
 use super::render::{DEPTH_FRACTION, ExactPixel};
 use imogene_golden::format::Format;
-use imogene_golden::unit::depth_interval::FACE_FAR;
+use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR};
 use imogene_scene::{FramedScene, Surface};
 use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive, Zero};
@@ -21,23 +21,23 @@ pub struct ExactBack {
 
 impl RayObject {
     /// The end of the solid part that begins at the first visible point, or the last kept face of a patch.
-    pub fn back_of(&self, hit: &Hit, x: i64, y: i64) -> SurdReal {
+    pub fn back_of(&self, hit: &Hit, x: i64, y: i64) -> Hit {
         let [a, b, c] = self.polynomial(x, y);
         let roots = ordered_roots(&a, &b, &c);
         match self.surface {
             Surface::Patch => {
                 let kept = |w: &SurdReal| is_visible(w) && self.planes_keep(w, x, y);
                 let last = roots.and_then(|roots| roots.into_iter().rev().find(kept));
-                last.unwrap_or_else(|| hit.w.clone())
+                last.map_or_else(|| hit.clone(), |w| Hit::new(w, FACE_FAR))
             }
             Surface::Solid => {
-                let (_, high) = self
+                let [_, high] = self
                     .kept_interval(x, y)
                     .expect("a solid that is seen has an interval");
-                let end = SurdReal::ratio(high.0, high.1);
+                let end = SurdReal::ratio(high.w.0, high.w.1);
                 match left_at(&a, &b, &c, roots, hit) {
-                    Some(leaving) if leaving < end => leaving,
-                    _ => end,
+                    Some((leaving, number)) if leaving < end => Hit::new(leaving, number),
+                    _ => Hit::new(end, high.number),
                 }
             }
         }
@@ -51,26 +51,29 @@ fn left_at(
     c: &BigInt,
     roots: Option<[SurdReal; 2]>,
     hit: &Hit,
-) -> Option<SurdReal> {
+) -> Option<(SurdReal, u8)> {
     match roots {
-        Some([_, second]) if a.is_positive() => Some(second),
+        Some([_, second]) if a.is_positive() => Some((second, FACE_FAR)),
         // Outside between the roots: behind the second one it is inside for ever.
-        Some([first, _]) => (hit.number != FACE_FAR && hit.w <= first).then_some(first),
-        None if a.is_zero() && b.is_positive() => Some(SurdReal::ratio(-c, b.clone())),
+        Some([first, _]) => {
+            (hit.number != FACE_FAR && hit.w <= first).then_some((first, FACE_NEAR))
+        }
+        None if a.is_zero() && b.is_positive() => Some((SurdReal::ratio(-c, b.clone()), FACE_NEAR)),
         None => None,
     }
 }
 
-/// The true back at every pixel that shows an object of the quadric or the patch processor.
+/// The true back at every pixel that shows an object of the quadric or the patch processor that is in no solid.
 pub fn backs(
     pixels: &[Option<ExactPixel>],
     scene: &FramedScene,
     format: &Format,
 ) -> Vec<Option<ExactBack>> {
-    let rays = scene
-        .objects
-        .iter()
-        .map(|object| Some(RayObject::new(object.quadric()?, scene)));
+    let members: Vec<usize> = scene.solids.iter().flat_map(|s| s.tree.objects()).collect();
+    let rays = scene.objects.iter().enumerate().map(|(id, object)| {
+        let alone = object.quadric().filter(|_| !members.contains(&id));
+        Some(RayObject::new(alone?, scene))
+    });
     let rays: Vec<Option<RayObject>> = rays.collect();
     let full = BigInt::from(format.z_max());
     let back = |(index, pixel): (usize, &Option<ExactPixel>)| {
@@ -79,7 +82,7 @@ pub fn backs(
         let width = scene.width as usize;
         let (x, y) = ((index % width) as i64, (index / width) as i64);
         let hit = object.first_hit(x, y)?;
-        let w = object.back_of(&hit, x, y);
+        let w = object.back_of(&hit, x, y).w;
         let depth = w.fixed(&full, &full, DEPTH_FRACTION).to_i64();
         Some(ExactBack {
             depth: depth.expect("visible depths lie in the depth word"),

@@ -78,6 +78,7 @@ impl RayFacet {
         let hit = |w| Hit {
             w,
             number: FACE_FACET,
+            is_back: false,
             part: self.index,
         };
         self.met(x, y).map(hit)

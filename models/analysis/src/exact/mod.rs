@@ -10,4 +10,5 @@ pub mod ray;
 pub mod real;
 pub mod render;
 pub mod shadow;
+mod solid;
 pub mod surd;

@@ -24,11 +24,18 @@ pub struct Hit {
     pub number: u8,
     /// Index of the facet of a mesh; 0 for any other object.
     pub part: usize,
+    /// It is the back of an object that a solid takes away, whose normal is turned.
+    pub is_back: bool,
 }
 
 impl Hit {
-    fn new(w: SurdReal, number: u8) -> Hit {
-        Hit { w, number, part: 0 }
+    pub(super) fn new(w: SurdReal, number: u8) -> Hit {
+        Hit {
+            w,
+            number,
+            part: 0,
+            is_back: false,
+        }
     }
 }
 
@@ -120,8 +127,8 @@ impl RayObject {
     /// A solid: the planes leave an interval of the ray; the solid begins at its start if that is inside the quadric,
     /// else where the ray next enters the quadric.
     fn solid_hit(&self, a: &BigInt, b: &BigInt, c: &BigInt, x: i64, y: i64) -> Option<Hit> {
-        let (low, high) = self.kept_interval(x, y)?;
-        let (start, end) = (&low.w, &high);
+        let [low, high] = self.kept_interval(x, y)?;
+        let (start, end) = (&low.w, &high.w);
         if at_ratio(a, b, c, start) <= Ordering::Equal {
             let w = SurdReal::ratio(start.0.clone(), start.1.clone());
             return Some(Hit::new(w, low.number));
@@ -144,14 +151,13 @@ impl RayObject {
             .map(|(w, number)| Hit::new(w, number))
     }
 
-    /// The part of the ray that the planes, the near and the far end leave: a start with the face that bounds it, and
-    /// an end.
-    pub(super) fn kept_interval(&self, x: i64, y: i64) -> Option<(Start, Ratio)> {
-        let mut low = Start {
-            w: (BigInt::from(-2), BigInt::one()),
+    /// The part of the ray that the planes, the near and the far end leave: a start and an end, each with the face that
+    /// bounds it.
+    pub(super) fn kept_interval(&self, x: i64, y: i64) -> Option<[End; 2]> {
+        let [mut low, mut high] = [-2, 0].map(|w| End {
+            w: (BigInt::from(w), BigInt::one()),
             number: FACE_NEAR_END,
-        };
-        let mut high: Ratio = (BigInt::zero(), BigInt::one());
+        });
         for (i, plane) in self.planes.iter().enumerate() {
             let [slope, constant] = plane.each_ref().map(|p| first_degree(p, x, y));
             if slope.is_zero() {
@@ -160,21 +166,21 @@ impl RayObject {
                 }
                 continue;
             }
-            let bound: Ratio = (-&constant * slope.signum(), slope.abs());
+            let bound = End {
+                w: (-&constant * slope.signum(), slope.abs()),
+                number: FACE_PLANE + i as u8,
+            };
             if slope.is_positive() {
-                if less(&bound, &high) {
+                if less(&bound.w, &high.w) {
                     high = bound;
                 }
-            } else if less(&low.w, &bound) {
-                low = Start {
-                    w: bound,
-                    number: FACE_PLANE + i as u8,
-                };
+            } else if less(&low.w, &bound.w) {
+                low = bound;
             }
         }
         // The end is closed at a plane and open at infinity.
         let zero = (BigInt::zero(), BigInt::one());
-        (!less(&high, &low.w) && less(&low.w, &zero)).then_some((low, high))
+        (!less(&high.w, &low.w) && less(&low.w, &zero)).then_some([low, high])
     }
 }
 
@@ -186,9 +192,10 @@ pub(super) fn is_visible(w: &SurdReal) -> bool {
 /// A rational with positive denominator.
 pub(super) type Ratio = (BigInt, BigInt);
 
-pub(super) struct Start {
-    w: Ratio,
-    number: u8,
+/// An end of what is left of a ray, and the face that bounds it.
+pub(super) struct End {
+    pub(super) w: Ratio,
+    pub(super) number: u8,
 }
 
 fn less(a: &Ratio, b: &Ratio) -> bool {

@@ -2,17 +2,19 @@
 
 use super::facet::{MeshNormals, RayMesh};
 use super::ray::{Hit, RayObject};
+use super::solid::{Interval, first_point};
 use imogene_algebra::rational::to_f64;
 use imogene_algebra::whole::greatest;
 use imogene_golden::format::Format;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::unit::depth_interval::{FACE_NEAR_END, FACE_PLANE};
 use imogene_golden::unit::normal::NEAR_END_NORMAL;
-use imogene_scene::{FramedObject, FramedQuadric, FramedScene};
+use imogene_scene::{FramedObject, FramedQuadric, FramedScene, FramedSolid};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 use rayon::prelude::*;
+use std::collections::BTreeSet;
 
 /// Fraction bits of an exact depth in depth words.
 pub const DEPTH_FRACTION: u32 = 20;
@@ -28,6 +30,8 @@ pub struct ExactPixel {
     pub number: u8,
     /// Index of the visible facet of a mesh; 0 for any other object.
     pub part: u32,
+    /// It is the back of an object that a solid takes away, whose normal is turned.
+    pub is_back: bool,
 }
 
 /// An object along the rays of a screen.
@@ -54,6 +58,16 @@ impl Rays {
             Rays::Unseen => None,
         }
     }
+
+    /// Where a line of sight is within a solid.
+    fn interval(&self, x: i64, y: i64) -> Option<Interval> {
+        let Rays::Cut(object) = self else {
+            return None;
+        };
+        let front = object.first_hit(x, y)?;
+        let back = object.back_of(&front, x, y);
+        Some([front, back])
+    }
 }
 
 /// The exact picture, row-major; `None` is background. `line_done` is called once a line, from any thread.
@@ -72,7 +86,7 @@ pub fn render_where(
     wanted: impl Fn(usize) -> bool + Sync,
     line_done: impl Fn() + Sync,
 ) -> Vec<Option<ExactPixel>> {
-    let objects: Vec<Rays> = scene.objects.iter().map(|o| Rays::new(o, scene)).collect();
+    let view = View::new(scene);
     let full = BigInt::from(format.z_max());
     let width = i64::from(scene.width);
     let line = |y: i64| {
@@ -81,7 +95,7 @@ pub fn render_where(
                 if !wanted((y * width + x) as usize) {
                     return None;
                 }
-                let (id, hit) = visible(&objects, x, y)?;
+                let (id, hit) = view.visible(x, y)?;
                 let depth = hit.w.fixed(&full, &full, DEPTH_FRACTION);
                 Some(ExactPixel {
                     depth: depth
@@ -90,6 +104,7 @@ pub fn render_where(
                     id,
                     number: hit.number,
                     part: hit.part as u32,
+                    is_back: hit.is_back,
                 })
             })
             .collect();
@@ -102,17 +117,45 @@ pub fn render_where(
         .collect()
 }
 
-/// The nearest hit; the smaller id where two are exactly equal.
-pub(super) fn visible(objects: &[Rays], x: i64, y: i64) -> Option<(u32, Hit)> {
-    let mut nearest: Option<(u32, Hit)> = None;
-    for (id, object) in objects.iter().enumerate() {
-        if let Some(hit) = object.first_hit(x, y)
-            && nearest.as_ref().is_none_or(|(_, best)| hit.w < best.w)
-        {
-            nearest = Some((id as u32, hit));
+/// All that can be seen along the rays of a screen.
+pub(super) struct View<'a> {
+    objects: Vec<Rays>,
+    solids: &'a [FramedSolid],
+    /// Objects of each solid.
+    members: Vec<BTreeSet<usize>>,
+    /// Objects in none.
+    alone: Vec<usize>,
+}
+
+impl View<'_> {
+    pub(super) fn new(scene: &FramedScene) -> View<'_> {
+        let of = |solid: &FramedSolid| solid.tree.objects().into_iter().collect();
+        let members: Vec<BTreeSet<usize>> = scene.solids.iter().map(of).collect();
+        let is_alone = |id: &usize| !members.iter().any(|members| members.contains(id));
+        View {
+            objects: scene.objects.iter().map(|o| Rays::new(o, scene)).collect(),
+            solids: &scene.solids,
+            alone: (0..scene.objects.len()).filter(is_alone).collect(),
+            members,
         }
     }
-    nearest
+
+    /// The nearest hit, with its object; where two are exactly equal an object goes before a solid, then the earlier
+    /// one.
+    pub(super) fn visible(&self, x: i64, y: i64) -> Option<(u32, Hit)> {
+        let alone = self.alone.iter();
+        let alone = alone.filter_map(|&id| Some((id, self.objects[id].first_hit(x, y)?)));
+        let solids = self.solids.iter().zip(&self.members);
+        let solids = solids.filter_map(|(solid, members)| {
+            let met = members
+                .iter()
+                .filter_map(|&id| Some((id, self.objects[id].interval(x, y)?)));
+            first_point(&solid.tree, &met.collect())
+        });
+        let all = alone.chain(solids);
+        let nearest = all.reduce(|best, hit| if hit.1.w < best.1.w { hit } else { best });
+        nearest.map(|(id, hit)| (id as u32, hit))
+    }
 }
 
 /// The exact picture rounded to a frame, for shading and comparison: depths floored, normals in full 16-bit words.
@@ -146,7 +189,11 @@ pub fn directions(
         let point = scene
             .projection
             .antecedent(scene.pixel_centre(index % width, index / width), depth);
-        normals[pixel.id as usize].at(pixel, point)
+        let direction = normals[pixel.id as usize].at(pixel, point);
+        match pixel.is_back {
+            true => direction.map(|part| -part),
+            false => direction,
+        }
     };
     pixels.iter().enumerate().map(direction).collect()
 }

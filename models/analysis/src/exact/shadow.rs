@@ -10,7 +10,7 @@
 //! solid in the way.
 
 use super::ray::ray_points;
-use super::render::{Rays, visible};
+use super::render::View;
 use super::surd::Surd;
 use imogene_algebra::matrix::image;
 use imogene_algebra::vector;
@@ -29,7 +29,7 @@ type Point = [Surd; 4];
 /// The flags of a picture's sources; `line_done` is called once a line, from any thread.
 pub fn lighting(scene: &FramedScene, line_done: impl Fn() + Sync) -> Lighting {
     let (width, height) = (scene.width, scene.height);
-    let objects: Vec<Rays> = scene.objects.iter().map(|o| Rays::new(o, scene)).collect();
+    let view = View::new(scene);
     let solids: Vec<Solid> = scene.objects.iter().filter_map(Solid::casting).collect();
     let sources: Vec<Source> = scene
         .sources
@@ -40,7 +40,7 @@ pub fn lighting(scene: &FramedScene, line_done: impl Fn() + Sync) -> Lighting {
     let line = |y: i64| {
         let flags: Vec<u16> = (0..i64::from(width))
             .map(|x| {
-                let Some((_, hit)) = visible(&objects, x, y) else {
+                let Some((_, hit)) = view.visible(x, y) else {
                     return ALL_SOURCES;
                 };
                 let (x, y) = (

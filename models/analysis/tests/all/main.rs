@@ -15,4 +15,5 @@ mod metrics;
 mod processors;
 mod shader;
 mod shadows;
+mod solids;
 mod unseen;

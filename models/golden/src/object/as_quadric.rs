@@ -27,6 +27,9 @@ pub enum AsQuadricError {
         "{0} cannot be drawn by a quadric processor; accepted are quadrics, patches, polyhedra and flat facets"
     )]
     Processor(&'static str),
+    /// A product of a solid takes its objects at the same time.
+    #[error("belongs to a solid; accepted are solids in a beam machine alone")]
+    Solid,
     /// The chain of planes is too short.
     #[error("needs {needed} planes; the processor has {available}")]
     Planes {
@@ -77,6 +80,7 @@ impl ProcessorWords {
                 ));
             }
             Self::CurvedFacet(_) => return Err(AsQuadricError::Processor("a curved facet")),
+            Self::Member(_) => return Err(AsQuadricError::Solid),
             Self::Quotient(_) => {
                 return Err(AsQuadricError::Processor(
                     "a quadric that the viewer lies on",

@@ -21,6 +21,7 @@ pub fn load_slot(words: &ProcessorWords, format: &Format, slot: &FittedSlot) -> 
     let mut list = List(Vec::new());
     match words {
         ProcessorWords::Quadric(words) => return load_words(words, format, count),
+        ProcessorWords::Member(words) => return load_words(words.own(), format, count),
         ProcessorWords::Patch(words) => {
             list.surface(words, format);
             for plane in padded(&words.planes, count) {

@@ -11,6 +11,7 @@ pub mod line;
 pub mod load;
 pub mod load_slot;
 pub mod load_volume;
+pub mod member;
 pub mod paraboloid;
 pub mod patch;
 pub mod polyhedron;

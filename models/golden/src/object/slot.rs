@@ -5,6 +5,7 @@ use super::cylinder::CylinderWords;
 use super::facet::FacetWords;
 use super::first_generation::FirstGenerationWords;
 use super::line;
+use super::member::MemberWords;
 use super::patch;
 use super::polyhedron::PolyhedronWords;
 use super::quadric::QuadricWords;
@@ -37,6 +38,8 @@ pub enum ProcessorWords {
     CurvedFacet(CurvedFacetWords),
     /// Processor of a quadric that the eye lies on.
     Quotient(QuotientWords),
+    /// Quadric processor of an object of a solid.
+    Member(Box<MemberWords>),
 }
 
 /// A processor of a machine and the object of the scene that it draws a part of.
@@ -61,6 +64,7 @@ impl ProcessorWords {
             Self::Cylinder(words) => words,
             Self::CurvedFacet(words) => words,
             Self::Quotient(words) => words,
+            Self::Member(words) => &**words,
         }
     }
 
@@ -74,6 +78,7 @@ impl ProcessorWords {
             Self::Cylinder(words) => words,
             Self::CurvedFacet(words) => words,
             Self::Quotient(words) => words,
+            Self::Member(words) => &mut **words,
         }
     }
 
@@ -107,6 +112,10 @@ impl Words for ProcessorWords {
 
     fn screen_box_mut(&mut self) -> &mut ScreenBox {
         self.words_mut().screen_box_mut()
+    }
+
+    fn boxes_mut(&mut self) -> Vec<&mut ScreenBox> {
+        self.words_mut().boxes_mut()
     }
 
     fn expressions(&mut self) -> Vec<Expression<'_>> {

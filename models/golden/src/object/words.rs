@@ -45,6 +45,16 @@ pub enum Expression<'a> {
     Second(&'a mut Quadratic),
 }
 
+impl Expression<'_> {
+    /// The expression at the pixels of a lattice alone.
+    fn move_to(self, pixels: &Lattice) {
+        match self {
+            Expression::First(linear) => *linear = linear.on(pixels),
+            Expression::Second(quadratic) => *quadratic = quadratic.on(pixels),
+        }
+    }
+}
+
 /// Coefficient words of one processor for one zone. They are moved, not rounded again, so every pixel keeps its value.
 pub trait Words {
     /// Where the object can be on the screen.
@@ -52,6 +62,11 @@ pub trait Words {
 
     /// The same, to be changed; an empty box switches the processor off.
     fn screen_box_mut(&mut self) -> &mut ScreenBox;
+
+    /// The boxes of all objects whose words these are.
+    fn boxes_mut(&mut self) -> Vec<&mut ScreenBox> {
+        vec![self.screen_box_mut()]
+    }
 
     /// All words that depend on where the raster begins.
     fn expressions(&mut self) -> Vec<Expression<'_>>;
@@ -62,13 +77,13 @@ pub trait Words {
         Self: Clone,
     {
         let mut words = self.clone();
-        *words.screen_box_mut() = self.screen_box().on(pixels);
-        for expression in words.expressions() {
-            match expression {
-                Expression::First(linear) => *linear = linear.on(pixels),
-                Expression::Second(quadratic) => *quadratic = quadratic.on(pixels),
-            }
+        for screen_box in words.boxes_mut() {
+            *screen_box = screen_box.on(pixels);
         }
+        words
+            .expressions()
+            .into_iter()
+            .for_each(|expression| expression.move_to(pixels));
         words
     }
 
@@ -77,8 +92,15 @@ pub trait Words {
     where
         Self: Clone,
     {
-        let mut words = self.on(&Lattice::zone(x0, y0));
-        *words.screen_box_mut() = self.screen_box().in_zone(x0, y0, width, height);
+        let mut words = self.clone();
+        for screen_box in words.boxes_mut() {
+            *screen_box = screen_box.in_zone(x0, y0, width, height);
+        }
+        let moved = Lattice::zone(x0, y0);
+        words
+            .expressions()
+            .into_iter()
+            .for_each(|expression| expression.move_to(&moved));
         words
     }
 }

@@ -1,7 +1,7 @@
 //! What a machine description may say.
 
 use super::{DescriptionError, MachineDescription, MachineKind, Output, Smoothing};
-use imogene_contract::object::Kind;
+use imogene_contract::object::{Kind, ProductSlots};
 use imogene_contract::video::VideoMode;
 use imogene_golden::format::Format;
 use imogene_golden::machine::fitted::FittedSlot;
@@ -48,6 +48,7 @@ impl MachineDescription {
             self.check_counts(format.root_rows() as usize)?;
             let mode = self.check_mode()?;
             self.check_slots(&format)?;
+            self.check_products()?;
             self.check_samples(&mode)?;
             self.check_output(&mode)?;
             self.check_kind()
@@ -101,6 +102,30 @@ impl MachineDescription {
             ),
         };
         counts.into_iter().try_for_each(counted)
+    }
+
+    fn check_products(&self) -> Checked {
+        let text = || String::from(self.products.clone());
+        let members: usize = self.products.0.iter().map(ProductSlots::count).sum();
+        let slots = self.slots();
+        if members == 0 {
+            return Ok(());
+        }
+        if self.machine == MachineKind::Zone {
+            return refuse("products", text(), "products in a beam machine alone");
+        }
+        if members > slots.len() {
+            let accepted = format!("products of {} slots in all, as there are", slots.len());
+            return refuse("products", text(), accepted);
+        }
+        let own = &slots[slots.len() - members..];
+        match own.iter().find(|slot| slot.kind != Kind::Quadric) {
+            Some(other) => {
+                let accepted = "slots of quadrics alone in products, which are the last slots";
+                refuse("slots", other.kind.name(), accepted)
+            }
+            None => Ok(()),
+        }
     }
 
     fn check_mode(&self) -> Result<VideoMode, Refusal> {

@@ -80,6 +80,7 @@ fn every_scene_of_the_collection_is_the_same_however_it_is_divided() {
                 ProcessorWords::Cylinder(_) => "cylinder",
                 ProcessorWords::CurvedFacet(_) => "curved facet",
                 ProcessorWords::Quotient(_) => "quotient",
+                ProcessorWords::Member(_) => "object of a solid",
             };
             *kinds.entry(kind).or_insert(0) += 1;
         }

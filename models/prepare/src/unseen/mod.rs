@@ -59,7 +59,7 @@ impl<'a> Seen<'a> {
     ) -> Result<Seen<'a>, SceneError> {
         file.validate()?;
         let scene = file.flattened();
-        let keeps_all = scene.lights.iter().any(has_volumes);
+        let keeps_all = scene.lights.iter().any(has_volumes) || !scene.solids.is_empty();
         let (range, absent, framed) = if keeps_all {
             (None, vec![None; scene.objects.len()], None)
         } else {

@@ -45,6 +45,7 @@ fn add_one(words: &mut ProcessorWords) -> &'static str {
         ProcessorWords::Sphere(_) => "sphere",
         ProcessorWords::Cylinder(_) => "cylinder",
         ProcessorWords::Quotient(_) => panic!("there is no hardware"),
+        ProcessorWords::Member(_) => panic!("no scene of this test has solids"),
     };
     match (words, unused(name).plane) {
         (ProcessorWords::Quadric(w) | ProcessorWords::Patch(w), Some(UnusedPlane::Plane(p))) => {

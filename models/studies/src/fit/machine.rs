@@ -8,7 +8,7 @@ use imogene_contract::video::VideoMode;
 use imogene_golden::format::Format;
 use imogene_golden::machine::fitted::FittedSlot;
 use imogene_golden::object::slot::ProcessorWords;
-use imogene_golden::slots::Slots;
+use imogene_golden::slots::{Products, Slots};
 use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::widths::OwnWidths;
 use imogene_plan::description::{
@@ -98,6 +98,7 @@ fn smallest(drawn: &Drawn, rows_per_stage: u32, size: (u32, u32)) -> MachineDesc
         objects: 0,
         planes: 0,
         slots: Some(Slots(kinds(&drawn.prepared))),
+        products: Products::default(),
         volumes: 0,
         volume_planes: 0,
         lights: 1,
@@ -111,11 +112,11 @@ fn smallest(drawn: &Drawn, rows_per_stage: u32, size: (u32, u32)) -> MachineDesc
     }
 }
 
-/// An empty slot for each part of the frames, of the smallest processor that draws it in all of them.
+/// An empty slot for each part of the frames that is in no solid, of the smallest processor that draws it in all of them.
 fn kinds(frames: &[PreparedScene]) -> Vec<FittedSlot> {
     let mut kinds: Vec<FittedSlot> = vec![];
     for frame in frames {
-        for (place, slot) in frame.slots().iter().enumerate() {
+        for (place, slot) in frame.slots_alone().iter().enumerate() {
             let own = smallest_kind(&slot.words);
             match kinds.get_mut(place) {
                 None => kinds.push(own),

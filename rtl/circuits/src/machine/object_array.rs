@@ -1,12 +1,16 @@
 //! Object processors side by side, with their words and the decider.
 
 use super::slot::other_processor;
-use super::{Candidate, Held, LoadBus, Slot, coefficient_hold, coefficient_store, decider};
-use crate::object::{Network, Normal, Shape, Widths, Words, quadric_processor};
+use super::{
+    Candidate, Extent, Held, LoadBus, Slot, coefficient_hold, coefficient_store, csg_product,
+    decider,
+};
+use crate::object::{Network, Normal, Shape, Widths, Words, absent, quadric_processor};
 use crate::raster::Scan;
 use crate::rows::numbered;
 use crate::tree::levels;
-use imogene_contract::object::Kind;
+use imogene_contract::object::{Kind, ProductSlots};
+use imogene_contract::words::CAP;
 use imogene_hdl::{Bits, Bundle, Int, Value, bundle, bundles, module};
 
 /// Bits of the id of an object.
@@ -42,17 +46,69 @@ pub struct Objects {
     pub root: Network,
     /// Slots, at least one.
     pub slots: Vec<Slot>,
+    /// Products of solids, whose slots are the last, product by product.
+    pub products: Vec<ProductSlots>,
+}
+
+/// What the processor of a slot does.
+#[derive(Clone, Copy)]
+enum Role {
+    /// It draws an object that is in no solid.
+    Alone,
+    /// Its object is intersected.
+    Kept(ProductSlots),
+    /// Its object is taken away.
+    TakenAway(ProductSlots),
+}
+
+impl Role {
+    /// Clocks from what a processor sees to what is seen of the object or the product.
+    fn clocks(self) -> u32 {
+        let after = |product: ProductSlots| 1 + levels(1 + product.subtracted);
+        match self {
+            Role::Alone => 0,
+            Role::Kept(product) => levels(product.intersected) + after(product),
+            Role::TakenAway(product) => after(product),
+        }
+    }
 }
 
 impl Objects {
     /// Clocks from the flags of a pixel to what is seen: the longest processor and the decider.
     pub fn clocks(&self) -> u32 {
-        self.longest() + levels(self.slots.len())
+        self.longest() + levels(self.choices())
+    }
+
+    /// Objects and products that the decider chooses from.
+    fn choices(&self) -> usize {
+        self.alone() + self.products.len()
+    }
+
+    /// Slots of objects that are in no solid.
+    fn alone(&self) -> usize {
+        let members: usize = self.products.iter().map(ProductSlots::count).sum();
+        self.slots.len() - members
+    }
+
+    fn roles(&self) -> Vec<Role> {
+        let mut roles = vec![Role::Alone; self.alone()];
+        for &product in &self.products {
+            roles.extend(vec![Role::Kept(product); product.intersected]);
+            roles.extend(vec![Role::TakenAway(product); product.subtracted]);
+        }
+        roles
+    }
+
+    /// Clocks from the flags of a pixel to what is seen of each slot's object or product.
+    fn each_clocks(&self) -> Vec<u32> {
+        let slots = self.slots.iter().zip(self.roles());
+        slots
+            .map(|(slot, role)| slot.clocks(&self.root) + role.clocks())
+            .collect()
     }
 
     fn longest(&self) -> u32 {
-        let clocks = self.slots.iter().map(|slot| slot.clocks(&self.root));
-        clocks.max().unwrap_or(0)
+        self.each_clocks().into_iter().max().unwrap_or(0)
     }
 
     /// The nearest of the objects at every pixel, with ids of so many bits. `words` makes the words and the id of a
@@ -65,8 +121,8 @@ impl Objects {
         load: Load,
         words: impl Fn(usize, LoadBus, Words) -> (Words, Bits),
     ) -> (Bits, Candidate) {
-        let clocks = |slot: &Slot| slot.clocks(&self.root);
-        let least = self.slots.iter().map(clocks).min().unwrap_or(0);
+        let (clocks, roles) = (self.each_clocks(), self.roles());
+        let least = clocks.iter().copied().min().unwrap_or(0);
         let mut late = vec![scan];
         for _ in least..self.longest() {
             late.push(late[late.len() - 1].delayed(1));
@@ -88,7 +144,7 @@ impl Objects {
         let stored: Vec<_> = stored.collect();
         let processors = numbered("processors", self.slots.iter().zip(stored));
         let seen = processors.map(|(at, (slot, (index, store, bus, quadric)))| {
-            let scan = late[(self.longest() - clocks(slot)) as usize];
+            let scan = late[(self.longest() - clocks[index as usize]) as usize];
             let (seen, id) = match quadric {
                 Some((words, id)) => {
                     let shape = Shape {
@@ -103,17 +159,53 @@ impl Objects {
                     (seen, Bits::new(index, ID))
                 }
             };
-            let candidate = Candidate {
+            let face = Candidate {
                 depth: seen.front.zf,
                 id,
                 number: seen.number,
                 normal: seen.normal,
             };
-            (seen.front.out_valid, candidate)
+            (
+                seen.front.out_valid,
+                Extent {
+                    face,
+                    end: seen.front.zb,
+                },
+            )
         });
-        let (valid, candidates): (Vec<Bits>, Vec<Candidate>) = seen.unzip();
-        let valid = valid[0].delayed_as("valid_late", levels(self.slots.len()));
-        (valid, decider("decider", candidates))
+        let (valid, extents): (Vec<Bits>, Vec<Extent>) = seen.unzip();
+        let wait = roles[0].clocks() + levels(self.choices());
+        let valid = valid[0].delayed_as("valid_late", wait);
+        (valid, decider("decider", self.candidates(extents)))
+    }
+
+    /// What is seen of the objects that are in no solid, and of the products.
+    fn candidates(&self, extents: Vec<Extent>) -> Vec<Candidate> {
+        let (alone, mut members) = extents.split_at(self.alone());
+        let mut candidates: Vec<Candidate> = alone.iter().map(|extent| extent.face).collect();
+        for (at, product) in numbered("products", &self.products) {
+            let (own, others) = members.split_at(product.count());
+            let (kept, taken_away) = own.split_at(product.intersected);
+            let taken_away = taken_away.iter().map(seen_from_behind).collect();
+            candidates.push(csg_product(&at, kept.to_vec(), taken_away));
+            members = others;
+        }
+        candidates
+    }
+}
+
+/// An object that is loaded as it is seen from behind, its depths complemented: the back is in front. What reaches the
+/// far end has its cap there.
+fn seen_from_behind(extent: &Extent) -> Extent {
+    let Extent { face, end } = *extent;
+    let complement = |depth: Int| (!depth.bits()).int();
+    let far = absent(face.depth.width());
+    Extent {
+        face: Candidate {
+            depth: face.number.is(CAP).select(far, complement(face.depth)),
+            ..face
+        },
+        end: complement(end),
     }
 }
 

@@ -32,6 +32,7 @@ fn machine() -> BeamMachine {
     let slots = [(0, false), (2, true), (3, false)];
     BeamMachine {
         objects: Objects {
+            products: vec![],
             widths,
             root,
             slots: slots

@@ -1,0 +1,203 @@
+//! Solids at a pixel, exactly, by points: the line of sight is divided wherever it crosses a quadric or a plane of one
+//! of their objects, and a point of each piece is in the solid or is not, as the scene file says.
+//!
+//! Neither depths of fronts and backs nor products take part.
+
+use crate::body::CutBody;
+use crate::root::Real;
+use crate::solve::Line;
+use crate::verdict::{Ends, Solved};
+use imogene_algebra::rational::integer;
+use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END};
+use imogene_scene::{Object, Operand, Operation};
+use num_rational::BigRational;
+use num_traits::Zero;
+use std::cmp::Ordering;
+
+/// A solid, and the indices of its objects by their names.
+#[derive(Debug)]
+pub struct SolidBody {
+    operation: Operation,
+    members: Vec<(String, u32)>,
+}
+
+/// A face of an object on a line of sight.
+struct Crossing {
+    t: Real,
+    object: u32,
+    number: u8,
+}
+
+/// An object of a solid on a line of sight.
+pub(crate) type Member<'a> = (u32, &'a CutBody);
+
+impl SolidBody {
+    /// Of a solid among the objects of a flat scene.
+    pub fn new(operation: &Operation, objects: &[Object]) -> SolidBody {
+        let index = |name: &str| objects.iter().position(|object| object.name == name);
+        let named = |name: &str| Some((name.to_owned(), index(name)? as u32));
+        SolidBody {
+            members: operation.names().into_iter().filter_map(named).collect(),
+            operation: operation.clone(),
+        }
+    }
+
+    /// True if an object is one of its own.
+    pub fn has(&self, object: u32) -> bool {
+        self.members.iter().any(|(_, own)| *own == object)
+    }
+
+    /// The first point at a pixel, of the objects that may be met there.
+    pub(crate) fn solve(
+        &self,
+        met: &[Member],
+        (x, y): (i64, i64),
+        ends: &Ends,
+    ) -> Option<(u32, Solved)> {
+        let lines: Vec<(u32, &CutBody, Line)> = met
+            .iter()
+            .filter(|(object, _)| self.has(*object))
+            .map(|&(object, body)| (object, body, body.sight_line(x, y, ends)))
+            .collect();
+        let mut crossings: Vec<Crossing> = lines
+            .iter()
+            .flat_map(|(object, body, line)| {
+                let own = body.crossings(line).into_iter();
+                own.map(|(t, number)| Crossing {
+                    t,
+                    object: *object,
+                    number,
+                })
+            })
+            .filter(|crossing| ends.hold(&crossing.t))
+            .collect();
+        crossings.sort_by(|a, b| a.t.compare(&b.t));
+        // A line may be within an object from the beginning.
+        let caps = lines.iter().map(|(object, ..)| Crossing {
+            t: Real::Fraction(ends.first.clone()),
+            object: *object,
+            number: FACE_NEAR_END,
+        });
+        crossings.splice(0..0, caps);
+        let is_in = |object: u32, at: &BigRational| {
+            lines
+                .iter()
+                .any(|(own, body, line)| *own == object && body.has(line, at))
+        };
+        let mut before = None;
+        for (index, crossing) in crossings.iter().enumerate() {
+            let next = crossings.get(index + 1);
+            let Some(at) = behind(&crossing.t, next.map(|next| &next.t), ends) else {
+                continue;
+            };
+            if self.contains(&self.operation, &|object| is_in(object, &at)) {
+                let faces = crossings[..=index].iter();
+                let faces = faces.filter(|face| face.t.compare(&crossing.t) == Ordering::Equal);
+                return self.face(faces, &|object| is_in(object, &at), before.as_ref(), &is_in);
+            }
+            before = Some(at);
+        }
+        None
+    }
+
+    /// Of the faces at one point, that of an object whose inside begins or ends there: a front first, then the earlier
+    /// object. A back is seen from behind, where the far root of a quadric is the near one.
+    fn face<'a>(
+        &self,
+        faces: impl Iterator<Item = &'a Crossing>,
+        is_behind: &dyn Fn(u32) -> bool,
+        before: Option<&BigRational>,
+        is_in: &dyn Fn(u32, &BigRational) -> bool,
+    ) -> Option<(u32, Solved)> {
+        let was_in = |object: u32| before.is_some_and(|at| is_in(object, at));
+        let faces = faces.filter(|face| {
+            let is_cap = face.number == FACE_NEAR_END && is_behind(face.object);
+            is_cap || was_in(face.object) != is_behind(face.object)
+        });
+        let order = |face: &&Crossing| (!is_behind(face.object), face.object);
+        let face = faces.min_by_key(order)?;
+        let number = match (is_behind(face.object), face.number) {
+            (false, FACE_NEAR) => FACE_FAR,
+            (false, FACE_FAR) => FACE_NEAR,
+            (_, number) => number,
+        };
+        let solved = Solved {
+            t: face.t.clone(),
+            number,
+            part: 0,
+        };
+        Some((face.object, solved))
+    }
+
+    /// What the scene file says of a point.
+    fn contains(&self, operation: &Operation, is_in: &dyn Fn(u32) -> bool) -> bool {
+        let holds = |operand: &Operand| match operand {
+            Operand::Object(name) => self
+                .members
+                .iter()
+                .any(|(own, object)| own == name && is_in(*object)),
+            Operand::Operation(operation) => self.contains(operation, is_in),
+        };
+        let mut operands = operation.operands().iter();
+        match operation {
+            Operation::Union(_) => operands.any(holds),
+            Operation::Intersection(_) => operands.all(holds),
+            Operation::Difference(_) => operands.next().is_some_and(holds) && !operands.any(holds),
+        }
+    }
+}
+
+/// A fraction behind a crossing and before the next one, or the end; `None` if both are one point.
+fn behind(t: &Real, next: Option<&Real>, ends: &Ends) -> Option<BigRational> {
+    if next.is_some_and(|next| next.compare(t) == Ordering::Equal) {
+        return None;
+    }
+    let mut bits = 64;
+    loop {
+        let (_, low) = t.between(bits);
+        let high = match (next, &ends.last) {
+            (Some(next), _) => next.between(bits).0,
+            (None, Some(last)) => last.clone(),
+            (None, None) => &low + integer(1),
+        };
+        if low < high {
+            return Some((low + high) / integer(2));
+        }
+        bits *= 2;
+    }
+}
+
+impl CutBody {
+    /// Where a line of sight crosses the quadric and the planes, each with the number of the face.
+    fn crossings(&self, line: &Line) -> Vec<(Real, u8)> {
+        let planes = self.exact.planes.iter().zip(&self.numbers);
+        let planes = planes.filter_map(|(plane, &number)| {
+            let [at, slope] = line.along(plane);
+            (!slope.is_zero()).then(|| (Real::Fraction(BigRational::new(-at, slope)), number))
+        });
+        let mut all: Vec<(Real, u8)> = planes.collect();
+        let q = &line.q;
+        if q.a.is_zero() {
+            let only = || Real::Fraction(BigRational::new(-&q.c, &q.b * 2));
+            all.extend((!q.b.is_zero()).then(|| (only(), FACE_NEAR)));
+        } else if q.discriminant() >= num_bigint::BigInt::zero() {
+            let [low, high] = [false, true].map(|greater| Real::root(q, greater));
+            // What is behind the eye comes after infinity.
+            let zero = BigRational::zero();
+            let is_second = !self.perspective || low.cmp_fraction(&zero) == Ordering::Greater;
+            all.push((high, if is_second { FACE_FAR } else { FACE_NEAR }));
+            all.push((low, FACE_NEAR));
+        }
+        all
+    }
+
+    /// True if a point of a line of sight is inside.
+    fn has(&self, line: &Line, at: &BigRational) -> bool {
+        let kept = self.exact.planes.iter().all(|plane| {
+            let [constant, slope] = line.along(plane);
+            BigRational::from_integer(constant) + BigRational::from_integer(slope) * at
+                <= BigRational::zero()
+        });
+        kept && line.q.sign_at(at) != Ordering::Greater
+    }
+}
