@@ -107,6 +107,7 @@ fn run_scene(options: &Cosim) -> Result<Report, Failure> {
     let file = read_scene(path, &options.view)?;
     let format = options.words.format(options.shape.format);
     let (_, prepared) = frame_in(&file, options.size, format?)?;
+    prepared.refuse_composed()?;
     let mut report = if slots::is_for_beam(&prepared) {
         run_beam(options, &prepared)?
     } else {

@@ -49,6 +49,7 @@ struct Row<'a> {
 
 pub fn run(options: &Detail, json: bool) -> Result<(), Failure> {
     let (framed, prepared) = load_scene(&options.scene)?;
+    prepared.refuse_composed()?;
     let report = output::during(1, "what the scene requires", |_| {
         Report::of(&framed, &prepared, options.zone, options.pixels)
     });

@@ -379,17 +379,51 @@ fn a_solid_that_cannot_be_had_names_the_object_and_what_would_do() {
     let both = "{ difference = [\"thing\", \"other\"] }";
     let refused = |of: &str, ball: &str| refusal(solid_text(of, ball).as_bytes());
     for (of, ball, parts) in [
-        ("{ difference = [\"thing\", \"hole\"] }", "", ["solid `part`, object `hole`", "`thing`, `other`"]),
-        ("{ difference = [\"thing\"] }", "", ["solid `part`", "two operands"]),
-        ("{ less = [\"thing\", \"other\"] }", "", ["unknown variant `less`", "`difference`"]),
-        ("{ union = [\"thing\", 3] }", "", ["invalid type", "the name of an object"]),
-        (both, "mode = \"patch\"", ["surface without inside", "mode = \"solid\""]),
-        (both, "processor = \"paraboloid\"", ["hands on no back", "quadric processor"]),
+        (
+            "{ difference = [\"thing\", \"hole\"] }",
+            "",
+            ["solid `part`, object `hole`", "`thing`, `other`"],
+        ),
+        (
+            "{ difference = [\"thing\"] }",
+            "",
+            ["solid `part`", "two operands"],
+        ),
+        (
+            "{ less = [\"thing\", \"other\"] }",
+            "",
+            ["unknown variant `less`", "`difference`"],
+        ),
+        (
+            "{ union = [\"thing\", 3] }",
+            "",
+            ["invalid type", "the name of an object"],
+        ),
+        (
+            both,
+            "mode = \"patch\"",
+            ["surface without inside", "mode = \"solid\""],
+        ),
+        (
+            both,
+            "processor = \"paraboloid\"",
+            ["hands on no back", "quadric processor"],
+        ),
     ] {
         assert_mentions(&refused(of, ball), &parts);
     }
-    let shadows = solid_text(both, "") + "\n[[lights]]\nkind = \"directional\"\nfrom = [0, 5, 5]\nshadows = true\n";
-    assert_mentions(&refusal(shadows.as_bytes()), &["solid 'part'", "casts_shadow = false"]);
+    let shadows = solid_text(both, "")
+        + "\n[[lights]]\nkind = \"directional\"\nfrom = [0, 5, 5]\nshadows = true\n";
+    assert_mentions(
+        &refusal(shadows.as_bytes()),
+        &["solid 'part'", "casts_shadow = false"],
+    );
     let double = solid_text(both, "").replace("kind = \"sphere\"\nradius = 1\n", "kind = \"cone\"\nradii = [1, 1, 1]\nplace = [{ rotate = { axis = \"x\", degrees = 90 } }]\n");
-    assert_mentions(&refusal(double.as_bytes()), &["object 'thing' is met twice", "cut one of its two parts off"]);
+    assert_mentions(
+        &refusal(double.as_bytes()),
+        &[
+            "object 'thing' is met twice",
+            "cut one of its two parts off",
+        ],
+    );
 }

@@ -284,3 +284,60 @@ fn bad_input_is_refused_with_what_would_be_accepted() {
         assert!(!Path::new(env!("CARGO_MANIFEST_DIR")).join("../x").exists());
     }
 }
+
+/// The products of a solid, and the layers of transparent objects, on the pins; then the same from the machine file.
+#[test]
+fn solids_and_glass_go_to_the_pins() {
+    let folder = tempfile::tempdir().unwrap();
+    for (scene, key) in [
+        ("scenes/solids/bracket.toml", "products = \"1-4,1-4\""),
+        (
+            "scenes/solids/printed-example.toml",
+            "products = \"2-1,2-1,2-1,2-1\"",
+        ),
+        ("scenes/glass/still-life.toml", "layers = 3"),
+    ] {
+        let out = folder.path().join(key);
+        let size = ["--size", "64x48"];
+        let (code, stdout, stderr) = output(
+            imogene(&[
+                "--json",
+                "fit",
+                scene,
+                "--max-depth-error",
+                "1px",
+                "--no-cost",
+                "--out",
+            ])
+            .arg(&out)
+            .args(size),
+        );
+        assert_eq!(code, 0, "{scene}: {stderr}");
+        let report: Value = serde_json::from_str(&stdout).unwrap();
+        assert_eq!(report["cosim"][0]["mismatches"], 0, "{scene}");
+        let machine = out.join("machine.toml");
+        let text = std::fs::read_to_string(&machine).unwrap();
+        assert!(text.contains(key), "{scene}: {text}");
+        let (code, _, stderr) = output(
+            imogene(&["machine", scene, "--machine"])
+                .arg(&machine)
+                .arg("--out")
+                .arg(folder.path().join("again").join(key)),
+        );
+        assert_eq!(code, 0, "{scene}: {stderr}");
+        // A zone machine has one processor after another, and no blends.
+        let (code, _, stderr) = output(&mut imogene(&[
+            "machine",
+            scene,
+            "--machine",
+            "machines/zone-320x240.toml",
+            "--out",
+            folder.path().join("zone").to_str().unwrap(),
+        ]));
+        assert_eq!(code, 2, "{scene}");
+        assert!(
+            stderr.contains("in a beam machine alone"),
+            "{scene}: {stderr}"
+        );
+    }
+}

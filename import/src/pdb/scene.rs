@@ -86,6 +86,7 @@ fn material(name: String, colour: [f64; 3]) -> Material {
         diffuse: 0.7,
         specular: 0.35,
         exponent: 40,
+        opacity: 1.0,
     }
 }
 

@@ -93,6 +93,7 @@ impl<'a> Map<'a> {
             diffuse: 0.75,
             specular: 0.0,
             exponent: 1,
+            opacity: 1.0,
         };
         let [width, height] = self.options.size;
         let pose = [self.eye, self.target, [0.0, 1.0, 0.0]];

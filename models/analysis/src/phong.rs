@@ -5,34 +5,63 @@
 
 use imogene_algebra::vector::{Vector, dot, length};
 use imogene_golden::format::Format;
-use imogene_golden::machine::frame::Frame;
-use imogene_golden::machine::lighting::Lighting;
+use imogene_golden::machine::frame::{Frame, FrameLayer};
+use imogene_golden::machine::lighting::{ALL_SOURCES, Lighting};
 use imogene_scene::{FramedLight, FramedScene, Material};
 use rayon::prelude::*;
 
 /// The picture of a frame: 8-bit red, green, blue of every pixel, row-major. A source that does not reach a pixel adds
-/// nothing there.
+/// nothing there. Transparent objects are blended over it in the order of their depths.
 pub fn shade(frame: &Frame, lighting: &Lighting, scene: &FramedScene, format: &Format) -> Vec<u8> {
     let scale = scene.projection.full_depth() / format.z_max() as f64;
-    let pixel = |index: usize| -> [u8; 3] {
-        let Ok(id) = usize::try_from(frame.id[index]) else {
-            return scene.background;
-        };
+    let at = |index: usize, object: usize, depth: i64, normal: [i16; 3], flags: u16| -> Vector {
         let [x, y] = scene.pixel_centre(index % frame.width, index / frame.width);
         let [u, v] = scene.sample_at;
         let point = scene
             .projection
-            .antecedent([x + u, y + v], frame.depth[index] as f64 * scale);
-        let material = &scene.materials[scene.objects[id].material()];
-        let normal = scene.upright(frame.normal[index].map(f64::from));
-        let flags = lighting.flags[index];
-        colour(scene, material, point, normal, flags)
-            .map(|v| (v.clamp(0.0, 1.0) * 255.0).round() as u8)
+            .antecedent([x + u, y + v], depth as f64 * scale);
+        let material = &scene.materials[scene.objects[object].material()];
+        let normal = scene.upright(normal.map(f64::from));
+        colour(scene, material, point, normal, flags).map(|v| v.clamp(0.0, 1.0))
+    };
+    let pixel = |index: usize| -> [u8; 3] {
+        let surface = frame.depth[index];
+        let mut seen = match usize::try_from(frame.id[index]) {
+            Ok(id) => at(
+                index,
+                id,
+                surface,
+                frame.normal[index],
+                lighting.flags[index],
+            ),
+            Err(_) => scene.background.map(|v| f64::from(v) / 255.0),
+        };
+        for layer in before(frame, index) {
+            let front = at(
+                index,
+                layer.object,
+                layer.depth[index],
+                layer.normal[index],
+                ALL_SOURCES,
+            );
+            let weight = f64::from(layer.weight) / 255.0;
+            seen = std::array::from_fn(|k| weight * front[k] + (1.0 - weight) * seen[k]);
+        }
+        seen.map(|v| (v * 255.0).round() as u8)
     };
     (0..frame.depth.len())
         .into_par_iter()
         .flat_map_iter(pixel)
         .collect()
+}
+
+/// The transparent objects before what is seen at a pixel, the farthest first; of two at one depth the earlier object is
+/// nearer.
+fn before(frame: &Frame, index: usize) -> Vec<&FrameLayer> {
+    let nearer = |layer: &&FrameLayer| layer.depth[index] < frame.depth[index];
+    let mut layers: Vec<&FrameLayer> = frame.layers.iter().filter(nearer).collect();
+    layers.sort_by_key(|layer| std::cmp::Reverse((layer.depth[index], layer.object)));
+    layers
 }
 
 fn colour(

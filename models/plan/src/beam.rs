@@ -3,6 +3,7 @@
 use super::description::MachineDescription;
 use super::zone::plan::{self, Part, PlanError};
 use imogene_contract::object::{Kind, ProductSlots};
+use imogene_contract::shading::MOST_MATERIALS;
 use imogene_golden::format::Format;
 use imogene_golden::machine::fitted::FittedSlot;
 use imogene_golden::machine::shader::{LIGHT_ADDRESS, ShaderWords};
@@ -146,43 +147,55 @@ pub(super) fn members(prepared: &PreparedScene, products: &[ProductSlots]) -> Ve
     members
 }
 
-/// Every part of the scene that is in no solid, with what its slot in a beam machine has to have: of the kind that the machine has, if that
+/// Every part of the scene that is in no solid and not transparent, with what its slot in a beam machine has to have: of the kind that the machine has, if that
 /// is for it, else of quadrics, and where no processor of quadrics draws it, of its own kind.
 pub(super) fn beam_slots(
     prepared: &PreparedScene,
     slots: &[FittedSlot],
 ) -> Result<Vec<(FittedSlot, Slot)>, DisplayError> {
-    let of_part = |(place, slot): (usize, Slot)| {
-        let given = slots.get(place).filter(|given| given.kind != Kind::Quadric);
-        if given.is_some_and(|given| given.takes(&slot.words)) {
-            return Ok(of_own_kind(slot));
+    let alone = prepared.slots_alone().into_iter().enumerate();
+    let alone = alone.map(|(place, slot)| beam_slot(prepared, slot, slots.get(place)));
+    alone.collect()
+}
+
+/// The same of every transparent object, for the slots of such.
+pub(super) fn layer_slots(
+    prepared: &PreparedScene,
+    slots: &[FittedSlot],
+) -> Result<Vec<(FittedSlot, Slot)>, DisplayError> {
+    let layers = prepared.layers.iter().cloned().enumerate();
+    let layers = layers.map(|(place, slot)| beam_slot(prepared, slot, slots.get(place)));
+    layers.collect()
+}
+
+fn beam_slot(
+    prepared: &PreparedScene,
+    slot: Slot,
+    given: Option<&FittedSlot>,
+) -> Result<(FittedSlot, Slot), DisplayError> {
+    let given = given.filter(|given| given.kind != Kind::Quadric);
+    if given.is_some_and(|given| given.takes(&slot.words)) {
+        return Ok(of_own_kind(slot));
+    }
+    match slot
+        .words
+        .on_quadric_processor(&prepared.format, MAX_PLANES)
+    {
+        Ok(words) => {
+            let needed = FittedSlot::of(&words);
+            let words = ProcessorWords::Quadric(words);
+            Ok((needed, Slot { words, ..slot }))
         }
-        match slot
-            .words
-            .on_quadric_processor(&prepared.format, MAX_PLANES)
+        Err(AsQuadricError::Processor(_) | AsQuadricError::GuardBits { .. })
+            if FittedSlot::of_words(&slot.words).is_some() =>
         {
-            Ok(words) => {
-                let needed = FittedSlot::of(&words);
-                let words = ProcessorWords::Quadric(words);
-                Ok((needed, Slot { words, ..slot }))
-            }
-            Err(AsQuadricError::Processor(_) | AsQuadricError::GuardBits { .. })
-                if FittedSlot::of_words(&slot.words).is_some() =>
-            {
-                Ok(of_own_kind(slot))
-            }
-            Err(why) => {
-                let name = prepared.objects[slot.object].name().to_owned();
-                Err(refused(&prepared.format, name, why))
-            }
+            Ok(of_own_kind(slot))
         }
-    };
-    prepared
-        .slots_alone()
-        .into_iter()
-        .enumerate()
-        .map(of_part)
-        .collect()
+        Err(why) => {
+            let name = prepared.objects[slot.object].name().to_owned();
+            Err(refused(&prepared.format, name, why))
+        }
+    }
 }
 
 /// A part and its slot, that of a surface of a quadric for patches.
@@ -229,11 +242,17 @@ pub(super) fn beam_words(
     let first = machine.slots_alone();
     let members = members(prepared, &machine.products.0).into_iter();
     let members = members.map(|member| (first + member.place, member.needed, member.slot));
-    let alone = parts.into_iter().enumerate();
-    let parts = alone.map(|(place, (needed, part))| (place, needed, part));
+    let in_order = |first: usize, parts: Vec<(FittedSlot, Slot)>| {
+        let parts = parts.into_iter().enumerate();
+        parts.map(move |(place, (needed, part))| (first + place, needed, part))
+    };
+    let behind = slots.len() - machine.layers;
+    let layers = in_order(behind, layer_slots(prepared, &slots[behind..])?);
+    let parts = in_order(0, parts);
     let mut is_empty = vec![true; slots.len()];
-    for (place, needed, part) in parts.chain(members) {
-        let material = materials[part.object].into();
+    for (place, needed, part) in parts.chain(members).chain(layers) {
+        let weight = u64::from(part.weight.unwrap_or(0)) << MOST_MATERIALS.ilog2();
+        let material = weight | u64::from(materials[part.object]);
         beats.push(Beat::new(kind::MATERIAL, 0, place as u16, material));
         let words = load_slot(&part.words, format, slots.get(place).unwrap_or(&needed));
         beats.extend(words.iter().map(load(kind::OBJECT, place)));

@@ -126,6 +126,9 @@ pub struct MachineDescription {
     /// Products of solids in a beam machine; the last slots are theirs, product by product.
     #[serde(default, skip_serializing_if = "has_none")]
     pub products: Products,
+    /// Transparent objects of a beam machine: its last slots, behind those of products, are theirs.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub layers: usize,
     /// Volume processors; in a beam machine one for each volume.
     #[serde(default)]
     pub volumes: usize,
@@ -159,6 +162,10 @@ pub struct MachineDescription {
 
 fn has_none(products: &Products) -> bool {
     products.0.is_empty()
+}
+
+fn is_zero(layers: &usize) -> bool {
+    *layers == 0
 }
 
 fn base_depth_word() -> u32 {
@@ -294,10 +301,16 @@ impl MachineDescription {
         }
     }
 
-    /// How many of its object processors are of no product.
+    /// How many of its object processors are of no product and of no transparent object.
     pub fn slots_alone(&self) -> usize {
-        let members: usize = self.products.0.iter().map(ProductSlots::count).sum();
-        self.slots().len().saturating_sub(members)
+        self.slots()
+            .len()
+            .saturating_sub(self.slots_of_products() + self.layers)
+    }
+
+    /// How many are of products.
+    pub fn slots_of_products(&self) -> usize {
+        self.products.0.iter().map(ProductSlots::count).sum()
     }
 
     /// The format of its words.

@@ -78,7 +78,8 @@ pub fn refined_image(
         MachineKind::Beam => {
             let parts = beam_slots(prepared, &machine.slots())?;
             let alone = parts.into_iter().map(|(_, slot)| slot);
-            let slots: Vec<Slot> = alone.chain(prepared.solids.slots()).collect();
+            let layers = prepared.layers.iter().cloned();
+            let slots: Vec<Slot> = alone.chain(prepared.solids.slots()).chain(layers).collect();
             let frame = beam::render(&slots, &prepared.format, width, height, || ());
             let lighting = prepared.light(&frame, || ());
             (beam_words(scene, prepared, machine)?, frame, lighting, None)

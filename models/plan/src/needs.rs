@@ -1,6 +1,6 @@
 //! Has a machine what scenes need? If not, the lines of a description that has.
 
-use super::beam::{DisplayError, beam_slots, beam_words, members, parts, volumes};
+use super::beam::{DisplayError, beam_slots, beam_words, layer_slots, members, parts, volumes};
 use super::description::{MachineDescription, MachineKind, Mode, Output, OwnMode, ZoneSize};
 use super::zone::plan::PlanError;
 use imogene_contract::object::{Kind, ProductSlots};
@@ -8,6 +8,7 @@ use imogene_golden::machine::fitted::FittedSlot;
 use imogene_golden::machine::shader::MOST_LIGHTS;
 use imogene_golden::machine::zone::ID_BITS;
 use imogene_golden::object::quadric::MAX_PLANES;
+use imogene_golden::object::slot::Slot;
 use imogene_golden::slots::Slots;
 use imogene_prepare::PreparedScene;
 use imogene_prepare::shader::ShaderError;
@@ -73,7 +74,10 @@ pub fn check_any(
 ) -> Result<(), DisplayError> {
     check_counts(framed, prepared)?;
     match kind {
-        MachineKind::Beam => beam_slots(prepared, &[]).map(|_| ())?,
+        MachineKind::Beam => {
+            beam_slots(prepared, &[])?;
+            layer_slots(prepared, &[])?;
+        }
         MachineKind::Zone => parts(prepared, MAX_PLANES).map(|_| ())?,
     }
     volumes(prepared, MAX_PLANES).map(|_| ())
@@ -127,26 +131,42 @@ fn add_slots(
     machine: &mut MachineDescription,
     prepared: &PreparedScene,
 ) -> Result<Vec<usize>, DisplayError> {
-    let needed = beam_slots(prepared, &machine.slots())?;
-    let needed: Vec<FittedSlot> = needed.into_iter().map(|(slot, _)| slot).collect();
-    let is_plain = machine.products.0.is_empty() && prepared.solids.products.is_empty();
+    let needed = of_slots(beam_slots(prepared, &machine.slots())?);
+    let is_plain = machine.products.0.is_empty() && machine.layers == 0;
+    let is_plain = is_plain && prepared.solids.products.is_empty() && prepared.layers.is_empty();
     let are_quadrics = needed.iter().all(|slot| slot.kind == Kind::Quadric);
     if machine.slots.is_none() && is_plain && are_quadrics {
         return Ok(needed.iter().map(|slot| slot.planes as usize).collect());
     }
     let mut slots = machine.slots();
+    let mut layers = slots.split_off(slots.len() - machine.layers);
     let mut members = slots.split_off(machine.slots_alone());
-    slots.resize(slots.len().max(needed.len()), FittedSlot::NONE);
-    for (slot, needed) in slots.iter_mut().zip(&needed) {
-        *slot = slot.or(needed);
-    }
+    add_each(&mut slots, &needed);
     enlarge(&mut machine.products.0, &mut members, prepared);
-    slots.extend(members);
+    let needed = of_slots(layer_slots(prepared, &layers)?);
+    add_each(&mut layers, &needed);
+    if slots.len() + members.len() == 0 {
+        slots.push(FittedSlot::NONE);
+    }
+    machine.layers = layers.len();
+    slots.extend(members.into_iter().chain(layers));
     let planes = slots.iter().map(|slot| slot.planes as usize).collect();
     if slots != machine.slots() {
         machine.slots = Some(Slots(slots));
     }
     Ok(planes)
+}
+
+fn of_slots(parts: Vec<(FittedSlot, Slot)>) -> Vec<FittedSlot> {
+    parts.into_iter().map(|(slot, _)| slot).collect()
+}
+
+/// Gives slots what they lack.
+fn add_each(slots: &mut Vec<FittedSlot>, needed: &[FittedSlot]) {
+    slots.resize(slots.len().max(needed.len()), FittedSlot::NONE);
+    for (slot, needed) in slots.iter_mut().zip(needed) {
+        *slot = slot.or(needed);
+    }
 }
 
 /// Gives the products of a beam machine, and their slots, what they lack for a scene.

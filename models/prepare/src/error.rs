@@ -168,6 +168,32 @@ pub enum PrepareError {
         /// What is in the way.
         problem: String,
     },
+    /// An object that cannot be transparent.
+    #[error("object '{object}': {problem}")]
+    Transparent {
+        /// Name of the object.
+        object: String,
+        /// What is in the way.
+        problem: String,
+    },
+    /// Transparent objects that have no order.
+    #[error(
+        "the transparent objects {objects}: each is farther than the next somewhere, and the last than the first, so \
+         that they cannot be blended in one order; cut them, move them apart, or make one of them opaque"
+    )]
+    NoOrder {
+        /// Their names.
+        objects: String,
+    },
+    /// A scene with solids or transparent objects where each object is looked at by itself.
+    #[error(
+        "object '{object}' belongs to a solid or is transparent, and this command looks at each object by itself; \
+         `imogene machine`, `imogene fit` and `imogene render` take the scene"
+    )]
+    Composed {
+        /// Name of the object.
+        object: String,
+    },
     /// A solid casts no shadow.
     #[error(
         "solid '{solid}': lights[{light}] has shadows, and that of object '{object}' would not be the solid's; give the \

@@ -40,6 +40,7 @@ mod first_generation;
 pub mod forms;
 mod framing;
 mod known;
+mod layers;
 mod ledger;
 mod located;
 pub mod memory;

@@ -16,6 +16,7 @@ use imogene_golden::unit::root::fast_root;
 use imogene_scene::Unseen;
 use num_rational::BigRational;
 use serde::Serialize;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// A scene as a machine of a format is loaded with it.
@@ -33,6 +34,10 @@ pub struct PreparedScene {
     pub objects: Vec<PreparedObject>,
     /// Solids made of objects.
     pub solids: PreparedSolids,
+    /// Processors of transparent objects, in the order of their blends.
+    pub layers: Vec<Slot>,
+    /// The objects that are transparent.
+    pub transparent: BTreeSet<usize>,
     /// Shadow volumes and the light volumes of spots, in the order of sources and objects.
     pub volumes: Vec<PreparedVolume>,
     /// What is left out of a picture that is drawn without what cannot be prepared
@@ -51,22 +56,56 @@ pub struct Missing {
 
 impl PreparedScene {
     /// The processors of a machine that draws the scene: in the order of the objects those that are in no solid, then
-    /// those of the solids.
+    /// those of the solids, then those of transparent objects.
     pub fn slots(&self) -> Vec<Slot> {
         let mut slots = self.slots_alone();
         slots.extend(self.solids.slots());
+        slots.extend(self.layers.iter().cloned());
         slots
     }
 
-    /// The processors of the objects that are in no solid.
+    /// The processors of the objects that are in no solid and not transparent.
     pub fn slots_alone(&self) -> Vec<Slot> {
         let of = |(object, prepared): (usize, &PreparedObject)| {
-            let slot = move |words| Slot { object, words };
+            let slot = move |words| Slot {
+                object,
+                words,
+                weight: None,
+            };
             prepared.words().into_iter().map(slot)
         };
         let objects = self.objects.iter().enumerate();
-        let alone = objects.filter(|(id, _)| !self.solids.members.contains(id));
+        let is_alone =
+            |id: &usize| !self.solids.members.contains(id) && !self.transparent.contains(id);
+        let alone = objects.filter(|(id, _)| is_alone(id));
         alone.flat_map(of).collect()
+    }
+
+    /// Refuses a scene for what looks at each object by itself.
+    ///
+    /// # Errors
+    ///
+    /// When there are solids or transparent objects.
+    pub fn refuse_composed(&self) -> Result<(), PrepareError> {
+        self.refuse_one_of(&self.solids.members)?;
+        self.refuse_transparent()
+    }
+
+    /// Refuses a scene for what does not blend.
+    ///
+    /// # Errors
+    ///
+    /// When there are transparent objects.
+    pub fn refuse_transparent(&self) -> Result<(), PrepareError> {
+        self.refuse_one_of(&self.transparent)
+    }
+
+    fn refuse_one_of(&self, objects: &BTreeSet<usize>) -> Result<(), PrepareError> {
+        objects.first().map_or(Ok(()), |&object| {
+            Err(PrepareError::Composed {
+                object: self.objects[object].name().to_owned(),
+            })
+        })
     }
 
     /// The words of its volumes.

@@ -3,6 +3,7 @@
 use super::context::{Context, Options};
 use super::error::PrepareError;
 use super::known::Known;
+use super::layers::layers;
 use super::located::Located;
 use super::object;
 use super::prepared::{Missing, PreparedObject, PreparedScene};
@@ -132,6 +133,10 @@ pub(super) fn prepared_scene(
     Ok(PreparedScene {
         missing,
         solids: PreparedSolids::of(scene, &objects, &context)?,
+        layers: layers(scene, &objects, &context)?,
+        transparent: (0..objects.len())
+            .filter(|id| scene.is_transparent(*id))
+            .collect(),
         format: context.format,
         width: context.width,
         height: context.height,

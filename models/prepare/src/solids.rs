@@ -182,7 +182,11 @@ impl PreparedSolids {
                 place,
             };
             let words = ProcessorWords::Member(Box::new(words));
-            Slot { object, words }
+            Slot {
+                object,
+                words,
+                weight: None,
+            }
         });
         self.slots.extend(slots);
         self.products.push(product);

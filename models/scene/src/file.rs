@@ -108,6 +108,25 @@ pub struct Material {
     /// Sharpness of the highlight, 1 to 200.
     #[serde(default = "default_exponent")]
     pub exponent: u32,
+    /// Part of what is seen that is the surface and not what lies behind it, 0 to 1; with less than 1 it is
+    /// transparent.
+    #[serde(default = "opaque", skip_serializing_if = "is_opaque")]
+    pub opacity: f64,
+}
+
+impl Material {
+    /// Is something seen through it?
+    pub fn is_transparent(&self) -> bool {
+        !is_opaque(&self.opacity)
+    }
+}
+
+fn opaque() -> f64 {
+    1.0
+}
+
+fn is_opaque(opacity: &f64) -> bool {
+    *opacity == 1.0
 }
 
 /// Most bytes of a scene file: a million objects take a hundred million.

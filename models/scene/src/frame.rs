@@ -148,6 +148,12 @@ impl FramedScene {
         ]
     }
 
+    /// Is something seen through an object?
+    pub fn is_transparent(&self, object: usize) -> bool {
+        let material = self.materials.get(self.objects[object].material());
+        material.is_some_and(Material::is_transparent)
+    }
+
     /// The normal in a frame at right angles, of one in the frame that is moved to where pixels are sampled.
     pub fn upright(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         match &self.projection {

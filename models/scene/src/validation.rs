@@ -204,6 +204,7 @@ fn check_material(place: &str, material: &Material) -> Checked {
     check_share(&format!("{place}, ambient"), material.ambient, 1.0)?;
     check_share(&format!("{place}, diffuse"), material.diffuse, 1.0)?;
     check_share(&format!("{place}, specular"), material.specular, 1.0)?;
+    check_share(&format!("{place}, opacity"), material.opacity, 1.0)?;
     let accepted = format!("a whole number from 1 to {MAX_SPECULAR_EXPONENT} is possible");
     let (key, range) = (format!("{place}, exponent"), [1, MAX_SPECULAR_EXPONENT]);
     check_within(key, material.exponent, range, &accepted)

@@ -111,6 +111,7 @@ pub fn scene_of(
             diffuse: 0.7,
             specular: 0.0,
             exponent: 1,
+            opacity: 1.0,
         }],
         lights: vec![],
         sources: vec![],

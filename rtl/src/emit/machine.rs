@@ -11,7 +11,7 @@ pub use imogene_circuits::video::Output;
 pub use imogene_contract::MachineWords;
 use imogene_contract::object::ProductSlots;
 use imogene_contract::request::in_range;
-use imogene_contract::words::{MOST_LIGHTS, MOST_MEMBERS, MOST_OBJECTS, MOST_PLANES};
+use imogene_contract::words::{MOST_LAYERS, MOST_LIGHTS, MOST_MEMBERS, MOST_OBJECTS, MOST_PLANES};
 use imogene_contract::{RequestError, Unit};
 use imogene_hdl::Design;
 
@@ -59,6 +59,8 @@ pub struct MachineRequest {
     pub slots: Vec<Slot>,
     /// Products of solids, of a beam machine alone, whose slots are the last, product by product.
     pub products: Vec<ProductSlots>,
+    /// Slots of transparent objects, of a beam machine that shades alone; their numbers follow those of `slots`.
+    pub layers: Vec<Slot>,
     /// Volume processors, in a beam machine one for each volume; may be none. A deciding beam has none.
     pub volumes: usize,
     /// Planes of each.
@@ -128,6 +130,7 @@ impl MachineRequest {
             rows_per_stage,
             slots,
             products: vec![],
+            layers: vec![],
             volumes: 0,
             volume_planes: 0,
             lights: 1,
@@ -140,6 +143,13 @@ impl MachineRequest {
         check_words(&self.words, self.rows_per_stage)?;
         check_slots(&self.slots)?;
         self.check_products()?;
+        let is_shaded = self.kind.loader_bits().is_some();
+        in_range(
+            "layers",
+            self.layers.len(),
+            0,
+            if is_shaded { MOST_LAYERS } else { 0 },
+        )?;
         in_range("volumes", self.volumes, 0, MOST_OBJECTS)?;
         in_range("volume planes", self.volume_planes, 0, MOST_PLANES)?;
         in_range("lights", self.lights, 1, MOST_LIGHTS)?;
@@ -200,6 +210,7 @@ impl MachineRequest {
         let (rows, planes) = (self.rows_per_stage as u32, self.volume_planes as u64);
         BeamMachine {
             objects: self.objects(),
+            layers: self.layers.clone(),
             volumes: volumes(&self.words, rows, self.volumes, planes),
             lights: self.lights as u64,
             loader_places: loader_bits as u32,
@@ -265,6 +276,9 @@ impl MachineRequest {
     fn parameters(&self) -> Vec<String> {
         let mut lines = lines(&self.words, self.rows_per_stage);
         lines.push(slots_line(&self.slots));
+        if !self.layers.is_empty() {
+            lines.push(format!("transparent: {}", slots_line(&self.layers)));
+        }
         lines.extend(self.products.iter().map(|product| {
             let ProductSlots {
                 intersected,

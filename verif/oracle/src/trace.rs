@@ -9,7 +9,7 @@ use crate::camera::Sight;
 use crate::interval::Interval;
 use crate::solid::{Member, SolidBody};
 use crate::verdict::{Ends, Solved, Verdict};
-use imogene_scene::{DepthRange, SceneFile};
+use imogene_scene::{DepthRange, Material, Object, SceneFile};
 use num_traits::Signed;
 use rayon::prelude::*;
 use std::cmp::Ordering;
@@ -69,6 +69,7 @@ impl Tracer {
             .objects
             .par_iter()
             .enumerate()
+            .filter(|(_, object)| !is_transparent(&scene, object))
             .map(|(id, object)| {
                 let bodies = Body::of(object, &sight).into_iter();
                 bodies.map(|body| (id as u32, body)).collect()
@@ -290,6 +291,13 @@ impl Tracer {
             bits *= 2;
         }
     }
+}
+
+/// What is seen through takes no part in the picture.
+fn is_transparent(scene: &SceneFile, object: &Object) -> bool {
+    let mut materials = scene.materials.iter();
+    let own = materials.find(|material| material.name == object.material);
+    own.is_some_and(Material::is_transparent)
 }
 
 /// Pixels from one column and line to before another.

@@ -35,11 +35,13 @@ pub fn request(machine: &MachineDescription, command: &str) -> MachineRequest {
         (MachineKind::Beam, Picture::Stream) => Kind::BeamStream(loader_bits(), width, height),
     };
     let format = machine.format().expect("a description that was checked");
+    let mut slots = slots_of(&machine.slots());
     MachineRequest {
         kind,
         words: format.widths(),
         rows_per_stage: machine.rows_per_stage as usize,
-        slots: slots_of(&machine.slots()),
+        layers: slots.split_off(slots.len() - machine.layers),
+        slots,
         products: machine.products.0.clone(),
         volumes: machine.volumes,
         volume_planes: machine.volume_planes,

@@ -70,6 +70,7 @@ pub fn golden_lighting(frame: &Frame, prepared: &PreparedScene) -> Lighting {
 }
 
 fn hardware_frame(options: &Render, prepared: &PreparedScene) -> Result<Frame, Failure> {
+    prepared.refuse_composed()?;
     let (mut report, frame) = match slots::is_for_beam(prepared) {
         true => {
             let run = scene::Options::plain(options.rows_per_stage, threads());

@@ -35,6 +35,7 @@ pub fn draw(
             "a divided picture is drawn by the golden model; give --model golden, or leave --split out".into(),
         ));
     }
+    prepared.refuse_transparent()?;
     let workers = options.split.workers.map_or_else(threads, usize::from);
     let pieces = division.pieces(prepared.width, prepared.height).len();
     let divided = output::during(pieces as u64, "pieces of the screen", |bar| {

@@ -124,6 +124,7 @@ pub fn material(materials: &mut Vec<Material>, colour: Option<Colour>) -> String
             diffuse: 0.8,
             specular: 0.5,
             exponent: 40,
+            opacity: 1.0,
         });
     }
     name

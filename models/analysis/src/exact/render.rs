@@ -6,7 +6,7 @@ use super::solid::{Interval, first_point};
 use imogene_algebra::rational::to_f64;
 use imogene_algebra::whole::greatest;
 use imogene_golden::format::Format;
-use imogene_golden::machine::frame::Frame;
+use imogene_golden::machine::frame::{Frame, FrameLayer};
 use imogene_golden::unit::depth_interval::{FACE_NEAR_END, FACE_PLANE};
 use imogene_golden::unit::normal::NEAR_END_NORMAL;
 use imogene_scene::{FramedObject, FramedQuadric, FramedScene, FramedSolid};
@@ -87,6 +87,17 @@ pub fn render_where(
     line_done: impl Fn() + Sync,
 ) -> Vec<Option<ExactPixel>> {
     let view = View::new(scene);
+    pixels(scene, format, wanted, |x, y| view.visible(x, y), line_done)
+}
+
+/// What `visible` finds at the wanted pixels, with its object.
+fn pixels(
+    scene: &FramedScene,
+    format: &Format,
+    wanted: impl Fn(usize) -> bool + Sync,
+    visible: impl Fn(i64, i64) -> Option<(u32, Hit)> + Sync,
+    line_done: impl Fn() + Sync,
+) -> Vec<Option<ExactPixel>> {
     let full = BigInt::from(format.z_max());
     let width = i64::from(scene.width);
     let line = |y: i64| {
@@ -95,7 +106,7 @@ pub fn render_where(
                 if !wanted((y * width + x) as usize) {
                     return None;
                 }
-                let (id, hit) = view.visible(x, y)?;
+                let (id, hit) = visible(x, y)?;
                 let depth = hit.w.fixed(&full, &full, DEPTH_FRACTION);
                 Some(ExactPixel {
                     depth: depth
@@ -135,7 +146,9 @@ impl View<'_> {
         View {
             objects: scene.objects.iter().map(|o| Rays::new(o, scene)).collect(),
             solids: &scene.solids,
-            alone: (0..scene.objects.len()).filter(is_alone).collect(),
+            alone: (0..scene.objects.len())
+                .filter(|id| is_alone(id) && !scene.is_transparent(*id))
+                .collect(),
             members,
         }
     }
@@ -170,7 +183,30 @@ pub fn to_frame(pixels: &[Option<ExactPixel>], scene: &FramedScene, format: &For
         frame.number[index] = pixel.number;
         frame.normal[index] = full_length(directions[index]);
     }
+    let transparent = (0..scene.objects.len()).filter(|id| scene.is_transparent(*id));
+    frame.layers = transparent.map(|id| layer(id, scene, format)).collect();
     frame
+}
+
+/// A transparent object by itself.
+fn layer(id: usize, scene: &FramedScene, format: &Format) -> FrameLayer {
+    let object = Rays::new(&scene.objects[id], scene);
+    let hit = |x, y| Some((id as u32, object.first_hit(x, y)?));
+    let pixels = pixels(scene, format, |_| true, hit, || ());
+    let directions = directions(&pixels, scene, format);
+    let depth = |pixel: &Option<ExactPixel>| {
+        pixel.map_or(format.z_max(), |pixel| pixel.depth >> DEPTH_FRACTION)
+    };
+    let normal = |(pixel, direction): (&Option<ExactPixel>, [f64; 3])| {
+        pixel.map_or([0; 3], |_| full_length(direction))
+    };
+    let opacity = scene.materials[scene.objects[id].material()].opacity;
+    FrameLayer {
+        object: id,
+        weight: (opacity * 255.0).round() as u8,
+        depth: pixels.iter().map(depth).collect(),
+        normal: pixels.iter().zip(directions).map(normal).collect(),
+    }
 }
 
 /// The direction of the true normal at every pixel, of any length; zero where nothing is seen.

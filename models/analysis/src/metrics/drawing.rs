@@ -99,6 +99,7 @@ fn paste(zone: &ZoneScene, frame: &mut Frame, backs: &mut [i64]) {
         .iter()
         .map(|slot| Slot {
             object: slot.object,
+            weight: slot.weight,
             words: slot
                 .words
                 .for_zone(corner.0, corner.1, columns as i64, lines as i64),

@@ -6,6 +6,7 @@ mod check;
 mod check_kinds;
 mod exact_reference;
 mod eye_on_quadric;
+mod glass;
 mod golden_against_exact;
 mod golden_vectors;
 mod hazards;

@@ -1,6 +1,6 @@
 //! The golden beam machine: all slots over a frame, through the decider. The id of a pixel is the object of its slot.
 
-use super::frame::Frame;
+use super::frame::{Frame, FrameLayer};
 use crate::format::Format;
 use crate::object::slot::Slot;
 use crate::object::words::Words;
@@ -37,6 +37,10 @@ pub fn render_with_backs(
 ) -> (Frame, Vec<i64>) {
     let mut frame = Frame::background(width, height, format.z_max());
     let mut backs = frame.depth.clone();
+    let layers = slots
+        .iter()
+        .filter_map(|slot| layer(slot, format, width, height));
+    frame.layers = layers.collect();
     let lines = by_line(slots, height);
     frame
         .depth
@@ -60,10 +64,26 @@ pub fn render_with_backs(
     (frame, backs)
 }
 
-/// The slots whose boxes meet each line, in their order.
+/// A transparent object, if the slot is one's.
+fn layer(slot: &Slot, format: &Format, width: usize, height: usize) -> Option<FrameLayer> {
+    let weight = slot.weight?;
+    let alone = Slot {
+        weight: None,
+        ..slot.clone()
+    };
+    let Frame { depth, normal, .. } = render(&[alone], format, width, height, || ());
+    Some(FrameLayer {
+        object: slot.object,
+        weight,
+        depth,
+        normal,
+    })
+}
+
+/// The slots of objects that are not transparent whose boxes meet each line, in their order.
 fn by_line(slots: &[Slot], height: usize) -> Vec<Vec<&Slot>> {
     let mut lines = vec![vec![]; height];
-    for slot in slots {
+    for slot in slots.iter().filter(|slot| slot.weight.is_none()) {
         let window = slot.words.screen_box();
         let (first, last) = (window.y0.max(0), window.y1.min(height as i64 - 1));
         if !window.is_empty() && first <= last {

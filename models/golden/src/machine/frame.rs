@@ -15,6 +15,21 @@ pub struct Frame {
     pub number: Vec<u8>,
     /// Normal of the visible face.
     pub normal: Vec<[i16; 3]>,
+    /// Transparent objects, in the order in which they are blended over the others.
+    pub layers: Vec<FrameLayer>,
+}
+
+/// A transparent object at every pixel, whether another hides it or not.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FrameLayer {
+    /// Index of the object.
+    pub object: usize,
+    /// Its part of what is seen, in 255ths.
+    pub weight: u8,
+    /// Depth word; `z_max` where it is absent.
+    pub depth: Vec<i64>,
+    /// Normal of its face.
+    pub normal: Vec<[i16; 3]>,
 }
 
 impl Frame {
@@ -28,6 +43,7 @@ impl Frame {
             id: vec![-1; pixels],
             number: vec![0; pixels],
             normal: vec![[0; 3]; pixels],
+            layers: vec![],
         }
     }
 

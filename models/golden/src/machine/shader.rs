@@ -8,7 +8,8 @@ mod widths;
 mod words;
 
 use super::frame::Frame;
-use super::lighting::Lighting;
+use super::lighting::{ALL_SOURCES, Lighting};
+use super::transparency::{Layer, Seen, stage};
 use curves::Curves;
 use imogene_contract::shading;
 use light::Light;
@@ -102,7 +103,7 @@ impl Shader {
 }
 
 /// The picture of a frame: 8-bit red, green, blue of every pixel, row-major; `materials` are the numbers of the
-/// objects' materials.
+/// objects' materials. All sources reach transparent objects.
 pub fn shade_picture(
     frame: &Frame,
     lighting: &Lighting,
@@ -110,18 +111,34 @@ pub fn shade_picture(
     words: &ShaderWords,
 ) -> Vec<u8> {
     let shader = Shader::new(words);
-    let pixel = |index: usize| -> [u8; 3] {
-        let Ok(id) = usize::try_from(frame.id[index]) else {
-            return words.background;
-        };
+    let at = |index: usize, object: usize, depth: i64, normal: [i16; 3], flags: u16| {
         shader.pixel(&Pixel {
             x: (index % frame.width) as u16,
             y: (index / frame.width) as u16,
-            depth: frame.depth[index],
-            material: materials[id],
-            normal: frame.normal[index],
-            flags: lighting.flags[index],
+            depth,
+            material: materials[object],
+            normal,
+            flags,
         })
+    };
+    let pixel = |index: usize| -> [u8; 3] {
+        let (depth, normal) = (frame.depth[index], frame.normal[index]);
+        let colour = match usize::try_from(frame.id[index]) {
+            Ok(id) => at(index, id, depth, normal, lighting.flags[index]),
+            Err(_) => words.background,
+        };
+        let layers = frame.layers.iter().map(|layer| Layer {
+            depth: layer.depth[index],
+            colour: at(
+                index,
+                layer.object,
+                layer.depth[index],
+                layer.normal[index],
+                ALL_SOURCES,
+            ),
+            weight: layer.weight,
+        });
+        layers.fold(Seen { depth, colour }, stage).colour
     };
     (0..frame.depth.len())
         .into_par_iter()

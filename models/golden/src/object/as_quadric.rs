@@ -30,6 +30,9 @@ pub enum AsQuadricError {
     /// A product of a solid takes its objects at the same time.
     #[error("belongs to a solid; accepted are solids in a beam machine alone")]
     Solid,
+    /// Blends are made beside the decider.
+    #[error("is transparent; accepted are transparent objects in a beam machine alone")]
+    Transparent,
     /// The chain of planes is too short.
     #[error("needs {needed} planes; the processor has {available}")]
     Planes {

@@ -44,13 +44,16 @@ pub enum ProcessorWords {
 
 /// A processor of a machine and the object of the scene that it draws a part of.
 ///
-/// Slots are in the order of the objects; an object of several parts has as many slots, one after the other.
+/// Slots are in the order of the objects; an object of several parts has as many slots, one after the other. Those of
+/// transparent objects are the last, in the order of their blends.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Slot {
     /// Index of the object in the scene: the id of its pixels.
     pub object: usize,
     /// Words of the processor.
     pub words: ProcessorWords,
+    /// Of a transparent object, its part of what is seen, in 255ths.
+    pub weight: Option<u8>,
 }
 
 impl ProcessorWords {

@@ -84,7 +84,11 @@ impl Reduced {
     pub fn slots(&self) -> Vec<Slot> {
         let of = |(object, reduced): (usize, &ReducedObject)| {
             let words = reduced.words.clone().into_iter();
-            words.map(move |words| Slot { object, words })
+            words.map(move |words| Slot {
+                object,
+                words,
+                weight: None,
+            })
         };
         self.objects.iter().enumerate().flat_map(of).collect()
     }

@@ -1,8 +1,9 @@
 //! What a machine description may say.
 
 use super::{DescriptionError, MachineDescription, MachineKind, Output, Smoothing};
-use imogene_contract::object::{Kind, ProductSlots};
+use imogene_contract::object::Kind;
 use imogene_contract::video::VideoMode;
+use imogene_contract::words::MOST_LAYERS;
 use imogene_golden::format::Format;
 use imogene_golden::machine::fitted::FittedSlot;
 use imogene_golden::machine::shader::MOST_LIGHTS;
@@ -105,23 +106,32 @@ impl MachineDescription {
     }
 
     fn check_products(&self) -> Checked {
+        range("layers", self.layers, 0, MOST_LAYERS as usize)?;
+        let (members, layers, slots) = (self.slots_of_products(), self.layers, self.slots());
         let text = || String::from(self.products.clone());
-        let members: usize = self.products.0.iter().map(ProductSlots::count).sum();
-        let slots = self.slots();
-        if members == 0 {
-            return Ok(());
-        }
         if self.machine == MachineKind::Zone {
-            return refuse("products", text(), "products in a beam machine alone");
+            return match (members, layers) {
+                (0, 0) => Ok(()),
+                (0, _) => refuse("layers", layers, "layers in a beam machine alone"),
+                _ => refuse("products", text(), "products in a beam machine alone"),
+            };
         }
-        if members > slots.len() {
-            let accepted = format!("products of {} slots in all, as there are", slots.len());
+        if layers >= slots.len() {
+            let accepted = format!(
+                "fewer than the {} slots, one of which at least is opaque",
+                slots.len()
+            );
+            return refuse("layers", layers, accepted);
+        }
+        let others = slots.len() - layers;
+        if members > others {
+            let accepted = format!("products of {others} slots in all, as there are");
             return refuse("products", text(), accepted);
         }
-        let own = &slots[slots.len() - members..];
+        let own = &slots[others - members..others];
         match own.iter().find(|slot| slot.kind != Kind::Quadric) {
             Some(other) => {
-                let accepted = "slots of quadrics alone in products, which are the last slots";
+                let accepted = "slots of quadrics alone in products";
                 refuse("slots", other.kind.name(), accepted)
             }
             None => Ok(()),

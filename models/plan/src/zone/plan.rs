@@ -306,7 +306,10 @@ pub(crate) fn parts<E>(
     refused: impl Fn(String, AsQuadricError) -> E,
 ) -> Result<Vec<Part>, E> {
     let part = |slot: Slot| {
-        let words = slot.words.on_quadric_processor(&scene.format, planes);
+        let words = match slot.weight {
+            Some(_) => Err(AsQuadricError::Transparent),
+            None => slot.words.on_quadric_processor(&scene.format, planes),
+        };
         let name = || scene.objects[slot.object].name().to_owned();
         Ok(Part {
             object: slot.object as u16,

@@ -131,6 +131,7 @@ fn material(name: &str) -> Material {
         diffuse: 0.7,
         specular: 0.35,
         exponent: 40,
+        opacity: 1.0,
     }
 }
 

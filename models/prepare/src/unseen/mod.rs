@@ -20,7 +20,7 @@ use buffer::Buffer;
 use imogene_algebra::rational::to_f64;
 use imogene_golden::format::Format;
 use imogene_scene::{
-    Absence, Beam, DepthRange, FloatCamera, FramedObject, FramedScene, Light, SceneError,
+    Absence, Beam, DepthRange, FloatCamera, FramedObject, FramedScene, Light, Material, SceneError,
     SceneFile, Unseen,
 };
 use outline::{Outline, Span, WordErrors};
@@ -59,7 +59,9 @@ impl<'a> Seen<'a> {
     ) -> Result<Seen<'a>, SceneError> {
         file.validate()?;
         let scene = file.flattened();
-        let keeps_all = scene.lights.iter().any(has_volumes) || !scene.solids.is_empty();
+        let keeps_all = scene.lights.iter().any(has_volumes)
+            || !scene.solids.is_empty()
+            || scene.materials.iter().any(Material::is_transparent);
         let (range, absent, framed) = if keeps_all {
             (None, vec![None; scene.objects.len()], None)
         } else {

@@ -99,6 +99,7 @@ fn smallest(drawn: &Drawn, rows_per_stage: u32, size: (u32, u32)) -> MachineDesc
         planes: 0,
         slots: Some(Slots(kinds(&drawn.prepared))),
         products: Products::default(),
+        layers: 0,
         volumes: 0,
         volume_planes: 0,
         lights: 1,

@@ -88,6 +88,7 @@ pub fn scene(title: &str, camera: Camera, objects: Vec<Object>) -> SceneFile {
             diffuse: 0.7,
             specular: 0.0,
             exponent: 1,
+            opacity: 1.0,
         }],
         objects,
         ..SceneFile::new(title, camera)

@@ -1,14 +1,17 @@
 //! The part of a beam machine that draws: from the raster to the colour of every pixel.
 
+use super::layer::{Look, shaded_layer};
 use super::{
-    Lit, MATERIAL, NORMAL, Objects, SHADING, Volumes, WordBus, all_sources, object_array,
+    Lit, MATERIAL, NORMAL, Objects, SHADING, Slot, Volumes, WordBus, all_sources, object_array,
     volume_array,
 };
 use crate::object::Normal;
 use crate::raster::Scan;
-use crate::shade::{Point, Shaded, ShadingLoad, shading_processor};
+use crate::rows::numbered;
+use crate::shade::{Point, Shaded, ShadingLoad, Surface, shading_processor, transparency_pipeline};
+use crate::video::LEVEL;
 use imogene_contract::shading;
-use imogene_hdl::{Bits, Bundle, Value, memory, module};
+use imogene_hdl::{Bits, Bundle, Int, Value, memory, module};
 
 /// Bits of the number of a slot.
 const SLOT: u32 = 8;
@@ -16,8 +19,10 @@ const SLOT: u32 = 8;
 /// What a beam machine with shading is built for.
 #[derive(Clone, Debug)]
 pub struct BeamMachine {
-    /// Its objects.
+    /// Its objects that are not transparent.
     pub objects: Objects,
+    /// Slots of transparent objects, whose numbers follow; the first is the farthest.
+    pub layers: Vec<Slot>,
     /// Its shadow and light volumes, as many as they have numbers of planes; there may be none.
     pub volumes: Volumes,
     /// Its lights.
@@ -29,7 +34,16 @@ pub struct BeamMachine {
 impl BeamMachine {
     /// Clocks from a pixel to its colour.
     pub fn latency(&self) -> u32 {
-        self.decided() + shading::LATENCY as u32
+        self.surfaces() + shading::LATENCY as u32 + 2 * self.layers.len() as u32
+    }
+
+    /// Clocks from a pixel to what the shading processor of the surfaces is told of it: the layers, each two clocks
+    /// after the one before, are not later.
+    fn surfaces(&self) -> u32 {
+        let layers = (0..).step_by(2).zip(&self.layers);
+        let needed =
+            layers.map(|(late, slot)| slot.clocks(&self.objects.root).saturating_sub(late));
+        needed.fold(self.decided(), u32::max)
     }
 
     /// Bits of its load bus: those of the widest word.
@@ -54,7 +68,7 @@ impl BeamMachine {
 }
 
 /// The colour of every pixel: a processor for each object and each volume, the decider, the shadow stage, the material
-/// table, the shading processor. Latency [`BeamMachine::latency`].
+/// table, the shading processor, the blends of transparent objects. Latency [`BeamMachine::latency`].
 ///
 /// The id of an object is its slot. The words of an object stay until they are written again; a volume takes part if
 /// its control word was written between the last two `take`.
@@ -66,39 +80,88 @@ pub fn beam_core(
 ) -> Shaded {
     let inputs = (scan, ("load", load), ("take", take));
     module("beam_core", at, inputs, |(scan, load, take)| {
-        let words = (take, load.objects());
-        let (valid, seen) = object_array("objects", scan, words, &machine.objects, false);
-        let own_material = load.data.low(MATERIAL);
-        let write = (load.material, load.address.low(SLOT), own_material);
-        let material = memory("materials", 1 << SLOT, write, seen.id.low(SLOT));
-        let flags = match machine.volumes.planes.len() {
-            0 => all_sources(),
-            _ => {
-                let start = machine.volume_start();
-                let lit = Lit {
-                    depth: seen.depth,
-                    flags_in: all_sources(),
-                };
-                let words = (take, load.volumes());
-                volume_array("volumes", scan.delayed(start), lit, words, &machine.volumes).1
-            }
-        };
-        let wait = machine.decided() - machine.objects.clocks();
-        let point = Point {
-            valid: valid.delayed_as("valid_late", wait),
-            pixel: scan.pixel.delayed(machine.decided()),
-            depth: seen.depth.delayed_as("depth_late", wait),
-            material: material.delayed_as("material_late", wait - 1),
-            normal: shaded_normal(seen.normal).delayed(wait),
-            flags,
-        };
         let words = ShadingLoad {
             valid: load.shading,
             address: load.address,
             data: load.data.low(SHADING),
         };
-        shading_processor("shading", point, words, machine.lights)
+        let start = scan.delayed(machine.surfaces() - machine.decided());
+        let point = surface(start, (take, load), machine);
+        let depth = point.depth;
+        let seen = shading_processor("shading", point, words, machine.lights);
+        if machine.layers.is_empty() {
+            return seen;
+        }
+        let depth = depth.delayed_as("shaded_depth", shading::LATENCY as u32);
+        blended(scan, (load, words), (depth, seen), machine)
     })
+}
+
+/// Transparent objects over the surfaces.
+fn blended(
+    scan: Scan,
+    (load, words): (WordBus, ShadingLoad),
+    (depth, seen): (Int, Shaded),
+    machine: &BeamMachine,
+) -> Shaded {
+    let first = machine.objects.slots.len() as u64;
+    let objects = load.objects();
+    let slots = numbered("layers", &machine.layers).enumerate();
+    let layers = slots.map(|(index, (at, slot))| {
+        let own = first + index as u64;
+        let look = Look {
+            write: load.material & load.address.low(SLOT).is(own),
+            data: load.data.low(MATERIAL + LEVEL),
+        };
+        let clocks = slot.clocks(&machine.objects.root);
+        let scan = scan.delayed(machine.surfaces() + 2 * index as u32 - clocks);
+        shaded_layer(&at, scan, (objects.of(own), look, words), slot, machine)
+    });
+    let layers: Vec<_> = layers.collect();
+    let wait = 2 * layers.len() as u32;
+    let surface = Surface {
+        depth,
+        red: seen.red,
+        green: seen.green,
+        blue: seen.blue,
+    };
+    let blended = transparency_pipeline("blends", surface, layers);
+    Shaded {
+        out_valid: seen.out_valid.delayed_as("valid_late", wait),
+        red: blended.red,
+        green: blended.green,
+        blue: blended.blue,
+    }
+}
+
+/// What the shading processor is told of the surface that is seen.
+fn surface(scan: Scan, (take, load): (Bits, WordBus), machine: &BeamMachine) -> Point {
+    let words = (take, load.objects());
+    let (valid, seen) = object_array("objects", scan, words, &machine.objects, false);
+    let own_material = load.data.low(MATERIAL);
+    let write = (load.material, load.address.low(SLOT), own_material);
+    let material = memory("materials", 1 << SLOT, write, seen.id.low(SLOT));
+    let flags = match machine.volumes.planes.len() {
+        0 => all_sources(),
+        _ => {
+            let start = machine.volume_start();
+            let lit = Lit {
+                depth: seen.depth,
+                flags_in: all_sources(),
+            };
+            let words = (take, load.volumes());
+            volume_array("volumes", scan.delayed(start), lit, words, &machine.volumes).1
+        }
+    };
+    let wait = machine.decided() - machine.objects.clocks();
+    Point {
+        valid: valid.delayed_as("valid_late", wait),
+        pixel: scan.pixel.delayed(machine.decided()),
+        depth: seen.depth.delayed_as("depth_late", wait),
+        material: material.delayed_as("material_late", wait - 1),
+        normal: shaded_normal(seen.normal).delayed(wait),
+        flags,
+    }
 }
 
 /// A normal in the words of the shading processor, to which its length means nothing.

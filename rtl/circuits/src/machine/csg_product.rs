@@ -30,9 +30,16 @@ pub fn csg_product(at: &str, intersected: Vec<Extent>, subtracted: Vec<Extent>) 
     let subtracted = ("subtracted", subtracted, taken_away);
     let inputs = (("intersected", intersected, common), subtracted);
     module("csg_product", at, inputs, |(intersected, subtracted)| {
-        let common = tree(intersected, overlap, "overlap_register");
+        let common = intersection("intersection", intersected);
         let candidates = candidates(common, &subtracted);
         ("", tree(candidates, nearer_face, "face_register"), NEAREST)
+    })
+}
+
+/// What all objects have in common. Latency `ceil(log2 I)`.
+fn intersection(at: &str, objects: Vec<Extent>) -> Extent {
+    module("csg_intersection", at, ("object", objects), |objects| {
+        tree(objects, overlap, "overlap_register")
     })
 }
 

@@ -9,6 +9,7 @@ mod coefficient_store;
 mod csg_product;
 mod decider;
 mod frame_loader;
+mod layer;
 mod object_array;
 mod raster_control;
 mod sample_mean;

@@ -26,6 +26,17 @@ bundle! {
     }
 }
 
+impl Load {
+    /// The load bus of one slot.
+    pub(super) fn of(&self, slot: u64) -> LoadBus {
+        LoadBus {
+            write: self.valid & self.object.is(slot),
+            address: self.address,
+            data: self.data,
+        }
+    }
+}
+
 bundles! {
     /// The surface that is seen at a pixel.
     #[derive(Copy)]
@@ -127,11 +138,7 @@ impl Objects {
         for _ in least..self.longest() {
             late.push(late[late.len() - 1].delayed(1));
         }
-        let buses = (0..self.slots.len() as u64).map(|index| LoadBus {
-            write: load.valid & load.object.is(index),
-            address: load.address,
-            data: load.data,
-        });
+        let buses = (0..self.slots.len() as u64).map(|index| load.of(index));
         let stores = numbered("stores", self.slots.iter().zip(buses)).enumerate();
         // Other kinds have their store beside their processor.
         let stored = stores.map(|(index, (at, (slot, bus)))| {

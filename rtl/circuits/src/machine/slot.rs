@@ -1,11 +1,11 @@
 //! Places for objects, and the processors in them that are not of quadrics.
 
-use super::LoadBus;
+use super::{LoadBus, coefficient_store};
 use crate::object::{
     Cylinder, Facet, Factors, FirstGeneration, Gradients, HalfSpace, Network, Normal, Patch, Plane,
-    Polyhedron, Quadric, ScreenBox, Sphere, Visible, Widths, curved_facet_processor,
+    Polyhedron, Quadric, ScreenBox, Shape, Sphere, Visible, Widths, curved_facet_processor,
     cylinder_processor, facet_processor, first_generation_processor, patch_processor,
-    polyhedron_processor, sphere_processor,
+    polyhedron_processor, quadric_processor, sphere_processor,
 };
 use crate::raster::{Linear, Quadratic, Scan};
 use crate::tree::levels;
@@ -166,6 +166,25 @@ fn facet_store<P: Plain + Copy>(
         depth,
         normal: [normal[0], normal[1], normal[2]],
     }
+}
+
+/// A processor of any kind, with the store of its words.
+pub(super) fn processor(
+    slot: &Slot,
+    [at, store_at]: [&str; 2],
+    scan: Scan,
+    bus: LoadBus,
+    (widths, root): (Widths, Network),
+) -> Visible {
+    if slot.kind != Kind::Quadric {
+        return other_processor(slot, [at, store_at], scan, bus, (widths, root));
+    }
+    let words = coefficient_store(store_at, bus, widths, slot.planes as u64);
+    let shape = Shape {
+        root,
+        two_volumes: slot.two_volumes,
+    };
+    quadric_processor(at, scan, words, shape)
 }
 
 /// A processor of another kind than of quadrics, with the store of its words.

@@ -31,6 +31,7 @@ fn machine() -> BeamMachine {
     };
     let slots = [(0, false), (2, true), (3, false)];
     BeamMachine {
+        layers: vec![],
         objects: Objects {
             products: vec![],
             widths,

@@ -1,0 +1,120 @@
+//! Transparent objects: the golden picture against blends in real numbers by exact depths, and what is refused.
+
+use imogene_analysis::exact::render::{render, to_frame};
+use imogene_analysis::phong;
+use imogene_golden::format::Format;
+use imogene_golden::machine::beam;
+use imogene_golden::machine::lighting::Lighting;
+use imogene_golden::machine::shader::shade_picture;
+use imogene_prepare::shader::{material_numbers, shader_words};
+use imogene_prepare::{Framing, prepare};
+use imogene_scene::SceneFile;
+use std::path::Path;
+
+const F: Format = Format::BASE;
+const SIZE: (u32, u32) = (160, 120);
+
+fn still_life() -> SceneFile {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/glass/still-life.toml");
+    SceneFile::read(&path).expect("a scene")
+}
+
+/// Red, green and blue by the golden models of processors, shading and blends, and by the exact reference.
+fn pictures(file: &SceneFile) -> [Vec<u8>; 2] {
+    let scene = file.frame(SIZE.0, SIZE.1).expect("valid size");
+    let prepared = prepare(&scene, F).expect("prepared");
+    let (width, height) = (SIZE.0 as usize, SIZE.1 as usize);
+    let frame = beam::render(&prepared.slots(), &F, width, height, || ());
+    let words = shader_words(&scene, &F, None).expect("words");
+    let golden = shade_picture(
+        &frame,
+        &Lighting::full(&frame),
+        &material_numbers(&scene),
+        &words,
+    );
+    let exact = to_frame(&render(&scene, &F, || ()), &scene, &F);
+    let truth = phong::shade(&exact, &Lighting::full(&exact), &scene, &F);
+    [golden, truth]
+}
+
+/// Pixels of which a component differs by more than some levels.
+fn differing(one: &[u8], other: &[u8], levels: u8) -> usize {
+    let pixels = one.chunks_exact(3).zip(other.chunks_exact(3));
+    let differs = |(a, b): &(&[u8], &[u8])| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > levels);
+    pixels.filter(differs).count()
+}
+
+#[test]
+fn the_blends_are_those_of_real_numbers() {
+    let mut file = still_life();
+    let [golden, truth] = pictures(&file);
+    // Words of shading and of three blends; beyond that, outlines.
+    assert!(
+        differing(&golden, &truth, 6) <= 12,
+        "{}",
+        differing(&golden, &truth, 6)
+    );
+    // Opaque, the same objects make another picture.
+    file.materials
+        .iter_mut()
+        .for_each(|material| material.opacity = 1.0);
+    let [opaque, _] = pictures(&file);
+    assert!(differing(&golden, &opaque, 20) > 1000);
+}
+
+#[test]
+fn layers_are_blended_farthest_first() {
+    let mut file = still_life();
+    for _ in 0..2 {
+        let scene = file.frame(SIZE.0, SIZE.1).expect("valid size");
+        let prepared = prepare(&scene, F).expect("prepared");
+        let (width, height) = (SIZE.0 as usize, SIZE.1 as usize);
+        let frame = beam::render(&prepared.slots(), &F, width, height, || ());
+        assert_eq!(frame.layers.len(), 3);
+        let mut overlaps = 0;
+        for pair in frame.layers.windows(2) {
+            let depths = pair[0].depth.iter().zip(&pair[1].depth);
+            let both = depths.filter(|(a, b)| **a < F.z_max() && **b < F.z_max());
+            both.for_each(|(a, b)| {
+                assert!(a >= b);
+                overlaps += 1;
+            });
+        }
+        assert!(overlaps > 100);
+        // In whatever order the file has them.
+        file.objects.reverse();
+    }
+}
+
+#[test]
+fn what_cannot_be_blended_is_refused_by_name() {
+    let refusal = |change: &dyn Fn(&mut SceneFile)| {
+        let mut file = still_life();
+        change(&mut file);
+        let scene = file.frame(SIZE.0, SIZE.1).expect("valid size");
+        prepare(&scene, F).expect_err("refused").to_string()
+    };
+    let crossing = refusal(&|file| {
+        let mut other = file.objects[5].clone();
+        other.name = "crossing".into();
+        other.place = file.objects[4].place.clone();
+        file.objects.push(other);
+    });
+    assert!(
+        crossing.contains("'sphere'") && crossing.contains("'crossing'"),
+        "{crossing}"
+    );
+    let many = refusal(&|file| {
+        for number in 0..6 {
+            let mut other = file.objects[4].clone();
+            other.name = format!("sphere {number}");
+            file.objects.push(other);
+        }
+    });
+    assert!(many.contains("9 transparent objects; at most 8"), "{many}");
+    let shadows = refusal(&|file| file.lights[0].shadows = true);
+    assert!(
+        shadows.contains("lights[0]") && shadows.contains("`shadows = false`"),
+        "{shadows}"
+    );
+}

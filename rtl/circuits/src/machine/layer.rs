@@ -1,0 +1,55 @@
+//! A transparent object of a beam machine: its processor, its material and its own shading.
+
+use super::beam_core::shaded_normal;
+use super::slot::processor;
+use super::{BeamMachine, LoadBus, MATERIAL, Slot, all_sources};
+use crate::raster::Scan;
+use crate::shade::{Layer, Point, ShadingLoad, Surface, shading_processor};
+use crate::video::LEVEL;
+use imogene_contract::shading::LATENCY;
+use imogene_hdl::{Bundle, Value, bundle, module};
+
+bundle! {
+    /// The word that says how a transparent object looks.
+    Look(width) {
+        write: Bits(1), "write it";
+        data: Bits(width), "bits 7..0 number of the material, 15..8 its part of what is seen, in 255ths";
+    }
+}
+
+/// The surface of a transparent object at every pixel, lit by all sources. Latency that of its processor and of the
+/// shading processor.
+pub(super) fn shaded_layer(
+    at: &str,
+    scan: Scan,
+    (bus, look, load): (LoadBus, Look, ShadingLoad),
+    slot: &Slot,
+    machine: &BeamMachine,
+) -> Layer {
+    let inputs = (scan, ("object", bus), ("look", look), ("load", load));
+    module("shaded_layer", at, inputs, |(scan, bus, look, load)| {
+        let (widths, root) = (machine.objects.widths, machine.objects.root);
+        let seen = processor(slot, ["processor", "store"], scan, bus, (widths, root));
+        let material = look.data.low(MATERIAL).reg_when(look.write);
+        let weight = look
+            .data
+            .slice(MATERIAL + LEVEL - 1, MATERIAL)
+            .reg_when(look.write);
+        let point = Point {
+            valid: seen.front.out_valid,
+            pixel: scan.pixel.delayed(slot.clocks(&root)),
+            depth: seen.front.zf,
+            material,
+            normal: shaded_normal(seen.normal),
+            flags: all_sources(),
+        };
+        let shaded = shading_processor("shading", point, load, machine.lights);
+        let surface = Surface {
+            depth: seen.front.zf.delayed_as("depth_late", LATENCY as u32),
+            red: shaded.red,
+            green: shaded.green,
+            blue: shaded.blue,
+        };
+        Layer { surface, weight }
+    })
+}
