@@ -164,6 +164,9 @@ pub fn design(p: &Request) -> Design {
             let mode = &VideoMode::ALL[p.mode as usize];
             video_timing("top", Bits::input(1), mode, LEAD as u64)
         }),
+        Unit::TmdsEncoder => alone(|| tmds_encoder("top", Channel::input())),
+        Unit::TmdsSerialiser => alone(|| tmds_serialiser("top", Symbols::input())),
+        Unit::SceneSequencer => alone(|| scene_sequencer("top", Sequence::input())),
         Unit::PixelFifo => alone(|| pixel_fifo("top", Queue::input(3 * LEVEL), 6, LEAD as u32)),
         Unit::FrameStore => alone(|| frame_store("top", PixelStream::input(), Asked::input(), 12)),
         Unit::PostFilter => alone(|| post_filter("top", Bits::input(2), Picture::input(), 11)),

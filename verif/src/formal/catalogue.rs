@@ -73,6 +73,7 @@ pub fn jobs() -> Vec<Job> {
     jobs.extend(depths());
     jobs.extend(raster());
     jobs.extend(decision());
+    jobs.push(tmds_encoder());
     jobs
 }
 
@@ -274,6 +275,22 @@ fn beam_valid() -> Job {
     Job {
         top: "beam_valid",
         ..late(beam, BASE + 3 + 7 + 2, &[])
+    }
+}
+
+fn tmds_encoder() -> Job {
+    Job {
+        widths: "word 10".into(),
+        ..late(
+            job(
+                "tmds_encoder",
+                "tmds_encoder: every word is decoded to its level or control, at most five transitions, ones less zeros -8 to 8",
+                property!("tmds_encoder.sv"),
+                Unit::TmdsEncoder,
+            ),
+            2,
+            &[],
+        )
     }
 }
 

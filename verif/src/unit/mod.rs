@@ -1,5 +1,6 @@
 //! Every unit as a [`Subject`]: ports, hardware, golden model, stimulus; one file per group of units.
 
+mod board;
 mod decision;
 mod depth;
 mod description;
@@ -120,6 +121,9 @@ fn describe(p: &Request) -> Description {
         Unit::CoefficientStore => machine::coefficient_store(format, planes),
         Unit::Beam => machine::beam(format, objects, planes, rows),
         Unit::VideoTiming => raster::video_timing(n(p.mode)),
+        Unit::TmdsEncoder => board::tmds_encoder(),
+        Unit::TmdsSerialiser => board::tmds_serialiser(),
+        Unit::SceneSequencer => board::scene_sequencer(),
         Unit::PixelFifo => video_stream::pixel_fifo(),
         Unit::FrameStore => video_stream::frame_store(),
         Unit::PostFilter => video_filter::post_filter(),

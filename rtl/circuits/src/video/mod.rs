@@ -7,6 +7,9 @@ mod overlay;
 mod pixel_fifo;
 mod pixel_place;
 mod post_filter;
+mod scene_sequencer;
+mod tmds_encoder;
+mod tmds_serialiser;
 mod video_output;
 mod video_timing;
 
@@ -17,6 +20,9 @@ pub use overlay::{BitPlane, OVERLAY_LATENCY, overlay};
 pub use pixel_fifo::{Queue, Queued, pixel_fifo};
 pub use pixel_place::pixel_place;
 pub use post_filter::{Picture, Place, post_filter};
+pub use scene_sequencer::{SEQUENCE, Sequence, Sequenced, scene_sequencer};
+pub use tmds_encoder::{Channel, SYMBOL, tmds_encoder};
+pub use tmds_serialiser::{Pairs, Symbols, tmds_serialiser};
 pub use video_output::{Output, OverlayBus, Pins, Wanted, video_output};
 pub use video_timing::{Screen, video_timing};
 

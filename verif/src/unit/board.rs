@@ -1,0 +1,85 @@
+//! What stands between a machine and the connectors of a board.
+
+use super::description::{Description, bit, late};
+use crate::stimulus::{each, word};
+use crate::subject::{Inputs, Subject};
+use imogene_golden::machine::sequencer::SceneSequencer;
+use imogene_golden::machine::tmds::{Sent, TmdsEncoder, TmdsSerialiser};
+use proptest::prelude::*;
+
+pub(super) fn tmds_encoder() -> Description {
+    Description::new(lines, || {
+        let (mut encoder, mut words) = (TmdsEncoder::default(), late(2));
+        move |i: &[i64]| {
+            let sent = match bit(i[0]) {
+                true => Sent::Level(i[1] as u8),
+                false => Sent::Control(i[2] as u8),
+            };
+            vec![words.push(i64::from(encoder.word(sent)))]
+        }
+    })
+}
+
+/// Runs of pixels and of blanking; levels anew on every clock or alike for a while, as in a picture.
+fn lines(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let run = (any::<bool>(), any::<bool>(), 1usize..60);
+    let words = each(subject.inputs[1..].iter().map(word).collect(), clocks);
+    (proptest::collection::vec(run, clocks), words)
+        .prop_map(move |(runs, words)| {
+            let each = runs.into_iter();
+            let flags = each.flat_map(|(de, alike, length)| {
+                (0..length).map(move |place| (de, alike && place > 0))
+            });
+            let mut level = 0;
+            let each = flags.zip(words).map(|((de, alike), word)| {
+                level = if alike { level } else { word[0] };
+                vec![de.into(), level, word[1]]
+            });
+            each.take(clocks).collect()
+        })
+        .boxed()
+}
+
+pub(super) fn tmds_serialiser() -> Description {
+    Description::new(turns, || {
+        let mut serialiser = TmdsSerialiser::default();
+        move |i: &[i64]| {
+            let words = [i[1], i[2], i[3]].map(|word| word as u16);
+            let pairs = serialiser.clock(bit(i[0]), words);
+            pairs.map(|pair| Some(pair.into())).to_vec()
+        }
+    })
+}
+
+/// Words that stand for five clocks, now and then for fewer or more.
+fn turns(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let length = prop_oneof![6 => Just(5usize), 1 => 1usize..9];
+    let words: Vec<_> = subject.inputs[1..].iter().map(word).collect();
+    proptest::collection::vec((length, words), clocks)
+        .prop_map(move |list| {
+            let each = list.into_iter().enumerate();
+            let each = each.flat_map(|(index, (length, words))| {
+                let inputs = [vec![index as i64 % 2], words].concat();
+                std::iter::repeat_n(inputs, length)
+            });
+            each.take(clocks).collect()
+        })
+        .boxed()
+}
+
+pub(super) fn scene_sequencer() -> Description {
+    Description::new(stalls, || {
+        let mut sequencer = SceneSequencer::default();
+        move |i: &[i64]| {
+            let said = sequencer.clock(bit(i[0]), bit(i[1]));
+            vec![Some(said.valid.into()), Some(said.address.into())]
+        }
+    })
+}
+
+/// A receiver that stalls now and then, and long memories among short ones.
+fn stalls(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let last = prop_oneof![9 => Just(0i64), 1 => Just(1)].boxed();
+    let ready = prop_oneof![3 => Just(1i64), 1 => Just(0)].boxed();
+    each(vec![last, ready], clocks)
+}
