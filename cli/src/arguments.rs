@@ -1,6 +1,7 @@
 //! Arguments of every command.
 
 mod accuracy;
+mod board;
 mod cosim;
 mod fit;
 mod frames;
@@ -17,6 +18,7 @@ mod trade;
 mod unit;
 
 pub use accuracy::{Bounds, Evaluate, Shading, Sweep};
+pub use board::Board;
 use clap::{Parser, Subcommand};
 pub use cosim::{Cosim, Speed};
 pub use fit::{Fit, MACHINE_FILE};
@@ -143,6 +145,8 @@ pub enum Command {
     /// Show scenes on the pins of a whole machine with a screen, compared on every clock: Verilog, picture from the
     /// pins.
     Machine(Machine),
+    /// Make a board that shows a scene: top level, constraints, bitstream, and the picture that its pins show.
+    Board(Board),
     /// Synthesise a unit with the open tools: LUT, FF, DSP, BRAM, Fmax; or make the resource table, or check against
     /// it.
     Synth(Synth),

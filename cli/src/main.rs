@@ -75,6 +75,7 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
         Command::Import(options) => command::import::run(options, json),
         Command::Terrain(options) => command::terrain::run(options, json),
         Command::Machine(options) => command::machine::run(options, json),
+        Command::Board(options) => command::board::run(options, json),
         Command::Raytrace(options) => command::raytrace::run(options, json),
         Command::Cracks(options) => command::cracks::run(options, json),
         Command::Repair(options) => command::repair::run(options, json),

@@ -63,6 +63,10 @@ impl Paths {
                 .reads([&o.machine])
                 .reads(&o.overlay)
                 .folder("--out", Some(&o.out)),
+            Command::Board(o) => paths
+                .reads([&o.scene])
+                .reads(&o.machine)
+                .folder("--out", Some(&o.out)),
             Command::Raytrace(o) => paths
                 .reads(&o.scenes)
                 .file("--output", &o.output)

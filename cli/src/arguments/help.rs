@@ -69,6 +69,8 @@ pub const GROUPS: &[Group] = &[
             "imogene package --clocks 0 --out cores",
             "imogene machine scenes/teapot.toml --machine machines/beam-640x480.toml --out vga",
             "imogene machine scenes/teapot.toml --machine machines/beam-640x480.toml --emit-only --out vga",
+            "imogene board ulx3s-85 scenes/teapot.toml --out board",
+            "imogene board simulation scenes/cone.toml --mode 160x120 --out board",
             "imogene synth quadric_pe --target ecp5-45k  # scripts/setup --synth installs the tools",
             "imogene synth --check cut_plane",
             "imogene peers --rtl root.v --top isqrt --against square_root --target ecp5-45k",

@@ -18,7 +18,7 @@ use imogene_rtl::emit::Emitted;
 use imogene_rtl::emit::machine::emit_machine;
 use imogene_scene::SceneFile;
 use imogene_scene::animation::Playback;
-use imogene_studies::fit::budget::Item;
+use imogene_studies::fit::budget::{Budget, Item};
 use imogene_studies::fit::frames::{Drawn, Frames};
 use imogene_studies::fit::machine::{self, Fitted};
 use imogene_studies::fit::search::{Outcome, search};
@@ -49,13 +49,7 @@ pub fn run(options: &Fit, json: bool) -> Result<(), Failure> {
     let target = Target::from_name(&options.target)?;
     let budget = options.budget();
     let frames = frames(options)?;
-    let outcome = output::during(0, "machines drawn", |bar| {
-        search(&frames, &budget, || bar.inc(1))
-    });
-    let found = match outcome? {
-        Outcome::Fits(found) => found,
-        Outcome::Unreachable { items, nearest } => return Err(unreachable(&items, &nearest)),
-    };
+    let found = found(&frames, &budget)?;
     let command = options.command(&frames);
     let choice = choose(&frames, &found, options, target, json)?;
     let description = &choice.machine.description;
@@ -108,6 +102,25 @@ pub fn run(options: &Fit, json: bool) -> Result<(), Failure> {
     )?;
     output::report(json, &report, |_| output::text(contract::summary(&report)));
     verdict(&report)
+}
+
+/// The machine that should be smallest, without its cost and unchecked.
+pub fn smallest(options: &Fit) -> Result<MachineDescription, Failure> {
+    let frames = frames(options)?;
+    let found = found(&frames, &options.budget())?;
+    let drawn = found.first().expect("a machine was found");
+    Ok(fitted(&frames, drawn, ROWS[0], options)?.description)
+}
+
+/// The words that keep to a budget.
+fn found(frames: &Frames, budget: &Budget) -> Result<Vec<Drawn>, Failure> {
+    let outcome = output::during(0, "machines drawn", |bar| {
+        search(frames, budget, || bar.inc(1))
+    });
+    match outcome? {
+        Outcome::Fits(found) => Ok(found),
+        Outcome::Unreachable { items, nearest } => Err(unreachable(&items, &nearest)),
+    }
 }
 
 fn frames(options: &Fit) -> Result<Frames, Failure> {

@@ -1,6 +1,7 @@
 //! The commands, one per file.
 
 mod beam;
+pub mod board;
 pub mod bounds;
 pub mod check;
 pub mod contract;

@@ -18,7 +18,7 @@ use imogene_golden::object::slot::{ProcessorWords, Slot};
 use imogene_golden::object::unused::empty_slot;
 use imogene_golden::object::volume::{VolumePlane, VolumeWords};
 use imogene_prepare::PreparedScene;
-use imogene_prepare::shader::{ShaderError, material_numbers, shader_words};
+use imogene_prepare::shader::{ShaderError, flat_words, material_numbers, shader_words};
 use imogene_scene::FramedScene;
 use thiserror::Error;
 
@@ -82,6 +82,18 @@ pub enum DisplayError {
         /// Of the screen, in samples.
         screen: (u32, u32),
     },
+}
+
+/// What the machine is told of colours: those of materials alone where it has no lights.
+pub(super) fn shader(
+    scene: &FramedScene,
+    format: &Format,
+    machine: &MachineDescription,
+) -> Result<ShaderWords, ShaderError> {
+    match machine.lights {
+        0 => flat_words(scene, format),
+        _ => shader_words(scene, format, None),
+    }
 }
 
 /// The words of the shading processor; lights that the scene has not got are dark.
@@ -228,7 +240,7 @@ pub(super) fn beam_words(
     prepared: &PreparedScene,
     machine: &MachineDescription,
 ) -> Result<Vec<Beat>, DisplayError> {
-    let shader = shader_words(scene, &prepared.format, None)?;
+    let shader = shader(scene, &prepared.format, machine)?;
     let shading = shading_words(&shader, machine);
     let materials = material_numbers(scene);
     let slots = machine.slots();

@@ -1,7 +1,7 @@
 //! What a machine with a screen shows of a scene, and the words that it is given.
 
 pub use super::beam::DisplayError;
-use super::beam::{beam_slots, beam_words, shading_words};
+use super::beam::{beam_slots, beam_words, shader, shading_words};
 use super::description::{MachineDescription, MachineKind, Smoothing};
 use super::needs;
 use super::zone::plan::ZonePlan;
@@ -15,7 +15,7 @@ use imogene_golden::machine::zone::beat::Beat;
 use imogene_golden::machine::zone::golden::{StreamError, ZoneMachineModel};
 use imogene_golden::object::slot::Slot;
 use imogene_prepare::PreparedScene;
-use imogene_prepare::shader::{material_numbers, shader_words};
+use imogene_prepare::shader::material_numbers;
 use imogene_scene::FramedScene;
 
 /// One image of a machine: the words that it is given and the picture that it then shows.
@@ -59,7 +59,7 @@ pub fn refined_image(
 ) -> Result<Image, DisplayError> {
     check_size(scene, machine)?;
     needs::check(machine, &[(scene, prepared)])?;
-    let shader = shader_words(scene, &prepared.format, None)?;
+    let shader = shader(scene, &prepared.format, machine)?;
     let numbers = material_numbers(scene);
     let (width, height) = (prepared.width as usize, prepared.height as usize);
     let (beats, frame, lighting, plan) = match machine.machine {

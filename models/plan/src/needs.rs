@@ -113,13 +113,15 @@ fn add(
             (1, planes, volumes.len().min(1))
         }
     };
+    // A machine without lights shows plain colours, whatever shines in the scene.
+    let lights = framed.lights.len() * usize::from(machine.lights > 0);
     let volume_planes = volumes.iter().map(|words| words.planes.len()).max();
     for (given, needed) in [
         (&mut machine.objects, objects),
         (&mut machine.planes, planes.unwrap_or(0)),
         (&mut machine.volumes, bodies),
         (&mut machine.volume_planes, volume_planes.unwrap_or(0)),
-        (&mut machine.lights, framed.lights.len()),
+        (&mut machine.lights, lights),
     ] {
         *given = needed.max(*given);
     }
@@ -245,6 +247,7 @@ fn share_processors(enough: &mut MachineDescription, beam: &MachineDescription) 
         volumes: beam.volumes.max(enough.volumes.min(1)),
         zone: Some(ZONE),
         loader_words: None,
+        lights: enough.lights.max(1),
         slots: None,
         mode: beam.mode.clone(),
         ..enough.clone()

@@ -84,6 +84,25 @@ pub fn shader_words(
     })
 }
 
+/// The words of a scene for a machine without lights: every object has the colour of its material, which stands in the
+/// place of the ambient light.
+///
+/// # Errors
+///
+/// As [`shader_words`].
+pub fn flat_words(scene: &FramedScene, format: &Format) -> Result<ShaderWords, ShaderError> {
+    let words = shader_words(scene, format, None)?;
+    let plain = |m: &Material| MaterialWords {
+        ambient: m.colour.map(|level| (level * 65280.0).round() as u16),
+        ..MaterialWords::default()
+    };
+    Ok(ShaderWords {
+        lights: vec![],
+        materials: scene.materials.iter().map(plain).collect(),
+        ..words
+    })
+}
+
 /// The number of the material of every object, as the shading processor wants it beside the pixels.
 pub fn material_numbers(scene: &FramedScene) -> Vec<u8> {
     let objects = scene.objects.iter();

@@ -2,6 +2,8 @@
 
 /// Clocks from a pixel to its colour.
 pub const LATENCY: usize = 38;
+/// The same where there are no lights.
+pub const FLAT_LATENCY: u32 = 3;
 /// Bits after the point of a level before it is rounded.
 pub const LEVEL_FRACTION: usize = 21;
 

@@ -65,7 +65,7 @@ pub struct MachineRequest {
     pub volumes: usize,
     /// Planes of each.
     pub volume_planes: usize,
-    /// Its lights; a deciding part has none.
+    /// Its lights, none of a beam machine with plain colours; a deciding part has none.
     pub lights: usize,
     /// Before the name of every module; may be empty.
     pub prefix: String,
@@ -152,7 +152,8 @@ impl MachineRequest {
         )?;
         in_range("volumes", self.volumes, 0, MOST_OBJECTS)?;
         in_range("volume planes", self.volume_planes, 0, MOST_PLANES)?;
-        in_range("lights", self.lights, 1, MOST_LIGHTS)?;
+        let least = u32::from(self.kind.loader_bits().is_none());
+        in_range("lights", self.lights, least, MOST_LIGHTS)?;
         if let Some(bits) = self.kind.loader_bits() {
             in_range("loader bits", bits, 1, LOADER_BITS)?;
         }

@@ -63,13 +63,14 @@ impl MachineDescription {
     }
 
     fn check_counts(&self, rows: usize) -> Checked {
+        let is_zone = self.machine == MachineKind::Zone;
         let counts = [
             ("rows_per_stage", self.rows_per_stage as usize, 1, rows),
             ("objects", self.objects, 1, 256),
             ("planes", self.planes, 0, MAX_PLANES),
             ("volumes", self.volumes, 0, 256),
             ("volume_planes", self.volume_planes, 0, MAX_PLANES),
-            ("lights", self.lights, 1, MOST_LIGHTS),
+            ("lights", self.lights, usize::from(is_zone), MOST_LIGHTS),
         ];
         counts
             .into_iter()
@@ -250,6 +251,10 @@ mod tests {
     fn what_is_refused_names_the_key_and_what_is_accepted() {
         let refused = |old: &str, new: &str| refusal(&BEAM.replace(old, new));
         assert!(refused("10", "0").contains("objects is 0; accepted: 1 to 256"));
+        let dark = format!("{BEAM}lights = 0\n");
+        assert!(MachineDescription::parse(&dark, "m.toml").is_ok());
+        let zone = "\"zone\"\nzone = { width = 8, height = 8 }";
+        assert!(refusal(&dark.replace("\"beam\"", zone)).contains("lights is 0; accepted: 1 to"));
         assert!(refused("640x480", "640x481").contains("\"1280x720\""));
         assert!(refused("beam", "zone").contains("zone is missing"));
         assert!(refused("planes", "plans").starts_with("m.toml:3:1: unknown field `plans`"));

@@ -8,7 +8,10 @@ use super::{
 use crate::object::Normal;
 use crate::raster::Scan;
 use crate::rows::numbered;
-use crate::shade::{Point, Shaded, ShadingLoad, Surface, shading_processor, transparency_pipeline};
+use crate::shade::{
+    FlatPoint, Point, Shaded, ShadingLoad, Surface, flat_shading, shading_processor,
+    transparency_pipeline,
+};
 use crate::video::LEVEL;
 use imogene_contract::shading;
 use imogene_hdl::{Bits, Bundle, Int, Value, memory, module};
@@ -25,7 +28,7 @@ pub struct BeamMachine {
     pub layers: Vec<Slot>,
     /// Its shadow and light volumes, as many as they have numbers of planes; there may be none.
     pub volumes: Volumes,
-    /// Its lights.
+    /// Its lights; without one it has no shading processor, and every object the ambient level of its material.
     pub lights: u64,
     /// Address bits of the words that it keeps for the next frame.
     pub loader_places: u32,
@@ -34,7 +37,15 @@ pub struct BeamMachine {
 impl BeamMachine {
     /// Clocks from a pixel to its colour.
     pub fn latency(&self) -> u32 {
-        self.surfaces() + shading::LATENCY as u32 + 2 * self.layers.len() as u32
+        self.surfaces() + self.shading() + 2 * self.layers.len() as u32
+    }
+
+    /// Clocks from what is told of a pixel to its colour.
+    pub(super) fn shading(&self) -> u32 {
+        match self.lights {
+            0 => shading::FLAT_LATENCY,
+            _ => shading::LATENCY as u32,
+        }
     }
 
     /// Clocks from a pixel to what the shading processor of the surfaces is told of it: the layers, each two clocks
@@ -86,13 +97,11 @@ pub fn beam_core(
             data: load.data.low(SHADING),
         };
         let start = scan.delayed(machine.surfaces() - machine.decided());
-        let point = surface(start, (take, load), machine);
-        let depth = point.depth;
-        let seen = shading_processor("shading", point, words, machine.lights);
+        let (depth, seen) = shaded_surface(start, (take, load, words), machine);
         if machine.layers.is_empty() {
             return seen;
         }
-        let depth = depth.delayed_as("shaded_depth", shading::LATENCY as u32);
+        let depth = depth.delayed_as("shaded_depth", machine.shading());
         blended(scan, (load, words), (depth, seen), machine)
     })
 }
@@ -134,13 +143,29 @@ fn blended(
     }
 }
 
-/// What the shading processor is told of the surface that is seen.
-fn surface(scan: Scan, (take, load): (Bits, WordBus), machine: &BeamMachine) -> Point {
+/// The depth of the surface that is seen, and behind it its colour.
+fn shaded_surface(
+    scan: Scan,
+    (take, load, shading): (Bits, WordBus, ShadingLoad),
+    machine: &BeamMachine,
+) -> (Int, Shaded) {
     let words = (take, load.objects());
     let (valid, seen) = object_array("objects", scan, words, &machine.objects, false);
     let own_material = load.data.low(MATERIAL);
     let write = (load.material, load.address.low(SLOT), own_material);
     let material = memory("materials", 1 << SLOT, write, seen.id.low(SLOT));
+    let wait = machine.decided() - machine.objects.clocks();
+    let valid = valid.delayed_as("valid_late", wait);
+    let depth = seen.depth.delayed_as("depth_late", wait);
+    let material = material.delayed_as("material_late", wait - 1);
+    if machine.lights == 0 {
+        let point = FlatPoint {
+            valid,
+            depth,
+            material,
+        };
+        return (depth, flat_shading("shading", point, shading));
+    }
     let flags = match machine.volumes.planes.len() {
         0 => all_sources(),
         _ => {
@@ -153,15 +178,18 @@ fn surface(scan: Scan, (take, load): (Bits, WordBus), machine: &BeamMachine) -> 
             volume_array("volumes", scan.delayed(start), lit, words, &machine.volumes).1
         }
     };
-    let wait = machine.decided() - machine.objects.clocks();
-    Point {
-        valid: valid.delayed_as("valid_late", wait),
+    let point = Point {
+        valid,
         pixel: scan.pixel.delayed(machine.decided()),
-        depth: seen.depth.delayed_as("depth_late", wait),
-        material: material.delayed_as("material_late", wait - 1),
+        depth,
+        material,
         normal: shaded_normal(seen.normal).delayed(wait),
         flags,
-    }
+    };
+    (
+        depth,
+        shading_processor("shading", point, shading, machine.lights),
+    )
 }
 
 /// A normal in the words of the shading processor, to which its length means nothing.

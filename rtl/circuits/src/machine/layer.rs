@@ -4,9 +4,10 @@ use super::beam_core::shaded_normal;
 use super::slot::processor;
 use super::{BeamMachine, LoadBus, MATERIAL, Slot, all_sources};
 use crate::raster::Scan;
-use crate::shade::{Layer, Point, ShadingLoad, Surface, shading_processor};
+use crate::shade::{
+    FlatPoint, Layer, Point, ShadingLoad, Surface, flat_shading, shading_processor,
+};
 use crate::video::LEVEL;
-use imogene_contract::shading::LATENCY;
 use imogene_hdl::{Bundle, Value, bundle, module};
 
 bundle! {
@@ -35,17 +36,30 @@ pub(super) fn shaded_layer(
             .data
             .slice(MATERIAL + LEVEL - 1, MATERIAL)
             .reg_when(look.write);
-        let point = Point {
-            valid: seen.front.out_valid,
-            pixel: scan.pixel.delayed(slot.clocks(&root)),
-            depth: seen.front.zf,
-            material,
-            normal: shaded_normal(seen.normal),
-            flags: all_sources(),
+        let (valid, depth) = (seen.front.out_valid, seen.front.zf);
+        let shaded = match machine.lights {
+            0 => {
+                let point = FlatPoint {
+                    valid,
+                    depth,
+                    material,
+                };
+                flat_shading("shading", point, load)
+            }
+            lights => {
+                let point = Point {
+                    valid,
+                    pixel: scan.pixel.delayed(slot.clocks(&root)),
+                    depth,
+                    material,
+                    normal: shaded_normal(seen.normal),
+                    flags: all_sources(),
+                };
+                shading_processor("shading", point, load, lights)
+            }
         };
-        let shaded = shading_processor("shading", point, load, machine.lights);
         let surface = Surface {
-            depth: seen.front.zf.delayed_as("depth_late", LATENCY as u32),
+            depth: depth.delayed_as("depth_late", machine.shading()),
             red: shaded.red,
             green: shaded.green,
             blue: shaded.blue,

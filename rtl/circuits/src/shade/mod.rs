@@ -1,6 +1,7 @@
 //! Colours of pixels.
 
 mod attenuation;
+mod flat_shading;
 mod light_factors;
 mod sent_light;
 mod shading_processor;
@@ -8,6 +9,7 @@ mod sight;
 mod transparency;
 mod words;
 
+pub use flat_shading::{FlatPoint, flat_shading};
 pub use shading_processor::{Point, Shaded, ShadingLoad, shading_processor};
 pub use transparency::{Layer, Surface, transparency_pipeline, transparency_stage};
 

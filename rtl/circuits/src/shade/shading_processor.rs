@@ -149,7 +149,7 @@ fn materials(load: ShadingLoad, number: Bits) -> Shares {
 }
 
 /// The words that begin at an address, as many as a power of two.
-fn part(load: ShadingLoad, first: u64, words: u64, width: u32) -> LoadBus {
+pub(super) fn part(load: ShadingLoad, first: u64, words: u64, width: u32) -> LoadBus {
     let places = words.ilog2();
     LoadBus {
         write: load.valid & load.address.slice(15, places).is(first >> places),

@@ -1,0 +1,38 @@
+//! Arguments of `board`.
+
+use clap::Args;
+use std::path::PathBuf;
+
+/// Arguments of `board`.
+#[derive(Debug, Args)]
+pub struct Board {
+    /// Name of the board, as those in boards/.
+    pub board: String,
+    /// Scene file (TOML).
+    pub scene: PathBuf,
+    /// Folder of the Verilog, the constraints, the bitstream, the pictures and board.json.
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Machine description (TOML) of a beam machine with pins; fitted to the scene if not given.
+    #[arg(long, value_name = "FILE.toml")]
+    pub machine: Option<PathBuf>,
+    /// Video mode of a fitted machine; the first of the board if not given.
+    #[arg(long, value_name = "MODE", conflicts_with = "machine")]
+    pub mode: Option<String>,
+    /// Leave the shading processor out of a fitted machine: every object has the plain colour of its material.
+    #[arg(long, conflicts_with = "machine")]
+    pub flat: bool,
+    /// Write the sources alone, and run no outside tool.
+    #[arg(long)]
+    pub sources_only: bool,
+    /// Write every bit of the DVI channels to pins.bin and the golden picture to golden.rgb as well, for
+    /// scripts/dvi_witness.py.
+    #[arg(long, conflicts_with_all = ["sources_only", "no_simulation"])]
+    pub samples: bool,
+    /// Leave out synthesis, place and route and the bitstream.
+    #[arg(long, conflicts_with = "sources_only")]
+    pub no_bitstream: bool,
+    /// Leave out the simulation of the pins.
+    #[arg(long, conflicts_with = "sources_only")]
+    pub no_simulation: bool,
+}

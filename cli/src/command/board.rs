@@ -1,0 +1,265 @@
+//! `imogene board`.
+
+mod report;
+
+use super::{fit, frame_in, read_scene};
+use crate::arguments::{self, Fit, MACHINE_FILE, View};
+use crate::failure::Failure;
+use crate::output;
+use imogene_board::{
+    Board, Display, MODELS, Pins, Pll, Routed, Sources, frame, route, simulate, sources, witness,
+};
+use imogene_contract::video::VideoMode;
+use imogene_files::Outputs;
+use imogene_plan::description::{MachineDescription, MachineKind, Mode, Output};
+use imogene_plan::display::{Image, image};
+use imogene_rtl::emit::machine::emit_machine;
+use imogene_studies::fit::budget::CountLimit;
+use imogene_studies::picture;
+use imogene_tools::scratch;
+use imogene_verif::display::request::request;
+use report::{BoardReport, Shown, tell};
+
+/// Clocks that are simulated beside two frames. The first frame is black, for its words are on their way.
+const SLACK: u64 = 4_000;
+/// What a fitted machine may show wrongly: a part of the picture in percent, and levels of a colour.
+const PERCENT: f64 = 0.1;
+const LEVELS: f64 = 2.0;
+
+/// Makes a board that shows a scene.
+pub fn run(options: &arguments::Board, json: bool) -> Result<(), Failure> {
+    let board = Board::named(&options.board)?;
+    let machine = machine(options, &board)?;
+    let mode = mode_of(&board, &machine)?;
+    let image = image_of(options, &machine)?;
+    let pll = Pll::of(&board, hertz(&mode))?;
+    let command = command(options);
+    let emitted = emit_machine(&request(&machine, &command))?;
+    let heading = format!("Made by: {command}");
+    let display = Display {
+        machine: &emitted,
+        words: &image.beats,
+        heading: &heading,
+    };
+    let work = Work {
+        options,
+        sources: sources(&board, &pll, &display)?,
+        golden: seen(&board, &image.picture),
+        board,
+        mode,
+        pll,
+    };
+    let mut files = output::files();
+    let mut report = BoardReport::new(&work.board, &machine, &work.pll, image.beats.len(), command);
+    work.add_sources(&machine, &mut files)?;
+    if !options.sources_only {
+        report.pins = work.pins(&mut files)?;
+        work.bitstream(&mut report, &mut files)?;
+    }
+    report.files = files.paths();
+    let path = options.out.join("board.json");
+    report.files.push(path.clone());
+    files.add_text(&path, &output::json_text(&report))?;
+    files.finish()?;
+    output::report(json, &report, tell);
+    report.verdict()
+}
+
+/// A board on its way.
+struct Work<'a> {
+    options: &'a arguments::Board,
+    board: Board,
+    mode: VideoMode,
+    pll: Pll,
+    sources: Sources,
+    /// The golden picture in the bits that the pins have.
+    golden: Vec<u8>,
+}
+
+impl Work<'_> {
+    fn add_sources(
+        &self,
+        machine: &MachineDescription,
+        files: &mut Outputs,
+    ) -> Result<(), Failure> {
+        let out = |name: &str| self.options.out.join(name);
+        files.add_text(&out(MACHINE_FILE), &machine.to_toml())?;
+        files.add_text(&out("board.v"), &self.sources.verilog)?;
+        if let Some((kind, text)) = &self.sources.constraints {
+            files.add_text(&out(&format!("board.{kind}")), text)?;
+        }
+        self.add_picture("golden", &self.golden, files)
+    }
+
+    fn add_picture(&self, name: &str, pixels: &[u8], files: &mut Outputs) -> Result<(), Failure> {
+        let [width, height] = [self.mode.line, self.mode.frame].map(|span| span.active as usize);
+        let path = self.options.out.join(format!("{name}.png"));
+        files.add(&path, |out| picture::png(out, width, height, pixels))?;
+        Ok(())
+    }
+
+    /// What the pins show in simulation of the sources.
+    fn pins(&self, files: &mut Outputs) -> Result<Option<Shown>, Failure> {
+        if self.options.no_simulation {
+            return Ok(None);
+        }
+        self.shown("pins", &self.sources.verilog, MODELS, files)
+            .map(Some)
+    }
+
+    fn shown(
+        &self,
+        name: &str,
+        verilog: &str,
+        models: &str,
+        files: &mut Outputs,
+    ) -> Result<Shown, Failure> {
+        let clocks = 2 * self.mode.clocks() + SLACK;
+        let Pins {
+            ticks,
+            channels,
+            samples,
+        } = output::during(0, "clocks in Verilator", |_| {
+            simulate(&self.board, verilog, models, clocks)
+        })?;
+        let frame = frame(&ticks, &self.mode)?;
+        self.add_picture(name, &frame.picture, files)?;
+        if self.options.samples {
+            let out = |name: &str| self.options.out.join(name);
+            files.add(&out("pins.bin"), |out| out.write_all(&samples))?;
+            files.add(&out("golden.rgb"), |out| out.write_all(&self.golden))?;
+        }
+        Ok(Shown::of(&frame, &self.golden, clocks, channels.as_ref()))
+    }
+
+    /// Places and routes the board, packs its bitstream, and shows what that shows.
+    fn bitstream(&self, report: &mut BoardReport, files: &mut Outputs) -> Result<(), Failure> {
+        if self.board.part.is_none() || self.options.no_bitstream {
+            return Ok(());
+        }
+        let folder = scratch()?;
+        let routed: Routed = output::during(0, "place and route", |_| {
+            route(&self.board, &self.pll, &self.sources, folder.path())
+        })?;
+        let back = witness(&self.board, &self.sources, &routed, folder.path())?;
+        let path = self.options.out.join(format!("{}.bit", self.board.name));
+        files.add(&path, |out| out.write_all(&routed.bitstream))?;
+        if let Some([verilog, models]) = back.filter(|_| !self.options.no_simulation) {
+            files.add_text(&self.options.out.join("bitstream.v"), &verilog)?;
+            report.bitstream = Some(self.shown("bitstream", &verilog, &models, files)?);
+        }
+        report.routed = Some(routed);
+        Ok(())
+    }
+}
+
+/// The machine: the one that is given, or one that is fitted to the scene.
+fn machine(options: &arguments::Board, board: &Board) -> Result<MachineDescription, Failure> {
+    let Some(path) = &options.machine else {
+        return fitted(options, board);
+    };
+    let machine = MachineDescription::read(path)?;
+    if machine.machine != MachineKind::Beam || machine.output != Output::Pins {
+        return Err(Failure::Input(format!(
+            "{}: a board takes a beam machine with the pins of a screen: machine = \"beam\", output = \"pins\"",
+            path.display()
+        )));
+    }
+    Ok(machine)
+}
+
+fn fitted(options: &arguments::Board, board: &Board) -> Result<MachineDescription, Failure> {
+    let name = options.mode.as_ref().unwrap_or(&board.modes[0]);
+    let size = name.split_once('x').and_then(|(width, height)| {
+        let [width, height] = [width, height].map(|side| side.parse().ok());
+        width.zip(height)
+    });
+    let fit = Fit {
+        scenes: vec![options.scene.clone()],
+        out: options.out.clone(),
+        size: Some(size.ok_or_else(|| unknown_mode(board, name))?),
+        max_depth_error: None,
+        max_silhouette_errors: Some(CountLimit::Percent(PERCENT)),
+        max_face_errors: Some(CountLimit::Percent(PERCENT)),
+        max_colour_error: (!options.flat).then_some(LEVELS),
+        max_normal_error: None,
+        machine: Some(MachineKind::Beam),
+        min_fps: None,
+        no_cost: true,
+        clock: false,
+        min_mhz: None,
+        target: "ecp5-45k".into(),
+        engine: None,
+    };
+    let mut machine = fit::smallest(&fit)?;
+    if options.flat {
+        machine.lights = 0;
+    }
+    Ok(machine)
+}
+
+/// The mode of a machine, if it is one of the board; any blanking where there is no connector.
+fn mode_of(board: &Board, machine: &MachineDescription) -> Result<VideoMode, Failure> {
+    let mode = machine.video_mode();
+    let name = match (&machine.mode, mode) {
+        (Mode::Own(_), Some(mode)) if board.part.is_none() => {
+            format!("{}x{}", mode.line.active, mode.frame.active)
+        }
+        (Mode::Own(_), _) => "of its own".into(),
+        (Mode::Named(name), _) => name.clone(),
+    };
+    let mode = mode.filter(|_| board.modes.contains(&name));
+    mode.ok_or_else(|| unknown_mode(board, &name))
+}
+
+fn unknown_mode(board: &Board, name: &str) -> Failure {
+    Failure::Input(format!(
+        "mode {name} is none of the board {}; it has {}",
+        board.name,
+        board.modes.join(", ")
+    ))
+}
+
+/// The clock of the pixels of a mode: the published one, or that of 60 frames a second.
+fn hertz(mode: &VideoMode) -> u64 {
+    match *mode {
+        VideoMode::VGA => 25_175_000,
+        mode => 60 * mode.clocks(),
+    }
+}
+
+fn image_of(options: &arguments::Board, machine: &MachineDescription) -> Result<Image, Failure> {
+    let view = View {
+        camera: None,
+        frame: None,
+    };
+    let file = read_scene(&options.scene, &view)?;
+    let (framed, prepared) = frame_in(&file, machine.drawn_size(), machine.format()?)?;
+    let named = |error| Failure::Input(format!("{}: {error}", options.scene.display()));
+    image(&framed, &prepared, machine).map_err(named)
+}
+
+/// A picture in the bits that the pins of a board have.
+fn seen(board: &Board, picture: &[u8]) -> Vec<u8> {
+    let bits = board.video.bits().unwrap_or(8);
+    let mask = 0xff << (8 - bits);
+    picture.iter().map(|level| level & mask as u8).collect()
+}
+
+fn command(options: &arguments::Board) -> String {
+    let mut command = format!(
+        "imogene board {} {}",
+        options.board,
+        options.scene.display()
+    );
+    if let Some(machine) = &options.machine {
+        command += &format!(" --machine {}", machine.display());
+    }
+    if let Some(mode) = &options.mode {
+        command += &format!(" --mode {mode}");
+    }
+    if options.flat {
+        command += " --flat";
+    }
+    command + " --out DIR"
+}

@@ -1,0 +1,150 @@
+//! What is told of a board.
+
+use crate::failure::Failure;
+use crate::output;
+use imogene_board::{Board, Channels, Frame, Pll, Routed};
+use imogene_files::text::counted;
+use imogene_plan::description::MachineDescription;
+use serde::Serialize;
+use std::path::PathBuf;
+
+/// A board and what it shows; the keys are stable.
+#[derive(Serialize)]
+pub(super) struct BoardReport<'a> {
+    pub(super) board: &'a Board,
+    pub(super) machine: &'a MachineDescription,
+    /// Clock of the pixels in Hz: exactly as a fraction, and how far it is from that of the mode.
+    pub(super) pixel_hertz: String,
+    pub(super) pixel_deviation_percent: f64,
+    /// Clock of the pairs of bits in MHz; that of the pixels where there are none.
+    pub(super) fast_mhz: f64,
+    /// Words of the scene.
+    pub(super) words: usize,
+    /// What the pins show in simulation of the sources.
+    pub(super) pins: Option<Shown>,
+    /// Place and route.
+    pub(super) routed: Option<Routed>,
+    /// What the pins show in simulation of the Verilog that the bitstream was turned back into.
+    pub(super) bitstream: Option<Shown>,
+    pub(super) command: String,
+    pub(super) files: Vec<PathBuf>,
+}
+
+/// What pins show.
+#[derive(Serialize)]
+pub(super) struct Shown {
+    /// Clocks of the pixels that were simulated, and those between two frames.
+    pub(super) clocks: u64,
+    pub(super) clocks_per_frame: usize,
+    /// Pixels of the last frame, and those that are not golden.
+    pub(super) pixels: usize,
+    pub(super) differing: usize,
+    /// Words of each DVI channel, none of parallel pins; the greatest difference of ones and zeros since a word of
+    /// control, the most transitions of a level.
+    pub(super) words: Option<usize>,
+    pub(super) disparity: Option<i32>,
+    pub(super) transitions: Option<u32>,
+}
+
+impl Shown {
+    pub(super) fn of(
+        frame: &Frame,
+        golden: &[u8],
+        clocks: u64,
+        channels: Option<&Channels>,
+    ) -> Shown {
+        let pixels = frame.picture.chunks_exact(3).zip(golden.chunks_exact(3));
+        Shown {
+            clocks,
+            clocks_per_frame: frame.clocks,
+            pixels: golden.len() / 3,
+            differing: pixels.filter(|(found, golden)| found != golden).count(),
+            words: channels.map(|channels| channels.words),
+            disparity: channels.map(|channels| channels.disparity),
+            transitions: channels.map(|channels| channels.transitions),
+        }
+    }
+
+    fn tell(&self, of: &str) {
+        output::text(format!(
+            "  {of}: {} of a frame, {}",
+            counted(self.pixels as u64, "pixel"),
+            counted(self.differing as u64, "differing one")
+        ));
+        if let (Some(words), Some(disparity)) = (self.words, self.disparity) {
+            output::text(format!(
+                "    {} of each DVI channel, ones less zeros within {disparity}",
+                counted(words as u64, "word")
+            ));
+        }
+    }
+}
+
+impl<'a> BoardReport<'a> {
+    pub(super) fn new(
+        board: &'a Board,
+        machine: &'a MachineDescription,
+        pll: &Pll,
+        words: usize,
+        command: String,
+    ) -> Self {
+        BoardReport {
+            board,
+            machine,
+            pixel_hertz: pll.pixel_hertz().to_string(),
+            pixel_deviation_percent: pll.deviation_percent(),
+            fast_mhz: pll.fast_mhz(),
+            words,
+            pins: None,
+            routed: None,
+            bitstream: None,
+            command,
+            files: vec![],
+        }
+    }
+
+    /// Fails where pins do not show the golden picture.
+    pub(super) fn verdict(&self) -> Result<(), Failure> {
+        let shown = self.pins.iter().chain(&self.bitstream);
+        match shown.map(|shown| shown.differing).sum::<usize>() {
+            0 => Ok(()),
+            count => Err(Failure::Check(format!(
+                "{} on the pins of the board; please report the command: {}",
+                counted(count as u64, "differing pixel"),
+                self.command
+            ))),
+        }
+    }
+}
+
+pub(super) fn tell(report: &BoardReport) {
+    output::text(format!("{}: {}", report.board.name, report.board.about));
+    output::text(format!(
+        "  pixels at {} Hz, {:+.3} % from the mode; {}",
+        report.pixel_hertz,
+        report.pixel_deviation_percent,
+        counted(report.words as u64, "word")
+    ));
+    if let Some(pins) = &report.pins {
+        pins.tell("pins in simulation");
+    }
+    if let Some(routed) = &report.routed {
+        let used = routed.utilisation.iter().filter(|(_, (used, _))| *used > 0);
+        let used = used.map(|(name, (used, all))| format!("{used} of {all} {name}"));
+        output::text(format!("  {}", output::joined(used, ", ")));
+        for clock in &routed.clocks {
+            output::text(format!(
+                "  {}: {:.1} MHz, {:.3} MHz asked for",
+                clock.clock, clock.achieved_mhz, clock.wanted_mhz
+            ));
+        }
+        output::text(format!(
+            "  bitstream of {}, unpacked and packed again to the same",
+            counted(routed.bitstream.len() as u64, "byte")
+        ));
+    }
+    if let Some(bitstream) = &report.bitstream {
+        bitstream.tell("pins of the bitstream");
+    }
+    output::wrote(&report.files);
+}

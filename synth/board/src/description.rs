@@ -1,0 +1,253 @@
+//! What a board is, as a TOML file in `boards/`.
+
+use crate::error::BoardError;
+use imogene_scene::{in_plain_words, line_and_column};
+use serde::{Deserialize, Serialize};
+
+/// A board.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Board {
+    /// The name, which is that of its file.
+    #[serde(skip)]
+    pub name: String,
+    /// What it is, in one line.
+    pub about: String,
+    /// Where its pins and limits are from.
+    pub sources: Vec<String>,
+    /// The video modes that part and connector take, by their names in machine descriptions.
+    pub modes: Vec<String>,
+    /// The command that writes a bitstream to it, without its file.
+    #[serde(default)]
+    pub programmer: Option<String>,
+    /// Its part; none of a board that is only simulated.
+    #[serde(default)]
+    pub part: Option<Part>,
+    /// Its clock.
+    pub clock: Clock,
+    /// Where its picture leaves.
+    pub video: Video,
+}
+
+/// Families of parts that bitstreams are made for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Family {
+    /// Lattice ECP5.
+    Ecp5,
+    /// Lattice iCE40.
+    Ice40,
+}
+
+/// A part.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Part {
+    /// Its family.
+    pub family: Family,
+    /// Which one, as the place and route program names it.
+    pub device: String,
+    /// Its package.
+    pub package: String,
+    /// Its speed grade, where the family has one.
+    #[serde(default)]
+    pub speed: Option<String>,
+}
+
+/// An oscillator of a board.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Clock {
+    /// Its pin.
+    pub pin: String,
+    /// Its frequency.
+    pub hertz: u64,
+    /// Properties of the pin, in the words of the constraints of the family.
+    #[serde(default)]
+    pub io: String,
+}
+
+/// Where a picture leaves.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(tag = "output", rename_all = "snake_case", deny_unknown_fields)]
+pub enum Video {
+    /// Three DVI channels and their clock, each a pin whose opposite follows from the constraints.
+    Tmds {
+        /// Pin of the blue channel.
+        blue: String,
+        /// Pin of the green channel.
+        green: String,
+        /// Pin of the red channel.
+        red: String,
+        /// Pin of the clock channel.
+        clock: String,
+        /// Properties of the pins.
+        #[serde(default)]
+        io: String,
+    },
+    /// The highest bits of each colour, with the synchronisation.
+    Parallel {
+        /// Pin of the synchronisation of the line.
+        hsync: String,
+        /// Pin of the synchronisation of the frame.
+        vsync: String,
+        /// Pins of the red bits, the lowest first.
+        red: Vec<String>,
+        /// Pins of the green bits.
+        green: Vec<String>,
+        /// Pins of the blue bits.
+        blue: Vec<String>,
+        /// Pin of data enable, where the connector has one.
+        #[serde(default)]
+        de: Option<String>,
+        /// Pin of the clock of the pixels, where the connector has one.
+        #[serde(default)]
+        clock: Option<String>,
+    },
+}
+
+macro_rules! boards {
+    ($($name:literal)*) => {
+        /// The boards by their names, with their files.
+        const BOARDS: &[(&str, &str)] = &[
+            $(($name, include_str!(concat!("../../../boards/", $name, ".toml")))),*
+        ];
+    };
+}
+
+boards! { "ulx3s-85" "ulx3s-45" "ulx3s-25" "ulx3s-12" "hx8k-evb" "simulation" }
+
+impl Board {
+    /// The names of all boards.
+    pub fn names() -> Vec<&'static str> {
+        BOARDS.iter().map(|(name, _)| *name).collect()
+    }
+
+    /// The board of a name.
+    ///
+    /// # Errors
+    ///
+    /// When there is none; the error lists the names.
+    pub fn named(name: &str) -> Result<Board, BoardError> {
+        let found = BOARDS.iter().find(|(known, _)| *known == name);
+        let (name, text) = found.ok_or_else(|| BoardError::Unknown {
+            name: name.to_owned(),
+            known: Board::names(),
+        })?;
+        Board::parse(text, name)
+    }
+
+    /// The board of a text of `boards/NAME.toml`.
+    ///
+    /// # Errors
+    ///
+    /// When it is none.
+    pub fn parse(text: &str, name: &str) -> Result<Board, BoardError> {
+        let file = format!("boards/{name}.toml");
+        let mut board: Board = toml::from_str(text).map_err(|error| {
+            let start = error.span().map_or(0, |span| span.start);
+            let (line, column) = line_and_column(text, start);
+            BoardError::Syntax {
+                file: file.clone(),
+                line,
+                column,
+                problem: in_plain_words(error.message()),
+            }
+        })?;
+        board.name = name.to_owned();
+        board.check(file)?;
+        Ok(board)
+    }
+
+    fn check(&self, file: String) -> Result<(), BoardError> {
+        let refused = |key, value: String, accepted| BoardError::Value {
+            file,
+            key,
+            value,
+            accepted,
+        };
+        if self.clock.hertz == 0 || self.clock.hertz > 1_000_000_000 {
+            let value = self.clock.hertz.to_string();
+            return Err(refused("clock.hertz", value, "1 to 1 000 000 000"));
+        }
+        if let Some(bits) = self.video.bits().filter(|bits| !(1..=8).contains(bits)) {
+            return Err(refused(
+                "the pins of a colour",
+                bits.to_string(),
+                "1 to 8, as many for each",
+            ));
+        }
+        Ok(())
+    }
+
+    /// The clock that pixels are sent with beside their own: five times as fast with two bits an edge, or none.
+    pub fn fast_ratio(&self) -> u64 {
+        match self.video {
+            Video::Tmds { .. } => 5,
+            Video::Parallel { .. } => 1,
+        }
+    }
+}
+
+impl Video {
+    /// Bits of a level on parallel pins, 0 if colours differ; none of other pins.
+    pub fn bits(&self) -> Option<usize> {
+        let Video::Parallel {
+            red, green, blue, ..
+        } = self
+        else {
+            return None;
+        };
+        let alike = red.len() == green.len() && red.len() == blue.len();
+        Some(if alike { red.len() } else { 0 })
+    }
+
+    /// The outputs of the top level with their pins.
+    pub fn pins(&self) -> Vec<(String, &str)> {
+        match self {
+            Video::Tmds {
+                blue,
+                green,
+                red,
+                clock,
+                ..
+            } => [blue, green, red, clock]
+                .into_iter()
+                .enumerate()
+                .map(|(index, pin)| (format!("channel_{index}"), pin.as_str()))
+                .collect(),
+            Video::Parallel {
+                hsync,
+                vsync,
+                red,
+                green,
+                blue,
+                de,
+                clock,
+            } => {
+                let mut pins = vec![
+                    ("hsync".to_owned(), hsync.as_str()),
+                    ("vsync".to_owned(), vsync.as_str()),
+                ];
+                for (name, colour) in [("red", red), ("green", green), ("blue", blue)] {
+                    let each = colour.iter().enumerate();
+                    pins.extend(each.map(|(index, pin)| (format!("{name}_{index}"), pin.as_str())));
+                }
+                let optional = [("de", de), ("pixel_clock_out", clock)];
+                let there = optional
+                    .into_iter()
+                    .filter_map(|(name, pin)| Some((name.to_owned(), pin.as_deref()?)));
+                pins.extend(there);
+                pins
+            }
+        }
+    }
+
+    /// Properties of its pins.
+    pub fn io(&self) -> &str {
+        match self {
+            Video::Tmds { io, .. } => io,
+            Video::Parallel { .. } => "",
+        }
+    }
+}

@@ -1,0 +1,231 @@
+//! From the sources of a board to its bitstream.
+
+use crate::description::{Board, Family, Part};
+use crate::error::BoardError;
+use crate::pll::Pll;
+use crate::top::{Sources, TOP};
+use imogene_synth::tools::{NEXTPNR_ECP5, NEXTPNR_ICE40, Tool, YOSYS};
+use imogene_synth::{RouteReport, SynthError, parse_report, run_yosys};
+use imogene_tools::{FileError, Program, last_lines, read, write};
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+const NETLIST: &str = "board.json";
+const TEXT: &str = "board.text";
+const REPORT: &str = "report.json";
+const SEED: &str = "1";
+
+/// A clock of a routed board, in MHz.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ClockReport {
+    /// The net of the clock.
+    pub clock: String,
+    /// What it reaches.
+    pub achieved_mhz: f64,
+    /// What was asked for.
+    pub wanted_mhz: f64,
+}
+
+/// A board that was placed and routed.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Routed {
+    /// Cells used and available, by type.
+    pub utilisation: BTreeMap<String, (u64, u64)>,
+    /// Its clocks; each reaches what was asked for.
+    pub clocks: Vec<ClockReport>,
+    /// The longest path in ns from a rising edge of one clock to one of another.
+    pub crossings: Vec<(String, String, f64)>,
+    /// Versions of the tools.
+    pub tools: BTreeMap<String, String>,
+    /// The configuration of the part as text.
+    #[serde(skip)]
+    pub text: String,
+    /// The bitstream.
+    #[serde(skip)]
+    pub bitstream: Vec<u8>,
+}
+
+impl Part {
+    pub(crate) fn name(&self) -> String {
+        format!("{} {}", self.device, self.package)
+    }
+
+    pub(crate) fn router(&self) -> Program {
+        match self.family {
+            Family::Ecp5 => NEXTPNR_ECP5,
+            Family::Ice40 => NEXTPNR_ICE40,
+        }
+    }
+
+    fn arguments(&self) -> Vec<String> {
+        let mut arguments = vec![
+            format!("--{}", self.device),
+            "--package".into(),
+            self.package.clone(),
+        ];
+        if let Some(speed) = &self.speed {
+            arguments.extend(["--speed".into(), speed.clone()]);
+        }
+        arguments
+    }
+
+    fn synthesis(&self) -> &'static str {
+        match self.family {
+            // Why without wide tables: docs/synthesis.md.
+            Family::Ecp5 => "synth_ecp5 -nowidelut",
+            Family::Ice40 => "synth_ice40",
+        }
+    }
+
+    /// The option of the router for its text, and the programs that make a bitstream of the text and the other way.
+    pub(crate) fn packers(&self) -> [&'static str; 3] {
+        match self.family {
+            Family::Ecp5 => ["--textcfg", "ecppack", "ecpunpack"],
+            Family::Ice40 => ["--asc", "icepack", "iceunpack"],
+        }
+    }
+}
+
+/// Synthesises, places, routes and packs a board in a folder. Every clock has to reach what is asked for.
+///
+/// # Errors
+///
+/// When a tool is missing or fails, the part has too little, or a clock is not reached; the part without a bitstream has
+/// none of these.
+///
+/// # Panics
+///
+/// When the board has no part.
+pub fn route(
+    board: &Board,
+    pll: &Pll,
+    sources: &Sources,
+    folder: &Path,
+) -> Result<Routed, BoardError> {
+    let part = board.part.as_ref().expect("a board with a part");
+    let (yosys, router) = (Tool::find(YOSYS)?, Tool::find(part.router())?);
+    let (kind, constraints) = sources.constraints.as_ref().expect("constraints of a part");
+    let pins = format!("pins.{kind}");
+    write(&folder.join("board.v"), &sources.verilog)?;
+    write(&folder.join(&pins), constraints)?;
+    let script = format!(
+        "read_verilog board.v; {} -top {TOP} -json {NETLIST}",
+        part.synthesis()
+    );
+    run_yosys(&yosys, folder, &script)?;
+    let mut arguments = part.arguments();
+    let option = format!("--{kind}");
+    let common = [
+        "--json",
+        NETLIST,
+        option.as_str(),
+        &pins,
+        "--seed",
+        SEED,
+        "-q",
+        "--report",
+        REPORT,
+    ];
+    arguments.extend(common.map(str::to_owned));
+    // The clock of the pixels is derived from that of the board; where nothing is derived it is asked for.
+    arguments.extend(["--freq".to_owned(), format!("{:.6}", pll.pixel_mhz())]);
+    packed(part, &router, &arguments, folder)?;
+    let report = placed(part, &router, arguments, folder)?;
+    let text = read(&folder.join(TEXT))?;
+    let bitstream = packed_text(part, TEXT, folder)?;
+    let clocks = report.clocks.into_iter();
+    Ok(Routed {
+        utilisation: report.utilisation,
+        clocks: clocks
+            .map(|(clock, routed)| ClockReport {
+                clock,
+                achieved_mhz: routed.achieved,
+                wanted_mhz: routed.constraint,
+            })
+            .collect(),
+        crossings: report
+            .crossings
+            .into_iter()
+            .map(|((from, to), ns)| (from, to, ns))
+            .collect(),
+        tools: [yosys, router]
+            .into_iter()
+            .map(|tool| (tool.name.to_owned(), tool.version))
+            .collect(),
+        text,
+        bitstream,
+    })
+}
+
+/// Packs the design, to say first what the part has too little of.
+fn packed(
+    part: &Part,
+    router: &Tool,
+    arguments: &[String],
+    folder: &Path,
+) -> Result<(), BoardError> {
+    let mut arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    arguments.push("--pack-only");
+    let outcome = router.run(&arguments, folder)?;
+    outcome.map_err(|said| failed(router, &said))?;
+    let report = parse_report(&read(&folder.join(REPORT))?)?;
+    match report.excess() {
+        Some(excess) => Err(BoardError::Excess {
+            part: part.name(),
+            excess,
+        }),
+        None => Ok(()),
+    }
+}
+
+/// Places and routes the design.
+fn placed(
+    part: &Part,
+    router: &Tool,
+    mut arguments: Vec<String>,
+    folder: &Path,
+) -> Result<RouteReport, BoardError> {
+    let report = folder.join(REPORT);
+    std::fs::remove_file(&report).map_err(FileError::at(&report))?;
+    arguments.extend([part.packers()[0].to_owned(), TEXT.to_owned()]);
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let outcome = router.run(&arguments, folder)?;
+    // A clock that is not reached ends the router with an error, behind its report.
+    let Ok(text) = read(&report) else {
+        return Err(failed(router, &outcome.err().unwrap_or_default()));
+    };
+    let report = parse_report(&text)?;
+    let slow = report
+        .clocks
+        .iter()
+        .find(|(_, clock)| clock.achieved < clock.constraint);
+    if let Some((name, clock)) = slow {
+        return Err(BoardError::Slow {
+            part: part.name(),
+            clock: name.clone(),
+            achieved: clock.achieved,
+            wanted: clock.constraint,
+        });
+    }
+    outcome.map_err(|said| failed(router, &said))?;
+    Ok(report)
+}
+
+/// The bitstream of a text in the folder.
+pub(crate) fn packed_text(part: &Part, text: &str, folder: &Path) -> Result<Vec<u8>, BoardError> {
+    let packer = Tool::beside(part.router(), part.packers()[1])?;
+    let name = format!("{text}.bit");
+    let outcome = packer.run(&[text, &name], folder)?;
+    outcome.map_err(|said| failed(&packer, &said))?;
+    let path = folder.join(name);
+    Ok(std::fs::read(&path).map_err(FileError::at(&path))?)
+}
+
+/// What a tool said before it gave up.
+pub(crate) fn failed(tool: &Tool, said: &str) -> BoardError {
+    BoardError::Synth(SynthError::Tool {
+        tool: tool.name.to_owned(),
+        message: last_lines(said),
+    })
+}

@@ -1,0 +1,33 @@
+//! Boards: their grammar, clocks, top levels, bitstreams, and what their pins show (`docs/boards.md`).
+//!
+//! ```
+//! use imogene_board::{Board, Pll};
+//! use num_rational::Ratio;
+//!
+//! let board = Board::named("ulx3s-85")?;
+//! let pll = Pll::of(&board, 25_175_000)?;
+//! // 25 MHz / 7 x 141 / 20, 0.014 % above the clock of the mode.
+//! assert_eq!(pll.pixel_hertz(), Ratio::new(176_250_000, 7));
+//! # Ok::<(), imogene_board::BoardError>(())
+//! ```
+#![warn(missing_docs)]
+
+mod description;
+mod error;
+mod flow;
+mod pll;
+mod screen;
+mod simulate;
+mod tmds;
+mod top;
+mod witness;
+
+pub use description::{Board, Clock, Family, Part, Video};
+pub use error::BoardError;
+pub use flow::{ClockReport, Routed, route};
+pub use pll::Pll;
+pub use screen::{Frame, ScreenError, Tick, frame};
+pub use simulate::{Pins, simulate};
+pub use tmds::{Channels, TmdsError, decode};
+pub use top::{Display, MODELS, Sources, sources};
+pub use witness::witness;

@@ -1,0 +1,279 @@
+//! Clocks: the dividers of a PLL, found among all of them, as exact rationals.
+
+use crate::description::{Board, Family};
+use crate::error::BoardError;
+use num_rational::Ratio;
+use num_traits::{Signed, ToPrimitive};
+
+/// A frequency in Hz.
+type Hertz = Ratio<i128>;
+
+const MEGA: i128 = 1_000_000;
+
+/// The dividers of a PLL.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dividers {
+    /// ECP5: the oscillator runs at input / `reference` x `feedback` x `looped`, the fast clock at its `fast`th part,
+    /// the pixels at its `pixel`th.
+    Ecp5 {
+        /// Of the input.
+        reference: i128,
+        /// In the feedback.
+        feedback: i128,
+        /// Of the output that is fed back: the fast clock, or one of its own where it differs.
+        looped: i128,
+        /// Of the fast clock.
+        fast: i128,
+        /// Of the clock of the pixels.
+        pixel: i128,
+    },
+    /// iCE40: input / (`divr` + 1) x (`divf` + 1) / 2^`divq`.
+    Ice40 {
+        /// Of the input, less 1.
+        divr: i128,
+        /// In the feedback, less 1.
+        divf: i128,
+        /// Of the output, as a power of two.
+        divq: i128,
+        /// Range of the filter for the phase detector.
+        filter: u32,
+    },
+    /// No PLL: the clock of the board, as a board that is only simulated has it.
+    None,
+}
+
+/// A PLL.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pll {
+    input: i128,
+    wanted: i128,
+    ratio: i128,
+    pixel: Hertz,
+    /// Its dividers.
+    pub dividers: Dividers,
+}
+
+impl Pll {
+    /// The PLL of a board whose pixels come nearest to a clock.
+    ///
+    /// # Errors
+    ///
+    /// When no dividers keep to the limits of the part.
+    pub fn of(board: &Board, pixel_hertz: u64) -> Result<Pll, BoardError> {
+        let (input, wanted) = (i128::from(board.clock.hertz), i128::from(pixel_hertz));
+        let ratio = i128::from(board.fast_ratio());
+        let candidates = match board.part.as_ref().map(|part| part.family) {
+            Some(Family::Ecp5) => ecp5(input, wanted, ratio),
+            Some(Family::Ice40) => ice40(input),
+            None => vec![(Ratio::from(wanted), Dividers::None)],
+        };
+        let distance = |pixel: &Hertz| (pixel - wanted).abs();
+        let best = candidates
+            .into_iter()
+            .min_by_key(|(pixel, dividers)| (distance(pixel), dividers.rank()));
+        let (pixel, dividers) = best.ok_or(BoardError::NoClock {
+            input: board.clock.hertz,
+            pixel: pixel_hertz,
+        })?;
+        Ok(Pll {
+            input,
+            wanted,
+            ratio,
+            pixel,
+            dividers,
+        })
+    }
+
+    /// The clock of the pixels in Hz, exactly.
+    pub fn pixel_hertz(&self) -> Hertz {
+        self.pixel
+    }
+
+    /// The clock of the pairs of bits in Hz, exactly.
+    pub fn fast_hertz(&self) -> Hertz {
+        self.pixel * self.ratio
+    }
+
+    /// The clock of the pixels in MHz.
+    pub fn pixel_mhz(&self) -> f64 {
+        mhz(self.pixel)
+    }
+
+    /// The clock of the pairs of bits in MHz.
+    pub fn fast_mhz(&self) -> f64 {
+        mhz(self.fast_hertz())
+    }
+
+    /// How far the pixels are from the clock of their mode, in percent.
+    pub fn deviation_percent(&self) -> f64 {
+        let part: Hertz = (self.pixel - self.wanted) / self.wanted;
+        100.0 * part.to_f64().unwrap_or(f64::NAN)
+    }
+
+    /// The input in MHz.
+    pub fn input_mhz(&self) -> f64 {
+        mhz(Ratio::from(self.input))
+    }
+}
+
+fn mhz(hertz: Hertz) -> f64 {
+    (hertz / MEGA).to_f64().unwrap_or(f64::NAN)
+}
+
+impl Dividers {
+    /// Of equal clocks the one with the fastest phase detector, and with the feedback of an output that is there anyway.
+    fn rank(&self) -> (i128, bool) {
+        match *self {
+            Dividers::Ecp5 {
+                reference,
+                looped,
+                fast,
+                ..
+            } => (reference, looped != fast),
+            Dividers::Ice40 { divr, .. } => (divr, false),
+            Dividers::None => (0, false),
+        }
+    }
+}
+
+/// Is the frequency between these numbers of kHz?
+fn within(hertz: Hertz, least: i128, most: i128) -> bool {
+    (Ratio::from(1000 * least)..=Ratio::from(1000 * most)).contains(&hertz)
+}
+
+/// All dividers within the limits of the sysCLOCK PLL of the ECP5 (family data sheet; those of `ecppll`): phase detector
+/// from 3.125 MHz, oscillator 400 to 800 MHz, outputs 3.125 to 400 MHz, dividers 1 to 128, that of the feedback to 80.
+fn ecp5(input: i128, wanted: i128, ratio: i128) -> Vec<(Hertz, Dividers)> {
+    let input = Ratio::from(input);
+    let mut found = Vec::new();
+    for reference in 1..=128 {
+        let detected = input / reference;
+        if !within(detected, 3_125, 400_000) {
+            continue;
+        }
+        for fast in 1..=128 / ratio {
+            // The oscillator that would be exact, and the multiples of the detected clock on both sides of it.
+            let exact = Ratio::from(wanted * ratio * fast) / detected;
+            for product in [exact.floor().to_integer(), exact.ceil().to_integer()] {
+                let oscillator = detected * product;
+                let outputs = [oscillator / fast, oscillator / (fast * ratio)];
+                let is_legal = within(oscillator, 400_000, 800_000)
+                    && outputs.iter().all(|&output| within(output, 3_125, 400_000));
+                if is_legal {
+                    found.extend(factors(product, fast).map(|(feedback, looped)| {
+                        let dividers = Dividers::Ecp5 {
+                            reference,
+                            feedback,
+                            looped,
+                            fast,
+                            pixel: fast * ratio,
+                        };
+                        (outputs[1], dividers)
+                    }));
+                }
+            }
+        }
+    }
+    found
+}
+
+/// The two dividers in the feedback: that of the fast clock, or the smallest other one.
+fn factors(product: i128, fast: i128) -> Option<(i128, i128)> {
+    let mut loops = std::iter::once(fast).chain(1..=128);
+    let fits = |looped: &i128| product % looped == 0 && product / looped <= 80;
+    let looped = loops.find(fits)?;
+    Some((product / looped, looped))
+}
+
+/// All dividers within the limits of the PLL of the iCE40 with simple feedback (those of `icepll`): phase detector 10 to
+/// 133 MHz, oscillator 533 to 1066 MHz, output 16 to 275 MHz.
+fn ice40(input: i128) -> Vec<(Hertz, Dividers)> {
+    let input = Ratio::from(input);
+    let mut found = Vec::new();
+    for divr in 0..16 {
+        let detected = input / (divr + 1);
+        if !within(detected, 10_000, 133_000) {
+            continue;
+        }
+        for divf in 0..128 {
+            let oscillator = detected * (divf + 1);
+            if !within(oscillator, 533_000, 1_066_000) {
+                continue;
+            }
+            for divq in 1..=6 {
+                let output = oscillator / (1 << divq);
+                if within(output, 16_000, 275_000) {
+                    let filter = filter(detected);
+                    let dividers = Dividers::Ice40 {
+                        divr,
+                        divf,
+                        divq,
+                        filter,
+                    };
+                    found.push((output, dividers));
+                }
+            }
+        }
+    }
+    found
+}
+
+/// The range of the filter, as `icepll` has it.
+fn filter(detected: Hertz) -> u32 {
+    let bounds = [17, 26, 44, 66, 101].map(|mhz| Ratio::from(mhz * MEGA));
+    1 + bounds.iter().filter(|&&bound| detected >= bound).count() as u32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_clock_of_the_ulx3s_is_exact() {
+        let board = Board::named("ulx3s-85").expect("a board");
+        let pll = Pll::of(&board, 25_175_000).expect("a clock");
+        assert_eq!(pll.pixel_hertz() * 140, Ratio::from(25 * MEGA * 141));
+        assert!((pll.deviation_percent() - 0.0142).abs() < 1e-4);
+        // 74.25 MHz: 371.25 MHz for the pairs.
+        let pll = Pll::of(&board, 74_250_000).expect("a clock");
+        assert!(pll.deviation_percent().abs() < 0.5);
+    }
+
+    /// No other dividers within the limits come nearer: all of them, one by one.
+    #[test]
+    fn no_dividers_of_the_ecp5_come_nearer() {
+        let wanted = 25_175_000i128;
+        let best = ecp5(25 * MEGA, wanted, 5);
+        let best = best.iter().map(|(pixel, _)| (pixel - wanted).abs()).min();
+        let mut nearest: Option<Hertz> = None;
+        for reference in 1..=8 {
+            for product in 1..=80 * 128 {
+                for fast in 1..=25 {
+                    let oscillator = Ratio::new(25 * MEGA * product, reference);
+                    let is_made = (1..=128).any(|l| product % l == 0 && product / l <= 80);
+                    if within(oscillator, 400_000, 800_000) && is_made {
+                        let distance = (oscillator / (5 * fast) - wanted).abs();
+                        nearest = Some(nearest.map_or(distance, |least| least.min(distance)));
+                    }
+                }
+            }
+        }
+        assert_eq!(best, nearest);
+    }
+
+    /// The example of icepll's own documentation: 60 MHz of 12 MHz.
+    #[test]
+    fn dividers_of_the_ice40() {
+        let (_, found) = ice40(12 * MEGA)
+            .into_iter()
+            .min_by_key(|(pixel, _)| (pixel - Ratio::from(60 * MEGA)).abs())
+            .expect("a clock");
+        let expected = Dividers::Ice40 {
+            divr: 0,
+            divf: 79,
+            divq: 4,
+            filter: 1,
+        };
+        assert_eq!(found, expected);
+    }
+}

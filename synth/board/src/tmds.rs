@@ -1,0 +1,242 @@
+//! What the pins of three DVI channels say.
+
+use crate::screen::Tick;
+use imogene_golden::machine::tmds::{Sent, TmdsEncoder, meaning, transitions};
+use thiserror::Error;
+
+/// Bits of a word.
+const WORD: usize = 10;
+/// Names of the channels, in the order of the bits of a sample.
+const NAMES: [&str; 3] = ["blue", "green", "red"];
+
+/// Channels that carry no words of DVI.
+#[derive(Debug, Error, PartialEq, Eq)]
+pub enum TmdsError {
+    /// The clock channel does not rise.
+    #[error("the clock channel never rises")]
+    NoClock,
+    /// The clock channel is not five ones and five zeros.
+    #[error(
+        "the clock channel is {found:010b} in word {word}, bit 0 first; five ones and five zeros are sent"
+    )]
+    Clock {
+        /// Which word.
+        word: usize,
+        /// What was found.
+        found: u16,
+    },
+    /// A word that no level and no pair of control bits makes.
+    #[error("the {channel} channel has {found:010b} in word {word}, which means nothing")]
+    Word {
+        /// Which channel.
+        channel: &'static str,
+        /// Which word.
+        word: usize,
+        /// What was found.
+        found: u16,
+    },
+    /// A word of a level that would not balance ones and zeros.
+    #[error(
+        "the {channel} channel has {found:010b} in word {word}; {wanted:010b} balances ones and zeros"
+    )]
+    Balance {
+        /// Which channel.
+        channel: &'static str,
+        /// Which word.
+        word: usize,
+        /// What was found.
+        found: u16,
+        /// What would be sent.
+        wanted: u16,
+    },
+    /// Channels that do not show a pixel in the same clock, or control bits where there are none.
+    #[error("the channels disagree in word {word}: {what}")]
+    Apart {
+        /// Which word.
+        word: usize,
+        /// What is apart.
+        what: &'static str,
+    },
+}
+
+/// What was found on the channels.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Channels {
+    /// Every clock of the pixels from the first word of control on.
+    pub ticks: Vec<Tick>,
+    /// Words of each channel.
+    pub words: usize,
+    /// The greatest difference of ones and zeros since a word of control.
+    pub disparity: i32,
+    /// The most transitions in a word of a level.
+    pub transitions: u32,
+}
+
+/// Reads samples of the pins, two for each clock of the pairs: bits 0, 1, 2 are the blue, green and red channels, bit 3
+/// their clock.
+///
+/// A word begins where the clock rises. Every word from the first one of control on has to be the one that balances
+/// ones and zeros.
+///
+/// # Errors
+///
+/// With the first word that is none.
+pub fn decode(samples: &[u8]) -> Result<Channels, TmdsError> {
+    let rises = samples
+        .windows(2)
+        .position(|pair| pair[0] & 8 == 0 && pair[1] & 8 != 0);
+    let begin = rises.ok_or(TmdsError::NoClock)? + 1;
+    let mut receiver = Receiver::default();
+    for (word, samples) in samples[begin..].chunks_exact(WORD).enumerate() {
+        let clock = bits(samples, 3);
+        if clock != 0b00000_11111 {
+            return Err(TmdsError::Clock { word, found: clock });
+        }
+        receiver.take(word, [0, 1, 2].map(|channel| bits(samples, channel)))?;
+    }
+    Ok(receiver.found)
+}
+
+fn bits(samples: &[u8], channel: u32) -> u16 {
+    let each = samples.iter().enumerate();
+    each.fold(0, |word, (place, sample)| {
+        word | u16::from(sample >> channel & 1) << place
+    })
+}
+
+#[derive(Default)]
+struct Receiver {
+    senders: [TmdsEncoder; 3],
+    sync: u8,
+    is_started: bool,
+    found: Channels,
+}
+
+impl Receiver {
+    fn take(&mut self, word: usize, words: [u16; 3]) -> Result<(), TmdsError> {
+        if !self.is_started {
+            // Before the first word the registers of the encoders are empty.
+            let is_control = |&word: &u16| matches!(meaning(word), Some(Sent::Control(_)));
+            self.is_started = words.iter().all(is_control);
+        }
+        if !self.is_started {
+            return Ok(());
+        }
+        let mut sent = [Sent::Control(0); 3];
+        for (channel, found) in words.into_iter().enumerate() {
+            sent[channel] = self.one(channel, word, found)?;
+        }
+        self.found.words += 1;
+        let tick = match sent {
+            [Sent::Level(blue), Sent::Level(green), Sent::Level(red)] => Some([red, green, blue]),
+            [Sent::Control(sync), Sent::Control(0), Sent::Control(0)] => {
+                self.sync = sync;
+                None
+            }
+            [Sent::Control(_), Sent::Control(_), Sent::Control(_)] => {
+                let what = "control bits on green or red";
+                return Err(TmdsError::Apart { word, what });
+            }
+            _ => {
+                let what = "some show a pixel and some do not";
+                return Err(TmdsError::Apart { word, what });
+            }
+        };
+        self.found.ticks.push(Tick {
+            hsync: self.sync & 1 == 1,
+            vsync: self.sync & 2 == 2,
+            de: Some(tick.is_some()),
+            colour: tick.unwrap_or_default(),
+        });
+        Ok(())
+    }
+
+    /// What a word of a channel means.
+    fn one(&mut self, channel: usize, word: usize, found: u16) -> Result<Sent, TmdsError> {
+        let (name, sender) = (NAMES[channel], &mut self.senders[channel]);
+        let sent = meaning(found).ok_or(TmdsError::Word {
+            channel: name,
+            word,
+            found,
+        })?;
+        let wanted = sender.word(sent);
+        if wanted != found {
+            return Err(TmdsError::Balance {
+                channel: name,
+                word,
+                found,
+                wanted,
+            });
+        }
+        self.found.disparity = self.found.disparity.max(sender.disparity.abs());
+        if let Sent::Level(_) = sent {
+            self.found.transitions = self.found.transitions.max(transitions(found, 10));
+        }
+        Ok(sent)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The pins for what three channels are given.
+    fn pins(given: &[[Sent; 3]]) -> Vec<u8> {
+        let mut senders = [TmdsEncoder::default(); 3];
+        let mut samples = vec![0; 7];
+        for sent in given {
+            let words = [0, 1, 2].map(|channel| senders[channel].word(sent[channel]));
+            samples.extend((0..10).map(|place| {
+                let bits = words.iter().enumerate();
+                let bits = bits.fold(0, |all, (channel, word)| {
+                    all | (word >> place & 1) as u8 * (1 << channel)
+                });
+                bits | if place < 5 { 8 } else { 0 }
+            }));
+        }
+        samples
+    }
+
+    const BLANK: [Sent; 3] = [Sent::Control(1), Sent::Control(0), Sent::Control(0)];
+
+    fn pixel(colour: [u8; 3]) -> [Sent; 3] {
+        let [red, green, blue] = colour;
+        [blue, green, red].map(Sent::Level)
+    }
+
+    #[test]
+    fn pixels_are_found_again() {
+        let found = decode(&pins(&[
+            BLANK,
+            pixel([1, 2, 3]),
+            pixel([250, 0, 255]),
+            BLANK,
+        ]));
+        let found = found.expect("channels");
+        let colours: Vec<_> = found.ticks.iter().map(|tick| tick.colour).collect();
+        assert_eq!(colours[1..3], [[1, 2, 3], [250, 0, 255]]);
+        assert!(found.ticks.iter().all(|tick| tick.hsync && !tick.vsync));
+        assert_eq!(found.words, 4);
+    }
+
+    #[test]
+    fn a_bit_that_is_turned_over_is_found_in_every_place() {
+        let sound = pins(&[BLANK, pixel([0x55; 3]), pixel([7; 3]), BLANK]);
+        let begin = 7 + WORD;
+        for place in begin..sound.len() {
+            for channel in 0..4 {
+                let mut broken = sound.clone();
+                broken[place] ^= 1 << channel;
+                assert_ne!(decode(&broken), decode(&sound), "bit {place} of {channel}");
+            }
+        }
+    }
+
+    #[test]
+    fn channels_that_are_apart_are_refused() {
+        let mixed = [Sent::Control(0), Sent::Level(0), Sent::Level(0)];
+        let error = decode(&pins(&[BLANK, mixed])).expect_err("one channel is blank");
+        assert!(error.to_string().contains("disagree in word 1"), "{error}");
+        assert_eq!(decode(&[0; 40]), Err(TmdsError::NoClock));
+    }
+}

@@ -1,0 +1,202 @@
+//! The top level of a board: Verilog, and the constraints of its part.
+
+use crate::description::{Board, Family, Video};
+use crate::error::BoardError;
+use crate::pll::{Dividers, Pll};
+use imogene_contract::{Request, Unit};
+use imogene_golden::machine::zone::beat::Beat;
+use imogene_rtl::emit::{Emitted, emit};
+use minijinja::{Environment, Value, context};
+use std::fmt::Write;
+
+/// Bits of the kind and of the address of a word.
+const PLACE: usize = 28;
+/// Words that a sequencer can address.
+const MOST_WORDS: usize = 1 << 12;
+/// The name of the top module.
+pub(crate) const TOP: &str = "board_top";
+/// The stated models of the cells of parts.
+pub const MODELS: &str = include_str!("top/models.v");
+
+/// What a board shows.
+#[derive(Clone, Copy, Debug)]
+pub struct Display<'a> {
+    /// The beam machine with its screen.
+    pub machine: &'a Emitted,
+    /// The words of its frames, one frame after the other.
+    pub words: &'a [Beat],
+    /// The line that the files begin with.
+    pub heading: &'a str,
+}
+
+/// The files of a board, by their names.
+#[derive(Clone, Debug)]
+pub struct Sources {
+    /// All Verilog, the top module last.
+    pub verilog: String,
+    /// Constraints of pins and of the clock, and the ending of their file; none without a part.
+    pub constraints: Option<(&'static str, String)>,
+}
+
+/// The top level of a board that shows a scene.
+///
+/// # Errors
+///
+/// When there are more words than a sequencer can address.
+pub fn sources(board: &Board, pll: &Pll, display: &Display) -> Result<Sources, BoardError> {
+    let mut verilog = display.machine.bundle();
+    for unit in units(board) {
+        verilog += &format!("\n{}", emit(&Request::new(*unit))?.bundle());
+    }
+    let templates = templates()?;
+    let mut add = |name: &str, values: Value| -> Result<(), BoardError> {
+        verilog += "\n";
+        verilog += &templates.get_template(name)?.render(values)?;
+        Ok(())
+    };
+    add("core", core(board, display)?)?;
+    let clock = match pll.dividers {
+        Dividers::Ecp5 { .. } => "clock_ecp5",
+        Dividers::Ice40 { .. } => "clock_ice40",
+        Dividers::None => "clock_none",
+    };
+    add(clock, clocks(pll))?;
+    match &board.video {
+        Video::Tmds { .. } => add("top_tmds", context! { about => board.about.clone() })?,
+        Video::Parallel { de, clock, .. } => {
+            let names: Vec<String> = board.video.pins().into_iter().map(|pin| pin.0).collect();
+            let clock_out = usize::from(clock.is_some());
+            let mut data: Vec<String> = names[..names.len() - clock_out].to_vec();
+            data.reverse();
+            add(
+                "top_parallel",
+                context! {
+                    about => board.about.clone(), bits => board.video.bits(), outputs => names.join(", "),
+                    pins_of => data.join(", "), has_de => usize::from(de.is_some()), has_clock => clock.is_some(),
+                },
+            )?;
+        }
+    }
+    Ok(Sources {
+        verilog,
+        constraints: constraints(board, pll),
+    })
+}
+
+/// The units that a board has beside its machine.
+fn units(board: &Board) -> &'static [Unit] {
+    match board.video {
+        Video::Tmds { .. } => &[
+            Unit::SceneSequencer,
+            Unit::TmdsEncoder,
+            Unit::TmdsSerialiser,
+        ],
+        Video::Parallel { .. } => &[Unit::SceneSequencer],
+    }
+}
+
+fn templates() -> Result<Environment<'static>, BoardError> {
+    let mut templates = Environment::new();
+    for (name, text) in [
+        ("core", include_str!("top/core.v")),
+        ("clock_ecp5", include_str!("top/clock_ecp5.v")),
+        ("clock_ice40", include_str!("top/clock_ice40.v")),
+        ("clock_none", include_str!("top/clock_none.v")),
+        ("top_tmds", include_str!("top/top_tmds.v")),
+        ("top_parallel", include_str!("top/top_parallel.v")),
+    ] {
+        templates.add_template(name, text)?;
+    }
+    Ok(templates)
+}
+
+/// Machine and words, for the template.
+fn core(board: &Board, display: &Display) -> Result<Value, BoardError> {
+    let count = display.words.len();
+    if count > MOST_WORDS {
+        return Err(BoardError::Excess {
+            part: board.name.clone(),
+            excess: format!("{count} words of the scene of {MOST_WORDS}"),
+        });
+    }
+    let mut ports = display.machine.ports.iter();
+    let data = ports
+        .find(|port| port.name == "s_tdata")
+        .map_or(0, |port| port.width);
+    let data = data as usize;
+    let word = |(index, beat): (usize, &Beat)| {
+        let place =
+            u64::from(beat.kind) << 24 | u64::from(beat.unit) << 16 | u64::from(beat.address);
+        let marks = u64::from(index + 1 == count) << 1 | u64::from(beat.last);
+        let word =
+            u128::from(marks) << (data + PLACE) | u128::from(place) << data | u128::from(beat.data);
+        format!("{word:x}")
+    };
+    let words: Vec<String> = display.words.iter().enumerate().map(word).collect();
+    let places = count.next_power_of_two().max(2);
+    Ok(context! {
+        heading => display.heading, machine => display.machine.top.clone(), words, places,
+        bits => data + PLACE + 2, data_bits => data, address_bits => places.ilog2(),
+        tmds => matches!(board.video, Video::Tmds { .. }),
+    })
+}
+
+/// Dividers and clocks, for the templates.
+fn clocks(pll: &Pll) -> Value {
+    let decimal = |mhz: f64| {
+        let text = format!("{mhz:.6}");
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    };
+    let (input_mhz, fast, pixel) = (pll.input_mhz(), pll.fast_mhz(), pll.pixel_mhz());
+    let [input_mhz, fast, pixel] = [input_mhz, fast, pixel].map(decimal);
+    let (dividers, apart, phase) = match pll.dividers {
+        Dividers::Ecp5 {
+            reference,
+            feedback,
+            looped,
+            fast,
+            pixel,
+        } => (
+            context! { reference, feedback, looped, fast, pixel },
+            looped != fast,
+            fast / 2,
+        ),
+        Dividers::Ice40 {
+            divr,
+            divf,
+            divq,
+            filter,
+        } => (context! { divr, divf, divq, filter }, false, 0),
+        Dividers::None => (context! {}, false, 0),
+    };
+    context! { pll => dividers, input_mhz, fast, pixel, apart, phase }
+}
+
+/// The constraints of the part of a board, and the ending of their file.
+fn constraints(board: &Board, pll: &Pll) -> Option<(&'static str, String)> {
+    let family = board.part.as_ref()?.family;
+    let (mut text, clock) = (String::new(), &board.clock);
+    let pins = board.video.pins();
+    match family {
+        Family::Ecp5 => {
+            let mut pin = |name: &str, pin: &str, io: &str| {
+                let _ = writeln!(text, "LOCATE COMP \"{name}\" SITE \"{pin}\";");
+                let _ = writeln!(text, "IOBUF PORT \"{name}\" {io};");
+            };
+            pin("clock", &clock.pin, &clock.io);
+            for (name, site) in &pins {
+                pin(name, site, board.video.io());
+            }
+            let _ = writeln!(text, "FREQUENCY PORT \"clock\" {} MHZ;", pll.input_mhz());
+            Some(("lpf", text))
+        }
+        Family::Ice40 => {
+            let _ = writeln!(text, "set_io clock {}", clock.pin);
+            for (name, pin) in &pins {
+                let _ = writeln!(text, "set_io {name} {pin}");
+            }
+            let _ = writeln!(text, "set_frequency clock {}", pll.input_mhz());
+            Some(("pcf", text))
+        }
+    }
+}

@@ -1,0 +1,77 @@
+// {{ heading }}
+
+// The words of the scene: bit {{ bits - 1 }} marks the last word of the memory, bit {{ bits - 2 }} that of a frame; then
+// the kind, the address and the data of a word of the machine.
+module scene_words (
+    input  wire clock,
+    input  wire [{{ address_bits - 1 }}:0] address,
+    output reg  [{{ bits - 1 }}:0] word
+);
+
+    reg [{{ bits - 1 }}:0] words [0:{{ places - 1 }}];
+
+    initial begin
+{%- for word in words %}
+        words[{{ loop.index0 }}] = {{ bits }}'h{{ word }};
+{%- endfor %}
+    end
+
+    always @(posedge clock) word <= words[address];
+endmodule
+
+// The machine with the words of its scene, on the clock of the pixels.
+module scene_display (
+    input  wire clock,
+    output wire hsync, vsync, de,
+    output wire [7:0] red, green, blue
+);
+
+    wire [11:0] address;
+    wire [{{ bits - 1 }}:0] word;
+    wire is_there, is_taken;
+
+    scene_words words (.clock(clock), .address(address[{{ address_bits - 1 }}:0]), .word(word));
+    scene_sequencer sequencer (
+        .clock(clock), .last(word[{{ bits - 1 }}]), .m_tready(is_taken), .m_tvalid(is_there), .address(address)
+    );
+    {{ machine }} machine (
+        .clock(clock), .s_tvalid(is_there), .s_tdest(word[{{ data_bits + 27 }}:{{ data_bits + 24 }}]),
+        .s_tuser(word[{{ data_bits + 23 }}:{{ data_bits }}]), .s_tdata(word[{{ data_bits - 1 }}:0]),
+        .s_tlast(word[{{ bits - 2 }}]), .s_tready(is_taken),
+        .overlay_write(1'b0), .overlay_address(16'd0), .overlay_data(32'd0), .overlay_enable(1'b0),
+        .overlay_colour(24'd0), .swapped(), .refused(),
+        .hsync(hsync), .vsync(vsync), .de(de), .red(red), .green(green), .blue(blue)
+    );
+endmodule
+{% if tmds %}
+// The words of three DVI channels, their pairs of bits on the fast clock.
+module scene_channels (
+    input  wire pixel_clock, fast_clock,
+    output wire [1:0] pair_0, pair_1, pair_2, pair_3
+);
+
+    wire hsync, vsync, de;
+    wire [7:0] red, green, blue;
+    wire [9:0] red_word, green_word, blue_word;
+    reg turn = 1'b0;
+
+    always @(posedge pixel_clock) turn <= ~turn;
+
+    scene_display display (
+        .clock(pixel_clock), .hsync(hsync), .vsync(vsync), .de(de), .red(red), .green(green), .blue(blue)
+    );
+    tmds_encoder blue_channel (
+        .clock(pixel_clock), .de(de), .level(blue), .control({vsync, hsync}), .word(blue_word)
+    );
+    tmds_encoder green_channel (
+        .clock(pixel_clock), .de(de), .level(green), .control(2'd0), .word(green_word)
+    );
+    tmds_encoder red_channel (
+        .clock(pixel_clock), .de(de), .level(red), .control(2'd0), .word(red_word)
+    );
+    tmds_serialiser serialiser (
+        .clock(fast_clock), .turn(turn), .red(red_word), .green(green_word), .blue(blue_word),
+        .pair_red(pair_2), .pair_green(pair_1), .pair_blue(pair_0), .pair_clock(pair_3)
+    );
+endmodule
+{% endif -%}

@@ -1,0 +1,53 @@
+// Stated models of cells that have no delays here.
+//
+// A PLL is locked from the first clock on. Its input ticks at the rate of its fast output, and every fifth of these edges
+// is one of the pixels: the dividers themselves are arithmetic, not simulated.
+module EHXPLLL #(
+    parameter PLLRST_ENA = "", INTFB_WAKE = "", STDBY_ENABLE = "", DPHASE_SOURCE = "", FEEDBK_PATH = "",
+    parameter OUTDIVIDER_MUXA = "", OUTDIVIDER_MUXB = "", OUTDIVIDER_MUXC = "", OUTDIVIDER_MUXD = "",
+    parameter CLKOP_ENABLE = "", CLKOS_ENABLE = "", CLKOS2_ENABLE = "",
+    parameter CLKI_DIV = 1, CLKFB_DIV = 1, CLKOP_DIV = 1, CLKOS_DIV = 5, CLKOS2_DIV = 1,
+    parameter CLKOP_CPHASE = 0, CLKOS_CPHASE = 0, CLKOS2_CPHASE = 0,
+    parameter CLKOP_FPHASE = 0, CLKOS_FPHASE = 0, CLKOS2_FPHASE = 0
+) (
+    input  wire CLKI, CLKFB, RST, STDBY, PHASESEL0, PHASESEL1, PHASEDIR, PHASESTEP, PHASELOADREG, PLLWAKESYNC, ENCLKOP,
+    output wire CLKOP, CLKOS, CLKOS2, CLKINTFB, LOCK
+);
+    reg [2:0] place = 3'd0;
+    reg slow = 1'b0;
+
+    always @(posedge CLKI) begin
+        place <= place == 3'd4 ? 3'd0 : place + 3'd1;
+        slow <= place < 3'd2;
+    end
+
+    assign CLKOP = CLKI;
+    assign CLKOS = slow;
+    assign CLKOS2 = 1'b0;
+    assign CLKINTFB = 1'b0;
+    assign LOCK = 1'b1;
+endmodule
+
+module SB_PLL40_CORE #(
+    parameter FEEDBACK_PATH = "", DIVR = 0, DIVF = 0, DIVQ = 0, FILTER_RANGE = 0
+) (
+    input  wire REFERENCECLK, RESETB, BYPASS,
+    output wire PLLOUTGLOBAL
+);
+    assign PLLOUTGLOBAL = REFERENCECLK;
+endmodule
+
+// Both bits are taken with the rising edge; D0 is sent while the clock is high, D1 while it is low.
+module ODDRX1F (
+    input  wire SCLK, RST, D0, D1,
+    output wire Q
+);
+    reg first = 1'b0, second = 1'b0;
+
+    always @(posedge SCLK) begin
+        first <= D0;
+        second <= D1;
+    end
+
+    assign Q = SCLK ? first : second;
+endmodule
