@@ -19,7 +19,7 @@ pub enum Cache {
 }
 
 /// The place of a result that depends on these texts alone. Outside a checkout nothing is kept.
-pub(crate) fn kept(parts: &[&str]) -> Kept {
+pub fn kept(parts: &[&str]) -> Kept {
     Kept::new(
         target_folder().map(|folder| folder.join("synth-cache")),
         parts,

@@ -47,7 +47,7 @@ mod target;
 pub mod tools;
 mod yosys;
 
-pub use cache::{Cache, digest};
+pub use cache::{Cache, digest, kept};
 pub use error::SynthError;
 pub use figures::Figures;
 pub use flow::{Options, synthesise};

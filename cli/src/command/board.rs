@@ -7,7 +7,7 @@ use crate::arguments::{self, Fit, MACHINE_FILE, View};
 use crate::failure::Failure;
 use crate::output;
 use imogene_board::{
-    Board, Display, MODELS, Pins, Pll, Routed, Sources, frame, route, simulate, sources, witness,
+    Board, Display, MODELS, Pins, Pll, Sources, frame, route, simulate, sources, witness,
 };
 use imogene_contract::video::VideoMode;
 use imogene_files::Outputs;
@@ -16,7 +16,6 @@ use imogene_plan::display::{Image, image};
 use imogene_rtl::emit::machine::emit_machine;
 use imogene_studies::fit::budget::CountLimit;
 use imogene_studies::picture;
-use imogene_tools::scratch;
 use imogene_verif::display::request::request;
 use report::{BoardReport, Shown, tell};
 
@@ -119,9 +118,7 @@ impl Work<'_> {
             ticks,
             channels,
             samples,
-        } = output::during(0, "clocks in Verilator", |_| {
-            simulate(&self.board, verilog, models, clocks)
-        })?;
+        } = simulate(&self.board, verilog, models, clocks)?;
         let frame = frame(&ticks, &self.mode)?;
         self.add_picture(name, &frame.picture, files)?;
         if self.options.samples {
@@ -137,13 +134,10 @@ impl Work<'_> {
         if self.board.part.is_none() || self.options.no_bitstream {
             return Ok(());
         }
-        let folder = scratch()?;
-        let routed: Routed = output::during(0, "place and route", |_| {
-            route(&self.board, &self.pll, &self.sources, folder.path())
-        })?;
-        let back = witness(&self.board, &self.sources, &routed, folder.path())?;
+        let (routed, bitstream) = route(&self.board, &self.pll, &self.sources)?;
+        let back = witness(&self.board, &self.sources, &bitstream)?;
         let path = self.options.out.join(format!("{}.bit", self.board.name));
-        files.add(&path, |out| out.write_all(&routed.bitstream))?;
+        files.add(&path, |out| out.write_all(&bitstream))?;
         if let Some([verilog, models]) = back.filter(|_| !self.options.no_simulation) {
             files.add_text(&self.options.out.join("bitstream.v"), &verilog)?;
             report.bitstream = Some(self.shown("bitstream", &verilog, &models, files)?);

@@ -5,9 +5,9 @@ use crate::error::BoardError;
 use crate::pll::Pll;
 use crate::top::{Sources, TOP};
 use imogene_synth::tools::{NEXTPNR_ECP5, NEXTPNR_ICE40, Tool, YOSYS};
-use imogene_synth::{RouteReport, SynthError, parse_report, run_yosys};
-use imogene_tools::{FileError, Program, last_lines, read, write};
-use serde::Serialize;
+use imogene_synth::{RouteReport, SynthError, digest, kept, parse_report, run_yosys};
+use imogene_tools::{FileError, Program, last_lines, read, scratch, write};
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -17,7 +17,7 @@ const REPORT: &str = "report.json";
 const SEED: &str = "1";
 
 /// A clock of a routed board, in MHz.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ClockReport {
     /// The net of the clock.
     pub clock: String,
@@ -28,7 +28,7 @@ pub struct ClockReport {
 }
 
 /// A board that was placed and routed.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Routed {
     /// Cells used and available, by type.
     pub utilisation: BTreeMap<String, (u64, u64)>,
@@ -38,12 +38,8 @@ pub struct Routed {
     pub crossings: Vec<(String, String, f64)>,
     /// Versions of the tools.
     pub tools: BTreeMap<String, String>,
-    /// The configuration of the part as text.
-    #[serde(skip)]
-    pub text: String,
-    /// The bitstream.
-    #[serde(skip)]
-    pub bitstream: Vec<u8>,
+    /// Bytes of the bitstream.
+    pub bytes: usize,
 }
 
 impl Part {
@@ -64,6 +60,10 @@ impl Part {
             "--package".into(),
             self.package.clone(),
         ];
+        if self.family == Family::Ecp5 {
+            // The first router rips up three arcs of four of a whole machine, and comes to no end.
+            arguments.extend(["--router".into(), "router2".into()]);
+        }
         if let Some(speed) = &self.speed {
             arguments.extend(["--speed".into(), speed.clone()]);
         }
@@ -87,75 +87,78 @@ impl Part {
     }
 }
 
-/// Synthesises, places, routes and packs a board in a folder. Every clock has to reach what is asked for.
+/// Synthesises, places, routes and packs a board; the report and the bitstream. Every clock has to reach what is asked
+/// for. What was made of the same sources with the same tools is kept.
 ///
 /// # Errors
 ///
-/// When a tool is missing or fails, the part has too little, or a clock is not reached; the part without a bitstream has
-/// none of these.
+/// When a tool is missing or fails, the part has too little, or a clock is not reached.
 ///
 /// # Panics
 ///
 /// When the board has no part.
-pub fn route(
-    board: &Board,
-    pll: &Pll,
-    sources: &Sources,
-    folder: &Path,
-) -> Result<Routed, BoardError> {
+pub fn route(board: &Board, pll: &Pll, sources: &Sources) -> Result<(Routed, Vec<u8>), BoardError> {
     let part = board.part.as_ref().expect("a board with a part");
     let (yosys, router) = (Tool::find(YOSYS)?, Tool::find(part.router())?);
     let (kind, constraints) = sources.constraints.as_ref().expect("constraints of a part");
     let pins = format!("pins.{kind}");
-    write(&folder.join("board.v"), &sources.verilog)?;
-    write(&folder.join(&pins), constraints)?;
     let script = format!(
         "read_verilog board.v; {} -top {TOP} -json {NETLIST}",
         part.synthesis()
     );
-    run_yosys(&yosys, folder, &script)?;
     let mut arguments = part.arguments();
     let option = format!("--{kind}");
     let common = [
-        "--json",
-        NETLIST,
-        option.as_str(),
-        &pins,
-        "--seed",
-        SEED,
-        "-q",
-        "--report",
-        REPORT,
+        "--json", NETLIST, &option, &pins, "--seed", SEED, "-q", "--report", REPORT,
     ];
     arguments.extend(common.map(str::to_owned));
     // The clock of the pixels is derived from that of the board; where nothing is derived it is asked for.
     arguments.extend(["--freq".to_owned(), format!("{:.6}", pll.pixel_mhz())]);
+    let place = kept(&[
+        &digest(&sources.verilog),
+        constraints,
+        &script,
+        &arguments.join(" "),
+        &yosys.version,
+        &router.version,
+    ]);
+    if let Some(routed) = place.load() {
+        return Ok(routed);
+    }
+    let folder = scratch()?;
+    let folder = folder.path();
+    write(&folder.join("board.v"), &sources.verilog)?;
+    write(&folder.join(&pins), constraints)?;
+    run_yosys(&yosys, folder, &script)?;
     packed(part, &router, &arguments, folder)?;
     let report = placed(part, &router, arguments, folder)?;
-    let text = read(&folder.join(TEXT))?;
     let bitstream = packed_text(part, TEXT, folder)?;
-    let clocks = report.clocks.into_iter();
-    Ok(Routed {
-        utilisation: report.utilisation,
-        clocks: clocks
-            .map(|(clock, routed)| ClockReport {
-                clock,
-                achieved_mhz: routed.achieved,
-                wanted_mhz: routed.constraint,
-            })
-            .collect(),
-        crossings: report
-            .crossings
-            .into_iter()
-            .map(|((from, to), ns)| (from, to, ns))
-            .collect(),
-        tools: [yosys, router]
-            .into_iter()
-            .map(|tool| (tool.name.to_owned(), tool.version))
-            .collect(),
-        text,
+    let routed = (
+        report_of(report, &[yosys, router], bitstream.len()),
         bitstream,
-    })
+    );
+    place.store(&routed)?;
+    Ok(routed)
+}
+
+fn report_of(report: RouteReport, tools: &[Tool], bytes: usize) -> Routed {
+    let clocks = report.clocks.into_iter();
+    let clocks = clocks.map(|(clock, routed)| ClockReport {
+        clock,
+        achieved_mhz: routed.achieved,
+        wanted_mhz: routed.constraint,
+    });
+    let crossings = report.crossings.into_iter();
+    let tools = tools.iter();
+    Routed {
+        utilisation: report.utilisation,
+        clocks: clocks.collect(),
+        crossings: crossings.map(|((from, to), ns)| (from, to, ns)).collect(),
+        tools: tools
+            .map(|tool| (tool.name.to_owned(), tool.version.clone()))
+            .collect(),
+        bytes,
+    }
 }
 
 /// Packs the design, to say first what the part has too little of.

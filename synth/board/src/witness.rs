@@ -2,12 +2,11 @@
 
 use crate::description::{Board, Family};
 use crate::error::BoardError;
-use crate::flow::{Routed, failed, packed_text};
+use crate::flow::{failed, packed_text};
 use crate::top::{MODELS, Sources, TOP};
 use imogene_synth::tools::Tool;
 use imogene_synth::{Target, cell_models};
-use imogene_tools::{Program, write};
-use std::path::Path;
+use imogene_tools::{FileError, Program, scratch, write};
 
 const BITSTREAM: &str = "witness.bit";
 const UNPACKED: &str = "unpacked.text";
@@ -21,8 +20,8 @@ const ICEBOX: Program = Program {
 /// Cells that Verilog of a bitstream instantiates.
 const RAM: &str = "SB_RAM40_4K";
 
-/// Unpacks a bitstream in a folder, and packs it again: the same bits have to come out. Of an iCE40 what was unpacked
-/// is turned back into Verilog with the models of its cells, for [`simulate`](crate::simulate).
+/// Unpacks a bitstream, and packs it again: the same bits have to come out. Of an iCE40 what was unpacked is turned back
+/// into Verilog, with the models of its cells, for [`simulate`](crate::simulate).
 ///
 /// # Errors
 ///
@@ -34,21 +33,22 @@ const RAM: &str = "SB_RAM40_4K";
 pub fn witness(
     board: &Board,
     sources: &Sources,
-    routed: &Routed,
-    folder: &Path,
+    bitstream: &[u8],
 ) -> Result<Option<[String; 2]>, BoardError> {
     let part = board.part.as_ref().expect("a board with a part");
+    let folder = scratch()?;
+    let folder = folder.path();
     let path = folder.join(BITSTREAM);
-    std::fs::write(&path, &routed.bitstream).map_err(imogene_tools::FileError::at(&path))?;
+    std::fs::write(&path, bitstream).map_err(FileError::at(&path))?;
     let unpacker = Tool::beside(part.router(), part.packers()[2])?;
     let outcome = unpacker.run(&[BITSTREAM, UNPACKED], folder)?;
     outcome.map_err(|said| failed(&unpacker, &said))?;
     let again = packed_text(part, UNPACKED, folder)?;
-    if again != routed.bitstream {
-        let apart = again.iter().zip(&routed.bitstream).filter(|(a, b)| a != b);
+    if again != bitstream {
+        let apart = again.iter().zip(bitstream).filter(|(a, b)| a != b);
         return Err(BoardError::Bitstream(format!(
             "the bitstream of {} bytes, unpacked and packed again, has {} bytes, of which {} differ",
-            routed.bitstream.len(),
+            bitstream.len(),
             again.len(),
             apart.count()
         )));
@@ -70,5 +70,68 @@ pub fn witness(
     ];
     let verilog = ICEBOX.run(arguments, folder)?;
     let models = cell_models(&[RAM], Target::Ice40Hx8k)? + MODELS;
-    Ok(Some([verilog, models]))
+    Ok(Some([declared_once(&verilog), models]))
+}
+
+/// The same Verilog without the second declarations of its ports, which a list of ports with directions does not allow;
+/// a port that is a register is one in the list, and starts at 0 as all of them.
+fn declared_once(verilog: &str) -> String {
+    let is_head = |line: &&str| line.starts_with("module ");
+    let head = verilog.lines().find(is_head).unwrap_or_default();
+    let ports = head.trim_end_matches(");").split(['(', ',']).skip(1);
+    let ports: Vec<&str> = ports
+        .filter_map(|port| port.split_whitespace().last())
+        .collect();
+    let (mut text, mut registers) = (String::new(), vec![]);
+    for line in verilog.lines() {
+        let kind = ["wire ", "reg "]
+            .into_iter()
+            .find(|kind| line.starts_with(kind));
+        let Some(kind) = kind.filter(|_| line.ends_with(';')) else {
+            text += &format!("{line}\n");
+            continue;
+        };
+        let names = line[kind.len()..line.len() - 1].split(", ");
+        let is_port = |name: &&str| {
+            name.split(' ')
+                .next()
+                .is_some_and(|name| ports.contains(&name))
+        };
+        let (again, own): (Vec<&str>, Vec<&str>) = names.partition(is_port);
+        if kind == "reg " {
+            registers.extend(again.iter().filter_map(|name| name.split(' ').next()));
+        }
+        if !own.is_empty() {
+            text += &format!("{kind}{};\n", own.join(", "));
+        }
+    }
+    let declared = ports.iter().fold(head.to_owned(), |head, port| {
+        match registers.contains(port) {
+            true => head
+                .replace(
+                    &format!("output {port},"),
+                    &format!("output reg {port} = 0,"),
+                )
+                .replace(
+                    &format!("output {port})"),
+                    &format!("output reg {port} = 0)"),
+                ),
+            false => head,
+        }
+    });
+    text.replacen(head, &declared, 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::declared_once;
+
+    #[test]
+    fn ports_are_declared_once() {
+        let verilog = "module top (input clock, output a, output b, output ab);\nwire n1, clock, n2;\nwire b;\n\
+                       reg n3 = 0, a = 0;\nassign b = n1;\n";
+        let wanted = "module top (input clock, output reg a = 0, output b, output ab);\nwire n1, n2;\nreg n3 = 0;\n\
+                      assign b = n1;\n";
+        assert_eq!(declared_once(verilog), wanted);
+    }
 }

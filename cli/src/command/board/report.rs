@@ -140,7 +140,7 @@ pub(super) fn tell(report: &BoardReport) {
         }
         output::text(format!(
             "  bitstream of {}, unpacked and packed again to the same",
-            counted(routed.bitstream.len() as u64, "byte")
+            counted(routed.bytes as u64, "byte")
         ));
     }
     if let Some(bitstream) = &report.bitstream {

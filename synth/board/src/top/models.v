@@ -29,12 +29,19 @@ module EHXPLLL #(
 endmodule
 
 module SB_PLL40_CORE #(
-    parameter FEEDBACK_PATH = "", DIVR = 0, DIVF = 0, DIVQ = 0, FILTER_RANGE = 0
+    parameter FEEDBACK_PATH = "", PLLOUT_SELECT = "", DELAY_ADJUSTMENT_MODE_FEEDBACK = "",
+    parameter DELAY_ADJUSTMENT_MODE_RELATIVE = "",
+    parameter SHIFTREG_DIV_MODE = 0, FDA_FEEDBACK = 0, FDA_RELATIVE = 0, DIVR = 0, DIVF = 0, DIVQ = 0,
+    parameter FILTER_RANGE = 0, ENABLE_ICEGATE = 0, TEST_MODE = 0
 ) (
-    input  wire REFERENCECLK, RESETB, BYPASS,
-    output wire PLLOUTGLOBAL
+    input  wire REFERENCECLK, EXTFEEDBACK, RESETB, BYPASS, LATCHINPUTVALUE, SDI, SCLK,
+    input  wire [7:0] DYNAMICDELAY,
+    output wire PLLOUTCORE, PLLOUTGLOBAL, LOCK, SDO
 );
+    assign PLLOUTCORE = REFERENCECLK;
     assign PLLOUTGLOBAL = REFERENCECLK;
+    assign LOCK = 1'b1;
+    assign SDO = 1'b0;
 endmodule
 
 // Both bits are taken with the rising edge; D0 is sent while the clock is high, D1 while it is low.
