@@ -5,6 +5,7 @@
 //! instances. Nothing is optimised across modules, so the sum is somewhat more than a synthesis of the flat machine;
 //! `docs/fit.md` compares the two.
 
+mod estimate;
 mod modules;
 
 use crate::bench::{Bench, Options};
@@ -14,8 +15,10 @@ use crate::harness;
 use crate::target::{Family, Target};
 use crate::tools::Programs;
 use crate::yosys::{self, Resources};
+pub use estimate::estimated_costs;
 use imogene_rtl::emit::Emitted;
 use imogene_tools::{Kept, read, scratch, write};
+pub use modules::Parts;
 use modules::{Module, closure, is_of, modules, ports};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -46,23 +49,22 @@ const CRITICAL: [&str; 7] = [
 ];
 
 /// The kind of result that depends on Yosys alone.
-const OWN_CELLS: &str = "own cells";
+const OWN_CELLS: &str = "own cells of parts";
 
-/// Modules synthesised by one process.
-const BATCH: usize = 8;
-
-/// The costs of machines, in their order; `done` is called with how many of how many modules are known.
+/// The costs of machines, in their order, as sums of such parts; `done` is called with how many of how many modules
+/// are known.
 ///
 /// # Errors
 ///
 /// When a tool is missing or fails, or its report cannot be read.
 pub fn machine_costs(
     machines: &[Emitted],
+    parts: Parts,
     target: Target,
     with_clock: bool,
     done: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Vec<MachineCost>, SynthError> {
-    let known = Knowledge::gather(machines, target, with_clock, done)?;
+    let known = Knowledge::gather(machines, parts, target, with_clock, done)?;
     Ok(machines.iter().map(|machine| known.cost(machine)).collect())
 }
 
@@ -74,6 +76,7 @@ struct Own {
 
 /// Costs by the digest of a module, or of a unit with all below it.
 struct Knowledge {
+    parts: Parts,
     target: Target,
     own: HashMap<String, Resources>,
     clocks: HashMap<String, f64>,
@@ -82,6 +85,7 @@ struct Knowledge {
 impl Knowledge {
     fn gather(
         machines: &[Emitted],
+        parts: Parts,
         target: Target,
         with_clock: bool,
         done: &(dyn Fn(usize, usize) + Sync),
@@ -105,12 +109,12 @@ impl Knowledge {
             ])
         };
         let mut own = HashMap::new();
-        // Missing modules, in batches of machines: a machine's modules are read together.
+        // Missing modules of each machine, which are read together.
         let mut missing: Vec<(&Emitted, Vec<Module>)> = Vec::new();
         let mut wanted = std::collections::HashSet::new();
         for machine in machines {
             let mut of_machine = Vec::new();
-            for module in modules(machine) {
+            for module in modules(machine, parts) {
                 if !wanted.insert(module.digest.clone()) {
                     continue;
                 }
@@ -119,8 +123,8 @@ impl Knowledge {
                     None => of_machine.push(module),
                 }
             }
-            for batch in of_machine.chunks(BATCH) {
-                missing.push((machine, batch.to_vec()));
+            if !of_machine.is_empty() {
+                missing.push((machine, of_machine));
             }
         }
         let finished = std::sync::atomic::AtomicUsize::new(own.len());
@@ -128,7 +132,7 @@ impl Knowledge {
         let found: Vec<Vec<(String, Resources)>> = missing
             .par_iter()
             .map(|(machine, batch)| {
-                let resources = synthesise_alone(machine, batch, &programs, target)?;
+                let resources = synthesise_apart(machine, parts, batch, &programs, target)?;
                 let mut results = Vec::new();
                 for (module, resources) in batch.iter().zip(resources) {
                     key(OWN_CELLS, &module.digest).store(&Own { resources })?;
@@ -146,6 +150,7 @@ impl Knowledge {
             HashMap::new()
         };
         Ok(Knowledge {
+            parts,
             target,
             own,
             clocks,
@@ -153,54 +158,67 @@ impl Knowledge {
     }
 
     fn cost(&self, machine: &Emitted) -> MachineCost {
+        let own = modules(machine, self.parts).into_iter();
+        let own = own.map(|module| (module.instances, self.own[&module.digest]));
+        let units = critical(machine);
+        // One that does not fit has no clock, nor has the machine then.
+        let clocks = units.iter().map(|unit| self.clocks.get(&unit_digest(unit)));
+        let clocks: Option<Vec<&f64>> = clocks.collect();
+        let clock = clocks.and_then(|clocks| clocks.into_iter().copied().reduce(f64::min));
+        MachineCost {
+            fmax_mhz: clock,
+            ..MachineCost::of(own, self.target)
+        }
+    }
+}
+
+impl MachineCost {
+    /// The sum of the resources of modules, each as often as it stands in the machine.
+    fn of(modules: impl Iterator<Item = (u64, Resources)>, target: Target) -> MachineCost {
         let mut sum = Resources::default();
-        for module in modules(machine) {
-            let own = self.own[&module.digest];
-            let times = module.instances;
+        for (times, own) in modules {
             sum.lut += times * own.lut;
             sum.ff += times * own.ff;
             sum.carry += times * own.carry;
             sum.dsp += times * own.dsp;
             sum.bram += times * own.bram;
         }
-        let units = critical(machine);
-        // One that does not fit has no clock, nor has the machine then.
-        let clocks = units.iter().map(|unit| self.clocks.get(&unit_digest(unit)));
-        let clocks: Option<Vec<&f64>> = clocks.collect();
         // A carry cell of ECP5 takes two logic cells; one of iCE40 lies in the cell of its look-up table.
-        let per_carry = match self.target.family() {
+        let per_carry = match target.family() {
             Family::Ecp5 => 2,
             _ => 0,
         };
         MachineCost {
             resources: sum,
             cells: sum.lut + per_carry * sum.carry,
-            fmax_mhz: clocks.and_then(|clocks| clocks.into_iter().copied().reduce(f64::min)),
+            fmax_mhz: None,
         }
     }
 }
 
-/// The own cells of modules of one machine.
-fn synthesise_alone(
+/// The own cells of modules of one machine. What holds other parts is read whole, so that everything is below the top;
+/// no other part is, unless its cells are asked for.
+fn synthesise_apart(
     machine: &Emitted,
-    batch: &[Module],
+    parts: Parts,
+    asked: &[Module],
     programs: &Programs,
     target: Target,
 ) -> Result<Vec<Resources>, SynthError> {
     let folder = scratch()?;
     write(&folder.path().join("machine.v"), &machine.bundle())?;
-    let mut script = String::from("read_verilog machine.v; design -save machine");
-    for module in batch {
-        script += "; design -load machine";
-        for child in module.children.keys() {
-            script += &format!("; blackbox {child}");
-        }
-        script += &format!(
-            "; {}; tee -q -o {}.stat {}",
-            target.synthesis_of_part(&module.name),
-            module.name,
-            target.statistics()
-        );
+    let mut script = String::from("read_verilog machine.v");
+    for module in modules(machine, parts) {
+        let is_read =
+            !module.children.is_empty() || asked.iter().any(|one| one.name == module.name);
+        script += &match is_read {
+            true => format!("; setattr -mod -set keep_hierarchy 1 {}", module.name),
+            false => format!("; blackbox {}", module.name),
+        };
+    }
+    script += &format!("; {}", target.synthesis_of_part(&machine.top));
+    for Module { name, .. } in asked {
+        script += &format!("; tee -q -o {name}.stat {} {name}", target.statistics());
     }
     yosys::run(&programs.yosys, folder.path(), &script)?;
     let read = |module: &Module| {
@@ -208,7 +226,7 @@ fn synthesise_alone(
         let statistics = yosys::parse_statistics(&text)?;
         Ok(yosys::resources(target.family(), &statistics.cells))
     };
-    batch.iter().map(read).collect()
+    asked.iter().map(read).collect()
 }
 
 /// The units of a machine that can be the slowest, as designs of their own: of variants that differ in their planes,

@@ -62,7 +62,14 @@ pub(crate) fn parse_statistics(text: &str) -> Result<Statistics, SynthError> {
         .ok_or_else(|| bad("no JSON document".into()))?;
     let document: Value =
         serde_json::from_str(&text[start..]).map_err(|error| bad(error.to_string()))?;
-    let design = &document["design"];
+    // Of one module there is no sum over the design.
+    let one = document["modules"]
+        .as_object()
+        .and_then(|all| all.values().next());
+    let design = match &document["design"] {
+        Value::Null => one.unwrap_or(&Value::Null),
+        design => design,
+    };
     let cells = CellCounts::deserialize(&design["num_cells_by_type"])
         .map_err(|error| bad(format!("design.num_cells_by_type: {error}")))?;
     let transistors = match &design["estimated_num_transistors"] {

@@ -18,16 +18,17 @@ pub struct Trade {
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<Size>,
     /// Device of the costs: ice40-hx8k, ice40-up5k, ecp5-45k or ecp5-85k.
-    #[arg(long, value_name = "T", default_value = "ecp5-45k")]
+    #[arg(long, value_name = "T", default_value = "ecp5-85k")]
     pub target: String,
-    /// Place and route the slowest units of the machines as well, for clock and pixels per second: minutes more, the
-    /// first time.
+    /// Place and route the slowest units of the machines on the front of speed, area and accuracy, instead of
+    /// estimating their clocks: many minutes more, the first time.
     #[arg(long)]
     pub clock: bool,
-    /// Synthesise nothing: errors, clocks and toggles alone. A later run without it adds the costs.
+    /// Synthesise nothing: errors, clocks per frame, estimated speed and toggles alone. A later run without it adds the
+    /// costs.
     #[arg(long, conflicts_with = "clock")]
     pub no_cost: bool,
-    /// Which points: a dozen or some two hundred and fifty.
+    /// Which points: some twenty or more than five hundred.
     #[arg(long, value_enum, default_value_t = Points::Full)]
     pub points: Points,
     /// Measure part K of N of the points alone, and sum up nothing.
@@ -57,7 +58,7 @@ pub enum TradeEngine {
 /// Points of the design space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Points {
-    /// A dozen.
+    /// Some twenty.
     Quick,
     /// All.
     Full,

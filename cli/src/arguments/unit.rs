@@ -4,7 +4,7 @@ use super::depth_word;
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches, value_parser};
 use imogene_contract::parameters::{PARAMETERS, Parameter};
 use imogene_contract::{MachineWords, Request, RequestError};
-use imogene_golden::machine::fitted::FittedSlot;
+use imogene_golden::slots::FittedSlot;
 use imogene_golden::{slots, widths};
 use std::path::PathBuf;
 

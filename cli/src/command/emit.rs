@@ -7,6 +7,7 @@ use crate::output;
 use imogene_contract::Request;
 use imogene_files::Outputs;
 use imogene_files::text::counted;
+use imogene_rtl::emit::machine::emit_machine;
 use imogene_rtl::emit::{Emitted, emit, emit_with_prefix};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -34,8 +35,8 @@ struct PortEntry {
 pub fn run(options: &Emit, json: bool) -> Result<(), Failure> {
     let request = options.shape.request(&options.unit)?;
     let prefix = options.prefix.as_deref();
-    let emitted = match fitted::asked(&options.fitted, &request)? {
-        Some(machine) => fitted::emit(&machine, prefix)?,
+    let emitted = match fitted::asked(&options.fitted, &request, prefix)? {
+        Some(machine) => emit_machine(&machine)?,
         None => emitted(&request, prefix)?,
     };
     let mut files = output::files();

@@ -25,7 +25,7 @@ use imogene_studies::fit::search::{Outcome, search};
 use imogene_studies::fit::{FitError, proof};
 use imogene_studies::picture;
 use imogene_synth::Target;
-use imogene_synth::fitted::MachineCost;
+use imogene_synth::fitted::{MachineCost, Parts};
 use imogene_verif::display::pins::{PinsRun, run as run_pins};
 use imogene_verif::display::request::{request, zone_timing};
 use imogene_verif::report::Report;
@@ -229,7 +229,12 @@ fn price(
         .iter()
         .map(|machine| emit_machine(&request(machine, "")));
     let emitted: Vec<Emitted> = emitted.collect::<Result<_, _>>()?;
-    costs_of(&emitted, target, options.clock || options.min_mhz.is_some())
+    costs_of(
+        &emitted,
+        Parts::Cores,
+        target,
+        options.clock || options.min_mhz.is_some(),
+    )
 }
 
 fn cheapest(

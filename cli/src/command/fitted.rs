@@ -4,16 +4,23 @@ use crate::arguments::Fitted;
 use crate::failure::Failure;
 use crate::output;
 use imogene_contract::{Request, Unit};
-use imogene_golden::machine::fitted::FittedMachine;
+use imogene_golden::{slots, widths};
+use imogene_plan::description::MachineDescription;
 use imogene_rtl::emit::Emitted;
 use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
 use imogene_synth::Target;
-use imogene_synth::fitted::{MachineCost, machine_costs};
-use imogene_verif::scene::request;
+use imogene_synth::fitted::{MachineCost, Parts, estimated_costs, machine_costs};
+use imogene_verif::display::request::request;
+use imogene_verif::engine::slots_of;
+use std::collections::BTreeSet;
 
-/// The machine of the widths and slots asked for, if any are.
-pub fn asked(options: &Fitted, request: &Request) -> Result<Option<FittedMachine>, Failure> {
-    let (Some(widths), Some(slots)) = (options.widths, &options.slots) else {
+/// The deciding part of the widths and slots asked for, if any are.
+pub fn asked(
+    options: &Fitted,
+    request: &Request,
+    prefix: Option<&str>,
+) -> Result<Option<MachineRequest>, Failure> {
+    let (Some(words), Some(slots)) = (options.widths, &options.slots) else {
         return Ok(None);
     };
     if request.unit != Unit::Beam {
@@ -22,42 +29,60 @@ pub fn asked(options: &Fitted, request: &Request) -> Result<Option<FittedMachine
             request.unit.name()
         )));
     }
-    Ok(Some(FittedMachine {
-        widths,
-        rows_per_stage: request.rows_per_stage,
-        slots: slots.clone(),
+    let named = prefix.map_or(String::new(), |prefix| format!(" --prefix {prefix}"));
+    let command = format!(
+        "imogene emit beam --widths {} --slots {} --rows-per-stage {}{named} --out DIR",
+        widths::print(&words),
+        slots::print(slots),
+        request.rows_per_stage
+    );
+    Ok(Some(MachineRequest {
+        prefix: prefix.unwrap_or_default().to_owned(),
+        command,
+        ..MachineRequest::fitted(words, request.rows_per_stage as usize, slots_of(slots))
     }))
 }
 
-pub fn emit(machine: &FittedMachine, prefix: Option<&str>) -> Result<Emitted, Failure> {
-    emit_machine(&request_of(machine, prefix)).map_err(Failure::from)
+/// What whole machines cost, estimated from those of `known` ones that have as many rows to a stage.
+pub fn estimates(
+    known: &[MachineDescription],
+    machines: &[MachineDescription],
+    target: Target,
+) -> Result<Vec<MachineCost>, Failure> {
+    let emitted = |machines: &[MachineDescription], rows: u32| {
+        let alike = machines.iter().filter(|m| m.rows_per_stage == rows);
+        let emitted = alike.map(|m| emit_machine(&request(m, "")).map_err(Failure::from));
+        emitted.collect::<Result<Vec<Emitted>, Failure>>()
+    };
+    let rows: BTreeSet<u32> = machines.iter().map(|m| m.rows_per_stage).collect();
+    let mut costs = vec![MachineCost::default(); machines.len()];
+    for rows in rows {
+        let (known, wanted) = (emitted(known, rows)?, emitted(machines, rows)?);
+        let found = estimated_costs(&known, &wanted, Parts::Units, target, &|_, _| ())?;
+        let places = costs.iter_mut().zip(machines);
+        let places = places.filter(|(_, m)| m.rows_per_stage == rows);
+        for ((cost, _), found) in places.zip(found) {
+            *cost = found;
+        }
+    }
+    Ok(costs)
 }
 
-fn request_of(machine: &FittedMachine, prefix: Option<&str>) -> MachineRequest {
-    let prefix = prefix.unwrap_or_default();
-    let mut command = machine.command();
-    if !prefix.is_empty() {
-        command = command.replace(" --out", &format!(" --prefix {prefix} --out"));
-    }
-    MachineRequest {
-        prefix: prefix.to_owned(),
-        ..request(machine, &command)
-    }
-}
-
-/// What machines cost on a target, in their order; with the clock of their slowest unit if it is asked for.
+/// What whole machines cost on a target as sums of their units, in their order; with the clock of their slowest unit if it is asked for.
 pub fn costs(
-    machines: &[FittedMachine],
+    machines: &[MachineDescription],
     target: Target,
     with_clock: bool,
 ) -> Result<Vec<MachineCost>, Failure> {
-    let emitted: Result<Vec<Emitted>, Failure> = machines.iter().map(|m| emit(m, None)).collect();
-    costs_of(&emitted?, target, with_clock)
+    let emitted = machines.iter().map(|m| emit_machine(&request(m, "")));
+    let emitted: Vec<Emitted> = emitted.collect::<Result<_, _>>()?;
+    costs_of(&emitted, Parts::Units, target, with_clock)
 }
 
-/// The same of emitted machines.
+/// The same of emitted machines, as sums of such parts.
 pub fn costs_of(
     emitted: &[Emitted],
+    parts: Parts,
     target: Target,
     with_clock: bool,
 ) -> Result<Vec<MachineCost>, Failure> {
@@ -66,7 +91,7 @@ pub fn costs_of(
         bar.set_length(of as u64);
         bar.set_position(known as u64);
     };
-    let costs = machine_costs(emitted, target, with_clock, &done).map_err(Failure::from);
+    let costs = machine_costs(emitted, parts, target, with_clock, &done).map_err(Failure::from);
     bar.finish_and_clear();
     costs
 }

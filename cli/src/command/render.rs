@@ -18,7 +18,7 @@ use imogene_plan::split::Division;
 use imogene_prepare::PreparedScene;
 use imogene_scene::{Absent, FramedScene, RangeReport};
 use imogene_studies::picture;
-use imogene_studies::trade::measure::zones;
+use imogene_studies::zones::zones;
 use models::draw;
 pub use models::{golden_frame, golden_lighting};
 use serde::Serialize;

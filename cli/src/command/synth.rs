@@ -7,7 +7,8 @@ use crate::arguments::Synth;
 use crate::failure::Failure;
 use crate::output;
 use imogene_files::text::counted;
-use imogene_golden::machine::fitted::FittedMachine;
+use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
+use imogene_synth::fitted::Parts;
 use imogene_synth::table::{self, Table};
 use imogene_synth::{Options, SynthReport, Target, synthesise};
 use std::fmt::Display;
@@ -28,8 +29,8 @@ fn run_unit(unit: &str, target: &str, options: &Synth, json: bool) -> Result<(),
     let request = options.shape.request(unit)?;
     let target = Target::from_name(target)?;
     let seeds = options.seeds;
-    if let Some(machine) = fitted::asked(&options.fitted, &request)? {
-        return run_machine(machine, target, json);
+    if let Some(machine) = fitted::asked(&options.fitted, &request, None)? {
+        return run_machine(&machine, target, json);
     }
     let report = synthesise(&request, target, &Options { seeds }, options.cache())?;
     output::report(json, &report, |_| output::text(describe(&report)));
@@ -37,8 +38,8 @@ fn run_unit(unit: &str, target: &str, options: &Synth, json: bool) -> Result<(),
 }
 
 /// The cost of a machine of its own widths: the sum of its units, and the clock of the slowest.
-fn run_machine(machine: FittedMachine, target: Target, json: bool) -> Result<(), Failure> {
-    let cost = fitted::costs(&[machine], target, true)?[0];
+fn run_machine(machine: &MachineRequest, target: Target, json: bool) -> Result<(), Failure> {
+    let cost = fitted::costs_of(&[emit_machine(machine)?], Parts::Units, target, true)?[0];
     if json {
         output::json(&cost);
         return Ok(());

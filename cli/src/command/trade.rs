@@ -8,16 +8,19 @@ use crate::failure::Failure;
 use crate::{missing, molecules, output};
 use imogene_files::text::counted;
 use imogene_golden::format::Format;
-use imogene_golden::machine::fitted::FittedMachine;
+use imogene_plan::description::MachineDescription;
+use imogene_plan::pace::Timing;
 use imogene_prepare::Options;
 use imogene_studies::trade::design::Space;
 use imogene_studies::trade::page::page;
 use imogene_studies::trade::plot;
-use imogene_studies::trade::point::Cost;
+use imogene_studies::trade::point::{Cost, Pricing};
 use imogene_studies::trade::report::{self, FRONTS};
 use imogene_studies::trade::run::{self, Request};
+use imogene_studies::trade::speed;
 use imogene_synth::Target;
 use imogene_synth::fitted::MachineCost;
+use imogene_verif::display::request::{request, timing};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -36,7 +39,7 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
     let designs = space.designs();
     let bar = output::progress(designs.len() as u64, "points");
     let version = env!("CARGO_PKG_VERSION");
-    let request = Request {
+    let asked = Request {
         file: &file,
         name: &options.scene.display().to_string(),
         size,
@@ -45,12 +48,13 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
         out: &options.out,
         version,
         program: &format!("{version} {}", own_digest()?),
-        costs: &|machines| costs(machines, target, options),
+        costs: &|machines, pricing| costs(machines, target, pricing, options),
         with_clock: options.clock,
+        timing: &timing_of,
         done: &|points| bar.inc(points),
     };
     if let Some(shard) = options.shard {
-        let points = run::run_shard(&request, shard)?;
+        let points = run::run_shard(&asked, shard)?;
         bar.finish_and_clear();
         output::report(json, &json!({ "points": points, "files": [] }), |_| {
             let measured = counted(points, "point");
@@ -59,10 +63,10 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
         return Ok(());
     }
     if options.engine == TradeEngine::Hq {
-        run::check(&request)?;
+        run::check(&asked)?;
         parts::run(options, points)?;
     }
-    let trade = run::run(&request)?;
+    let trade = run::run(&asked)?;
     bar.finish_and_clear();
     let files = write(&trade, &options.out)?;
     let seconds = started.elapsed().as_secs_f64();
@@ -93,19 +97,35 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
     }
 }
 
-/// What synthesis says of machines.
-fn costs(machines: &[FittedMachine], target: Target, options: &Trade) -> Result<Vec<Cost>, String> {
+/// What the hardware of a machine takes.
+fn timing_of(machine: &MachineDescription) -> Timing {
+    timing(&request(machine, "")).expect("a machine that is within its ranges")
+}
+
+/// What machines cost.
+fn costs(
+    machines: &[MachineDescription],
+    target: Target,
+    pricing: Pricing,
+    options: &Trade,
+) -> Result<Vec<Cost>, String> {
     if options.no_cost {
         return Err("not asked for; run the command again without --no-cost".into());
     }
-    let costs = fitted::costs(machines, target, options.clock)
-        .map_err(|failure| failure.message().unwrap_or_default())?;
+    let costs = match pricing {
+        Pricing::Estimated(known) => fitted::estimates(known, machines, target),
+        Pricing::Synthesised => fitted::costs(machines, target, false),
+        Pricing::Routed => fitted::costs(machines, target, true),
+    };
+    let costs = costs.map_err(|failure| failure.message().unwrap_or_default())?;
     let cost = |c: &MachineCost| Cost {
         lut: c.resources.lut,
         ff: c.resources.ff,
         dsp: c.resources.dsp,
+        bram: c.resources.bram,
         cells: c.cells,
         fmax_mhz: c.fmax_mhz,
+        is_estimated: matches!(pricing, Pricing::Estimated(_)),
     };
     Ok(costs.iter().map(cost).collect())
 }
@@ -123,6 +143,7 @@ fn write(trade: &report::Trade, folder: &Path) -> Result<Vec<PathBuf>, Failure> 
     let mut put = |name: &str, text: String| files.add_text(&folder.join(name), &text);
     put("trade.json", output::json_text(trade) + "\n")?;
     put("trade.csv", trade.csv())?;
+    put("plots/speed.svg", speed::draw(trade)?)?;
     for front in &FRONTS {
         let picture = plot::draw(trade, front)?;
         put(&format!("plots/{}.svg", front.name), picture)?;

@@ -1,12 +1,14 @@
 //! The page of `imogene trade` in a real browser: Chromium without a screen, which `scripts/setup` installs.
 
-use imogene_golden::machine::fitted::FittedMachine;
+use imogene_plan::description::MachineDescription;
+use imogene_plan::pace::Timing;
 use imogene_scene::SceneFile;
 use imogene_studies::trade::design::Space;
 use imogene_studies::trade::page::page;
 use imogene_studies::trade::point::Cost;
 use imogene_studies::trade::run::{Request, run};
 use regex::Regex;
+use std::collections::BTreeSet;
 use std::path::Path;
 use std::process::Command;
 use std::sync::LazyLock;
@@ -16,13 +18,15 @@ use tempfile::TempDir;
 static PAGE: LazyLock<(TempDir, String)> = LazyLock::new(|| {
     let folder = tempfile::tempdir().unwrap();
     let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/cut-sphere.toml");
-    let cost = |machine: &FittedMachine| -> Cost {
-        let w = machine.widths;
+    let cost = |machine: &MachineDescription| -> Cost {
+        let w = machine.widths.beside(machine.depth_word);
         let cells = u64::from(100 * (w.depth + w.root) + 3 * w.guard_quadratic);
         Cost {
             lut: cells / 2,
             ff: cells / 3,
             dsp: 0,
+            bram: 0,
+            is_estimated: false,
             cells: cells + u64::from(machine.rows_per_stage),
             fmax_mhz: Some(150.0),
         }
@@ -36,8 +40,9 @@ static PAGE: LazyLock<(TempDir, String)> = LazyLock::new(|| {
         out: folder.path(),
         version: "0",
         program: "test",
-        costs: &|machines| Ok(machines.iter().map(cost).collect()),
+        costs: &|machines, _| Ok(machines.iter().map(cost).collect()),
         with_clock: true,
+        timing: &|_| Timing::default(),
         done: &|_| (),
     };
     let trade = run(&request).unwrap();
@@ -119,10 +124,14 @@ fn the_filter_keeps_what_it_says() {
     let (widths, rows) = (column(&document, "w"), column(&document, "r"));
     assert_eq!(widths, [20.0, 20.0, 24.0]);
     assert!(rows.iter().all(|r| *r == 1.0));
-    assert!(document.contains("3 of 14 points"));
+    assert!(document.contains("3 of 18 points"));
     // Marks of the others are faint.
-    let faint = all("(<circle [^>]*class=\"out\")", &document);
-    assert_eq!(faint.len(), 3 * (14 - 3));
+    let faint = all(
+        "<circle data-point=\"([^\"]*)\"[^>]*class=\"out\"",
+        &document,
+    );
+    let names: BTreeSet<&String> = faint.iter().collect();
+    assert_eq!(names.len(), 18 - 3);
     assert_eq!(column(&opened("#filter=g2.4"), "w"), [16.0, 16.0]);
 }
 
@@ -143,10 +152,10 @@ fn a_selected_point_shows_its_picture_its_map_and_its_command() {
     assert_eq!(picture, [of("pictures/w16-n16-g2.4-d0.png")]);
     let command = all("<pre tabindex=\"0\">([^<]*)</pre>", &document);
     assert!(
-        command[0].starts_with("imogene render scenes/cut-sphere.toml --size 64x48"),
+        command[0].starts_with("imogene machine scenes/cut-sphere.toml --machine "),
         "{command:?}"
     );
-    assert!(command[0].contains("depth=16,") && command[0].contains("g1=2,g2=4,dropped=0"));
+    assert!(command[0].contains(&format!("/machines/{id}.toml ")));
     let document = opened(&format!("#point={id}&view=map"));
     let map = all("<img id=\"picture\" src=\"([^\"]*)\"", &document);
     assert_eq!(map, [of("maps/w16-n16-g2.4-d0.png")]);
@@ -210,6 +219,7 @@ fn the_columns_are_explained_on_the_page() {
         ("K", "square root"),
         ("part", "wrong face"),
         ("toggles", "power"),
+        ("frames/s", "per second"),
     ] {
         let item = format!("<dt>{heading}</dt><dd>([^<]*)</dd>");
         let found = all(&item, &document);

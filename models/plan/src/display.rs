@@ -64,11 +64,7 @@ pub fn refined_image(
     let (width, height) = (prepared.width as usize, prepared.height as usize);
     let (beats, frame, lighting, plan) = match machine.machine {
         MachineKind::Zone => {
-            let materials = numbers.iter().map(|&number| number.into()).collect();
-            let shading = shading_words(&shader, machine);
-            let plan = ZonePlan::of(prepared, machine.zone_machine())?
-                .refined(refinement)
-                .shaded(shading, materials)?;
+            let plan = zone_plan(scene, prepared, machine, refinement)?;
             let beats: Vec<Beat> = plan.beats().collect();
             let (frame, lighting) = ZoneMachineModel::new(&prepared.format, &plan.machine)
                 .frame(beats.iter().copied(), width, height)
@@ -92,6 +88,24 @@ pub fn refined_image(
         lighting,
         plan,
     })
+}
+
+/// The plan of a frame of a zone machine, with the words of its shading processor.
+///
+/// # Errors
+///
+/// When the scene cannot be planned or shaded.
+pub fn zone_plan(
+    scene: &FramedScene,
+    prepared: &PreparedScene,
+    machine: &MachineDescription,
+    refinement: Refinement,
+) -> Result<ZonePlan, DisplayError> {
+    let shading = shading_words(&shader_words(scene, &prepared.format, None)?, machine);
+    let materials = material_numbers(scene);
+    let materials = materials.into_iter().map(u32::from).collect();
+    let plan = ZonePlan::of(prepared, machine.zone_machine())?;
+    Ok(plan.refined(refinement).shaded(shading, materials)?)
 }
 
 fn check_size(scene: &FramedScene, machine: &MachineDescription) -> Result<(), DisplayError> {
@@ -125,8 +139,8 @@ fn finished(
     kernel.picture(&lines).concat().concat()
 }
 
-/// The picture whose pixels are the means of `samples x samples` of the given one.
-fn mean_of_samples(picture: &[u8], width: usize, samples: usize) -> Vec<u8> {
+/// The picture whose pixels are the means of `samples x samples` of the given one, of so many samples a line.
+pub fn mean_of_samples(picture: &[u8], width: usize, samples: usize) -> Vec<u8> {
     if samples == 1 {
         return picture.to_vec();
     }

@@ -28,5 +28,6 @@ pub mod culling;
 pub mod description;
 pub mod display;
 pub mod needs;
+pub mod pace;
 pub mod split;
 pub mod zone;

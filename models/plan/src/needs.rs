@@ -4,11 +4,11 @@ use super::beam::{DisplayError, beam_slots, beam_words, layer_slots, members, pa
 use super::description::{MachineDescription, MachineKind, Mode, Output, OwnMode, ZoneSize};
 use super::zone::plan::PlanError;
 use imogene_contract::object::{Kind, ProductSlots};
-use imogene_golden::machine::fitted::FittedSlot;
 use imogene_golden::machine::shader::MOST_LIGHTS;
 use imogene_golden::machine::zone::ID_BITS;
 use imogene_golden::object::quadric::MAX_PLANES;
 use imogene_golden::object::slot::Slot;
+use imogene_golden::slots::FittedSlot;
 use imogene_golden::slots::Slots;
 use imogene_prepare::PreparedScene;
 use imogene_prepare::shader::ShaderError;

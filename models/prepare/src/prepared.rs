@@ -6,12 +6,12 @@ use super::rounding::Anchor;
 use super::solids::PreparedSolids;
 use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
-use imogene_golden::machine::fitted::{FittedMachine, FittedSlot};
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::{Lighting, light};
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
 use imogene_golden::object::slot::{ProcessorWords, Slot};
 use imogene_golden::object::volume::VolumeWords;
+use imogene_golden::slots::FittedSlot;
 use imogene_golden::unit::root::fast_root;
 use imogene_scene::Unseen;
 use num_rational::BigRational;
@@ -118,14 +118,10 @@ impl PreparedScene {
         light(frame, &self.volume_words(), &self.format, line_done)
     }
 
-    /// The machine of quadric processors that it requires, with its format.
-    pub fn fitted_machine(&self, rows_per_stage: u32) -> FittedMachine {
+    /// The slots of the quadric processors that it requires.
+    pub fn fitted_slots(&self) -> Vec<FittedSlot> {
         let slots = self.quadrics();
-        FittedMachine {
-            widths: self.format.widths(),
-            rows_per_stage,
-            slots: slots.map(|(_, o)| FittedSlot::of(&o.words)).collect(),
-        }
+        slots.map(|(_, o)| FittedSlot::of(&o.words)).collect()
     }
 
     /// The bits that its objects of the quadric and the patch processor need, and its shadow and light volumes.

@@ -28,5 +28,6 @@ pub mod shading_trial;
 pub mod sweep;
 pub mod trade;
 pub mod trial;
+pub mod zones;
 
 pub use kit::{picture, preview};

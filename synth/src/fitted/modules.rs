@@ -4,9 +4,34 @@ use crate::cache::digest;
 use imogene_rtl::emit::{Direction, Emitted, Port};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Modules that hold units; what they hold is synthesised apart. Every other module is synthesised with all that is
-/// below it, since constants that pass from one to the next take much of it away, as in the triangle of a root network.
-const COMPOSITES: [&str; 4] = ["beam", "decider", "quadric_processor", "quadric_pe"];
+/// How finely machines are divided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Parts {
+    /// The deciding part with all that is below it is one part: nearest to the flat machine, for few machines.
+    Cores,
+    /// Every unit is a part of its own: for many machines, which share most of their units.
+    Units,
+}
+
+impl Parts {
+    /// Modules that hold parts; what they hold is synthesised apart. Every other module is synthesised with all that is
+    /// below it, since constants that pass from one to the next take much of it away, as in the triangle of a root
+    /// network.
+    fn composites(self) -> &'static [&'static str] {
+        match self {
+            Parts::Cores => &[],
+            Parts::Units => &[
+                "beam_core",
+                "zone_core",
+                "object_array",
+                "decider",
+                "quadric_processor",
+                "patch_processor",
+                "quadric_pe",
+            ],
+        }
+    }
+}
 
 /// A module of a machine that is synthesised apart.
 #[derive(Clone, Debug)]
@@ -15,48 +40,54 @@ pub(super) struct Module {
     /// Of its text, in which the names and widths of its ports and of those below it stand; of a unit, of all texts
     /// below it too.
     pub digest: String,
+    /// Bits that the same texts declare.
+    pub bits: u64,
     /// Instances in the whole machine.
     pub instances: u64,
     /// Instances of each module below that is synthesised apart.
     pub children: BTreeMap<String, u64>,
 }
 
-/// True if a module is one of this kind: variants have their widths or a number behind the name, as in
-/// `normal_unit_w12_v2`.
+/// True if a module is one of this kind.
 pub(super) fn is_of(name: &str, kind: &str) -> bool {
+    kind_of(name) == kind
+}
+
+/// The kind of a module: variants have their widths or a number behind the name, as in `normal_unit_w12_v2` and
+/// `patch_processor_3`.
+pub(super) fn kind_of(name: &str) -> &str {
     let is_mark = |part: &str| {
         let digits = part.trim_start_matches(['w', 'v', 'x']);
-        !digits.is_empty()
-            && digits.len() < part.len()
-            && digits.bytes().all(|b| b.is_ascii_digit())
+        !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit())
     };
-    match name.strip_prefix(kind) {
-        Some("") => true,
-        Some(rest) => rest.starts_with('_') && rest.split('_').skip(1).all(is_mark),
-        None => false,
+    match name.rsplit_once('_') {
+        Some((kind, mark)) if is_mark(mark) => kind_of(kind),
+        _ => name,
     }
 }
 
-fn is_composite(machine: &Emitted, name: &str) -> bool {
-    name == machine.top || COMPOSITES.iter().any(|kind| is_of(name, kind))
+fn is_composite(machine: &Emitted, parts: Parts, name: &str) -> bool {
+    let composites = parts.composites();
+    name == machine.top || composites.iter().any(|kind| is_of(name, kind))
 }
 
 /// The modules of a machine that are synthesised apart, the top first.
-pub(super) fn modules(machine: &Emitted) -> Vec<Module> {
+pub(super) fn modules(machine: &Emitted, parts: Parts) -> Vec<Module> {
     let names: BTreeSet<&str> = machine.modules.iter().map(|(name, _)| &**name).collect();
     let mut list: Vec<Module> = machine
         .modules
         .iter()
         .rev()
         .map(|(name, text)| {
-            let is_composite = is_composite(machine, name);
+            let is_composite = is_composite(machine, parts, name);
+            let own = match is_composite {
+                true => text.clone(),
+                false => texts_below(machine, name),
+            };
             Module {
                 name: name.clone(),
-                digest: if is_composite {
-                    digest(text)
-                } else {
-                    texts_below(machine, name)
-                },
+                digest: digest(&own),
+                bits: declared_bits(&own),
                 instances: u64::from(*name == machine.top),
                 children: if is_composite {
                     children(text, &names)
@@ -82,7 +113,44 @@ fn texts_below(machine: &Emitted, name: &str) -> String {
     let modules = machine.modules.iter();
     let texts = modules.filter(|(name, _)| needed.contains(name));
     let texts: Vec<&str> = texts.map(|(_, text)| &**text).collect();
-    digest(&texts.concat())
+    texts.concat()
+}
+
+/// Bits that a text declares: of ports, wires and registers, with every element of an array.
+fn declared_bits(text: &str) -> u64 {
+    let (mut bits, mut width) = (0, None);
+    for piece in text.split_inclusive([',', ';', '(']) {
+        let (body, end) = piece.split_at(piece.len() - 1);
+        let body = body.trim();
+        let is_declaration = ["input", "output", "wire", "reg"]
+            .iter()
+            .any(|word| body.starts_with(word));
+        let (before, ranges) = body.split_once('[').map_or((body, ""), |(a, b)| (a, b));
+        let mut ranges = ranges.split('[').filter_map(span);
+        if is_declaration {
+            let is_array = before.split_whitespace().count() > 2 && !before.contains("signed");
+            let own = if is_array {
+                1
+            } else {
+                ranges.next().unwrap_or(1)
+            };
+            width = Some(own);
+        }
+        if let Some(width) = width {
+            bits += width * ranges.next().unwrap_or(1);
+        }
+        if end != "," {
+            width = None;
+        }
+    }
+    bits
+}
+
+/// The numbers of a range, of which the brackets are gone: `15:0] name`.
+fn span(range: &str) -> Option<u64> {
+    let (first, last) = range.split_once(']')?.0.split_once(':')?;
+    let [first, last] = [first, last].map(|number| number.trim().parse::<u64>().ok());
+    Some(first?.abs_diff(last?) + 1)
 }
 
 /// Instances in a text: lines of the form `module instance (`, as often as the loop around them runs.
@@ -171,7 +239,7 @@ mod tests {
             ..Request::of(Unit::Beam, 16)
         })
         .expect("a machine");
-        let all = modules(&beam);
+        let all = modules(&beam, Parts::Units);
         let of = |name: &str| all.iter().find(|m| m.name == name).map(|m| m.instances);
         assert_eq!(of("beam"), Some(1));
         assert_eq!(of("quadric_processor"), Some(3));
@@ -182,6 +250,22 @@ mod tests {
         assert_eq!((of("pe1_w18"), of("pe1_w28")), (Some(3), None));
         assert!(closure(&beam, "plane_depth").contains("pe1_w28"));
         assert!(!closure(&beam, "plane_depth").contains("pe2"));
+    }
+
+    #[test]
+    fn declared_bits_are_counted_with_arrays() {
+        let text = "module cut (\n    input wire clock, valid,\n    input wire [15:0] a, b,\n    \
+                    output reg signed [7:0] c = 8'sd0\n);\n    wire [3:0] row [0:4], last;\n    \
+                    assign c = a, b;\nendmodule\n";
+        assert_eq!(declared_bits(text), 2 + 32 + 8 + 20 + 4);
+    }
+
+    #[test]
+    fn variants_are_of_their_kind() {
+        for name in ["normal_unit", "normal_unit_w12_v2", "normal_unit_3"] {
+            assert!(is_of(name, "normal_unit"), "{name}");
+        }
+        assert!(!is_of("normal_unit_w12", "normal") && !is_of("pe2", "pe"));
     }
 
     #[test]

@@ -6,6 +6,7 @@ use imogene_contract::video::VideoMode;
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::ZoneMachine;
 use imogene_plan::description::{MachineDescription, MachineKind, Output as Picture, Smoothing};
+use imogene_plan::pace::Timing;
 use imogene_plan::zone::clocks::ZoneTiming;
 use imogene_rtl::emit::machine::{Kind, MachineRequest, Output, Slot, ZoneShape};
 
@@ -83,6 +84,17 @@ pub fn zone_timing(request: &MachineRequest) -> Result<ZoneTiming, RequestError>
         show_drain: clocks.show as u32 - 1,
         settle: clocks.settle as u32,
         command: 1,
+    })
+}
+
+/// What the hardware of a machine that streams takes.
+pub fn timing(request: &MachineRequest) -> Result<Timing, RequestError> {
+    Ok(Timing {
+        latency: request.clocks()?.pixel as u32,
+        zone: match request.clocks()?.draw {
+            0 => ZoneTiming::default(),
+            _ => zone_timing(request)?,
+        },
     })
 }
 

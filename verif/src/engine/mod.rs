@@ -19,7 +19,7 @@ use crate::unit;
 use design::{DesignError, Simulator, with_verilog};
 use imogene_contract::Request;
 use imogene_golden::format::Format;
-use imogene_golden::machine::fitted::FittedSlot;
+use imogene_golden::slots::FittedSlot;
 use imogene_rtl::emit::emit;
 use imogene_rtl::emit::machine::Slot;
 

@@ -17,23 +17,24 @@ use crate::signal::Signal;
 pub use request::{CosimError, Fault, MAX_OBJECTS, Options, WaveformRequest, WindowStart};
 
 use band::{Band, Part};
-use imogene_golden::machine::fitted::{FittedMachine, FittedSlot};
+use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::object::load::load_words;
 use imogene_golden::object::quadric::{MAX_PLANES, PlaneWords, QuadricWords};
 use imogene_golden::object::words::Words;
+use imogene_golden::slots::FittedSlot;
 use imogene_prepare::{PreparedObject, PreparedScene};
 use imogene_rtl::emit::machine::MachineRequest;
 use rayon::prelude::*;
 use request::middle_line;
 use std::time::Instant;
 
-/// The machine that a scene needs: every slot has the same chain, and planes that an object does not use are of kind
-/// none.
-pub fn machine_of(
+/// The slots that a scene needs, with so many rows of the root network between registers: all have the same chain, and
+/// planes that an object does not use are of kind none.
+pub fn slots_for(
     scene: &PreparedScene,
     rows_per_stage: usize,
-) -> Result<FittedMachine, CosimError> {
+) -> Result<Vec<FittedSlot>, CosimError> {
     let count = scene.objects.len();
     if !(1..=MAX_OBJECTS).contains(&count) {
         return Err(CosimError::Objects(count));
@@ -47,8 +48,7 @@ pub fn machine_of(
     if !(1..=limit as usize).contains(&rows_per_stage) {
         return Err(CosimError::Rows(rows_per_stage, limit));
     }
-    let (planes, rows) = (planes as u32, rows_per_stage as u32);
-    Ok(FittedMachine::uniform(&scene.format, count, planes, rows))
+    Ok(vec![FittedSlot::full(planes as u32); count])
 }
 
 /// The words of a scene of quadric processors alone.
@@ -62,13 +62,13 @@ fn quadric_words(scene: &PreparedScene) -> Result<Vec<&QuadricWords>, CosimError
     scene.objects.iter().map(words).collect()
 }
 
-/// The request for the hardware of a machine; `command` is stated in the header of its Verilog.
-pub fn request(machine: &FittedMachine, command: &str) -> MachineRequest {
-    let (words, slots) = (machine.widths, slots_of(&machine.slots));
-    MachineRequest {
-        command: command.to_owned(),
-        ..MachineRequest::fitted(words, machine.rows_per_stage as usize, slots)
-    }
+/// The request for the machine that draws a scene in these slots.
+pub fn request(
+    scene: &PreparedScene,
+    slots: &[FittedSlot],
+    rows_per_stage: usize,
+) -> MachineRequest {
+    MachineRequest::fitted(scene.format.widths(), rows_per_stage, slots_of(slots))
 }
 
 /// Runs the scene through the hardware in an engine and compares with the golden machine.
@@ -81,32 +81,32 @@ pub fn run(
     pixel_done: impl Fn() + Sync,
 ) -> Result<(Report, Frame), CosimError> {
     let rows = options.rows_per_stage;
-    let machine = machine_of(scene, rows)?;
-    let planes = machine.slots[0].planes as usize;
+    let slots = slots_for(scene, rows)?;
+    let planes = slots[0].planes as usize;
     check_requests(options, scene, planes, quadric_words(scene)?[0])?;
     check_window(options, scene)?;
     let inside = processor_signals(&scene.format, planes, rows);
-    let design = BeamDesign::compile(engine, &request(&machine, ""), inside)?;
-    run_on(&design, &machine, scene, options, pixel_done)
+    let design = BeamDesign::compile(engine, &request(scene, &slots, rows), inside)?;
+    run_on(&design, &slots, scene, options, pixel_done)
 }
 
-/// The same through a compiled machine, in whose words `scene` was prepared.
+/// The same through a compiled machine of these slots, in whose words `scene` was prepared.
 pub fn run_on(
     design: &BeamDesign,
-    machine: &FittedMachine,
+    slots: &[FittedSlot],
     scene: &PreparedScene,
     options: &Options,
     pixel_done: impl Fn() + Sync,
 ) -> Result<(Report, Frame), CosimError> {
     let words = quadric_words(scene)?;
-    let slots = words.iter().zip(&machine.slots);
+    let latency = beam::latency(slots, &scene.format, options.rows_per_stage as u32);
     let bands = Bands {
         scene,
-        words: slots
+        words: (words.iter().zip(slots))
             .map(|(words, slot)| with_planes(words, slot))
             .collect(),
         outputs: design.machine.outputs.clone(),
-        latency: machine.latency(&scene.format) as usize,
+        latency: latency as usize,
         options,
     };
     let (mut report, frame) = bands.run(design, pixel_done);

@@ -4,6 +4,7 @@
 use imogene_circuits::raster::{Flags, Linear, pe1};
 use imogene_contract::{Request, Unit};
 use imogene_golden::format::Format;
+use imogene_golden::machine::beam;
 use imogene_prepare::Framing;
 use imogene_prepare::{PreparedScene, prepare};
 use imogene_scene::SceneFile;
@@ -214,8 +215,8 @@ fn every_band_reports_the_places_of_its_band() {
     };
     let (good, frame) = run(None);
     assert!(good.passed(), "{:?}", good.first_mismatches);
-    let machine = scene::machine_of(&scene, 4).unwrap();
-    let latency = u64::from(machine.latency(&scene.format));
+    let slots = scene::slots_for(&scene, 4).unwrap();
+    let latency = u64::from(beam::latency(&slots, &scene.format, 4));
     assert_eq!(
         (good.pixels, good.cycles),
         (48 * 36, 48 * 36 + 5 * (latency - 1))

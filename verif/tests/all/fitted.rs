@@ -2,7 +2,8 @@
 
 use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
-use imogene_golden::machine::fitted::FittedMachine;
+use imogene_golden::machine::beam;
+use imogene_golden::slots::FittedSlot;
 use imogene_prepare::Framing;
 use imogene_prepare::{PreparedScene, prepare};
 use imogene_rtl::emit::machine::emit_machine;
@@ -36,7 +37,7 @@ fn scene(name: &str) -> SceneFile {
 }
 
 /// The scene in the narrowest words of this depth word in which it can be prepared, and some bits more.
-fn prepared(index: usize) -> (PreparedScene, FittedMachine) {
+fn prepared(index: usize) -> (PreparedScene, Vec<FittedSlot>, u32) {
     let (name, depth, [more_root, more_plane], normal, [g1, g2], dropped_rows, rows) =
         MACHINES[index];
     let framed = scene(name).frame(SIZE.0, SIZE.1).unwrap();
@@ -63,30 +64,32 @@ fn prepared(index: usize) -> (PreparedScene, FittedMachine) {
         ..widest
     };
     let prepared = prepare(&framed, Format::fitted(&widths).unwrap()).unwrap();
-    let machine = prepared.fitted_machine(rows);
-    (prepared, machine)
+    let slots = prepared.fitted_slots();
+    (prepared, slots, rows)
 }
 
 fn run(index: usize, fault: Option<Fault>) -> Report {
-    let (prepared, machine) = prepared(index);
+    let (prepared, slots, rows) = prepared(index);
     let engine = Engine::Verilog(Simulator::Verilator);
-    let design = BeamDesign::compile(engine, &request(&machine, ""), vec![]).unwrap();
+    let request = request(&prepared, &slots, rows as usize);
+    let design = BeamDesign::compile(engine, &request, vec![]).unwrap();
     let options = Options {
-        rows_per_stage: machine.rows_per_stage as usize,
+        rows_per_stage: rows as usize,
         threads: 1,
         trace: None,
         fault,
     };
-    let outcome = run_on(&design, &machine, &prepared, &options, || ());
+    let outcome = run_on(&design, &slots, &prepared, &options, || ());
     outcome.unwrap().0
 }
 
 #[test]
 fn machines_of_any_words_are_the_golden_machine() {
     for (index, words) in MACHINES.iter().enumerate() {
-        let (prepared, machine) = prepared(index);
-        let emitted = emit_machine(&request(&machine, "test")).unwrap();
-        assert_eq!(emitted.latency as u32, machine.latency(&prepared.format));
+        let (prepared, slots, rows) = prepared(index);
+        let emitted = emit_machine(&request(&prepared, &slots, rows as usize)).unwrap();
+        let latency = beam::latency(&slots, &prepared.format, rows);
+        assert_eq!(emitted.latency as u32, latency);
         let report = run(index, None);
         assert_eq!(
             report.mismatches, 0,
@@ -94,7 +97,7 @@ fn machines_of_any_words_are_the_golden_machine() {
             report.first_mismatches
         );
         assert_eq!(report.pixels, u64::from(SIZE.0 * SIZE.1));
-        let seen = imogene_golden::machine::beam::render(
+        let seen = beam::render(
             &prepared.slots(),
             &prepared.format,
             SIZE.0 as usize,

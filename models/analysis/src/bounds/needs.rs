@@ -34,7 +34,7 @@ pub fn machine_needs(scene: &FramedScene, prepared: &PreparedScene) -> Option<Ma
     let plane_limit = search.narrow(&mut widths, |less| less.plane -= 1);
     Some(MachineNeeds {
         widths: widths::print(&widths),
-        slots: slots::print(&prepared.fitted_machine(1).slots),
+        slots: slots::print(&prepared.fitted_slots()),
         root_limit,
         plane_limit,
     })

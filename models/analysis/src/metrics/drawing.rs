@@ -67,6 +67,30 @@ impl Drawing {
         Drawing::decided(frame, backs, whole, shade)
     }
 
+    /// The same picture with `side x side` pixels for each of its own.
+    pub fn enlarged(&self, side: usize) -> Drawing {
+        let (frame, lines) = (&self.frame, self.frame.height * side);
+        let columns = frame.width * side;
+        let mut large = Frame::background(columns, lines, 0);
+        let (mut backs, mut rgb) = (vec![], vec![]);
+        for at in 0..columns * lines {
+            let from = at / columns / side * frame.width + at % columns / side;
+            large.depth[at] = frame.depth[from];
+            large.id[at] = frame.id[from];
+            large.number[at] = frame.number[from];
+            large.normal[at] = frame.normal[from];
+            backs.push(self.backs[from]);
+            rgb.extend(&self.rgb[3 * from..3 * from + 3]);
+        }
+        Drawing {
+            format: self.format,
+            frame: large,
+            backs,
+            numbered: self.numbered.clone(),
+            rgb,
+        }
+    }
+
     fn decided(
         frame: Frame,
         backs: Vec<i64>,

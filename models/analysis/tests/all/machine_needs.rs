@@ -70,7 +70,7 @@ fn every_scene_prepares_in_its_narrowest_machine_to_the_same_picture_and_in_no_n
             let prepared = in_widths(&scene, &narrow).expect("stated to fit");
             assert_eq!(picture(&prepared), picture(&wide), "{name}");
             let slots = slots::parse(&needs.slots).expect("slots");
-            assert_eq!(slots, prepared.fitted_machine(1).slots, "{name}");
+            assert_eq!(slots, prepared.fitted_slots(), "{name}");
             let root = MachineWords {
                 root: narrow.root - 1,
                 ..narrow

@@ -1,10 +1,21 @@
 //! The golden beam machine: all slots over a frame, through the decider. The id of a pixel is the object of its slot.
 
+use super::decider;
 use super::frame::{Frame, FrameLayer};
 use crate::format::Format;
 use crate::object::slot::Slot;
 use crate::object::words::Words;
+use crate::slots::FittedSlot;
 use rayon::prelude::*;
+
+/// Clocks from `go` to the first pixel: raster control, the longest slot, the decider. Shorter slots get the raster
+/// flags later, so that all hand on the same pixel at the same clock.
+pub fn latency(slots: &[FittedSlot], format: &Format, rows_per_stage: u32) -> u32 {
+    let own = slots
+        .iter()
+        .map(|slot| slot.latency(format, rows_per_stage));
+    1 + own.max().unwrap_or(0) + decider::latency(slots.len())
+}
 
 /// One line of a frame, borrowed.
 struct Line<'a> {

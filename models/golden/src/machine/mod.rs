@@ -5,7 +5,6 @@ pub mod beam;
 pub mod card_decider;
 pub mod csg;
 pub mod decider;
-pub mod fitted;
 pub mod frame;
 pub mod frame_store;
 pub mod lighting;

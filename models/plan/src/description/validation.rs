@@ -5,10 +5,10 @@ use imogene_contract::object::Kind;
 use imogene_contract::video::VideoMode;
 use imogene_contract::words::MOST_LAYERS;
 use imogene_golden::format::Format;
-use imogene_golden::machine::fitted::FittedSlot;
 use imogene_golden::machine::shader::MOST_LIGHTS;
 use imogene_golden::machine::zone::{MAX_PICTURE, SAMPLES};
 use imogene_golden::object::quadric::MAX_PLANES;
+use imogene_golden::slots::FittedSlot;
 use imogene_golden::slots::Slots;
 
 /// Pixels of a zone at most.

@@ -2,7 +2,7 @@
 //! synthesis.
 
 use imogene_contract::MachineWords;
-use imogene_golden::machine::fitted::FittedSlot;
+use imogene_golden::slots::FittedSlot;
 
 /// Logic cells of ECP5, from the costs of the units at 24 bits and how they grow with their words: adders and registers
 /// in proportion, the root network with the square of its rows.

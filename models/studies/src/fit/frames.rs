@@ -4,17 +4,15 @@ use super::FitError;
 use super::budget::{Budget, Item, worst};
 use super::machine::MOST_OF_BEAM;
 use super::search::MOST_GUARDS;
-use crate::kit::words::narrowest;
+use crate::kit::words::{drawn, narrowest};
 use imogene_analysis::metrics::{Drawing, Metrics, Truth, measure};
 use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
-use imogene_golden::machine::shader::shade_picture;
 use imogene_plan::description::MachineKind;
 use imogene_plan::display::DisplayError;
 use imogene_plan::needs;
 use imogene_prepare::Framing;
 use imogene_prepare::error::PrepareError;
-use imogene_prepare::shader::{material_numbers, shader_words};
 use imogene_prepare::{PreparedScene, prepare_for_roots};
 use imogene_scene::{FramedScene, SceneFile};
 
@@ -29,14 +27,9 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// What the machine shows, with the colours of its shading processor.
+    /// What the machine shows.
     fn draw(&self, prepared: &PreparedScene) -> Result<Drawing, FitError> {
-        let shader = shader_words(&self.scene, &prepared.format, None);
-        let shader = shader.map_err(|source| self.refused(source.into()))?;
-        let materials = material_numbers(&self.scene);
-        Ok(Drawing::shaded_by(prepared, |frame, lighting| {
-            shade_picture(frame, lighting, &materials, &shader)
-        }))
+        drawn(&self.scene, prepared).map_err(|source| self.refused(source.into()))
     }
 
     /// The map of the errors of the picture: red, green and blue of every pixel.

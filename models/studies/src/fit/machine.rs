@@ -6,9 +6,8 @@ use super::frames::{Drawn, Frame, Frames};
 use imogene_contract::MachineWords;
 use imogene_contract::video::VideoMode;
 use imogene_golden::format::Format;
-use imogene_golden::machine::fitted::FittedSlot;
 use imogene_golden::object::slot::ProcessorWords;
-use imogene_golden::slots::{Products, Slots};
+use imogene_golden::slots::{FittedSlot, Products, Slots};
 use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::widths::OwnWidths;
 use imogene_plan::description::{
@@ -62,7 +61,8 @@ pub fn machine(
     timing: &dyn Fn(&MachineDescription) -> ZoneTiming,
 ) -> Result<Fitted, FitError> {
     let size = &frames.all()[0].scene;
-    let smallest = smallest(drawn, rows_per_stage, (size.width, size.height));
+    let size = (size.width, size.height);
+    let smallest = smallest(&drawn.widths, &drawn.prepared, rows_per_stage, size);
     let found = match frames.kind {
         MachineKind::Beam => {
             let beam = with_enough(&smallest, frames, drawn)?;
@@ -88,16 +88,21 @@ pub fn base(fitted: &MachineDescription) -> MachineDescription {
     }
 }
 
-/// A beam machine with nothing but words and a screen.
-fn smallest(drawn: &Drawn, rows_per_stage: u32, size: (u32, u32)) -> MachineDescription {
+/// A beam machine with nothing but words, empty slots for the frames, and a screen.
+pub fn smallest(
+    widths: &MachineWords,
+    frames: &[PreparedScene],
+    rows_per_stage: u32,
+    size: (u32, u32),
+) -> MachineDescription {
     MachineDescription {
         machine: MachineKind::Beam,
-        depth_word: drawn.widths.depth,
-        widths: OwnWidths::of(&drawn.widths),
+        depth_word: widths.depth,
+        widths: OwnWidths::of(widths),
         rows_per_stage,
         objects: 0,
         planes: 0,
-        slots: Some(Slots(kinds(&drawn.prepared))),
+        slots: Some(Slots(kinds(frames))),
         products: Products::default(),
         layers: 0,
         volumes: 0,

@@ -12,7 +12,7 @@ use super::frames::{Drawn, Frames};
 use crate::kit::words::widest;
 use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
-use imogene_golden::machine::fitted::FittedSlot;
+use imogene_golden::slots::FittedSlot;
 use rayon::prelude::*;
 
 /// Depth words that are tried.

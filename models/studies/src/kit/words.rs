@@ -1,7 +1,20 @@
-//! Widths of machines: as long as asked for, then as short as scenes allow.
+//! Widths of machines: as long as asked for, then as short as scenes allow; and what is drawn in them.
 
+use imogene_analysis::metrics::Drawing;
 use imogene_contract::MachineWords;
-use imogene_prepare::NeededWidths;
+use imogene_golden::machine::shader::shade_picture;
+use imogene_prepare::shader::{ShaderError, material_numbers, shader_words};
+use imogene_prepare::{NeededWidths, PreparedScene};
+use imogene_scene::FramedScene;
+
+/// What a machine shows of a scene, with the colours of its shading processor.
+pub fn drawn(scene: &FramedScene, prepared: &PreparedScene) -> Result<Drawing, ShaderError> {
+    let shader = shader_words(scene, &prepared.format, None)?;
+    let materials = material_numbers(scene);
+    Ok(Drawing::shaded_by(prepared, |frame, lighting| {
+        shade_picture(frame, lighting, &materials, &shader)
+    }))
+}
 
 /// The widths of a machine before it is known what its scenes require.
 pub const fn widest(

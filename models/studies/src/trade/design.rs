@@ -19,12 +19,22 @@ pub struct Accuracy {
     pub guard_quadratic: u32,
     /// Last digits of the root that are not computed.
     pub dropped_rows: u32,
-    /// Columns and lines of the zones for which the coefficients are rounded anew; 0 for the whole screen, each object
-    /// about the middle of its box.
-    pub zone: u32,
     /// A machine of the catalogue instead of one that is as narrow as the scene allows: all other widths follow from
     /// the depth word, and all slots are alike.
     pub catalogue: bool,
+    /// Samples of a pixel along each side, 1, 2 or 4.
+    pub supersampling: u32,
+    /// Pixels along each side that show one that is drawn, 1, 2 or 4: a preview.
+    pub undersampling: u32,
+}
+
+/// Processors that share the objects, zone by zone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+pub struct Zones {
+    /// Object processors.
+    pub processors: usize,
+    /// Columns and lines of a zone.
+    pub side: u32,
 }
 
 /// A point of the design space: what decides the pixels, and what decides speed and area alone.
@@ -34,6 +44,8 @@ pub struct Accuracy {
 pub struct Design {
     /// What decides the pixels.
     pub accuracy: Accuracy,
+    /// A zone machine; else a beam machine, with a processor for each object.
+    pub zones: Option<Zones>,
     /// Rows of the root network between registers.
     pub rows_per_stage: u32,
 }
@@ -41,23 +53,20 @@ pub struct Design {
 /// Which points are measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Space {
-    /// A dozen.
+    /// Some twenty.
     Quick,
-    /// Some two hundred and fifty.
+    /// More than five hundred.
     Full,
 }
 
-/// Depth words of the full space.
-const DEPTHS: [u32; 7] = [12, 14, 16, 18, 20, 22, 24];
-/// Guard bits of f1 and f2.
-const GUARDS: [(u32, u32); 3] = [(0, 0), (1, 2), (2, 4)];
-
 impl Accuracy {
-    /// A fitted machine of a depth word, drawing the whole screen with normals of 16 bits.
+    /// A fitted machine of a depth word, drawing every pixel once with normals of 16 bits.
     pub fn of_depth(depth: u32) -> Accuracy {
         Accuracy {
             depth,
             normal: 16,
+            supersampling: 1,
+            undersampling: 1,
             ..Accuracy::default()
         }
     }
@@ -74,8 +83,10 @@ impl Accuracy {
             "w{}-n{}-g{}.{}-d{}",
             self.depth, self.normal, self.guard_linear, self.guard_quadratic, self.dropped_rows
         );
-        if self.zone > 0 {
-            name += &format!("-z{}", self.zone);
+        for (letter, number) in [('s', self.supersampling), ('p', self.undersampling)] {
+            if number > 1 {
+                name += &format!("-{letter}{number}");
+            }
         }
         if self.catalogue {
             name += "-catalogue";
@@ -87,7 +98,10 @@ impl Accuracy {
 impl Design {
     /// A short name, which is that of its file.
     pub fn name(&self) -> String {
-        format!("{}-r{}", self.accuracy.name(), self.rows_per_stage)
+        let zones = self.zones.map_or(String::new(), |zones| {
+            format!("-z{}k{}", zones.side, zones.processors)
+        });
+        format!("{}{zones}-r{}", self.accuracy.name(), self.rows_per_stage)
     }
 }
 
@@ -95,69 +109,138 @@ impl Space {
     /// Its points, those of the same pixels side by side.
     pub fn designs(self) -> Vec<Design> {
         match self {
-            Space::Quick => with_rows(&quick(), &[1, 2]),
-            Space::Full => with_rows(&full(), &[1, 2, 4]),
+            Space::Quick => quick(),
+            Space::Full => full(),
         }
     }
 }
 
-fn with_rows(all: &[Accuracy], rows: &[u32]) -> Vec<Design> {
-    let of = |&accuracy: &Accuracy| {
+/// The points of the same pixels: beam machines if asked for, zone machines of all these processors and sides, each
+/// with these rows to a stage.
+fn points(
+    accuracy: Accuracy,
+    has_beam: bool,
+    (processors, sides): (&[usize], &[u32]),
+    rows: &[u32],
+) -> Vec<Design> {
+    let of_side = |&side: &u32| {
+        let zones = move |&processors: &usize| Some(Zones { processors, side });
+        processors.iter().map(zones)
+    };
+    let forms = has_beam.then_some(None).into_iter();
+    let forms = forms.chain(sides.iter().flat_map(of_side));
+    let of_form = |zones: Option<Zones>| {
         rows.iter().map(move |&rows_per_stage| Design {
             accuracy,
+            zones,
             rows_per_stage,
         })
     };
-    all.iter().flat_map(of).collect()
+    forms.flat_map(of_form).collect()
 }
 
-fn guarded(accuracy: Accuracy, (guard_linear, guard_quadratic): (u32, u32)) -> Accuracy {
+fn guarded(depth: u32, (guard_linear, guard_quadratic): (u32, u32), dropped_rows: u32) -> Accuracy {
     Accuracy {
         guard_linear,
         guard_quadratic,
-        ..accuracy
+        dropped_rows,
+        ..Accuracy::of_depth(depth)
     }
 }
 
-fn quick() -> Vec<Accuracy> {
+fn supersampled(depth: u32, supersampling: u32) -> Accuracy {
+    Accuracy {
+        supersampling,
+        ..Accuracy::of_depth(depth)
+    }
+}
+
+fn preview(depth: u32, undersampling: u32) -> Accuracy {
+    Accuracy {
+        undersampling,
+        ..Accuracy::of_depth(depth)
+    }
+}
+
+const NO_ZONES: (&[usize], &[u32]) = (&[], &[]);
+
+fn quick() -> Vec<Design> {
     let of = Accuracy::of_depth;
-    vec![
+    let beams = [
         of(10),
         of(12),
-        of(16),
-        guarded(of(16), (2, 4)),
+        guarded(16, (2, 4), 0),
         of(20),
-        Accuracy {
-            dropped_rows: 3,
-            ..of(20)
-        },
+        guarded(20, (0, 0), 3),
         of(24),
-    ]
+    ];
+    let beams = beams.map(|accuracy| points(accuracy, true, NO_ZONES, &[1, 2]));
+    let others = [
+        points(of(16), true, (&[1], &[16]), &[1, 2]),
+        points(supersampled(16, 2), false, (&[2], &[16]), &[1]),
+        points(preview(16, 2), true, NO_ZONES, &[1]),
+    ];
+    [beams.concat(), others.concat()].concat()
 }
 
-fn full() -> Vec<Accuracy> {
-    let mut all = vec![Accuracy::of_depth(8), Accuracy::of_depth(10)];
-    for depth in DEPTHS {
-        let base = Accuracy::of_depth(depth);
-        for guards in GUARDS {
-            for dropped_rows in [0, 2, 4] {
-                all.push(Accuracy {
-                    dropped_rows,
-                    ..guarded(base, guards)
-                });
+/// Rows of the root network to a stage.
+const ROWS: [u32; 2] = [1, 4];
+/// Guard bits of f1 and f2, and digits not computed.
+const EXACTNESS: [((u32, u32), u32); 5] = [
+    ((0, 0), 0),
+    ((1, 2), 0),
+    ((2, 4), 0),
+    ((0, 0), 4),
+    ((1, 2), 4),
+];
+
+fn full() -> Vec<Design> {
+    let mut all = vec![];
+    let mut add = |accuracy, has_beam, zones| all.extend(points(accuracy, has_beam, zones, &ROWS));
+    let shared: (&[usize], &[u32]) = (&[1, 2, 4, 8], &[16, 32, 64]);
+    for depth in [8, 10, 12, 14, 16, 18, 20, 22, 24] {
+        for (guards, dropped) in EXACTNESS {
+            let zones = match (guards, dropped) {
+                ((0, 0), 0) if depth >= 12 && depth != 22 => shared,
+                _ => NO_ZONES,
+            };
+            add(guarded(depth, guards, dropped), true, zones);
+            if depth < 12 {
+                break;
             }
         }
-        all.extend([10, 12].map(|normal| Accuracy { normal, ..base }));
     }
-    for depth in [16, 18, 20, 22, 24] {
-        let base = Accuracy::of_depth(depth);
-        all.extend([64, 32].map(|zone| Accuracy { zone, ..base }));
+    for depth in [12, 16, 20, 24] {
+        let normal = 10;
+        add(
+            Accuracy {
+                normal,
+                ..Accuracy::of_depth(depth)
+            },
+            true,
+            NO_ZONES,
+        );
     }
     for depth in [16, 20, 24] {
-        all.push(Accuracy {
-            catalogue: true,
-            ..Accuracy::of_depth(depth)
-        });
+        let catalogue = true;
+        add(
+            Accuracy {
+                catalogue,
+                ..Accuracy::of_depth(depth)
+            },
+            true,
+            NO_ZONES,
+        );
+    }
+    for samples in [2, 4] {
+        for depth in [12, 14, 16, 20, 24] {
+            add(supersampled(depth, samples), false, shared);
+        }
+    }
+    for side in [2, 4] {
+        for depth in [8, 10, 12, 14, 16] {
+            add(preview(depth, side), true, (&[1, 2], &[16]));
+        }
     }
     all
 }
@@ -168,7 +251,7 @@ mod tests {
 
     #[test]
     fn points_have_names_of_their_own_and_those_of_the_same_pixels_stand_together() {
-        for (space, least) in [(Space::Quick, 10), (Space::Full, 250)] {
+        for (space, least) in [(Space::Quick, 17), (Space::Full, 500)] {
             let designs = space.designs();
             assert!(designs.len() >= least, "{}", designs.len());
             let mut names: Vec<String> = designs.iter().map(Design::name).collect();

@@ -1,169 +1,141 @@
 //! One point: the scene prepared for it, drawn, and compared with the truth.
 
-use super::design::Accuracy;
-use crate::kit::words::narrowest;
+use super::design::{Accuracy, Design};
+use super::machine::machine;
+use super::view::Views;
+use crate::kit::words::{drawn, narrowest};
 use imogene_analysis::metrics::toggles::{Part, Toggles, count};
-use imogene_analysis::metrics::{Drawing, Metrics, Truth, ZoneScene, measure as compare};
-use imogene_contract::{MachineWords, object};
+use imogene_analysis::metrics::{Metrics, measure as compare};
+use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
-use imogene_golden::machine::fitted::{FittedMachine, FittedSlot};
 use imogene_golden::object::quadric::QuadricWords;
-use imogene_prepare::rounding::Anchor;
-use imogene_prepare::{Options, PreparedScene, prepare_with};
+use imogene_golden::object::words::Words;
+use imogene_plan::description::{MachineDescription, MachineKind};
+use imogene_plan::display::mean_of_samples;
+use imogene_plan::pace::{Timing, clocks_per_frame};
+use imogene_plan::zone::plan::ZonePlan;
+use imogene_prepare::{PreparedScene, prepare_for_roots};
 use imogene_scene::FramedScene;
 
 /// What is known of all points of the same pixels.
-pub struct Measured {
+pub struct Measured<'a> {
     /// Every width.
     pub widths: MachineWords,
-    /// How far the picture is from the truth.
+    /// How far what is drawn is from the truth, sample by sample.
     pub metrics: Metrics,
+    /// How far the picture is from the ideal one: root of the mean square of the differences of all channels, in
+    /// percent of the whole scale.
+    pub picture_error: f64,
     /// The picture.
     pub rgb: Vec<u8>,
     /// The map of its errors.
     pub map: Vec<u8>,
-    zones: Vec<ZoneScene>,
-    catalogue: bool,
-    is_whole: bool,
+    scene: &'a FramedScene,
+    prepared: PreparedScene,
 }
 
 /// Draws and compares; the error says why the scene cannot be prepared.
-pub fn measure(
-    scene: &FramedScene,
-    truth: &Truth,
-    accuracy: &Accuracy,
-) -> Result<Measured, String> {
-    let (widths, zones) = prepared(scene, accuracy)?;
-    let drawing = match zones.as_slice() {
-        [whole] => Drawing::of(&whole.prepared, scene),
-        zones => Drawing::in_zones(zones, scene),
-    };
-    let (metrics, map) = compare(truth, &drawing);
+pub fn measure<'a>(views: &'a Views, accuracy: &Accuracy) -> Result<Measured<'a>, String> {
+    let scene = views.drawn(accuracy)?;
+    let (widths, prepared) = prepared(scene, accuracy)?;
+    let mut drawing = drawn(scene, &prepared).map_err(|e| e.to_string())?;
+    if accuracy.undersampling > 1 {
+        drawing = drawing.enlarged(accuracy.undersampling as usize);
+    }
+    let (metrics, map) = compare(views.truth(accuracy), &drawing);
+    let (columns, samples) = (drawing.frame.width, accuracy.supersampling as usize);
+    let rgb = mean_of_samples(&drawing.rgb, columns, samples);
     Ok(Measured {
         widths,
         metrics,
-        rgb: drawing.rgb,
-        map,
-        zones,
-        catalogue: accuracy.catalogue,
-        is_whole: accuracy.zone == 0,
+        picture_error: views.ideal().error(&rgb),
+        rgb,
+        map: first_samples(&map, columns, samples),
+        scene,
+        prepared,
     })
 }
 
-impl Measured {
-    /// The machine with so many rows of the root network between registers.
-    pub fn machine(&self, rows_per_stage: u32) -> FittedMachine {
-        let prepared = &self.zones[0].prepared;
-        let fitted = prepared.fitted_machine(rows_per_stage);
-        if !self.catalogue {
-            return fitted;
+/// Of every pixel the first sample.
+fn first_samples(rgb: &[u8], columns: usize, samples: usize) -> Vec<u8> {
+    let lines = rgb.chunks(3 * columns).step_by(samples);
+    let pixels = lines.flat_map(|line| line.chunks(3).step_by(samples));
+    pixels.flatten().copied().collect()
+}
+
+impl Measured<'_> {
+    /// The machine of a point of these pixels; or why there is none.
+    pub fn machine(&self, design: &Design) -> Result<MachineDescription, String> {
+        machine(design, &self.widths, self.scene, &self.prepared)
+    }
+
+    /// Clocks from frame to frame, every frame with new words.
+    pub fn clocks(&self, machine: &MachineDescription, timing: &Timing) -> Result<u64, String> {
+        let clocks = clocks_per_frame(machine, self.scene, &self.prepared, timing);
+        clocks.map_err(|e| e.to_string())
+    }
+
+    /// Bits that change from clock to clock while objects are drawn.
+    pub fn toggles(&self, machine: &MachineDescription) -> Result<Toggles, String> {
+        let (format, rows) = (&self.prepared.format, machine.rows_per_stage);
+        let height = self.prepared.height;
+        if machine.machine == MachineKind::Beam {
+            let slots = self.prepared.quadrics().map(|(_, object)| &object.words);
+            let size = (self.prepared.width as usize, height as usize);
+            let whole = Part {
+                slots: slots.collect(),
+                first: (0, 0),
+                size,
+            };
+            return Ok(count(&[whole], format, rows, height));
         }
-        let most = fitted.slots.iter().map(|slot| slot.planes).max();
-        let objects = fitted.slots.len();
-        FittedMachine::uniform(&prepared.format, objects, most.unwrap_or(0), rows_per_stage)
-    }
-
-    /// Clocks of an image: one for each pixel and the latency; in zones, for each of them the latency again, while its
-    /// last pixels leave, and one for each word that is loaded.
-    pub fn clocks_per_frame(&self, machine: &FittedMachine) -> u64 {
-        let prepared = &self.zones[0].prepared;
-        if self.is_whole {
-            return machine.clocks_per_frame(&prepared.format, prepared.width, prepared.height);
-        }
-        let words = |slot: &FittedSlot| object::words(slot.planes as usize) as u64;
-        let load: u64 = machine.slots.iter().map(words).sum();
-        let each = u64::from(machine.latency(&prepared.format)) + load;
-        u64::from(prepared.width) * u64::from(prepared.height) + each * self.zones.len() as u64
-    }
-
-    /// Clocks from `go` to the first pixel.
-    pub fn latency(&self, machine: &FittedMachine) -> u32 {
-        machine.latency(&self.zones[0].prepared.format)
-    }
-
-    /// Bits that change from clock to clock.
-    pub fn toggles(&self, rows_per_stage: u32) -> Toggles {
-        let parts: Vec<Part> = self.zones.iter().map(part).collect();
-        let prepared = &self.zones[0].prepared;
-        count(&parts, &prepared.format, rows_per_stage, prepared.height)
+        let plan = ZonePlan::of(&self.prepared, machine.zone_machine());
+        let plan = plan.map_err(|e| e.to_string())?;
+        let words: Vec<Vec<QuadricWords>> = plan
+            .zones
+            .iter()
+            .map(|zone| {
+                let parts = zone
+                    .parts
+                    .iter()
+                    .map(|&part| &plan.parts[part as usize].words);
+                parts.map(|words| words.on(&zone.sample.pixels())).collect()
+            })
+            .collect();
+        let zones = plan.zones.iter().zip(&words).map(|(zone, words)| Part {
+            slots: words.iter().collect(),
+            first: (zone.x0 as usize, zone.y0 as usize),
+            size: (zone.width as usize, zone.height as usize),
+        });
+        let zones: Vec<Part> = zones.collect();
+        Ok(count(&zones, format, rows, height / machine.supersampling))
     }
 }
 
-fn part(zone: &ZoneScene) -> Part<'_> {
-    let words = |(_, object)| -> &QuadricWords {
-        let object: &imogene_prepare::PreparedQuadric = object;
-        &object.words
-    };
-    Part {
-        slots: zone.prepared.quadrics().map(words).collect(),
-        first: zone.first,
-        size: zone.size,
-    }
-}
-
-/// The scene prepared for each zone, in one format for all.
+/// The scene in the narrowest words that take it.
 fn prepared(
     scene: &FramedScene,
     accuracy: &Accuracy,
-) -> Result<(MachineWords, Vec<ZoneScene>), String> {
+) -> Result<(MachineWords, PreparedScene), String> {
+    let wide = match accuracy.catalogue {
+        true => Format::new(accuracy.depth)
+            .map_err(|e| e.to_string())?
+            .widths(),
+        false => accuracy.widest(),
+    };
     if accuracy.catalogue {
-        let format = Format::new(accuracy.depth).map_err(|e| e.to_string())?;
-        let widths = format.widths();
-        return Ok((widths, in_format(scene, accuracy, &widths)?));
+        return Ok((wide, in_format(scene, &wide)?));
     }
-    let wide = accuracy.widest();
-    let zones = |widths: &MachineWords| match in_format(scene, accuracy, widths) {
+    let in_widths = |widths: &MachineWords| match in_format(scene, widths) {
         Err(problem) if *widths == wide => Err(problem),
-        zones => Ok(zones.ok()),
+        prepared => Ok(prepared.ok().map(|prepared| vec![prepared])),
     };
-    let found = narrowest(&wide, zones, |zone| zone.prepared.needed())?;
-    Ok(found.expect("a refusal of the widest words is an error"))
+    let found = narrowest(&wide, in_widths, PreparedScene::needed)?;
+    let (widths, mut parts) = found.expect("a refusal of the widest words is an error");
+    Ok((widths, parts.remove(0)))
 }
 
-/// The scene in a format, prepared for the whole screen or for each zone.
-pub fn in_format(
-    scene: &FramedScene,
-    accuracy: &Accuracy,
-    widths: &MachineWords,
-) -> Result<Vec<ZoneScene>, String> {
+fn in_format(scene: &FramedScene, widths: &MachineWords) -> Result<PreparedScene, String> {
     let format = Format::fitted(widths).map_err(|e| e.to_string())?;
-    zones(scene, format, accuracy.zone).map_err(|e| e.to_string())
-}
-
-/// The scene prepared for zones of so many columns and lines, or once for the whole screen (0).
-pub fn zones(
-    scene: &FramedScene,
-    format: Format,
-    zone: u32,
-) -> Result<Vec<ZoneScene>, imogene_prepare::error::PrepareError> {
-    let (width, height) = (scene.width as usize, scene.height as usize);
-    let whole = |prepared: PreparedScene| ZoneScene {
-        first: (0, 0),
-        size: (width, height),
-        prepared,
-    };
-    if zone == 0 {
-        return Ok(vec![whole(prepare_with(scene, format, Options::ROOTS)?)]);
-    }
-    let side = zone as usize;
-    let mut all = vec![];
-    for y in (0..height).step_by(side) {
-        for x in (0..width).step_by(side) {
-            let size = (side.min(width - x), side.min(height - y));
-            let anchor = Anchor {
-                x: (x + size.0 / 2) as i64,
-                y: (y + size.1 / 2) as i64,
-            };
-            let options = Options {
-                anchor: Some(anchor),
-                ..Options::ROOTS
-            };
-            all.push(ZoneScene {
-                first: (x, y),
-                size,
-                prepared: prepare_with(scene, format, options)?,
-            });
-        }
-    }
-    Ok(all)
+    prepare_for_roots(scene, format).map_err(|e| e.to_string())
 }

@@ -4,6 +4,7 @@ use super::TradeError;
 use super::plot::draw;
 use super::report::{FRONTS, Trade};
 use super::shrink::{Reducer, exact_png};
+use super::speed;
 use crate::kit::page::rendered;
 use crate::kit::picture::read_png;
 use base64::Engine;
@@ -39,11 +40,13 @@ pub fn page(trade: &Trade, folder: &Path) -> Result<String, TradeError> {
             "target": trade.target,
             "version": trade.version,
             "has_cost": trade.measure == "cells",
+            "clock_error": trade.clock_error,
             "legend": legend(trade),
             "count": trade.points.len(),
             "refused": trade.points.iter().filter(|e| e.point.refused.is_some()).count(),
             "exact": trade.points.iter().filter(|e| e.silhouette_exact).count(),
         })),
+        speed => speed::draw(trade)?,
         plots,
         style => STYLE,
         script => SCRIPT,

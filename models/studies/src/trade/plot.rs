@@ -28,14 +28,26 @@ pub fn draw(trade: &Trade, front: &Front) -> Result<String, TradeError> {
     let text = svg("cannot draw a plot", SIZE, |area| {
         draw_dots(area, trade, front, &dots)
     })?;
-    let mut names = dots.iter().map(|dot| &dot.entry.point.id);
+    Ok(marked(&text, dots.iter().map(|dot| &*dot.entry.point.id)))
+}
+
+/// The plot with the names of points at its first circles.
+pub(super) fn marked<'a>(text: &str, mut names: impl Iterator<Item = &'a str>) -> String {
     let mut parts = text.split("<circle ");
     let mut marked = parts.next().unwrap_or_default().to_owned();
     for part in parts {
         let id = names.next().map(|id| format!("data-point=\"{id}\" "));
         marked += &format!("<circle {}{part}", id.unwrap_or_default());
     }
-    Ok(marked)
+    marked
+}
+
+/// What the hardware is measured by, as an axis says it.
+pub(super) fn hardware_title(trade: &Trade) -> String {
+    match trade.measure {
+        "cells" => format!("logic cells ({})", trade.target),
+        _ => "register bits that toggle per pixel".to_owned(),
+    }
 }
 
 fn dots<'a>(trade: &'a Trade, front: &Front) -> Vec<Dot<'a>> {
@@ -83,10 +95,6 @@ fn draw_dots(area: &Area, trade: &Trade, front: &Front, dots: &[Dot]) -> Outcome
         .x_label_area_size(36)
         .y_label_area_size(46)
         .build_cartesian_2d(x, y)?;
-    let hardware = match trade.measure {
-        "cells" => format!("logic cells ({})", trade.target),
-        _ => "register bits that toggle per pixel".to_owned(),
-    };
     chart
         .configure_mesh()
         .light_line_style(TRANSPARENT)
@@ -95,7 +103,7 @@ fn draw_dots(area: &Area, trade: &Trade, front: &Front, dots: &[Dot]) -> Outcome
         .y_labels(6)
         .x_label_formatter(&|v| format!("{v:.0}"))
         .y_label_formatter(&|v| label(front, *v))
-        .x_desc(hardware)
+        .x_desc(hardware_title(trade))
         .label_style((FONT, 12))
         .draw()?;
     let style = |dot: &Dot| {

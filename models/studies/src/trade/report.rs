@@ -26,8 +26,25 @@ pub struct Trade {
     pub legend: Vec<(String, [u8; 3])>,
     /// What the hardware is measured by in the fronts: `cells`, or `toggles` if no point has a cost.
     pub measure: &'static str,
+    /// How far estimated clocks are from those that were placed and routed; none without such.
+    pub clock_error: Option<EstimateError>,
+    /// How far estimated logic cells are from those that were synthesised; none without such.
+    pub area_error: Option<EstimateError>,
+    /// Classes of accuracy, the best first: least picture errors that are not of them, in percent of the whole scale.
+    pub classes: Vec<f64>,
     /// The points in the order of the design space.
     pub points: Vec<Entry>,
+}
+
+/// Estimates against what is known.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct EstimateError {
+    /// Points of which both are there.
+    pub points: usize,
+    /// Greatest difference, in percent of what is known.
+    pub max_percent: f64,
+    /// Root of the mean square of the differences.
+    pub rms_percent: f64,
 }
 
 /// A point, and on which fronts it is.
@@ -38,7 +55,10 @@ pub struct Entry {
     pub point: Point,
     /// True if the picture has no silhouette error.
     pub silhouette_exact: bool,
-    /// Fronts on which no other point is as good in both and better in one: `depth`, `silhouette`, `colour`.
+    /// Class of the accuracy of its picture; none beyond the last one.
+    pub class: Option<usize>,
+    /// Fronts on which no other point is as good in both and better in one: `depth`, `silhouette`, `colour`; and `speed`
+    /// for area and frames per second among the points of no worse class.
     pub pareto: Vec<&'static str>,
 }
 
@@ -100,14 +120,56 @@ pub(super) fn assemble(empty: Trade, points: Vec<Point>) -> Trade {
         let on = fronts.iter().filter(|(_, front)| front[index]);
         Entry {
             silhouette_exact: point.is_silhouette_exact(),
+            class: class_of(&point),
             pareto: on.map(|(name, _)| *name).collect(),
             point,
         }
     };
-    Trade {
+    let mut trade = Trade {
         measure,
+        clock_error: EstimateError::of(
+            points
+                .iter()
+                .map(|point| Some((point.mhz_estimated?, point.cost?.fmax_mhz?))),
+        ),
+        area_error: EstimateError::of(points.iter().map(|point| {
+            let [estimated, known] = [point.cost_estimated?, point.cost_synthesised?];
+            Some((estimated.cells as f64, known.cells as f64))
+        })),
+        classes: CLASSES.to_vec(),
         points: points.into_iter().enumerate().map(entry).collect(),
         ..empty
+    };
+    for class in 0..CLASSES.len() {
+        for index in trade.speed_front(class) {
+            let entry = &mut trade.points[index];
+            if entry.class == Some(class) {
+                entry.pareto.push("speed");
+            }
+        }
+    }
+    trade
+}
+
+/// Least picture errors that are not of a class, in percent of the whole scale; what is farther off is of none.
+const CLASSES: [f64; 5] = [0.5, 2.0, 4.0, 8.0, 16.0];
+
+fn class_of(point: &Point) -> Option<usize> {
+    let error = point.picture_error?;
+    CLASSES.iter().position(|limit| error < *limit)
+}
+
+impl EstimateError {
+    /// Of pairs of an estimate and what is known.
+    fn of(pairs: impl Iterator<Item = Option<(f64, f64)>>) -> Option<EstimateError> {
+        let percent = |(estimated, known): (f64, f64)| 100.0 * (estimated - known).abs() / known;
+        let all: Vec<f64> = pairs.flatten().map(percent).collect();
+        let squares: f64 = all.iter().map(|p| p * p).sum();
+        (!all.is_empty()).then(|| EstimateError {
+            points: all.len(),
+            max_percent: all.iter().copied().fold(0.0, f64::max),
+            rms_percent: (squares / all.len() as f64).sqrt(),
+        })
     }
 }
 
@@ -126,7 +188,9 @@ const COLUMNS: &str = "
     id unit depth=design/accuracy/depth root=format/root plane=format/plane
     normal=design/accuracy/normal g1=design/accuracy/guard_linear
     g2=design/accuracy/guard_quadratic dropped=design/accuracy/dropped_rows
-    rows_per_stage=design/rows_per_stage zone=design/accuracy/zone refused
+    supersampling=design/accuracy/supersampling undersampling=design/accuracy/undersampling
+    rows_per_stage=design/rows_per_stage zone=design/zones/side
+    processors=design/zones/processors refused
     covered=errors/covered missing=errors/missing extra=errors/extra
     wrong_object=errors/wrong_object wrong_face=errors/wrong_face cracks=errors/cracks
     depth_max_words=errors/depth_words/max depth_q999_words=errors/depth_words/quantile_999
@@ -137,12 +201,26 @@ const COLUMNS: &str = "
     normal_max_deg=errors/normal_deg/max normal_q999_deg=errors/normal_deg/quantile_999
     normal_mean_deg=errors/normal_deg/mean colour_max=errors/colour/max
     colour_q999=errors/colour/quantile_999 colour_same_face_max=errors/colour_same_face/max
-    colour_same_face_q999=errors/colour_same_face/quantile_999 latency clocks_per_frame
-    toggles=toggles/total lut=cost/lut ff=cost/ff dsp=cost/dsp cells=cost/cells
-    fmax_mhz=cost/fmax_mhz pixels_per_second pareto command
+    colour_same_face_q999=errors/colour_same_face/quantile_999 picture_error latency
+    clocks_per_frame toggles=toggles/total lut=cost/lut ff=cost/ff dsp=cost/dsp bram=cost/bram
+    cells=cost/cells is_estimated=cost/is_estimated fmax_mhz=cost/fmax_mhz mhz mhz_estimated frames_per_second pixels_per_second
+    pareto command
 ";
 
 impl Trade {
+    /// Points that no other of this class or a better one beats: as small and as fast, and better in one.
+    pub fn speed_front(&self, class: usize) -> Vec<usize> {
+        let place = |entry: &Entry| {
+            let is_in = entry.class.is_some_and(|own| own <= class);
+            let speed = entry.point.frames_per_second.filter(|_| is_in)?;
+            Some((hardware(&entry.point, self.measure)?, -speed))
+        };
+        let places: Vec<Option<(f64, f64)>> = self.points.iter().map(place).collect();
+        let on = undominated(&places).into_iter().enumerate();
+        on.filter_map(|(index, is_on)| is_on.then_some(index))
+            .collect()
+    }
+
     /// The points as a table.
     pub fn csv(&self) -> String {
         let columns = COLUMNS.split_whitespace();

@@ -1,22 +1,23 @@
 //! All points of a design space, in any order, on any number of programs, each kept when it is finished.
 
 use super::TradeError;
+use super::clock;
 use super::design::Design;
 use super::measure::{Measured, measure};
-use super::point::{Cost, CostsOf, Point};
-use super::report::{Trade, assemble};
+use super::point::{CostsOf, Point};
+use super::prices::Prices;
+use super::report::Trade;
 use super::store::{Key, Store};
-use crate::kit::picture::write_png;
-use imogene_analysis::metrics::{Truth, map};
-use imogene_contract::MachineWords;
-use imogene_golden::machine::fitted::FittedMachine;
+use super::view::Views;
+use crate::kit::picture::{write_png, write_whole};
+use imogene_analysis::metrics::map;
 use imogene_golden::widths;
-use imogene_prepare::Framing;
-use imogene_scene::{FramedScene, SceneFile};
+use imogene_plan::description::{MachineDescription, MachineKind};
+use imogene_plan::pace::Timing;
+use imogene_scene::SceneFile;
 use rayon::prelude::*;
 use sha2::{Digest, Sha256};
 use std::path::Path;
-use std::sync::OnceLock;
 
 /// What is to be measured.
 pub struct Request<'a> {
@@ -38,8 +39,10 @@ pub struct Request<'a> {
     pub program: &'a str,
     /// Where costs come from.
     pub costs: CostsOf<'a>,
-    /// Whether a cost without a clock is to be asked for again.
+    /// Whether the clocks of the points on the front of speed are to be placed and routed.
     pub with_clock: bool,
+    /// What the hardware of a machine takes.
+    pub timing: &'a (dyn Fn(&MachineDescription) -> Timing + Sync),
     /// Called with the number of points that are finished, from any thread.
     pub done: &'a (dyn Fn(u64) + Sync),
 }
@@ -53,17 +56,13 @@ pub struct Shard {
     pub of: usize,
 }
 
-/// Machines whose costs are asked for at once, and kept before the next ones.
-const TOGETHER: usize = 48;
-
 /// Points of the same pixels, at least one.
 type Group<'a> = &'a [Design];
 
-/// A scene, solved when a point first asks for it.
+/// A scene.
 struct Subject<'a> {
     request: &'a Request<'a>,
-    framed: FramedScene,
-    truth: OnceLock<Truth>,
+    views: Views,
     store: Store<'a>,
 }
 
@@ -73,31 +72,29 @@ pub fn run(request: &Request) -> Result<Trade, TradeError> {
     let subject = Subject::new(request)?;
     let truth = subject.truth_file();
     if !request.out.join(&truth).is_file() {
-        subject.truth()?;
+        subject.write_truth()?;
     }
     subject.finish(&groups(&request.designs).collect::<Vec<_>>())?;
-    subject.add_costs()?;
-    let points = request.designs.iter().map(|design| {
-        let id = design.name();
-        subject.store.take(&id).ok_or_else(|| TradeError::Read {
-            file: subject.store.path(&id).display().to_string(),
-            problem: "it was changed during the run; run the command again".into(),
-        })
-    });
-    let points = points.collect::<Result<Vec<Point>, TradeError>>()?;
     let empty = Trade {
         version: request.version.to_owned(),
         scene: request.name.to_owned(),
-        title: subject.framed.title.clone(),
+        title: subject.views.whole().title.clone(),
         width: request.size.0,
         height: request.size.1,
         target: request.target.to_owned(),
         truth,
         legend: map::legend(),
         measure: "",
+        clock_error: None,
+        area_error: None,
+        classes: vec![],
         points: vec![],
     };
-    Ok(assemble(empty, points))
+    let prices = Prices {
+        request,
+        store: &subject.store,
+    };
+    prices.trade(&empty, subject.points()?)
 }
 
 /// Refuses what [`run`] would refuse before it measures anything.
@@ -120,8 +117,9 @@ fn groups(designs: &[Design]) -> impl Iterator<Item = Group<'_>> {
 
 impl<'a> Subject<'a> {
     fn new(request: &'a Request<'a>) -> Result<Subject<'a>, TradeError> {
-        let framed = request.file.frame(request.size.0, request.size.1)?;
-        if let Some(other) = framed.objects.iter().find(|o| o.quadric().is_none()) {
+        let views = Views::new(request.file, request.size)?;
+        let mut objects = views.whole().objects.iter();
+        if let Some(other) = objects.find(|o| o.quadric().is_none()) {
             return Err(TradeError::Processor {
                 object: other.name().to_owned(),
                 processor: other.processor(),
@@ -136,8 +134,7 @@ impl<'a> Subject<'a> {
         };
         Ok(Subject {
             request,
-            framed,
-            truth: OnceLock::new(),
+            views,
             store: Store {
                 folder: request.out,
                 key,
@@ -153,21 +150,14 @@ impl<'a> Subject<'a> {
         format!("pictures/truth-{width}x{height}-{}.png", &own[..8])
     }
 
-    fn truth(&self) -> Result<&Truth, TradeError> {
-        if let Some(truth) = self.truth.get() {
-            return Ok(truth);
-        }
-        let truth = self.truth.get_or_init(|| Truth::new(&self.framed, || ()));
+    fn write_truth(&self) -> Result<(), TradeError> {
+        let truth = self.views.whole_truth();
         let path = self.request.out.join(self.truth_file());
-        write_png(&path, truth.width, truth.height, &truth.rgb)?;
-        Ok(truth)
+        Ok(write_png(&path, truth.width, truth.height, &truth.rgb)?)
     }
 
     /// Every point of the groups, kept.
     fn finish(&self, groups: &[Group]) -> Result<(), TradeError> {
-        if groups.iter().any(|group| !self.is_kept(group)) {
-            self.truth()?;
-        }
         groups.par_iter().try_for_each(|group| {
             if !self.is_kept(group) {
                 self.measure(group)?;
@@ -182,121 +172,111 @@ impl<'a> Subject<'a> {
         names.all(|id| self.store.take(&id).is_some())
     }
 
-    /// The costs of all machines that have none yet, many in one go: they share most of their modules.
-    fn add_costs(&self) -> Result<(), TradeError> {
-        let kept = self.request.designs.iter();
-        let points: Vec<Point> = kept
-            .filter_map(|design| self.store.take(&design.name()))
-            .filter(|point| self.lacks_cost(point))
-            .collect();
-        for points in points.chunks(TOGETHER) {
-            let machines: Vec<FittedMachine> =
-                points.iter().filter_map(|p| p.machine.clone()).collect();
-            let costs: Vec<Result<Cost, String>> = match (self.request.costs)(&machines) {
-                Ok(costs) => costs.into_iter().map(Ok).collect(),
-                Err(problem) => vec![Err(problem); machines.len()],
-            };
-            // A cost without a clock is better than none.
-            let better = |(point, cost): &(&Point, _)| point.cost.is_none() || Result::is_ok(cost);
-            for (point, cost) in points.iter().zip(costs).filter(better) {
-                self.store.keep(&self.with_cost(point.clone(), cost))?;
-            }
-        }
-        Ok(())
-    }
-
-    fn lacks_cost(&self, point: &Point) -> bool {
-        let without_clock = |cost: Cost| self.request.with_clock && cost.fmax_mhz.is_none();
-        point.machine.is_some() && point.cost.is_none_or(without_clock)
-    }
-
-    fn with_cost(&self, point: Point, cost: Result<Cost, String>) -> Point {
-        let (cost, cost_refused) = match cost {
-            Ok(cost) => (Some(cost), None),
-            Err(problem) => (None, Some(problem)),
+    /// All points, which are finished.
+    fn points(&self) -> Result<Vec<Point>, TradeError> {
+        let point = |design: &Design| {
+            let id = design.name();
+            let point = self.store.take(&id).ok_or_else(|| TradeError::Read {
+                file: self.store.path(&id).display().to_string(),
+                problem: "it was changed during the run; run the command again".into(),
+            })?;
+            Ok(self.with_commands(point))
         };
-        let (width, height) = self.request.size;
-        let pixels = f64::from(width) * f64::from(height);
-        let per_second = |mhz: f64| Some(mhz * 1e6 * pixels / point.clocks_per_frame? as f64);
-        Point {
-            pixels_per_second: cost.and_then(|c| per_second(c.fmax_mhz?)),
-            cost,
-            cost_refused,
-            ..point
-        }
+        self.request.designs.iter().map(point).collect()
     }
 
     fn measure(&self, group: Group) -> Result<(), TradeError> {
-        let truth = self.truth()?;
         let accuracy = group[0].accuracy;
-        let measured = measure(&self.framed, truth, &accuracy);
+        let measured = measure(&self.views, &accuracy);
         let name = accuracy.name();
         let files = (format!("pictures/{name}.png"), format!("maps/{name}.png"));
         if let Ok(measured) = &measured {
+            let (width, height) = self.request.size;
             for (file, rgb) in [(&files.0, &measured.rgb), (&files.1, &measured.map)] {
                 let path = self.request.out.join(file);
-                write_png(&path, truth.width, truth.height, rgb)?;
+                write_png(&path, width as usize, height as usize, rgb)?;
             }
         }
         for design in group {
             let point = match &measured {
                 Ok(measured) => self.point(design, measured, &files),
-                Err(problem) => self.refused(design, problem),
+                Err(problem) => Err(problem.clone()),
             };
+            let point = match point {
+                Ok(point) => point,
+                Err(problem) => Point {
+                    id: design.name(),
+                    design: *design,
+                    refused: Some(problem),
+                    ..Point::default()
+                },
+            };
+            if let Some((file, machine)) = point.machine_file.as_ref().zip(point.machine.as_ref()) {
+                let text = format!(
+                    "# The machine of the point {}\n{}",
+                    point.id,
+                    machine.to_toml()
+                );
+                let path = self.request.out.join(file);
+                write_whole(&path, |out| out.write_all(text.as_bytes()))?;
+            }
             self.store.keep(&point)?;
         }
         Ok(())
     }
 
-    fn point(&self, design: &Design, measured: &Measured, files: &(String, String)) -> Point {
-        let machine = measured.machine(design.rows_per_stage);
-        Point {
+    fn point(
+        &self,
+        design: &Design,
+        measured: &Measured,
+        files: &(String, String),
+    ) -> Result<Point, String> {
+        let machine = measured.machine(design)?;
+        let timing = (self.request.timing)(&machine);
+        let is_beam = machine.machine == MachineKind::Beam;
+        let id = design.name();
+        Ok(Point {
+            unit: if is_beam {
+                "beam_stream"
+            } else {
+                "zone_machine"
+            }
+            .into(),
+            design: *design,
             format: Some(measured.widths),
-            latency: Some(measured.latency(&machine)),
-            clocks_per_frame: Some(measured.clocks_per_frame(&machine)),
+            latency: is_beam.then_some(timing.latency),
+            clocks_per_frame: Some(measured.clocks(&machine, &timing)?),
             errors: Some(measured.metrics.clone()),
-            toggles: Some(measured.toggles(design.rows_per_stage)),
+            picture_error: Some(measured.picture_error),
+            toggles: Some(measured.toggles(&machine)?),
+            mhz_estimated: clock::estimate(&machine, self.request.target),
             picture: Some(files.0.clone()),
             map: Some(files.1.clone()),
-            emit: Some(machine.command()),
+            machine_file: Some(format!("machines/{id}.toml")),
             machine: Some(machine),
-            ..self.unmeasured(design, &measured.widths)
-        }
-    }
-
-    /// A point of which nothing is known but why.
-    fn refused(&self, design: &Design, problem: &str) -> Point {
-        Point {
-            refused: Some(problem.to_owned()),
-            ..self.unmeasured(design, &design.accuracy.widest())
-        }
-    }
-
-    /// A point with the command that draws it in these widths.
-    fn unmeasured(&self, design: &Design, widths: &MachineWords) -> Point {
-        let unit = match design.accuracy.catalogue {
-            true => "beam",
-            false => "fitted_beam",
-        };
-        Point {
-            id: design.name(),
-            unit: unit.into(),
-            design: *design,
-            command: self.command(design, &widths::print(widths)),
+            id,
             ..Point::default()
-        }
+        })
     }
 
-    fn command(&self, design: &Design, widths: &str) -> String {
-        let (width, height) = self.request.size;
+    /// The point with the commands that make it again, which depend on the folder.
+    fn with_commands(&self, point: Point) -> Point {
         let scene = quoted(self.request.name);
-        let zone = match design.accuracy.zone {
-            0 => String::new(),
-            zone => format!(" --zone {zone}"),
+        let Some(file) = &point.machine_file else {
+            let (width, height) = self.request.size;
+            let widths = widths::print(&point.design.accuracy.widest());
+            let command = format!(
+                "imogene render {scene} --size {width}x{height} --model golden --widths {widths} -o picture.png"
+            );
+            return Point { command, ..point };
         };
-        format!(
-            "imogene render {scene} --size {width}x{height} --model golden --widths {widths}{zone} -o picture.png"
-        )
+        let file = quoted(&self.request.out.join(file).display().to_string());
+        let command = format!("imogene machine {scene} --machine {file} --out DIR");
+        Point {
+            emit: Some(command.replace(" --out", " --emit-only --out")),
+            command,
+            ..point
+        }
     }
 }
 

@@ -41,7 +41,11 @@ impl Store<'_> {
     pub fn take(&self, id: &str) -> Option<Point> {
         let bytes = std::fs::read(self.path(id)).ok()?;
         let kept: Kept = serde_json::from_slice(&bytes).ok()?;
-        let pictures = [&kept.point.picture, &kept.point.map];
+        let pictures = [
+            &kept.point.picture,
+            &kept.point.map,
+            &kept.point.machine_file,
+        ];
         let has_pictures = pictures
             .into_iter()
             .flatten()

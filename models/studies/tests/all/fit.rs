@@ -1,7 +1,7 @@
 //! The search for the smallest machine: what is found meets the budget, and one bit less anywhere does not.
 
 use imogene_contract::MachineWords;
-use imogene_golden::machine::fitted::FittedSlot;
+use imogene_golden::slots::FittedSlot;
 use imogene_plan::description::{MachineDescription, MachineKind};
 use imogene_plan::zone::clocks::ZoneTiming;
 use imogene_scene::SceneFile;

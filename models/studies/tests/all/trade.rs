@@ -1,21 +1,27 @@
 //! The design space of a scene: the same results in whatever order and however often it is interrupted.
 
-use imogene_analysis::metrics::{Drawing, Truth};
+use imogene_analysis::metrics::Drawing;
 use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
-use imogene_golden::machine::fitted::FittedMachine;
+use imogene_plan::description::MachineDescription;
+use imogene_plan::pace::Timing;
+use imogene_plan::zone::clocks::ZoneTiming;
 use imogene_prepare::Framing;
 use imogene_prepare::rounding::Anchor;
 use imogene_prepare::{Options, prepare, prepare_with};
 use imogene_scene::SceneFile;
+use imogene_studies::kit::words::drawn;
 use imogene_studies::trade::TradeError;
 use imogene_studies::trade::design::{Accuracy, Design, Space};
-use imogene_studies::trade::measure::{measure, zones};
+use imogene_studies::trade::measure::measure;
 use imogene_studies::trade::page::page;
 use imogene_studies::trade::plot::draw;
-use imogene_studies::trade::point::{Cost, CostsOf};
-use imogene_studies::trade::report::{FRONTS, Trade};
+use imogene_studies::trade::point::{Cost, CostsOf, Pricing};
+use imogene_studies::trade::report::{Entry, FRONTS, Trade};
 use imogene_studies::trade::run::{Request, Shard, run, run_shard};
+use imogene_studies::trade::speed;
+use imogene_studies::trade::view::Views;
+use imogene_studies::zones::zones;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -24,22 +30,40 @@ fn scene(name: &str) -> SceneFile {
     SceneFile::read(&folder.join(name)).unwrap()
 }
 
-/// Costs that are a sum of widths, so that every machine has one of its own.
-fn sums(machines: &[FittedMachine]) -> Result<Vec<Cost>, String> {
-    Ok(machines.iter().map(sum).collect())
+/// Costs that are a sum of widths, so that every machine has one of its own; estimates are a hundredth more.
+fn sums(machines: &[MachineDescription], pricing: Pricing) -> Result<Vec<Cost>, String> {
+    let cost = |machine| sum(machine, pricing);
+    Ok(machines.iter().map(cost).collect())
 }
 
-fn sum(machine: &FittedMachine) -> Cost {
-    let w = machine.widths;
+fn sum(machine: &MachineDescription, pricing: Pricing) -> Cost {
+    let is_estimated = matches!(pricing, Pricing::Estimated(_));
+    let scale = if is_estimated { 101 } else { 100 };
+    let w = machine.widths.beside(machine.depth_word);
     let bits = u64::from(w.depth + 2 * w.root + w.normal + w.guard_linear + w.guard_quadratic);
+    let clock = 200.0 / f64::from(machine.rows_per_stage);
     Cost {
         lut: bits,
         ff: bits * 2,
         dsp: 0,
-        cells: bits * 3 + u64::from(machine.rows_per_stage),
-        fmax_mhz: Some(200.0 / f64::from(machine.rows_per_stage)),
+        bram: 0,
+        cells: scale * (bits * 3 * machine.objects as u64 + u64::from(machine.rows_per_stage)),
+        fmax_mhz: matches!(pricing, Pricing::Routed).then_some(clock),
+        is_estimated,
     }
 }
+
+/// A machine that takes a clock for each pixel and each word, and some clocks of latency.
+const TIMING: Timing = Timing {
+    latency: 50,
+    zone: ZoneTiming {
+        draw_drain: 30,
+        light_drain: 30,
+        show_drain: 2,
+        settle: 30,
+        command: 1,
+    },
+};
 
 struct Run<'a> {
     out: &'a Path,
@@ -47,6 +71,7 @@ struct Run<'a> {
     size: (u32, u32),
     program: &'a str,
     costs: CostsOf<'a>,
+    with_clock: bool,
     designs: Vec<Design>,
 }
 
@@ -58,6 +83,7 @@ impl<'a> Run<'a> {
             size: (48, 36),
             program: "one",
             costs: &sums,
+            with_clock: true,
             designs: Space::Quick.designs(),
         }
     }
@@ -73,7 +99,8 @@ impl<'a> Run<'a> {
             version: "0",
             program: self.program,
             costs: self.costs,
-            with_clock: true,
+            with_clock: self.with_clock,
+            timing: &|_| TIMING,
             done: &|_| (),
         })
     }
@@ -82,8 +109,10 @@ impl<'a> Run<'a> {
         self.with(run).unwrap()
     }
 
+    /// The results without the folder that the commands name.
     fn text(&self) -> String {
-        serde_json::to_string_pretty(&self.trade()).unwrap()
+        let text = serde_json::to_string_pretty(&self.trade()).unwrap();
+        text.replace(&self.out.display().to_string(), "OUT")
     }
 }
 
@@ -98,17 +127,18 @@ fn point_files(folder: &Path) -> Vec<PathBuf> {
 fn an_interrupted_run_goes_on_to_the_same_results() {
     let folder = tempfile::tempdir().unwrap();
     let asked = AtomicU64::new(0);
-    let counted = |machines: &[FittedMachine]| {
+    let counted = |machines: &[MachineDescription], pricing: Pricing| {
         asked.fetch_add(machines.len() as u64, Ordering::Relaxed);
-        sums(machines)
+        sums(machines, pricing)
     };
     let whole = Run {
         costs: &counted,
+        with_clock: false,
         ..Run::new(folder.path())
     };
     let first = whole.text();
     let all = whole.designs.len() as u64;
-    assert_eq!(asked.swap(0, Ordering::Relaxed), all);
+    assert!(asked.swap(0, Ordering::Relaxed) >= all);
     // Nothing is left to do.
     assert_eq!(whole.text(), first);
     assert_eq!(asked.swap(0, Ordering::Relaxed), 0);
@@ -128,7 +158,10 @@ fn an_interrupted_run_goes_on_to_the_same_results() {
     assert_eq!(whole.text(), first);
     // Another folder, in parts.
     let other = tempfile::tempdir().unwrap();
-    let parts = Run::new(other.path());
+    let parts = Run {
+        with_clock: false,
+        ..Run::new(other.path())
+    };
     let points: usize = [3, 1, 2]
         .map(|number| parts.with(|r| run_shard(r, Shard { number, of: 3 }).unwrap()))
         .iter()
@@ -136,8 +169,7 @@ fn an_interrupted_run_goes_on_to_the_same_results() {
     assert_eq!(points as u64, all);
     // All is measured, and has no cost yet.
     assert_eq!(point_files(other.path()).len() as u64, all);
-    let rest = Run::new(other.path());
-    assert_eq!(rest.text(), first);
+    assert_eq!(parts.text(), first);
 }
 
 #[test]
@@ -169,7 +201,7 @@ fn results_of_another_run_are_not_taken() {
 #[test]
 fn a_cost_that_was_not_to_be_had_is_asked_for_again() {
     let folder = tempfile::tempdir().unwrap();
-    let refused = |_: &[FittedMachine]| Err("no tools: install them".to_owned());
+    let refused = |_: &[MachineDescription], _: Pricing| Err("no tools: install them".to_owned());
     let without = Run {
         costs: &refused,
         ..Run::new(folder.path())
@@ -177,38 +209,42 @@ fn a_cost_that_was_not_to_be_had_is_asked_for_again() {
     let trade = without.trade();
     assert_eq!(trade.measure, "toggles");
     for entry in &trade.points {
-        assert_eq!(
-            (entry.point.cost, entry.point.pixels_per_second),
-            (None, None)
-        );
+        assert_eq!(entry.point.cost, None);
         assert_eq!(
             entry.point.cost_refused.as_deref(),
             Some("no tools: install them")
         );
     }
-    // Then without a clock, and with one.
-    let other = tempfile::tempdir().unwrap();
-    let slow = |machines: &[FittedMachine]| {
-        let without = |cost: Cost| Cost {
-            fmax_mhz: None,
-            ..cost
-        };
-        Ok(machines.iter().map(sum).map(without).collect())
-    };
-    let without_clock = Run {
-        costs: &slow,
+    // Then without clocks, which are estimated, and with those of the front.
+    let estimated = Run {
+        with_clock: false,
         ..Run::new(folder.path())
     };
-    let trade = without_clock.trade();
-    assert_eq!(trade.measure, "cells");
+    let trade = estimated.trade();
+    assert_eq!((trade.measure, trade.clock_error), ("cells", None));
+    for entry in &trade.points {
+        assert!(entry.point.mhz.is_some() && entry.point.mhz == entry.point.mhz_estimated);
+    }
+    let trade = Run::new(folder.path()).trade();
+    let routed = |e: &&Entry| e.point.cost.is_some_and(|cost| cost.fmax_mhz.is_some());
+    for entry in trade.points.iter().filter(|e| e.pareto.contains(&"speed")) {
+        assert!(routed(&entry) && !entry.point.cost.unwrap().is_estimated);
+    }
+    let area = trade.area_error.unwrap();
     assert!(
-        trade
-            .points
-            .iter()
-            .all(|e| e.point.pixels_per_second.is_none())
+        area.points > 0 && (area.max_percent - 1.0).abs() < 1e-9,
+        "{area:?}"
     );
-    let with = Run::new(folder.path()).text();
-    assert_eq!(with, Run::new(other.path()).text());
+    let error = trade.clock_error.unwrap();
+    let routed: Vec<&Entry> = trade.points.iter().filter(routed).collect();
+    assert_eq!(error.points, routed.len());
+    assert!(routed.len() < trade.points.len());
+    for entry in routed {
+        let clock = entry.point.cost.unwrap().fmax_mhz.unwrap();
+        assert_eq!(entry.point.mhz, Some(clock));
+        let off = 100.0 * (entry.point.mhz_estimated.unwrap() / clock - 1.0).abs();
+        assert!(off <= error.max_percent + 1e-9);
+    }
 }
 
 #[test]
@@ -221,33 +257,53 @@ fn points_tell_speed_area_and_accuracy() {
         found.unwrap_or_else(|| panic!("no {id}"))
     };
     let (narrow, wide) = (of("w10-n16-g0.0-d0-r1"), of("w24-n16-g0.0-d0-r1"));
-    let error = |e: &imogene_studies::trade::report::Entry| e.point.errors.clone().unwrap();
+    let error = |e: &Entry| e.point.errors.clone().unwrap();
     assert!(error(narrow).depth_px.max > 10.0 * error(wide).depth_px.max);
     assert!(wide.silhouette_exact && wide.pareto.contains(&"depth"));
     // No wider than the scene requires.
     assert!(wide.point.format.unwrap().root < 24 && wide.point.format.unwrap().plane < 36);
-    // More rows a stage: the same picture and file, fewer clocks of latency, half the clock rate.
+    // More rows a stage: the same picture and file.
     let two = of("w24-n16-g0.0-d0-r2");
     assert_eq!(
         (&two.point.errors, &two.point.picture),
         (&wide.point.errors, &wide.point.picture)
     );
-    assert!(two.point.latency < wide.point.latency);
-    let clocks = two.point.clocks_per_frame.unwrap();
-    assert_eq!(clocks, 48 * 36 + u64::from(two.point.latency.unwrap()));
-    let speed = 100e6 * 48.0 * 36.0 / clocks as f64;
-    assert_eq!(two.point.pixels_per_second, Some(speed));
+    for entry in &trade.points {
+        let point = &entry.point;
+        let frames = 1e6 * point.mhz.unwrap() / point.clocks_per_frame.unwrap() as f64;
+        assert_eq!(point.frames_per_second, Some(frames));
+    }
+    // A preview of a quarter of the pixels is faster and worse, four samples a pixel slower and better.
+    let pixels = |e: &Entry| e.point.clocks_per_frame.unwrap() as f64 / (48.0 * 36.0);
+    let picture = |e: &Entry| e.point.picture_error.unwrap();
+    let [preview, once, samples] = [
+        "w16-n16-g0.0-d0-p2-r1",
+        "w16-n16-g0.0-d0-r1",
+        "w16-n16-g0.0-d0-s2-z16k2-r1",
+    ]
+    .map(of);
+    assert!(pixels(preview) > 0.25 && pixels(preview) < pixels(once) && pixels(samples) > 4.0);
+    assert!(picture(preview) > 1.2 * picture(once) && picture(once) > 1.2 * picture(samples));
+    // A zone machine of one processor draws the same picture with less.
+    let zones = of("w16-n16-g0.0-d0-z16k1-r1");
+    assert_eq!(zones.point.errors, once.point.errors);
+    assert!(zones.point.frames_per_second < once.point.frames_per_second);
+    assert!(zones.point.cost.unwrap().cells < once.point.cost.unwrap().cells);
     // One line of the table for each point, and a mark in each plot.
     let csv = trade.csv();
     assert_eq!(csv.lines().count(), 1 + trade.points.len());
     let columns = csv.lines().next().unwrap().split(',').count();
-    assert_eq!(columns, 46);
-    for front in &FRONTS {
-        let plot = draw(&trade, front).unwrap();
+    assert_eq!(columns, 55);
+    let fronts = FRONTS.iter().map(|front| draw(&trade, front).unwrap());
+    for plot in fronts {
         for entry in &trade.points {
             let mark = format!("<circle data-point=\"{}\" ", entry.point.id);
             assert_eq!(plot.matches(&mark).count(), 1, "{mark}");
         }
+    }
+    let plot = speed::draw(&trade).unwrap();
+    for entry in trade.points.iter().filter(|e| e.class.is_some()) {
+        assert!(plot.contains(&format!("data-point=\"{}\"", entry.point.id)));
     }
     let page = page(&trade, folder.path()).unwrap();
     assert!(
@@ -325,46 +381,17 @@ fn zones_draw_their_part_of_the_screen() {
             assert_eq!(drawing.backs[index], whole.backs[index]);
         }
     }
-    assert_eq!(
-        Drawing::in_zones(&zones(&scene, format, 0).unwrap(), &scene),
-        Drawing::of(&prepare(&scene, format).unwrap(), &scene)
-    );
-}
-
-/// Zones cost the latency and the words of all slots again for each of them.
-#[test]
-fn zones_cost_clocks() {
-    let scene = scene("cut-sphere.toml").frame(60, 45).unwrap();
-    let truth = Truth::new(&scene, || ());
-    let of = |zone| {
-        let accuracy = Accuracy {
-            zone,
-            ..Accuracy::of_depth(20)
-        };
-        measure(&scene, &truth, &accuracy).unwrap()
-    };
-    let (whole, zoned) = (of(0), of(16));
-    let (one, other) = (whole.machine(1), zoned.machine(1));
-    assert_eq!(
-        whole.clocks_per_frame(&one),
-        60 * 45 + u64::from(whole.latency(&one))
-    );
-    let words: u64 = other
-        .slots
-        .iter()
-        .map(|s| 24 + 7 * u64::from(s.planes))
-        .sum();
-    let each = words + u64::from(zoned.latency(&other));
-    assert_eq!(zoned.clocks_per_frame(&other), 60 * 45 + 4 * 3 * each);
-    assert!(zoned.toggles(1).total > 0.0);
 }
 
 /// The narrowest words that the preparation accepts: one bit less of the root is refused.
 #[test]
 fn words_are_as_narrow_as_the_scene_allows() {
-    let scene = scene("teapot.toml").frame(80, 60).unwrap();
-    let truth = Truth::new(&scene, || ());
-    let measured = measure(&scene, &truth, &Accuracy::of_depth(20)).unwrap();
+    let file = scene("teapot.toml");
+    let (views, scene) = (
+        Views::new(&file, (80, 60)).unwrap(),
+        file.frame(80, 60).unwrap(),
+    );
+    let measured = measure(&views, &Accuracy::of_depth(20)).unwrap();
     let widths = measured.widths;
     let narrower = MachineWords {
         root: widths.root - 1,
@@ -375,6 +402,6 @@ fn words_are_as_narrow_as_the_scene_allows() {
     assert!(prepare(&scene, Format::fitted(&widths).unwrap()).is_ok());
     // And it draws what wide words draw.
     let wide = Format::new(20).unwrap();
-    let drawing = Drawing::of(&prepare(&scene, wide).unwrap(), &scene);
-    assert_eq!(drawing.rgb, measured.rgb);
+    let wide = prepare(&scene, wide).unwrap();
+    assert_eq!(drawn(&scene, &wide).unwrap().rgb, measured.rgb);
 }

@@ -21,7 +21,12 @@ const columns = [
   ["g2", "g2", "Guard bits of f2", "design.accuracy.guard_quadratic", whole],
   ["d", "d", "Last digits of the root that are not computed", "design.accuracy.dropped_rows", whole],
   ["r", "R", "Rows of the root network per register stage", "design.rows_per_stage", whole],
-  ["zone", "zone", "Zone side in pixels, 0: whole screen", "design.accuracy.zone", whole],
+  ["s", "s", "Samples of a pixel along each side", "design.accuracy.supersampling", whole],
+  ["p", "p", "Pixels along each side that show one that is drawn", "design.accuracy.undersampling", whole],
+  ["zone", "zone", "Side of a zone in pixels; none in a beam machine", "design.zones.side", whole],
+  ["objects", "objects", "Object processors of a zone machine", "design.zones.processors", whole],
+  ["fps", "frames/s", "Frames per second at the clock", "frames_per_second", figures],
+  ["picture", "picture %", "How far the picture is from the ideal one, in percent of the whole scale", "picture_error", figures],
   ["depth", "depth", "Greatest depth error, in units of a pixel", "errors.depth_px.max", figures],
   ["silh", "silh", "Silhouette errors: pixels at which an object is missing, or is seen and should not be", "errors.silhouette", whole],
   ["part", "part", "Visible-part errors: pixels that show a wrong object, or a wrong face of the right one", "errors.visible_part", whole],
@@ -29,15 +34,16 @@ const columns = [
   ["normal", "normal \u00b0", "Normal error in degrees, 99.9 %", "errors.normal_deg.quantile_999", figures],
   ["colour", "colour", "Greatest channel difference in 1/255, 99.9 %", "errors.colour.quantile_999", whole],
   ["cells", "cells", "Logic cells", "cost.cells", whole],
-  ["mhz", "MHz", "Greatest clock of the slowest unit", "cost.fmax_mhz", fixed(0)],
-  ["latency", "lat.", "Clocks to the first pixel", "latency", whole],
-  ["mpps", "Mpix/s", "Million pixels per second at the greatest clock", "pixels_per_second", value => (value / 1e6).toFixed(1)],
+  ["mhz", "MHz", "Clock: of the slowest unit, placed and routed, or estimated", "mhz", fixed(0)],
+  ["routed", "routed", "Clock of the slowest unit, placed and routed", "cost.fmax_mhz", fixed(1)],
+  ["latency", "lat.", "Clocks of a beam machine from a pixel that is begun to its colour", "latency", whole],
+  ["mpps", "Mpix/s", "Million pixels shown per second at the clock", "pixels_per_second", value => (value / 1e6).toFixed(1)],
   ["toggles", "toggles", "Register bits that change from clock to clock, per pixel: a proxy of the power", "toggles.total", whole],
 ].map(([key, heading, title, path, write]) => ({ key, heading, title, path, write }));
 const byKey = new Map(columns.map(column => [column.key, column]));
-// The name tells normal bits, guard bits, digits dropped and zones; they have no column of their own.
-const inName = ["n", "g1", "g2", "d", "zone"];
-const ofCost = ["cells", "mhz", "mpps"];
+// The name tells these; they have no column of their own.
+const inName = ["n", "g1", "g2", "d", "s", "p", "zone", "objects", "routed", "mpps"];
+const ofCost = ["cells"];
 const isKnown = column => data.points.some(point => get(point, column.path) != null);
 const shown = columns.filter(column => !inName.includes(column.key) && (!ofCost.includes(column.key) || isKnown(column)));
 
@@ -205,14 +211,16 @@ function drawDetail() {
     parts.push(make("h3", { textContent: "Machine" }), list([
       ["depth, root, plane, normal", `${f.depth}, ${f.root}, ${f.plane}, ${f.normal} bits`],
       ["guard bits; digits dropped", `${f.guard_linear}, ${f.guard_quadratic}; ${f.dropped_rows}`],
-      ["rows per stage; zones", `${point.machine.rows_per_stage}; ${point.design.accuracy.zone || "whole screen"}`],
-      ["slots (cut planes each)", `${point.machine.slots.length} (${point.machine.slots.map(s => s.planes).join(" ")})`],
-      ["latency; clocks per image", `${point.latency}; ${point.clocks_per_frame}`],
+      ["machine", point.machine.zone ? `${point.machine.objects} object processors, zones of ${point.machine.zone.width} x ${point.machine.zone.height}` : `beam of ${point.machine.objects} object processors`],
+      ["slots", point.machine.slots],
+      ["rows per stage", String(point.machine.rows_per_stage)],
+      ["clocks per frame; latency", `${point.clocks_per_frame}; ${point.latency ?? "-"}`],
+      ["frames per second", point.frames_per_second && figures(point.frames_per_second)],
+      ["clock", point.mhz && `${point.mhz.toFixed(1)} MHz, ${point.cost && point.cost.fmax_mhz ? `placed and routed (estimate: ${point.mhz_estimated == null ? "none" : point.mhz_estimated.toFixed(1)})` : "estimated"}`],
+      ["picture off the ideal one", `${figures(point.picture_error)} %`],
       ["register toggles per pixel", `${whole(point.toggles.total)} (PE1 ${whole(point.toggles.pe1)}, PE2 ${whole(point.toggles.pe2)}, root ${whole(point.toggles.root)}, depth ${whole(point.toggles.depth)})`],
-      ["LUT, FF, DSP", point.cost && `${point.cost.lut}, ${point.cost.ff}, ${point.cost.dsp}`],
+      ["LUT, FF, DSP, block memories", point.cost && `${point.cost.lut}, ${point.cost.ff}, ${point.cost.dsp}, ${point.cost.bram}`],
       ["cells", point.cost && String(point.cost.cells)],
-      ["clock", point.cost && point.cost.fmax_mhz && `${point.cost.fmax_mhz.toFixed(1)} MHz`],
-      ["pixels per second", point.pixels_per_second && `${(point.pixels_per_second / 1e6).toFixed(2)} million`],
     ]));
     if (point.cost_refused) parts.push(make("p", { className: "note", textContent: `No cost: ${point.cost_refused}` }));
     parts.push(make("h3", { textContent: "Errors" }), list([

@@ -1,0 +1,53 @@
+//! Clocks from frame to frame of a machine that streams its pictures, when every frame has new words and the receiver
+//! never stalls.
+
+use super::beam::{DisplayError, beam_words};
+use super::description::{MachineDescription, MachineKind};
+use super::display::zone_plan;
+use super::zone::clocks::{ZoneTiming, clocks};
+use super::zone::refine::Refinement;
+use imogene_contract::shading;
+use imogene_prepare::PreparedScene;
+use imogene_scene::FramedScene;
+
+/// Clocks of a beam machine from the last pixel of a frame that is issued to the copying of the next words, and from
+/// there to the first pixel, beside those of the pipeline and the words themselves.
+const TURN: u64 = 7;
+/// Clocks of the means of samples.
+const MEANS: u64 = 3;
+
+/// What the hardware of a machine takes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Timing {
+    /// Of a beam machine: clocks from a pixel that is issued to its colour.
+    pub latency: u32,
+    /// Of a zone machine.
+    pub zone: ZoneTiming,
+}
+
+/// Clocks from the first pixel of a frame to the first of the next.
+///
+/// # Errors
+///
+/// When the machine does not show the scene.
+pub fn clocks_per_frame(
+    machine: &MachineDescription,
+    scene: &FramedScene,
+    prepared: &PreparedScene,
+    timing: &Timing,
+) -> Result<u64, DisplayError> {
+    match machine.machine {
+        MachineKind::Beam => {
+            let words = beam_words(scene, prepared, machine)?.len() as u64;
+            let pixels = u64::from(scene.width) * u64::from(scene.height);
+            Ok(pixels + u64::from(timing.latency) + words + TURN)
+        }
+        MachineKind::Zone => {
+            let plan = zone_plan(scene, prepared, machine, Refinement::Box)?;
+            // The tables of the shading processor are written when the last pixel has left it: one clock reads its
+            // material, one takes it to the queue.
+            let means = if machine.supersampling > 1 { MEANS } else { 0 };
+            Ok(clocks(&plan, &timing.zone).total + shading::LATENCY as u64 + 2 + means)
+        }
+    }
+}

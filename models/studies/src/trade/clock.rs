@@ -1,0 +1,49 @@
+//! The clock of a machine, estimated from the words of its slowest units.
+
+use imogene_plan::description::MachineDescription;
+
+/// Nanoseconds of a unit placed and routed alone: so many, and for each bit of its word.
+struct Delay {
+    fixed: f64,
+    bit: f64,
+}
+
+/// One row of the root network, beside the registers; of `fixed` for each.
+const ROOT_ROW: Delay = Delay {
+    fixed: 2.9,
+    bit: 0.035,
+};
+/// Registers around the rows of a stage.
+const REGISTERS: f64 = 1.2;
+/// Normals.
+const NORMAL: Delay = Delay {
+    fixed: 7.5,
+    bit: 0.2,
+};
+/// Cut planes and intervals, which compare depths.
+const COMPARED: Delay = Delay {
+    fixed: 6.0,
+    bit: 0.15,
+};
+/// The shading processor, whose words follow from no other.
+const SHADING: f64 = 17.6;
+
+impl Delay {
+    fn of(&self, bits: u32) -> f64 {
+        self.fixed + self.bit * f64::from(bits)
+    }
+}
+
+/// The clock of a machine in MHz on ECP5, speed grade 6; none for other devices.
+pub fn estimate(machine: &MachineDescription, target: &str) -> Option<f64> {
+    let words = machine.widths.beside(machine.depth_word);
+    let rows = f64::from(machine.rows_per_stage);
+    let delays = [
+        REGISTERS + rows * ROOT_ROW.of(words.root),
+        NORMAL.of(words.normal),
+        COMPARED.of(words.depth),
+        SHADING,
+    ];
+    let slowest = delays.into_iter().fold(0.0, f64::max);
+    target.starts_with("ecp5").then_some(1000.0 / slowest)
+}

@@ -1,0 +1,172 @@
+//! What points cost and how fast they are: synthesised where it matters, estimated elsewhere.
+
+use super::TradeError;
+use super::design::Design;
+use super::point::{Point, Pricing};
+use super::report::{Trade, assemble};
+use super::run::Request;
+use super::store::Store;
+use imogene_plan::description::MachineDescription;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Machines whose costs are asked for at once, and kept before the next ones.
+const TOGETHER: usize = 16;
+
+/// Finds costs, and keeps them.
+pub struct Prices<'a> {
+    pub request: &'a Request<'a>,
+    pub store: &'a Store<'a>,
+}
+
+impl Prices<'_> {
+    /// All points with their costs. Some are synthesised, all others estimated from them; then, until there are no
+    /// more, those that are on the front of speed, which move as they become known.
+    pub fn trade(&self, empty: &Trade, mut points: Vec<Point>) -> Result<Trade, TradeError> {
+        let seeds = seeds(&points);
+        self.find(&mut points, &seeds)?;
+        self.estimate(&mut points, &seeds)?;
+        let mut known: BTreeSet<usize> = seeds.into_iter().collect();
+        loop {
+            let now = points.iter().enumerate();
+            let now = now.map(|(index, point)| self.priced(point, known.contains(&index)));
+            let trade = assemble(empty.clone(), now.collect());
+            let front = trade.points.iter().enumerate();
+            let front = front.filter(|(_, entry)| entry.pareto.contains(&"speed"));
+            let wanted: BTreeSet<usize> = front.map(|(index, _)| index).collect();
+            // Seeds have a cost, but no clock.
+            let wanted: Vec<usize> = wanted
+                .into_iter()
+                .filter(|&index| !known.contains(&index) || self.lacks_clock(&points[index]))
+                .collect();
+            let before = points.clone();
+            self.find_front(&mut points, &wanted)?;
+            if known.is_superset(&wanted.iter().copied().collect()) && before == points {
+                return Ok(trade);
+            }
+            known.extend(wanted);
+        }
+    }
+
+    fn lacks_clock(&self, point: &Point) -> bool {
+        let synthesised = point.cost_synthesised;
+        self.request.with_clock && synthesised.is_some_and(|cost| cost.fmax_mhz.is_none())
+    }
+
+    /// Synthesises what is not known yet.
+    fn find(&self, points: &mut [Point], wanted: &[usize]) -> Result<(), TradeError> {
+        let lacks = |&&index: &&usize| points[index].cost_synthesised.is_none();
+        let wanted: Vec<usize> = wanted.iter().filter(lacks).copied().collect();
+        self.ask(points, &wanted, Pricing::Synthesised)
+    }
+
+    /// The same with clocks, if they are asked for.
+    fn find_front(&self, points: &mut [Point], wanted: &[usize]) -> Result<(), TradeError> {
+        if !self.request.with_clock {
+            return self.find(points, wanted);
+        }
+        let lacks = |&&index: &&usize| {
+            let synthesised = points[index].cost_synthesised;
+            synthesised.is_none_or(|cost| cost.fmax_mhz.is_none())
+        };
+        let wanted: Vec<usize> = wanted.iter().filter(lacks).copied().collect();
+        self.ask(points, &wanted, Pricing::Routed)
+    }
+
+    /// Estimates what is not known yet from the synthesised points.
+    fn estimate(&self, points: &mut [Point], seeds: &[usize]) -> Result<(), TradeError> {
+        let machines = seeds
+            .iter()
+            .filter(|&&index| points[index].cost_synthesised.is_some());
+        let machines = machines.filter_map(|&index| points[index].machine.clone());
+        let machines: Vec<MachineDescription> = machines.collect();
+        let lacks = |(index, point): (usize, &Point)| {
+            let is_asked = !seeds.contains(&index) && point.cost_estimated.is_none();
+            (point.machine.is_some() && is_asked).then_some(index)
+        };
+        let wanted: Vec<usize> = points.iter().enumerate().filter_map(lacks).collect();
+        if machines.is_empty() {
+            let refused = seeds
+                .iter()
+                .find_map(|&index| points[index].cost_refused.clone());
+            for index in wanted {
+                points[index].cost_refused.clone_from(&refused);
+            }
+            return Ok(());
+        }
+        self.ask(points, &wanted, Pricing::Estimated(&machines))
+    }
+
+    fn ask(
+        &self,
+        points: &mut [Point],
+        wanted: &[usize],
+        pricing: Pricing,
+    ) -> Result<(), TradeError> {
+        let wanted: Vec<usize> = wanted
+            .iter()
+            .copied()
+            .filter(|&index| points[index].machine.is_some())
+            .collect();
+        for wanted in wanted.chunks(TOGETHER) {
+            let machines = wanted
+                .iter()
+                .filter_map(|&index| points[index].machine.clone());
+            let machines: Vec<MachineDescription> = machines.collect();
+            let costs = (self.request.costs)(&machines, pricing);
+            for (at, &index) in wanted.iter().enumerate() {
+                let point = &mut points[index];
+                point.cost_refused = costs.as_ref().err().cloned();
+                let cost = costs.as_ref().ok().map(|costs| costs[at]);
+                let place = match pricing {
+                    Pricing::Estimated(_) => &mut point.cost_estimated,
+                    _ => &mut point.cost_synthesised,
+                };
+                *place = cost.or(*place);
+                self.store.keep(point)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The point with its cost and its speed, at the clock that is known or else estimated.
+    fn priced(&self, point: &Point, is_known: bool) -> Point {
+        let synthesised = point.cost_synthesised.filter(|_| is_known);
+        let cost = synthesised.or(point.cost_estimated);
+        let (width, height) = self.request.size;
+        let mhz = cost.and_then(|cost| cost.fmax_mhz).or(point.mhz_estimated);
+        let frames = mhz.zip(point.clocks_per_frame);
+        let frames = frames.map(|(mhz, clocks)| mhz * 1e6 / clocks as f64);
+        Point {
+            cost,
+            cost_synthesised: synthesised,
+            mhz,
+            frames_per_second: frames,
+            pixels_per_second: frames.map(|frames| frames * f64::from(width) * f64::from(height)),
+            ..point.clone()
+        }
+    }
+}
+
+/// Points from which all others are estimated: of every form the narrowest, the middle and the widest.
+fn seeds(points: &[Point]) -> Vec<usize> {
+    let mut forms: BTreeMap<_, Vec<(Design, usize)>> = BTreeMap::new();
+    for (index, point) in points.iter().enumerate() {
+        let Design {
+            accuracy,
+            zones,
+            rows_per_stage,
+        } = point.design;
+        if point.machine.is_some() {
+            let samples = accuracy.supersampling;
+            let form = (zones.is_some(), samples, accuracy.catalogue, rows_per_stage);
+            forms.entry(form).or_default().push((point.design, index));
+        }
+    }
+    let chosen = forms.into_values().flat_map(|mut form| {
+        form.sort_unstable();
+        let last = form.len() - 1;
+        [0, last / 2, last].map(|place| form[place].1)
+    });
+    let chosen: BTreeSet<usize> = chosen.collect();
+    chosen.into_iter().collect()
+}

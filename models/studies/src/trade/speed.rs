@@ -1,0 +1,222 @@
+//! Speed, area and accuracy in one picture: frames per second over area, a staircase for each class of accuracy.
+
+use super::TradeError;
+use super::plot::{hardware_title, marked};
+use super::report::{Entry, Trade, hardware};
+use crate::kit::plot::{Area, FONT, GREY, Outcome, span, svg};
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use std::collections::BTreeSet;
+use std::ops::Range;
+
+const SIZE: (u32, u32) = (860, 520);
+/// Room on the right, for the names of the classes.
+const NAMES: i32 = 190;
+/// Lines of a name.
+const LINE: i32 = 16;
+/// Colours of the classes, the best first.
+const COLOURS: [RGBColor; 5] = [
+    RGBColor(20, 60, 140),
+    RGBColor(20, 130, 170),
+    RGBColor(40, 140, 70),
+    RGBColor(215, 140, 20),
+    RGBColor(195, 70, 40),
+];
+const INK: RGBColor = RGBColor(60, 66, 74);
+/// Frames per second of a screen.
+const SCREEN: f64 = 60.0;
+
+/// A point of the picture: area, and the power of ten of its frames per second.
+struct Dot<'a> {
+    entry: &'a Entry,
+    class: usize,
+    place: (f64, f64),
+}
+
+/// A class of accuracy: the points on its front, from the smallest on, and what they draw.
+struct Class {
+    class: usize,
+    front: Vec<(f64, f64)>,
+    names: [String; 2],
+}
+
+/// Draws the picture as SVG. The mark of a point is a circle with its name as `data-point`: large if no other point of
+/// its class or a better one beats it, and then filled if its clock was placed and routed.
+pub fn draw(trade: &Trade) -> Result<String, TradeError> {
+    let mut dots: Vec<Dot> = trade.points.iter().filter_map(|e| dot(trade, e)).collect();
+    // The front is drawn last, on top of the others.
+    dots.sort_by_key(|dot| dot.is_on_front());
+    let classes: Vec<Class> = (0..trade.classes.len())
+        .filter_map(|class| Class::of(trade, class))
+        .collect();
+    let text = svg("cannot draw a plot", SIZE, |area| {
+        chart(area, trade, &dots, &classes)
+    })?;
+    let names = dots.iter().map(|dot| &*dot.entry.point.id);
+    Ok(marked(&text, names))
+}
+
+fn dot<'a>(trade: &Trade, entry: &'a Entry) -> Option<Dot<'a>> {
+    let area = hardware(&entry.point, trade.measure)?;
+    Some(Dot {
+        entry,
+        class: entry.class?,
+        place: (area, entry.point.frames_per_second?.log10()),
+    })
+}
+
+impl Dot<'_> {
+    fn is_on_front(&self) -> bool {
+        self.entry.pareto.contains(&"speed")
+    }
+
+    fn circle(&self) -> Circle<(f64, f64), i32> {
+        let colour = COLOURS[self.class];
+        let (radius, style) = match (self.is_on_front(), self.entry.point.cost) {
+            (false, _) => (2, colour.mix(0.35).filled()),
+            (true, Some(cost)) if cost.fmax_mhz.is_some() => (5, colour.filled()),
+            (true, _) => (4, colour.stroke_width(2)),
+        };
+        Circle::new(self.place, radius, style)
+    }
+}
+
+impl Class {
+    /// None if a better class has all of its front.
+    fn of(trade: &Trade, class: usize) -> Option<Class> {
+        let front = trade.speed_front(class);
+        let front = front.iter().map(|&index| &trade.points[index]);
+        let own: Vec<&Entry> = front.clone().filter(|e| e.class == Some(class)).collect();
+        let drawn: BTreeSet<(u32, u32)> = own
+            .iter()
+            .map(|entry| entry.point.design.accuracy)
+            .map(|accuracy| (accuracy.undersampling, accuracy.supersampling))
+            .collect();
+        let mut front: Vec<(f64, f64)> = front
+            .filter_map(|entry| Some(dot(trade, entry)?.place))
+            .collect();
+        front.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+        let drawn: Vec<String> = drawn.into_iter().map(in_words).collect();
+        (!own.is_empty()).then(|| Class {
+            class,
+            front,
+            names: [
+                format!("less than {} % off", trade.classes[class]),
+                drawn.join(" or "),
+            ],
+        })
+    }
+
+    /// The most frames per second of every area, up to the right edge.
+    fn staircase(&self, right: f64) -> Vec<(f64, f64)> {
+        let mut steps: Vec<(f64, f64)> = vec![];
+        for &(x, y) in &self.front {
+            steps.extend(steps.last().map(|&(_, before)| (x, before)));
+            steps.push((x, y));
+        }
+        steps.extend(steps.last().map(|&(_, y)| (right, y)));
+        steps
+    }
+}
+
+/// Pixels that show one that is drawn, and samples of a pixel, along each side.
+fn in_words((undersampling, supersampling): (u32, u32)) -> String {
+    match (undersampling, supersampling) {
+        (1, 1) => "every pixel once".into(),
+        (1, side) => format!("{} samples", side * side),
+        (side, _) => format!("1 pixel in {}", side * side),
+    }
+}
+
+fn chart(area: &Area, trade: &Trade, dots: &[Dot], classes: &[Class]) -> Outcome {
+    let x = range(dots, |dot| dot.place.0);
+    let y = range(dots, |dot| dot.place.1);
+    let mut chart = ChartBuilder::on(area)
+        .margin(12)
+        .margin_right(NAMES)
+        .caption(
+            "The fastest machines of every area and accuracy",
+            (FONT, 17),
+        )
+        .x_label_area_size(40)
+        .y_label_area_size(64)
+        .build_cartesian_2d(x.clone(), y.clone())?;
+    chart
+        .configure_mesh()
+        .disable_y_mesh()
+        .light_line_style(TRANSPARENT)
+        .bold_line_style(GREY)
+        .x_labels(6)
+        .y_labels(0)
+        .x_label_formatter(&|v| format!("{v:.0}"))
+        .x_desc(hardware_title(trade))
+        .y_desc("frames per second")
+        .axis_desc_style((FONT, 14))
+        .label_style((FONT, 13))
+        .draw()?;
+    let line = |at: f64| vec![(x.start, at), (x.end, at)];
+    let to_left = Pos::new(HPos::Right, VPos::Center);
+    let left = chart.plotting_area().get_x_axis_pixel_range().start;
+    for decade in y.start.ceil() as i32..=y.end.floor() as i32 {
+        chart.draw_series(LineSeries::new(line(decade.into()), GREY))?;
+        let height = chart.backend_coord(&(x.start, decade.into())).1;
+        let style = (FONT, 13).into_font().color(&INK).pos(to_left);
+        area.draw(&Text::new(
+            format!("{}", 10f64.powi(decade)),
+            (left - 8, height),
+            style,
+        ))?;
+    }
+    let screen = DashedLineSeries::new(line(SCREEN.log10()), 4, 4, INK.mix(0.6).into());
+    if y.contains(&SCREEN.log10()) {
+        chart.draw_series(screen)?;
+        let style = (FONT, 12).into_font().color(&INK);
+        let place = (x.start + 0.01 * (x.end - x.start), SCREEN.log10());
+        let text = Text::new(
+            "60, a screen",
+            place,
+            style.pos(Pos::new(HPos::Left, VPos::Bottom)),
+        );
+        chart.draw_series([text])?;
+    }
+    for class in classes {
+        let style = COLOURS[class.class].stroke_width(2);
+        chart.draw_series(LineSeries::new(class.staircase(x.end), style))?;
+    }
+    chart.draw_series(dots.iter().map(Dot::circle))?;
+    let ends = classes.iter().filter_map(|class| {
+        let &(_, y) = class.front.last()?;
+        Some((chart.backend_coord(&(x.end, y)), class))
+    });
+    name(area, ends.collect())
+}
+
+/// Writes the names of the classes beside the ends of their staircases, none over another.
+fn name(area: &Area, mut ends: Vec<((i32, i32), &Class)>) -> Outcome {
+    ends.sort_by_key(|((_, height), _)| *height);
+    let mut least = i32::MIN;
+    for ((right, height), class) in ends {
+        let height = height.max(least);
+        least = height + 2 * LINE + 4;
+        for (row, text) in class.names.iter().enumerate() {
+            let weight = [FontStyle::Bold, FontStyle::Normal][row];
+            let font = (FONT, 13, weight).into_font();
+            let style = font
+                .color(&COLOURS[class.class])
+                .pos(Pos::new(HPos::Left, VPos::Center));
+            let place = (right + 8, height + LINE * row as i32);
+            area.draw(&Text::new(text.clone(), place, style))?;
+        }
+    }
+    Ok(())
+}
+
+/// The values with a little room around them.
+fn range(dots: &[Dot], of: fn(&Dot) -> f64) -> Range<f64> {
+    if dots.is_empty() {
+        return 0.0..1.0;
+    }
+    let span = span(dots.iter().map(of));
+    let room = 0.05 * (span.end - span.start).max(0.5);
+    span.start - room..span.end + room
+}
