@@ -101,7 +101,7 @@ pub fn zone_plan(
     machine: &MachineDescription,
     refinement: Refinement,
 ) -> Result<ZonePlan, DisplayError> {
-    let shading = shading_words(&shader_words(scene, &prepared.format, None)?, machine);
+    let shading = shading_words(&shader(scene, &prepared.format, machine)?, machine);
     let materials = material_numbers(scene);
     let materials = materials.into_iter().map(u32::from).collect();
     let plan = ZonePlan::of(prepared, machine.zone_machine())?;

@@ -123,7 +123,6 @@ fn core(board: &Board, display: &Display) -> Result<Value, BoardError> {
     let data = ports
         .find(|port| port.name == "s_tdata")
         .map_or(0, |port| port.width);
-    let data = data as usize;
     let word = |(index, beat): (usize, &Beat)| {
         let place =
             u64::from(beat.kind) << 24 | u64::from(beat.unit) << 16 | u64::from(beat.address);
