@@ -4,6 +4,7 @@
 //! Neither depths of fronts and backs nor products take part.
 
 use crate::body::CutBody;
+use crate::interval::Interval;
 use crate::root::Real;
 use crate::solve::Line;
 use crate::verdict::{Ends, Solved};
@@ -24,8 +25,37 @@ pub struct SolidBody {
 /// A face of an object on a line of sight.
 struct Crossing {
     t: Real,
+    /// It lies here.
+    about: Interval,
     object: u32,
     number: u8,
+}
+
+impl Crossing {
+    fn new(t: Real, object: u32, number: u8) -> Crossing {
+        let [low, high] = <[BigRational; 2]>::from(t.between(64)).map(|end| Interval::about(&end));
+        let about = Interval {
+            lo: low.lo,
+            hi: high.hi,
+        };
+        Crossing {
+            t,
+            about,
+            object,
+            number,
+        }
+    }
+
+    /// Exactly where intervals cannot tell.
+    fn compare(&self, other: &Crossing) -> Ordering {
+        if self.about.below(other.about) {
+            return Ordering::Less;
+        }
+        if other.about.below(self.about) {
+            return Ordering::Greater;
+        }
+        self.t.compare(&other.t)
+    }
 }
 
 /// An object of a solid on a line of sight.
@@ -63,21 +93,16 @@ impl SolidBody {
             .iter()
             .flat_map(|(object, body, line)| {
                 let own = body.crossings(line).into_iter();
-                own.map(|(t, number)| Crossing {
-                    t,
-                    object: *object,
-                    number,
-                })
+                own.map(|(t, number)| Crossing::new(t, *object, number))
             })
             .filter(|crossing| ends.hold(&crossing.t))
             .collect();
-        crossings.sort_by(|a, b| a.t.compare(&b.t));
+        crossings.sort_by(Crossing::compare);
         // A line may be within an object from the beginning.
-        let caps = lines.iter().map(|(object, ..)| Crossing {
-            t: Real::Fraction(ends.first.clone()),
-            object: *object,
-            number: FACE_NEAR_END,
-        });
+        let first = || Real::Fraction(ends.first.clone());
+        let caps = lines
+            .iter()
+            .map(|(object, ..)| Crossing::new(first(), *object, FACE_NEAR_END));
         crossings.splice(0..0, caps);
         let is_in = |object: u32, at: &BigRational| {
             lines
@@ -87,12 +112,12 @@ impl SolidBody {
         let mut before = None;
         for (index, crossing) in crossings.iter().enumerate() {
             let next = crossings.get(index + 1);
-            let Some(at) = behind(&crossing.t, next.map(|next| &next.t), ends) else {
+            let Some(at) = behind(crossing, next, ends) else {
                 continue;
             };
             if self.contains(&self.operation, &|object| is_in(object, &at)) {
                 let faces = crossings[..=index].iter();
-                let faces = faces.filter(|face| face.t.compare(&crossing.t) == Ordering::Equal);
+                let faces = faces.filter(|face| face.compare(crossing) == Ordering::Equal);
                 return self.face(faces, &|object| is_in(object, &at), before.as_ref(), &is_in);
             }
             before = Some(at);
@@ -148,15 +173,21 @@ impl SolidBody {
 }
 
 /// A fraction behind a crossing and before the next one, or the end; `None` if both are one point.
-fn behind(t: &Real, next: Option<&Real>, ends: &Ends) -> Option<BigRational> {
-    if next.is_some_and(|next| next.compare(t) == Ordering::Equal) {
+fn behind(from: &Crossing, next: Option<&Crossing>, ends: &Ends) -> Option<BigRational> {
+    if let Some(next) = next {
+        let middle = 0.5 * (from.about.hi + next.about.lo);
+        if from.about.hi < middle && middle < next.about.lo {
+            return BigRational::from_float(middle);
+        }
+    }
+    if next.is_some_and(|next| next.compare(from) == Ordering::Equal) {
         return None;
     }
     let mut bits = 64;
     loop {
-        let (_, low) = t.between(bits);
+        let (_, low) = from.t.between(bits);
         let high = match (next, &ends.last) {
-            (Some(next), _) => next.between(bits).0,
+            (Some(next), _) => next.t.between(bits).0,
             (None, Some(last)) => last.clone(),
             (None, None) => &low + integer(1),
         };
