@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod bench;
+mod board;
 mod bounds;
 mod check;
 mod commands;

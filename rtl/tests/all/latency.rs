@@ -201,6 +201,14 @@ const CASES: &[Case] = &[
         &[("started", 1), ("push", 1)],
         "m_tvalid",
     ),
+    (Unit::TmdsEncoder, &[], &[("de", 1)], "word"),
+    (
+        Unit::TmdsSerialiser,
+        &[("blue", 1)],
+        &[("turn", 1)],
+        "pair_blue",
+    ),
+    (Unit::SceneSequencer, &[], &[("m_tready", 1)], "m_tvalid"),
     (Unit::FrameStore, &[], &[("need", 1)], "valid"),
     // A pixel leaves when the one below it to the right comes.
     (

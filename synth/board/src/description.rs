@@ -65,6 +65,9 @@ pub struct Clock {
     /// Properties of the pin, in the words of the constraints of the family.
     #[serde(default)]
     pub io: String,
+    /// The pin is the pad of the PLL of an iCE40, which no other cell can read.
+    #[serde(default)]
+    pub pad: bool,
 }
 
 /// Where a picture leaves.
@@ -115,7 +118,7 @@ macro_rules! boards {
     };
 }
 
-boards! { "ulx3s-85" "ulx3s-45" "ulx3s-25" "ulx3s-12" "hx8k-evb" "simulation" }
+boards! { "ulx3s-85" "ulx3s-45" "ulx3s-25" "ulx3s-12" "hx8k-evb" "icebreaker" "simulation" }
 
 impl Board {
     /// The names of all boards.

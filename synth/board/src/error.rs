@@ -53,7 +53,9 @@ pub enum BoardError {
         pixel: u64,
     },
     /// The design does not fit the part.
-    #[error("the design does not fit {part}: it takes {excess}")]
+    #[error(
+        "the design does not fit {part}: it takes {excess}; a smaller machine (--machine), or one without shading (--flat), may fit"
+    )]
     Excess {
         /// The part.
         part: String,

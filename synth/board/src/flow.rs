@@ -74,6 +74,7 @@ impl Part {
         match self.family {
             // Why without wide tables: docs/synthesis.md.
             Family::Ecp5 => "synth_ecp5 -nowidelut",
+            Family::Ice40 if self.device.starts_with("up") => "synth_ice40 -device u",
             Family::Ice40 => "synth_ice40",
         }
     }

@@ -25,7 +25,7 @@ mod witness;
 pub use description::{Board, Clock, Family, Part, Video};
 pub use error::BoardError;
 pub use flow::{ClockReport, Routed, route};
-pub use pll::Pll;
+pub use pll::{Dividers, Pll};
 pub use screen::{Frame, ScreenError, Tick, frame};
 pub use simulate::{Pins, simulate};
 pub use tmds::{Channels, TmdsError, decode};

@@ -184,7 +184,8 @@ mod tests {
         assert!(frame(&sound[..9_000], &MODE).is_err());
         for (what, change) in [
             ("hsync", (|tick| tick.hsync ^= true) as fn(&mut Tick)),
-            ("vsync", |tick| tick.vsync ^= true),
+            // A frame that begins where none does.
+            ("against the mode", |tick| tick.vsync ^= true),
             ("de", |tick| tick.de = tick.de.map(|de| !de)),
             ("blank", |tick| tick.colour = [1; 3]),
         ] {

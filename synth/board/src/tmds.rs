@@ -189,7 +189,7 @@ mod tests {
             samples.extend((0..10).map(|place| {
                 let bits = words.iter().enumerate();
                 let bits = bits.fold(0, |all, (channel, word)| {
-                    all | ((word >> place & 1) as u8) << channel
+                    all | (((word >> place) & 1) as u8) << channel
                 });
                 bits | if place < 5 { 8 } else { 0 }
             }));

@@ -60,7 +60,7 @@ pub fn sources(board: &Board, pll: &Pll, display: &Display) -> Result<Sources, B
         Dividers::Ice40 { .. } => "clock_ice40",
         Dividers::None => "clock_none",
     };
-    add(clock, clocks(pll))?;
+    add(clock, clocks(pll, board.clock.pad))?;
     match &board.video {
         Video::Tmds { .. } => add("top_tmds", context! { about => board.about.clone() })?,
         Video::Parallel { de, clock, .. } => {
@@ -141,7 +141,7 @@ fn core(board: &Board, display: &Display) -> Result<Value, BoardError> {
 }
 
 /// Dividers and clocks, for the templates.
-fn clocks(pll: &Pll) -> Value {
+fn clocks(pll: &Pll, pad: bool) -> Value {
     let decimal = |mhz: f64| {
         let text = format!("{mhz:.6}");
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
@@ -168,7 +168,7 @@ fn clocks(pll: &Pll) -> Value {
         } => (context! { divr, divf, divq, filter }, false, 0),
         Dividers::None => (context! {}, false, 0),
     };
-    context! { pll => dividers, input_mhz, fast, pixel, apart, phase }
+    context! { pll => dividers, input_mhz, fast, pixel, apart, phase, pad }
 }
 
 /// The constraints of the part of a board, and the ending of their file.

@@ -126,6 +126,23 @@ fn machines_of_any_words_in_the_built_in_simulator() {
 }
 
 #[test]
+fn machines_without_lights_show_plain_colours() {
+    for name in ["beam-160x120.toml", "beam-stream.toml"] {
+        let machine = MachineDescription {
+            lights: 0,
+            ..small(name, 48, 36, 40)
+        };
+        let image = drawn("teapot.toml", &machine);
+        let mut colours: Vec<&[u8]> = image.picture.chunks_exact(3).collect();
+        colours.sort_unstable();
+        colours.dedup();
+        // The background and the materials of the scene.
+        assert!((2..=6).contains(&colours.len()), "{colours:?}");
+        run(&machine, &[image], &quiet(Engine::BuiltIn));
+    }
+}
+
+#[test]
 fn slots_that_are_not_alike_show_the_golden_picture() {
     let mut machine = small("beam-160x120.toml", 48, 36, 40);
     let alike = drawn("teapot.toml", &machine);

@@ -4,10 +4,10 @@ module board_clock (
     output wire pixel_clock
 );
 
-    SB_PLL40_CORE #(
+    SB_PLL40_{{ 'PAD' if pad else 'CORE' }} #(
         .FEEDBACK_PATH("SIMPLE"), .DIVR(4'd{{ pll.divr }}), .DIVF(7'd{{ pll.divf }}), .DIVQ(3'd{{ pll.divq }}),
         .FILTER_RANGE(3'd{{ pll.filter }})
     ) pll (
-        .REFERENCECLK(clock), .PLLOUTGLOBAL(pixel_clock), .RESETB(1'b1), .BYPASS(1'b0)
+        .{{ 'PACKAGEPIN' if pad else 'REFERENCECLK' }}(clock), .PLLOUTGLOBAL(pixel_clock), .RESETB(1'b1), .BYPASS(1'b0)
     );
 endmodule

@@ -44,6 +44,23 @@ module SB_PLL40_CORE #(
     assign SDO = 1'b0;
 endmodule
 
+module SB_PLL40_PAD #(
+    parameter FEEDBACK_PATH = "", PLLOUT_SELECT = "", DELAY_ADJUSTMENT_MODE_FEEDBACK = "",
+    parameter DELAY_ADJUSTMENT_MODE_RELATIVE = "",
+    parameter SHIFTREG_DIV_MODE = 0, FDA_FEEDBACK = 0, FDA_RELATIVE = 0, DIVR = 0, DIVF = 0, DIVQ = 0,
+    parameter FILTER_RANGE = 0, ENABLE_ICEGATE = 0, TEST_MODE = 0
+) (
+    input  wire PACKAGEPIN, EXTFEEDBACK, RESETB, BYPASS, LATCHINPUTVALUE, SDI, SCLK,
+    input  wire [7:0] DYNAMICDELAY,
+    output wire PLLOUTCORE, PLLOUTGLOBAL, LOCK, SDO
+);
+    SB_PLL40_CORE pll (
+        .REFERENCECLK(PACKAGEPIN), .EXTFEEDBACK(EXTFEEDBACK), .RESETB(RESETB), .BYPASS(BYPASS),
+        .LATCHINPUTVALUE(LATCHINPUTVALUE), .SDI(SDI), .SCLK(SCLK), .DYNAMICDELAY(DYNAMICDELAY),
+        .PLLOUTCORE(PLLOUTCORE), .PLLOUTGLOBAL(PLLOUTGLOBAL), .LOCK(LOCK), .SDO(SDO)
+    );
+endmodule
+
 // Both bits are taken with the rising edge; D0 is sent while the clock is high, D1 while it is low.
 module ODDRX1F (
     input  wire SCLK, RST, D0, D1,

@@ -1,0 +1,146 @@
+//! `imogene board`: sources, pins and bitstream. Needs the package 'verilator', and under `IMOGENE_FULL=1` the tools of
+//! `scripts/setup --synth --boards`; fails without them.
+
+use crate::common::{imogene, json_in, refusal_in, scene};
+use serde_json::Value;
+use std::path::Path;
+
+fn is_full() -> bool {
+    std::env::var("IMOGENE_FULL").is_ok_and(|value| value == "1")
+}
+
+fn board(name: &str, file: &str, options: &[&str], folder: &Path) -> Value {
+    let scene = scene(file).display().to_string();
+    let arguments = [&["board", name, &scene, "--out", "out"], options].concat();
+    json_in(&arguments, folder)
+}
+
+fn pictures_are_equal(folder: &Path, names: &[&str]) {
+    let read = |name: &str| std::fs::read(folder.join("out").join(name)).expect("a picture");
+    for name in names {
+        assert!(read(name) == read("golden.png"), "{name}");
+    }
+}
+
+/// Whole: the words in a memory, the machine, DVI words, pairs of bits, pins; found again by a receiver.
+#[test]
+fn the_pins_of_a_simulated_board_show_the_golden_picture() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let options = ["--flat", "--mode", "160x120", "--samples"];
+    let found = board("simulation", "ellipsoid.toml", &options, folder.path());
+    let pins = &found["pins"];
+    assert_eq!(
+        (&pins["pixels"], &pins["differing"]),
+        (&19_200.into(), &0.into())
+    );
+    assert!(pins["words"].as_u64() > Some(2 * 19_200), "{pins}");
+    assert!(pins["disparity"].as_i64() <= Some(8), "{pins}");
+    assert_eq!(found["machine"]["lights"], 0);
+    pictures_are_equal(folder.path(), &["pins.png"]);
+    // One byte for every bit, and the picture that it is compared with by others.
+    let samples = std::fs::metadata(folder.path().join("out/pins.bin")).expect("samples");
+    assert_eq!(
+        samples.len(),
+        10 * pins["clocks"].as_u64().expect("a number")
+    );
+    let golden = std::fs::metadata(folder.path().join("out/golden.rgb")).expect("a picture");
+    assert_eq!(golden.len(), 3 * 19_200);
+}
+
+#[test]
+fn sources_need_no_tool() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let options = ["--flat", "--sources-only"];
+    let scene = scene("ellipsoid.toml").display().to_string();
+    let mut command = imogene();
+    command.args(["board", "ulx3s-12", &scene, "--out", "out"]);
+    command
+        .args(options)
+        .env("PATH", "")
+        .current_dir(folder.path());
+    command.assert().success();
+    let read =
+        |name: &str| std::fs::read_to_string(folder.path().join("out").join(name)).expect("a file");
+    let pins = read("board.lpf");
+    for line in [
+        "LOCATE COMP \"clock\" SITE \"G2\";",
+        "LOCATE COMP \"channel_3\" SITE \"A17\";",
+        "IOBUF PORT \"channel_0\" IO_TYPE=LVCMOS33D DRIVE=4;",
+        "FREQUENCY PORT \"clock\" 25 MHZ;",
+    ] {
+        assert!(pins.contains(line), "{line}: {pins}");
+    }
+    assert!(read("board.v").contains(".CLKFB_DIV(3)"));
+}
+
+#[test]
+fn what_is_refused_says_what_would_do() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let cone = scene("cone.toml").display().to_string();
+    let refused = |more: &[&str]| {
+        let arguments = [&["board"], more, &["--out", "out"]].concat();
+        let said = refusal_in(&arguments, folder.path());
+        assert!(!folder.path().join("out").exists());
+        said
+    };
+    let said = refused(&["ulx3s-99", &cone]);
+    assert!(
+        said.contains("ulx3s-99") && said.contains("ulx3s-85"),
+        "{said}"
+    );
+    let said = refused(&["hx8k-evb", &cone, "--mode", "1280x720"]);
+    assert!(
+        said.contains("1280x720") && said.contains("it has 640x480"),
+        "{said}"
+    );
+    let zone = concat!(env!("CARGO_MANIFEST_DIR"), "/../machines/zone-160x120.toml");
+    let said = refused(&["simulation", &cone, "--machine", zone]);
+    assert!(said.contains("a board takes a beam machine"), "{said}");
+}
+
+/// What is in the part, not what was meant: the bitstream of a whole frame.
+#[test]
+fn the_bitstream_of_an_ice40_shows_the_golden_picture() {
+    if !is_full() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let found = board("hx8k-evb", "ellipsoid.toml", &["--flat"], folder.path());
+    for pins in [&found["pins"], &found["bitstream"]] {
+        assert_eq!(
+            (&pins["pixels"], &pins["differing"]),
+            (&307_200.into(), &0.into())
+        );
+    }
+    let clock = &found["routed"]["clocks"][0];
+    assert!(
+        clock["achieved_mhz"].as_f64() > clock["wanted_mhz"].as_f64(),
+        "{clock}"
+    );
+    pictures_are_equal(folder.path(), &["pins.png", "bitstream.png"]);
+}
+
+/// The shading processor takes more than the part has: that is said, and nothing is written.
+#[test]
+fn a_machine_that_does_not_fit_is_refused_with_what_runs_out() {
+    if !is_full() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let cone = scene("cone.toml").display().to_string();
+    let arguments = [
+        "board",
+        "hx8k-evb",
+        &cone,
+        "--no-simulation",
+        "--out",
+        "out",
+    ];
+    let said = refusal_in(&arguments, folder.path());
+    assert!(
+        said.contains("does not fit hx8k ct256: it takes") && said.contains("of 7680"),
+        "{said}"
+    );
+    assert!(said.contains("--flat"), "{said}");
+    assert!(!folder.path().join("out").exists());
+}
