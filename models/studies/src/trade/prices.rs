@@ -9,7 +9,7 @@ use super::store::Store;
 use imogene_plan::description::MachineDescription;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Machines whose costs are asked for at once, and kept before the next ones.
+/// Machines that are synthesised at once, and kept before the next ones.
 const TOGETHER: usize = 16;
 
 /// Finds costs, and keeps them.
@@ -107,7 +107,11 @@ impl Prices<'_> {
             .copied()
             .filter(|&index| points[index].machine.is_some())
             .collect();
-        for wanted in wanted.chunks(TOGETHER) {
+        let together = match pricing {
+            Pricing::Estimated(_) => wanted.len().max(1),
+            _ => TOGETHER,
+        };
+        for wanted in wanted.chunks(together) {
             let machines = wanted
                 .iter()
                 .filter_map(|&index| points[index].machine.clone());
@@ -158,7 +162,8 @@ fn seeds(points: &[Point]) -> Vec<usize> {
         } = point.design;
         if point.machine.is_some() {
             let samples = accuracy.supersampling;
-            let form = (zones.is_some(), samples, accuracy.catalogue, rows_per_stage);
+            let words = (accuracy.normal, accuracy.catalogue);
+            let form = (zones.is_some(), samples, words, rows_per_stage);
             forms.entry(form).or_default().push((point.design, index));
         }
     }

@@ -1,15 +1,17 @@
 //! Speed, area and accuracy in one picture: frames per second over area, a staircase for each class of accuracy.
 
 use super::TradeError;
+use super::design::Accuracy;
 use super::plot::{hardware_title, marked};
 use super::report::{Entry, Trade, hardware};
 use crate::kit::plot::{Area, FONT, GREY, Outcome, span, svg};
+use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-use std::collections::BTreeSet;
 use std::ops::Range;
 
 const SIZE: (u32, u32) = (860, 520);
+const TITLE: &str = "The fastest machines of every area and accuracy";
 /// Room on the right, for the names of the classes.
 const NAMES: i32 = 190;
 /// Lines of a name.
@@ -33,7 +35,7 @@ struct Dot<'a> {
     place: (f64, f64),
 }
 
-/// A class of accuracy: the points on its front, from the smallest on, and what they draw.
+/// A class of accuracy: the points on its front, from the smallest on, and what the fastest one draws.
 struct Class {
     class: usize,
     front: Vec<(f64, f64)>,
@@ -70,6 +72,12 @@ impl Dot<'_> {
         self.entry.pareto.contains(&"speed")
     }
 
+    /// Object processors of a zone machine.
+    fn processors(&self) -> String {
+        let zones = self.entry.point.design.zones;
+        zones.map_or("beam".into(), |zones| zones.processors.to_string())
+    }
+
     fn circle(&self) -> Circle<(f64, f64), i32> {
         let colour = COLOURS[self.class];
         let (radius, style) = match (self.is_on_front(), self.entry.point.cost) {
@@ -86,23 +94,19 @@ impl Class {
     fn of(trade: &Trade, class: usize) -> Option<Class> {
         let front = trade.speed_front(class);
         let front = front.iter().map(|&index| &trade.points[index]);
-        let own: Vec<&Entry> = front.clone().filter(|e| e.class == Some(class)).collect();
-        let drawn: BTreeSet<(u32, u32)> = own
-            .iter()
-            .map(|entry| entry.point.design.accuracy)
-            .map(|accuracy| (accuracy.undersampling, accuracy.supersampling))
-            .collect();
+        let own = front.clone().filter(|e| e.class == Some(class));
+        let speed = |e: &&Entry| e.point.frames_per_second.unwrap_or_default();
+        let fastest = own.max_by(|a, b| speed(a).total_cmp(&speed(b)))?;
         let mut front: Vec<(f64, f64)> = front
             .filter_map(|entry| Some(dot(trade, entry)?.place))
             .collect();
         front.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
-        let drawn: Vec<String> = drawn.into_iter().map(in_words).collect();
-        (!own.is_empty()).then(|| Class {
+        Some(Class {
             class,
             front,
             names: [
                 format!("less than {} % off", trade.classes[class]),
-                drawn.join(" or "),
+                in_words(&fastest.point.design.accuracy),
             ],
         })
     }
@@ -119,29 +123,29 @@ impl Class {
     }
 }
 
-/// Pixels that show one that is drawn, and samples of a pixel, along each side.
-fn in_words((undersampling, supersampling): (u32, u32)) -> String {
-    match (undersampling, supersampling) {
+/// What the machines of a class draw.
+fn in_words(accuracy: &Accuracy) -> String {
+    match (accuracy.undersampling, accuracy.supersampling) {
         (1, 1) => "every pixel once".into(),
-        (1, side) => format!("{} samples", side * side),
-        (side, _) => format!("1 pixel in {}", side * side),
+        (1, side) => format!("{} samples of every pixel", side * side),
+        (side, _) => format!("one pixel in {}", side * side),
     }
 }
+
+/// The plane of area and the power of ten of the frames per second.
+type Plane<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
 fn chart(area: &Area, trade: &Trade, dots: &[Dot], classes: &[Class]) -> Outcome {
     let x = range(dots, |dot| dot.place.0);
     let y = range(dots, |dot| dot.place.1);
-    let mut chart = ChartBuilder::on(area)
+    let mut plane = ChartBuilder::on(area)
         .margin(12)
         .margin_right(NAMES)
-        .caption(
-            "The fastest machines of every area and accuracy",
-            (FONT, 17),
-        )
+        .caption(TITLE, (FONT, 16))
         .x_label_area_size(40)
         .y_label_area_size(64)
         .build_cartesian_2d(x.clone(), y.clone())?;
-    chart
+    plane
         .configure_mesh()
         .disable_y_mesh()
         .light_line_style(TRANSPARENT)
@@ -154,41 +158,43 @@ fn chart(area: &Area, trade: &Trade, dots: &[Dot], classes: &[Class]) -> Outcome
         .axis_desc_style((FONT, 14))
         .label_style((FONT, 13))
         .draw()?;
-    let line = |at: f64| vec![(x.start, at), (x.end, at)];
-    let to_left = Pos::new(HPos::Right, VPos::Center);
-    let left = chart.plotting_area().get_x_axis_pixel_range().start;
-    for decade in y.start.ceil() as i32..=y.end.floor() as i32 {
-        chart.draw_series(LineSeries::new(line(decade.into()), GREY))?;
-        let height = chart.backend_coord(&(x.start, decade.into())).1;
-        let style = (FONT, 13).into_font().color(&INK).pos(to_left);
-        area.draw(&Text::new(
-            format!("{}", 10f64.powi(decade)),
-            (left - 8, height),
-            style,
-        ))?;
-    }
-    let screen = DashedLineSeries::new(line(SCREEN.log10()), 4, 4, INK.mix(0.6).into());
-    if y.contains(&SCREEN.log10()) {
-        chart.draw_series(screen)?;
-        let style = (FONT, 12).into_font().color(&INK);
-        let place = (x.start + 0.01 * (x.end - x.start), SCREEN.log10());
-        let text = Text::new(
-            "60, a screen",
-            place,
-            style.pos(Pos::new(HPos::Left, VPos::Bottom)),
-        );
-        chart.draw_series([text])?;
-    }
+    levels(area, &mut plane, &x, &y)?;
     for class in classes {
         let style = COLOURS[class.class].stroke_width(2);
-        chart.draw_series(LineSeries::new(class.staircase(x.end), style))?;
+        plane.draw_series(LineSeries::new(class.staircase(x.end), style))?;
     }
-    chart.draw_series(dots.iter().map(Dot::circle))?;
+    plane.draw_series(dots.iter().map(Dot::circle))?;
+    for dot in dots.iter().filter(|dot| dot.is_on_front()) {
+        let (x, y) = plane.backend_coord(&dot.place);
+        let style = (FONT, 12).into_font().color(&COLOURS[dot.class]);
+        area.draw(&Text::new(dot.processors(), (x + 6, y + 6), style))?;
+    }
     let ends = classes.iter().filter_map(|class| {
         let &(_, y) = class.front.last()?;
-        Some((chart.backend_coord(&(x.end, y)), class))
+        Some((plane.backend_coord(&(x.end, y)), class))
     });
     name(area, ends.collect())
+}
+
+/// Lines of the powers of ten, and of a screen.
+fn levels(area: &Area, plane: &mut Plane, x: &Range<f64>, y: &Range<f64>) -> Outcome {
+    let line = |at: f64| vec![(x.start, at), (x.end, at)];
+    let right = |vertical| Pos::new(HPos::Right, vertical);
+    for decade in y.start.ceil() as i32..=y.end.floor() as i32 {
+        plane.draw_series(LineSeries::new(line(decade.into()), GREY))?;
+        let (left, height) = plane.backend_coord(&(x.start, decade.into()));
+        let style = (FONT, 13).into_font().color(&INK).pos(right(VPos::Center));
+        let text = format!("{}", 10f64.powi(decade));
+        area.draw(&Text::new(text, (left - 8, height), style))?;
+    }
+    let screen = SCREEN.log10();
+    if y.contains(&screen) {
+        let style = INK.mix(0.6).into();
+        plane.draw_series(DashedLineSeries::new(line(screen), 4, 4, style))?;
+        let style = (FONT, 12).into_font().color(&INK).pos(right(VPos::Bottom));
+        plane.draw_series([Text::new("60: a screen", (x.end, screen), style)])?;
+    }
+    Ok(())
 }
 
 /// Writes the names of the classes beside the ends of their staircases, none over another.

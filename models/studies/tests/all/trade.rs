@@ -230,11 +230,12 @@ fn a_cost_that_was_not_to_be_had_is_asked_for_again() {
     for entry in trade.points.iter().filter(|e| e.pareto.contains(&"speed")) {
         assert!(routed(&entry) && !entry.point.cost.unwrap().is_estimated);
     }
-    let area = trade.area_error.unwrap();
-    assert!(
-        area.points > 0 && (area.max_percent - 1.0).abs() < 1e-9,
-        "{area:?}"
-    );
+    let is_estimated = |e: &&Entry| e.point.cost.unwrap().is_estimated;
+    let estimated: Vec<&Entry> = trade.points.iter().filter(is_estimated).collect();
+    assert!(!estimated.is_empty());
+    for entry in estimated {
+        assert_eq!(entry.point.cost, entry.point.cost_estimated);
+    }
     let error = trade.clock_error.unwrap();
     let routed: Vec<&Entry> = trade.points.iter().filter(routed).collect();
     assert_eq!(error.points, routed.len());
@@ -287,7 +288,7 @@ fn points_tell_speed_area_and_accuracy() {
     // A zone machine of one processor draws the same picture with less.
     let zones = of("w16-n16-g0.0-d0-z16k1-r1");
     assert_eq!(zones.point.errors, once.point.errors);
-    assert!(zones.point.frames_per_second < once.point.frames_per_second);
+    assert!(zones.point.clocks_per_frame > once.point.clocks_per_frame);
     assert!(zones.point.cost.unwrap().cells < once.point.cost.unwrap().cells);
     // One line of the table for each point, and a mark in each plot.
     let csv = trade.csv();
