@@ -68,7 +68,8 @@ pub fn estimates(
     Ok(costs)
 }
 
-/// What whole machines cost on a target as sums of their units, in their order; with the clock of their slowest unit if it is asked for.
+/// What whole machines cost on a target as sums of their units, in their order; with the clock of their slowest unit
+/// if it is asked for.
 pub fn costs(
     machines: &[MachineDescription],
     target: Target,

@@ -57,8 +57,8 @@ pub struct Entry {
     pub silhouette_exact: bool,
     /// Class of the accuracy of its picture; none beyond the last one.
     pub class: Option<usize>,
-    /// Fronts on which no other point is as good in both and better in one: `depth`, `silhouette`, `colour`; and `speed`
-    /// for area and frames per second among the points of no worse class.
+    /// Fronts on which no other point is as good in both and better in one: `depth`, `silhouette`, `colour`; and
+    /// `speed` for area and frames per second among the points of no worse class.
     pub pareto: Vec<&'static str>,
 }
 
