@@ -41,6 +41,7 @@ pub fn page(trade: &Trade, folder: &Path) -> Result<String, TradeError> {
             "version": trade.version,
             "has_cost": trade.measure == "cells",
             "clock_error": trade.clock_error,
+            "area_error": trade.area_error,
             "legend": legend(trade),
             "count": trade.points.len(),
             "refused": trade.points.iter().filter(|e| e.point.refused.is_some()).count(),

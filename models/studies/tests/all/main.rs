@@ -5,3 +5,4 @@ mod fit;
 mod primitives;
 mod sweeps;
 mod trade;
+mod zones;

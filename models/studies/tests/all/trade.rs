@@ -1,14 +1,12 @@
 //! The design space of a scene: the same results in whatever order and however often it is interrupted.
 
-use imogene_analysis::metrics::Drawing;
 use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
 use imogene_plan::description::MachineDescription;
 use imogene_plan::pace::Timing;
 use imogene_plan::zone::clocks::ZoneTiming;
 use imogene_prepare::Framing;
-use imogene_prepare::rounding::Anchor;
-use imogene_prepare::{Options, prepare, prepare_with};
+use imogene_prepare::prepare;
 use imogene_scene::SceneFile;
 use imogene_studies::kit::words::drawn;
 use imogene_studies::trade::TradeError;
@@ -21,7 +19,6 @@ use imogene_studies::trade::report::{Entry, FRONTS, Trade};
 use imogene_studies::trade::run::{Request, Shard, run, run_shard};
 use imogene_studies::trade::speed;
 use imogene_studies::trade::view::Views;
-use imogene_studies::zones::zones;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -356,32 +353,6 @@ fn scenes_of_other_processors_are_refused_by_name() {
         "{error}"
     );
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
-}
-
-/// Zones whose words are rounded about a pixel outside them still draw their part of the picture of these words.
-#[test]
-fn zones_draw_their_part_of_the_screen() {
-    let scene = scene("cut-sphere.toml").frame(60, 45).unwrap();
-    let format = Format::new(16).unwrap();
-    let drawing = Drawing::in_zones(&zones(&scene, format, 16).unwrap(), &scene);
-    for (x, y) in [(0, 0), (16, 16), (32, 16), (48, 32)] {
-        let (width, height) = (16.min(60 - x), 16.min(45 - y));
-        let anchor = Anchor {
-            x: (x + width / 2) as i64,
-            y: (y + height / 2) as i64,
-        };
-        let options = Options {
-            anchor: Some(anchor),
-            ..Options::ROOTS
-        };
-        let whole = Drawing::of(&prepare_with(&scene, format, options).unwrap(), &scene);
-        for index in (y..y + height).flat_map(|v| (x..x + width).map(move |u| v * 60 + u)) {
-            assert_eq!(drawing.frame.depth[index], whole.frame.depth[index]);
-            assert_eq!(drawing.frame.id[index], whole.frame.id[index]);
-            assert_eq!(drawing.frame.normal[index], whole.frame.normal[index]);
-            assert_eq!(drawing.backs[index], whole.backs[index]);
-        }
-    }
 }
 
 /// The narrowest words that the preparation accepts: one bit less of the root is refused.
