@@ -70,7 +70,15 @@ fn sources_need_no_tool() {
     ] {
         assert!(pins.contains(line), "{line}: {pins}");
     }
-    assert!(read("board.v").contains(".CLKFB_DIV(3)"));
+    let verilog = read("board.v");
+    for divider in [
+        ".CLKI_DIV(7), .CLKFB_DIV(47)",
+        ".CLKOP_DIV(4)",
+        ".CLKOS_DIV(20)",
+        ".CLKOS2_DIV(3)",
+    ] {
+        assert!(verilog.contains(divider), "{divider}");
+    }
 }
 
 #[test]

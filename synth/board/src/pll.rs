@@ -121,7 +121,8 @@ fn mhz(hertz: Hertz) -> f64 {
 }
 
 impl Dividers {
-    /// Of equal clocks the one with the fastest phase detector, and with the feedback of an output that is there anyway.
+    /// Of equal clocks the one with the fastest phase detector, and with the feedback of an output that is there
+    /// anyway.
     fn rank(&self) -> (i128, bool) {
         match *self {
             Dividers::Ecp5 {
@@ -141,8 +142,9 @@ fn within(hertz: Hertz, least: i128, most: i128) -> bool {
     (Ratio::from(1000 * least)..=Ratio::from(1000 * most)).contains(&hertz)
 }
 
-/// All dividers within the limits of the sysCLOCK PLL of the ECP5 (family data sheet; those of `ecppll`): phase detector
-/// from 3.125 MHz, oscillator 400 to 800 MHz, outputs 3.125 to 400 MHz, dividers 1 to 128, that of the feedback to 80.
+/// All dividers within the limits of the sysCLOCK PLL of the ECP5 (family data sheet; those of `ecppll`): phase
+/// detector from 3.125 MHz, oscillator 400 to 800 MHz, outputs 3.125 to 400 MHz, dividers 1 to 128, that of the
+/// feedback to 80.
 fn ecp5(input: i128, wanted: i128, ratio: i128) -> Vec<(Hertz, Dividers)> {
     let input = Ratio::from(input);
     let mut found = Vec::new();
@@ -160,16 +162,18 @@ fn ecp5(input: i128, wanted: i128, ratio: i128) -> Vec<(Hertz, Dividers)> {
                 let is_legal = within(oscillator, 400_000, 800_000)
                     && outputs.iter().all(|&output| within(output, 3_125, 400_000));
                 if is_legal {
-                    found.extend(factors(product, fast).map(|(feedback, looped)| {
-                        let dividers = Dividers::Ecp5 {
-                            reference,
-                            feedback,
-                            looped,
-                            fast,
-                            pixel: fast * ratio,
-                        };
-                        (outputs[1], dividers)
-                    }));
+                    found.extend(
+                        factors(product, fast, oscillator).map(|(feedback, looped)| {
+                            let dividers = Dividers::Ecp5 {
+                                reference,
+                                feedback,
+                                looped,
+                                fast,
+                                pixel: fast * ratio,
+                            };
+                            (outputs[1], dividers)
+                        }),
+                    );
                 }
             }
         }
@@ -178,15 +182,18 @@ fn ecp5(input: i128, wanted: i128, ratio: i128) -> Vec<(Hertz, Dividers)> {
 }
 
 /// The two dividers in the feedback: that of the fast clock, or the smallest other one.
-fn factors(product: i128, fast: i128) -> Option<(i128, i128)> {
+fn factors(product: i128, fast: i128, oscillator: Hertz) -> Option<(i128, i128)> {
     let mut loops = std::iter::once(fast).chain(1..=128);
-    let fits = |looped: &i128| product % looped == 0 && product / looped <= 80;
+    let fits = |looped: &i128| {
+        let output = oscillator / looped;
+        product % looped == 0 && product / looped <= 80 && within(output, 3_125, 400_000)
+    };
     let looped = loops.find(fits)?;
     Some((product / looped, looped))
 }
 
-/// All dividers within the limits of the PLL of the iCE40 with simple feedback (those of `icepll`): phase detector 10 to
-/// 133 MHz, oscillator 533 to 1066 MHz, output 16 to 275 MHz.
+/// All dividers within the limits of the PLL of the iCE40 with simple feedback (those of `icepll`): phase detector 10
+/// to 133 MHz, oscillator 533 to 1066 MHz, output 16 to 275 MHz.
 fn ice40(input: i128) -> Vec<(Hertz, Dividers)> {
     let input = Ratio::from(input);
     let mut found = Vec::new();
@@ -250,7 +257,9 @@ mod tests {
             for product in 1..=80 * 128 {
                 for fast in 1..=25 {
                     let oscillator = Ratio::new(25 * MEGA * product, reference);
-                    let is_made = (1..=128).any(|l| product % l == 0 && product / l <= 80);
+                    let is_fed = |l: i128| within(oscillator / l, 3_125, 400_000);
+                    let is_made =
+                        (1..=128).any(|l| product % l == 0 && product / l <= 80 && is_fed(l));
                     if within(oscillator, 400_000, 800_000) && is_made {
                         let distance = (oscillator / (5 * fast) - wanted).abs();
                         nearest = Some(nearest.map_or(distance, |least| least.min(distance)));

@@ -20,8 +20,8 @@ const ICEBOX: Program = Program {
 /// Cells that Verilog of a bitstream instantiates.
 const RAM: &str = "SB_RAM40_4K";
 
-/// Unpacks a bitstream, and packs it again: the same bits have to come out. Of an iCE40 what was unpacked is turned back
-/// into Verilog, with the models of its cells, for [`simulate`](crate::simulate).
+/// Unpacks a bitstream, and packs it again: the same bits have to come out. Of an iCE40 what was unpacked is turned
+/// back into Verilog, with the models of its cells, for [`simulate`](crate::simulate).
 ///
 /// # Errors
 ///
@@ -68,9 +68,22 @@ pub fn witness(
         &part.package,
         UNPACKED,
     ];
-    let verilog = ICEBOX.run(arguments, folder)?;
+    let mut verilog = ICEBOX.run(arguments, folder)?;
+    if board.clock.pad {
+        verilog = with_pad(&verilog);
+    }
     let models = cell_models(&[RAM], Target::Ice40Hx8k)? + MODELS;
     Ok(Some([declared_once(&verilog), models]))
+}
+
+/// The same Verilog with the pin of the clock at the pad of its PLL, which `icebox_vlog` leaves open.
+fn with_pad(verilog: &str) -> String {
+    const PAD: &str = ".PACKAGEPIN(";
+    let Some((before, after)) = verilog.split_once(PAD) else {
+        return verilog.to_owned();
+    };
+    let rest = after.split_once(')').map_or(after, |(_, rest)| rest);
+    format!("{before}{PAD}clock){rest}")
 }
 
 /// The same Verilog without the second declarations of its ports, which a list of ports with directions does not allow;
@@ -124,7 +137,13 @@ fn declared_once(verilog: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::declared_once;
+    use super::{declared_once, with_pad};
+
+    #[test]
+    fn the_pad_of_a_pll_is_the_clock() {
+        let verilog = "SB_PLL40_PAD p (\n  .PACKAGEPIN(n30),\n  .LOCK(n1)\n);\n";
+        assert_eq!(with_pad(verilog), verilog.replace("n30", "clock"));
+    }
 
     #[test]
     fn ports_are_declared_once() {
