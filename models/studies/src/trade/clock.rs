@@ -2,7 +2,7 @@
 
 use imogene_plan::description::MachineDescription;
 
-/// Nanoseconds of a unit placed and routed alone: so many, and for each bit of its word.
+/// Nanoseconds of a unit placed and routed alone: so many, and for each bit of its word or each light.
 struct Delay {
     fixed: f64,
     bit: f64,
@@ -25,8 +25,11 @@ const COMPARED: Delay = Delay {
     fixed: 6.0,
     bit: 0.15,
 };
-/// The shading processor, whose words follow from no other.
-const SHADING: f64 = 17.6;
+/// The shading processor, whose words follow from no other: for each of its lights, placed and routed with one and two.
+const SHADING: Delay = Delay {
+    fixed: 14.64,
+    bit: 2.95,
+};
 
 impl Delay {
     fn of(&self, bits: u32) -> f64 {
@@ -42,7 +45,7 @@ pub fn estimate(machine: &MachineDescription, target: &str) -> Option<f64> {
         REGISTERS + rows * ROOT_ROW.of(words.root),
         NORMAL.of(words.normal),
         COMPARED.of(words.depth),
-        SHADING,
+        SHADING.of(machine.lights as u32),
     ];
     let slowest = delays.into_iter().fold(0.0, f64::max);
     target.starts_with("ecp5").then_some(1000.0 / slowest)
