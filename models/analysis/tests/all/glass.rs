@@ -8,7 +8,7 @@ use imogene_golden::machine::lighting::Lighting;
 use imogene_golden::machine::shader::shade_picture;
 use imogene_prepare::shader::{material_numbers, shader_words};
 use imogene_prepare::{Framing, prepare};
-use imogene_scene::SceneFile;
+use imogene_scene::{SceneFile, Step};
 use std::path::Path;
 
 const F: Format = Format::BASE;
@@ -72,13 +72,15 @@ fn layers_are_blended_farthest_first() {
         let frame = beam::render(&prepared.slots(), &F, width, height, || ());
         assert_eq!(frame.layers.len(), 3);
         let mut overlaps = 0;
-        for pair in frame.layers.windows(2) {
-            let depths = pair[0].depth.iter().zip(&pair[1].depth);
-            let both = depths.filter(|(a, b)| **a < F.z_max() && **b < F.z_max());
-            both.for_each(|(a, b)| {
-                assert!(a >= b);
-                overlaps += 1;
-            });
+        for (place, near) in frame.layers.iter().enumerate() {
+            for far in &frame.layers[..place] {
+                let depths = far.depth.iter().zip(&near.depth);
+                let both = depths.filter(|(a, b)| **a < F.z_max() && **b < F.z_max());
+                both.for_each(|(a, b)| {
+                    assert!(a >= b);
+                    overlaps += 1;
+                });
+            }
         }
         assert!(overlaps > 100);
         // In whatever order the file has them.
@@ -95,9 +97,9 @@ fn what_cannot_be_blended_is_refused_by_name() {
         prepare(&scene, F).expect_err("refused").to_string()
     };
     let crossing = refusal(&|file| {
-        let mut other = file.objects[5].clone();
+        let mut other = file.objects[4].clone();
         other.name = "crossing".into();
-        other.place = file.objects[4].place.clone();
+        other.place.push(Step::Translate([0.3, 0.0, 0.0]));
         file.objects.push(other);
     });
     assert!(

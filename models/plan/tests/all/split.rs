@@ -109,7 +109,7 @@ fn every_scene_of_the_collection_is_the_same_however_it_is_divided() {
     }
     assert!(drawn > 30, "{drawn} scenes show something");
     assert!(lit >= 2, "{lit} scenes have volumes");
-    assert_eq!(kinds.len(), 9, "processors: {kinds:?}");
+    assert_eq!(kinds.len(), 10, "processors: {kinds:?}");
 }
 
 /// A spot whose box is small, in pieces that the box does not touch; and guard bits.
