@@ -404,14 +404,16 @@ fn a_solid_that_cannot_be_had_names_the_object_and_what_would_do() {
             "mode = \"patch\"",
             ["surface without inside", "mode = \"solid\""],
         ),
-        (
-            both,
-            "processor = \"paraboloid\"",
-            ["hands on no back", "quadric processor"],
-        ),
     ] {
         assert_mentions(&refused(of, ball), &parts);
     }
+    let parallel = solid_text(both, "processor = \"paraboloid\"")
+        .replace("perspective", "orthographic")
+        .replace("viewer_distance = 10\n", "");
+    assert_mentions(
+        &refusal(parallel.as_bytes()),
+        &["hands on no back", "quadric processor"],
+    );
     let shadows = solid_text(both, "")
         + "\n[[lights]]\nkind = \"directional\"\nfrom = [0, 5, 5]\nshadows = true\n";
     assert_mentions(

@@ -55,8 +55,8 @@ pub fn shade(frame: &Frame, lighting: &Lighting, scene: &FramedScene, format: &F
         .collect()
 }
 
-/// The transparent objects before what is seen at a pixel, the farthest first; of two at one depth the earlier object is
-/// nearer.
+/// The transparent objects before what is seen at a pixel, the farthest first; of two at one depth the earlier object
+/// is nearer.
 fn before(frame: &Frame, index: usize) -> Vec<&FrameLayer> {
     let nearer = |layer: &&FrameLayer| layer.depth[index] < frame.depth[index];
     let mut layers: Vec<&FrameLayer> = frame.layers.iter().filter(nearer).collect();

@@ -118,7 +118,8 @@ pub fn smallest(
     }
 }
 
-/// An empty slot for each part of the frames that is in no solid, of the smallest processor that draws it in all of them.
+/// An empty slot for each part of the frames that is in no solid, of the smallest processor that draws it in all of
+/// them.
 fn kinds(frames: &[PreparedScene]) -> Vec<FittedSlot> {
     let mut kinds: Vec<FittedSlot> = vec![];
     for frame in frames {
