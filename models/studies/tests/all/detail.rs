@@ -303,6 +303,10 @@ fn an_exact_reduction_changes_no_pixel_of_the_collection() {
         let Some((framed, scene)) = file_prepared(&path, SIZE, Format::BASE) else {
             continue;
         };
+        // What is looked at is each object by itself.
+        if scene.refuse_composed().is_err() {
+            continue;
+        }
         let report = Report::of(&framed, &scene, 16, 0);
         let what = path.display();
         assert_eq!(report.changed, Changed::default(), "{what}");
