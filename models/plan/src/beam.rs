@@ -159,9 +159,9 @@ pub(super) fn members(prepared: &PreparedScene, products: &[ProductSlots]) -> Ve
     members
 }
 
-/// Every part of the scene that is in no solid and not transparent, with what its slot in a beam machine has to have: of
-/// the kind that the machine has, if that is for it, else of quadrics, and where no processor of quadrics draws it, of
-/// its own kind.
+/// Every part of the scene that is in no solid and not transparent, with what its slot in a beam machine has to have:
+/// of the kind that the machine has, if that is for it, else of quadrics, and where no processor of quadrics draws it,
+/// of its own kind.
 pub(super) fn beam_slots(
     prepared: &PreparedScene,
     slots: &[FittedSlot],
