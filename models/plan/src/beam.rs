@@ -166,9 +166,7 @@ pub(super) fn beam_slots(
     prepared: &PreparedScene,
     slots: &[FittedSlot],
 ) -> Result<Vec<(FittedSlot, Slot)>, DisplayError> {
-    let alone = prepared.slots_alone().into_iter().enumerate();
-    let alone = alone.map(|(place, slot)| beam_slot(prepared, slot, slots.get(place)));
-    alone.collect()
+    beam_parts(prepared, prepared.slots_alone(), slots)
 }
 
 /// The same of every transparent object, for the slots of such.
@@ -176,9 +174,17 @@ pub(super) fn layer_slots(
     prepared: &PreparedScene,
     slots: &[FittedSlot],
 ) -> Result<Vec<(FittedSlot, Slot)>, DisplayError> {
-    let layers = prepared.layers.iter().cloned().enumerate();
-    let layers = layers.map(|(place, slot)| beam_slot(prepared, slot, slots.get(place)));
-    layers.collect()
+    beam_parts(prepared, prepared.layers.clone(), slots)
+}
+
+fn beam_parts(
+    prepared: &PreparedScene,
+    parts: Vec<Slot>,
+    slots: &[FittedSlot],
+) -> Result<Vec<(FittedSlot, Slot)>, DisplayError> {
+    let parts = parts.into_iter().enumerate();
+    let parts = parts.map(|(place, slot)| beam_slot(prepared, slot, slots.get(place)));
+    parts.collect()
 }
 
 fn beam_slot(

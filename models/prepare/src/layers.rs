@@ -58,7 +58,7 @@ pub(super) fn layers(
             (Some(words), 0) if !matches!(words, ProcessorWords::Quotient(_)) => Ok(Some(Slot {
                 object,
                 words,
-                weight: Some(weight(scene, object)),
+                weight: Some(scene.weight(object)),
             })),
             (None, _) => Ok(None),
             _ => {
@@ -70,11 +70,6 @@ pub(super) fn layers(
     });
     let slots: Vec<Option<Slot>> = slots.collect::<Result<_, _>>()?;
     sorted(slots.into_iter().flatten().collect(), objects, context)
-}
-
-fn weight(scene: &FramedScene, object: usize) -> u8 {
-    let opacity = scene.materials[scene.objects[object].material()].opacity;
-    (opacity * 255.0).round() as u8
 }
 
 /// Farthest first at every pixel.

@@ -72,5 +72,5 @@ pub use prepared::{
     PreparedScene, RoundingBounds,
 };
 pub use run::{prepare, prepare_for_roots, prepare_reporting, prepare_with, refused, steps};
-pub use solids::{MOST_LOADED, PreparedSolids, Product, TooMany, normal_form};
+pub use solids::{PreparedSolids, Product};
 pub use unseen::Seen;

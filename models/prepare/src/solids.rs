@@ -20,7 +20,7 @@ use imogene_scene::{FramedScene, FramedSolid, Tree};
 use std::collections::BTreeSet;
 
 /// Most processors of all solids: a machine has no more.
-pub const MOST_LOADED: usize = MOST_OBJECTS as usize;
+const MOST_LOADED: usize = MOST_OBJECTS as usize;
 
 /// Objects intersected and objects taken away from what they have in common.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -57,7 +57,7 @@ impl Product {
 
 /// More products than can be loaded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct TooMany;
+struct TooMany;
 
 /// The normal form of a tree: products whose union it is. Products without points, and those that lie in another, are
 /// left out.
@@ -68,7 +68,7 @@ pub struct TooMany;
 /// # Errors
 ///
 /// When an operation on the way has far more products than can be loaded.
-pub fn normal_form(tree: &Tree) -> Result<Vec<Product>, TooMany> {
+fn normal_form(tree: &Tree) -> Result<Vec<Product>, TooMany> {
     products(tree, false)
 }
 

@@ -154,6 +154,12 @@ impl FramedScene {
         material.is_some_and(Material::is_transparent)
     }
 
+    /// An object's part of what is seen, in 255ths.
+    pub fn weight(&self, object: usize) -> u8 {
+        let opacity = self.materials[self.objects[object].material()].opacity;
+        (opacity * 255.0).round() as u8
+    }
+
     /// The normal in a frame at right angles, of one in the frame that is moved to where pixels are sampled.
     pub fn upright(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         match &self.projection {

@@ -200,10 +200,9 @@ fn layer(id: usize, scene: &FramedScene, format: &Format) -> FrameLayer {
     let normal = |(pixel, direction): (&Option<ExactPixel>, [f64; 3])| {
         pixel.map_or([0; 3], |_| full_length(direction))
     };
-    let opacity = scene.materials[scene.objects[id].material()].opacity;
     FrameLayer {
         object: id,
-        weight: (opacity * 255.0).round() as u8,
+        weight: scene.weight(id),
         depth: pixels.iter().map(depth).collect(),
         normal: pixels.iter().zip(directions).map(normal).collect(),
     }
