@@ -23,23 +23,20 @@ module cut_plane_properties #(parameter W = 24) (
 
     (* anyconst *) wire signed [W-1:0] z;
 
-    // The ports one clock ago: latency 1.
-    reg started = 0;
-    reg [1:0] old_kind;
-    reg old_surface;
-    reg [3:0] old_number, old_nf, old_nb;
-    reg signed [W-1:0] old_zp, old_zf, old_zb;
+    // The ports two clocks ago: latency 2.
+    reg [1:0] clocks = 0;
+    wire started = clocks == 2;
+    reg [1:0] late_kind, old_kind;
+    reg late_surface, old_surface;
+    reg [3:0] late_number, late_nf, late_nb, old_number, old_nf, old_nb;
+    reg signed [W-1:0] late_zp, late_zf, late_zb, old_zp, old_zf, old_zb;
 
     always @(posedge clock) begin
-        started <= 1;
-        old_kind <= kind;
-        old_surface <= surface;
-        old_number <= number;
-        old_zp <= zp;
-        old_zf <= zf;
-        old_nf <= nf;
-        old_zb <= zb;
-        old_nb <= nb;
+        if (!started) clocks <= clocks + 1;
+        {late_kind, late_surface, late_number, late_nf, late_nb} <= {kind, surface, number, nf, nb};
+        {late_zp, late_zf, late_zb} <= {zp, zf, zb};
+        {old_kind, old_surface, old_number, old_nf, old_nb} <= {late_kind, late_surface, late_number, late_nf, late_nb};
+        {old_zp, old_zf, old_zb} <= {late_zp, late_zf, late_zb};
     end
 
     wire kept = (old_kind == FRONT) ? z >= old_zp

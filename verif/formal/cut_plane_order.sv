@@ -23,12 +23,12 @@ module cut_plane_order #(parameter W = `W) (
     cut_plane other_second (.clock(clock), .kind(kind_1), .surface(surface), .number(4'd2), .zp(zp_1),
         .zf(other_once_zf), .nf(4'd0), .zb(other_once_zb), .nb(4'd1), .cut_zf(other_zf), .cut_nf(), .cut_zb(other_zb), .cut_nb());
 
-    reg [1:0] clocks = 0;
-    always @(posedge clock) if (clocks != 2) clocks <= clocks + 1;
+    reg [2:0] clocks = 0;
+    always @(posedge clock) if (clocks != 4) clocks <= clocks + 1;
 
     always @* begin
         assume (zf <= zb);
-        if (clocks == 2) begin
+        if (clocks == 4) begin
             assert (twice_zf == other_zf);
             assert (twice_zb == other_zb);
         end

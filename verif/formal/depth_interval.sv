@@ -25,19 +25,21 @@ module depth_interval_properties #(parameter W = 24, parameter S = 26) (
 
     (* anyconst *) wire signed [W-1:0] z;
 
-    // The ports one clock ago: latency 1.
-    reg started = 0;
-    reg signed [S-1:0] near, far;
-    reg inside, boxed;
-    reg [1:0] class_;
+    // The ports three clocks ago: latency 3.
+    localparam P = 2 * S + 4;
+    reg [1:0] clocks = 0;
+    wire started = clocks == 3;
+    reg [P-1:0] late_1, late_2, late_3;
+    wire signed [S-1:0] near, far;
+    wire inside, boxed;
+    wire [1:0] class_;
+    assign {near, far, inside, boxed, class_} = late_3;
 
     always @(posedge clock) begin
-        started <= 1;
-        near <= near_sum;
-        far <= far_sum;
-        inside <= is_inside;
-        boxed <= in_box;
-        class_ <= object_class;
+        if (!started) clocks <= clocks + 1;
+        late_1 <= {near_sum, far_sum, is_inside, in_box, object_class};
+        late_2 <= late_1;
+        late_3 <= late_2;
     end
 
     wire absent_a = zf_a == ZMAX && zb_a == ZMAX && nf_a == 0 && nb_a == 0;

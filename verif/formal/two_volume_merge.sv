@@ -15,17 +15,18 @@ module two_volume_merge_properties #(parameter W = 24) (
     input wire signed [W-1:0] zb,
     input wire [3:0] nb
 );
-    // The ports one clock ago: latency 1.
-    reg started = 0;
-    reg signed [W-1:0] front_a, front_b;
-    reg [2*W+7:0] half_a, half_b;
+    // The ports two clocks ago: latency 2.
+    reg [1:0] clocks = 0;
+    wire started = clocks == 2;
+    reg [2*W+7:0] late_a, late_b, half_a, half_b;
+    wire signed [W-1:0] front_a = half_a[2*W+7:W+8], front_b = half_b[2*W+7:W+8];
 
     always @(posedge clock) begin
-        started <= 1;
-        front_a <= zf_a;
-        front_b <= zf_b;
-        half_a <= {zf_a, nf_a, zb_a, nb_a};
-        half_b <= {zf_b, nf_b, zb_b, nb_b};
+        if (!started) clocks <= clocks + 1;
+        late_a <= {zf_a, nf_a, zb_a, nb_a};
+        late_b <= {zf_b, nf_b, zb_b, nb_b};
+        half_a <= late_a;
+        half_b <= late_b;
     end
 
     wire [2*W+7:0] merged = {zf, nf, zb, nb};

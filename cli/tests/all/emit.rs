@@ -17,7 +17,7 @@ fn emit_reports_top_files_latency_and_ports() {
         out,
     ]);
     assert_keys(&report, &["top", "files", "latency", "ports"]);
-    assert_eq!(report["latency"], 6 + 2 + 7);
+    assert_eq!(report["latency"], 6 + 2 * 2 + 11);
     let file = report["files"][0].as_str().unwrap();
     let first = std::fs::read(file).unwrap();
     json(&[

@@ -17,14 +17,23 @@ module two_volume_merge (
     output reg  [3:0] nb = 4'd0
 );
 
-    wire b_in_front;
-
-    assign b_in_front = zf_b < zf_a;
+    reg b_in_front = 1'd0;
+    reg signed [23:0] a_zf_late_1 = 24'sd0, a_zb_late_1 = 24'sd0, b_zf_late_1 = 24'sd0, b_zb_late_1 = 24'sd0;
+    reg [3:0] a_nf_late_1 = 4'd0, a_nb_late_1 = 4'd0, b_nf_late_1 = 4'd0, b_nb_late_1 = 4'd0;
 
     always @(posedge clock) begin
-        zf <= b_in_front ? zf_b : zf_a;
-        nf <= b_in_front ? nf_b : nf_a;
-        zb <= b_in_front ? zb_b : zb_a;
-        nb <= b_in_front ? nb_b : nb_a;
+        b_in_front <= zf_b < zf_a;
+        a_zf_late_1 <= zf_a;
+        a_nf_late_1 <= nf_a;
+        a_zb_late_1 <= zb_a;
+        a_nb_late_1 <= nb_a;
+        b_zf_late_1 <= zf_b;
+        b_nf_late_1 <= nf_b;
+        b_zb_late_1 <= zb_b;
+        b_nb_late_1 <= nb_b;
+        zf <= b_in_front ? b_zf_late_1 : a_zf_late_1;
+        nf <= b_in_front ? b_nf_late_1 : a_nf_late_1;
+        zb <= b_in_front ? b_zb_late_1 : a_zb_late_1;
+        nb <= b_in_front ? b_nb_late_1 : a_nb_late_1;
     end
 endmodule

@@ -1,7 +1,7 @@
 // cut_plane: one half of a depth interval cut by one plane
 //
 // parameters: format 24
-// latency:    1 clock
+// latency:    2 clocks
 // error:      exact
 // source:     Nyiri 1994, 2.4.2
 // ports:
@@ -37,21 +37,33 @@ module cut_plane (
     output reg  [3:0] cut_nb = 4'd0
 );
 
-    wire before_front, at_front, before_back, at_back, cuts_front, cuts_back, leaves_nothing, removed;
+    reg before_front = 1'd0, at_front = 1'd0, before_back = 1'd0, at_back = 1'd0, surface_late_1 = 1'd0;
+    reg [1:0] kind_late_1 = 2'd0;
+    reg [3:0] number_late_1 = 4'd0, nf_late_1 = 4'd0, nb_late_1 = 4'd0;
+    reg signed [23:0] zp_late_1 = 24'sd0, zf_late_1 = 24'sd0, zb_late_1 = 24'sd0;
+    wire cuts_front, cuts_back, leaves_nothing, removed;
 
-    assign before_front = zp < zf;
-    assign at_front = zp == zf;
-    assign before_back = zp < zb;
-    assign at_back = zp == zb;
-    assign cuts_front = (kind == 2'd1) & ~(before_front | at_front);
-    assign cuts_back = (kind == 2'd2) & before_back;
+    assign cuts_front = (kind_late_1 == 2'd1) & ~(before_front | at_front);
+    assign cuts_back = (kind_late_1 == 2'd2) & before_back;
     assign leaves_nothing = cuts_front & ~(before_back | at_back);
-    assign removed = (((kind == 2'd3) & zp[23]) | leaves_nothing) | (cuts_back & before_front);
+    assign removed = (((kind_late_1 == 2'd3) & zp_late_1[23]) | leaves_nothing) | (cuts_back & before_front);
 
     always @(posedge clock) begin
-        cut_zf <= removed ? 24'sd8388607 : cuts_front ? (surface ? zb : zp) : zf;
-        cut_nf <= removed ? 4'd0 : cuts_front ? (surface ? nb : number) : nf;
-        cut_zb <= removed ? 24'sd8388607 : cuts_front ? zb : cuts_back ? (surface ? zf : zp) : zb;
-        cut_nb <= removed ? 4'd0 : cuts_front ? nb : cuts_back ? (surface ? nf : number) : nb;
+        before_front <= zp < zf;
+        at_front <= zp == zf;
+        before_back <= zp < zb;
+        at_back <= zp == zb;
+        kind_late_1 <= kind;
+        surface_late_1 <= surface;
+        number_late_1 <= number;
+        zp_late_1 <= zp;
+        zf_late_1 <= zf;
+        nf_late_1 <= nf;
+        zb_late_1 <= zb;
+        nb_late_1 <= nb;
+        cut_zf <= removed ? 24'sd8388607 : cuts_front ? (surface_late_1 ? zb_late_1 : zp_late_1) : zf_late_1;
+        cut_nf <= removed ? 4'd0 : cuts_front ? (surface_late_1 ? nb_late_1 : number_late_1) : nf_late_1;
+        cut_zb <= removed ? 24'sd8388607 : cuts_front ? zb_late_1 : cuts_back ? (surface_late_1 ? zf_late_1 : zp_late_1) : zb_late_1;
+        cut_nb <= removed ? 4'd0 : cuts_front ? nb_late_1 : cuts_back ? (surface_late_1 ? nf_late_1 : number_late_1) : nb_late_1;
     end
 endmodule

@@ -5,25 +5,24 @@ module normal_component (
     input  wire clock, valid, start, line,
     input  wire signed [23:0] a, b, c,
     input  wire signed [15:0] k, scaled_root,
-    input  wire is_near, is_quadric,
+    input  wire is_quadric,
     input  wire signed [15:0] fixed,
     output reg  signed [15:0] result = 16'sd0
 );
 
     wire signed [23:0] g_value, sum;
-    wire signed [31:0] product, opposite;
+    wire signed [31:0] kept_change_product;
     reg signed [31:0] kept_change = 32'sd0;
 
     pe1_w24 g (
         .clock(clock), .valid(valid), .start(start), .line(line), .a(a), .b(b), .c(c), .value(g_value));
 
-    assign product = k * scaled_root;
-    assign opposite = 32'sd0 - product;
+    assign kept_change_product = k * scaled_root;
     assign sum = g_value + kept_change[29:6];
     wire unused = &{1'b0, kept_change[5:0], kept_change[31:30], sum[7:0]};
 
     always @(posedge clock) begin
-        kept_change <= is_near ? opposite : product;
+        kept_change <= kept_change_product;
         result <= is_quadric ? sum[23:8] : fixed;
     end
 endmodule

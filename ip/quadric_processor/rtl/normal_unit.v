@@ -13,33 +13,31 @@ module normal_unit (
     output wire signed [15:0] nx, ny, nz
 );
 
-    reg valid_late_1 = 1'd0, start_late_1 = 1'd0, line_late_1 = 1'd0, is_near = 1'd0, is_quadric = 1'd0,
-        component_x_is_quadric_kept = 1'd0, component_y_is_quadric_kept = 1'd0, component_z_is_quadric_kept = 1'd0;
+    reg [1:0] valid_late = 2'd0, start_late = 2'd0, line_late = 2'd0, is_quadric_kept = 2'd0;
     wire [23:0] shifted_root;
     wire [14:0] low_root;
-    reg signed [15:0] scaled_root = 16'sd0, component_x_fixed_kept_kept = 16'sd0,
-        component_y_fixed_kept_kept = 16'sd0, component_z_fixed_kept_kept = 16'sd0, component_x_fixed_kept = 16'sd0,
-        component_y_fixed_kept = 16'sd0, component_z_fixed_kept = 16'sd0;
-    wire is_near_test, test_4, test_3, test_2, test;
+    reg signed [15:0] kept_root = 16'sd0, scaled_root = 16'sd0, constant_nx_late_1 = 16'sd0,
+        constant_ny_late_1 = 16'sd0, constant_nz_late_1 = 16'sd0, fixed_nx_late_1 = 16'sd0, fixed_nx_late_2 = 16'sd0,
+        fixed_ny_late_1 = 16'sd0, fixed_ny_late_2 = 16'sd0, fixed_nz_late_1 = 16'sd0, fixed_nz_late_2 = 16'sd0;
+    wire is_near_test, is_quadric, test_4, test_3, test_2, test;
+    reg is_near = 1'd0, is_absent = 1'd0, is_root = 1'd0;
 
     normal_component component_x (
-        .clock(clock), .valid(valid_late_1), .start(start_late_1), .line(line_late_1), .a(gx_a), .b(gx_b), .c(gx_c),
-        .k(kx), .scaled_root(scaled_root), .is_near(is_near), .is_quadric(component_x_is_quadric_kept),
-        .fixed(component_x_fixed_kept), .result(nx));
+        .clock(clock), .valid(valid_late[1]), .start(start_late[1]), .line(line_late[1]), .a(gx_a), .b(gx_b),
+        .c(gx_c), .k(kx), .scaled_root(scaled_root), .is_quadric(is_quadric), .fixed(fixed_nx_late_2), .result(nx));
 
     normal_component component_y (
-        .clock(clock), .valid(valid_late_1), .start(start_late_1), .line(line_late_1), .a(gy_a), .b(gy_b), .c(gy_c),
-        .k(ky), .scaled_root(scaled_root), .is_near(is_near), .is_quadric(component_y_is_quadric_kept),
-        .fixed(component_y_fixed_kept), .result(ny));
+        .clock(clock), .valid(valid_late[1]), .start(start_late[1]), .line(line_late[1]), .a(gy_a), .b(gy_b),
+        .c(gy_c), .k(ky), .scaled_root(scaled_root), .is_quadric(is_quadric), .fixed(fixed_ny_late_2), .result(ny));
 
     normal_component component_z (
-        .clock(clock), .valid(valid_late_1), .start(start_late_1), .line(line_late_1), .a(gz_a), .b(gz_b), .c(gz_c),
-        .k(kz), .scaled_root(scaled_root), .is_near(is_near), .is_quadric(component_z_is_quadric_kept),
-        .fixed(component_z_fixed_kept), .result(nz));
+        .clock(clock), .valid(valid_late[1]), .start(start_late[1]), .line(line_late[1]), .a(gz_a), .b(gz_b),
+        .c(gz_c), .k(kz), .scaled_root(scaled_root), .is_quadric(is_quadric), .fixed(fixed_nz_late_2), .result(nz));
 
     assign shifted_root = root >> shift;
     assign low_root = shifted_root[14:0];
     assign is_near_test = number == 4'd0;
+    assign is_quadric = is_quadric_kept[1];
     assign test_4 = number == 4'd2;
     assign test_3 = number == 4'd3;
     assign test_2 = number == 4'd4;
@@ -47,20 +45,23 @@ module normal_unit (
     wire unused = &{1'b0, shifted_root[23:15]};
 
     always @(posedge clock) begin
-        valid_late_1 <= valid;
-        start_late_1 <= start;
-        line_late_1 <= line;
-        scaled_root <= {1'd0, low_root};
+        valid_late <= {valid_late[0], valid};
+        start_late <= {start_late[0], start};
+        line_late <= {line_late[0], line};
+        kept_root <= {1'd0, low_root};
         is_near <= is_near_test;
-        is_quadric <= (is_near_test | (number == 4'd1)) & ~absent;
-        component_x_fixed_kept_kept <= absent ? 16'sd0 : test ? 16'sd0 : test_2 ? plane_2_nx : test_3 ? plane_1_nx : test_4 ? plane_0_nx : 16'sd0;
-        component_y_fixed_kept_kept <= absent ? 16'sd0 : test ? 16'sd0 : test_2 ? plane_2_ny : test_3 ? plane_1_ny : test_4 ? plane_0_ny : 16'sd0;
-        component_z_fixed_kept_kept <= absent ? 16'sd0 : test ? -16'sd32767 : test_2 ? plane_2_nz : test_3 ? plane_1_nz : test_4 ? plane_0_nz : 16'sd0;
-        component_x_fixed_kept <= component_x_fixed_kept_kept;
-        component_y_fixed_kept <= component_y_fixed_kept_kept;
-        component_z_fixed_kept <= component_z_fixed_kept_kept;
-        component_x_is_quadric_kept <= is_quadric;
-        component_y_is_quadric_kept <= is_quadric;
-        component_z_is_quadric_kept <= is_quadric;
+        scaled_root <= is_near ? (16'sd0 - kept_root) : kept_root;
+        is_absent <= absent;
+        is_root <= is_near_test | (number == 4'd1);
+        is_quadric_kept <= {is_quadric_kept[0], is_root & ~is_absent};
+        constant_nx_late_1 <= test ? 16'sd0 : test_2 ? plane_2_nx : test_3 ? plane_1_nx : test_4 ? plane_0_nx : 16'sd0;
+        constant_ny_late_1 <= test ? 16'sd0 : test_2 ? plane_2_ny : test_3 ? plane_1_ny : test_4 ? plane_0_ny : 16'sd0;
+        constant_nz_late_1 <= test ? -16'sd32767 : test_2 ? plane_2_nz : test_3 ? plane_1_nz : test_4 ? plane_0_nz : 16'sd0;
+        fixed_nx_late_1 <= is_absent ? 16'sd0 : constant_nx_late_1;
+        fixed_nx_late_2 <= fixed_nx_late_1;
+        fixed_ny_late_1 <= is_absent ? 16'sd0 : constant_ny_late_1;
+        fixed_ny_late_2 <= fixed_ny_late_1;
+        fixed_nz_late_1 <= is_absent ? 16'sd0 : constant_nz_late_1;
+        fixed_nz_late_2 <= fixed_nz_late_1;
     end
 endmodule

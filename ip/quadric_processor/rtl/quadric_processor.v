@@ -3,7 +3,7 @@
 // parameters: format 24
 //             planes 3
 //             rows per stage 1
-// latency:    34 clocks
+// latency:    41 clocks
 // error:      exact in its integer words; imogene check SCENE bounds what the rounding of a scene to those words costs
 // source:     Nyiri 1994, 2.4.2
 // ports:
@@ -104,15 +104,17 @@ module quadric_processor (
         planes_2_depth, merge_zf, merge_zb;
     wire [3:0] interval_nf_a, interval_nb_a, interval_nf_b, interval_nb_b, merge_nf, unused_merge_nb, cut_a_nf [0:3],
         cut_a_nb [0:3], cut_b_nf [0:3], cut_b_nb [0:3];
-    reg valid_late_1 = 1'd0, start_late_1 = 1'd0, line_late_1 = 1'd0, valid_late_1_2 = 1'd0, start_late_1_2 = 1'd0,
-        line_late_1_2 = 1'd0, valid_late_1_3 = 1'd0, start_late_1_3 = 1'd0, line_late_1_3 = 1'd0;
+    reg valid_late_1 = 1'd0, start_late_1 = 1'd0, line_late_1 = 1'd0;
+    reg [1:0] valid_late = 2'd0, start_late = 2'd0, line_late = 2'd0, valid_late_2 = 2'd0, start_late_2 = 2'd0,
+        line_late_2 = 2'd0, valid_late_3 = 2'd0, start_late_3 = 2'd0, line_late_3 = 2'd0;
     reg [23:0] root_late_1 = 24'd0, root_late_2 = 24'd0, root_late_3 = 24'd0, root_late_4 = 24'd0,
-        root_late_5 = 24'd0;
-    reg [3:0] valid_late = 4'd0, start_late = 4'd0, line_late = 4'd0, number_late_1 = 4'd0, number_late_2 = 4'd0,
-        number_late_3 = 4'd0;
-    reg [2:0] out_valid_late = 3'd0;
-    reg signed [23:0] zf_late_1 = 24'sd0, zf_late_2 = 24'sd0, zf_late_3 = 24'sd0, zb_late_1 = 24'sd0,
-        zb_late_2 = 24'sd0, zb_late_3 = 24'sd0;
+        root_late_5 = 24'd0, root_late_6 = 24'd0, root_late_7 = 24'd0, root_late_8 = 24'd0, root_late_9 = 24'd0,
+        root_late_10 = 24'd0, root_late_11 = 24'd0;
+    reg [5:0] valid_late_4 = 6'd0, start_late_4 = 6'd0, line_late_4 = 6'd0;
+    reg [3:0] out_valid_late = 4'd0, number_late_1 = 4'd0, number_late_2 = 4'd0, number_late_3 = 4'd0,
+        number_late_4 = 4'd0;
+    reg signed [23:0] zf_late_1 = 24'sd0, zf_late_2 = 24'sd0, zf_late_3 = 24'sd0, zf_late_4 = 24'sd0,
+        zb_late_1 = 24'sd0, zb_late_2 = 24'sd0, zb_late_3 = 24'sd0, zb_late_4 = 24'sd0;
     wire [5:0] cut_a_kind, cut_b_kind;
     wire [11:0] cut_a_number, cut_b_number;
     wire [71:0] cut_a_zp, cut_b_zp;
@@ -131,15 +133,15 @@ module quadric_processor (
         .nb_b(interval_nb_b));
 
     plane_depth planes_0 (
-        .clock(clock), .valid(valid_late_1), .start(start_late_1), .line(line_late_1), .a(plane_0_a), .b(plane_0_b),
-        .c(plane_0_c), .depth(planes_0_depth));
+        .clock(clock), .valid(valid_late[1]), .start(start_late[1]), .line(line_late[1]), .a(plane_0_a),
+        .b(plane_0_b), .c(plane_0_c), .depth(planes_0_depth));
 
     plane_depth planes_1 (
-        .clock(clock), .valid(valid_late_1_2), .start(start_late_1_2), .line(line_late_1_2), .a(plane_1_a),
+        .clock(clock), .valid(valid_late_2[1]), .start(start_late_2[1]), .line(line_late_2[1]), .a(plane_1_a),
         .b(plane_1_b), .c(plane_1_c), .depth(planes_1_depth));
 
     plane_depth planes_2 (
-        .clock(clock), .valid(valid_late_1_3), .start(start_late_1_3), .line(line_late_1_3), .a(plane_2_a),
+        .clock(clock), .valid(valid_late_3[1]), .start(start_late_3[1]), .line(line_late_3[1]), .a(plane_2_a),
         .b(plane_2_b), .c(plane_2_c), .depth(planes_2_depth));
 
     assign cut_a_kind = {plane_2_kind, plane_1_kind, plane_0_kind};
@@ -176,8 +178,8 @@ module quadric_processor (
         .zb(merge_zb), .nb(unused_merge_nb));
 
     normal_unit normal (
-        .clock(clock), .valid(valid_late[3]), .start(start_late[3]), .line(line_late[3]), .number(merge_nf),
-        .absent(merge_zf == 24'sd8388607), .root(root_late_5), .shift(shift), .gx_a(gx_a), .gx_b(gx_b), .gx_c(gx_c),
+        .clock(clock), .valid(valid_late_4[5]), .start(start_late_4[5]), .line(line_late_4[5]), .number(merge_nf),
+        .absent(merge_zf == 24'sd8388607), .root(root_late_11), .shift(shift), .gx_a(gx_a), .gx_b(gx_b), .gx_c(gx_c),
         .gy_a(gy_a), .gy_b(gy_b), .gy_c(gy_c), .gz_a(gz_a), .gz_b(gz_b), .gz_c(gz_c), .kx(kx), .ky(ky), .kz(kz),
         .plane_0_nx(plane_0_nx), .plane_0_ny(plane_0_ny), .plane_0_nz(plane_0_nz), .plane_1_nx(plane_1_nx),
         .plane_1_ny(plane_1_ny), .plane_1_nz(plane_1_nz), .plane_2_nx(plane_2_nx), .plane_2_ny(plane_2_ny),
@@ -185,39 +187,51 @@ module quadric_processor (
 
     assign in_box = (((x >= box_x0) & (box_x1 >= x)) & (y >= box_y0)) & (box_y1 >= y);
     assign surface = object_class == 2'd2;
-    assign out_valid = out_valid_late[2];
-    assign zf = zf_late_3;
-    assign zb = zb_late_3;
-    assign number = number_late_3;
+    assign out_valid = out_valid_late[3];
+    assign zf = zf_late_4;
+    assign zb = zb_late_4;
+    assign number = number_late_4;
 
     always @(posedge clock) begin
         in_box_late <= {in_box_late[24:0], in_box};
         valid_late_1 <= quadric_late_valid;
         start_late_1 <= quadric_late_start;
         line_late_1 <= quadric_late_line;
-        valid_late_1_2 <= valid_late_1;
-        start_late_1_2 <= start_late_1;
-        line_late_1_2 <= line_late_1;
-        valid_late_1_3 <= valid_late_1_2;
-        start_late_1_3 <= start_late_1_2;
-        line_late_1_3 <= line_late_1_2;
+        valid_late <= {valid_late[0], valid_late_1};
+        start_late <= {start_late[0], start_late_1};
+        line_late <= {line_late[0], line_late_1};
+        valid_late_2 <= {valid_late_2[0], valid_late[1]};
+        start_late_2 <= {start_late_2[0], start_late[1]};
+        line_late_2 <= {line_late_2[0], line_late[1]};
+        valid_late_3 <= {valid_late_3[0], valid_late_2[1]};
+        start_late_3 <= {start_late_3[0], start_late_2[1]};
+        line_late_3 <= {line_late_3[0], line_late_2[1]};
         root_late_1 <= quadric_root;
         root_late_2 <= root_late_1;
         root_late_3 <= root_late_2;
         root_late_4 <= root_late_3;
         root_late_5 <= root_late_4;
-        valid_late <= {valid_late[2:0], valid_late_1_3};
-        start_late <= {start_late[2:0], start_late_1_3};
-        line_late <= {line_late[2:0], line_late_1_3};
-        out_valid_late <= {out_valid_late[1:0], valid_late[3]};
+        root_late_6 <= root_late_5;
+        root_late_7 <= root_late_6;
+        root_late_8 <= root_late_7;
+        root_late_9 <= root_late_8;
+        root_late_10 <= root_late_9;
+        root_late_11 <= root_late_10;
+        valid_late_4 <= {valid_late_4[4:0], valid_late_3[1]};
+        start_late_4 <= {start_late_4[4:0], start_late_3[1]};
+        line_late_4 <= {line_late_4[4:0], line_late_3[1]};
+        out_valid_late <= {out_valid_late[2:0], valid_late_4[5]};
         zf_late_1 <= merge_zf;
         zf_late_2 <= zf_late_1;
         zf_late_3 <= zf_late_2;
+        zf_late_4 <= zf_late_3;
         zb_late_1 <= merge_zb;
         zb_late_2 <= zb_late_1;
         zb_late_3 <= zb_late_2;
+        zb_late_4 <= zb_late_3;
         number_late_1 <= merge_nf;
         number_late_2 <= number_late_1;
         number_late_3 <= number_late_2;
+        number_late_4 <= number_late_3;
     end
 endmodule

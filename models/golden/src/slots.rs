@@ -97,8 +97,8 @@ impl FittedSlot {
 
     /// Clocks from a slot's raster flags to its outputs.
     pub fn latency(&self, format: &Format, rows_per_stage: u32) -> u32 {
-        let merge = u32::from(self.two_volumes);
-        format.root_rows().div_ceil(rows_per_stage) + self.planes + 6 + merge
+        let cuts = self.planes + u32::from(self.two_volumes);
+        format.root_rows().div_ceil(rows_per_stage) + 2 * cuts + 9
     }
 }
 

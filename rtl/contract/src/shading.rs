@@ -1,7 +1,7 @@
 //! Words of the shading processor and their addresses.
 
 /// Clocks from a pixel to its colour.
-pub const LATENCY: usize = 38;
+pub const LATENCY: usize = 44;
 /// The same where there are no lights.
 pub const FLAT_LATENCY: u32 = 3;
 /// Bits after the point of a level before it is rounded.

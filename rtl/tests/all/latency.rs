@@ -357,7 +357,7 @@ fn shadow_stages_and_blends_of_every_depth() {
     for layers in 1..=8 {
         let request = unit(Unit::TransparencyPipeline, &[("layers", layers)]);
         check(&request, &[], &[("pixel_depth", 1)], "depth");
-        // Layer i is taken 2 i clocks after the pixel.
+        // Layer i is taken 4 i clocks after the pixel.
         for layer in 0..layers {
             let [red, weight] = ["red", "weight"].map(|what| format!("layer_{layer}_{what}"));
             let found = measured(
@@ -366,7 +366,7 @@ fn shadow_stages_and_blends_of_every_depth() {
                 &[(&weight, 255)],
                 "red",
             );
-            assert_eq!(found + 2 * layer as usize, request.latency());
+            assert_eq!(found + 4 * layer as usize, request.latency());
         }
     }
 }

@@ -34,7 +34,7 @@ fn circuits_take_at_most_1000_lines_with_their_docs() {
 }
 
 #[test]
-fn verilog_of_a_small_beam_takes_at_most_900_lines() {
+fn verilog_of_a_small_beam_takes_at_most_950_lines() {
     let request = Request::given("beam", 24, &[("objects", Some(2)), ("planes", Some(2))]);
     let request = request.expect("a legal machine");
     assert_eq!(request.unit, Unit::Beam);
@@ -45,5 +45,5 @@ fn verilog_of_a_small_beam_takes_at_most_900_lines() {
         .collect();
     let sum: usize = lines.iter().map(|(_, lines)| lines).sum();
     println!("{sum} lines: {lines:?}");
-    assert!(sum <= 900, "{sum} lines: {lines:?}");
+    assert!(sum <= 950, "{sum} lines: {lines:?}");
 }

@@ -111,27 +111,29 @@ pub fn processor_signals(
     for name in ["near_sum", "far_sum"] {
         add(name, format.sum, 2 + root, &format!("quadric.{name}"));
     }
+    let (begin, merged) = (5 + root, 7 + root + 2 * planes);
     let ends = [("zf", "a"), ("zb", "a"), ("zf", "b"), ("zb", "b")];
     for (end, half) in ends {
         let [name, point] = ["_", "."].map(|joint| format!("interval{joint}{end}_{half}"));
-        add(&name, w, 3 + root, &point);
+        add(&name, w, begin, &point);
     }
     for i in 0..planes {
         let (name, point) = (format!("plane_{i}_depth"), format!("planes_{i}.depth"));
-        add(&name, w, 3 + root + i, &point);
+        let met = begin + 2 * i;
+        add(&name, w, met, &point);
         for (end, half) in ends {
             let point = format!("cut_{half}_{i}.cut_{end}");
-            add(&format!("cut_{i}_{end}_{half}"), w, 4 + root + i, &point);
+            add(&format!("cut_{i}_{end}_{half}"), w, met + 2, &point);
         }
     }
     for (end, width) in [("zf", w), ("zb", w), ("nf", 4)] {
         let [name, point] = ["merged_", "merge."].map(|of| format!("{of}{end}"));
-        add(&name, width, 4 + root + planes, &point);
+        add(&name, width, merged, &point);
     }
     let depths = [("zf", w), ("zb", w), ("number", 4)];
     let normals = ["nx", "ny", "nz"].map(|name| (name, normal));
     for (name, width) in depths.into_iter().chain(normals) {
-        add(name, width, 7 + root + planes, name);
+        add(name, width, merged + 4, name);
     }
     list
 }

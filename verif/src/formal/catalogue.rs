@@ -118,7 +118,7 @@ const CUT_PLANE: Family = Family {
     unit: Unit::CutPlane,
     properties: property!("cut_plane.sv"),
     widths: |w| vec![("W", w)],
-    statement: "cut_plane: holds exactly the depths that the half holds and the plane keeps, ordered or absent, latency 1",
+    statement: "cut_plane: holds exactly the depths that the half holds and the plane keeps, ordered or absent, latency 2",
 };
 const CUT_PLANE_ORDER: Family = Family {
     name: "cut_plane_order",
@@ -131,13 +131,13 @@ const DEPTH_INTERVAL: Family = Family {
     unit: Unit::DepthInterval,
     properties: property!("depth_interval.sv"),
     widths: |w| vec![("W", w), ("S", w + 2)],
-    statement: "depth_interval: holds exactly the depths of the object's class, ordered or absent, latency 1",
+    statement: "depth_interval: holds exactly the depths of the object's class, ordered or absent, latency 3",
 };
 const TWO_VOLUME_MERGE: Family = Family {
     name: "two_volume_merge",
     unit: Unit::TwoVolumeMerge,
     properties: property!("two_volume_merge.sv"),
-    statement: "two_volume_merge: the half with the nearer front goes on whole, half A at a tie, latency 1",
+    statement: "two_volume_merge: the half with the nearer front goes on whole, half A at a tie, latency 2",
     ..CUT_PLANE
 };
 const VISIBILITY_NODE: Family = Family {
@@ -195,11 +195,14 @@ fn depths() -> Vec<Job> {
     let at = |word: u32| {
         let order = Job {
             top: "cut_plane_order",
-            method: Method::Induction(2),
+            method: Method::Induction(4),
             ..CUT_PLANE_ORDER.at(word)
         };
-        let [cut, interval, merge] =
-            [CUT_PLANE, DEPTH_INTERVAL, TWO_VOLUME_MERGE].map(|family| family.at(word));
+        let [cut, interval, merge] = [(CUT_PLANE, 2), (DEPTH_INTERVAL, 3), (TWO_VOLUME_MERGE, 2)]
+            .map(|(family, latency)| Job {
+                method: Method::Induction(latency),
+                ..family.at(word)
+            });
         [cut, order, interval, merge]
     };
     DEPTH_WORDS.into_iter().flat_map(at).collect()
@@ -248,11 +251,11 @@ fn late(job: Job, latency: usize, definitions: &[(&str, usize)]) -> Job {
 fn valid_path((planes, rows_per_stage): (usize, usize)) -> Job {
     let path = job(
         format!("quadric_processor-n{planes}-r{rows_per_stage}"),
-        "quadric_processor: out_valid is valid, L + N + 7 clocks later; none lost, none made",
+        "quadric_processor: out_valid is valid, L + 2 N + 11 clocks later; none lost, none made",
         property!("valid_path.sv"),
         Unit::QuadricProcessor,
     );
-    let latency = BASE.div_ceil(rows_per_stage) + planes + 7;
+    let latency = BASE.div_ceil(rows_per_stage) + 2 * planes + 11;
     Job {
         design: Design::Emitted(Request {
             planes: planes as u32,
@@ -268,13 +271,13 @@ fn valid_path((planes, rows_per_stage): (usize, usize)) -> Job {
 fn beam_valid() -> Job {
     let beam = job(
         "beam-m4-n3",
-        "beam: valid is that of its raster control, L + N + 7 + tree clocks later; none lost, none made",
+        "beam: valid is that of its raster control, L + 2 N + 11 + tree clocks later; none lost, none made",
         property!("beam_valid.sv"),
         Unit::Beam,
     );
     Job {
         top: "beam_valid",
-        ..late(beam, BASE + 3 + 7 + 2, &[])
+        ..late(beam, BASE + 6 + 11 + 2, &[])
     }
 }
 

@@ -14,7 +14,7 @@ use imogene_prepare::PreparedScene;
 use std::time::Instant;
 
 /// Clocks from the visible depth to the answer, whatever the volume.
-const FROM_DEPTH: usize = 3;
+const FROM_DEPTH: usize = 4;
 
 /// A volume that is on the screen.
 type Job<'a> = super::zone::Job<&'a VolumeWords>;

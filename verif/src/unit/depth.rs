@@ -1,6 +1,6 @@
 //! The units of the depth interval: opening it, cutting it, merging its halves.
 
-use super::description::{Description, any_raster, bit, last_pixel, late};
+use super::description::{Description, any_raster, bit, last_pixel, late, stated};
 use super::zone::{Reader, class, plane_kind};
 use crate::stimulus::{depth, interval};
 use crate::subject::{Inputs, Subject};
@@ -12,8 +12,12 @@ use imogene_golden::unit::pe1::Pe1;
 use imogene_golden::unit::plane_depth::saturate;
 use proptest::prelude::*;
 
-fn flat(half: &Interval) -> [Option<i64>; 4] {
-    [half.zf, half.nf.into(), half.zb, half.nb.into()].map(Some)
+/// Clocks from the roots to an interval, and from an interval to what a unit makes of it.
+const BEGIN: usize = 3;
+const LATENCY: usize = 2;
+
+fn flat(half: &Interval) -> [i64; 4] {
+    [half.zf, half.nf.into(), half.zb, half.nb.into()]
 }
 
 fn interval_of(i: &[i64]) -> Interval {
@@ -27,12 +31,15 @@ fn interval_of(i: &[i64]) -> Interval {
 
 pub(super) fn depth_interval(format: Format) -> Description {
     Description::new(sums, move || {
+        let mut late = late(BEGIN);
         move |i: &[i64]| {
             let (a, b) = match bit(i[3]) {
                 true => halves(class(i[4]), i[0], i[1], !bit(i[2]), &format),
                 false => [(); 2].map(|()| Interval::absent(&format)).into(),
             };
-            [flat(&a), flat(&b)].concat()
+            let found = late.push([flat(&a), flat(&b)]);
+            let [a, b] = [0, 1].map(|half| stated(found.map(|halves| halves[half])));
+            [a, b].concat()
         }
     })
 }
@@ -70,10 +77,12 @@ pub(super) fn plane_depth(format: Format) -> Description {
 
 pub(super) fn cut_plane(format: Format) -> Description {
     Description::new(cuts, move || {
+        let mut late = late(LATENCY);
         move |i: &[i64]| {
             let kind = plane_kind(i[0]);
             let start = interval_of(&i[4..]);
-            flat(&cut(start, kind, i[3], i[2] as u8, bit(i[1]), &format)).to_vec()
+            let left = cut(start, kind, i[3], i[2] as u8, bit(i[1]), &format);
+            stated(late.push(flat(&left)))
         }
     })
 }
@@ -99,7 +108,8 @@ fn cuts(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
 
 pub(super) fn two_volume_merge() -> Description {
     Description::new(two_halves, || {
-        |i: &[i64]| flat(&merge(interval_of(i), interval_of(&i[4..]))).to_vec()
+        let mut late = late(LATENCY);
+        move |i: &[i64]| stated(late.push(flat(&merge(interval_of(i), interval_of(&i[4..])))))
     })
 }
 

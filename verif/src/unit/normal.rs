@@ -12,6 +12,9 @@ use proptest::prelude::*;
 /// The bits of `g` below those of a component.
 const LOW: i64 = (1 << Format::NORMAL_FRACTION) - 1;
 
+/// Clocks from the flags of a zone to its words of g.
+const WORDS_LATER: usize = 2;
+
 /// Where the ports begin, in their order.
 mod port {
     pub const NUMBER: usize = 3;
@@ -26,7 +29,7 @@ mod port {
 pub(super) fn normal_unit(planes: usize) -> Description {
     Description::new(words_held, move || {
         let mut g = None;
-        let mut late = late(3);
+        let mut late = late(4);
         move |i: &[i64]| stated(late.push(normal(&mut g, i, planes)).flatten())
     })
 }
@@ -96,9 +99,10 @@ fn words_held(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
             };
             let mut list: Vec<Inputs> = list.into_iter().map(clock).collect();
             list[0][..3].copy_from_slice(&[1, 1, 0]);
-            for clock in 1..list.len() {
-                if list[clock - 1][..2] == [1, 1] {
-                    let words = list[clock - 1][port::WORDS..port::FACTORS].to_vec();
+            for clock in WORDS_LATER..list.len() {
+                let begun = clock - WORDS_LATER;
+                if list[begun][..2] == [1, 1] {
+                    let words = list[begun][port::WORDS..port::FACTORS].to_vec();
                     list[clock][port::WORDS..port::FACTORS].copy_from_slice(&words);
                 }
             }

@@ -13,7 +13,7 @@ const DECIDER_PORTS: usize = 4;
 
 pub(super) fn patch_decider(format: Format) -> Description {
     Description::new(decisions, move || {
-        let mut late = late(2);
+        let mut late = late(3);
         move |i: &[i64]| {
             let (near, far) = (i[0], i[1]);
             let there = visible(near, far, bit(i[2]) && bit(i[3]), &format);

@@ -103,7 +103,7 @@ fn a_faulty_kernel_is_found() {
         &printed::<CutPlane<16>>(),
         &cut,
         &[
-            ("(zp > zf)", "(zp >= zf)"),
+            ("zp > zf", "zp >= zf"),
             ("reg signed [15:0] zero", "reg [15:0] zero"),
             ("absent = 16'h7fff", "absent = 16'h8000"),
         ],

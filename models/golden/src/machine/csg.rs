@@ -53,10 +53,10 @@ pub const fn skew(intersected: usize) -> usize {
     levels(intersected)
 }
 
-/// Latency in clocks from the intersected objects: the intersection, one clock for the candidates, the choice among
+/// Latency in clocks from the intersected objects: the intersection, two clocks for the candidates, the choice among
 /// them.
 pub const fn latency(intersected: usize, subtracted: usize) -> u32 {
-    (levels(intersected) + 1 + levels(1 + subtracted)) as u32
+    (levels(intersected) + 2 + levels(1 + subtracted)) as u32
 }
 
 const fn levels(inputs: usize) -> usize {

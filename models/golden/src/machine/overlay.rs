@@ -51,14 +51,16 @@ pub struct Covered {
 }
 
 /// Clocks from a pixel to the pixel with the plane over it.
-pub const LATENCY: usize = 4;
+pub const LATENCY: usize = 5;
+/// Of these, those before its word is read.
+const BEFORE: usize = 2;
 
 /// The plane and the pixels on their way, the last one first: with its bit from the clock on in which its word is read.
 #[derive(Clone, Debug)]
 pub struct Overlay {
     plane: Vec<u32>,
     coming: VecDeque<Option<Covered>>,
-    read: Option<(Covered, bool)>,
+    read: VecDeque<Option<(Covered, bool)>>,
 }
 
 impl Overlay {
@@ -66,8 +68,8 @@ impl Overlay {
     pub fn new(words: usize) -> Self {
         Overlay {
             plane: vec![0; words],
-            coming: VecDeque::from([None; LATENCY - 2]),
-            read: None,
+            coming: VecDeque::from([None; BEFORE]),
+            read: VecDeque::from([None; LATENCY - BEFORE - 1]),
         }
     }
 
@@ -79,16 +81,14 @@ impl Overlay {
         shown: Option<[u8; 3]>,
         pixel: Option<Covered>,
     ) -> Option<[u8; 3]> {
-        let leaving = self.read.take().map(|(pixel, is_set)| {
+        let leaving = self.read.pop_front().flatten().map(|(pixel, is_set)| {
             let over = shown.filter(|_| is_set);
             over.unwrap_or(pixel.colour)
         });
         self.coming.push_back(pixel);
-        self.read = self
-            .coming
-            .pop_front()
-            .flatten()
-            .map(|pixel| (pixel, self.bit(pixel.place)));
+        let now = self.coming.pop_front().flatten();
+        let read = now.map(|pixel| (pixel, self.bit(pixel.place)));
+        self.read.push_back(read);
         if let Some((address, word)) = write {
             self.plane[address] = word;
         }

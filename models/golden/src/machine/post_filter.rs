@@ -73,7 +73,7 @@ pub struct FilterPixel {
 }
 
 /// Clocks from the pixel to the right in the next line.
-pub const LATENCY: u64 = 3;
+pub const LATENCY: u64 = 4;
 
 /// The filter, clock by clock: when each pixel leaves. What leaves is a part of [`Kernel::picture`].
 #[derive(Clone, Debug)]

@@ -5,7 +5,7 @@
 pub type Colour = [u8; 3];
 
 /// Clocks of one stage.
-pub const STAGE_LATENCY: u32 = 2;
+pub const STAGE_LATENCY: u32 = 4;
 /// Most stages of a pipeline.
 pub const MOST_LAYERS: usize = imogene_contract::words::MOST_LAYERS as usize;
 

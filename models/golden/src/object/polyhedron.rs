@@ -48,9 +48,10 @@ pub struct PolyhedronPixel {
     pub back_normal: [i16; 3],
 }
 
-/// Latency in clocks from the raster flags to the outputs: pe1, saturation, tree, the two ends, normals.
+/// Latency in clocks from the raster flags to the outputs: pe1, saturation, kinds, tree, the two ends, what is
+/// between them, normals.
 pub fn latency(planes: usize) -> u32 {
-    tree_levels(planes) + 4
+    tree_levels(planes) + 6
 }
 
 /// The processor running over a zone.
@@ -307,7 +308,7 @@ mod tests {
 
     #[test]
     fn six_planes_take_seven_clocks() {
-        assert_eq!(latency(DEFAULT_PLANES), 7);
-        assert_eq!((latency(1), latency(12)), (4, 8));
+        assert_eq!(latency(DEFAULT_PLANES), 9);
+        assert_eq!((latency(1), latency(12)), (6, 10));
     }
 }

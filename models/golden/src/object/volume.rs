@@ -126,12 +126,12 @@ impl VolumeWords {
 /// Latency in clocks from the raster flags to the answer of a volume with a quadric; the visible depth enters `L + 1`
 /// clocks after them.
 pub fn quadric_latency(format: &Format, rows_per_stage: u32) -> u32 {
-    format.root.div_ceil(rows_per_stage) + 4
+    format.root.div_ceil(rows_per_stage) + 5
 }
 
 /// The same without a quadric; the visible depth enters with the flags.
 pub const fn polyhedral_latency() -> u32 {
-    3
+    4
 }
 
 impl Words for VolumeWords {
@@ -186,8 +186,8 @@ mod tests {
 
     #[test]
     fn latencies() {
-        assert_eq!(quadric_latency(&Format::BASE, 2), 16);
-        assert_eq!(polyhedral_latency(), 3);
+        assert_eq!(quadric_latency(&Format::BASE, 2), 17);
+        assert_eq!(polyhedral_latency(), 4);
     }
 
     #[test]

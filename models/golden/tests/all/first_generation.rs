@@ -220,5 +220,5 @@ fn a_solid_that_reaches_nearer_than_the_near_end_is_capped() {
 
 #[test]
 fn two_planes_without_a_chain() {
-    assert_eq!(latency(&F, 1), 30);
+    assert_eq!(latency(&F, 1), 33);
 }

@@ -22,7 +22,7 @@ const FALL: Curve = Curve {
 
 /// `log2(number)` in 28 bits, 20 of them after the point; 0 has none. The number has 20 bits at least.
 ///
-/// The octave by shifting to the leading one, the 19 bits behind it through a curve of 32 segments. Latency 8.
+/// The octave by shifting to the leading one, the 19 bits behind it through a curve of 32 segments. Latency 9.
 pub fn logarithm(at: &str, number: Bits) -> Int {
     module("logarithm", at, ("number", number), |number| {
         let width = number.width();

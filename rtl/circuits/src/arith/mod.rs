@@ -3,6 +3,7 @@
 mod fifteenth;
 mod logarithm;
 mod normalise;
+mod product;
 mod root_correction;
 mod root_length;
 mod root_rows;
@@ -17,6 +18,7 @@ mod square_root_quadratic;
 mod vector;
 
 pub use logarithm::{logarithm, logarithm_of_sum, power_of_two};
+pub use product::product;
 pub use square_root::{Root, square_root, square_root_rows};
 pub use square_root_iterative::{Iterative, square_root_iterative};
 pub use square_root_leading::square_root_leading;

@@ -27,7 +27,7 @@ alike! {
 }
 
 /// Shifts a vector to the left until its longest component fills its word, by `N - 2` places at most; the zero vector
-/// stays. Latency 2.
+/// stays. Latency 3.
 pub fn vector_normaliser(at: &str, vector: Vector) -> Full {
     module("vector_normaliser", at, vector, |vector| {
         let parts = vector.parts();

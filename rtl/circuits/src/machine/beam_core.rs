@@ -9,7 +9,7 @@ use crate::object::Normal;
 use crate::raster::Scan;
 use crate::rows::numbered;
 use crate::shade::{
-    FlatPoint, Point, Shaded, ShadingLoad, Surface, flat_shading, shading_processor,
+    BLEND_LATENCY, FlatPoint, Point, Shaded, ShadingLoad, Surface, flat_shading, shading_processor,
     transparency_pipeline,
 };
 use crate::video::LEVEL;
@@ -37,7 +37,7 @@ pub struct BeamMachine {
 impl BeamMachine {
     /// Clocks from a pixel to its colour.
     pub fn latency(&self) -> u32 {
-        self.surfaces() + self.shading() + 2 * self.layers.len() as u32
+        self.surfaces() + self.shading() + BLEND_LATENCY * self.layers.len() as u32
     }
 
     /// Clocks from what is told of a pixel to its colour.
@@ -48,10 +48,10 @@ impl BeamMachine {
         }
     }
 
-    /// Clocks from a pixel to what the shading processor of the surfaces is told of it: the layers, each two clocks
+    /// Clocks from a pixel to what the shading processor of the surfaces is told of it: the layers, each a blend
     /// after the one before, are not later.
     fn surfaces(&self) -> u32 {
-        let layers = (0..).step_by(2).zip(&self.layers);
+        let layers = (0..).step_by(BLEND_LATENCY as usize).zip(&self.layers);
         let needed =
             layers.map(|(late, slot)| slot.clocks(&self.objects.root).saturating_sub(late));
         needed.fold(self.decided(), u32::max)
@@ -123,11 +123,11 @@ fn blended(
             data: load.data.low(MATERIAL + LEVEL),
         };
         let clocks = slot.clocks(&machine.objects.root);
-        let scan = scan.delayed(machine.surfaces() + 2 * index as u32 - clocks);
+        let scan = scan.delayed(machine.surfaces() + BLEND_LATENCY * index as u32 - clocks);
         shaded_layer(&at, scan, (objects.of(own), look, words), slot, machine)
     });
     let layers: Vec<_> = layers.collect();
-    let wait = 2 * layers.len() as u32;
+    let wait = BLEND_LATENCY * layers.len() as u32;
     let surface = Surface {
         depth,
         red: seen.red,

@@ -22,7 +22,7 @@ bundles! {
 /// intersection. The nearest survivor is the front of the product: where the line before a front that is not the
 /// intersection's is outside, it is inside some object taken away that ends there. At equal depth the earlier of the
 /// inputs wins. An absent object has its front at the far end; taken away, both ends before the near end. With I
-/// objects intersected and J taken away the latency is `ceil(log2 I) + 1 + ceil(log2(J + 1))`. Chaillou 1991,
+/// objects intersected and J taken away the latency is `ceil(log2 I) + 2 + ceil(log2(J + 1))`. Chaillou 1991,
 /// III.1.1.4 and IV.3.5.
 pub fn csg_product(at: &str, intersected: Vec<Extent>, subtracted: Vec<Extent>) -> Candidate {
     let common = "intersected object #";
@@ -43,7 +43,7 @@ fn intersection(at: &str, objects: Vec<Extent>) -> Extent {
     })
 }
 
-/// Where an intersection less some objects can be seen first.
+/// Where an intersection less some objects can be seen first. Latency 2.
 fn candidates(common: Extent, subtracted: &[Extent]) -> Vec<Candidate> {
     // The line behind a place is inside an object.
     let covers = |other: &Extent, place: Int| !place.less(other.end) & place.less(other.face.depth);
@@ -53,10 +53,11 @@ fn candidates(common: Extent, subtracted: &[Extent]) -> Vec<Candidate> {
         let is_there = !back.less(front) & front.less(far);
         let is_sheet = front.equals(back);
         // What has no thickness is covered by an object that ends at it, too.
-        let front_is_seen = subtracted.iter().fold(is_there, |is_seen, other| {
+        let survives = subtracted.iter().fold(is_there, |is_seen, other| {
             let ends = is_sheet & front.equals(other.face.depth) & !front.less(other.end);
             is_seen & !(covers(other, front) | ends)
         });
+        let front_is_seen = survives.reg();
     }
     let mut candidates = vec![(front_is_seen, common.face)];
     for (index, own) in subtracted.iter().enumerate() {
@@ -67,11 +68,17 @@ fn candidates(common: Extent, subtracted: &[Extent]) -> Vec<Candidate> {
         let is_seen = others
             .iter()
             .fold(is_within, |all, other| all & !covers(other, end));
-        candidates.push((is_seen.named(&format!("back_{index}_is_seen")), own.face));
+        candidates.push((
+            is_seen.delayed_as(&format!("back_{index}_is_seen"), 1),
+            own.face,
+        ));
     }
     let candidates = candidates.into_iter();
     candidates
-        .map(|(is_seen, face)| is_seen.select(face, nothing(&face)).registered())
+        .map(|(is_seen, face)| {
+            let face = face.delayed(1);
+            is_seen.select(face, nothing(&face)).registered()
+        })
         .collect()
 }
 

@@ -75,7 +75,7 @@ enum Role {
 impl Role {
     /// Clocks from what a processor sees to what is seen of the object or the product.
     fn clocks(self) -> u32 {
-        let after = |product: ProductSlots| 1 + levels(1 + product.subtracted);
+        let after = |product: ProductSlots| 2 + levels(1 + product.subtracted);
         match self {
             Role::Alone => 0,
             Role::Kept(product) => levels(product.intersected) + after(product),

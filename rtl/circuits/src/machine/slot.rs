@@ -38,10 +38,10 @@ impl Slot {
     pub(super) fn clocks(&self, root: &Network) -> u32 {
         let planes = self.planes as u32;
         match self.kind {
-            Kind::Quadric => root.latency() + 6 + planes + u32::from(self.two_volumes),
-            Kind::Patch => root.latency() + 7,
-            Kind::FirstGeneration => root.latency() + 6,
-            Kind::Polyhedron => levels(self.planes) + 4,
+            Kind::Quadric => root.latency() + 9 + 2 * (planes + u32::from(self.two_volumes)),
+            Kind::Patch => root.latency() + 9,
+            Kind::FirstGeneration => root.latency() + 9,
+            Kind::Polyhedron => levels(self.planes) + 6,
             Kind::Facet | Kind::CurvedFacet => 2,
             Kind::Sphere => 4,
             Kind::Cylinder => 3,

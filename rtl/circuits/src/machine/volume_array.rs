@@ -45,7 +45,7 @@ impl Volumes {
 
     /// Clocks from the flags of the raster to those of the sources before these volumes.
     pub fn flags_offset(&self) -> u32 {
-        self.root.latency() + 4
+        self.root.latency() + 5
     }
 }
 

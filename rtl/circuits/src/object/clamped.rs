@@ -17,12 +17,22 @@ pub(super) struct Clamped {
 impl Clamped {
     /// Of a depth sum, which has two bits more than a depth.
     pub fn of(name: &str, sum: Int, face: u64) -> Clamped {
+        Clamped::with(name, Clamped::ends(name, sum), sum, face)
+    }
+
+    /// Whether a depth sum is before the near end, and whether it is not before the far end.
+    pub fn ends(name: &str, sum: Int) -> [Bits; 2] {
         let width = sum.width() - 2;
-        let [low, far] = [near_end, far_end].map(|end| end(width));
+        let [low, far] = [near_end, far_end].map(|end| Int::new(end(width), sum.width()));
+        let is_low = sum.less(low).named(&format!("{name}_is_low"));
+        let is_far = (!sum.less(far)).named(&format!("{name}_is_far"));
+        [is_low, is_far]
+    }
+
+    /// Of a depth sum and what [`Clamped::ends`] says of it.
+    pub fn with(name: &str, [is_low, is_far]: [Bits; 2], sum: Int, face: u64) -> Clamped {
+        let width = sum.width() - 2;
         let own = |part: &str| format!("{name}_{part}");
-        let sum = sum.named(&own("sum"));
-        let is_low = sum.less(Int::new(low, sum.width())).named(&own("is_low"));
-        let is_far = (!sum.less(Int::new(far, sum.width()))).named(&own("is_far"));
         let [cap, face] = [CAP, face].map(|number| Bits::new(number, 4));
         Clamped {
             is_low,

@@ -3,7 +3,7 @@
 use super::clamped::Clamped;
 use super::{Interval, Roots, Seen, absent, end};
 use imogene_contract::words::{FAR_ROOT, FIRST_PLANE, NEAR_ROOT, near_end};
-use imogene_hdl::{Bits, Bundle, Value, bundle, module, net};
+use imogene_hdl::{Bits, Bundle, Ports, Value, bundle, module, net};
 
 bundle! {
     /// Two parallel planes at a pixel, and what the contours say of them.
@@ -21,7 +21,7 @@ bundle! {
 /// it.
 ///
 /// A plane inside a solid is the face on its side; inside a bare surface it has removed the face on its side. Latency
-/// 1. Section 2.4.1, its algorithm corrected.
+/// 3. Section 2.4.1, its algorithm corrected.
 pub fn contour_choice(at: &str, roots: Roots, contours: Contours) -> Seen {
     module("contour_choice", at, (roots, contours), |(roots, own)| {
         let width = own.front_zp.width();
@@ -34,23 +34,28 @@ pub fn contour_choice(at: &str, roots: Roots, contours: Contours) -> Seen {
             let left = roots.is_inside & roots.in_box & some_kept;
             let front_cuts = own.front_inside & low.less(own.front_zp);
             let back_cuts = own.back_inside & own.back_zp.less(end);
-            let cut_zf = front_cuts.select(own.front_zp, near.depth);
-            let cut_zb = back_cuts.select(own.back_zp, far.depth);
+            let cut_zf = front_cuts.select(own.front_zp, near.depth).reg();
+            let cut_zb = back_cuts.select(own.back_zp, far.depth).reg();
+            let cut_face = front_cuts.select(Bits::new(FIRST_PLANE, 4), near.face).reg();
             // Only a plane beyond an end of the depth word can leave nothing where the solid is.
-            let is_cut = left & !(near.is_far | far.is_low);
+            let is_cut = (left & !(near.is_far | far.is_low)).reg();
             let is_present = is_cut & !cut_zb.less(cut_zf) & cut_zf.less(end);
-            let near_left = left & !own.front_inside & near.is_visible();
-            let far_left = left & !own.back_inside & far.is_visible();
+            let near_left = (left & !own.front_inside & near.is_visible()).reg();
+            let far_left = (left & !own.back_inside & far.is_visible()).reg();
+            let near_depth = near.depth.reg();
+            let far_depth = far.depth.reg();
+            let is_solid = is_present.reg();
+            let is_surface = own.surface.delay(2);
         }
-        let front_plane = Bits::new(FIRST_PLANE, 4);
-        let number = front_cuts.select(front_plane, near.face);
-        let cut = Seen {
+        let solid = Seen {
             zf: cut_zf,
             zb: cut_zb,
-            number,
+            number: cut_face,
         };
-        let solid = is_present.select(cut, Seen::absent(width));
-        let surface = Interval::of_surface([near_left, far_left], [near.depth, far.depth]).seen();
-        own.surface.select(surface, solid).registered()
+        let surface = Interval::of_surface([near_left, far_left], [near_depth, far_depth]).seen();
+        let solid = is_solid.select(("solid", solid).delayed(1).bare(), Seen::absent(width));
+        is_surface
+            .select(("surface", surface).delayed(1).bare(), solid)
+            .registered()
     })
 }

@@ -19,16 +19,19 @@ bundle! {
 /// perpendicular to the screen removes all where it is negative. A bare surface has no inside: of its two points the
 /// cut one goes.
 ///
-/// Ties: a plane at the front leaves the front, one at the back leaves nothing of a front plane's side. Latency 1.
-/// Section 2.4.2.
+/// Ties: a plane at the front leaves the front, one at the back leaves nothing of a front plane's side. Latency 2: the
+/// comparisons, the choice. Section 2.4.2.
 pub fn cut_plane(at: &str, cut: Cut, interval: Interval) -> Interval {
     module("cut_plane", at, (cut, interval), |(cut, own)| {
+        net! {
+            let before_front = cut.zp.less(own.zf).reg();
+            let at_front = cut.zp.equals(own.zf).reg();
+            let before_back = cut.zp.less(own.zb).reg();
+            let at_back = cut.zp.equals(own.zb).reg();
+        }
+        let (cut, own) = (cut.delayed(1), own.delayed(1));
         let is = |kind: u64| cut.kind.is(kind);
         net! {
-            let before_front = cut.zp.less(own.zf);
-            let at_front = cut.zp.equals(own.zf);
-            let before_back = cut.zp.less(own.zb);
-            let at_back = cut.zp.equals(own.zb);
             let cuts_front = is(FRONT_PLANE) & !(before_front | at_front);
             let cuts_back = is(BACK_PLANE) & before_back;
             let leaves_nothing = cuts_front & !(before_back | at_back);

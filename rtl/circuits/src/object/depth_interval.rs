@@ -5,7 +5,7 @@ use super::{Interval, Roots, end};
 use imogene_contract::words::{
     CAP, FAR_ROOT, FRONT, NEAR_ROOT, PATCH, PRISM, SIDE, far_end, near_end,
 };
-use imogene_hdl::{Bits, Bundle, Int, Value, bundles, module, net};
+use imogene_hdl::{Bits, Bundle, Int, Ports, Value, bundles, module, net};
 
 bundles! {
     /// The two halves of an object.
@@ -23,16 +23,24 @@ const FROM_FAR: i64 = -2;
 
 /// The intervals of an object between the ends of the depth, by its class.
 ///
-/// What is chosen is the source of each depth, in two bits; then one multiplexer a depth takes it. Latency 1. Section
-/// 2.4.2.
+/// The roots are compared with the ends; then the source of each depth is chosen, in two bits; then one multiplexer a
+/// depth takes it. Latency 3. Section 2.4.2.
 pub fn depth_interval(at: &str, roots: Roots, object_class: Bits) -> Halves {
     let meaning = "class of the object: 0 side, 1 front, 2 patch, 3 prism";
     let inputs = (roots, ("object_class", object_class, meaning));
     module("depth_interval", at, inputs, |(roots, object_class)| {
         let width = roots.depth();
         let face = |number: u64| Bits::new(number, 4);
-        let near = Clamped::of("near", roots.near_sum, NEAR_ROOT);
-        let far = Clamped::of("far", roots.far_sum, FAR_ROOT);
+        let ends = |name: &str, sum: Int| {
+            let [is_low, is_far] = Clamped::ends(name, sum);
+            let late = |bit: Bits, what: &str| bit.delayed_as(&format!("{name}_{what}_late"), 1);
+            [late(is_low, "is_low"), late(is_far, "is_far")]
+        };
+        let [near, far] = [ends("near", roots.near_sum), ends("far", roots.far_sum)];
+        let roots = roots.delayed(1);
+        let object_class = object_class.delayed_as("object_class_late", 1);
+        let near = Clamped::with("near_late", near, roots.near_sum, NEAR_ROOT);
+        let far = Clamped::with("far_late", far, roots.far_sum, FAR_ROOT);
         let is = |class: u64| object_class.is(class);
         net! {
             let near_visible = near.is_visible();
@@ -63,9 +71,13 @@ pub fn depth_interval(at: &str, roots: Roots, object_class: Bits) -> Halves {
         let inside = kinds.into_iter().fold(absent, choose).called("inside");
         let outside = is_front.select(all, absent);
         let a = roots.is_inside.select(inside, outside);
-        let a = roots.in_box.select(a, absent).called("source_a");
-        net! { let source_b_zf = has_b.select(from_far, last); }
-        let [near_bits, far_bits] = [roots.near_sum, roots.far_sum].map(|sum| sum.low(width));
+        let a = roots.in_box.select(a, absent);
+        let a = ("source_a", a).delayed(1).bare();
+        net! {
+            let source_b_zf = has_b.select(from_far, last).reg();
+            let near_bits = roots.near_sum.low(width).reg();
+            let far_bits = roots.far_sum.low(width).reg();
+        }
         let [near_end, far_end] = [near_end, far_end].map(|of| end(of, width));
         let depth = |source: Int| {
             let [is_end, is_other] = [0, 1].map(|at| source.bit(at));
@@ -73,7 +85,7 @@ pub fn depth_interval(at: &str, roots: Roots, object_class: Bits) -> Halves {
             is_other.select(other, is_end.select(far_end, near_bits))
         };
         let a = interval([a.zf, a.zb].map(depth), [a.nf, a.nb]);
-        let faces_b = [far.face, face(CAP)].map(|one| has_b.select(one, face(0)));
+        let faces_b = [far.face, face(CAP)].map(|one| has_b.select(one, face(0)).reg());
         Halves {
             a: a.registered(),
             b: interval([depth(source_b_zf), far_end], faces_b).registered(),

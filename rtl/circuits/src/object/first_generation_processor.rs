@@ -32,7 +32,7 @@ const KIND: (&str, &str) = (
 /// the screen.
 ///
 /// Kept as the reference for the second generation: no depth is compared with another; the signs of two conics and two
-/// lines decide. Latency `ceil(rows / rows_per_stage) + 6`. The words stay unchanged until that many clocks after the
+/// lines decide. Latency `ceil(rows / rows_per_stage) + 9`. The words stay unchanged until that many clocks after the
 /// last flags of a zone. Section 2.4.1, its algorithm corrected.
 pub fn first_generation_processor(
     at: &str,
@@ -61,7 +61,7 @@ pub fn first_generation_processor(
             middle_kept: front_middle & back_middle,
         };
         let seen = contour_choice("choice", roots, contours);
-        let root = root.delayed_as("root_late", 1);
-        visible(late.delayed(3), seen, root, (quadric, words.normals))
+        let root = root.delayed_as("root_late", 3);
+        visible(late.delayed(5), seen, root, (quadric, words.normals))
     })
 }

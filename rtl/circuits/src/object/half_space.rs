@@ -44,7 +44,7 @@ impl PlaneAt {
 /// 1 where a plane keeps a point of the line of sight, also one in the plane. Where a half-space begins, `entered` is
 /// asked; where it ends, `z`.
 ///
-/// Latency 1. Sections 2.4.3 (signals E_F and E_B of a patch), 3.2.1 and 4.1.3 (volumes).
+/// Latency 2. Sections 2.4.3 (signals E_F and E_B of a patch), 3.2.1 and 4.1.3 (volumes).
 pub fn half_space_test(at: &str, plane: PlaneAt, z: Int, entered: Int) -> Bits {
     let inputs = (plane, ("z", z), ("entered", entered));
     module("half_space_test", at, inputs, |(plane, z, entered)| {
@@ -53,9 +53,10 @@ pub fn half_space_test(at: &str, plane: PlaneAt, z: Int, entered: Int) -> Bits {
             let plane_depth = plane.zp.extend(width);
             let is_before = entered.extend(width).less(plane_depth);
             let is_behind = plane_depth.less(z.extend(width));
-            let is_removed = (plane.kind.is(FRONT_PLANE) & is_before)
-                | (plane.kind.is(BACK_PLANE) & is_behind)
-                | plane.removes_all();
+            let front_removes = (plane.kind.is(FRONT_PLANE) & is_before).reg();
+            let back_removes = (plane.kind.is(BACK_PLANE) & is_behind).reg();
+            let all_removed = plane.removes_all().reg();
+            let is_removed = front_removes | back_removes | all_removed;
         }
         ("holds", (!is_removed).reg())
     })

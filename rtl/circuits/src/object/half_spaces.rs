@@ -1,11 +1,12 @@
 //! Intersection of half-spaces along the line of sight.
 
 use super::{Interval, PlaneAt, end};
+use crate::rows::numbered;
 use crate::tree::tree;
 use imogene_contract::words::{
     BACK_PLANE, CAP, FIRST_PLANE, FRONT_PLANE, far_end, near_end, saturated_near,
 };
-use imogene_hdl::{Bits, Bundle, Value, bundle, module, net, ports};
+use imogene_hdl::{Bits, Bundle, Ports, Value, bundle, module, net, ports};
 
 bundle! {
     /// What some half-spaces leave of the line of sight.
@@ -18,43 +19,50 @@ bundle! {
     }
 }
 
-/// The interval of depth that all planes keep, `is_there` said one clock before the result: a tree over the greatest
+/// The interval of depth that all planes keep, `is_there` said two clocks before the result: a tree over the greatest
 /// depth of the front planes and the least of the back planes, then the two ends of the depth word.
 ///
 /// The source cuts the whole line in a chain; a chain that begins with the whole line only looks for these two
-/// extremes. At equal depths the smaller index wins. Latency `ceil(log2 planes) + 1`. Annex A.
+/// extremes. At equal depths the smaller index wins. Latency `ceil(log2 planes) + 3`. Annex A.
 pub fn half_spaces(at: &str, planes: Vec<PlaneAt>, is_there: Bits) -> Interval {
     let inputs = (("plane", planes), ("is_there", is_there));
     module("half_spaces", at, inputs, |(planes, is_there)| {
         let width = planes[0].zp.width();
         let [lowest, low, end] = [saturated_near, near_end, far_end].map(|of| end(of, width));
         // Where a plane says nothing, a depth that loses to every plane.
-        let own = |(plane, number): (PlaneAt, u64)| {
+        let own = |((at, plane), number): ((String, PlaneAt), u64)| {
             let number = Bits::new(number, 4);
+            let front = plane.kind.is(FRONT_PLANE).select(plane.zp, lowest);
+            let back = plane.kind.is(BACK_PLANE).select(plane.zp, end);
             Kept {
-                front: plane.kind.is(FRONT_PLANE).select(plane.zp, lowest),
+                front: front.delayed_as(&format!("{at}_front"), 1),
                 front_number: number,
-                back: plane.kind.is(BACK_PLANE).select(plane.zp, end),
+                back: back.delayed_as(&format!("{at}_back"), 1),
                 back_number: number,
-                removed: plane.removes_all(),
+                removed: plane.removes_all().delayed_as(&format!("{at}_removes"), 1),
             }
         };
-        let all = planes.into_iter().zip(FIRST_PLANE..).map(own).collect();
+        let all = numbered("planes", planes).zip(FIRST_PLANE..);
+        let all = all.map(own).collect();
         let all = tree(all, half_space_node, "half_space_register");
         let cap = Bits::new(CAP, 4);
         net! {
             let is_front_face = low.less(all.front);
             let is_back_face = all.back.less(end);
-            let front_depth = is_front_face.select(all.front, low);
-            let ends_behind = !all.back.less(front_depth) & front_depth.less(end);
-            let is_present = is_there & !all.removed & ends_behind;
+            let may_be = (is_there & !all.removed).reg();
         }
+        // The depth word ends where no plane does.
         let kept = Interval {
-            zf: front_depth,
+            zf: is_front_face.select(all.front, low),
             nf: is_front_face.select(all.front_number, cap),
             zb: is_back_face.select(all.back, end),
             nb: is_back_face.select(all.back_number, cap),
         };
+        let kept = ("kept", kept).delayed(1).bare();
+        net! {
+            let ends_behind = !kept.zb.less(kept.zf) & kept.zf.less(end);
+            let is_present = may_be & ends_behind;
+        }
         let nothing = Interval::absent(width);
         is_present.select(kept, nothing).registered()
     })

@@ -5,7 +5,7 @@ use super::widths::Widths;
 use super::words::Gradients;
 use crate::raster::{Flags, Linear, pe1};
 use imogene_contract::words::{CAP, FAR_ROOT, FIRST_PLANE, NEAR_ROOT};
-use imogene_hdl::{Bits, Bundle, Int, Value, bundle, bundles, module, net};
+use imogene_hdl::{Bits, Bundle, Int, Ports, Value, bundle, bundles, module, net};
 
 bundle! {
     /// The visible face of a pixel.
@@ -19,8 +19,7 @@ bundle! {
 
     /// What decides a component besides its own words.
     Change(width) {
-        scaled_root: Int(width), "scaled root, beside the flags";
-        is_near: Bits(1), "the face is the near one, beside the flags";
+        scaled_root: Int(width), "scaled root, its sign changed on the near face, beside the flags";
         is_quadric: Bits(1), "the face is the quadric's, one clock later";
         fixed: Int(width), "the component of any other face, one clock later";
     }
@@ -39,31 +38,34 @@ bundles! {
 /// cap the direction to the viewer, else zero.
 ///
 /// With `rs = root >> shift`, of which the low bits of a positive number are used, a component is the high bits of
-/// `g(x, y) - (k rs >> 6)` on the near face and of `g(x, y) + (k rs >> 6)` on the far one, rounded down. Latency 3.
-/// Section 2.4.2.
+/// `g(x, y) - (k rs >> 6)` on the near face and of `g(x, y) + (k rs >> 6)` on the far one, rounded down. Latency 4: the
+/// shifted root, its sign, the products, the sums. Section 2.4.2.
 pub fn normal_unit(at: &str, flags: Flags, face: Face, words: NormalWords) -> Normal {
     let inputs = (flags, face, words);
     module("normal_unit", at, inputs, |(flags, face, words)| {
         let (gradients, factors) = (words.gradients, words.gradients.factors);
         let width = factors.kx.width();
         let is = |number: u64| face.number.is(number);
-        let late = flags.delayed(1);
+        let late = flags.delayed(2);
         net! {
             let shifted_root = face.root.right_by(face.shift);
             let low_root = shifted_root.low(shifted_root.width().min(width - 1));
-            let scaled_root = low_root.extend(width).int().reg();
+            let kept_root = low_root.extend(width).int().reg();
             let is_near = is(NEAR_ROOT).reg();
-            let is_quadric = ((is(NEAR_ROOT) | is(FAR_ROOT)) & !face.absent).reg();
+            let scaled_root = is_near.select(Int::new(0, width) - kept_root, kept_root).reg();
+            let is_absent = face.absent.reg();
+            let is_root = (is(NEAR_ROOT) | is(FAR_ROOT)).reg();
+            let is_quadric = (is_root & !is_absent).delay(2);
         }
         let zero = Normal::of([Int::new(0, width); 3]);
         let to_viewer = Int::new(-(1 << (width - 1)) + 1, width);
         let fixed = constant_normal(face.number, to_viewer, &words.planes);
-        let fixed = face.absent.select(zero, fixed).registered().registered();
+        let fixed = ("constant", fixed).delayed(1).bare();
+        let fixed = ("fixed", is_absent.select(zero, fixed)).delayed(2).bare();
         let component = |name: &str, g: Linear, k: Int, fixed: Int| {
             let change = Change {
                 scaled_root,
-                is_near,
-                is_quadric: is_quadric.reg(),
+                is_quadric,
                 fixed,
             };
             normal_component(&format!("component_{name}"), late, (g, k), change)
@@ -97,9 +99,7 @@ fn normal_component(at: &str, flags: Flags, (g, k): (Linear, Int), change: Chang
         // Of the product of two numbers the bits that stand beside those of g.
         let point = 2 * width - whole - 2;
         net! {
-            let product = k * change.scaled_root;
-            let opposite = Int::new(0, 2 * width) - product;
-            let kept_change = change.is_near.select(opposite, product).reg();
+            let kept_change = (k * change.scaled_root).reg();
             let sum = value + kept_change.slice(point + whole - 1, point).int();
         }
         let component = change.is_quadric.select(sum.high(width), change.fixed);

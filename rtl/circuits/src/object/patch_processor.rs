@@ -23,7 +23,7 @@ const KIND: (&str, &str) = ("patch_processor", "visible face: 0 near root, 1 far
 /// processor gives them for class patch.
 ///
 /// The planes decide in parallel, so the latency does not depend on their number, and there is neither a second half of
-/// the depth interval nor a merge nor a normal of a plane. Latency `ceil(rows / rows_per_stage) + 7`. The words stay
+/// the depth interval nor a merge nor a normal of a plane. Latency `ceil(rows / rows_per_stage) + 9`. The words stay
 /// unchanged until that many clocks after the last flags of a zone. Sections 2.4.3 and 5.2.1.
 pub fn patch_processor(at: &str, scan: Scan, words: Patch, network: Network) -> Visible {
     object_processor(KIND, at, (scan, words), |scan, words| {
@@ -33,7 +33,7 @@ pub fn patch_processor(at: &str, scan: Scan, words: Patch, network: Network) -> 
         let planes = numbered("planes", words.planes);
         let planes = planes.map(|(at, plane)| plane.at(&at, late, network.depth));
         let seen = patch_decider("decider", roots, planes.collect());
-        let root = root.delayed_as("root_late", 2);
-        visible(late.delayed(4), seen, root, (quadric, vec![]))
+        let root = root.delayed_as("root_late", 3);
+        visible(late.delayed(5), seen, root, (quadric, vec![]))
     })
 }

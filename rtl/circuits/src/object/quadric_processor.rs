@@ -27,7 +27,7 @@ const KIND: (&str, &str) = (
 /// For every pixel the visible front of one quadric object cut by planes: depth, face and normal.
 ///
 /// A quadric PE, the intervals of both halves, a chain of cuts for each, the nearer half, and its normal. Latency
-/// `ceil(rows / rows_per_stage) + planes + 7`, one less without half B. The words stay unchanged until that many
+/// `ceil(rows / rows_per_stage) + 2 planes + 11`, two less without half B. The words stay unchanged until that many
 /// clocks after the last flags of a zone. Section 2.4.2.
 pub fn quadric_processor(at: &str, scan: Scan, words: Words, shape: Shape) -> Visible {
     object_processor(KIND, at, (scan, words), |scan, words| {
@@ -36,10 +36,11 @@ pub fn quadric_processor(at: &str, scan: Scan, words: Words, shape: Shape) -> Vi
         let (roots, root, late) = roots(scan, quadric.screen_box, f, network);
         let start = depth_interval("interval", roots, words.object_class);
         net! { let surface = words.object_class.is(PATCH); }
-        let mut flags = late;
+        // A plane is there with the interval it cuts.
+        let mut flags = late.delayed(1);
         let planes = numbered("planes", &words.planes).zip(FIRST_PLANE..);
         let planes_at = planes.map(|((at, plane), number)| {
-            flags = flags.delayed(1);
+            flags = flags.delayed(2);
             let PlaneAt { kind, zp } = plane.half_space.at(&at, flags, network.depth);
             Cut {
                 kind,
@@ -58,10 +59,10 @@ pub fn quadric_processor(at: &str, scan: Scan, words: Words, shape: Shape) -> Vi
             true => two_volume_merge("merge", a, cut("cut_b", start.b)),
             false => a,
         };
-        let halves = u32::from(shape.two_volumes);
-        let clocks = words.planes.len() as u32 + 1 + halves;
+        let merge = 2 * u32::from(shape.two_volumes);
+        let clocks = 2 * words.planes.len() as u32 + 3 + merge;
         let root = root.delayed_as("root_late", clocks);
         let words = (quadric, words.normals());
-        visible(flags.delayed(3 + halves), seen.seen(), root, words)
+        visible(flags.delayed(4 + merge), seen.seen(), root, words)
     })
 }

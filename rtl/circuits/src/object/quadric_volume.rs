@@ -22,7 +22,7 @@ bundles! {
 /// `ceil(rows / rows_per_stage) + 1` clocks after its flags.
 ///
 /// A point is in an intersection exactly if it is in every part, so every part is asked by itself: no chain of cuts, no
-/// second half. Latency `ceil(rows / rows_per_stage) + 4`. The words stay unchanged until that many clocks after the
+/// second half. Latency `ceil(rows / rows_per_stage) + 5`. The words stay unchanged until that many clocks after the
 /// last flags of a zone. Sections 3.2.1 and 4.1.3.
 pub fn quadric_volume(
     at: &str,
@@ -44,25 +44,27 @@ pub fn quadric_volume(
             let coarse_z = z.reg();
             let coarse_entered = entered.reg();
             let in_quadric = is_inside(words.object_class, roots, coarse_z, coarse_entered).reg();
-            let in_box = roots.in_box.reg();
+            let in_box = roots.in_box.delay(2);
             let is_kept = point.is_kept(late, &words.bounds.planes);
         }
         Answer {
-            out_valid: late.valid.delayed_as("valid_late", 3),
+            out_valid: late.valid.delayed_as("valid_late", 4),
             is_inside: (in_box & in_quadric & is_kept).reg(),
         }
     })
 }
 
 /// 1 where a point lies inside an unbounded quadric. Where the quadric begins, `entered` is asked; where it ends, `z`.
+/// Latency 1.
 fn is_inside(object_class: Bits, roots: Roots, z: Int, entered: Int) -> Bits {
     let is = |class: u64| object_class.is(class);
     net! {
-        let between = !entered.less(roots.near_sum) & !roots.far_sum.less(z);
-        let outside = !roots.near_sum.less(z) | !entered.less(roots.far_sum);
-        let in_side = is(SIDE) & roots.is_inside & between;
-        let in_front = is(FRONT) & (!roots.is_inside | outside);
-        let in_prism = is(PRISM) & roots.is_inside;
+        let between = (!entered.less(roots.near_sum) & !roots.far_sum.less(z)).reg();
+        let outside = (!roots.near_sum.less(z) | !entered.less(roots.far_sum)).reg();
+        let meets = roots.is_inside.reg();
+        let in_side = is(SIDE) & meets & between;
+        let in_front = is(FRONT) & (!meets | outside);
+        let in_prism = is(PRISM) & meets;
     }
     in_side | in_front | in_prism
 }

@@ -82,7 +82,7 @@ pub(super) fn object_processor<W: Ports>(
 }
 
 /// What is seen of a quadric with its normal, from the flags and the root beside it; its words, and the normals of the
-/// planes. Latency 3.
+/// planes. Latency 4.
 pub(super) fn visible(
     flags: Flags,
     seen: Seen,
@@ -97,6 +97,6 @@ pub(super) fn visible(
     };
     let gradients = quadric.gradients;
     let words = NormalWords { gradients, planes };
-    let (out_valid, late) = (("out_valid", flags.valid), seen).delayed(3).bare();
+    let (out_valid, late) = (("out_valid", flags.valid), seen).delayed(4).bare();
     late.with(out_valid, normal_unit("normal", flags, face, words))
 }

@@ -38,13 +38,13 @@ impl VolumePoint {
         [z, z - self.margin.extend(width).int()]
     }
 
-    /// 1 where the point is no background and all planes keep it, two clocks after the point and the flags of its
+    /// 1 where the point is no background and all planes keep it, three clocks after the point and the flags of its
     /// pixel.
     pub(super) fn is_kept(self, flags: Flags, planes: &[HalfSpace]) -> Bits {
         net! {
             let z = self.depth.reg();
             let entered = self.depths()[1].reg();
-            let is_surface = (!z.equals(absent(z.width()))).reg();
+            let is_surface = (!z.equals(absent(z.width()))).delay(2);
         }
         let planes = numbered("planes", planes).map(|(at, plane)| PlaneAt {
             kind: plane.kind,

@@ -12,7 +12,7 @@ pub(super) const LOSS: u32 = 26;
 /// The loss `log2(1 + d / k)`, 21 bits after the point, at most 32 less one unit; 0 if the attenuation is off.
 ///
 /// With `e = log2(d / k)` the loss is `max(e, 0) + log2(1 + 2^-|e|)`. `far` is what is left of the way to the far
-/// end; logarithm and places of the line of sight come 14 clocks later. Latency 23. Section 8.3 of the architecture.
+/// end; logarithm and places of the line of sight come 18 clocks later. Latency 28. Section 8.3 of the architecture.
 pub(super) fn attenuation(
     at: &str,
     fog: Fog,
@@ -24,7 +24,7 @@ pub(super) fn attenuation(
         let (ray_log, ray_places) = ray;
         let wide = |number: Int| number.extend(SUM);
         let zero = Int::new(0, SUM);
-        let far_log = logarithm("logarithm", far).delayed_as("far_late", 6);
+        let far_log = logarithm("logarithm", far).delayed_as("far_late", 9);
         net! {
             let twice_far = wide(far_log) + wide(far_log);
             let wide_offset = wide(fog.offset.slice(29, 1).int());
@@ -36,10 +36,10 @@ pub(super) fn attenuation(
             let magnitude = kept_e.is_negative().select(opposite, kept_e).bits().reg();
             let fall = logarithm_of_sum("curve", magnitude);
         }
-        let late = kept_e.delayed_as("e_late", 6);
+        let late = kept_e.delayed_as("e_late", 5);
         net! {
-            let rise = late.is_negative().select(zero, late);
-            let sum = join([fall, Bits::new(0, 3)]).extend(SUM).int() + rise;
+            let rise = late.is_negative().select(zero, late).reg();
+            let sum = (join([fall, Bits::new(0, 3)]).extend(SUM).int() + rise).reg();
             let is_less = sum.slice(SUM - 1, LOSS).is(0);
         }
         let most = Bits::new((1 << LOSS) - 1, LOSS);

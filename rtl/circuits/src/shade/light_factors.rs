@@ -4,7 +4,7 @@ use super::attenuation::LOSS;
 use super::sent_light::Factors;
 use super::sight::Sight;
 use super::words::Light;
-use crate::arith::{Vector, logarithm, power_of_two, scalar_product, vector_normaliser};
+use crate::arith::{Vector, logarithm, power_of_two, product, scalar_product, vector_normaliser};
 use imogene_hdl::{Bits, Int, Value, module, net, ports};
 
 /// Bits of a sum of logarithms.
@@ -17,8 +17,8 @@ const COMPONENT: u32 = 30;
 /// The cosine between normal and light, and the power of the cosine between mirrored light and viewer, with
 /// attenuation; 0 where the light does not reach.
 ///
-/// Of the pixel the flags come at its clock, the depth one clock later, the exponent after 19 clocks and the
-/// attenuation after 24; the factors leave after 32. Section 8.3 of the architecture.
+/// Of the pixel the flags come at its clock, the depth one clock later, the exponent after 25 clocks and the
+/// attenuation after 29; the factors leave after 38. Section 8.3 of the architecture.
 pub(super) fn light_factors(
     at: &str,
     light: Light,
@@ -30,7 +30,7 @@ pub(super) fn light_factors(
     let inputs = (light, sight, ports!(flags, depth), late);
     module("light_factors", at, inputs, |(light, sight, own, late)| {
         let ((flags, depth), (exponent, attenuation)) = (own, late);
-        let reach = flags.right_by(light.source).bit(0).delayed_as("reach", 9);
+        let reach = flags.right_by(light.source).bit(0).delayed_as("reach", 12);
         let nowhere = Bits::new(0, COMPONENT);
         let place = |place: Int| {
             let shifted = place.extend(COMPONENT).bits().left_by(light.shift);
@@ -66,14 +66,15 @@ pub(super) fn light_factors(
             let kept_magnitude = kept_along.slice(23, 0).reg();
             let kept_is_along = is_positive(kept_along).reg();
             let back = ray_light.slice(36, 12).int();
-            let kept_turn = (along * sight.across).reg();
-            let kept_straight = (sight.square * back).reg();
-            let kept_difference = (kept_straight - kept_turn).reg();
+            let turn = product("turn", sight.across, along);
+            let straight = product("straight", sight.square, back);
+            let kept_difference = (straight - turn).reg();
             let cosine = kept_difference.slice(49, 20).int();
             let gate = kept_lit & reach;
         }
-        let diffuse_gate = (gate & kept_is_along).delayed_as("diffuse_gate", 23);
-        let specular_gate = (gate & is_positive(cosine)).delayed_as("specular_gate", 23);
+        let diffuse_gate = (gate & kept_is_along).delayed_as("diffuse_gate", 25);
+        let specular_gate = gate.delayed_as("gate_late", 2) & is_positive(cosine);
+        let specular_gate = specular_gate.delayed_as("specular_gate", 23);
         let wide = |number: Int| number.extend(SUM);
         let light_log = wide(logarithm("light_logarithm", light_square.slice(35, 0)));
         let along_log = wide(logarithm("along_logarithm", kept_magnitude));
@@ -83,9 +84,10 @@ pub(super) fn light_factors(
         net! {
             let pair = normal_log + light_log;
             let kept_pair = pair.reg();
-            let kept_four = (pair + (normal_log + ray_log)).reg();
+            let kept_other = (normal_log + ray_log).reg();
+            let kept_four = (kept_pair + kept_other).reg();
             let kept_pair_cut = (kept_pair - Int::new(20 << 20, SUM)).reg();
-            let kept_four_cut = (kept_four - Int::new(82 << 20, SUM)).reg();
+            let kept_four_cut = (kept_four - Int::new(82 << 20, SUM)).delay(2);
             let kept_diffuse = (kept_pair_cut - (along_log + along_log)).reg();
             let kept_specular = (kept_four_cut - (cosine_log + cosine_log)).reg();
             let is_less = kept_specular.slice(SUM - 1, LOSS).is(0);
@@ -95,34 +97,42 @@ pub(super) fn light_factors(
             let none = Bits::new(0, loss.width());
             sum.is_negative().select(none, loss).reg()
         };
-        let diffuse_loss = loss(kept_diffuse, kept_diffuse.bits()).delayed_as("diffuse_loss", 5);
+        let diffuse_loss = loss(kept_diffuse, kept_diffuse.bits()).delayed_as("diffuse_loss", 6);
         net! {
             let kept_specular_loss = loss(kept_specular, specular_loss);
-            let kept_power = (kept_specular_loss.extend(28).int() * exponent.extend(28).int()).reg();
+            let whole_power = product("power_product", signed(kept_specular_loss), signed(exponent));
         }
-        let power = kept_power.slice(POWER - 1, 0).delayed_as("power", 4);
+        let power = whole_power.slice(POWER - 1, 0).delayed_as("power", 1);
         let loss = |loss: Bits| (loss.extend(POWER) + attenuation.extend(POWER)).reg();
         let diffuse = power_of_two("diffuse_power", loss(diffuse_loss));
         let specular = power_of_two("specular_power", loss(power));
         let nothing = Bits::new(0, 17);
         Factors {
-            diffuse: diffuse_gate.select(diffuse, nothing),
-            specular: specular_gate.select(specular, nothing),
+            diffuse: diffuse_gate.select(diffuse, nothing).reg(),
+            specular: specular_gate.select(specular, nothing).reg(),
         }
     })
 }
 
-/// `base - place - ((slope depth) >> 31)`; the shift rounds down. Latency 2: the product and the first difference,
-/// then the second.
+/// A word that is not negative as a number.
+fn signed(word: Bits) -> Int {
+    word.extend(word.width() + 1).int()
+}
+
+/// `base - place - ((slope depth) >> 31)` with the depth in the high ones of 32 bits; the shift rounds down. Latency 4:
+/// the product, then the difference.
 fn light_component(at: &str, depth: Int, place: Int, (base, slope): (Int, Int)) -> Int {
     let inputs = ports!(depth, place, base, slope);
     module("light_component", at, inputs, |ports| {
         let (depth, place, base, slope) = ports;
         net! {
-            let kept_product = (slope.extend(depth.width()) * depth).reg();
-            let kept_rest = (base.extend(COMPONENT) - place).reg();
+            let whole_product = product("deep", slope, depth);
+            let kept_rest = (base.extend(COMPONENT) - place).delay(3);
         }
-        let deep = kept_product.slice(COMPONENT + 30, 31).int();
+        // What is left of the 31 places when the zeros below the depth are not multiplied.
+        let places = depth.width() - 1;
+        let deep = whole_product.slice(whole_product.width() - 1, places).int();
+        let deep = deep.extend(COMPONENT);
         ("result", (kept_rest - deep).reg())
     })
 }

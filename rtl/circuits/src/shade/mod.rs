@@ -11,7 +11,7 @@ mod words;
 
 pub use flat_shading::{FlatPoint, flat_shading};
 pub use shading_processor::{Point, Shaded, ShadingLoad, shading_processor};
-pub use transparency::{Layer, Surface, transparency_pipeline, transparency_stage};
+pub use transparency::{BLEND_LATENCY, Layer, Surface, transparency_pipeline, transparency_stage};
 
 use crate::video::LEVEL;
 use imogene_hdl::{Bits, Int, Value};

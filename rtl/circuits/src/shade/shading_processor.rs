@@ -19,9 +19,10 @@ use imogene_hdl::{Bits, Bundle, Int, Value, bundle, bundles, memory, module, net
 /// Bits of what is sent of a light, of which the highest two are 0, and bits behind the point.
 const SENT: u32 = 36;
 const FRACTION: u32 = shading::LEVEL_FRACTION as u32;
-/// Clock of a pixel at which its exponent is read, and at which its other words are.
-const EXPONENT: u32 = 18;
-const SHARES: u32 = 31;
+/// Clock of a pixel at which its exponent is read, and at which its other words are; a register behind the memory
+/// gives them two clocks later.
+const EXPONENT: u32 = 23;
+const SHARES: u32 = 36;
 
 bundle! {
     /// Words for a shading processor.
@@ -64,7 +65,7 @@ impl Shaded {
 /// The colour of every pixel by the formula of Phong, one pixel per clock, from depth, normal, material and the flags
 /// of the sources, with some lights at once.
 ///
-/// Latency 38. Words stay unchanged while pixels are inside. Section 8 of the architecture; Chaillou 1991, III.1.2.
+/// Latency 44. Words stay unchanged while pixels are inside. Section 8 of the architecture; Chaillou 1991, III.1.2.
 pub fn shading_processor(at: &str, point: Point, load: ShadingLoad, lights: u64) -> Shaded {
     let inputs = (point, ("load", load));
     module("shading_processor", at, inputs, |(point, load)| {
@@ -81,7 +82,7 @@ pub fn shading_processor(at: &str, point: Point, load: ShadingLoad, lights: u64)
         // What is left of the way to the far end: all bits but the sign are inverted.
         let sign = Bits::new(1 << (width - 1), width);
         net! {
-            let kept_depth = left(depth.bits()).reg();
+            let kept_depth = depth.reg();
             let kept_far = left(!depth.bits() ^ sign).reg();
         }
         let ray = (sight.ray_log, ray_places);
@@ -90,7 +91,7 @@ pub fn shading_processor(at: &str, point: Point, load: ShadingLoad, lights: u64)
         let sent = (0..lights).map(|light| {
             let bus = part(load, LIGHT + light * LIGHT_WORDS, LIGHT_WORDS, 28);
             let (words, colour) = light_store(&format!("light_stores_{light}"), bus);
-            let own = (point.flags, kept_depth.int());
+            let own = (point.flags, kept_depth);
             let late = (material.exponent, loss);
             let factors = light_factors(&format!("factors_{light}"), words, sight, own, late);
             sent_light(&format!("sent_{light}"), factors, material.own, colour).parts()
@@ -130,7 +131,7 @@ fn materials(load: ShadingLoad, number: Bits) -> Shares {
     let word = |index: u64, read: Bits| {
         let write = bus.write & bus.address.low(2).is(index);
         let (name, write) = (format!("materials_{index}"), (write, entry, bus.data));
-        let word = memory(&name, MOST_MATERIALS as usize, write, read);
+        let word = memory(&name, MOST_MATERIALS as usize, write, read).reg();
         word.named(&format!("material_{index}"))
     };
     let [ambient, mirror, share] = [0, 1, 2].map(|index| word(index, late));

@@ -19,18 +19,18 @@ bundles! {
     #[derive(Copy)]
     Sight {
         place: Middle as "place", "place on the screen, 1 clock";
-        ray: Vector as "ray", "line of sight, 5 clocks";
-        normal: Vector as "normal", "normal, 5 clocks";
-        across: Int as "across", "normal times line of sight, 7 clocks";
-        square: Int as "square", "square of the normal, 7 clocks";
-        turned: Bits as "turned", "the normal looks away from the viewer, 7 clocks";
-        normal_log: Int as "normal_log", "logarithm of the square of the normal, 15 clocks";
-        ray_log: Int as "ray_log", "logarithm of the square of the line of sight, 15 clocks";
+        ray: Vector as "ray", "line of sight, 8 clocks";
+        normal: Vector as "normal", "normal, 8 clocks";
+        across: Int as "across", "normal times line of sight, 10 clocks";
+        square: Int as "square", "square of the normal, 10 clocks";
+        turned: Bits as "turned", "the normal looks away from the viewer, 10 clocks";
+        normal_log: Int as "normal_log", "logarithm of the square of the normal, 19 clocks";
+        ray_log: Int as "ray_log", "logarithm of the square of the line of sight, 19 clocks";
     }
 }
 
 /// Place on the screen, line of sight and normal in full words, and their products; beside them the places that the
-/// line of sight was shifted, 15 clocks after the pixel. Section 8.2 of the architecture.
+/// line of sight was shifted, 19 clocks after the pixel. Section 8.2 of the architecture.
 pub(super) fn sight(at: &str, pixel: Pixel, normal: Normal, eye: Eye) -> (Sight, Bits) {
     let inputs = (pixel, normal, eye);
     module("sight", at, inputs, |(pixel, normal, eye)| {
@@ -49,8 +49,8 @@ pub(super) fn sight(at: &str, pixel: Pixel, normal: Normal, eye: Eye) -> (Sight,
         };
         let ray = Vector::of([along(place_x), along(place_y), factor(eye.distance)]);
         let full = vector_normaliser("ray_normaliser", ray);
-        let ray = full.vector.delayed(1);
-        let normal = Vector::of(normal.parts()).delayed(3);
+        let ray = full.vector.delayed(3);
+        let normal = Vector::of(normal.parts()).delayed(5);
         let full_normal = vector_normaliser("normal_normaliser", normal).vector;
         let normal = full_normal.map(|part| part.extend(18));
         let normal_square = scalar_product("normal_square", normal, normal).bits();
@@ -69,7 +69,7 @@ pub(super) fn sight(at: &str, pixel: Pixel, normal: Normal, eye: Eye) -> (Sight,
             normal_log: logarithm("normal_logarithm", normal_square.low(32)),
             ray_log: logarithm("ray_logarithm", ray_square.low(36)),
         };
-        let places = full.places.delayed_as("places_late", 11);
+        let places = full.places.delayed_as("places_late", 14);
         (sight, ("ray_places", places))
     })
 }

@@ -5,7 +5,7 @@ use crate::raster::Pixel;
 use imogene_hdl::{Bits, Value, bundle, bundles, memory, module, net};
 
 /// Clocks from a pixel that is asked for to its colour.
-pub const FRAME_LATENCY: u32 = 3;
+pub const FRAME_LATENCY: u32 = 4;
 
 bundle! {
     /// A pixel over AXI4-Stream.
@@ -41,7 +41,7 @@ bundles! {
 ///
 /// A frame has at most `2^places` pixels, which come in any order. After the last one `s_tready` is low until the next
 /// `retrace`, where the frames change places; a `retrace` before it changes nothing. At power-up both frames are black.
-/// Latency 3. Section 9 of the architecture.
+/// Latency 4. Section 9 of the architecture.
 pub fn frame_store(at: &str, arrival: PixelStream, asked: Asked, places: u32) -> Shown {
     let inputs = (("s", arrival), asked);
     module("frame_store", at, inputs, |(arrival, asked)| {
@@ -73,7 +73,7 @@ pub fn frame_store(at: &str, arrival: PixelStream, asked: Asked, places: u32) ->
             let first = memory("first_bank", 1 << places, (writes_first, write_address, late_data), read_address);
             let second = memory("second_bank", 1 << places, (writes_second, write_address, late_data), read_address);
             let shows_second = late_bank.reg();
-            let colour = shows_second.select(second, first);
+            let colour = shows_second.select(second, first).reg();
         }
         Shown {
             s_tready: !is_whole,

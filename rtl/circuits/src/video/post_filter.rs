@@ -28,7 +28,7 @@ bundles! {
 /// Smooths a picture with lines of at most `2^places` pixels: `kernel` 0 passes it, 1 is a box of 2 x 2, 2 and 3 are
 /// binomials of 3 x 3. It is read with the first pixel of a picture. Levels are rounded to the nearest, halves up.
 ///
-/// Pixels outside the picture are the nearest inside. A pixel leaves 3 clocks after the one to the right of it in the
+/// Pixels outside the picture are the nearest inside. A pixel leaves 4 clocks after the one to the right of it in the
 /// next line came, and the last of a line 1 clock after the one before it: a line leaves while the next one comes,
 /// the last line by itself from 2 clocks after the last pixel on. After a picture there are `width + 2` clocks or
 /// more without a pixel, after a line 1 or more. With every kernel the same clocks, so it can change from picture to
@@ -79,16 +79,17 @@ pub fn post_filter(at: &str, kernel: Bits, pixel: Picture, places: u32) -> Pictu
             let below = flush_1.select(one_up, colour_1);
         }
         lines.drive(join([one_up, colour_1]));
-        let column = [above, one_up, below].map(Colour::unpacked);
-        let column_2 = taps("vertical", column, kernel_1).registered();
+        // A register behind the memory and the choice, before the sums.
+        let column = [above, one_up, below].map(|line| Colour::unpacked(line).registered());
+        let column_2 = taps("vertical", column, kernel_1.reg()).registered();
         let column_2 = column_2.called("column_2");
         net! {
-            let step_2 = (step_1 & !y_1.is(0)).reg();
-            let ends_2 = ends_1.reg();
-            let last_2 = flush_1.reg();
-            let x_2 = x_1.reg();
-            let y_2 = (y_1 - word(1)).reg();
-            let kernel_2 = kernel_1.reg();
+            let step_2 = (step_1 & !y_1.is(0)).delay(2);
+            let ends_2 = ends_1.delay(2);
+            let last_2 = flush_1.delay(2);
+            let x_2 = x_1.delay(2);
+            let y_2 = (y_1 - word(1)).delay(2);
+            let kernel_2 = kernel_1.delay(2);
             let is_left = x_2.is(0);
             // The column in the middle of the window.
             let ends_3 = (step_2 & ends_2).reg();

@@ -2,10 +2,10 @@
 
 use std::fs::{read_dir, read_to_string};
 
-const MOST_LINES: usize = 600;
+const MOST_LINES: usize = 660;
 
 #[test]
-fn the_source_has_at_most_600_lines() {
+fn the_source_has_at_most_660_lines() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/src");
     let files = read_dir(folder).expect("the source of the kernels");
     let lines: usize = files

@@ -98,7 +98,7 @@ fn a_machine_has_the_words_that_were_asked_for() {
         port.unwrap().width
     };
     assert_eq!(["depth", "nx", "load_data"].map(width), [19, 11, 35]);
-    assert_eq!(emitted.latency, 1 + (13 + 3 + 7) + 1);
+    assert_eq!(emitted.latency, 1 + (13 + 2 * 3 + 11) + 1);
     let text = emitted.bundle();
     assert!(text.contains("root 15, of which the last 2 digits are zero"));
 }
@@ -109,7 +109,7 @@ fn a_machine_of_different_slots_waits_for_the_longest() {
         |slots: &[(usize, bool)]| emit_machine(&beam(MachineWords::of(16), slots)).unwrap();
     let fitted = emitted(&[(0, false), (2, true), (3, false)]);
     // Raster control, root, planes, and what is around them, the tree of three inputs.
-    assert_eq!(fitted.latency, 1 + (16 + 2 + 7) + 2);
+    assert_eq!(fitted.latency, 1 + (16 + 2 * 2 + 11) + 2);
     let text = fitted.bundle();
     assert!(text.contains("slots, by their planes, v with half B: 0 2v 3"));
     let merges = |emitted: &Emitted| emitted.modules.iter().any(|(m, _)| m == "two_volume_merge");

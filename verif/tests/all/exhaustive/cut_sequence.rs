@@ -141,7 +141,10 @@ fn cut_in_hardware(
         u64::from(start.nb),
     ];
     let mut found = [0; 4];
-    unit.clock_words(&given, &mut found);
+    // Latency 2.
+    for _ in 0..2 {
+        unit.clock_words(&given, &mut found);
+    }
     Interval {
         zf: value(found[0]),
         nf: found[1] as u8,

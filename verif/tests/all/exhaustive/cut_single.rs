@@ -66,7 +66,10 @@ fn every_cut<const W: usize>() {
                 let (nf, nb) = (4, 9);
                 let plane = [kind as i64, surface.into(), 7, zp];
                 let half = [zf, nf.into(), zb, nb.into()];
-                unit.clock(&[plane, half].concat());
+                // Latency 2.
+                for _ in 0..2 {
+                    unit.clock(&[plane, half].concat());
+                }
                 let start = Interval { zf, zb, nf, nb };
                 let golden = cut(start, kind, zp, 7, surface, &format);
                 let found = Interval {
