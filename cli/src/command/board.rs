@@ -187,7 +187,7 @@ fn fitted(options: &arguments::Board, board: &Board) -> Result<MachineDescriptio
     };
     let mut machine = fit::smallest(&fit)?;
     if options.flat {
-        machine.lights = 0;
+        (machine.lights, machine.suns) = (0, 0);
     }
     Ok(machine)
 }

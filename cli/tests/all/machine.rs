@@ -134,7 +134,9 @@ fn the_lines_that_a_refusal_advises_are_accepted() {
     let [teapot, robot, cylinders, molecule] = [&*teapot, &*robot, &*cylinders, &*molecule];
     let few = ["objects = 10 ", "planes = ", "lights = 2 # was 1"];
     let slotted = beam.replace("objects = 1\nplanes = 0", "slots = \"3,0\"");
-    let cases: [(&[&Path], &str, &[&str]); 8] = [
+    let suns = format!("{beam}suns = 1\n");
+    let cases: [(&[&Path], &str, &[&str]); 9] = [
+        (&[teapot], &suns, &few),
         (&[teapot], &beam, &[few.as_slice(), &["mode = "]].concat()),
         (&[cylinders, teapot], &stream, &few),
         (

@@ -137,6 +137,9 @@ pub struct MachineDescription {
     /// Lights of the shading processor.
     #[serde(default = "one_light")]
     pub lights: usize,
+    /// Of these, the last ones that are directional alone.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub suns: usize,
     /// Zone of a zone machine.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub zone: Option<ZoneSize>,

@@ -125,6 +125,10 @@ fn add(
     ] {
         *given = needed.max(*given);
     }
+    let points = framed.lights.iter().filter(|light| light.is_at_a_point());
+    machine.suns = machine
+        .suns
+        .min(machine.lights - points.count().min(lights));
     Ok(())
 }
 

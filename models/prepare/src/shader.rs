@@ -57,6 +57,9 @@ pub fn shader_words(
     // A depth word counts 1 / ZMAX of the way, the hardware 1 / 2^(W-1).
     let full = (f64::from(format.depth) - 1.0).exp2();
     let stretch = full / format.z_max() as f64;
+    // A machine may have some last lights that are directional alone.
+    let mut lights: Vec<(usize, &FramedLight)> = scene.lights.iter().enumerate().collect();
+    lights.sort_by_key(|(_, light)| !light.is_at_a_point());
     let light = |(source, light): (usize, &FramedLight)| LightWords {
         source: source as u8,
         ..match light {
@@ -75,7 +78,7 @@ pub fn shader_words(
         attenuation: attenuation.map(|k| view.attenuation(k, stretch)),
         offset_when_on: 0,
         background: scene.background,
-        lights: scene.lights.iter().enumerate().map(light).collect(),
+        lights: lights.into_iter().map(light).collect(),
         materials: scene
             .materials
             .iter()

@@ -83,6 +83,13 @@ pub enum FramedLight {
     },
 }
 
+impl FramedLight {
+    /// It is no parallel light.
+    pub fn is_at_a_point(&self) -> bool {
+        matches!(self, FramedLight::Point { .. })
+    }
+}
+
 impl SceneFile {
     /// A checked and flattened scene in the camera frame of a picture of `width` by `height` pixels, with the depth
     /// word of a range, taking over the objects that `kept` hands out for the index of an object and its material.

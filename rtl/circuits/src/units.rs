@@ -158,7 +158,8 @@ pub fn design(p: &Request) -> Design {
         }
         Unit::ShadingProcessor => alone(|| {
             let point = Point::input(depth, NORMAL);
-            shading_processor("top", point, ShadingLoad::input(), p.lights.into())
+            let (count, suns) = (p.lights.into(), p.suns.into());
+            shading_processor("top", point, ShadingLoad::input(), Lights { count, suns })
         }),
         Unit::VideoTiming => alone(|| {
             let mode = &VideoMode::ALL[p.mode as usize];

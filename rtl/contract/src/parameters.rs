@@ -59,6 +59,8 @@ macro_rules! with_parameters {
                 "Objects that csg_product takes away, 0 to 16 [default: 2]";
             LIGHTS: "lights" "Q" lights, 1 to Some(MOST_LIGHTS), Some(1),
                 "Lights of the shading processor, 1 to 16 [default: 1]";
+            SUNS: "suns" "U" suns, 0 to Some(MOST_LIGHTS), Some(0),
+                "Of its lights, the last ones that are directional alone, 0 to all [default: 0]";
         }
     };
 }

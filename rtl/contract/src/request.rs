@@ -162,6 +162,9 @@ impl Request {
             let inputs = (self.objects * self.cards) as usize;
             in_range("objects times cards", inputs, 1, MOST_OBJECTS)?;
         }
+        if self.unit == Unit::ShadingProcessor {
+            in_range("suns", self.suns as usize, 0, self.lights)?;
+        }
         Ok(())
     }
 

@@ -7,6 +7,7 @@ use imogene_circuits::machine::{
     BeamMachine, Load, Objects, SHOW_CLOCKS, Zone, ZoneCore, ZoneMachine, beam,
 };
 use imogene_circuits::machines::{self, objects, volumes};
+use imogene_circuits::shade::Lights;
 pub use imogene_circuits::video::Output;
 pub use imogene_contract::MachineWords;
 use imogene_contract::object::ProductSlots;
@@ -67,6 +68,8 @@ pub struct MachineRequest {
     pub volume_planes: usize,
     /// Its lights, none of a beam machine with plain colours; a deciding part has none.
     pub lights: usize,
+    /// Of these, the last ones that are directional alone.
+    pub suns: usize,
     /// Before the name of every module; may be empty.
     pub prefix: String,
     /// The command line that makes the same text, for the header.
@@ -134,6 +137,7 @@ impl MachineRequest {
             volumes: 0,
             volume_planes: 0,
             lights: 1,
+            suns: 0,
             prefix: String::new(),
             command: String::new(),
         }
@@ -154,6 +158,7 @@ impl MachineRequest {
         in_range("volume planes", self.volume_planes, 0, MOST_PLANES)?;
         let least = u32::from(self.kind.loader_bits().is_none());
         in_range("lights", self.lights, least, MOST_LIGHTS)?;
+        in_range("suns", self.suns, 0, self.lights as u32)?;
         if let Some(bits) = self.kind.loader_bits() {
             in_range("loader bits", bits, 1, LOADER_BITS)?;
         }
@@ -199,11 +204,18 @@ impl MachineRequest {
         }
     }
 
+    fn lights(&self) -> Lights {
+        Lights {
+            count: self.lights as u64,
+            suns: self.suns as u64,
+        }
+    }
+
     fn zone(&self, zone: &ZoneShape) -> ZoneMachine {
         ZoneMachine {
             core: self.core(zone),
             samples: zone.samples as u32,
-            lights: self.lights as u64,
+            lights: self.lights(),
         }
     }
 
@@ -213,7 +225,7 @@ impl MachineRequest {
             objects: self.objects(),
             layers: self.layers.clone(),
             volumes: volumes(&self.words, rows, self.volumes, planes),
-            lights: self.lights as u64,
+            lights: self.lights(),
             loader_places: loader_bits as u32,
         }
     }
@@ -301,7 +313,10 @@ impl MachineRequest {
         let loader = self.kind.loader_bits();
         lines.extend(loader.map(|bits| format!("{} words of the next frame", 1usize << bits)));
         if !matches!(self.kind, Kind::ZoneCore(_)) {
-            lines.push(format!("{} lights", self.lights));
+            let (lights, suns) = (self.lights, self.suns);
+            lines.push(format!(
+                "{lights} lights, of which the last {suns} are directional"
+            ));
         }
         if let Some(output) = self.kind.output() {
             let (width, height) = (output.mode.line.active, output.mode.frame.active);

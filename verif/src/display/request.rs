@@ -47,6 +47,7 @@ pub fn request(machine: &MachineDescription, command: &str) -> MachineRequest {
         volumes: machine.volumes,
         volume_planes: machine.volume_planes,
         lights: machine.lights,
+        suns: machine.suns,
         prefix: String::new(),
         command: command.to_owned(),
     }

@@ -129,7 +129,7 @@ fn describe(p: &Request) -> Description {
         Unit::PostFilter => video_filter::post_filter(),
         Unit::Overlay => video_filter::overlay(),
         Unit::Accumulator => video_filter::accumulator(),
-        Unit::ShadingProcessor => shading::shading_processor(format, n(p.lights)),
+        Unit::ShadingProcessor => shading::shading_processor(format, n(p.lights), n(p.suns)),
         Unit::VisibilityNode => decision::visibility_node(),
         Unit::VisibilityChain => decision::visibility_chain(objects),
         Unit::CardDecider => decision::card_decider(objects, n(p.cards)),

@@ -3,7 +3,7 @@
 use super::description::{Description, behind_valid, bit, late};
 use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
-use imogene_golden::machine::shader::{LATENCY, Pixel, Shader, ShaderWords};
+use imogene_golden::machine::shader::{LATENCY, LightWords, Pixel, Shader, ShaderWords};
 use imogene_studies::shading_trial::sequence;
 use proptest::prelude::*;
 
@@ -18,8 +18,8 @@ mod port {
     pub const COUNT: usize = 12;
 }
 
-pub(super) fn shading_processor(format: Format, lights: usize) -> Description {
-    let stimulus = move |subject: &_, clocks| words_then_pixels(subject, clocks, lights);
+pub(super) fn shading_processor(format: Format, lights: usize, suns: usize) -> Description {
+    let stimulus = move |subject: &_, clocks| words_then_pixels(subject, clocks, (lights, suns));
     Description::new(stimulus, move || {
         let mut words = ShaderWords::unloaded(format.depth, lights);
         let mut shader = Shader::new(&words);
@@ -51,13 +51,16 @@ fn pixel(i: &[i64]) -> Pixel {
 fn words_then_pixels(
     subject: &Subject,
     clocks: usize,
-    lights: usize,
+    (lights, suns): (usize, usize),
 ) -> BoxedStrategy<Vec<Inputs>> {
     let depth = subject.inputs[port::DEPTH].width;
     let gaps = proptest::collection::vec(0u8..4, clocks + LATENCY as usize);
     (any::<u64>(), gaps)
         .prop_map(move |(seed, gaps)| {
-            let (words, pixels) = sequence(seed, depth, lights, gaps.len());
+            let (mut words, pixels) = sequence(seed, depth, lights, gaps.len());
+            words.lights[lights - suns..]
+                .iter_mut()
+                .for_each(shine_from_afar);
             let idle: Inputs = vec![0; port::COUNT];
             let mut list: Vec<Inputs> = vec![];
             for (address, word) in words.load_words() {
@@ -85,4 +88,18 @@ fn words_then_pixels(
             list
         })
         .boxed()
+}
+
+/// Makes a light directional; its direction fills its words.
+fn shine_from_afar(light: &mut LightWords) {
+    let longest = light.base.map(|part| if part < 0 { !part } else { part });
+    let longest = longest.into_iter().fold(1, i32::max);
+    let places = 26 - longest.ilog2();
+    *light = LightWords {
+        point: false,
+        shift: 0,
+        slope: [0; 3],
+        base: light.base.map(|part| part << places),
+        ..*light
+    };
 }

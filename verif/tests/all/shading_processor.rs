@@ -1,13 +1,14 @@
-//! The shading processor with every number of lights.
+//! The shading processor with several numbers of lights, at points or directional.
 
 use imogene_contract::{Request, Unit};
 use imogene_verif::unit::subject;
 
 #[test]
 fn every_number_of_lights() {
-    for lights in 1..=4 {
+    for (lights, suns) in [(1, 0), (1, 1), (2, 0), (2, 1), (3, 3), (4, 0), (4, 2)] {
         let request = Request {
             lights,
+            suns,
             ..Request::new(Unit::ShadingProcessor)
         };
         let subject = subject(&request).unwrap();
@@ -17,7 +18,7 @@ fn every_number_of_lights() {
             let (report, _) = subject.run(&stimulus, false);
             assert_eq!(
                 report.mismatches, 0,
-                "{lights} lights, seed {seed}: {:?}",
+                "{lights} lights, {suns} suns, seed {seed}: {:?}",
                 report.first_mismatches
             );
             assert!(report.comparisons > 500);

@@ -71,6 +71,7 @@ impl MachineDescription {
             ("volumes", self.volumes, 0, 256),
             ("volume_planes", self.volume_planes, 0, MAX_PLANES),
             ("lights", self.lights, usize::from(is_zone), MOST_LIGHTS),
+            ("suns", self.suns, 0, self.lights.min(MOST_LIGHTS)),
         ];
         counts
             .into_iter()
@@ -255,6 +256,7 @@ mod tests {
         assert!(MachineDescription::parse(&dark, "m.toml").is_ok());
         let zone = "\"zone\"\nzone = { width = 8, height = 8 }";
         assert!(refusal(&dark.replace("\"beam\"", zone)).contains("lights is 0; accepted: 1 to"));
+        assert!(refusal(&format!("{BEAM}suns = 2\n")).contains("suns is 2; accepted: 0 to 1"));
         assert!(refused("640x480", "640x481").contains("\"1280x720\""));
         assert!(refused("beam", "zone").contains("zone is missing"));
         assert!(refused("planes", "plans").starts_with("m.toml:3:1: unknown field `plans`"));

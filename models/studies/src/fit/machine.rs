@@ -6,6 +6,7 @@ use super::frames::{Drawn, Frame, Frames};
 use imogene_contract::MachineWords;
 use imogene_contract::video::VideoMode;
 use imogene_golden::format::Format;
+use imogene_golden::machine::shader::MOST_LIGHTS;
 use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::slots::{FittedSlot, Products, Slots};
 use imogene_golden::unit::depth_interval::Class;
@@ -108,6 +109,8 @@ pub fn smallest(
         volumes: 0,
         volume_planes: 0,
         lights: 1,
+        // As many as the lights of the scene leave.
+        suns: MOST_LIGHTS,
         zone: None,
         loader_words: None,
         mode: mode(size),

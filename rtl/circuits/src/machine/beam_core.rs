@@ -9,8 +9,8 @@ use crate::object::Normal;
 use crate::raster::Scan;
 use crate::rows::numbered;
 use crate::shade::{
-    BLEND_LATENCY, FlatPoint, Point, Shaded, ShadingLoad, Surface, flat_shading, shading_processor,
-    transparency_pipeline,
+    BLEND_LATENCY, FlatPoint, Lights, Point, Shaded, ShadingLoad, Surface, flat_shading,
+    shading_processor, transparency_pipeline,
 };
 use crate::video::LEVEL;
 use imogene_contract::shading;
@@ -29,7 +29,7 @@ pub struct BeamMachine {
     /// Its shadow and light volumes, as many as they have numbers of planes; there may be none.
     pub volumes: Volumes,
     /// Its lights; without one it has no shading processor, and every object the ambient level of its material.
-    pub lights: u64,
+    pub lights: Lights,
     /// Address bits of the words that it keeps for the next frame.
     pub loader_places: u32,
 }
@@ -42,7 +42,7 @@ impl BeamMachine {
 
     /// Clocks from what is told of a pixel to its colour.
     pub(super) fn shading(&self) -> u32 {
-        match self.lights {
+        match self.lights.count {
             0 => shading::FLAT_LATENCY,
             _ => shading::LATENCY as u32,
         }
@@ -158,7 +158,7 @@ fn shaded_surface(
     let valid = valid.delayed_as("valid_late", wait);
     let depth = seen.depth.delayed_as("depth_late", wait);
     let material = material.delayed_as("material_late", wait - 1);
-    if machine.lights == 0 {
+    if machine.lights.count == 0 {
         let point = FlatPoint {
             valid,
             depth,

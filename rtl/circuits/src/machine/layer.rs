@@ -37,7 +37,7 @@ pub(super) fn shaded_layer(
             .slice(MATERIAL + LEVEL - 1, MATERIAL)
             .reg_when(look.write);
         let (valid, depth) = (seen.front.out_valid, seen.front.zf);
-        let shaded = match machine.lights {
+        let shaded = match machine.lights.count {
             0 => {
                 let point = FlatPoint {
                     valid,
@@ -46,7 +46,7 @@ pub(super) fn shaded_layer(
                 };
                 flat_shading("shading", point, load)
             }
-            lights => {
+            _ => {
                 let point = Point {
                     valid,
                     pixel: scan.pixel.delayed(slot.clocks(&root)),
@@ -55,7 +55,7 @@ pub(super) fn shaded_layer(
                     normal: shaded_normal(seen.normal),
                     flags: all_sources(),
                 };
-                shading_processor("shading", point, load, lights)
+                shading_processor("shading", point, load, machine.lights)
             }
         };
         let surface = Surface {

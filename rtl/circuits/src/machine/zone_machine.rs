@@ -6,7 +6,7 @@ use super::{
     sample_mean, zone_core,
 };
 use crate::raster::Pixel;
-use crate::shade::{Point, ShadingLoad, shading_processor};
+use crate::shade::{Lights, Point, ShadingLoad, shading_processor};
 use crate::video::{LEVEL, PixelStream, Queue, pixel_fifo};
 use imogene_contract::shading::LATENCY;
 use imogene_hdl::{Bits, Bundle, Value, join, memory, module, net};
@@ -24,7 +24,7 @@ pub struct ZoneMachine {
     /// Samples of a pixel along each side: 1, 2 or 4.
     pub samples: u32,
     /// Lights.
-    pub lights: u64,
+    pub lights: Lights,
 }
 
 impl ZoneMachine {

@@ -10,7 +10,7 @@ mod transparency;
 mod words;
 
 pub use flat_shading::{FlatPoint, flat_shading};
-pub use shading_processor::{Point, Shaded, ShadingLoad, shading_processor};
+pub use shading_processor::{Lights, Point, Shaded, ShadingLoad, shading_processor};
 pub use transparency::{BLEND_LATENCY, Layer, Surface, transparency_pipeline, transparency_stage};
 
 use crate::video::LEVEL;

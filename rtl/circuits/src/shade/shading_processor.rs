@@ -2,10 +2,10 @@
 
 use super::LEVEL;
 use super::attenuation::attenuation;
-use super::light_factors::light_factors;
+use super::light_factors::{light_factors, light_vector, sun_vector};
 use super::sent_light::{Material, sent_light};
 use super::sight::sight;
-use super::words::{light_store, view_store};
+use super::words::{light_store, sun_store, view_store};
 use crate::machine::LoadBus;
 use crate::object::Normal;
 use crate::raster::Pixel;
@@ -31,6 +31,15 @@ bundle! {
         address: Bits(16), "address of the word, section 8 of the architecture";
         data: Bits(32), "the word, in the low bits";
     }
+}
+
+/// Lights of a shading processor.
+#[derive(Clone, Copy, Debug)]
+pub struct Lights {
+    /// All of them.
+    pub count: u64,
+    /// Of these, the last ones that are directional alone.
+    pub suns: u64,
 }
 
 bundles! {
@@ -66,7 +75,7 @@ impl Shaded {
 /// of the sources, with some lights at once.
 ///
 /// Latency 44. Words stay unchanged while pixels are inside. Section 8 of the architecture; Chaillou 1991, III.1.2.
-pub fn shading_processor(at: &str, point: Point, load: ShadingLoad, lights: u64) -> Shaded {
+pub fn shading_processor(at: &str, point: Point, load: ShadingLoad, lights: Lights) -> Shaded {
     let inputs = (point, ("load", load));
     module("shading_processor", at, inputs, |(point, load)| {
         let bus = LoadBus {
@@ -88,12 +97,24 @@ pub fn shading_processor(at: &str, point: Point, load: ShadingLoad, lights: u64)
         let ray = (sight.ray_log, ray_places);
         let loss = attenuation("attenuation", view.fog, kept_far, ray);
         let material = materials(load, point.material);
-        let sent = (0..lights).map(|light| {
+        let sent = (0..lights.count).map(|light| {
             let bus = part(load, LIGHT + light * LIGHT_WORDS, LIGHT_WORDS, 28);
-            let (words, colour) = light_store(&format!("light_stores_{light}"), bus);
-            let own = (point.flags, kept_depth);
-            let late = (material.exponent, loss);
-            let factors = light_factors(&format!("factors_{light}"), words, sight, own, late);
+            let store = format!("light_stores_{light}");
+            let (source, vector, colour) = if light + lights.suns < lights.count {
+                let (source, place, colour) = light_store(&store, bus);
+                let at = format!("vectors_{light}");
+                (
+                    source,
+                    light_vector(&at, place, sight.place, kept_depth),
+                    colour,
+                )
+            } else {
+                let (source, direction, colour) = sun_store(&store, bus);
+                (source, sun_vector(direction), colour)
+            };
+            let (own, late) = ((source, vector), (material.exponent, loss));
+            let at = format!("factors_{light}");
+            let factors = light_factors(&at, own, sight, point.flags, late);
             sent_light(&format!("sent_{light}"), factors, material.own, colour).parts()
         });
         let sent: Vec<[Bits; 3]> = sent.collect();

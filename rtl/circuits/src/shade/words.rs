@@ -32,9 +32,8 @@ bundles! {
         background: Colour as "background", "colour of the background";
     }
 
-    /// A light.
-    Light {
-        source: Bits as "source", "its flag";
+    /// Where a light is.
+    LightPlace {
         point: Bits as "point", "it is at a point";
         shift: Bits as "shift", "units of a half pixel, as a power of two";
         base: Vector as "base", "constant part of the vector to it";
@@ -63,19 +62,35 @@ pub(super) fn view_store(at: &str, bus: LoadBus) -> View {
     })
 }
 
-/// Keeps the ten words of one light and gives them with its colour. All are zero at power-up: a light that adds
+/// Keeps the ten words of one light: its flag, its place and its colour. All are zero at power-up: a light that adds
 /// nothing.
-pub(super) fn light_store(at: &str, bus: LoadBus) -> (Light, Colour) {
+pub(super) fn light_store(at: &str, bus: LoadBus) -> (Bits, LightPlace, Colour) {
     module("light_store", at, ("load", bus), |bus| {
-        let vector = |first: u64| Vector::of([0, 1, 2].map(|index| bus.number(first + index, 28)));
-        let light = Light {
-            source: bus.bits(0, 7, 4),
+        let place = LightPlace {
             point: bus.bits(0, 0, 0),
             shift: bus.bits(0, 11, 8),
-            base: vector(1),
-            slope: vector(4),
+            base: vector(bus, 1),
+            slope: vector(bus, 4),
         };
-        let colour = Colour::of([7, 8, 9].map(|word| bus.bits(word, 16, 0)));
-        (light, ("colour", colour))
+        (source(bus), place, ("colour", colour(bus)))
     })
+}
+
+/// Keeps the words of a directional light: its flag, its direction and its colour.
+pub(super) fn sun_store(at: &str, bus: LoadBus) -> (Bits, Vector, Colour) {
+    module("sun_store", at, ("load", bus), |bus| {
+        (source(bus), vector(bus, 1), ("colour", colour(bus)))
+    })
+}
+
+fn source(bus: LoadBus) -> (&'static str, Bits) {
+    ("source", bus.bits(0, 7, 4))
+}
+
+fn vector(bus: LoadBus, first: u64) -> Vector {
+    Vector::of([0, 1, 2].map(|index| bus.number(first + index, 28)))
+}
+
+fn colour(bus: LoadBus) -> Colour {
+    Colour::of([7, 8, 9].map(|word| bus.bits(word, 16, 0)))
 }

@@ -3,6 +3,7 @@
 use imogene_circuits::machine::{BeamMachine, Objects, Slot, Volumes};
 use imogene_circuits::machines::{beam_display, beam_stream};
 use imogene_circuits::object::{Network, Widths};
+use imogene_circuits::shade::Lights;
 use imogene_circuits::video::Output;
 use imogene_contract::command_stream::SHADING_WORD;
 use imogene_contract::object;
@@ -49,7 +50,7 @@ fn machine() -> BeamMachine {
             root,
             planes: vec![1, 0],
         },
-        lights: 1,
+        lights: Lights { count: 1, suns: 0 },
         loader_places: 3,
     }
 }
