@@ -12,7 +12,7 @@ module depth_interval (
     output reg  [3:0] nb_a = 4'd0,
     output reg  signed [23:0] zf_b = 24'sd0,
     output reg  [3:0] nf_b = 4'd0,
-    output reg  signed [23:0] zb_b = 24'sd0,
+    output wire signed [23:0] zb_b,
     output reg  [3:0] nb_b = 4'd0
 );
 
@@ -50,6 +50,7 @@ module depth_interval (
     assign inside_zb = is_side ? from_far : is_before ? from_near : is_surface ? (far_visible ? from_far : near_visible ? from_near : 2'sd1) : 2'sd1;
     assign inside_nb = is_side ? 4'd1 : is_before ? 4'd0 : is_surface ? (far_visible ? 4'd1 : 4'd0) : choice_2;
     assign choice = is_front ? 4'd15 : 4'd0;
+    assign zb_b = 24'sd8388607;
     wire unused = &{1'b0, near_sum_late_1[25:24], far_sum_late_1[25:24]};
 
     always @(posedge clock) begin
@@ -70,14 +71,13 @@ module depth_interval (
         near_bits <= near_sum_late_1[23:0];
         far_bits <= far_sum_late_1[23:0];
         nf_b_kept <= has_b ? far_late_face : 4'd0;
+        nf_b <= nf_b_kept;
         nb_b_kept <= has_b ? 4'd15 : 4'd0;
+        nb_b <= nb_b_kept;
         zf_a <= source_a_zf_late_1[1] ? (source_a_zf_late_1[0] ? -24'sd8388607 : far_bits) : source_a_zf_late_1[0] ? 24'sd8388607 : near_bits;
         nf_a <= source_a_nf_late_1;
         zb_a <= source_a_zb_late_1[1] ? (source_a_zb_late_1[0] ? -24'sd8388607 : far_bits) : source_a_zb_late_1[0] ? 24'sd8388607 : near_bits;
         nb_a <= source_a_nb_late_1;
         zf_b <= source_b_zf[1] ? (source_b_zf[0] ? -24'sd8388607 : far_bits) : source_b_zf[0] ? 24'sd8388607 : near_bits;
-        nf_b <= nf_b_kept;
-        zb_b <= 24'sd8388607;
-        nb_b <= nb_b_kept;
     end
 endmodule

@@ -1,7 +1,7 @@
 //! A function by parabolas over equal segments.
 
 use crate::rows::numbered;
-use imogene_hdl::{Bits, Int, Value, join, module, net, ports};
+use imogene_hdl::{Bits, Int, Value, module, net, ports};
 
 /// Bits of the place in a segment.
 const PLACE: u32 = 14;
@@ -29,7 +29,10 @@ pub(super) fn segment_curve(at: &str, segment: Bits, place: Bits, curve: &Curve)
     let inputs = ports!(segment, place);
     module("segment_curve", at, inputs, |(segment, place)| {
         let segments = 0..1 << segment.width();
-        let mut choices: Vec<Bits> = segments.map(|index| curve.packed(index)).collect();
+        let width = VALUE + 2 * FACTOR;
+        let mut choices: Vec<Bits> = segments
+            .map(|index| Bits::new(curve.word(index), width))
+            .collect();
         for level in 0..segment.width() {
             let pairs = numbered(&format!("choice_{level}"), choices.chunks(2));
             let choice = |(name, pair): (String, &[Bits])| {
@@ -41,7 +44,8 @@ pub(super) fn segment_curve(at: &str, segment: Bits, place: Bits, curve: &Curve)
         let factor = |place: Bits| place.extend(FACTOR).int();
         let part = |product: Int| product.slice(PLACE + FACTOR - 1, PLACE).int();
         net! {
-            let chosen = choices[0].reg();
+            // Bits that all segments share stay constants, not registers.
+            let chosen = choices[0].reg().initially(curve.word(0));
             let bend = chosen.low(FACTOR).int();
             let slope = chosen.slice(2 * FACTOR - 1, FACTOR).int();
             let base = chosen.slice(2 * FACTOR + VALUE - 1, 2 * FACTOR).int();
@@ -60,10 +64,10 @@ pub(super) fn segment_curve(at: &str, segment: Bits, place: Bits, curve: &Curve)
 
 impl Curve {
     /// Coefficients of a segment in one word, the constant one in front.
-    fn packed(&self, segment: u32) -> Bits {
+    fn word(&self, segment: u32) -> u64 {
         let [c0, c1, c2] = self.coefficients(segment);
-        let words = [(c0, VALUE), (c1, FACTOR), (c2, FACTOR)];
-        join(words.map(|(value, width)| Int::new(value, width).bits()))
+        let part = |value: i64, width: u32| value as u64 & ((1 << width) - 1);
+        part(c0, VALUE) << (2 * FACTOR) | part(c1, FACTOR) << FACTOR | part(c2, FACTOR)
     }
 
     /// Coefficients of the parabola that meets the function at the Chebyshev nodes of a segment; the constant one is

@@ -85,10 +85,11 @@ pub fn depth_interval(at: &str, roots: Roots, object_class: Bits) -> Halves {
             is_other.select(other, is_end.select(far_end, near_bits))
         };
         let a = interval([a.zf, a.zb].map(depth), [a.nf, a.nb]);
-        let faces_b = [far.face, face(CAP)].map(|one| has_b.select(one, face(0)).reg());
+        let faces_b = [far.face, face(CAP)].map(|one| has_b.select(one, face(0)).delay(2));
         Halves {
             a: a.registered(),
-            b: interval([depth(source_b_zf), far_end], faces_b).registered(),
+            // The same where it is absent: no register.
+            b: interval([depth(source_b_zf).reg(), far_end], faces_b),
         }
     })
 }
