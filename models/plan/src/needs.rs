@@ -126,9 +126,8 @@ fn add(
         *given = needed.max(*given);
     }
     let points = framed.lights.iter().filter(|light| light.is_at_a_point());
-    machine.suns = machine
-        .suns
-        .min(machine.lights - points.count().min(lights));
+    let directional = machine.lights - points.count().min(lights);
+    machine.suns = machine.suns.min(directional);
     Ok(())
 }
 

@@ -313,10 +313,10 @@ impl MachineRequest {
         let loader = self.kind.loader_bits();
         lines.extend(loader.map(|bits| format!("{} words of the next frame", 1usize << bits)));
         if !matches!(self.kind, Kind::ZoneCore(_)) {
-            let (lights, suns) = (self.lights, self.suns);
-            lines.push(format!(
-                "{lights} lights, of which the last {suns} are directional"
-            ));
+            lines.push(format!("{} lights", self.lights));
+            if self.suns > 0 {
+                lines.push(format!("the last {} directional", self.suns));
+            }
         }
         if let Some(output) = self.kind.output() {
             let (width, height) = (output.mode.line.active, output.mode.frame.active);

@@ -5,7 +5,16 @@ use imogene_verif::unit::subject;
 
 #[test]
 fn every_number_of_lights() {
-    for (lights, suns) in [(1, 0), (1, 1), (2, 0), (2, 1), (3, 3), (4, 0), (4, 2)] {
+    for (lights, suns) in [
+        (1, 0),
+        (1, 1),
+        (2, 0),
+        (2, 1),
+        (3, 0),
+        (3, 3),
+        (4, 0),
+        (4, 2),
+    ] {
         let request = Request {
             lights,
             suns,

@@ -307,7 +307,7 @@ mod tests {
     }
 
     #[test]
-    fn six_planes_take_seven_clocks() {
+    fn six_planes_take_nine_clocks() {
         assert_eq!(latency(DEFAULT_PLANES), 9);
         assert_eq!((latency(1), latency(12)), (6, 10));
     }

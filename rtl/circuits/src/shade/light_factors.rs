@@ -2,9 +2,8 @@
 
 use super::attenuation::LOSS;
 use super::sent_light::Factors;
-use super::sight::{Middle, Sight};
-use super::words::LightPlace;
-use crate::arith::{Vector, logarithm, power_of_two, product, scalar_product, vector_normaliser};
+use super::sight::Sight;
+use crate::arith::{Vector, logarithm, power_of_two, product, scalar_product};
 use imogene_hdl::{Bits, Int, Value, module, net, ports};
 
 /// Bits of a sum of logarithms.
@@ -12,7 +11,7 @@ const SUM: u32 = 32;
 /// Bits of a loss times an exponent.
 const POWER: u32 = 36;
 /// Bits of a component of the vector to a light.
-const COMPONENT: u32 = 30;
+pub(super) const COMPONENT: u32 = 30;
 
 /// The cosine between normal and light, and the power of the cosine between mirrored light and viewer, with
 /// attenuation; 0 where the light does not reach.
@@ -28,134 +27,78 @@ pub(super) fn light_factors(
 ) -> Factors {
     let late = ports!(exponent, attenuation);
     let inputs = (ports!(source, vector), sight, ("flags", flags), late);
-    module(
-        "light_factors",
-        at,
-        inputs,
-        |(light, sight, flags, late)| {
-            let ((source, full), (exponent, attenuation)) = (light, late);
-            let reach = flags.right_by(source).bit(0).delayed_as("reach", 12);
-            let high = full.map(|part| part.slice(COMPONENT - 1, 12).int());
-            let low = full.map(|part| part.slice(11, 0).extend(18).int());
-            let normal_high = scalar_product("normal_high", sight.normal, high);
-            let normal_low = scalar_product("normal_low", sight.normal, low);
-            let light_square = scalar_product("light_square", high, high);
-            let ray_light = scalar_product("ray_light", sight.ray, high);
-            let is_positive = |number: Int| Int::new(0, number.width()).less(number);
-            net! {
-                // The sign of the whole product: what the low parts leave behind the point counts.
-                let kept_exact = (normal_high + normal_low.slice(37, 12).int().extend(38)).reg();
-                let kept_rest = (!normal_low.slice(11, 0).is(0)).reg();
-                let kept_turned = sight.turned.reg();
-                let is_before = is_positive(kept_exact) | (kept_exact.is(0) & kept_rest);
-                let kept_lit = kept_turned.select(kept_exact.is_negative(), is_before).reg();
-                let along = normal_high.slice(34, 10).int();
-                let opposite = Int::new(0, 25) - along;
-                let kept_along = sight.turned.select(opposite, along).reg();
-                let kept_magnitude = kept_along.slice(23, 0).reg();
-                let kept_is_along = is_positive(kept_along).reg();
-                let back = ray_light.slice(36, 12).int();
-                let turn = product("turn", sight.across, along);
-                let straight = product("straight", sight.square, back);
-                let kept_difference = (straight - turn).reg();
-                let cosine = kept_difference.slice(49, 20).int();
-                let gate = kept_lit & reach;
-            }
-            let diffuse_gate = (gate & kept_is_along).delayed_as("diffuse_gate", 25);
-            let specular_gate = gate.delayed_as("gate_late", 2) & is_positive(cosine);
-            let specular_gate = specular_gate.delayed_as("specular_gate", 23);
-            let wide = |number: Int| number.extend(SUM);
-            let light_log = wide(logarithm("light_logarithm", light_square.slice(35, 0)));
-            let along_log = wide(logarithm("along_logarithm", kept_magnitude));
-            let cosine_log = wide(logarithm("cosine_logarithm", cosine.bits()));
-            let (normal_log, ray_log) = (wide(sight.normal_log), wide(sight.ray_log));
-            let most = Bits::new((1 << LOSS) - 1, LOSS);
-            net! {
-                let pair = normal_log + light_log;
-                let kept_pair = pair.reg();
-                let kept_other = (normal_log + ray_log).reg();
-                let kept_four = (kept_pair + kept_other).reg();
-                let kept_pair_cut = (kept_pair - Int::new(20 << 20, SUM)).reg();
-                let kept_four_cut = (kept_four - Int::new(82 << 20, SUM)).delay(2);
-                let kept_diffuse = (kept_pair_cut - (along_log + along_log)).reg();
-                let kept_specular = (kept_four_cut - (cosine_log + cosine_log)).reg();
-                let is_less = kept_specular.slice(SUM - 1, LOSS).is(0);
-                let specular_loss = is_less.select(kept_specular.slice(LOSS - 1, 0), most);
-            }
-            let loss = |sum: Int, loss: Bits| {
-                let none = Bits::new(0, loss.width());
-                sum.is_negative().select(none, loss).reg()
-            };
-            let diffuse_loss =
-                loss(kept_diffuse, kept_diffuse.bits()).delayed_as("diffuse_loss", 6);
-            net! {
-                let kept_specular_loss = loss(kept_specular, specular_loss);
-                let whole_power = product("power_product", signed(kept_specular_loss), signed(exponent));
-            }
-            let power = whole_power.slice(POWER - 1, 0).delayed_as("power", 1);
-            let loss = |loss: Bits| (loss.extend(POWER) + attenuation.extend(POWER)).reg();
-            let diffuse = power_of_two("diffuse_power", loss(diffuse_loss));
-            let specular = power_of_two("specular_power", loss(power));
-            let nothing = Bits::new(0, 17);
-            Factors {
-                diffuse: diffuse_gate.select(diffuse, nothing).reg(),
-                specular: specular_gate.select(specular, nothing).reg(),
-            }
-        },
-    )
+    module("light_factors", at, inputs, |(own, sight, flags, late)| {
+        let ((source, full), (exponent, attenuation)) = (own, late);
+        let reach = flags.right_by(source).bit(0).delayed_as("reach", 12);
+        let high = full.map(|part| part.slice(COMPONENT - 1, 12).int());
+        let low = full.map(|part| part.slice(11, 0).extend(18).int());
+        let normal_high = scalar_product("normal_high", sight.normal, high);
+        let normal_low = scalar_product("normal_low", sight.normal, low);
+        let light_square = scalar_product("light_square", high, high);
+        let ray_light = scalar_product("ray_light", sight.ray, high);
+        let is_positive = |number: Int| Int::new(0, number.width()).less(number);
+        net! {
+            // The sign of the whole product: what the low parts leave behind the point counts.
+            let kept_exact = (normal_high + normal_low.slice(37, 12).int().extend(38)).reg();
+            let kept_rest = (!normal_low.slice(11, 0).is(0)).reg();
+            let kept_turned = sight.turned.reg();
+            let is_before = is_positive(kept_exact) | (kept_exact.is(0) & kept_rest);
+            let kept_lit = kept_turned.select(kept_exact.is_negative(), is_before).reg();
+            let along = normal_high.slice(34, 10).int();
+            let opposite = Int::new(0, 25) - along;
+            let kept_along = sight.turned.select(opposite, along).reg();
+            let kept_magnitude = kept_along.slice(23, 0).reg();
+            let kept_is_along = is_positive(kept_along).reg();
+            let back = ray_light.slice(36, 12).int();
+            let turn = product("turn", sight.across, along);
+            let straight = product("straight", sight.square, back);
+            let kept_difference = (straight - turn).reg();
+            let cosine = kept_difference.slice(49, 20).int();
+            let gate = kept_lit & reach;
+        }
+        let diffuse_gate = (gate & kept_is_along).delayed_as("diffuse_gate", 25);
+        let specular_gate = gate.delayed_as("gate_late", 2) & is_positive(cosine);
+        let specular_gate = specular_gate.delayed_as("specular_gate", 23);
+        let wide = |number: Int| number.extend(SUM);
+        let light_log = wide(logarithm("light_logarithm", light_square.slice(35, 0)));
+        let along_log = wide(logarithm("along_logarithm", kept_magnitude));
+        let cosine_log = wide(logarithm("cosine_logarithm", cosine.bits()));
+        let (normal_log, ray_log) = (wide(sight.normal_log), wide(sight.ray_log));
+        let most = Bits::new((1 << LOSS) - 1, LOSS);
+        net! {
+            let pair = normal_log + light_log;
+            let kept_pair = pair.reg();
+            let kept_other = (normal_log + ray_log).reg();
+            let kept_four = (kept_pair + kept_other).reg();
+            let kept_pair_cut = (kept_pair - Int::new(20 << 20, SUM)).reg();
+            let kept_four_cut = (kept_four - Int::new(82 << 20, SUM)).delay(2);
+            let kept_diffuse = (kept_pair_cut - (along_log + along_log)).reg();
+            let kept_specular = (kept_four_cut - (cosine_log + cosine_log)).reg();
+            let is_less = kept_specular.slice(SUM - 1, LOSS).is(0);
+            let specular_loss = is_less.select(kept_specular.slice(LOSS - 1, 0), most);
+        }
+        let loss = |sum: Int, loss: Bits| {
+            let none = Bits::new(0, loss.width());
+            sum.is_negative().select(none, loss).reg()
+        };
+        let diffuse_loss = loss(kept_diffuse, kept_diffuse.bits()).delayed_as("diffuse_loss", 6);
+        net! {
+            let kept_specular_loss = loss(kept_specular, specular_loss);
+            let whole_power = product("power_product", signed(kept_specular_loss), signed(exponent));
+        }
+        let power = whole_power.slice(POWER - 1, 0).delayed_as("power", 1);
+        let loss = |loss: Bits| (loss.extend(POWER) + attenuation.extend(POWER)).reg();
+        let diffuse = power_of_two("diffuse_power", loss(diffuse_loss));
+        let specular = power_of_two("specular_power", loss(power));
+        let nothing = Bits::new(0, 17);
+        Factors {
+            diffuse: diffuse_gate.select(diffuse, nothing).reg(),
+            specular: specular_gate.select(specular, nothing).reg(),
+        }
+    })
 }
 
 /// A word that is not negative as a number.
 fn signed(word: Bits) -> Int {
     word.extend(word.width() + 1).int()
-}
-
-/// The vector from a point of the scene to a light, 7 clocks after place and depth of the point.
-pub(super) fn light_vector(at: &str, light: LightPlace, place: Middle, depth: Int) -> Vector {
-    let inputs = (light, ("place", place), ("depth", depth));
-    module("light_vector", at, inputs, |(light, place, depth)| {
-        let nowhere = Bits::new(0, COMPONENT);
-        let shifted = |place: Int| {
-            let shifted = place.extend(COMPONENT).bits().left_by(light.shift);
-            light.point.select(shifted, nowhere).int()
-        };
-        let component = |name: &str, place: Int, base: Int, slope: Int| {
-            light_component(&format!("component_{name}"), depth, place, (base, slope))
-        };
-        let (base, slope) = (light.base, light.slope);
-        let vector = Vector {
-            x: component("x", shifted(place.x), base.x, slope.x),
-            y: component("y", shifted(place.y), base.y, slope.y),
-            z: component("z", nowhere.int(), base.z, slope.z),
-        };
-        vector_normaliser("normaliser", vector).vector
-    })
-}
-
-/// The vector to a directional light, of a direction that fills its words.
-pub(super) fn sun_vector(direction: Vector) -> Vector {
-    direction.map(|part| {
-        part.extend(COMPONENT)
-            .bits()
-            .left(COMPONENT - part.width())
-            .int()
-    })
-}
-
-/// `base - place - ((slope depth) >> 31)` with the depth in the high ones of 32 bits; the shift rounds down. Latency 4:
-/// the product, then the difference.
-fn light_component(at: &str, depth: Int, place: Int, (base, slope): (Int, Int)) -> Int {
-    let inputs = ports!(depth, place, base, slope);
-    module("light_component", at, inputs, |ports| {
-        let (depth, place, base, slope) = ports;
-        net! {
-            let whole_product = product("deep", slope, depth);
-            let kept_rest = (base.extend(COMPONENT) - place).delay(3);
-        }
-        // What is left of the 31 places when the zeros below the depth are not multiplied.
-        let places = depth.width() - 1;
-        let deep = whole_product.slice(whole_product.width() - 1, places).int();
-        let deep = deep.extend(COMPONENT);
-        ("result", (kept_rest - deep).reg())
-    })
 }

@@ -3,6 +3,7 @@
 mod attenuation;
 mod flat_shading;
 mod light_factors;
+mod light_vector;
 mod sent_light;
 mod shading_processor;
 mod sight;

@@ -2,7 +2,8 @@
 
 use super::LEVEL;
 use super::attenuation::attenuation;
-use super::light_factors::{light_factors, light_vector, sun_vector};
+use super::light_factors::light_factors;
+use super::light_vector::{light_vector, sun_vector};
 use super::sent_light::{Material, sent_light};
 use super::sight::sight;
 use super::words::{light_store, sun_store, view_store};

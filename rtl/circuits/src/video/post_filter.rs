@@ -81,7 +81,8 @@ pub fn post_filter(at: &str, kernel: Bits, pixel: Picture, places: u32) -> Pictu
         lines.drive(join([one_up, colour_1]));
         // A register behind the memory and the choice, before the sums.
         let column = [above, one_up, below].map(|line| Colour::unpacked(line).registered());
-        let column_2 = taps("vertical", column, kernel_1.reg()).registered();
+        net! { let kernel_late = kernel_1.reg(); }
+        let column_2 = taps("vertical", column, kernel_late).registered();
         let column_2 = column_2.called("column_2");
         net! {
             let step_2 = (step_1 & !y_1.is(0)).delay(2);
@@ -89,7 +90,7 @@ pub fn post_filter(at: &str, kernel: Bits, pixel: Picture, places: u32) -> Pictu
             let last_2 = flush_1.delay(2);
             let x_2 = x_1.delay(2);
             let y_2 = (y_1 - word(1)).delay(2);
-            let kernel_2 = kernel_1.delay(2);
+            let kernel_2 = kernel_late.reg();
             let is_left = x_2.is(0);
             // The column in the middle of the window.
             let ends_3 = (step_2 & ends_2).reg();
