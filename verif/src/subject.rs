@@ -55,6 +55,8 @@ pub struct Subject {
     pub golden: Maker,
     /// Random stimulus of about this many clocks, biased to the edges.
     pub stimulus: Stimulus,
+    /// Clocks of a stimulus that reaches every state, where that is many.
+    pub longest: usize,
     /// Clocks from an input to its result.
     pub latency: usize,
     /// Options of the command line that give this configuration.

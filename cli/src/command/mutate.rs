@@ -3,7 +3,6 @@
 use crate::arguments::Mutate;
 use crate::failure::Failure;
 use crate::output;
-use imogene_contract::video::VideoMode;
 use imogene_contract::{Request, Unit};
 use imogene_files::text::counted;
 use imogene_rtl::emit::{design, emit};
@@ -67,24 +66,9 @@ pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
 fn of_circuit(request: &Request, options: &Options) -> Result<MutationReport, Failure> {
     let (subject, design) = (subject(request)?, design(request)?);
     let bar = output::progress(circuit::count(&design), "mutants");
-    let options = match request.unit {
-        Unit::VideoTiming => of_frames(options, request.mode),
-        _ => *options,
-    };
-    let report = circuit::run(&subject, &design, &options, || bar.inc(1));
+    let report = circuit::run(&subject, &design, options, || bar.inc(1));
     bar.finish_and_clear();
     Ok(report?)
-}
-
-/// Two stimuli of two frames of a video mode, in which every counter comes to its end.
-fn of_frames(options: &Options, mode: u32) -> Options {
-    let frame = VideoMode::ALL[mode as usize].clocks() as usize;
-    Options {
-        // Some clocks are without `enable`.
-        clocks: options.clocks.max(2 * frame + frame / 4),
-        stimuli: options.stimuli.min(2),
-        ..*options
-    }
 }
 
 fn of_netlist(request: &Request, options: &Options) -> Result<MutationReport, Failure> {

@@ -77,6 +77,13 @@ impl Simulator {
         self.words[port.place as usize]
     }
 
+    /// What each register holds, in the order of [`Levels::flops`].
+    pub fn registers(&self) -> impl Iterator<Item = u64> {
+        self.flops
+            .iter()
+            .map(|flop| self.words[flop.output as usize])
+    }
+
     fn settle(&mut self) {
         if !self.is_settled {
             self.code.iter().for_each(|code| code.run(&mut self.words));

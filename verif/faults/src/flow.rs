@@ -5,9 +5,10 @@
 //! latency. If it is equal over these, it is equal for ever.
 
 use crate::controls::Upset;
-use crate::frame::{Begin, End, Frame, constant, upset};
+use crate::frame::{Begin, End, Frame, Word, constant, upset};
 use crate::gates::{Bit, Gates, NO};
 use crate::held::Held;
+use crate::idle::Idle;
 use crate::known::zero_inputs;
 use imogene_hdl::Levels;
 use std::collections::HashMap;
@@ -56,25 +57,17 @@ pub(crate) fn keeps_nothing(
     state: &HashMap<usize, State>,
     latency: usize,
 ) -> bool {
-    // Which gates depend on the state that the first clock began with.
-    let mut is_old = vec![false; gates.len()];
-    state.keys().for_each(|gate| is_old[*gate] = true);
-    for clock in 0..=latency {
-        for gate in 0..gates.len() {
-            if let Some(operands) = gates.operands(gate) {
-                is_old[gate] = operands.iter().any(|bit| is_old[bit.gate()]);
-            }
-        }
-        if clock == latency {
-            break;
-        }
-        let next = state.iter().map(|(gate, state)| match state {
-            State::Register(index, place) => (*gate, is_old[end.registers[*index][*place].gate()]),
-            State::Memory(_) => (*gate, true),
+    // What depends on the state that the first clock began with.
+    let mut old: Vec<usize> = state.keys().copied().collect();
+    for _ in 0..latency {
+        let is_old = gates.depending(&old);
+        let next = state.iter().filter(|(_, state)| match state {
+            State::Register(index, place) => is_old[end.registers[*index][*place].gate()],
+            State::Memory(_) => true,
         });
-        let next: Vec<(usize, bool)> = next.collect();
-        next.into_iter().for_each(|(gate, is)| is_old[gate] = is);
+        old = next.map(|(gate, _)| *gate).collect();
     }
+    let is_old = gates.depending(&old);
     end.outputs.iter().all(|bit| !is_old[bit.gate()])
 }
 
@@ -142,6 +135,21 @@ impl Unrolled {
         })
     }
 
+    /// From rest and the clock on with which the work begins, over its latency.
+    pub(crate) fn from_rest(
+        levels: &Levels,
+        gates: &Gates,
+        rest: &Begin,
+        idle: &Idle,
+        latency: usize,
+    ) -> Option<Unrolled> {
+        Unrolled::new(levels, gates, rest, latency, |index, begin, _| {
+            if index == 0 {
+                idle.fix(levels, 0, begin);
+            }
+        })
+    }
+
     /// What a clock begins with.
     pub(crate) fn begin(&self, clock: usize) -> &Begin {
         &self.clocks[clock].0
@@ -161,16 +169,33 @@ impl Unrolled {
             .collect()
     }
 
-    /// What the mutant that upsets make comes to in each clock, beside the circuit, and all gates.
-    pub(crate) fn with(&self, levels: &Levels, upsets: &[Upset]) -> (Gates, Vec<[End; 2]>) {
+    /// Does nothing that is seen, and nothing that is left, depend on what a register begins with?
+    pub(crate) fn is_dead(&self, levels: &Levels, register: usize) -> bool {
+        let begin = self.begin(0).at(levels.flops[register].output);
+        let sources: Vec<usize> = begin.iter().map(|bit| bit.gate()).collect();
+        let depends = self.gates.depending(&sources);
+        let outputs = self.clocks.iter().flat_map(|(_, clock)| &clock.end.outputs);
+        let mut seen = outputs.chain(self.end().registers.iter().flatten());
+        !seen.any(|bit| depends[bit.gate()])
+    }
+
+    /// What the mutant that upsets make comes to in each clock, beside the circuit, and all gates; it begins with other
+    /// words at some places.
+    pub(crate) fn with(
+        &self,
+        levels: &Levels,
+        upsets: &[Upset],
+        first: &[(u32, Word)],
+    ) -> (Gates, Vec<[End; 2]>) {
         let mut gates = self.gates.clone();
         let mut ends: Vec<[End; 2]> = vec![];
         for (begin, clock) in &self.clocks {
+            let first = first.iter().filter(|_| ends.is_empty()).cloned();
             let state = ends.last().map_or(&[][..], |[_, end]| &end.registers);
             let state = levels.flops.iter().zip(state);
             let state = state.map(|(flop, word)| (flop.output, word.clone()));
             let others = state.filter(|(place, word)| begin.at(*place) != word);
-            let others = others.chain(upset(levels, upsets));
+            let others = others.chain(first).chain(upset(levels, upsets));
             let end = clock.with(levels, others, &mut gates);
             ends.push([clock.end.clone(), end]);
         }

@@ -163,6 +163,23 @@ impl Frame {
         end
     }
 
+    /// Does nothing that is seen, and no other register, depend on what a register begins with?
+    pub(crate) fn is_dead(
+        &self,
+        levels: &Levels,
+        begin: &Begin,
+        gates: &Gates,
+        register: usize,
+    ) -> bool {
+        let word = begin.at(levels.flops[register].output);
+        let sources: Vec<usize> = word.iter().map(|bit| bit.gate()).collect();
+        let depends = gates.depending(&sources);
+        let others = self.end.registers.iter().enumerate();
+        let others = others.filter(|(index, _)| *index != register);
+        let mut seen = others.flat_map(|(_, word)| word).chain(&self.end.outputs);
+        !seen.any(|bit| depends[bit.gate()])
+    }
+
     fn or<'a>(&'a self, changed: &'a [Option<Word>], place: u32) -> &'a Word {
         let place = place as usize;
         changed[place].as_ref().unwrap_or(&self.words[place])
@@ -206,7 +223,7 @@ fn taken<'a>(store: &Store, word: &impl Fn(u32) -> &'a Word, gates: &mut Gates) 
 }
 
 /// Bits of which nothing is known.
-fn free(width: u32, gates: &mut Gates) -> Word {
+pub(crate) fn free(width: u32, gates: &mut Gates) -> Word {
     (0..width).map(|_| gates.input()).collect()
 }
 
@@ -296,6 +313,15 @@ pub(crate) fn less(gates: &mut Gates, x: &Word, y: &Word, width: u32) -> Bit {
         let (x, y) = (bit_of(x, index), bit_of(y, index));
         let differ = gates.xor(x, y);
         gates.select(differ, y, borrow)
+    })
+}
+
+/// Do two words differ?
+pub(crate) fn differ(gates: &mut Gates, a: &Word, b: &Word) -> Bit {
+    let width = a.len().max(b.len()) as u32;
+    (0..width).fold(NO, |any, index| {
+        let differs = gates.xor(bit_of(a, index), bit_of(b, index));
+        gates.or(any, differs)
     })
 }
 

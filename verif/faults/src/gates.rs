@@ -111,6 +111,18 @@ impl Gates {
         is_behind
     }
 
+    /// Does each gate depend on one of these?
+    pub(crate) fn depending(&self, sources: &[usize]) -> Vec<bool> {
+        let mut depends = vec![false; self.len()];
+        sources.iter().for_each(|gate| depends[*gate] = true);
+        for gate in 0..self.len() {
+            if let Some(operands) = self.operands(gate) {
+                depends[gate] = operands.iter().any(|bit| depends[bit.gate()]);
+            }
+        }
+        depends
+    }
+
     pub(crate) fn and(&mut self, a: Bit, b: Bit) -> Bit {
         let [a, b] = if a < b { [a, b] } else { [b, a] };
         match (a, b) {

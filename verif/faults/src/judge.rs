@@ -8,14 +8,19 @@
 
 use crate::controls::{Controls, Upset};
 use crate::flow::{State, Unrolled, keeps_nothing};
-use crate::frame::{Begin, End, Frame, Word, constant, upset};
+use crate::frame::{Begin, End, Frame, Word, constant, free, upset};
 use crate::gates::{Bit, Gates, NO};
 use crate::held::Held;
+use crate::idle::Idle;
 use crate::known::Known;
+use crate::phases::{Compared, Phases};
 use crate::solve::{CONFLICTS, can_be};
 use imogene_hdl::Levels;
 use std::collections::{HashMap, HashSet};
 use std::sync::OnceLock;
+
+/// Bits of words that are few enough to be tried all.
+const SHORT: [u32; 3] = [16, 20, 24];
 
 /// What is known of a mutant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,11 +52,15 @@ pub struct Judge {
     /// Does what is assumed hold from power-up on?
     always_holds: bool,
     held: Held,
+    idle: Idle,
+    phases: Option<Phases>,
     /// A clock of the work, where inputs are held and registers hold them.
     work: Option<Frame>,
-    /// The circuit over its latency, made when it is first wanted: from any clock, and from the beginning of the work.
+    /// The circuit over its latency, made when it is first wanted: from any clock, from the beginning of the work, and
+    /// from rest to rest.
     flow: OnceLock<Option<Unrolled>>,
     start: OnceLock<Option<Unrolled>>,
+    rest: OnceLock<Option<Rest>>,
 }
 
 impl Judge {
@@ -88,37 +97,50 @@ impl Judge {
             always_holds: known.always_holds,
             work,
             held: known.held.clone(),
+            idle: known.idle.clone(),
+            phases: known.phases.clone(),
+            rest: OnceLock::new(),
             flow: OnceLock::new(),
             start: OnceLock::new(),
         }
     }
 
-    /// Is the mutant that upsets make soon proven to be none? Where inputs are held while the circuit works, only one
-    /// clock is tried.
+    /// Is the mutant that upsets make proven to be none by one clock?
     pub fn is_soon_same(&self, upsets: &[Upset]) -> bool {
-        if self.work.is_none() {
-            return self.judge(upsets) == Verdict::Equivalent;
-        }
         let mut gates = self.gates.clone();
         let bad = self.with(&self.good, upsets, &mut gates);
-        self.always_holds && self.of_a_clock(&bad, &mut gates) == Verdict::Equivalent
+        let goes_on = self.always_holds || self.forgets(&bad, &gates);
+        goes_on && self.of_a_clock(&bad, &mut gates) == Verdict::Equivalent
+    }
+
+    /// Is nothing of the state left once the latency passed, in circuit and mutant?
+    fn forgets(&self, bad: &End, gates: &Gates) -> bool {
+        self.keeps_nothing && keeps_nothing(gates, bad, &self.state, self.latency)
     }
 
     /// What is known of the mutant that upsets make.
     pub fn judge(&self, upsets: &[Upset]) -> Verdict {
+        let verdict = self.by_clocks(upsets);
+        let phases = self.phases.as_ref();
+        match phases.is_some_and(|phases| phases.are_same(&self.compared(), upsets)) {
+            true => Verdict::Equivalent,
+            false => verdict,
+        }
+    }
+
+    /// The same without a look at the phases of the work.
+    fn by_clocks(&self, upsets: &[Upset]) -> Verdict {
         let mut gates = self.gates.clone();
         let bad = self.with(&self.good, upsets, &mut gates);
         let of_a_clock = self.of_a_clock(&bad, &mut gates);
         if of_a_clock == Verdict::Equivalent && self.always_holds {
             return Verdict::Equivalent;
         }
-        if self.is_same_at_work(upsets) {
+        if self.is_same_at_work(upsets) || self.is_same_from_rest(upsets) {
             return Verdict::Equivalent;
         }
-        let keeps_nothing =
-            self.keeps_nothing && keeps_nothing(&gates, &bad, &self.state, self.latency);
         let is_equal = of_a_clock == Verdict::Equivalent;
-        if keeps_nothing && (is_equal || self.is_same_in_the_end(upsets)) {
+        if self.forgets(&bad, &gates) && (is_equal || self.is_same_in_the_end(upsets)) {
             return Verdict::Equivalent;
         }
         match of_a_clock {
@@ -127,17 +149,63 @@ impl Judge {
         }
     }
 
+    /// Bits of the only input of a circuit each of whose results comes from one word of it, so that the mutant can differ
+    /// for words of no more bits alone: what all of these show decides.
+    pub fn short(&self, upsets: &[Upset]) -> Option<u32> {
+        let [input] = self.levels.inputs() else {
+            return None;
+        };
+        let mut gates = self.gates.clone();
+        let bad = self.with(&self.good, upsets, &mut gates);
+        if !self.forgets(&bad, &gates) {
+            return None;
+        }
+        let flow = self.flow()?;
+        let (all, ends) = flow.with(&self.levels, upsets, &[]);
+        let later = (1..=self.latency).flat_map(|clock| flow.begin(clock).at(input.place));
+        let later: Vec<usize> = later.map(|bit| bit.gate()).collect();
+        let depends = all.depending(&later);
+        let mut outputs = ends.last()?.iter().flat_map(|end| &end.outputs);
+        if outputs.any(|bit| depends[bit.gate()]) {
+            return None;
+        }
+        let pairs = self.pairs(&bad, &gates);
+        let word = self.begin.at(input.place);
+        SHORT.into_iter().find(|bits| {
+            let beyond = word.iter().skip(*bits as usize);
+            let is_long = beyond.fold(NO, |any, bit| gates.or(any, *bit));
+            let assumed = [&self.assumed[..], &[is_long]].concat();
+            equality(pairs.clone(), &assumed, &mut gates, CONFLICTS) == Verdict::Equivalent
+        })
+    }
+
+    fn compared(&self) -> Compared<'_> {
+        Compared {
+            levels: &self.levels,
+            gates: &self.gates,
+            begin: &self.begin,
+            good: &self.good,
+            assumed: &self.assumed,
+            registers: &self.registers,
+        }
+    }
+
     fn with(&self, good: &Frame, upsets: &[Upset], gates: &mut Gates) -> End {
         good.with(&self.levels, upset(&self.levels, upsets), gates)
     }
 
+    /// The circuit over its latency.
+    fn flow(&self) -> Option<&Unrolled> {
+        let make = || Unrolled::of(&self.levels, &self.gates, &self.begin, self.latency);
+        self.flow.get_or_init(make).as_ref()
+    }
+
     /// Is what comes out after the latency equal?
     fn is_same_in_the_end(&self, upsets: &[Upset]) -> bool {
-        let flow = self
-            .flow
-            .get_or_init(|| Unrolled::of(&self.levels, &self.gates, &self.begin, self.latency));
-        let Some(flow) = flow else { return false };
-        let (mut gates, ends) = flow.with(&self.levels, upsets);
+        let Some(flow) = self.flow() else {
+            return false;
+        };
+        let (mut gates, ends) = flow.with(&self.levels, upsets, &[]);
         let last = ends.last().expect("there is a first clock");
         let pairs = zip(&last[0].outputs, &last[1].outputs);
         let zeros = flow.zeros(&self.zeros, &self.levels);
@@ -162,12 +230,80 @@ impl Judge {
             Unrolled::from_start(&self.levels, gates, begin, &self.held, self.latency)
         });
         let Some(start) = start else { return false };
-        let (mut gates, ends) = start.with(&self.levels, upsets);
+        let (mut gates, ends) = start.with(&self.levels, upsets, &[]);
         let [good, bad] = ends.last().expect("there is a first clock");
         let state = state_pairs(&self.registers, good, bad);
         let pairs = self.results(&ends).chain(state).collect();
         let zeros = start.zeros(&self.zeros, &self.levels);
         equality(pairs, &zeros, &mut gates, CONFLICTS / 10) == Verdict::Equivalent
+    }
+
+    /// Does a circuit that rests until its work begins, and rests again after its latency, do in between what the
+    /// mutant does, and come to the same state?
+    fn is_same_from_rest(&self, upsets: &[Upset]) -> bool {
+        let Some(rest) = self.rest.get_or_init(|| self.from_rest()) else {
+            return false;
+        };
+        let others = rest.dead.iter().cloned();
+        let others = others.chain(upset(&self.levels, upsets));
+        let mut gates = rest.gates.clone();
+        let bad = rest.clock.with(&self.levels, others, &mut gates);
+        let pairs = state_pairs(&rest.kept, &rest.clock.end, &bad);
+        let outputs = zip(&rest.clock.end.outputs, &bad.outputs);
+        let pairs = pairs.chain(outputs).collect();
+        if equality(pairs, &[], &mut gates, CONFLICTS) != Verdict::Equivalent {
+            return false;
+        }
+        let (mut gates, ends) = rest.work.with(&self.levels, upsets, &rest.dead);
+        let outputs = ends.iter();
+        let outputs = outputs.flat_map(|[good, bad]| zip(&good.outputs, &bad.outputs));
+        let [good, bad] = ends.last().expect("there is a first clock");
+        let pairs = outputs.chain(state_pairs(&rest.kept, good, bad)).collect();
+        equality(pairs, &[], &mut gates, CONFLICTS) == Verdict::Equivalent
+    }
+
+    /// A clock of rest, and the work, if it is one that begins with one bit and ends with the latency.
+    fn from_rest(&self) -> Option<Rest> {
+        let [input] = self.idle.quiet[..] else {
+            return None;
+        };
+        if self.idle.begins != [[(input, 1)]] || !self.levels.stores.is_empty() {
+            return None;
+        }
+        let (levels, mut idle) = (&self.levels, self.idle.of_control());
+        loop {
+            let begin = idle.begin(levels, self.begin.clone(), &self.registers);
+            let mut gates = self.gates.clone();
+            let clock = begin.clock(levels, &mut gates);
+            let words = levels.flops.iter().map(|flop| free(flop.width, &mut gates));
+            let words: Vec<Word> = words.collect();
+            let gates = gates.frozen();
+            let work = Unrolled::from_rest(levels, &gates, &begin, &idle, self.latency)?;
+            let ends = [&clock.end, work.end()];
+            let is_dropped = ends.map(|end| idle.drop_changing(end, &self.registers));
+            if is_dropped == [false; 2] {
+                let registers = self.registers.iter().copied();
+                let is_free = |index: &usize| {
+                    let mut bits = begin.at(levels.flops[*index].output).iter();
+                    bits.all(|bit| bit.gate() != NO.gate())
+                };
+                let (dead, kept): (Vec<usize>, Vec<usize>) = registers.partition(|index| {
+                    is_free(index)
+                        && work.is_dead(levels, *index)
+                        && clock.is_dead(levels, &begin, &gates, *index)
+                });
+                let dead = dead.into_iter();
+                let dead = dead.map(|index| (levels.flops[index].output, words[index].clone()));
+                let dead = dead.collect();
+                return Some(Rest {
+                    gates,
+                    clock,
+                    work,
+                    dead,
+                    kept,
+                });
+            }
+        }
     }
 
     /// The outputs from the beginning of the work on: before the first result nothing counts but the first output,
@@ -221,6 +357,18 @@ impl Judge {
         }
         pairs
     }
+}
+
+/// A circuit that rests until its work begins, and rests again after its latency.
+struct Rest {
+    gates: Gates,
+    /// A clock of rest.
+    clock: Frame,
+    work: Unrolled,
+    /// What rests in registers that are loaded before they are read may be anything: their places, and any words.
+    dead: Vec<(u32, Word)>,
+    /// The other registers.
+    kept: Vec<usize>,
 }
 
 /// What some registers hold after a clock.

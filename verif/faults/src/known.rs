@@ -1,19 +1,29 @@
 //! What is known of the state of a circuit, and of what it does with the state at power-up.
 
+use crate::facts::{Fact, facts};
 use crate::flow::{State, keeps_nothing};
-use crate::frame::{Begin, Word, bit_of, constant, less, sum};
+use crate::frame::{Begin, Word, bit_of, constant, differ, less, sum};
 use crate::gates::{Bit, Gates, NO, YES};
 use crate::held::Held;
+use crate::idle::Idle;
+use crate::phases::Phases;
 use crate::solve::{CONFLICTS, can_be};
 use imogene_hdl::{Design, Direction, Levels};
+
+/// Bits, at most, of a register that holds control, not data: a flag, a state, a count of steps.
+pub(crate) const CONTROL: u32 = 6;
 
 /// What a circuit may rely on.
 #[derive(Clone, Debug, Default)]
 pub struct Contract {
     /// Bits of inputs that are 0.
     pub zeros: Vec<(String, u32)>,
-    /// Inputs that are 1 in the clock with which its work begins.
-    pub begins: Vec<String>,
+    /// Bits of inputs that are 0 in a clock in which another one has a word.
+    pub zeros_beside: Vec<((String, u64), (String, u32))>,
+    /// Inputs that are 0 before its work begins.
+    pub quiet: Vec<String>,
+    /// Inputs that have these words in the clocks with which it begins, one after the other.
+    pub begins: Vec<Vec<(String, u64)>>,
     /// Inputs that do not change between two such clocks.
     pub held: Vec<String>,
     /// Pairs of points inside, both what a register holds: a remainder and its root, behind a row of a root. What
@@ -23,15 +33,24 @@ pub struct Contract {
     pub restores: bool,
     /// Clocks from an input to its result.
     pub latency: usize,
+    /// Some states that it comes to: what its registers hold, in the order of the simulator. What holds in all of them
+    /// is tried to be proven.
+    pub seen: Vec<Vec<u64>>,
+    /// Outputs that count only in clocks in which another one, a flag, is 1.
+    pub counts_with: Vec<(String, String)>,
 }
+
+/// The value of each bit of each register that never changes.
+pub(crate) type Constants = Vec<Vec<Option<bool>>>;
 
 /// What holds in every state that is reached from power-up. Registers are counted without controls.
 pub struct Known {
     pub(crate) zeros: Vec<(usize, u32)>,
-    /// The value of each bit of each register that never changes.
-    constants: Vec<Vec<Option<bool>>>,
+    zeros_beside: Vec<((usize, u64), (usize, u32))>,
+    constants: Constants,
     remainders: Vec<[usize; 2]>,
     restores: bool,
+    facts: Vec<Fact>,
     /// Do the remainders hold from power-up on?
     pub(crate) always_holds: bool,
     /// Clocks from an input to its result.
@@ -40,6 +59,9 @@ pub struct Known {
     forgotten: Vec<Vec<bool>>,
     /// What holds while the circuit works.
     pub(crate) held: Held,
+    /// What holds before.
+    pub(crate) idle: Idle,
+    pub(crate) phases: Option<Phases>,
 }
 
 impl Known {
@@ -61,24 +83,43 @@ impl Known {
         let pairs = contract.remainders.iter();
         let pairs = pairs.filter_map(|[a, b]| Some([register(a)?, register(b)?]));
         let zeros = contract.zeros.iter();
+        let zeros = zeros.filter_map(|(name, bit)| Some((place(name)?, *bit)));
+        let zeros: Vec<(usize, u32)> = zeros.collect();
+        let zeros_beside = contract.zeros_beside.iter();
+        let zeros_beside = zeros_beside.filter_map(|((beside, word), (name, bit))| {
+            Some(((place(beside)?, *word), (place(name)?, *bit)))
+        });
+        let quiet: Vec<usize> = contract.quiet.iter().filter_map(place).collect();
+        let begins = contract.begins.iter().map(|clock| {
+            let words = clock.iter();
+            let words = words.filter_map(|(name, word)| Some((place(name)?, *word)));
+            words.collect::<Vec<_>>()
+        });
+        let begins: Vec<Vec<(usize, u64)>> = begins.collect();
         let mut known = Known {
-            zeros: zeros
-                .filter_map(|(name, bit)| Some((place(name)?, *bit)))
-                .collect(),
             remainders: pairs.collect(),
             restores: contract.restores,
+            facts: vec![],
             always_holds: true,
             latency: contract.latency,
-            constants: initial(&levels),
+            constants: idle(&levels, &zeros, &[]).constants,
+            idle: Idle {
+                begins,
+                ..idle(&levels, &zeros, &quiet)
+            },
+            phases: None,
+            zeros,
+            zeros_beside: zeros_beside.collect(),
             forgotten: vec![],
             held: Held::default(),
         };
-        known.drop_changing(&levels);
         known.drop_unproven(&levels);
-        let begins: Vec<usize> = contract.begins.iter().filter_map(place).collect();
-        known.forgotten = forgotten(&levels, &begins, contract.latency);
+        known.facts = facts(&levels, &known, &contract.seen);
+        known.phases = Phases::of(&levels, &known, counts_with(design, contract));
+        known.forgotten = known.forgotten(&levels);
         let inputs: Vec<usize> = contract.held.iter().filter_map(place).collect();
         if !inputs.is_empty() && levels.stores.is_empty() && known.forgets_all() {
+            let begins = known.idle.quiet.clone();
             known.held = Held::of(&levels, begins, inputs, contract.latency);
         }
         known
@@ -112,6 +153,13 @@ impl Known {
         gates: &mut Gates,
     ) -> Vec<Bit> {
         let mut bits: Vec<Bit> = zero_inputs(&self.zeros, levels, begin).collect();
+        for ((beside, word), zero) in &self.zeros_beside {
+            let beside = begin.at(levels.inputs()[*beside].place);
+            let is_other = differ(gates, beside, &constant(*word));
+            let zero = [*zero];
+            let is_zero = zero_inputs(&zero, levels, begin);
+            bits.extend(is_zero.map(|is| gates.or(is_other, is)));
+        }
         for (register, constants) in registers.iter().zip(&self.constants) {
             let word = begin.at(levels.flops[*register].output);
             let pairs = word.iter().zip(constants);
@@ -122,6 +170,8 @@ impl Known {
             let words = pair.map(|index| begin.at(levels.flops[registers[index]].output));
             bits.push(self.is_remainder(gates, *pair, words));
         }
+        let word = |register: usize| begin.at(levels.flops[registers[register]].output);
+        bits.extend(self.facts.iter().map(|fact| fact.holds(gates, word)));
         bits
     }
 
@@ -146,34 +196,16 @@ impl Known {
         at_most_twice(gates, &restored, root)
     }
 
-    /// Drops the constants that one clock may change, until there is none.
-    fn drop_changing(&mut self, levels: &Levels) {
-        loop {
-            let mut gates = Gates::new();
-            let mut begin = Begin::any(levels, &mut gates);
-            for (index, bit) in &self.zeros {
-                begin.at_mut(levels.inputs()[*index].place)[*bit as usize] = NO;
-            }
-            for (flop, constants) in levels.flops.iter().zip(&self.constants) {
-                let bits = begin.at_mut(flop.output).iter_mut();
-                for (bit, constant) in bits.zip(constants) {
-                    *bit = constant.map_or(*bit, Bit::of);
-                }
-            }
-            let end = begin.clock(levels, &mut gates).end;
-            let mut is_done = true;
-            for (constants, next) in self.constants.iter_mut().zip(&end.registers) {
-                for (constant, next) in constants.iter_mut().zip(next) {
-                    if constant.is_some_and(|value| *next != Bit::of(value)) {
-                        *constant = None;
-                        is_done = false;
-                    }
-                }
-            }
-            if is_done {
-                return;
+    /// Bits of registers that are forgotten, by their structure in any state, or by what holds before the work.
+    fn forgotten(&self, levels: &Levels) -> Vec<Vec<bool>> {
+        let first = self.idle.begins.first().map_or(&[][..], |clock| clock);
+        let mut forgotten = forgotten(levels, first, self.latency);
+        for (register, bits) in forgotten.iter_mut().enumerate() {
+            if bits.contains(&false) && self.idle.forgets(levels, register, self.latency) {
+                bits.fill(true);
             }
         }
+        forgotten
     }
 
     /// Do the remainders hold at power-up?
@@ -220,6 +252,44 @@ impl Known {
     }
 }
 
+/// What never changes from power-up on while these inputs are quiet: all that is held at power-up but for what one
+/// clock may change, until there is none.
+fn idle(levels: &Levels, zeros: &[(usize, u32)], quiet: &[usize]) -> Idle {
+    let registers: Vec<usize> = (0..levels.flops.len()).collect();
+    let mut idle = Idle {
+        quiet: quiet.to_vec(),
+        constants: initial(levels),
+        ..Idle::default()
+    };
+    loop {
+        let mut gates = Gates::new();
+        let mut begin = Begin::any(levels, &mut gates);
+        for (index, bit) in zeros {
+            begin.at_mut(levels.inputs()[*index].place)[*bit as usize] = NO;
+        }
+        let begin = idle.begin(levels, begin, &registers);
+        let end = begin.clock(levels, &mut gates).end;
+        if !idle.drop_changing(&end, &registers) {
+            return idle;
+        }
+    }
+}
+
+/// Of each output, the one without which it counts nothing.
+fn counts_with(design: &Design, contract: &Contract) -> Vec<Option<usize>> {
+    let outputs: Vec<&str> = design
+        .top
+        .ports_of(Direction::Out)
+        .map(|port| &port.name[..])
+        .collect();
+    let flag = |name: &&str| {
+        let mut pairs = contract.counts_with.iter();
+        let (_, flag) = pairs.find(|(output, _)| output == name)?;
+        outputs.iter().position(|name| name == flag)
+    };
+    outputs.iter().map(flag).collect()
+}
+
 /// What every register holds at power-up.
 fn initial(levels: &Levels) -> Vec<Vec<Option<bool>>> {
     let flops = levels.flops.iter().map(|flop| {
@@ -249,15 +319,15 @@ fn at_most_twice(gates: &mut Gates, a: &Word, b: &Word) -> Bit {
 
 /// Bits of registers that are forgotten: two circuits that differ in them alone differ in no others before a clock
 /// with these inputs at 1, and in none once the latency passed after it.
-fn forgotten(levels: &Levels, begins: &[usize], latency: usize) -> Vec<Vec<bool>> {
+fn forgotten(levels: &Levels, begins: &[(usize, u64)], latency: usize) -> Vec<Vec<bool>> {
     let mut gates = Gates::new();
     let mut begin = Begin::any(levels, &mut gates);
     let registers = levels.flops.iter();
     let registers = registers.map(|flop| begin.at(flop.output).clone());
     let registers: Vec<Word> = registers.collect();
     let before = begin.clock(levels, &mut gates).end;
-    for index in begins {
-        *begin.at_mut(levels.inputs()[*index].place) = constant(1);
+    for (input, word) in begins {
+        *begin.at_mut(levels.inputs()[*input].place) = constant(*word);
     }
     let mut end = begin.clock(levels, &mut gates).end;
     let mut kept: Word = end.memories.concat();

@@ -26,12 +26,15 @@
 
 mod controls;
 mod exchange;
+mod facts;
 mod flow;
 mod frame;
 mod gates;
 mod held;
+mod idle;
 mod judge;
 mod known;
+mod phases;
 mod sites;
 mod solve;
 

@@ -30,10 +30,34 @@ struct Clauses<'a> {
     known: HashMap<usize, Lit>,
 }
 
+/// What the solver says.
+pub(crate) enum Answer {
+    Never,
+    /// In some case, in which the bits that were asked for have these values.
+    When(Vec<bool>),
+    /// It gave up.
+    Unknown,
+}
+
 /// Can a bit be 1 where others are 1? Unknown if the solver gave up, after so many conflicts.
 pub(crate) fn can_be(gates: &Gates, wanted: Bit, assumed: &[Bit], conflicts: u64) -> Option<bool> {
+    match ask(gates, wanted, assumed, conflicts, &[]) {
+        Answer::Never => Some(false),
+        Answer::When(_) => Some(true),
+        Answer::Unknown => None,
+    }
+}
+
+/// The same, and the values of some other bits in a case in which it can.
+pub(crate) fn ask(
+    gates: &Gates,
+    wanted: Bit,
+    assumed: &[Bit],
+    conflicts: u64,
+    asked: &[Bit],
+) -> Answer {
     if wanted == NO {
-        return Some(false);
+        return Answer::Never;
     }
     let mut clauses = Clauses {
         gates,
@@ -44,13 +68,16 @@ pub(crate) fn can_be(gates: &Gates, wanted: Bit, assumed: &[Bit], conflicts: u64
         let literal = clauses.literal(*bit);
         clauses.solver.add_clause_reuse(&mut vec![literal]);
     }
+    let asked = asked.iter().map(|bit| clauses.literal(*bit));
+    let asked: Vec<Lit> = asked.collect();
     let found = clauses.solver.solve_limited(&[]);
     if found == lbool::FALSE {
-        Some(false)
+        Answer::Never
     } else if found == lbool::TRUE {
-        Some(true)
+        let value = |literal: Lit| clauses.solver.value_lit(literal) == lbool::TRUE;
+        Answer::When(asked.into_iter().map(value).collect())
     } else {
-        None
+        Answer::Unknown
     }
 }
 

@@ -4,6 +4,7 @@
 //! Sites are compiled in groups into one program of the built-in engine; a mutant is an upset of it. What no stimulus
 //! kills goes to the solver.
 
+use super::beginning::beginning;
 use super::score::{Fate, Kill, MutationError, MutationReport, Options};
 use super::vectors::{Vectors, vectors};
 use crate::signal::Signal;
@@ -12,7 +13,7 @@ use imogene_compiled::{Program, Simulation};
 use imogene_faults::{
     CONFLICTS, Contract, Controls, Judge, Key, Known, Mutant, Site, Upset, Verdict, sites,
 };
-use imogene_hdl::{Design, Levels};
+use imogene_hdl::{Design, Levels, Port, Simulator};
 use rayon::prelude::*;
 use std::collections::HashSet;
 use std::ops::Range;
@@ -28,11 +29,14 @@ const FIRST: u64 = 150;
 /// Stimuli before the proofs of words that are held.
 const SECOND: u64 = 3_000;
 
+/// Words of a stimulus of all short words.
+const PIECE: usize = 1 << 16;
+
 /// Stimuli between two looks at what is left.
 const BATCH: usize = 600;
 
-/// Inputs that are 1 in the clock with which the work of a unit begins.
-const BEGINS: [&str; 4] = ["pixel", "start", "go", "valid"];
+/// Stimuli from which facts of the states are guessed.
+const SEEN: u64 = 30;
 
 const DIFFERS: &str = "It differs in some state; no stimulus came to one whose outputs show it";
 
@@ -58,7 +62,13 @@ pub fn run(
     on_done: impl Fn() + Sync,
 ) -> Result<MutationReport, MutationError> {
     let started = Instant::now();
-    let known = Known::new(design, &contract(subject, design));
+    let options = &options.reaching(subject);
+    let contract = Contract {
+        seen: states(subject, design, options),
+        counts_with: counts_with(subject, options),
+        ..contract(subject, design)
+    };
+    let known = Known::new(design, &contract);
     let mut report = MutationReport::new(subject);
     let campaign = Campaign {
         subject,
@@ -98,6 +108,7 @@ pub fn run(
     let mut groups = regrouped(design, alive);
     campaign.kill(&mut groups, FIRST..SECOND.min(end), &mut report)?;
     campaign.prove(&mut groups, &known, &mut report);
+    campaign.exhaust(&mut groups, &known, &mut report);
     campaign.kill(&mut groups, SECOND..end, &mut report)?;
     for group in groups {
         for (mutant, reason) in group.mutants.iter().zip(group.reasons) {
@@ -145,17 +156,28 @@ impl<F: Fn() + Sync> Campaign<'_, F> {
                 break;
             }
             let vectors = self.stimuli(begin..seeds.end.min(begin + BATCH as u64))?;
-            let kills = groups.par_iter_mut().flat_map_iter(|group| {
-                let kills = group.kills(&vectors, self.on_done);
-                group.keep(|place| kills[place].is_none());
-                kills.into_iter().flatten()
-            });
-            for (stimulus, clock) in kills.collect::<Vec<_>>() {
-                let kill = (begin as usize + stimulus, clock);
-                report.count(Fate::Killed(kill), self.clocks, String::new);
-            }
+            self.kill_by(groups, &vectors, begin as usize, report);
         }
         Ok(())
+    }
+
+    /// Drops what these stimuli kill, the first of which has a number.
+    fn kill_by(
+        &self,
+        groups: &mut [Group],
+        vectors: &[Vectors],
+        begin: usize,
+        report: &mut MutationReport,
+    ) {
+        let kills = groups.par_iter_mut().flat_map_iter(|group| {
+            let kills = group.kills(vectors, self.on_done);
+            group.keep(|place| kills[place].is_none());
+            kills.into_iter().flatten()
+        });
+        for (stimulus, clock) in kills.collect::<Vec<_>>() {
+            let kill = (begin + stimulus, clock);
+            report.count(Fate::Killed(kill), self.clocks, String::new);
+        }
     }
 
     /// Drops what is proven equivalent, and tells of all else what is known of it.
@@ -171,10 +193,45 @@ impl<F: Fn() + Sync> Campaign<'_, F> {
             group.keep(|place| verdicts[place] != Verdict::Equivalent);
             verdicts.len() - group.mutants.len()
         });
-        for _ in 0..equivalent.sum() {
+        self.are_equivalent(equivalent.sum(), report);
+    }
+
+    fn are_equivalent(&self, count: usize, report: &mut MutationReport) {
+        for _ in 0..count {
             (self.on_done)();
             report.count(Fate::Equivalent, self.clocks, String::new);
         }
+    }
+
+    /// Decides what can only differ for short words, by all of these.
+    fn exhaust(&self, groups: &mut Vec<Group>, known: &Known, report: &mut MutationReport) {
+        let [input] = &self.subject.inputs[..] else {
+            return;
+        };
+        let bits = groups.par_iter_mut().flat_map_iter(|group| {
+            let judge = group.has_sites.then(|| Judge::new(&group.controls, known));
+            let shorts = group.mutants.iter();
+            let shorts = shorts.map(|mutant| judge.as_ref()?.short(&mutant.upsets));
+            group.shorts = shorts.collect();
+            group.shorts.clone()
+        });
+        let Some(bits) = bits.flatten().max() else {
+            return;
+        };
+        for first in (0..1u64 << bits).step_by(PIECE) {
+            let words = first..first + PIECE as u64;
+            let last = vec![vec![0]; self.subject.latency];
+            let words = words.map(|word| vec![input.value(word)]).chain(last);
+            let stimulus: Vec<Vec<i64>> = words.collect();
+            let vectors = [Vectors::new(self.subject, &stimulus)];
+            self.kill_by(groups, &vectors, 0, report);
+        }
+        let equivalent = groups.iter_mut().map(|group| {
+            let shorts = group.shorts.clone();
+            group.keep(|place| shorts[place].is_none());
+            shorts.len() - group.mutants.len()
+        });
+        self.are_equivalent(equivalent.sum(), report);
     }
 }
 
@@ -200,6 +257,8 @@ struct Group {
     has_sites: bool,
     /// Why each survives so far, where that is known.
     reasons: Vec<String>,
+    /// Bits of the only words for which each can differ, where they are few.
+    shorts: Vec<Option<u32>>,
 }
 
 impl Group {
@@ -217,6 +276,7 @@ impl Group {
             controls,
             mutants,
             reasons: vec![],
+            shorts: vec![],
         }
     }
 
@@ -232,6 +292,8 @@ impl Group {
         self.mutants.retain(|_| places.next().is_some_and(&is_kept));
         let mut places = 0..;
         self.reasons.retain(|_| places.next().is_some_and(&is_kept));
+        let mut places = 0..;
+        self.shorts.retain(|_| places.next().is_some_and(&is_kept));
     }
 }
 
@@ -263,18 +325,81 @@ fn contract(subject: &Subject, design: &Design) -> Contract {
         Some((signal.name.clone(), bit))
     };
     let points = Levels::of(design).points;
+    let (quiet, begins) = beginning(subject);
     let remainders = points
         .iter()
         .filter_map(|(path, _)| Some((path, path.strip_suffix(".next_remainder")?)));
     let pairs = remainders.map(|(path, stage)| [path.clone(), format!("{stage}.next_root")]);
     Contract {
         zeros: subject.inputs.iter().filter_map(zero).collect(),
-        begins: BEGINS.map(str::to_owned).to_vec(),
+        quiet,
+        begins,
+        zeros_beside: zeros_beside(subject),
         held: held(subject),
         remainders: pairs.collect(),
         restores: subject.name != "square_root_non_restoring",
         latency: subject.latency + usize::from(subject.name == "programmable_pe"),
+        ..Contract::default()
     }
+}
+
+/// The second differences that a PE2 with a memory is loaded with are even.
+fn zeros_beside(subject: &Subject) -> Vec<((String, u64), (String, u32))> {
+    let name = |port: &str| port.to_owned();
+    let even = |address| ((name("load_address"), address), (name("load_data"), 0));
+    match &subject.name[..] {
+        "memory_pe2" => [0, 1].map(even).to_vec(),
+        _ => vec![],
+    }
+}
+
+/// States that the circuit comes to.
+fn states(subject: &Subject, design: &Design, options: &Options) -> Vec<Vec<u64>> {
+    let seeds = (0..SEEN.min(options.stimuli)).into_par_iter();
+    let states = seeds.flat_map_iter(|seed| {
+        let mut simulator = Simulator::new(design);
+        let ports = subject.inputs.iter();
+        let ports: Vec<Port> = ports.map(|signal| simulator.port(&signal.name)).collect();
+        let stimulus = subject.seeded_stimulus(options.clocks, seed);
+        let states = stimulus.into_iter().map(move |inputs| {
+            for ((port, signal), value) in ports.iter().zip(&subject.inputs).zip(inputs) {
+                simulator.set(*port, signal.bits(value));
+            }
+            simulator.clock();
+            simulator.registers().collect::<Vec<u64>>()
+        });
+        states.collect::<HashSet<_>>()
+    });
+    let states: HashSet<Vec<u64>> = states.collect();
+    states.into_iter().collect()
+}
+
+/// Outputs that the golden model states only beside a flag of 1, and the flag: an output called `valid`, or ending so.
+fn counts_with(subject: &Subject, options: &Options) -> Vec<(String, String)> {
+    let names: Vec<&String> = subject.outputs.iter().map(|signal| &signal.name).collect();
+    let Some(flag) = names.iter().position(|name| name.ends_with("valid")) else {
+        return vec![];
+    };
+    let stimuli = (0..SEEN.min(options.stimuli)).into_par_iter();
+    let stated = stimuli.map(|seed| {
+        let mut golden = (subject.golden)();
+        let mut stated = vec![false; names.len()];
+        for inputs in subject.seeded_stimulus(options.clocks, seed) {
+            let outputs = golden.clock(&inputs);
+            if outputs[flag] != Some(1) {
+                let found = stated.iter_mut().zip(&outputs);
+                found.for_each(|(stated, output)| *stated |= output.is_some());
+            }
+        }
+        stated
+    });
+    let none = || vec![false; names.len()];
+    let or = |a: Vec<bool>, b: Vec<bool>| a.iter().zip(b).map(|(a, b)| *a | b).collect();
+    let stated: Vec<bool> = stated.reduce(none, or);
+    let unstated = names.iter().zip(stated).filter(|(_, is)| !is);
+    unstated
+        .map(|(name, _)| ((*name).clone(), names[flag].clone()))
+        .collect()
 }
 
 /// Inputs that do not change while the unit works: the words of a zone, behind the raster of an object or a volume.

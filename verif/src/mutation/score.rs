@@ -22,6 +22,19 @@ pub struct Options {
     pub proof_seconds: u32,
 }
 
+impl Options {
+    /// So that a stimulus reaches every state of a unit, in as many clocks of all stimuli.
+    pub(super) fn reaching(&self, subject: &Subject) -> Options {
+        let clocks = self.clocks.max(subject.longest);
+        let stimuli = self.stimuli * self.clocks as u64 / clocks as u64;
+        Options {
+            clocks,
+            stimuli: stimuli.max(1),
+            ..*self
+        }
+    }
+}
+
 impl Default for Options {
     fn default() -> Options {
         Options {

@@ -1,7 +1,7 @@
 //! The stimuli of a unit, and what its golden model states of them.
 
 use super::score::Kill;
-use crate::subject::Subject;
+use crate::subject::{Inputs, Subject};
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -15,14 +15,14 @@ pub(super) struct Vectors {
 pub(super) fn vectors(subject: &Subject, clocks: usize, seeds: Range<u64>) -> Vec<Vectors> {
     let seeds = seeds.into_par_iter();
     seeds
-        .map(|seed| Vectors::new(subject, clocks, seed))
+        .map(|seed| Vectors::new(subject, &subject.seeded_stimulus(clocks, seed)))
         .collect()
 }
 
 impl Vectors {
-    fn new(subject: &Subject, clocks: usize, seed: u64) -> Vectors {
+    /// Of a stimulus.
+    pub(super) fn new(subject: &Subject, stimulus: &[Inputs]) -> Vectors {
         let mut golden = (subject.golden)();
-        let stimulus = subject.seeded_stimulus(clocks, seed);
         let expected = stimulus.iter().map(|inputs| {
             let stated = golden.clock(inputs).into_iter().zip(&subject.outputs);
             stated

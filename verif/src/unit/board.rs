@@ -7,6 +7,9 @@ use imogene_golden::machine::sequencer::SceneSequencer;
 use imogene_golden::machine::tmds::{Sent, TmdsEncoder, TmdsSerialiser};
 use proptest::prelude::*;
 
+/// Bits of an address of the memory of a scene.
+const SEQUENCE: u32 = 12;
+
 pub(super) fn tmds_encoder() -> Description {
     Description::new(lines, || {
         let (mut encoder, mut words) = (TmdsEncoder::default(), late(2));
@@ -75,11 +78,17 @@ pub(super) fn scene_sequencer() -> Description {
             vec![Some(said.valid.into()), Some(said.address.into())]
         }
     })
+    // A word takes two clocks or more.
+    .reached_in(3 << SEQUENCE)
 }
 
 /// A receiver that stalls now and then, and long memories among short ones.
 fn stalls(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
-    let last = prop_oneof![9 => Just(0i64), 1 => Just(1)].boxed();
-    let ready = prop_oneof![3 => Just(1i64), 1 => Just(0)].boxed();
-    each(vec![last, ready], clocks)
+    let words = prop_oneof![Just(5), Just(1000), Just(1 << SEQUENCE)];
+    let of_length = move |words: u32| {
+        let last = prop_oneof![2 * words - 1 => Just(0i64), 1 => Just(1)].boxed();
+        let ready = prop_oneof![3 => Just(1i64), 1 => Just(0)].boxed();
+        each(vec![last, ready], clocks)
+    };
+    words.prop_flat_map(of_length).boxed()
 }

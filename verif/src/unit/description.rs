@@ -18,6 +18,8 @@ pub(super) struct Description {
     /// Takes the inputs and gives the outputs in the order of the ports.
     pub(super) golden: Maker,
     pub(super) stimulus: Stimulus,
+    /// Clocks of a stimulus that reaches every state.
+    pub(super) longest: usize,
 }
 
 impl Description {
@@ -29,7 +31,13 @@ impl Description {
         Description {
             golden: Box::new(move || Box::new(start())),
             stimulus: Box::new(stimulus),
+            longest: 0,
         }
+    }
+
+    /// With states that only a stimulus of so many clocks reaches.
+    pub(super) fn reached_in(self, longest: usize) -> Description {
+        Description { longest, ..self }
     }
 }
 

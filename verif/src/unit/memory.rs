@@ -1,7 +1,7 @@
 //! The elementary processor with a coefficient memory.
 
 use super::description::{Description, bit};
-use crate::stimulus::word;
+use crate::stimulus::{each, word};
 use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
 use imogene_golden::unit::interlaced::MemoryPe2;
@@ -31,6 +31,7 @@ pub(super) fn memory_pe2(format: Format) -> Description {
             width,
             words: [0; WORDS],
             pe: None,
+            is_known: false,
             busy: 0,
         };
         move |i: &[i64]| golden.clock(i)
@@ -42,6 +43,8 @@ struct Clocked {
     width: u32,
     words: [i128; WORDS],
     pe: Option<MemoryPe2>,
+    /// Did a line begin since the words were loaded? What the registers hold before is not stated.
+    is_known: bool,
     busy: u64,
 }
 
@@ -53,19 +56,22 @@ impl Clocked {
         } else {
             if bit(i[port::LOAD]) && i[port::ADDRESS] < WORDS as i64 {
                 self.words[i[port::ADDRESS] as usize] = i[port::DATA].into();
+                // What was drawn of the words before is over.
+                self.pe = None;
+                self.is_known = false;
             }
             value = self.obey(i);
         }
         vec![
             Some(i64::from(self.busy == 0)),
             Some(i64::from(value.is_some())),
-            value,
+            value.flatten(),
         ]
     }
 
-    fn obey(&mut self, i: &[i64]) -> Option<i64> {
+    /// Is there a pixel, and what is stated of it?
+    fn obey(&mut self, i: &[i64]) -> Option<Option<i64>> {
         if bit(i[port::FIELD]) {
-            // The memory is written by the loader before a picture, not between its two fields.
             let pe = match self.pe.take() {
                 Some(pe) if pe.memory_words() > WORDS => pe,
                 _ => MemoryPe2::interlaced(&self.polynomial(), self.width),
@@ -76,8 +82,10 @@ impl Clocked {
             self.pe = Some(MemoryPe2::progressive(&self.polynomial(), self.width));
         } else if bit(i[port::LINE]) {
             self.run(MemoryPe2::line_start);
+            self.is_known |= self.pe.is_some();
         } else if bit(i[port::PIXEL]) {
-            return self.pe.as_mut().map(|pe| pe.pixel() as i64);
+            let value = self.pe.as_mut().map(|pe| pe.pixel() as i64);
+            return Some(value.filter(|_| self.is_known));
         }
         None
     }
@@ -106,61 +114,117 @@ fn command(at: usize) -> Inputs {
     inputs
 }
 
-/// A loaded picture: progressive, or its two fields in any order; the raster waits for `ready` and now and then a clock
-/// longer.
+/// A picture: its words, its shape, and how it is drawn.
+#[derive(Clone, Debug)]
+struct Picture {
+    words: Vec<i64>,
+    /// Progressive, or two fields in this order.
+    fields: Option<[bool; 2]>,
+    width: usize,
+    height: usize,
+    /// Clocks of rest after a command that takes time.
+    pause: usize,
+    /// Pixels between the start of a field and its first line.
+    early: usize,
+    /// By how much the order of the words is turned when they are loaded.
+    turn: usize,
+}
+
+/// Loaded pictures one after the other; the raster waits for `ready` and now and then a clock longer. While the
+/// processor is busy anything is asked of it.
 fn pictures(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let words = proptest::collection::vec(word(&subject.inputs[port::DATA]), WORDS);
     let shape = (any::<[bool; 2]>(), 1usize..9, 1usize..4, 0usize..3);
-    (words, shape)
-        .prop_map(
-            move |(words, ([interlaced, odd_first], width, height, pause))| {
-                let mut list = load(&words);
-                while list.len() < clocks {
-                    if interlaced {
-                        for field in [odd_first, !odd_first] {
-                            let mut start = command(port::FIELD);
-                            start[port::ODD] = field.into();
-                            list.push(start);
-                            wait(&mut list, 5 + pause);
-                            let lines = if field { 27 } else { 15 };
-                            draw(&mut list, [lines, 27], width, height, pause);
-                        }
-                    } else {
-                        list.extend(load(&words));
-                        list.push(command(port::PICTURE));
-                        draw(&mut list, [15, 15], width, height, pause);
-                    }
-                }
-                list
+    let odd = (0usize..3, 0usize..9);
+    let picture = (words, shape, odd);
+    let picture =
+        picture.prop_map(
+            |(words, (kind, width, height, pause), (early, turn))| Picture {
+                words,
+                fields: kind[0].then_some([kind[1], !kind[1]]),
+                width,
+                height,
+                pause,
+                early,
+                turn,
             },
-        )
+        );
+    let noise = each(subject.inputs.iter().map(word).collect(), clocks);
+    // A picture takes thirty clocks at least.
+    let pictures = proptest::collection::vec(picture, clocks / 30 + 1);
+    (pictures, noise)
+        .prop_map(move |(pictures, noise)| {
+            let mut drawn = Drawn::default();
+            pictures.iter().for_each(|picture| drawn.picture(picture));
+            let Drawn { list, is_busy } = drawn;
+            let each = list.into_iter().zip(is_busy).zip(noise);
+            each.map(|((inputs, is_busy), noise)| if is_busy { noise } else { inputs })
+                .collect()
+        })
         .boxed()
 }
 
-fn load(words: &[i64]) -> Vec<Inputs> {
-    let kept = [3, 4, 5];
-    let all = (0..WORDS).chain(kept);
-    all.enumerate()
-        .map(|(address, word)| {
+/// The clocks of pictures, and in which the processor is busy.
+#[derive(Default)]
+struct Drawn {
+    list: Vec<Inputs>,
+    is_busy: Vec<bool>,
+}
+
+impl Drawn {
+    fn picture(&mut self, picture: &Picture) {
+        let starts = picture
+            .fields
+            .map_or(vec![None], |fields| fields.map(Some).to_vec());
+        self.load(picture);
+        for field in starts {
+            let at = if field.is_some() {
+                port::FIELD
+            } else {
+                port::PICTURE
+            };
+            let mut start = command(at);
+            start[port::ODD] = field.unwrap_or_default().into();
+            let restore = if field.is_some() { 6 } else { 1 };
+            self.command(start, restore, picture.pause);
+            for _ in 0..picture.early {
+                self.command(command(port::PIXEL), 1, 0);
+            }
+            for line in 0..picture.height {
+                let is_long = match field {
+                    None => false,
+                    Some(is_odd) => is_odd || line > 0,
+                };
+                let clocks = if is_long { 27 } else { 15 };
+                self.command(command(port::LINE), clocks, picture.pause);
+                for _ in 0..picture.width {
+                    self.command(command(port::PIXEL), 1, 0);
+                }
+            }
+        }
+    }
+
+    fn load(&mut self, picture: &Picture) {
+        let words = &picture.words;
+        let kept = [3, 4, 5];
+        let all = (0..WORDS).chain(kept).enumerate();
+        for (address, word) in all.cycle().skip(picture.turn).take(WORDS + kept.len()) {
             let mut inputs = command(port::LOAD);
             inputs[port::ADDRESS] = address as i64;
             // Second differences are even: they are twice a coefficient.
             let mask = if word < 2 { !1 } else { !0 };
             inputs[port::DATA] = words[word] & mask;
-            inputs
-        })
-        .collect()
-}
+            self.command(inputs, 1, 0);
+        }
+    }
 
-fn wait(list: &mut Vec<Inputs>, clocks: usize) {
-    list.extend(std::iter::repeat_n(vec![0; port::COUNT], clocks));
-}
-
-/// Lines of pixels; the first line takes another number of clocks than the others.
-fn draw(list: &mut Vec<Inputs>, clocks: [usize; 2], width: usize, height: usize, pause: usize) {
-    for line in 0..height {
-        list.push(command(port::LINE));
-        wait(list, clocks[line.min(1)] - 1 + pause);
-        list.extend(std::iter::repeat_n(command(port::PIXEL), width));
+    /// A command that takes so many clocks, and clocks of rest behind it.
+    fn command(&mut self, inputs: Inputs, clocks: usize, pause: usize) {
+        let rest = vec![0; port::COUNT];
+        self.list.push(inputs);
+        self.list.resize(self.list.len() + clocks - 1 + pause, rest);
+        self.is_busy.push(false);
+        self.is_busy.resize(self.is_busy.len() + clocks - 1, true);
+        self.is_busy.resize(self.is_busy.len() + pause, false);
     }
 }

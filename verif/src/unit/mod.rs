@@ -48,7 +48,11 @@ pub fn subject(request: &Request) -> Result<Subject, RequestError> {
     let top = design(&request)?.top;
     // Compiled once, when it first runs.
     let compiled = OnceLock::new();
-    let Description { golden, stimulus } = describe(&request);
+    let Description {
+        golden,
+        stimulus,
+        longest,
+    } = describe(&request);
     Ok(Subject {
         name: request.unit.name().to_owned(),
         engine: BUILT_IN,
@@ -63,6 +67,7 @@ pub fn subject(request: &Request) -> Result<Subject, RequestError> {
         }),
         golden,
         stimulus,
+        longest,
         latency: request.latency(),
         options: request.arguments(),
     })

@@ -4,6 +4,7 @@ use super::description::{Description, bit};
 use crate::stimulus::each;
 use crate::subject::{Inputs, Subject};
 use imogene_contract::video::{LEAD, VideoMode};
+use imogene_contract::words::COORDINATE;
 use imogene_golden::machine::raster::RasterControl;
 use imogene_golden::machine::video_timing::{Shown, VideoTiming};
 use proptest::prelude::*;
@@ -24,18 +25,27 @@ pub(super) fn raster_control() -> Description {
             }
         }
     })
+    .reached_in(3 << COORDINATE)
 }
 
 /// Requests at random times, small zones so that many end, now and then a long line or a high column.
 fn zones(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
-    let go = prop_oneof![2 => Just(0i64), 1 => Just(1)].boxed();
-    let side = prop_oneof![12 => 1i64..6, 2 => 1i64..40, 1 => 1i64..4096].boxed();
-    each(vec![go, side.clone(), side], clocks)
+    let go = prop_oneof![2 => Just(0i64), 1 => Just(1)];
+    let sides = prop_oneof![
+        24 => (1i64..6, 1i64..6),
+        2 => (1i64..40, 1i64..40),
+        1 => (1i64..1 << COORDINATE, 1i64..3),
+        1 => (1i64..3, 1i64..1 << COORDINATE),
+    ];
+    let each = (go, sides).prop_map(|(go, (width, height))| vec![go, width, height]);
+    proptest::collection::vec(each, clocks).boxed()
 }
 
 pub(super) fn video_timing(mode: usize) -> Description {
+    let mode = VideoMode::ALL[mode];
+    let frame = mode.clocks() as usize;
     Description::new(mostly_enabled, move || {
-        let mut timing = VideoTiming::new(VideoMode::ALL[mode], LEAD as u64);
+        let mut timing = VideoTiming::new(mode, LEAD as u64);
         move |i: &[i64]| {
             let at = timing.clock(bit(i[0]));
             let mut values = shown(&at.now);
@@ -44,6 +54,8 @@ pub(super) fn video_timing(mode: usize) -> Description {
             values.into_iter().map(Some).collect()
         }
     })
+    // Two frames, of which some clocks are without `enable`.
+    .reached_in(frame * 9 / 4)
 }
 
 fn shown(pixel: &Shown) -> Vec<i64> {

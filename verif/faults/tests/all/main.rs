@@ -184,7 +184,8 @@ fn keeper() -> Design {
 fn verdicts(held: &[&str]) -> Vec<(String, Mutant, Verdict)> {
     let design = keeper();
     let contract = Contract {
-        begins: vec!["start".to_owned()],
+        quiet: vec!["start".to_owned()],
+        begins: vec![vec![("start".to_owned(), 1)]],
         held: held.iter().map(|name| (*name).to_owned()).collect(),
         latency: 2,
         ..Contract::default()

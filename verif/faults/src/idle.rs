@@ -1,0 +1,153 @@
+//! What a circuit is before its work begins, and what is left of that once the work began.
+
+use crate::frame::{Begin, End, constant};
+use crate::gates::{Bit, Gates};
+use crate::known::{CONTROL, Constants};
+use imogene_hdl::Levels;
+use std::collections::HashSet;
+
+/// Gates of all clocks of a beginning, at most: each register is looked at by itself.
+const GATES: usize = 400_000;
+
+/// How the work of a circuit begins.
+#[derive(Clone, Default)]
+pub(crate) struct Idle {
+    /// Inputs that are 0 before.
+    pub(crate) quiet: Vec<usize>,
+    /// Inputs that have these words in the clocks with which it begins, one after the other.
+    pub(crate) begins: Vec<Vec<(usize, u64)>>,
+    /// Bits of registers that do not change before. Registers are counted without controls.
+    pub(crate) constants: Constants,
+}
+
+impl Idle {
+    /// The state before the work, with no input but those that are free; `registers` are those without controls.
+    pub(crate) fn begin(&self, levels: &Levels, mut begin: Begin, registers: &[usize]) -> Begin {
+        for (register, constants) in registers.iter().zip(&self.constants) {
+            let bits = begin.at_mut(levels.flops[*register].output).iter_mut();
+            for (bit, constant) in bits.zip(constants) {
+                *bit = constant.map_or(*bit, Bit::of);
+            }
+        }
+        self.hush(levels, &mut begin);
+        begin
+    }
+
+    /// Drops what is not so after a clock. Was there any?
+    pub(crate) fn drop_changing(&mut self, end: &End, registers: &[usize]) -> bool {
+        let mut is_dropped = false;
+        for (register, constants) in registers.iter().zip(&mut self.constants) {
+            for (constant, next) in constants.iter_mut().zip(&end.registers[*register]) {
+                if constant.is_some_and(|value| *next != Bit::of(value)) {
+                    *constant = None;
+                    is_dropped = true;
+                }
+            }
+        }
+        is_dropped
+    }
+
+    /// The same with nothing known of registers that hold data, not control.
+    pub(crate) fn of_control(&self) -> Idle {
+        let mut own = self.clone();
+        let long = own.constants.iter_mut();
+        let long = long.filter(|constants| constants.len() > CONTROL as usize);
+        long.for_each(|constants| constants.fill(None));
+        own
+    }
+
+    /// Makes the inputs 0 that are so before the work.
+    fn hush(&self, levels: &Levels, begin: &mut Begin) {
+        for input in &self.quiet {
+            *begin.at_mut(levels.inputs()[*input].place) = constant(0);
+        }
+    }
+
+    /// Gives inputs their words in a clock of the beginning; those that were quiet before are so without one.
+    pub(crate) fn fix(&self, levels: &Levels, clock: usize, begin: &mut Begin) {
+        let Some(words) = self.begins.get(clock) else {
+            return;
+        };
+        self.hush(levels, begin);
+        for (input, word) in words {
+            *begin.at_mut(levels.inputs()[*input].place) = constant(*word);
+        }
+    }
+
+    /// Is what a register holds at power-up without meaning: do two circuits that differ in it alone hold the same once
+    /// the work began and the latency passed?
+    pub(crate) fn forgets(&self, levels: &Levels, register: usize, latency: usize) -> bool {
+        let clocks = self.begins.len() + latency.max(1) - 1;
+        if self.begins.is_empty() || clocks * levels.code.len() * 16 > GATES {
+            return false;
+        }
+        let bits = 0..levels.flops[register].width as usize;
+        let own: HashSet<(usize, usize)> = bits.map(|bit| (register, bit)).collect();
+        self.spread(levels, own)
+            .is_some_and(|differs| self.is_gone(levels, &differs, clocks))
+    }
+
+    /// What differs before the work if these bits do; nothing if that comes to a memory.
+    fn spread(
+        &self,
+        levels: &Levels,
+        mut differs: HashSet<(usize, usize)>,
+    ) -> Option<HashSet<(usize, usize)>> {
+        loop {
+            let mut gates = Gates::new();
+            let (begin, sources) = self.differing(levels, &differs, &mut gates);
+            let end = begin.clock(levels, &mut gates).end;
+            let depends = gates.depending(&sources);
+            if end.memories.iter().flatten().any(|bit| depends[bit.gate()]) {
+                return None;
+            }
+            let before = differs.len();
+            for (register, word) in end.registers.iter().enumerate() {
+                let bits = word.iter().enumerate();
+                let reached = bits.filter(|(_, bit)| depends[bit.gate()]);
+                differs.extend(reached.map(|(place, _)| (register, place)));
+            }
+            if differs.len() == before {
+                return Some(differs);
+            }
+        }
+    }
+
+    /// Is a difference of these bits gone after the clocks of the beginning and those after it?
+    fn is_gone(&self, levels: &Levels, differs: &HashSet<(usize, usize)>, clocks: usize) -> bool {
+        let mut gates = Gates::new();
+        let (mut begin, sources) = self.differing(levels, differs, &mut gates);
+        let mut kept: Vec<Bit> = vec![];
+        for clock in 0..clocks {
+            self.fix(levels, clock, &mut begin);
+            let end = begin.clock(levels, &mut gates).end;
+            kept.extend(end.memories.iter().flatten());
+            if clock + 1 == clocks {
+                kept.extend(end.registers.iter().flatten());
+            }
+            begin = begin.after(&end, levels, &mut gates);
+        }
+        let depends = gates.depending(&sources);
+        kept.iter().all(|bit| !depends[bit.gate()])
+    }
+
+    /// A clock before the work in which these bits may be anything, and the gates of these bits.
+    fn differing(
+        &self,
+        levels: &Levels,
+        differs: &HashSet<(usize, usize)>,
+        gates: &mut Gates,
+    ) -> (Begin, Vec<usize>) {
+        let any = Begin::any(levels, gates);
+        let registers: Vec<usize> = (0..levels.flops.len()).collect();
+        let mut begin = self.begin(levels, any.clone(), &registers);
+        let mut sources = vec![];
+        for (register, place) in differs {
+            let output = levels.flops[*register].output;
+            let bit = any.at(output)[*place];
+            begin.at_mut(output)[*place] = bit;
+            sources.push(bit.gate());
+        }
+        (begin, sources)
+    }
+}

@@ -1,0 +1,218 @@
+//! Circuit and mutant in two states that need not be equal: some registers are alike only in some phases of the work.
+//!
+//! A register that is loaded before it is read may hold anything until then. What has to be alike in which phase is
+//! found from above: all in every phase, less what a clock may break, until nothing is broken or an output differs.
+
+use crate::controls::Upset;
+use crate::frame::{Begin, Frame, Word, constant, differ, free, upset};
+use crate::gates::{Bit, Gates, NO, YES};
+use crate::known::{CONTROL, Known};
+use crate::solve::{Answer, CONFLICTS, ask};
+use imogene_hdl::Levels;
+
+/// Phases, at most.
+const PHASES: usize = 256;
+
+/// Gates of a clock, at most.
+const GATES: usize = 60_000;
+
+/// Attempts, at most: each drops something.
+const ATTEMPTS: usize = 250;
+
+/// The phases of a circuit: what its short registers hold. Registers are counted without controls.
+#[derive(Clone, Default)]
+pub(crate) struct Phases {
+    registers: Vec<usize>,
+    seen: Vec<Vec<u64>>,
+    /// Of each output, the one without which it counts nothing.
+    counts_with: Vec<Option<usize>>,
+}
+
+/// What is compared.
+pub(crate) struct Compared<'a> {
+    pub(crate) levels: &'a Levels,
+    pub(crate) gates: &'a Gates,
+    pub(crate) begin: &'a Begin,
+    pub(crate) good: &'a Frame,
+    pub(crate) assumed: &'a [Bit],
+    /// Those that are no controls.
+    pub(crate) registers: &'a [usize],
+}
+
+/// What a clock could break.
+enum Goal {
+    /// That an output shows nothing.
+    Fixed,
+    /// That a register is alike in a phase, or in all of them.
+    Alike(usize, Option<usize>),
+}
+
+/// In which phases a register has to be alike; all of them where nothing is said.
+type Alike = Vec<Option<Vec<bool>>>;
+
+impl Phases {
+    /// Of a circuit: all to which it comes from the first one, whatever is in its long registers. There are none if
+    /// they are too many.
+    pub(crate) fn of(
+        levels: &Levels,
+        known: &Known,
+        counts_with: Vec<Option<usize>>,
+    ) -> Option<Phases> {
+        let mut gates = Gates::new();
+        let begin = Begin::any(levels, &mut gates);
+        let all: Vec<usize> = (0..levels.flops.len()).collect();
+        let known = known.bits(levels, &begin, &all, &mut gates);
+        let end = begin.clock(levels, &mut gates).end;
+        if gates.len() > GATES || !levels.stores.is_empty() {
+            return None;
+        }
+        let short = all
+            .iter()
+            .filter(|index| levels.flops[**index].width <= CONTROL);
+        let initial = |index: &usize| levels.words[levels.flops[*index].output as usize];
+        let registers: Vec<usize> = short.copied().collect();
+        let mut phases = Phases {
+            seen: vec![registers.iter().map(initial).collect()],
+            registers,
+            counts_with,
+        };
+        let after: Word = phases
+            .registers
+            .iter()
+            .flat_map(|index| end.registers[*index].clone())
+            .collect();
+        while phases.seen.len() <= PHASES {
+            let before = |index: usize| begin.at(levels.flops[index].output);
+            let before = phases.phases(&mut gates, before);
+            let is_before = before.iter().fold(NO, |any, is| gates.or(any, *is));
+            let seen = phases.phases(&mut gates, |index: usize| &end.registers[index]);
+            let is_seen = seen.iter().fold(NO, |any, is| gates.or(any, *is));
+            let assumed = [&known[..], &[is_before]].concat();
+            match ask(&gates, !is_seen, &assumed, CONFLICTS, &after) {
+                Answer::Never => return Some(phases),
+                Answer::Unknown => return None,
+                Answer::When(bits) => {
+                    let mut bits = bits.into_iter();
+                    let widths = phases.registers.iter();
+                    let widths = widths.map(|index| levels.flops[*index].width);
+                    let mut word = |width: u32| {
+                        let bits = bits.by_ref().take(width as usize).enumerate();
+                        bits.fold(0, |word, (place, bit)| word | u64::from(bit) << place)
+                    };
+                    let phase = widths.map(&mut word).collect();
+                    phases.seen.push(phase);
+                }
+            }
+        }
+        None
+    }
+
+    /// Does a mutant show nothing that counts?
+    pub(crate) fn are_same(&self, of: &Compared, upsets: &[Upset]) -> bool {
+        let mut alike: Alike = vec![None; of.registers.len()];
+        for _ in 0..ATTEMPTS {
+            match self.broken(of, upsets, &alike) {
+                Some(broken) if broken.is_empty() => return true,
+                Some(broken) => {
+                    for goal in broken {
+                        match goal {
+                            Goal::Alike(register, None) => {
+                                alike[register] = Some(vec![true; self.seen.len()]);
+                            }
+                            Goal::Alike(register, Some(phase)) => {
+                                let phases = alike[register].as_mut();
+                                phases.expect("it has phases")[phase] = false;
+                            }
+                            Goal::Fixed => return false,
+                        }
+                    }
+                }
+                None => return false,
+            }
+        }
+        false
+    }
+
+    /// What a clock may break before which all is alike that has to be; nothing if the solver gives up.
+    fn broken(&self, of: &Compared, upsets: &[Upset], alike: &Alike) -> Option<Vec<Goal>> {
+        let levels = of.levels;
+        let mut gates = of.gates.clone();
+        let before = |index: usize| of.begin.at(levels.flops[of.registers[index]].output);
+        let phases_before = self.phases(&mut gates, before);
+        let mut assumed = of.assumed.to_vec();
+        let mut others: Vec<(u32, Word)> = upset(levels, upsets).collect();
+        for (index, phases) in alike.iter().enumerate() {
+            let Some(phases) = phases else { continue };
+            let flop = &levels.flops[of.registers[index]];
+            let word = free(flop.width, &mut gates);
+            let differs = differ(&mut gates, before(index), &word);
+            let alike = phases_before.iter().zip(phases).filter(|(_, is)| **is);
+            assumed.extend(alike.map(|(phase, _)| !gates.and(*phase, differs)));
+            others.push((flop.output, word));
+        }
+        let bad = of.good.with(levels, others.into_iter(), &mut gates);
+        let good = &of.good.end;
+        let after = |index: usize| &good.registers[of.registers[index]];
+        let phases_after = self.phases(&mut gates, after);
+        let any_phase = phases_before.iter().fold(NO, |any, is| gates.or(any, *is));
+        assumed.push(any_phase);
+        let mut goals = self.outputs(of, &bad.outputs, &mut gates);
+        for (index, phases) in alike.iter().enumerate() {
+            let bad = &bad.registers[of.registers[index]];
+            let differs = differ(&mut gates, after(index), bad);
+            match phases {
+                None => goals.push((Goal::Alike(index, None), differs)),
+                Some(phases) => {
+                    let wanted = phases.iter().enumerate().filter(|(_, is)| **is);
+                    goals.extend(wanted.map(|(phase, _)| {
+                        let broken = gates.and(phases_after[phase], differs);
+                        (Goal::Alike(index, Some(phase)), broken)
+                    }));
+                }
+            }
+        }
+        goals.retain(|(_, broken)| *broken != NO);
+        let (goals, bits): (Vec<Goal>, Vec<Bit>) = goals.into_iter().unzip();
+        let any = bits.iter().fold(NO, |any, bit| gates.or(any, *bit));
+        match ask(&gates, any, &assumed, CONFLICTS, &bits) {
+            Answer::Never => Some(vec![]),
+            Answer::When(values) => {
+                let broken = goals.into_iter().zip(values).filter(|(_, is)| *is);
+                Some(broken.map(|(goal, _)| goal).collect())
+            }
+            Answer::Unknown => None,
+        }
+    }
+
+    /// Is each phase there?
+    fn phases<'a>(&self, gates: &mut Gates, word: impl Fn(usize) -> &'a Word) -> Vec<Bit> {
+        let phases = self.seen.iter().map(|values| {
+            let pairs = self.registers.iter().zip(values);
+            pairs.fold(YES, |all, (register, value)| {
+                let differs = differ(gates, word(*register), &constant(*value));
+                gates.and(all, !differs)
+            })
+        });
+        phases.collect()
+    }
+
+    /// Each output that differs where it counts.
+    fn outputs(&self, of: &Compared, bad: &[Bit], gates: &mut Gates) -> Vec<(Goal, Bit)> {
+        let good = &of.good.end.outputs;
+        let mut first = 0;
+        let ports = of.levels.outputs().iter().map(|port| {
+            let place = first;
+            first += port.width as usize;
+            place..first
+        });
+        let ports: Vec<std::ops::Range<usize>> = ports.collect();
+        let goals = ports.iter().enumerate().map(|(index, port)| {
+            let [a, b] = [good, bad].map(|outputs| outputs[port.clone()].to_vec());
+            let differs = differ(gates, &a, &b);
+            let counts = self.counts_with.get(index).copied().flatten();
+            let counts = counts.map_or(YES, |flag| good[ports[flag].start]);
+            (Goal::Fixed, gates.and(counts, differs))
+        });
+        goals.collect()
+    }
+}
