@@ -210,19 +210,20 @@ impl Format {
     /// Far end: infinity in perspective, the background, the mark of an absent object.
     #[inline]
     pub const fn z_max(&self) -> i64 {
-        (1 << (self.depth - 1)) - 1
+        // As all ends a 32-bit word made longer: beside others of that kind the compiler compares 32 bits.
+        (i32::MAX >> (32 - self.depth)) as i64
     }
 
     /// Near end, wherever the range of the depth word begins.
     #[inline]
     pub const fn z_low(&self) -> i64 {
-        -self.z_max()
+        -(i32::MAX >> (32 - self.depth)) as i64
     }
 
     /// Lower bound of a saturated plane depth, one below the near end.
     #[inline]
     pub const fn plane_low(&self) -> i64 {
-        self.z_low() - 1
+        (i32::MIN >> (32 - self.depth)) as i64
     }
 }
 

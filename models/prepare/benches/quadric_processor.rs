@@ -1,10 +1,11 @@
-//! Pixels per second, on one thread, of the golden quadric processor with three cut planes, beside a plain
-//! floating-point ray caster that solves the same object on the same pixels (front depth, face and normal).
+//! Pixels per second, on one thread, of the golden quadric processor with three cut planes, in each instruction set that
+//! it is compiled for, beside a plain floating-point ray caster that solves the same object on the same pixels (front
+//! depth, face and normal).
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use imogene_algebra::rational::{integer, to_f64};
 use imogene_golden::format::Format;
-use imogene_golden::object::line::for_each_present;
+use imogene_golden::object::line::{Instructions, for_each_present_by};
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
 use imogene_prepare::prepare;
 use imogene_scene::{DepthRange, FramedQuadric, FramedScene, Plane, Projection, Quadric, Surface};
@@ -65,10 +66,10 @@ fn scene() -> FramedScene {
 }
 
 /// Everything that is handed on, folded into one number so that nothing is optimised away.
-fn golden(words: &QuadricWords, window: &ScreenBox) -> i64 {
+fn golden(instructions: Instructions, words: &QuadricWords, window: &ScreenBox) -> i64 {
     let mut sum = 0i64;
     for y in window.y0..=window.y1 {
-        for_each_present(words, &Format::BASE, y, |x, pixel| {
+        for_each_present_by(instructions, words, &Format::BASE, y, |x, pixel| {
             let [nx, ny, nz] = pixel.normal.map(i64::from);
             sum =
                 sum.wrapping_add(x ^ pixel.zf ^ pixel.zb ^ i64::from(pixel.number) ^ nx ^ ny ^ nz);
@@ -178,9 +179,12 @@ fn benchmark(criterion: &mut Criterion) {
     let caster = Caster::new(scene.objects[0].quadric().expect("a quadric"));
     let mut group = criterion.benchmark_group("quadric processor, three planes");
     group.throughput(Throughput::Elements(window.pixels()));
-    group.bench_function("golden integer model", |b| {
-        b.iter(|| golden(black_box(words), &window))
-    });
+    for instructions in Instructions::available() {
+        let name = format!("golden integer model, {instructions:?}");
+        group.bench_function(name, |b| {
+            b.iter(|| golden(instructions, black_box(words), &window))
+        });
+    }
     group.bench_function("floating-point ray caster", |b| {
         b.iter(|| float(black_box(&caster), &window))
     });

@@ -1,17 +1,19 @@
 //! The units of the quadric processor over pixels of a line side by side: the same values as [`super::quadric`].
 //!
 //! A lane is a pixel. Every unit is one loop over the lanes without a branch, which the compiler turns into vector
-//! instructions: 64-bit words for the elementary processors and the root, 32-bit words for what fits the depth word.
+//! instructions: 64-bit words for f2 and the root, 32-bit words for what fits the depth word.
 
-use super::quadric::{ObjectPixel, PlaneWords, QuadricWords};
-use crate::format::{Format, wrap64};
-use crate::unit::cut_plane::{PlaneKind, cut};
-use crate::unit::depth_interval::{Class, FACE_NEAR, FACE_NEAR_END, FACE_PLANE, Interval, halves};
-use crate::unit::merge::merge;
+mod half;
+mod ramp;
+
+use super::quadric::{ObjectPixel, QuadricWords};
+use crate::format::Format;
+use crate::unit::depth_interval::{Class, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
 use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;
-use crate::unit::plane_depth::saturate;
 use crate::unit::root::fast_root;
+use half::{Depths, Ends, Half};
+use ramp::Ramp;
 use std::ops::Range;
 
 /// Most pixels side by side. Shorter loops would be unrolled, and then not become vector instructions.
@@ -35,67 +37,17 @@ impl Pixels {
     }
 }
 
-/// A first-degree expression from the first lane on. The word stands at the top of 64 bits, where it wraps by itself.
-struct Ramp {
-    value: i64,
-    step: i64,
-}
-
-impl Ramp {
-    #[inline(always)]
-    fn at(expression: &Linear, pixels: &Pixels, width: u32) -> Ramp {
-        let Linear { a, b, c } = *expression;
-        let line = (b as i64).wrapping_mul(pixels.y).wrapping_add(c as i64);
-        let value = (a as i64).wrapping_mul(pixels.x).wrapping_add(line);
-        Ramp {
-            value: value << (64 - width),
-            step: (a as i64) << (64 - width),
-        }
-    }
-
-    #[inline(always)]
-    fn next(&mut self) -> i64 {
-        let value = self.value;
-        self.value = value.wrapping_add(self.step);
-        value
-    }
-}
-
-/// A depth interval in each lane. Both depths fit 32 bits; the number of the back face stands above that of the front.
-struct Half {
-    zf: [i32; LANES],
-    zb: [i32; LANES],
-    faces: [u32; LANES],
-}
-
-impl Half {
-    const NONE: Half = Half {
-        zf: [0; LANES],
-        zb: [0; LANES],
-        faces: [0; LANES],
-    };
-
-    #[inline(always)]
-    fn get(&self, lane: usize) -> Interval {
-        let faces = self.faces[lane];
-        let front = (self.zf[lane].into(), faces as u8);
-        Interval::new(front, (self.zb[lane].into(), (faces >> 8) as u8))
-    }
-
-    #[inline(always)]
-    fn set(&mut self, lane: usize, Interval { zf, zb, nf, nb }: Interval) {
-        (self.zf[lane], self.zb[lane]) = (zf as i32, zb as i32);
-        self.faces[lane] = u32::from(nb) << 8 | u32::from(nf);
-    }
-}
-
 /// What the units hand on, lane by lane.
+#[repr(align(64))]
 struct Block {
     radicand: [i64; LANES],
-    root: [i64; LANES],
+    root: [u32; LANES],
+    depths: Depths,
     plane: [i32; LANES],
+    /// Both halves of an object that is seen from inside.
     a: Half,
     b: Half,
+    seen: Half,
     behind: [i32; LANES],
     face: [u8; LANES],
     normal: [[i16; LANES]; 3],
@@ -124,43 +76,52 @@ impl Block {
     const NONE: Block = Block {
         radicand: [0; LANES],
         root: [0; LANES],
+        depths: Depths {
+            f2: [0; LANES],
+            near: [0; LANES],
+            far: [0; LANES],
+        },
         plane: [0; LANES],
         a: Half::NONE,
         b: Half::NONE,
+        seen: Half::NONE,
         behind: [0; LANES],
         face: [0; LANES],
         normal: [[0; LANES]; 3],
     };
 
-    /// Without a question if the object is in every lane: the loop of a simple sink becomes vector instructions then.
+    /// Without a question if the object is in every lane from its first to its last: the loop of a simple sink becomes
+    /// vector instructions then.
     #[inline(always)]
     fn hand_on(&self, format: &Format, pixels: &Pixels, sink: &mut impl FnMut(i64, ObjectPixel)) {
         let absent = format.z_max() as i32;
+        let is_present = |&lane: &usize| self.seen.zf[lane] != absent;
+        let first = pixels.lanes().find(is_present).unwrap_or(LANES);
+        let last = pixels.lanes().rfind(is_present).unwrap_or(0);
+        // As in [`Pixels::lanes`].
+        let span = || first..(last + 1).min(LANES);
         let mut all_present = true;
-        for lane in pixels.lanes() {
-            all_present &= self.a.zf[lane] != absent;
+        for lane in span() {
+            all_present &= is_present(&lane);
         }
         if all_present {
-            for lane in pixels.lanes() {
+            for lane in span() {
                 sink(pixels.x + lane as i64, self.pixel(lane));
             }
             return;
         }
-        for lane in pixels.lanes() {
-            if self.a.zf[lane] != absent {
-                sink(pixels.x + lane as i64, self.pixel(lane));
-            }
+        for lane in span().filter(is_present) {
+            sink(pixels.x + lane as i64, self.pixel(lane));
         }
     }
 
     #[inline(always)]
     fn pixel(&self, lane: usize) -> ObjectPixel {
-        let Interval { zf, zb, nf, .. } = self.a.get(lane);
         let [nx, ny, nz] = &self.normal;
         ObjectPixel {
-            zf,
-            zb,
-            number: nf,
+            zf: self.seen.zf[lane].into(),
+            zb: self.seen.zb[lane].into(),
+            number: self.seen.number(lane),
             normal: [nx[lane], ny[lane], nz[lane]],
         }
     }
@@ -173,27 +134,13 @@ impl Block {
         if all_negative && class != Class::Front {
             return false;
         }
+        self.roots(format, pixels);
+        self.sums(&words.f1, format, pixels);
         match class {
-            Class::Side => self.open(Class::Side, &words.f1, format, pixels),
-            Class::Front => self.open(Class::Front, &words.f1, format, pixels),
-            Class::Patch => self.open(Class::Patch, &words.f1, format, pixels),
-            Class::Prism => self.open(Class::Prism, &words.f1, format, pixels),
-        }
-        for (plane, number) in words.planes.iter().zip(FACE_PLANE..) {
-            self.plane(plane, format, pixels);
-            match plane.kind {
-                PlaneKind::None => (),
-                PlaneKind::Front => self.cut(class, PlaneKind::Front, number, format, pixels),
-                PlaneKind::Back => self.cut(class, PlaneKind::Back, number, format, pixels),
-                PlaneKind::Perpendicular => {
-                    self.cut(class, PlaneKind::Perpendicular, number, format, pixels)
-                }
-            }
-        }
-        if class == Class::Front {
-            for lane in pixels.lanes() {
-                self.a.set(lane, merge(self.a.get(lane), self.b.get(lane)));
-            }
+            Class::Side => self.interval(Class::Side, words, format, pixels),
+            Class::Front => self.interval(Class::Front, words, format, pixels),
+            Class::Patch => self.interval(Class::Patch, words, format, pixels),
+            Class::Prism => self.interval(Class::Prism, words, format, pixels),
         }
         self.normals(words, format, pixels);
         true
@@ -216,13 +163,11 @@ impl Block {
             .wrapping_mul(y)
             .wrapping_add(f);
         let value = along.wrapping_mul(x).wrapping_add(down) << top;
-        let mut slope = Ramp {
-            value: along.wrapping_add(a.wrapping_mul(x)) << top,
-            step: a << top,
-        };
+        let mut slope = along.wrapping_add(a.wrapping_mul(x)) << top;
         let mut signs = -1;
         for lane in pixels.lanes() {
-            let further = slope.next().wrapping_mul(lane as i64);
+            let further = slope.wrapping_mul(lane as i64);
+            slope = slope.wrapping_add(a << top);
             let radicand = value.wrapping_add(further) >> (64 - format.quadratic);
             self.radicand[lane] = radicand;
             signs &= radicand;
@@ -230,47 +175,67 @@ impl Block {
         signs < 0
     }
 
-    /// The root, PE1, both sums and the depth interval in one loop: while a root is taken, other work goes on.
+    /// Of no meaning where the radicand is negative.
     #[inline(always)]
-    fn open(&mut self, class: Class, f1: &Linear, format: &Format, pixels: &Pixels) {
-        let mut f1 = Ramp::at(f1, pixels, format.pe1_width());
+    fn roots(&mut self, format: &Format, pixels: &Pixels) {
         for lane in pixels.lanes() {
-            let linear = f1.next() >> (64 - format.sum);
             let radicand = self.radicand[lane];
-            let root = format.keep_rows(fast_root(radicand));
-            self.root[lane] = root;
-            let near = wrap64(linear.wrapping_sub(root), format.sum);
-            let far = wrap64(linear.wrapping_add(root), format.sum);
-            let (a, b) = halves(class, near, far, radicand < 0, format);
-            self.a.set(lane, a);
-            if class == Class::Front {
-                self.b.set(lane, b);
-            }
+            self.root[lane] = format.keep_rows(fast_root(radicand)) as u32;
+            self.depths.f2[lane] = (radicand >> 32) as i32;
         }
     }
 
+    /// PE1 and both sums, saturated: in 32 bits if no sum can wrap or needs more.
     #[inline(always)]
-    fn plane(&mut self, plane: &PlaneWords, format: &Format, pixels: &Pixels) {
-        let mut depth = Ramp::at(&plane.depth, pixels, format.plane);
-        for lane in pixels.lanes() {
-            self.plane[lane] = saturate(depth.next() >> (64 - format.plane), format) as i32;
-        }
-    }
-
-    #[inline(always)]
-    fn cut(&mut self, class: Class, kind: PlaneKind, number: u8, format: &Format, pixels: &Pixels) {
-        let patch = class == Class::Patch;
-        for lane in pixels.lanes() {
-            let zp = self.plane[lane].into();
-            self.a
-                .set(lane, cut(self.a.get(lane), kind, zp, number, patch, format));
-        }
-        if class == Class::Front {
+    fn sums(&mut self, f1: &Linear, format: &Format, pixels: &Pixels) {
+        let mut f1 = Ramp::at(f1, pixels, format.pe1_width());
+        let most = (1 << (format.sum - 1).min(31)) - (1 << format.root);
+        let Depths { near, far, .. } = &mut self.depths;
+        if let Some(mut f1) = f1.within(most << format.guard_linear, pixels) {
+            let ends = Ends::of(format);
             for lane in pixels.lanes() {
-                let zp = self.plane[lane].into();
-                self.b
-                    .set(lane, cut(self.b.get(lane), kind, zp, number, false, format));
+                let (linear, root) = (f1.next() >> format.guard_linear, self.root[lane] as i32);
+                near[lane] = ends.saturate(linear.wrapping_sub(root));
+                far[lane] = ends.saturate(linear.wrapping_add(root));
             }
+            return;
+        }
+        let top = 64 - format.sum;
+        for lane in pixels.lanes() {
+            let (linear, root) = (f1.next() & (-1 << top), i64::from(self.root[lane]) << top);
+            near[lane] = saturated(linear.wrapping_sub(root), format.sum, format);
+            far[lane] = saturated(linear.wrapping_add(root), format.sum, format);
+        }
+    }
+
+    /// The depth interval, the chain of planes, and the merge.
+    #[inline(always)]
+    fn interval(&mut self, class: Class, words: &QuadricWords, format: &Format, pixels: &Pixels) {
+        let ends = &Ends::of(format);
+        let is_patch = class == Class::Patch;
+        let is_double = class == Class::Front;
+        let Block {
+            depths,
+            plane: depth,
+            a,
+            b,
+            seen,
+            ..
+        } = self;
+        let front = if is_double { &mut *a } else { &mut *seen };
+        front.open(class, false, depths, format, pixels);
+        if is_double {
+            b.open(class, true, depths, format, pixels);
+        }
+        for (plane, number) in words.planes.iter().zip(FACE_PLANE..) {
+            plane_depths(&plane.depth, depth, format, pixels);
+            front.cut(plane.kind, (depth, number), is_patch, ends, pixels);
+            if is_double {
+                b.cut(plane.kind, (depth, number), false, ends, pixels);
+            }
+        }
+        if is_double {
+            seen.merge(a, b, pixels);
         }
     }
 
@@ -286,7 +251,7 @@ impl Block {
             self.quadric_normal(k, words, format, pixels);
         }
         for lane in pixels.lanes() {
-            self.face[lane] = self.a.faces[lane] as u8;
+            self.face[lane] = self.seen.number(lane);
         }
         for (plane, number) in words.planes.iter().zip(FACE_PLANE..) {
             self.constant_normal(number, plane.normal, pixels);
@@ -297,17 +262,14 @@ impl Block {
     #[inline(always)]
     fn quadric_normal(&mut self, k: usize, words: &QuadricWords, format: &Format, pixels: &Pixels) {
         let width = format.normal_linear;
-        let Ramp { value, step } = Ramp::at(&words.normal.g[k], pixels, width);
-        // At the top of 32 bits, which are enough for it.
-        let (mut g, step) = ((value >> 32) as i32, (step >> 32) as i32);
+        let mut g = Ramp::at(&words.normal.g[k], pixels, width).upper();
         let factor = i32::from(words.normal.k[k]);
         for lane in pixels.lanes() {
             let product = factor * self.behind[lane];
-            let is_near = self.a.faces[lane] as u8 == FACE_NEAR;
+            let is_near = self.seen.number(lane) == FACE_NEAR;
             let change = if is_near { -product } else { product } >> format.product_fraction();
-            let sum = g.wrapping_add(change << (32 - width));
+            let sum = g.next().wrapping_add(change << (32 - width));
             self.normal[k][lane] = (sum >> (32 - width + Format::NORMAL_FRACTION)) as i16;
-            g = g.wrapping_add(step);
         }
     }
 
@@ -320,4 +282,28 @@ impl Block {
             (nx[lane], ny[lane], nz[lane]) = if is_seen { (x, y, z) } else { before };
         }
     }
+}
+
+/// PE1 of a plane, saturated.
+#[inline(always)]
+fn plane_depths(plane: &Linear, to: &mut [i32; LANES], format: &Format, pixels: &Pixels) {
+    let mut depth = Ramp::at(plane, pixels, format.plane);
+    if let Some(mut depth) = depth.within(1 << (format.plane - 1), pixels) {
+        let ends = Ends::of(format);
+        for lane in pixels.lanes() {
+            to[lane] = ends.saturate(depth.next());
+        }
+        return;
+    }
+    for lane in pixels.lanes() {
+        to[lane] = saturated(depth.next(), format.plane, format);
+    }
+}
+
+/// As [`Ends::saturate`], of the word of `width` bits at the top of `word`.
+#[inline(always)]
+fn saturated(word: i64, width: u32, format: &Format) -> i32 {
+    let [low, max] = [format.plane_low(), format.z_max()].map(|end| end << (64 - width));
+    let depth = word.max(low).min(max) << (width - format.depth);
+    (depth >> 32) as i32 >> (32 - format.depth)
 }

@@ -7,16 +7,27 @@ use crate::format::Format;
 
 /// Vector instructions that the lanes are compiled for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Instructions {
+pub enum Instructions {
     /// Those that every processor has.
     Any,
+    /// 256 bits.
     #[cfg(target_arch = "x86_64")]
     Avx2,
+    /// 512 bits.
     #[cfg(target_arch = "x86_64")]
     Avx512,
 }
 
 impl Instructions {
+    /// All that this processor has, the best last.
+    pub fn available() -> impl Iterator<Item = Instructions> {
+        #[cfg(target_arch = "x86_64")]
+        let all = [Instructions::Any, Instructions::Avx2, Instructions::Avx512];
+        #[cfg(not(target_arch = "x86_64"))]
+        let all = [Instructions::Any];
+        all.into_iter().filter(|&one| one <= Instructions::here())
+    }
+
     /// The best that this processor has.
     #[inline]
     fn here() -> Instructions {
@@ -48,9 +59,10 @@ pub fn for_each_present(
     for_each_present_by(Instructions::here(), words, format, y, sink);
 }
 
+/// As [`for_each_present`], with no better instructions than `most`.
 #[inline]
-fn for_each_present_by(
-    instructions: Instructions,
+pub fn for_each_present_by(
+    most: Instructions,
     words: &QuadricWords,
     format: &Format,
     y: i64,
@@ -60,9 +72,9 @@ fn for_each_present_by(
     if window.is_empty() || y < window.y0 || y > window.y1 {
         return;
     }
-    match instructions {
+    match most.min(Instructions::here()) {
         Instructions::Any => draw_line(words, format, y, sink),
-        // SAFETY: [`Instructions::here`] has found these on this processor.
+        // SAFETY: no better than [`Instructions::here`] has found on this processor.
         #[cfg(target_arch = "x86_64")]
         Instructions::Avx2 => unsafe { avx2(words, format, y, sink) },
         // SAFETY: as above.
@@ -89,9 +101,11 @@ mod tests {
     use crate::object::quadric::{PlaneWords, ScreenBox};
     use crate::object::words::Object;
     use crate::testing::{class, kind};
+    use crate::unit::depth_interval::Class;
     use crate::unit::normal::NormalWords;
     use crate::unit::pe1::Linear;
     use crate::unit::pe2::Quadratic;
+    use crate::unit::root::fast_root;
     use imogene_contract::MachineWords;
     use proptest::prelude::*;
 
@@ -186,13 +200,44 @@ mod tests {
         })
     }
 
-    /// All that this processor has.
-    fn instructions() -> impl Iterator<Item = Instructions> {
-        #[cfg(target_arch = "x86_64")]
-        let all = [Instructions::Any, Instructions::Avx2, Instructions::Avx512];
-        #[cfg(not(target_arch = "x86_64"))]
-        let all = [Instructions::Any];
-        all.into_iter().filter(|&one| one <= Instructions::here())
+    fn assert_equal_the_processor(words: &QuadricWords, format: &Format, y: i64) {
+        let present = |x| {
+            let pixel = words.at(x, y, format);
+            (pixel.zf != format.z_max()).then_some((x, pixel))
+        };
+        let expected: Vec<(i64, ObjectPixel)> = (0..WIDTH).filter_map(present).collect();
+        for instructions in Instructions::available() {
+            let mut line = vec![];
+            let sink = |x, pixel| line.push((x, pixel));
+            for_each_present_by(instructions, words, format, y, sink);
+            assert_eq!(line, expected, "{instructions:?}");
+        }
+    }
+
+    /// A square whose root reaches the end of the word, or of 32 bits, in the midst of a line: either sum.
+    #[test]
+    fn sums_wrap_where_those_of_the_processor_do() {
+        for (depth, guards) in [(8, 0), (24, 0), (24, 16), (30, 2), (31, 0), (32, 0)] {
+            let format = Format::new(depth).unwrap();
+            let format = format.with_guards(guards, 0).unwrap();
+            let square = (1i128 << (format.quadratic - 1)) - 1;
+            let end = 1 << (format.sum - 1).min(31);
+            let middle = end - i128::from(fast_root(square as i64));
+            for (class, f1) in [Class::Side, Class::Front, Class::Patch, Class::Prism]
+                .into_iter()
+                .flat_map(|class| [middle, -middle, end, -end].map(|f1| (class, f1)))
+            {
+                let words = QuadricWords {
+                    class,
+                    screen_box: ScreenBox::of([0, WIDTH - 1], [0, 0]),
+                    f1: Linear::new(1 << guards, 0, (f1 - i128::from(WIDTH / 2)) << guards),
+                    f2: Quadratic::new([0, 0, 0, 0, 0, square]),
+                    normal: NormalWords::default(),
+                    planes: vec![],
+                };
+                assert_equal_the_processor(&words, &format, 0);
+            }
+        }
     }
 
     proptest! {
@@ -203,17 +248,7 @@ mod tests {
             (format, words) in format().prop_flat_map(|format| (Just(format), words(format)))
         ) {
             for y in 0..HEIGHT {
-                let present = |x| {
-                    let pixel = words.at(x, y, &format);
-                    (pixel.zf != format.z_max()).then_some((x, pixel))
-                };
-                let expected: Vec<(i64, ObjectPixel)> = (0..WIDTH).filter_map(present).collect();
-                for instructions in instructions() {
-                    let mut line = vec![];
-                    let sink = |x, pixel| line.push((x, pixel));
-                    for_each_present_by(instructions, &words, &format, y, sink);
-                    prop_assert_eq!(&line, &expected, "{:?}", instructions);
-                }
+                assert_equal_the_processor(&words, &format, y);
             }
         }
     }
