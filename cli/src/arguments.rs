@@ -16,6 +16,7 @@ mod scene;
 mod synth;
 mod trade;
 mod unit;
+mod waves;
 
 pub use accuracy::{Bounds, Evaluate, Shading, Sweep};
 pub use board::Board;
@@ -35,6 +36,7 @@ pub use scene::{
 pub use synth::{Peers, Synth};
 pub use trade::{Points, Trade, TradeEngine};
 pub use unit::{Contract, Demo, Emit, Fitted, Package, Processors, Roots, Shape};
+pub use waves::Waves;
 
 /// Hardware that draws quadrics, proven against a golden model.
 ///

@@ -4,7 +4,6 @@ use crate::arguments::Command;
 use crate::failure::Failure;
 use crate::{output, process};
 use imogene_files::{Identity, Target, check_folder};
-use imogene_verif::waveform::save_path;
 use std::path::{Path, PathBuf};
 
 /// What a command reads and writes.
@@ -52,9 +51,8 @@ impl Paths {
             }
             Command::Prepare(o) => paths.reads([&o.scene]),
             Command::Cosim(o) => {
-                let save = o.vcd.as_deref().map(save_path);
                 let paths = paths.reads([&PathBuf::from(&o.subject)]);
-                paths.set("--vcd", o.vcd.iter().chain(&save))
+                paths.set("--vcd", &o.waves.files())
             }
             Command::Import(o) => paths.reads([&o.file]).file("--output", Some(&o.output)),
             Command::Terrain(o) => paths.file("--output", Some(&o.output)),
@@ -62,6 +60,7 @@ impl Paths {
                 .reads(&o.scenes)
                 .reads([&o.machine])
                 .reads(&o.overlay)
+                .set("--vcd", &o.waves.files())
                 .folder("--out", Some(&o.out)),
             Command::Board(o) => paths
                 .reads([&o.scene])

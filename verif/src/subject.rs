@@ -81,12 +81,13 @@ impl Subject {
             name: self.name.clone(),
             stimulus: self.inputs.clone(),
             compared: self.outputs.clone(),
+            ..Group::default()
         };
-        let mut trace = record.then(|| Trace::new(vec![group()]));
+        let mut trace = record.then(|| Trace::new(vec![group()], 0..u64::MAX));
         let mut cycle = 0;
         let report = self.run_each(stimulus.iter().cloned(), |sample| {
             if let Some(trace) = &mut trace {
-                trace.record(cycle, vec![sample]);
+                trace.clock(cycle, false, |_| vec![sample]);
             }
             cycle += 1;
         });
@@ -112,6 +113,7 @@ impl Subject {
                 hardware: hardware.clock(&inputs),
                 golden: golden.clock(&inputs),
                 stimulus: inputs,
+                observed: vec![],
             };
             self.score(&sample, &mut report);
             seen(sample);

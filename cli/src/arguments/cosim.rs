@@ -2,12 +2,11 @@
 
 use super::parse::{Choices, choice};
 use super::scene::size;
-use super::{SceneWords, Shape, Size, View};
+use super::{SceneWords, Shape, Size, View, Waves};
 use clap::Args;
 use imogene_verif::engine::Engine;
 use imogene_verif::engine::design::Simulator;
 use imogene_verif::scene::Fault;
-use std::path::PathBuf;
 
 /// What runs the hardware.
 #[rustfmt::skip]
@@ -29,18 +28,9 @@ pub struct Cosim {
     /// Run what synthesis makes of a unit instead of the emitted Verilog: ice40-hx8k, ice40-up5k, ecp5-45k or ecp5-85k.
     #[arg(long, value_name = "T")]
     pub netlist: Option<String>,
-    /// Waveforms of hardware and golden model (VCD), with a GTKWave save file beside it.
-    #[arg(long, value_name = "FILE.vcd")]
-    pub vcd: Option<PathBuf>,
-    /// First pixel of the waveforms of a scene; the middle line of the traced object if not given.
-    #[arg(long, value_name = "X,Y", requires = "vcd", value_parser = pixel)]
-    pub vcd_from: Option<(usize, usize)>,
-    /// Clocks of the waveforms of a scene; those around the first mismatch come in addition.
-    #[arg(long, default_value_t = 2_000, value_name = "N", requires = "vcd")]
-    pub vcd_clocks: u64,
-    /// Keep waveforms around the first mismatch alone.
-    #[arg(long, requires = "vcd", conflicts_with_all = ["vcd_from", "vcd_clocks"])]
-    pub vcd_at_mismatch: bool,
+    /// Waveforms.
+    #[command(flatten)]
+    pub waves: Waves,
     /// Seed of the random stimulus of a unit.
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
@@ -82,9 +72,4 @@ pub struct Speed {
     /// Seconds for each engine and each kind of work.
     #[arg(long, default_value_t = 3, value_name = "S", value_parser = clap::value_parser!(u32).range(1..=600))]
     pub seconds: u32,
-}
-
-fn pixel(text: &str) -> Result<(usize, usize), String> {
-    let pixel = super::parse::pair(text, ',');
-    pixel.ok_or_else(|| "expected COLUMN,LINE of a pixel, such as 160,120".to_string())
 }

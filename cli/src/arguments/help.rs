@@ -69,6 +69,7 @@ pub const GROUPS: &[Group] = &[
             "imogene package --clocks 0 --out cores",
             "imogene machine scenes/teapot.toml --machine machines/beam-640x480.toml --out vga",
             "imogene machine scenes/teapot.toml --machine machines/beam-640x480.toml --emit-only --out vga",
+            "imogene machine scenes/teapot.toml --machine machines/beam-160x120.toml --out vga --vcd vga.fst --vcd-from line:60",
             "imogene board ulx3s-85 scenes/teapot.toml --out board",
             "imogene board simulation scenes/cone.toml --mode 160x120 --out board",
             "imogene synth quadric_pe --target ecp5-45k  # scripts/setup --synth installs the tools",
@@ -80,6 +81,7 @@ pub const GROUPS: &[Group] = &[
         title: "Verify",
         examples: &[
             "imogene cosim scenes/cone.toml --size 64x48 --vcd cone.vcd  # then: gtkwave cone.gtkw",
+            "imogene cosim scenes/cone.toml --size 64x48 --vcd cone.fst --vcd-from line:20 --vcd-nets processors_0.quadric",
             "imogene cosim quadric_processor --clocks 2000 --seed 7",
             "imogene cosim cut_plane --engine icarus",
             "imogene cosim extremes",

@@ -1,8 +1,8 @@
 //! Arguments of `machine`.
 
-use super::FrameRange;
 use super::cosim::ENGINES;
 use super::parse::{Choices, choice};
+use super::{FrameRange, Waves};
 use clap::Args;
 use imogene_plan::zone::refine::Refinement;
 use imogene_verif::engine::Engine;
@@ -43,11 +43,14 @@ pub struct Machine {
     /// machine has `overlay = true`.
     #[arg(long, value_name = "MASK.png")]
     pub overlay: Option<PathBuf>,
+    /// Waveforms.
+    #[command(flatten)]
+    pub waves: Waves,
     /// How the host of a zone machine decides what goes to a zone; the picture is the same.
     #[arg(long, value_parser = choice(REFINEMENTS), default_value = "box")]
     pub refine: Refinement,
     /// Write the Verilog, the clocks and the files of a bench of your own (docs/machines.md), and run nothing.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "vcd")]
     pub emit_only: bool,
     /// Count the clocks of a frame of a zone machine for zones of 8 x 8 to 128 x 128 pixels and 1 to 16 object
     /// processors as well, with a plot.

@@ -11,7 +11,7 @@ use imogene_synth::{Target, netlist};
 use imogene_verif::engine::Engine;
 use imogene_verif::engine::design::with_verilog;
 use imogene_verif::report::Report;
-use imogene_verif::scene::{self, WaveformRequest, WindowStart, slots, volumes};
+use imogene_verif::scene::{self, slots, volumes};
 use imogene_verif::{random, unit};
 use std::path::Path;
 
@@ -24,7 +24,7 @@ pub fn run(options: &Cosim, json: bool) -> Result<(), Failure> {
     } else {
         run_scene(options)?
     };
-    if let (Some(trace), Some(path)) = (report.trace.take(), &options.vcd) {
+    if let (Some(trace), Some(path)) = (report.trace.take(), &options.waves.vcd) {
         let mut files = output::files();
         trace.add_to(&mut files, path)?;
         report.files = files.finish()?;
@@ -68,15 +68,16 @@ fn run_unit(options: &Cosim) -> Result<Report, Failure> {
             )?
         }
     };
-    if options.vcd_from.is_some() {
+    let waves = &options.waves;
+    if waves.vcd_from.is_some() || !waves.vcd_nets.is_empty() {
         return Err(Failure::Input(
-            "--vcd-from names a pixel of a scene; the waveforms of a unit are the first stimulus that differs, or the first"
+            "--vcd-from and --vcd-nets are for a scene or a machine; the waveforms of a unit are the ports, in the first stimulus that differs, or the first"
                 .into(),
         ));
     }
-    let wants_trace = options.vcd.is_some();
+    let wants_trace = waves.vcd.is_some();
     let (mut report, trace) = random::run(&subject, options.clocks, options.seed, wants_trace);
-    let is_wanted = !options.vcd_at_mismatch || report.mismatches > 0;
+    let is_wanted = !waves.vcd_at_mismatch || report.mismatches > 0;
     report.trace = trace.filter(|_| is_wanted);
     report.seed = Some(options.seed);
     report.netlist = options.netlist.clone();
@@ -137,15 +138,8 @@ fn run_beam(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failure
     let run_options = scene::Options {
         rows_per_stage: options.shape.rows_per_stage(),
         threads: threads(),
-        trace: options.vcd.as_ref().map(|_| WaveformRequest {
-            object: options.trace_object,
-            from: match (options.vcd_from, options.vcd_at_mismatch) {
-                (_, true) => WindowStart::Mismatch,
-                (Some((column, line)), _) => WindowStart::Pixel(column, line),
-                (None, _) => WindowStart::Object,
-            },
-            clocks: options.vcd_clocks,
-        }),
+        trace: options.waves.request(),
+        traced: options.trace_object,
         fault: options.inject_fault,
     };
     Ok(beam::run(prepared, &run_options, options.engine)?.0)
@@ -154,7 +148,7 @@ fn run_beam(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failure
 /// A scene with processors that a beam machine does not have: each processor by itself.
 fn run_slots(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failure> {
     for (option, given) in [
-        ("--vcd", options.vcd.is_some()),
+        ("--vcd", options.waves.vcd.is_some()),
         ("--inject-fault", options.inject_fault.is_some()),
     ] {
         if given {

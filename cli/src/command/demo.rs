@@ -13,7 +13,8 @@ use imogene_verif::display::pins::{PinsRun, run as run_pins};
 use imogene_verif::display::request::request;
 use imogene_verif::engine::Engine;
 use imogene_verif::report::Report;
-use imogene_verif::scene::{self, WaveformRequest, WindowStart};
+use imogene_verif::scene;
+use imogene_verif::waveform::{WaveformRequest, WindowStart};
 use serde::Serialize;
 
 /// The teapot and a machine with a VGA screen, compiled in so that the demo needs no file.
@@ -53,13 +54,7 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
     add_verilog(&request(&machine, &command), &options.out, &mut files)?;
 
     let golden = image.picture.clone();
-    let pins = PinsRun {
-        overlay: None,
-        engine: Engine::BuiltIn,
-        stalls: None,
-        late: 0,
-        frames: 1,
-    };
+    let pins = PinsRun::plain(Engine::BuiltIn);
     let outcome = output::during(2, "frames on the pins", |bar| {
         run_pins(&machine, &[image], &pins, || bar.inc(1))
     })?;
@@ -108,10 +103,11 @@ fn inside(file: &SceneFile, format: Format) -> Result<Report, Failure> {
     let (_, prepared) = frame_in(file, Some(TRACED_SIZE), format)?;
     let options = scene::Options {
         trace: Some(WaveformRequest {
-            object: TRACED,
-            from: WindowStart::Object,
+            from: WindowStart::Usual,
             clocks: TRACE_CLOCKS,
+            nets: vec![],
         }),
+        traced: TRACED,
         ..scene::Options::plain(1, threads())
     };
     Ok(beam::run(&prepared, &options, Engine::BuiltIn)?.0)

@@ -282,13 +282,7 @@ fn show(
     let Some(engine) = options.engine else {
         return Ok((images, vec![]));
     };
-    let run = PinsRun {
-        overlay: None,
-        engine,
-        stalls: None,
-        late: 0,
-        frames: 1,
-    };
+    let run = PinsRun::plain(engine);
     let steps = images.len() as u64 + 1;
     let outcome = output::during(steps, "frames on the pins", |bar| {
         run_pins(machine, &images, &run, || bar.inc(1))

@@ -9,6 +9,8 @@ use crate::failure::Failure;
 use crate::output;
 use files::{Scene, add_bench, grow, zone_timing_of};
 pub use files::{add_verilog, write_pictures};
+use imogene_files::Outputs;
+use imogene_files::text::counted;
 use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_plan::description::{MachineDescription, Output};
 use imogene_plan::display::{DisplayError, Image, refined_image};
@@ -48,10 +50,13 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
             &mut files,
         )?;
     }
-    let outcome = match options.emit_only {
+    let mut outcome = match options.emit_only {
         true => None,
         false => Some(show(&machine, &images, overlay.as_ref(), options)?),
     };
+    if let Some((outcome, path)) = outcome.as_mut().zip(options.waves.vcd.as_ref()) {
+        add_waves(outcome, path, options, &mut files)?;
+    }
     let golden = images.last().map(|image| match &overlay {
         Some(plane) => plane.over(&image.picture),
         None => image.picture.clone(),
@@ -223,18 +228,38 @@ fn command_of(options: &Machine) -> String {
     )
 }
 
+/// Adds the waveforms; says so if the run did not come to where they begin.
+fn add_waves(
+    outcome: &mut PinsOutcome,
+    path: &Path,
+    options: &Machine,
+    files: &mut Outputs,
+) -> Result<(), Failure> {
+    if let Some(trace) = outcome.report.trace.take() {
+        trace.add_to(files, path)?;
+    } else if let Some(place) = options.waves.vcd_from {
+        output::warning(format!(
+            "no waveforms: the run ended before {place}; it showed {}, and --frames shows more",
+            counted(outcome.shown.len(), "frame")
+        ));
+    }
+    Ok(())
+}
+
 fn show(
     machine: &MachineDescription,
     images: &[Image],
     overlay: Option<&OverlayPlane>,
     options: &Machine,
 ) -> Result<PinsOutcome, Failure> {
+    let waveforms = options.waves.request();
     let run = PinsRun {
         overlay,
         engine: options.engine,
         stalls: options.stalls,
         late: options.late,
         frames: options.frames as usize,
+        waveforms: waveforms.as_ref(),
     };
     let outcome = output::during(
         images.len() as u64 + u64::from(options.frames),

@@ -51,6 +51,10 @@ fn waveforms_of_a_scene_begin_where_it_is_said() {
         text.contains("#530\n") && !text.contains("#520\n"),
         "pixel 48 + 5"
     );
+    let line = ["--vcd-from", "line:3", "--vcd-clocks", "40"];
+    assert_eq!(run(&line).0, Some(0));
+    let text = std::fs::read_to_string(&vcd).unwrap();
+    assert!(text.contains("#1440\n") && !text.contains("#1430\n"));
     std::fs::remove_file(&vcd).unwrap();
 
     assert_eq!(run(&["--vcd-at-mismatch"]).0, Some(0));
@@ -61,7 +65,12 @@ fn waveforms_of_a_scene_begin_where_it_is_said() {
     );
     assert!(vcd.is_file());
 
-    for (given, wanted) in [("48,0", "accepted: 0,0 to 47,35"), ("7", "COLUMN,LINE")] {
+    for (given, wanted) in [
+        ("48,0", "accepted: 0,0 to 47,35"),
+        ("line:36", "accepted: 0,0 to 47,35"),
+        ("frame:2", "accepted: frame:1"),
+        ("7", "COLUMN,LINE"),
+    ] {
         let (code, said) = run(&["--vcd-from", given]);
         assert!(code == Some(2) && said.contains(wanted), "{given}: {said}");
     }

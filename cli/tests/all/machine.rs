@@ -64,13 +64,63 @@ fn the_pins_show_the_golden_picture() {
     }
 }
 
+/// A machine for one ellipsoid.
+const TINY: &str = "machine = \"beam\"\nobjects = 1\nplanes = 2\nlights = 2\nrows_per_stage = 24\n\
+                    mode = { columns = [8, 4, 4, 4], lines = [6, 2, 2, 20] }\n";
+
+#[test]
+fn waveforms_go_from_the_bus_to_the_pins() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [description, vcd] = ["tiny.toml", "pins.vcd"].map(|name| folder.path().join(name));
+    std::fs::write(&description, TINY).expect("a file");
+    let run = |more: &[&str]| {
+        let mut command = imogene();
+        command
+            .arg("machine")
+            .arg(crate::common::scene("ellipsoid.toml"));
+        command.arg("--machine").arg(&description);
+        command.arg("--out").arg(folder.path().join("out"));
+        command.arg("--vcd").arg(&vcd).args(more);
+        let output = command.output().expect("the program runs");
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        (output.status.code(), said)
+    };
+    let window = ["--vcd-from", "frame:2,line:3", "--vcd-clocks", "20"];
+    let nets = ["--vcd-nets", "core.objects.decider,loader.comes"];
+    let (code, said) = run(&[&window[..], &nets].concat());
+    assert_eq!(code, Some(0), "{said}");
+    let text = std::fs::read_to_string(&vcd).expect("a file");
+    for part in ["beam_display", "s_tvalid", "hsync", "loader", "comes"] {
+        assert!(text.contains(part), "{part}");
+    }
+    let rises = text.lines().filter(|line| *line == "1!").count();
+    assert_eq!(rises, 20);
+    assert!(vcd.with_extension("gtkw").is_file());
+    std::fs::remove_file(&vcd).expect("it is there");
+
+    // What never comes is said; what cannot come is refused.
+    let (code, said) = run(&["--vcd-from", "frame:99"]);
+    assert!(
+        code == Some(0) && said.contains("ended before frame:99"),
+        "{said}"
+    );
+    assert_eq!(run(&["--vcd-at-mismatch"]).0, Some(0));
+    assert!(!vcd.exists(), "nothing differs");
+    for (more, wanted) in [
+        (["--vcd-from", "line:6"], "accepted: 0,0 to 7,5"),
+        (["--vcd-from", "6"], "frame:2,line:120"),
+        (["--vcd-nets", "core.shade"], "core has objects, shading,"),
+    ] {
+        let (code, said) = run(&more);
+        assert!(code == Some(2) && said.contains(wanted), "{more:?}: {said}");
+    }
+}
+
 #[test]
 fn many_frames_of_a_scene_are_waited_for() {
     let folder = tempfile::tempdir().expect("a folder");
     let description = folder.path().join("tiny.toml");
-    let text = "machine = \"beam\"\nobjects = 1\nplanes = 2\nlights = 2\nrows_per_stage = 24\n\
-                mode = { columns = [8, 4, 4, 4], lines = [6, 2, 2, 20] }\n";
-    std::fs::write(&description, text).expect("a file");
+    std::fs::write(&description, TINY).expect("a file");
     let mut command = imogene();
     command.args([
         "machine", "--engine", "built-in", "--frames", "24", "--json",

@@ -126,13 +126,7 @@ fn unused_planes_and_slots_are_switched_off_by_the_words_of_the_document() {
         "a shadow"
     );
     assert_ne!(images[0].picture, images[1].picture);
-    let options = PinsRun {
-        overlay: None,
-        engine: Engine::BuiltIn,
-        stalls: None,
-        late: 0,
-        frames: 1,
-    };
+    let options = PinsRun::plain(Engine::BuiltIn);
     let outcome = run(&machine(), &images, &options, || ()).expect("a machine that runs");
     assert_eq!(
         outcome.report.mismatches,

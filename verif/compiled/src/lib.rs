@@ -126,6 +126,11 @@ impl Simulation {
         self.given(Task::Outputs)
     }
 
+    /// The words of all points in this clock, in their order; of each those of all lanes.
+    pub fn points(&mut self) -> &[u64] {
+        self.given(Task::Points)
+    }
+
     /// The word of a port in this clock, in the first lane.
     pub fn get(&mut self, port: Port) -> u64 {
         self.get_lane(0, port)

@@ -3,6 +3,7 @@
 use crate::engine::Engine;
 use crate::engine::design::{DesignError, Instance};
 use crate::engine::machine::MachineDesign;
+use crate::engine::nets::values;
 use crate::signal::Signal;
 use imogene_rtl::emit::machine::MachineRequest;
 
@@ -18,9 +19,13 @@ pub struct Machine {
 }
 
 impl Machine {
-    /// Builds, and if the engine wants it compiles, a machine.
-    pub fn start(request: &MachineRequest, engine: Engine) -> Result<Machine, DesignError> {
-        let design = MachineDesign::compile(engine, request, &[])?;
+    /// Builds, and if the engine wants it compiles, a machine, with nets inside that will be asked for, by their paths.
+    pub fn start(
+        request: &MachineRequest,
+        engine: Engine,
+        nets: &[String],
+    ) -> Result<Machine, DesignError> {
+        let design = MachineDesign::compile(engine, request, &[], nets)?;
         let (inputs, outputs) = (&design.inputs, &design.outputs);
         Ok(Machine {
             running: design.instance(),
@@ -67,6 +72,20 @@ impl Machine {
     /// True if an output of one bit is 1.
     pub fn is_set(&self, port: &str) -> bool {
         self.get(port) == Some(1)
+    }
+
+    /// The inputs that are set for the next clock, in the order of the ports.
+    pub fn inputs(&self) -> Vec<i64> {
+        let given = self.design.inputs.iter().zip(&self.given);
+        given.map(|(port, bits)| port.value(*bits)).collect()
+    }
+
+    /// The nets inside that were asked for, before the next clock.
+    pub fn nets(&mut self) -> Vec<Option<i64>> {
+        match self.design.nets.as_slice() {
+            [] => vec![],
+            nets => values(nets, self.running.points(&self.given)),
+        }
     }
 
     /// One clock.

@@ -8,6 +8,7 @@ pub mod request;
 mod run;
 pub mod stalls;
 pub mod stream;
+mod waves;
 pub mod zone_core;
 
 pub use machine::Machine;

@@ -4,6 +4,7 @@ use super::Machine;
 use super::host::Host;
 use super::request::{mode, request};
 use super::stream;
+use super::waves::{Spot, Waves};
 use crate::engine::design::DesignError;
 use crate::signal::Delay;
 use imogene_golden::machine::overlay::OverlayPlane;
@@ -12,7 +13,7 @@ use imogene_plan::description::{MachineDescription, MachineKind, Output};
 use imogene_plan::display::Image;
 use std::time::Instant;
 
-pub use super::run::{PinsOutcome, PinsRun};
+pub use super::run::{PinsOutcome, PinsRun, RunError};
 
 /// Shows images one after the other and compares every pin on every clock, or every pixel of a machine that streams. A
 /// frame is that of the image that came on last, or black.
@@ -21,14 +22,14 @@ pub fn run(
     images: &[Image],
     options: &PinsRun,
     mut frame_done: impl FnMut(),
-) -> Result<PinsOutcome, DesignError> {
+) -> Result<PinsOutcome, RunError> {
     if machine.output == Output::Stream {
         return stream::run(machine, images, options, frame_done);
     }
-    let request = request(machine, "");
-    let behind = request.clocks()?.output;
+    let clocks = request(machine, "").clocks();
+    let behind = clocks.map_err(DesignError::from)?.output;
     let mode = mode(machine);
-    let mut hardware = Machine::start(&request, options.engine)?;
+    let mut hardware = options.start(machine)?;
     let started = Instant::now();
     let mut run = Run {
         places: PINS.map(|pin| hardware.output(pin)),
@@ -47,6 +48,9 @@ pub fn run(
             ..PinsOutcome::default()
         },
         frame: vec![],
+        waves: options.waves(&hardware, &PINS),
+        spot: Spot::default(),
+        wanted: None,
     };
     let mut host = Host::new(images, options);
     let is_beam = machine.machine == MachineKind::Beam;
@@ -58,6 +62,7 @@ pub fn run(
             plane = write_plane(&mut hardware, plane, options.overlay);
         }
         host.offer(&mut hardware, is_beam, &mut run.outcome);
+        run.keep(&mut hardware);
         hardware.clock();
         run.see_swap(&hardware, &host);
         if run.see_pins(&hardware) {
@@ -69,10 +74,12 @@ pub fn run(
             frame_done();
         }
     }
+    run.keep(&mut hardware);
     let (what, seen) = ("frames of the last image", Some(seen_last as i64));
     let report = &mut run.outcome.report;
     report.compare(hardware.clocks, None, what, seen, options.frames as i64);
-    Ok(run.outcome.finished(&hardware, options, started))
+    let Run { outcome, waves, .. } = run;
+    Ok(outcome.finished(&hardware, options, waves, started))
 }
 
 /// Puts the next word of the plane on the bus of the overlay; the words that are left.
@@ -111,9 +118,34 @@ struct Run<'a> {
     next: Option<usize>,
     outcome: PinsOutcome,
     frame: Vec<u8>,
+    waves: Option<Waves>,
+    /// Where in the picture the pins are, and what they should be.
+    spot: Spot,
+    wanted: Option<[i64; PINS.len()]>,
 }
 
 impl Run<'_> {
+    /// Keeps the waveforms of the clock that comes next.
+    fn keep(&mut self, hardware: &mut Machine) {
+        if let Some(waves) = &mut self.waves {
+            let golden = self
+                .wanted
+                .map_or([None; PINS.len()], |pins| pins.map(Some));
+            let differs = self.outcome.report.mismatches > 0;
+            waves.clock(hardware, &self.spot, &golden, differs);
+        }
+    }
+
+    /// Follows the pins through the picture.
+    fn see_place(&mut self, shown: &Shown) {
+        let pixel = (shown.x.into(), shown.y.into());
+        self.spot.pixel = shown.active.then_some(pixel);
+        if shown.start {
+            self.spot.frame += 1;
+            self.spot.is_scene = self.on.is_some();
+        }
+    }
+
     fn see_swap(&mut self, hardware: &Machine, host: &Host) {
         if hardware.at(self.swapped) == Some(1) {
             let next = self.next.map_or(0, |image| image + 1);
@@ -136,6 +168,7 @@ impl Run<'_> {
         let Some((shown, hsync, vsync)) = self.late.push(scanned) else {
             return false;
         };
+        self.see_place(&shown);
         let image = self.on.and_then(|on| self.images.get(on));
         let expected = image.map_or(&self.black, |image| &image.picture);
         let at = 3 * (usize::from(shown.y) * self.width + usize::from(shown.x));
@@ -154,6 +187,7 @@ impl Run<'_> {
             vsync.into(),
             shown.active.into(),
         ];
+        self.wanted = Some(wanted);
         let found = self.places.map(|place| hardware.at(place));
         let pixel = shown.active.then_some((shown.x.into(), shown.y.into()));
         let report = &mut self.outcome.report;

@@ -1,10 +1,16 @@
 //! How a machine is shown, and what came of it.
 
 use super::Machine;
+use super::request::{mode, request};
+use super::waves::Waves;
 use crate::engine::Engine;
+use crate::engine::design::DesignError;
 use crate::report::Report;
+use crate::waveform::{PlaceError, WaveformRequest, WindowStart};
 use imogene_golden::machine::overlay::OverlayPlane;
+use imogene_plan::description::MachineDescription;
 use std::time::Instant;
+use thiserror::Error;
 
 /// How to run.
 #[derive(Clone, Copy, Debug)]
@@ -20,6 +26,49 @@ pub struct PinsRun<'a> {
     pub late: u64,
     /// Whole frames to see of the last image.
     pub frames: usize,
+    /// Waveforms, if they are wanted.
+    pub waveforms: Option<&'a WaveformRequest>,
+}
+
+impl PinsRun<'_> {
+    /// One frame of the last image, with a host that does not stall.
+    pub fn plain(engine: Engine) -> PinsRun<'static> {
+        PinsRun {
+            overlay: None,
+            engine,
+            stalls: None,
+            late: 0,
+            frames: 1,
+            waveforms: None,
+        }
+    }
+
+    /// The machine, ready to run; refuses waveforms from a pixel that its screen does not have.
+    pub(super) fn start(&self, machine: &MachineDescription) -> Result<Machine, RunError> {
+        let mode = mode(machine);
+        if let Some(WindowStart::At(place)) = self.waveforms.map(|waveforms| waveforms.from) {
+            place.check(mode.line.active as usize, mode.frame.active as usize)?;
+        }
+        let nets = self.waveforms.map_or(&[][..], |waveforms| &waveforms.nets);
+        Ok(Machine::start(&request(machine, ""), self.engine, nets)?)
+    }
+
+    /// The waveforms that are wanted, of a machine of whose outputs some are compared.
+    pub(super) fn waves(&self, hardware: &Machine, compared: &[&str]) -> Option<Waves> {
+        let waveforms = self.waveforms?;
+        Some(Waves::new(waveforms, hardware, compared))
+    }
+}
+
+/// Why a machine cannot be run.
+#[derive(Debug, Error)]
+pub enum RunError {
+    /// The engine does not run it.
+    #[error(transparent)]
+    Design(#[from] DesignError),
+    /// Waveforms are wanted from a place that its screen does not have.
+    #[error(transparent)]
+    Place(#[from] PlaceError),
 }
 
 /// What the pins have shown.
@@ -45,9 +94,11 @@ impl PinsOutcome {
         mut self,
         machine: &Machine,
         options: &PinsRun,
+        waves: Option<Waves>,
         started: Instant,
     ) -> PinsOutcome {
         let report = &mut self.report;
+        report.trace = waves.and_then(Waves::finish);
         report.subject = machine.design.name.clone();
         report.engine = options.engine.name().into();
         report.seed = options.stalls;

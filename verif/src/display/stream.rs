@@ -2,14 +2,17 @@
 
 use super::Machine;
 use super::host::Host;
-use super::request::{mode, request};
-use super::run::{PinsOutcome, PinsRun};
+use super::request::mode;
+use super::run::{PinsOutcome, PinsRun, RunError};
 use super::stalls::Stalls;
-use crate::engine::design::DesignError;
+use super::waves::Spot;
 use crate::report::place;
 use imogene_plan::description::{MachineDescription, MachineKind};
 use imogene_plan::display::Image;
 use std::time::Instant;
+
+/// What a receiver is given with each pixel.
+const STREAM: [&str; 3] = ["m_tdata", "m_tuser", "m_tlast"];
 
 /// Clocks without a pixel after which a machine is given up.
 const PATIENCE: u64 = 1 << 22;
@@ -21,8 +24,9 @@ pub fn run(
     images: &[Image],
     options: &PinsRun,
     mut frame_done: impl FnMut(),
-) -> Result<PinsOutcome, DesignError> {
-    let mut hardware = Machine::start(&request(machine, ""), options.engine)?;
+) -> Result<PinsOutcome, RunError> {
+    let mut hardware = options.start(machine)?;
+    let mut waves = options.waves(&hardware, &STREAM);
     let started = Instant::now();
     let mut host = Host::new(images, options);
     let mut receiver = Stalls::new(options.stalls.map(|seed| seed + 1));
@@ -43,6 +47,10 @@ pub fn run(
         taker.check("m_tdata while the receiver stalls", hardware.clocks, stays);
         stalled = now.filter(|_| !takes);
         idle += 1;
+        let spot = taker.spot(now.as_ref());
+        let taken = now
+            .filter(|_| takes && waves.is_some())
+            .map(|pixel| taker.wanted(&pixel));
         if let Some(pixel) = now.filter(|_| takes) {
             idle = 0;
             if taker.take(&pixel, hardware.clocks) {
@@ -51,12 +59,16 @@ pub fn run(
                 frame_done();
             }
         }
+        if let Some(waves) = &mut waves {
+            let differs = taker.outcome.report.mismatches > 0;
+            waves.clock(&mut hardware, &spot, &taken.unwrap_or_default(), differs);
+        }
         hardware.clock();
         taker.see_swap(&hardware, is_beam, &host);
     }
     let all = seen_last == wanted;
     taker.check("frames of the last image", hardware.clocks, all);
-    Ok(taker.outcome.finished(&hardware, options, started))
+    Ok(taker.outcome.finished(&hardware, options, waves, started))
 }
 
 /// A pixel on the stream.
@@ -126,20 +138,57 @@ impl<'a> Taker<'a> {
         }
     }
 
-    /// Takes a pixel; true if the frame is complete.
-    fn take(&mut self, pixel: &Pixel, clock: u64) -> bool {
-        let at = match self.is_beam {
+    /// The place of a pixel in the frame, row by row; one that is beyond its end is of a wrong machine.
+    fn place(&self, pixel: &Pixel) -> usize {
+        match self.is_beam {
             true => self.count,
             false => (pixel.user >> 12) as usize * self.width + (pixel.user & 0xfff) as usize,
+        }
+    }
+
+    /// Where the stream is, with the pixel that it offers.
+    fn spot(&self, pixel: Option<&Pixel>) -> Spot {
+        let place = |pixel| {
+            let at = self.place(pixel);
+            (at % self.width, at / self.width)
         };
+        Spot {
+            frame: self.outcome.shown.len() as u32 + 1,
+            is_scene: self.on.is_some(),
+            pixel: pixel.map(place),
+        }
+    }
+
+    /// What [`STREAM`] should be with a pixel that is taken; a zone machine says itself which one it is.
+    fn wanted(&self, pixel: &Pixel) -> [Option<i64>; STREAM.len()] {
+        let at = self.place(pixel).min(self.seen.len() - 1);
+        let user = self.is_beam.then(|| (at == 0).into());
+        [Some(self.colour(at)), user, Some(self.ends(at).into())]
+    }
+
+    /// The golden colour at a place.
+    fn colour(&self, at: usize) -> i64 {
+        let image = self.on.and_then(|on| self.images.get(on));
+        let wanted = image.map_or([0; 3], |image| [0, 1, 2].map(|k| image.picture[3 * at + k]));
+        let [red, green, blue] = wanted.map(i64::from);
+        red << 16 | green << 8 | blue
+    }
+
+    /// The pixel that comes now, at a place, ends a line or the frame.
+    fn ends(&self, at: usize) -> bool {
+        match self.is_beam {
+            true => at % self.width == self.width - 1,
+            false => self.count == self.seen.len() - 1,
+        }
+    }
+
+    /// Takes a pixel; true if the frame is complete.
+    fn take(&mut self, pixel: &Pixel, clock: u64) -> bool {
+        let at = self.place(pixel);
         let pixels = self.seen.len();
         let is_new = at < pixels && !std::mem::replace(&mut self.seen[at.min(pixels - 1)], true);
         self.check("a pixel once", clock, is_new);
-        let ends = match self.is_beam {
-            true => at % self.width == self.width - 1,
-            false => self.count == pixels - 1,
-        };
-        self.check("m_tlast", clock, pixel.is_last == ends);
+        self.check("m_tlast", clock, pixel.is_last == self.ends(at));
         if self.is_beam {
             self.check("m_tuser", clock, (pixel.user == 1) == (at == 0));
         }
@@ -154,13 +203,10 @@ impl<'a> Taker<'a> {
     }
 
     fn compare(&mut self, pixel: &Pixel, at: usize, clock: u64) {
-        let image = self.on.and_then(|on| self.images.get(on));
-        let wanted = image.map_or([0; 3], |image| [0, 1, 2].map(|k| image.picture[3 * at + k]));
-        let [red, green, blue] = wanted.map(i64::from);
         for (channel, shift) in [16, 8, 0].into_iter().enumerate() {
             self.frame[3 * at + channel] = (pixel.colour >> shift) as u8;
         }
-        let (place, golden) = (place(at, self.width), red << 16 | green << 8 | blue);
+        let (place, golden) = (place(at, self.width), self.colour(at));
         let report = &mut self.outcome.report;
         report.compare(clock, place, "m_tdata", Some(pixel.colour), golden);
     }

@@ -60,7 +60,7 @@ pub fn run(
         golden.beat(beat, |pixel| wanted.push(pixel))?;
     }
     let request = core_request(machine, format, options.rows_per_stage);
-    let mut hardware = Machine::start(&request, options.engine)?;
+    let mut hardware = Machine::start(&request, options.engine, &[])?;
     let mut stalls = Stalls::new(options.stalls);
     let started = Instant::now();
     let mut report = Report {

@@ -2,6 +2,7 @@
 
 use super::design::{DesignError, Instance};
 use super::machine::MachineDesign;
+use super::nets::values;
 use super::{Engine, ProbeSignal};
 use imogene_golden::object::load::LoadWord;
 use imogene_rtl::emit::machine::MachineRequest;
@@ -21,11 +22,12 @@ pub struct BeamDesign {
 }
 
 impl BeamDesign {
-    /// Compiles a machine; each slot has these signals inside, which the built-in engine shows.
+    /// Compiles a machine; each slot has these signals inside, which the built-in engine shows, and so are these nets.
     pub fn compile(
         engine: Engine,
         request: &MachineRequest,
         mut inside: Vec<ProbeSignal>,
+        nets: &[String],
     ) -> Result<BeamDesign, DesignError> {
         if engine != Engine::BuiltIn {
             inside.clear();
@@ -34,7 +36,7 @@ impl BeamDesign {
         let points = slots.flat_map(|slot| inside.iter().map(move |probe| path(slot, probe)));
         let points: Vec<String> = points.collect();
         Ok(BeamDesign {
-            machine: MachineDesign::compile(engine, request, &points)?,
+            machine: MachineDesign::compile(engine, request, &points, nets)?,
             engine,
             inside,
         })
@@ -44,6 +46,7 @@ impl BeamDesign {
     pub fn machine(&self) -> Beam<'_> {
         Beam {
             instance: self.machine.instance(),
+            given: [0; 7],
             design: self,
         }
     }
@@ -52,6 +55,7 @@ impl BeamDesign {
 /// One beam machine that runs clock by clock.
 pub struct Beam<'a> {
     instance: Box<dyn Instance>,
+    given: [u64; 7],
     design: &'a BeamDesign,
 }
 
@@ -65,8 +69,8 @@ impl Beam<'_> {
     /// One clock without a write: whether a zone starts, its pixels per line and its lines.
     pub fn clock(&mut self, [go, width, height]: [u64; 3]) -> Outputs {
         let mut found = [None; 7];
-        let words = [go, width, height, 0, 0, 0, 0];
-        self.instance.clock(&words, &mut found);
+        self.given = [go, width, height, 0, 0, 0, 0];
+        self.instance.clock(&self.given, &mut found);
         let signals = &self.design.machine.outputs;
         std::array::from_fn(|k| found[k].map(|bits| signals[k].value(bits)))
     }
@@ -76,15 +80,16 @@ impl Beam<'_> {
         &self.design.inside
     }
 
-    /// Values of the signals of [`Beam::inside`] in one slot, after the last clock.
-    pub fn probe(&mut self, slot: usize) -> Vec<i64> {
-        let Beam { instance, design } = self;
-        let inside = design.inside.iter();
-        let values = inside.map(|probe| {
-            let bits = instance.point(&path(slot, probe));
-            probe.signal.value(bits.expect("the engine shows it"))
-        });
-        values.collect()
+    /// Values of the signals of [`Beam::inside`] in one slot after the last clock, and of the nets of the machine.
+    pub fn probe(&mut self, slot: usize) -> (Vec<i64>, Vec<Option<i64>>) {
+        let BeamDesign {
+            inside, machine, ..
+        } = self.design;
+        let points = self.instance.points(&self.given);
+        let nets = points.len() - machine.nets.len();
+        let own = points.iter().skip(slot * inside.len()).zip(inside);
+        let own = own.map(|(bits, probe)| probe.signal.value(*bits));
+        (own.collect(), values(&machine.nets, &points[nets..]))
     }
 }
 

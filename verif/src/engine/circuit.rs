@@ -92,8 +92,9 @@ impl Instance for Circuit {
         }
     }
 
-    fn point(&mut self, path: &str) -> Option<u64> {
-        Some(self.simulation.get(self.design.program.port(path)))
+    fn points(&mut self, inputs: &[u64]) -> &[u64] {
+        self.simulation.set_all(inputs.iter().copied());
+        self.simulation.points()
     }
 }
 

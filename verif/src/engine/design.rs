@@ -1,6 +1,7 @@
 //! Verilog of a design, what every engine makes of it, and Verilog in a simulator, seen through its ports.
 
 use super::icarus::IcarusDesign;
+use super::nets::NetError;
 use super::verilator::Model;
 use crate::signal::Signal;
 use crate::subject::{Clocked, Inputs, Subject};
@@ -17,6 +18,9 @@ pub enum DesignError {
     /// It cannot be emitted.
     #[error(transparent)]
     Emit(#[from] RequestError),
+    /// A net is wanted that cannot be shown.
+    #[error(transparent)]
+    Net(#[from] NetError),
     /// A program is missing or refused the design.
     #[error(transparent)]
     Tool(#[from] ToolError),
@@ -68,9 +72,10 @@ pub trait Instance: Send {
     /// 0.
     fn clock(&mut self, inputs: &[u64], outputs: &mut [Option<u64>]);
 
-    /// The bits of a point inside, if the engine shows it.
-    fn point(&mut self, _path: &str) -> Option<u64> {
-        None
+    /// The bits of the points inside that the design was compiled with, in their order: those before the edge that
+    /// these inputs are for. None where the engine shows ports alone.
+    fn points(&mut self, _inputs: &[u64]) -> &[u64] {
+        &[]
     }
 }
 

@@ -3,6 +3,7 @@
 use super::Engine;
 use super::circuit::Compiled;
 use super::design::{Design, DesignError, Instance, Source};
+use super::nets::{NetError, select};
 use crate::signal::Signal;
 use imogene_hdl::Direction;
 use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
@@ -16,21 +17,31 @@ pub struct MachineDesign {
     pub inputs: Vec<Signal>,
     /// Output ports.
     pub outputs: Vec<Signal>,
+    /// Nets inside that were wanted, by their paths: the last of the points.
+    pub nets: Vec<Signal>,
 }
 
 impl MachineDesign {
-    /// Compiles a machine, with the points inside that will be asked for; the built-in engine alone shows them.
+    /// Compiles a machine, with the points inside that will be asked for; the built-in engine alone shows them. `nets`
+    /// are paths of more of them, as [`select`] takes them.
     pub fn compile(
         engine: Engine,
         request: &MachineRequest,
         points: &[String],
+        nets: &[String],
     ) -> Result<MachineDesign, DesignError> {
         let circuit = request.design()?;
         let ports = |direction| circuit.top.ports_of(direction).map(Signal::of).collect();
         let (inputs, outputs): (Vec<Signal>, Vec<Signal>) =
             (ports(Direction::In), ports(Direction::Out));
+        let nets = select(&circuit.top, nets)?;
         let design = match engine {
-            Engine::BuiltIn => Box::new(Compiled::of(&circuit, points)),
+            Engine::BuiltIn => {
+                let nets = nets.iter().map(|net| &net.name);
+                let points: Vec<String> = points.iter().chain(nets).cloned().collect();
+                Box::new(Compiled::of(&circuit, &points))
+            }
+            Engine::Verilog(_) if !nets.is_empty() => return Err(NetError::Engine.into()),
             Engine::Verilog(simulator) => {
                 let emitted = emit_machine(request)?;
                 simulator.compile(&Source {
@@ -46,6 +57,7 @@ impl MachineDesign {
             name: circuit.top.name.clone(),
             inputs,
             outputs,
+            nets,
         })
     }
 

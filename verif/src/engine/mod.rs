@@ -10,6 +10,7 @@ pub mod circuit;
 pub mod design;
 pub mod icarus;
 pub mod machine;
+pub mod nets;
 pub mod speed;
 pub mod verilator;
 

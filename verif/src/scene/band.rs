@@ -1,7 +1,7 @@
 //! One band of the screen: load, scan, compare.
 
 use super::golden::{GoldenMachine, probe_values};
-use super::request::{Fault, WaveformRequest, middle_line};
+use super::request::Options;
 use crate::engine::ProbeSignal;
 use crate::engine::beam::{Beam, Outputs};
 use crate::report::Report;
@@ -12,10 +12,6 @@ use imogene_golden::machine::frame::Frame;
 use imogene_golden::object::load::{LoadWord, load_words};
 use imogene_golden::object::quadric::QuadricWords;
 use imogene_prepare::PreparedScene;
-use std::ops::Range;
-
-/// Clocks recorded after the first mismatch, when that lies beyond the window asked for.
-const AFTER_MISMATCH: u64 = 200;
 
 /// What one band runs.
 pub(super) struct Band<'a> {
@@ -28,8 +24,11 @@ pub(super) struct Band<'a> {
     pub objects: Vec<QuadricWords>,
     pub first_line: usize,
     pub lines: usize,
-    pub fault: Option<Fault>,
-    pub trace: Option<&'a WaveformRequest>,
+    pub options: &'a Options,
+    /// The column and line at which the window of waveforms begins, if it has one, in a band that is traced.
+    pub trace: Option<Option<(usize, usize)>>,
+    /// Nets that they show.
+    pub nets: Vec<Signal>,
 }
 
 /// What a band gives: counts, the hardware's lines and the waveforms.
@@ -67,7 +66,7 @@ struct Scan<'a> {
 impl<'a> Scan<'a> {
     fn new(band: &'a Band, signals: &[ProbeSignal]) -> Scan<'a> {
         let (width, format) = (band.scene.width as usize, &band.scene.format);
-        let recorder = |request| Recorder::new(request, band, signals.to_vec());
+        let recorder = |begin| Recorder::new(band, begin, signals.to_vec());
         Scan {
             band,
             golden: GoldenMachine::new(&band.objects, format, width),
@@ -83,10 +82,10 @@ impl<'a> Scan<'a> {
         &mut self,
         clock: usize,
         outputs: &Outputs,
-        probe: impl FnOnce(usize) -> Vec<i64>,
+        probe: impl FnOnce(usize) -> (Vec<i64>, Vec<Option<i64>>),
     ) -> bool {
         let Scan { band, report, .. } = self;
-        let traced = band.trace.map(|request| request.object);
+        let traced = band.trace.map(|_| band.options.traced);
         let next = (clock < band.pixels()).then(|| self.golden.pixel(traced));
         let (visible, values) = next.map_or((None, None), |(seen, values)| (Some(seen), values));
         let stated = self.expected.push(visible).flatten();
@@ -95,7 +94,7 @@ impl<'a> Scan<'a> {
         if let Some(recorder) = &mut self.recorder {
             let inside = probe(recorder.object);
             let golden = recorder.align(values.map(|values| probe_values(&values)));
-            band.score_inside(recorder, clock, &inside, &golden, report);
+            band.score_inside(recorder, clock, &inside.0, &golden, report);
             recorder.clock(outputs, stated, inside, golden, report);
         }
         let is_pixel = outputs[0] == Some(1) && index < band.pixels();
@@ -130,7 +129,11 @@ impl Band<'_> {
     fn load_words(&self, object: usize) -> Vec<LoadWord> {
         let words = &self.objects[object];
         let mut words = load_words(words, &self.scene.format, words.planes.len());
-        if let Some(fault) = self.fault.filter(|f| usize::from(f.object) == object) {
+        if let Some(fault) = self
+            .options
+            .fault
+            .filter(|f| usize::from(f.object) == object)
+        {
             let place = words.iter_mut().filter(|w| w.address == fault.address);
             place.for_each(|word| word.bits ^= 1 << fault.bit);
         }
@@ -196,41 +199,42 @@ fn store(frame: &mut Frame, index: usize, outputs: &Outputs, z_max: i64) {
 struct Recorder {
     trace: Trace,
     object: usize,
-    window: Range<u64>,
     signals: Vec<ProbeSignal>,
     delays: Vec<Delay<Option<i64>>>,
-    mismatch_seen: bool,
 }
 
 impl Recorder {
-    fn new(request: &WaveformRequest, band: &Band, signals: Vec<ProbeSignal>) -> Recorder {
-        let middle = || band.first_line + middle_line(&band.objects[request.object]);
-        let window = request.begin(middle).map(|(column, line)| {
+    /// For a window that begins at this column and line, if there is one.
+    fn new(band: &Band, begin: Option<(usize, usize)>, signals: Vec<ProbeSignal>) -> Recorder {
+        let clocks = band.options.trace.as_ref().map_or(0, |trace| trace.clocks);
+        let window = begin.map(|(column, line)| {
             let lines = line.saturating_sub(band.first_line);
             let from = lines * band.scene.width as usize + column;
-            let last = band.clocks().saturating_sub(request.clocks as usize);
+            let last = band.clocks().saturating_sub(clocks as usize);
             let from = from.min(last) as u64;
-            from..from + request.clocks
+            from..from.saturating_add(clocks)
         });
+        let object = band.options.traced;
+        let mut inside = band.nets.clone();
+        (inside.iter_mut()).for_each(|net| net.name = format!("inside.{}", net.name));
         let mut groups = vec![Group {
             name: "beam".into(),
-            stimulus: vec![],
             compared: band.outputs.clone(),
+            observed: inside,
+            ..Group::default()
         }];
         if !signals.is_empty() {
             groups.push(Group {
-                name: format!("processor_{}", request.object),
-                stimulus: vec![],
+                name: format!("processor_{object}"),
                 compared: signals.iter().map(|s| s.signal.clone()).collect(),
+                ..Group::default()
             });
         }
         Recorder {
-            trace: Trace::new(groups),
-            object: request.object,
-            window: window.unwrap_or(0..0),
+            trace: Trace::new(groups, window.unwrap_or_default()),
+            object,
             delays: signals.iter().map(|s| Delay::new(s.offset)).collect(),
             signals,
-            mismatch_seen: false,
         }
     }
 
@@ -247,35 +251,26 @@ impl Recorder {
         &mut self,
         outputs: &Outputs,
         stated: Option<Visible>,
-        inside: Vec<i64>,
+        (inside, nets): (Vec<i64>, Vec<Option<i64>>),
         golden: Vec<Option<i64>>,
         report: &Report,
     ) {
-        if report.mismatches > 0 && !self.mismatch_seen {
-            self.mismatch_seen = true;
-            let end = report.cycles + AFTER_MISMATCH;
-            self.window = self.window.start.min(report.cycles)..self.window.end.max(end);
-        }
-        let machine = Sample {
-            stimulus: vec![],
-            hardware: outputs.to_vec(),
-            golden: output_values(stated).to_vec(),
-        };
-        let mut samples = vec![machine];
-        if !self.signals.is_empty() {
-            samples.push(Sample {
-                stimulus: vec![],
+        let has_inside = !self.signals.is_empty();
+        let samples = |_| {
+            let machine = Sample {
+                hardware: outputs.to_vec(),
+                golden: output_values(stated).to_vec(),
+                observed: nets,
+                ..Sample::default()
+            };
+            let processor = || Sample {
                 hardware: inside.into_iter().map(Some).collect(),
                 golden,
-            });
-        }
-        if self.window.contains(&report.cycles) {
-            if !self.mismatch_seen {
-                self.trace.forget();
-            }
-            self.trace.record(report.cycles, samples);
-        } else {
-            self.trace.remember(report.cycles, samples);
-        }
+                ..Sample::default()
+            };
+            let processor = has_inside.then(processor);
+            [machine].into_iter().chain(processor).collect()
+        };
+        (self.trace).clock(report.cycles, report.mismatches > 0, samples);
     }
 }

@@ -14,7 +14,8 @@ use crate::engine::beam::BeamDesign;
 use crate::engine::{Engine, processor_signals, slots_of};
 use crate::report::Report;
 use crate::signal::Signal;
-pub use request::{CosimError, Fault, MAX_OBJECTS, Options, WaveformRequest, WindowStart};
+use crate::waveform::{PlaceError, WindowStart};
+pub use request::{CosimError, Fault, MAX_OBJECTS, Options};
 
 use band::{Band, Part};
 use imogene_golden::machine::beam;
@@ -86,7 +87,8 @@ pub fn run(
     check_requests(options, scene, planes, quadric_words(scene)?[0])?;
     check_window(options, scene)?;
     let inside = processor_signals(&scene.format, planes, rows);
-    let design = BeamDesign::compile(engine, &request(scene, &slots, rows), inside)?;
+    let nets = options.trace.as_ref().map_or(&[][..], |trace| &trace.nets);
+    let design = BeamDesign::compile(engine, &request(scene, &slots, rows), inside, nets)?;
     run_on(&design, &slots, scene, options, pixel_done)
 }
 
@@ -106,6 +108,7 @@ pub fn run_on(
             .map(|(words, slot)| with_planes(words, slot))
             .collect(),
         outputs: design.machine.outputs.clone(),
+        nets: design.machine.nets.clone(),
         latency: latency as usize,
         options,
     };
@@ -128,6 +131,7 @@ struct Bands<'a> {
     scene: &'a PreparedScene,
     words: Vec<QuadricWords>,
     outputs: Vec<Signal>,
+    nets: Vec<Signal>,
     latency: usize,
     options: &'a Options,
 }
@@ -160,15 +164,17 @@ impl Bands<'_> {
             (width * height / clocks).max(options.threads)
         });
         let parts = split(height, most.min(long));
-        let begin = options
-            .trace
-            .as_ref()
-            .map(|request| request.begin(|| middle_line(&self.words[request.object])));
-        let is_traced = |first: usize, lines: usize| match begin {
+        let begin = options.trace.as_ref().map(|request| match request.from {
+            WindowStart::Usual => Some((0, middle_line(&self.words[options.traced]))),
+            WindowStart::At(place) => Some((place.column, place.line)),
+            WindowStart::Mismatch => None,
+        });
+        let trace = |first: usize, lines: usize| {
+            let begin = begin?;
             // The last band has what begins behind the picture.
-            Some(Some((_, line))) => (first..first + lines).contains(&line.min(height - 1)),
-            Some(None) => true,
-            None => false,
+            let is_within =
+                |(_, line): (usize, usize)| (first..first + lines).contains(&line.min(height - 1));
+            begin.is_none_or(is_within).then_some(begin)
         };
         let band = |(first, lines): (usize, usize)| {
             let zone =
@@ -180,8 +186,9 @@ impl Bands<'_> {
                 objects: self.words.iter().map(zone).collect(),
                 first_line: first,
                 lines,
-                fault: options.fault,
-                trace: options.trace.as_ref().filter(|_| is_traced(first, lines)),
+                options,
+                trace: trace(first, lines),
+                nets: self.nets.clone(),
             }
         };
         parts.into_iter().map(band).collect()
@@ -189,13 +196,15 @@ impl Bands<'_> {
 }
 
 fn check_window(options: &Options, scene: &PreparedScene) -> Result<(), CosimError> {
-    let [width, height] = [scene.width, scene.height].map(|size| size as usize);
-    match options.trace.as_ref().map(|request| request.from) {
-        Some(WindowStart::Pixel(column, line)) if column >= width || line >= height => Err(
-            CosimError::TracedPixel([column, line], [width - 1, height - 1]),
-        ),
-        _ => Ok(()),
+    let from = options.trace.as_ref().map(|request| request.from);
+    let Some(WindowStart::At(place)) = from else {
+        return Ok(());
+    };
+    if let Some(frame) = place.frame.filter(|frame| *frame > 1) {
+        return Err(PlaceError::Frame(frame).into());
     }
+    place.check(scene.width as usize, scene.height as usize)?;
+    Ok(())
 }
 
 /// `words` are those of any object, in a slot of so many planes.
@@ -206,10 +215,8 @@ fn check_requests(
     words: &QuadricWords,
 ) -> Result<(), CosimError> {
     let objects = scene.objects.len();
-    if let Some(request) = &options.trace
-        && request.object >= objects
-    {
-        return Err(CosimError::TracedObject(request.object, objects - 1));
+    if options.trace.is_some() && options.traced >= objects {
+        return Err(CosimError::TracedObject(options.traced, objects - 1));
     }
     if let Some(fault) = options.fault {
         let words = load_words(words, &scene.format, planes);

@@ -1,6 +1,7 @@
 //! What is asked of a co-simulation of a scene, and why there may be none.
 
 use crate::engine::design::DesignError;
+use crate::waveform::{PlaceError, WaveformRequest};
 use imogene_golden::object::quadric::{MAX_PLANES, QuadricWords};
 use std::fmt;
 use std::str::FromStr;
@@ -8,39 +9,6 @@ use thiserror::Error;
 
 /// Most objects of a beam machine.
 pub const MAX_OBJECTS: usize = 256;
-
-/// Waveforms wanted of a run.
-#[derive(Clone, Debug)]
-pub struct WaveformRequest {
-    /// Slot whose inside is traced.
-    pub object: usize,
-    /// Where the window begins; the clocks around the first mismatch are always recorded.
-    pub from: WindowStart,
-    /// Clocks of the window.
-    pub clocks: u64,
-}
-
-/// Where a window of waveforms begins.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum WindowStart {
-    /// At the middle line of the traced object's screen box.
-    Object,
-    /// At the pixel of this column and line.
-    Pixel(usize, usize),
-    /// Nowhere: a mismatch alone is shown, in whichever band it is.
-    Mismatch,
-}
-
-impl WaveformRequest {
-    /// The column and line at which the window begins, where `middle` is the middle line of the traced object.
-    pub(super) fn begin(&self, middle: impl Fn() -> usize) -> Option<(usize, usize)> {
-        match self.from {
-            WindowStart::Object => Some((0, middle())),
-            WindowStart::Pixel(column, line) => Some((column, line)),
-            WindowStart::Mismatch => None,
-        }
-    }
-}
 
 /// A wrong bit in one coefficient word of the hardware, to see that the co-simulation finds it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,6 +52,8 @@ pub struct Options {
     pub threads: usize,
     /// Waveforms of the band in which the window begins.
     pub trace: Option<WaveformRequest>,
+    /// Slot whose inside they show.
+    pub traced: usize,
     /// Fault put into the hardware.
     pub fault: Option<Fault>,
 }
@@ -95,6 +65,7 @@ impl Options {
             rows_per_stage,
             threads,
             trace: None,
+            traced: 0,
             fault: None,
         }
     }
@@ -125,9 +96,9 @@ pub enum CosimError {
     /// The machine cannot be compiled.
     #[error(transparent)]
     Design(#[from] DesignError),
-    /// A pixel to trace from that the picture does not have, and its last one.
-    #[error("there is no pixel {},{} to trace from; accepted: 0,0 to {},{}", .0[0], .0[1], .1[0], .1[1])]
-    TracedPixel([usize; 2], [usize; 2]),
+    /// A place to trace from that the picture does not have.
+    #[error(transparent)]
+    TracedPlace(#[from] PlaceError),
     /// A slot to trace that does not exist, and the last one.
     #[error("there is no object {0} to trace; accepted: 0 to {1}")]
     TracedObject(usize, usize),

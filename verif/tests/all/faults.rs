@@ -10,9 +10,10 @@ use imogene_prepare::{PreparedScene, prepare};
 use imogene_scene::SceneFile;
 use imogene_verif::engine::Engine;
 use imogene_verif::engine::circuit::Circuit;
-use imogene_verif::scene::{self, Fault, Options, WaveformRequest, WindowStart};
+use imogene_verif::scene::{self, Fault, Options};
 use imogene_verif::subject::Subject;
 use imogene_verif::unit::{subject, units};
+use imogene_verif::waveform::{Place, WaveformRequest, WindowStart};
 use std::path::Path;
 
 /// A PE1 wired wrongly: at a line start it is given the pixel increment in place of the line increment.
@@ -88,7 +89,7 @@ fn every_scoreboard_finds_a_flipped_output_bit() {
     }
 }
 
-fn teapot(width: u32, height: u32) -> PreparedScene {
+pub(crate) fn teapot(width: u32, height: u32) -> PreparedScene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/teapot.toml");
     let scene = SceneFile::read(&path)
         .unwrap()
@@ -102,14 +103,12 @@ fn a_wrong_coefficient_bit_is_reported_with_pixel_and_trace() {
     let folder = tempfile::tempdir().unwrap();
     let scene = teapot(48, 36);
     let mut options = Options {
-        rows_per_stage: 4,
-        threads: 1,
         trace: Some(WaveformRequest {
-            object: 0,
-            from: WindowStart::Object,
+            from: WindowStart::Usual,
             clocks: 100,
+            nets: vec![],
         }),
-        fault: None,
+        ..Options::plain(4, 1)
     };
     let run = |options: &Options| scene::run(&scene, options, Engine::BuiltIn, || ()).unwrap();
     let (good, frame) = run(&options);
@@ -158,19 +157,18 @@ fn a_window_begins_at_a_pixel_or_shows_a_mismatch_alone() {
     let scene = teapot(48, 36);
     let run = |from, count, fault| {
         let options = Options {
-            rows_per_stage: 4,
-            threads: 2,
             trace: Some(WaveformRequest {
-                object: 0,
                 from,
                 clocks: count,
+                nets: vec![],
             }),
             fault,
+            ..Options::plain(4, 2)
         };
         scene::run(&scene, &options, Engine::BuiltIn, || ()).map(|(report, _)| report)
     };
     // Lines 18 to 35 are the second band.
-    let report = run(WindowStart::Pixel(5, 20), 60, None).unwrap();
+    let report = run(WindowStart::At(Place::pixel(5, 20)), 60, None).unwrap();
     report.trace.unwrap().write(&path).unwrap();
     assert_eq!(
         clocks(&path),
@@ -193,7 +191,7 @@ fn a_window_begins_at_a_pixel_or_shows_a_mismatch_alone() {
         "{first}: {held:?}"
     );
 
-    let refused = run(WindowStart::Pixel(48, 0), 60, None).unwrap_err();
+    let refused = run(WindowStart::At(Place::pixel(48, 0)), 60, None).unwrap_err();
     assert_eq!(
         refused.to_string(),
         "there is no pixel 48,0 to trace from; accepted: 0,0 to 47,35"
@@ -206,10 +204,8 @@ fn every_band_reports_the_places_of_its_band() {
     let scene = teapot(48, 36);
     let run = |fault| {
         let options = Options {
-            rows_per_stage: 4,
-            threads: 5,
-            trace: None,
             fault,
+            ..Options::plain(4, 5)
         };
         scene::run(&scene, &options, Engine::BuiltIn, || ()).unwrap()
     };
@@ -250,14 +246,12 @@ fn every_band_reports_the_places_of_its_band() {
 fn faults_that_do_not_exist_are_refused() {
     let scene = teapot(16, 12);
     let options = Options {
-        rows_per_stage: 24,
-        threads: 1,
-        trace: None,
         fault: Some(Fault {
             object: 99,
             address: 2,
             bit: 0,
         }),
+        ..Options::plain(24, 1)
     };
     let outcome = scene::run(&scene, &options, Engine::BuiltIn, || ());
     let message = outcome.err().unwrap().to_string();

@@ -72,12 +72,10 @@ fn run(index: usize, fault: Option<Fault>) -> Report {
     let (prepared, slots, rows) = prepared(index);
     let engine = Engine::Verilog(Simulator::Verilator);
     let request = request(&prepared, &slots, rows as usize);
-    let design = BeamDesign::compile(engine, &request, vec![]).unwrap();
+    let design = BeamDesign::compile(engine, &request, vec![], &[]).unwrap();
     let options = Options {
-        rows_per_stage: rows as usize,
-        threads: 1,
-        trace: None,
         fault,
+        ..Options::plain(rows as usize, 1)
     };
     let outcome = run_on(&design, &slots, &prepared, &options, || ());
     outcome.unwrap().0

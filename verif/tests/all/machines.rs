@@ -19,7 +19,7 @@ fn root() -> std::path::PathBuf {
 }
 
 /// A machine with a screen of this size and little blanking.
-fn small(name: &str, columns: u64, lines: u64, blank: u64) -> MachineDescription {
+pub(crate) fn small(name: &str, columns: u64, lines: u64, blank: u64) -> MachineDescription {
     let text = std::fs::read_to_string(root().join("machines").join(name)).expect("a file");
     let mode =
         format!("mode = {{ columns = [{columns}, 4, 8, 8], lines = [{lines}, 2, 2, {blank}] }}\n");
@@ -28,7 +28,7 @@ fn small(name: &str, columns: u64, lines: u64, blank: u64) -> MachineDescription
     MachineDescription::parse(&text, name).expect("a description")
 }
 
-fn drawn(scene: &str, machine: &MachineDescription) -> Image {
+pub(crate) fn drawn(scene: &str, machine: &MachineDescription) -> Image {
     let text = std::fs::read_to_string(root().join("scenes").join(scene)).expect("a scene");
     drawn_text(&text, machine)
 }
@@ -65,22 +65,12 @@ fn run(machine: &MachineDescription, images: &[Image], options: &PinsRun) -> Pin
     outcome
 }
 
-fn quiet(engine: Engine) -> PinsRun<'static> {
-    PinsRun {
-        overlay: None,
-        engine,
-        stalls: None,
-        late: 0,
-        frames: 1,
-    }
-}
-
 #[test]
 fn the_beam_machine_in_the_built_in_simulator() {
     let machine = small("beam-160x120.toml", 32, 24, 40);
     let image = drawn("teapot.toml", &machine);
     assert!(image.picture.iter().any(|&byte| byte > 100), "a picture");
-    run(&machine, &[image], &quiet(Engine::BuiltIn));
+    run(&machine, &[image], &PinsRun::plain(Engine::BuiltIn));
 }
 
 /// A machine of these words with a small screen.
@@ -121,7 +111,7 @@ fn machines_of_any_words_in_the_built_in_simulator() {
         let machine = of_words(name, words);
         let image = drawn(scene, &machine);
         assert!(image.picture.iter().any(|&byte| byte > 100), "a picture");
-        run(&machine, &[image], &quiet(Engine::BuiltIn));
+        run(&machine, &[image], &PinsRun::plain(Engine::BuiltIn));
     }
 }
 
@@ -138,7 +128,7 @@ fn machines_without_lights_show_plain_colours() {
         colours.dedup();
         // The background and the materials of the scene.
         assert!((2..=6).contains(&colours.len()), "{colours:?}");
-        run(&machine, &[image], &quiet(Engine::BuiltIn));
+        run(&machine, &[image], &PinsRun::plain(Engine::BuiltIn));
     }
 }
 
@@ -150,7 +140,7 @@ fn slots_that_are_not_alike_show_the_golden_picture() {
     machine.slots = Some(Slots(parse("2,2,2,1v,2,0,2v,3,3,3").expect("slots")));
     let image = drawn("teapot.toml", &machine);
     assert!(image.beats.len() < alike.beats.len());
-    run(&machine, &[image], &quiet(Engine::BuiltIn));
+    run(&machine, &[image], &PinsRun::plain(Engine::BuiltIn));
 }
 
 #[test]
@@ -168,7 +158,7 @@ fn flat_facets_on_the_pins_of_a_machine_with_guard_bits() {
         let image = drawn(scene, machine);
         let is_seen = |id: &i32| *id >= 0;
         assert!(image.frame.id.iter().filter(|id| is_seen(id)).count() > 300);
-        run(machine, &[image], &quiet(engine));
+        run(machine, &[image], &PinsRun::plain(engine));
     }
 }
 
@@ -186,10 +176,10 @@ fn the_beam_machine_smooths_and_never_tears() {
         // A host that stalls, and that is late by more than a frame before each image.
         let options = PinsRun {
             overlay: machine.overlay.then_some(&plane),
-            engine: VERILATOR,
             stalls: Some(5),
             late: 7000,
             frames: 2,
+            ..PinsRun::plain(VERILATOR)
         };
         let outcome = run(&machine, &images, &options);
         let repeated = outcome
@@ -217,7 +207,7 @@ fn the_beam_machine_with_volumes() {
         image.lighting.flags.iter().any(|&flags| flags != u16::MAX),
         "a shadow"
     );
-    run(&machine, &[image], &quiet(VERILATOR));
+    run(&machine, &[image], &PinsRun::plain(VERILATOR));
 }
 
 #[test]
@@ -229,11 +219,9 @@ fn the_zone_machine_shows_whole_frames() {
     let images = [robot.clone(), teapot.clone(), robot, teapot];
     for (stalls, late) in [(None, 0), (Some(9), 5000)] {
         let options = PinsRun {
-            overlay: None,
-            engine: VERILATOR,
             stalls,
             late,
-            frames: 1,
+            ..PinsRun::plain(VERILATOR)
         };
         run(&machine, &images, &options);
     }
@@ -261,11 +249,9 @@ fn the_zone_machine_shows_the_mean_of_samples() {
         let images = [other.clone(), teapot.clone(), other, teapot];
         for (stalls, late) in [(None, 0), (Some(4), 3000)] {
             let options = PinsRun {
-                overlay: None,
-                engine: VERILATOR,
                 stalls,
                 late,
-                frames: 1,
+                ..PinsRun::plain(VERILATOR)
             };
             run(&machine, &images, &options);
         }
@@ -282,11 +268,10 @@ fn a_receiver_that_stalls_gets_every_pixel_once() {
         let images = [cylinders.clone(), teapot.clone(), cylinders, teapot];
         for (stalls, late) in [(None, 0), (Some(1), 0), (Some(2), 6000)] {
             let options = PinsRun {
-                overlay: None,
-                engine: VERILATOR,
                 stalls,
                 late,
                 frames: 2,
+                ..PinsRun::plain(VERILATOR)
             };
             run(&machine, &images, &options);
         }

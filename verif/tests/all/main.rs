@@ -18,4 +18,5 @@ mod shading_processor;
 mod units;
 mod verilator;
 mod video;
+mod waveforms;
 mod zone_core;

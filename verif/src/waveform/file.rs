@@ -1,0 +1,223 @@
+//! The files of a trace: the same names and changes as VCD or as FST.
+
+use super::{Group, PERIOD, Sample, Trace};
+use crate::signal::Signal;
+use fst_writer::{
+    FstBodyWriter, FstFileType, FstHeaderWriter, FstInfo, FstScopeType, FstSignalType,
+    FstVarDirection, FstVarType, FstWriteError,
+};
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
+use std::iter::repeat;
+use vcd::{SimulationCommand, TimescaleUnit, Value, VarType};
+
+/// Bytes of changes after which a block of an FST is written.
+const FST_BLOCK: usize = 1 << 26;
+
+/// A line of the hierarchy of names.
+enum Line<'a> {
+    Scope(&'a str),
+    ScopeEnds,
+    Variable(&'a str, &'a Signal),
+}
+
+/// What a file is told of the clocks: the time, and a new value of a variable, by its number in the hierarchy.
+enum Change<'a> {
+    Time(u64),
+    Value(usize, &'a [u8]),
+}
+
+impl Group {
+    /// All variables with their paths.
+    fn variables(&self) -> Vec<(String, Signal)> {
+        let mut list = vec![("mismatch".to_owned(), Signal::unsigned("mismatch", 1))];
+        for (scope, signals) in [
+            ("stimulus.", &self.stimulus),
+            ("hardware.", &self.compared),
+            ("golden.", &self.compared),
+            ("", &self.observed),
+        ] {
+            let path = |signal: &Signal| (format!("{scope}{}", signal.name), signal.clone());
+            list.extend(signals.iter().map(path));
+        }
+        let within = |(path, signal)| (format!("imogene.{}.{path}", self.name), signal);
+        list.into_iter().map(within).collect()
+    }
+
+    /// Their values.
+    fn values(&self, sample: &Sample) -> impl Iterator<Item = Option<i64>> {
+        let differs = i64::from(sample.differs());
+        let given = [differs].into_iter().chain(sample.stimulus.iter().copied());
+        let outputs = sample.hardware.iter().chain(&sample.golden);
+        let observed = outputs.chain(&sample.observed).copied();
+        let count = 1 + self.stimulus.len() + 2 * self.compared.len() + self.observed.len();
+        given
+            .map(Some)
+            .chain(observed)
+            .chain(repeat(None))
+            .take(count)
+    }
+}
+
+/// The hierarchy of variables, of which those of a scope stand together.
+fn declare<E>(
+    variables: &[(String, Signal)],
+    mut tell: impl FnMut(Line) -> Result<(), E>,
+) -> Result<(), E> {
+    let mut open: Vec<&str> = vec![];
+    for (path, signal) in variables {
+        let mut scopes: Vec<&str> = path.split('.').collect();
+        let name = scopes.pop().unwrap_or_default();
+        let common = (open.iter().zip(&scopes)).take_while(|(a, b)| a == b);
+        let common = common.count();
+        (common..open.len()).try_for_each(|_| tell(Line::ScopeEnds))?;
+        (scopes[common..].iter()).try_for_each(|scope| tell(Line::Scope(scope)))?;
+        tell(Line::Variable(name, signal))?;
+        open = scopes;
+    }
+    open.iter().try_for_each(|_| tell(Line::ScopeEnds))
+}
+
+/// The range of a vector as it stands behind its name.
+pub(super) fn range_of(signal: &Signal) -> String {
+    match signal.width {
+        1 => String::new(),
+        width => format!("[{}:0]", width - 1),
+    }
+}
+
+impl Trace {
+    /// The clock, then the variables of all groups.
+    fn variables(&self) -> Vec<(String, Signal)> {
+        let clock = ("imogene.clock".to_owned(), Signal::unsigned("clock", 1));
+        let groups = self.groups.iter().flat_map(Group::variables);
+        [clock].into_iter().chain(groups).collect()
+    }
+
+    /// Tells all changes of the variables.
+    fn changes<E>(
+        &self,
+        variables: &[(String, Signal)],
+        mut tell: impl FnMut(Change) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let mut before: Option<&Vec<Sample>> = None;
+        let mut bits = vec![];
+        for (clock, samples) in &self.clocks {
+            tell(Change::Time(clock * PERIOD))?;
+            tell(Change::Value(0, b"1"))?;
+            let values = |samples| {
+                let groups = self.groups.iter().zip(samples);
+                groups.flat_map(|(group, sample)| group.values(sample))
+            };
+            let mut old = before.into_iter().flat_map(values);
+            let new = values(samples);
+            for (number, (value, (_, signal))) in (1..).zip(new.zip(&variables[1..])) {
+                if old.next() != Some(value) {
+                    set_bits(&mut bits, signal, value);
+                    tell(Change::Value(number, &bits))?;
+                }
+            }
+            tell(Change::Time(clock * PERIOD + PERIOD / 2))?;
+            tell(Change::Value(0, b"0"))?;
+            before = Some(samples);
+        }
+        let end = self.clocks.last();
+        end.map_or(Ok(()), |(clock, _)| {
+            tell(Change::Time((clock + 1) * PERIOD))
+        })
+    }
+
+    pub(super) fn write_vcd(&self, out: impl Write) -> io::Result<()> {
+        let mut writer = vcd::Writer::new(out);
+        writer.timescale(1, TimescaleUnit::NS)?;
+        let variables = self.variables();
+        let mut ids = vec![];
+        declare(&variables, |line| match line {
+            Line::Scope(name) => writer.add_module(name),
+            Line::ScopeEnds => writer.upscope(),
+            Line::Variable(name, s) => {
+                let range = vcd::ReferenceIndex::Range(s.width as i32 - 1, 0);
+                let range = (s.width > 1).then_some(range);
+                writer
+                    .add_var(VarType::Wire, s.width, name, range)
+                    .map(|id| ids.push(id))
+            }
+        })?;
+        writer.enddefinitions()?;
+        writer.begin(SimulationCommand::Dumpvars)?;
+        writer.end()?;
+        self.changes(&variables, |change| match change {
+            Change::Time(time) => writer.timestamp(time),
+            Change::Value(number, &[bit]) => writer.change_scalar(ids[number], level(&bit)),
+            Change::Value(number, bits) => {
+                writer.change_vector(ids[number], bits.iter().map(level))
+            }
+        })
+    }
+
+    pub(super) fn write_fst(&self, out: File) -> io::Result<()> {
+        let written = self.fst(BufWriter::new(out));
+        written.map_err(|error| match error {
+            FstWriteError::Io(error) => error,
+            other => io::Error::other(other),
+        })
+    }
+
+    fn fst(&self, out: BufWriter<File>) -> Result<(), FstWriteError> {
+        let start = self.clocks.first().map_or(0, |(clock, _)| clock * PERIOD);
+        let info = FstInfo {
+            start_time: start,
+            timescale_exponent: -9,
+            version: "imogene".into(),
+            // None, so that a run that is repeated gives the same file.
+            date: String::new(),
+            file_type: FstFileType::Verilog,
+        };
+        let mut header = FstHeaderWriter::new(out, &info)?;
+        let variables = self.variables();
+        let mut ids = vec![];
+        declare(&variables, |line| match line {
+            Line::Scope(name) => header.scope(name, "", FstScopeType::Module),
+            Line::ScopeEnds => header.up_scope(),
+            Line::Variable(name, s) => {
+                let name = format!("{name} {}", range_of(s));
+                let (kind, way) = (FstVarType::Wire, FstVarDirection::Implicit);
+                let word = FstSignalType::bit_vec(s.width);
+                header
+                    .var(name.trim_end(), word, kind, way, None)
+                    .map(|id| ids.push(id))
+            }
+        })?;
+        let mut body = header.finish()?;
+        self.changes(&variables, |change| match change {
+            Change::Time(time) => next_time(&mut body, time),
+            Change::Value(number, bits) => body.signal_change(ids[number], bits),
+        })?;
+        Ok(body.finish()?.flush()?)
+    }
+}
+
+fn next_time(body: &mut FstBodyWriter<BufWriter<File>>, time: u64) -> Result<(), FstWriteError> {
+    if body.size() > FST_BLOCK {
+        body.flush()?;
+    }
+    body.time_change(time)
+}
+
+/// The bits of a value as letters, the high one first.
+fn set_bits(bits: &mut Vec<u8>, signal: &Signal, value: Option<i64>) {
+    let letter = |index: u32| match value {
+        None => b'x',
+        Some(value) => b'0' + (signal.bits(value) >> index & 1) as u8,
+    };
+    bits.clear();
+    bits.extend((0..signal.width).rev().map(letter));
+}
+
+fn level(letter: &u8) -> Value {
+    match letter {
+        b'0' => Value::V0,
+        b'1' => Value::V1,
+        _ => Value::X,
+    }
+}
