@@ -1,5 +1,7 @@
 //! Mutants of small circuits against what they must do, written by hand, and against what a proof says of them.
 
+mod reached;
+
 use imogene_compiled::{Program, Simulation};
 use imogene_faults::{Change, Contract, Controls, Judge, Known, Mutant, Upset, Verdict, sites};
 use imogene_hdl::{Bits, Design, Value, module, net};
