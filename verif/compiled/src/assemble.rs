@@ -32,6 +32,7 @@ struct Code(u8, u8, u8, u8);
 const LOAD: Code = Code(1, 2, 0, 0x6f);
 const STORE: Code = Code(1, 2, 0, 0x7f);
 const LOAD_WORD: Code = Code(1, 2, 0, 0x7e);
+const LOAD_HIGH: Code = Code(1, 1, 0, 0x16);
 const STORE_WORD: Code = Code(1, 1, 0, 0xd6);
 const SHIFT: Code = Code(1, 1, 0, 0x73);
 /// The top bit of each lane, in a general register (rax).
@@ -194,6 +195,11 @@ impl Assembler {
             Lanes::One => self.vex(LOAD_WORD, false, to, 0, from),
             Lanes::Four => self.load(to, from),
         }
+    }
+
+    /// A word beside the one that is there.
+    pub(crate) fn load_high(&mut self, to: u8, from: Operand) {
+        self.vex(LOAD_HIGH, false, to, to, from);
     }
 
     /// The words of the lanes alone.

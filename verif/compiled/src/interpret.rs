@@ -57,6 +57,7 @@ fn run_step(
         let words = &mut *work.words;
         match *step {
             Step::Load(place) | Step::LoadFour(place) => *result = words[begin + place],
+            Step::LoadEach(place, stride) => *result = words[begin - lane + place + lane * stride],
             Step::Gather(lanes) => *result = first(lanes[lane]),
             Step::Patch(word, _) if lane == 0 => *result = first(word),
             Step::Patch(_, others) => *result = get(others),

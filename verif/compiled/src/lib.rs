@@ -46,7 +46,7 @@ pub use program::{Port, Program};
 use code::Task;
 use program::Place;
 use std::sync::Arc;
-use word::{kept, kept_by};
+use word::kept;
 use words::Words;
 
 /// An instance of a design that runs clock by clock; in four lanes it is four of them.
@@ -81,31 +81,29 @@ impl Simulation {
         let Place::Input(place) = port.place else {
             panic!("{port:?} is no input");
         };
-        let lanes = self.program.lanes();
-        self.words[place * lanes..][..lanes].fill(kept(value, port.width));
+        let rows = self.words.chunks_exact_mut(self.program.inputs());
+        for row in rows.take(self.program.lanes()) {
+            row[place] = value;
+        }
         self.is_read = [false; 2];
     }
 
     /// Gives all inputs their words, in the order of the ports and in every lane; bits beyond a width count nothing.
     pub fn set_all(&mut self, words: impl IntoIterator<Item = u64>) {
-        let given = self.program.inputs().iter().zip(words);
-        let given = given.map(|(single, word)| kept_by(word, *single));
-        match self.program.lanes() {
-            1 => (self.words.iter_mut().zip(given)).for_each(|(place, word)| *place = word),
-            lanes => {
-                let places = self.words.chunks_exact_mut(lanes);
-                places.zip(given).for_each(|(place, word)| place.fill(word));
-            }
+        self.set_lane(0, words);
+        let inputs = self.program.inputs();
+        for lane in 1..self.program.lanes() {
+            self.words.copy_within(..inputs, lane * inputs);
         }
-        self.is_read = [false; 2];
     }
 
-    /// Gives all inputs of one lane their words.
+    /// Gives all inputs of one lane their words, likewise.
     pub fn set_lane(&mut self, lane: usize, words: impl IntoIterator<Item = u64>) {
-        let places = self.words.chunks_exact_mut(self.program.lanes());
-        for ((place, single), word) in places.zip(self.program.inputs()).zip(words) {
-            place[lane] = kept_by(word, *single);
-        }
+        let inputs = self.program.inputs();
+        let row = &mut self.words[lane * inputs..][..inputs];
+        row.iter_mut()
+            .zip(words)
+            .for_each(|(place, word)| *place = word);
         self.is_read = [false; 2];
     }
 
@@ -136,7 +134,8 @@ impl Simulation {
         let lanes = self.program.lanes();
         let (task, index) = match port.place {
             Place::Input(place) => {
-                return self.words[place * lanes + lane] & (u64::MAX >> (64 - port.width));
+                let row = lane * self.program.inputs();
+                return self.words[row + place] & (u64::MAX >> (64 - port.width));
             }
             Place::Output(index) => (Task::Outputs, index),
             Place::Point(index) => (Task::Points, index),

@@ -3,7 +3,6 @@
 use crate::body;
 use crate::code::{Code, Task};
 use crate::layout::{Lanes, Layout, Register};
-use crate::word::single;
 use crate::words::Words;
 use imogene_hdl::{Design, Direction, Module};
 use std::collections::HashMap;
@@ -30,8 +29,7 @@ pub struct Program {
     size: usize,
     registers: Vec<Register>,
     ports: HashMap<String, Port>,
-    /// Of each input all ones if it has one bit.
-    inputs: Vec<u64>,
+    inputs: usize,
     given: [usize; 2],
 }
 
@@ -71,9 +69,8 @@ impl Program {
         add(&inputs, Place::Input);
         add(&outputs, Place::Output);
         add(points, Place::Point);
-        let inputs = design.top.ports_of(Direction::In);
         Program {
-            inputs: inputs.map(|port| single(port.width)).collect(),
+            inputs: inputs.len(),
             given: [outputs.len(), points.len()],
             code: Code::of(design, &layout, lanes, [&outputs, points]),
             lanes,
@@ -130,9 +127,9 @@ impl Program {
         &self.registers[index]
     }
 
-    /// Of each input all ones if it has one bit.
-    pub(crate) fn inputs(&self) -> &[u64] {
-        &self.inputs
+    /// How many inputs each lane has.
+    pub(crate) fn inputs(&self) -> usize {
+        self.inputs
     }
 
     /// How many words outputs and points give.

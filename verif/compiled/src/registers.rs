@@ -139,6 +139,19 @@ impl Writer<'_> {
                 self.release(index, step);
                 self.hold(into, value);
             }
+            Step::LoadEach(place, stride) => {
+                let [pair, into] = [self.take(), self.take()];
+                let at = |lane| {
+                    let bytes = 8 * (place + lane * stride);
+                    Operand::Memory(Base::Block, bytes as i32)
+                };
+                for (to, lane) in [(pair, 0), (into, 2)] {
+                    self.to.load_words(Lanes::One, to, at(lane));
+                    self.to.load_high(to, at(lane + 1));
+                }
+                self.to.halves(into, pair, into);
+                self.hold(into, value);
+            }
             Step::Patch(first, others) => {
                 self.keep(step);
                 let (others, first) = (self.fetch(others), self.fetch(first));

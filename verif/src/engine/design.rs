@@ -112,9 +112,14 @@ pub fn with_verilog(
     text: &str,
 ) -> Result<Subject, DesignError> {
     let design = simulator.compile(&Source::of(&subject, top, text))?;
+    Ok(driven(subject, simulator, design))
+}
+
+/// Puts a design of a simulator in the place of the subject's hardware.
+pub(super) fn driven(subject: Subject, simulator: Simulator, design: Box<dyn Design>) -> Subject {
     let inputs: Arc<[Signal]> = subject.inputs.clone().into();
     let outputs: Arc<[Signal]> = subject.outputs.clone().into();
-    Ok(Subject {
+    Subject {
         engine: simulator.name(),
         hardware: Box::new(move || {
             Box::new(Driven {
@@ -125,8 +130,9 @@ pub fn with_verilog(
                 outputs: outputs.clone(),
             })
         }),
+        lanes: None,
         ..subject
-    })
+    }
 }
 
 /// An instance whose ports are values of signals.
