@@ -36,11 +36,8 @@ impl<F: FnMut(&[i64]) -> Vec<Option<i64>> + Send> Clocked for F {
 
 /// Runs of a design side by side, at the price of one: each has its lane, and inputs and outputs of its own.
 pub trait Lanes: Send {
-    /// Gives a lane the inputs of its next clock.
-    fn give(&mut self, lane: usize, inputs: &[i64]);
-
-    /// One clock of all lanes.
-    fn clock(&mut self);
+    /// One clock of all lanes, each with its inputs; fewer than there are lanes will do.
+    fn clock(&mut self, inputs: &[&[i64]]);
 
     /// The outputs of a lane after it, in the place of others.
     fn outputs(&mut self, lane: usize, found: &mut Vec<Option<i64>>);
@@ -52,18 +49,16 @@ pub trait Lanes: Send {
 /// Lanes of an engine that has some.
 pub const LANES: usize = 4;
 
-/// An instance that runs by itself: its clock comes with its inputs.
+/// An instance that runs by itself.
 struct Alone {
     instance: Box<dyn Clocked>,
     found: Vec<Option<i64>>,
 }
 
 impl Lanes for Alone {
-    fn give(&mut self, _: usize, inputs: &[i64]) {
-        self.found = self.instance.clock(inputs);
+    fn clock(&mut self, inputs: &[&[i64]]) {
+        self.found = self.instance.clock(inputs[0]);
     }
-
-    fn clock(&mut self) {}
 
     fn outputs(&mut self, _: usize, found: &mut Vec<Option<i64>>) {
         std::mem::swap(found, &mut self.found);
@@ -187,41 +182,48 @@ impl Subject {
     ) -> Vec<Report> {
         let started = Instant::now();
         let mut hardware = self.hardware_in(stimuli.len());
-        let mut runs: Vec<(I, Box<dyn Clocked>, Report)> = stimuli
+        let mut runs: Vec<Run<I>> = stimuli
             .into_iter()
-            .map(|stimulus| (stimulus, (self.golden)(), self.report()))
+            .map(|mut stimulus| {
+                let inputs = stimulus.next();
+                Run {
+                    is_over: inputs.is_none(),
+                    inputs,
+                    stimulus,
+                    golden: (self.golden)(),
+                    report: self.report(),
+                }
+            })
             .collect();
+        let nothing = vec![0; self.inputs.len()];
         let mut found = vec![];
-        loop {
-            let inputs: Vec<Option<I::Item>> = runs.iter_mut().map(|run| run.0.next()).collect();
-            // A lane whose stimulus is over goes on with what it was given last.
-            let given = || {
-                (0..)
-                    .zip(&inputs)
-                    .filter_map(|(lane, inputs)| Some((lane, inputs.as_ref()?.as_ref())))
-            };
-            if given().next().is_none() {
-                break;
-            }
-            given().for_each(|(lane, inputs)| hardware.give(lane, inputs));
-            hardware.clock();
-            for (lane, inputs) in given() {
-                let (_, golden, report) = &mut runs[lane];
+        while runs.iter().any(|run| !run.is_over) {
+            let inputs = runs.iter().map(|run| match &run.inputs {
+                Some(inputs) => inputs.as_ref(),
+                None => &nothing,
+            });
+            hardware.clock(&inputs.collect::<Vec<_>>());
+            for (lane, run) in runs.iter_mut().enumerate().filter(|(_, run)| !run.is_over) {
+                let inputs = run.inputs.as_ref().expect("of a stimulus that goes on");
                 hardware.outputs(lane, &mut found);
                 let clock = Seen {
-                    stimulus: inputs,
+                    stimulus: inputs.as_ref(),
                     hardware: &found,
-                    golden: &golden.clock(inputs),
+                    golden: &run.golden.clock(inputs.as_ref()),
                 };
-                self.score(&clock, report);
-                seen(lane, report.cycles, clock);
-                report.cycles += 1;
+                seen(lane, run.report.cycles, clock);
+                self.score(&clock, &mut run.report);
+                run.report.cycles += 1;
+                match run.stimulus.next() {
+                    None => run.is_over = true,
+                    inputs => run.inputs = inputs,
+                }
             }
         }
         let seconds = started.elapsed().as_secs_f64();
-        let reports = runs.into_iter().map(|(_, _, mut report)| {
-            report.timed(seconds);
-            report
+        let reports = runs.into_iter().map(|mut run| {
+            run.report.timed(seconds);
+            run.report
         });
         reports.collect()
     }
@@ -246,6 +248,15 @@ impl Subject {
         }
         report.pixels += u64::from(stated);
     }
+}
+
+/// A stimulus on its way through a lane; one that is over goes on with its last inputs.
+struct Run<I: Iterator> {
+    stimulus: I,
+    inputs: Option<I::Item>,
+    is_over: bool,
+    golden: Box<dyn Clocked>,
+    report: Report,
 }
 
 /// A report, and the waveforms if they were asked for.

@@ -103,7 +103,7 @@ impl Body<'_> {
         }
     }
 
-    pub(crate) fn inputs(&self, part: usize) -> usize {
+    fn inputs(&self, part: usize) -> usize {
         self.scopes[part].module.ports_of(Direction::In).count()
     }
 

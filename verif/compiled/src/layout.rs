@@ -1,7 +1,7 @@
 //! Where the state of a design lies: a block of words for each instance, the blocks of its parts within it.
 //!
-//! In four lanes each word lies four times, side by side, but for the inputs of the whole: those of each lane lie in a
-//! row, as they are handed over. Equal parts of what runs in one lane lie so, as many as there
+//! The inputs of the whole lie elsewhere, those of each lane in a row. In four lanes each word lies four times, side by
+//! side. Equal parts of what runs in one lane lie so, as many as there
 //! are: they run together. So do the small ones that stand in one module, as the rows of a root do: word by word those
 //! of all rows, so that what each row takes from the one before lies side by side too.
 
@@ -68,7 +68,7 @@ pub(crate) struct Spot {
 
 /// The blocks of all modules, and the groups of a design in one lane.
 pub(crate) struct Layout {
-    /// The inputs of this module lie lane by lane.
+    /// The inputs of this module lie elsewhere.
     top: *const Module,
     blocks: HashMap<*const Module, Block>,
     pub(crate) groups: Vec<Group>,

@@ -1,7 +1,6 @@
 //! What each operation of a circuit is in steps.
 
 use crate::body::{Body, Place, input_index};
-use crate::layout::Lanes;
 use crate::line::{Line, Step, Two, Value};
 use crate::word::Word;
 use imogene_hdl::{Binary, Net, Op};
@@ -16,16 +15,6 @@ impl Body<'_> {
             },
             width,
         )
-    }
-
-    /// An input of the whole, as it was handed over: with anything above.
-    fn given(&mut self, input: usize, width: u32) -> Word {
-        let inputs = self.inputs(0);
-        let load = match self.lanes {
-            Lanes::One => Step::Load(input),
-            Lanes::Four => Step::LoadEach(input, inputs),
-        };
-        Word::new(self.to.add(load), width)
     }
 
     fn loaded(&mut self, load: Step, width: u32) -> Word {
@@ -76,7 +65,11 @@ impl Body<'_> {
             Op::Literal(bits) => Word::constant(*bits, width, &mut self.to),
             Op::Input => match self.scopes[scope].rows {
                 Some(rows) => self.gathered(rows, net, width),
-                None if self.layout.is_top(module) => self.given(input_index(module, net), width),
+                None if self.layout.is_top(module) => {
+                    // As it was handed over: with anything above.
+                    let input = self.to.add(Step::Input(input_index(module, net)));
+                    Word::new(input, width)
+                }
                 None => self.load(scope, input_index(module, net), width),
             },
             Op::Register(index) => self.load(scope, block.register(*index), width),

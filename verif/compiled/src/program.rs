@@ -2,6 +2,7 @@
 
 use crate::body;
 use crate::code::{Code, Task};
+use crate::interpret::Work;
 use crate::layout::{Lanes, Layout, Register};
 use crate::words::Words;
 use imogene_hdl::{Design, Direction, Module};
@@ -138,14 +139,14 @@ impl Program {
     }
 
     /// Does a task for an instance, whose words are those of [`Program::power_up`], with the room for spilled words.
-    pub(crate) fn run(
-        &self,
-        task: Task,
-        words: &mut Words,
-        spilled: &mut Words,
-        given: &mut [u64],
-    ) {
-        self.code.run(task, words, spilled, given);
+    ///
+    /// # Panics
+    ///
+    /// If a row of inputs has not as many words as there are.
+    pub(crate) fn run(&self, task: Task, work: &mut Work<'_>, spilled: &mut Words) {
+        let is_whole = |row: &&[i64]| row.len() == self.inputs;
+        assert!(work.rows.iter().all(is_whole), "a word for each input");
+        self.code.run(task, work, spilled);
     }
 }
 

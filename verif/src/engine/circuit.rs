@@ -2,7 +2,7 @@
 
 use super::design::{self, Instance};
 use crate::signal::Signal;
-use crate::subject::{Clocked, Inputs, Lanes};
+use crate::subject::{Clocked, Inputs, LANES, Lanes};
 use imogene_compiled::{Program, Simulation};
 use imogene_hdl::{self as hdl, Design, Direction, Simulator};
 use std::hint::black_box;
@@ -70,9 +70,7 @@ impl Circuit {
 
     /// Gives one clock with the inputs in their order, of which the low bits count.
     pub fn clock(&mut self, inputs: &[i64]) {
-        let words = inputs.iter().map(|value| *value as u64);
-        self.simulation.set_all(words);
-        self.simulation.clock();
+        self.simulation.step(&[inputs]);
     }
 
     /// The value of an output, by its place among them.
@@ -124,13 +122,8 @@ impl Clocked for Circuit {
 }
 
 impl Lanes for Circuit {
-    fn give(&mut self, lane: usize, inputs: &[i64]) {
-        let words = inputs.iter().map(|value| *value as u64);
-        self.simulation.set_lane(lane, words);
-    }
-
-    fn clock(&mut self) {
-        self.simulation.clock();
+    fn clock(&mut self, inputs: &[&[i64]]) {
+        self.simulation.step(inputs);
     }
 
     fn outputs(&mut self, lane: usize, found: &mut Vec<Option<i64>>) {
@@ -144,11 +137,9 @@ impl Lanes for Circuit {
     fn run(&mut self, stimuli: &[&[Inputs]]) {
         let clocks = stimuli.iter().map(|stimulus| stimulus.len()).min();
         for clock in 0..clocks.unwrap_or(0) {
-            for (lane, stimulus) in stimuli.iter().enumerate() {
-                self.give(lane, &stimulus[clock]);
-            }
-            self.simulation.clock();
-            black_box(self.simulation.outputs());
+            let inputs: [&[i64]; LANES] =
+                std::array::from_fn(|lane| &stimuli[lane.min(stimuli.len() - 1)][clock][..]);
+            black_box(self.simulation.step(&inputs));
         }
     }
 }

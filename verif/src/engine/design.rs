@@ -117,16 +117,20 @@ pub fn with_verilog(
 
 /// Puts a design of a simulator in the place of the subject's hardware.
 pub(super) fn driven(subject: Subject, simulator: Simulator, design: Box<dyn Design>) -> Subject {
-    let inputs: Arc<[Signal]> = subject.inputs.clone().into();
+    let masks: Arc<[u64]> = subject
+        .inputs
+        .iter()
+        .map(|signal| signal.bits(-1))
+        .collect();
     let outputs: Arc<[Signal]> = subject.outputs.clone().into();
     Subject {
         engine: simulator.name(),
         hardware: Box::new(move || {
             Box::new(Driven {
                 instance: design.instance(),
-                words: vec![0; inputs.len()],
+                words: vec![0; masks.len()],
                 found: vec![None; outputs.len()],
-                inputs: inputs.clone(),
+                masks: masks.clone(),
                 outputs: outputs.clone(),
             })
         }),
@@ -138,7 +142,8 @@ pub(super) fn driven(subject: Subject, simulator: Simulator, design: Box<dyn Des
 /// An instance whose ports are values of signals.
 struct Driven {
     instance: Box<dyn Instance>,
-    inputs: Arc<[Signal]>,
+    /// The bits of each input.
+    masks: Arc<[u64]>,
     outputs: Arc<[Signal]>,
     words: Vec<u64>,
     found: Vec<Option<u64>>,
@@ -146,8 +151,8 @@ struct Driven {
 
 impl Driven {
     fn drive(&mut self, inputs: &[i64]) {
-        for ((word, signal), value) in self.words.iter_mut().zip(&*self.inputs).zip(inputs) {
-            *word = signal.bits(*value);
+        for ((word, mask), value) in self.words.iter_mut().zip(&*self.masks).zip(inputs) {
+            *word = *value as u64 & mask;
         }
         self.instance.clock(&self.words, &mut self.found);
     }

@@ -73,12 +73,8 @@ struct Planted {
 }
 
 impl Lanes for Planted {
-    fn give(&mut self, lane: usize, inputs: &[i64]) {
-        self.inner.give(lane, inputs);
-    }
-
-    fn clock(&mut self) {
-        self.inner.clock();
+    fn clock(&mut self, inputs: &[&[i64]]) {
+        self.inner.clock(inputs);
         self.clocks += 1;
     }
 
