@@ -8,7 +8,7 @@ pub(crate) struct Work<'a> {
     pub(crate) words: &'a mut [u64],
     pub(crate) given: &'a mut [u64],
     /// The inputs of each lane.
-    pub(crate) rows: [&'a [i64]; 4],
+    pub(crate) rows: &'a [&'a [i64]; 4],
 }
 
 /// Runs a function for the block that begins at this word.

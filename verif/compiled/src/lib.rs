@@ -171,21 +171,24 @@ impl Simulation {
         let row = |lane: usize| *rows.get(lane).unwrap_or(&rows[0]);
         let rows = std::array::from_fn(row);
         for task in [Task::Clock, Task::Outputs] {
-            self.run(task, Some(rows));
+            self.run(task, Some(&rows));
         }
         self.is_read = [true, false];
         &self.given[0]
     }
 
     /// With these inputs, or those that were set.
-    fn run(&mut self, task: Task, rows: Option<[&[i64]; 4]>) {
+    fn run(&mut self, task: Task, rows: Option<&[&[i64]; 4]>) {
         let inputs = self.program.inputs();
         let last = self.program.lanes() - 1;
         let own = |lane: usize| &self.rows[lane.min(last) * inputs..][..inputs];
         let mut work = Work {
             words: &mut self.words,
             given: &mut self.given[usize::from(task == Task::Points)],
-            rows: rows.unwrap_or_else(|| std::array::from_fn(own)),
+            rows: match rows {
+                Some(rows) => rows,
+                None => &std::array::from_fn(own),
+            },
         };
         self.program.run(task, &mut work, &mut self.spilled);
     }

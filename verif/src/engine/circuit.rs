@@ -135,11 +135,15 @@ impl Lanes for Circuit {
     }
 
     fn run(&mut self, stimuli: &[&[Inputs]]) {
-        let clocks = stimuli.iter().map(|stimulus| stimulus.len()).min();
-        for clock in 0..clocks.unwrap_or(0) {
-            let inputs: [&[i64]; LANES] =
-                std::array::from_fn(|lane| &stimuli[lane.min(stimuli.len() - 1)][clock][..]);
-            black_box(self.simulation.step(&inputs));
+        let [first, others @ ..] = stimuli else {
+            return;
+        };
+        for (clock, inputs) in first.iter().enumerate() {
+            let mut rows: [&[i64]; LANES] = [inputs; LANES];
+            for (row, stimulus) in rows[1..].iter_mut().zip(others) {
+                *row = &stimulus[clock];
+            }
+            black_box(self.simulation.step(&rows));
         }
     }
 }

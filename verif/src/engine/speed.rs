@@ -82,7 +82,7 @@ pub struct Entrant {
 }
 
 impl Entrant {
-    /// A unit in every engine: built-in, alone and in lanes, levelised, in Icarus Verilog and in Verilator, whose C++ is
+    /// A unit in every engine: built-in alone and in lanes, levelised, in Icarus Verilog and in Verilator, whose C++ is
     /// compiled for the processor that this runs on.
     ///
     /// # Errors
