@@ -42,7 +42,7 @@ pub trait Lanes: Send {
     /// The outputs of a lane after it, in the place of others.
     fn outputs(&mut self, lane: usize, found: &mut Vec<Option<i64>>);
 
-    /// As many clocks as the first stimulus has, each lane with one that is as long, after each of which the outputs are
+    /// As many clocks as the first stimulus has, each lane with one that is as long. After each of them the outputs are
     /// read and left aside.
     fn run(&mut self, stimuli: &[&[Inputs]]);
 }
