@@ -1,9 +1,11 @@
 //! Random co-simulation of a unit over many stimuli, from one seed.
 
-use crate::report::Report;
-use crate::subject::{Inputs, Subject};
+use crate::subject::{Inputs, LANES, Outcome, Subject};
 use crate::waveform::Trace;
 use proptest::test_runner::{RngAlgorithm, TestRng};
+use rayon::prelude::*;
+use std::ops::Range;
+use std::time::Instant;
 
 /// The generator of a seed.
 pub(crate) fn generator(seed: u64) -> TestRng {
@@ -15,35 +17,50 @@ pub(crate) fn generator(seed: u64) -> TestRng {
 /// Clocks of one stimulus: long enough for every pipeline to fill, short enough that a run sees many coefficient sets.
 const STIMULUS_CLOCKS: usize = 500;
 
+/// Stimuli made and run at once, which then are forgotten.
+const BATCH: usize = 16 * LANES;
+
 /// Stimuli that make up about `clocks` clocks.
 pub fn stimuli(subject: &Subject, clocks: usize, seed: u64) -> Vec<Vec<Inputs>> {
-    let count = clocks.div_ceil(STIMULUS_CLOCKS).max(1);
+    made(subject, clocks, seed, 0..count(clocks))
+}
+
+/// How many stimuli there are.
+fn count(clocks: usize) -> usize {
+    clocks.div_ceil(STIMULUS_CLOCKS).max(1)
+}
+
+/// Some of them.
+fn made(subject: &Subject, clocks: usize, seed: u64, which: Range<usize>) -> Vec<Vec<Inputs>> {
     let length = clocks.clamp(1, STIMULUS_CLOCKS);
-    (0..count as u64)
-        .map(|k| subject.seeded_stimulus(length, seed.wrapping_mul(1_000_003).wrapping_add(k)))
+    let first = seed.wrapping_mul(1_000_003);
+    let seeds = which.into_par_iter().map(|k| first.wrapping_add(k as u64));
+    seeds
+        .map(|seed| subject.seeded_stimulus(length, seed))
         .collect()
 }
 
 /// Runs the unit in the engine of the subject; each stimulus begins from reset. The waveforms, if wanted, are those of
 /// the first stimulus that differs, or of the first.
-pub fn run(subject: &Subject, clocks: usize, seed: u64, record: bool) -> (Report, Option<Trace>) {
-    let mut total = Report {
-        subject: subject.name.clone(),
-        engine: subject.engine.into(),
-        ..Report::default()
-    };
+pub fn run(subject: &Subject, clocks: usize, seed: u64, record: bool) -> Outcome {
+    let mut total = subject.report();
     let mut kept: Option<(bool, Trace)> = None;
     let mut seconds = 0.0;
-    for stimulus in stimuli(subject, clocks, seed) {
-        let (report, trace) = subject.run(&stimulus, record);
-        let differs = report.mismatches > 0;
-        if let Some(trace) = trace
-            && kept.as_ref().is_none_or(|(before, _)| differs && !before)
-        {
-            kept = Some((differs, trace));
+    let all = count(clocks);
+    for begin in (0..all).step_by(BATCH) {
+        let stimuli = made(subject, clocks, seed, begin..all.min(begin + BATCH));
+        let started = Instant::now();
+        let outcomes = subject.run_all(&stimuli, record);
+        seconds += started.elapsed().as_secs_f64();
+        for (report, trace) in outcomes {
+            let differs = report.mismatches > 0;
+            if let Some(trace) = trace
+                && kept.as_ref().is_none_or(|(before, _)| differs && !before)
+            {
+                kept = Some((differs, trace));
+            }
+            total.absorb(report);
         }
-        seconds += report.seconds;
-        total.absorb(report);
     }
     total.timed(seconds);
     (total, kept.map(|(_, trace)| trace))

@@ -7,6 +7,7 @@ use crate::signal::Signal;
 use crate::waveform::{Group, Sample, Trace};
 use proptest::strategy::{BoxedStrategy, Strategy, ValueTree};
 use proptest::test_runner::{Config, TestRunner};
+use rayon::prelude::*;
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -33,8 +34,49 @@ impl<F: FnMut(&[i64]) -> Vec<Option<i64>> + Send> Clocked for F {
     }
 }
 
+/// Runs of a design side by side, at the price of one: each has its lane, and inputs and outputs of its own.
+pub trait Lanes: Send {
+    /// One clock of all lanes, each with its inputs; fewer than there are lanes will do.
+    fn clock(&mut self, inputs: &[&[i64]]);
+
+    /// The outputs of a lane after it, in the place of others.
+    fn outputs(&mut self, lane: usize, found: &mut Vec<Option<i64>>);
+
+    /// As many clocks as the first stimulus has, each lane with one that is as long. After each of them the outputs are
+    /// read and left aside.
+    fn run(&mut self, stimuli: &[&[Inputs]]);
+}
+
+/// Lanes of an engine that has some.
+pub const LANES: usize = 4;
+
+/// An instance that runs by itself.
+struct Alone {
+    instance: Box<dyn Clocked>,
+    found: Vec<Option<i64>>,
+}
+
+impl Lanes for Alone {
+    fn clock(&mut self, inputs: &[&[i64]]) {
+        self.found = self.instance.clock(inputs[0]);
+    }
+
+    fn outputs(&mut self, _: usize, found: &mut Vec<Option<i64>>) {
+        std::mem::swap(found, &mut self.found);
+    }
+
+    fn run(&mut self, stimuli: &[&[Inputs]]) {
+        stimuli
+            .iter()
+            .for_each(|stimulus| self.instance.run(stimulus));
+    }
+}
+
 /// Makes fresh instances of a design, or of its golden model.
 pub type Maker = Box<dyn Fn() -> Box<dyn Clocked> + Sync>;
+
+/// Makes [`LANES`] fresh instances of a design side by side.
+pub type LanesMaker = Box<dyn Fn() -> Box<dyn Lanes> + Sync>;
 
 /// Random stimulus of about so many clocks, biased to the edges.
 pub type Stimulus = Box<dyn Fn(&Subject, usize) -> BoxedStrategy<Vec<Inputs>> + Sync>;
@@ -51,6 +93,8 @@ pub struct Subject {
     pub outputs: Vec<Signal>,
     /// A fresh instance of the hardware.
     pub hardware: Maker,
+    /// The same in lanes, if the engine has some.
+    pub lanes: Option<LanesMaker>,
     /// A fresh instance of the golden model.
     pub golden: Maker,
     /// Random stimulus of about this many clocks, biased to the edges.
@@ -73,65 +117,173 @@ impl Subject {
             .current()
     }
 
+    /// Fresh hardware for one run, or for several in an engine with lanes.
+    pub(crate) fn hardware_in(&self, lanes: usize) -> Box<dyn Lanes> {
+        match &self.lanes {
+            Some(side_by_side) if lanes > 1 => side_by_side(),
+            _ => {
+                let (instance, found) = ((self.hardware)(), vec![]);
+                Box::new(Alone { instance, found })
+            }
+        }
+    }
+
     /// Runs hardware and golden model over a stimulus and compares every output on every clock.
     ///
     /// `record` also keeps the waveforms.
-    pub fn run(&self, stimulus: &[Inputs], record: bool) -> (Report, Option<Trace>) {
+    pub fn run(&self, stimulus: &[Inputs], record: bool) -> Outcome {
+        let mut outcomes = self.run_all(&[stimulus], record);
+        outcomes.pop().expect("of the one stimulus")
+    }
+
+    /// The same over several stimuli, each of which begins from reset; those that the engine has lanes for run side by
+    /// side.
+    pub fn run_all<S: AsRef<[Inputs]> + Sync>(&self, stimuli: &[S], record: bool) -> Vec<Outcome> {
+        let lanes = match self.lanes {
+            Some(_) => LANES,
+            None => 1,
+        };
+        let groups = stimuli.par_chunks(lanes);
+        let outcomes = groups.flat_map_iter(|group| self.run_group(group, record));
+        outcomes.collect()
+    }
+
+    fn run_group<S: AsRef<[Inputs]>>(&self, stimuli: &[S], record: bool) -> Vec<Outcome> {
         let group = || Group {
             name: self.name.clone(),
             stimulus: self.inputs.clone(),
             compared: self.outputs.clone(),
             ..Group::default()
         };
-        let mut trace = record.then(|| Trace::new(vec![group()], 0..u64::MAX));
-        let mut cycle = 0;
-        let report = self.run_each(stimulus.iter().cloned(), |sample| {
-            if let Some(trace) = &mut trace {
-                trace.clock(cycle, false, |_| vec![sample]);
+        let trace = || record.then(|| Trace::new(vec![group()], 0..u64::MAX));
+        let mut traces: Vec<Option<Trace>> = stimuli.iter().map(|_| trace()).collect();
+        let each = stimuli.iter().map(|stimulus| stimulus.as_ref().iter());
+        let reports = self.compare(each.collect(), |lane, cycle, seen| {
+            if let Some(trace) = &mut traces[lane] {
+                trace.clock(cycle, false, |_| vec![seen.sample()]);
             }
-            cycle += 1;
         });
-        (report, trace)
+        reports.into_iter().zip(traces).collect()
     }
 
     /// The same over a stimulus that is made clock by clock; `seen` takes what was compared.
     pub fn run_each(
         &self,
         stimulus: impl IntoIterator<Item = Inputs>,
-        mut seen: impl FnMut(Sample),
+        mut seen: impl FnMut(Seen),
     ) -> Report {
+        let stimuli = vec![stimulus.into_iter()];
+        let mut reports = self.compare(stimuli, |_, _, clock| seen(clock));
+        reports.pop().expect("of the one stimulus")
+    }
+
+    /// Runs at most as many stimuli as there are lanes side by side, each with a golden model of its own; `seen` takes
+    /// the lane, the clock and what was compared.
+    fn compare<I: Iterator<Item: AsRef<[i64]>>>(
+        &self,
+        stimuli: Vec<I>,
+        mut seen: impl FnMut(usize, u64, Seen),
+    ) -> Vec<Report> {
         let started = Instant::now();
-        let mut hardware = (self.hardware)();
-        let mut golden = (self.golden)();
-        let mut report = Report {
+        let mut hardware = self.hardware_in(stimuli.len());
+        let mut runs: Vec<Run<I>> = stimuli
+            .into_iter()
+            .map(|mut stimulus| {
+                let inputs = stimulus.next();
+                Run {
+                    is_over: inputs.is_none(),
+                    inputs,
+                    stimulus,
+                    golden: (self.golden)(),
+                    report: self.report(),
+                }
+            })
+            .collect();
+        let nothing = vec![0; self.inputs.len()];
+        let mut found = vec![];
+        while runs.iter().any(|run| !run.is_over) {
+            let inputs = runs.iter().map(|run| match &run.inputs {
+                Some(inputs) => inputs.as_ref(),
+                None => &nothing,
+            });
+            hardware.clock(&inputs.collect::<Vec<_>>());
+            for (lane, run) in runs.iter_mut().enumerate().filter(|(_, run)| !run.is_over) {
+                let inputs = run.inputs.as_ref().expect("of a stimulus that goes on");
+                hardware.outputs(lane, &mut found);
+                let clock = Seen {
+                    stimulus: inputs.as_ref(),
+                    hardware: &found,
+                    golden: &run.golden.clock(inputs.as_ref()),
+                };
+                seen(lane, run.report.cycles, clock);
+                self.score(&clock, &mut run.report);
+                run.report.cycles += 1;
+                match run.stimulus.next() {
+                    None => run.is_over = true,
+                    inputs => run.inputs = inputs,
+                }
+            }
+        }
+        let seconds = started.elapsed().as_secs_f64();
+        let reports = runs.into_iter().map(|mut run| {
+            run.report.timed(seconds);
+            run.report
+        });
+        reports.collect()
+    }
+
+    /// Of nothing yet.
+    pub(crate) fn report(&self) -> Report {
+        Report {
             subject: self.name.clone(),
             engine: self.engine.into(),
             ..Report::default()
-        };
-        for inputs in stimulus {
-            let sample = Sample {
-                hardware: hardware.clock(&inputs),
-                golden: golden.clock(&inputs),
-                stimulus: inputs,
-                observed: vec![],
-            };
-            self.score(&sample, &mut report);
-            seen(sample);
-            report.cycles += 1;
         }
-        report.timed(started.elapsed().as_secs_f64());
-        report
     }
 
-    fn score(&self, sample: &Sample, report: &mut Report) {
+    fn score(&self, clock: &Seen, report: &mut Report) {
         let cycle = report.cycles;
         let mut stated = false;
-        for (index, golden) in sample.golden.iter().enumerate() {
+        for (index, golden) in clock.golden.iter().enumerate() {
             let Some(golden) = *golden else { continue };
             stated = true;
-            let hardware = sample.hardware[index];
+            let hardware = clock.hardware[index];
             report.compare(cycle, None, &self.outputs[index].name, hardware, golden);
         }
         report.pixels += u64::from(stated);
+    }
+}
+
+/// A stimulus on its way through a lane; one that is over goes on with its last inputs.
+struct Run<I: Iterator> {
+    stimulus: I,
+    inputs: Option<I::Item>,
+    is_over: bool,
+    golden: Box<dyn Clocked>,
+    report: Report,
+}
+
+/// A report, and the waveforms if they were asked for.
+pub type Outcome = (Report, Option<Trace>);
+
+/// What was compared in a clock.
+#[derive(Clone, Copy)]
+pub struct Seen<'a> {
+    /// Inputs.
+    pub stimulus: &'a [i64],
+    /// Outputs of the hardware.
+    pub hardware: &'a [Option<i64>],
+    /// What the golden model states of them.
+    pub golden: &'a [Option<i64>],
+}
+
+impl Seen<'_> {
+    fn sample(&self) -> Sample {
+        Sample {
+            stimulus: self.stimulus.to_vec(),
+            hardware: self.hardware.to_vec(),
+            golden: self.golden.to_vec(),
+            observed: vec![],
+        }
     }
 }

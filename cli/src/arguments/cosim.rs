@@ -60,13 +60,13 @@ pub struct Cosim {
 /// Arguments of `speed`.
 #[derive(Debug, Args)]
 pub struct Speed {
-    /// Unit, as listed by `imogene units`.
+    /// Unit, as listed by `imogene units`, or a scene file of quadrics: the beam machine that draws it, loaded first.
     #[arg(default_value = "quadric_processor")]
     pub unit: String,
     /// Parameters.
     #[command(flatten)]
     pub shape: Shape,
-    /// Drive it with the random stimulus of `cosim` instead of a frame of constant words.
+    /// Drive a unit with the random stimulus of `cosim` instead of lines of a frame with constant words.
     #[arg(long)]
     pub random: bool,
     /// Seconds for each engine and each kind of work.

@@ -1,31 +1,40 @@
 //! `imogene speed`.
 
+use super::frame_in;
 use crate::arguments::Speed;
 use crate::failure::Failure;
+use crate::molecules;
 use crate::output;
-use imogene_verif::engine::Engine;
-use imogene_verif::engine::design::Simulator;
+use imogene_contract::Unit;
+use imogene_golden::format::Format;
 use imogene_verif::engine::speed::{self, Drive, Entrant, FRAME, measure};
-use imogene_verif::unit;
+use imogene_verif::scene;
+use std::path::Path;
 use std::time::Duration;
 
-/// Measures how fast the engines run a unit, side by side.
+/// Measures how fast the engines run a unit, or the machine of a scene, side by side.
 pub fn run(options: &Speed, json: bool) -> Result<(), Failure> {
-    let request = options.shape.request(&options.unit)?;
-    let mut engines = vec![
-        Entrant::new(|| unit::subject(&request))?,
-        Entrant::new(|| unit::levelised(&request))?,
-    ];
-    for simulator in Simulator::ALL {
-        engines.push(Entrant::new(|| Engine::Verilog(simulator).unit(&request))?);
-    }
-    let seconds = Duration::from_secs(options.seconds.into());
+    let path = Path::new(&options.unit);
+    let is_scene = Unit::from_name(&options.unit).is_err() && path.extension().is_some();
+    let (request, clocks) = if is_scene {
+        let file = molecules::read_scene(path)?;
+        let format = Format::new(options.shape.format)?;
+        let (_, prepared) = frame_in(&file, None, format)?;
+        prepared.refuse_composed()?;
+        let (request, clocks) = scene::unit(&prepared, options.shape.rows_per_stage())?;
+        (request, Some(clocks))
+    } else {
+        (options.shape.request(&options.unit)?, None)
+    };
+    let engines = Entrant::all(&request)?;
     let drive = if options.random {
         Drive::Random
     } else {
         Drive::Frame
     };
-    let speeds = measure(&engines, drive, seconds)?;
+    let stimuli = clocks.map_or_else(|| speed::stimuli(&engines, drive), |clocks| vec![clocks]);
+    let seconds = Duration::from_secs(options.seconds.into());
+    let speeds = measure(&engines, &stimuli, seconds)?;
     output::report(json, &speeds, |_| {
         output::text(table(&options.unit, engines[0].options(), &speeds))
     });
@@ -34,7 +43,7 @@ pub fn run(options: &Speed, json: bool) -> Result<(), Failure> {
 
 fn table(unit: &str, parameters: &str, speeds: &[speed::Speed]) -> String {
     let mut text = format!(
-        "{unit} {parameters}, one thread; a frame has {}x{} clocks\n{:<11} {:<12} {:>14} {:>8} {:>12} {:>12} {:>15}",
+        "{unit} {parameters}, one thread; xN: N runs side by side, their clocks together; a frame has {}x{} clocks\n{:<11} {:<12} {:>14} {:>8} {:>12} {:>12} {:>15}",
         FRAME.0,
         FRAME.1,
         "engine",
@@ -47,11 +56,15 @@ fn table(unit: &str, parameters: &str, speeds: &[speed::Speed]) -> String {
     );
     for s in speeds {
         let work = format!("{:?}", s.work).to_lowercase();
+        let engine = match s.lanes {
+            1 => s.engine.clone(),
+            lanes => format!("{} x{lanes}", s.engine),
+        };
         let bytes = s.vcd_bytes_per_clock;
         let bytes = bytes.map_or("-".into(), |bytes| format!("{bytes:.1}"));
         text += &format!(
-            "\n{:<11} {work:<12} {:>14.0} {:>8.1} {:>10.3} s {:>10.2} s {bytes:>15}",
-            s.engine, s.clocks_per_second, s.ratio, s.first_clock_seconds, s.frame_seconds
+            "\n{engine:<11} {work:<12} {:>14.0} {:>8.2} {:>10.3} s {:>10.2} s {bytes:>15}",
+            s.clocks_per_second, s.ratio, s.first_clock_seconds, s.frame_seconds
         );
     }
     text

@@ -189,12 +189,13 @@ fn a_scene_in_icarus_has_waveforms_of_its_outputs() {
 fn the_engines_are_timed_side_by_side() {
     let speeds = json(&["speed", "pe1", "--seconds", "1"]);
     let rows = speeds.as_array().expect("a list");
-    assert_eq!(rows.len(), 12);
+    assert_eq!(rows.len(), 15);
     for row in rows {
         assert_keys(
             row,
             &[
                 "engine",
+                "lanes",
                 "work",
                 "clocks_per_second",
                 "ratio",
@@ -203,9 +204,18 @@ fn the_engines_are_timed_side_by_side() {
             ],
         );
     }
-    let engines = ["built-in", "levelised", "icarus", "verilator"];
-    for (row, engine) in rows.iter().zip(engines.iter().cycle()) {
-        assert_eq!(row["engine"], *engine);
+    let engines = [
+        ("built-in", 1),
+        ("built-in", 4),
+        ("levelised", 1),
+        ("icarus", 1),
+        ("verilator", 1),
+    ];
+    for (row, (engine, lanes)) in rows.iter().zip(engines.into_iter().cycle()) {
+        assert_eq!(
+            (&row["engine"], &row["lanes"]),
+            (&engine.into(), &lanes.into())
+        );
     }
     assert_eq!(rows[0]["ratio"], 1.0);
 }

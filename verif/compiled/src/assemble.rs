@@ -17,6 +17,20 @@ pub(crate) enum Base {
     Spilled = 6,
     Given = 2,
     Constants = 1,
+    /// The inputs of each lane.
+    FirstRow = 8,
+    SecondRow = 9,
+    ThirdRow = 10,
+    FourthRow = 11,
+}
+
+impl Base {
+    pub(crate) const ROWS: [Base; 4] = [
+        Base::FirstRow,
+        Base::SecondRow,
+        Base::ThirdRow,
+        Base::FourthRow,
+    ];
 }
 
 /// Where a word is read: a vector register, or so many bytes behind an address.
@@ -32,6 +46,7 @@ struct Code(u8, u8, u8, u8);
 const LOAD: Code = Code(1, 2, 0, 0x6f);
 const STORE: Code = Code(1, 2, 0, 0x7f);
 const LOAD_WORD: Code = Code(1, 2, 0, 0x7e);
+const LOAD_HIGH: Code = Code(1, 1, 0, 0x16);
 const STORE_WORD: Code = Code(1, 1, 0, 0xd6);
 const SHIFT: Code = Code(1, 1, 0, 0x73);
 /// The top bit of each lane, in a general register (rax).
@@ -78,7 +93,7 @@ impl Assembler {
         let beyond = |register: u8| (!register >> 3) & 1;
         let beyond_second = match second {
             Operand::Register(register) => beyond(register),
-            Operand::Memory(..) => 1,
+            Operand::Memory(base, _) => beyond(base as u8),
         };
         let last = w << 7 | (!first & 15) << 3 | u8::from(is_wide) << 2 | prefix;
         match beyond_second == 1 && table == 1 && w == 0 {
@@ -91,7 +106,8 @@ impl Assembler {
         match second {
             Operand::Memory(base, bytes) if i8::try_from(bytes).is_ok() => {
                 let reg = (reg & 7) << 3;
-                self.bytes.extend([0x40 | reg | base as u8, bytes as u8]);
+                self.bytes
+                    .extend([0x40 | reg | base as u8 & 7, bytes as u8]);
             }
             _ => self.operand(reg, second),
         }
@@ -102,7 +118,7 @@ impl Assembler {
         match second {
             Operand::Register(register) => self.bytes.push(0xc0 | reg | register & 7),
             Operand::Memory(base, bytes) => {
-                self.bytes.push(0x80 | reg | base as u8);
+                self.bytes.push(0x80 | reg | base as u8 & 7);
                 self.bytes.extend(bytes.to_le_bytes());
             }
         }
@@ -196,6 +212,11 @@ impl Assembler {
         }
     }
 
+    /// A word beside the one that is there.
+    pub(crate) fn load_high(&mut self, to: u8, from: Operand) {
+        self.vex(LOAD_HIGH, false, to, to, from);
+    }
+
     /// The words of the lanes alone.
     pub(crate) fn store_words(&mut self, lanes: Lanes, from: u8, to: Operand) {
         match lanes {
@@ -209,24 +230,24 @@ impl Assembler {
         self.general([0x48, 0x8b, 0x86], at);
     }
 
-    /// A word of the spilled words (r8).
+    /// A word of the spilled words (rdx, for an edge gives nothing).
     pub(crate) fn load_scalar(&mut self, at: i32) {
-        self.general([0x4c, 0x8b, 0x86], at);
+        self.general([0x48, 0x8b, 0x96], at);
     }
 
-    /// A word to the spilled words (r8).
+    /// A word to the spilled words (rdx).
     pub(crate) fn store_scalar(&mut self, at: i32) {
-        self.general([0x4c, 0x89, 0x86], at);
+        self.general([0x48, 0x89, 0x96], at);
     }
 
     /// The word of the block at the index.
     pub(crate) fn read(&mut self, at: i32) {
-        self.general([0x4c, 0x8b, 0x84, 0xc7], at);
+        self.general([0x48, 0x8b, 0x94, 0xc7], at);
     }
 
     /// The word to the block at the index.
     pub(crate) fn write(&mut self, at: i32) {
-        self.general([0x4c, 0x89, 0x84, 0xc7], at);
+        self.general([0x48, 0x89, 0x94, 0xc7], at);
     }
 
     fn general<const N: usize>(&mut self, code: [u8; N], bytes: i32) {
@@ -255,6 +276,13 @@ impl Assembler {
     pub(crate) fn land(&mut self, jump: usize) {
         let distance = (self.bytes.len() - jump) as i32;
         self.bytes[jump - 4..jump].copy_from_slice(&distance.to_le_bytes());
+    }
+
+    /// The addresses of the rows, from where they lie side by side (r8): the first comes last in its place.
+    pub(crate) fn begin(&mut self) {
+        for lane in (0..self.lanes.count() as u8).rev() {
+            self.bytes.extend([0x4d, 0x8b, 0x40 | lane << 3, 8 * lane]);
+        }
     }
 
     /// The end; a function that is not called by others leaves no upper halves to whoever does not know of them.

@@ -78,17 +78,11 @@ impl Code {
     }
 
     /// Does a task with the words of an instance; only the other tasks than the clock give words.
-    pub(crate) fn run(
-        &self,
-        task: Task,
-        words: &mut [u64],
-        spilled: &mut [u64],
-        given: &mut [u64],
-    ) {
+    pub(crate) fn run(&self, task: Task, work: &mut Work<'_>, spilled: &mut [u64]) {
         let function = self.functions.len() - TASKS + task as usize;
         match &self.machine {
-            Some(machine) => machine.run(function, words, spilled, given),
-            None => interpret::run(&self.functions, function, 0, &mut Work { words, given }),
+            Some(machine) => machine.run(function, work, spilled),
+            None => interpret::run(&self.functions, function, 0, work),
         }
     }
 }

@@ -7,6 +7,8 @@ use crate::line::{Step, Value};
 pub(crate) struct Work<'a> {
     pub(crate) words: &'a mut [u64],
     pub(crate) given: &'a mut [u64],
+    /// The inputs of each lane.
+    pub(crate) rows: &'a [&'a [i64]; 4],
 }
 
 /// Runs a function for the block that begins at this word.
@@ -57,6 +59,7 @@ fn run_step(
         let words = &mut *work.words;
         match *step {
             Step::Load(place) | Step::LoadFour(place) => *result = words[begin + place],
+            Step::Input(index) => *result = work.rows[lane][index] as u64,
             Step::Gather(lanes) => *result = first(lanes[lane]),
             Step::Patch(word, _) if lane == 0 => *result = first(word),
             Step::Patch(_, others) => *result = get(others),

@@ -1,6 +1,7 @@
 //! Where the state of a design lies: a block of words for each instance, the blocks of its parts within it.
 //!
-//! In four lanes each word lies four times, side by side. Equal parts of what runs in one lane lie so, as many as there
+//! The inputs of the whole lie elsewhere, those of each lane in a row. In four lanes each word lies four times, side by
+//! side. Equal parts of what runs in one lane lie so, as many as there
 //! are: they run together. So do the small ones that stand in one module, as the rows of a root do: word by word those
 //! of all rows, so that what each row takes from the one before lies side by side too.
 
@@ -67,6 +68,8 @@ pub(crate) struct Spot {
 
 /// The blocks of all modules, and the groups of a design in one lane.
 pub(crate) struct Layout {
+    /// The inputs of this module lie elsewhere.
+    top: *const Module,
     blocks: HashMap<*const Module, Block>,
     pub(crate) groups: Vec<Group>,
     /// Parts that lie among equal ones, by the place of what is around them, and their numbers there.
@@ -82,6 +85,7 @@ impl Layout {
         let modules = design.top.all();
         let count = instances(&design.top, &modules);
         let mut layout = Layout {
+            top: Arc::as_ptr(&design.top),
             blocks: HashMap::new(),
             groups: vec![],
             grouped: HashMap::new(),
@@ -207,6 +211,10 @@ impl Layout {
 
     pub(crate) fn block(&self, module: &Arc<Module>) -> &Block {
         &self.blocks[&Arc::as_ptr(module)]
+    }
+
+    pub(crate) fn is_top(&self, module: &Arc<Module>) -> bool {
+        self.top == Arc::as_ptr(module)
     }
 
     pub(crate) fn is_called(&self, module: &Arc<Module>) -> bool {

@@ -44,9 +44,10 @@ mod words;
 pub use program::{Port, Program};
 
 use code::Task;
+use interpret::Work;
 use program::Place;
 use std::sync::Arc;
-use word::{kept, kept_by};
+use word::kept;
 use words::Words;
 
 /// An instance of a design that runs clock by clock; in four lanes it is four of them.
@@ -54,6 +55,8 @@ pub struct Simulation {
     program: Arc<Program>,
     words: Words,
     spilled: Words,
+    /// Inputs that were set, those of a lane in a row.
+    rows: Vec<i64>,
     /// What outputs and points give.
     given: [Vec<u64>; 2],
     /// Nothing changed since they were read.
@@ -66,6 +69,7 @@ impl Simulation {
         Simulation {
             words: program.power_up(),
             spilled: program.spilled(),
+            rows: vec![0; program.lanes() * program.inputs()],
             given: program.given().map(|count| vec![0; count]),
             is_read: [false; 2],
             program: program.clone(),
@@ -81,31 +85,28 @@ impl Simulation {
         let Place::Input(place) = port.place else {
             panic!("{port:?} is no input");
         };
-        let lanes = self.program.lanes();
-        self.words[place * lanes..][..lanes].fill(kept(value, port.width));
+        for row in self.rows.chunks_exact_mut(self.program.inputs()) {
+            row[place] = value as i64;
+        }
         self.is_read = [false; 2];
     }
 
     /// Gives all inputs their words, in the order of the ports and in every lane; bits beyond a width count nothing.
     pub fn set_all(&mut self, words: impl IntoIterator<Item = u64>) {
-        let given = self.program.inputs().iter().zip(words);
-        let given = given.map(|(single, word)| kept_by(word, *single));
-        match self.program.lanes() {
-            1 => (self.words.iter_mut().zip(given)).for_each(|(place, word)| *place = word),
-            lanes => {
-                let places = self.words.chunks_exact_mut(lanes);
-                places.zip(given).for_each(|(place, word)| place.fill(word));
-            }
+        self.set_lane(0, words);
+        let inputs = self.program.inputs();
+        for lane in 1..self.program.lanes() {
+            self.rows.copy_within(..inputs, lane * inputs);
         }
-        self.is_read = [false; 2];
     }
 
-    /// Gives all inputs of one lane their words.
+    /// Gives all inputs of one lane their words, likewise.
     pub fn set_lane(&mut self, lane: usize, words: impl IntoIterator<Item = u64>) {
-        let places = self.words.chunks_exact_mut(self.program.lanes());
-        for ((place, single), word) in places.zip(self.program.inputs()).zip(words) {
-            place[lane] = kept_by(word, *single);
-        }
+        let inputs = self.program.inputs();
+        let row = &mut self.rows[lane * inputs..][..inputs];
+        row.iter_mut()
+            .zip(words)
+            .for_each(|(place, word)| *place = word as i64);
         self.is_read = [false; 2];
     }
 
@@ -141,7 +142,8 @@ impl Simulation {
         let lanes = self.program.lanes();
         let (task, index) = match port.place {
             Place::Input(place) => {
-                return self.words[place * lanes + lane] & (u64::MAX >> (64 - port.width));
+                let row = lane * self.program.inputs();
+                return self.rows[row + place] as u64 & (u64::MAX >> (64 - port.width));
             }
             Place::Output(index) => (Task::Outputs, index),
             Place::Point(index) => (Task::Points, index),
@@ -152,9 +154,7 @@ impl Simulation {
     fn given(&mut self, task: Task) -> &[u64] {
         let which = usize::from(task == Task::Points);
         if !self.is_read[which] {
-            let (words, spilled) = (&mut self.words, &mut self.spilled);
-            self.program
-                .run(task, words, spilled, &mut self.given[which]);
+            self.run(task, None);
             self.is_read[which] = true;
         }
         &self.given[which]
@@ -162,8 +162,39 @@ impl Simulation {
 
     /// The rising edge.
     pub fn clock(&mut self) {
-        let (words, spilled) = (&mut self.words, &mut self.spilled);
-        self.program.run(Task::Clock, words, spilled, &mut []);
+        self.run(Task::Clock, None);
         self.is_read = [false; 2];
+    }
+
+    /// The rising edge with inputs that are read where they lie, a row for each lane; further lanes take those of the
+    /// first. Gives the outputs after it, as [`Simulation::outputs`] does from then on. What was set stays as it was.
+    ///
+    /// # Panics
+    ///
+    /// If a row has not as many words as there are inputs.
+    pub fn step(&mut self, rows: &[&[i64]]) -> &[u64] {
+        let row = |lane: usize| *rows.get(lane).unwrap_or(&rows[0]);
+        let rows = std::array::from_fn(row);
+        for task in [Task::Clock, Task::Outputs] {
+            self.run(task, Some(&rows));
+        }
+        self.is_read = [true, false];
+        &self.given[0]
+    }
+
+    /// With these inputs, or those that were set.
+    fn run(&mut self, task: Task, rows: Option<&[&[i64]; 4]>) {
+        let inputs = self.program.inputs();
+        let last = self.program.lanes() - 1;
+        let own = |lane: usize| &self.rows[lane.min(last) * inputs..][..inputs];
+        let mut work = Work {
+            words: &mut self.words,
+            given: &mut self.given[usize::from(task == Task::Points)],
+            rows: match rows {
+                Some(rows) => rows,
+                None => &std::array::from_fn(own),
+            },
+        };
+        self.program.run(task, &mut work, &mut self.spilled);
     }
 }

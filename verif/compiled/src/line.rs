@@ -68,6 +68,8 @@ pub(crate) enum Step {
     /// A word for each lane.
     Constant([u64; 4]),
     Load(usize),
+    /// An input of the whole, in the row of each lane.
+    Input(usize),
     /// Four words that lie side by side, where everything else has one lane.
     LoadFour(usize),
     /// Words of one lane side by side.
@@ -98,7 +100,7 @@ impl Step {
     pub(crate) fn reads(&self) -> impl Iterator<Item = Value> {
         use Step::*;
         let reads = match *self {
-            Constant(_) | Load(_) | LoadFour(_) | Call(..) => [None; 4],
+            Constant(_) | Load(_) | Input(_) | LoadFour(_) | Call(..) => [None; 4],
             Left(a, _) | Right(a, _) | Read(_, a) => [Some(a), None, None, None],
             Store(a, _) | Give(a, _) | OnlyIf(a, _) => [Some(a), None, None, None],
             Two(_, a, b) | Write(_, a, b) | Patch(a, b) => [Some(a), Some(b), None, None],

@@ -2,13 +2,14 @@
 
 use crate::assemble::Assembler;
 use crate::code::{Function, TASKS};
+use crate::interpret::Work;
 use crate::registers::{self, Constants};
 use crate::words::Words;
 use memmap2::{Mmap, MmapMut};
 
-/// The block of an instance, spilled vectors, words that are given, constants.
+/// The block of an instance, spilled vectors, words that are given, constants, the inputs of each lane.
 #[cfg(target_arch = "x86_64")]
-type Entry = unsafe extern "sysv64" fn(*mut u64, *mut u64, *mut u64, *const u64);
+type Entry = unsafe extern "sysv64" fn(*mut u64, *mut u64, *mut u64, *const u64, *const *const i64);
 
 /// Functions as machine code.
 pub(crate) struct Machine {
@@ -34,13 +35,17 @@ impl Machine {
                 has_masks: has_masks(),
             };
             let begin = to.bytes.len();
+            let is_outer = index + TASKS >= functions.len();
+            if is_outer {
+                to.begin();
+            }
             spilled = spilled.max(registers::write(
                 &function.line,
                 &mut to,
                 &mut constants,
                 &begins,
             ));
-            to.end(index + TASKS >= functions.len());
+            to.end(is_outer);
             bytes = to.bytes;
             begins.push(begin);
         }
@@ -63,32 +68,28 @@ impl Machine {
         self.spilled
     }
 
-    /// Runs a function; words, spilled vectors and what is given are as many as it was written for.
+    /// Runs a function; words, spilled vectors, inputs and what is given are as many as it was written for.
     #[cfg(target_arch = "x86_64")]
-    pub(crate) fn run(
-        &self,
-        function: usize,
-        words: &mut [u64],
-        spilled: &mut [u64],
-        given: &mut [u64],
-    ) {
+    pub(crate) fn run(&self, function: usize, work: &mut Work<'_>, spilled: &mut [u64]) {
         let begin = self.code[self.begins[function]..].as_ptr();
         // SAFETY: a function with this signature begins there.
         let entry = unsafe { std::mem::transmute::<*const u8, Entry>(begin) };
+        let rows = work.rows.map(<[i64]>::as_ptr);
         // SAFETY: it stays within the slices: places come from the layout that they were made for, and an index of a
         // memory from a selection that bounds it.
         unsafe {
             entry(
-                words.as_mut_ptr(),
+                work.words.as_mut_ptr(),
                 spilled.as_mut_ptr(),
-                given.as_mut_ptr(),
+                work.given.as_mut_ptr(),
                 self.constants.as_ptr(),
+                rows.as_ptr(),
             );
         }
     }
 
     #[cfg(not(target_arch = "x86_64"))]
-    pub(crate) fn run(&self, _: usize, _: &mut [u64], _: &mut [u64], _: &mut [u64]) {
+    pub(crate) fn run(&self, _: usize, _: &mut Work<'_>, _: &mut [u64]) {
         unreachable!("there is no machine code for this processor");
     }
 }

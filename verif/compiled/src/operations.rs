@@ -65,6 +65,11 @@ impl Body<'_> {
             Op::Literal(bits) => Word::constant(*bits, width, &mut self.to),
             Op::Input => match self.scopes[scope].rows {
                 Some(rows) => self.gathered(rows, net, width),
+                None if self.layout.is_top(module) => {
+                    // As it was handed over: with anything above.
+                    let input = self.to.add(Step::Input(input_index(module, net)));
+                    Word::new(input, width)
+                }
                 None => self.load(scope, input_index(module, net), width),
             },
             Op::Register(index) => self.load(scope, block.register(*index), width),

@@ -2,8 +2,8 @@
 
 use crate::body;
 use crate::code::{Code, Task};
+use crate::interpret::Work;
 use crate::layout::{Lanes, Layout, Register};
-use crate::word::single;
 use crate::words::Words;
 use imogene_hdl::{Design, Direction, Module};
 use std::collections::HashMap;
@@ -30,8 +30,7 @@ pub struct Program {
     size: usize,
     registers: Vec<Register>,
     ports: HashMap<String, Port>,
-    /// Of each input all ones if it has one bit.
-    inputs: Vec<u64>,
+    inputs: usize,
     given: [usize; 2],
 }
 
@@ -71,9 +70,8 @@ impl Program {
         add(&inputs, Place::Input);
         add(&outputs, Place::Output);
         add(points, Place::Point);
-        let inputs = design.top.ports_of(Direction::In);
         Program {
-            inputs: inputs.map(|port| single(port.width)).collect(),
+            inputs: inputs.len(),
             given: [outputs.len(), points.len()],
             code: Code::of(design, &layout, lanes, [&outputs, points]),
             lanes,
@@ -130,9 +128,9 @@ impl Program {
         &self.registers[index]
     }
 
-    /// Of each input all ones if it has one bit.
-    pub(crate) fn inputs(&self) -> &[u64] {
-        &self.inputs
+    /// How many inputs each lane has.
+    pub(crate) fn inputs(&self) -> usize {
+        self.inputs
     }
 
     /// How many words outputs and points give.
@@ -141,14 +139,14 @@ impl Program {
     }
 
     /// Does a task for an instance, whose words are those of [`Program::power_up`], with the room for spilled words.
-    pub(crate) fn run(
-        &self,
-        task: Task,
-        words: &mut Words,
-        spilled: &mut Words,
-        given: &mut [u64],
-    ) {
-        self.code.run(task, words, spilled, given);
+    ///
+    /// # Panics
+    ///
+    /// If a row of inputs has not as many words as there are.
+    pub(crate) fn run(&self, task: Task, work: &mut Work<'_>, spilled: &mut Words) {
+        let is_whole = |row: &&[i64]| row.len() == self.inputs;
+        assert!(work.rows.iter().all(is_whole), "a word for each input");
+        self.code.run(task, work, spilled);
     }
 }
 

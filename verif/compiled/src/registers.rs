@@ -17,6 +17,8 @@ enum Home {
     Constant(usize),
     /// In the block, at this word.
     State(usize),
+    /// In the row of one lane.
+    Input(usize),
     Spilled(usize),
 }
 
@@ -34,6 +36,10 @@ impl Constants {
             self.words.len() - 1
         })
     }
+}
+
+fn input_at(lane: usize, input: usize) -> Operand {
+    Operand::Memory(Base::ROWS[lane], 8 * input as i32)
 }
 
 /// Writes the instructions of a line; gives how many vectors it spills to. `begins` are the functions that it may call.
@@ -137,6 +143,18 @@ impl Writer<'_> {
                 self.to.pair(into, c, d);
                 self.to.halves(into, pair, into);
                 self.release(index, step);
+                self.hold(into, value);
+            }
+            Step::Input(input) if self.to.lanes == Lanes::One => {
+                self.home[index] = Some(Home::Input(input));
+            }
+            Step::Input(input) => {
+                let [pair, into] = [self.take(), self.take()];
+                for (to, lane) in [(pair, 0), (into, 2)] {
+                    self.to.load_words(Lanes::One, to, input_at(lane, input));
+                    self.to.load_high(to, input_at(lane + 1, input));
+                }
+                self.to.halves(into, pair, into);
                 self.hold(into, value);
             }
             Step::Patch(first, others) => {
@@ -295,6 +313,7 @@ impl Writer<'_> {
         match home {
             Home::Constant(index) => Operand::Memory(Base::Constants, 32 * index as i32),
             Home::State(place) => Operand::Memory(Base::Block, 8 * place as i32),
+            Home::Input(input) => input_at(0, input),
             Home::Spilled(slot) => self.spill_at(slot),
         }
     }
@@ -319,7 +338,9 @@ impl Writer<'_> {
         let from = self.place(home);
         match home {
             // A vector across two words that were stored one by one would wait for both.
-            Home::State(_) => (self.to).load_words(self.lanes[value.0 as usize], register, from),
+            Home::State(_) | Home::Input(_) => {
+                (self.to).load_words(self.lanes[value.0 as usize], register, from)
+            }
             _ => self.to.load(register, from),
         }
         self.hold(register, value);

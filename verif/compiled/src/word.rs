@@ -134,15 +134,8 @@ impl Word {
 
 /// As it stands in memory: see [`Word::kept`].
 pub(crate) fn kept(word: u64, width: u32) -> u64 {
-    kept_by(word, single(width))
-}
-
-/// All ones for a word of one bit.
-pub(crate) fn single(width: u32) -> u64 {
-    if width == 1 { u64::MAX } else { 0 }
-}
-
-/// The same without a branch, by [`single`].
-pub(crate) fn kept_by(word: u64, single: u64) -> u64 {
-    word & !single | 0u64.wrapping_sub(word & 1) & single
+    match width {
+        1 => 0u64.wrapping_sub(word & 1),
+        _ => word,
+    }
 }

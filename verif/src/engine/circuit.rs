@@ -2,7 +2,7 @@
 
 use super::design::{self, Instance};
 use crate::signal::Signal;
-use crate::subject::{Clocked, Inputs};
+use crate::subject::{Clocked, Inputs, LANES, Lanes};
 use imogene_compiled::{Program, Simulation};
 use imogene_hdl::{self as hdl, Design, Direction, Simulator};
 use std::hint::black_box;
@@ -21,9 +21,18 @@ impl Compiled {
     ///
     /// With a point that the design does not have.
     pub fn of(design: &Design, points: &[String]) -> Arc<Compiled> {
+        Compiled::with(design, Program::new(design, points))
+    }
+
+    /// The same, for runs side by side.
+    pub fn in_lanes(design: &Design) -> Arc<Compiled> {
+        Compiled::with(design, Program::in_lanes(design, &[]))
+    }
+
+    fn with(design: &Design, program: Program) -> Arc<Compiled> {
         let outputs = design.top.ports_of(Direction::Out);
         Arc::new(Compiled {
-            program: Arc::new(Program::new(design, points)),
+            program: Arc::new(program),
             outputs: outputs.map(Signal::of).collect(),
         })
     }
@@ -35,7 +44,7 @@ impl design::Design for Arc<Compiled> {
     }
 }
 
-/// A compiled circuit.
+/// A compiled circuit, or as many side by side as its program has lanes.
 pub struct Circuit {
     design: Arc<Compiled>,
     simulation: Simulation,
@@ -61,9 +70,7 @@ impl Circuit {
 
     /// Gives one clock with the inputs in their order, of which the low bits count.
     pub fn clock(&mut self, inputs: &[i64]) {
-        let words = inputs.iter().map(|value| *value as u64);
-        self.simulation.set_all(words);
-        self.simulation.clock();
+        self.simulation.step(&[inputs]);
     }
 
     /// The value of an output, by its place among them.
@@ -111,6 +118,33 @@ impl Clocked for Circuit {
         for inputs in stimulus {
             Circuit::clock(self, inputs);
             black_box(self.simulation.outputs());
+        }
+    }
+}
+
+impl Lanes for Circuit {
+    fn clock(&mut self, inputs: &[&[i64]]) {
+        self.simulation.step(inputs);
+    }
+
+    fn outputs(&mut self, lane: usize, found: &mut Vec<Option<i64>>) {
+        let lanes = self.design.program.lanes();
+        let words = self.simulation.outputs()[lane..].iter().step_by(lanes);
+        let outputs = self.design.outputs.iter().zip(words);
+        found.clear();
+        found.extend(outputs.map(|(signal, bits)| Some(signal.value(*bits))));
+    }
+
+    fn run(&mut self, stimuli: &[&[Inputs]]) {
+        let [first, others @ ..] = stimuli else {
+            return;
+        };
+        for (clock, inputs) in first.iter().enumerate() {
+            let mut rows: [&[i64]; LANES] = [inputs; LANES];
+            for (row, stimulus) in rows[1..].iter_mut().zip(others) {
+                *row = &stimulus[clock];
+            }
+            black_box(self.simulation.step(&rows));
         }
     }
 }

@@ -117,27 +117,38 @@ pub fn with_verilog(
     text: &str,
 ) -> Result<Subject, DesignError> {
     let design = simulator.compile(&Source::of(&subject, top, text))?;
-    let inputs: Arc<[Signal]> = subject.inputs.clone().into();
+    Ok(driven(subject, simulator, design))
+}
+
+/// Puts a design of a simulator in the place of the subject's hardware.
+pub(super) fn driven(subject: Subject, simulator: Simulator, design: Box<dyn Design>) -> Subject {
+    let masks: Arc<[u64]> = subject
+        .inputs
+        .iter()
+        .map(|signal| signal.bits(-1))
+        .collect();
     let outputs: Arc<[Signal]> = subject.outputs.clone().into();
-    Ok(Subject {
+    Subject {
         engine: simulator.name(),
         hardware: Box::new(move || {
             Box::new(Driven {
                 instance: design.instance(),
-                words: vec![0; inputs.len()],
+                words: vec![0; masks.len()],
                 found: vec![None; outputs.len()],
-                inputs: inputs.clone(),
+                masks: masks.clone(),
                 outputs: outputs.clone(),
             })
         }),
+        lanes: None,
         ..subject
-    })
+    }
 }
 
 /// An instance whose ports are values of signals.
 struct Driven {
     instance: Box<dyn Instance>,
-    inputs: Arc<[Signal]>,
+    /// The bits of each input.
+    masks: Arc<[u64]>,
     outputs: Arc<[Signal]>,
     words: Vec<u64>,
     found: Vec<Option<u64>>,
@@ -145,8 +156,8 @@ struct Driven {
 
 impl Driven {
     fn drive(&mut self, inputs: &[i64]) {
-        for ((word, signal), value) in self.words.iter_mut().zip(&*self.inputs).zip(inputs) {
-            *word = signal.bits(*value);
+        for ((word, mask), value) in self.words.iter_mut().zip(&*self.masks).zip(inputs) {
+            *word = *value as u64 & mask;
         }
         self.instance.clock(&self.words, &mut self.found);
     }

@@ -1,13 +1,21 @@
 //! How fast the engines run a unit: clocks per second of the hardware alone, with the scoreboard, and with waveforms.
 
+use super::design::{DesignError, Simulator, Source, driven};
+use super::verilator::Model;
 use crate::random;
-use crate::subject::{Inputs, Subject};
+use crate::subject::{Inputs, LANES, Subject};
+use crate::unit::{levelised, subject};
+use imogene_contract::Request;
+use imogene_rtl::emit::emit;
 use imogene_studies::picture::WriteError;
 use serde::Serialize;
 use std::time::{Duration, Instant};
 
-/// The frame that a raster unit is driven through.
+/// The frame whose time is told.
 pub const FRAME: (usize, usize) = (640, 480);
+
+/// Lines of it that are driven, again and again: of more the words come no longer from a cache.
+const LINES: usize = 2;
 
 /// Rounds of measuring; the engines take turns, so that a machine that slows down slows all of them.
 const ROUNDS: usize = 3;
@@ -18,13 +26,16 @@ const CHUNK: usize = 250;
 /// Most clocks of which the waveforms are kept: they lie in memory until they are written.
 const MOST_TRACED: usize = 20_000;
 
+/// Options of the C++ compiler with which Verilator competes.
+const FASTEST: &str = "-O3 -march=native";
+
 /// Clocks of random stimulus before it is repeated.
-const RANDOM_CLOCKS: usize = 10_000;
+const RANDOM_CLOCKS: usize = 500;
 
 /// What the unit is driven with. Little changes from clock to clock in a quiet picture, which suits some engines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Drive {
-    /// A whole frame from one set of random words, for a unit with raster flags; as [`Drive::Random`] for any other.
+    /// Lines of a frame from one set of random words, for a unit with raster flags; as [`Drive::Random`] for any other.
     Frame,
     /// The random stimulus of the co-simulation: new words in every clock, short lines, gaps.
     Random,
@@ -47,9 +58,11 @@ pub enum Work {
 pub struct Speed {
     /// Engine.
     pub engine: String,
+    /// Runs side by side.
+    pub lanes: usize,
     /// What it did.
     pub work: Work,
-    /// Clocks per second, single-threaded, median of the rounds.
+    /// Clocks per second of all lanes together, single-threaded, median of the rounds.
     pub clocks_per_second: f64,
     /// Times the speed of the first engine at the same work.
     pub ratio: f64,
@@ -61,30 +74,86 @@ pub struct Speed {
     pub vcd_bytes_per_clock: Option<f64>,
 }
 
-/// A unit in an engine, and how long it took to make.
+/// A unit in an engine, alone or in all its lanes, and how long it took to make.
 pub struct Entrant {
     subject: Subject,
+    lanes: usize,
     seconds: f64,
 }
 
 impl Entrant {
-    /// Makes one, and lets it do its first clock.
+    /// A unit in every engine: built-in alone and in lanes, levelised, in Icarus Verilog and in Verilator, whose C++ is
+    /// compiled for the processor that this runs on.
     ///
     /// # Errors
     ///
-    /// Those of making it.
-    pub fn new<E>(make: impl FnOnce() -> Result<Subject, E>) -> Result<Entrant, E> {
+    /// If a simulator is missing.
+    pub fn all(request: &Request) -> Result<Vec<Entrant>, DesignError> {
+        let verilog = |simulator: Simulator| {
+            let (subject, emitted) = (subject(request)?, emit(request)?);
+            let text = emitted.bundle();
+            let source = Source::of(&subject, &emitted.top, &text);
+            let design = match simulator {
+                Simulator::Icarus => simulator.compile(&source)?,
+                Simulator::Verilator => Box::new(Model::compile_with(&source, FASTEST)?),
+            };
+            Ok(driven(subject, simulator, design))
+        };
+        let built_in = || Ok(subject(request)?);
+        let mut all = vec![
+            Entrant::new(1, built_in)?,
+            Entrant::new(LANES, built_in)?,
+            Entrant::new(1, || Ok(levelised(request)?))?,
+        ];
+        for simulator in Simulator::ALL {
+            all.push(Entrant::new(1, || verilog(simulator))?);
+        }
+        Ok(all)
+    }
+
+    /// Makes one, and lets it do its first clock.
+    fn new(
+        lanes: usize,
+        make: impl FnOnce() -> Result<Subject, DesignError>,
+    ) -> Result<Entrant, DesignError> {
         let started = Instant::now();
         let subject = make()?;
-        (subject.hardware)().run(&random::stimuli(&subject, 1, 1).concat());
-        let seconds = started.elapsed().as_secs_f64();
-        Ok(Entrant { subject, seconds })
+        let first = random::stimuli(&subject, 1, 1).concat();
+        subject.hardware_in(lanes).run(&vec![&first[..]; lanes]);
+        Ok(Entrant {
+            subject,
+            lanes,
+            seconds: started.elapsed().as_secs_f64(),
+        })
     }
 
     /// What the unit was made with.
     pub fn options(&self) -> &str {
         &self.subject.options
     }
+
+    /// What each lane is driven with, which is as long for each.
+    fn stimuli<'a>(&self, stimuli: &'a [Vec<Inputs>]) -> Vec<&'a [Inputs]> {
+        let length = stimuli.iter().map(Vec::len).min().unwrap_or(0);
+        let stimuli = stimuli.iter().cycle().take(self.lanes);
+        stimuli.map(|stimulus| &stimulus[..length]).collect()
+    }
+}
+
+/// What a unit is driven with: one stimulus for all lanes, or one for each.
+pub fn stimuli(engines: &[Entrant], drive: Drive) -> Vec<Vec<Inputs>> {
+    let Some(Entrant { subject, .. }) = engines.first() else {
+        return vec![];
+    };
+    match drive {
+        Drive::Frame => vec![frame_stimulus(subject)],
+        Drive::Random => random_stimuli(subject).collect(),
+    }
+}
+
+fn random_stimuli(subject: &Subject) -> impl Iterator<Item = Vec<Inputs>> {
+    let seeds = 1..=LANES as u64;
+    seeds.map(|seed| random::stimuli(subject, RANDOM_CLOCKS, seed).concat())
 }
 
 /// A measurement: clocks, seconds, bytes written.
@@ -94,30 +163,26 @@ type Sample = (usize, f64, u64);
 /// to.
 pub fn measure(
     engines: &[Entrant],
-    drive: Drive,
+    stimuli: &[Vec<Inputs>],
     most: Duration,
 ) -> Result<Vec<Speed>, WriteError> {
-    let stimulus = match (engines.first(), drive) {
-        (None, _) => return Ok(Vec::new()),
-        (Some(first), Drive::Frame) => frame_stimulus(&first.subject),
-        (Some(first), Drive::Random) => random::stimuli(&first.subject, RANDOM_CLOCKS, 1).concat(),
-    };
     let most = most / ROUNDS as u32;
     let mut speeds: Vec<Speed> = Vec::new();
     for work in [Work::Hardware, Work::Scoreboard, Work::Waveforms] {
         let mut samples = vec![Vec::new(); engines.len()];
         for _ in 0..ROUNDS {
             for (engine, samples) in engines.iter().zip(&mut samples) {
-                samples.push(run(&engine.subject, work, &stimulus, most)?);
+                samples.push(engine.run(work, &engine.stimuli(stimuli), most)?);
             }
         }
-        let first = median(&samples[0]);
+        let first = samples.first().map_or(1.0, |samples| median(samples));
         let rows = engines.iter().zip(&samples);
         speeds.extend(rows.map(|(engine, samples)| {
             let rate = median(samples);
             let (clocks, _, bytes) = samples[0];
             Speed {
                 engine: engine.subject.engine.to_owned(),
+                lanes: engine.lanes,
                 work,
                 clocks_per_second: rate,
                 ratio: rate / first,
@@ -142,102 +207,118 @@ fn median(samples: &[Sample]) -> f64 {
 
 fn frame_stimulus(subject: &Subject) -> Vec<Inputs> {
     let names: Vec<&str> = subject.inputs.iter().map(|s| s.name.as_str()).collect();
-    let random = random::stimuli(subject, RANDOM_CLOCKS, 1).concat();
+    let random = random_stimuli(subject).next().expect("of the first lane");
     if !names.starts_with(&["valid", "start", "line"]) {
         return random;
     }
-    let (width, height) = FRAME;
+    let width = FRAME.0;
     let pixel = |index: usize| {
         let mut inputs = random[0].clone();
         let line_begins = index > 0 && index.is_multiple_of(width);
         inputs[..3].copy_from_slice(&[1, (index == 0).into(), line_begins.into()]);
         inputs
     };
-    (0..width * height).map(pixel).collect()
+    (0..width * LINES).map(pixel).collect()
 }
 
-fn run(
-    subject: &Subject,
-    work: Work,
-    stimulus: &[Inputs],
-    most: Duration,
-) -> Result<Sample, WriteError> {
-    match work {
-        Work::Hardware => Ok(alone(subject, stimulus, most)),
-        Work::Scoreboard => {
-            let clocks = clocks_within(subject, stimulus, most);
-            Ok(scored(subject, &stimulus[..clocks], most))
-        }
-        Work::Waveforms => {
-            let clocks = clocks_within(subject, stimulus, most).min(MOST_TRACED);
-            traced(subject, &stimulus[..clocks])
-        }
-    }
-}
-
-/// The hardware alone, through the stimulus again and again.
-fn alone(subject: &Subject, stimulus: &[Inputs], most: Duration) -> Sample {
-    let mut hardware = (subject.hardware)();
-    let started = Instant::now();
-    let mut clocks = 0;
-    for chunk in stimulus.chunks(CHUNK).cycle() {
-        hardware.run(chunk);
-        clocks += chunk.len();
-        if started.elapsed() >= most {
-            break;
+impl Entrant {
+    fn run(&self, work: Work, stimuli: &[&[Inputs]], most: Duration) -> Result<Sample, WriteError> {
+        let first = |clocks: usize| -> Vec<&[Inputs]> {
+            let stimuli = stimuli.iter();
+            stimuli.map(|stimulus| &stimulus[..clocks]).collect()
+        };
+        match work {
+            Work::Hardware => Ok(self.alone(stimuli, most)),
+            Work::Scoreboard => {
+                let clocks = self.clocks_within(stimuli, most);
+                Ok(self.scored(&first(clocks), most))
+            }
+            Work::Waveforms => {
+                let clocks = self.clocks_within(stimuli, most);
+                self.traced(&first(clocks.min(MOST_TRACED / self.lanes)))
+            }
         }
     }
-    (clocks, started.elapsed().as_secs_f64(), 0)
-}
 
-/// Clocks of the stimulus that the hardware alone does in the time.
-fn clocks_within(subject: &Subject, stimulus: &[Inputs], most: Duration) -> usize {
-    let (clocks, seconds, _) = alone(subject, stimulus, most / 10);
-    let clocks = clocks as f64 / seconds.max(1e-9) * most.as_secs_f64();
-    (clocks as usize).clamp(1, stimulus.len())
-}
-
-fn scored(subject: &Subject, stimulus: &[Inputs], most: Duration) -> Sample {
-    let (mut clocks, mut seconds) = (0, 0.0);
-    while clocks == 0 || seconds < most.as_secs_f64() {
-        seconds += subject.run(stimulus, false).0.seconds;
-        clocks += stimulus.len();
+    /// The hardware alone, through the stimuli again and again.
+    fn alone(&self, stimuli: &[&[Inputs]], most: Duration) -> Sample {
+        let mut hardware = self.subject.hardware_in(self.lanes);
+        let length = stimuli[0].len();
+        let started = Instant::now();
+        let mut clocks = 0;
+        for begin in (0..length).step_by(CHUNK).cycle() {
+            let chunk = begin..length.min(begin + CHUNK);
+            let stimuli = stimuli.iter().map(|stimulus| &stimulus[chunk.clone()]);
+            hardware.run(&stimuli.collect::<Vec<_>>());
+            clocks += chunk.len() * self.lanes;
+            if started.elapsed() >= most {
+                break;
+            }
+        }
+        (clocks, started.elapsed().as_secs_f64(), 0)
     }
-    (clocks, seconds, 0)
-}
 
-fn traced(subject: &Subject, stimulus: &[Inputs]) -> Result<Sample, WriteError> {
-    let folder = tempfile::tempdir().map_err(|source| WriteError {
-        path: std::env::temp_dir(),
-        source,
-    })?;
-    let path = folder.path().join("trace.vcd");
-    let started = Instant::now();
-    let (_, trace) = subject.run(stimulus, true);
-    trace.expect("a trace was asked for").write(&path)?;
-    let seconds = started.elapsed().as_secs_f64();
-    let bytes = std::fs::metadata(&path).map_or(0, |file| file.len());
-    Ok((stimulus.len(), seconds, bytes))
+    /// Clocks of each stimulus that the hardware alone does in the time.
+    fn clocks_within(&self, stimuli: &[&[Inputs]], most: Duration) -> usize {
+        let (clocks, seconds, _) = self.alone(stimuli, most / 10);
+        let clocks = clocks as f64 / seconds.max(1e-9) * most.as_secs_f64() / self.lanes as f64;
+        (clocks as usize).clamp(1, stimuli[0].len())
+    }
+
+    fn scored(&self, stimuli: &[&[Inputs]], most: Duration) -> Sample {
+        let started = Instant::now();
+        let mut clocks = 0;
+        while clocks == 0 || started.elapsed() < most {
+            let outcomes = self.subject.run_all(stimuli, false);
+            clocks += outcomes
+                .iter()
+                .map(|(report, _)| report.cycles as usize)
+                .sum::<usize>();
+        }
+        (clocks, started.elapsed().as_secs_f64(), 0)
+    }
+
+    fn traced(&self, stimuli: &[&[Inputs]]) -> Result<Sample, WriteError> {
+        let folder = tempfile::tempdir().map_err(|source| WriteError {
+            path: std::env::temp_dir(),
+            source,
+        })?;
+        let started = Instant::now();
+        let (mut clocks, mut paths) = (0, vec![]);
+        for (lane, (report, trace)) in (0..).zip(self.subject.run_all(stimuli, true)) {
+            let path = folder.path().join(format!("trace_{lane}.vcd"));
+            trace.expect("a trace was asked for").write(&path)?;
+            clocks += report.cycles as usize;
+            paths.push(path);
+        }
+        let seconds = started.elapsed().as_secs_f64();
+        let sizes = paths.iter().filter_map(|path| path.metadata().ok());
+        Ok((clocks, seconds, sizes.map(|file| file.len()).sum()))
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::unit::subject;
-    use imogene_contract::{Request, Unit};
+    use imogene_contract::Unit;
 
     #[test]
     fn every_kind_of_work_is_measured_and_the_first_engine_has_ratio_one() {
-        let pe1 = || Entrant::new(|| subject(&Request::new(Unit::Pe1))).expect("a legal subject");
+        let pe1 = || Ok(subject(&Request::new(Unit::Pe1))?);
+        let engines = [1, LANES].map(|lanes| Entrant::new(lanes, pe1).expect("a legal subject"));
         for drive in [Drive::Frame, Drive::Random] {
-            check(&measure(&[pe1(), pe1()], drive, Duration::from_millis(30)).expect("a trace"));
+            let stimuli = stimuli(&engines, drive);
+            check(&measure(&engines, &stimuli, Duration::from_millis(30)).expect("a trace"));
         }
     }
 
     fn check(speeds: &[Speed]) {
         assert_eq!(speeds.len(), 6);
         for pair in speeds.chunks(2) {
-            assert_eq!(pair[0].ratio, 1.0);
+            assert_eq!(
+                (pair[0].ratio, pair[0].lanes, pair[1].lanes),
+                (1.0, 1, LANES)
+            );
             assert!(pair[0].clocks_per_second > 0.0 && pair[1].ratio > 0.0);
             assert!(pair[0].first_clock_seconds > 0.0);
             assert_eq!(
@@ -251,8 +332,8 @@ mod tests {
     fn a_frame_begins_each_line_once() {
         let pe1 = subject(&Request::new(Unit::Pe1)).expect("a legal subject");
         let frame = frame_stimulus(&pe1);
-        assert_eq!(frame.len(), 640 * 480);
+        assert_eq!(frame.len(), 640 * LINES);
         assert_eq!(frame.iter().filter(|i| i[1] == 1).count(), 1);
-        assert_eq!(frame.iter().filter(|i| i[2] == 1).count(), 479);
+        assert_eq!(frame.iter().filter(|i| i[2] == 1).count(), LINES - 1);
     }
 }

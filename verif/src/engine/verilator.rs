@@ -34,8 +34,13 @@ pub struct Model {
 impl Model {
     /// Compiles a design, or takes the library that is kept from before.
     pub fn compile(source: &Source) -> Result<Model, DesignError> {
+        Model::compile_with(source, "")
+    }
+
+    /// The same with more options of the C++ compiler.
+    pub fn compile_with(source: &Source, options: &str) -> Result<Model, DesignError> {
         let sources = shim::Sources::new(source);
-        let path = build::library(&sources)?;
+        let path = build::library(&sources, options)?;
         let load = |source| DesignError::Load {
             path: path.clone(),
             source,

@@ -14,10 +14,12 @@ use crate::engine::beam::BeamDesign;
 use crate::engine::{Engine, processor_signals, slots_of};
 use crate::report::Report;
 use crate::signal::Signal;
+use crate::subject::Inputs;
 use crate::waveform::{PlaceError, WindowStart};
 pub use request::{CosimError, Fault, MAX_OBJECTS, Options};
 
 use band::{Band, Part};
+use imogene_contract::{Request, Unit};
 use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::object::load::load_words;
@@ -70,6 +72,32 @@ pub fn request(
     rows_per_stage: usize,
 ) -> MachineRequest {
     MachineRequest::fitted(scene.format.widths(), rows_per_stage, slots_of(slots))
+}
+
+/// The unit that draws a scene in one zone, and the clocks in which it is loaded and draws.
+pub fn unit(
+    scene: &PreparedScene,
+    rows_per_stage: usize,
+) -> Result<(Request, Vec<Inputs>), CosimError> {
+    let slots = slots_for(scene, rows_per_stage)?;
+    let [width, height] = [scene.width, scene.height].map(i64::from);
+    let (planes, rows) = (slots[0].planes, rows_per_stage as u32);
+    let mut clocks: Vec<Inputs> = vec![];
+    for (object, (words, slot)) in (0..).zip(quadric_words(scene)?.into_iter().zip(&slots)) {
+        let words = with_planes(words, slot).for_zone(0, 0, width, height);
+        let words = load_words(&words, &scene.format, planes as usize).into_iter();
+        clocks.extend(words.map(|w| vec![0, 0, 0, 1, object, w.address.into(), w.bits as i64]));
+    }
+    let latency = i64::from(beam::latency(&slots, &scene.format, rows));
+    let scan = |clock| vec![i64::from(clock == 0), width, height, 0, 0, 0, 0];
+    clocks.extend((0..width * height + latency).map(scan));
+    let request = Request {
+        objects: slots.len() as u32,
+        planes,
+        rows_per_stage: rows,
+        ..Request::of(Unit::Beam, scene.format.depth)
+    };
+    Ok((request, clocks))
 }
 
 /// Runs the scene through the hardware in an engine and compares with the golden machine.

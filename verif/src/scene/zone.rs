@@ -73,7 +73,7 @@ impl<T: Sync> Job<T> {
         let mut pixel = 0;
         subject.run_each(clocks, |sample| {
             if sample.hardware[0] == Some(1) {
-                see(self.zone.place(pixel, screen_width), &sample.hardware);
+                see(self.zone.place(pixel, screen_width), sample.hardware);
                 pixel += 1;
             }
         })

@@ -47,7 +47,8 @@ pub fn subject(request: &Request) -> Result<Subject, RequestError> {
     let request = *request;
     let top = design(&request)?.top;
     // Compiled once, when it first runs.
-    let compiled = OnceLock::new();
+    let [alone, side_by_side] = [(); 2].map(|()| OnceLock::new());
+    let design = move || design(&request).expect("a checked request");
     let Description {
         golden,
         stimulus,
@@ -59,12 +60,13 @@ pub fn subject(request: &Request) -> Result<Subject, RequestError> {
         inputs: top.ports_of(Direction::In).map(Signal::of).collect(),
         outputs: top.ports_of(Direction::Out).map(Signal::of).collect(),
         hardware: Box::new(move || {
-            let compiled = compiled.get_or_init(|| {
-                let design = design(&request).expect("a checked request");
-                Compiled::of(&design, &[])
-            });
+            let compiled = alone.get_or_init(|| Compiled::of(&design(), &[]));
             Box::new(Circuit::new(compiled))
         }),
+        lanes: Some(Box::new(move || {
+            let compiled = side_by_side.get_or_init(|| Compiled::in_lanes(&design()));
+            Box::new(Circuit::new(compiled))
+        })),
         golden,
         stimulus,
         longest,
@@ -82,6 +84,7 @@ pub fn levelised(request: &Request) -> Result<Subject, RequestError> {
             let design = design(&request).expect("a checked request");
             Box::new(Levelised::new(&design))
         }),
+        lanes: None,
         ..subject(&request)?
     })
 }

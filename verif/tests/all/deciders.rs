@@ -17,8 +17,10 @@ fn unit(name: &str, values: &[(&'static str, usize)]) -> Result<Subject, Request
 
 fn check(name: &str, values: &[(&'static str, usize)], clocks: usize) {
     let subject = unit(name, values).expect("a unit in its legal range");
-    for seed in 0..8 {
-        let (report, _) = subject.run(&subject.seeded_stimulus(clocks, seed), false);
+    let stimuli: Vec<_> = (0..8)
+        .map(|seed| subject.seeded_stimulus(clocks, seed))
+        .collect();
+    for (report, _) in subject.run_all(&stimuli, false) {
         assert_eq!(report.mismatches, 0, "{name} {}", subject.options);
         assert!(report.comparisons > 0, "{name}: nothing was compared");
     }

@@ -10,8 +10,9 @@ use imogene_prepare::{PreparedScene, prepare};
 use imogene_scene::SceneFile;
 use imogene_verif::engine::Engine;
 use imogene_verif::engine::circuit::Circuit;
+use imogene_verif::random;
 use imogene_verif::scene::{self, Fault, Options};
-use imogene_verif::subject::Subject;
+use imogene_verif::subject::{Inputs, LANES, Lanes, Subject};
 use imogene_verif::unit::{subject, units};
 use imogene_verif::waveform::{Place, WaveformRequest, WindowStart};
 use std::path::Path;
@@ -19,6 +20,7 @@ use std::path::Path;
 /// A PE1 wired wrongly: at a line start it is given the pixel increment in place of the line increment.
 fn broken_pe1() -> Subject {
     let mut broken = subject(&Request::new(Unit::Pe1)).unwrap();
+    broken.lanes = None;
     broken.hardware = Box::new(|| {
         let mut unit = Circuit::of(|| pe1("top", Flags::input(), Linear::input(26)));
         Box::new(move |i: &[i64]| {
@@ -63,6 +65,124 @@ fn a_broken_unit_is_reported_with_cycle_values_and_trace() {
     assert!((72.0..120.0).contains(&clock), "{clock} pixels a clock");
 }
 
+/// Lanes in which an output of one is wrong in one clock.
+struct Planted {
+    inner: Box<dyn Lanes>,
+    lane: usize,
+    clock: u64,
+    clocks: u64,
+}
+
+impl Lanes for Planted {
+    fn clock(&mut self, inputs: &[&[i64]]) {
+        self.inner.clock(inputs);
+        self.clocks += 1;
+    }
+
+    fn outputs(&mut self, lane: usize, found: &mut Vec<Option<i64>>) {
+        self.inner.outputs(lane, found);
+        if (lane, self.clocks) == (self.lane, self.clock + 1) {
+            found[0] = found[0].map(|value| value ^ 1);
+        }
+    }
+
+    fn run(&mut self, stimuli: &[&[Inputs]]) {
+        self.inner.run(stimuli);
+    }
+}
+
+/// Stimuli of several lengths run side by side, and each by itself, with the same report, and a difference is found in
+/// its lane and clock alone.
+#[test]
+fn a_difference_is_found_in_its_lane_at_its_clock() {
+    let request = Request::new(Unit::Pe1);
+    let good = subject(&request).unwrap();
+    let lengths = [90, 40, 120, 60, 70, 30];
+    let stimuli = (0..)
+        .zip(lengths)
+        .map(|(seed, clocks)| good.seeded_stimulus(clocks, seed));
+    let stimuli: Vec<Vec<Inputs>> = stimuli.collect();
+    let one_by_one = stimuli.iter().map(|stimulus| good.run(stimulus, false).0);
+    let counts: Vec<_> = one_by_one
+        .map(|report| (report.cycles, report.comparisons))
+        .collect();
+    for (lane, clock) in [(0, 85), (1, 35), (2, 119), (3, 59)] {
+        let mut broken = subject(&request).unwrap();
+        let make = subject(&request).unwrap().lanes.unwrap();
+        broken.lanes = Some(Box::new(move || {
+            let (inner, clocks) = (make(), 0);
+            Box::new(Planted {
+                inner,
+                lane,
+                clock,
+                clocks,
+            })
+        }));
+        let outcomes = broken.run_all(&stimuli[..LANES], true);
+        let all = outcomes
+            .iter()
+            .map(|(report, _)| (report.cycles, report.comparisons));
+        assert!(all.eq(counts[..LANES].iter().copied()));
+        for (place, (report, trace)) in outcomes.into_iter().enumerate() {
+            let found: Vec<u64> = report
+                .first_mismatches
+                .iter()
+                .map(|found| found.cycle)
+                .collect();
+            assert_eq!(
+                found,
+                vec![clock; usize::from(place == lane)],
+                "lane {place}"
+            );
+            assert!(!trace.unwrap().is_empty());
+        }
+    }
+    // More than there are lanes.
+    let outcomes = good.run_all(&stimuli, false);
+    assert!(
+        outcomes
+            .iter()
+            .map(|(report, _)| (report.cycles, report.comparisons))
+            .eq(counts)
+    );
+}
+
+/// The first stimuli come first in the report, in lanes as one by one.
+#[test]
+fn many_stimuli_have_one_report_in_lanes_and_alone() {
+    let report = |is_in_lanes: bool| {
+        let request = Request::new(Unit::Pe1);
+        let mut broken = subject(&request).unwrap();
+        let make = subject(&request).unwrap().golden;
+        broken.golden = Box::new(move || {
+            let mut inner = make();
+            Box::new(move |inputs: &[i64]| {
+                let differs = i64::from(inputs[3] % 64 == 5);
+                let stated = inner.clock(inputs).into_iter();
+                stated.map(|value| Some(value? ^ differs)).collect()
+            })
+        });
+        if !is_in_lanes {
+            broken.lanes = None;
+        }
+        let (report, trace) = random::run(&broken, 40_000, 3, true);
+        let counts = [
+            report.cycles,
+            report.pixels,
+            report.comparisons,
+            report.mismatches,
+        ];
+        (
+            counts,
+            report.first_mismatches,
+            trace.map(|trace| trace.len()),
+        )
+    };
+    let (in_lanes, alone) = (report(true), report(false));
+    assert_eq!(in_lanes, alone);
+    assert!(alone.1.len() == 20 && alone.0[3] > 20);
+}
+
 /// For every unit: hardware whose first output has its lowest bit inverted now and then is found.
 #[test]
 fn every_scoreboard_finds_a_flipped_output_bit() {
@@ -72,6 +192,7 @@ fn every_scoreboard_finds_a_flipped_output_bit() {
         let stimulus = good.seeded_stimulus(120, 3);
         let make = subject(&request).unwrap().hardware;
         let mut broken = subject(&request).unwrap();
+        broken.lanes = None;
         broken.hardware = Box::new(move || {
             let mut inner = make();
             let mut clock = 0;

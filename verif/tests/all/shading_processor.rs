@@ -22,9 +22,10 @@ fn every_number_of_lights() {
         };
         let subject = subject(&request).unwrap();
         // Small numbers before a logarithm are rare.
-        for seed in 0..if lights == 1 { 100 } else { 8 } {
-            let stimulus = subject.seeded_stimulus(500, seed);
-            let (report, _) = subject.run(&stimulus, false);
+        let seeds = 0..if lights == 1 { 100 } else { 8 };
+        let stimuli = seeds.map(|seed| subject.seeded_stimulus(500, seed));
+        let outcomes = subject.run_all(&stimuli.collect::<Vec<_>>(), false);
+        for (seed, (report, _)) in outcomes.into_iter().enumerate() {
             assert_eq!(
                 report.mismatches, 0,
                 "{lights} lights, {suns} suns, seed {seed}: {:?}",

@@ -3,7 +3,9 @@
 
 use imogene_contract::{Request, Unit};
 use imogene_golden::format::Format;
+use imogene_verif::subject::LANES;
 use imogene_verif::unit::{subject, units};
+use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 
@@ -19,21 +21,22 @@ fn check(request: &Request, clocks: usize) {
     let name = request.unit.name();
     let subject = subject(request).expect("a unit in its legal range");
     let mut runner = TestRunner::new(Config {
-        cases: cases(),
+        cases: cases().div_ceil(LANES as u32),
         // Replayable without files: proptest prints the minimal stimulus, and the seed of a run is fixed below.
         failure_persistence: None,
         ..Config::default()
     });
-    let stimulus = (subject.stimulus)(&subject, clocks);
-    let outcome = runner.run(&stimulus, |stimulus| {
-        let (report, _) = subject.run(&stimulus, false);
-        prop_assert!(
-            report.mismatches == 0,
-            "{name} {}: {}",
-            subject.options,
-            report.first_mismatches[0]
-        );
-        prop_assert!(report.comparisons > 0, "{name}: nothing was compared");
+    let stimuli = vec((subject.stimulus)(&subject, clocks), LANES);
+    let outcome = runner.run(&stimuli, |stimuli| {
+        for (report, _) in subject.run_all(&stimuli, false) {
+            prop_assert!(
+                report.mismatches == 0,
+                "{name} {}: {}",
+                subject.options,
+                report.first_mismatches[0]
+            );
+            prop_assert!(report.comparisons > 0, "{name}: nothing was compared");
+        }
         Ok(())
     });
     if let Err(failure) = outcome {

@@ -207,6 +207,8 @@ struct Run {
     what: &'static str,
     program: Arc<Program>,
     simulation: Simulation,
+    /// The same, with inputs that are handed over with each clock.
+    stepped: Simulation,
 }
 
 impl Run {
@@ -215,6 +217,7 @@ impl Run {
         Run {
             what,
             simulation: Simulation::new(&program),
+            stepped: Simulation::new(&program),
             program,
         }
     }
@@ -239,6 +242,8 @@ proptest! {
         let points: Vec<_> = points.collect();
         let inputs: Vec<_> = design.top.ports_of(Direction::In).collect();
         for words in stimulus {
+            let rows = words.map(|words| words.map(|word| word as i64));
+            let rows = rows.each_ref().map(|row| &row[..]);
             for (simulator, words) in lanes.iter_mut().zip(words) {
                 for (port, word) in inputs.iter().zip(words) {
                     simulator.set(simulator.port(&port.name), word);
@@ -256,6 +261,8 @@ proptest! {
                     }
                 }
                 run.simulation.clock();
+                let stepped = run.stepped.step(&rows[..run.program.lanes()]);
+                prop_assert_eq!(stepped, run.simulation.outputs(), "{}", run.what);
             }
             lanes.iter_mut().for_each(Simulator::clock);
         }

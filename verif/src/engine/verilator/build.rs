@@ -65,19 +65,20 @@ fn build_folder() -> Option<PathBuf> {
         .map(Path::to_path_buf)
 }
 
-/// The library of these sources, compiled unless it is kept.
-pub(super) fn library(sources: &Sources) -> Result<PathBuf, ToolError> {
+/// The library of these sources, compiled with more options than ours unless it is kept.
+pub(super) fn library(sources: &Sources, more: &str) -> Result<PathBuf, ToolError> {
     let tools = tools()?;
-    let options = format!("{VERILATOR_OPTIONS}\n{}", compiler_options(tools).join(" "));
+    let compiler = compiler_options(tools, more);
+    let options = format!("{VERILATOR_OPTIONS}\n{}", compiler.join(" "));
     let name = digest([&*sources.verilog, &sources.shim, &tools.versions, &options]);
     let cache = cache_folder();
     let path = cache.join(format!("{name}.so"));
     made(&path, |folder| {
-        let run_time = run_time(&cache, tools, &options)?;
+        let run_time = run_time(&cache, tools, &compiler, &options)?;
         write(&folder.join("design.v"), &sources.verilog)?;
         write(&folder.join("shim.cpp"), &sources.shim)?;
         verilate(folder)?;
-        link(folder, tools, &run_time)
+        link(folder, &compiler, &run_time)
     })?;
     Ok(path)
 }
@@ -89,10 +90,11 @@ fn verilate(folder: &Path) -> Result<(), ToolError> {
     Ok(())
 }
 
-/// The compiler's options, with those of the user and the folders of Verilator's run time.
-fn compiler_options(tools: &Tools) -> Vec<String> {
-    let more = std::env::var(COMPILER_VARIABLE).unwrap_or_default();
-    let all = COMPILER_OPTIONS.split(' ').chain(more.split_whitespace());
+/// The compiler's options, with more, those of the user and the folders of Verilator's run time.
+fn compiler_options(tools: &Tools, more: &str) -> Vec<String> {
+    let of_user = std::env::var(COMPILER_VARIABLE).unwrap_or_default();
+    let more = more.split_whitespace().chain(of_user.split_whitespace());
+    let all = COMPILER_OPTIONS.split(' ').chain(more);
     let mut options: Vec<String> = all.map(String::from).collect();
     for folder in ["include", "include/vltstd"] {
         options.extend(["-I".into(), tools.root.join(folder).display().to_string()]);
@@ -101,7 +103,11 @@ fn compiler_options(tools: &Tools) -> Vec<String> {
 }
 
 /// Compiles what Verilator wrote as one file, and links it; the name of the library.
-fn link(folder: &Path, tools: &Tools, run_time: &[PathBuf]) -> Result<&'static str, ToolError> {
+fn link(
+    folder: &Path,
+    compiler: &[String],
+    run_time: &[PathBuf],
+) -> Result<&'static str, ToolError> {
     let generated = folder.join("cpp");
     let entries = std::fs::read_dir(&generated).map_err(FileError::at(&generated))?;
     let mut files: Vec<String> = entries
@@ -112,7 +118,7 @@ fn link(folder: &Path, tools: &Tools, run_time: &[PathBuf]) -> Result<&'static s
     files.sort();
     let unit = format!("#include \"shim.cpp\"\n{}", files.concat());
     write(&folder.join("all.cpp"), &unit)?;
-    let mut arguments = compiler_options(tools);
+    let mut arguments = compiler.to_vec();
     arguments.extend(["-I", "cpp", "-shared", "-o", "design.so", "all.cpp"].map(String::from));
     arguments.extend(run_time.iter().map(|path| path.display().to_string()));
     arguments.push("-pthread".into());
@@ -121,7 +127,12 @@ fn link(folder: &Path, tools: &Tools, run_time: &[PathBuf]) -> Result<&'static s
 }
 
 /// Objects of Verilator's run time, compiled unless they are kept.
-fn run_time(cache: &Path, tools: &Tools, options: &str) -> Result<Vec<PathBuf>, ToolError> {
+fn run_time(
+    cache: &Path,
+    tools: &Tools,
+    compiler: &[String],
+    options: &str,
+) -> Result<Vec<PathBuf>, ToolError> {
     // One thread of a process compiles them, the others wait; two processes may both, and the later renaming wins with
     // equal files.
     static ONE: Mutex<()> = Mutex::new(());
@@ -131,7 +142,7 @@ fn run_time(cache: &Path, tools: &Tools, options: &str) -> Result<Vec<PathBuf>, 
         let path = cache.join(format!("{part}-{}.o", &name[..16]));
         made(&path, |folder| -> Result<_, ToolError> {
             let source = tools.root.join(format!("include/{part}.cpp"));
-            let mut arguments = compiler_options(tools);
+            let mut arguments = compiler.to_vec();
             arguments.extend(["-c", "-o", "part.o"].map(String::from));
             arguments.push(source.display().to_string());
             COMPILER.run(arguments, folder)?;
