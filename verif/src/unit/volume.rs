@@ -73,17 +73,65 @@ fn points(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let words = planes_any_kind(words(&subject.inputs, width, &plan), subject);
     let near = 12_000i64.min((1 << (width - 1)) - 1);
     let point = prop_oneof![3 => -near..near, 2 => -12i64..12, 1 => depth(width)];
+    let surface = Surface::of(subject);
     (
         held(&subject.inputs, words, clocks),
         proptest::collection::vec(point, clocks),
+        proptest::option::of((any::<bool>(), any::<i64>())),
     )
-        .prop_map(move |(mut list, points)| {
+        .prop_map(move |(mut list, points, flat)| {
             for (inputs, point) in list.iter_mut().zip(points) {
                 // The golden model takes no more than half the depth word.
                 inputs[DEPTH + 1] &= (1 << (width - 1)) - 1;
                 inputs[DEPTH] = point;
+                if let (Some((is_far, at)), Some(surface)) = (flat, &surface) {
+                    surface.flatten(inputs, is_far, at, width);
+                }
             }
             list
         })
         .boxed()
+}
+
+/// Where the words of a quadric stand among the inputs.
+struct Surface {
+    /// The first word of the linear part, and the last one of the quadratic part, which follows it.
+    linear: usize,
+    constant: usize,
+    shift: usize,
+}
+
+impl Surface {
+    /// Nothing if the volume has none.
+    fn of(subject: &Subject) -> Option<Surface> {
+        let ports = &subject.inputs;
+        let place = |name| ports.iter().position(|signal| signal.name == name);
+        Some(Surface {
+            linear: place("f1_a")?,
+            constant: place("f2_f")?,
+            shift: place("depth_shift")?,
+        })
+    }
+
+    /// Makes both depths of the quadric constant, of any root, and puts one of them near the visible point: the lowest
+    /// digit of the root decides.
+    fn flatten(&self, inputs: &mut Inputs, is_far: bool, at: i64, width: u32) {
+        let drawn = inputs[self.constant];
+        let drawn = if drawn < 0 { !drawn } else { drawn };
+        let root = drawn.isqrt();
+        // Any, or the least and the greatest of a root.
+        let radicand = match at & 3 {
+            0 => root * root,
+            1 => root * root + 2 * root,
+            _ => drawn,
+        };
+        let unit = inputs[self.shift];
+        let end = 1i64 << (width - 1);
+        let depth = ((at >> 2).rem_euclid(2 * end) - end) >> unit;
+        inputs[self.linear..=self.constant].fill(0);
+        inputs[self.constant] = radicand;
+        inputs[self.linear + 2] = if is_far { depth - root } else { depth + root };
+        let point = (depth << unit) + inputs[DEPTH].rem_euclid(5 << unit) - (2 << unit);
+        inputs[DEPTH] = point.clamp(-end, end - 1);
+    }
 }

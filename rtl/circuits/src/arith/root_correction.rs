@@ -25,22 +25,21 @@ impl Estimate {
 
 /// One correction of a root: `root - floor((root^2 - radicand) / 2^(length + 1))`.
 ///
-/// The excess `root^2 - radicand` stands in the bits of the radicand: a root in error by 7 % at most leaves it below
-/// an eighth of their range. Latency 2: the square, then the subtractions. Section 2.3.3.
+/// The excess `root^2 - radicand` of `digits` digits is at most `2^(2 digits - 4)` either way, as much as the first
+/// linear estimate has, and what is taken of the root at most `2^(digits - 5)`. Latency 2: the square, then the
+/// subtractions. Section 2.3.3.
 fn root_correction(at: &str, estimate: Estimate) -> Estimate {
     module("root_correction", at, estimate, |estimate| {
-        let square = square("squarer", estimate.root, estimate.radicand.width());
+        let digits = estimate.radicand.width() / 2;
+        let excess_bits = 2 * digits - 2;
+        let square = square("squarer", estimate.root, excess_bits);
         let late = estimate.delayed(1);
         net! {
             let kept_square = square.reg();
-            let excess = kept_square - late.radicand;
+            let excess = (kept_square - late.radicand.low(excess_bits)).int();
             let places = late.length + Bits::new(1, LENGTH);
-            let is_negative = excess.top();
-            // The floor of a negative number is the complement of the shifted complement.
-            let magnitude = is_negative.select(!excess, excess);
-            let shifted = magnitude.right_by(places);
-            let narrow = shifted.low(late.root.width());
-            let taken = is_negative.select(!narrow, narrow);
+            let shifted = excess.right_by(places);
+            let taken = shifted.low(digits - 3).extend(digits + 1).bits();
         }
         let root = late.root - taken;
         ("next", Estimate { root, ..late }.registered())
