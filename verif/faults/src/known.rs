@@ -114,8 +114,10 @@ impl Known {
             held: Held::default(),
         };
         known.drop_unproven(&levels);
-        known.facts = facts(&levels, &known, &contract.seen);
-        known.phases = Phases::of(&levels, &known, counts_with(design, contract));
+        if known.always_holds {
+            known.facts = facts(&levels, &known, &contract.seen);
+            known.phases = Phases::of(&levels, &known, counts_with(design, contract));
+        }
         known.forgotten = known.forgotten(&levels);
         let inputs: Vec<usize> = contract.held.iter().filter_map(place).collect();
         if !inputs.is_empty() && levels.stores.is_empty() && known.forgets_all() {

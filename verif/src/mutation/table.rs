@@ -29,15 +29,24 @@ pub const OF_CIRCUITS: &str = "\
 A test suite is worth what it notices. *Every* mutant of each unit's circuit is run: each bit of each net stuck at 0,
 stuck at 1 and inverted, each bit of a constant inverted, each operator exchanged for another, the enable of each
 register stuck and inverted, each bit of what it holds at power-up inverted, in every instance. A mutant is *killed*
-when the unit's own stimulus shows a difference from the golden model. It is *equivalent* when it is proven to have the
-outputs and next states of the unit for every input and every state that the unit can come to, or, where the unit keeps
-nothing longer than its latency, the outputs for all inputs of that time: no test could kill it. The words of an object
-or a volume are held over a zone, and change while nothing is under way; there the clocks of a zone are compared. A
-mutant is *forgotten* when it changes the state at power-up and it is proven that nothing of it is left once the work
-began and the latency passed. The score is the share of the killed among the killed and the surviving.
+when the unit's own stimulus shows a difference from the golden model. It is *equivalent* when no test could kill it,
+which is proven in one of these ways:
 
-A mutant runs on up to 20 000 stimuli. Proofs are tried after 150 of them, those of the words of a zone after 3 000. The
-solver gives up after 10 000 conflicts, or earlier, and a mutant of which it knows nothing survives.
+- outputs and next states are those of the unit for every input and every state that the unit can come to; of these
+  states, bounds of registers and pairs of bits are guessed from a simulation and proven by induction;
+- the unit keeps nothing longer than its latency, and the outputs are the same for all inputs of that time;
+- the words of an object or a volume are held over a zone, and the clocks of a zone are the same;
+- the unit rests until its work begins and rests again after its latency, and does the same in between;
+- registers differ only in phases of the work in which nothing that counts reads them; an output that the golden model
+  states beside a `valid` of 1 alone counts only there;
+- results of words of more than 16, 20 or 24 bits are the same, and all shorter words were run.
+
+A mutant is *forgotten* when it changes the state at power-up and it is proven that nothing of it is left once the work
+began. The score is the share of the killed among the killed and the surviving.
+
+A mutant runs on up to 20 000 stimuli of 150 clocks; where a counter needs longer ones, on as many clocks. Proofs are
+tried after 150 stimuli with little effort, and after 3 000. The solver gives up after 10 000 conflicts, or earlier, and
+a mutant of which it knows nothing survives.
 
 A score below 100 % says that the stimulus is too weak, that the unit's contract leaves an input open, or that the
 proof needs to know more of the states that are never reached.

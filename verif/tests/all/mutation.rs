@@ -125,8 +125,15 @@ fn no_mutant_of_an_arithmetic_circuit_survives() {
         "decider",
         "card_decider",
         "csg_product",
+        "square_root_iterative",
     ];
-    let processors = ["facet_processor", "sphere_processor", "polyhedral_volume"];
+    let processors = [
+        "facet_processor",
+        "sphere_processor",
+        "polyhedral_volume",
+        "tmds_encoder",
+        "scene_sequencer",
+    ];
     let processors = processors.map(|name| (name, 16));
     let of_both_widths = names.into_iter().flat_map(|name| [(name, 16), (name, 24)]);
     let options = Options {
