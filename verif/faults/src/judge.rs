@@ -105,12 +105,16 @@ impl Judge {
         }
     }
 
-    /// Is the mutant that upsets make proven to be none by one clock, with a tenth of the effort?
+    /// Is the mutant that upsets make proven to be none with half the effort? Where inputs are held while the
+    /// circuit works, only one clock is tried.
     pub fn is_soon_same(&self, upsets: &[Upset]) -> bool {
+        let few = CONFLICTS / 2;
+        if self.work.is_none() {
+            return self.by_clocks(upsets, few) == Verdict::Equivalent;
+        }
         let mut gates = self.gates.clone();
         let bad = self.with(&self.good, upsets, &mut gates);
-        let goes_on = self.always_holds || self.forgets(&bad, &gates);
-        goes_on && self.of_a_clock(&bad, &mut gates, CONFLICTS / 10) == Verdict::Equivalent
+        self.always_holds && self.of_a_clock(&bad, &mut gates, few) == Verdict::Equivalent
     }
 
     /// Is nothing of the state left once the latency passed, in circuit and mutant?
@@ -120,7 +124,7 @@ impl Judge {
 
     /// What is known of the mutant that upsets make.
     pub fn judge(&self, upsets: &[Upset]) -> Verdict {
-        let verdict = self.by_clocks(upsets);
+        let verdict = self.by_clocks(upsets, CONFLICTS);
         let phases = self.phases.as_ref();
         match phases.is_some_and(|phases| phases.are_same(&self.compared(), upsets)) {
             true => Verdict::Equivalent,
@@ -129,10 +133,10 @@ impl Judge {
     }
 
     /// The same without a look at the phases of the work.
-    fn by_clocks(&self, upsets: &[Upset]) -> Verdict {
+    fn by_clocks(&self, upsets: &[Upset], conflicts: u64) -> Verdict {
         let mut gates = self.gates.clone();
         let bad = self.with(&self.good, upsets, &mut gates);
-        let of_a_clock = self.of_a_clock(&bad, &mut gates, CONFLICTS);
+        let of_a_clock = self.of_a_clock(&bad, &mut gates, conflicts);
         if of_a_clock == Verdict::Equivalent && self.always_holds {
             return Verdict::Equivalent;
         }
@@ -140,7 +144,7 @@ impl Judge {
             return Verdict::Equivalent;
         }
         let is_equal = of_a_clock == Verdict::Equivalent;
-        if self.forgets(&bad, &gates) && (is_equal || self.is_same_in_the_end(upsets)) {
+        if self.forgets(&bad, &gates) && (is_equal || self.is_same_in_the_end(upsets, conflicts)) {
             return Verdict::Equivalent;
         }
         match of_a_clock {
@@ -201,7 +205,7 @@ impl Judge {
     }
 
     /// Is what comes out after the latency equal?
-    fn is_same_in_the_end(&self, upsets: &[Upset]) -> bool {
+    fn is_same_in_the_end(&self, upsets: &[Upset], conflicts: u64) -> bool {
         let Some(flow) = self.flow() else {
             return false;
         };
@@ -209,7 +213,7 @@ impl Judge {
         let last = ends.last().expect("there is a first clock");
         let pairs = zip(&last[0].outputs, &last[1].outputs);
         let zeros = flow.zeros(&self.zeros, &self.levels);
-        equality(pairs, &zeros, &mut gates, CONFLICTS) == Verdict::Equivalent
+        equality(pairs, &zeros, &mut gates, conflicts) == Verdict::Equivalent
     }
 
     /// Are circuit and mutant the same while the work goes on, and do they come to the same state when it begins,

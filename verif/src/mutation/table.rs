@@ -45,8 +45,8 @@ A mutant is *forgotten* when it changes the state at power-up and it is proven t
 began. The score is the share of the killed among the killed and the surviving.
 
 A mutant runs on up to 20 000 stimuli of 150 clocks; where a counter needs longer ones, on as many clocks. Proofs are
-tried after 150 stimuli with little effort, and after 3 000. The solver gives up after 10 000 conflicts, or earlier, and
-a mutant of which it knows nothing survives.
+tried after 150 stimuli with half the effort, and after 3 000. The solver gives up after 10 000 conflicts, or earlier,
+and a mutant of which it knows nothing survives.
 
 A score below 100 % says that the stimulus is too weak, that the unit's contract leaves an input open, or that the
 proof needs to know more of the states that are never reached.
