@@ -132,7 +132,6 @@ fn no_mutant_of_an_arithmetic_circuit_survives() {
         "sphere_processor",
         "polyhedral_volume",
         "tmds_encoder",
-        "scene_sequencer",
     ];
     let processors = processors.map(|name| (name, 16));
     let of_both_widths = names.into_iter().flat_map(|name| [(name, 16), (name, 24)]);
