@@ -1,4 +1,4 @@
-//! Pixels per second, on one thread, of the golden quadric processor with three cut planes, in each instruction set that
+//! Pixels per second, on one thread, of the golden quadric processor with three cut planes, in each instruction set
 //! it is compiled for, beside a plain floating-point ray caster that solves the same object on the same pixels (front
 //! depth, face and normal).
 

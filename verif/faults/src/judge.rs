@@ -153,8 +153,8 @@ impl Judge {
         }
     }
 
-    /// Bits of the only input of a circuit each of whose results comes from one word of it, so that the mutant can differ
-    /// for words of no more bits alone: what all of these show decides.
+    /// Bits of words, where the mutant can differ for words of no more bits alone: what all of these show decides. The
+    /// circuit has one input, and each result comes from one word of it.
     pub fn short(&self, upsets: &[Upset]) -> Option<u32> {
         let [input] = self.levels.inputs() else {
             return None;
