@@ -300,9 +300,13 @@ fn plane_depths(plane: &Linear, to: &mut [i32; LANES], format: &Format, pixels: 
     }
 }
 
-/// As [`Ends::saturate`], of the word of `width` bits at the top of `word`.
+/// As [`Ends::saturate`], of the word of `width` bits at the top of `word`. One that is no longer than a depth is within
+/// the ends.
 #[inline(always)]
 fn saturated(word: i64, width: u32, format: &Format) -> i32 {
+    if width <= format.depth {
+        return (word >> 32) as i32 >> (32 - width);
+    }
     let [low, max] = [format.plane_low(), format.z_max()].map(|end| end << (64 - width));
     let depth = word.max(low).min(max) << (width - format.depth);
     (depth >> 32) as i32 >> (32 - format.depth)
