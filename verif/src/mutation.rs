@@ -5,8 +5,8 @@
 //! and shows a weakness of the stimulus. [`circuit`] makes every mutant of the circuit and needs no tool; [`netlist`]
 //! makes those that Yosys knows of the emitted Verilog.
 
-mod beginning;
 pub mod circuit;
+mod contract;
 pub mod netlist;
 mod score;
 pub mod table;

@@ -4,16 +4,17 @@
 //! for every beginning that the circuit can come to, they are equal for ever. Only state that can reach an output
 //! counts. Where they differ in a circuit that keeps nothing, what comes out after the latency is compared. Where
 //! inputs are held while a circuit works that forgets all else when the work begins, the clocks of the work are
-//! compared alone.
+//! compared alone. What else is tried has a file of its own: from rest to rest, and the phases of the work.
 
 use crate::controls::{Controls, Upset};
 use crate::flow::{State, Unrolled, keeps_nothing};
-use crate::frame::{Begin, End, Frame, Word, constant, free, upset};
+use crate::frame::{Begin, End, Frame, Word, constant, upset};
 use crate::gates::{Bit, Gates, NO};
 use crate::held::Held;
 use crate::idle::Idle;
 use crate::known::Known;
 use crate::phases::{Compared, Phases};
+use crate::rest::Rest;
 use crate::solve::{CONFLICTS, can_be};
 use imogene_hdl::Levels;
 use std::collections::{HashMap, HashSet};
@@ -242,72 +243,13 @@ impl Judge {
         equality(pairs, &zeros, &mut gates, CONFLICTS / 10) == Verdict::Equivalent
     }
 
-    /// Does a circuit that rests until its work begins, and rests again after its latency, do in between what the
-    /// mutant does, and come to the same state?
+    /// Does the mutant do what the circuit does from rest to rest?
     fn is_same_from_rest(&self, upsets: &[Upset]) -> bool {
-        let Some(rest) = self.rest.get_or_init(|| self.resting()) else {
-            return false;
-        };
-        let others = rest.dead.iter().cloned();
-        let others = others.chain(upset(&self.levels, upsets));
-        let mut gates = rest.gates.clone();
-        let bad = rest.clock.with(&self.levels, others, &mut gates);
-        let pairs = state_pairs(&rest.kept, &rest.clock.end, &bad);
-        let outputs = zip(&rest.clock.end.outputs, &bad.outputs);
-        let pairs = pairs.chain(outputs).collect();
-        if equality(pairs, &[], &mut gates, CONFLICTS) != Verdict::Equivalent {
-            return false;
-        }
-        let (mut gates, ends) = rest.work.with(&self.levels, upsets, &rest.dead);
-        let outputs = ends.iter();
-        let outputs = outputs.flat_map(|[good, bad]| zip(&good.outputs, &bad.outputs));
-        let [good, bad] = ends.last().expect("there is a first clock");
-        let pairs = outputs.chain(state_pairs(&rest.kept, good, bad)).collect();
-        equality(pairs, &[], &mut gates, CONFLICTS) == Verdict::Equivalent
-    }
-
-    /// A clock of rest, and the work, if it is one that begins with one bit and ends with the latency.
-    fn resting(&self) -> Option<Rest> {
-        let [input] = self.idle.quiet[..] else {
-            return None;
-        };
-        if self.idle.begins != [[(input, 1)]] || !self.levels.stores.is_empty() {
-            return None;
-        }
-        let (levels, mut idle) = (&self.levels, self.idle.of_control());
-        loop {
-            let begin = idle.begin(levels, self.begin.clone(), &self.registers);
-            let mut gates = self.gates.clone();
-            let clock = begin.clock(levels, &mut gates);
-            let words = levels.flops.iter().map(|flop| free(flop.width, &mut gates));
-            let words: Vec<Word> = words.collect();
-            let gates = gates.frozen();
-            let work = Unrolled::from_rest(levels, &gates, &begin, &idle, self.latency)?;
-            let ends = [&clock.end, work.end()];
-            let is_dropped = ends.map(|end| idle.drop_changing(end, &self.registers));
-            if is_dropped == [false; 2] {
-                let registers = self.registers.iter().copied();
-                let is_free = |index: &usize| {
-                    let mut bits = begin.at(levels.flops[*index].output).iter();
-                    bits.all(|bit| bit.gate() != NO.gate())
-                };
-                let (dead, kept): (Vec<usize>, Vec<usize>) = registers.partition(|index| {
-                    is_free(index)
-                        && work.is_dead(levels, *index)
-                        && clock.is_dead(levels, &begin, &gates, *index)
-                });
-                let dead = dead.into_iter();
-                let dead = dead.map(|index| (levels.flops[index].output, words[index].clone()));
-                let dead = dead.collect();
-                return Some(Rest {
-                    gates,
-                    clock,
-                    work,
-                    dead,
-                    kept,
-                });
-            }
-        }
+        let rest = self
+            .rest
+            .get_or_init(|| Rest::of(&self.compared(), &self.idle, self.latency));
+        rest.as_ref()
+            .is_some_and(|rest| rest.is_same(&self.levels, upsets))
     }
 
     /// The outputs from the beginning of the work on: before the first result nothing counts but the first output,
@@ -363,20 +305,8 @@ impl Judge {
     }
 }
 
-/// A circuit that rests until its work begins, and rests again after its latency.
-struct Rest {
-    gates: Gates,
-    /// A clock of rest.
-    clock: Frame,
-    work: Unrolled,
-    /// What rests in registers that are loaded before they are read may be anything: their places, and any words.
-    dead: Vec<(u32, Word)>,
-    /// The other registers.
-    kept: Vec<usize>,
-}
-
 /// What some registers hold after a clock.
-fn state_pairs<'a>(
+pub(crate) fn state_pairs<'a>(
     registers: &'a [usize],
     good: &'a End,
     bad: &'a End,
@@ -386,7 +316,12 @@ fn state_pairs<'a>(
 }
 
 /// Are the bits of all pairs equal?
-fn equality(pairs: Vec<(Bit, Bit)>, assumed: &[Bit], gates: &mut Gates, conflicts: u64) -> Verdict {
+pub(crate) fn equality(
+    pairs: Vec<(Bit, Bit)>,
+    assumed: &[Bit],
+    gates: &mut Gates,
+    conflicts: u64,
+) -> Verdict {
     let differ = pairs.into_iter().filter(|(good, bad)| good != bad);
     let differ: Vec<Bit> = differ.map(|(good, bad)| gates.xor(good, bad)).collect();
     let any = differ.into_iter().fold(NO, |any, bit| gates.or(any, bit));
@@ -398,7 +333,7 @@ fn equality(pairs: Vec<(Bit, Bit)>, assumed: &[Bit], gates: &mut Gates, conflict
 }
 
 /// Bits of the same places.
-fn zip(good: &Word, bad: &Word) -> Vec<(Bit, Bit)> {
+pub(crate) fn zip(good: &Word, bad: &Word) -> Vec<(Bit, Bit)> {
     let length = good.len().max(bad.len());
     let at = |word: &Word, index: usize| word.get(index).copied().unwrap_or(NO);
     (0..length)

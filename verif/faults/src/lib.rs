@@ -35,6 +35,7 @@ mod idle;
 mod judge;
 mod known;
 mod phases;
+mod rest;
 mod sites;
 mod solve;
 

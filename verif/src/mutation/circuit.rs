@@ -4,16 +4,13 @@
 //! Sites are compiled in groups into one program of the built-in engine; a mutant is an upset of it. What no stimulus
 //! kills goes to the solver.
 
-use super::beginning::beginning;
+use super::contract::contract_of_states;
 use super::score::{Fate, Kill, MutationError, MutationReport, Options};
 use super::vectors::{Vectors, vectors};
-use crate::signal::Signal;
 use crate::subject::Subject;
 use imogene_compiled::{Program, Simulation};
-use imogene_faults::{
-    CONFLICTS, Contract, Controls, Judge, Key, Known, Mutant, Site, Upset, Verdict, sites,
-};
-use imogene_hdl::{Design, Levels, Port, Simulator};
+use imogene_faults::{CONFLICTS, Controls, Judge, Key, Known, Mutant, Site, Upset, Verdict, sites};
+use imogene_hdl::Design;
 use rayon::prelude::*;
 use std::collections::HashSet;
 use std::ops::Range;
@@ -34,9 +31,6 @@ const PIECE: usize = 1 << 16;
 
 /// Stimuli between two looks at what is left.
 const BATCH: usize = 600;
-
-/// Stimuli from which facts of the states are guessed.
-const SEEN: u64 = 30;
 
 const DIFFERS: &str = "It differs in some state; no stimulus came to one whose outputs show it";
 
@@ -63,11 +57,7 @@ pub fn run(
 ) -> Result<MutationReport, MutationError> {
     let started = Instant::now();
     let options = &options.reaching(subject);
-    let contract = Contract {
-        seen: states(subject, design, options),
-        counts_with: counts_with(subject, options),
-        ..contract(subject, design)
-    };
+    let contract = contract_of_states(subject, design, options);
     let known = Known::new(design, &contract);
     let mut report = MutationReport::new(subject);
     let campaign = Campaign {
@@ -312,112 +302,6 @@ fn regrouped(design: &Design, alive: Vec<(Option<Site>, Key)>) -> Vec<Group> {
         .collect()
 }
 
-/// What a unit may rely on, and what the proofs may: the second differences of a PE2 are even; a margin is at most
-/// half the depths; behind a row of a root stand a remainder and its root.
-fn contract(subject: &Subject, design: &Design) -> Contract {
-    let zero = |signal: &Signal| {
-        let last = signal.name.rsplit('_').next().unwrap_or_default();
-        let bit = match last {
-            "a2" | "b2" => 0,
-            "margin" => signal.width - 1,
-            _ => return None,
-        };
-        Some((signal.name.clone(), bit))
-    };
-    let points = Levels::of(design).points;
-    let (quiet, begins) = beginning(subject);
-    let remainders = points
-        .iter()
-        .filter_map(|(path, _)| Some((path, path.strip_suffix(".next_remainder")?)));
-    let pairs = remainders.map(|(path, stage)| [path.clone(), format!("{stage}.next_root")]);
-    Contract {
-        zeros: subject.inputs.iter().filter_map(zero).collect(),
-        quiet,
-        begins,
-        zeros_beside: zeros_beside(subject),
-        held: held(subject),
-        remainders: pairs.collect(),
-        restores: subject.name != "square_root_non_restoring",
-        latency: subject.latency + usize::from(subject.name == "programmable_pe"),
-        ..Contract::default()
-    }
-}
-
-/// The second differences that a PE2 with a memory is loaded with are even.
-fn zeros_beside(subject: &Subject) -> Vec<((String, u64), (String, u32))> {
-    let name = |port: &str| port.to_owned();
-    let even = |address| ((name("load_address"), address), (name("load_data"), 0));
-    match &subject.name[..] {
-        "memory_pe2" => [0, 1].map(even).to_vec(),
-        _ => vec![],
-    }
-}
-
-/// States that the circuit comes to.
-fn states(subject: &Subject, design: &Design, options: &Options) -> Vec<Vec<u64>> {
-    let seeds = (0..SEEN.min(options.stimuli)).into_par_iter();
-    let states = seeds.flat_map_iter(|seed| {
-        let mut simulator = Simulator::new(design);
-        let ports = subject.inputs.iter();
-        let ports: Vec<Port> = ports.map(|signal| simulator.port(&signal.name)).collect();
-        let stimulus = subject.seeded_stimulus(options.clocks, seed);
-        let states = stimulus.into_iter().map(move |inputs| {
-            for ((port, signal), value) in ports.iter().zip(&subject.inputs).zip(inputs) {
-                simulator.set(*port, signal.bits(value));
-            }
-            simulator.clock();
-            simulator.registers().collect::<Vec<u64>>()
-        });
-        states.collect::<HashSet<_>>()
-    });
-    let states: HashSet<Vec<u64>> = states.collect();
-    states.into_iter().collect()
-}
-
-/// Outputs that the golden model states only beside a flag of 1, and the flag: an output called `valid`, or ending so.
-fn counts_with(subject: &Subject, options: &Options) -> Vec<(String, String)> {
-    let names: Vec<&String> = subject.outputs.iter().map(|signal| &signal.name).collect();
-    let Some(flag) = names.iter().position(|name| name.ends_with("valid")) else {
-        return vec![];
-    };
-    let stimuli = (0..SEEN.min(options.stimuli)).into_par_iter();
-    let stated = stimuli.map(|seed| {
-        let mut golden = (subject.golden)();
-        let mut stated = vec![false; names.len()];
-        for inputs in subject.seeded_stimulus(options.clocks, seed) {
-            let outputs = golden.clock(&inputs);
-            if outputs[flag] != Some(1) {
-                let found = stated.iter_mut().zip(&outputs);
-                found.for_each(|(stated, output)| *stated |= output.is_some());
-            }
-        }
-        stated
-    });
-    let none = || vec![false; names.len()];
-    let or = |a: Vec<bool>, b: Vec<bool>| a.iter().zip(b).map(|(a, b)| *a | b).collect();
-    let stated: Vec<bool> = stated.reduce(none, or);
-    let unstated = names.iter().zip(stated).filter(|(_, is)| !is);
-    unstated
-        .map(|(name, _)| ((*name).clone(), names[flag].clone()))
-        .collect()
-}
-
-/// Inputs that do not change while the unit works: the words of a zone, behind the raster of an object or a volume.
-fn held(subject: &Subject) -> Vec<String> {
-    let names: Vec<&str> = subject
-        .inputs
-        .iter()
-        .map(|signal| &signal.name[..])
-        .collect();
-    match names[..] {
-        ["valid", "start", "line", "x", "y", ref words @ ..] => {
-            let words = words.iter().filter(|name| **name != "depth");
-            words.map(|name| (*name).to_owned()).collect()
-        }
-        _ => vec![],
-    }
-}
-
 /// The first stimulus and clock that show each mutant, which these upsets make; `on_kill` is called for each that one
 /// shows. Mutants run side by side, and those that a stimulus did not kill run together again with the next.
 fn kills(
@@ -474,6 +358,7 @@ fn differences(
 
 #[cfg(test)]
 mod tests {
+    use super::super::contract::contract;
     use super::*;
     use imogene_contract::Request;
 

@@ -1,0 +1,180 @@
+//! What a unit may rely on, and what the proofs of its mutants may: its inputs, how its work begins, the states that it
+//! comes to, and where its outputs count.
+
+use super::score::Options;
+use crate::signal::Signal;
+use crate::subject::Subject;
+use imogene_faults::Contract;
+use imogene_hdl::{Design, Levels, Port, Simulator};
+use rayon::prelude::*;
+use std::collections::HashSet;
+
+/// Stimuli from which facts of the states are guessed.
+const SEEN: u64 = 30;
+
+/// Inputs that are 0 before, and the words of inputs in the clocks with which it begins.
+type Beginning = (Vec<String>, Vec<Vec<(String, u64)>>);
+
+/// Inputs that are 1 in the clock with which the work of most units begins.
+const BEGINS: [&str; 4] = ["pixel", "start", "go", "valid"];
+
+/// Words of the memory of a PE2 with one.
+const WORDS: u64 = 9;
+
+/// What a unit may rely on, and what the proofs may: the second differences of a PE2 are even; a margin is at most
+/// half the depths; behind a row of a root stand a remainder and its root.
+pub(super) fn contract(subject: &Subject, design: &Design) -> Contract {
+    let zero = |signal: &Signal| {
+        let last = signal.name.rsplit('_').next().unwrap_or_default();
+        let bit = match last {
+            "a2" | "b2" => 0,
+            "margin" => signal.width - 1,
+            _ => return None,
+        };
+        Some((signal.name.clone(), bit))
+    };
+    let points = Levels::of(design).points;
+    let (quiet, begins) = beginning(subject);
+    let remainders = points
+        .iter()
+        .filter_map(|(path, _)| Some((path, path.strip_suffix(".next_remainder")?)));
+    let pairs = remainders.map(|(path, stage)| [path.clone(), format!("{stage}.next_root")]);
+    Contract {
+        zeros: subject.inputs.iter().filter_map(zero).collect(),
+        quiet,
+        begins,
+        zeros_beside: zeros_beside(subject),
+        held: held(subject),
+        remainders: pairs.collect(),
+        restores: subject.name != "square_root_non_restoring",
+        latency: subject.latency + usize::from(subject.name == "programmable_pe"),
+        ..Contract::default()
+    }
+}
+
+/// The same with states that the circuit comes to, and where its outputs count.
+pub(super) fn contract_of_states(
+    subject: &Subject,
+    design: &Design,
+    options: &Options,
+) -> Contract {
+    Contract {
+        seen: states(subject, design, options),
+        counts_with: counts_with(subject, options),
+        ..contract(subject, design)
+    }
+}
+
+/// The second differences that a PE2 with a memory is loaded with are even.
+fn zeros_beside(subject: &Subject) -> Vec<((String, u64), (String, u32))> {
+    let name = |port: &str| port.to_owned();
+    let even = |address| ((name("load_address"), address), (name("load_data"), 0));
+    match &subject.name[..] {
+        "memory_pe2" => [0, 1].map(even).to_vec(),
+        _ => vec![],
+    }
+}
+
+/// States that the circuit comes to.
+fn states(subject: &Subject, design: &Design, options: &Options) -> Vec<Vec<u64>> {
+    let seeds = (0..SEEN.min(options.stimuli)).into_par_iter();
+    let states = seeds.flat_map_iter(|seed| {
+        let mut simulator = Simulator::new(design);
+        let ports = subject.inputs.iter();
+        let ports: Vec<Port> = ports.map(|signal| simulator.port(&signal.name)).collect();
+        let stimulus = subject.seeded_stimulus(options.clocks, seed);
+        let states = stimulus.into_iter().map(move |inputs| {
+            for ((port, signal), value) in ports.iter().zip(&subject.inputs).zip(inputs) {
+                simulator.set(*port, signal.bits(value));
+            }
+            simulator.clock();
+            simulator.registers().collect::<Vec<u64>>()
+        });
+        states.collect::<HashSet<_>>()
+    });
+    let states: HashSet<Vec<u64>> = states.collect();
+    states.into_iter().collect()
+}
+
+/// Outputs that the golden model states only beside a flag of 1, and the flag: an output called `valid`, or ending so.
+fn counts_with(subject: &Subject, options: &Options) -> Vec<(String, String)> {
+    let names: Vec<&String> = subject.outputs.iter().map(|signal| &signal.name).collect();
+    let Some(flag) = names.iter().position(|name| name.ends_with("valid")) else {
+        return vec![];
+    };
+    let stimuli = (0..SEEN.min(options.stimuli)).into_par_iter();
+    let stated = stimuli.map(|seed| {
+        let mut golden = (subject.golden)();
+        let mut stated = vec![false; names.len()];
+        for inputs in subject.seeded_stimulus(options.clocks, seed) {
+            let outputs = golden.clock(&inputs);
+            if outputs[flag] != Some(1) {
+                let found = stated.iter_mut().zip(&outputs);
+                found.for_each(|(stated, output)| *stated |= output.is_some());
+            }
+        }
+        stated
+    });
+    let none = || vec![false; names.len()];
+    let or = |a: Vec<bool>, b: Vec<bool>| a.iter().zip(b).map(|(a, b)| *a | b).collect();
+    let stated: Vec<bool> = stated.reduce(none, or);
+    let unstated = names.iter().zip(stated).filter(|(_, is)| !is);
+    unstated
+        .map(|(name, _)| ((*name).clone(), names[flag].clone()))
+        .collect()
+}
+
+/// Inputs that do not change while the unit works: the words of a zone, behind the raster of an object or a volume.
+fn held(subject: &Subject) -> Vec<String> {
+    let names: Vec<&str> = subject
+        .inputs
+        .iter()
+        .map(|signal| &signal.name[..])
+        .collect();
+    match names[..] {
+        ["valid", "start", "line", "x", "y", ref words @ ..] => {
+            let words = words.iter().filter(|name| **name != "depth");
+            words.map(|name| (*name).to_owned()).collect()
+        }
+        _ => vec![],
+    }
+}
+
+/// How the work of a unit begins.
+fn beginning(subject: &Subject) -> Beginning {
+    let named = |names: &[&str]| -> Vec<String> {
+        let inputs = subject.inputs.iter().map(|signal| &signal.name[..]);
+        let named = inputs.filter(|name| names.contains(name));
+        named.map(str::to_owned).collect()
+    };
+    match &subject.name[..] {
+        // All words, then a picture, and the clocks of its first line.
+        "memory_pe2" => {
+            let quiet = [
+                "load_valid",
+                "field_start",
+                "picture_start",
+                "line_start",
+                "pixel",
+            ];
+            let loads = (0..WORDS).map(|word| clock(&[("load_valid", 1), ("load_address", word)]));
+            let starts = ["picture_start", "line_start"].map(|name| clock(&[(name, 1)]));
+            let line = std::iter::repeat_n(vec![], 15);
+            (named(&quiet), loads.chain(starts).chain(line).collect())
+        }
+        // Two clocks of blanking.
+        "tmds_encoder" => (vec![], vec![clock(&[("de", 0)]); 2]),
+        _ => {
+            let quiet = named(&BEGINS);
+            let begins = quiet.iter().map(|name| (name.clone(), 1)).collect();
+            (quiet, vec![begins])
+        }
+    }
+}
+
+fn clock(words: &[(&str, u64)]) -> Vec<(String, u64)> {
+    let words = words.iter();
+    words
+        .map(|(name, word)| ((*name).to_owned(), *word))
+        .collect()
+}
