@@ -300,8 +300,8 @@ fn plane_depths(plane: &Linear, to: &mut [i32; LANES], format: &Format, pixels: 
     }
 }
 
-/// As [`Ends::saturate`], of the word of `width` bits at the top of `word`. One that is no longer than a depth is within
-/// the ends.
+/// As [`Ends::saturate`], of the word of `width` bits at the top of `word`. One that is no longer than a depth is
+/// within the ends.
 #[inline(always)]
 fn saturated(word: i64, width: u32, format: &Format) -> i32 {
     if width <= format.depth {
