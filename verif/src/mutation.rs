@@ -7,6 +7,7 @@
 
 pub mod circuit;
 mod contract;
+pub mod machine;
 pub mod netlist;
 mod score;
 pub mod table;

@@ -88,6 +88,7 @@ pub const GROUPS: &[Group] = &[
             "imogene prove pe1",
             "imogene prove pe1 --mutants",
             "imogene mutate cut_plane",
+            "imogene mutate scenes/shadows/ball-before-ball.toml --machine machines/beam-48x32.toml --stimuli 2",
             "imogene speed pe1 --seconds 1",
         ],
     },

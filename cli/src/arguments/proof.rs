@@ -21,9 +21,13 @@ pub struct Prove {
 /// Arguments of `mutate`.
 #[derive(Debug, Args)]
 pub struct Mutate {
-    /// Units, as listed by `imogene units`, with commas between, or `all`.
+    /// Units, as listed by `imogene units`, with commas between, or `all`; with --machine the scenes that it shows one
+    /// after the other.
     #[arg(value_delimiter = ',', required = true)]
     pub unit: Vec<String>,
+    /// Mutants of what this machine is made of beside its units.
+    #[arg(long, value_name = "FILE.toml", conflicts_with_all = ["format", "netlist", "clocks", "out"])]
+    pub machine: Option<PathBuf>,
     /// Depth words in bits, 8 to 32, with commas between.
     #[arg(long, default_value = "16", value_name = "W,...", value_delimiter = ',', value_parser = depth_word)]
     pub format: Vec<u32>,
@@ -31,7 +35,8 @@ pub struct Mutate {
     /// circuit; `all` are ten units.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub netlist: Option<u32>,
-    /// Stimuli that a mutant is run on at most; a proof is tried after 150. [default: 20000, with --netlist 150]
+    /// Stimuli that a mutant is run on at most; a proof is tried after 150. [default: 20000, with --netlist 150, runs
+    /// of a machine 8]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     pub stimuli: Option<u64>,
     /// Clocks of each of them, about; the raster of a screen runs over two frames at least.

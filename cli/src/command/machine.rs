@@ -23,7 +23,7 @@ use imogene_verif::display::pins::{PinsOutcome, PinsRun, run as run_pins};
 use imogene_verif::display::request::request;
 use imogene_verif::report::Report;
 use report::{MachineReport, tell};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Shows scenes on the pins of a machine.
 pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
@@ -34,7 +34,7 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
         .iter()
         .map(|(path, view)| prepared(path, view, &machine));
     let scenes = scenes.collect::<Result<Vec<_>, _>>()?;
-    let images = images(&scenes, &machine, options)?;
+    let images = images(&scenes, &machine, &options.machine, options.refine)?;
     let command = command_of(options);
     let request = request(&machine, &command);
     let mut files = output::files();
@@ -143,6 +143,23 @@ fn views(options: &Machine) -> Result<Vec<(&Path, View)>, Failure> {
     Ok(views)
 }
 
+/// What a machine, read from a file, shows of scenes as they are written.
+pub fn images_of(
+    scenes: &[PathBuf],
+    machine: &MachineDescription,
+    path: &Path,
+) -> Result<Vec<Image>, Failure> {
+    let as_written = View {
+        camera: None,
+        frame: None,
+    };
+    let scenes = scenes
+        .iter()
+        .map(|path| prepared(path, &as_written, machine));
+    let scenes = scenes.collect::<Result<Vec<_>, _>>()?;
+    images(&scenes, machine, path, Refinement::Box)
+}
+
 fn prepared(path: &Path, view: &View, machine: &MachineDescription) -> Result<Scene, Failure> {
     let file = read_scene(path, view)?;
     let size = machine.drawn_size();
@@ -159,7 +176,8 @@ fn prepared(path: &Path, view: &View, machine: &MachineDescription) -> Result<Sc
 fn images(
     scenes: &[Scene],
     machine: &MachineDescription,
-    options: &Machine,
+    path: &Path,
+    refine: Refinement,
 ) -> Result<Vec<Image>, Failure> {
     let named = |name: &dyn std::fmt::Display, error| Failure::Input(format!("{name}: {error}"));
     // What no machine shows is the matter of its scene, what this one lacks that of its description.
@@ -170,9 +188,9 @@ fn images(
         }
     }
     let all: Vec<_> = scenes.iter().map(Scene::parts).collect();
-    needs::check(machine, &all).map_err(|error| named(&options.machine.display(), error))?;
+    needs::check(machine, &all).map_err(|error| named(&path.display(), error))?;
     let image = |scene: &Scene| {
-        let image = refined_image(&scene.framed, &scene.prepared, machine, options.refine);
+        let image = refined_image(&scene.framed, &scene.prepared, machine, refine);
         image.map_err(|error| named(&scene.name, error))
     };
     scenes.iter().map(image).collect()
@@ -260,6 +278,7 @@ fn show(
         late: options.late,
         frames: options.frames as usize,
         waveforms: waveforms.as_ref(),
+        stops: None,
     };
     let outcome = output::during(
         images.len() as u64 + u64::from(options.frames),

@@ -1,15 +1,22 @@
 //! `imogene mutate`.
 
+use super::machine;
 use crate::arguments::Mutate;
 use crate::failure::Failure;
 use crate::output;
 use imogene_contract::{Request, Unit};
 use imogene_files::text::counted;
+use imogene_plan::description::MachineDescription;
 use imogene_rtl::emit::{design, emit};
+use imogene_verif::mutation::machine::{self as of_machine, Shown};
 use imogene_verif::mutation::{MutationReport, Options, circuit, netlist, table};
 use imogene_verif::unit::subject;
+use std::path::{Path, PathBuf};
 
 pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
+    if let Some(path) = &options.machine {
+        return of_machine(path, options, json);
+    }
     let named = options.unit.iter().map(String::as_str);
     let units: Vec<&str> = match (options.unit == ["all"], options.netlist) {
         (true, None) => Unit::ALL.into_iter().map(Unit::name).collect(),
@@ -57,6 +64,33 @@ pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
         let text = table::markdown(&reports, introduction, &command);
         output::write_text(path, &text)?;
     }
+    if json {
+        output::json(&reports);
+    }
+    verdict(&reports)
+}
+
+/// What a machine is made of beside its units.
+fn of_machine(path: &Path, options: &Mutate, json: bool) -> Result<(), Failure> {
+    let machine = MachineDescription::read(path)?;
+    let scenes: Vec<PathBuf> = options.unit.iter().map(PathBuf::from).collect();
+    let images = machine::images_of(&scenes, &machine, path)?;
+    let shown = Shown {
+        machine: &machine,
+        images: &images,
+        runs: options.stimuli.unwrap_or(8),
+    };
+    let design = of_machine::design(&machine)?;
+    let name = path.file_stem().unwrap_or_default().to_string_lossy();
+    let bar = output::progress(of_machine::count(&design), "mutants");
+    let report = MutationReport::of(&name, &options.unit.join(","));
+    let report = of_machine::run(&shown, &design, report, || bar.inc(1));
+    bar.finish_and_clear();
+    let report = report?;
+    if !json {
+        output::text(describe(&report));
+    }
+    let reports = vec![report];
     if json {
         output::json(&reports);
     }

@@ -81,6 +81,47 @@ fn sources_need_no_tool() {
     }
 }
 
+/// The top level with the stated models of the cells, in Verilator.
+#[test]
+fn what_a_board_is_made_of_is_lint_clean() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = scene("ellipsoid.toml").display().to_string();
+    let models = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../synth/board/src/top/models.v"
+    );
+    for board in ["ulx3s-12", "icebreaker", "hx8k-evb"] {
+        let mut command = imogene();
+        command.args([
+            "board",
+            board,
+            &scene,
+            "--flat",
+            "--sources-only",
+            "--out",
+            board,
+        ]);
+        command.current_dir(folder.path()).assert().success();
+        let lint = std::process::Command::new("verilator")
+            .args([
+                "--lint-only",
+                "-Wall",
+                "-Wno-DECLFILENAME",
+                "--top-module",
+                "board_top",
+                "board.v",
+            ])
+            .args(["-v", models])
+            // Cells of the part have pins and parameters that this design has no use for.
+            .args(["-Wno-PINMISSING", "-Wno-UNUSEDPARAM"])
+            .current_dir(folder.path().join(board))
+            .output()
+            .expect("verilator, which scripts/setup installs");
+        let said = String::from_utf8_lossy(&lint.stderr);
+        assert!(lint.status.success(), "{board}: {said}");
+    }
+}
+
 #[test]
 fn what_is_refused_says_what_would_do() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -51,7 +51,12 @@ pub fn sources(board: &Board, pll: &Pll, display: &Display) -> Result<Sources, B
     let templates = templates()?;
     let mut add = |name: &str, values: Value| -> Result<(), BoardError> {
         verilog += "\n";
-        verilog += &templates.get_template(name)?.render(values)?;
+        verilog += &(templates
+            .get_template(name)?
+            .render(values)?
+            .trim_end()
+            .to_owned()
+            + "\n");
         Ok(())
     };
     add("core", core(board, display)?)?;

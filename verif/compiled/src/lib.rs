@@ -122,6 +122,11 @@ impl Simulation {
         self.is_read = [false; 2];
     }
 
+    /// Do all registers and memories hold what those of another instance of the same design hold?
+    pub fn is_like(&self, other: &Simulation) -> bool {
+        self.words[..] == other.words[..]
+    }
+
     /// The words of all outputs in this clock, in the order of the ports; of each those of all lanes.
     pub fn outputs(&mut self) -> &[u64] {
         self.given(Task::Outputs)

@@ -1,6 +1,6 @@
 //! Words that begin at a line of four, so that no vector lies across two lines of a cache.
 
-use std::ops::{Deref, DerefMut};
+use std::ops::{Deref, DerefMut, Range};
 
 /// Words whose first lies at a multiple of 32 bytes.
 pub(crate) struct Words {
@@ -8,9 +8,12 @@ pub(crate) struct Words {
     begin: usize,
 }
 
+/// Words more than are wanted, of which as many stand before the first as its place asks for.
+const MORE: usize = 3;
+
 impl Words {
     pub(crate) fn new(count: usize) -> Words {
-        let words = vec![0u64; count + 3];
+        let words = vec![0u64; count + MORE];
         Words {
             begin: words.as_ptr().align_offset(32),
             words,
@@ -20,8 +23,12 @@ impl Words {
     /// One for each lane, side by side.
     pub(crate) fn of_constants(constants: &[[u64; 4]]) -> Words {
         let mut words = Words::new(4 * constants.len());
-        words[..4 * constants.len()].copy_from_slice(constants.as_flattened());
+        words.copy_from_slice(constants.as_flattened());
         words
+    }
+
+    fn range(&self) -> Range<usize> {
+        self.begin..self.begin + self.words.len() - MORE
     }
 }
 
@@ -29,12 +36,13 @@ impl Deref for Words {
     type Target = [u64];
 
     fn deref(&self) -> &[u64] {
-        &self.words[self.begin..]
+        &self.words[self.range()]
     }
 }
 
 impl DerefMut for Words {
     fn deref_mut(&mut self) -> &mut [u64] {
-        &mut self.words[self.begin..]
+        let range = self.range();
+        &mut self.words[range]
     }
 }

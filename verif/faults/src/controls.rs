@@ -187,6 +187,11 @@ impl Controls {
         (site, key)
     }
 
+    /// The module in which a mutant is.
+    pub fn module(&self, mutant: &Mutant) -> &Arc<Module> {
+        &self.controls[mutant.control].module
+    }
+
     /// What a mutant changes, as `f2.kept_b[3] stuck at 1 (pe2.rs:40)`.
     pub fn describe(&self, mutant: &Mutant) -> String {
         let Control {
@@ -273,7 +278,7 @@ impl Control {
 }
 
 /// Every instance with its path and the number of its first register among all.
-fn walk(
+pub(crate) fn walk(
     module: &Arc<Module>,
     path: &str,
     registers: &mut usize,

@@ -116,6 +116,11 @@ pub(crate) struct Frame {
 }
 
 impl Frame {
+    /// The word at a place.
+    pub(crate) fn at(&self, place: u32) -> &Word {
+        &self.words[place as usize]
+    }
+
     /// The same clock where these places begin with other words.
     pub(crate) fn with(
         &self,

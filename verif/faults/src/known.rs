@@ -256,7 +256,7 @@ impl Known {
 
 /// What never changes from power-up on while these inputs are quiet: all that is held at power-up but for what one
 /// clock may change, until there is none.
-fn idle(levels: &Levels, zeros: &[(usize, u32)], quiet: &[usize]) -> Idle {
+pub(crate) fn idle(levels: &Levels, zeros: &[(usize, u32)], quiet: &[usize]) -> Idle {
     let registers: Vec<usize> = (0..levels.flops.len()).collect();
     let mut idle = Idle {
         quiet: quiet.to_vec(),

@@ -24,6 +24,7 @@
 //! assert_eq!(verdict, Verdict::Equivalent);
 //! ```
 
+mod alone;
 mod controls;
 mod exchange;
 mod facts;
@@ -39,6 +40,7 @@ mod rest;
 mod sites;
 mod solve;
 
+pub use alone::{Around, alone};
 pub use controls::{Change, Controls, Key, Mutant, Upset};
 pub use judge::{Judge, Verdict};
 pub use known::{Contract, Known};

@@ -25,15 +25,24 @@ impl Machine {
         engine: Engine,
         nets: &[String],
     ) -> Result<Machine, DesignError> {
-        let design = MachineDesign::compile(engine, request, &[], nets)?;
+        Ok(Machine::of(MachineDesign::compile(
+            engine,
+            request,
+            &[],
+            nets,
+        )?))
+    }
+
+    /// An instance of a design.
+    pub fn of(design: MachineDesign) -> Machine {
         let (inputs, outputs) = (&design.inputs, &design.outputs);
-        Ok(Machine {
+        Machine {
             running: design.instance(),
             given: vec![0; inputs.len()],
             found: vec![Some(0); outputs.len()],
             design,
             clocks: 0,
-        })
+        }
     }
 
     /// Sets an input.

@@ -21,15 +21,31 @@ pub fn run(
     machine: &MachineDescription,
     images: &[Image],
     options: &PinsRun,
+    frame_done: impl FnMut(),
+) -> Result<PinsOutcome, RunError> {
+    run_in(
+        options.start(machine)?,
+        machine,
+        images,
+        options,
+        frame_done,
+    )
+}
+
+/// The same in a machine that is ready to run, of this description.
+pub fn run_in(
+    mut hardware: Machine,
+    machine: &MachineDescription,
+    images: &[Image],
+    options: &PinsRun,
     mut frame_done: impl FnMut(),
 ) -> Result<PinsOutcome, RunError> {
     if machine.output == Output::Stream {
-        return stream::run(machine, images, options, frame_done);
+        return Ok(stream::run(hardware, machine, images, options, frame_done));
     }
     let clocks = request(machine, "").clocks();
     let behind = clocks.map_err(DesignError::from)?.output;
     let mode = mode(machine);
-    let mut hardware = options.start(machine)?;
     let started = Instant::now();
     let mut run = Run {
         places: PINS.map(|pin| hardware.output(pin)),
@@ -57,7 +73,10 @@ pub fn run(
     let mut plane = options.overlay.map_or(&[][..], |plane| &plane.words);
     let mut seen_last = 0;
     let limit = host.limit(mode.clocks(), options.frames);
-    while seen_last < options.frames && hardware.clocks < limit {
+    while seen_last < options.frames
+        && hardware.clocks < limit
+        && !options.ends(&run.outcome, hardware.clocks)
+    {
         if options.overlay.is_some() {
             plane = write_plane(&mut hardware, plane, options.overlay);
         }

@@ -100,7 +100,7 @@ pub fn timing(request: &MachineRequest) -> Result<Timing, RequestError> {
 }
 
 /// The screen of a description that was checked.
-pub(super) fn mode(machine: &MachineDescription) -> VideoMode {
+pub fn mode(machine: &MachineDescription) -> VideoMode {
     let mode = machine.video_mode();
     mode.expect("a description that was checked")
 }

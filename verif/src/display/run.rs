@@ -28,6 +28,8 @@ pub struct PinsRun<'a> {
     pub frames: usize,
     /// Waveforms, if they are wanted.
     pub waveforms: Option<&'a WaveformRequest>,
+    /// If the run ends with the first difference, the clock with which it ends at the latest.
+    pub stops: Option<u64>,
 }
 
 impl PinsRun<'_> {
@@ -40,7 +42,14 @@ impl PinsRun<'_> {
             late: 0,
             frames: 1,
             waveforms: None,
+            stops: None,
         }
+    }
+
+    /// Does the run end after so many clocks with what came of it?
+    pub(super) fn ends(&self, outcome: &PinsOutcome, clocks: u64) -> bool {
+        let stops = |limit| outcome.report.mismatches > 0 || clocks >= limit;
+        self.stops.is_some_and(stops)
     }
 
     /// The machine, ready to run; refuses waveforms from a pixel that its screen does not have.

@@ -3,7 +3,7 @@
 use super::Machine;
 use super::host::Host;
 use super::request::mode;
-use super::run::{PinsOutcome, PinsRun, RunError};
+use super::run::{PinsOutcome, PinsRun};
 use super::stalls::Stalls;
 use super::waves::Spot;
 use crate::report::place;
@@ -14,18 +14,15 @@ use std::time::Instant;
 /// What a receiver is given with each pixel.
 const STREAM: [&str; 3] = ["m_tdata", "m_tuser", "m_tlast"];
 
-/// Clocks without a pixel after which a machine is given up.
-const PATIENCE: u64 = 1 << 22;
-
 /// Sends the words of images and takes pixels until the last image was seen `frames` times. Every pixel of a frame has
 /// to come exactly once, its word has to stay while the receiver stalls, and the first and last have to say so.
-pub fn run(
+pub(super) fn run(
+    mut hardware: Machine,
     machine: &MachineDescription,
     images: &[Image],
     options: &PinsRun,
     mut frame_done: impl FnMut(),
-) -> Result<PinsOutcome, RunError> {
-    let mut hardware = options.start(machine)?;
+) -> PinsOutcome {
     let mut waves = options.waves(&hardware, &STREAM);
     let started = Instant::now();
     let mut host = Host::new(images, options);
@@ -35,10 +32,11 @@ pub fn run(
     // A frame of a zone machine comes once for each image; a beam machine repeats its frame until the next image is
     // there.
     let wanted = if is_beam { options.frames } else { 1 };
+    let limit = host.limit(mode(machine).clocks(), options.frames);
     let (mut seen_last, mut idle, mut stalled) = (0, 0, None);
     hardware.set("m_tready", 0);
     hardware.clock();
-    while seen_last < wanted && idle < PATIENCE {
+    while seen_last < wanted && idle < limit && !options.ends(&taker.outcome, hardware.clocks) {
         host.offer(&mut hardware, is_beam, &mut taker.outcome);
         let takes = !receiver.stall();
         hardware.set("m_tready", takes.into());
@@ -68,7 +66,7 @@ pub fn run(
     }
     let all = seen_last == wanted;
     taker.check("frames of the last image", hardware.clocks, all);
-    Ok(taker.outcome.finished(&hardware, options, waves, started))
+    taker.outcome.finished(&hardware, options, waves, started)
 }
 
 /// A pixel on the stream.

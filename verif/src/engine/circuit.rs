@@ -4,6 +4,7 @@ use super::design::{self, Instance};
 use crate::signal::Signal;
 use crate::subject::{Clocked, Inputs, LANES, Lanes};
 use imogene_compiled::{Program, Simulation};
+use imogene_faults::Upset;
 use imogene_hdl::{self as hdl, Design, Direction, Simulator};
 use std::hint::black_box;
 use std::sync::Arc;
@@ -12,6 +13,8 @@ use std::sync::Arc;
 pub struct Compiled {
     program: Arc<Program>,
     outputs: Vec<Signal>,
+    /// Registers that hold other words at power-up, in every lane.
+    upsets: Vec<Upset>,
 }
 
 impl Compiled {
@@ -34,6 +37,16 @@ impl Compiled {
         Arc::new(Compiled {
             program: Arc::new(program),
             outputs: outputs.map(Signal::of).collect(),
+            upsets: vec![],
+        })
+    }
+
+    /// The same with registers that hold other words at power-up.
+    pub fn upset(&self, upsets: &[Upset]) -> Arc<Compiled> {
+        Arc::new(Compiled {
+            program: self.program.clone(),
+            outputs: self.outputs.clone(),
+            upsets: upsets.to_vec(),
         })
     }
 }
@@ -53,8 +66,14 @@ pub struct Circuit {
 impl Circuit {
     /// A fresh instance.
     pub fn new(design: &Arc<Compiled>) -> Circuit {
+        let mut simulation = Simulation::new(&design.program);
+        for lane in 0..design.program.lanes() {
+            for (register, word) in &design.upsets {
+                simulation.upset(lane, *register, *word);
+            }
+        }
         Circuit {
-            simulation: Simulation::new(&design.program),
+            simulation,
             design: design.clone(),
         }
     }
@@ -66,6 +85,16 @@ impl Circuit {
     /// If the circuit is refused.
     pub fn of<T>(build: impl FnOnce() -> T) -> Circuit {
         Circuit::new(&Compiled::of(&Design::of(build), &[]))
+    }
+
+    /// A clock with inputs that are 0, or as they were last set.
+    pub fn idle(&mut self) {
+        self.simulation.clock();
+    }
+
+    /// Does it hold what another one of the same design holds?
+    pub fn is_like(&self, other: &Circuit) -> bool {
+        self.simulation.is_like(&other.simulation)
     }
 
     /// Gives one clock with the inputs in their order, of which the low bits count.

@@ -5,8 +5,9 @@ use super::circuit::Compiled;
 use super::design::{Design, DesignError, Instance, Source};
 use super::nets::{NetError, select};
 use crate::signal::Signal;
-use imogene_hdl::Direction;
+use imogene_hdl::{self as hdl, Direction};
 use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
+use std::sync::Arc;
 
 /// A compiled machine; makes any number of instances.
 pub struct MachineDesign {
@@ -31,9 +32,7 @@ impl MachineDesign {
         nets: &[String],
     ) -> Result<MachineDesign, DesignError> {
         let circuit = request.design()?;
-        let ports = |direction| circuit.top.ports_of(direction).map(Signal::of).collect();
-        let (inputs, outputs): (Vec<Signal>, Vec<Signal>) =
-            (ports(Direction::In), ports(Direction::Out));
+        let [inputs, outputs] = ports(&circuit);
         let nets = select(&circuit.top, nets)?;
         let design = match engine {
             Engine::BuiltIn => {
@@ -61,8 +60,25 @@ impl MachineDesign {
         })
     }
 
+    /// A circuit that was compiled.
+    pub fn of(circuit: &hdl::Design, compiled: Arc<Compiled>) -> MachineDesign {
+        let [inputs, outputs] = ports(circuit);
+        MachineDesign {
+            design: Box::new(compiled),
+            name: circuit.top.name.clone(),
+            inputs,
+            outputs,
+            nets: vec![],
+        }
+    }
+
     /// A fresh instance: registers have their initial values.
     pub fn instance(&self) -> Box<dyn Instance> {
         self.design.instance()
     }
+}
+
+/// Inputs and outputs of a circuit.
+fn ports(circuit: &hdl::Design) -> [Vec<Signal>; 2] {
+    [Direction::In, Direction::Out].map(|way| circuit.top.ports_of(way).map(Signal::of).collect())
 }

@@ -1,5 +1,6 @@
 //! What is asked of a mutation score, and what it tells.
 
+use crate::display::pins::RunError;
 use crate::engine::design::DesignError;
 use crate::subject::Subject;
 use imogene_tools::{FileError, ToolError};
@@ -56,6 +57,9 @@ pub enum MutationError {
     /// A file could not be read or written.
     #[error(transparent)]
     File(#[from] FileError),
+    /// A machine cannot be run.
+    #[error(transparent)]
+    Run(#[from] RunError),
     /// The mutants cannot be compiled or loaded.
     #[error(transparent)]
     Verilator(#[from] DesignError),
@@ -124,9 +128,14 @@ pub struct MutationReport {
 impl MutationReport {
     /// Of a unit before its first mutant.
     pub(super) fn new(subject: &Subject) -> MutationReport {
+        MutationReport::of(&subject.name, &subject.options)
+    }
+
+    /// Of something with a name, with the options that give it.
+    pub fn of(unit: &str, options: &str) -> MutationReport {
         MutationReport {
-            unit: subject.name.clone(),
-            options: subject.options.clone(),
+            unit: unit.to_owned(),
+            options: options.to_owned(),
             candidates: 0,
             mutants: 0,
             killed: 0,

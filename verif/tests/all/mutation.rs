@@ -2,8 +2,12 @@
 //! to change nothing. Those of the netlist need the packages 'yosys', 'verilator' and 'g++' and fail without them: all
 //! units of the published table under `IMOGENE_FULL=1`, the cut plane otherwise.
 
+use super::machines::{drawn, small};
 use imogene_contract::Request;
+use imogene_plan::description::MachineDescription;
+use imogene_plan::display::Image;
 use imogene_rtl::emit::{Emitted, design, emit};
+use imogene_verif::mutation::machine::{self as of_machine, Shown};
 use imogene_verif::mutation::netlist::{self, Design};
 use imogene_verif::mutation::{MutationReport, Options, circuit, table};
 use imogene_verif::subject::Subject;
@@ -174,4 +178,67 @@ fn a_weak_stimulus_leaves_mutants_of_the_circuit() {
     // What one stimulus kills no proof may call equivalent.
     assert_eq!(weak.equivalent, strong.equivalent);
     assert_eq!(weak.mutants, strong.mutants);
+}
+
+/// A machine of one object and one light, and what it shows.
+fn shown_ellipsoid() -> (MachineDescription, Image) {
+    let machine = MachineDescription {
+        objects: 1,
+        planes: 2,
+        lights: 0,
+        ..small("beam-160x120.toml", 12, 8, 30)
+    };
+    let image = drawn("ellipsoid.toml", &machine);
+    (machine, image)
+}
+
+fn machine_score(machine: &MachineDescription, images: &[Image]) -> Result<MutationReport, String> {
+    let shown = Shown {
+        machine,
+        images,
+        runs: 2,
+    };
+    let design = of_machine::design(machine).expect("a legal machine");
+    let report = MutationReport::of("beam", "");
+    let report = of_machine::run(&shown, &design, report, || ());
+    let report = report.map_err(|error| error.to_string())?;
+    assert_eq!(report.mutants as u64, of_machine::count(&design));
+    Ok(report)
+}
+
+/// No change of the scan that drives the pins goes unseen, nor of the words' way into the machine, but for what only a
+/// frame of too many words shows.
+#[test]
+fn the_pins_show_mutants_of_a_machine() {
+    let (machine, image) = shown_ellipsoid();
+    let report = machine_score(&machine, &[image.clone(), image]).expect("a machine that runs");
+    assert!(
+        report.killed > 1_000 && report.forgotten > 100,
+        "{report:?}"
+    );
+    let survivors = report.surviving.iter();
+    let of_scan = survivors.filter(|survivor| survivor.mutant.starts_with("screen.scan"));
+    assert_eq!(of_scan.count(), 0);
+}
+
+/// An empty picture shows less.
+#[test]
+fn a_machine_that_shows_nothing_has_a_low_score() {
+    let (machine, image) = shown_ellipsoid();
+    let strong = machine_score(&machine, &[image]).expect("a machine that runs");
+    let weak = machine_score(&machine, &[]).expect("a machine that runs");
+    assert!(
+        weak.killed < strong.killed / 2,
+        "{} of {}",
+        weak.killed,
+        strong.killed
+    );
+}
+
+#[test]
+fn a_machine_that_is_wrong_without_a_mutation_has_no_score() {
+    let (machine, mut image) = shown_ellipsoid();
+    image.picture[0] ^= 1;
+    let message = machine_score(&machine, &[image]).expect_err("a wrong picture");
+    assert!(message.contains("without a mutation differs"), "{message}");
 }

@@ -5,7 +5,7 @@ module board_clock (
     output wire pixel_clock, fast_clock
 );
 
-    wire fed_back;
+    wire fed_back, unused_feedback, unused_lock;
 
     (* FREQUENCY_PIN_CLKI = "{{ input_mhz }}", FREQUENCY_PIN_CLKOP = "{{ fast }}", FREQUENCY_PIN_CLKOS = "{{ pixel }}",
        ICP_CURRENT = "12", LPF_RESISTOR = "8", MFG_ENABLE_FILTEROPAMP = "1", MFG_GMCREF_SEL = "2" *)
@@ -26,8 +26,8 @@ module board_clock (
 {%- if apart %}
         .CLKOS2(fed_back),
 {%- endif %}
-        .CLKFB(fed_back), .CLKINTFB(), .PHASESEL0(1'b0), .PHASESEL1(1'b0), .PHASEDIR(1'b1), .PHASESTEP(1'b1),
-        .PHASELOADREG(1'b1), .PLLWAKESYNC(1'b0), .ENCLKOP(1'b0), .LOCK()
+        .CLKFB(fed_back), .CLKINTFB(unused_feedback), .PHASESEL0(1'b0), .PHASESEL1(1'b0), .PHASEDIR(1'b1), .PHASESTEP(1'b1),
+        .PHASELOADREG(1'b1), .PLLWAKESYNC(1'b0), .ENCLKOP(1'b0), .LOCK(unused_lock)
     );
 {%- if not apart %}
 

@@ -29,8 +29,13 @@ module scene_display (
     wire [11:0] address;
     wire [{{ bits - 1 }}:0] word;
     wire is_there, is_taken;
+    // Nobody looks at these.
+    wire unused_swapped, unused_refused;
+{%- if address_bits < 12 %}
+    wire unused_address = |address[11:{{ address_bits }}];
+{%- endif %}
 
-    scene_words words (.clock(clock), .address(address[{{ address_bits - 1 }}:0]), .word(word));
+    scene_words scene (.clock(clock), .address(address[{{ address_bits - 1 }}:0]), .word(word));
     scene_sequencer sequencer (
         .clock(clock), .last(word[{{ bits - 1 }}]), .m_tready(is_taken), .m_tvalid(is_there), .address(address)
     );
@@ -39,7 +44,8 @@ module scene_display (
         .s_tuser(word[{{ data_bits + 23 }}:{{ data_bits }}]), .s_tdata(word[{{ data_bits - 1 }}:0]),
         .s_tlast(word[{{ bits - 2 }}]), .s_tready(is_taken),
         .overlay_write(1'b0), .overlay_address(16'd0), .overlay_data(32'd0), .overlay_enable(1'b0),
-        .overlay_colour(24'd0), .swapped(), .refused(),
+        .overlay_colour(24'd0), .swapped(unused_swapped),
+        .refused(unused_refused),
         .hsync(hsync), .vsync(vsync), .de(de), .red(red), .green(green), .blue(blue)
     );
 endmodule

@@ -2,6 +2,8 @@
 //
 // A PLL is locked from the first clock on. Its input ticks at the rate of its fast output, and every fifth of these edges
 // is one of the pixels: the dividers themselves are arithmetic, not simulated.
+// Nothing here has delays, so that most pins count nothing.
+/* verilator lint_off UNUSEDSIGNAL */
 module EHXPLLL #(
     parameter PLLRST_ENA = "", INTFB_WAKE = "", STDBY_ENABLE = "", DPHASE_SOURCE = "", FEEDBK_PATH = "",
     parameter OUTDIVIDER_MUXA = "", OUTDIVIDER_MUXB = "", OUTDIVIDER_MUXC = "", OUTDIVIDER_MUXD = "",
