@@ -2,8 +2,8 @@
 
 use super::curve::{Curve, Ellipse, Tolerance};
 use super::keys::EdgeKeys;
+use super::keys::Source;
 use super::model::{COINCIDENT, Edge};
-use super::source::Source;
 use super::vector::{Vector, across, distance, frame, hull, length, minus, reach, unit};
 use crate::{ImportError, Result};
 use std::collections::{BTreeMap, HashMap};

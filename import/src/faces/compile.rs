@@ -7,12 +7,12 @@ use super::courses::Courses;
 use super::cover::Term;
 use super::curve::{Curve, PlaneOf, arc_through};
 use super::model::{COINCIDENT, EdgeUse, Face, Model};
+use super::parting::terms;
 use super::parting::{AUXILIARY, EDGE, Parting, halving};
 use super::planes::Planes;
 use super::rings::{MOST, Rings};
 use super::slabs::{Band, Slabs};
 use super::surface::Surface;
-use super::terms::terms;
 use super::vector::*;
 use imogene_scene::MAX_CUTS;
 

@@ -7,7 +7,6 @@ mod arrangement;
 mod bezier;
 mod build;
 mod build_edge;
-mod build_surface;
 mod canonical;
 mod cell;
 mod chart;
@@ -16,7 +15,6 @@ mod conics;
 mod courses;
 mod cover;
 mod curve;
-mod generators;
 mod keys;
 mod meetings;
 pub mod model;
@@ -30,10 +28,8 @@ mod report;
 mod rings;
 mod scene;
 mod slabs;
-mod source;
 mod step;
 mod surface;
-mod terms;
 pub mod vector;
 mod volume;
 
@@ -48,8 +44,8 @@ use crate::{Imported, Result};
 use compile::{Task, quadric_face, torus_face};
 use courses::Courses;
 use imogene_files::text::counted;
+use keys::Source;
 use model::Model;
-use source::Source;
 use step21::with_article;
 
 /// What the user asks of the compiler.

@@ -9,11 +9,11 @@ use super::courses::MAX_PIECES;
 use super::cover::Term;
 use super::curve::{Curve, PlaneOf};
 use super::model::EdgeUse;
+use super::parting::terms;
 use super::parting::{EDGE, Parting, halving};
 use super::planes::{Planes, Separator};
 use super::slabs::Band;
 use super::surface::Surface;
-use super::terms::terms;
 use super::vector::{Vector, along, cross, distance, dot, minus, unit};
 use imogene_scene::MAX_CUTS;
 

@@ -1,10 +1,10 @@
 //! The PDB format: lines of fixed columns.
 
-use super::biomt;
-use super::columns::Columns;
+use super::assembly::Biomt;
 use super::structure::{Atom, End, Model, Structure};
 use super::words::{Repeated, Serial};
-use crate::error::{Result, unusable};
+use crate::error::{ImportError, Place, Result, unusable};
+use std::borrow::Cow;
 
 /// State of a reading.
 #[derive(Default)]
@@ -13,7 +13,7 @@ struct Reading {
     header: String,
     /// Number that the next atoms' model has been given, if it has not begun yet.
     next_model: Option<i64>,
-    biomt: biomt::Reading,
+    biomt: Biomt,
     residue: Repeated,
     number: Repeated,
 }
@@ -150,4 +150,120 @@ fn join(text: &mut String, line: &[u8], skipped: usize) {
         text.push(' ');
     }
     text.push_str(&part);
+}
+
+/// One line of a file: a character in each column, where anything that is not ASCII counts as one.
+pub struct Columns<'a> {
+    file: &'a str,
+    number: usize,
+    text: Cow<'a, [u8]>,
+}
+
+/// A control character is written as `?`.
+fn plain(c: u8) -> u8 {
+    if c.is_ascii_control() { b'?' } else { c }
+}
+
+impl<'a> Columns<'a> {
+    /// The line of a number, counted from 1, without its end.
+    pub fn new(file: &'a str, number: usize, line: &'a [u8]) -> Columns<'a> {
+        let text = if line.is_ascii() {
+            Cow::Borrowed(line)
+        } else {
+            let plain = |c: char| if c.is_ascii() { c as u8 } else { b'?' };
+            Cow::Owned(String::from_utf8_lossy(line).chars().map(plain).collect())
+        };
+        Columns { file, number, text }
+    }
+
+    /// What is wrong at a column, or where the line ends if it ends before.
+    pub fn error(&self, column: usize, problem: String, accepted: String) -> ImportError {
+        let place = Place {
+            line: self.number,
+            column: column.min(self.text.len() + 1),
+        };
+        ImportError::new(self.file, Some(place), problem, accepted)
+    }
+
+    /// The characters of the columns `first` to `last`, counted from 1; fewer if the line is shorter.
+    pub fn bytes(&self, first: usize, last: usize) -> &[u8] {
+        let end = last.min(self.text.len());
+        &self.text[(first - 1).min(end)..end]
+    }
+
+    /// The name of the record in capitals: the first six columns.
+    pub fn record(&self) -> [u8; 6] {
+        std::array::from_fn(|k| self.character(k + 1).to_ascii_uppercase())
+    }
+
+    /// The same as text, without the spaces around it; control characters are written as `?`.
+    pub fn field(&self, first: usize, last: usize) -> String {
+        let bytes = self.bytes(first, last).trim_ascii().iter();
+        bytes.map(|c| char::from(plain(*c))).collect()
+    }
+
+    /// The character of a column; a space behind the end of the line.
+    pub fn character(&self, column: usize) -> u8 {
+        self.text.get(column - 1).map_or(b' ', |c| plain(*c))
+    }
+
+    /// A number in decimal notation, if that is all there is in the columns.
+    pub fn number(&self, first: usize, last: usize) -> Option<f64> {
+        let text = self.bytes(first, last).trim_ascii();
+        let decimal = |c: &u8| c.is_ascii_digit() || matches!(c, b'+' | b'-' | b'.');
+        // Rust would also take "nan", "inf" and exponents.
+        if !text.iter().all(decimal) {
+            return None;
+        }
+        std::str::from_utf8(text).ok()?.parse().ok()
+    }
+
+    /// One coordinate of an atom. A line that ends within it has been cut off, and what is left of the number is not
+    /// to be trusted.
+    pub fn coordinate(&self, axis: char, first: usize, last: usize) -> Result<f64> {
+        let whole = self.text.len() >= last;
+        let number = self.number(first, last).filter(|_| whole);
+        number.ok_or_else(|| {
+            let text = self.field(first, last);
+            let problem = if self.text.len() < first {
+                format!("the line ends before the {axis} coordinate of its atom")
+            } else if !whole {
+                format!("the line ends within the {axis} coordinate of its atom")
+            } else if text.is_empty() {
+                format!("the atom has no {axis} coordinate")
+            } else {
+                format!("the {axis} coordinate `{text}` is not a number")
+            };
+            let bytes = self.bytes(first, last);
+            let blanks = bytes.iter().take_while(|c| c.is_ascii_whitespace()).count();
+            let at = if text.is_empty() { 0 } else { blanks };
+            let accepted = format!(
+                "a decimal number such as -12.345 in columns {first} to {last} would be accepted"
+            );
+            self.error(first + at, problem, accepted)
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_are_counted_in_characters() {
+        let line = "ab\u{e9}d  -1.5 nan 1e3".as_bytes();
+        let columns = Columns::new("x", 7, line);
+        assert_eq!(columns.field(1, 4), "ab?d");
+        assert_eq!(columns.number(5, 10), Some(-1.5));
+        assert_eq!(columns.number(11, 14).or(columns.number(15, 18)), None);
+        assert_eq!((columns.character(4), columns.character(99)), (b'd', b' '));
+        assert_eq!(columns.field(30, 40), "");
+        for (first, last, says) in [
+            (11, 18, "x:7:12: the x coordinate `nan 1e3` is not a number"),
+            (30, 38, "x:7:19: the line ends before"),
+        ] {
+            let error = columns.coordinate('x', first, last).unwrap_err();
+            assert!(error.to_string().starts_with(says), "{error}");
+        }
+    }
 }

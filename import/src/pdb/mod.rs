@@ -6,19 +6,15 @@
 mod alternates;
 mod assembly;
 mod bcif;
-mod biomt;
 mod bonds;
 mod choose;
 mod cif;
-mod columns;
 mod element;
 mod framing;
 mod lines;
-mod names;
 mod options;
 mod report;
 mod scene;
-mod select;
 mod structure;
 mod words;
 

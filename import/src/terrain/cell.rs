@@ -27,29 +27,44 @@ pub struct Piece {
     pub cuts: Vec<Cut>,
 }
 
-/// Edges of a cell, in the order of its cuts.
+/// An edge of a cell: where u (axis 0) or v (axis 1) is 0 or 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Edge {
-    /// u = 0.
-    West,
-    /// u = 1.
-    East,
-    /// v = 0.
-    North,
-    /// v = 1.
-    South,
+pub struct Edge {
+    pub axis: usize,
+    pub end: usize,
 }
 
+/// A corner: u and v, 0 or 1 each.
+pub type Corner = [usize; 2];
+
 impl Edge {
-    pub const ALL: [Edge; 4] = [Edge::West, Edge::East, Edge::North, Edge::South];
+    /// West, east, north and south, the order of the cuts of a cell.
+    pub const ALL: [Edge; 4] = [
+        Edge { axis: 0, end: 0 },
+        Edge { axis: 0, end: 1 },
+        Edge { axis: 1, end: 0 },
+        Edge { axis: 1, end: 1 },
+    ];
+
+    /// Its place in [`Edge::ALL`].
+    pub fn index(self) -> usize {
+        2 * self.axis + self.end
+    }
+
+    /// The corners at its ends.
+    pub fn corners(self) -> [Corner; 2] {
+        [0, 1].map(|other| match self.axis {
+            0 => [self.end, other],
+            _ => [other, self.end],
+        })
+    }
 
     /// The vertical plane through the edge, moved outwards by a part of the cell.
     pub fn cut(self, outwards: f64) -> Cut {
-        let (point, normal) = match self {
-            Edge::West => ([-outwards, 0.0, 0.0], [-1.0, 0.0, 0.0]),
-            Edge::East => ([1.0 + outwards, 0.0, 0.0], [1.0, 0.0, 0.0]),
-            Edge::North => ([0.0, 0.0, -outwards], [0.0, 0.0, -1.0]),
-            Edge::South => ([0.0, 0.0, 1.0 + outwards], [0.0, 0.0, 1.0]),
+        let (mut point, mut normal) = ([0.0; 3], [0.0; 3]);
+        (point[2 * self.axis], normal[2 * self.axis]) = match self.end {
+            0 => (-outwards, -1.0),
+            _ => (1.0 + outwards, 1.0),
         };
         Cut { point, normal }
     }
@@ -89,59 +104,5 @@ pub fn facets(z: &Corners) -> Mesh {
         vertices: [(0, 0), (0, 1), (1, 1), (1, 0)].map(corner).to_vec(),
         faces,
         normals: vec![],
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use imogene_algebra::rational::{fraction, from_decimal};
-    use imogene_scene::{Quadric, Shape};
-    use num_traits::Zero;
-
-    fn corners() -> Corners {
-        let z = [[12.3, -4.75], [100.0, 33.125]];
-        z.map(|row| row.map(from_decimal))
-    }
-
-    #[test]
-    fn the_patch_passes_its_corners_and_its_middle() {
-        let z = corners();
-        let coefficients = bilinear(&z).unwrap();
-        let quadric = Quadric::from_shape(&Shape::Quadric { coefficients }).unwrap();
-        for (u, v) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
-            let at = quadric.value_at(&integer(u), &z[v as usize][u as usize], &integer(v));
-            assert!(at.is_zero(), "corner ({u}, {v})");
-        }
-        let mean = (&z[0][0] + &z[0][1] + &z[1][0] + &z[1][1]) / integer(4);
-        let half = fraction(1, 2);
-        assert!(quadric.value_at(&half, &mean, &half).is_zero());
-        // The ground is below.
-        assert!(quadric.value_at(&half, &(mean - integer(1)), &half) < integer(0));
-    }
-
-    #[test]
-    fn cuts_leave_the_cell_alone() {
-        let piece = bilinear_piece(&corners(), [0.0, 0.5, 0.0, 0.0]).unwrap();
-        let kept = |u: f64, v: f64| {
-            piece.cuts.iter().all(|cut| {
-                let from = [u - cut.point[0], 0.0, v - cut.point[2]];
-                cut.normal.iter().zip(from).map(|(n, d)| n * d).sum::<f64>() <= 0.0
-            })
-        };
-        assert!(kept(0.0, 0.0) && kept(1.0, 1.0) && kept(1.5, 0.5));
-        assert!(!kept(-0.01, 0.5) && !kept(1.6, 0.5) && !kept(0.5, -0.01) && !kept(0.5, 1.01));
-    }
-
-    #[test]
-    fn facets_look_upwards() {
-        for last in [4, 5] {
-            let mesh = facets(&[[1, 2], [3, last]].map(|row| row.map(integer)));
-            for face in &mesh.faces {
-                let [p, q, r] = [0, 1, 2].map(|k| mesh.vertices[face[k]]);
-                let (s, t) = ([q[0] - p[0], q[2] - p[2]], [r[0] - p[0], r[2] - p[2]]);
-                assert!(s[1] * t[0] - s[0] * t[1] > 0.0);
-            }
-        }
     }
 }

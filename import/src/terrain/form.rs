@@ -2,7 +2,7 @@
 
 use super::cell::Cells;
 use super::grid::{Corners, HeightGrid, is_plane, twist};
-use super::map::{Map, VIEW};
+use super::map::{IMAGE, Map, VIEW};
 use crate::Result;
 use crate::error::unusable;
 use imogene_algebra::rational::{from_decimal, to_f64};
@@ -83,7 +83,7 @@ impl Map<'_> {
             let aside = (square - along * along).max(0.0).sqrt() / along;
             most = most.max(up * (1.0 + aside) / along);
         }
-        Some(most * f64::from(self.options.size[1]) / VIEW)
+        Some(most * f64::from(IMAGE.height) / VIEW)
     }
 
     /// How far each corner is before the eye, along the gaze, and the square of its distance.

@@ -55,25 +55,3 @@ pub fn twist(z: &Corners) -> BigRational {
 pub fn is_plane(z: &Corners) -> bool {
     twist(z).is_zero()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_part_keeps_every_second_node_of_a_region() {
-        let heights = (0..30).map(|k| Some(f64::from(k))).collect();
-        let grid = HeightGrid {
-            columns: 6,
-            rows: 5,
-            step: [2.0, 3.0],
-            heights,
-        };
-        let part = grid.part([1, 2], [5, 3], 2);
-        assert_eq!((part.columns, part.rows), (3, 2));
-        assert_eq!(part.step, [4.0, 6.0]);
-        let expected = [13.0, 15.0, 17.0, 25.0, 27.0, 29.0].map(Some);
-        assert_eq!(part.heights, expected);
-        assert_eq!(grid.range(), Some((0.0, 29.0)));
-    }
-}

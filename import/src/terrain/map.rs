@@ -20,6 +20,11 @@ pub(super) const BANDS: [[f64; 3]; 7] = [
     [0.93, 0.94, 0.96],
 ];
 
+pub(super) const IMAGE: ImageSize = ImageSize {
+    width: 640,
+    height: 480,
+};
+
 /// Height of the picture at the distance of the screen plane, in viewer distances.
 pub(super) const VIEW: f64 = 0.8;
 
@@ -95,14 +100,13 @@ impl<'a> Map<'a> {
             exponent: 1,
             opacity: 1.0,
         };
-        let [width, height] = self.options.size;
         let pose = [self.eye, self.target, [0.0, 1.0, 0.0]];
         let window = short(VIEW * self.viewer_distance);
         let camera = Camera::perspective(pose, self.viewer_distance, window);
         SceneFile {
             background: [0.62, 0.74, 0.88],
             ambient: [1.0; 3],
-            image: ImageSize { width, height },
+            image: IMAGE,
             lights: vec![Light::directional([-3.0, 3.0, 1.0], 1.0)],
             materials: BANDS.iter().enumerate().map(material).collect(),
             ..SceneFile::new(&self.options.title, camera)

@@ -6,7 +6,6 @@ mod exact;
 mod form;
 mod grid;
 mod map;
-mod objects;
 mod options;
 pub mod random_field;
 mod read;

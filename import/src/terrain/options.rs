@@ -27,8 +27,6 @@ pub struct TerrainOptions {
     pub eye: Option<[f64; 3]>,
     /// What the eye looks at; the middle of the terrain if none is given.
     pub target: Option<[f64; 3]>,
-    /// Size of the picture.
-    pub size: [u32; 2],
     /// Title of the scene.
     pub title: String,
 }
@@ -42,7 +40,6 @@ impl Default for TerrainOptions {
             every: 1,
             eye: None,
             target: None,
-            size: [640, 480],
             title: "Terrain".to_owned(),
         }
     }

@@ -6,7 +6,7 @@
 //! the eye: that vertical is one of its lines, so the eye lies on it. In the outer ones they pass adjacent edges, and
 //! the surface is the plane of the two.
 
-use super::cell::{Edge, Piece, bilinear_piece, surface};
+use super::cell::{Corner, Edge, Piece, bilinear_piece, surface};
 use super::exact::proportional;
 use super::grid::{Corners, is_plane, twist};
 use imogene_algebra::matrix::transposed;
@@ -17,45 +17,32 @@ use num_traits::{Signed, Zero};
 
 type Point = [BigRational; 2];
 
-/// A sector of the cell: the corners whose lines of sight bound it, and the edges that its lines of sight pass.
-struct Sector {
-    bounds: [(usize, usize); 2],
-    edges: [Edge; 2],
-}
-
-/// The pieces of a cell that is no plane, for an eye beside it, each edge moved outwards by a part of the cell; nothing
-/// if the numbers have too many digits for a scene file.
-pub fn ruled_pieces(z: &Corners, eye: &Point, outwards: [f64; 4]) -> Option<Vec<Piece>> {
-    let order = corners_in_order(eye);
-    let sectors = order.windows(2).filter_map(|pair| {
-        let bounds = [pair[0], pair[1]];
-        let edges = passed(eye, bounds)?;
-        Some(Sector { bounds, edges })
-    });
-    let pieces = sectors.map(|sector| piece(z, eye, &sector, outwards));
-    pieces.collect()
-}
-
 /// The pieces of a cell as an eye sees it that stands at `eye` (u, v), moved outwards as [`bilinear_piece`] is; the
-/// bilinear patch where the cell is a plane or the eye stands over it.
-pub fn pieces_for(z: &Corners, eye: &[BigRational; 2], outwards: [f64; 4]) -> Option<Vec<Piece>> {
+/// bilinear patch where the cell is a plane or the eye stands over it; nothing if the numbers have too many digits for a
+/// scene file.
+pub fn ruled_pieces(z: &Corners, eye: &Point, outwards: [f64; 4]) -> Option<Vec<Piece>> {
     let over = eye.iter().all(|e| *e >= integer(0) && *e <= integer(1));
     if is_plane(z) || over {
         return Some(vec![bilinear_piece(z, outwards)?]);
     }
-    ruled_pieces(z, eye, outwards)
+    let order = corners_in_order(eye);
+    let sectors = order.windows(2).filter_map(|pair| {
+        let bounds = [pair[0], pair[1]];
+        Some(piece(z, eye, bounds, passed(eye, bounds)?, outwards))
+    });
+    sectors.collect()
 }
 
 /// The corners (u, v) as their lines of sight turn.
-fn corners_in_order(eye: &Point) -> [(usize, usize); 4] {
-    let mut corners = [(0, 0), (1, 0), (1, 1), (0, 1)];
+fn corners_in_order(eye: &Point) -> [Corner; 4] {
+    let mut corners = [[0, 0], [1, 0], [1, 1], [0, 1]];
     // The eye is outside of a convex cell: all turns are less than half a circle.
     corners.sort_by(|p, q| integer(0).cmp(&turn(eye, &at(*p), &at(*q))));
     corners
 }
 
-fn at((u, v): (usize, usize)) -> Point {
-    [integer(u as i64), integer(v as i64)]
+fn at(corner: Corner) -> Point {
+    corner.map(|end| integer(end as i64))
 }
 
 /// Positive if the line of sight turns from p towards q in the sense from u to v.
@@ -65,37 +52,40 @@ fn turn(eye: &Point, p: &Point, q: &Point) -> BigRational {
 }
 
 /// The edges that lines of sight between two corners pass; `None` if the corners are in one line of sight.
-fn passed(eye: &Point, [p, q]: [(usize, usize); 2]) -> Option<[Edge; 2]> {
+fn passed(eye: &Point, [p, q]: [Corner; 2]) -> Option<[Edge; 2]> {
     let (p, q) = (at(p), at(q));
     if turn(eye, &p, &q).is_zero() {
         return None;
     }
     let between: Point = std::array::from_fn(|k| (&p[k] + &q[k]) / integer(2));
-    let ends = |edge: Edge| match edge {
-        Edge::West => [(0, 0), (0, 1)],
-        Edge::East => [(1, 0), (1, 1)],
-        Edge::North => [(0, 0), (1, 0)],
-        Edge::South => [(0, 1), (1, 1)],
-    };
     let is_passed = |edge: &Edge| {
-        let [a, b] = ends(*edge).map(|end| turn(eye, &between, &at(end)));
+        let [a, b] = edge.corners().map(|end| turn(eye, &between, &at(end)));
         a.is_negative() != b.is_negative() && !a.is_zero() && !b.is_zero()
     };
     let edges: Vec<Edge> = Edge::ALL.into_iter().filter(is_passed).collect();
     edges.try_into().ok()
 }
 
-fn piece(z: &Corners, eye: &Point, sector: &Sector, outwards: [f64; 4]) -> Option<Piece> {
-    let coefficients = match sector.edges {
-        [Edge::West, Edge::East] => ruled_between_sides(z, eye)?,
-        [Edge::North, Edge::South] => ruled(z, eye)?,
-        adjacent => plane(z, adjacent)?,
+/// The piece of a sector: between the lines of sight through two corners, that pass two edges.
+fn piece(
+    z: &Corners,
+    eye: &Point,
+    bounds: [Corner; 2],
+    edges: [Edge; 2],
+    outwards: [f64; 4],
+) -> Option<Piece> {
+    // Two adjacent edges, that of constant u first, have a corner in common; opposite ones have none.
+    let common = (edges[0].axis != edges[1].axis).then(|| edges.map(|edge| edge.end));
+    let coefficients = match (common, edges[0].axis) {
+        (Some(corner), _) => plane(z, corner)?,
+        (None, 0) => ruled_between_sides(z, eye)?,
+        (None, _) => ruled(z, eye)?,
     };
-    let cut = |edge: &Edge| edge.cut(outwards[*edge as usize]);
-    let mut cuts: Vec<Cut> = sector.edges.iter().map(cut).collect();
-    for (index, corner) in sector.bounds.into_iter().enumerate() {
-        // The line of sight through the common corner of two adjacent edges only touches the piece.
-        if Some(corner) != common_corner(sector.edges) {
+    let cut = |edge: Edge| edge.cut(outwards[edge.index()]);
+    let mut cuts = edges.map(cut).to_vec();
+    for (index, corner) in bounds.into_iter().enumerate() {
+        // The line of sight through the common corner only touches the piece.
+        if Some(corner) != common {
             cuts.push(sector_cut(eye, corner, index == 0)?);
         }
     }
@@ -104,29 +94,20 @@ fn piece(z: &Corners, eye: &Point, sector: &Sector, outwards: [f64; 4]) -> Optio
 
 /// The vertical plane through the eye and a corner; what is before it in the order of corners is removed, or what is
 /// behind it.
-fn sector_cut(eye: &Point, corner: (usize, usize), before: bool) -> Option<Cut> {
+fn sector_cut(eye: &Point, corner: Corner, before: bool) -> Option<Cut> {
     let [u, v] = at(corner);
     let (du, dv) = (u - &eye[0], v - &eye[1]);
     // turn(corner, p) = du (p_v - e_v) - dv (p_u - e_u), positive behind.
     let (nu, nv) = if before { (dv, -du) } else { (-dv, du) };
     let [nu, nv] = proportional([&nu, &nv])?;
     Some(Cut {
-        point: [corner.0 as f64, 0.0, corner.1 as f64],
+        point: [corner[0] as f64, 0.0, corner[1] as f64],
         normal: [nu, 0.0, nv],
     })
 }
 
-/// The corner of two adjacent edges; opposite ones have none.
-fn common_corner(edges: [Edge; 2]) -> Option<(usize, usize)> {
-    let opposite = matches!(edges, [Edge::West, Edge::East] | [Edge::North, Edge::South]);
-    let [east, south] = [Edge::East, Edge::South].map(|edge| usize::from(edges.contains(&edge)));
-    (!opposite).then_some((east, south))
-}
-
-/// The plane of two adjacent edges.
-fn plane(z: &Corners, edges: [Edge; 2]) -> Option<[f64; 10]> {
-    let u = usize::from(edges.contains(&Edge::East));
-    let v = usize::from(edges.contains(&Edge::South));
+/// The plane of the two edges at a corner.
+fn plane(z: &Corners, [u, v]: Corner) -> Option<[f64; 10]> {
     // Slopes along the edge of constant v and along the edge of constant u.
     let (along_u, along_v) = (&z[v][1] - &z[v][0], &z[1][u] - &z[0][u]);
     let height = &z[v][u] - &along_u * integer(u as i64) - &along_v * integer(v as i64);
@@ -151,11 +132,15 @@ fn implicit(z: &Corners, [xe, ye]: &Point) -> [BigRational; 7] {
     ]
 }
 
-/// On the northern and the southern edge.
+/// On the northern and the southern edge. The factor of the height over the cell is `ye - y`; its sign is made positive,
+/// so that the ground is below as in the other forms.
 fn ruled(z: &Corners, eye: &Point) -> Option<[f64; 10]> {
-    let [uv, u, vv, vz, v, height, one] = oriented(implicit(z, eye), z);
-    let half = fraction(1, 2);
-    let [uv, vz, u, height, v] = [uv, vz, u, height, v].map(|f| f * &half);
+    debug_assert!(!twist(z).is_zero());
+    let factors = implicit(z, eye);
+    let sign = if factors[5].is_positive() { 1 } else { -1 };
+    let [uv, u, vv, vz, v, height, one] = factors;
+    let [uv, vz, u, height, v] = [uv, vz, u, height, v].map(|f| f * fraction(sign, 2));
+    let [vv, one] = [vv, one].map(|f| f * integer(sign));
     let written = [&vv, &uv, &vz, &u, &height, &v, &one];
     let [vv, uv, vz, u, height, v, one] = proportional(written)?;
     Some([0.0, 0.0, vv, 0.0, uv, vz, u, height, v, one])
@@ -166,18 +151,6 @@ fn ruled_between_sides(z: &Corners, [xe, ye]: &Point) -> Option<[f64; 10]> {
     let turned = transposed(z);
     let [a, b, c, d, e, f, g, h, i, j] = ruled(&turned, &[ye.clone(), xe.clone()])?;
     Some([c, b, a, f, e, d, i, h, g, j])
-}
-
-/// The factor of the height over the cell is `ye - y`; its sign is made positive, so that the ground is below as in the
-/// other forms.
-fn oriented(factors: [BigRational; 7], z: &Corners) -> [BigRational; 7] {
-    debug_assert!(!twist(z).is_zero());
-    let is_below = factors[5].is_positive();
-    if is_below {
-        factors
-    } else {
-        factors.map(|f| -f)
-    }
 }
 
 #[cfg(test)]

@@ -1,11 +1,16 @@
 //! The scene of a grid of heights.
 
-use super::form::{Form, count};
+use super::cell::{Cells, Piece, bilinear_piece, facets};
+use super::exact::decimals;
+use super::form::{Cell, Form, count};
 use super::grid::HeightGrid;
-use super::map::Map;
+use super::map::{BANDS, Map};
 use super::options::{Region, TerrainOptions};
+use super::ruled::ruled_pieces;
 use crate::error::unusable;
-use crate::{Imported, Result};
+use crate::{ImportError, Imported, Result, object};
+use imogene_algebra::rational::{from_decimal, to_f64};
+use imogene_scene::{Object, Scale, Shape, Step, Surface};
 use serde_json::json;
 
 /// Most cells of a scene.
@@ -105,91 +110,98 @@ fn chosen(grid: &HeightGrid, file: &str, options: &TerrainOptions) -> Result<Hei
     Ok(part)
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::terrain::cell::{Cells, Edge};
-    use crate::terrain::objects::SEAM;
-    use crate::terrain::read::read;
-    use imogene_algebra::rational::{fraction, integer};
-    use imogene_scene::{Object, Quadric, SceneFile};
+/// Part of a cell by which a patch reaches beyond an edge that it shares with facets, whose corners are rounded to a
+/// sixteenth of a pixel.
+const OVERLAP: f64 = 1.0 / 16.0;
 
-    const HILLS: &str = "step 60 90\n10 20 30 20\n15 40.5 60 20\n10 30 - 10\n";
+/// Part of a cell by which a surface reaches beyond an edge that it shares with another surface. Both pass through the
+/// edge, but their depths are rounded, each by itself, and a pixel on the edge could fall to neither.
+pub(super) const SEAM: f64 = 1.0 / 256.0;
 
-    fn imported(options: &TerrainOptions) -> Result<Imported> {
-        scene_of(&read(HILLS.as_bytes(), "hills").unwrap(), "hills", options)
-    }
-
-    #[test]
-    fn a_scene_is_one_that_can_be_read_back() {
-        for cells in [Cells::Bilinear, Cells::Auto, Cells::Ruled] {
-            let defaults = TerrainOptions::default();
-            let made = imported(&TerrainOptions { cells, ..defaults }).unwrap();
-            let text = made.scene.to_toml().unwrap();
-            assert_eq!(SceneFile::parse(&text, "again").unwrap(), made.scene);
-            assert_eq!(made.report["cells"], 4);
-            assert_eq!(made.report["without_data"], 2);
-            assert!(made.notes[0].contains("2 cells without a height"));
+/// By how much of a cell its surfaces reach beyond its edges in the west, east, north and south; `cells` are in rows
+/// from the north, each from the west.
+fn outwards(cell: &Cell, cells: &[Cell]) -> [f64; 4] {
+    let (c, r) = (cell.column, cell.row);
+    let neighbours = [
+        (r, c.wrapping_sub(1)),
+        (r, c + 1),
+        (r.wrapping_sub(1), c),
+        (r + 1, c),
+    ];
+    neighbours.map(|place| {
+        let found = cells.binary_search_by_key(&place, |cell| (cell.row, cell.column));
+        match found.map(|index| cells[index].form) {
+            Ok(Form::Facets) => OVERLAP,
+            Ok(Form::Surfaces) => SEAM,
+            Ok(Form::LeftOut) | Err(_) => 0.0,
         }
+    })
+}
+
+impl Map<'_> {
+    /// The objects of a cell, one of `cells`.
+    pub(super) fn objects(&self, cell: &Cell, cells: &[Cell]) -> Result<Vec<Object>> {
+        let shapes: Vec<(Shape, Vec<_>)> = match cell.form {
+            Form::LeftOut => return Ok(vec![]),
+            Form::Facets => vec![(Shape::Mesh(facets(&cell.corners)), vec![])],
+            Form::Surfaces => {
+                let pieces = self.pieces(cell, cells).ok_or_else(|| self.digits())?;
+                let shape = |piece: Piece| {
+                    let coefficients = piece.coefficients;
+                    (Shape::Quadric { coefficients }, piece.cuts)
+                };
+                pieces.into_iter().map(shape).collect()
+            }
+        };
+        let [x, z] = self.place([cell.column, cell.row]);
+        let [x, z] = decimals([&x, &z]).ok_or_else(|| self.digits())?;
+        let [sx, sz] = self.step.each_ref().map(to_f64);
+        let single = shapes.len() == 1;
+        let object = |(index, (shape, cuts)): (usize, (Shape, Vec<_>))| {
+            let mut name = format!("cell-{}-{}", cell.column, cell.row);
+            if !single {
+                name = format!("{name}-{index}");
+            }
+            let material = format!("altitude-{}", self.band(cell));
+            Object {
+                mode: Surface::Patch,
+                place: vec![
+                    Step::Scale(Scale::PerAxis([sx, 1.0, sz])),
+                    Step::Translate([x, 0.0, z]),
+                ],
+                cuts,
+                ..object(name, shape, material)
+            }
+        };
+        Ok(shapes.into_iter().enumerate().map(object).collect())
     }
 
-    /// Neighbours pass through the same edge and reach a little beyond it; where there is no neighbour a cell ends at
-    /// its edge.
-    #[test]
-    fn neighbours_meet_in_their_edge_and_overlap() {
-        let made = imported(&TerrainOptions::default()).unwrap();
-        let cell = |name: &str| {
-            let mut objects = made.scene.objects.iter();
-            objects.find(|o| o.name == name).expect("a cell")
-        };
-        let (left, right) = (cell("cell-0-0"), cell("cell-1-0"));
-        let reach = |cell: &Object, edge: Edge| {
-            let cut = &cell.cuts[edge as usize];
-            let from_edge = edge.cut(0.0);
-            let along = (0..3).map(|k| (cut.point[k] - from_edge.point[k]) * cut.normal[k]);
-            along.sum::<f64>()
-        };
-        assert_eq!(reach(left, Edge::East), SEAM);
-        assert_eq!(reach(right, Edge::West), SEAM);
-        assert_eq!(reach(left, Edge::West), 0.0);
-        assert_eq!(reach(right, Edge::North), 0.0);
-        // The edge runs from height 20 to 40.5.
-        for v in [0, 1, 2, 4] {
-            let place = fraction(v, 4);
-            let height = integer(20) + fraction(41, 2) * &place;
-            let at = |cell: &Object, u: i64| {
-                let quadric = Quadric::from_shape(&cell.shape).unwrap();
-                quadric.value_at(&integer(u), &height, &place)
-            };
-            assert_eq!(at(left, 1), integer(0));
-            assert_eq!(at(right, 0), integer(0));
+    fn pieces(&self, cell: &Cell, cells: &[Cell]) -> Option<Vec<Piece>> {
+        let outwards = outwards(cell, cells);
+        if self.options.cells == Cells::Ruled {
+            let [x, z] = self.place([cell.column, cell.row]);
+            let eye = [
+                (from_decimal(self.eye[0]) - x) / &self.step[0],
+                (from_decimal(self.eye[2]) - z) / &self.step[1],
+            ];
+            return ruled_pieces(&cell.corners, &eye, outwards);
         }
+        Some(vec![bilinear_piece(&cell.corners, outwards)?])
     }
 
-    #[test]
-    fn what_does_not_fit_is_refused() {
-        let with = |change: &dyn Fn(&mut TerrainOptions)| {
-            let mut options = TerrainOptions::default();
-            change(&mut options);
-            imported(&options).unwrap_err().to_string()
-        };
-        let (first, nodes) = ([2, 0], [3, 2]);
-        let out = with(&|o| o.region = Some(Region { first, nodes }));
-        assert!(out.contains("within the grid of 4 x 3 nodes"), "{out}");
-        let wide = with(&|o| o.every = 3);
-        assert!(wide.contains("every 3 of them"), "{wide}");
-        let back = with(&|o| {
-            o.eye = Some([0.0, 100.0, -1000.0]);
-            o.target = Some([0.0, 100.0, -2000.0]);
-        });
-        assert!(back.contains("every cell lies behind the eye"), "{back}");
-        let huge = HeightGrid {
-            columns: 200,
-            rows: 200,
-            step: [1.0, 1.0],
-            heights: vec![Some(0.0); 40_000],
-        };
-        let many = scene_of(&huge, "huge", &TerrainOptions::default()).unwrap_err();
-        assert!(many.to_string().contains("39601 cells"), "{many}");
+    fn digits(&self) -> ImportError {
+        unusable(
+            self.file,
+            "the heights, the distance of nodes and the eye have too many digits together for exact surfaces",
+            "about 5 significant digits each are possible",
+        )
+    }
+
+    /// Index of the colour of a cell: its mean height.
+    fn band(&self, cell: &Cell) -> usize {
+        let mean = cell.corners.iter().flatten().map(to_f64).sum::<f64>() / 4.0;
+        let (low, high) = self.heights;
+        let part = (mean - low) / (high - low).max(f64::MIN_POSITIVE);
+        ((part * BANDS.len() as f64) as usize).min(BANDS.len() - 1)
     }
 }

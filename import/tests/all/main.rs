@@ -12,4 +12,5 @@ mod step_input;
 mod step_oracle;
 mod step_words;
 mod structure_files;
+mod terrain;
 mod torus;

@@ -24,7 +24,6 @@ pub fn import(bytes: &[u8], options: &Import) -> Result<Imported, Failure> {
         eye: asked.eye_at,
         target: asked.look_at,
         title: title.map_or("Terrain".to_owned(), |name| name.into_owned()),
-        ..TerrainOptions::default()
     };
     import_terrain(bytes, &file, &terrain).map_err(Failure::from)
 }

@@ -6,7 +6,6 @@
 //! surface is curved along v. The search of [`super::terms`] finds fewer parts where it finds any; this always ends.
 
 mod keys;
-mod probes;
 mod rail;
 mod sectors;
 mod strips;

@@ -1,7 +1,7 @@
 //! Representations, and where they are placed in each other (ISO 10303-43, -44).
 
-use super::measure::Measure;
 use super::placement::{Placement, placement};
+use super::units::Measure;
 use super::units::{Context, context};
 use std::collections::{HashMap, HashSet};
 use step21::{Args, Entity, Error, Exchange, Result};

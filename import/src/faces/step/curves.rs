@@ -5,8 +5,8 @@ use super::spline::Spline;
 use super::units::Context;
 use crate::faces::build_edge::MISSED;
 use crate::faces::curve::{Arc, Curve, Ellipse, Polyline, Tolerance};
+use crate::faces::keys::MAX_NUMBER;
 use crate::faces::model::COINCIDENT;
-use crate::faces::source::MAX_NUMBER;
 use crate::faces::vector::*;
 use step21::{Args, Entity, Result, with_article};
 

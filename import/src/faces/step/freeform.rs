@@ -1,9 +1,9 @@
 //! B-spline surfaces, and those that a curve makes by a straight move or a turn (ISO 10303-42, clause 4.4), as patches.
 
 use super::curves::radius;
-use super::knots::{implied_knots, weights, written_knots};
 use super::placement::{Placement, direction, placement, point};
 use super::spline::Spline;
+use super::spline::{implied_knots, weights, written_knots};
 use super::units::Context;
 use crate::faces::bezier::{Patch, Pole, patches, plain};
 use crate::faces::vector::{Vector, across, along, cross, dot, minus, plus, reach, times};

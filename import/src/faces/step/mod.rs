@@ -7,12 +7,9 @@ mod assembly;
 mod colours;
 mod curves;
 mod freeform;
-mod knots;
-mod measure;
 mod placement;
 mod reader;
 mod spline;
-mod summary;
 mod surfaces;
 mod topology;
 mod units;
@@ -23,10 +20,10 @@ use crate::{ImportError, Place, Result};
 use assembly::Assembly;
 use colours::colours;
 use placement::Placement;
+use reader::Summary;
 use reader::{Found, Reader};
 use std::collections::HashSet;
 use step21::{Error, Exchange, Kind, Value, decoded};
-use summary::Summary;
 
 /// Most files that place each other's parts.
 const DEEPEST_FILE: usize = 8;
