@@ -22,8 +22,6 @@
 //! # Ok::<(), imogene_import::ImportError>(())
 //! ```
 
-#[cfg(test)]
-mod cases;
 mod compressed;
 mod error;
 #[cfg(feature = "cad")]

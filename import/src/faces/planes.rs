@@ -82,19 +82,3 @@ pub fn clean(normal: Vector) -> Vector {
         }
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn one_plane_has_one_description_whichever_way_it_faces() {
-        let mut planes = Planes::new(1e-9);
-        let first = planes.find_or_add([0.0, 1.0, 0.0], [0.0, 1.0, 0.0]);
-        let again = planes.find_or_add([5.0, 1.0, -3.0], [0.0, -1.0, 0.0]);
-        assert_eq!(again, first);
-        assert_ne!(planes.find_or_add([0.0, 1.1, 0.0], [0.0, 1.0, 0.0]), first);
-        assert_eq!(planes.get(first).1, [0.0, 1.0, 0.0]);
-        assert_eq!(clean([1.0, 6e-17, -0.0]), [1.0, 0.0, 0.0]);
-    }
-}

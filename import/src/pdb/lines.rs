@@ -244,26 +244,3 @@ impl<'a> Columns<'a> {
         })
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn columns_are_counted_in_characters() {
-        let line = "ab\u{e9}d  -1.5 nan 1e3".as_bytes();
-        let columns = Columns::new("x", 7, line);
-        assert_eq!(columns.field(1, 4), "ab?d");
-        assert_eq!(columns.number(5, 10), Some(-1.5));
-        assert_eq!(columns.number(11, 14).or(columns.number(15, 18)), None);
-        assert_eq!((columns.character(4), columns.character(99)), (b'd', b' '));
-        assert_eq!(columns.field(30, 40), "");
-        for (first, last, says) in [
-            (11, 18, "x:7:12: the x coordinate `nan 1e3` is not a number"),
-            (30, 38, "x:7:19: the line ends before"),
-        ] {
-            let error = columns.coordinate('x', first, last).unwrap_err();
-            assert!(error.to_string().starts_with(says), "{error}");
-        }
-    }
-}

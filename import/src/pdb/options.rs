@@ -107,11 +107,6 @@ fn named<T: Copy>(table: &[(&str, T)], text: &str) -> Result<T, String> {
     })
 }
 
-fn name_of<T: PartialEq>(table: &[(&'static str, T)], value: &T) -> &'static str {
-    let found = table.iter().find(|(_, other)| other == value);
-    found.map_or("", |(name, _)| name)
-}
-
 impl FromStr for ModelChoice {
     type Err = String;
 
@@ -148,16 +143,6 @@ impl FromStr for Alternates {
             name if is_name && name.len() <= 3 => Ok(Self::Named(name.to_owned())),
             _ => Err("a letter or digit, best or all would be accepted".into()),
         }
-    }
-}
-
-impl fmt::Display for Alternates {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Best => "best",
-            Self::All => "all",
-            Self::Named(name) => name,
-        })
     }
 }
 
@@ -215,77 +200,5 @@ impl Options {
             residues: residues.map_err(at("residues"))?,
             assembly: molecule.assembly.clone(),
         })
-    }
-
-    /// The table of a scene that asks for the same of a file.
-    pub fn molecule(&self, file: &str) -> Molecule {
-        Molecule {
-            file: file.to_owned(),
-            style: name_of(&STYLES, &self.style).to_owned(),
-            colour: name_of(&COLOURINGS, &self.colouring).to_owned(),
-            model: self.model.to_string(),
-            alternates: self.alternates.to_string(),
-            hydrogens: self.hydrogens,
-            water: self.water,
-            chains: self.chains.clone(),
-            residues: self.residues.iter().map(Residues::to_string).collect(),
-            assembly: self.assembly.clone(),
-            ..Molecule::default()
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn residues_are_numbers_ranges_and_names() {
-        let cases = [
-            ("10", Residues::Called("10".into())),
-            ("52A", Residues::Called("52A".into())),
-            ("-5", Residues::Called("-5".into())),
-            ("HEM", Residues::Called("HEM".into())),
-            ("U-1", Residues::Called("U-1".into())),
-            ("10-20", Residues::Range(10, 20)),
-            ("-5-3", Residues::Range(-5, 3)),
-            ("-5--1", Residues::Range(-5, -1)),
-        ];
-        for (text, expected) in cases {
-            let residues: Residues = text.parse().expect(text);
-            assert_eq!(residues, expected);
-            assert_eq!(residues.to_string(), text);
-        }
-        let error = "20-10".parse::<Residues>().unwrap_err();
-        assert!(error.contains("10-20 would be accepted"), "{error}");
-        assert!(" ".parse::<Residues>().is_err());
-    }
-
-    #[test]
-    fn a_scene_asks_for_the_same() {
-        let options = Options {
-            style: Style::BallAndStick,
-            colouring: Colouring::Chain,
-            model: ModelChoice::Number(-2),
-            alternates: Alternates::Named("B".into()),
-            water: false,
-            chains: vec!["A".into(), "BA".into()],
-            residues: vec![Residues::Range(-3, 7), Residues::Called("HEM".into())],
-            assembly: Some("2".into()),
-            ..Options::default()
-        };
-        for options in [options, Options::default()] {
-            let molecule = options.molecule("a.cif");
-            let back = Options::of(&molecule).expect("known");
-            assert_eq!(back.molecule("a.cif"), molecule);
-            assert_eq!(format!("{back:?}"), format!("{options:?}"));
-        }
-        let wrong = Molecule {
-            style: "sticks".into(),
-            ..Options::default().molecule("a.cif")
-        };
-        let error = Options::of(&wrong).unwrap_err();
-        let says = "style: `sticks` is not known; space-filling or ball-and-stick";
-        assert!(error.starts_with(says), "{error}");
     }
 }

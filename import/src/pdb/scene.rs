@@ -332,18 +332,3 @@ impl Names {
         self.unique(name)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn names_never_repeat() {
-        let mut names = Names::default();
-        let given = ["a", "a", "a (2)", "a", "b", "a (2)"].map(|n| names.unique(n.into()));
-        assert_eq!(
-            given,
-            ["a", "a (2)", "a (2) (2)", "a (3)", "b", "a (2) (3)"]
-        );
-    }
-}

@@ -111,25 +111,3 @@ pub fn listed(names: impl IntoIterator<Item = impl Into<String>>) -> String {
     }
     names.join(", ")
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn words_and_serial_numbers_are_written_back() {
-        let mut words = Words::default();
-        assert!(words.keep("").is_empty());
-        let word = words.keep_bytes("caf\u{e9}".as_bytes());
-        assert_eq!(words.keep("caf\u{e9}"), word);
-        assert_eq!(words.text(word), "caf\u{e9}");
-        let odd = words.keep_bytes(b"a\x01\xff");
-        assert_eq!((words.text(odd), words.find("none")), ("a??", None));
-        // The last of them is empty.
-        for text in "0 1 999999999 9999999999 007 A0000 ***** ".split(' ') {
-            let serial = Serial::of(text.as_bytes(), &mut words);
-            assert_eq!(serial.text(&words), text);
-        }
-        assert_eq!(Serial::of(b"12", &mut words), Serial::Number(12));
-    }
-}

@@ -94,6 +94,103 @@ fn texts_of_every_form_are_read() {
     assert_eq!(names(&imported), ["-/-/FE"]);
 }
 
+/// Words in all their forms, as the title of a text with keywords in any case.
+#[test]
+fn every_kind_of_word_is_known() {
+    let table = [
+        ("'5'-end'", "5'-end"),
+        ("\"a 'b'\"", "a 'b'"),
+        ("d_x", "d_x"),
+        ("loop_x", "loop_x"),
+        ("a#b", "a#b"),
+        (";b", ";b"),
+        ("# a comment\r\n;two\r\nlines; \r\n;", "two  lines;"),
+        ("\n;\n;", ""),
+    ];
+    for (word, title) in table {
+        let text = format!(
+            "DATA_1abc save_x stop_ GLOBAL_ _Struct.title {word}\r\nLoop_ _atom_site.cartn_x _atom_site.cartn_y _atom_site.cartn_z 1 2 3"
+        );
+        let imported = cif(&text, &Options::default()).expect(word);
+        let expected = match title {
+            "" => "1abc".to_owned(),
+            title => format!("1abc: {title}"),
+        };
+        assert_eq!(imported.scene.title, expected);
+    }
+}
+
+/// The molecule of three sulphurs with operator n, which moves by n along x, and X0, which turns x into y.
+fn assembled(expression: &str) -> String {
+    let list = "loop_ _pdbx_struct_oper_list.id";
+    let mut text = format!(
+        "{FAR}_pdbx_struct_assembly_gen.assembly_id 1
+_pdbx_struct_assembly_gen.oper_expression '{expression}'
+_pdbx_struct_assembly_gen.asym_id_list A,B,C\n{list}"
+    );
+    for row in 1..=3 {
+        let columns = (1..=3).map(|column| format!("matrix[{row}][{column}]"));
+        for item in columns.chain([format!("vector[{row}]")]) {
+            text += &format!(" _pdbx_struct_oper_list.{item}");
+        }
+    }
+    for n in 1..=30 {
+        text += &format!("\n{n} 1 0 0 {n} 0 1 0 0 0 0 1 0");
+    }
+    text + "\nX0 0 -1 0 0 1 0 0 0 0 0 1 0\n"
+}
+
+#[test]
+fn expressions_are_lists_ranges_and_products() {
+    let asked = with(|o| {
+        o.assembly = Some("1".into());
+        o.style = Style::BallAndStick;
+    });
+    let good = [
+        ("1", "1"),
+        ("1,2, 3", "1 2 3"),
+        ("(1-4)", "1 2 3 4"),
+        ("(1-2,21-22)", "1 2 21 22"),
+        ("(X0)(1-3)", "X0-1 X0-2 X0-3"),
+        ("(1,2)(3,4)", "1-3 1-4 2-3 2-4"),
+        ("X0(1)", "X0-1"),
+    ];
+    for (text, expected) in good {
+        let imported = cif(&assembled(text), &asked).expect(text);
+        let names = names(&imported);
+        let first = names.iter().filter_map(|name| name.strip_suffix("/1/SG"));
+        let first = first.filter(|name| !name.contains('/'));
+        let operators: Vec<&str> = first.map(|name| &name["HH-".len()..]).collect();
+        assert_eq!(operators.join(" "), expected, "{text}");
+        // What the file says is bonded is bonded in each copy.
+        for own in expected.split(' ') {
+            let bond = format!("HH-{own}/1/SG-HH-{own}/2/SG");
+            assert!(names.contains(&bond.as_str()), "{bond}");
+        }
+    }
+    // The right one first: along x to 7, then x is turned into y.
+    for (text, place) in [("(X0)(2)", [0.0, 7.0, 0.0]), ("(2)(X0)", [2.0, 5.0, 0.0])] {
+        assert_eq!(
+            places(&cif(&assembled(text), &asked).expect(text))[1],
+            place
+        );
+    }
+    let bad = [
+        ("", "names no operator"),
+        ("()", "names no operator"),
+        ("(1-99999999)", "no operator `31`"),
+        ("(3-1)", "backwards"),
+        ("(1", "is no list"),
+        ("1)", "is no list"),
+        ("(P)", "no operator `P`"),
+        ("(1-30)(1-30)(1-30)(1-30)", "more than"),
+    ];
+    for (text, problem) in bad {
+        let error = cif(&assembled(text), &asked).unwrap_err();
+        assert!(error.contains(problem), "{text}: {error}");
+    }
+}
+
 /// Chains of several letters, insertion codes, models out of order, alternates, names with quotes, and the names of
 /// the authors before the others.
 #[test]
@@ -135,6 +232,8 @@ fn what_is_wrong_is_refused_where_it_stands() {
 {row}1 2 '3 | f.cif:6:5: the quote is not closed
 {row};1\n2 3 | f.cif:6:1: the text that begins here is not closed
 data_x\nloop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.pdbx_PDB_model_num\n_atom_site.Cartn_z\n1 2 x 3 | f.cif:7:5: the number `x` of the model
+; | f.cif:1:1: the text that begins here is not closed
+_é.a 'b | f.cif:1:6: the quote is not closed
 data_x\nloop_\n1 2 | f.cif:2:1: a loop without names
 data_x\n_entry.id\n_struct.title a | f.cif:2:1: the item `_entry.id` has no value
 data_x\néé y | f.cif:2:1: a value without a name

@@ -61,8 +61,19 @@ fn what_other_programs_write_is_read() {
     let mut latin = b"REMARK   1 caf\xe9 \xff\xfe\n".to_vec();
     latin.extend(ONE.bytes());
     assert!(read(&latin, "f.pdb", &Options::default()).is_ok());
-    for serial in ["*****", "A0000", "186a0", "     ", "99999"] {
-        import(&ONE.replacen("    1", serial, 1), Options::default());
+    // A serial number is told as it is written, and a name that is taken has a number behind.
+    for serial in [
+        "*****", "A0000", "186a0", "     ", "99999", "    0", "  007",
+    ] {
+        let text = ONE.replacen("    1", serial, 1);
+        let imported = import(&format!("{text}\n{text}\n{text}"), Options::default());
+        let shown = match serial.trim() {
+            "" => "-",
+            shown => shown,
+        };
+        let second = format!("A/1/CA #{shown}");
+        let third = format!("{second} (2)");
+        assert_eq!(names(&imported), ["A/1/CA", &second, &third], "{serial}");
     }
     for six in ["ATOM 100000  CA", "ATOM  100000 CA", "HETATM100000 CA"] {
         let text = format!("{six}{}", &ONE[15..]);
@@ -97,6 +108,12 @@ fn a_bad_coordinate_is_refused_where_it_stands() {
         let error = refusal(cut.as_bytes(), Options::default());
         assert!(error.starts_with(place), "{error}");
     }
+    // Columns are counted in characters.
+    let wide = ONE
+        .replace("CA  ALA", "C\u{e9}  ALA")
+        .replace("11.104", "11.1o4");
+    let error = refusal(wide.as_bytes(), Options::default());
+    assert!(error.starts_with("f.pdb:1:33: the x"), "{error}");
     let error = refusal(&ONE.as_bytes()[..30], Options::default());
     assert!(
         error.starts_with("f.pdb:1:31: the line ends before the x coordinate"),

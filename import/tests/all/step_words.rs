@@ -1,7 +1,7 @@
 //! Texts of STEP files: other words for the same part, units, placements, colours, curves, and what is rejected by its
 //! name.
 
-use crate::common::bar::{BAR, changed, is_whole, part, read};
+use crate::common::bar::{BAR, changed, is_whole, message, part, read};
 use crate::common::cases::cases;
 use crate::common::points::kept;
 use imogene_import::faces::{Compilation, Verdict};
@@ -104,8 +104,31 @@ fn a_turned_shell_is_a_hole() {
 
 #[test]
 fn lengths_are_in_the_units_of_the_file() {
-    let metre = changed(&[(".MILLI.", "$")]);
-    is_whole(&metre, [-1e3, -1e3, 0.0], [1e3, 1e3, 2e3]);
+    for (prefix, factor) in [
+        ("$", 1e3),
+        (".CENTI.", 10.0),
+        (".MILLI.", 1.0),
+        (".MICRO.", 1e-3),
+    ] {
+        let text = changed(&[
+            (".MILLI.", prefix),
+            (
+                "((#4,#5))",
+                "((#4,#5)) GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#9))",
+            ),
+            (
+                "#10=",
+                "#9=UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-4),#4,'','');\n#10=",
+            ),
+        ]);
+        is_whole(
+            &text,
+            [-factor, -factor, 0.0],
+            [factor, factor, 2.0 * factor],
+        );
+        let expected = (1e-4 * factor).min(0.01);
+        assert!((part(&text).model.uncertainty - expected).abs() < 1e-18);
+    }
     let inch = changed(&[(
         "#4=(LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.));",
         "#4=(CONVERSION_BASED_UNIT('INCH',#6) LENGTH_UNIT() NAMED_UNIT(#8));
@@ -199,6 +222,41 @@ fn what_is_not_drawn_is_rejected_by_its_name() {
         "{:?}",
         imported.notes
     );
+}
+
+#[test]
+fn units_that_make_no_sense_are_refused() {
+    let table = r"
+(LENGTH_UNIT()SI_UNIT(.YOTTO.,.METRE.)) | `.YOTTO.`
+(LENGTH_UNIT()SI_UNIT($,.SECOND.)) | `.METRE.` is needed
+(LENGTH_UNIT()NAMED_UNIT(*)) | CONVERSION_BASED_UNIT
+(LENGTH_UNIT()CONVERSION_BASED_UNIT('x',#8));#8=LENGTH_MEASURE_WITH_UNIT(1.,#4) | defined by itself
+(LENGTH_UNIT()CONVERSION_BASED_UNIT('x',#8));#8=LENGTH_MEASURE_WITH_UNIT(0.,#7);#7=(LENGTH_UNIT()SI_UNIT($,.METRE.)) | out of range
+";
+    for [unit, part] in cases(table) {
+        let own = "(LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.))";
+        let message = message(&changed(&[(own, &unit)]));
+        assert!(message.contains(&part), "{message}");
+    }
+}
+
+#[test]
+fn knots_and_weights_that_do_not_fit_are_refused() {
+    let table = r"
+B_SPLINE_CURVE_WITH_KNOTS('',2,(#90,#91,#92),.U.,.F.,.F.,(3,2),(0.,1.),.U.) | 2 knots, 5 with
+B_SPLINE_CURVE_WITH_KNOTS('',2,(#90,#91,#92),.U.,.F.,.F.,(3,3),(1.,1.),.U.) | 2 knots, 6 with
+B_SPLINE_CURVE_WITH_KNOTS('',2,(#90,#91,#92),.U.,.F.,.F.,(1000000000,3),(0.,1.),.U.) | 1000000003 with
+BEZIER_CURVE('',3,(#90,#91,#92,#93,#90),.U.,.F.,.F.) | pieces of degree 3
+BEZIER_CURVE('',9,(#90,#91),.U.,.F.,.F.) | 2 control points for degree 9
+( B_SPLINE_CURVE(1,(#90,#91),.U.,.F.,.F.) BEZIER_CURVE() RATIONAL_B_SPLINE_CURVE((1.,0.)) ) | a weight of 0
+( B_SPLINE_CURVE(1,(#90,#91),.U.,.F.,.F.) BEZIER_CURVE() RATIONAL_B_SPLINE_CURVE((1.)) ) | 1 weights
+( BEZIER_CURVE() ) | a B_SPLINE_CURVE is needed
+";
+    for [curve, part] in cases(table) {
+        let imported = read(&changed(&[("CIRCLE('',#80,1.)", &curve)])).unwrap();
+        let said = imported.notes.join("\n");
+        assert!(said.contains(&part), "{said}");
+    }
 }
 
 #[test]
@@ -319,6 +377,13 @@ fn open_curves_run_from_vertex_to_vertex() {
             "#63=BEZIER_CURVE('',2,({points}),.U.,.F.,.F.);#101=CARTESIAN_POINT('',(2.,0.,0.));#102=CARTESIAN_POINT('',(0.,2.,0.));#103=CARTESIAN_POINT('',(-2.,0.,0.));"
         )
     };
+    let knotted = |curve: &str, points: &[(f64, f64)]| {
+        let mut text = format!("#63={curve};");
+        for ((x, y), id) in points.iter().zip(101..) {
+            text += &format!("#{id}=CARTESIAN_POINT('',({x:?},{y:?},0.));");
+        }
+        text
+    };
     let turned = "#83=AXIS2_PLACEMENT_3D('',#92,#98,#99);#98=DIRECTION('',(0.,0.,-1.));#99=DIRECTION('',(0.,1.,0.));";
     // What is inside: y below 3 sqrt(1 - x^2 / 4), or below 1 - x^2 / 4; the second three are one curve.
     type Height = fn(f64) -> f64;
@@ -348,6 +413,39 @@ fn open_curves_run_from_vertex_to_vertex() {
         (parabola.to_owned(), ".F.", arch, false),
         (spline("#101,#102,#103"), ".T.", arch, false),
         (spline("#103,#102,#101"), ".F.", arch, false),
+        // The same with control points by their polar forms: knots that are written, and those of the kinds.
+        (
+            knotted(
+                "B_SPLINE_CURVE_WITH_KNOTS('',2,(#101,#102,#103,#104),.U.,.F.,.F.,(3,1,3),(0.,1.,3.),.U.)",
+                &[
+                    (2.0, 0.0),
+                    (4.0 / 3.0, 2.0 / 3.0),
+                    (-2.0 / 3.0, 4.0 / 3.0),
+                    (-2.0, 0.0),
+                ],
+            ),
+            ".T.",
+            arch,
+            false,
+        ),
+        (
+            knotted(
+                "( B_SPLINE_CURVE(2,(#101,#102,#103,#104),.U.,.F.,.F.) QUASI_UNIFORM_CURVE() RATIONAL_B_SPLINE_CURVE((2.,2.,2.,2.)) )",
+                &[(2.0, 0.0), (1.0, 1.0), (-1.0, 1.0), (-2.0, 0.0)],
+            ),
+            ".T.",
+            arch,
+            false,
+        ),
+        (
+            knotted(
+                "UNIFORM_CURVE('',2,(#101,#102,#103),.U.,.F.,.F.)",
+                &[(4.0, -2.0), (0.0, 2.0), (-4.0, -2.0)],
+            ),
+            ".T.",
+            arch,
+            false,
+        ),
     ];
     for (curve, sense, height, exact) in cases {
         let text = text(&curve, sense);

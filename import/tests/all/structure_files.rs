@@ -5,7 +5,7 @@ use crate::common::structure::{cif, names, places, with};
 use imogene_import::pdb::{self, Alternates, Colouring, Format, Options, Style};
 use imogene_import::{ImportError, Imported, Kind, is_compressed, unpack};
 use imogene_prepare::Framing;
-use imogene_scene::SceneFile;
+use imogene_scene::{Molecule, SceneFile};
 use std::path::Path;
 
 /// A file of the tests, unpacked.
@@ -285,7 +285,11 @@ fn a_scene_is_filled_from_the_file_that_it_names() {
     let whole = import("1A8O.cif", &options).scene;
     let mut scene = SceneFile {
         objects: vec![],
-        molecules: vec![options.molecule("1A8O.cif")],
+        molecules: vec![Molecule {
+            file: "1A8O.cif".into(),
+            style: "ball-and-stick".into(),
+            ..Molecule::default()
+        }],
         ..whole.clone()
     };
     let text = scene.to_toml().expect("a scene may name a file");

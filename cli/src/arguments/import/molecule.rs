@@ -1,8 +1,9 @@
 //! Options of `import` for molecules.
 
-use crate::arguments::parse::{Choices, choice};
+use crate::arguments::parse::{Choices, choice, name};
 use clap::Args;
 use imogene_import::pdb::{Alternates, Colouring, ModelChoice, Options, Residues, Style};
+use imogene_scene::Molecule;
 use std::str::FromStr;
 
 /// Options of molecules.
@@ -18,8 +19,8 @@ pub struct MoleculeOptions {
     #[arg(long, default_value = "first", value_parser = ModelChoice::from_str, value_name = "N|first|all", allow_hyphen_values = true)]
     model: ModelChoice,
     /// Alternate locations to draw: `best` of each residue by occupancy, those of a letter, or `all`.
-    #[arg(long, default_value = "best", value_parser = Alternates::from_str, value_name = "LETTER|best|all")]
-    alternates: Alternates,
+    #[arg(long, default_value = "best", value_parser = alternates, value_name = "LETTER|best|all")]
+    alternates: String,
     /// Chains to draw, by the names that their authors gave them.
     #[arg(long, value_name = "CHAIN,...", value_delimiter = ',')]
     chain: Vec<String>,
@@ -56,18 +57,29 @@ const COLOURS: Choices<Colouring> = &[
 ];
 
 impl MoleculeOptions {
-    /// The options of the reader.
-    pub fn options(&self) -> Options {
-        Options {
-            style: self.style,
-            colouring: self.colour,
-            model: self.model,
+    /// The table of a scene that asks for this of a file.
+    pub fn molecule(&self, file: &str) -> Molecule {
+        Molecule {
+            file: file.to_owned(),
+            style: name(STYLES, self.style).to_owned(),
+            colour: name(COLOURS, self.colour).to_owned(),
+            model: self.model.to_string(),
             alternates: self.alternates.clone(),
             hydrogens: !self.without_hydrogens,
             water: !self.without_water,
             chains: self.chain.clone(),
-            residues: self.residue.clone(),
+            residues: self.residue.iter().map(Residues::to_string).collect(),
             assembly: self.assembly.clone(),
+            ..Molecule::default()
         }
     }
+
+    /// The options of the reader.
+    pub fn options(&self) -> Options {
+        Options::of(&self.molecule("")).expect("each word was read once")
+    }
+}
+
+fn alternates(text: &str) -> Result<String, String> {
+    Alternates::from_str(text).map(|_| text.to_owned())
 }

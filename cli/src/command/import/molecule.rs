@@ -29,7 +29,7 @@ pub fn referred(mut imported: Imported, kind: Kind, options: &Import) -> Result<
     }
     let file = relative(&options.file, &options.output)?;
     imported.scene.objects.clear();
-    imported.scene.molecules = vec![asked.options().molecule(&file)];
+    imported.scene.molecules = vec![asked.molecule(&file)];
     imported.notes.push(format!(
         "the scene names {file} and takes its atoms from there; --inline writes an object for each"
     ));

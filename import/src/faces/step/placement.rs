@@ -117,27 +117,3 @@ pub fn placement(entity: Entity, context: &Context) -> Result<Placement> {
         axes: [x, clean(cross(z, x)), z],
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::faces::vector::distance;
-
-    #[test]
-    fn placements_follow_each_other_and_go_back() {
-        let z = unit([1.0, 2.0, -2.0]);
-        let [x, y] = frame(z, 0.7);
-        let one = Placement {
-            origin: [3.0, -1.0, 2.0],
-            axes: [x, y, z],
-        };
-        let two = Placement {
-            origin: [0.5, 4.0, -7.0],
-            axes: [y, z, x],
-        };
-        let p = [0.3, 1.9, -4.2];
-        assert!(distance(two.after(&one).point(p), two.point(one.point(p))) < 1e-14);
-        assert!(distance(one.inverse().point(one.point(p)), p) < 1e-14);
-        assert!(distance(one.point([0.0, 0.0, 2.0]), plus(one.origin, times(2.0, z))) < 1e-14);
-    }
-}
