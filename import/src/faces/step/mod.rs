@@ -34,9 +34,9 @@ pub type Beside<'b> = &'b dyn Fn(&str) -> Option<Vec<u8>>;
 /// Reads a STEP file.
 pub fn build(bytes: &[u8], file: &str, beside: Beside) -> Result<(Model, Summary)> {
     let mut found = Found::default();
-    let summary = read(&mut found, bytes, Placement::IN_PLACE, beside, 0);
-    let mut summary = summary.map_err(|error| of_file(file, error))?;
-    let mut model = found.model;
+    let read = read(&mut found, bytes, Placement::IN_PLACE, beside, 0);
+    read.map_err(|error| of_file(file, error))?;
+    let (mut model, mut summary) = (found.topology.model, found.summary);
     if model.faces.is_empty() {
         let accepted =
             "a MANIFOLD_SOLID_BREP, BREP_WITH_VOIDS or SHELL_BASED_SURFACE_MODEL is needed";
@@ -75,46 +75,47 @@ fn read(
     base: Placement,
     beside: Beside,
     depth: usize,
-) -> Result<Summary, Error> {
+) -> Result<(), Error> {
     let exchange = Exchange::parse(bytes)?;
     let assembly = Assembly::read(&exchange);
     let placed = assembly.placed()?;
     let (colours, grey) = colours(&exchange);
-    let summary = Summary {
-        schema: schema(&exchange),
-        entities: exchange.instances.len(),
-        missing: [assembly.notes.clone(), grey].concat(),
-        ..Summary::default()
-    };
-    let mut reader = Reader::new(found, &assembly, colours, summary);
+    let summary = &mut found.summary;
+    if depth == 0 {
+        summary.schema = schema(&exchange);
+    }
+    summary.entities += exchange.instances.len();
+    summary.missing.extend(assembly.notes.iter().cloned());
+    summary.missing.extend(grey);
+    let mut reader = Reader::new(found, &assembly, colours);
     for part in &placed {
         reader.representation(part, base.after(&part.place));
     }
-    let mut summary = reader.finish(&exchange);
-    if let Some(first) = placed.first().filter(|_| found.model.title.is_empty()) {
-        found.model.title = assembly.name(first.group).to_owned();
+    reader.finish(&exchange);
+    let title = &mut found.topology.model.title;
+    if let Some(first) = placed.first().filter(|_| title.is_empty()) {
+        *title = assembly.name(first.group).to_owned();
     }
     let mut done = HashSet::new();
     for part in placed.iter().filter(|part| done.insert(part.occurrence)) {
         for name in external(&exchange, assembly.product_of(part.group)) {
             let place = base.after(&part.place);
             let Some(bytes) = beside(&name).filter(|_| depth < DEEPEST_FILE) else {
-                summary.missing.push(format!(
+                found.summary.missing.push(format!(
                     "part `{}` is in the file `{name}`, which is not beside this one",
                     assembly.name(part.group)
                 ));
                 continue;
             };
-            match read(found, &bytes, place, beside, depth + 1) {
-                Ok(inner) => summary.add(inner),
-                Err(error) => summary.missing.push(of_file(&name, error).to_string()),
-            }
-            if !summary.files.contains(&name) {
-                summary.files.push(name);
+            let inner = read(found, &bytes, place, beside, depth + 1);
+            let Summary { missing, files, .. } = &mut found.summary;
+            missing.extend(inner.err().map(|error| of_file(&name, error).to_string()));
+            if !files.contains(&name) {
+                files.push(name);
             }
         }
     }
-    Ok(summary)
+    Ok(())
 }
 
 /// The first words of the names of the schemas.

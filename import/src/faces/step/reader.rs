@@ -3,8 +3,7 @@
 use super::assembly::{Assembly, Placed};
 use super::colours::{Colour, material};
 use super::placement::Placement;
-use super::topology::{SHELLS, Space, Topology};
-use crate::faces::model::Model;
+use super::topology::{Origin, SHELLS, Space, Topology};
 use imogene_files::text::counted;
 use serde::Serialize;
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -16,7 +15,8 @@ const SILENT: [&str; 3] = ["AXIS2_PLACEMENT_3D", "MAPPED_ITEM", "CARTESIAN_POINT
 /// What has been found in a file and in those beside it.
 #[derive(Default)]
 pub struct Found {
-    pub model: Model,
+    pub topology: Topology,
+    pub summary: Summary,
     /// Names of solids that are taken, and how often.
     names: HashMap<String, usize>,
 }
@@ -26,12 +26,10 @@ pub struct Reader<'f, 'a> {
     found: &'f mut Found,
     assembly: &'f Assembly<'a>,
     colours: HashMap<u64, Colour>,
-    topology: Topology,
     /// Items by the placement that has them already.
     seen: HashSet<(usize, u64)>,
     /// For each item that is drawn, how many faces it has.
     placed: HashMap<u64, usize>,
-    summary: Summary,
 }
 
 impl<'f, 'a> Reader<'f, 'a> {
@@ -40,16 +38,14 @@ impl<'f, 'a> Reader<'f, 'a> {
         found: &'f mut Found,
         assembly: &'f Assembly<'a>,
         colours: HashMap<u64, Colour>,
-        summary: Summary,
     ) -> Self {
+        found.topology.next_file();
         Reader {
             found,
             assembly,
             colours,
-            topology: Topology::default(),
             seen: HashSet::new(),
             placed: HashMap::new(),
-            summary,
         }
     }
 
@@ -75,7 +71,7 @@ impl<'f, 'a> Reader<'f, 'a> {
             "" => "left out".into(),
             name => format!("part `{name}`"),
         };
-        self.summary.missing.push(format!("{part}: {error}"));
+        self.found.summary.missing.push(format!("{part}: {error}"));
     }
 
     fn item(&mut self, part: &Placed, space: &mut Space, item: Entity) -> Result<()> {
@@ -85,27 +81,27 @@ impl<'f, 'a> Reader<'f, 'a> {
         let shells = shells(item)?;
         if shells.is_empty() {
             if item.find(&SILENT).is_none() {
-                *self.summary.left_out.entry(item.name()).or_default() += 1;
+                *self.found.summary.left_out.entry(item.name()).or_default() += 1;
             }
             return Ok(());
         }
-        let model = &mut self.found.model;
+        let model = &mut self.found.topology.model;
         model.uncertainty = model.uncertainty.max(space.context.uncertainty);
         model.precision = model.precision.max(space.context.precision);
+        let first = model.faces.len();
         let name = self.name_of(self.assembly.name(part.group), item);
         let own = self.colours.get(&item.id).copied();
-        let material = material(&mut self.found.model.materials, own);
-        let first = self.topology.model.faces.len();
-        self.topology.solid(space, &shells, name, material)?;
-        self.colour(own, &shells, first);
-        self.placed
-            .insert(item.id, self.topology.model.faces.len() - first);
+        let topology = &mut self.found.topology;
+        let material = material(&mut topology.model.materials, own);
+        let origins = topology.solid(space, &shells, name, material)?;
+        self.placed.insert(item.id, origins.len());
+        self.colour(own, &shells, first, &origins);
         Ok(())
     }
 
-    /// Moves what was read to what has been found.
-    pub fn finish(mut self, file: &Exchange) -> Summary {
-        self.summary.faces = self.placed.values().sum();
+    /// Counts the faces of the file.
+    pub fn finish(self, file: &Exchange) {
+        let drawn: usize = self.placed.values().sum();
         let shells = file.all(&SHELLS);
         let faces = shells.flat_map(|shell| shell.list(1).unwrap_or_default());
         let faces = faces.filter_map(|face| match face.kind {
@@ -113,21 +109,9 @@ impl<'f, 'a> Reader<'f, 'a> {
             _ => None,
         });
         let of_shells: HashSet<u64> = faces.collect();
-        self.summary.unplaced_faces = of_shells.len().saturating_sub(self.summary.faces);
-        let model = &mut self.found.model;
-        let (first_edge, first_face) = (model.edges.len(), model.faces.len());
-        let mut own = self.topology.model;
-        let loops = own.faces.iter_mut().flat_map(|face| &mut face.loops);
-        for edge_use in loops.flatten() {
-            edge_use.edge += first_edge;
-        }
-        for face in own.solids.iter_mut().flat_map(|solid| &mut solid.faces) {
-            *face += first_face;
-        }
-        model.edges.append(&mut own.edges);
-        model.faces.append(&mut own.faces);
-        model.solids.append(&mut own.solids);
-        self.summary
+        let summary = &mut self.found.summary;
+        summary.faces += drawn;
+        summary.unplaced_faces += of_shells.len().saturating_sub(drawn);
     }
 
     /// A name that no other solid has: that of the product, or the item's own.
@@ -150,14 +134,13 @@ impl<'f, 'a> Reader<'f, 'a> {
     }
 
     /// The colours of faces that are not that of their solid: their own, or that of their shell.
-    fn colour(&mut self, own: Option<Colour>, shells: &[Entity], first: usize) {
+    fn colour(&mut self, own: Option<Colour>, shells: &[Entity], first: usize, origins: &[Origin]) {
         let of = |id: u64| self.colours.get(&id).copied();
-        for index in first..self.topology.model.faces.len() {
-            let (face, shell) = self.topology.origins[index];
-            let colour = of(face).or_else(|| of(shells[shell].id));
+        let model = &mut self.found.topology.model;
+        for (face, (id, shell)) in model.faces[first..].iter_mut().zip(origins) {
+            let colour = of(*id).or_else(|| of(shells[*shell].id));
             if colour.is_some() && colour != own {
-                let material = material(&mut self.found.model.materials, colour);
-                self.topology.model.faces[index].material = Some(material);
+                face.material = Some(material(&mut model.materials, colour));
             }
         }
     }
@@ -213,18 +196,5 @@ impl Summary {
             ));
         }
         notes
-    }
-
-    /// Takes over what another file says.
-    pub fn add(&mut self, other: Summary) {
-        self.entities += other.entities;
-        self.faces += other.faces;
-        self.placed_faces += other.placed_faces;
-        self.unplaced_faces += other.unplaced_faces;
-        for (name, count) in other.left_out {
-            *self.left_out.entry(name).or_default() += count;
-        }
-        self.missing.extend(other.missing);
-        self.files.extend(other.files);
     }
 }

@@ -50,15 +50,18 @@ impl Space {
 /// Sets of faces.
 pub const SHELLS: [&str; 3] = ["CLOSED_SHELL", "OPEN_SHELL", "CONNECTED_FACE_SET"];
 
+/// The number of the entity of a face, and its shell among those of its solid.
+pub type Origin = (u64, usize);
+
 /// What has been read of the part.
 #[derive(Debug, Default)]
 pub struct Topology {
-    /// Its edges, faces and solids.
+    /// Its edges, faces, solids and materials.
     pub model: Model,
-    /// For each face the number of its entity, and its shell among those of its solid.
-    pub origins: Vec<(u64, usize)>,
     /// Places of vertices in the spaces of their representations.
     vertices: Vec<Vector>,
+    /// Edges, faces and edges in loops up to which this file may go.
+    most: [usize; 3],
     uses: usize,
 }
 
@@ -70,6 +73,16 @@ fn too_many(what: &str, most: usize) -> Error {
 }
 
 impl Topology {
+    /// Goes on to another file, whose edges and faces are counted anew.
+    pub fn next_file(&mut self) {
+        let Model { edges, faces, .. } = &self.model;
+        self.most = [
+            edges.len() + MAX_PARTS,
+            faces.len() + MAX_PARTS,
+            self.uses + MAX_USES,
+        ];
+    }
+
     /// Adds the faces of shells as one solid.
     pub fn solid(
         &mut self,
@@ -77,27 +90,31 @@ impl Topology {
         shells: &[Entity],
         name: String,
         material: String,
-    ) -> Result<()> {
+    ) -> Result<Vec<Origin>> {
         let first = self.model.faces.len();
+        let mut origins = vec![];
         for (index, shell) in shells.iter().enumerate() {
-            self.shell(space, *shell, index)?;
+            let faces = self.shell(space, *shell)?;
+            origins.extend(faces.into_iter().map(|face| (face, index)));
         }
         self.model.solids.push(Solid {
             name,
             material,
             faces: (first..self.model.faces.len()).collect(),
         });
-        Ok(())
+        Ok(origins)
     }
 
-    fn shell(&mut self, space: &mut Space, entity: Entity, index: usize) -> Result<()> {
+    /// Adds the faces of a shell; their numbers.
+    fn shell(&mut self, space: &mut Space, entity: Entity) -> Result<Vec<u64>> {
         let oriented = ["ORIENTED_CLOSED_SHELL", "ORIENTED_OPEN_SHELL"];
         let (shell, outwards) = match entity.find(&oriented) {
             Some(args) => (args.named(2, &SHELLS)?, args.flag(3)?),
             None => (entity.need(&SHELLS)?, true),
         };
+        let mut ids = vec![];
         for value in shell.list(1)? {
-            if self.model.faces.len() == MAX_PARTS {
+            if self.model.faces.len() == self.most[1] {
                 return Err(too_many("faces", MAX_PARTS));
             }
             let (id, face) = match shell.as_entity(value) {
@@ -112,9 +129,9 @@ impl Topology {
                 ..Face::default()
             });
             self.model.faces.push(face);
-            self.origins.push((id, index));
+            ids.push(id);
         }
-        Ok(())
+        Ok(ids)
     }
 
     fn oriented_face(&mut self, space: &mut Space, entity: Entity, outwards: bool) -> Result<Face> {
@@ -235,7 +252,7 @@ impl Topology {
         let mut refused = None;
         for entity in args.entities(1)? {
             self.uses += 1;
-            if self.uses > MAX_USES {
+            if self.uses > self.most[2] {
                 return Err(too_many("edges in loops", MAX_USES));
             }
             let oriented = entity.need(&["ORIENTED_EDGE"])?;
@@ -258,7 +275,7 @@ impl Topology {
         let mut uses = vec![];
         for (index, from) in points.iter().enumerate() {
             let to = points[(index + 1) % points.len()];
-            if self.model.edges.len() == MAX_PARTS {
+            if self.model.edges.len() == self.most[0] {
                 return Err(too_many("edges", MAX_PARTS));
             }
             let place = |entity| point(entity, &space.context);
@@ -332,7 +349,7 @@ impl Topology {
         if let Some(known) = space.edges.get(&entity.id) {
             return Ok(known.clone());
         }
-        if self.model.edges.len() == MAX_PARTS {
+        if self.model.edges.len() == self.most[0] {
             return Err(too_many("edges", MAX_PARTS));
         }
         let args = entity.need(&["EDGE_CURVE"])?;
