@@ -11,7 +11,6 @@ pub struct Place {
     pub column: usize,
 }
 
-#[cfg(any(feature = "pdb", feature = "cad", feature = "terrain"))]
 impl Place {
     /// Of a byte of a text whose lines end so.
     pub(crate) fn of(bytes: &[u8], at: usize, end: u8) -> Place {
@@ -59,7 +58,6 @@ impl ImportError {
 pub type Result<T, E = ImportError> = std::result::Result<T, E>;
 
 /// The text of a file, or where it stops being text.
-#[cfg(any(feature = "cad", feature = "terrain"))]
 pub(crate) fn decoded<'a>(bytes: &'a [u8], file: &str, accepted: &str) -> Result<&'a str> {
     std::str::from_utf8(bytes).map_err(|error| {
         let place = Place::of(bytes, error.valid_up_to(), b'\n');

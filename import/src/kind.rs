@@ -1,8 +1,6 @@
 //! What a file is, by what it holds and else by what it is called.
 
-#[cfg(feature = "pdb")]
 use crate::pdb::Format;
-use std::fmt;
 
 /// Kinds of files that are read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,7 +77,6 @@ impl Kind {
     }
 
     /// The format, if it is a structure.
-    #[cfg(feature = "pdb")]
     pub fn format(self) -> Option<Format> {
         match self {
             Kind::Pdb => Some(Format::Pdb),
@@ -170,14 +167,10 @@ fn is_heights(line: &str) -> bool {
 }
 
 /// What is read, with the endings of the names.
-pub struct Kinds;
-
-impl fmt::Display for Kinds {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let kinds = KINDS.map(|(.., what, endings)| format!("{what} ({})", endings.join(", ")));
-        let (last, others) = kinds.split_last().expect("kinds");
-        write!(f, "{} or {last}", others.join(", "))
-    }
+pub fn kinds() -> String {
+    let kinds = KINDS.map(|(.., what, endings)| format!("{what} ({})", endings.join(", ")));
+    let (last, others) = kinds.split_last().expect("kinds");
+    format!("{} or {last}", others.join(", "))
 }
 
 /// Whether a text is a scene, which needs no import.

@@ -1,8 +1,6 @@
 //! Readers of real data: each turns one kind of file into a [`SceneFile`] and says what it left out, what is exact and
 //! what is not.
 //!
-//! Each kind of file is a feature: `pdb` for molecules, `cad` for face lists and STEP, `terrain` for grids of heights.
-//!
 //! ```
 //! use imogene_import::pdb::{Format, Options, read};
 //! use imogene_scene::{Shape, Step};
@@ -24,21 +22,17 @@
 
 mod compressed;
 mod error;
-#[cfg(feature = "cad")]
 pub mod faces;
 mod kind;
-#[cfg(feature = "pdb")]
 pub mod pdb;
-#[cfg(feature = "terrain")]
 pub mod terrain;
 
 pub use compressed::{is_compressed, unpack};
 pub use error::{ImportError, Place, Result};
-pub use kind::{Kind, Kinds, is_scene};
+pub use kind::{Kind, is_scene, kinds};
 
-use imogene_scene::SceneFile;
-#[cfg(any(feature = "pdb", feature = "cad", feature = "terrain"))]
-use imogene_scene::{Object, Shape, Surface};
+use imogene_scene::{Object, SceneFile, Shape, Surface};
+use std::collections::HashMap;
 
 /// What a reader made of a file.
 #[derive(Debug)]
@@ -51,8 +45,29 @@ pub struct Imported {
     pub notes: Vec<String>,
 }
 
+/// Names that are taken, and how often.
+#[derive(Default)]
+pub(crate) struct Names(HashMap<String, usize>);
+
+impl Names {
+    /// The name itself, or with the least number that makes it unique.
+    pub(crate) fn unique(&mut self, name: String, number: fn(&str, usize) -> String) -> String {
+        let mut own = name.clone();
+        while self.0.contains_key(&own) {
+            let count = self.0.entry(name.clone()).or_insert(1);
+            *count += 1;
+            own = number(&name, *count);
+        }
+        self.0.insert(own.clone(), 1);
+        own
+    }
+
+    pub(crate) fn has(&self, name: &str) -> bool {
+        self.0.contains_key(name)
+    }
+}
+
 /// A solid where its coordinates put it, without cuts.
-#[cfg(any(feature = "pdb", feature = "cad", feature = "terrain"))]
 pub(crate) fn object(name: String, shape: Shape, material: String) -> Object {
     Object {
         name,

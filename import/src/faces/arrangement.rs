@@ -32,7 +32,6 @@ pub struct Boundary {
 pub struct Sample {
     /// Bit k: it is on the positive side of separator k.
     pub sides: u128,
-    /// The face has it.
     pub inside: bool,
     pub point: Vector,
 }
@@ -71,10 +70,8 @@ impl Span {
     }
 }
 
-/// What is needed to divide a face.
 pub struct Division<'a> {
     pub surface: &'a Surface,
-    /// What divides it.
     pub separators: &'a [Separator],
     pub boundaries: &'a [Boundary],
     /// Size of the part, scene units.
@@ -110,7 +107,6 @@ impl Division<'_> {
         Ok(samples)
     }
 
-    /// The middle of every slab.
     fn middles(&self, chart: &Chart) -> Vec<f64> {
         let ends = self.boundaries.iter().flat_map(|own| own.curve.ends());
         let mut limits: Vec<f64> = ends.map(|end| chart.u_of(end)).collect();

@@ -70,7 +70,6 @@ pub struct Bernstein {
     scaled: Vec<f64>,
 }
 
-/// Binomials of a degree.
 fn binomials(degree: usize) -> Vec<f64> {
     let mut row = vec![1.0];
     for k in 0..degree {

@@ -13,7 +13,6 @@ use toml::Spanned;
 /// Most faces, and most edges, of a list.
 pub const MAX_PARTS: usize = 20_000;
 
-/// Reads the text of a face list.
 pub fn build(source: Source) -> Result<Model> {
     let keys: ListKeys = toml::from_str(source.text).map_err(|error| {
         source.error_at(
@@ -99,7 +98,10 @@ fn faces(source: &Source, keys: &[FaceKeys], edges: &[Edge]) -> Result<Vec<Face>
         let name = key.name.as_ref().clone();
         let edge_loop = |list| edge_loop(source, list, &by_name, edges);
         let loops: Vec<Vec<EdgeUse>> = key.loops.iter().map(edge_loop).collect::<Result<_>>()?;
-        let has_end = surface.is_sphere() || surface.is_torus() || surface.is_other();
+        let has_end = matches!(
+            surface.form,
+            Form::Sphere(_) | Form::Torus(..) | Form::Other(_)
+        );
         if loops.is_empty() && !has_end {
             return Err(source.error(
                 &key.name,
@@ -240,7 +242,6 @@ const KINDS: [(&str, &[&str], &[&str]); 5] = [
     ("torus", &["centre", "axis"], &["major", "minor"]),
 ];
 
-/// The surface of a face.
 pub fn surface(source: &Source, keys: &Spanned<SurfaceKeys>) -> Result<Surface> {
     let own = keys.as_ref();
     let kind = own.kind.as_ref().as_str();

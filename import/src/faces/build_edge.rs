@@ -11,7 +11,6 @@ use toml::Spanned;
 
 /// Share of the size of the curve by which an end may miss its circle: the digits of a list written with six decimals.
 pub const MISSED: f64 = 1e-5;
-/// Most points of one edge.
 const MAX_POINTS: usize = 2000;
 
 /// Kinds of edges with the keys that they have.

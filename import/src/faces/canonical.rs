@@ -192,7 +192,6 @@ fn size(places: &[Place], from: Vector) -> f64 {
     reach(places.iter().map(|(p, _)| *p), from)
 }
 
-/// The numbers of a surface, for the search.
 fn numbers(surface: &Surface) -> Vec<f64> {
     let Surface { origin, axis, form } = surface;
     let sizes: &[f64] = match form {

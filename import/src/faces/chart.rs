@@ -63,7 +63,6 @@ impl Chart {
         }
     }
 
-    /// The coordinates of a point of the surface.
     pub fn coordinates(&self, p: Vector) -> [f64; 2] {
         let from = minus(p, self.surface.origin);
         let [x, y] = self.e.map(|e| dot(from, e));
@@ -83,7 +82,6 @@ impl Chart {
         self.coordinates(p)[0]
     }
 
-    /// The point of two coordinates.
     pub fn point(&self, u: f64, v: f64) -> Vector {
         let Surface { origin, axis, .. } = self.surface;
         if self.surface.is_plane() {

@@ -19,7 +19,6 @@ use imogene_scene::MAX_CUTS;
 /// Places of a curve at which it is compared with its surface.
 const PLACES: usize = 64;
 
-/// A face that is compiled.
 #[derive(Clone, Copy)]
 pub struct Task<'a> {
     pub model: &'a Model,
@@ -143,7 +142,6 @@ impl<'a> Task<'a> {
     }
 }
 
-/// Compiles a face that lies on a quadric.
 pub fn quadric_face(task: Task, planes: &mut Planes) -> Made<Compiled> {
     let surface = &task.face().surface;
     let name = surface.name();
@@ -171,7 +169,6 @@ pub fn quadric_face(task: Task, planes: &mut Planes) -> Made<Compiled> {
     task.compiled(cells, deviation)
 }
 
-/// Compiles a face that lies on a torus.
 pub fn torus_face(task: Task, planes: &mut Planes) -> Made<Compiled> {
     if task.courses.max_deviation == 0.0 {
         return Err("a torus is not exact, and a deviation of 0 is accepted".into());

@@ -11,9 +11,7 @@ const MAX_SIDES: usize = 60;
 /// A conic as a quadric that meets the plane in it.
 #[derive(Clone, Debug)]
 pub struct Conic {
-    /// The quadric.
     pub implicit: Implicit,
-    /// A point inside.
     pub centre: Vector,
     /// Least and greatest distance of the conic from it.
     pub radii: [f64; 2],

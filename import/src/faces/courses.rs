@@ -8,7 +8,6 @@ use super::surface::{Form, Surface};
 use super::vector::{Vector, across, along, cross, distance, dot, length, minus, plus, unit};
 use std::collections::HashMap;
 
-/// Most planar pieces of one edge.
 pub const MAX_PIECES: usize = 400;
 /// Difference of two normals, or of one and the opposite of the other, below which their surfaces touch.
 const NEARLY_TANGENT: f64 = 0.5;
@@ -42,7 +41,6 @@ pub struct Courses {
 }
 
 impl Courses {
-    /// Of all edges of a model.
     pub fn new(model: &Model, planes: &mut Planes, max_deviation: f64, bands: f64) -> Courses {
         let courses = 0..model.edges.len();
         let courses = courses
@@ -82,7 +80,9 @@ fn course(model: &Model, index: usize, max_deviation: f64, bands: f64) -> Result
     };
     let faces = model.users[index].iter().map(|face| &model.faces[*face]);
     let surfaces = faces.map(|face| &face.surface);
-    let surfaces: Vec<&Surface> = surfaces.filter(|surface| !surface.is_other()).collect();
+    let surfaces: Vec<&Surface> = surfaces
+        .filter(|own| !matches!(own.form, Form::Other(_)))
+        .collect();
     let mut refined = refine(line, &surfaces);
     if line.closed {
         refined.push(refined[0]);

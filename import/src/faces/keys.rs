@@ -115,7 +115,6 @@ impl SurfaceKeys {
         ]
     }
 
-    /// The keys that are given.
     pub fn given(&self) -> Vec<&'static str> {
         let vectors = self.vectors().map(|(key, value)| value.map(|_| key));
         let numbers = self.numbers().map(|(key, value)| value.map(|_| key));
@@ -136,7 +135,6 @@ impl SurfaceKeys {
 /// Largest coordinate and radius, scene units: beyond it double precision has no micrometres left in a metre.
 pub const MAX_NUMBER: f64 = 1e9;
 
-/// The text of a file.
 #[derive(Clone, Copy)]
 pub struct Source<'a> {
     pub file: &'a str,
@@ -144,7 +142,6 @@ pub struct Source<'a> {
 }
 
 impl Source<'_> {
-    /// An error at a byte of the text.
     pub fn error_at(
         &self,
         at: usize,
@@ -155,7 +152,6 @@ impl Source<'_> {
         ImportError::new(self.file, Some(place), problem, accepted)
     }
 
-    /// An error at a value.
     pub fn error<T>(
         &self,
         value: &Spanned<T>,

@@ -15,23 +15,13 @@ pub const MOST_CANONICAL: f64 = 1e-5;
 /// Least diagonal of the box around a part, scene units.
 const SMALLEST_PART: f64 = 1e-6;
 
-/// Which axis of a part points up in a picture of it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Up {
-    /// y, as in scenes.
-    #[default]
-    Y,
-    /// z, as in CAD systems.
-    Z,
-}
-
 /// A face list.
 #[derive(Clone, Debug, Default)]
 pub struct Model {
     /// Title.
     pub title: String,
-    /// Which axis points up in a picture.
-    pub up: Up,
+    /// z points up in a picture, as in CAD systems, and not y, as in scenes.
+    pub z_up: bool,
     /// What the digits of the file leave open, scene units; 0 if they are those of double precision.
     pub precision: f64,
     /// What the file takes for the same place, scene units; 0 if it does not say.

@@ -8,7 +8,6 @@ use super::planes::{Planes, Separator};
 use super::surface::{Implicit, Surface};
 use super::vector::{Vector, along, dot, mean, minus, plus, times, unit};
 
-/// What divides a face.
 #[derive(Clone, Debug, Default)]
 pub struct Parting {
     pub separators: Vec<Separator>,

@@ -23,7 +23,6 @@ const SIDES: usize = MAX_CUTS - 2;
 /// A plane that is nearer to parallel than this (cosine) to the face does not bound it; one upright on it does instead.
 const TOO_FLAT: f64 = 0.99;
 
-/// Compiles a face in a plane.
 pub fn plane_face(task: Task, planes: &mut Planes) -> Made<Compiled> {
     let surface = &task.face().surface;
     let flat = planes.find_or_add(surface.origin, surface.axis);

@@ -25,7 +25,6 @@ pub struct Report {
     edges: EdgeCounts,
 }
 
-/// A face.
 #[derive(Debug, Serialize)]
 struct FaceReport {
     name: String,
@@ -44,7 +43,6 @@ struct FaceReport {
     edges: usize,
 }
 
-/// Faces by verdict.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 struct Counts {
     exact: usize,

@@ -1,7 +1,7 @@
 //! The scene of a compiled part.
 
 use super::cell::{Cell, Compilation};
-use super::model::{Model, Up};
+use super::model::Model;
 use super::planes::Planes;
 use super::surface::Implicit;
 use super::vector::{Vector, along, cross, opposite, unit};
@@ -45,7 +45,7 @@ pub fn scene(model: &Model, planes: &Planes, solids: &[Compilation]) -> Option<S
         background: [0.09, 0.11, 0.15],
         ambient: [1.0; 3],
         image: ImageSize::default(),
-        lights: lights(model.up),
+        lights: lights(model.z_up),
         materials,
         objects,
         ..SceneFile::new(&model.title, camera)
@@ -125,8 +125,8 @@ fn camera(model: &Model, (from, sizes): (Vector, f64), objects: &[Object]) -> Ca
     let size = model.size();
     let middle = model.middle();
     let distance = rounded(sizes * size, size);
-    let towards = turned(model.up, unit(from));
-    let right = unit(cross(turned(model.up, [0.0, 1.0, 0.0]), towards));
+    let towards = turned(model.z_up, unit(from));
+    let right = unit(cross(turned(model.z_up, [0.0, 1.0, 0.0]), towards));
     let axes = [right, cross(towards, right), towards];
     let bodies = objects.iter().map(|o| Body::of(o, middle, 1e4 * size));
     let ends = |axis: &Vector| [*axis, axis.map(|v| -v)];
@@ -140,18 +140,15 @@ fn camera(model: &Model, (from, sizes): (Vector, f64), objects: &[Object]) -> Ca
     let ([x, y], tangent) = fitting_from(&bodies, &axes, distance, shape);
     let target = along(along(middle, x, axes[0]), y, axes[1]).map(|v| rounded(v, size));
     let eye = along(target, distance, towards).map(|v| rounded(v, size));
-    let up = turned(model.up, [0.0, 1.0, 0.0]);
+    let up = turned(model.z_up, [0.0, 1.0, 0.0]);
     let height = rounded(2.0 * tangent * distance, size);
     Camera::perspective([eye, target, up], distance, height)
 }
 
-/// A direction of a picture in which y points up, for a part with another axis up.
-fn turned(up: Up, [x, y, z]: Vector) -> Vector {
-    match up {
-        Up::Y => [x, y, z],
-        // Without the sign of a zero.
-        Up::Z => [x, 0.0 - z, y],
-    }
+/// A direction of a picture in which y points up, for a part in which z may do.
+fn turned(z_up: bool, [x, y, z]: Vector) -> Vector {
+    // Without the sign of a zero.
+    if z_up { [x, 0.0 - z, y] } else { [x, y, z] }
 }
 
 /// To a ten-thousandth of the size, for people who read the file.
@@ -161,7 +158,7 @@ fn rounded(value: f64, size: f64) -> f64 {
     (value * step).round() / step + 0.0
 }
 
-fn lights(up: Up) -> Vec<Light> {
-    let light = |from, intensity| Light::directional(turned(up, from), intensity);
+fn lights(z_up: bool) -> Vec<Light> {
+    let light = |from, intensity| Light::directional(turned(z_up, from), intensity);
     vec![light([-3.0, 5.0, 7.0], 0.75), light([6.0, 2.0, 1.0], 0.35)]
 }

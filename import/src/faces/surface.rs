@@ -143,11 +143,6 @@ impl Surface {
         matches!(self.form, Form::Torus(..))
     }
 
-    /// It is named only.
-    pub fn is_other(&self) -> bool {
-        matches!(self.form, Form::Other(_))
-    }
-
     /// The quadric, negative on the side of the axis or centre; nothing for a plane or another surface. That of a cone
     /// has both nappes.
     pub fn implicit(&self) -> Option<Implicit> {

@@ -23,7 +23,6 @@ pub const IDENTITY: Rows = [
 #[derive(Clone, Debug, PartialEq)]
 pub struct Operator {
     pub name: String,
-    /// Where it takes a point.
     pub rows: Rows,
 }
 
@@ -69,11 +68,9 @@ pub enum Copies {
 /// Chains, and what is made of them.
 #[derive(Debug)]
 pub struct Part {
-    /// The assembly it belongs to.
     pub assembly: String,
     /// Its chains; all if there are none.
     pub chains: Vec<Word>,
-    /// The copies of each.
     pub copies: Copies,
 }
 
@@ -83,9 +80,7 @@ pub type Moved = (Vec<Word>, Vec<Operator>);
 /// What can be put together of copies of the chains of a file.
 #[derive(Debug, Default)]
 pub struct Assemblies {
-    /// Parts of all assemblies.
     pub parts: Vec<Part>,
-    /// Operators by name.
     pub operators: HashMap<String, Rows>,
     /// Why they cannot be used, if they cannot: told to those who ask for one.
     pub problem: Option<ImportError>,
@@ -219,7 +214,6 @@ struct Lines {
 }
 
 impl Biomt {
-    /// Takes a line of the remark.
     pub fn line(&mut self, columns: &Columns) {
         let text = columns.field(11, 80);
         let after = |label: &str| {
@@ -313,7 +307,6 @@ impl Biomt {
     }
 }
 
-/// The names of a list.
 fn items(text: &str) -> Vec<String> {
     let items = text.split(',').map(str::trim);
     items.filter(|i| !i.is_empty()).map(str::to_owned).collect()

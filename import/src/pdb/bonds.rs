@@ -16,7 +16,6 @@ const MOST_BONDS: usize = 16;
 /// angstroms.
 const MOST_IN_A_CELL: usize = 256;
 
-/// The bonds of a model.
 #[derive(Debug, Default)]
 pub struct Bonds {
     /// Pairs of places in the list of atoms, the lower first, in ascending order.

@@ -29,9 +29,7 @@ pub struct LeftOut {
     pub water: usize,
 }
 
-/// The atoms of a model that are drawn.
 pub struct Chosen {
-    /// Number of the model.
     pub number: i64,
     /// Its atoms, copy by copy.
     pub atoms: Vec<Atom>,
@@ -170,7 +168,6 @@ fn copied(
     Ok((copies, ends))
 }
 
-/// Chains and residues that are drawn.
 pub struct Selection<'a> {
     chains: Vec<Word>,
     residues: &'a [Residues],

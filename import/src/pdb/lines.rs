@@ -6,7 +6,6 @@ use super::words::{Repeated, Serial};
 use crate::error::{ImportError, Place, Result, unusable};
 use std::borrow::Cow;
 
-/// State of a reading.
 #[derive(Default)]
 struct Reading {
     structure: Structure,
@@ -18,7 +17,6 @@ struct Reading {
     number: Repeated,
 }
 
-/// Reads the lines of a file.
 pub fn read(bytes: &[u8], file: &str) -> Result<Structure> {
     let mut reading = Reading {
         next_model: Some(1),

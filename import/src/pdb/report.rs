@@ -34,7 +34,6 @@ impl Contents {
     }
 }
 
-/// The report, and its notes.
 pub fn report(
     structure: &Structure,
     read: &Contents,

@@ -7,10 +7,10 @@ use super::options::{Colouring, Options, Style};
 use super::structure::{Atom, Structure};
 use super::words::{Word, Words};
 use crate::error::Result;
-use crate::object;
+use crate::{Names, object};
 use imogene_algebra::vector::{dot, length, minus};
 use imogene_scene::{Axis, Cut, Light, Material, Object, Rotation, SceneFile, Shape, Step};
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 /// Radius of a ball in a ball-and-stick picture, as a share of the van der Waals radius.
 pub const BALL: f64 = 0.25;
@@ -27,7 +27,6 @@ pub struct Drawn {
     pub spheres: usize,
     /// Cylinders; a bond between two colours has two.
     pub cylinders: usize,
-    /// Bonds of all models.
     pub bonds: Bonds,
     /// Least and greatest coordinates of the spheres.
     pub extent: ([f64; 3], [f64; 3]),
@@ -101,7 +100,6 @@ fn colour_of_rank(rank: usize) -> [f64; 3] {
     })
 }
 
-/// Builds the scene of the chosen atoms.
 pub fn build(
     structure: &Structure,
     chosen: &[Chosen],
@@ -121,7 +119,7 @@ pub fn build(
             let radius = radius(atom, options.style);
             let material = materials.of(atom, model.number, &structure.words);
             balls.push((atom.place, radius));
-            let name = names.of_atom(atom, &structure.words, number);
+            let name = atom_name(&mut names, atom, &structure.words, number);
             objects.push(sphere(name, atom.place, radius, material.name.clone()));
         }
     }
@@ -208,10 +206,11 @@ fn cylinders(ends: [(&Atom, &Object); 2], eye: [f64; 3], names: &mut Names) -> V
     let short = |v: f64| (v * 1e4).round() / 1e4;
     let (half, whole) = (short(0.5 * length), short(length));
     if first.material == second.material {
-        let name = names.unique(format!("{}-{}", first.name, second.name));
+        let name = names.unique(format!("{}-{}", first.name, second.name), numbered);
         return vec![piece(name, 0.0, whole, &first.material)];
     }
-    let mut half_name = |a: &Object, b: &Object| names.unique(format!("{}>{}", a.name, b.name));
+    let mut half_name =
+        |a: &Object, b: &Object| names.unique(format!("{}>{}", a.name, b.name), numbered);
     let (lower, upper) = (half_name(first, second), half_name(second, first));
     vec![
         piece(lower, 0.0, half, &first.material),
@@ -285,50 +284,30 @@ fn scene(
     }
 }
 
-/// Names given so far.
-#[derive(Default)]
-pub struct Names {
-    taken: HashSet<String>,
-    repeats: HashMap<String, usize>,
+fn numbered(name: &str, count: usize) -> String {
+    format!("{name} ({count})")
 }
 
-impl Names {
-    /// The name itself, or with the least number behind it that makes it unique.
-    pub fn unique(&mut self, name: String) -> String {
-        if self.taken.insert(name.clone()) {
-            return name;
+/// `A/17/CA`: chain, residue number, atom; with the alternate behind it if there is one, the model in front if there are
+/// several, and the serial number if another atom has the same.
+fn atom_name(names: &mut Names, atom: &Atom, words: &Words, model: Option<i64>) -> String {
+    let or_dash = |text: String| {
+        if text.is_empty() {
+            "-".to_owned()
+        } else {
+            text
         }
-        let repeats = self.repeats.entry(name.clone()).or_insert(1);
-        loop {
-            *repeats += 1;
-            let other = format!("{name} ({repeats})");
-            if self.taken.insert(other.clone()) {
-                return other;
-            }
-        }
+    };
+    let text = |word: Word| or_dash(words.text(word).to_owned());
+    let mut name = [atom.chain, atom.number, atom.name].map(text).join("/");
+    if !atom.alternate.is_empty() {
+        name = format!("{name}.{}", words.text(atom.alternate));
     }
-
-    /// `A/17/CA`: chain, residue number, atom; with the alternate behind it if there is one, the model in front if
-    /// there are several, and the serial number if another atom has the same.
-    pub fn of_atom(&mut self, atom: &Atom, words: &Words, model: Option<i64>) -> String {
-        let or_dash = |text: String| {
-            if text.is_empty() {
-                "-".to_owned()
-            } else {
-                text
-            }
-        };
-        let text = |word: Word| or_dash(words.text(word).to_owned());
-        let mut name = [atom.chain, atom.number, atom.name].map(text).join("/");
-        if !atom.alternate.is_empty() {
-            name = format!("{name}.{}", words.text(atom.alternate));
-        }
-        if let Some(model) = model {
-            name = format!("{model}/{name}");
-        }
-        if self.taken.contains(&name) {
-            name = format!("{name} #{}", or_dash(atom.serial.text(words)));
-        }
-        self.unique(name)
+    if let Some(model) = model {
+        name = format!("{model}/{name}");
     }
+    if names.has(&name) {
+        name = format!("{name} #{}", or_dash(atom.serial.text(words)));
+    }
+    names.unique(name, numbered)
 }

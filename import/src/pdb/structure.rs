@@ -18,7 +18,6 @@ pub struct Atom {
     pub name: Word,
     /// Alternate location, or nothing.
     pub alternate: Word,
-    /// Name of its residue.
     pub residue: Word,
     /// Number of its residue, with the insertion code.
     pub number: Word,
@@ -34,17 +33,13 @@ const WATER: [&str; 13] = [
     "HOH", "WAT", "H2O", "DOD", "SOL", "TIP", "TP3", "TIP3", "TIP4", "T3P", "T4P", "SPC", "OH2",
 ];
 
-/// Whether a residue is a water molecule.
 pub fn is_water(residue: &str) -> bool {
     WATER.iter().any(|n| n.eq_ignore_ascii_case(residue))
 }
 
-/// The atoms of one model.
 #[derive(Debug)]
 pub struct Model {
-    /// Its number in the file.
     pub number: i64,
-    /// Atoms in the order of the file.
     pub atoms: Vec<Atom>,
 }
 
@@ -70,7 +65,6 @@ pub struct Structure {
     pub connections: Vec<[End; 2]>,
     /// What can be put together of copies of its chains.
     pub assemblies: Assemblies,
-    /// Words of its atoms.
     pub words: Words,
     /// What was unusual, each with the number of places.
     pub remarks: HashMap<Remark, usize>,
@@ -81,9 +75,7 @@ pub struct Structure {
 pub enum Remark {
     /// Element from the atom's name.
     NamedElement,
-    /// Element unknown.
     NoElement,
-    /// Occupancy not a number.
     NoOccupancy,
     /// Data blocks behind the first with atoms.
     OtherBlocks,
@@ -127,7 +119,6 @@ impl Structure {
         found.unwrap_or(&UNKNOWN)
     }
 
-    /// How often it was met.
     pub fn count(&self, remark: Remark) -> usize {
         self.remarks.get(&remark).copied().unwrap_or(0)
     }

@@ -14,7 +14,6 @@ impl Word {
     }
 }
 
-/// All words of a structure.
 #[derive(Debug)]
 pub struct Words(IndexSet<Box<str>>);
 
@@ -80,7 +79,6 @@ pub enum Serial {
 }
 
 impl Serial {
-    /// From its text.
     pub fn of(text: &[u8], words: &mut Words) -> Serial {
         // Neither a sign nor leading zeros.
         let is_plain = matches!(text, [b'0'] | [b'1'..=b'9', ..]);
@@ -91,7 +89,6 @@ impl Serial {
         }
     }
 
-    /// As it was written.
     pub fn text(self, words: &Words) -> String {
         match self {
             Serial::Number(number) => number.to_string(),

@@ -18,12 +18,10 @@ pub enum Cells {
     Auto,
 }
 
-/// A surface of a cell and what bounds it.
 #[derive(Clone, Debug)]
 pub struct Piece {
     /// Factors of the surface, as in a scene file.
     pub coefficients: [f64; 10],
-    /// Planes that leave the piece.
     pub cuts: Vec<Cut>,
 }
 
@@ -51,7 +49,6 @@ impl Edge {
         2 * self.axis + self.end
     }
 
-    /// The corners at its ends.
     pub fn corners(self) -> [Corner; 2] {
         [0, 1].map(|other| match self.axis {
             0 => [self.end, other],

@@ -34,7 +34,6 @@ pub(super) fn count(cells: &[Cell], form: Form) -> usize {
 }
 
 impl Map<'_> {
-    /// The cells with four heights.
     pub fn cells(&self, grid: &HeightGrid) -> Vec<Cell> {
         let factor = from_decimal(self.options.height_factor);
         let mut cells = vec![];

@@ -28,7 +28,6 @@ pub(super) const IMAGE: ImageSize = ImageSize {
 /// Height of the picture at the distance of the screen plane, in viewer distances.
 pub(super) const VIEW: f64 = 0.8;
 
-/// Where things are.
 pub(super) struct Map<'a> {
     pub file: &'a str,
     pub options: &'a TerrainOptions,

@@ -90,7 +90,6 @@ struct Vertex {
     /// Node of the grid, eastwards and northwards.
     at: [usize; 2],
     value: f64,
-    /// Edges that end here.
     uses: u32,
 }
 

@@ -106,7 +106,6 @@ fn sector_cut(eye: &Point, corner: Corner, before: bool) -> Option<Cut> {
     })
 }
 
-/// The plane of the two edges at a corner.
 fn plane(z: &Corners, [u, v]: Corner) -> Option<[f64; 10]> {
     // Slopes along the edge of constant v and along the edge of constant u.
     let (along_u, along_v) = (&z[v][1] - &z[v][0], &z[1][u] - &z[0][u]);

@@ -13,7 +13,6 @@ use imogene_algebra::rational::{from_decimal, to_f64};
 use imogene_scene::{Object, Scale, Shape, Step, Surface};
 use serde_json::json;
 
-/// Most cells of a scene.
 pub const MAX_CELLS: usize = 1 << 14;
 
 /// The scene of a grid; `file` is the name that messages give it.

@@ -83,7 +83,7 @@ fn agrees(part: &Part, solid: usize, inside: &dyn Fn(Vector) -> bool) {
     let faces = compiled(part, solid);
     let size = part.model.size();
     for (face, ..) in &faces {
-        if face.surface.is_torus() || face.surface.is_other() {
+        if matches!(face.surface.form, Form::Torus(..) | Form::Other(_)) {
             continue;
         }
         let on_same: Vec<_> = faces

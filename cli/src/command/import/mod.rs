@@ -11,7 +11,7 @@ use crate::molecules::load;
 use crate::{missing, output};
 use imogene_files::text::counted;
 use imogene_import::pdb::Format;
-use imogene_import::{Kind, Kinds, is_scene};
+use imogene_import::{Kind, is_scene, kinds};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -76,8 +76,9 @@ fn kind_of(bytes: &[u8], file: &Path) -> Result<Kind, Failure> {
             "it is nothing that is known"
         };
         Failure::Input(format!(
-            "{}: {problem}; {Kinds} is read, each also compressed with gzip, or what --as says it is",
-            file.display()
+            "{}: {problem}; {} is read, each also compressed with gzip, or what --as says it is",
+            file.display(),
+            kinds()
         ))
     })
 }

@@ -51,12 +51,9 @@ impl Band {
     }
 }
 
-/// What is needed to take a face apart.
 pub struct Slabs<'a> {
-    /// What it lies on.
     pub surface: &'a Surface,
     pub parting: &'a Parting,
-    /// What it is drawn with.
     pub bands: &'a [Band],
     /// The plane of a face that is flat.
     pub flat: Option<usize>,
@@ -75,7 +72,6 @@ pub struct Work<'a> {
 }
 
 impl Slabs<'_> {
-    /// The coordinates of the surface.
     fn chart(&self) -> Option<Chart> {
         let line = |curve: &Curve| match curve {
             Curve::Line { from, to } => Some(unit(minus(*to, *from))),
@@ -89,7 +85,6 @@ impl Slabs<'_> {
         Chart::of(self.surface, north)
     }
 
-    /// The cells of the face.
     pub fn cells(&self, planes: &mut Planes) -> Result<Vec<Cell>, String> {
         let chart = self.chart().ok_or("it has no coordinates")?;
         let rails = self.rails(&chart);

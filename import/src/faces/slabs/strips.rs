@@ -10,7 +10,6 @@ use std::f64::consts::TAU;
 pub struct Crossing {
     pub v: f64,
     pub rail: usize,
-    /// It runs eastwards.
     pub east: bool,
     /// The face is above, as the direction of the border says.
     pub above: bool,
@@ -27,7 +26,6 @@ pub struct Strip {
 }
 
 impl Work<'_> {
-    /// The strips of every slab.
     pub fn strips(&self) -> Result<Vec<Strip>, String> {
         let middles = (0..self.slabs()).map(|slab| self.middle(slab));
         let crossings: Vec<Vec<Crossing>> = middles.map(|u| self.crossings(u)).collect();

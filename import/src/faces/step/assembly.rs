@@ -6,16 +6,13 @@ use super::units::{Context, context};
 use std::collections::{HashMap, HashSet};
 use step21::{Args, Entity, Error, Exchange, Result};
 
-/// Most representations inside each other.
 const DEEPEST: usize = 64;
-/// Most placements of representations.
 const MOST_PLACED: usize = 10_000;
 
 /// A representation where it is placed.
 #[derive(Clone, Copy, Debug)]
 pub struct Placed<'a> {
     pub representation: Args<'a>,
-    /// Where it is.
     pub place: Placement,
     /// Its number among those of its kind, from 0.
     pub group: usize,
@@ -76,7 +73,6 @@ fn is_shape(name: &str) -> bool {
 }
 
 impl<'a> Assembly<'a> {
-    /// Of a file.
     pub fn read(file: &'a Exchange<'a>) -> Self {
         let mut all = Assembly {
             file,
@@ -169,7 +165,6 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    /// The context of a representation.
     pub fn context(&self, representation: &Args) -> Result<Context> {
         context(representation.maybe(2)?, self.measure)
     }
@@ -224,7 +219,6 @@ impl<'a> Assembly<'a> {
         Ok(Some((groups[parent], link)))
     }
 
-    /// `MAPPED_ITEM`.
     fn place_mapped(&mut self) {
         for index in 0..self.representations.len() {
             let own = self.representations[index];
@@ -260,7 +254,6 @@ impl<'a> Assembly<'a> {
         Ok(Some((self.group[index], link)))
     }
 
-    /// The number of the product of a group.
     pub fn product_of(&self, group: usize) -> Option<u64> {
         self.products.get(&group).map(|(id, _)| *id)
     }

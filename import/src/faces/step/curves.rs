@@ -23,9 +23,7 @@ pub type Found = Result<(&'static str, Curve), String>;
 /// An edge between its vertices, in the space of its representation, millimetres.
 #[derive(Clone, Copy, Debug)]
 pub struct Span<'a> {
-    /// What its numbers mean.
     pub context: &'a Context,
-    /// Start and end.
     pub ends: [Vector; 2],
     /// Both are one vertex.
     pub closed: bool,
@@ -78,9 +76,7 @@ impl<'a> Span<'a> {
     }
 
     fn line(&self, args: &Args<'a>) -> Found {
-        let origin = point(args.entity(1)?, self.context)?;
-        let vector = args.named(2, &["VECTOR"])?;
-        let course = direction(vector.entity(1)?)?;
+        let (origin, course) = line(args, self.context)?;
         let [from, to] = self.ends;
         let tolerance = self.tolerance(distance(from, to));
         if distance(from, to) <= tolerance.shortest {
@@ -93,12 +89,9 @@ impl<'a> Span<'a> {
     }
 
     fn ellipse(&self, args: &Args<'a>) -> Found {
-        let place = placement(args.entity(1)?, self.context)?;
+        let (place, [first, second]) = conic(args, self.context)?;
         let [x, _, z] = place.axes;
-        let radius = |index| radius(args, index, self.context);
-        let first = radius(2)?;
         let circle = args.record.name == "CIRCLE";
-        let second = if circle { first } else { radius(3)? };
         let normal = if self.forward { z } else { opposite(z) };
         let towards = across(minus(self.ends[0], place.origin), normal);
         let is_off = circle && length(towards) > COINCIDENT * first;
@@ -117,11 +110,8 @@ impl<'a> Span<'a> {
 
     /// A hyperbola or a parabola: points on it, evenly in its parameter.
     fn open_conic(&self, args: &Args<'a>) -> Found {
-        let place = placement(args.entity(1)?, self.context)?;
-        let radius = |index| radius(args, index, self.context);
-        let first = radius(2)?;
+        let (place, [first, second]) = conic(args, self.context)?;
         let hyperbola = args.record.name == "HYPERBOLA";
-        let second = if hyperbola { radius(3)? } else { first };
         let at = |t: f64| {
             let (x, y) = if hyperbola {
                 (first * t.cosh(), second * t.sinh())
@@ -224,6 +214,24 @@ fn on_curve(off: f64, tolerance: Tolerance) -> Result<(), String> {
         true => Err(format!("an end is {off:e} off the curve")),
         false => Ok(()),
     }
+}
+
+/// A point and the direction of a line.
+pub fn line(args: &Args, context: &Context) -> Result<(Vector, Vector)> {
+    let origin = point(args.entity(1)?, context)?;
+    let course = direction(args.named(2, &["VECTOR"])?.entity(1)?)?;
+    Ok((origin, course))
+}
+
+/// Where a conic is, and its two sizes; that of a circle or a parabola twice.
+pub fn conic(args: &Args, context: &Context) -> Result<(Placement, [f64; 2])> {
+    let place = placement(args.entity(1)?, context)?;
+    let first = radius(args, 2, context)?;
+    let second = match args.record.name {
+        "CIRCLE" | "PARABOLA" => first,
+        _ => radius(args, 3, context)?,
+    };
+    Ok((place, [first, second]))
 }
 
 /// A length above 0 and up to the largest coordinate, millimetres.

@@ -1,17 +1,14 @@
 //! B-spline surfaces, and those that a curve makes by a straight move or a turn (ISO 10303-42, clause 4.4), as patches.
 
-use super::curves::radius;
-use super::placement::{Placement, direction, placement, point};
-use super::spline::Spline;
-use super::spline::{implied_knots, weights, written_knots};
+use super::curves::{conic, line};
+use super::placement::{Placement, direction, point};
+use super::spline::{Spline, knots, weights};
 use super::units::Context;
 use crate::faces::bezier::{Patch, Pole, patches, plain};
 use crate::faces::vector::{Vector, across, along, cross, dot, minus, plus, reach, times};
 use step21::{Args, Entity, Result};
 
-/// Highest degree.
 const HIGHEST_DEGREE: usize = 25;
-/// Most control points of a surface.
 const MOST_POLES: usize = 40_000;
 /// How far a swept surface goes on both sides of its curve, in sizes of it: faces are a part of that.
 const REACH: f64 = 50.0;
@@ -79,19 +76,10 @@ fn spline_surface(kind: &Args, context: &Context) -> Result<Vec<Patch>> {
         }
     }
     let counts = [poles.len(), width];
-    let mut knots = vec![];
-    for k in 0..2 {
-        knots.push(match kind.record.name {
-            "B_SPLINE_SURFACE_WITH_KNOTS" => {
-                // The multiplicities of both directions come before the knots.
-                let first = if entity.complex { 0 } else { 8 };
-                let places = [first + k, first + 2 + k];
-                written_knots(kind, places, degrees[k], counts[k])?
-            }
-            name => implied_knots(kind, name, degrees[k], counts[k])?,
-        });
-    }
-    Ok(patches(degrees, [&knots[0], &knots[1]], &poles))
+    // The multiplicities of both directions come before the knots.
+    let first = if entity.complex { 0 } else { 8 };
+    let along = |k: usize| knots(kind, [first + k, first + 2 + k], degrees[k], counts[k]);
+    Ok(patches(degrees, [&along(0)?, &along(1)?], &poles))
 }
 
 /// The curve that is moved or turned, as Bezier pieces; nothing for a curve of another kind. Of a line it is a part,
@@ -107,8 +95,7 @@ fn profile<'a>(mut entity: Entity<'a>, context: &Context) -> Result<Option<Vec<V
         return Ok(Some(Spline::read(entity, context)?.bezier()));
     }
     if let Some(args) = entity.find(&["LINE"]) {
-        let origin = point(args.entity(1)?, context)?;
-        let course = direction(args.named(2, &["VECTOR"])?.entity(1)?)?;
+        let (origin, course) = line(&args, context)?;
         let pole = |factor: f64| {
             let [x, y, z] = along(origin, factor, course);
             [x, y, z, 1.0]
@@ -116,12 +103,7 @@ fn profile<'a>(mut entity: Entity<'a>, context: &Context) -> Result<Option<Vec<V
         return Ok(Some(vec![vec![pole(1.0), pole(2.0)]]));
     }
     if let Some(args) = entity.find(&["CIRCLE", "ELLIPSE"]) {
-        let place = placement(args.entity(1)?, context)?;
-        let first = radius(&args, 2, context)?;
-        let second = match args.record.name {
-            "CIRCLE" => first,
-            _ => radius(&args, 3, context)?,
-        };
+        let (place, [first, second]) = conic(&args, context)?;
         let [x, y, _] = place.axes;
         return Ok(Some(arcs(place.origin, times(first, x), times(second, y))));
     }

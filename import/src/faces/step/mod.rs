@@ -14,7 +14,7 @@ mod surfaces;
 mod topology;
 mod units;
 
-use super::model::{Model, Up};
+use super::model::Model;
 use crate::error::unusable;
 use crate::{ImportError, Place, Result};
 use assembly::Assembly;
@@ -31,7 +31,6 @@ const DEEPEST_FILE: usize = 8;
 /// Reads the file of a name that stands beside the first; `None` if there is none.
 pub type Beside<'b> = &'b dyn Fn(&str) -> Option<Vec<u8>>;
 
-/// Reads a STEP file.
 pub fn build(bytes: &[u8], file: &str, beside: Beside) -> Result<(Model, Summary)> {
     let mut found = Found::default();
     let read = read(&mut found, bytes, Placement::IN_PLACE, beside, 0);
@@ -46,7 +45,7 @@ pub fn build(bytes: &[u8], file: &str, beside: Beside) -> Result<(Model, Summary
     if model.title.is_empty() {
         model.title = "A part".into();
     }
-    model.up = Up::Z;
+    model.z_up = true;
     let model = model.assembled().ok_or_else(|| {
         let accepted = "a box around them of at least a millionth of a millimetre is needed";
         unusable(file, "the faces have no size", accepted)

@@ -22,7 +22,6 @@ impl Default for Placement {
 }
 
 impl Placement {
-    /// Nothing is moved.
     pub const IN_PLACE: Placement = Placement {
         origin: [0.0; 3],
         axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
@@ -48,7 +47,6 @@ impl Placement {
         }
     }
 
-    /// Back again.
     pub fn inverse(&self) -> Placement {
         let [x, y, z] = self.axes;
         let rows = Placement {

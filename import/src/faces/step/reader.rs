@@ -4,6 +4,7 @@ use super::assembly::{Assembly, Placed};
 use super::colours::{Colour, material};
 use super::placement::Placement;
 use super::topology::{Origin, SHELLS, Space, Topology};
+use crate::Names;
 use imogene_files::text::counted;
 use serde::Serialize;
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -17,11 +18,9 @@ const SILENT: [&str; 3] = ["AXIS2_PLACEMENT_3D", "MAPPED_ITEM", "CARTESIAN_POINT
 pub struct Found {
     pub topology: Topology,
     pub summary: Summary,
-    /// Names of solids that are taken, and how often.
-    names: HashMap<String, usize>,
+    names: Names,
 }
 
-/// Reads the representations of a file.
 pub struct Reader<'f, 'a> {
     found: &'f mut Found,
     assembly: &'f Assembly<'a>,
@@ -99,7 +98,6 @@ impl<'f, 'a> Reader<'f, 'a> {
         Ok(())
     }
 
-    /// Counts the faces of the file.
     pub fn finish(self, file: &Exchange) {
         let drawn: usize = self.placed.values().sum();
         let shells = file.all(&SHELLS);
@@ -122,15 +120,8 @@ impl<'f, 'a> Reader<'f, 'a> {
         let words = [product.trim(), &label];
         let plain = words.into_iter().find(|word| !word.is_empty());
         let plain = plain.map_or(format!("#{}", item.id), str::to_owned);
-        let names = &mut self.found.names;
-        let mut name = plain.clone();
-        while names.contains_key(&name) {
-            let count = names.entry(plain.clone()).or_insert(1);
-            *count += 1;
-            name = format!("{plain} {count}");
-        }
-        names.insert(name.clone(), 1);
-        name
+        let number = |name: &str, count| format!("{name} {count}");
+        self.found.names.unique(plain, number)
     }
 
     /// The colours of faces that are not that of their solid: their own, or that of their shell.
@@ -182,7 +173,6 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// Lines for a person.
     pub fn notes(&self) -> Vec<String> {
         let left_out = self.left_out.iter();
         let left_out =

@@ -6,14 +6,11 @@ use crate::faces::bezier::{Pole, de_boor, pieces};
 use crate::faces::vector::{Vector, distance};
 use step21::{Args, Entity, Result};
 
-/// Highest degree.
 const HIGHEST_DEGREE: usize = 25;
-/// Most control points.
 const MOST_POLES: usize = 10_000;
 /// Places at which the nearest one to a point is looked for first.
 const PLACES: std::ops::RangeInclusive<usize> = 64..=2048;
 
-/// A curve over a range of its parameter.
 #[derive(Clone, Debug)]
 pub struct Spline {
     pub degree: usize,
@@ -32,12 +29,10 @@ const KINDS: [&str; 4] = [
 ];
 
 impl Spline {
-    /// Whether an entity is one.
     pub fn is_one(entity: Entity) -> bool {
         entity.find(&KINDS).is_some()
     }
 
-    /// From its words.
     pub fn read(entity: Entity, context: &Context) -> Result<Spline> {
         let kind = entity.need(&KINDS)?;
         let curve = kind.of("B_SPLINE_CURVE")?;
@@ -60,21 +55,14 @@ impl Spline {
             let [x, y, z] = point(entity, context)?.map(|value| value * weight);
             poles.push([x, y, z, weight]);
         }
-        let knots = match kind.record.name {
-            "B_SPLINE_CURVE_WITH_KNOTS" => {
-                let first = if entity.complex { 0 } else { 6 };
-                written_knots(&kind, [first, first + 1], degree, count)?
-            }
-            name => implied_knots(&kind, name, degree, count)?,
-        };
+        let first = if entity.complex { 0 } else { 6 };
         Ok(Spline {
             degree,
-            knots,
+            knots: knots(&kind, [first, first + 1], degree, count)?,
             poles,
         })
     }
 
-    /// First and last parameter.
     pub fn domain(&self) -> [f64; 2] {
         [self.knots[self.degree], self.knots[self.poles.len()]]
     }
@@ -97,7 +85,6 @@ impl Spline {
         [x / weight, y / weight, z / weight]
     }
 
-    /// Its Bezier pieces.
     pub fn bezier(&self) -> Vec<Vec<Pole>> {
         pieces(self.degree, &self.knots, &self.poles)
     }
@@ -137,13 +124,12 @@ pub fn weights(args: &Args, weights: Vec<f64>, count: usize) -> Result<Vec<f64>>
     Ok(weights)
 }
 
-/// Knots as they are written, each as often as it counts; at these two places are the multiplicities and the knots.
-pub fn written_knots(
-    args: &Args,
-    places: [usize; 2],
-    degree: usize,
-    count: usize,
-) -> Result<Vec<f64>> {
+/// The knots of a curve or surface in one direction: as they are written, at these two places the multiplicities and the
+/// knots, or as they follow from the kind.
+pub fn knots(args: &Args, places: [usize; 2], degree: usize, count: usize) -> Result<Vec<f64>> {
+    if !args.record.name.ends_with("_WITH_KNOTS") {
+        return implied_knots(args, degree, count);
+    }
     let times = args.wholes(places[0])?;
     let values = args.numbers(places[1])?;
     let total: usize = times.iter().sum();
@@ -172,15 +158,14 @@ pub fn written_knots(
 }
 
 /// Knots that follow from the kind of the curve or surface.
-pub fn implied_knots(args: &Args, name: &str, degree: usize, count: usize) -> Result<Vec<f64>> {
+fn implied_knots(args: &Args, degree: usize, count: usize) -> Result<Vec<f64>> {
     let total = count + degree + 1;
-    let clamped = |index: usize, last: usize| index.clamp(degree, last) - degree;
-    let is = |kind: &str| name.starts_with(kind);
-    let knot = |index: usize| match name {
-        _ if is("UNIFORM") => index as f64,
-        _ if is("QUASI_UNIFORM") => clamped(index, count) as f64,
+    let is = |kind: &str| args.record.name.starts_with(kind);
+    let knot = |index: usize| match () {
+        () if is("UNIFORM") => index as f64,
+        () if is("QUASI_UNIFORM") => (index.clamp(degree, count) - degree) as f64,
         // The joints of the pieces count as often as the degree.
-        _ => index.div_ceil(degree).clamp(1, (count - 1) / degree + 1) as f64,
+        () => index.div_ceil(degree).clamp(1, (count - 1) / degree + 1) as f64,
     };
     if is("BEZIER") && !(count - 1).is_multiple_of(degree) {
         let problem = format!("{count} control points for pieces of degree {degree}");

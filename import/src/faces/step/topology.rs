@@ -28,16 +28,13 @@ pub struct Space {
     pub place: Placement,
     /// Edges by their number, or why they are none.
     edges: HashMap<u64, Result<usize, String>>,
-    /// Vertices by their number.
     vertices: HashMap<u64, usize>,
     /// Straight edges of polygons by the numbers of their points, the lower first.
     sides: HashMap<[u64; 2], usize>,
-    /// Surfaces by their number.
     surfaces: HashMap<u64, Found>,
 }
 
 impl Space {
-    /// Of a context and a placement.
     pub fn new(context: Context, place: Placement) -> Self {
         Space {
             context,
@@ -47,7 +44,6 @@ impl Space {
     }
 }
 
-/// Sets of faces.
 pub const SHELLS: [&str; 3] = ["CLOSED_SHELL", "OPEN_SHELL", "CONNECTED_FACE_SET"];
 
 /// The number of the entity of a face, and its shell among those of its solid.

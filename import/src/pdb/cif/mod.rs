@@ -18,9 +18,7 @@ use crate::error::{ImportError, Result, unusable};
 use std::collections::HashMap;
 use token::{Token, Tokens};
 
-/// The category of the atoms.
 pub const ATOMS: &str = "_atom_site";
-/// The categories that are kept.
 const KEPT: [&str; 6] = [
     ATOMS,
     "_entry",
@@ -30,7 +28,6 @@ const KEPT: [&str; 6] = [
     "_pdbx_struct_oper_list",
 ];
 
-/// Categories by name.
 pub type Tables = HashMap<&'static str, Table>;
 
 /// Where the items of [`WANTED`] stand among those of a file; `None` if it has no coordinates.
@@ -47,7 +44,6 @@ struct Block {
     other: Option<&'static str>,
 }
 
-/// Reads a text.
 pub fn read(bytes: &[u8], file: &str) -> Result<Structure> {
     let mut reader = Reader {
         tokens: Tokens::new(bytes, file),

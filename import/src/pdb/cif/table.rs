@@ -10,7 +10,6 @@ pub struct Table {
     values: Vec<(String, usize)>,
 }
 
-/// A row of a table.
 #[derive(Clone, Copy)]
 pub struct Row<'a> {
     table: &'a Table,
@@ -18,7 +17,6 @@ pub struct Row<'a> {
 }
 
 impl Table {
-    /// A table of these items without rows.
     pub fn new(items: Vec<String>) -> Table {
         Table {
             items,
@@ -26,7 +24,6 @@ impl Table {
         }
     }
 
-    /// Adds a value for each item.
     pub fn push_row<'a>(&mut self, row: impl IntoIterator<Item = Cell<'a>>) {
         let text = |(bytes, at)| (String::from_utf8_lossy(bytes).into_owned(), at);
         self.values.extend(row.into_iter().map(text));
@@ -54,7 +51,6 @@ impl<'a> Row<'a> {
         column.map_or(("", 0), |k| (self.values[k].0.as_str(), self.values[k].1))
     }
 
-    /// The text of a value.
     pub fn text(&self, item: &str) -> &'a str {
         self.value(item).0
     }

@@ -19,7 +19,6 @@ pub enum Token<'a> {
     Quoted(&'a [u8]),
 }
 
-/// The words of a text, one after another.
 #[derive(Clone)]
 pub struct Tokens<'a> {
     file: &'a str,
