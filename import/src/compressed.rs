@@ -25,31 +25,3 @@ pub fn unpack(bytes: &[u8], limit: u64, file: &str) -> Result<Vec<u8>> {
     }
     Ok(unpacked)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use flate2::Compression;
-    use flate2::write::GzEncoder;
-    use std::io::Write;
-
-    fn packed(bytes: &[u8]) -> Vec<u8> {
-        let mut encoder = GzEncoder::new(vec![], Compression::best());
-        encoder.write_all(bytes).expect("memory");
-        encoder.finish().expect("memory")
-    }
-
-    #[test]
-    fn what_is_unpacked_has_a_limit() {
-        let zeros = packed(&[0; 1_000_000]);
-        assert!(is_compressed(&zeros) && zeros.len() < 2_000);
-        let whole = unpack(&zeros, 1_000_000, "f").expect("whole");
-        assert_eq!(whole.len(), 1_000_000);
-        let refused = |bytes, limit| unpack(bytes, limit, "f").unwrap_err().to_string();
-        let many = refused(&zeros, 999_999);
-        assert!(many.starts_with("f: it unpacks to more than 999999 bytes"));
-        assert!(refused(&zeros[..900], 1_000_000).starts_with("f: it cannot be unpacked"));
-        let two = [packed(b"one "), packed(b"two")].concat();
-        assert_eq!(unpack(&two, 100, "f").expect("two members"), b"one two");
-    }
-}

@@ -9,7 +9,7 @@ use super::chart::{Chart, nearest_turn};
 use super::curve::Curve;
 use super::planes::Separator;
 use super::surface::{Form, Surface};
-use super::vector::{Vector, dot, positive_angle};
+use super::vector::{Vector, between, dot, positive_angle};
 use std::f64::consts::TAU;
 
 /// Most separators of one face: a sample has one bit for each.
@@ -89,12 +89,7 @@ struct Crossing {
 impl Division<'_> {
     /// One sample of every piece.
     pub fn samples(&self) -> Result<Vec<Sample>, &'static str> {
-        if self.separators.len() > MAX_SEPARATORS {
-            return Err("it has more than 128 different planes");
-        }
-        let Some(chart) = Chart::free(self.surface, self.separators) else {
-            return Ok(vec![]);
-        };
+        let chart = Chart::free(self.surface, self.separators);
         let curves = self.boundaries.iter().map(|own| &own.curve);
         let spans: Vec<Option<Span>> = curves.map(|curve| Span::of(&chart, curve)).collect();
         let line = |u| (u, self.crossings(&chart, u, &spans));
@@ -171,18 +166,15 @@ impl Division<'_> {
         if !self.surface.is_sphere() {
             return Ok(false);
         }
-        let mut known = None;
-        for (_, crossings) in lines {
-            let Some(first) = crossings.iter().find(|c| c.edges % 2 == 1) else {
-                continue;
-            };
-            let below = !first.inside_above;
-            if known.is_some_and(|known| known != below) {
-                return Err(CONTRADICTION);
-            }
-            known = Some(below);
+        let first = lines
+            .iter()
+            .filter_map(|(_, all)| all.iter().find(|crossing| crossing.edges % 2 == 1));
+        let mut below = first.map(|crossing| !crossing.inside_above);
+        let pole = below.next().unwrap_or(true);
+        match below.all(|other| other == pole) {
+            true => Ok(pole),
+            false => Err(CONTRADICTION),
         }
-        Ok(known.unwrap_or(true))
     }
 
     fn strips(
@@ -217,20 +209,14 @@ impl Division<'_> {
     }
 
     fn strip(&self, chart: &Chart, u: f64, [from, to]: [f64; 2], inside: bool) -> Option<Sample> {
-        let unit = if chart.surface.is_sphere() {
-            1.0
-        } else {
-            self.size
+        let unit = match chart.surface.is_sphere() {
+            true => 1.0,
+            false => self.size,
         };
         if to - from <= SMALLEST_PIECE * unit {
             return None;
         }
-        let w = match (from.is_finite(), to.is_finite()) {
-            (true, true) => 0.5 * (from + to),
-            (true, false) => from + unit,
-            (false, true) => to - unit,
-            (false, false) => 0.0,
-        };
+        let w = between(from, to, unit);
         let nappe = !self.surface.is_cone() || w > 0.0;
         let point = chart.point(u, w);
         let mut sides = 0;

@@ -83,11 +83,8 @@ impl EdgeBuilder<'_> {
         let curve = match *kind {
             "line" => self.line(ends)?,
             "points" => self.points(ends)?,
-            kind => {
-                let ellipse = match kind {
-                    "circle" => self.circle(ends)?,
-                    _ => self.ellipse()?,
-                };
+            _ => {
+                let ellipse = self.ellipse(ends)?;
                 let tolerance = Tolerance {
                     missed: MISSED * ellipse.radii[0].max(ellipse.radii[1]),
                     shortest: 1e-7 * self.vertices.size,
@@ -134,42 +131,36 @@ impl EdgeBuilder<'_> {
         Ok(Curve::Line { from, to })
     }
 
-    fn circle(&self, ends: Option<[Vector; 2]>) -> Result<Ellipse> {
+    /// A circle begins at its first end, wherever its frame does; an ellipse has its own frame.
+    fn ellipse(&self, ends: Option<[Vector; 2]>) -> Result<Ellipse> {
         let centre = self.source.point(needed(&self.keys.centre))?;
         let normal = self.source.direction(needed(&self.keys.axis))?;
-        let radius = needed(&self.keys.radius);
-        self.source.lengths(radius, &[*radius.as_ref()])?;
-        let radius = *radius.as_ref();
-        let x = match ends {
-            Some([from, _]) => across(minus(from, centre), normal),
-            None => frame(normal, 0.0)[0],
+        let (x, radii) = if let Some(radius) = &self.keys.radius {
+            let radii = [*radius.as_ref(); 2];
+            self.source.lengths(radius, &radii[..1])?;
+            let x = match ends {
+                Some([from, _]) => across(minus(from, centre), normal),
+                None => frame(normal, 0.0)[0],
+            };
+            if length(x) <= COINCIDENT * radii[0] {
+                let accepted = "a vertex on the circle is needed";
+                return Err(self.error("the start is the centre", accepted));
+            }
+            (x, radii)
+        } else {
+            let x = across(self.source.direction(needed(&self.keys.x))?, normal);
+            if length(x) < 1e-9 {
+                return Err(self.error("`x` is along `axis`", "a direction across it is needed"));
+            }
+            let radii = needed(&self.keys.radii);
+            self.source.lengths(radii, radii.as_ref())?;
+            (x, *radii.as_ref())
         };
-        if length(x) <= COINCIDENT * radius {
-            let accepted = "a vertex on the circle is needed";
-            return Err(self.error("the start is the centre", accepted));
-        }
         Ok(Ellipse {
             centre,
             normal,
             x: unit(x),
-            radii: [radius; 2],
-        })
-    }
-
-    fn ellipse(&self) -> Result<Ellipse> {
-        let centre = self.source.point(needed(&self.keys.centre))?;
-        let normal = self.source.direction(needed(&self.keys.axis))?;
-        let x = across(self.source.direction(needed(&self.keys.x))?, normal);
-        if length(x) < 1e-9 {
-            return Err(self.error("`x` is along `axis`", "a direction across it is needed"));
-        }
-        let radii = needed(&self.keys.radii);
-        self.source.lengths(radii, radii.as_ref())?;
-        Ok(Ellipse {
-            centre,
-            normal,
-            x: unit(x),
-            radii: *radii.as_ref(),
+            radii,
         })
     }
 

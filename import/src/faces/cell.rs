@@ -47,16 +47,6 @@ pub struct Compiled {
     pub cells: Vec<Cell>,
 }
 
-impl Compiled {
-    /// A face that is not drawn.
-    pub fn rejected(reason: String) -> Compiled {
-        Compiled {
-            verdict: Verdict::Rejected(reason),
-            cells: vec![],
-        }
-    }
-}
-
 /// What became of a solid.
 pub enum Compilation {
     /// One volume for all its faces.

@@ -21,33 +21,26 @@ pub struct Chart {
 
 impl Chart {
     /// Of a surface; `north` is the direction of growing v on a plane, and the pole of a sphere.
-    pub fn of(surface: &Surface, north: Option<Vector>) -> Option<Chart> {
+    pub fn of(surface: &Surface, north: Option<Vector>) -> Chart {
         let mut surface = surface.clone();
-        let axis = match (&surface.form, north) {
-            (Form::Other(_), _) => return None,
-            (Form::Sphere(_), _) => north.unwrap_or([0.0, 0.0, 1.0]),
-            _ => surface.axis,
-        };
-        surface.axis = axis;
+        if surface.is_sphere() {
+            surface.axis = north.unwrap_or([0.0, 0.0, 1.0]);
+        }
         let e = match north {
-            Some(north) if surface.is_plane() => [cross(north, axis), north],
-            _ => frame(axis, 0.0),
+            Some(north) if surface.is_plane() => [cross(north, surface.axis), north],
+            _ => frame(surface.axis, 0.0),
         };
-        Some(Chart { surface, e })
+        Chart { surface, e }
     }
 
-    /// A chart in which none of the separators lies along a line that matters; nothing for a surface that is neither a
-    /// plane nor a quadric.
-    pub fn free(surface: &Surface, separators: &[Separator]) -> Option<Chart> {
-        match surface.form {
+    /// A chart of a plane or a quadric in which none of the separators lies along a line that matters.
+    pub fn free(surface: &Surface, separators: &[Separator]) -> Chart {
+        let mut chart = Chart::of(surface, free_pole(surface, separators));
+        if surface.is_plane() {
             // Away from the directions that edges of parts have.
-            Form::Plane => Some(Chart {
-                surface: surface.clone(),
-                e: frame(surface.axis, 0.387_161_9),
-            }),
-            Form::Torus(..) => None,
-            _ => Chart::of(surface, free_pole(surface, separators)),
+            chart.e = frame(surface.axis, 0.387_161_9);
         }
+        chart
     }
 
     /// u is an angle.

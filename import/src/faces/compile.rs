@@ -174,12 +174,16 @@ pub fn torus_face(task: Task, planes: &mut Planes) -> Made<Compiled> {
         return Err("a torus is not exact, and a deviation of 0 is accepted".into());
     }
     let (surface, most) = (&task.face().surface, task.courses.bands);
-    let rings = Rings::of(task.model, surface, most).zip(Chart::of(surface, None));
-    let (rings, chart) = rings
+    let rings = Rings::of(task.model, surface, most)
         .ok_or_else(|| format!("more than {MOST} bands would be needed to be within {most:.3e}"))?;
     let off = task.deviation()?;
     let parting = task.parting(planes)?;
-    let cells = task.slabs(&parting, &rings.bands(&chart), None, planes);
+    let cells = task.slabs(
+        &parting,
+        &rings.bands(&Chart::of(surface, None)),
+        None,
+        planes,
+    );
     task.compiled(cells, off.max(rings.deviation))
 }
 

@@ -259,29 +259,22 @@ pub fn pair_generators(model: &Model, face: usize, planes: &mut Planes, found: &
     if !matches!(surface.form, Form::Cylinder(_) | Form::Cone(_)) {
         return;
     }
-    let axis = surface.axis;
     let lines = lines(model, face);
-    let distinct = distinct(&lines, axis);
-    let mut plane_of = vec![None; distinct.len()];
-    for first in (0..distinct.len()).step_by(2) {
-        let a = &lines[distinct[first][0]];
-        let second = (first + 1) % distinct.len();
-        let normal = if second == first {
+    let distinct = distinct(&lines, surface.axis);
+    for pair in distinct.chunks(2) {
+        let [a, b] = [&pair[0], pair.get(1).unwrap_or(&distinct[0])].map(|group| &lines[group[0]]);
+        let normal = match surface.form {
             // Alone: the plane through the axis.
-            cross(axis, a.out)
-        } else {
-            common_normal(surface, a, &lines[distinct[second][0]])
+            _ if distinct.len() == 1 => cross(surface.axis, a.out),
+            Form::Cone(_) => cross(a.direction, b.direction),
+            _ => cross(surface.axis, minus(b.point, a.point)),
         };
         // A straight edge on the axis is no generator, and has no plane.
-        let plane = (length(normal) > 0.0).then(|| planes.find_or_add(a.point, unit(normal)));
-        plane_of[first] = plane;
-        if second > first {
-            plane_of[second] = plane;
+        if length(normal) > 0.0 {
+            let plane = planes.find_or_add(a.point, unit(normal));
+            let edges = pair.iter().flatten().map(|line| lines[*line].edge);
+            found.extend(edges.map(|edge| ((face, edge), plane)));
         }
-    }
-    for (group, plane) in distinct.iter().zip(plane_of) {
-        let edges = group.iter().map(|line| (face, lines[*line].edge));
-        found.extend(edges.filter_map(|edge| Some((edge, plane?))));
     }
 }
 
@@ -326,14 +319,6 @@ fn distinct(lines: &[Line], axis: Vector) -> Vec<Vec<usize>> {
         }
     }
     groups
-}
-
-fn common_normal(surface: &Surface, a: &Line, b: &Line) -> Vector {
-    if surface.is_cone() {
-        cross(a.direction, b.direction)
-    } else {
-        cross(surface.axis, minus(b.point, a.point))
-    }
 }
 
 #[cfg(test)]

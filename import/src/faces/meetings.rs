@@ -35,9 +35,6 @@ impl Chart {
     }
 
     fn turns_of_conic(&self, implicit: &Implicit) -> Vec<f64> {
-        if self.is_round() {
-            return vec![];
-        }
         let (a, b, c) = self.conic(implicit);
         // Discriminant of the quadratic in v, as a polynomial in u.
         let disc = [
@@ -94,7 +91,7 @@ impl Chart {
     fn plane_and_conic(&self, (n, c): (Vector, f64), implicit: &Implicit) -> Vec<f64> {
         let [n1, n2] = self.e.map(|e| dot(n, e));
         let square = n1 * n1 + n2 * n2;
-        if self.is_round() || square <= 1e-24 {
+        if square <= 1e-24 {
             return vec![];
         }
         let rest = (c - dot(n, self.surface.origin)) / square;
@@ -107,9 +104,6 @@ impl Chart {
 
     /// Roots of the resultant of the two quadratics in v.
     fn two_conics(&self, one: &Implicit, other: &Implicit) -> Vec<f64> {
-        if self.is_round() {
-            return vec![];
-        }
         let [(a, b, c), (d, f, g)] = [one, other].map(|implicit| self.conic(implicit));
         let combine = |factor: f64, u: &[f64], by: f64, v: &[f64]| -> Vec<f64> {
             let at = |list: &[f64], k: usize| list.get(k).copied().unwrap_or(0.0);
@@ -162,7 +156,7 @@ mod tests {
             Surface::new([0.5, -1.0, 2.0], axis, Form::Cone(0.6)),
             Surface::new([1.0, 1.0, -4.0], axis, Form::Sphere(2.0)),
         ]
-        .map(|surface| Chart::free(&surface, &[]).unwrap())
+        .map(|surface| Chart::free(&surface, &[]))
     }
 
     fn through(chart: &Chart, more: f64) -> (Vector, f64) {
@@ -218,7 +212,7 @@ mod tests {
     #[test]
     fn conics_on_a_plane_meet_where_both_are_zero() {
         let axis = [0.0, 0.0, 1.0];
-        let chart = Chart::free(&Surface::new([0.0; 3], axis, Form::Plane), &[]).unwrap();
+        let chart = Chart::free(&Surface::new([0.0; 3], axis, Form::Plane), &[]);
         let circle = |x: f64| {
             let surface = Surface::new([x, 0.0, 0.0], axis, Form::Cylinder(1.0));
             Separator::Quadric(surface.implicit().unwrap())

@@ -190,7 +190,10 @@ fn compile_solid(
             (_, Form::Other(name)) => Err(format!("{} is no quadric", with_article(name))),
             _ => quadric_face(task, planes),
         };
-        made.unwrap_or_else(Compiled::rejected)
+        made.unwrap_or_else(|reason| Compiled {
+            verdict: Verdict::Rejected(reason),
+            cells: vec![],
+        })
     };
     Compilation::Faces(model.solids[solid].faces.iter().map(compiled).collect())
 }

@@ -36,7 +36,7 @@ impl Rings {
         let Form::Torus(_, minor) = surface.form else {
             return None;
         };
-        let chart = Chart::of(surface, None)?;
+        let chart = Chart::of(surface, None);
         // Half the angle of a chord of this sagitta.
         let half = (1.0 - (max_deviation / minor).min(0.25)).acos();
         let count = (0.5 * FRAC_PI_2 / half).ceil().clamp(1.0, MAX_BANDS);
@@ -52,15 +52,11 @@ impl Rings {
         if wanted.len() > MOST {
             return None;
         }
-        let mut angles: Vec<f64> = wanted.iter().flat_map(ends).collect();
+        // A whole turn is none.
+        let turned = |v: f64| if v >= TAU - SAME_ANGLE { 0.0 } else { v };
+        let mut angles: Vec<f64> = wanted.iter().flat_map(ends).map(turned).collect();
         angles.sort_by(f64::total_cmp);
         angles.dedup_by(|next, kept| *next - *kept <= SAME_ANGLE);
-        if angles.last().is_some_and(|last| *last >= TAU - SAME_ANGLE) {
-            angles.pop();
-            if angles.first().is_none_or(|first| *first > SAME_ANGLE) {
-                angles.insert(0, 0.0);
-            }
-        }
         for v in edges {
             let off = |angle: &f64| {
                 let off = (angle - v).rem_euclid(TAU);
@@ -137,7 +133,7 @@ pub fn chords(model: &Model, edge: usize, max_deviation: f64) -> Option<(Vec<Cur
     };
     let surface = model.users[edge].iter().find_map(of_torus)?;
     let rings = Rings::of(model, surface, max_deviation)?;
-    let chart = Chart::of(surface, None)?;
+    let chart = Chart::of(surface, None);
     let path = chart.path(&curve.sampled(96));
     let first = path[0];
     // A circle about the tube is one line u = constant.

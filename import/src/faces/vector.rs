@@ -102,6 +102,16 @@ pub fn farthest(points: &[Vector], measure: impl Fn(Vector) -> f64) -> Option<Ve
     all.max_by(|p, q| measure(*p).total_cmp(&measure(*q)))
 }
 
+/// The middle of two numbers; of one, if the other is endless, a step away, and 0 of none.
+pub fn between(low: f64, high: f64, step: f64) -> f64 {
+    match (low.is_finite(), high.is_finite()) {
+        (true, true) => 0.5 * (low + high),
+        (true, false) => low + step,
+        (false, true) => high - step,
+        (false, false) => 0.0,
+    }
+}
+
 /// Least and greatest of some numbers.
 pub fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
     let none = [f64::INFINITY, f64::NEG_INFINITY];

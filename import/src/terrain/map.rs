@@ -1,7 +1,7 @@
 //! Where the terrain, the eye and the picture are.
 
+use super::TerrainOptions;
 use super::grid::HeightGrid;
-use super::options::TerrainOptions;
 use crate::Result;
 use crate::error::unusable;
 use imogene_algebra::rational::{fraction, from_decimal, integer, to_f64};

@@ -48,12 +48,8 @@ pub struct Field {
 
 /// Makes a field; the same options give the same field.
 pub fn field(options: &FieldOptions) -> Result<Field, FieldError> {
-    let FieldOptions {
-        levels,
-        smoothness,
-        relief,
-        seed,
-    } = *options;
+    let FieldOptions { levels, relief, .. } = *options;
+    let smoothness = options.smoothness;
     let refuse = |problem: String| Err(FieldError(problem));
     if !(1..=MAX_LEVELS).contains(&levels) {
         return refuse(format!("{levels} levels; 1 to {MAX_LEVELS} are accepted"));
@@ -70,7 +66,7 @@ pub fn field(options: &FieldOptions) -> Result<Field, FieldError> {
     }
     let side = (1 << levels) + 1;
     let mut maker = Maker {
-        random: ChaCha8Rng::seed_from_u64(seed),
+        random: ChaCha8Rng::seed_from_u64(options.seed),
         factor: (-smoothness).exp2(),
         made: Field {
             side,
@@ -143,10 +139,12 @@ impl Maker {
         }
     }
 
-    fn middle(&self, [from, to]: [usize; 2]) -> ([usize; 2], f64) {
-        let [a, b] = [from, to].map(|v| self.vertices[v]);
+    /// A vertex in the middle of two others, whose height is their mean and a displacement.
+    fn middle(&mut self, ends: [usize; 2], deviation: f64) -> usize {
+        let [a, b] = ends.map(|v| self.vertices[v]);
         let at = std::array::from_fn(|k| (a.at[k] + b.at[k]) / 2);
-        (at, 0.5 * (a.value + b.value))
+        let value = 0.5 * (a.value + b.value) + self.displacement(deviation);
+        self.vertex(at, value)
     }
 
     /// Divides an edge at a new vertex, unless a neighbour has done so already.
@@ -155,9 +153,7 @@ impl Maker {
             Edge::Divided(halves) => return halves,
             Edge::Whole(ends) => ends,
         };
-        let (at, mean) = self.middle(ends);
-        let value = mean + self.displacement(deviation);
-        let vertex = self.vertex(at, value);
+        let vertex = self.middle(ends, deviation);
         self.divide_at(edge, ends, vertex)
     }
 
@@ -180,12 +176,7 @@ impl Maker {
     /// is the mean of two estimates.
     fn inner(&mut self, halves: &[[usize; 2]; 4], deviation: f64) -> [(usize, [usize; 2]); 2] {
         let [w, s, n, e] = halves.map(|[first, _]| self.end_of(first));
-        let estimates = [[s, n], [w, e]].map(|ends| {
-            let (at, mean) = self.middle(ends);
-            let value = mean + self.displacement(deviation);
-            self.vertex(at, value)
-        });
-        let [centre, twin] = estimates;
+        let [centre, twin] = [[s, n], [w, e]].map(|ends| self.middle(ends, deviation));
         let other = self.vertices.remove(twin).value;
         let centre_value = &mut self.vertices[centre].value;
         *centre_value = 0.5 * (*centre_value + other);

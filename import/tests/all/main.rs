@@ -9,6 +9,7 @@ mod faces_parts;
 mod mmcif;
 mod molecule;
 mod molecule_rules;
+mod packed;
 mod step_files;
 mod step_input;
 mod step_oracle;

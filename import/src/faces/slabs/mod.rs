@@ -72,7 +72,7 @@ pub struct Work<'a> {
 }
 
 impl Slabs<'_> {
-    fn chart(&self) -> Option<Chart> {
+    fn chart(&self) -> Chart {
         let line = |curve: &Curve| match curve {
             Curve::Line { from, to } => Some(unit(minus(*to, *from))),
             _ => None,
@@ -86,7 +86,7 @@ impl Slabs<'_> {
     }
 
     pub fn cells(&self, planes: &mut Planes) -> Result<Vec<Cell>, String> {
-        let chart = self.chart().ok_or("it has no coordinates")?;
+        let chart = self.chart();
         let rails = self.rails(&chart);
         let mut more = vec![];
         for round in 0..=MAX_HALVINGS {

@@ -3,6 +3,7 @@
 use super::Work;
 use crate::faces::chart::nearest_turn;
 use crate::faces::surface::Form;
+use crate::faces::vector::between;
 use std::f64::consts::TAU;
 
 /// A crossing of the middle of a slab.
@@ -200,11 +201,6 @@ impl Work<'_> {
     pub fn inner(&self, [low, high]: [f64; 2], [from, to]: [f64; 2]) -> f64 {
         let (a, b) = (low.max(from), high.min(to));
         let [a, b] = if a < b { [a, b] } else { [low, high] };
-        match (a.is_finite(), b.is_finite()) {
-            (true, true) => 0.5 * (a + b),
-            (true, false) => a + self.face.size,
-            (false, true) => b - self.face.size,
-            (false, false) => 0.0,
-        }
+        between(a, b, self.face.size)
     }
 }

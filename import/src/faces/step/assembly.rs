@@ -209,14 +209,11 @@ impl<'a> Assembly<'a> {
         let whole = wholes.get(&placed.entity.id);
         let product = self.products.get(&self.group[first]).map(|(id, _)| id);
         let swapped = whole.is_some() && whole == product;
-        let (child, parent) = if swapped { (1, 0) } else { (0, 1) };
-        let groups = [self.group[first], self.group[second]];
-        let link = Link {
-            child: groups[child],
-            place: frames[parent].after(&frames[child].inverse()),
-            id: placed.entity.id,
-        };
-        Ok(Some((groups[parent], link)))
+        let mut ends = [(first, frames[0]), (second, frames[1])];
+        if swapped {
+            ends.reverse();
+        }
+        Ok(Some(self.inside(ends, placed.entity.id)))
     }
 
     fn place_mapped(&mut self) {
@@ -246,12 +243,20 @@ impl<'a> Assembly<'a> {
         let inner = self.context(&self.representations[source])?;
         let origin = placement(map.entity(0)?, &inner)?;
         let target = placement(item.entity(2)?, &self.context(own)?)?;
+        Ok(Some(self.inside(
+            [(source, origin), (index, target)],
+            item.entity.id,
+        )))
+    }
+
+    /// A representation inside another, so that a placement of the one comes to be where one of the other is.
+    fn inside(&self, [(child, own), (parent, there)]: [(usize, Placement); 2], id: u64) -> Inside {
         let link = Link {
-            child: self.group[source],
-            place: target.after(&origin.inverse()),
-            id: item.entity.id,
+            child: self.group[child],
+            place: there.after(&own.inverse()),
+            id,
         };
-        Ok(Some((self.group[index], link)))
+        (self.group[parent], link)
     }
 
     pub fn product_of(&self, group: usize) -> Option<u64> {
