@@ -43,10 +43,6 @@ impl<'a> Reader<'a> {
         self.malformed(word.place, problem, accepted)
     }
 
-    fn unusable(&self, problem: impl ToString, accepted: &str) -> ImportError {
-        unusable(self.file, problem, accepted)
-    }
-
     /// Every word of the text.
     fn words(&self) -> impl Iterator<Item = Word<'a>> + use<'a> {
         let lines = self.text.lines().enumerate();
@@ -89,7 +85,11 @@ impl<'a> Reader<'a> {
         let step = self.esri_step(&header)?;
         if columns.saturating_mul(rows) > MAX_NODES {
             let accepted = format!("at most {MAX_NODES} are read");
-            return Err(self.unusable(format!("{columns} x {rows} nodes"), &accepted));
+            return Err(unusable(
+                self.file,
+                format!("{columns} x {rows} nodes"),
+                &accepted,
+            ));
         }
         let mut heights = Vec::with_capacity(columns * rows);
         let mut last = Place { line: 1, column: 1 };
@@ -151,14 +151,15 @@ impl<'a> Reader<'a> {
     fn count(&self, header: &Header, key: usize) -> Result<usize> {
         let problem = || format!("the header has no {}", KEYS[key]);
         let value = header[key].map(|n| n as usize);
-        value.ok_or_else(|| self.unusable(problem(), "`ncols N` and `nrows N` are needed"))
+        value.ok_or_else(|| unusable(self.file, problem(), "`ncols N` and `nrows N` are needed"))
     }
 
     fn esri_step(&self, header: &Header) -> Result<[f64; 2]> {
         match (header[6], header[7], header[8]) {
             (Some(size), None, None) => Ok([size, size]),
             (None, Some(dx), Some(dy)) => Ok([dx, dy]),
-            _ => Err(self.unusable(
+            _ => Err(unusable(
+                self.file,
                 "the header does not say once how far the nodes are apart",
                 "`cellsize N`, or `dx N` and `dy N`, are needed",
             )),
@@ -190,7 +191,7 @@ impl<'a> Reader<'a> {
                 heights.push(known.transpose()?);
                 if heights.len() > MAX_NODES {
                     let accepted = format!("at most {MAX_NODES} are read");
-                    return Err(self.unusable("too many heights", &accepted));
+                    return Err(unusable(self.file, "too many heights", &accepted));
                 }
             }
             let count = heights.len() - before;
@@ -202,7 +203,8 @@ impl<'a> Reader<'a> {
             (columns, rows) = (count, rows + 1);
         }
         if columns < 2 || rows < 2 {
-            return Err(self.unusable(
+            return Err(unusable(
+                self.file,
                 format!("{rows} rows of {columns} heights"),
                 "at least 2 rows of 2 are needed, a row on each line (or the header of an ESRI ASCII grid)",
             ));

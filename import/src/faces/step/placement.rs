@@ -15,12 +15,6 @@ pub struct Placement {
     pub axes: [Vector; 3],
 }
 
-impl Default for Placement {
-    fn default() -> Self {
-        Self::IN_PLACE
-    }
-}
-
 impl Placement {
     pub const IN_PLACE: Placement = Placement {
         origin: [0.0; 3],

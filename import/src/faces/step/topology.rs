@@ -22,7 +22,7 @@ const SAME_PLACE: f64 = 1e-7;
 const MAX_USES: usize = 200_000;
 
 /// A representation where it is placed: its edges and vertices are its own.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Space {
     pub context: Context,
     pub place: Placement,
@@ -39,7 +39,10 @@ impl Space {
         Space {
             context,
             place,
-            ..Space::default()
+            edges: HashMap::new(),
+            vertices: HashMap::new(),
+            sides: HashMap::new(),
+            surfaces: HashMap::new(),
         }
     }
 }

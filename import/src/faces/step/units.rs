@@ -20,24 +20,18 @@ pub struct Context {
     pub precision: f64,
 }
 
-impl Default for Context {
-    fn default() -> Self {
-        Context {
-            length: 1.0,
-            angle: 1.0,
-            uncertainty: 0.0,
-            extent: 0.0,
-            precision: 0.0,
-        }
-    }
-}
-
 /// Most that a file may take for the same place, millimetres: more would hide what does not fit.
 const MOST_UNCERTAIN: f64 = 0.01;
 
 /// The context that a representation names, if it does; without units lengths are millimetres and angles radians.
 pub fn context(entity: Option<Entity>, measure: Measure) -> Result<Context> {
-    let mut context = Context::default();
+    let mut context = Context {
+        length: 1.0,
+        angle: 1.0,
+        uncertainty: 0.0,
+        extent: 0.0,
+        precision: 0.0,
+    };
     let args = |name| entity.and_then(|entity| entity.find(&[name]));
     if let Some(args) = args("GLOBAL_UNIT_ASSIGNED_CONTEXT") {
         for unit in args.entities(0)? {

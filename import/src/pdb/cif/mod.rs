@@ -112,11 +112,10 @@ pub fn kept(category: &str) -> Option<&'static str> {
 
 impl<'a> Reader<'a> {
     fn next(&mut self) -> Result<Option<(Token<'a>, usize)>> {
-        if let Some(ahead) = self.ahead.take() {
-            return Ok(Some(ahead));
+        match self.ahead.take() {
+            None => self.tokens.next(),
+            ahead => Ok(ahead),
         }
-        let token = self.tokens.next()?;
-        Ok(token.map(|token| (token, self.tokens.start())))
     }
 
     /// A value, if one follows.

@@ -24,8 +24,6 @@ pub struct Tokens<'a> {
     file: &'a str,
     bytes: &'a [u8],
     at: usize,
-    /// Where the last word begins.
-    start: usize,
 }
 
 fn is_blank(byte: u8) -> bool {
@@ -35,22 +33,13 @@ fn is_blank(byte: u8) -> bool {
 impl<'a> Tokens<'a> {
     /// Of a whole text; `file` is the name that messages give it.
     pub fn new(bytes: &'a [u8], file: &'a str) -> Self {
-        Tokens {
-            file,
-            bytes,
-            at: 0,
-            start: 0,
-        }
+        Tokens { file, bytes, at: 0 }
     }
 
-    pub fn start(&self) -> usize {
-        self.start
-    }
-
-    /// The next word, or nothing at the end.
-    pub fn next(&mut self) -> Result<Option<Token<'a>>> {
+    /// The next word and where it begins, or nothing at the end.
+    pub fn next(&mut self) -> Result<Option<(Token<'a>, usize)>> {
         self.skip();
-        self.start = self.at;
+        let start = self.at;
         let Some(&first) = self.bytes.get(self.at) else {
             return Ok(None);
         };
@@ -59,7 +48,7 @@ impl<'a> Tokens<'a> {
             b'\'' | b'"' => self.quoted(first)?,
             _ => self.bare(),
         };
-        Ok(Some(token))
+        Ok(Some((token, start)))
     }
 
     /// Blanks and comments.
@@ -113,7 +102,7 @@ impl<'a> Tokens<'a> {
         let Some(end) = (1..line.len()).find(ends) else {
             let problem = "the quote is not closed on its line";
             let accepted = "a value such as 'two words' would be accepted";
-            return Err(self.malformed(self.start, problem, accepted));
+            return Err(self.malformed(self.at, problem, accepted));
         };
         self.at += end + 1;
         Ok(Token::Quoted(&line[1..end]))
@@ -128,7 +117,7 @@ impl<'a> Tokens<'a> {
             if at >= self.bytes.len() {
                 let problem = "the text that begins here is not closed";
                 let accepted = "a line that begins with a semicolon would close it";
-                return Err(self.malformed(self.start, problem, accepted));
+                return Err(self.malformed(self.at, problem, accepted));
             }
             let end = at;
             at += 1;
