@@ -288,8 +288,8 @@ fn numbered(name: &str, count: usize) -> String {
     format!("{name} ({count})")
 }
 
-/// `A/17/CA`: chain, residue number, atom; with the alternate behind it if there is one, the model in front if there are
-/// several, and the serial number if another atom has the same.
+/// `A/17/CA`: chain, residue number, atom; with the alternate behind it if there is one, the model in front if there
+/// are several, and the serial number if another atom has the same.
 fn atom_name(names: &mut Names, atom: &Atom, words: &Words, model: Option<i64>) -> String {
     let or_dash = |text: String| {
         if text.is_empty() {

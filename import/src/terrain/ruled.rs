@@ -18,8 +18,8 @@ use num_traits::{Signed, Zero};
 type Point = [BigRational; 2];
 
 /// The pieces of a cell as an eye sees it that stands at `eye` (u, v), moved outwards as [`bilinear_piece`] is; the
-/// bilinear patch where the cell is a plane or the eye stands over it; nothing if the numbers have too many digits for a
-/// scene file.
+/// bilinear patch where the cell is a plane or the eye stands over it; nothing if the numbers have too many digits for
+/// a scene file.
 pub fn ruled_pieces(z: &Corners, eye: &Point, outwards: [f64; 4]) -> Option<Vec<Piece>> {
     let over = eye.iter().all(|e| *e >= integer(0) && *e <= integer(1));
     if is_plane(z) || over {
@@ -131,8 +131,8 @@ fn implicit(z: &Corners, [xe, ye]: &Point) -> [BigRational; 7] {
     ]
 }
 
-/// On the northern and the southern edge. The factor of the height over the cell is `ye - y`; its sign is made positive,
-/// so that the ground is below as in the other forms.
+/// On the northern and the southern edge. The factor of the height over the cell is `ye - y`; its sign is made
+/// positive, so that the ground is below as in the other forms.
 fn ruled(z: &Corners, eye: &Point) -> Option<[f64; 10]> {
     debug_assert!(!twist(z).is_zero());
     let factors = implicit(z, eye);

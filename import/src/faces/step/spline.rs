@@ -124,8 +124,8 @@ pub fn weights(args: &Args, weights: Vec<f64>, count: usize) -> Result<Vec<f64>>
     Ok(weights)
 }
 
-/// The knots of a curve or surface in one direction: as they are written, at these two places the multiplicities and the
-/// knots, or as they follow from the kind.
+/// The knots of a curve or surface in one direction: as they are written, at these two places the multiplicities and
+/// the knots, or as they follow from the kind.
 pub fn knots(args: &Args, places: [usize; 2], degree: usize, count: usize) -> Result<Vec<f64>> {
     if !args.record.name.ends_with("_WITH_KNOTS") {
         return implied_knots(args, degree, count);
