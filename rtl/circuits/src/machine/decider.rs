@@ -2,7 +2,7 @@
 
 use crate::object::Normal;
 use crate::tree::tree;
-use imogene_hdl::{Bits, Bundle, Int, Value, bundles, module, net};
+use imogene_hdl::{Bits, Bundle, Int, Value, bundles, join, module, net};
 
 bundles! {
     /// What an object says of a pixel.
@@ -24,13 +24,14 @@ pub fn visibility_node(at: &str, a: Candidate, b: Candidate) -> Candidate {
     })
 }
 
-/// 1 where one depth and id are nearer than another one, or as near with the smaller id.
-pub(super) fn is_before((depth, id): (Int, Bits), (other, other_id): (Int, Bits)) -> Bits {
+/// 1 where one depth and id are nearer than another one, or as near with the smaller id: one comparison of numbers whose
+/// low bits are the id.
+pub(super) fn is_before((depth, id): (Int, Bits), (other_depth, other_id): (Int, Bits)) -> Bits {
     net! {
-        let is_nearer = depth.less(other);
-        let is_as_near = depth.equals(other);
+        let rank = join([depth.bits(), id]).int();
+        let other_rank = join([other_depth.bits(), other_id]).int();
     }
-    is_nearer | (is_as_near & id.less(other_id))
+    rank.less(other_rank)
 }
 
 /// What a decider gives.

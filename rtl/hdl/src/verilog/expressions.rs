@@ -1,5 +1,6 @@
 //! Values and operations as Verilog expressions.
 
+use super::name::Name;
 use super::names::Names;
 use super::text::literal;
 use crate::tree::{Binary, Module, Net, Op};
@@ -82,12 +83,30 @@ impl Writer<'_> {
         }
     }
 
-    /// Two numbers compared, a literal on the right: synthesis makes fewer carry cells of `a > 7` than of `7 < a`.
+    /// Two values compared, a literal on the right: synthesis makes fewer carry cells of `a > 7` than of `7 < a`.
     fn comparison(&self, a: Net, b: Net, sign: &str, turned: &str) -> String {
         let (a, sign, b) = match self.module.node(a).op {
             Op::Literal(_) => (b, turned, a),
             _ => (a, sign, b),
         };
-        format!("{} {sign} {}", self.value(a, true), self.value(b, true))
+        let [one, other] = match (self.names.get(a), self.names.get(b)) {
+            (Some(one), Some(other)) if self.is_wide_number(a) => {
+                let width = self.module.node(a).width;
+                // Numbers are compared as words whose signs have changed places: synthesis builds that as one chain of
+                // carries, and breaks it before the sign of a number.
+                let word = |sign: &Name, rest: &Name| {
+                    let sign = sign.part(width - 1, width - 1, width);
+                    format!("{{{sign}, {}}}", rest.part(width - 2, 0, width))
+                };
+                [word(other, one), word(one, other)]
+            }
+            _ => [a, b].map(|net| self.value(net, true)),
+        };
+        format!("{one} {sign} {other}")
+    }
+
+    fn is_wide_number(&self, net: Net) -> bool {
+        let node = self.module.node(net);
+        node.signed && node.width > 1
     }
 }
