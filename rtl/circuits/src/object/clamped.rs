@@ -1,6 +1,7 @@
 //! A root within the depth word.
 
 use super::end;
+use super::ends::beyond;
 use imogene_contract::words::{CAP, far_end, near_end};
 use imogene_hdl::{Bits, Int, Value};
 
@@ -22,11 +23,11 @@ impl Clamped {
 
     /// Whether a depth sum is before the near end, and whether it is not before the far end.
     pub fn ends(name: &str, sum: Int) -> [Bits; 2] {
-        let width = sum.width() - 2;
-        let [low, far] = [near_end, far_end].map(|end| Int::new(end(width), sum.width()));
-        let is_low = sum.less(low).named(&format!("{name}_is_low"));
-        let is_far = (!sum.less(far)).named(&format!("{name}_is_far"));
-        [is_low, is_far]
+        let [is_low, is_far] = beyond(name, sum, sum.width() - 2);
+        [
+            is_low.named(&format!("{name}_is_low")),
+            is_far.named(&format!("{name}_is_far")),
+        ]
     }
 
     /// Of a depth sum and what [`Clamped::ends`] says of it.
