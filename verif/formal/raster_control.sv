@@ -14,14 +14,19 @@ module raster_control_properties (
     input wire [11:0] x,
     input wire [11:0] y,
     input wire last,
-    input wire [11:0] right_edge,
-    input wire [11:0] bottom_edge
+    input wire [11:0] column_before,
+    input wire [11:0] line_before,
+    input wire is_narrow,
+    input wire in_last_column,
+    input wire in_last_line
 );
     reg [11:0] zone_width, zone_height;
     reg [23:0] count, done;
     reg old_obeyed = 0, old_going = 0;
     reg [11:0] old_x, old_y;
     wire obeyed = go && (!valid || last);
+    wire [11:0] right_edge = zone_width - 12'd1;
+    wire [11:0] bottom_edge = zone_height - 12'd1;
 
     always @(posedge clock) begin
         old_obeyed <= obeyed;
@@ -47,7 +52,9 @@ module raster_control_properties (
         if (!valid) assert (!start && !line && !last);
         if (valid) begin
             assert (zone_width != 0 && zone_height != 0);
-            assert (right_edge == zone_width - 12'd1 && bottom_edge == zone_height - 12'd1);
+            assert (column_before == right_edge - 12'd1 && line_before == bottom_edge - 12'd1);
+            assert (is_narrow == (right_edge == 0));
+            assert (in_last_column == (x == right_edge) && in_last_line == (y == bottom_edge));
             assert (x <= right_edge && y <= bottom_edge);
             assert (start == (x == 0 && y == 0));
             assert (line == (x == 0 && y != 0));
@@ -64,5 +71,7 @@ endmodule
 
 bind raster_control raster_control_properties properties (
     .clock(clock), .go(go), .width(width), .height(height), .valid(valid), .start(start), .line(line),
-    .x(x), .y(y), .last(last), .right_edge(right_edge), .bottom_edge(bottom_edge)
+    .x(x), .y(y), .last(last),
+    .column_before(column_before), .line_before(line_before), .is_narrow(is_narrow),
+    .in_last_column(in_last_column), .in_last_line(in_last_line)
 );

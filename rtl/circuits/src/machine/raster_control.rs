@@ -29,33 +29,39 @@ bundles! {
 pub fn raster_control(at: &str, zone: Zone) -> Raster {
     module("raster_control", at, zone, |zone| {
         let word = |value: u64| Bits::new(value, COORDINATE);
-        let [no, yes] = [0, 1].map(|value| Bits::new(value, 1));
         let flag = || Bits::register(1);
         let place = || Bits::register(COORDINATE);
-        let (valid, start, line, last) = (flag(), flag(), flag(), flag());
+        let (valid, start, line) = (flag(), flag(), flag());
         let (x, y) = (place(), place());
         net! {
-            let right_edge = place();
-            let bottom_edge = place();
-            let obeyed = zone.go & (!valid | last);
-            let line_ends = x.equals(right_edge);
-            let next_x = line_ends.select(word(0), x + word(1));
-            let next_y = line_ends.select(y + word(1), y);
-            let last_x = zone.width - word(1);
-            let last_y = zone.height - word(1);
-            let is_single = last_x.is(0) & last_y.is(0);
-            let next_is_last = next_x.equals(right_edge) & next_y.equals(bottom_edge);
-            let moves = obeyed | last | valid;
-            let goes_on = !last;
+            // The last column but one and the last line but one: whether the next pixel is in the last ones is asked
+            // of the place of this one, without a sum.
+            let column_before = place();
+            let line_before = place();
+            let is_narrow = flag();
+            let in_last_column = flag();
+            let in_last_line = flag();
+            let last = valid & in_last_column & in_last_line;
+            let goes_on = valid & !last;
+            let obeyed = zone.go & !goes_on;
+            let steps = obeyed | goes_on;
+            let next_x = in_last_column.select(word(0), x + word(1));
+            let next_y = in_last_column.select(y + word(1), y);
+            let one_column = zone.width.is(1);
+            let one_line = zone.height.is(1);
+            let column_is_last = is_narrow | x.equals(column_before);
+            let line_is_last = in_last_line | (in_last_column & y.equals(line_before));
         }
-        right_edge.load_when(obeyed, last_x);
-        bottom_edge.load_when(obeyed, last_y);
-        valid.load_when(moves, obeyed.select(yes, goes_on));
-        start.load_when(moves, obeyed);
-        line.load_when(moves, obeyed.select(no, goes_on & line_ends));
-        last.load_when(moves, obeyed.select(is_single, goes_on & next_is_last));
-        x.load_when(obeyed | (goes_on & valid), obeyed.select(word(0), next_x));
-        y.load_when(obeyed | (goes_on & valid), obeyed.select(word(0), next_y));
+        column_before.load_when(obeyed, zone.width - word(2));
+        line_before.load_when(obeyed, zone.height - word(2));
+        is_narrow.load_when(obeyed, one_column);
+        in_last_column.load_when(steps, obeyed.select(one_column, column_is_last));
+        in_last_line.load_when(steps, obeyed.select(one_line, line_is_last));
+        valid.load(steps);
+        start.load(obeyed);
+        line.load(goes_on & in_last_column);
+        x.load_when(steps, obeyed.select(word(0), next_x));
+        y.load_when(steps, obeyed.select(word(0), next_y));
         let scan = Scan {
             flags: Flags { valid, start, line },
             pixel: Pixel { x, y },
