@@ -111,13 +111,15 @@ fn video_scan(at: &str, enable: Bits, mode: &VideoMode, ahead: u64) -> Scan {
         net! {
             let column = position(begin % line.total());
             let row = position(begin / line.total());
-            let line_ends = column.is(line.total() - 1);
+            // Known one clock before.
+            let line_ends = Bits::register(1).initially(u64::from(begin % line.total() == line.total() - 1));
             let frame_ends = row.is(frame.total() - 1);
             let next_row = frame_ends.select(word(0), row + word(1));
             let is_shown = !(column.less(word(line.blank())) | row.less(word(frame.blank())));
             let is_left = column.is(line.blank());
             let is_top = row.is(frame.blank());
         }
+        line_ends.load_when(enable, column.is(line.total() - 2));
         column.load_when(enable, line_ends.select(word(0), column + word(1)));
         row.load_when(enable, line_ends.select(next_row, row));
         let pixel = |position: Bits, blank: u64| {
