@@ -3,6 +3,7 @@
 use super::Candidate;
 use super::decider::NEAREST;
 use crate::object::absent;
+use crate::rows::numbered;
 use crate::tree::tree;
 use imogene_hdl::{Bits, Bundle, Int, Value, bundles, module, net};
 
@@ -53,25 +54,21 @@ fn candidates(common: Extent, subtracted: &[Extent]) -> Vec<Candidate> {
         let is_there = !back.less(front) & front.less(far);
         let is_sheet = front.equals(back);
         // What has no thickness is covered by an object that ends at it, too.
-        let survives = subtracted.iter().fold(is_there, |is_seen, other| {
-            let ends = is_sheet & front.equals(other.face.depth) & !front.less(other.end);
-            is_seen & !(covers(other, front) | ends)
-        });
-        let front_is_seen = survives.reg();
     }
-    let mut candidates = vec![(front_is_seen, common.face)];
+    let is_left = |other: &Extent| {
+        let ends = is_sheet & front.equals(other.face.depth) & !front.less(other.end);
+        !(covers(other, front) | ends)
+    };
+    let tests = std::iter::once(is_there).chain(subtracted.iter().map(is_left));
+    let mut candidates = vec![(all_hold("front", tests), common.face)];
     for (index, own) in subtracted.iter().enumerate() {
         let end = own.face.depth;
         // What has no thickness, or is absent, takes nothing away and has no back to show.
         let is_within = own.end.less(end) & front.less(end) & end.less(back);
         let others = [&subtracted[..index], &subtracted[index + 1..]].concat();
-        let is_seen = others
-            .iter()
-            .fold(is_within, |all, other| all & !covers(other, end));
-        candidates.push((
-            is_seen.delayed_as(&format!("back_{index}_is_seen"), 1),
-            own.face,
-        ));
+        let tests = others.iter().map(|other| !covers(other, end));
+        let tests = std::iter::once(is_within).chain(tests);
+        candidates.push((all_hold(&format!("back_{index}"), tests), own.face));
     }
     let candidates = candidates.into_iter();
     candidates
@@ -80,6 +77,14 @@ fn candidates(common: Extent, subtracted: &[Extent]) -> Vec<Candidate> {
             is_seen.select(face, nothing(&face)).registered()
         })
         .collect()
+}
+
+/// All tests hold; each has a register of its own, for the choice of a face has time left to join them. Latency 1.
+fn all_hold(name: &str, tests: impl Iterator<Item = Bits>) -> Bits {
+    let tests = numbered(&format!("{name}_test"), tests);
+    let kept = tests.map(|(name, test)| test.delayed_as(&name, 1));
+    kept.reduce(|all, test| all & test)
+        .expect("one test at least")
 }
 
 /// Nothing is seen.
