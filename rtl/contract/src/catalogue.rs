@@ -150,11 +150,11 @@ units! {
         computes "front and back depth, faces and normals of a convex solid of planes";
         ties "of planes at equal depth the smallest index wins; an interval of no thickness is there; a plane at the near end is not a face, the end is";
         error INTEGERS;
-    FacetProcessor "facet_processor" [SIDES] "2", PIXELS, "Chaillou 1991, IV.2.2";
+    FacetProcessor "facet_processor" [SIDES] "3", PIXELS, "Chaillou 1991, IV.2.2";
         computes "depth and interpolated normal of a flat facet of three or four sides";
         ties "zero is inside";
         error INTEGERS;
-    CurvedFacetProcessor "curved_facet_processor" [CURVED_SIDES] "2", PIXELS, "Chaillou 1991, IV.2.6.1";
+    CurvedFacetProcessor "curved_facet_processor" [CURVED_SIDES] "3", PIXELS, "Chaillou 1991, IV.2.6.1";
         computes "depth and normal of a facet with sides, depth and normal of second degree";
         ties "zero is inside";
         error INTEGERS;

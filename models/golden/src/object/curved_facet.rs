@@ -72,8 +72,8 @@ impl Words for CurvedFacetWords {
     }
 }
 
-/// Latency in clocks from the raster flags to the outputs: processors; signs, ends of the depth word and selection.
-pub const LATENCY: u32 = 2;
+/// Latency in clocks from the raster flags to the outputs: processors; signs and ends of the depth word; selection.
+pub const LATENCY: u32 = 3;
 
 /// The processor running over a zone.
 pub type CurvedFacetProcessor = Running<CurvedFacetWords>;

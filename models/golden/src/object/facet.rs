@@ -184,8 +184,8 @@ impl Words for FacetWords {
     }
 }
 
-/// Latency in clocks from the raster flags to the outputs: processors; signs, ends of the depth word and selection.
-pub const LATENCY: u32 = 2;
+/// Latency in clocks from the raster flags to the outputs: processors; signs and ends of the depth word; selection.
+pub const LATENCY: u32 = 3;
 
 /// The processor running over a zone.
 pub type FacetProcessor = Running<FacetWords>;

@@ -42,9 +42,8 @@ impl Slot {
             Kind::Patch => root.latency() + 9,
             Kind::FirstGeneration => root.latency() + 9,
             Kind::Polyhedron => levels(self.planes) + 6,
-            Kind::Facet | Kind::CurvedFacet => 2,
+            Kind::Facet | Kind::CurvedFacet | Kind::Cylinder => 3,
             Kind::Sphere => 4,
-            Kind::Cylinder => 3,
         }
     }
 }

@@ -35,7 +35,7 @@ impl<P> Facet<P> {
 /// For every pixel depth and normal of a flat facet of three or four sides, convex on the screen, its normals
 /// interpolated (Phong). The depth is in units of `2^-10` depth words, the normal in units of `2^-8`.
 ///
-/// Absent outside a side and beyond the ends of the depth word. Latency 2. Chaillou 1991, IV.2.2; section 4.1.2.
+/// Absent outside a side and beyond the ends of the depth word. Latency 3. Chaillou 1991, IV.2.2; section 4.1.2.
 pub fn facet_processor(at: &str, scan: Scan, facet: Facet<Linear>, depth: u32) -> Visible {
     let kind = Kind {
         name: "facet_processor",
@@ -54,7 +54,7 @@ pub fn facet_processor(at: &str, scan: Scan, facet: Facet<Linear>, depth: u32) -
 /// For every pixel depth and normal of a facet with sides, depth and normal of second degree. The depth is in units of
 /// `2^-(W-2)` depth words, the normal in units of `2^-(2 W - 16)`.
 ///
-/// Absent outside a side and beyond the ends of the depth word. Latency 2. Chaillou 1991, IV.2.6.1.
+/// Absent outside a side and beyond the ends of the depth word. Latency 3. Chaillou 1991, IV.2.6.1.
 pub fn curved_facet_processor(
     at: &str,
     scan: Scan,
@@ -107,8 +107,9 @@ fn processor<P: Plain + Copy>(
         });
         let z = pe("depth", flags, z).high(depth + 2);
         net! {
-            let is_present = is_there & Clamped::of("depth", z, number).is_visible();
-            let kept_depth = is_present.select(z.low(depth), absent(depth)).reg();
+            let is_present = (is_there & Clamped::of("depth", z, number).is_visible()).reg();
+            let late_depth = z.low(depth).reg();
+            let kept_depth = is_present.select(late_depth, absent(depth)).reg();
             let kept_number = is_present.select(Bits::new(number, 4), Bits::new(0, 4)).reg();
         }
         let seen = Seen::face(kept_depth, kept_number);
@@ -119,7 +120,8 @@ fn processor<P: Plain + Copy>(
             component("normal_y", ny),
             component("normal_z", nz),
         ]);
-        let out_valid = flags.valid.delayed_as("valid_late", 2);
+        let normal = normal.delayed(1);
+        let out_valid = flags.valid.delayed_as("valid_late", 3);
         let no_normal = Normal::of([Int::new(0, NORMAL); 3]);
         seen.with(out_valid, is_present.select(normal, no_normal).registered())
     })
