@@ -16,8 +16,8 @@ module depth_interval (
     output reg  [3:0] nb_b = 4'd0
 );
 
-    wire near_is_low, near_is_far, far_is_low, far_is_far, near_visible, far_visible, is_front, is_side, is_before,
-        is_surface, is_prism, has_b;
+    wire near_is_outside, near_is_low, near_is_far, far_is_outside, far_is_low, far_is_far, near_visible, far_visible,
+        is_front, is_side, is_before, is_surface, is_prism, has_b;
     reg near_is_low_late_1 = 1'd0, near_is_far_late_1 = 1'd0, far_is_low_late_1 = 1'd0, far_is_far_late_1 = 1'd0,
         is_inside_late_1 = 1'd0, in_box_late_1 = 1'd0;
     reg signed [25:0] near_sum_late_1 = 26'sd0, far_sum_late_1 = 26'sd0;
@@ -28,10 +28,12 @@ module depth_interval (
     reg [3:0] source_a_nf_late_1 = 4'd0, source_a_nb_late_1 = 4'd0, nf_b_kept = 4'd0, nb_b_kept = 4'd0;
     reg signed [23:0] near_bits = 24'sd0, far_bits = 24'sd0;
 
-    assign near_is_low = near_sum < -26'sd8388607;
-    assign near_is_far = near_sum >= 26'sd8388607;
-    assign far_is_low = far_sum < -26'sd8388607;
-    assign far_is_far = far_sum >= 26'sd8388607;
+    assign near_is_outside = ~((near_sum[25:23] == 3'd0) | (near_sum[25:23] == 3'd7));
+    assign near_is_low = near_sum[25] & (near_is_outside | (near_sum[22:0] == 23'd0));
+    assign near_is_far = ~near_sum[25] & (near_is_outside | (near_sum[22:0] == 23'h7fffff));
+    assign far_is_outside = ~((far_sum[25:23] == 3'd0) | (far_sum[25:23] == 3'd7));
+    assign far_is_low = far_sum[25] & (far_is_outside | (far_sum[22:0] == 23'd0));
+    assign far_is_far = ~far_sum[25] & (far_is_outside | (far_sum[22:0] == 23'h7fffff));
     assign near_late_face = near_is_low_late_1 ? 4'd15 : 4'd0;
     assign far_late_face = far_is_low_late_1 ? 4'd15 : 4'd1;
     assign near_visible = ~(near_is_low_late_1 | near_is_far_late_1);

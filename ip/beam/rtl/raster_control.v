@@ -9,32 +9,40 @@ module raster_control (
     output reg  line = 1'd0,
     output reg  [11:0] x = 12'd0,
     output reg  [11:0] y = 12'd0,
-    output reg  last = 1'd0
+    output wire last
 );
 
-    reg [11:0] right_edge = 12'd0, bottom_edge = 12'd0;
-    wire obeyed, line_ends, is_single, next_is_last, moves, goes_on;
-    wire [11:0] next_x, next_y, last_x, last_y;
+    reg [11:0] column_before = 12'd0, line_before = 12'd0;
+    reg is_narrow = 1'd0, in_last_column = 1'd0, in_last_line = 1'd0;
+    wire last_2, goes_on, obeyed, steps, one_column, one_line, column_is_last, line_is_last;
+    wire [11:0] next_x, next_y;
 
-    assign obeyed = go & (~valid | last);
-    assign line_ends = x == right_edge;
-    assign next_x = line_ends ? 12'd0 : (x + 12'd1);
-    assign next_y = line_ends ? (y + 12'd1) : y;
-    assign last_x = width - 12'd1;
-    assign last_y = height - 12'd1;
-    assign is_single = (last_x == 12'd0) & (last_y == 12'd0);
-    assign next_is_last = (next_x == right_edge) & (next_y == bottom_edge);
-    assign moves = (obeyed | last) | valid;
-    assign goes_on = ~last;
+    assign last_2 = (valid & in_last_column) & in_last_line;
+    assign goes_on = valid & ~last_2;
+    assign obeyed = go & ~goes_on;
+    assign steps = obeyed | goes_on;
+    assign next_x = in_last_column ? 12'd0 : (x + 12'd1);
+    assign next_y = in_last_column ? (y + 12'd1) : y;
+    assign one_column = width == 12'd1;
+    assign one_line = height == 12'd1;
+    assign column_is_last = is_narrow | (x == column_before);
+    assign line_is_last = in_last_line | (in_last_column & (y == line_before));
+    assign last = last_2;
 
     always @(posedge clock) begin
-        if (moves) begin
-            valid <= obeyed ? 1'd1 : goes_on;
-            start <= obeyed;
-            line <= obeyed ? 1'd0 : (goes_on & line_ends);
-            last <= obeyed ? is_single : (goes_on & next_is_last);
+        valid <= steps;
+        start <= obeyed;
+        line <= goes_on & in_last_column;
+        if (steps) begin
+            x <= obeyed ? 12'd0 : next_x;
+            y <= obeyed ? 12'd0 : next_y;
+            in_last_column <= obeyed ? one_column : column_is_last;
+            in_last_line <= obeyed ? one_line : line_is_last;
         end
-        if (obeyed | (goes_on & valid)) begin x <= obeyed ? 12'd0 : next_x; y <= obeyed ? 12'd0 : next_y; end
-        if (obeyed) begin right_edge <= last_x; bottom_edge <= last_y; end
+        if (obeyed) begin
+            column_before <= width - 12'd2;
+            line_before <= height - 12'd2;
+            is_narrow <= one_column;
+        end
     end
 endmodule

@@ -22,7 +22,7 @@ module two_volume_merge (
     reg [3:0] a_nf_late_1 = 4'd0, a_nb_late_1 = 4'd0, b_nf_late_1 = 4'd0, b_nb_late_1 = 4'd0;
 
     always @(posedge clock) begin
-        b_in_front <= zf_b < zf_a;
+        b_in_front <= {zf_a[23], zf_b[22:0]} < {zf_b[23], zf_a[22:0]};
         a_zf_late_1 <= zf_a;
         a_nf_late_1 <= nf_a;
         a_zb_late_1 <= zb_a;

@@ -49,9 +49,9 @@ module cut_plane (
     assign removed = (((kind_late_1 == 2'd3) & zp_late_1[23]) | leaves_nothing) | (cuts_back & before_front);
 
     always @(posedge clock) begin
-        before_front <= zp < zf;
+        before_front <= {zf[23], zp[22:0]} < {zp[23], zf[22:0]};
         at_front <= zp == zf;
-        before_back <= zp < zb;
+        before_back <= {zb[23], zp[22:0]} < {zp[23], zb[22:0]};
         at_back <= zp == zb;
         kind_late_1 <= kind;
         surface_late_1 <= surface;

@@ -19,11 +19,12 @@ module visibility_node (
     output reg  signed [15:0] nz = 16'sd0
 );
 
-    wire is_nearer, is_as_near, b_wins;
+    wire signed [31:0] rank, other_rank;
+    wire b_wins;
 
-    assign is_nearer = b_depth < a_depth;
-    assign is_as_near = b_depth == a_depth;
-    assign b_wins = is_nearer | (is_as_near & (b_id < a_id));
+    assign rank = {b_depth, b_id};
+    assign other_rank = {a_depth, a_id};
+    assign b_wins = {other_rank[31], rank[30:0]} < {rank[31], other_rank[30:0]};
 
     always @(posedge clock) begin
         depth <= b_wins ? b_depth : a_depth;

@@ -8,15 +8,16 @@ module plane_depth (
 );
 
     wire signed [35:0] plane_value;
-    wire above, below;
+    wire is_in_word;
+    wire signed [23:0] saturated;
 
     pe1_w36 plane (
         .clock(clock), .valid(valid), .start(start), .line(line), .a(a), .b(b), .c(c), .value(plane_value));
 
-    assign above = plane_value > 36'sd8388607;
-    assign below = plane_value < -36'sd8388608;
+    assign is_in_word = (plane_value[35:23] == 13'd0) | (plane_value[35:23] == 13'd8191);
+    assign saturated = plane_value[35] ? 24'sh800000 : 24'sd8388607;
 
     always @(posedge clock) begin
-        depth <= above ? 24'sd8388607 : below ? 24'sh800000 : plane_value[23:0];
+        depth <= is_in_word ? plane_value[23:0] : saturated;
     end
 endmodule
