@@ -24,8 +24,8 @@ pub fn visibility_node(at: &str, a: Candidate, b: Candidate) -> Candidate {
     })
 }
 
-/// 1 where one depth and id are nearer than another one, or as near with the smaller id: one comparison of numbers whose
-/// low bits are the id.
+/// 1 where one depth and id are nearer than another one, or as near with the smaller id: one comparison of numbers
+/// whose low bits are the id.
 pub(super) fn is_before((depth, id): (Int, Bits), (other_depth, other_id): (Int, Bits)) -> Bits {
     net! {
         let rank = join([depth.bits(), id]).int();

@@ -13,8 +13,8 @@ pub(crate) fn absent(width: u32) -> Int {
     end(far_end, width)
 }
 
-/// Whether a number is before the near end of a depth word of so many bits, and whether it is not before the far end. The
-/// bits say so: a comparison with a constant would take a chain of carries.
+/// Whether a number is before the near end of a depth word of so many bits, and whether it is not before the far end.
+/// The bits say so: a comparison with a constant would take a chain of carries.
 pub(super) fn beyond(name: &str, number: Int, width: u32) -> [Bits; 2] {
     let sign = number.is_negative();
     let is_outside = (!fits(number, width)).named(&format!("{name}_is_outside"));
