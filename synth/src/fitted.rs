@@ -38,11 +38,15 @@ pub struct MachineCost {
 }
 
 /// Units that can be the slowest; `square_root` stands for the whole network.
-const CRITICAL: [&str; 7] = [
+const CRITICAL: [&str; 11] = [
     "cut_plane",
     "normal_unit",
     "depth_interval",
     "square_root",
+    "square_root_non_restoring",
+    "square_root_linear",
+    "square_root_quadratic",
+    "square_root_leading",
     "contour_choice",
     "half_spaces",
     "shading_processor",

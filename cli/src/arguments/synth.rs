@@ -42,7 +42,7 @@ pub struct Synth {
     /// baseline.
     #[arg(
         long,
-        conflicts_with_all = ["table", "seeds", "format", "planes", "rows-per-stage", "objects", "digits", "corrections", "widths"]
+        conflicts_with_all = ["table", "seeds", "format", "root-form", "planes", "rows-per-stage", "objects", "digits", "corrections", "widths"]
     )]
     pub check: bool,
     /// File to check against.

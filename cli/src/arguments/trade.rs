@@ -62,6 +62,8 @@ pub enum Points {
     Quick,
     /// All.
     Full,
+    /// Every form of the root at two depth words.
+    Roots,
 }
 
 fn shard(text: &str) -> Result<Shard, String> {

@@ -3,10 +3,11 @@
 use super::depth_word;
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches, value_parser};
 use imogene_contract::parameters::{PARAMETERS, Parameter};
-use imogene_contract::{MachineWords, Request, RequestError};
+use imogene_contract::{MachineWords, Request, RequestError, RootForm};
 use imogene_golden::slots::FittedSlot;
 use imogene_golden::{slots, widths};
 use std::path::PathBuf;
+use std::str::FromStr;
 
 /// Arguments of `processors`.
 #[derive(Debug, Args)]
@@ -37,6 +38,8 @@ pub struct Demo {
 pub struct Shape {
     /// Depth word in bits.
     pub format: u32,
+    /// Form of the root.
+    pub root_form: RootForm,
     /// The values that were given, by option.
     values: Vec<(&'static str, Option<u32>)>,
 }
@@ -44,7 +47,7 @@ pub struct Shape {
 impl Shape {
     /// The unit of this name with these parameters.
     pub fn request(&self, unit: &str) -> Result<Request, RequestError> {
-        Request::given(unit, self.format, &self.values)
+        Request::given(unit, self.format, &self.values)?.with_root_form(self.root_form)
     }
 
     /// Rows of the root networks of a machine between registers.
@@ -63,6 +66,7 @@ impl FromArgMatches for Shape {
         };
         Ok(Shape {
             format: *matches.get_one("format").expect("it has a default"),
+            root_form: matches.get_one("root-form").copied().unwrap_or_default(),
             values: PARAMETERS.iter().map(value).collect(),
         })
     }
@@ -82,6 +86,11 @@ impl Args for Shape {
             .default_value("24")
             .value_name("W")
             .value_parser(depth_word);
+        let form = Arg::new("root-form")
+            .long("root-form")
+            .help("How quadric_pe, beam, quadric_volume and the processors of quadrics take their root: restoring, non-restoring, linear0 to linear2, quadratic0 to quadratic2, leading8 [default: restoring]")
+            .value_name("FORM")
+            .value_parser(RootForm::from_str);
         let option = |parameter: &Parameter| {
             Arg::new(parameter.option)
                 .long(parameter.option)
@@ -89,7 +98,10 @@ impl Args for Shape {
                 .value_name(parameter.symbol)
                 .value_parser(value_parser!(u32))
         };
-        command.arg(format).args(PARAMETERS.iter().map(option))
+        command
+            .arg(format)
+            .arg(form)
+            .args(PARAMETERS.iter().map(option))
     }
 
     fn augment_args_for_update(command: Command) -> Command {
@@ -124,7 +136,7 @@ pub struct Emit {
 pub struct Fitted {
     /// Widths of a machine that is fitted to a scene, instead of --format; with --slots, for the unit beam alone.
     #[arg(long, value_name = "LIST", value_parser = widths::parse, requires = "slots",
-          conflicts_with_all = ["format", "planes", "objects"])]
+          conflicts_with_all = ["format", "root-form", "planes", "objects"])]
     pub widths: Option<MachineWords>,
     /// Slots of that machine: the planes of each, with a v for those with half B, such as 3,0,2v.
     #[arg(long, value_name = "LIST", value_parser = slots::parse, requires = "widths")]

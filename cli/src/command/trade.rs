@@ -11,10 +11,12 @@ use imogene_golden::format::Format;
 use imogene_plan::description::MachineDescription;
 use imogene_plan::pace::Timing;
 use imogene_prepare::Options;
+use imogene_studies::picture;
+use imogene_studies::sheet::Sheet;
 use imogene_studies::trade::design::Space;
 use imogene_studies::trade::page::page;
 use imogene_studies::trade::plot;
-use imogene_studies::trade::point::{Cost, Pricing};
+use imogene_studies::trade::point::{Cost, Point, Pricing};
 use imogene_studies::trade::report::{self, FRONTS};
 use imogene_studies::trade::run::{self, Request};
 use imogene_studies::trade::speed;
@@ -35,6 +37,7 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
     let (space, points) = match options.points {
         Points::Quick => (Space::Quick, "quick"),
         Points::Full => (Space::Full, "full"),
+        Points::Roots => (Space::Roots, "roots"),
     };
     let designs = space.designs();
     let bar = output::progress(designs.len() as u64, "points");
@@ -68,7 +71,7 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
     }
     let trade = run::run(&asked)?;
     bar.finish_and_clear();
-    let files = write(&trade, &options.out)?;
+    let files = write(&trade, &options.out, options.points)?;
     let seconds = started.elapsed().as_secs_f64();
     let count =
         |wanted: fn(&report::Entry) -> bool| trade.points.iter().filter(|e| wanted(e)).count();
@@ -138,7 +141,7 @@ fn own_digest() -> Result<String, Failure> {
     Ok(run::digest(&bytes))
 }
 
-fn write(trade: &report::Trade, folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+fn write(trade: &report::Trade, folder: &Path, points: Points) -> Result<Vec<PathBuf>, Failure> {
     let mut files = output::files();
     let mut put = |name: &str, text: String| files.add_text(&folder.join(name), &text);
     put("trade.json", output::json_text(trade) + "\n")?;
@@ -149,7 +152,34 @@ fn write(trade: &report::Trade, folder: &Path) -> Result<Vec<PathBuf>, Failure> 
         put(&format!("plots/{}.svg", front.name), picture)?;
     }
     put("index.html", page(trade, folder)?)?;
+    if points == Points::Roots {
+        let sheet = sheet(trade, folder)?;
+        files.add(&folder.join("plots/pictures.png"), |out| {
+            picture::png(out, sheet.width, sheet.height, &sheet.rgb)
+        })?;
+    }
     Ok(files.finish()?)
+}
+
+/// Pictures of a band of the sheet.
+const BAND: usize = 6;
+
+/// The pictures of the points of the first depth word, with the maps of their errors, in the order of the points.
+fn sheet(trade: &report::Trade, folder: &Path) -> Result<Sheet, Failure> {
+    let read = |file: &String| {
+        let path = folder.join(file);
+        let unread = |problem| Failure::Input(format!("{}: {problem}", path.display()));
+        picture::read_png(&path).map(|(_, rgb)| rgb).map_err(unread)
+    };
+    let points = trade.points.iter().map(|entry| &entry.point);
+    let depth = |point: &Point| point.design.accuracy.depth;
+    let first = points.clone().next().map(depth);
+    let files = points.filter(|point| Some(depth(point)) == first);
+    let files = files.filter_map(|point| Some([point.picture.as_ref()?, point.map.as_ref()?]));
+    let pair = |[picture, map]: [&String; 2]| Ok([read(picture)?, read(map)?]);
+    let pairs: Vec<[Vec<u8>; 2]> = files.map(pair).collect::<Result<_, Failure>>()?;
+    let size = (trade.width as usize, trade.height as usize);
+    Ok(Sheet::of(&pairs, size, BAND))
 }
 
 fn text(trade: &report::Trade, files: &[PathBuf], seconds: f64) -> String {

@@ -211,7 +211,52 @@ fn unwritable_output_folder() {
 fn usage_and_parameters_out_of_range() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().to_str().unwrap();
-    let runs: [(Vec<&str>, &[&str]); 15] = [
+    let runs: [(Vec<&str>, &[&str]); 22] = [
+        (
+            vec!["emit", "quadric_pe", "--root-form", "cubic1", "--out", out],
+            &["--root-form", "'cubic1' is no form", "restoring"],
+        ),
+        (
+            vec!["emit", "quadric_pe", "--root-form", "linear3", "--out", out],
+            &["linear3", "0 to 2 corrections"],
+        ),
+        (
+            vec!["emit", "pe1", "--root-form", "linear2", "--out", out],
+            &["pe1", "root-form"],
+        ),
+        (
+            vec![
+                "cosim",
+                "quadric_volume",
+                "--format",
+                "16",
+                "--root-form",
+                "leading17",
+            ],
+            &["leading root = 17", "1 to 16"],
+        ),
+        (
+            vec!["cosim", "x.toml", "--root-form", "linear2"],
+            &["--root-form", "--widths depth=24,root_form=linear2"],
+        ),
+        (
+            vec![
+                "render",
+                "x.toml",
+                "--widths",
+                "depth=24,root_form=iterative",
+            ],
+            &["iterative", "one pixel per clock"],
+        ),
+        (
+            vec![
+                "render",
+                "x.toml",
+                "--widths",
+                "depth=11,root_form=quadratic1",
+            ],
+            &["quadratic root of 11 bits", "12 to 32"],
+        ),
         (vec!["emit", "pe3", "--out", out], &["pe3", "pe2"]),
         (
             vec!["emit", "pe1", "--prefix", "1st-", "--out", out],

@@ -369,6 +369,17 @@ fn what_a_machine_cannot_show_is_refused_and_leaves_nothing() {
             "widths = { plane = 20 }",
             "plane word of 20 bits: accepted are 24 to 36",
         ),
+        ("root_form = \"linear\"", "0 to 2 corrections"),
+        ("root_form = \"iterative\"", "one pixel per clock"),
+        ("root_form = \"rows8\"", "`dropped` of the widths"),
+        (
+            "widths = { root = 16 }\nroot_form = \"leading17\"",
+            "leading root of 17 bits: accepted are 1 to 16",
+        ),
+        (
+            "widths = { root = 16, dropped = 5 }\nroot_form = \"quadratic1\"",
+            "quadratic root of 11 bits: accepted are 12 to 32",
+        ),
     ] {
         let text = format!("machine = \"beam\"\nobjects = 10\n{COMMON}{line}\n");
         std::fs::write(&words, text).expect("a file");

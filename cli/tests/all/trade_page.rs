@@ -19,7 +19,7 @@ static PAGE: LazyLock<(TempDir, String)> = LazyLock::new(|| {
     let folder = tempfile::tempdir().unwrap();
     let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/cut-sphere.toml");
     let cost = |machine: &MachineDescription| -> Cost {
-        let w = machine.widths.beside(machine.depth_word);
+        let w = machine.words();
         let cells = u64::from(100 * (w.depth + w.root) + 3 * w.guard_quadratic);
         Cost {
             lut: cells / 2,

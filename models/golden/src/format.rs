@@ -4,7 +4,8 @@ mod error;
 
 pub use error::{FittedError, FormatError, GuardError};
 
-use imogene_contract::{MachineWords, words};
+use crate::unit::root::Method;
+use imogene_contract::{MachineWords, RootForm, words};
 use serde::Serialize;
 use std::ops::RangeInclusive;
 
@@ -31,6 +32,9 @@ pub struct Format {
     pub guard_quadratic: u32,
     /// Rows that the root network lacks: the last digits of the root, which are zero.
     pub dropped_rows: u32,
+    /// How the root is taken.
+    #[serde(skip_serializing_if = "RootForm::is_usual")]
+    pub root_form: RootForm,
 }
 
 impl Format {
@@ -70,6 +74,7 @@ impl Format {
             guard_linear: words.guard_linear,
             guard_quadratic: words.guard_quadratic,
             dropped_rows: words.dropped_rows,
+            root_form: words.root_form,
         }
     }
 
@@ -102,6 +107,7 @@ impl Format {
             guard_linear: self.guard_linear,
             guard_quadratic: self.guard_quadratic,
             dropped_rows: self.dropped_rows,
+            root_form: self.root_form,
         }
     }
 
@@ -118,6 +124,11 @@ impl Format {
     #[inline]
     pub const fn keep_rows(&self, root: i64) -> i64 {
         root >> self.dropped_rows << self.dropped_rows
+    }
+
+    /// Clocks from f2 to its root.
+    pub const fn root_latency(&self, rows_per_stage: u32) -> u32 {
+        Method::of(self.root_form).latency(self.root_rows(), rows_per_stage)
     }
 
     /// Bits of a normal's linear part below the last bit of the component.
@@ -174,10 +185,15 @@ impl Format {
         self.quadratic + self.guard_quadratic
     }
 
-    /// True if all words but the guard bits follow from the depth word.
+    /// True if all words but the guard bits follow from the depth word, whatever the form of the root.
     pub fn follows_depth_word(&self) -> bool {
-        let guards = (self.guard_linear, self.guard_quadratic);
-        Self::of_depth(self.depth).with_guards(guards.0, guards.1) == Ok(*self)
+        let own = Format {
+            guard_linear: self.guard_linear,
+            guard_quadratic: self.guard_quadratic,
+            root_form: self.root_form,
+            ..Self::of_depth(self.depth)
+        };
+        own == *self
     }
 
     /// Data bits of the load bus: the width of the widest word.
@@ -302,6 +318,7 @@ mod tests {
             guard_linear: 1,
             guard_quadratic: 3,
             dropped_rows: 2,
+            root_form: RootForm::Restoring,
         };
         let f = Format::fitted(&small).unwrap();
         assert_eq!((f.quadratic, f.pe2_width(), f.pe1_width()), (16, 19, 13));
@@ -319,6 +336,9 @@ mod tests {
         assert!(refused(|w| w.plane = 9).contains("10 to 22"));
         assert!(refused(|w| w.normal = 9).contains("10 to 16"));
         assert!(refused(|w| w.guard_linear = 17).contains("at most 16 each"));
+        // Six digits are computed.
+        assert!(refused(|w| w.root_form = RootForm::Leading(7)).contains("1 to 6"));
+        assert!(refused(|w| w.root_form = RootForm::Linear(2)).contains("linear root of 6 bits"));
     }
 
     #[test]

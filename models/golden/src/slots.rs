@@ -98,7 +98,7 @@ impl FittedSlot {
     /// Clocks from a slot's raster flags to its outputs.
     pub fn latency(&self, format: &Format, rows_per_stage: u32) -> u32 {
         let cuts = self.planes + u32::from(self.two_volumes);
-        format.root_rows().div_ceil(rows_per_stage) + 2 * cuts + 9
+        format.root_latency(rows_per_stage) + 2 * cuts + 9
     }
 }
 

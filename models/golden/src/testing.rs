@@ -5,6 +5,7 @@ use crate::unit::cut_plane::PlaneKind;
 use crate::unit::depth_interval::Class;
 use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;
+use imogene_contract::RootForm;
 use proptest::prelude::*;
 
 /// Side of the zones that are compared pixel by pixel.
@@ -45,6 +46,15 @@ pub fn kind() -> impl Strategy<Value = PlaneKind> {
         4 => Just(PlaneKind::Back),
         1 => Just(PlaneKind::Perpendicular),
     ]
+}
+
+/// Any form of the root of so many digits; the usual one as often as all others.
+pub fn root_form(digits: u32) -> impl Strategy<Value = RootForm> {
+    let all = (0..=2).flat_map(|count| [RootForm::Linear(count), RootForm::Quadratic(count)]);
+    let leading = (1..=digits).map(RootForm::Leading);
+    let all = all.chain(leading).chain([RootForm::NonRestoring]);
+    let others: Vec<RootForm> = all.filter(|form| form.least_digits() <= digits).collect();
+    prop_oneof![Just(RootForm::Restoring), prop::sample::select(others)]
 }
 
 /// Any class.

@@ -1,7 +1,8 @@
-//! Widths of a fitted machine as text: `depth=20,root=18,plane=30,normal=16,g1=2,g2=4,dropped=0`.
+//! Widths of a fitted machine as text: `depth=20,root=18,plane=30,normal=16,g1=2,g2=4,dropped=0`, with the form of its
+//! root behind them where it is not the usual one: `root_form=linear2`.
 
 use crate::format::{FittedError, Format};
-use imogene_contract::MachineWords;
+use imogene_contract::{MachineWords, RootForm, RootFormError};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -22,6 +23,9 @@ pub enum WidthsError {
     /// A width that is out of its range.
     #[error(transparent)]
     Widths(#[from] FittedError),
+    /// No form of the root.
+    #[error(transparent)]
+    RootForm(#[from] RootFormError),
 }
 
 /// Widths that do not follow from the depth word, by the names of the text.
@@ -68,7 +72,8 @@ impl OwnWidths {
         }
     }
 
-    /// All widths: root = depth, plane = depth + 12, normal = 16, the others 0 where they are not given.
+    /// All widths, and the usual form of the root: root = depth, plane = depth + 12, normal = 16, the others 0 where
+    /// they are not given.
     pub fn beside(&self, depth: u32) -> MachineWords {
         let own = MachineWords::of(depth);
         MachineWords {
@@ -79,22 +84,31 @@ impl OwnWidths {
             guard_linear: self.g1.unwrap_or(own.guard_linear),
             guard_quadratic: self.g2.unwrap_or(own.guard_quadratic),
             dropped_rows: self.dropped.unwrap_or(own.dropped_rows),
+            ..own
         }
     }
 }
 
-/// The names in their order.
+/// The name of the form of the root, which is no number.
+const FORM: &str = "root_form";
+/// The other names in their order.
 const NAMES: [&str; 7] = ["depth", "root", "plane", "normal", "g1", "g2", "dropped"];
 
 /// Reads widths; what is not given follows from the depth word, [`OwnWidths::beside`].
 pub fn parse(text: &str) -> Result<MachineWords, WidthsError> {
     let mut given: [Option<u32>; 7] = [None; 7];
+    let mut form: Option<RootForm> = None;
     for part in text.split(',') {
         let syntax = || WidthsError::Syntax(part.to_owned());
         let (name, value) = part.split_once('=').ok_or_else(syntax)?;
-        let place = NAMES.iter().position(|n| *n == name).ok_or_else(syntax)?;
-        let value = value.parse().map_err(|_| syntax())?;
-        if given[place].replace(value).is_some() {
+        let is_twice = if name == FORM {
+            form.replace(value.parse()?).is_some()
+        } else {
+            let place = NAMES.iter().position(|n| *n == name).ok_or_else(syntax)?;
+            let value = value.parse().map_err(|_| syntax())?;
+            given[place].replace(value).is_some()
+        };
+        if is_twice {
             return Err(WidthsError::Twice(name.to_owned()));
         }
     }
@@ -107,7 +121,10 @@ pub fn parse(text: &str) -> Result<MachineWords, WidthsError> {
         g2,
         dropped,
     };
-    let widths = own.beside(depth.ok_or(WidthsError::NoDepth)?);
+    let widths = MachineWords {
+        root_form: form.unwrap_or_default(),
+        ..own.beside(depth.ok_or(WidthsError::NoDepth)?)
+    };
     Format::fitted(&widths)?;
     Ok(widths)
 }
@@ -124,10 +141,10 @@ pub fn print(widths: &MachineWords) -> String {
         widths.dropped_rows,
     ];
     let parts = NAMES.iter().zip(values);
-    let parts: Vec<String> = parts
-        .map(|(name, value)| format!("{name}={value}"))
-        .collect();
-    parts.join(",")
+    let parts = parts.map(|(name, value)| format!("{name}={value}"));
+    let form = widths.root_form;
+    let form = (!form.is_usual()).then(|| format!("{FORM}={form}"));
+    parts.chain(form).collect::<Vec<_>>().join(",")
 }
 
 #[cfg(test)]
@@ -142,6 +159,11 @@ mod tests {
         assert_eq!(print(&widths), text);
         assert_eq!(parse("depth=24").unwrap(), Format::BASE.widths());
         assert_eq!(parse("g2=4,depth=16").unwrap().guard_quadratic, 4);
+        let text = format!("{text},root_form=linear2");
+        assert_eq!(parse(&text).unwrap().root_form, RootForm::Linear(2));
+        assert_eq!(print(&parse(&text).unwrap()), text);
+        let usual = parse("depth=24,root_form=restoring").unwrap();
+        assert_eq!(usual, Format::BASE.widths());
     }
 
     #[test]
@@ -162,5 +184,8 @@ mod tests {
         assert!(refused("depth=40").contains("accepted are 8 to 32"));
         assert!(refused("depth=4294967295").contains("accepted are 8 to 32"));
         assert!(refused("depth=20,dropped=9").contains("0 to 8"));
+        assert!(refused("depth=20,root_form=linear3").contains("0 to 2 corrections"));
+        assert!(refused("depth=20,root_form=leading21").contains("leading root of 21 bits"));
+        assert!(refused("depth=20,root_form=linear1,root_form=linear1").contains("twice"));
     }
 }

@@ -4,7 +4,7 @@ mod validation;
 
 use imogene_contract::object::ProductSlots;
 use imogene_contract::video::{Span, VideoMode};
-use imogene_contract::volume;
+use imogene_contract::{MachineWords, RootForm, volume};
 use imogene_golden::format::{FittedError, Format};
 use imogene_golden::machine::post_filter::Kernel;
 use imogene_golden::machine::zone::ZoneMachine;
@@ -110,6 +110,9 @@ pub struct MachineDescription {
     /// Widths that do not follow from it.
     #[serde(default, skip_serializing_if = "OwnWidths::is_none")]
     pub widths: OwnWidths,
+    /// How the roots are taken.
+    #[serde(default, skip_serializing_if = "RootForm::is_usual")]
+    pub root_form: RootForm,
     /// Rows of the root networks between registers.
     #[serde(default = "one")]
     pub rows_per_stage: u32,
@@ -315,13 +318,21 @@ impl MachineDescription {
         self.products.0.iter().map(ProductSlots::count).sum()
     }
 
+    /// All its words.
+    pub fn words(&self) -> MachineWords {
+        MachineWords {
+            root_form: self.root_form,
+            ..self.widths.beside(self.depth_word)
+        }
+    }
+
     /// The format of its words.
     ///
     /// # Errors
     ///
     /// When a width is out of its range, which no description has that was checked.
     pub fn format(&self) -> Result<Format, FittedError> {
-        Format::fitted(&self.widths.beside(self.depth_word))
+        Format::fitted(&self.words())
     }
 
     /// Columns and lines of the samples that it draws; none if its mode is not one.

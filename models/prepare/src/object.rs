@@ -199,7 +199,8 @@ fn round(
     Ok(())
 }
 
-/// Proves on the rounded integers that f2, and f1 -+ r, stay within their words on the box; returns the greatest root.
+/// Proves on the rounded integers that f2, and f1 -+ r, stay within their words on the box; returns the greatest root
+/// that the network finds.
 ///
 /// The values are those with guard bits. Dropping them downwards adds less than one to a magnitude, which rounding the
 /// magnitude up to an integer covers; and if that integer fits `S` or `F` bits, the value with its guard bits fits the
@@ -220,6 +221,12 @@ fn prove_widths(
         return Err(refusal("f2", &magnitude, context.format.quadratic));
     }
     let root_max: BigInt = greatest.max(BigRational::zero()).ceil().to_integer().sqrt() + 1;
+    prepared.bounds.greatest_root = to_f64_up(&BigRational::from_integer(root_max.clone()));
+    // An exact root is rounded down.
+    let root_max = match context.format.root_form.is_exact() {
+        true => root_max,
+        false => root_max + most_above(&prepared.bounds),
+    };
     let f1 = LinearForm::of_words(&prepared.words.f1).scaled(&unit(context.format.guard_linear));
     let root = BigRational::from_integer(root_max.clone());
     let sum = sum(&f1.max_abs_on(&window), &root);
@@ -228,6 +235,11 @@ fn prove_widths(
         return Err(refusal("f1 + sqrt(f2)", &sum, context.format.sum));
     }
     Ok(root_max)
+}
+
+/// Most that the network's root is above the true one.
+fn most_above(bounds: &RoundingBounds) -> BigInt {
+    BigInt::from(bounds.root_error(bounds.greatest_root).ceil() as i64)
 }
 
 fn normal_words(

@@ -4,7 +4,7 @@ use super::error::PrepareError;
 use super::forms::{LinearForm, QuadraticForm};
 use super::rounding::Anchor;
 use super::solids::PreparedSolids;
-use imogene_contract::MachineWords;
+use imogene_contract::{MachineWords, RootForm};
 use imogene_golden::format::Format;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::{Lighting, light};
@@ -12,7 +12,7 @@ use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
 use imogene_golden::object::slot::{ProcessorWords, Slot};
 use imogene_golden::object::volume::VolumeWords;
 use imogene_golden::slots::FittedSlot;
-use imogene_golden::unit::root::fast_root;
+use imogene_golden::unit::root::{Method, fast_root, root};
 use imogene_scene::Unseen;
 use num_rational::BigRational;
 use serde::Serialize;
@@ -195,6 +195,12 @@ pub struct RoundingBounds {
     pub product_fraction: u32,
     /// Last digits of the root that are not computed.
     pub dropped_rows: u32,
+    /// How the root is taken.
+    #[serde(skip_serializing_if = "RootForm::is_usual")]
+    pub root_form: RootForm,
+    /// Not below any root of a computed f2 on the screen box.
+    #[serde(skip)]
+    pub greatest_root: f64,
 }
 
 impl ExactForms {
@@ -211,7 +217,17 @@ impl ExactForms {
 impl RoundingBounds {
     /// The root that the network finds of a computed f2.
     pub fn root_of(&self, f2: i64) -> i64 {
-        fast_root(f2.max(0)) >> self.dropped_rows << self.dropped_rows
+        let (f2, dropped) = (f2.max(0), self.dropped_rows);
+        if self.root_form.is_exact() {
+            return fast_root(f2) >> dropped << dropped;
+        }
+        let digits = root(Method::of(self.root_form), f2 as u128 >> (2 * dropped), 32);
+        (digits.root << dropped) as i64
+    }
+
+    /// Most that the root which the network finds is from the true one of its radicand, which is `root`.
+    pub fn root_error(&self, root: f64) -> f64 {
+        self.root_form.error_at(root, self.dropped_rows)
     }
 
     /// Bounds of a format before any coefficient is known: only the guard bits that it drops.
@@ -222,6 +238,9 @@ impl RoundingBounds {
             dropped_f2: dropped(format.guard_quadratic),
             product_fraction: format.product_fraction(),
             dropped_rows: format.dropped_rows,
+            root_form: format.root_form,
+            // Roots stay half a bit below their word.
+            greatest_root: f64::exp2(f64::from(format.root) - 0.5),
             ..RoundingBounds::default()
         }
     }
@@ -250,7 +269,7 @@ impl NeededWidths {
 
     /// The narrowest words of a fitted machine that hold what is needed; the others are those of `wide`.
     pub fn narrowed(&self, wide: &MachineWords) -> MachineWords {
-        let least = 4.max(wide.dropped_rows + 1);
+        let least = 4.max(wide.dropped_rows + wide.root_form.least_digits());
         MachineWords {
             root: self.quadratic.div_ceil(2).max(least).min(wide.root),
             plane: self.plane.clamp(wide.depth, wide.plane),

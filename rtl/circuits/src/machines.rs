@@ -27,6 +27,7 @@ pub fn network(words: &MachineWords, rows_per_stage: u32) -> Network {
         digits: words.root,
         rows: words.root - words.dropped_rows,
         rows_per_stage,
+        form: words.root_form,
     }
 }
 

@@ -29,7 +29,10 @@ fn alone<T>(circuit: impl FnOnce() -> T) -> Design {
 /// With the reason, where the parameters make no circuit.
 pub fn design(p: &Request) -> Design {
     let (depth, rows, planes) = (p.depth_word, p.rows_per_stage, p.planes);
-    let words = MachineWords::of(depth);
+    let words = MachineWords {
+        root_form: p.root_form,
+        ..MachineWords::of(depth)
+    };
     let widths = machines::widths(&words);
     let network = machines::network(&words, rows);
     let linear = || Linear::input(widths.linear);

@@ -1,5 +1,6 @@
 //! Words of a machine that is fitted to a scene.
 
+use crate::root_form::RootForm;
 use crate::words::{
     LEAST_DEPTH, LEAST_NORMAL, LEAST_ROOT, MOST_BITS, MOST_DEPTH, MOST_DROPPED, MOST_GUARD, NORMAL,
     plane, quadratic,
@@ -24,6 +25,9 @@ pub struct MachineWords {
     /// Last digits of the root that are not computed, but zero; 0 to 8 and less than `K`.
     #[serde(default)]
     pub dropped_rows: u32,
+    /// How the root is taken.
+    #[serde(default, skip_serializing_if = "RootForm::is_usual")]
+    pub root_form: RootForm,
 }
 
 /// A word, what it has, and the least and the greatest it may have, in bits.
@@ -40,6 +44,7 @@ impl MachineWords {
             guard_linear: 0,
             guard_quadratic: 0,
             dropped_rows: 0,
+            root_form: RootForm::Restoring,
         }
     }
 
@@ -63,8 +68,8 @@ impl MachineWords {
                 MOST_GUARD.min(left),
             ),
         ];
-        words
-            .into_iter()
-            .find(|(_, bits, least, most)| !(least..=most).contains(&bits))
+        let is_out = |(_, bits, least, most): &WordRange| !(least..=most).contains(&bits);
+        let form = || self.root_form.refused(root - self.dropped_rows);
+        words.into_iter().find(is_out).or_else(form)
     }
 }

@@ -2,7 +2,8 @@
 
 use crate::formula::evaluate;
 use crate::parameters::{PARAMETERS, Parameter, with_parameters};
-use crate::unit::Unit;
+use crate::root_form::RootForm;
+use crate::unit::{OBJECT_ROOT, Unit};
 use crate::words::{MOST_DEPTH, MOST_OBJECTS};
 use std::fmt::Write;
 use thiserror::Error;
@@ -76,13 +77,20 @@ macro_rules! request {
             pub unit: Unit,
             /// Depth word `W` of the format.
             pub depth_word: u32,
+            /// Form of the root, of units that hold an object's.
+            pub root_form: RootForm,
             $(#[doc = $meaning] pub $field: u32,)*
         }
 
         impl Request {
             /// A unit with its default parameters.
             pub fn of(unit: Unit, depth_word: u32) -> Request {
-                let mut request = Request { unit, depth_word, $($field: 0),* };
+                let mut request = Request {
+                    unit,
+                    depth_word,
+                    root_form: RootForm::default(),
+                    $($field: 0),*
+                };
                 for parameter in PARAMETERS.iter().chain(unit.record().parameters) {
                     *request.place(parameter) = parameter.default.unwrap_or(depth_word / 2);
                 }
@@ -140,6 +148,17 @@ impl Request {
         Ok(request)
     }
 
+    /// The same with another form of the root.
+    ///
+    /// # Errors
+    ///
+    /// When the unit holds no root of an object, or the form takes no root of this depth word.
+    pub fn with_root_form(self, root_form: RootForm) -> Result<Request, RequestError> {
+        let request = Request { root_form, ..self };
+        request.check()?;
+        Ok(request)
+    }
+
     /// Checks every parameter against its legal range.
     ///
     /// # Errors
@@ -157,6 +176,15 @@ impl Request {
             let most = parameter.most.unwrap_or(self.depth_word);
             let value = self.get(parameter) as usize;
             in_range(parameter.option, value, parameter.least, most)?;
+        }
+        if !self.root_form.is_usual() && !self.unit.has_object_root() {
+            return Err(RequestError::Foreign {
+                parameter: "root-form",
+                unit: self.unit.name(),
+            });
+        }
+        if let Some((word, bits, least, most)) = self.root_form.refused(self.depth_word) {
+            in_range(word, bits as usize, least, most)?;
         }
         if self.unit == Unit::CardDecider {
             let inputs = (self.objects * self.cards) as usize;
@@ -187,12 +215,31 @@ impl Request {
 
     /// Latency in clocks.
     pub fn latency(&self) -> usize {
-        let clocks = evaluate(self.unit.record().latency, &|symbol| self.value(symbol));
+        let clocks = evaluate(&self.latency_formula(), &|symbol| self.value(symbol));
         clocks as usize
     }
 
-    /// How far a result is from what the unit computes.
+    /// The formula of the latency: that of the record, with the clocks of the root where it has another form.
+    pub fn latency_formula(&self) -> String {
+        let formula = self.unit.record().latency;
+        if self.root_form.is_usual() {
+            return formula.to_owned();
+        }
+        let root = self.root_form.latency(self.depth_word, self.rows_per_stage);
+        formula.replace(OBJECT_ROOT, &format!("{root} +"))
+    }
+
+    /// How far a result is from what the unit computes, and how far its root is from the true one if that is not exact.
     pub fn error(&self) -> String {
+        let own = self.stated_error();
+        if self.root_form.is_exact() {
+            return own;
+        }
+        let root = self.root_form.request(self.depth_word, self.rows_per_stage);
+        format!("{own}; root, {}", root.stated_error())
+    }
+
+    fn stated_error(&self) -> String {
         let mut parts = self.unit.record().error.split(['{', '}']);
         let mut text = parts.next().unwrap_or_default().to_owned();
         while let (Some(place), Some(rest)) = (parts.next(), parts.next()) {
@@ -232,6 +279,9 @@ impl Request {
     /// Format and parameters as on the command line.
     pub fn arguments(&self) -> String {
         let mut text = format!("--format {}", self.depth_word);
+        if !self.root_form.is_usual() {
+            let _ = write!(text, " --root-form {}", self.root_form);
+        }
         for (option, value) in self.options() {
             let _ = write!(text, " --{option} {value}");
         }
@@ -304,5 +354,39 @@ mod tests {
             assert!(!record.computes.is_empty() && !record.source.is_empty());
             assert_eq!(Unit::from_name(record.name), Ok(unit));
         }
+    }
+
+    #[test]
+    fn forms_of_the_root_are_of_units_that_hold_one() {
+        let with = |unit, text: &str| {
+            let form = text.parse().expect("a form");
+            Request::new(unit).with_root_form(form)
+        };
+        let linear = with(Unit::QuadricProcessor, "linear2").expect("legal");
+        assert_eq!(linear.latency(), 1 + 2 * 2 + 2 * 3 + 11);
+        assert!(linear.error().contains("root, bound: 0.473 %"));
+        assert!(linear.arguments().contains("--root-form linear2"));
+        let beam = with(Unit::Beam, "leading8").expect("legal");
+        assert_eq!(beam.latency(), 1 + (8 + 2 + 2 * 3 + 11) + 2);
+        for unit in Unit::ALL {
+            assert!(with(unit, "restoring").is_ok());
+            let holds_one = [
+                "quadric_pe",
+                "quadric_processor",
+                "patch_processor",
+                "first_generation_processor",
+                "quadric_volume",
+                "beam",
+            ];
+            let is_taken = with(unit, "quadratic0").is_ok();
+            assert_eq!(
+                is_taken,
+                holds_one.contains(&unit.name()),
+                "{}",
+                unit.name()
+            );
+        }
+        let refused = with(Unit::QuadricPe, "leading25").unwrap_err().to_string();
+        assert!(refused.contains("leading root = 25"), "{refused}");
     }
 }

@@ -3,6 +3,9 @@
 pub use crate::catalogue::Unit;
 use crate::words::LEAST_DEPTH;
 
+/// The root of an object in the latencies of records; another form of it takes its place.
+pub(crate) const OBJECT_ROOT: &str = "ceil(W / R) +";
+
 impl Unit {
     /// Name of the unit, its file and its Verilog module.
     pub const fn name(self) -> &'static str {
@@ -16,6 +19,11 @@ impl Unit {
             Unit::SquareRootQuadratic => 12,
             _ => LEAST_DEPTH,
         }
+    }
+
+    /// Does it take the root of an object, which has several forms?
+    pub fn has_object_root(self) -> bool {
+        self.record().latency.contains(OBJECT_ROOT)
     }
 
     /// Has it a parameter of this option?

@@ -108,11 +108,13 @@ fn unit(request: &Request, prefix: &str) -> Result<Emitted, RequestError> {
     let design = design(request)?;
     let record = request.unit.record();
     let format = format!("format {}", request.depth_word);
+    let form = request.root_form;
+    let form = (!form.is_usual()).then(|| format!("root form {form}"));
     let options = request.options().into_iter();
     let options = options.map(|(option, value)| format!("{} {value}", option.replace('-', " ")));
     let heading = Heading {
         contract: record.computes,
-        parameters: std::iter::once(format).chain(options).collect(),
+        parameters: std::iter::once(format).chain(form).chain(options).collect(),
         error: &request.error(),
         source: record.source,
         command: &request.command_with_prefix(prefix),

@@ -22,12 +22,19 @@ pub(super) fn check_words(words: &MachineWords, rows_per_stage: usize) -> Result
 /// The words as the header of the Verilog states them.
 pub(super) fn lines(words: &MachineWords, rows_per_stage: usize) -> Vec<String> {
     let rows = format!("rows per stage {rows_per_stage}");
-    if *words == MachineWords::of(words.depth) {
-        return vec![format!("format {}", words.depth), rows];
+    let form = words.root_form;
+    let form = (!form.is_usual()).then(|| format!("root form {form}"));
+    let usual = MachineWords {
+        root_form: words.root_form,
+        ..MachineWords::of(words.depth)
+    };
+    if *words == usual {
+        let format = format!("format {}", words.depth);
+        return [format, rows].into_iter().chain(form).collect();
     }
     let (root, dropped) = (words.root, words.dropped_rows);
     let (linear, quadratic) = (words.guard_linear, words.guard_quadratic);
-    vec![
+    [
         format!("depth word {}", words.depth),
         format!("root {root}, of which the last {dropped} digits are zero"),
         format!("plane word {}", words.plane),
@@ -35,6 +42,9 @@ pub(super) fn lines(words: &MachineWords, rows_per_stage: usize) -> Vec<String> 
         format!("guard bits {linear} of f1, {quadratic} of f2"),
         rows,
     ]
+    .into_iter()
+    .chain(form)
+    .collect()
 }
 
 /// Refuses slots that are too many, or have too many planes or sides.

@@ -277,6 +277,24 @@ fn processors_and_machines_of_every_depth() {
             check(&unit(of, &shape), ROOTS_OF_PE, GO, "out_valid");
         }
     }
+    for form in [
+        "non-restoring",
+        "linear0",
+        "linear2",
+        "quadratic1",
+        "leading7",
+    ] {
+        let with_form = |of| Request {
+            root_form: form.parse().expect("a form"),
+            ..unit(of, &[("planes", 1), ("rows-per-stage", 3)])
+        };
+        for output in ["out_valid", "zf", "nx"] {
+            check(&with_form(Unit::QuadricProcessor), ROOTS, GO, output);
+        }
+        for of in [Unit::PatchProcessor, Unit::QuadricVolume] {
+            check(&with_form(of), ROOTS_OF_PE, GO, "out_valid");
+        }
+    }
     for planes in 1..=12 {
         check(
             &unit(Unit::PolyhedronProcessor, &[("planes", planes)]),

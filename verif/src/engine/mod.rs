@@ -89,7 +89,7 @@ pub fn processor_signals(
     rows_per_stage: usize,
 ) -> Vec<ProbeSignal> {
     let (w, normal) = (format.depth, format.normal);
-    let root = (format.root_rows() as usize).div_ceil(rows_per_stage);
+    let root = format.root_latency(rows_per_stage as u32) as usize;
     let mut list = Vec::new();
     let mut add = |name: &str, width: u32, offset: usize, point: &str| {
         let signed = !["root", "merged_nf", "number"].contains(&name);

@@ -95,6 +95,7 @@ pub fn unit(
         objects: slots.len() as u32,
         planes,
         rows_per_stage: rows,
+        root_form: scene.format.root_form,
         ..Request::of(Unit::Beam, scene.format.depth)
     };
     Ok((request, clocks))

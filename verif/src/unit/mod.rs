@@ -28,7 +28,7 @@ use crate::engine::{BUILT_IN, LEVELISED};
 use crate::signal::Signal;
 use crate::subject::Subject;
 use description::Description;
-use imogene_contract::{Request, RequestError, Unit};
+use imogene_contract::{MachineWords, Request, RequestError, Unit};
 use imogene_golden::format::Format;
 use imogene_golden::unit::root::Method;
 use imogene_hdl::Direction;
@@ -91,7 +91,11 @@ pub fn levelised(request: &Request) -> Result<Subject, RequestError> {
 
 /// Joins each unit to its golden model and stimulus.
 fn describe(p: &Request) -> Description {
-    let format = Format::new(p.depth_word).expect("a checked request");
+    let words = MachineWords {
+        root_form: p.root_form,
+        ..MachineWords::of(p.depth_word)
+    };
+    let format = Format::fitted(&words).expect("a checked request");
     let n = |count: u32| count as usize;
     let [planes, rows, objects] = [p.planes, p.rows_per_stage, p.objects].map(n);
     let network = |method| root::network(format, method, rows);

@@ -8,7 +8,7 @@ use imogene_golden::format::{Format, wrap64};
 use imogene_golden::unit::pe1::Pe1;
 use imogene_golden::unit::pe2::Pe2;
 use imogene_golden::unit::root::iterative::IterativeRoot;
-use imogene_golden::unit::root::{Method, restoring_root, root};
+use imogene_golden::unit::root::{Method, root};
 use proptest::prelude::*;
 
 /// The low bits of a word as a number without sign.
@@ -59,7 +59,7 @@ fn starts(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
 }
 
 pub(super) fn quadric_pe(format: Format, rows_per_stage: usize) -> Description {
-    let root_latency = (format.root as usize).div_ceil(rows_per_stage);
+    let root_latency = format.root_latency(rows_per_stage as u32) as usize;
     Description::new(any_words, move || {
         let mut zone = None;
         let (mut late, mut late_flags) = (late(root_latency + 2), late(root_latency));
@@ -122,8 +122,10 @@ fn start(i: &[i64], format: &Format) -> (Pe1, Pe2) {
 }
 
 fn depths(f1: i64, f2: i128, format: &Format) -> [i64; 4] {
+    // Where f2 is negative an approximation can have a digit more, which is not handed on.
     let radicand = unsigned(f2, format.quadratic);
-    let root = restoring_root(radicand, format.root).root as i64;
+    let found = root(Method::of(format.root_form), radicand, format.root).root;
+    let root = unsigned(found.into(), format.root) as i64;
     [
         wrap64(f1 - root, format.sum),
         wrap64(f1 + root, format.sum),

@@ -22,6 +22,9 @@ pub struct Loaded {
 /// A unit with so many planes or sides.
 fn loaded(unit: Unit, count: usize, writer: Writer) -> Loaded {
     let mut request = Request::of(unit, writer.format.depth);
+    if unit.has_object_root() {
+        request.root_form = writer.format.root_form;
+    }
     match unit.has("sides") {
         true => request.sides = count as u32,
         false => request.planes = count as u32,

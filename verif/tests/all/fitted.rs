@@ -41,15 +41,7 @@ fn prepared(index: usize) -> (PreparedScene, Vec<FittedSlot>, u32) {
     let (name, depth, [more_root, more_plane], normal, [g1, g2], dropped_rows, rows) =
         MACHINES[index];
     let framed = scene(name).frame(SIZE.0, SIZE.1).unwrap();
-    let widest = MachineWords {
-        depth,
-        root: depth,
-        plane: depth + 12,
-        normal: 16,
-        guard_linear: 0,
-        guard_quadratic: 0,
-        dropped_rows: 0,
-    };
+    let widest = MachineWords::of(depth);
     let wide = prepare(&framed, Format::fitted(&widest).unwrap()).unwrap();
     let quadrics = || wide.quadrics().map(|(_, object)| &object.needed);
     let quadratic = quadrics().map(|n| n.quadratic).max().unwrap();

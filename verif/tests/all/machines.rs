@@ -83,6 +83,7 @@ fn of_words(name: &str, words: &str) -> MachineDescription {
     MachineDescription {
         depth_word: own.depth_word,
         widths: own.widths,
+        root_form: own.root_form,
         rows_per_stage: 5,
         ..machine
     }
@@ -93,7 +94,9 @@ fn machines_of_any_words_in_the_built_in_simulator() {
     let own = "widths = { root = 20, plane = 29, normal = 13, g1 = 3, g2 = 5, dropped = 2 }";
     let own = format!("depth_word = 20\n{own}");
     let (zone, beam) = ("zone-160x120.toml", "beam-160x120.toml");
-    let cases: [(&str, &str, &str); 8] = [
+    let linear = format!("{own}\nroot_form = \"linear2\"");
+    let leading = format!("{own}\nroot_form = \"leading8\"");
+    let cases: [(&str, &str, &str); 14] = [
         ("shadows/robot.toml", zone, "depth_word = 18"),
         ("shadows/robot.toml", zone, &own),
         ("teapot.toml", zone, "depth_word = 8"),
@@ -106,6 +109,12 @@ fn machines_of_any_words_in_the_built_in_simulator() {
         ("teapot.toml", beam, &own),
         ("teapot.toml", beam, "depth_word = 11"),
         ("crossing-cylinders.toml", "beam-stream.toml", &own),
+        ("shadows/robot.toml", zone, &linear),
+        ("shadows/robot.toml", zone, &leading),
+        ("teapot.toml", zone, "root_form = \"quadratic1\""),
+        ("teapot.toml", beam, &linear),
+        ("teapot.toml", beam, "root_form = \"non-restoring\""),
+        ("crossing-cylinders.toml", "beam-stream.toml", &leading),
     ];
     for (scene, name, words) in cases {
         let machine = of_words(name, words);

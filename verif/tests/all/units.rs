@@ -1,7 +1,7 @@
 //! Every unit against its golden model, cycle by cycle, on random stimulus biased to the edges; failures shrink and are
 //! replayed from their seeds.
 
-use imogene_contract::{Request, Unit};
+use imogene_contract::{MachineWords, Request, RootForm, Unit};
 use imogene_golden::format::Format;
 use imogene_verif::subject::LANES;
 use imogene_verif::unit::{subject, units};
@@ -98,6 +98,30 @@ fn shortened_and_corrected_roots_of_every_parameter() {
     }
 }
 
+/// Every form of the root of an object, the shortest and the longest with its digits.
+fn forms() -> Vec<RootForm> {
+    let corrected = (0..=2).flat_map(|count| [RootForm::Linear(count), RootForm::Quadratic(count)]);
+    let leading = [1, 5, 16].map(RootForm::Leading);
+    let exact = [RootForm::Restoring, RootForm::NonRestoring];
+    exact.into_iter().chain(corrected).chain(leading).collect()
+}
+
+#[test]
+fn processors_with_every_form_of_the_root() {
+    for unit in units().filter(|unit| unit.has_object_root()) {
+        for (depth_word, rows_per_stage) in [(16, 1), (24, 5), (32, 3)] {
+            for root_form in forms() {
+                let request = Request {
+                    rows_per_stage,
+                    root_form,
+                    ..Request::of(unit, depth_word)
+                };
+                check(&request, CLOCKS);
+            }
+        }
+    }
+}
+
 #[test]
 fn processors_with_0_to_12_planes() {
     for planes in 0..=12 {
@@ -151,14 +175,22 @@ fn both_sides_state_the_same_latency() {
     use imogene_golden::object::{
         curved_facet, cylinder, facet, first_generation, patch, polyhedron, quadric, sphere, volume,
     };
-    for depth_word in Format::CATALOGUE {
-        let format = Format::new(depth_word).unwrap();
-        for planes in 1..=12 {
+    let words = Format::CATALOGUE.into_iter();
+    for (depth_word, root_form) in
+        words.flat_map(|word| forms().into_iter().map(move |f| (word, f)))
+    {
+        let words = MachineWords {
+            root_form,
+            ..MachineWords::of(depth_word)
+        };
+        let format = Format::fitted(&words).unwrap();
+        for planes in [1, 2, 12] {
             for rows in [1, 3, 7, 16] {
                 let stated = |unit| {
                     let request = Request {
                         planes: planes as u32,
                         rows_per_stage: rows,
+                        root_form,
                         ..Request::of(unit, depth_word)
                     };
                     request.latency() as u32

@@ -13,7 +13,6 @@ use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::unit::normal::NormalWords;
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;
-use imogene_golden::unit::root::fast_root;
 use imogene_prepare::PreparedQuadric;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -175,7 +174,7 @@ impl Depths {
             return self;
         }
         let f1 = i128::from(words.f1_at(x, y, format));
-        let root = format.keep_rows(fast_root(f2));
+        let root = format.root_of(f2);
         let change = root_parts(&words.normal, root, format);
         let normal = std::array::from_fn(|k| {
             // As loaded, not as the register holds it: what is asked is how long that would have to be.

@@ -16,7 +16,7 @@
 //! it matter that f1 drops its guard bits before r is added: r is an integer.
 //!
 //! A root network without its last d rows gives `r = 2^d floor(floor(sqrt(f2')) / 2^d)`, and the last term lies in
-//! `(-2^d, 0]`.
+//! `(-2^d, 0]`. Of an approximate root it lies within [`RoundingBounds::root_error`] on both sides.
 //!
 //! [`DepthTerms`] bounds each term from f2' alone; [`face_bound`] is sharper than their sum, because r is known from
 //! f2': `sqrt(f2)` lies between `sqrt(max(0, f2' - e2))` and `sqrt(f2' + (1 - 2^-g2) + e2)`, and the farther of these
@@ -103,14 +103,14 @@ pub(super) fn root_error(f2: i64, bounds: &RoundingBounds) -> f64 {
     (range.high - root).max(root - range.low)
 }
 
-/// The ranges of the two roots `f1 -+ sqrt(f2)`; the computed roots, with their floor, lie in them too.
+/// The ranges of the two roots `f1 -+ sqrt(f2)`; the computed roots lie in them too.
 pub(super) fn face_ranges(f1: i64, f2: i64, bounds: &RoundingBounds) -> (Range, Range) {
-    let root = root_range(f2, bounds);
-    let lowest = root.low.min(bounds.root_of(f2) as f64);
+    let (root, computed) = (root_range(f2, bounds), bounds.root_of(f2) as f64);
+    let (low, high) = (root.low.min(computed), root.high.max(computed));
     let f1 = Range::of_dropped(f1, bounds.f1, bounds.dropped_f1);
     (
-        Range::new(f1.low - root.high, f1.high - lowest),
-        Range::new(f1.low + lowest, f1.high + root.high),
+        Range::new(f1.low - high, f1.high - low),
+        Range::new(f1.low + low, f1.high + high),
     )
 }
 
@@ -124,7 +124,7 @@ pub struct DepthTerms {
     pub truncation: f64,
     /// Rounding of the coefficients of f2, through the root.
     pub quadratic: f64,
-    /// Floor of the root: at most this, and less unless it is zero.
+    /// Floor of the root, or what an approximate root is off: at most this, and less unless it is zero.
     pub root_floor: f64,
 }
 
@@ -152,13 +152,8 @@ pub fn depth_terms(bounds: &RoundingBounds, f2: i64) -> DepthTerms {
         linear: bounds.f1,
         truncation: bounds.dropped_f1,
         quadratic: below.max(above) * (1.0 + FLOAT_MARGIN),
-        root_floor: floor_of_root(bounds),
+        root_floor: bounds.root_error(high.sqrt()),
     }
-}
-
-/// Most that the floor of the root takes: one unit of the last digit that is computed.
-fn floor_of_root(bounds: &RoundingBounds) -> f64 {
-    f64::exp2(f64::from(bounds.dropped_rows))
 }
 
 /// `sqrt(high) - sqrt(high - step)` without cancellation.
@@ -193,14 +188,14 @@ pub fn face_bound(bounds: &RoundingBounds, number: u8, f2: i64) -> f64 {
     (bounds.f1 + rooted) * (1.0 + FLOAT_MARGIN)
 }
 
-/// The terms at any pixel, in closed form: `sqrt(q2 + e2) - sqrt(q2)` is greatest at q2 = 0, and `sqrt(q2) - sqrt(q2 -
-/// e2)` at q2 = e2; both are then sqrt(e2).
+/// The terms at any pixel of the screen box, in closed form: `sqrt(q2 + e2) - sqrt(q2)` is greatest at q2 = 0, and
+/// `sqrt(q2) - sqrt(q2 - e2)` at q2 = e2; both are then sqrt(e2).
 pub(super) fn worst_terms(bounds: &RoundingBounds) -> DepthTerms {
     DepthTerms {
         linear: bounds.f1,
         truncation: bounds.dropped_f1,
         quadratic: bounds.f2.sqrt() * (1.0 + FLOAT_MARGIN),
-        root_floor: floor_of_root(bounds),
+        root_floor: bounds.root_error(bounds.greatest_root),
     }
 }
 

@@ -3,10 +3,9 @@
 use imogene_algebra::rational::{fraction, from_f64_exact, integer, power_of_two};
 use imogene_analysis::bounds::depth_bound;
 use imogene_analysis::exact::real::SurdReal;
-use imogene_contract::MachineWords;
+use imogene_contract::{MachineWords, RootForm};
 use imogene_golden::format::Format;
 use imogene_golden::unit::depth_interval::{Class, FACE_FAR, FACE_NEAR};
-use imogene_golden::unit::root::fast_root;
 use imogene_prepare::{PreparedQuadric, prepare_for_roots as prepare_for};
 use imogene_scene::Surface;
 use imogene_testkit::*;
@@ -23,22 +22,37 @@ fn formats() -> impl Strategy<Value = Format> {
     })
 }
 
-/// Of fitted machines: depth words of no catalogue, normals of 10 to 16 bits, root networks without their last rows.
+const FORMS: [RootForm; 8] = [
+    RootForm::NonRestoring,
+    RootForm::Linear(0),
+    RootForm::Linear(1),
+    RootForm::Linear(2),
+    RootForm::Quadratic(0),
+    RootForm::Quadratic(1),
+    RootForm::Leading(3),
+    RootForm::Leading(12),
+];
+
+/// Of fitted machines: depth words of no catalogue, normals of 10 to 16 bits, root networks without their last rows,
+/// and every form of the root.
 fn fitted_formats() -> impl Strategy<Value = Format> {
-    (12u32..=28, 10u32..=16, 0u32..=4, 0u32..=8, 0u32..=8).prop_map(
-        |(depth, normal, linear, quadratic, dropped)| {
-            let widths = MachineWords {
-                depth,
-                root: depth,
-                plane: depth + 12,
-                normal,
-                guard_linear: linear,
-                guard_quadratic: quadratic,
-                dropped_rows: dropped,
-            };
-            Format::fitted(&widths).expect("within limits")
-        },
-    )
+    let form = prop_oneof![Just(RootForm::Restoring), prop::sample::select(&FORMS[..])];
+    let widths = (12u32..=28, 10u32..=16, 0u32..=4, 0u32..=8, 0u32..=8);
+    (widths, form).prop_map(|((depth, normal, linear, quadratic, dropped), form)| {
+        let digits = depth - dropped;
+        let widths = MachineWords {
+            normal,
+            guard_linear: linear,
+            guard_quadratic: quadratic,
+            dropped_rows: dropped,
+            root_form: match form.least_digits() <= digits {
+                true => form,
+                false => RootForm::Leading(digits / 2),
+            },
+            ..MachineWords::of(depth)
+        };
+        Format::fitted(&widths).expect("within limits")
+    })
 }
 
 /// `|computed - exact| <= bound`, exactly.
@@ -84,7 +98,7 @@ fn check_pixel(
     if f2.is_negative() || own_f2 < 0 || words.class == Class::Prism {
         return Ok(());
     }
-    let root = format.keep_rows(fast_root(own_f2));
+    let root = format.root_of(own_f2);
     for (face, sign) in [(FACE_NEAR, -1), (FACE_FAR, 1)] {
         let bound = depth_bound(object, face, own_f2);
         let depth = own_f1 + i64::from(sign) * root;

@@ -2,6 +2,7 @@
 
 use imogene_analysis::bounds::{depth_bound, normal_bound, undecided_pixels};
 use imogene_analysis::exact::render::{DEPTH_FRACTION, ExactPixel};
+use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
 use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
@@ -325,6 +326,52 @@ fn bounds_hold_with_guard_bits() {
                 assert!(depths.worst <= last.0 && undecided <= last.1);
                 last = (depths.worst, undecided);
             }
+        }
+    }
+}
+
+/// With an approximate root every depth stays within its bound, and no pixel is another one that was declared decided.
+#[test]
+fn bounds_hold_with_every_form_of_the_root() {
+    let files = scene_files();
+    for name in ["cone", "front-view", "teapot"] {
+        let file = files
+            .iter()
+            .find(|f| f.file_stem().is_some_and(|s| s == name))
+            .expect("in the collection");
+        let worst = |form: &str, dropped_rows: u32| {
+            let format = Format::fitted(&MachineWords {
+                root_form: form.parse().expect("a form"),
+                dropped_rows,
+                ..MachineWords::of(24)
+            });
+            let pictures = pictures(file, format.expect("within limits"));
+            let depths = pictures.compare_depths(name);
+            pictures.compare_normals(name);
+            println!(
+                "{name}, {form} less {dropped_rows}: depth {:.0} (bound there {:.0}, tightest {:.0} %), {} pixels differ of {} undecided",
+                depths.worst,
+                depths.bound_at_worst,
+                100.0 * depths.ratio,
+                pictures.differences(name).len(),
+                pictures.undecided_count()
+            );
+            depths.worst
+        };
+        let exact = worst("restoring", 0);
+        assert_eq!(exact, worst("non-restoring", 0));
+        let linear = [0, 1, 2].map(|count| worst(&format!("linear{count}"), 0));
+        assert!(
+            linear.is_sorted_by(|a, b| a > b) && linear[2] > exact,
+            "{linear:?}"
+        );
+        for (form, dropped) in [
+            ("quadratic0", 0),
+            ("quadratic1", 4),
+            ("leading4", 0),
+            ("leading8", 2),
+        ] {
+            assert!(worst(form, dropped) > exact, "{form}");
         }
     }
 }

@@ -163,7 +163,7 @@ pub fn patch(near: i64, far: i64, contours: Contours, format: &Format) -> Interv
 
 /// Latency in clocks from the raster flags to the outputs.
 pub fn latency(format: &Format, rows_per_stage: u32) -> u32 {
-    format.root.div_ceil(rows_per_stage) + 9
+    format.root_latency(rows_per_stage) + 9
 }
 
 /// The processor running over a zone.

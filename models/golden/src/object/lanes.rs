@@ -183,6 +183,11 @@ impl Block {
             self.root[lane] = format.keep_rows(fast_root(radicand)) as u32;
             self.depths.f2[lane] = (radicand >> 32) as i32;
         }
+        if !format.root_form.is_exact() {
+            for lane in pixels.lanes() {
+                self.root[lane] = format.root_of(self.radicand[lane]) as u32;
+            }
+        }
     }
 
     /// PE1 and both sums, saturated: in 32 bits if no sum can wrap or needs more.

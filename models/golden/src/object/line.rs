@@ -100,13 +100,13 @@ mod tests {
     use super::*;
     use crate::object::quadric::{PlaneWords, ScreenBox};
     use crate::object::words::Object;
-    use crate::testing::{class, kind};
+    use crate::testing::{class, kind, root_form};
     use crate::unit::depth_interval::Class;
     use crate::unit::normal::NormalWords;
     use crate::unit::pe1::Linear;
     use crate::unit::pe2::Quadratic;
     use crate::unit::root::fast_root;
-    use imogene_contract::MachineWords;
+    use imogene_contract::{MachineWords, RootForm};
     use proptest::prelude::*;
 
     /// Columns of the zones: several times as many as there are lanes.
@@ -123,21 +123,28 @@ mod tests {
             own.prop_map(move |(root, plane, normal)| (depth, root, plane, normal))
         });
         let last = prop_oneof![1 => 0u32..=8, 1 => Just(0)];
-        (own, 0u32..=16, 0u32..=16, last).prop_map(
-            |((depth, root, plane, normal), g1, g2, last)| {
+        let widths = (own, 0u32..=16, 0u32..=16, last).prop_map(
+            |((depth, root, plane, normal), g1, g2, last)| MachineWords {
+                plane,
+                normal,
+                root,
+                // The 32-bit word leaves no room for guard bits of f2, and none is narrower than what it rests on.
+                guard_quadratic: g2.min(64 - 2 * root),
+                guard_linear: g1,
+                dropped_rows: last.min(root - 1),
+                ..MachineWords::of(depth)
+            },
+        );
+        widths.prop_flat_map(|widths| {
+            let forms = root_form(widths.root - widths.dropped_rows);
+            forms.prop_map(move |root_form| {
                 let widths = MachineWords {
-                    depth,
-                    root,
-                    plane,
-                    normal,
-                    // The 32-bit word leaves no room for guard bits of f2, and none is narrower than what it rests on.
-                    guard_quadratic: g2.min(64 - 2 * root),
-                    guard_linear: g1,
-                    dropped_rows: last.min(root - 1),
+                    root_form,
+                    ..widths
                 };
                 Format::fitted(&widths).unwrap()
-            },
-        )
+            })
+        })
     }
 
     /// The same, now and then with accumulators that are too short for what the machine's words need.
@@ -258,6 +265,14 @@ mod tests {
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(4000))]
+
+        #[test]
+        fn exact_roots_make_the_same_processor(
+            (format, words) in any_format().prop_flat_map(|format| (Just(format), words(format))), x in 0..WIDTH
+        ) {
+            let of = |root_form| words.probe_at(x, 0, &Format { root_form, ..format });
+            prop_assert_eq!(of(RootForm::Restoring), of(RootForm::NonRestoring));
+        }
 
         #[test]
         fn lines_equal_the_processor_pixel_by_pixel(

@@ -11,7 +11,7 @@ use crate::unit::quadric_pe::QuadricDepths;
 
 /// Latency in clocks from the raster flags to the outputs; the same for any number of planes.
 pub fn latency(format: &Format, rows_per_stage: u32) -> u32 {
-    format.root_rows().div_ceil(rows_per_stage) + 9
+    format.root_latency(rows_per_stage) + 9
 }
 
 /// What the processor hands on for pixel (x, y) of the zone. The class and the normals of the planes are not read.

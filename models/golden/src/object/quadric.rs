@@ -126,7 +126,7 @@ pub struct Probe {
 
 /// Latency in clocks from the raster flags to the outputs of a quadric processor.
 pub fn latency(format: &Format, planes: usize, rows_per_stage: u32) -> u32 {
-    format.root_rows().div_ceil(rows_per_stage) + 2 * planes as u32 + 11
+    format.root_latency(rows_per_stage) + 2 * planes as u32 + 11
 }
 
 /// The processor running over a zone.

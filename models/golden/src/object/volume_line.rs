@@ -8,7 +8,6 @@ use crate::unit::depth_interval::Class;
 use crate::unit::membership::{Point, in_half_space, in_quadric};
 use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;
-use crate::unit::root::fast_root;
 
 /// A first-degree accumulator at the current pixel; wraps at 64 bits, which keeps every narrower word exact.
 #[derive(Clone, Copy, Default)]
@@ -115,7 +114,7 @@ impl QuadricLine {
             return in_quadric(self.class, 0, 0, negative, point);
         }
         let linear = format.drop_linear(wrap64(f1, format.pe1_width()));
-        let root = format.keep_rows(fast_root(radicand));
+        let root = format.root_of(radicand);
         let near = wrap64(linear - root, format.sum);
         let far = wrap64(linear + root, format.sum);
         in_quadric(self.class, near, far, false, point.coarse(self.shift))
@@ -127,7 +126,7 @@ mod tests {
     use super::*;
     use crate::object::quadric::ScreenBox;
     use crate::object::volume::{MAX_SHIFT, VolumeKind, VolumePlane, VolumeQuadric};
-    use crate::testing::{SIDE, class, kind, linear, quadratic, window};
+    use crate::testing::{SIDE, class, kind, linear, quadratic, root_form, window};
     use imogene_contract::MachineWords;
     use proptest::prelude::*;
 
@@ -190,7 +189,7 @@ mod tests {
         fn lines_equal_the_processor_pixel_by_pixel(
             quadric in proptest::option::of(quadric()), planes in proptest::collection::vec(plane(), 0..=5),
             depths in proptest::collection::vec(-(1i64 << 23) + 1..1 << 23, 20), margin in 0u32..1000,
-            screen_box in window(), guards in 0u32..=8, dropped_rows in 0u32..=8
+            screen_box in window(), guards in 0u32..=8, dropped_rows in 0u32..=8, root_form in root_form(16)
         ) {
             let words = VolumeWords {
                 kind: VolumeKind::Shadow,
@@ -204,6 +203,7 @@ mod tests {
                 guard_linear: guards,
                 guard_quadratic: guards,
                 dropped_rows,
+                root_form,
                 ..Format::BASE.widths()
             };
             let format = Format::fitted(&widths).unwrap();

@@ -3,7 +3,7 @@
 
 use super::pe1::Linear;
 use super::pe2::Quadratic;
-use super::root::restoring_root;
+use super::root::{Method, fast_root, root};
 use crate::format::{Format, wrap64};
 
 /// Values of the core at a pixel.
@@ -26,16 +26,38 @@ impl QuadricDepths {
     pub fn at(f1: &Linear, f2: &Quadratic, x: i64, y: i64, format: &Format) -> QuadricDepths {
         let f1 = format.drop_linear(f1.wrapped_at(x, y, format.pe1_width()) as i64);
         let f2 = format.drop_quadratic(f2.wrapped_at(x, y, format.pe2_width()) as i64);
-        let radicand = (f2 as u128) & ((1 << format.quadratic) - 1);
-        // The network without its last rows: floor(sqrt(q / 4^d)) = floor(sqrt(q)) / 2^d, rounded down.
-        let digits = restoring_root(radicand >> (2 * format.dropped_rows), format.root_rows());
-        let root = (digits.root as i64) << format.dropped_rows;
+        let root = root_of(f2, format);
         QuadricDepths {
             f1,
             f2,
             root,
             near: wrap64(f1 - root, format.sum),
             far: wrap64(f1 + root, format.sum),
+        }
+    }
+}
+
+/// The root of f2 as the network of a format finds it, of no meaning where f2 is negative: alone there an approximation
+/// can have more digits than the network.
+fn root_of(f2: i64, format: &Format) -> i64 {
+    let radicand = (f2 as u128) & ((1 << format.quadratic) - 1);
+    // The network without its last rows: floor(sqrt(q / 4^d)) = floor(sqrt(q)) / 2^d, rounded down.
+    let (rows, dropped) = (format.root_rows(), format.dropped_rows);
+    let found = root(
+        Method::of(format.root_form),
+        radicand >> (2 * dropped),
+        rows,
+    );
+    ((found.root & ((1 << rows) - 1)) << dropped) as i64
+}
+
+impl Format {
+    /// The root that the network finds of f2; of no meaning where that is negative.
+    #[inline]
+    pub fn root_of(&self, f2: i64) -> i64 {
+        match self.root_form.is_exact() {
+            true => self.keep_rows(fast_root(f2)),
+            false => root_of(f2, self),
         }
     }
 }

@@ -12,7 +12,6 @@ use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;
-use imogene_golden::unit::root::fast_root;
 
 /// Which of an object's planes are there: bit i is set for plane i.
 pub type Planes = u16;
@@ -87,11 +86,8 @@ impl Roots {
     /// Of the quadric `f1 -+ sqrt(f2)`; `None` if a register could wrap.
     pub fn of(f1: &Linear, radicand: &Range, window: &ScreenBox, format: &Format) -> Option<Roots> {
         let range = Range::of_linear(f1, window);
-        let root_of = |value: i128| {
-            let value = i64::try_from(value.max(0)).ok()?;
-            Some(i128::from(format.keep_rows(fast_root(value))))
-        };
-        let (root, least) = (root_of(radicand.high)?, root_of(radicand.low)?);
+        let [_, root] = roots(radicand.high, format)?;
+        let least = roots(radicand.low, format)?[0].max(0);
         let guard = format.guard_linear;
         let sums = Range {
             low: (range.low >> guard) - root,
@@ -120,6 +116,19 @@ impl Roots {
     pub fn above_far(&self) -> Linear {
         plus(&self.f1, self.root)
     }
+}
+
+/// A root that the network finds of no greater radicand, and one that it finds of no smaller one: an approximate root
+/// can step down where its radicand grows, but stays within its error.
+fn roots(radicand: i128, format: &Format) -> Option<[i128; 2]> {
+    let radicand = i64::try_from(radicand.max(0)).ok()?;
+    if format.root_form.is_exact() {
+        return Some([format.root_of(radicand).into(); 2]);
+    }
+    let root = (radicand as f64).sqrt();
+    let error = format.root_form.error_at(root, format.dropped_rows);
+    // One more for the rounding of these numbers.
+    Some([-1.0, 1.0].map(|sign| (root + sign * (error + 1.0)).round() as i128))
 }
 
 /// A first-degree expression and a constant.

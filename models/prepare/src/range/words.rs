@@ -16,6 +16,8 @@ const MARGIN: f64 = 1e-4;
 pub(super) struct Limits {
     f1_and_root: f64,
     f2: f64,
+    /// Most that a computed root is of the true one.
+    root: f64,
 }
 
 impl Limits {
@@ -24,6 +26,7 @@ impl Limits {
         Limits {
             f1_and_root: (1.0 - MARGIN) * power(format.sum, format.depth),
             f2: (1.0 - MARGIN) * power(format.quadratic + 1, 2 * format.depth),
+            root: 1.0 + format.root_form.error().0,
         }
     }
 }
@@ -80,7 +83,7 @@ impl Computed {
     /// Do f2 and f1 + r stay in their words when depth changes so.
     pub fn fits(&self, Change { shift, scale }: Change, limits: &Limits) -> bool {
         let (low, high) = (shift + scale * self.f1.0, shift + scale * self.f1.1);
-        let root = scale * self.f2.1.max(0.0).sqrt();
+        let root = limits.root * scale * self.f2.1.max(0.0).sqrt();
         scale * scale * self.f2.0 < limits.f2
             && low.abs().max(high.abs()) + root < limits.f1_and_root
     }

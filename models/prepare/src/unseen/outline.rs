@@ -35,9 +35,11 @@ impl WordErrors {
     /// what guard bits, the root and its rows that are left out cut off.
     pub fn of(reach: [f64; 2], format: &Format) -> WordErrors {
         let [u, v] = reach;
-        let rows = f64::from(1u32 << format.dropped_rows);
+        // Roots stay half a bit below their word.
+        let most = f64::exp2(f64::from(format.root) - 0.5);
+        let root = format.root_form.error_at(most, format.dropped_rows);
         WordErrors {
-            f1: 0.5 * (u + v + 1.0) + 2.0 + rows,
+            f1: 0.5 * (u + v + 1.0) + 2.0 + root,
             f2: 0.5 * (u * u + v * v + u * v + u + v + 1.0) + 2.0,
         }
     }

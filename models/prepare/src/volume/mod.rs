@@ -217,8 +217,7 @@ fn shadow(
 }
 
 /// How far the depth at which the object is drawn can be from the true one where its shadow begins, in counts: on the
-/// cut plane, or on the quadric, whose root is at most the square root of its error off, and below the true one by
-/// another count.
+/// cut plane, or on the quadric, whose root is at most the square root of its error off, and by what its network takes.
 fn face_error(beginning: Beginning, object: &PreparedObject) -> f64 {
     let Some(quadric) = object.quadric() else {
         // Words of a plane alone, each rounded by half a bit at most about a pixel that is nowhere farther than the
@@ -230,7 +229,8 @@ fn face_error(beginning: Beginning, object: &PreparedObject) -> f64 {
     match beginning {
         Beginning::Cut(index) => bounds.planes.get(index).copied().unwrap_or(0.0),
         Beginning::PolarPlane => {
-            bounds.f1 + bounds.dropped_f1 + (bounds.f2 + bounds.dropped_f2).sqrt() + 1.0
+            let root = bounds.root_error(bounds.greatest_root);
+            bounds.f1 + bounds.dropped_f1 + (bounds.f2 + bounds.dropped_f2).sqrt() + root
         }
     }
 }

@@ -3,8 +3,8 @@
 use super::FitError;
 use super::estimate;
 use super::frames::{Drawn, Frame, Frames};
-use imogene_contract::MachineWords;
 use imogene_contract::video::VideoMode;
+use imogene_contract::{MachineWords, RootForm};
 use imogene_golden::format::Format;
 use imogene_golden::machine::shader::MOST_LIGHTS;
 use imogene_golden::object::slot::ProcessorWords;
@@ -83,6 +83,7 @@ pub fn base(fitted: &MachineDescription) -> MachineDescription {
     MachineDescription {
         depth_word: Format::BASE.depth,
         widths: OwnWidths::default(),
+        root_form: RootForm::default(),
         rows_per_stage: 1,
         slots: None,
         ..fitted.clone()
@@ -100,6 +101,7 @@ pub fn smallest(
         machine: MachineKind::Beam,
         depth_word: widths.depth,
         widths: OwnWidths::of(widths),
+        root_form: widths.root_form,
         rows_per_stage,
         objects: 0,
         planes: 0,

@@ -4,6 +4,7 @@ pub mod page;
 pub mod picture;
 pub mod plot;
 pub mod preview;
+pub mod sheet;
 pub mod words;
 
 use thiserror::Error;

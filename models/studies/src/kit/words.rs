@@ -24,13 +24,11 @@ pub const fn widest(
     dropped_rows: u32,
 ) -> MachineWords {
     MachineWords {
-        depth,
-        root: depth,
-        plane: depth + 12,
         normal,
         guard_linear,
         guard_quadratic,
         dropped_rows,
+        ..MachineWords::of(depth)
     }
 }
 

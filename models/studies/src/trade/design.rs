@@ -1,7 +1,7 @@
 //! The design space.
 
 use crate::kit::words::widest;
-use imogene_contract::MachineWords;
+use imogene_contract::{MachineWords, RootForm};
 use serde::{Deserialize, Serialize};
 
 /// What decides the pixels of a machine.
@@ -19,6 +19,9 @@ pub struct Accuracy {
     pub guard_quadratic: u32,
     /// Last digits of the root that are not computed.
     pub dropped_rows: u32,
+    /// How the root is taken.
+    #[serde(default)]
+    pub root_form: RootForm,
     /// A machine of the catalogue instead of one that is as narrow as the scene allows: all other widths follow from
     /// the depth word, and all slots are alike.
     pub catalogue: bool,
@@ -57,6 +60,8 @@ pub enum Space {
     Quick,
     /// More than five hundred.
     Full,
+    /// Every form of the root.
+    Roots,
 }
 
 impl Accuracy {
@@ -74,7 +79,10 @@ impl Accuracy {
     /// The widths before it is known what the scene requires.
     pub fn widest(&self) -> MachineWords {
         let guards = (self.guard_linear, self.guard_quadratic);
-        widest(self.depth, self.normal, guards, self.dropped_rows)
+        MachineWords {
+            root_form: self.root_form,
+            ..widest(self.depth, self.normal, guards, self.dropped_rows)
+        }
     }
 
     /// A short name, which is that of its files.
@@ -87,6 +95,9 @@ impl Accuracy {
             if number > 1 {
                 name += &format!("-{letter}{number}");
             }
+        }
+        if !self.root_form.is_usual() {
+            name += &format!("-{}", self.root_form);
         }
         if self.catalogue {
             name += "-catalogue";
@@ -111,6 +122,7 @@ impl Space {
         match self {
             Space::Quick => quick(),
             Space::Full => full(),
+            Space::Roots => roots(),
         }
     }
 }
@@ -183,6 +195,25 @@ fn quick() -> Vec<Design> {
     [beams.concat(), others.concat()].concat()
 }
 
+fn roots() -> Vec<Design> {
+    let corrected = (0..=2).flat_map(|count| [RootForm::Linear(count), RootForm::Quadratic(count)]);
+    let leading = [4, 6, 8, 12].map(RootForm::Leading);
+    let exact = [RootForm::Restoring, RootForm::NonRestoring];
+    let forms = exact.into_iter().chain(corrected).chain(leading);
+    let forms: Vec<RootForm> = forms.collect();
+    let of = |depth| {
+        let of_form = move |&root_form: &RootForm| Accuracy {
+            root_form,
+            ..Accuracy::of_depth(depth)
+        };
+        forms.iter().map(of_form)
+    };
+    let accuracies = [24, 16].into_iter().flat_map(of);
+    accuracies
+        .flat_map(|accuracy| points(accuracy, true, NO_ZONES, &[4]))
+        .collect()
+}
+
 /// Rows of the root network to a stage.
 const ROWS: [u32; 2] = [1, 4];
 /// Guard bits of f1 and f2, and digits not computed.
@@ -251,7 +282,7 @@ mod tests {
 
     #[test]
     fn points_have_names_of_their_own_and_those_of_the_same_pixels_stand_together() {
-        for (space, least) in [(Space::Quick, 17), (Space::Full, 500)] {
+        for (space, least) in [(Space::Quick, 17), (Space::Full, 500), (Space::Roots, 24)] {
             let designs = space.designs();
             assert!(designs.len() >= least, "{}", designs.len());
             let mut names: Vec<String> = designs.iter().map(Design::name).collect();

@@ -163,7 +163,8 @@ fn seeds(points: &[Point]) -> Vec<usize> {
         if point.machine.is_some() {
             let samples = accuracy.supersampling;
             let words = (accuracy.normal, accuracy.catalogue);
-            let form = (zones.is_some(), samples, words, rows_per_stage);
+            let root = (accuracy.root_form, rows_per_stage);
+            let form = (zones.is_some(), samples, words, root);
             forms.entry(form).or_default().push((point.design, index));
         }
     }

@@ -187,7 +187,7 @@ fn undominated(places: &[Option<(f64, f64)>]) -> Vec<bool> {
 const COLUMNS: &str = "
     id unit depth=design/accuracy/depth root=format/root plane=format/plane
     normal=design/accuracy/normal g1=design/accuracy/guard_linear
-    g2=design/accuracy/guard_quadratic dropped=design/accuracy/dropped_rows
+    g2=design/accuracy/guard_quadratic dropped=design/accuracy/dropped_rows root_form=design/accuracy/root_form
     supersampling=design/accuracy/supersampling undersampling=design/accuracy/undersampling
     rows_per_stage=design/rows_per_stage zone=design/zones/side
     processors=design/zones/processors refused

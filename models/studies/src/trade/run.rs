@@ -248,7 +248,11 @@ impl<'a> Subject<'a> {
             clocks_per_frame: Some(measured.clocks(&machine, &timing)?),
             errors: Some(measured.metrics.clone()),
             picture_error: Some(measured.picture_error),
-            toggles: Some(measured.toggles(&machine)?),
+            // The registers of the restoring network are those that are counted.
+            toggles: match design.accuracy.root_form.is_usual() {
+                true => Some(measured.toggles(&machine)?),
+                false => None,
+            },
             mhz_estimated: clock::estimate(&machine, self.request.target),
             picture: Some(files.0.clone()),
             map: Some(files.1.clone()),

@@ -7,7 +7,6 @@ use imogene_algebra::rational::from_f64_exact;
 use imogene_analysis::bounds::{depth_terms, face_bound, worst_case};
 use imogene_analysis::exact::real::SurdReal;
 use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR};
-use imogene_golden::unit::root::fast_root;
 use imogene_prepare::rounding::Anchor;
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -109,7 +108,7 @@ impl Pixel<'_> {
             format.drop_linear(self.q1 as i64),
             format.drop_quadratic(self.q2 as i64),
         );
-        let root = format.keep_rows(fast_root(f2));
+        let root = format.root_of(f2);
         let stated = depth_terms(bounds, f2);
 
         let (r1, r2) = self.residuals();

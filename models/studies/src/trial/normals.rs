@@ -8,7 +8,6 @@ use imogene_analysis::bounds::quadric_sine;
 use imogene_analysis::exact::surd::Surd;
 use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR};
 use imogene_golden::unit::normal::select;
-use imogene_golden::unit::root::fast_root;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use std::cmp::Ordering;
@@ -22,7 +21,7 @@ pub(super) fn try_normals(case: &Case, place: (i64, i64), tally: &mut Tally) {
     if f2 < 0 || true_f2 < 0 {
         return;
     }
-    let root = case.format.keep_rows(fast_root(f2));
+    let root = case.format.root_of(f2);
     let g = words
         .normal
         .g

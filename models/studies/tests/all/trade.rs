@@ -36,7 +36,7 @@ fn sums(machines: &[MachineDescription], pricing: Pricing) -> Result<Vec<Cost>, 
 fn sum(machine: &MachineDescription, pricing: Pricing) -> Cost {
     let is_estimated = matches!(pricing, Pricing::Estimated(_));
     let scale = if is_estimated { 101 } else { 100 };
-    let w = machine.widths.beside(machine.depth_word);
+    let w = machine.words();
     let bits = u64::from(w.depth + 2 * w.root + w.normal + w.guard_linear + w.guard_quadratic);
     let clock = 200.0 / f64::from(machine.rows_per_stage);
     Cost {
@@ -291,7 +291,7 @@ fn points_tell_speed_area_and_accuracy() {
     let csv = trade.csv();
     assert_eq!(csv.lines().count(), 1 + trade.points.len());
     let columns = csv.lines().next().unwrap().split(',').count();
-    assert_eq!(columns, 55);
+    assert_eq!(columns, 56);
     let fronts = FRONTS.iter().map(|front| draw(&trade, front).unwrap());
     for plot in fronts {
         for entry in &trade.points {

@@ -1,9 +1,13 @@
 //! The two depths of a quadric.
 
-use crate::arith::square_root;
+use crate::arith::{
+    square_root, square_root_leading, square_root_linear, square_root_non_restoring,
+    square_root_quadratic,
+};
 use crate::raster::{Flags, Linear, Quadratic, pe1, pe2};
+use imogene_contract::RootForm;
 use imogene_contract::words::depth_sum;
-use imogene_hdl::{Bundle, Value, bundle, module, net};
+use imogene_hdl::{Bits, Bundle, Value, bundle, module, net};
 
 bundle! {
     /// Both depths, as far as f2 is not negative.
@@ -26,20 +30,39 @@ pub struct Network {
     pub rows: u32,
     /// Rows between registers.
     pub rows_per_stage: u32,
+    /// How it is taken.
+    pub form: RootForm,
 }
 
 impl Network {
     /// Clocks.
     pub fn latency(&self) -> u32 {
-        self.rows.div_ceil(self.rows_per_stage)
+        self.form.latency(self.rows, self.rows_per_stage)
+    }
+
+    /// The computed digits of the root. An approximation has no more of them where f2 is not negative, because its
+    /// radicand is below half of what the network takes.
+    fn root(&self, at: &str, radicand: Bits) -> Bits {
+        let rows = self.rows_per_stage;
+        match self.form {
+            RootForm::Restoring => square_root(at, radicand, rows).root,
+            RootForm::NonRestoring => square_root_non_restoring(at, radicand, rows).root,
+            RootForm::Linear(corrections) => {
+                square_root_linear(at, radicand, corrections).low(self.rows)
+            }
+            RootForm::Quadratic(corrections) => {
+                square_root_quadratic(at, radicand, corrections).low(self.rows)
+            }
+            RootForm::Leading(digits) => square_root_leading(at, radicand, digits, rows),
+        }
     }
 }
 
-/// `f1 - r` and `f1 + r` with `r = floor(sqrt(f2))`: a PE2, the root network behind it, and a PE1 started late enough
-/// to meet the root. With it the flags as the PE1 has them. What f1 has beyond the bits of a depth and f2 beyond two
-/// for each row are guard bits below the last one: they are dropped, rounding down.
+/// `f1 - r` and `f1 + r` with `r = floor(sqrt(f2))`, or an approximation: a PE2, the root network behind it, and a PE1
+/// started late enough to meet the root. With it the flags as the PE1 has them. What f1 has beyond the bits of a depth
+/// and f2 beyond two for each row are guard bits below the last one: they are dropped, rounding down.
 ///
-/// Latency `ceil(rows / rows_per_stage) + 2`. Section 2.4.2.
+/// Latency that of the network and 2. Section 2.4.2.
 pub fn quadric_pe(
     at: &str,
     flags: Flags,
@@ -55,8 +78,8 @@ pub fn quadric_pe(
         let late = flags.delayed(stages);
         let f1 = pe1("f1", late, f1).high(sum);
         let radicand = f2.high(2 * network.rows).bits();
-        let found = square_root("square_root", radicand, network.rows_per_stage);
-        let root = found.root.extend(network.digits);
+        let found = network.root("square_root", radicand);
+        let root = found.extend(network.digits);
         let root = root.left(network.digits - network.rows);
         net! {
             let step = root.extend(sum).int();

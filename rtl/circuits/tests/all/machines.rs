@@ -5,6 +5,7 @@ use imogene_circuits::machines::{beam_display, beam_stream};
 use imogene_circuits::object::{Network, Widths};
 use imogene_circuits::shade::Lights;
 use imogene_circuits::video::Output;
+use imogene_contract::RootForm;
 use imogene_contract::command_stream::SHADING_WORD;
 use imogene_contract::object;
 use imogene_contract::shading::BACKGROUND;
@@ -29,6 +30,7 @@ fn machine() -> BeamMachine {
         digits: 15,
         rows: 13,
         rows_per_stage: 4,
+        form: RootForm::Restoring,
     };
     let slots = [(0, false), (2, true), (3, false)];
     BeamMachine {

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::emit::emit;
+use imogene_contract::RootForm;
 use imogene_contract::video::VideoMode;
 use imogene_contract::{Request, object};
 
@@ -14,6 +15,7 @@ const OWN: MachineWords = MachineWords {
     depth: 18,
     root: 17,
     dropped_rows: 1,
+    root_form: RootForm::Restoring,
     plane: 29,
     normal: 14,
     guard_linear: 10,
@@ -84,13 +86,13 @@ fn equal_slots_are_the_machine_of_the_catalogue() {
 #[test]
 fn a_machine_has_the_words_that_were_asked_for() {
     let words = MachineWords {
-        depth: 19,
         root: 15,
         dropped_rows: 2,
         plane: 23,
         normal: 11,
         guard_linear: 3,
         guard_quadratic: 5,
+        ..MachineWords::of(19)
     };
     let emitted = emit_machine(&beam(words, &[(1, false), (3, true)])).unwrap();
     let width = |name: &str| {
@@ -101,6 +103,14 @@ fn a_machine_has_the_words_that_were_asked_for() {
     assert_eq!(emitted.latency, 1 + (13 + 2 * 3 + 11) + 1);
     let text = emitted.bundle();
     assert!(text.contains("root 15, of which the last 2 digits are zero"));
+    let linear = MachineWords {
+        root_form: RootForm::Linear(2),
+        ..words
+    };
+    let emitted = emit_machine(&beam(linear, &[(1, false), (3, true)])).unwrap();
+    assert_eq!(emitted.latency, 1 + (5 + 2 * 3 + 11) + 1);
+    let text = emitted.bundle();
+    assert!(text.contains("root form linear2") && text.contains("module square_root_linear"));
 }
 
 #[test]

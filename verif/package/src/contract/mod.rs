@@ -6,7 +6,7 @@
 mod markdown;
 
 use imogene_contract::parameters::Parameter;
-use imogene_contract::{Request, RequestError};
+use imogene_contract::{Request, RequestError, RootForm};
 use imogene_rtl::emit::{Emitted, Port, design, emit};
 use serde::Serialize;
 
@@ -74,7 +74,7 @@ pub struct PortEntry {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Latency {
     /// As a formula in the symbols of the parameters.
-    pub formula: &'static str,
+    pub formula: String,
     /// Of this Verilog.
     pub clocks: usize,
 }
@@ -102,7 +102,7 @@ pub fn of_emitted(request: &Request, emitted: &Emitted) -> Result<Contract, Requ
         parameters: parameters(request),
         ports: ports(request, &emitted.ports)?,
         latency: Latency {
-            formula: record.latency,
+            formula: request.latency_formula(),
             clocks: emitted.latency,
         },
         throughput: record.throughput,
@@ -147,6 +147,7 @@ fn ports(request: &Request, ports: &[Port]) -> Result<Vec<PortEntry>, RequestErr
         depth_word: other as u32,
         rows_per_stage: 1,
         digits: 1,
+        root_form: RootForm::default(),
         ..*request
     })?;
     let width_elsewhere = |port: &Port| {

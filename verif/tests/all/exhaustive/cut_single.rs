@@ -2,6 +2,7 @@
 
 use super::account;
 use imogene_circuits::object::{self, Cut, cut_plane};
+use imogene_contract::RootForm;
 use imogene_golden::format::Format;
 use imogene_golden::unit::cut_plane::{PlaneKind, cut};
 use imogene_golden::unit::depth_interval::Interval;
@@ -28,6 +29,7 @@ const fn small_format(depth: u32) -> Format {
         guard_linear: 0,
         guard_quadratic: 0,
         dropped_rows: 0,
+        root_form: RootForm::Restoring,
     }
 }
 

@@ -4,7 +4,6 @@ use imogene_algebra::rational::{integer, to_f64};
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::unit::depth_interval::Class;
-use imogene_golden::unit::root::fast_root;
 use imogene_prepare::PreparedQuadric;
 use imogene_prepare::forms::{LinearForm, QuadraticForm};
 use imogene_prepare::rounding::Anchor;
@@ -115,7 +114,7 @@ fn add_pixel(
     if f2 < 0 {
         return;
     }
-    let root = fast_root(f2);
+    let root = format.root_of(f2);
     let (linear, quadratic) = residuals.at(x, y);
     let true_root = (f2 as f64 - quadratic).max(0.0).sqrt();
     // true root - root, without cancellation

@@ -4,6 +4,7 @@ use super::iterative::iterative_root;
 use super::non_restoring::non_restoring_root;
 use super::polynomial::{corrected, linear_estimate, quadratic_estimate};
 use super::restoring::{Root, leading_root, restoring_root, rows_root};
+use imogene_contract::RootForm;
 use serde::Serialize;
 use std::fmt;
 
@@ -40,6 +41,17 @@ pub enum Method {
 }
 
 impl Method {
+    /// The member that a form of an object processor is.
+    pub const fn of(form: RootForm) -> Method {
+        match form {
+            RootForm::Restoring => Method::Restoring,
+            RootForm::NonRestoring => Method::NonRestoring,
+            RootForm::Linear(corrections) => Method::Linear { corrections },
+            RootForm::Quadratic(corrections) => Method::Quadratic { corrections },
+            RootForm::Leading(kept) => Method::Leading { kept },
+        }
+    }
+
     /// The unit's name, as in the catalogue of the hardware.
     pub const fn name(self) -> &'static str {
         match self {

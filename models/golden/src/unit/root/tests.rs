@@ -6,6 +6,7 @@
 //! boundaries.
 
 use super::*;
+use imogene_contract::RootForm;
 use num_bigint::BigUint;
 use proptest::prelude::*;
 use rayon::prelude::*;
@@ -337,5 +338,42 @@ proptest! {
         let oracle = BigUint::from(radicand).sqrt();
         prop_assert_eq!(&oracle * &oracle + found.remainder, BigUint::from(radicand));
         prop_assert_eq!(BigUint::from(found.root), oracle);
+    }
+}
+
+/// Every short radicand that an f2 can be, and of longer ones those about the ends and the middles of their octaves,
+/// where approximations are worst, and a spread.
+fn radicands(bits: u32) -> Vec<u128> {
+    let last = 1u128 << (2 * bits - 1);
+    let middles = (0..2 * bits - 1).flat_map(|place| {
+        let first = 1u128 << place;
+        (0..8 * 61).map(move |part| first + first * part / (8 * 61))
+    });
+    let about = middles.flat_map(|x| [x.saturating_sub(1), x, x + 1]);
+    (0..1 << 15).chain(about).filter(|x| *x < last).collect()
+}
+
+#[test]
+fn forms_stay_within_the_errors_that_they_state() {
+    let names = "restoring non-restoring linear0 linear1 linear2 quadratic0 quadratic1 quadratic2 leading1 leading7";
+    for form in names
+        .split(' ')
+        .map(|name| name.parse::<RootForm>().unwrap())
+    {
+        let mut closest: f64 = 0.0;
+        for (bits, dropped) in [(12, 0), (16, 3), (24, 0), (24, 8), (32, 1)] {
+            for radicand in radicands(bits) {
+                let method = Method::of(form);
+                let found = root(method, radicand >> (2 * dropped), bits - dropped).root << dropped;
+                let truth = (radicand as f64).sqrt();
+                let stated = form.error_at(truth, dropped);
+                let off = (found as f64 - truth).abs();
+                assert!(off <= stated, "{form} of {radicand}, {bits} bits: {found}");
+                assert!(found < 1 << bits, "{form} of {radicand} in {bits} bits");
+                closest = closest.max(off / stated);
+            }
+        }
+        // A single digit is half off at most.
+        assert!(closest > 0.49, "{form}: {closest}");
     }
 }

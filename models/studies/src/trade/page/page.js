@@ -210,7 +210,7 @@ function drawDetail() {
     const f = point.format;
     parts.push(make("h3", { textContent: "Machine" }), list([
       ["depth, root, plane, normal", `${f.depth}, ${f.root}, ${f.plane}, ${f.normal} bits`],
-      ["guard bits; digits dropped", `${f.guard_linear}, ${f.guard_quadratic}; ${f.dropped_rows}`],
+      ["guard bits; digits dropped; root", `${f.guard_linear}, ${f.guard_quadratic}; ${f.dropped_rows}; ${point.design.accuracy.root_form}`],
       ["machine", point.machine.zone ? `${point.machine.objects} object processors, zones of ${point.machine.zone.width} x ${point.machine.zone.height}` : `beam of ${point.machine.objects} object processors`],
       ["slots", point.machine.slots],
       ["rows per stage", String(point.machine.rows_per_stage)],
@@ -218,7 +218,7 @@ function drawDetail() {
       ["frames per second", point.frames_per_second && figures(point.frames_per_second)],
       ["clock", point.mhz && `${point.mhz.toFixed(1)} MHz, ${point.cost && point.cost.fmax_mhz ? `placed and routed (estimate: ${point.mhz_estimated == null ? "none" : point.mhz_estimated.toFixed(1)})` : "estimated"}`],
       ["picture off the ideal one", `${figures(point.picture_error)} %`],
-      ["register toggles per pixel", `${whole(point.toggles.total)} (PE1 ${whole(point.toggles.pe1)}, PE2 ${whole(point.toggles.pe2)}, root ${whole(point.toggles.root)}, depth ${whole(point.toggles.depth)})`],
+      ["register toggles per pixel", point.toggles && `${whole(point.toggles.total)} (PE1 ${whole(point.toggles.pe1)}, PE2 ${whole(point.toggles.pe2)}, root ${whole(point.toggles.root)}, depth ${whole(point.toggles.depth)})`],
       ["LUT, FF, DSP, block memories", point.cost && `${point.cost.lut}, ${point.cost.ff}, ${point.cost.dsp}, ${point.cost.bram}`],
       ["cells", point.cost && String(point.cost.cells)],
     ]));

@@ -1,0 +1,67 @@
+//! Pictures side by side, with maps of their errors below.
+
+/// White pixels between two panels.
+const GAP: usize = 4;
+
+/// A sheet of pictures.
+pub struct Sheet {
+    /// Pixels per line.
+    pub width: usize,
+    /// Lines.
+    pub height: usize,
+    /// 8-bit red, green, blue.
+    pub rgb: Vec<u8>,
+}
+
+impl Sheet {
+    /// Pictures of one size, each above its map, in bands of so many.
+    pub fn of(pairs: &[[Vec<u8>; 2]], (width, height): (usize, usize), band: usize) -> Sheet {
+        let span = |count: usize, side: usize| (count * (side + GAP)).saturating_sub(GAP);
+        let columns = pairs.len().min(band);
+        let mut sheet = Sheet {
+            width: span(columns, width),
+            height: span(2 * pairs.len().div_ceil(band.max(1)), height),
+            rgb: vec![],
+        };
+        sheet.rgb = vec![255; 3 * sheet.width * sheet.height];
+        for (place, panels) in pairs.iter().enumerate() {
+            let left = place % band * (width + GAP);
+            for (row, panel) in (2 * (place / band)..).zip(panels) {
+                sheet.paste(panel, width, [left, row * (height + GAP)]);
+            }
+        }
+        sheet
+    }
+
+    fn paste(&mut self, panel: &[u8], width: usize, [left, top]: [usize; 2]) {
+        for (y, line) in panel.chunks(3 * width).enumerate() {
+            let start = 3 * ((top + y) * self.width + left);
+            self.rgb[start..start + line.len()].copy_from_slice(line);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn panels_stand_in_bands() {
+        let panel = |grey: u8| vec![grey; 3 * 2];
+        let pairs = [1, 3, 5].map(|grey| [panel(grey), panel(grey + 1)]);
+        let sheet = Sheet::of(&pairs, (2, 1), 2);
+        assert_eq!((sheet.width, sheet.height), (2 + 4 + 2, 4 * (1 + 4) - 4));
+        let at = |x: usize, y: usize| sheet.rgb[3 * (y * sheet.width + x)];
+        let found = [
+            (0, 0),
+            (0, 5),
+            (7, 0),
+            (7, 5),
+            (1, 10),
+            (1, 15),
+            (2, 0),
+            (6, 10),
+        ];
+        assert_eq!(found.map(|(x, y)| at(x, y)), [1, 2, 3, 4, 5, 6, 255, 255]);
+    }
+}

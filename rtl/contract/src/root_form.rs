@@ -1,0 +1,294 @@
+//! Forms of the square root in an object processor, which takes a root every clock.
+
+use crate::machine_words::WordRange;
+use crate::parameters::CORRECTIONS;
+use crate::request::Request;
+use crate::unit::Unit;
+use crate::words::MOST_DEPTH;
+use serde::{Deserialize, Serialize};
+use std::fmt;
+use std::str::FromStr;
+use thiserror::Error;
+
+/// A form of the root: `restoring`, `non-restoring`, `linear2`, `quadratic1`, `leading8`.
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize,
+)]
+#[serde(try_from = "String", into = "String")]
+pub enum RootForm {
+    /// The exact root by restoring rows.
+    #[default]
+    Restoring,
+    /// The exact root by non-restoring rows.
+    NonRestoring,
+    /// Straight lines, and so many corrections.
+    Linear(u32),
+    /// Parabolas, and so many corrections.
+    Quadratic(u32),
+    /// So many leading digits of the exact root.
+    Leading(u32),
+}
+
+/// A form without its number: name, unit, least and greatest number behind the name if it has one, and the form.
+type Row = (&'static str, Unit, Option<[u32; 2]>, fn(u32) -> RootForm);
+
+const COUNTS: Option<[u32; 2]> = Some([0, CORRECTIONS.most.expect("a number")]);
+
+const ROWS: [Row; 5] = [
+    ("restoring", Unit::SquareRoot, None, |_| RootForm::Restoring),
+    ("non-restoring", Unit::SquareRootNonRestoring, None, |_| {
+        RootForm::NonRestoring
+    }),
+    ("linear", Unit::SquareRootLinear, COUNTS, RootForm::Linear),
+    (
+        "quadratic",
+        Unit::SquareRootQuadratic,
+        COUNTS,
+        RootForm::Quadratic,
+    ),
+    (
+        "leading",
+        Unit::SquareRootLeading,
+        Some([1, MOST_DEPTH]),
+        RootForm::Leading,
+    ),
+];
+
+/// Text that names no form of a machine's root.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum RootFormError {
+    /// No form is called so.
+    #[error("'{0}' is no form of the root; accepted: {FORMS}")]
+    Unknown(String),
+    /// A number that the form does not have.
+    #[error("'{0}': a {1} root takes {2} to {3} {4}")]
+    Range(String, String, u32, u32, &'static str),
+    /// A form for many clocks to a pixel.
+    #[error(
+        "'{0}': the iterative root takes a clock for each digit, and a processor of a machine draws one pixel per clock; accepted: {FORMS}"
+    )]
+    Serial(String),
+    /// The first rows, which have a word of their own.
+    #[error("'{0}': rows are left out by `dropped` of the widths; accepted: {FORMS}")]
+    Rows(String),
+}
+
+/// What messages say of the forms.
+const FORMS: &str = "restoring, non-restoring, linear0 to linear2 and quadratic0 to quadratic2 by their corrections, leading1 to leading32 by the digits that are kept";
+
+impl FromStr for RootForm {
+    type Err = RootFormError;
+
+    fn from_str(text: &str) -> Result<RootForm, RootFormError> {
+        let name = text.trim_end_matches(|letter: char| letter.is_ascii_digit());
+        let number = &text[name.len()..];
+        let Some(&(_, unit, numbers, of)) = ROWS.iter().find(|row| row.0 == name) else {
+            return Err(match name {
+                "iterative" => RootFormError::Serial(text.into()),
+                "rows" => RootFormError::Rows(text.into()),
+                _ => RootFormError::Unknown(text.into()),
+            });
+        };
+        let Some([least, most]) = numbers else {
+            let is_whole = number.is_empty().then(|| of(0));
+            return is_whole.ok_or_else(|| RootFormError::Unknown(text.into()));
+        };
+        let number = number.parse().ok();
+        let number = number.filter(|number| (least..=most).contains(number));
+        number.map(of).ok_or_else(|| {
+            let counted = match unit {
+                Unit::SquareRootLeading => "digits",
+                _ => "corrections",
+            };
+            RootFormError::Range(text.into(), name.into(), least, most, counted)
+        })
+    }
+}
+
+impl fmt::Display for RootForm {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (&(name, _, numbers, _), number) = self.row();
+        match numbers {
+            Some(_) => write!(f, "{name}{number}"),
+            None => f.write_str(name),
+        }
+    }
+}
+
+impl TryFrom<String> for RootForm {
+    type Error = RootFormError;
+
+    fn try_from(text: String) -> Result<RootForm, RootFormError> {
+        text.parse()
+    }
+}
+
+impl From<RootForm> for String {
+    fn from(form: RootForm) -> String {
+        form.to_string()
+    }
+}
+
+impl RootForm {
+    fn row(self) -> (&'static Row, u32) {
+        match self {
+            RootForm::Restoring => (&ROWS[0], 0),
+            RootForm::NonRestoring => (&ROWS[1], 0),
+            RootForm::Linear(corrections) => (&ROWS[2], corrections),
+            RootForm::Quadratic(corrections) => (&ROWS[3], corrections),
+            RootForm::Leading(digits) => (&ROWS[4], digits),
+        }
+    }
+
+    /// True for the form that all machines have that name none.
+    pub fn is_usual(&self) -> bool {
+        *self == RootForm::default()
+    }
+
+    /// True if it gives every computed digit of the true root, rounded down.
+    pub const fn is_exact(self) -> bool {
+        matches!(self, RootForm::Restoring | RootForm::NonRestoring)
+    }
+
+    /// The unit that takes the root.
+    pub fn unit(self) -> Unit {
+        self.row().0.1
+    }
+
+    /// Clocks of a root of so many digits, as the record of the unit states them.
+    pub fn latency(self, digits: u32, rows_per_stage: u32) -> u32 {
+        self.request(digits, rows_per_stage).latency() as u32
+    }
+
+    pub(crate) fn request(self, digits: u32, rows_per_stage: u32) -> Request {
+        let (row, number) = self.row();
+        Request {
+            rows_per_stage,
+            digits: number,
+            corrections: number,
+            ..Request::of(row.1, digits)
+        }
+    }
+
+    /// The greatest distance from the true root: this part of it, and so many units of the last digit that is computed.
+    ///
+    /// The parts of the approximations are those of their records, rounded up. Each floor takes at most a unit, and a
+    /// correction makes no error greater: one of the radicand where digits are left out, two of the estimate, one of
+    /// each correction.
+    pub fn error(self) -> (f64, f64) {
+        const LINEAR: [f64; 3] = [0.060_67, 0.016_48, 0.004_74];
+        const QUADRATIC: [f64; 3] = [0.013_46, 0.005_33, 0.002_20];
+        let approximate =
+            |parts: [f64; 3], count: u32| (parts[count.min(2) as usize], f64::from(3 + count));
+        match self {
+            RootForm::Restoring | RootForm::NonRestoring => (0.0, 1.0),
+            RootForm::Linear(corrections) => approximate(LINEAR, corrections),
+            RootForm::Quadratic(corrections) => approximate(QUADRATIC, corrections),
+            RootForm::Leading(digits) => (f64::exp2(1.0 - f64::from(digits)), 1.0),
+        }
+    }
+
+    /// The greatest distance in units of the root, without so many of its last digits, where the true root is `root`.
+    pub fn error_at(self, root: f64, dropped_digits: u32) -> f64 {
+        let (part, units) = self.error();
+        part * root + units * f64::exp2(f64::from(dropped_digits))
+    }
+
+    /// Fewest digits of which it can be the root.
+    pub fn least_digits(self) -> u32 {
+        match self {
+            RootForm::Restoring | RootForm::NonRestoring => 1,
+            RootForm::Linear(_) | RootForm::Quadratic(_) => self.unit().least_word(),
+            RootForm::Leading(digits) => digits,
+        }
+    }
+
+    /// What of a root of so many computed digits is out of its range for this form: what it has, and the least and the
+    /// greatest it may have.
+    pub(crate) fn refused(self, digits: u32) -> Option<WordRange> {
+        let least = self.least_digits();
+        let word = match self {
+            RootForm::Restoring | RootForm::NonRestoring => return None,
+            RootForm::Linear(_) => ("computed part of a linear root", digits, least, MOST_DEPTH),
+            RootForm::Quadratic(_) => (
+                "computed part of a quadratic root",
+                digits,
+                least,
+                MOST_DEPTH,
+            ),
+            RootForm::Leading(kept) => ("kept part of a leading root", kept, 1, digits),
+        };
+        let (_, bits, least, most) = word;
+        (!(least..=most).contains(&bits)).then_some(word)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ALL: [&str; 6] = [
+        "restoring",
+        "non-restoring",
+        "linear0",
+        "linear2",
+        "quadratic1",
+        "leading12",
+    ];
+
+    #[test]
+    fn text_and_forms_are_each_other() {
+        for text in ALL {
+            let form: RootForm = text.parse().expect("a form");
+            assert_eq!(form.to_string(), text);
+            assert_eq!(form.is_exact(), text.ends_with("restoring"));
+        }
+        assert_eq!(RootForm::default().to_string(), "restoring");
+    }
+
+    #[test]
+    fn what_is_no_form_is_refused_with_what_would_do() {
+        for (text, part) in [
+            ("", "accepted: restoring"),
+            ("cubic1", "'cubic1' is no form of the root"),
+            ("restoring2", "is no form"),
+            ("Linear2", "is no form"),
+            ("linear", "a linear root takes 0 to 2 corrections"),
+            ("linear3", "0 to 2 corrections"),
+            ("quadratic99999999999", "0 to 2 corrections"),
+            ("leading0", "1 to 32 digits"),
+            ("leading33", "1 to 32 digits"),
+            ("iterative", "one pixel per clock"),
+            ("rows12", "`dropped` of the widths"),
+        ] {
+            let error = text.parse::<RootForm>().unwrap_err().to_string();
+            assert!(error.contains(part), "{text}: {error}");
+        }
+    }
+
+    /// The clocks that the page of the roots has of 24 digits, one row to a stage and four.
+    #[test]
+    fn latencies_are_those_of_the_units() {
+        let clocks = |rows| ALL.map(|text| text.parse::<RootForm>().unwrap().latency(24, rows));
+        assert_eq!(clocks(1), [24, 24, 1, 5, 5, 14]);
+        assert_eq!(clocks(4), [6, 6, 1, 5, 5, 5]);
+    }
+
+    /// What a record prints of its bound is no less than a hundredth of a percent below what is counted with.
+    #[test]
+    fn errors_are_those_of_the_records() {
+        for text in ["linear0", "linear1", "linear2", "quadratic0", "quadratic1"] {
+            let form: RootForm = text.parse().unwrap();
+            let percent = 100.0 * form.error().0;
+            let bounds = form.unit().record().error;
+            let (_, list) = bounds.split_once("{C: ").unwrap();
+            let (list, _) = list.split_once('}').unwrap();
+            let place = form.row().1 as usize;
+            let stated: f64 = list.split(", ").nth(place).unwrap().parse().unwrap();
+            assert!(
+                (0.0..0.01).contains(&(percent - stated)),
+                "{text}: {stated}"
+            );
+        }
+    }
+}
