@@ -124,7 +124,9 @@ fn small(ports: &[Signal], likely: Likely, depth_word: u32) -> BoxedStrategy<Inp
         "a" | "b" | "a2" | "b2" | "i0" | "p0" => spread(2, unit),
         "c" | "f" if unit > 0 || matches!(likely, Likely::Depth(_)) => near_an_end(8, far, unit),
         "c" | "f" => spread(8, unit),
-        "sum" | "margin" => (0i64..20).boxed(),
+        "margin" => (0i64..20).boxed(),
+        // Front and back are then about the two ends.
+        "sum" => (-20i64..20).boxed(),
         _ => one(port, likely, depth_word),
     });
     each.collect::<Vec<_>>().boxed()

@@ -30,7 +30,7 @@ fn a_fault_in_the_verilog_is_found_and_shown() {
             "line_value <= line_begin;",
             "line_value <= next_line;",
         ),
-        ("cut_plane", "zp < zb", "zp <= zb"),
+        ("cut_plane", "zp == zb", "zp != zb"),
     ];
     for simulator in Simulator::ALL {
         for (name, right, wrong) in faults {

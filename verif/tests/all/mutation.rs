@@ -98,7 +98,7 @@ fn a_weak_stimulus_has_a_low_score() {
 #[test]
 fn a_unit_that_is_wrong_without_a_mutation_has_no_score() {
     let (subject, emitted) = unit("cut_plane");
-    let wrong = emitted.bundle().replacen("zp < zb", "zp <= zb", 1);
+    let wrong = emitted.bundle().replacen("zp == zb", "zp != zb", 1);
     let design = Design {
         top: &emitted.top,
         text: &wrong,
