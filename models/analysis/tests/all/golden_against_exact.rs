@@ -297,15 +297,19 @@ fn bounds_hold_in_every_format() {
     }
 }
 
+/// The scene of this name.
+fn named<'a>(files: &'a [PathBuf], name: &str) -> &'a Path {
+    let mut files = files.iter();
+    let file = files.find(|file| file.file_stem().is_some_and(|stem| stem == name));
+    file.expect("in the collection")
+}
+
 /// Guard bits make the depth error smaller, and the bounds that take them into account hold.
 #[test]
 fn bounds_hold_with_guard_bits() {
     let files = scene_files();
     for name in ["cone", "front-view", "teapot"] {
-        let file = files
-            .iter()
-            .find(|f| f.file_stem().is_some_and(|s| s == name))
-            .expect("in the collection");
+        let file = named(&files, name);
         for depth in [16, 24] {
             let base = Format::new(depth).expect("in the catalogue");
             let mut last = (f64::INFINITY, usize::MAX);
@@ -335,10 +339,7 @@ fn bounds_hold_with_guard_bits() {
 fn bounds_hold_with_every_form_of_the_root() {
     let files = scene_files();
     for name in ["cone", "front-view", "teapot"] {
-        let file = files
-            .iter()
-            .find(|f| f.file_stem().is_some_and(|s| s == name))
-            .expect("in the collection");
+        let file = named(&files, name);
         let worst = |form: &str, dropped_rows: u32| {
             let format = Format::fitted(&MachineWords {
                 root_form: form.parse().expect("a form"),
