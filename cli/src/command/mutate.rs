@@ -8,7 +8,7 @@ use imogene_contract::{Request, Unit};
 use imogene_files::text::counted;
 use imogene_plan::description::MachineDescription;
 use imogene_rtl::emit::{design, emit};
-use imogene_verif::mutation::machine::{self as of_machine, Shown};
+use imogene_verif::mutation::machine::{self as mutants, Shown};
 use imogene_verif::mutation::{MutationReport, Options, circuit, netlist, table};
 use imogene_verif::unit::subject;
 use std::path::{Path, PathBuf};
@@ -80,11 +80,11 @@ fn of_machine(path: &Path, options: &Mutate, json: bool) -> Result<(), Failure> 
         images: &images,
         runs: options.stimuli.unwrap_or(8),
     };
-    let design = of_machine::design(&machine)?;
+    let design = mutants::design(&machine)?;
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
-    let bar = output::progress(of_machine::count(&design), "mutants");
+    let bar = output::progress(mutants::count(&design), "mutants");
     let report = MutationReport::of(&name, &options.unit.join(","));
-    let report = of_machine::run(&shown, &design, report, || bar.inc(1));
+    let report = mutants::run(&shown, &design, report, || bar.inc(1));
     bar.finish_and_clear();
     let report = report?;
     if !json {
