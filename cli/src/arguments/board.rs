@@ -1,5 +1,6 @@
 //! Arguments of `board`.
 
+use super::FrameRange;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -19,6 +20,12 @@ pub struct Board {
     /// Video mode of a fitted machine; the first of the board if not given.
     #[arg(long, value_name = "MODE", conflicts_with = "machine")]
     pub mode: Option<String>,
+    /// Frames of the scene's animation, counted from 1; all of an animated scene if not given.
+    #[arg(long, value_name = "FIRST..LAST")]
+    pub animation: Option<FrameRange>,
+    /// Frames of the screen to simulate; those of all images if not given.
+    #[arg(long, value_name = "N", conflicts_with_all = ["sources_only", "no_simulation"], value_parser = clap::value_parser!(u64).range(1..=100_000))]
+    pub frames: Option<u64>,
     /// Leave the shading processor out of a fitted machine: every object has the plain colour of its material.
     #[arg(long, conflicts_with = "machine")]
     pub flat: bool,

@@ -90,7 +90,7 @@ impl SceneWords {
 }
 
 /// What of a scene is looked at, and from where.
-#[derive(Clone, Debug, Args)]
+#[derive(Clone, Debug, Default, Args)]
 pub struct View {
     /// Look through the camera of this name instead of the active one.
     #[arg(long, value_name = "NAME")]

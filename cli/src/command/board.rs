@@ -1,25 +1,25 @@
 //! `imogene board`.
 
+mod film;
 mod report;
 
-use super::{fit, frame_in, read_scene};
-use crate::arguments::{self, Fit, MACHINE_FILE, View};
+use super::fit;
+use crate::arguments::{self, Fit, MACHINE_FILE};
 use crate::failure::Failure;
 use crate::output;
-use imogene_board::{
-    Board, Display, MODELS, Pins, Pll, Sources, frame, route, simulate, sources, witness,
-};
+use film::{Film, RATE, reel};
+use imogene_board::{Board, Display, MODELS, Pll, Sources, route, simulate, sources, witness};
 use imogene_contract::video::VideoMode;
-use imogene_files::Outputs;
+use imogene_files::{Outputs, WriteError};
 use imogene_plan::description::{MachineDescription, MachineKind, Mode, Output};
-use imogene_plan::display::{Image, image};
 use imogene_rtl::emit::machine::emit_machine;
 use imogene_studies::fit::budget::CountLimit;
+use imogene_studies::kit::preview::Preview;
 use imogene_studies::picture;
 use imogene_verif::display::request::request;
 use report::{BoardReport, Shown, tell};
 
-/// Clocks that are simulated beside two frames. The first frame is black, for its words are on their way.
+/// Clocks that are simulated beside whole frames.
 const SLACK: u64 = 4_000;
 /// What a fitted machine may show wrongly: a part of the picture in percent, and levels of a colour.
 const PERCENT: f64 = 0.1;
@@ -28,28 +28,30 @@ const LEVELS: f64 = 2.0;
 /// Makes a board that shows a scene.
 pub fn run(options: &arguments::Board, json: bool) -> Result<(), Failure> {
     let board = Board::named(&options.board)?;
+    let reel = reel(&options.scene, options.animation)?;
     let machine = machine(options, &board)?;
     let mode = mode_of(&board, &machine)?;
-    let image = image_of(options, &machine)?;
+    let film = Film::of(reel, options, &machine, |picture| seen(&board, picture))?;
     let pll = Pll::of(&board, hertz(&mode))?;
     let command = command(options);
     let emitted = emit_machine(&request(&machine, &command))?;
     let heading = format!("Made by: {command}");
     let display = Display {
         machine: &emitted,
-        words: &image.beats,
+        words: &film.words,
+        stays: (film.stay - 1) as u8,
         heading: &heading,
     };
     let work = Work {
         options,
         sources: sources(&board, &pll, &display)?,
-        golden: seen(&board, &image.picture),
+        film,
         board,
         mode,
         pll,
     };
     let mut files = output::files();
-    let mut report = BoardReport::new(&work.board, &machine, &work.pll, image.beats.len(), command);
+    let mut report = BoardReport::new(&work, &machine, command);
     work.add_sources(&machine, &mut files)?;
     if !options.sources_only {
         report.pins = work.pins(&mut files)?;
@@ -71,8 +73,7 @@ struct Work<'a> {
     mode: VideoMode,
     pll: Pll,
     sources: Sources,
-    /// The golden picture in the bits that the pins have.
-    golden: Vec<u8>,
+    film: Film,
 }
 
 impl Work<'_> {
@@ -87,14 +88,33 @@ impl Work<'_> {
         if let Some((kind, text)) = &self.sources.constraints {
             files.add_text(&out(&format!("board.{kind}")), text)?;
         }
-        self.add_picture("golden", &self.golden, files)
+        self.add_pictures("golden", &self.film.pictures, files)
     }
 
-    fn add_picture(&self, name: &str, pixels: &[u8], files: &mut Outputs) -> Result<(), Failure> {
+    /// A picture, or an animated one: what the pins show of each image for the first time.
+    fn add_pictures(
+        &self,
+        name: &str,
+        pictures: &[impl AsRef<[u8]>],
+        files: &mut Outputs,
+    ) -> Result<(), Failure> {
         let [width, height] = [self.mode.line, self.mode.frame].map(|span| span.active as usize);
         let path = self.options.out.join(format!("{name}.png"));
-        files.add(&path, |out| picture::png(out, width, height, pixels))?;
-        Ok(())
+        if let [picture] = pictures {
+            files.add(&path, |out| {
+                picture::png(out, width, height, picture.as_ref())
+            })?;
+            return Ok(());
+        }
+        let failed = |error| Failure::from(WriteError::at(&path)(error));
+        let size = (width as u32, height as u32);
+        let file = files.open(&path)?;
+        let seconds = self.film.stay as f64 / RATE;
+        let mut preview = Preview::new(file, size, pictures.len() as u32).map_err(failed)?;
+        for picture in pictures {
+            preview.frame(picture.as_ref(), seconds).map_err(failed)?;
+        }
+        preview.finish().map_err(failed)
     }
 
     /// What the pins show in simulation of the sources.
@@ -113,20 +133,27 @@ impl Work<'_> {
         models: &str,
         files: &mut Outputs,
     ) -> Result<Shown, Failure> {
-        let clocks = 2 * self.mode.clocks() + SLACK;
-        let Pins {
-            ticks,
-            channels,
-            samples,
-        } = simulate(&self.board, verilog, models, clocks)?;
-        let frame = frame(&ticks, &self.mode)?;
-        self.add_picture(name, &frame.picture, files)?;
+        // The words of the first image are on their way in the first frame.
+        let frames = self.options.frames.unwrap_or(self.film.frames());
+        let clocks = (1 + frames) * self.mode.clocks() + SLACK;
+        let pins = simulate((&self.board, &self.mode), verilog, models, clocks)?;
+        let firsts = pins
+            .shown
+            .pictures
+            .iter()
+            .skip(1)
+            .step_by(self.film.stay as usize);
+        self.add_pictures(name, &firsts.collect::<Vec<_>>(), files)?;
         if self.options.samples {
             let out = |name: &str| self.options.out.join(name);
-            files.add(&out("pins.bin"), |out| out.write_all(&samples))?;
-            files.add(&out("golden.rgb"), |out| out.write_all(&self.golden))?;
+            let samples = pins.samples();
+            files.add(&out("pins.bin"), |out| {
+                std::io::copy(&mut std::fs::File::open(&samples)?, out).map(|_| ())
+            })?;
+            let golden = self.film.picture(pins.shown.pictures.len() - 1);
+            files.add(&out("golden.rgb"), |out| out.write_all(golden))?;
         }
-        Ok(Shown::of(&frame, &self.golden, clocks, channels.as_ref()))
+        Ok(Shown::of(&pins, &self.film, clocks))
     }
 
     /// Places and routes the board, packs its bitstream, and shows what that shows.
@@ -222,17 +249,6 @@ fn hertz(mode: &VideoMode) -> u64 {
     }
 }
 
-fn image_of(options: &arguments::Board, machine: &MachineDescription) -> Result<Image, Failure> {
-    let view = View {
-        camera: None,
-        frame: None,
-    };
-    let file = read_scene(&options.scene, &view)?;
-    let (framed, prepared) = frame_in(&file, machine.drawn_size(), machine.format()?)?;
-    let named = |error| Failure::Input(format!("{}: {error}", options.scene.display()));
-    image(&framed, &prepared, machine).map_err(named)
-}
-
 /// A picture in the bits that the pins of a board have.
 fn seen(board: &Board, picture: &[u8]) -> Vec<u8> {
     let bits = board.video.bits().unwrap_or(8);
@@ -254,6 +270,9 @@ fn command(options: &arguments::Board) -> String {
     }
     if options.flat {
         command += " --flat";
+    }
+    if let Some(range) = &options.animation {
+        command += &format!(" --animation {range}");
     }
     command + " --out DIR"
 }

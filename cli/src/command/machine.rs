@@ -4,7 +4,7 @@ mod files;
 mod report;
 
 use super::{frame_in, read_scene, verdict};
-use crate::arguments::{Machine, View};
+use crate::arguments::{FrameRange, Machine, View};
 use crate::failure::Failure;
 use crate::output;
 use files::{Scene, add_bench, grow, zone_timing_of};
@@ -23,7 +23,7 @@ use imogene_verif::display::pins::{PinsOutcome, PinsRun, run as run_pins};
 use imogene_verif::display::request::request;
 use imogene_verif::report::Report;
 use report::{MachineReport, tell};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Shows scenes on the pins of a machine.
 pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
@@ -128,34 +128,41 @@ fn views(options: &Machine) -> Result<Vec<(&Path, View)>, Failure> {
             views.push((path.as_path(), as_written));
             continue;
         };
-        let named = |error: String| Failure::Input(format!("{}: {error}", path.display()));
-        let file = read_scene(path, &as_written)?;
-        let playback = Playback::new(&file).map_err(|e| named(e.to_string()))?;
-        let frames = range.of("--animation", playback.count());
-        for frame in frames.map_err(named)? {
-            let view = View {
-                frame: Some(frame as u32),
-                ..as_written.clone()
-            };
-            views.push((path, view));
-        }
+        let frames = frames_of(path, &as_written, range)?;
+        views.extend(frames.into_iter().map(|(view, _)| (path.as_path(), view)));
     }
     Ok(views)
 }
 
-/// What a machine, read from a file, shows of scenes as they are written.
+/// The frames of the animation of a scene, and the seconds that each is shown.
+pub fn frames_of(
+    path: &Path,
+    as_written: &View,
+    range: FrameRange,
+) -> Result<Vec<(View, f64)>, Failure> {
+    let named = |error: String| Failure::Input(format!("{}: {error}", path.display()));
+    let file = read_scene(path, as_written)?;
+    let playback = Playback::new(&file).map_err(|e| named(e.to_string()))?;
+    let frames = range.of("--animation", playback.count()).map_err(named)?;
+    let frame = |number: usize| {
+        let view = View {
+            frame: Some(number as u32),
+            ..as_written.clone()
+        };
+        (view, playback.frame(number - 1).duration)
+    };
+    Ok(frames.map(frame).collect())
+}
+
+/// What a machine, described by a file, shows of scenes.
 pub fn images_of(
-    scenes: &[PathBuf],
+    views: &[(&Path, View)],
     machine: &MachineDescription,
     path: &Path,
 ) -> Result<Vec<Image>, Failure> {
-    let as_written = View {
-        camera: None,
-        frame: None,
-    };
-    let scenes = scenes
+    let scenes = views
         .iter()
-        .map(|path| prepared(path, &as_written, machine));
+        .map(|(path, view)| prepared(path, view, machine));
     let scenes = scenes.collect::<Result<Vec<_>, _>>()?;
     images(&scenes, machine, path, Refinement::Box)
 }

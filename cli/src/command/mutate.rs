@@ -1,7 +1,7 @@
 //! `imogene mutate`.
 
 use super::machine;
-use crate::arguments::Mutate;
+use crate::arguments::{Mutate, View};
 use crate::failure::Failure;
 use crate::output;
 use imogene_contract::{Request, Unit};
@@ -11,7 +11,7 @@ use imogene_rtl::emit::{design, emit};
 use imogene_verif::mutation::machine::{self as mutants, Shown};
 use imogene_verif::mutation::{MutationReport, Options, circuit, netlist, table};
 use imogene_verif::unit::subject;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
     if let Some(path) = &options.machine {
@@ -73,8 +73,10 @@ pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
 /// What a machine is made of beside its units.
 fn of_machine(path: &Path, options: &Mutate, json: bool) -> Result<(), Failure> {
     let machine = MachineDescription::read(path)?;
-    let scenes: Vec<PathBuf> = options.unit.iter().map(PathBuf::from).collect();
-    let images = machine::images_of(&scenes, &machine, path)?;
+    let as_written = View::default();
+    let scenes = options.unit.iter().map(Path::new);
+    let views: Vec<_> = scenes.map(|scene| (scene, as_written.clone())).collect();
+    let images = machine::images_of(&views, &machine, path)?;
     let shown = Shown {
         machine: &machine,
         images: &images,

@@ -31,7 +31,7 @@ fn the_pins_of_a_simulated_board_show_the_golden_picture() {
     let pins = &found["pins"];
     assert_eq!(
         (&pins["pixels"], &pins["differing"]),
-        (&19_200.into(), &0.into())
+        (&(2 * 19_200).into(), &0.into())
     );
     assert!(pins["words"].as_u64() > Some(2 * 19_200), "{pins}");
     assert!(pins["disparity"].as_i64() <= Some(8), "{pins}");
@@ -45,6 +45,41 @@ fn the_pins_of_a_simulated_board_show_the_golden_picture() {
     );
     let golden = std::fs::metadata(folder.path().join("out/golden.rgb")).expect("a picture");
     assert_eq!(golden.len(), 3 * 19_200);
+}
+
+/// Images in memory, each for as many frames of the screen as the scene says: from the first again behind the last.
+#[test]
+fn the_pins_of_a_board_show_an_animation() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let options = ["--flat", "--mode", "160x120", "--animation", "2..3"];
+    let found = board(
+        "simulation",
+        "animation/moon.toml",
+        &[&options[..], &["--frames", "14"]].concat(),
+        folder.path(),
+    );
+    assert_eq!(found["images"], 2);
+    // 0.08 s at 60 frames a second.
+    assert_eq!(found["frames_per_image"], 5);
+    let pins = &found["pins"];
+    // One black frame comes first.
+    assert_eq!(pins["frames"], 15);
+    assert_eq!(
+        (&pins["pixels"], &pins["differing"]),
+        (&(15 * 19_200).into(), &0.into())
+    );
+    let golden = std::fs::read(folder.path().join("out/golden.png")).expect("a picture");
+    let decoder = png::Decoder::new(std::io::Cursor::new(golden));
+    let mut reader = decoder.read_info().expect("a picture");
+    let control = reader.info().animation_control.expect("an animation");
+    assert_eq!(control.num_frames, 2);
+    let mut frame = || {
+        let mut picture = vec![0; reader.output_buffer_size().expect("a size")];
+        reader.next_frame(&mut picture).expect("a frame");
+        picture
+    };
+    // The moon moves.
+    assert_ne!(frame(), frame());
 }
 
 #[test]
@@ -92,15 +127,13 @@ fn what_a_board_is_made_of_is_lint_clean() {
     );
     for board in ["ulx3s-12", "icebreaker", "hx8k-evb"] {
         let mut command = imogene();
-        command.args([
-            "board",
-            board,
-            &scene,
-            "--flat",
-            "--sources-only",
-            "--out",
-            board,
-        ]);
+        command.args(["board", board, &scene, "--sources-only", "--out", board]);
+        // One machine for all of them.
+        let machine = folder.path().join("ulx3s-12/machine.toml");
+        match machine.exists() {
+            true => command.arg("--machine").arg(machine),
+            false => command.arg("--flat"),
+        };
         command.current_dir(folder.path()).assert().success();
         let lint = std::process::Command::new("verilator")
             .args([
@@ -142,6 +175,11 @@ fn what_is_refused_says_what_would_do() {
         said.contains("1280x720") && said.contains("it has 640x480"),
         "{said}"
     );
+    let said = refused(&["simulation", &cone, "--animation", "1..2"]);
+    assert!(
+        said.contains("cone.toml") && said.contains("image"),
+        "{said}"
+    );
     let zone = concat!(env!("CARGO_MANIFEST_DIR"), "/../machines/zone-160x120.toml");
     let said = refused(&["simulation", &cone, "--machine", zone]);
     assert!(said.contains("a board takes a beam machine"), "{said}");
@@ -158,7 +196,7 @@ fn the_bitstream_of_an_ice40_shows_the_golden_picture() {
     for pins in [&found["pins"], &found["bitstream"]] {
         assert_eq!(
             (&pins["pixels"], &pins["differing"]),
-            (&307_200.into(), &0.into())
+            (&(2 * 307_200).into(), &0.into())
         );
     }
     let clock = &found["routed"]["clocks"][0];

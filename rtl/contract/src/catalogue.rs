@@ -255,7 +255,7 @@ units! {
         ties NO_TIES;
         error EXACT;
     SceneSequencer "scene_sequencer" [] "1", "one word every two clocks", "none: it stands in for the host";
-        computes "the addresses of the words of a scene, which it sends over AXI4-Stream again and again";
+        computes "the addresses of the words of images, which it sends over AXI4-Stream one after the other, each as often as it stays";
         ties NO_TIES;
         error EXACT;
     ShadingProcessor "shading_processor" [LIGHTS, SUNS] "44", "one pixel per clock, without a bubble; words change only when the pipeline has drained", "Chaillou 1991, III.1.2; Nyiri 1994, 1.2.4";

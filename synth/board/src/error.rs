@@ -53,14 +53,14 @@ pub enum BoardError {
         pixel: u64,
     },
     /// The design does not fit the part.
-    #[error(
-        "the design does not fit {part}: it takes {excess}; a smaller machine (--machine), or one without shading (--flat), may fit"
-    )]
+    #[error("the design does not fit {part}: it takes {excess}; {remedy}")]
     Excess {
         /// The part.
         part: String,
         /// The first resource that runs out: how many of how many.
         excess: String,
+        /// What may fit.
+        remedy: &'static str,
     },
     /// A clock is not reached.
     #[error("the clock {clock} reaches {achieved:.2} MHz on {part}, {wanted:.2} MHz are asked for")]

@@ -178,6 +178,7 @@ fn packed(
         Some(excess) => Err(BoardError::Excess {
             part: part.name(),
             excess,
+            remedy: "a smaller machine (--machine), or one without shading (--flat), may fit",
         }),
         None => Ok(()),
     }

@@ -45,47 +45,82 @@ pub enum ScreenError {
     },
 }
 
-/// A picture that the pins show.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Frame {
-    /// Red, green, blue of every pixel, line by line.
-    pub picture: Vec<u8>,
-    /// Clocks between the last two vertical synchronisations, none of which was seen if there is only one.
+/// What a screen shows.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Shown {
+    /// Red, green, blue of every pixel of the whole frames, line by line.
+    pub pictures: Vec<Vec<u8>>,
+    /// Clocks between the last two vertical synchronisations; 0 before there were two.
     pub clocks: usize,
 }
 
-/// The last whole frame: the screen finds it by the beginning of the vertical synchronisation alone, and every pin has
-/// to be as the mode has it up to the end of the shown part.
-///
-/// # Errors
-///
-/// When there is no whole frame, or a pin is against the mode.
-pub fn frame(ticks: &[Tick], mode: &VideoMode) -> Result<Frame, ScreenError> {
-    let none = ScreenError::NoFrame { ticks: ticks.len() };
-    let begins = |pair: &[Tick]| {
-        let is_in = |tick: &Tick| tick.vsync == mode.vsync_high;
-        !is_in(&pair[0]) && is_in(&pair[1])
-    };
-    let starts = ticks.windows(2).enumerate();
-    let starts: Vec<usize> = starts
-        .filter(|(_, pair)| begins(pair))
-        .map(|(place, _)| place + 1)
-        .collect();
-    let layout = Layout::of(mode);
-    let whole = |start: &&usize| **start + layout.end <= ticks.len();
-    let last = starts.iter().rposition(|start| whole(&start)).ok_or(none)?;
-    let before = last.checked_sub(1).map(|before| starts[before]);
-    let mut picture = Vec::with_capacity(3 * (mode.line.active * mode.frame.active) as usize);
-    for at in 0..layout.end {
-        let tick = &ticks[starts[last] + at];
-        if layout.check(tick, at)? {
-            picture.extend(tick.colour);
+/// A screen: it finds a frame by the beginning of the vertical synchronisation alone, and every pin has to be as the mode
+/// has it from there to the end of the shown part.
+pub(crate) struct Screen<'a> {
+    layout: Layout<'a>,
+    ticks: usize,
+    /// The vertical synchronisation in the clock before.
+    was_in_vsync: bool,
+    /// When the last two frames began.
+    starts: [Option<usize>; 2],
+    picture: Vec<u8>,
+    shown: Shown,
+}
+
+impl<'a> Screen<'a> {
+    pub(crate) fn new(mode: &'a VideoMode) -> Screen<'a> {
+        Screen {
+            layout: Layout::of(mode),
+            ticks: 0,
+            was_in_vsync: true,
+            starts: [None; 2],
+            picture: vec![],
+            shown: Shown::default(),
         }
     }
-    Ok(Frame {
-        picture,
-        clocks: before.map_or(0, |before| starts[last] - before),
-    })
+
+    /// One clock of the pixels.
+    pub(crate) fn see(&mut self, tick: &Tick) -> Result<(), ScreenError> {
+        let is_in_vsync = tick.vsync == self.layout.mode.vsync_high;
+        if is_in_vsync && !self.was_in_vsync {
+            self.starts = [self.starts[1], Some(self.ticks)];
+            self.picture.clear();
+        }
+        self.was_in_vsync = is_in_vsync;
+        if let Some(start) = self.starts[1] {
+            self.place(tick, self.ticks - start)?;
+        }
+        self.ticks += 1;
+        Ok(())
+    }
+
+    fn place(&mut self, tick: &Tick, at: usize) -> Result<(), ScreenError> {
+        if at >= self.layout.end {
+            return Ok(());
+        }
+        if self.layout.check(tick, at)? {
+            self.picture.extend(tick.colour);
+        }
+        if at + 1 == self.layout.end {
+            self.shown.pictures.push(std::mem::take(&mut self.picture));
+        }
+        Ok(())
+    }
+
+    /// What was shown.
+    ///
+    /// # Errors
+    ///
+    /// When there was no whole frame.
+    pub(crate) fn shown(mut self) -> Result<Shown, ScreenError> {
+        if self.shown.pictures.is_empty() {
+            return Err(ScreenError::NoFrame { ticks: self.ticks });
+        }
+        if let [Some(before), Some(last)] = self.starts {
+            self.shown.clocks = last - before;
+        }
+        Ok(self.shown)
+    }
 }
 
 /// Where everything is in a frame, counted from the beginning of the vertical synchronisation.
@@ -144,6 +179,12 @@ mod tests {
         [x as u8, y as u8, 7]
     }
 
+    fn seen(ticks: &[Tick]) -> Result<Shown, ScreenError> {
+        let mut screen = Screen::new(&MODE);
+        ticks.iter().try_for_each(|tick| screen.see(tick))?;
+        screen.shown()
+    }
+
     /// The clocks of two frames and a bit, by the golden raster.
     fn ticks() -> Vec<Tick> {
         let mut timing = VideoTiming::new(MODE, 0);
@@ -165,23 +206,25 @@ mod tests {
     }
 
     #[test]
-    fn the_picture_of_a_frame_is_found() {
+    fn the_pictures_of_frames_are_found() {
         for has_de in [true, false] {
             let mut ticks = ticks();
             ticks
                 .iter_mut()
                 .for_each(|tick| tick.de = tick.de.filter(|_| has_de));
-            let frame = frame(&ticks, &MODE).expect("a frame");
-            assert_eq!(frame.clocks as u64, MODE.clocks());
+            let shown = seen(&ticks).expect("frames");
+            assert_eq!(shown.clocks as u64, MODE.clocks());
             let pixels = (0..120).flat_map(|y| (0..160).map(move |x| colour(x, y)));
-            assert_eq!(frame.picture, pixels.flatten().collect::<Vec<u8>>());
+            let picture: Vec<u8> = pixels.flatten().collect();
+            assert!(!shown.pictures.is_empty());
+            assert!(shown.pictures.iter().all(|shown| *shown == picture));
         }
     }
 
     #[test]
     fn pins_against_the_mode_are_refused() {
         let sound = ticks();
-        assert!(frame(&sound[..9_000], &MODE).is_err());
+        assert!(seen(&sound[..9_000]).is_err());
         for (what, change) in [
             ("hsync", (|tick| tick.hsync ^= true) as fn(&mut Tick)),
             // A frame that begins where none does.
@@ -193,7 +236,7 @@ mod tests {
             // The first clock of the second frame is blank, and is not the beginning of its synchronisation.
             let blank = MODE.clocks() as usize + 2 * MODE.line.total() as usize + 1;
             change(&mut broken[blank + 4]);
-            let error = frame(&broken, &MODE).expect_err(what).to_string();
+            let error = seen(&broken).expect_err(what).to_string();
             assert!(error.contains(what), "{error}");
         }
     }

@@ -2,64 +2,82 @@
 
 use crate::description::{Board, Video};
 use crate::error::BoardError;
-use crate::screen::Tick;
-use crate::tmds::{Channels, decode};
+use crate::screen::{Screen, Shown, Tick};
+use crate::tmds::{Channels, Decoder};
+use imogene_contract::video::VideoMode;
 use imogene_tools::{FileError, VERILATOR, scratch, write};
 use minijinja::{Environment, context};
-use std::path::Path;
+use std::io::{BufRead, Read};
+use std::path::{Path, PathBuf};
+use tempfile::TempDir;
 
 const BENCH: &str = include_str!("top/bench.v");
+const SAMPLES: &str = "pins.bin";
 const DRIVER: &str = include_str!("top/bench.cpp");
 const OPTIONS: &str = "--cc --exe --build -j 2 -O3 --x-assign fast --x-initial fast -Wno-fatal -Wno-lint -Wno-style \
     --top-module board_bench --Mdir cpp -CFLAGS -O1 bench.v design.v models.v bench.cpp";
 
 /// What the pins of a board have shown.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Pins {
-    /// Each clock of the pixels.
-    pub ticks: Vec<Tick>,
-    /// What was found on DVI channels, without its ticks; none of parallel pins.
+    /// What a screen makes of them.
+    pub shown: Shown,
+    /// What was found on DVI channels; none of parallel pins.
     pub channels: Option<Channels>,
-    /// Each bit of the DVI channels: bits 0 to 3 are blue, green, red and their clock; none of parallel pins.
-    pub samples: Vec<u8>,
+    folder: TempDir,
+}
+
+impl Pins {
+    /// A byte for each bit of the DVI channels: bits 0 to 3 are blue, green, red and their clock. Of parallel pins four
+    /// bytes for each pixel.
+    pub fn samples(&self) -> PathBuf {
+        self.folder.path().join(SAMPLES)
+    }
 }
 
 /// Simulates a board for so many clocks of the pixels. `models` are those of the cells that the Verilog instantiates.
 ///
 /// # Errors
 ///
-/// When Verilator is missing or refuses the Verilog, or the pins carry no words.
+/// When Verilator is missing or refuses the Verilog, the pins carry no words, or they are against the mode.
 pub fn simulate(
-    board: &Board,
+    (board, mode): (&Board, &VideoMode),
     verilog: &str,
     models: &str,
     clocks: u64,
 ) -> Result<Pins, BoardError> {
-    let samples = samples(board, verilog, models, clocks)?;
-    let Video::Tmds { .. } = board.video else {
-        let ticks = samples.into_iter().map(|pins| tick(board, pins));
-        return Ok(Pins {
-            ticks: ticks.collect(),
-            channels: None,
-            samples: vec![],
-        });
-    };
-    let samples: Vec<u8> = samples.into_iter().map(|pins| pins as u8).collect();
-    let mut channels = decode(&samples)?;
+    let folder = sampled(board, verilog, models, clocks)?;
+    let path = folder.path().join(SAMPLES);
+    let file = std::fs::File::open(&path).map_err(FileError::at(&path))?;
+    let mut file = std::io::BufReader::with_capacity(1 << 16, file);
+    let mut screen = Screen::new(mode);
+    let is_serial = matches!(board.video, Video::Tmds { .. });
+    let mut decoder = is_serial.then(Decoder::default);
+    let mut sample = [0; 4];
+    let bytes = &mut sample[..if is_serial { 1 } else { 4 }];
+    while !file.fill_buf().map_err(FileError::at(&path))?.is_empty() {
+        file.read_exact(bytes).map_err(FileError::at(&path))?;
+        let tick = match &mut decoder {
+            Some(decoder) => decoder.see(bytes[0])?,
+            None => {
+                let pins = bytes
+                    .iter()
+                    .rev()
+                    .fold(0, |pins, byte| pins << 8 | u32::from(*byte));
+                Some(tick(board, pins))
+            }
+        };
+        tick.map_or(Ok(()), |tick| screen.see(&tick))?;
+    }
     Ok(Pins {
-        ticks: std::mem::take(&mut channels.ticks),
-        channels: Some(channels),
-        samples,
+        channels: decoder.map(Decoder::found).transpose()?,
+        shown: screen.shown()?,
+        folder,
     })
 }
 
-/// The levels of all pins, the first in bit 0: after both edges of the fast clock, or once a pixel.
-fn samples(
-    board: &Board,
-    verilog: &str,
-    models: &str,
-    clocks: u64,
-) -> Result<Vec<u32>, BoardError> {
+/// A folder with the levels of all pins: after both edges of the fast clock, or once a pixel.
+fn sampled(board: &Board, verilog: &str, models: &str, clocks: u64) -> Result<TempDir, BoardError> {
     let folder = scratch()?;
     let path = |name: &str| folder.path().join(name);
     let pins = board.video.pins();
@@ -74,18 +92,17 @@ fn samples(
         write(&path(name), text)?;
     }
     VERILATOR.run(OPTIONS.split_whitespace(), folder.path())?;
-    let edges = if board.fast_ratio() > 1 { "2" } else { "1" };
+    let [edges, bytes] = match board.video {
+        Video::Tmds { .. } => ["2", "1"],
+        Video::Parallel { .. } => ["1", "4"],
+    };
     let count = (clocks * board.fast_ratio()).to_string();
     run(
         &path("cpp/Vboard_bench"),
-        &[&count, edges, "pins.bin"],
+        &[&count, edges, bytes, SAMPLES],
         folder.path(),
     )?;
-    let bytes = std::fs::read(path("pins.bin")).map_err(FileError::at(path("pins.bin")))?;
-    let words = bytes.chunks_exact(4);
-    Ok(words
-        .map(|word| u32::from_ne_bytes(word.try_into().expect("four bytes")))
-        .collect())
+    Ok(folder)
 }
 
 fn run(program: &Path, arguments: &[&str], folder: &Path) -> Result<(), BoardError> {

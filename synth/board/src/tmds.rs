@@ -60,10 +60,8 @@ pub enum TmdsError {
 }
 
 /// What was found on the channels.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Channels {
-    /// Every clock of the pixels from the first word of control on.
-    pub ticks: Vec<Tick>,
     /// Words of each channel.
     pub words: usize,
     /// The greatest difference of ones and zeros since a word of control.
@@ -77,24 +75,52 @@ pub struct Channels {
 ///
 /// A word begins where the clock rises. Every word from the first one of control on has to be the one that balances
 /// ones and zeros.
-///
-/// # Errors
-///
-/// With the first word that is none.
-pub fn decode(samples: &[u8]) -> Result<Channels, TmdsError> {
-    let rises = samples
-        .windows(2)
-        .position(|pair| pair[0] & 8 == 0 && pair[1] & 8 != 0);
-    let begin = rises.ok_or(TmdsError::NoClock)? + 1;
-    let mut receiver = Receiver::default();
-    for (word, samples) in samples[begin..].chunks_exact(WORD).enumerate() {
+#[derive(Default)]
+pub(crate) struct Decoder {
+    receiver: Receiver,
+    before: Option<u8>,
+    /// Samples of the word that has begun; none before the clock rises.
+    word: Option<Vec<u8>>,
+    count: usize,
+}
+
+impl Decoder {
+    /// The next sample, and the clock of the pixels that it ends.
+    pub(crate) fn see(&mut self, sample: u8) -> Result<Option<Tick>, TmdsError> {
+        if self.word.is_none() {
+            let rises = sample & 8 != 0 && self.before.is_some_and(|before| before & 8 == 0);
+            self.before = Some(sample);
+            self.word = rises.then(Vec::new);
+        }
+        let Some(samples) = &mut self.word else {
+            return Ok(None);
+        };
+        samples.push(sample);
+        if samples.len() < WORD {
+            return Ok(None);
+        }
+        let word = self.count;
         let clock = bits(samples, 3);
         if clock != 0b00000_11111 {
             return Err(TmdsError::Clock { word, found: clock });
         }
-        receiver.take(word, [0, 1, 2].map(|channel| bits(samples, channel)))?;
+        let words = [0, 1, 2].map(|channel| bits(samples, channel));
+        samples.clear();
+        self.count += 1;
+        self.receiver.take(word, words)
     }
-    Ok(receiver.found)
+
+    /// What was found, after all samples.
+    ///
+    /// # Errors
+    ///
+    /// When no word began.
+    pub(crate) fn found(self) -> Result<Channels, TmdsError> {
+        match self.word {
+            Some(_) => Ok(self.receiver.found),
+            None => Err(TmdsError::NoClock),
+        }
+    }
 }
 
 fn bits(samples: &[u8], channel: u32) -> u16 {
@@ -113,14 +139,14 @@ struct Receiver {
 }
 
 impl Receiver {
-    fn take(&mut self, word: usize, words: [u16; 3]) -> Result<(), TmdsError> {
+    fn take(&mut self, word: usize, words: [u16; 3]) -> Result<Option<Tick>, TmdsError> {
         if !self.is_started {
             // Before the first word the registers of the encoders are empty.
             let is_control = |&word: &u16| matches!(meaning(word), Some(Sent::Control(_)));
             self.is_started = words.iter().all(is_control);
         }
         if !self.is_started {
-            return Ok(());
+            return Ok(None);
         }
         let mut sent = [Sent::Control(0); 3];
         for (channel, found) in words.into_iter().enumerate() {
@@ -142,13 +168,12 @@ impl Receiver {
                 return Err(TmdsError::Apart { word, what });
             }
         };
-        self.found.ticks.push(Tick {
+        Ok(Some(Tick {
             hsync: self.sync & 1 == 1,
             vsync: self.sync & 2 == 2,
             de: Some(tick.is_some()),
             colour: tick.unwrap_or_default(),
-        });
-        Ok(())
+        }))
     }
 
     /// What a word of a channel means.
@@ -197,6 +222,14 @@ mod tests {
         samples
     }
 
+    fn decode(samples: &[u8]) -> Result<(Vec<Tick>, Channels), TmdsError> {
+        let (mut decoder, mut ticks) = (Decoder::default(), vec![]);
+        for &sample in samples {
+            ticks.extend(decoder.see(sample)?);
+        }
+        Ok((ticks, decoder.found()?))
+    }
+
     const BLANK: [Sent; 3] = [Sent::Control(1), Sent::Control(0), Sent::Control(0)];
 
     fn pixel(colour: [u8; 3]) -> [Sent; 3] {
@@ -212,10 +245,10 @@ mod tests {
             pixel([250, 0, 255]),
             BLANK,
         ]));
-        let found = found.expect("channels");
-        let colours: Vec<_> = found.ticks.iter().map(|tick| tick.colour).collect();
+        let (ticks, found) = found.expect("channels");
+        let colours: Vec<_> = ticks.iter().map(|tick| tick.colour).collect();
         assert_eq!(colours[1..3], [[1, 2, 3], [250, 0, 255]]);
-        assert!(found.ticks.iter().all(|tick| tick.hsync && !tick.vsync));
+        assert!(ticks.iter().all(|tick| tick.hsync && !tick.vsync));
         assert_eq!(found.words, 4);
     }
 

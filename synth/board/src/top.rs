@@ -9,8 +9,6 @@ use imogene_rtl::emit::{Emitted, emit};
 use minijinja::{Environment, Value, context};
 use std::fmt::Write;
 
-/// Bits of the kind and of the address of a word.
-const PLACE: usize = 28;
 /// Words that a sequencer can address.
 const MOST_WORDS: usize = 1 << 12;
 /// The name of the top module.
@@ -23,8 +21,10 @@ pub const MODELS: &str = include_str!("top/models.v");
 pub struct Display<'a> {
     /// The beam machine with its screen.
     pub machine: &'a Emitted,
-    /// The words of its frames, one frame after the other.
+    /// The words of its images, one image after the other.
     pub words: &'a [Beat],
+    /// How many frames of the screen show an image, less one.
+    pub stays: u8,
     /// The line that the files begin with.
     pub heading: &'a str,
 }
@@ -121,27 +121,50 @@ fn core(board: &Board, display: &Display) -> Result<Value, BoardError> {
     if count > MOST_WORDS {
         return Err(BoardError::Excess {
             part: board.name.clone(),
-            excess: format!("{count} words of the scene of {MOST_WORDS}"),
+            excess: format!("{count} words of images of {MOST_WORDS}"),
+            remedy: "a scene of fewer objects, or fewer frames of an animation (--animation FIRST..LAST), may fit",
         });
     }
     let mut ports = display.machine.ports.iter();
     let data = ports
         .find(|port| port.name == "s_tdata")
         .map_or(0, |port| port.width);
+    // From the lowest bits on; each field as wide as its greatest value.
+    let field = |width: u32, of: fn(&Beat) -> u64| {
+        let greatest = display.words.iter().map(of).max().unwrap_or(0);
+        (width, (greatest.max(1).ilog2() + 1).min(width), of)
+    };
+    let fields = [
+        field(data as u32, |beat| beat.data),
+        field(16, |beat| beat.address.into()),
+        field(8, |beat| beat.unit.into()),
+        field(4, |beat| beat.kind.into()),
+        (1, 1, |beat| beat.last.into()),
+    ];
+    let bits: u32 = fields.iter().map(|(_, kept, _)| kept).sum();
     let word = |(index, beat): (usize, &Beat)| {
-        let place =
-            u64::from(beat.kind) << 24 | u64::from(beat.unit) << 16 | u64::from(beat.address);
-        let marks = u64::from(index + 1 == count) << 1 | u64::from(beat.last);
-        let word =
-            u128::from(marks) << (data + PLACE) | u128::from(place) << data | u128::from(beat.data);
+        let last = u128::from(index + 1 == count);
+        let fields = fields.iter().rev();
+        let word = fields.fold(last, |word, (_, kept, of)| {
+            word << kept | u128::from(of(beat))
+        });
         format!("{word:x}")
     };
     let words: Vec<String> = display.words.iter().enumerate().map(word).collect();
     let places = count.next_power_of_two().max(2);
+    let mut low = 0;
+    let [data, address, unit, kind, _] = fields.map(|(width, kept, _)| {
+        low += kept;
+        let part = format!("word[{}:{}]", low - 1, low - kept);
+        match width - kept {
+            0 => part,
+            zeros => format!("{zeros}'d0, {part}"),
+        }
+    });
     Ok(context! {
         heading => display.heading, machine => display.machine.top.clone(), words, places,
-        bits => data + PLACE + 2, data_bits => data, address_bits => places.ilog2(),
-        tmds => matches!(board.video, Video::Tmds { .. }),
+        bits => bits + 1, address_bits => places.ilog2(), stays => display.stays,
+        data, address, unit, kind, tmds => matches!(board.video, Video::Tmds { .. }),
     })
 }
 

@@ -3,7 +3,7 @@
 use super::description::{Description, bit, late};
 use crate::stimulus::{each, word};
 use crate::subject::{Inputs, Subject};
-use imogene_golden::machine::sequencer::SceneSequencer;
+use imogene_golden::machine::sequencer::{SceneSequencer, Word};
 use imogene_golden::machine::tmds::{Sent, TmdsEncoder, TmdsSerialiser};
 use proptest::prelude::*;
 
@@ -74,21 +74,28 @@ pub(super) fn scene_sequencer() -> Description {
     Description::new(stalls, || {
         let mut sequencer = SceneSequencer::default();
         move |i: &[i64]| {
-            let said = sequencer.clock(bit(i[0]), bit(i[1]));
+            let word = Word {
+                last: bit(i[0]),
+                ends: bit(i[1]),
+            };
+            let said = sequencer.clock(word, i[2] as u8, bit(i[3]));
             vec![Some(said.valid.into()), Some(said.address.into())]
         }
     })
-    // A word takes two clocks or more.
-    .reached_in(3 << SEQUENCE)
+    // A word takes two clocks or more, and is sent twice where an image stays.
+    .reached_in(8 << SEQUENCE)
 }
 
-/// A receiver that stalls now and then, and long memories among short ones.
-fn stalls(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
-    let words = prop_oneof![Just(5), Just(1000), Just(1 << SEQUENCE)];
-    let of_length = move |words: u32| {
-        let last = prop_oneof![2 * words - 1 => Just(0i64), 1 => Just(1)].boxed();
+/// A receiver that stalls now and then, long memories and images among short ones, short stays and long ones.
+fn stalls(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let lengths = || prop_oneof![Just(1u32), Just(5), Just(1000), Just(1 << SEQUENCE)];
+    let stays = prop_oneof![Just(0i64), Just(1), word(&subject.inputs[2])];
+    let of_length = move |(words, image, stays): (u32, u32, i64)| {
+        let one_of = |count| prop_oneof![2 * count - 1 => Just(0i64), 1 => Just(1)].boxed();
         let ready = prop_oneof![3 => Just(1i64), 1 => Just(0)].boxed();
-        each(vec![last, ready], clocks)
+        let inputs = vec![one_of(words), one_of(image), Just(stays).boxed(), ready];
+        each(inputs, clocks)
     };
-    words.prop_flat_map(of_length).boxed()
+    let of = (lengths(), lengths(), stays);
+    of.prop_flat_map(of_length).boxed()
 }

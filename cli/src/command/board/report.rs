@@ -1,8 +1,10 @@
 //! What is told of a board.
 
+use super::Work;
+use super::film::Film;
 use crate::failure::Failure;
 use crate::output;
-use imogene_board::{Board, Channels, Frame, Pll, Routed};
+use imogene_board::{Board, Pins, Routed};
 use imogene_files::text::counted;
 use imogene_plan::description::MachineDescription;
 use serde::Serialize;
@@ -18,8 +20,11 @@ pub(super) struct BoardReport<'a> {
     pub(super) pixel_deviation_percent: f64,
     /// Clock of the pairs of bits in MHz; that of the pixels where there are none.
     pub(super) fast_mhz: f64,
-    /// Words of the scene.
+    /// Words of all images.
     pub(super) words: usize,
+    /// Images, and how many frames of the screen show each of them.
+    pub(super) images: usize,
+    pub(super) frames_per_image: u64,
     /// What the pins show in simulation of the sources.
     pub(super) pins: Option<Shown>,
     /// Place and route.
@@ -36,7 +41,8 @@ pub(super) struct Shown {
     /// Clocks of the pixels that were simulated, and those between two frames.
     pub(super) clocks: u64,
     pub(super) clocks_per_frame: usize,
-    /// Pixels of the last frame, and those that are not golden.
+    /// Whole frames of the screen, pixels of all, and those that are not golden.
+    pub(super) frames: usize,
     pub(super) pixels: usize,
     pub(super) differing: usize,
     /// Words of each DVI channel, none of parallel pins; the greatest difference of ones and zeros since a word of
@@ -47,18 +53,20 @@ pub(super) struct Shown {
 }
 
 impl Shown {
-    pub(super) fn of(
-        frame: &Frame,
-        golden: &[u8],
-        clocks: u64,
-        channels: Option<&Channels>,
-    ) -> Shown {
-        let pixels = frame.picture.chunks_exact(3).zip(golden.chunks_exact(3));
+    pub(super) fn of(pins: &Pins, film: &Film, clocks: u64) -> Shown {
+        let (shown, channels) = (&pins.shown, pins.channels);
+        let frames = shown.pictures.iter().enumerate();
+        let differing = |(frame, picture): (usize, &Vec<u8>)| {
+            let golden = film.picture(frame).chunks_exact(3);
+            let pixels = picture.chunks_exact(3).zip(golden);
+            pixels.filter(|(found, golden)| found != golden).count()
+        };
         Shown {
             clocks,
-            clocks_per_frame: frame.clocks,
-            pixels: golden.len() / 3,
-            differing: pixels.filter(|(found, golden)| found != golden).count(),
+            clocks_per_frame: shown.clocks,
+            frames: shown.pictures.len(),
+            pixels: shown.pictures.iter().map(|picture| picture.len() / 3).sum(),
+            differing: frames.map(differing).sum(),
             words: channels.map(|channels| channels.words),
             disparity: channels.map(|channels| channels.disparity),
             transitions: channels.map(|channels| channels.transitions),
@@ -67,8 +75,9 @@ impl Shown {
 
     fn tell(&self, of: &str) {
         output::text(format!(
-            "  {of}: {} of a frame, {}",
+            "  {of}: {} of {}, {}",
             counted(self.pixels as u64, "pixel"),
+            counted(self.frames as u64, "frame"),
             counted(self.differing as u64, "differing one")
         ));
         if let (Some(words), Some(disparity)) = (self.words, self.disparity) {
@@ -81,20 +90,16 @@ impl Shown {
 }
 
 impl<'a> BoardReport<'a> {
-    pub(super) fn new(
-        board: &'a Board,
-        machine: &'a MachineDescription,
-        pll: &Pll,
-        words: usize,
-        command: String,
-    ) -> Self {
+    pub(super) fn new(work: &'a Work, machine: &'a MachineDescription, command: String) -> Self {
         BoardReport {
-            board,
+            board: &work.board,
             machine,
-            pixel_hertz: pll.pixel_hertz().to_string(),
-            pixel_deviation_percent: pll.deviation_percent(),
-            fast_mhz: pll.fast_mhz(),
-            words,
+            pixel_hertz: work.pll.pixel_hertz().to_string(),
+            pixel_deviation_percent: work.pll.deviation_percent(),
+            fast_mhz: work.pll.fast_mhz(),
+            words: work.film.words.len(),
+            images: work.film.pictures.len(),
+            frames_per_image: work.film.stay,
             pins: None,
             routed: None,
             bitstream: None,
@@ -120,10 +125,11 @@ impl<'a> BoardReport<'a> {
 pub(super) fn tell(report: &BoardReport) {
     output::text(format!("{}: {}", report.board.name, report.board.about));
     output::text(format!(
-        "  pixels at {} Hz, {:+.3} % from the mode; {}",
+        "  pixels at {} Hz, {:+.3} % from the mode; {} of {}",
         report.pixel_hertz,
         report.pixel_deviation_percent,
-        counted(report.words as u64, "word")
+        counted(report.words as u64, "word"),
+        counted(report.images as u64, "image")
     ));
     if let Some(pins) = &report.pins {
         pins.tell("pins in simulation");

@@ -1,7 +1,7 @@
 // {{ heading }}
 
-// The words of the scene: bit {{ bits - 1 }} marks the last word of the memory, bit {{ bits - 2 }} that of a frame; then
-// the kind, the address and the data of a word of the machine.
+// The words of the images: bit {{ bits - 1 }} marks the last word of the memory, bit {{ bits - 2 }} that of an image; then
+// kind, unit, address and data of a word of the machine, each as wide as its greatest value.
 module scene_words (
     input  wire clock,
     input  wire [{{ address_bits - 1 }}:0] address,
@@ -37,11 +37,12 @@ module scene_display (
 
     scene_words scene (.clock(clock), .address(address[{{ address_bits - 1 }}:0]), .word(word));
     scene_sequencer sequencer (
-        .clock(clock), .last(word[{{ bits - 1 }}]), .m_tready(is_taken), .m_tvalid(is_there), .address(address)
+        .clock(clock), .last(word[{{ bits - 1 }}]), .ends(word[{{ bits - 2 }}]), .stays(8'd{{ stays }}),
+        .m_tready(is_taken), .m_tvalid(is_there), .address(address)
     );
     {{ machine }} machine (
-        .clock(clock), .s_tvalid(is_there), .s_tdest(word[{{ data_bits + 27 }}:{{ data_bits + 24 }}]),
-        .s_tuser(word[{{ data_bits + 23 }}:{{ data_bits }}]), .s_tdata(word[{{ data_bits - 1 }}:0]),
+        .clock(clock), .s_tvalid(is_there), .s_tdest({ {{- kind -}} }),
+        .s_tuser({ {{- unit }}, {{ address -}} }), .s_tdata({ {{- data -}} }),
         .s_tlast(word[{{ bits - 2 }}]), .s_tready(is_taken),
         .overlay_write(1'b0), .overlay_address(16'd0), .overlay_data(32'd0), .overlay_enable(1'b0),
         .overlay_colour(24'd0), .swapped(unused_swapped),

@@ -1,0 +1,120 @@
+//! The images that a board shows, and for how long.
+
+use crate::arguments::{self, FrameRange, View};
+use crate::command::machine::{frames_of, images_of};
+use crate::command::read_scene;
+use crate::failure::Failure;
+use imogene_golden::machine::zone::beat::Beat;
+use imogene_plan::description::MachineDescription;
+use num_integer::gcd;
+use std::path::Path;
+
+/// Frames of the screen per second, which every mode has.
+pub(super) const RATE: f64 = 60.0;
+/// The longest stay of an image in the memory, in frames of the screen; one that stays longer is there more than once.
+const LONGEST: u64 = 256;
+
+/// Images one after the other, again and again.
+pub(super) struct Film {
+    /// The words of all images.
+    pub(super) words: Vec<Beat>,
+    /// Red, green, blue of every pixel of each, in the bits that the pins have.
+    pub(super) pictures: Vec<Vec<u8>>,
+    /// Frames of the screen that show an image.
+    pub(super) stay: u64,
+    /// What is shown while the words of the first image are on their way.
+    black: Vec<u8>,
+}
+
+impl Film {
+    /// What a machine shows of a scene.
+    pub(super) fn of(
+        reel: Reel,
+        options: &arguments::Board,
+        machine: &MachineDescription,
+        seen: impl Fn(&[u8]) -> Vec<u8>,
+    ) -> Result<Film, Failure> {
+        let scene = options.scene.as_path();
+        let Reel { views, stay } = reel;
+        let views: Vec<(&Path, View)> = views.into_iter().map(|view| (scene, view)).collect();
+        let described = options.machine.as_deref().unwrap_or(scene);
+        let images = images_of(&views, machine, described)?;
+        let black = vec![0; images[0].picture.len()];
+        Ok(Film {
+            black,
+            words: images
+                .iter()
+                .flat_map(|image| image.beats.clone())
+                .collect(),
+            pictures: images.iter().map(|image| seen(&image.picture)).collect(),
+            stay,
+        })
+    }
+
+    /// Frames of the screen from the first image to the first again.
+    pub(super) fn frames(&self) -> u64 {
+        self.pictures.len() as u64 * self.stay
+    }
+
+    /// What a frame of the screen shows, counted from 0.
+    pub(super) fn picture(&self, frame: usize) -> &[u8] {
+        let Some(frame) = frame.checked_sub(1) else {
+            return &self.black;
+        };
+        &self.pictures[frame / self.stay as usize % self.pictures.len()]
+    }
+}
+
+/// What of a scene is in the memory, and for how many frames of the screen each view stays.
+pub(super) struct Reel {
+    views: Vec<View>,
+    stay: u64,
+}
+
+/// The frames of an animated scene, or the scene as it is written.
+pub(super) fn reel(scene: &Path, range: Option<FrameRange>) -> Result<Reel, Failure> {
+    let as_written = View::default();
+    let is_still = range.is_none() && read_scene(scene, &as_written)?.images.is_empty();
+    if is_still {
+        return Ok(Reel {
+            views: vec![as_written],
+            stay: 1,
+        });
+    }
+    let frames = frames_of(scene, &as_written, range.unwrap_or_default())?;
+    let seconds: Vec<f64> = frames.iter().map(|(_, seconds)| *seconds).collect();
+    let (stay, counts) = stays(&seconds);
+    let repeated = frames.into_iter().zip(counts);
+    let views = repeated.flat_map(|((view, _), count)| std::iter::repeat_n(view, count));
+    Ok(Reel {
+        views: views.collect(),
+        stay,
+    })
+}
+
+/// One stay for all images, in frames of the screen, and how often each of them follows itself.
+fn stays(seconds: &[f64]) -> (u64, Vec<usize>) {
+    let frames = seconds
+        .iter()
+        .map(|seconds| (seconds * RATE).round() as u64);
+    let frames: Vec<u64> = frames.map(|frames| frames.max(1)).collect();
+    let common: u64 = frames.iter().fold(0, |common, frames| gcd(common, *frames));
+    let divides = |stay: &u64| common.is_multiple_of(*stay);
+    let stay = (1..=common.min(LONGEST)).rev().find(divides).unwrap_or(1);
+    let counts = frames.iter().map(|frames| (frames / stay) as usize);
+    (stay, counts.collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::stays;
+
+    #[test]
+    fn images_stay_as_long_as_the_scene_says() {
+        assert_eq!(stays(&[0.08, 0.08]), (5, vec![1, 1]));
+        assert_eq!(stays(&[0.1, 0.25, 0.001]), (1, vec![6, 15, 1]));
+        assert_eq!(stays(&[0.1, 0.25]), (3, vec![2, 5]));
+        // 600 frames are more than the memory can say.
+        assert_eq!(stays(&[10.0]), (200, vec![3]));
+    }
+}
