@@ -3,6 +3,7 @@
 use crate::error::SynthError;
 use crate::harness;
 use crate::nextpnr::{self, RouteReport};
+use crate::registers;
 use crate::report::{SeedResult, SynthReport, median};
 use crate::target::{Family, Target};
 use crate::tools::Programs;
@@ -72,7 +73,11 @@ impl<'a> Bench<'a> {
             self.target.statistics()
         );
         yosys::run(&self.programs.yosys, self.folder, &script)?;
-        let statistics = yosys::parse_statistics(&read(&self.folder.join("unit.stat"))?)?;
+        let mut statistics = yosys::parse_statistics(&read(&self.folder.join("unit.stat"))?)?;
+        let moved = self.target.fold(&self.folder.join(UNIT_NETLIST))?;
+        if let Some(count) = statistics.cells.get_mut(registers::FLIP_FLOP) {
+            *count -= moved;
+        }
         let family = self.target.family();
         let resources = yosys::resources(family, &statistics.cells);
         let counted = |count: u64| (family != Family::Gates).then_some(count);
@@ -126,7 +131,9 @@ impl<'a> Bench<'a> {
             self.read_with_harness,
             self.target.synthesis(harness::TOP)
         );
-        yosys::run(&self.programs.yosys, self.folder, &script)
+        yosys::run(&self.programs.yosys, self.folder, &script)?;
+        self.target.fold(&self.folder.join(HARNESS_NETLIST))?;
+        Ok(())
     }
 }
 

@@ -101,7 +101,7 @@ impl Knowledge {
         };
         // Cells depend on Yosys alone, clocks on the router too.
         let yosys = format!("{:?}", Programs::find_yosys()?.versions());
-        let all = format!("{:?}", programs.versions());
+        let all = format!("{:?}{}", programs.versions(), target.steps());
         let key = |kind: &str, digest: &str| {
             let versions = if kind == OWN_CELLS { &yosys } else { &all };
             kept(&[

@@ -35,7 +35,11 @@ pub fn synthesise(
         &verilog,
         target.name(),
         &target.synthesis(harness::TOP),
-        &format!("{options:?} {:?} {tools:?}", target.place_and_route()),
+        &format!(
+            "{options:?} {:?} {tools:?}{}",
+            target.place_and_route(),
+            target.steps()
+        ),
         &harness,
         env!("CARGO_PKG_VERSION"),
     ]);

@@ -1,5 +1,8 @@
 //! The targets: a device, its synthesis command and its place and route command.
 
+use crate::error::SynthError;
+use crate::registers;
+use std::path::Path;
 use thiserror::Error;
 
 /// What a unit is synthesised for.
@@ -110,6 +113,22 @@ impl Target {
 
     pub(crate) const fn family(self) -> Family {
         self.row().1
+    }
+
+    /// Puts flip-flops of a netlist in a file into the cells before them, where the family has such cells; how many.
+    pub(crate) fn fold(self, netlist: &Path) -> Result<u64, SynthError> {
+        match self.family() {
+            Family::Ecp5 => registers::fold(netlist),
+            _ => Ok(0),
+        }
+    }
+
+    /// What a result depends on beside tools and their commands.
+    pub(crate) fn steps(self) -> &'static str {
+        match self.family() {
+            Family::Ecp5 => " output registers",
+            _ => "",
+        }
     }
 
     /// Commands that synthesise the module `top` and leave only cells of the target.

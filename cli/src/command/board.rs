@@ -8,7 +8,9 @@ use crate::arguments::{self, Fit, MACHINE_FILE};
 use crate::failure::Failure;
 use crate::output;
 use film::{Film, RATE, reel};
-use imogene_board::{Board, Display, MODELS, Pll, Sources, route, simulate, sources, witness};
+use imogene_board::{
+    Board, Display, MODELS, Pll, Sources, find_tools, route, simulate, sources, witness,
+};
 use imogene_contract::video::VideoMode;
 use imogene_files::{Outputs, WriteError};
 use imogene_plan::description::{MachineDescription, MachineKind, Mode, Output};
@@ -28,6 +30,9 @@ const LEVELS: f64 = 2.0;
 /// Makes a board that shows a scene.
 pub fn run(options: &arguments::Board, json: bool) -> Result<(), Failure> {
     let board = Board::named(&options.board)?;
+    if !options.sources_only && !options.no_bitstream {
+        find_tools(&board)?;
+    }
     let reel = reel(&options.scene, options.animation)?;
     let machine = machine(options, &board)?;
     let mode = mode_of(&board, &machine)?;

@@ -18,6 +18,8 @@ pub struct Simulator {
     flops: Vec<Flop>,
     stores: Vec<Store>,
     memories: Vec<Vec<u64>>,
+    /// What is read of a word while it is written comes out inverted.
+    upsets_collisions: bool,
     is_settled: bool,
     points: HashMap<String, Port>,
 }
@@ -38,8 +40,19 @@ impl Simulator {
             code: levels.code,
             flops: levels.flops,
             stores: levels.stores,
+            upsets_collisions: false,
             is_settled: false,
             points: levels.points.into_iter().collect(),
+        }
+    }
+
+    /// Inverts what a memory reads of a word while it is written, on which no circuit may depend ([`memory`]).
+    ///
+    /// [`memory`]: crate::memory
+    pub fn with_upset_collisions(self) -> Simulator {
+        Simulator {
+            upsets_collisions: true,
+            ..self
         }
     }
 
@@ -104,7 +117,10 @@ impl Simulator {
         let read = stores.map(|(store, memory)| {
             let [enable, at, data] = store.write.map(|place| words[place as usize]);
             let address = words[store.address as usize];
-            let read = memory.get(address as usize).copied().unwrap_or(0);
+            let mut read = memory.get(address as usize).copied().unwrap_or(0);
+            if self.upsets_collisions && enable != 0 && at == address {
+                read ^= mask(store.width);
+            }
             if enable != 0
                 && let Some(word) = memory.get_mut(at as usize)
             {

@@ -170,7 +170,7 @@ pub struct Register {
 }
 
 /// A block memory with one port to write and one to read: the word at the address of the last clock, as it was before
-/// a write at that clock.
+/// a write at that clock; nothing may depend on what is read of a word while it is written.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Memory {
     /// Name.

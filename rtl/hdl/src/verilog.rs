@@ -111,7 +111,8 @@ impl Writer<'_> {
         }
         for (memory, name) in self.module.memories.iter().zip(&self.names.memories) {
             let (range, last) = (range(memory.width, false), memory.words - 1);
-            writeln!(text, "    reg {range}{name} [0:{last}];").unwrap();
+            // Nothing depends on what is read of a word while it is written.
+            writeln!(text, "    (* no_rw_check *) reg {range}{name} [0:{last}];").unwrap();
         }
         text + &self.zeros()
     }

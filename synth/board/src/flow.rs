@@ -5,7 +5,9 @@ use crate::error::BoardError;
 use crate::pll::Pll;
 use crate::top::{Sources, TOP};
 use imogene_synth::tools::{NEXTPNR_ECP5, NEXTPNR_ICE40, Tool, YOSYS};
-use imogene_synth::{RouteReport, SynthError, digest, kept, parse_report, run_yosys};
+use imogene_synth::{
+    RouteReport, SynthError, digest, fold_registers, kept, parse_report, run_yosys,
+};
 use imogene_tools::{FileError, Program, last_lines, read, scratch, write};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -88,6 +90,25 @@ impl Part {
     }
 }
 
+/// Finds all that a bitstream of the board and its check need.
+///
+/// # Errors
+///
+/// When a tool is missing.
+pub fn find_tools(board: &Board) -> Result<(), BoardError> {
+    let Some(part) = &board.part else {
+        return Ok(());
+    };
+    let [_, packer, unpacker] = part.packers();
+    for name in [packer, unpacker] {
+        Tool::beside(part.router(), name)?;
+    }
+    for program in [YOSYS, part.router()] {
+        Tool::find(program)?;
+    }
+    Ok(())
+}
+
 /// Synthesises, places, routes and packs a board; the report and the bitstream. Every clock has to reach what is asked
 /// for. What was made of the same sources with the same tools is kept.
 ///
@@ -120,6 +141,7 @@ pub fn route(board: &Board, pll: &Pll, sources: &Sources) -> Result<(Routed, Vec
         constraints,
         &script,
         &arguments.join(" "),
+        "output registers",
         &yosys.version,
         &router.version,
     ]);
@@ -131,6 +153,9 @@ pub fn route(board: &Board, pll: &Pll, sources: &Sources) -> Result<(Routed, Vec
     write(&folder.join("board.v"), &sources.verilog)?;
     write(&folder.join(&pins), constraints)?;
     run_yosys(&yosys, folder, &script)?;
+    if part.family == Family::Ecp5 {
+        fold_registers(&folder.join(NETLIST))?;
+    }
     packed(part, &router, &arguments, folder)?;
     let report = placed(part, &router, arguments, folder)?;
     let bitstream = packed_text(part, TEXT, folder)?;

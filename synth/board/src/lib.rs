@@ -24,7 +24,7 @@ mod witness;
 
 pub use description::{Board, Clock, Family, Part, Video};
 pub use error::BoardError;
-pub use flow::{ClockReport, Routed, route};
+pub use flow::{ClockReport, Routed, find_tools, route};
 pub use pll::{Dividers, Pll};
 pub use screen::{ScreenError, Shown, Tick};
 pub use simulate::{Pins, simulate};

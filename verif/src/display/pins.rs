@@ -6,6 +6,7 @@ use super::request::{mode, request};
 use super::stream;
 use super::waves::{Spot, Waves};
 use crate::engine::design::DesignError;
+use crate::engine::machine::MachineDesign;
 use crate::signal::Delay;
 use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_golden::machine::video_timing::{Shown, VideoTiming};
@@ -24,7 +25,7 @@ pub fn run(
     frame_done: impl FnMut(),
 ) -> Result<PinsOutcome, RunError> {
     run_in(
-        options.start(machine)?,
+        options.design(machine)?,
         machine,
         images,
         options,
@@ -32,14 +33,15 @@ pub fn run(
     )
 }
 
-/// The same in a machine that is ready to run, of this description.
+/// The same in a machine that was made of this description.
 pub fn run_in(
-    mut hardware: Machine,
+    design: MachineDesign,
     machine: &MachineDescription,
     images: &[Image],
     options: &PinsRun,
     mut frame_done: impl FnMut(),
 ) -> Result<PinsOutcome, RunError> {
+    let mut hardware = Machine::of(design);
     if machine.output == Output::Stream {
         return Ok(stream::run(hardware, machine, images, options, frame_done));
     }

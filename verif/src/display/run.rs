@@ -5,6 +5,7 @@ use super::request::{mode, request};
 use super::waves::Waves;
 use crate::engine::Engine;
 use crate::engine::design::DesignError;
+use crate::engine::machine::MachineDesign;
 use crate::report::Report;
 use crate::waveform::{PlaceError, WaveformRequest, WindowStart};
 use imogene_golden::machine::overlay::OverlayPlane;
@@ -53,13 +54,14 @@ impl PinsRun<'_> {
     }
 
     /// The machine, ready to run; refuses waveforms from a pixel that its screen does not have.
-    pub(super) fn start(&self, machine: &MachineDescription) -> Result<Machine, RunError> {
+    pub(super) fn design(&self, machine: &MachineDescription) -> Result<MachineDesign, RunError> {
         let mode = mode(machine);
         if let Some(WindowStart::At(place)) = self.waveforms.map(|waveforms| waveforms.from) {
             place.check(mode.line.active as usize, mode.frame.active as usize)?;
         }
         let nets = self.waveforms.map_or(&[][..], |waveforms| &waveforms.nets);
-        Ok(Machine::start(&request(machine, ""), self.engine, nets)?)
+        let request = request(machine, "");
+        Ok(MachineDesign::compile(self.engine, &request, &[], nets)?)
     }
 
     /// The waveforms that are wanted, of a machine of whose outputs some are compared.

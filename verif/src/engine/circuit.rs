@@ -186,9 +186,8 @@ pub struct Levelised {
 }
 
 impl Levelised {
-    /// A fresh instance of a design.
-    pub fn new(design: &Design) -> Levelised {
-        let simulator = Simulator::new(design);
+    /// A design in its simulator, at power-up.
+    pub fn new(design: &Design, simulator: Simulator) -> Levelised {
         let inputs = design.top.ports_of(Direction::In);
         let inputs = inputs.map(|port| simulator.port(&port.name)).collect();
         let outputs = design.top.ports_of(Direction::Out);

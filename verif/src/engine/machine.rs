@@ -7,7 +7,6 @@ use super::nets::{NetError, select};
 use crate::signal::Signal;
 use imogene_hdl::{self as hdl, Direction};
 use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
-use std::sync::Arc;
 
 /// A compiled machine; makes any number of instances.
 pub struct MachineDesign {
@@ -60,11 +59,11 @@ impl MachineDesign {
         })
     }
 
-    /// A circuit that was compiled.
-    pub fn of(circuit: &hdl::Design, compiled: Arc<Compiled>) -> MachineDesign {
+    /// A circuit in something that runs it.
+    pub fn of(circuit: &hdl::Design, design: Box<dyn Design>) -> MachineDesign {
         let [inputs, outputs] = ports(circuit);
         MachineDesign {
-            design: Box::new(compiled),
+            design,
             name: circuit.top.name.clone(),
             inputs,
             outputs,

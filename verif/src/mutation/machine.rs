@@ -5,7 +5,6 @@
 //! instances inside left out, so that the proof is as small as the module.
 
 use super::score::{Fate, MutationError, MutationReport};
-use crate::display::Machine;
 use crate::display::pins::{PinsRun, run_in};
 use crate::display::request::{mode, request};
 use crate::engine::circuit::{Circuit, Compiled};
@@ -138,7 +137,7 @@ impl Shown<'_> {
             stops: Some(end),
             ..PinsRun::plain(Engine::BuiltIn)
         };
-        let hardware = Machine::of(MachineDesign::of(design, compiled.clone()));
+        let hardware = MachineDesign::of(design, Box::new(compiled.clone()));
         Ok(run_in(hardware, self.machine, self.images, &options, || ())?.report)
     }
 

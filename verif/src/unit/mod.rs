@@ -31,7 +31,7 @@ use description::Description;
 use imogene_contract::{MachineWords, Request, RequestError, Unit};
 use imogene_golden::format::Format;
 use imogene_golden::unit::root::Method;
-use imogene_hdl::Direction;
+use imogene_hdl::{Design, Direction, Simulator};
 use imogene_rtl::emit::design;
 use std::sync::OnceLock;
 
@@ -77,12 +77,26 @@ pub fn subject(request: &Request) -> Result<Subject, RequestError> {
 
 /// The same in the simulator of `imogene-hdl`.
 pub fn levelised(request: &Request) -> Result<Subject, RequestError> {
+    simulated(request, Simulator::new)
+}
+
+/// The same, where memories upset what is read while it is written.
+pub fn with_upset_collisions(request: &Request) -> Result<Subject, RequestError> {
+    simulated(request, |design| {
+        Simulator::new(design).with_upset_collisions()
+    })
+}
+
+fn simulated(
+    request: &Request,
+    simulator: fn(&Design) -> Simulator,
+) -> Result<Subject, RequestError> {
     let request = *request;
     Ok(Subject {
         engine: LEVELISED,
         hardware: Box::new(move || {
             let design = design(&request).expect("a checked request");
-            Box::new(Levelised::new(&design))
+            Box::new(Levelised::new(&design, simulator(&design)))
         }),
         lanes: None,
         ..subject(&request)?

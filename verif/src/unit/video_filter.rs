@@ -59,7 +59,12 @@ fn write((width, height, kernel, pauses, noise): &Picture, clocks: &mut Vec<Inpu
             }
             inputs[1..6].copy_from_slice(&[1, x as i64, y as i64, line_end.into(), last.into()]);
             clocks.push(inputs);
-            let idle = pause() + usize::from(line_end) + if last { width + 1 } else { 0 };
+            let after_line = if line_end {
+                3usize.saturating_sub(*width).max(1)
+            } else {
+                0
+            };
+            let idle = pause() + after_line + if last { width + 2 } else { 0 };
             clocks.extend((0..idle).map(|_| {
                 let mut inputs = next();
                 inputs[1] = 0;

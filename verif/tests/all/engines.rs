@@ -5,7 +5,7 @@ use imogene_rtl::emit::emit;
 use imogene_verif::engine::design::{Simulator, with_verilog};
 use imogene_verif::random;
 use imogene_verif::subject::Subject;
-use imogene_verif::unit::{levelised, subject};
+use imogene_verif::unit::{levelised, subject, with_upset_collisions};
 
 const CLOCKS: usize = 2_000;
 
@@ -105,5 +105,17 @@ fn compiled_units_are_the_levelised_ones() {
                 );
             }
         }
+    }
+}
+
+/// Parts give anything for a word that is read while it is written.
+#[test]
+fn no_unit_uses_what_it_reads_while_it_writes_it() {
+    for unit in Unit::ALL {
+        let request = Request::of(unit, unit.least_word());
+        let upset = with_upset_collisions(&request).expect("a unit in its legal range");
+        let (report, _) = random::run(&upset, 5 * CLOCKS, 3, false);
+        let name = unit.name();
+        assert!(report.passed(), "{name}: {:?}", report.first_mismatches);
     }
 }

@@ -2,14 +2,17 @@
 
 use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_golden::slots::{Slots, parse};
+use imogene_hdl as hdl;
 use imogene_plan::description::{MachineDescription, Output, Smoothing, ZoneSize};
 use imogene_plan::display::{Image, image};
 use imogene_prepare::Framing;
 use imogene_prepare::prepare;
 use imogene_scene::SceneFile;
 use imogene_verif::display::pins::{self, PinsOutcome, PinsRun};
+use imogene_verif::display::request::request;
 use imogene_verif::engine::Engine;
-use imogene_verif::engine::design::Simulator;
+use imogene_verif::engine::design::{Design, Instance, Simulator};
+use imogene_verif::engine::machine::MachineDesign;
 use std::path::Path;
 
 const VERILATOR: Engine = Engine::Verilog(Simulator::Verilator);
@@ -284,5 +287,63 @@ fn a_receiver_that_stalls_gets_every_pixel_once() {
             };
             run(&machine, &images, &options);
         }
+    }
+}
+
+/// A machine in the simulator of its circuits, where memories upset what is read while it is written.
+struct Upset(hdl::Design);
+
+impl Design for Upset {
+    fn instance(&self) -> Box<dyn Instance> {
+        let simulator = hdl::Simulator::new(&self.0).with_upset_collisions();
+        let ports = |way| {
+            let ports = self.0.top.ports_of(way);
+            ports.map(|port| simulator.port(&port.name)).collect()
+        };
+        let [inputs, outputs] = [hdl::Direction::In, hdl::Direction::Out].map(ports);
+        Box::new(UpsetInstance {
+            inputs,
+            outputs,
+            simulator,
+        })
+    }
+}
+
+struct UpsetInstance {
+    simulator: hdl::Simulator,
+    inputs: Vec<hdl::Port>,
+    outputs: Vec<hdl::Port>,
+}
+
+impl Instance for UpsetInstance {
+    fn clock(&mut self, inputs: &[u64], outputs: &mut [Option<u64>]) {
+        for (port, word) in self.inputs.iter().zip(inputs) {
+            self.simulator.set(*port, *word);
+        }
+        self.simulator.clock();
+        for (port, word) in self.outputs.iter().zip(outputs) {
+            *word = Some(self.simulator.get(*port));
+        }
+    }
+}
+
+/// Parts give anything for a word that is read while it is written: loader, materials, zone buffer, frame store.
+#[test]
+fn no_machine_uses_what_it_reads_while_it_writes_it() {
+    for name in ["beam-48x32.toml", "zone-48x32.toml"] {
+        let machine = MachineDescription::read(&root().join("machines").join(name));
+        let machine = machine.expect("a description");
+        let scenes = ["ball-before-ball", "ball-from-the-right"];
+        let images = scenes.map(|scene| drawn(&format!("shadows/{scene}.toml"), &machine));
+        let design = request(&machine, "").design().expect("a machine");
+        let upset = MachineDesign::of(&design, Box::new(Upset(design.clone())));
+        let options = PinsRun::plain(Engine::BuiltIn);
+        let outcome = pins::run_in(upset, &machine, &images, &options, || ());
+        let report = outcome.expect("a machine that runs").report;
+        assert_eq!(
+            report.mismatches, 0,
+            "{name}: {:?}",
+            report.first_mismatches
+        );
     }
 }

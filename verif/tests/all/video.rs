@@ -119,7 +119,7 @@ fn a_lead_longer_than_the_blanking_is_refused() {
 #[test]
 #[should_panic(expected = "accepted are 65 at least")]
 fn a_queue_shorter_than_the_pipeline_is_refused() {
-    Circuit::of(|| pixel_fifo("top", Queue::input(8), 6, 61));
+    Circuit::of(|| pixel_fifo("top", Queue::input(8), 6, 60));
 }
 
 /// A pipeline of `flight` clocks before the queue, which starts a pixel on every clock with `room` that `wants` one;
@@ -164,7 +164,7 @@ fn stream(
 #[test]
 fn no_pixel_is_lost_repeated_or_moved() {
     let mut numbers = Numbers(1);
-    for flight in [0, 1, 5, 39, 40, 60] {
+    for flight in [0, 1, 5, 39, 40, 59] {
         for stalls in [1, 2, 9, 200] {
             let (mut stalled, mut left) = (false, 0);
             let mut wants = Numbers(numbers.next());
@@ -186,18 +186,18 @@ fn no_pixel_is_lost_repeated_or_moved() {
     }
 }
 
-/// 2^6 >= flight + 4: one pixel per clock for ever, if nobody stalls; and whatever waits comes out.
+/// 2^6 >= flight + 5: one pixel per clock for ever, if nobody stalls; and whatever waits comes out.
 #[test]
 fn a_receiver_that_never_stalls_gets_a_pixel_per_clock() {
-    for flight in [0, 17, 40, 60] {
+    for flight in [0, 17, 40, 59] {
         let (pushed, taken) = stream(flight, 2000, |at| at < 1900, |_| true);
         assert_eq!(pushed.len(), 1900);
         assert_eq!(taken, pushed);
     }
+    let (pushed, _) = stream(60, 2000, |_| true, |_| true);
+    assert_eq!(pushed.len(), 2000 - 60);
     let (pushed, _) = stream(61, 2000, |_| true, |_| true);
-    assert_eq!(pushed.len(), 2000 - 61);
-    let (pushed, _) = stream(62, 2000, |_| true, |_| true);
-    assert!(pushed.len() < 2000 - 62, "too long a pipeline starves");
+    assert!(pushed.len() < 2000 - 61, "too long a pipeline starves");
 }
 
 /// Two pictures by turns from a writer that stalls and is late: every frame on the screen is one of them, whole, and
@@ -305,10 +305,13 @@ fn filtered_pictures_are_the_convolution() {
                     inputs.extend(colour.map(i64::from));
                     take(clock(hardware.as_mut(), &inputs));
                 }
-                take(clock(hardware.as_mut(), &[0; 9]));
+                // A line of one pixel has a longer pause behind it.
+                for _ in 0..3usize.saturating_sub(width).max(1) {
+                    take(clock(hardware.as_mut(), &[0; 9]));
+                }
             }
             // What is left of the shortest pause after a picture, and what the pipeline holds.
-            for _ in 0..width + 4 {
+            for _ in 0..width + 7 {
                 take(clock(hardware.as_mut(), &[0; 9]));
             }
             let smooth = Kernel::from_word(kernel).picture(&lines);

@@ -20,7 +20,7 @@ pub struct Accumulator {
 }
 
 /// Clocks from a pixel of the last pass to its mean.
-pub const LATENCY: usize = 3;
+pub const LATENCY: usize = 4;
 
 impl Accumulator {
     /// Sums for so many pixels.

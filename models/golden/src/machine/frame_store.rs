@@ -34,7 +34,7 @@ pub struct FrameStore {
 }
 
 /// Clocks from the request of a pixel to its colour.
-pub const LATENCY: usize = 4;
+pub const LATENCY: usize = 5;
 
 impl FrameStore {
     /// Two black frames of so many pixels.
@@ -95,10 +95,10 @@ mod tests {
         // No pixel of the next frame is taken before the frames change places.
         store.clock(pixel(0, 9, false), false, None);
         let after = store.clock(None, true, None);
-        assert_eq!(after.colour, Some(0));
         assert_eq!((after.swapped, after.ready), (true, true));
-        store.clock(None, false, Some(0));
+        assert_eq!(store.clock(None, false, Some(0)).colour, Some(0));
         store.clock(None, false, Some(1));
+        store.clock(None, false, None);
         store.clock(None, false, None);
         assert_eq!(store.clock(None, false, None).colour, Some(5));
         assert_eq!(store.clock(None, false, None).colour, Some(6));

@@ -51,7 +51,7 @@ pub struct Covered {
 }
 
 /// Clocks from a pixel to the pixel with the plane over it.
-pub const LATENCY: usize = 5;
+pub const LATENCY: usize = 6;
 /// Of these, those before its word is read.
 const BEFORE: usize = 2;
 
@@ -85,13 +85,13 @@ impl Overlay {
             let over = shown.filter(|_| is_set);
             over.unwrap_or(pixel.colour)
         });
+        if let Some((address, word)) = write {
+            self.plane[address] = word;
+        }
         self.coming.push_back(pixel);
         let now = self.coming.pop_front().flatten();
         let read = now.map(|pixel| (pixel, self.bit(pixel.place)));
         self.read.push_back(read);
-        if let Some((address, word)) = write {
-            self.plane[address] = word;
-        }
         leaving
     }
 
@@ -105,16 +105,16 @@ impl Overlay {
 mod tests {
     use super::*;
 
-    /// A pixel of a clock before the write sees it, one of two clocks before does not.
+    /// A pixel of two clocks before the write sees it, one of three clocks before does not.
     #[test]
     fn a_word_is_read_two_clocks_after_its_pixel() {
-        for (before, seen) in [(1, true), (2, false)] {
+        for (before, seen) in [(2, true), (3, false)] {
             let mut overlay = Overlay::new(2);
             let pixel = Covered {
                 place: 33,
                 colour: [1, 2, 3],
             };
-            let clocks = (0..8).map(|clock| {
+            let clocks = (0..10).map(|clock| {
                 overlay.clock(
                     (clock == 4).then_some((1, 2)),
                     Some([9; 3]),

@@ -11,14 +11,16 @@ pub struct FifoOutput {
     pub word: Option<(u32, bool)>,
 }
 
-/// The queue: a pixel is promised its place when it is started, waits from its push on, and can be seen two clocks
-/// after it.
+/// The queue: a pixel is promised its place when it is started, waits from its push on, and can be seen three clocks
+/// after it, once those before it are taken.
 #[derive(Clone, Debug)]
 pub struct PixelFifo {
     places: usize,
     promised: usize,
     waiting: VecDeque<(u32, bool)>,
-    is_seen: bool,
+    /// The oldest that waits was read.
+    is_read: bool,
+    seen: Option<(u32, bool)>,
 }
 
 impl PixelFifo {
@@ -28,7 +30,8 @@ impl PixelFifo {
             places,
             promised: 0,
             waiting: VecDeque::new(),
-            is_seen: false,
+            is_read: false,
+            seen: None,
         }
     }
 
@@ -36,7 +39,7 @@ impl PixelFifo {
     pub fn output(&self) -> FifoOutput {
         FifoOutput {
             room: self.promised < self.places,
-            word: self.waiting.front().copied().filter(|_| self.is_seen),
+            word: self.seen,
         }
     }
 
@@ -47,15 +50,17 @@ impl PixelFifo {
     /// When a pixel is started without room or pushed without having been started.
     pub fn clock(&mut self, started: bool, push: Option<(u32, bool)>, ready: bool) -> FifoOutput {
         assert!(!started || self.output().room, "started without room");
-        if self.is_seen && ready {
-            self.waiting.pop_front();
+        if ready && self.seen.take().is_some() {
             self.promised -= 1;
         }
-        self.is_seen = !self.waiting.is_empty();
+        if self.seen.is_none() && self.is_read {
+            self.seen = self.waiting.pop_front();
+        }
+        self.is_read = !self.waiting.is_empty();
         self.promised += usize::from(started);
         self.waiting.extend(push);
         assert!(
-            self.waiting.len() <= self.promised,
+            self.waiting.len() + usize::from(self.seen.is_some()) <= self.promised,
             "pushed without having been started"
         );
         self.output()
@@ -67,10 +72,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_word_is_seen_two_clocks_after_its_push() {
+    fn a_word_is_seen_three_clocks_after_its_push() {
         let mut fifo = PixelFifo::new(8);
         fifo.clock(true, None, false);
         assert_eq!(fifo.clock(false, Some((7, true)), false).word, None);
+        assert_eq!(fifo.clock(false, None, false).word, None);
         assert_eq!(fifo.clock(false, None, false).word, Some((7, true)));
         assert_eq!(fifo.clock(false, None, false).word, Some((7, true)));
         assert_eq!(fifo.clock(false, None, true).word, None);
@@ -82,6 +88,7 @@ mod tests {
         assert!(fifo.clock(true, None, false).room);
         assert!(!fifo.clock(true, Some((1, false)), false).room);
         assert!(!fifo.clock(false, Some((2, false)), false).room);
+        assert!(!fifo.clock(false, None, true).room);
         assert!(fifo.clock(false, None, true).room);
     }
 }

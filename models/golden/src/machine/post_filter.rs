@@ -73,7 +73,7 @@ pub struct FilterPixel {
 }
 
 /// Clocks from the pixel to the right in the next line.
-pub const LATENCY: u64 = 4;
+pub const LATENCY: u64 = 6;
 
 /// The filter, clock by clock: when each pixel leaves. What leaves is a part of [`Kernel::picture`].
 #[derive(Clone, Debug)]
@@ -119,9 +119,9 @@ impl PostFilter {
             self.reached(self.clock, x, y - 1, pixel.line_end, false);
         }
         if pixel.last {
-            // The line below the last one, from two clocks later on.
+            // The line below the last one, from three clocks later on.
             for below in 0..=x {
-                let clock = self.clock + 2 + below as u64;
+                let clock = self.clock + 3 + below as u64;
                 self.reached(clock, below, y, below == x, true);
             }
         }

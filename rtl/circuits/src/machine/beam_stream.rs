@@ -50,7 +50,7 @@ pub fn beam_stream(
             m_tready: ready,
         };
         // The queue is long enough for a pixel on every clock.
-        let places = (latency + 5).next_power_of_two().ilog2().max(QUEUE);
+        let places = (latency + 6).next_power_of_two().ilog2().max(QUEUE);
         let queued = pixel_fifo("queue", queue, places, latency + 1);
         room.drive(queued.room);
         Streamed {

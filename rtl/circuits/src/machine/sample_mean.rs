@@ -4,7 +4,7 @@ use crate::video::{Colour, PassPixel, accumulator};
 use imogene_hdl::{Bits, Value, bundle, bundles, module, net};
 
 /// Clocks from a sample of the last pass to its pixel.
-pub const MEAN_LATENCY: u32 = 3;
+pub const MEAN_LATENCY: u32 = 4;
 
 bundle! {
     /// Passes that samples are of.
@@ -29,7 +29,7 @@ bundles! {
 /// Means of `samples x samples`, 2 or 4, of every pixel of a zone of at most `2^places` pixels. Passes follow each
 /// other, each in the order of the pixels; what leaves comes with the last one. Rounded to the nearest, halves up.
 ///
-/// Latency 3, from the sample of the last pass. `docs/zone-machine.md`; section 3.2.2.
+/// Latency 4, from the sample of the last pass. `docs/zone-machine.md`; section 3.2.2.
 ///
 /// # Panics
 ///

@@ -15,12 +15,6 @@ bundle! {
         first_pass: Bits(1), "the pixel is of the first pass";
         last_pass: Bits(1), "the pixel is of the last pass";
     }
-
-    /// A level of a pixel after a pass.
-    Pass() {
-        sum: Bits(SUM), "sum of the passes";
-        mean: Bits(LEVEL), "their mean";
-    }
 }
 
 bundles! {
@@ -35,45 +29,54 @@ bundles! {
 /// Adds the colours of 4 or 16 passes in a memory of `2^places` pixels, and gives their mean in the last pass,
 /// rounded to the nearest, halves up. Other bits of an address are ignored.
 ///
-/// A pixel comes once in a pass, in any order; its address comes again after 3 clocks at the earliest. Latency 3.
+/// A pixel comes once in a pass, in any order; its address comes again after 3 clocks at the earliest. Latency 4.
 /// Chaillou 1991, III.1.5 and IV.4.7.2.
 pub fn accumulator(at: &str, pixel: PassPixel, colour: Colour, places: u32) -> Mean {
     let inputs = (pixel, ("", colour, "pixel"));
     module("accumulator", at, inputs, |(pixel, colour)| {
         let (late, late_colour) = (pixel.delayed(2), colour.delayed(2));
-        let sum = Bits::forward(3 * SUM);
-        let write = (late.valid, late.address.low(places), sum);
-        net! {
-            let stored = memory("store", 1 << places, write, pixel.address.low(places));
-            let earlier = stored.reg();
-        }
-        let earlier = Colour::unpacked(earlier).parts();
-        let passes = [0, 1, 2].map(|channel| {
+        // A memory for each channel: in memories of so many words parts have words of few bits.
+        let means = [0, 1, 2].map(|channel| {
             let value = late_colour.parts()[channel];
             let at = ["red", "green", "blue"][channel];
-            pass_sum(at, value, earlier[channel], (late.first_pass, late.fine))
+            let sum = Bits::forward(SUM);
+            let write = (late.valid, late.address.low(places), sum);
+            let name = format!("{at}_store");
+            let stored = memory(&name, 1 << places, write, pixel.address.low(places));
+            let earlier = stored.reg().named(&format!("{at}_earlier"));
+            let added = pass_sum(at, value, earlier, late.first_pass);
+            sum.drive(added);
+            mean_of(at, added.reg(), late.fine.reg())
         });
-        sum.drive(Colour::of(passes.map(|pass| pass.sum)).packed());
         let mean = Mean {
-            valid: (late.valid & late.last_pass).reg(),
-            address: late.address.reg(),
-            colour: Colour::of(passes.map(|pass| pass.mean)).registered(),
+            valid: (late.valid & late.last_pass).delay(2),
+            address: late.address.delay(2),
+            colour: Colour::of(means).registered(),
         };
         ("out", mean)
     })
 }
 
-/// The sum of a level and of the passes before, and the mean that it would be of 16 or of 4 levels. Without registers.
-fn pass_sum(at: &str, value: Bits, earlier: Bits, (first, fine): (Bits, Bits)) -> Pass {
-    let inputs = ports!(value, earlier, first, fine);
-    module("pass_sum", at, inputs, |(value, earlier, first, fine)| {
+/// The sum of a level and of the passes before. Without registers.
+fn pass_sum(at: &str, value: Bits, earlier: Bits, first: Bits) -> Bits {
+    let inputs = ports!(value, earlier, first);
+    module("pass_sum", at, inputs, |(value, earlier, first)| {
+        net! { let wide = value.extend(SUM); }
+        ("sum", first.select(wide, earlier + wide))
+    })
+}
+
+/// The mean that a sum is of 16 or of 4 levels. Without registers.
+fn mean_of(at: &str, sum: Bits, fine: Bits) -> Bits {
+    let at = format!("{at}_mean");
+    module("pass_mean", &at, ports!(sum, fine), |(sum, fine)| {
         net! {
-            let wide = value.extend(SUM);
-            let sum = first.select(wide, earlier + wide);
             let fine_sum = sum + Bits::new(8, SUM);
             let coarse_sum = sum + Bits::new(2, SUM);
         }
-        let mean = fine.select(fine_sum.slice(11, 4), coarse_sum.slice(9, 2));
-        Pass { sum, mean }
+        (
+            "mean",
+            fine.select(fine_sum.slice(11, 4), coarse_sum.slice(9, 2)),
+        )
     })
 }

@@ -5,7 +5,7 @@ use crate::raster::Pixel;
 use imogene_hdl::{Bits, Value, bundle, bundles, memory, module, net};
 
 /// Clocks from a pixel that is asked for to its colour.
-pub const FRAME_LATENCY: u32 = 4;
+pub const FRAME_LATENCY: u32 = 5;
 
 bundle! {
     /// A pixel over AXI4-Stream.
@@ -41,7 +41,7 @@ bundles! {
 ///
 /// A frame has at most `2^places` pixels, which come in any order. After the last one `s_tready` is low until the next
 /// `retrace`, where the frames change places; a `retrace` before it changes nothing. At power-up both frames are black.
-/// Latency 4. Section 9 of the architecture.
+/// Latency 5. Section 9 of the architecture.
 pub fn frame_store(at: &str, arrival: PixelStream, asked: Asked, places: u32) -> Shown {
     let inputs = (("s", arrival), asked);
     module("frame_store", at, inputs, |(arrival, asked)| {
@@ -70,9 +70,9 @@ pub fn frame_store(at: &str, arrival: PixelStream, asked: Asked, places: u32) ->
             let read_address = read_place.low(places);
             let writes_first = late_taken & late_bank;
             let writes_second = late_taken & !late_bank;
-            let first = memory("first_bank", 1 << places, (writes_first, write_address, late_data), read_address);
-            let second = memory("second_bank", 1 << places, (writes_second, write_address, late_data), read_address);
-            let shows_second = late_bank.reg();
+            let first = memory("first_bank", 1 << places, (writes_first, write_address, late_data), read_address).reg();
+            let second = memory("second_bank", 1 << places, (writes_second, write_address, late_data), read_address).reg();
+            let shows_second = late_bank.delay(2);
             let colour = shows_second.select(second, first).reg();
         }
         Shown {

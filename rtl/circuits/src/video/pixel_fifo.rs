@@ -25,17 +25,17 @@ bundle! {
 /// them, and says when the pipeline may be given another one.
 ///
 /// A pixel that is started has its place until it is taken, so what is pushed always finds one. One pixel per clock
-/// without a stall. Latency 2 from a push to the output, where nothing waits before it. Section 8 of the
-/// architecture.
+/// without a stall. Latency 3 from a push to the output, where nothing waits before it: to the store, out of it, and to a
+/// register behind it. Section 8 of the architecture.
 ///
 /// # Panics
 ///
 /// When the queue is too short to keep the pipeline full.
 pub fn pixel_fifo(at: &str, queue: Queue, places: u32, flight: u32) -> Queued {
     assert!(
-        1 << places >= flight + 4,
+        1 << places >= flight + 5,
         "a queue of 2^{places} pixels behind {flight} clocks: accepted are {} at least",
-        flight + 4
+        flight + 5
     );
     module("pixel_fifo", at, queue, |queue| {
         let count = || Bits::register(places + 1);
@@ -44,19 +44,25 @@ pub fn pixel_fifo(at: &str, queue: Queue, places: u32, flight: u32) -> Queued {
             let read = count();
             let written = count();
             let promised = count();
+            let is_read = Bits::register(1);
             let is_there = Bits::register(1);
             let taken = is_there & queue.m_tready;
-            let next_read = taken.select(read + one, read);
+            let moves = is_read & (queue.m_tready | !is_there);
+            let next_read = moves.select(read + one, read);
         }
         read.load(next_read);
         // A word that is written in this clock cannot be read in it.
-        is_there.load(!next_read.equals(written));
+        is_read.load(!next_read.equals(written));
+        is_there.load_when(moves | taken, moves);
         written.load_when(queue.push, written + one);
         let change = queue.started.select(promised + one, promised - one);
         promised.load_when(queue.started ^ taken, change);
         let word = join([queue.last, queue.data]);
         let write = (queue.push, written.low(places), word);
-        net! { let oldest = memory("store", 1 << places, write, next_read.low(places)); }
+        net! {
+            let stored = memory("store", 1 << places, write, next_read.low(places));
+            let oldest = stored.reg_when(moves);
+        }
         Queued {
             // No more than `2^places` are promised, so one bit tells whether all are.
             room: !promised.top(),

@@ -28,10 +28,10 @@ bundles! {
 /// Smooths a picture with lines of at most `2^places` pixels: `kernel` 0 passes it, 1 is a box of 2 x 2, 2 and 3 are
 /// binomials of 3 x 3. It is read with the first pixel of a picture. Levels are rounded to the nearest, halves up.
 ///
-/// Pixels outside the picture are the nearest inside. A pixel leaves 4 clocks after the one to the right of it in the
+/// Pixels outside the picture are the nearest inside. A pixel leaves 6 clocks after the one to the right of it in the
 /// next line came, and the last of a line 1 clock after the one before it: a line leaves while the next one comes,
-/// the last line by itself from 2 clocks after the last pixel on. After a picture there are `width + 2` clocks or
-/// more without a pixel, after a line 1 or more. With every kernel the same clocks, so it can change from picture to
+/// the last line by itself from 3 clocks after the last pixel on. After a picture there are `width + 3` clocks or
+/// more without a pixel, after a line 1 or more, and lines begin 3 clocks apart or more. With every kernel the same clocks, so it can change from picture to
 /// picture. Chaillou 1991, IV.4.3.
 pub fn post_filter(at: &str, kernel: Bits, pixel: Picture, places: u32) -> Picture {
     let meaning =
@@ -42,13 +42,13 @@ pub fn post_filter(at: &str, kernel: Bits, pixel: Picture, places: u32) -> Pictu
         let word = |value: u64| Bits::new(value, COORDINATE);
         let coordinate = || Bits::register(COORDINATE);
         // The pixel that comes, or the place below the last line. The line store reads the first pixel of the last
-        // line when it has been written, also if it is the last.
+        // line when it has been written, also if it is the last. A word is written 2 clocks after it was read.
         net! {
             let kept_kernel = Bits::register(2);
             let at_origin = place.x.is(0) & place.y.is(0);
             let now_kernel = (place.valid & at_origin).select(kernel, kept_kernel);
             let ends = place.valid & place.last;
-            let waits = ends.reg();
+            let waits = ends.delay(2);
             let right = place.x.reg_when(ends);
             let flush_y = (place.y + word(1)).reg_when(ends);
             let flushes = Bits::register(1);
@@ -60,19 +60,19 @@ pub fn post_filter(at: &str, kernel: Bits, pixel: Picture, places: u32) -> Pictu
         flush_x.load_when(waits | flushes, waits.select(word(0), flush_x + word(1)));
         net! {
             let now_x = flushes.select(flush_x, place.x);
-            let step_1 = (place.valid | flushes).reg();
-            let flush_1 = flushes.reg();
-            let ends_1 = flushes.select(flush_ends, place.line_end).reg();
-            let x_1 = now_x.reg();
-            let y_1 = flushes.select(flush_y, place.y).reg();
-            let kernel_1 = now_kernel.reg();
-            let colour_1 = colour.packed().reg();
+            let step_1 = (place.valid | flushes).delay(2);
+            let flush_1 = flushes.delay(2);
+            let ends_1 = flushes.select(flush_ends, place.line_end).delay(2);
+            let x_1 = now_x.delay(2);
+            let y_1 = flushes.select(flush_y, place.y).delay(2);
+            let kernel_1 = now_kernel.delay(2);
+            let colour_1 = colour.packed().delay(2);
         }
         // A word of the store has the pixels of two lines; the older one goes out when a new one comes in.
         let lines = Bits::forward(6 * LEVEL);
         let write = (step_1 & !flush_1, x_1.low(places), lines);
         net! {
-            let stored = memory("store", 1 << places, write, now_x.low(places));
+            let stored = memory("store", 1 << places, write, now_x.low(places)).reg();
             let one_up = stored.low(3 * LEVEL);
             let two_up = stored.slice(6 * LEVEL - 1, 3 * LEVEL);
             let above = y_1.is(1).select(one_up, two_up);
@@ -104,7 +104,7 @@ pub fn post_filter(at: &str, kernel: Bits, pixel: Picture, places: u32) -> Pictu
         let before_3 = column_3.registered_when(step_2).called("before_3");
         let left = left_3.select(column_3, before_3);
         let right = ends_3.select(column_3, column_2);
-        let sum = taps("horizontal", [left, column_3, right], kernel_3);
+        let sum = taps("horizontal", [left, column_3, right], kernel_3).registered();
         let half = Bits::new(8, LEVEL + 4);
         let colour = sum.map(|sum| (sum + half).slice(LEVEL + 3, 4));
         let place = Place {
@@ -115,7 +115,10 @@ pub fn post_filter(at: &str, kernel: Bits, pixel: Picture, places: u32) -> Pictu
             line_end: ends_3,
             last: ends_3 & last_3,
         };
-        let smooth = Picture { place, colour };
+        let smooth = Picture {
+            place: place.registered(),
+            colour,
+        };
         ("out", smooth.registered(), "smooth pixel")
     })
 }

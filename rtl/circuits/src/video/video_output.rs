@@ -61,13 +61,13 @@ impl Output {
     fn smoothing(&self) -> u64 {
         match self.kernel {
             0 => 0,
-            _ => self.mode.line.total() + 8,
+            _ => self.mode.line.total() + 12,
         }
     }
 
     /// Address bits of a memory of a line and a few pixels.
     fn line_places(&self) -> u32 {
-        (self.mode.line.active + 8).next_power_of_two().ilog2()
+        (self.mode.line.active + 12).next_power_of_two().ilog2()
     }
 
     /// Address bits of the words of the overlay.

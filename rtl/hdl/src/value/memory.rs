@@ -6,6 +6,9 @@ use crate::tree::{Memory, Op};
 
 /// A block memory of so many words, zeros at power-up: writes `data` where `write` is 1, and gives the word that was
 /// at `read` one clock ago, as it was before that clock's write.
+///
+/// Parts give something else for a word that is read while it is written, or take cells to give the one before. So no
+/// circuit may use such a word, and synthesis is told so.
 #[track_caller]
 pub fn memory(name: &str, words: usize, (write, at, data): (Bits, Bits, Bits), read: Bits) -> Bits {
     let values = [write, at, data, read].map(|value| value.0);

@@ -248,7 +248,7 @@ fn what_the_text_declares_has_names_of_its_own() {
     let parts = [
         "    output reg  [1:0] one = 2'd0,\n",
         "    reg [1:0] place_2 = 2'd0, unused_2 = 2'd2, other_read = 2'd0;\n",
-        "    reg [1:0] words [0:3];\n    reg [1:0] words_2 [0:3];\n",
+        "    (* no_rw_check *) reg [1:0] words [0:3];\n    (* no_rw_check *) reg [1:0] words_2 [0:3];\n",
         "        for (place = 0; place <= 3; place = place + 1) words_2[place] = 2'd0;\n",
     ];
     for part in parts {

@@ -1,0 +1,386 @@
+//! Flip-flops behind block memories and multipliers of an ECP5 become the output registers that these cells have.
+//!
+//! Yosys leaves such flip-flops in logic. A block memory then needs 5.8 ns to its word, 1.0 ns with its own register; a
+//! multiplier 3.9 ns and a way to the flip-flop, 3.5 ns with its own. Clock for clock the outputs are the same.
+
+use crate::error::SynthError;
+use serde_json::{Map, Value, json};
+use std::collections::HashMap;
+use std::path::Path;
+
+/// The type of a flip-flop of an ECP5.
+pub(crate) const FLIP_FLOP: &str = "TRELLIS_FF";
+
+/// A cell with an output register: its type, the letters its outputs begin with, clocks, enables and resets of the
+/// register, and the parameters that put it in and their value.
+struct Kind {
+    cell: &'static str,
+    is_meant: fn(&Value) -> bool,
+    outputs: &'static [&'static str],
+    clocks: &'static [&'static str],
+    enables: &'static [&'static str],
+    resets: &'static [&'static str],
+    registers: (&'static [&'static str], &'static str),
+}
+
+/// A word of 36 bits leaves a block memory on the outputs of both ports, so both have the register. The clock of a
+/// multiplier is that of the flip-flops behind it, for it has none before.
+const KINDS: [Kind; 5] = [
+    Kind {
+        cell: "DP16KD",
+        is_meant: |cell| !is_wide(cell),
+        outputs: &["DOA"],
+        clocks: &["CLKA"],
+        enables: &["OCEA"],
+        resets: &["RSTA"],
+        registers: (&["REGMODE_A"], "OUTREG"),
+    },
+    Kind {
+        cell: "DP16KD",
+        is_meant: |cell| !is_wide(cell),
+        outputs: &["DOB"],
+        clocks: &["CLKB"],
+        enables: &["OCEB"],
+        resets: &["RSTB"],
+        registers: (&["REGMODE_B"], "OUTREG"),
+    },
+    Kind {
+        cell: "DP16KD",
+        is_meant: is_wide,
+        outputs: &["DOA", "DOB"],
+        clocks: &["CLKA", "CLKB"],
+        enables: &["OCEA", "OCEB"],
+        resets: &["RSTA", "RSTB"],
+        registers: (&["REGMODE_A", "REGMODE_B"], "OUTREG"),
+    },
+    Kind {
+        cell: "PDPW16KD",
+        is_meant: |_| true,
+        outputs: &["DO"],
+        clocks: &["CLKR"],
+        enables: &["OCER"],
+        resets: &["RST"],
+        registers: (&["REGMODE"], "OUTREG"),
+    },
+    Kind {
+        cell: "MULT18X18D",
+        is_meant: |_| true,
+        outputs: &["P"],
+        clocks: &["CLK0"],
+        enables: &["CE0"],
+        resets: &["RST0"],
+        registers: (&["REG_OUTPUT_CLK"], "CLK0"),
+    },
+];
+
+/// Words of 36 bits are read.
+fn is_wide(memory: &Value) -> bool {
+    let width = memory["parameters"]["DATA_WIDTH_B"].as_str();
+    width.is_some_and(|width| u64::from_str_radix(width, 2) == Ok(36))
+}
+
+/// Moves the flip-flops of a netlist in a file, which Yosys wrote as JSON; how many there were.
+///
+/// # Errors
+///
+/// When the file is no such netlist, or cannot be read or written.
+pub fn fold(path: &Path) -> Result<u64, SynthError> {
+    let bad = |problem: String| SynthError::Report {
+        tool: "yosys",
+        problem,
+    };
+    let text = imogene_tools::read(path)?;
+    let mut netlist: Value = serde_json::from_str(&text).map_err(|error| bad(error.to_string()))?;
+    let modules = netlist.get_mut("modules").and_then(Value::as_object_mut);
+    let modules = modules.ok_or_else(|| bad("no modules".into()))?;
+    let moved = modules.values_mut().map(fold_module).sum();
+    if moved > 0 {
+        imogene_tools::write(path, &netlist.to_string())?;
+    }
+    Ok(moved)
+}
+
+fn fold_module(module: &mut Value) -> u64 {
+    let readers = readers(module);
+    let Some(cells) = module["cells"].as_object_mut() else {
+        return 0;
+    };
+    let has_registers = |cell: &Value| KINDS.iter().any(|kind| cell["type"] == kind.cell);
+    let named = cells.iter().filter(|(_, cell)| has_registers(cell));
+    let named: Vec<String> = named.map(|(name, _)| name.clone()).collect();
+    let mut moved = 0;
+    for name in named {
+        for kind in &KINDS {
+            if let Some(register) = register(&cells[&name], kind, cells, &readers) {
+                moved += register.bits.len() as u64;
+                put(register, &name, kind, cells);
+            }
+        }
+    }
+    moved
+}
+
+/// Cell and port of everything that a net goes to; a port of the module has no cell.
+type Readers = HashMap<u64, Vec<(Option<String>, String)>>;
+
+fn readers(module: &Value) -> Readers {
+    let mut readers = Readers::new();
+    let mut add = |bits: &Value, cell: Option<&str>, port: &str| {
+        for bit in bits
+            .as_array()
+            .into_iter()
+            .flatten()
+            .filter_map(Value::as_u64)
+        {
+            let reader = (cell.map(str::to_owned), port.to_owned());
+            readers.entry(bit).or_default().push(reader);
+        }
+    };
+    for (port, signal) in module["ports"].as_object().into_iter().flatten() {
+        add(&signal["bits"], None, port);
+    }
+    for (name, cell) in module["cells"].as_object().into_iter().flatten() {
+        for (port, bits) in cell["connections"].as_object().into_iter().flatten() {
+            if cell["port_directions"][port] != "output" {
+                add(bits, Some(name), port);
+            }
+        }
+    }
+    readers
+}
+
+/// What flip-flops have in common that become one register: bits of the clock and of the enable.
+#[derive(Clone, PartialEq)]
+struct Control {
+    clock: Value,
+    enable: Value,
+}
+
+/// The register that can stand behind a cell: what controls it, and the output port and flip-flop of each of its bits.
+struct Register {
+    control: Control,
+    bits: Vec<(String, String)>,
+}
+
+/// None unless every output bit that is used goes to a flip-flop alone, and all of these are controlled alike.
+fn register(
+    cell: &Value,
+    kind: &Kind,
+    cells: &Map<String, Value>,
+    readers: &Readers,
+) -> Option<Register> {
+    let connections = &cell["connections"];
+    let is_reset = |port: &&&str| {
+        let bits = connections.get(**port);
+        bits.is_some_and(|bits| bits != &json!(["0"]))
+    };
+    let (registers, value) = kind.registers;
+    let has_register = registers
+        .iter()
+        .any(|name| cell["parameters"][name] == value);
+    let is_meant = cell["type"] == kind.cell && (kind.is_meant)(cell);
+    if !is_meant || has_register || kind.resets.iter().any(|port| is_reset(&port)) {
+        return None;
+    }
+    let mut found: Option<Register> = None;
+    for (port, net) in cell["connections"].as_object()? {
+        let mut numbers = kind
+            .outputs
+            .iter()
+            .filter_map(|name| port.strip_prefix(name));
+        let is_output = numbers.any(|number| number.parse::<u8>().is_ok());
+        let readers = net[0].as_u64().and_then(|net| readers.get(&net));
+        let Some(readers) = readers.filter(|_| is_output) else {
+            continue;
+        };
+        let [(Some(name), data)] = readers.as_slice() else {
+            return None;
+        };
+        let control = control(&cells[name]).filter(|_| data == "DI")?;
+        let register = found.get_or_insert_with(|| Register {
+            control: control.clone(),
+            bits: vec![],
+        });
+        if register.control != control {
+            return None;
+        }
+        register.bits.push((port.clone(), name.clone()));
+    }
+    let mut clocks = kind.clocks.iter().filter_map(|port| connections.get(*port));
+    found.filter(|found| clocks.all(|clock| *clock == found.control.clock))
+}
+
+/// What controls a flip-flop on a rising edge that starts at 0 and has no reset.
+fn control(cell: &Value) -> Option<Control> {
+    let parameter = |name: &str, default: &'static str| {
+        let value = cell["parameters"][name].as_str();
+        value.unwrap_or(default).trim().to_owned()
+    };
+    let reset = &cell["connections"]["LSR"];
+    let is_plain = cell["type"] == FLIP_FLOP
+        && parameter("REGSET", "RESET") == "RESET"
+        && parameter("CLKMUX", "CLK") == "CLK"
+        && (reset.is_null() || reset == &json!(["0"]));
+    let enable = match parameter("CEMUX", "CE").as_str() {
+        "1" => json!(["1"]),
+        "CE" => cell["connections"]["CE"].clone(),
+        _ => return None,
+    };
+    let clock = cell["connections"]["CLK"].clone();
+    is_plain.then_some(Control { clock, enable })
+}
+
+fn put(register: Register, name: &str, kind: &Kind, cells: &mut Map<String, Value>) {
+    for (port, flip_flop) in &register.bits {
+        let removed = cells.remove(flip_flop).unwrap_or_default();
+        cells[name]["connections"][port] = removed["connections"]["Q"].clone();
+    }
+    let cell = &mut cells[name];
+    let (parameters, value) = kind.registers;
+    for parameter in parameters {
+        cell["parameters"][parameter] = value.into();
+    }
+    let Control { clock, enable } = register.control;
+    for (ports, bits) in [
+        (kind.clocks, clock),
+        (kind.enables, enable),
+        (kind.resets, json!(["0"])),
+    ] {
+        for port in ports {
+            cell["connections"][port] = bits.clone();
+            cell["port_directions"][port] = "input".into();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A flip-flop from one net to another.
+    fn flip_flop(from: u64, to: u64, more: Value) -> Value {
+        let mut cell = json!({
+            "type": "TRELLIS_FF",
+            "parameters": { "CEMUX": "1 ", "CLKMUX": "CLK", "LSRMUX": "LSR", "REGSET": "RESET" },
+            "port_directions": { "CLK": "input", "DI": "input", "LSR": "input", "Q": "output" },
+            "connections": { "CLK": [2], "DI": [from], "LSR": ["0"], "Q": [to] },
+        });
+        for (key, value) in more.as_object().into_iter().flatten() {
+            cell["parameters"][key] = value.clone();
+        }
+        cell
+    }
+
+    /// A multiplier and a memory whose outputs, nets 10 and 11 and net 12, go through flip-flops to nets 20 to 22.
+    fn module(second: Value) -> Value {
+        json!({
+            "ports": { "out": { "direction": "output", "bits": [20, 21, 22] } },
+            "cells": {
+                "product": {
+                    "type": "MULT18X18D", "parameters": {},
+                    "port_directions": { "P0": "output", "P1": "output", "P2": "output" },
+                    "connections": { "P0": [10], "P1": [11], "P2": [13] },
+                },
+                "store": {
+                    "type": "DP16KD", "parameters": {},
+                    "port_directions": { "CLKA": "input", "CLKB": "input", "DOB0": "output", "OCEB": "input" },
+                    "connections": { "CLKA": [2], "CLKB": [2], "DOB0": [12], "OCEB": ["1"] },
+                },
+                "a": flip_flop(10, 20, json!({})),
+                "b": second,
+                "c": flip_flop(12, 22, json!({})),
+            },
+        })
+    }
+
+    #[test]
+    fn flip_flops_become_output_registers() {
+        let mut module = module(flip_flop(11, 21, json!({})));
+        assert_eq!(fold_module(&mut module), 3);
+        let cells = module["cells"].as_object().expect("cells");
+        assert_eq!(cells.keys().collect::<Vec<_>>(), ["product", "store"]);
+        let (product, store) = (&cells["product"], &cells["store"]);
+        assert_eq!(product["parameters"]["REG_OUTPUT_CLK"], "CLK0");
+        for (port, bits) in [
+            ("P0", json!([20])),
+            ("P1", json!([21])),
+            ("CLK0", json!([2])),
+            ("CE0", json!(["1"])),
+        ] {
+            assert_eq!(product["connections"][port], bits, "{port}");
+        }
+        assert_eq!(store["parameters"]["REGMODE_B"], "OUTREG");
+        assert!(store["parameters"]["REGMODE_A"].is_null());
+        assert_eq!(store["connections"]["DOB0"], json!([22]));
+    }
+
+    #[test]
+    fn a_word_of_36_bits_has_the_register_of_both_ports() {
+        let mut module = module(flip_flop(30, 21, json!({})));
+        let store = &mut module["cells"]["store"];
+        store["parameters"]["DATA_WIDTH_B"] = "100100".into();
+        store["connections"]["DOA3"] = json!([30]);
+        store["port_directions"]["DOA3"] = "output".into();
+        store["connections"]["OCEA"] = json!(["0"]);
+        // Of the multiplier, whose second output nothing reads, one flip-flop moves.
+        assert_eq!(fold_module(&mut module), 3);
+        let store = &module["cells"]["store"];
+        for (port, bits) in [("DOA3", 21), ("DOB0", 22)] {
+            assert_eq!(store["connections"][port], json!([bits]));
+        }
+        for (side, enable) in [("REGMODE_A", "OCEA"), ("REGMODE_B", "OCEB")] {
+            assert_eq!(store["parameters"][side], "OUTREG");
+            assert_eq!(store["connections"][enable], json!(["1"]));
+        }
+    }
+
+    #[test]
+    fn an_enable_of_all_flip_flops_is_that_of_the_register() {
+        let enabled = |mut cell: Value| {
+            cell["connections"]["CE"] = json!([5]);
+            cell
+        };
+        let with_enable = |from, to| enabled(flip_flop(from, to, json!({ "CEMUX": "CE" })));
+        let mut module = module(with_enable(11, 21));
+        module["cells"]["a"] = with_enable(10, 20);
+        assert_eq!(fold_module(&mut module), 3);
+        let product = &module["cells"]["product"]["connections"];
+        assert_eq!(product["CE0"], json!([5]));
+        assert_eq!(
+            module["cells"]["store"]["connections"]["OCEB"],
+            json!(["1"])
+        );
+    }
+
+    #[test]
+    fn a_cell_is_left_alone_unless_all_its_flip_flops_can_move() {
+        let other = |what: Value| flip_flop(11, 21, what);
+        let mut late = other(json!({}));
+        late["connections"]["CLK"] = json!([3]);
+        let mut reset = other(json!({}));
+        reset["connections"]["LSR"] = json!([4]);
+        for (what, second) in [
+            ("enable", other(json!({ "CEMUX": "CE" }))),
+            ("falling edge", other(json!({ "CLKMUX": "INV" }))),
+            ("starts at 1", other(json!({ "REGSET": "SET" }))),
+            ("other clock", late),
+            ("reset", reset),
+            ("two readers", flip_flop(10, 21, json!({}))),
+        ] {
+            let mut module = module(second.clone());
+            assert_eq!(fold_module(&mut module), 1, "{what}");
+            assert_eq!(module["cells"]["b"], second, "{what}");
+            assert!(module["cells"]["product"]["parameters"]["REG_OUTPUT_CLK"].is_null());
+        }
+    }
+
+    #[test]
+    fn a_file_that_is_no_netlist_is_refused() {
+        let folder = imogene_tools::scratch().expect("a folder");
+        let path = folder.path().join("netlist.json");
+        for text in ["", "{}", "[1]"] {
+            imogene_tools::write(&path, text).expect("a file");
+            assert!(fold(&path).is_err(), "{text}");
+        }
+    }
+}
