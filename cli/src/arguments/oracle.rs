@@ -26,7 +26,8 @@ pub struct Raytrace {
     /// How the scenes are looked at.
     #[command(flatten)]
     pub view: View,
-    /// Picture (PNG) of one scene's comparison: the band blue, allowed differences orange, others red.
+    /// Picture (PNG) of one scene's comparison: the band blue, allowed differences orange, others
+    /// red, violet (depths) or yellow (colours).
     #[arg(short, long, value_name = "FILE.png")]
     pub output: Option<PathBuf>,
     /// Folder for such a picture of every scene; of random scenes, for the files of those in which something is found.

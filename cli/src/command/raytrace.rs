@@ -7,7 +7,7 @@ use crate::{missing, output};
 use imogene_files::text::counted;
 use imogene_golden::format::Format;
 use imogene_golden::machine::frame::Frame;
-use imogene_oracle::compare::{Comparison, Mark};
+use imogene_oracle::compare::{CLOSE_LEVELS, Comparison, Mark};
 use imogene_oracle::ordinary::scene_text;
 use imogene_oracle::paint;
 use imogene_oracle::run::{Outcome, run as trace};
@@ -106,8 +106,11 @@ fn random(scenes: u64, options: &Raytrace, format: Format, json: bool) -> Result
             }
         }
         output::text(format!(
-            "{scenes} scenes, {} pixels: {} refused, {} fail their check, {} differ from the traced picture where they must not",
+            "{scenes} scenes, {} pixels, colours of {}, {} pixels of glass: {} refused, {} fail their check, {} differ \
+             from the traced picture where they must not",
             found.pixels,
+            found.colours,
+            found.transparent,
             found.refused.len(),
             found.check_fails.len(),
             found.differing.len()
@@ -169,8 +172,9 @@ fn tell(row: &Row) {
     };
     let verdict = if c.holds() { "holds" } else { "DIFFERS" };
     output::text(format!(
-        "{scene}: {verdict}; {size}, {} covered, traced in {:.2} s ({} exactly); band {}, {} differ in it, {} outside, {} tied, {} announced; depths off by \
-         at most {:.2} words outside the band, {:.0} % of the bound, {} beyond it",
+        "{scene}: {verdict}; {size}, {} covered, traced in {:.2} s ({} exactly); band {}, {} differ in it, {} outside, \
+         {} tied, {} announced; depths off by at most {:.2} words outside the band, {:.0} % of the bound, {} beyond it; \
+         colours of {}, of {} known to {} levels and off by {:.2} at most, {} beyond their bound",
         c.covered,
         row.trace_seconds,
         counted(c.solved_exactly, "pixel"),
@@ -181,7 +185,12 @@ fn tell(row: &Row) {
         c.announced,
         c.depth_error,
         100.0 * c.depth_ratio,
-        c.depths_beyond_bound
+        c.depths_beyond_bound,
+        counted(c.colours, "pixel"),
+        c.colours_known,
+        CLOSE_LEVELS,
+        c.colour_error,
+        c.colours_beyond_bound
     ));
     first(c);
 }
@@ -199,5 +208,10 @@ fn first(c: &Comparison) {
             side(&d.golden),
             side(&d.traced)
         ));
+        if let Some((golden, allowed)) = d.colour {
+            output::text(format!(
+                "    in the colour {golden:?}; the traced one is {allowed:.1?}"
+            ));
+        }
     }
 }

@@ -39,6 +39,8 @@ pub struct CutBody {
     pub exact: Lines<BigInt>,
     /// In intervals.
     pub quick: Lines<Interval>,
+    /// From scene coordinates to its own.
+    pub frame: [[Interval; 4]; 4],
     /// Number of the face of each plane; those of the quadric are 0 and 1, the near end is 15.
     pub numbers: Vec<u8>,
 }
@@ -96,6 +98,7 @@ impl CutBody {
             planes: planes.into_iter().map(whole_vector).collect(),
         };
         CutBody {
+            frame: to_own.each_ref().map(about_all),
             surface: object.mode,
             perspective: sight.perspective,
             numbers: numbers(object, exact.planes.len()),

@@ -6,7 +6,7 @@
 
 use crate::body::Body;
 use imogene_algebra::rational::to_f64;
-use imogene_analysis::bounds::depth_bound;
+use imogene_analysis::bounds::{constant_normal_bound, depth_bound, normal_bound};
 use imogene_golden::format::Format;
 use imogene_prepare::error::PrepareError;
 use imogene_prepare::{PreparedObject, PreparedQuadric, PreparedScene, prepare};
@@ -20,6 +20,7 @@ const GUARDED: f64 = 2.0;
 /// The bounds of a prepared scene.
 pub struct Bounds {
     objects: Vec<Bound>,
+    normals: Vec<Normals>,
     format: Format,
 }
 
@@ -31,6 +32,16 @@ enum Bound {
     /// By the facet that is seen, its slope in depth words for a pixel across and a pixel down: a corner is up to a
     /// 32nd of a pixel off.
     Facets(Vec<(u32, f64)>),
+}
+
+/// What is known of the normals of an object.
+enum Normals {
+    /// Proven at each pixel, as the depth.
+    Proven,
+    /// Those of planes, rounded.
+    Planes,
+    /// They belong to corners of facets, or to another surface than the true one.
+    Unknown,
 }
 
 impl Bounds {
@@ -65,8 +76,19 @@ impl Bounds {
         };
         Ok(Bounds {
             objects: scene.objects.iter().enumerate().map(of).collect(),
+            normals: scene
+                .objects
+                .iter()
+                .zip(&prepared.objects)
+                .map(normals)
+                .collect(),
             format: prepared.format,
         })
+    }
+
+    /// The greatest depth word.
+    pub fn z_max(&self) -> f64 {
+        self.format.z_max() as f64
     }
 
     /// Whether an object is drawn by facet processors.
@@ -88,6 +110,26 @@ impl Bounds {
         }
     }
 
+    /// Greatest angle in radians between the golden normal of a face at a pixel and the true one, if it is known.
+    pub fn normal(
+        &self,
+        object: u32,
+        number: u8,
+        (x, y): (i64, i64),
+        golden: [i16; 3],
+    ) -> Option<f64> {
+        let object = object as usize;
+        let degrees = match (&self.normals[object], &self.objects[object]) {
+            (Normals::Proven, Bound::Proven(quadric)) => {
+                let f2 = quadric.words.f2_at(x, y, &self.format);
+                normal_bound(quadric, number, f2, golden)
+            }
+            (Normals::Planes, _) => constant_normal_bound(golden),
+            _ => return None,
+        };
+        Some(degrees.to_radians())
+    }
+
     /// Most that a golden depth of a facet may differ from the true one at a pixel beside it; nothing for objects that
     /// are no facets.
     pub fn one_pixel_on(&self, object: u32, part: u32) -> Option<f64> {
@@ -97,6 +139,14 @@ impl Bounds {
             }
             _ => None,
         }
+    }
+}
+
+fn normals((framed, prepared): (&FramedObject, &PreparedObject)) -> Normals {
+    match (framed, prepared.quadric()) {
+        (_, Some(_)) => Normals::Proven,
+        (FramedObject::Polyhedron(_), None) => Normals::Planes,
+        _ => Normals::Unknown,
     }
 }
 

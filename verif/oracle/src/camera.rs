@@ -137,7 +137,17 @@ impl Sight {
         if self.perspective { one - one / t } else { t }
     }
 
-    /// The same, exactly.
+    /// The parameter at a depth.
+    pub fn parameter(&self, depth: Interval) -> Interval {
+        let one = Interval::point(1.0);
+        if self.perspective {
+            one / (one - depth)
+        } else {
+            depth
+        }
+    }
+
+    /// Depth at a parameter, exactly.
     pub fn exact_depth(&self, t: &BigRational) -> BigRational {
         if self.perspective {
             BigRational::one() - t.recip()

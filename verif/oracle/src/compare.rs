@@ -16,21 +16,27 @@
 //!
 //! A pixel is *announced* if `imogene check` says beforehand, from the words alone, that rounding may change its face:
 //! so an outline has its own stated band, wider than a pixel where the words are too short for the object.
+//!
+//! A transparent object is compared as if it were alone. Then the colours are compared, wherever the faces are the same
+//! and no two of them are so near to each other that words cannot tell which is first.
 
 use crate::bounds::Bounds;
+use crate::colour::{Colours, Levels, Surface};
 use crate::trace::{Traced, TracedPixel, Tracer};
 use imogene_analysis::bounds::Jury;
 use imogene_golden::machine::frame::Frame;
-use imogene_prepare::PreparedScene;
+use rayon::prelude::*;
 use serde::Serialize;
 
 /// Pixels that a corner of a facet is off at most, across and down: half a sixteenth.
 const CORNER: f64 = 1.0 / 32.0;
+/// Levels to which a colour is known that is said to be known.
+pub const CLOSE_LEVELS: f64 = 4.0;
 /// Differences that are listed.
 const LISTED: usize = 16;
 
-/// What a pixel is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// What a pixel is; of several pictures the last of these.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Mark {
     /// Alike, outside the band.
     Alike,
@@ -46,6 +52,34 @@ pub enum Mark {
     Outside,
     /// The same face at a depth beyond its bound.
     Depth,
+    /// The same faces in a colour beyond its bound.
+    Colour,
+}
+
+impl Mark {
+    /// Whether both pictures show the same face.
+    fn is_alike(self) -> bool {
+        self <= Mark::Band
+    }
+}
+
+/// A picture of opaque objects, or of one transparent object alone: as it is traced, the golden one, and what is
+/// announced of it.
+pub struct Pair<'a> {
+    /// The traced one.
+    pub traced: Traced,
+    /// The golden one.
+    pub golden: Frame,
+    /// What is proven of its objects.
+    pub jury: Jury<'a>,
+}
+
+/// The golden colours of a picture, and those of the tracer.
+pub struct Painted {
+    /// Red, green and blue of every pixel, row-major.
+    pub golden: Vec<u8>,
+    /// The rule.
+    pub colours: Colours,
 }
 
 /// One side of a difference.
@@ -72,6 +106,8 @@ pub struct Difference {
     pub traced: Seen,
     /// The depth bound, if both show the same face.
     pub bound: Option<f64>,
+    /// Golden colour, and the least and greatest level of each component for the tracer, if that is what differs.
+    pub colour: Option<([u8; 3], [[f64; 2]; 3])>,
 }
 
 /// What was found.
@@ -79,8 +115,10 @@ pub struct Difference {
 pub struct Comparison {
     /// Pixels of the picture.
     pub pixels: usize,
-    /// Pixels at which the tracer sees an object.
+    /// Pixels at which the tracer sees an object that nothing is seen through.
     pub covered: usize,
+    /// Pixels of transparent objects, hidden ones too: each is compared as if it were alone, and counts below.
+    pub transparent: usize,
     /// Pixels that needed exact arithmetic.
     pub solved_exactly: usize,
     /// Pixels in the band.
@@ -105,6 +143,15 @@ pub struct Comparison {
     pub depth_bound: f64,
     /// Greatest ratio of a difference of depths to its bound.
     pub depth_ratio: f64,
+    /// Pixels at which colours were compared.
+    pub colours: usize,
+    /// Pixels whose colour is beyond its bound: none is allowed.
+    pub colours_beyond_bound: usize,
+    /// Of these, pixels of which the tracer knows every component to within [`CLOSE_LEVELS`]; others are at outlines,
+    /// in steep highlights and where a source grazes the surface.
+    pub colours_known: usize,
+    /// Greatest difference of a golden component from the middle of what is known there, in levels.
+    pub colour_error: f64,
     /// The first differences that are not allowed.
     pub first: Vec<Difference>,
 }
@@ -112,66 +159,84 @@ pub struct Comparison {
 impl Comparison {
     /// True if nothing differs that must not.
     pub fn holds(&self) -> bool {
-        self.differences_outside == 0 && self.depths_beyond_bound == 0
+        self.differences_outside == 0
+            && self.depths_beyond_bound == 0
+            && self.colours_beyond_bound == 0
     }
 }
 
-/// Compares the picture that a tracer has drawn; the marks are those of the pixels, row-major.
-pub fn compare(
-    tracer: &Tracer,
-    traced: &Traced,
-    golden: &Frame,
-    bounds: &Bounds,
-    prepared: &PreparedScene,
-) -> (Comparison, Vec<Mark>) {
-    let judge = Judge {
-        tracer,
-        traced,
-        golden,
-        bounds,
-        jury: Jury::of_words(prepared),
-        z_max: prepared.format.z_max() as f64,
-    };
+/// All pictures of a scene.
+pub struct Pictures<'a> {
+    /// Who drew the traced ones.
+    pub tracer: Tracer,
+    /// How far golden depths and normals may be off.
+    pub bounds: Bounds,
+    /// First that of the opaque objects, then one for each transparent object.
+    pub pairs: Vec<Pair<'a>>,
+    /// The colours, if the tracer has them.
+    pub painted: Option<Painted>,
+}
+
+/// Compares the pictures of a scene; the marks are those of the pixels, row-major.
+pub fn compare(pictures: &Pictures) -> (Comparison, Vec<Mark>) {
+    let Pictures { tracer, bounds, .. } = pictures;
+    let (first, layers) = pictures
+        .pairs
+        .split_first()
+        .expect("there are opaque objects, or none");
+    let covered = |pair: &Pair| pair.traced.pixels.iter().flatten().count();
     let mut found = Comparison {
-        pixels: traced.pixels.len(),
-        covered: traced.pixels.iter().flatten().count(),
-        solved_exactly: traced.solved,
+        pixels: first.traced.pixels.len(),
+        covered: covered(first),
+        transparent: layers.iter().map(covered).sum(),
+        solved_exactly: pictures.pairs.iter().map(|pair| pair.traced.solved).sum(),
         ..Comparison::default()
     };
-    let pixels = (0..traced.height).flat_map(|y| (0..traced.width).map(move |x| (x, y)));
-    let marks = pixels.map(|at| judge.pixel(&mut found, at)).collect();
-    (found, marks)
+    let judges = pictures.pairs.iter().map(|pair| Judge {
+        tracer,
+        bounds,
+        pair,
+        z_max: bounds.z_max(),
+    });
+    let judges: Vec<Judge> = judges.collect();
+    let width = first.traced.width;
+    let mut marks: Vec<Vec<Mark>> = vec![];
+    for judge in &judges {
+        let pixels = (0..found.pixels).map(|index| (index % width, index / width));
+        marks.push(pixels.map(|at| judge.pixel(&mut found, at)).collect());
+    }
+    let mut merged = marks[0].clone();
+    for (index, mark) in merged.iter_mut().enumerate() {
+        *mark = marks
+            .iter()
+            .map(|marks| marks[index])
+            .max()
+            .expect("the first");
+    }
+    if let Some(painted) = &pictures.painted {
+        found.add_colours(&judges, painted, &mut merged);
+    }
+    (found, merged)
 }
 
 /// Both pictures, and what their pixels are judged by.
 struct Judge<'a> {
     tracer: &'a Tracer,
-    traced: &'a Traced,
-    golden: &'a Frame,
     bounds: &'a Bounds,
-    jury: Jury<'a>,
+    pair: &'a Pair<'a>,
     /// The greatest depth word.
     z_max: f64,
 }
 
 impl Judge<'_> {
     fn pixel(&self, found: &mut Comparison, (x, y): (usize, usize)) -> Mark {
-        let index = y * self.traced.width + x;
-        let seen = self.traced.pixels[index];
-        let mut difference = Difference {
-            x,
-            y,
-            golden: Seen {
-                object: i64::from(self.golden.id[index]),
-                number: self.golden.number[index],
-                depth: self.golden.depth[index] as f64,
-            },
-            traced: self.of_tracer(seen),
-            bound: None,
-        };
+        let index = y * self.pair.traced.width + x;
+        let seen = self.pair.traced.pixels[index];
+        let mut difference = self.difference((x, y), seen);
         let (one, other) = (difference.golden, difference.traced);
         let differs = (one.object, one.number) != (other.object, other.number);
-        let in_band = is_in_band(self.traced, x, y) || (differs && self.is_grazed(&one, (x, y)));
+        let in_band =
+            is_in_band(&self.pair.traced, x, y) || (differs && self.is_grazed(&one, (x, y)));
         found.band += usize::from(in_band);
         if differs {
             if in_band {
@@ -217,11 +282,28 @@ impl Judge<'_> {
         Mark::Depth
     }
 
+    /// Both sides of a pixel.
+    fn difference(&self, (x, y): (usize, usize), seen: Option<TracedPixel>) -> Difference {
+        let (index, golden) = (y * self.pair.traced.width + x, &self.pair.golden);
+        Difference {
+            x,
+            y,
+            golden: Seen {
+                object: i64::from(golden.id[index]),
+                number: golden.number[index],
+                depth: golden.depth[index] as f64,
+            },
+            traced: self.of_tracer(seen),
+            bound: None,
+            colour: None,
+        }
+    }
+
     /// What a pixel is that differs outside the band.
     fn outside(&self, golden: &Seen, traced: Option<TracedPixel>, at: (usize, usize)) -> Mark {
         if traced.is_some_and(|traced| self.is_tied(golden, &traced, at)) {
             Mark::Tied
-        } else if self.jury.is_undecided(at.0 as i64, at.1 as i64) {
+        } else if self.pair.jury.is_undecided(at.0 as i64, at.1 as i64) {
             Mark::Announced
         } else {
             Mark::Outside
@@ -303,7 +385,105 @@ impl Judge<'_> {
     }
 }
 
+/// What is seen of an object at a pixel.
+struct Layer {
+    /// Its depth in depth words, and how far others must be from it to be told apart.
+    depth: f64,
+    reach: f64,
+    surface: Surface,
+}
+
+impl Judge<'_> {
+    /// What the tracer sees at a pixel, if the normal is known.
+    fn layer(&self, at: (usize, usize), seen: &TracedPixel) -> Option<Layer> {
+        let normal = self.pair.golden.normal[at.1 * self.pair.traced.width + at.0];
+        let place = (at.0 as i64, at.1 as i64);
+        let off = self
+            .bounds
+            .normal(seen.object, seen.number, place, normal)?;
+        let reach = self.bound(seen, at) + self.slack(seen);
+        let (t, normal) = self
+            .tracer
+            .normal(at.0 as u32, at.1 as u32, seen, reach / self.z_max)?;
+        Some(Layer {
+            depth: self.depth(seen),
+            reach,
+            surface: Surface {
+                object: seen.object,
+                t,
+                normal,
+                off,
+            },
+        })
+    }
+}
+
+/// The levels that the tracer allows at a pixel; nothing where faces or their order are open.
+fn levels(judges: &[Judge], colours: &Colours, at: (usize, usize)) -> Option<Levels> {
+    let index = at.1 * judges[0].pair.traced.width + at.0;
+    // Nothing is there, or all that is needed is known.
+    let seen = |judge: &Judge| match &judge.pair.traced.pixels[index] {
+        None => Some(None),
+        Some(pixel) => judge.layer(at, pixel).map(Some),
+    };
+    let mut seen = judges
+        .iter()
+        .map(seen)
+        .collect::<Option<Vec<Option<Layer>>>>()?;
+    let surface = seen.remove(0);
+    let mut layers: Vec<Layer> = seen.into_iter().flatten().collect();
+    layers.sort_by(|a, b| b.depth.total_cmp(&a.depth));
+    let is_told =
+        |far: &Layer, near: &Layer| (far.depth - near.depth).abs() > far.reach + near.reach;
+    let apart = layers.windows(2).all(|two| is_told(&two[0], &two[1]));
+    let before = |layer: &&Layer| surface.as_ref().is_none_or(|s| layer.depth < s.depth);
+    let behind = surface.as_ref();
+    if !apart || behind.is_some_and(|s| layers.iter().any(|layer| !is_told(s, layer))) {
+        return None;
+    }
+    let before: Vec<&Surface> = layers
+        .iter()
+        .filter(before)
+        .map(|layer| &layer.surface)
+        .collect();
+    let (x, y) = judges[0].tracer.place(at.0 as u32, at.1 as u32);
+    colours.seen((x, y), behind.map(|layer| &layer.surface), &before)
+}
+
 impl Comparison {
+    fn add_colours(&mut self, judges: &[Judge], painted: &Painted, marks: &mut [Mark]) {
+        let (width, traced) = (judges[0].pair.traced.width, &judges[0].pair.traced);
+        let allowed: Vec<Option<Levels>> = (0..marks.len())
+            .into_par_iter()
+            .map(|index| {
+                let at = (index % width, index / width);
+                let alike = marks[index].is_alike();
+                alike.then(|| levels(judges, &painted.colours, at))?
+            })
+            .collect();
+        let golden = painted.golden.as_chunks::<3>().0;
+        for (index, (allowed, &golden)) in allowed.into_iter().zip(golden).enumerate() {
+            let Some(allowed) = allowed else { continue };
+            self.colours += 1;
+            let each = || allowed.iter().zip(golden.map(f64::from));
+            if each().all(|(allowed, _)| 0.5 * allowed.width() <= CLOSE_LEVELS) {
+                let off = each().map(|(allowed, golden)| (golden - allowed.middle()).abs());
+                self.colours_known += 1;
+                self.colour_error = off.fold(self.colour_error, f64::max);
+            }
+            if each().all(|(allowed, golden)| allowed.lo <= golden && golden <= allowed.hi) {
+                continue;
+            }
+            self.colours_beyond_bound += 1;
+            marks[index] = Mark::Colour;
+            let at = (index % width, index / width);
+            self.list(Difference {
+                colour: Some((golden, allowed.map(|v| [v.lo, v.hi]))),
+                ..judges[0].difference(at, traced.pixels[index])
+            });
+        }
+    }
+
     fn list(&mut self, difference: Difference) {
         if self.first.len() < LISTED {
             self.first.push(difference);

@@ -133,6 +133,29 @@ impl Interval {
         }
     }
 
+    /// Powers of numbers that are not negative.
+    pub fn power(self, exponent: u32) -> Interval {
+        match exponent {
+            0 => Interval::point(1.0),
+            1 => self,
+            n if n % 2 == 0 => self.square().power(n / 2),
+            n => self * self.square().power(n / 2),
+        }
+    }
+
+    /// Widened by as much at both ends.
+    pub fn widened(self, reach: f64) -> Interval {
+        self + Interval::within(reach)
+    }
+
+    /// Numbers below an interval's least are its least, those above its greatest its greatest.
+    pub fn clamped(self, lo: f64, hi: f64) -> Interval {
+        Interval {
+            lo: self.lo.clamp(lo, hi),
+            hi: self.hi.clamp(lo, hi),
+        }
+    }
+
     /// Squares.
     pub fn square(self) -> Interval {
         let (a, b) = (self.lo * self.lo, self.hi * self.hi);
@@ -263,6 +286,9 @@ mod tests {
                 prop_assert!(holds(x - y, &(&u - &v)));
                 prop_assert!(holds(x * y, &(&u * &v)));
                 prop_assert!(holds(x.square(), &(&u * &u)));
+                if x.lo >= 0.0 {
+                    prop_assert!(holds(x.power(7), &u.pow(7)));
+                }
                 if !y.holds_zero() {
                     prop_assert!(holds(x / y, &(&u / &v)));
                 }

@@ -33,6 +33,7 @@
 pub mod body;
 pub mod bounds;
 pub mod camera;
+pub mod colour;
 pub mod compare;
 pub mod crack;
 mod decide;

@@ -1,5 +1,6 @@
 //! Ordinary scenes at random: one to six finite objects of every family, seen from 6 to 12 units away in both
-//! projections.
+//! projections. In some one of them is of glass, in others two or three balls of glass, each in the next, are among
+//! them: of these the order is that of their size.
 //!
 //! A scene is the text of a scene file, so that what goes wrong with one can be kept as it is. The same seed gives
 //! the same text on every computer.
@@ -10,9 +11,23 @@ use std::f64::consts::TAU;
 
 /// The text of the scene with this number in the sequence of a seed.
 pub fn scene_text(seed: u64, number: u64) -> String {
-    let mut random = ChaCha8Rng::seed_from_u64(seed);
-    random.set_stream(number);
-    Author { random }.scene(seed, number)
+    let author = |stream| {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        random.set_stream(stream);
+        Author { random }
+    };
+    // Another sequence makes the glass, so that the rest is that of a scene without.
+    let glass = author(number | 1 << 63).glass();
+    author(number).scene(seed, number, &glass)
+}
+
+/// The glass of a scene.
+enum Glass {
+    None,
+    /// The first object.
+    First,
+    /// Objects besides.
+    Balls(String),
 }
 
 /// Families that are bounded by two planes across their axis, as many numbers as each takes for its radii.
@@ -32,12 +47,16 @@ const ENDLESS: [(&str, usize); 4] = [
     ("quadric", 0),
 ];
 
+/// Its material.
+const GLASS: &str =
+    "\n[[materials]]\nname = \"glass\"\ncolour = [0.4, 0.8, 0.9]\nopacity = 0.35\nexponent = 60\n";
+
 struct Author {
     random: ChaCha8Rng,
 }
 
 impl Author {
-    fn scene(&mut self, seed: u64, number: u64) -> String {
+    fn scene(&mut self, seed: u64, number: u64, glass: &Glass) -> String {
         let objects = self.random.random_range(1..=6);
         let mut text = format!(
             "format = 1\ntitle = \"ordinary scene {number} of seed {seed}\"\nimage = {{ width = 64, height = 48 }}\n"
@@ -45,10 +64,41 @@ impl Author {
         text += &self.camera();
         text += "\n[[lights]]\nkind = \"directional\"\nfrom = [-3, 5, 7]\n";
         text += "\n[[materials]]\nname = \"clay\"\ncolour = [0.8, 0.5, 0.3]\n";
+        if !matches!(glass, Glass::None) {
+            text += GLASS;
+        }
         for index in 0..objects {
-            text += &self.object(index);
+            let is_glass = index == 0 && matches!(glass, Glass::First);
+            text += &self.object(index, if is_glass { "glass" } else { "clay" });
+        }
+        if let Glass::Balls(balls) = glass {
+            text += balls;
         }
         text
+    }
+
+    fn glass(&mut self) -> Glass {
+        match self.random.random_range(0..6) {
+            0 => Glass::First,
+            1 => Glass::Balls(self.balls()),
+            _ => Glass::None,
+        }
+    }
+
+    /// Balls of glass about one point, the smallest or the greatest first.
+    fn balls(&mut self) -> String {
+        let (at, mut radius) = (list(&self.vector(1.0)), self.between(0.8, 1.5));
+        let mut balls = vec![];
+        for index in 0..self.random.random_range(2..=3) {
+            balls.push(format!(
+                "\n[[objects]]\nname = \"g{index}\"\nkind = \"sphere\"\nradius = {radius}\nmaterial = \"glass\"\nplace = [{{ translate = {at} }}]\n"
+            ));
+            radius = rounded(radius * self.between(0.4, 0.9));
+        }
+        if self.one_in(2) {
+            balls.reverse();
+        }
+        balls.concat()
     }
 
     fn camera(&mut self) -> String {
@@ -74,7 +124,7 @@ impl Author {
         format!("\n[camera]\neye = {eye}\ntarget = {target}\n{seen}\n")
     }
 
-    fn object(&mut self, index: usize) -> String {
+    fn object(&mut self, index: usize, material: &str) -> String {
         let sort = self.random.random_range(0..8);
         let (shape, mut cuts) = match sort {
             0 | 1 => (self.closed(), vec![]),
@@ -94,7 +144,7 @@ impl Author {
         };
         let place = self.place();
         format!(
-            "\n[[objects]]\nname = \"o{index}\"\n{shape}\n{mode}material = \"clay\"\nplace = [{place}]\ncuts = [{}]\n",
+            "\n[[objects]]\nname = \"o{index}\"\n{shape}\n{mode}material = \"{material}\"\nplace = [{place}]\ncuts = [{}]\n",
             cuts.join(", ")
         )
     }
@@ -215,7 +265,13 @@ mod tests {
         assert_eq!(texts[7], scene_text(1, 7));
         assert_ne!(texts[7], texts[8]);
         assert_ne!(texts[7], scene_text(2, 7));
-        for kind in ["hyperbolic_cylinder", "quadric", "polyhedron", "cone"] {
+        for kind in [
+            "hyperbolic_cylinder",
+            "quadric",
+            "polyhedron",
+            "cone",
+            "\"g2\"",
+        ] {
             assert!(texts.iter().any(|text| text.contains(kind)), "{kind}");
         }
     }

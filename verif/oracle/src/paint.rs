@@ -16,6 +16,8 @@ pub const TIED: Colour = [90, 170, 110];
 pub const FORBIDDEN: Colour = [255, 30, 30];
 /// The same face beyond the bound of its depth.
 pub const TOO_DEEP: Colour = [255, 60, 255];
+/// The same faces in a colour beyond its bound.
+pub const OTHER_COLOUR: Colour = [240, 240, 90];
 const BACKGROUND: Colour = [24, 26, 32];
 
 /// The picture in grey, nearer lighter, each object in a tone of its own.
@@ -38,7 +40,7 @@ fn grey(frame: &Frame, z_max: i64) -> Vec<Colour> {
 }
 
 /// A comparison: alike in grey, band in blue, tied in green, allowed and announced differences in orange and others in
-/// red, the latter as squares of three pixels.
+/// red, depths in violet and colours in yellow, all as squares of three pixels.
 pub fn comparison(frame: &Frame, z_max: i64, marks: &[Mark]) -> Vec<u8> {
     let mut picture = grey(frame, z_max);
     for (colour, mark) in picture.iter_mut().zip(marks) {
@@ -52,6 +54,7 @@ pub fn comparison(frame: &Frame, z_max: i64, marks: &[Mark]) -> Vec<u8> {
         (Mark::Inside, ALLOWED),
         (Mark::Announced, ALLOWED),
         (Mark::Depth, TOO_DEEP),
+        (Mark::Colour, OTHER_COLOUR),
         (Mark::Outside, FORBIDDEN),
     ];
     for (mark, colour) in spots {

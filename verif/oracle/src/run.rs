@@ -1,11 +1,18 @@
 //! One scene from its file to the comparison of golden and traced picture.
 
 use crate::bounds::Bounds;
-use crate::compare::{Comparison, Mark, compare};
-use crate::trace::Tracer;
+use crate::colour::Colours;
+use crate::compare::{Comparison, Mark, Painted, Pair, Pictures, compare};
+use crate::trace::{Traced, Tracer};
+use imogene_analysis::bounds::Jury;
 use imogene_golden::format::Format;
 use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
+use imogene_golden::machine::lighting::Lighting;
+use imogene_golden::machine::shader::shade_picture;
+use imogene_golden::object::slot::Slot;
+use imogene_prepare::error::PrepareError;
+use imogene_prepare::shader::{material_numbers, shader_words};
 use imogene_prepare::{Framing, PreparedScene, prepare};
 use imogene_scene::{FramedScene, SceneError, SceneFile};
 use std::time::Instant;
@@ -51,17 +58,15 @@ pub fn run(
         Err(reason) => return Ok(Outcome::Refused(reason.to_string())),
     };
     let started = Instant::now();
-    let tracer = Tracer::new(scene, &framed.range, width, height);
-    let steps = tracer.steps();
-    let traced = tracer.draw(|| progress(steps));
+    let traced = trace(scene, &framed, progress);
     let trace_seconds = started.elapsed().as_secs_f64();
-    let bounds = match Bounds::new(&framed, &prepared, tracer.bodies()) {
-        Ok(bounds) => bounds,
+    let mut pictures = match pictures(traced, scene, &framed, &prepared) {
+        Ok(pictures) => pictures,
         Err(reason) => return Ok(Outcome::Refused(reason.to_string())),
     };
-    let (columns, lines) = (width as usize, height as usize);
-    let golden = beam::render(&prepared.slots(), &format, columns, lines, || ());
-    let (comparison, marks) = compare(&tracer, &traced, &golden, &bounds, &prepared);
+    let (comparison, marks) = compare(&pictures);
+    let golden = pictures.pairs.swap_remove(0).golden;
+    drop(pictures);
     Ok(Outcome::Compared(Box::new(Compared {
         comparison,
         golden,
@@ -69,4 +74,80 @@ pub fn run(
         trace_seconds,
         scene: (framed, prepared),
     })))
+}
+
+/// A tracer and what it has drawn: what nothing is seen through, then each transparent object alone.
+pub type Drawn = (Tracer, Vec<Traced>);
+
+/// Traces a scene in the size of its frame.
+pub fn trace(scene: &SceneFile, framed: &FramedScene, progress: &(impl Fn(u64) + Sync)) -> Drawn {
+    let tracer = Tracer::new(scene, &framed.range, framed.width, framed.height);
+    let steps = tracer.steps();
+    let mut all = vec![tracer.draw(|| progress(steps))];
+    all.extend(tracer.glass().iter().map(|id| tracer.draw_alone(*id)));
+    (tracer, all)
+}
+
+/// Golden pictures beside the traced ones.
+///
+/// # Errors
+///
+/// When the bounds of an object cannot be had.
+pub fn pictures<'a>(
+    (tracer, traced): Drawn,
+    scene: &SceneFile,
+    framed: &FramedScene,
+    prepared: &'a PreparedScene,
+) -> Result<Pictures<'a>, PrepareError> {
+    let mut traced = traced.into_iter();
+    let opaque = traced.next().map(|traced| Pair {
+        traced,
+        jury: Jury::of_words(prepared),
+        golden: drawn(prepared, &prepared.slots()),
+    });
+    let glass = traced.zip(tracer.glass());
+    let glass = glass.map(|(traced, &object)| alone(prepared, object as usize, traced));
+    let pairs: Vec<Pair> = opaque.into_iter().chain(glass).collect();
+    let golden = &pairs[0].golden;
+    let colours = Colours::new(scene, tracer.sight());
+    Ok(Pictures {
+        bounds: Bounds::new(framed, prepared, tracer.bodies())?,
+        painted: colours.and_then(|colours| painted(colours, golden, framed, &prepared.format)),
+        tracer,
+        pairs,
+    })
+}
+
+fn drawn(prepared: &PreparedScene, slots: &[Slot]) -> Frame {
+    let [columns, lines] = [prepared.width, prepared.height].map(|pixels| pixels as usize);
+    beam::render(slots, &prepared.format, columns, lines, || ())
+}
+
+/// A transparent object alone, and as if it were opaque, so that the golden frame says which faces it shows.
+fn alone(prepared: &PreparedScene, object: usize, traced: Traced) -> Pair<'_> {
+    let own = prepared.layers.iter().filter(|slot| slot.object == object);
+    let opaque = own.map(|slot| Slot {
+        weight: None,
+        ..slot.clone()
+    });
+    Pair {
+        traced,
+        golden: drawn(prepared, &opaque.collect::<Vec<Slot>>()),
+        jury: Jury::of_words_alone(prepared, object),
+    }
+}
+
+/// The golden colours; nothing for what the shading processor cannot hold.
+fn painted(
+    colours: Colours,
+    golden: &Frame,
+    scene: &FramedScene,
+    format: &Format,
+) -> Option<Painted> {
+    let words = shader_words(scene, format, None).ok()?;
+    let lighting = Lighting::full(golden);
+    Some(Painted {
+        golden: shade_picture(golden, &lighting, &material_numbers(scene), &words),
+        colours,
+    })
 }

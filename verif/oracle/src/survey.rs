@@ -27,6 +27,10 @@ pub struct Survey {
     pub scenes: u64,
     /// Pixels compared with the tracer.
     pub pixels: usize,
+    /// Pixels of transparent objects that were compared.
+    pub transparent: usize,
+    /// Pixels whose colours were compared.
+    pub colours: usize,
     /// Pixels that differ and that the check announces, or that are tied or in the band.
     pub announced: usize,
     /// Scenes that the preparation refuses, with the reason.
@@ -83,6 +87,8 @@ impl Survey {
         };
         let c = &compared.comparison;
         self.pixels += c.pixels;
+        self.transparent += c.transparent;
+        self.colours += c.colours;
         self.announced += c.announced + c.tied + c.differences_inside;
         let wrong = c.announced + c.differences_outside + c.differences_inside;
         if !report.ok {
@@ -93,8 +99,8 @@ impl Survey {
         }
         if !c.holds() {
             self.differing.push(finding(format!(
-                "{} pixels show another face, {} depths are beyond their bound",
-                c.differences_outside, c.depths_beyond_bound
+                "{} pixels show another face, {} depths and {} colours are beyond their bound",
+                c.differences_outside, c.depths_beyond_bound, c.colours_beyond_bound
             )));
         }
     }

@@ -58,16 +58,19 @@ impl Row {
 /// The table (Markdown).
 pub fn table(rows: &[Row]) -> String {
     let mut text = String::from(
-        "| scene | size | covered | solved exactly | band | differ in it | tied | announced | differ outside | depth error, words | of its bound | beyond it |\n\
-         |---|---|---|---|---|---|---|---|---|---|---|---|\n",
+        "| scene | size | covered | solved exactly | band | differ in it | tied | announced | differ outside | depth error, words | of its bound | beyond it | colours | known to 4 levels | off, levels | beyond |\n\
+         |---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
     );
     for row in rows {
         let (scene, size) = (&row.scene, format!("{} x {}", row.width, row.height));
         let written = match &row.comparison {
-            None => writeln!(text, "| {scene} | {size} | refused | | | | | | | | | |"),
+            None => writeln!(
+                text,
+                "| {scene} | {size} | refused | | | | | | | | | | | | | |"
+            ),
             Some(c) => writeln!(
                 text,
-                "| {scene} | {size} | {} | {} | {} | {} | {} | {} | {} | {:.2} | {:.0} % | {} |",
+                "| {scene} | {size} | {} | {} | {} | {} | {} | {} | {} | {:.2} | {:.0} % | {} | {} | {} | {:.2} | {} |",
                 c.covered,
                 c.solved_exactly,
                 c.band,
@@ -77,7 +80,11 @@ pub fn table(rows: &[Row]) -> String {
                 c.differences_outside,
                 c.depth_error,
                 100.0 * c.depth_ratio,
-                c.depths_beyond_bound
+                c.depths_beyond_bound,
+                c.colours,
+                c.colours_known,
+                c.colour_error,
+                c.colours_beyond_bound
             ),
         };
         written.expect("a string takes all");

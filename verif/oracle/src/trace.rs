@@ -53,6 +53,8 @@ pub struct Traced {
 pub struct Tracer {
     sight: Sight,
     bodies: Vec<(u32, Body)>,
+    /// Objects that something is seen through, in ascending order.
+    glass: Vec<u32>,
     solids: Vec<SolidBody>,
     ends: Ends,
 }
@@ -69,13 +71,15 @@ impl Tracer {
             .objects
             .par_iter()
             .enumerate()
-            .filter(|(_, object)| !is_transparent(&scene, object))
             .map(|(id, object)| {
                 let bodies = Body::of(object, &sight).into_iter();
                 bodies.map(|body| (id as u32, body)).collect()
             })
             .collect();
+        let objects = (0..).zip(&scene.objects);
+        let glass = objects.filter(|(_, object)| material(&scene, object).is_transparent());
         Tracer {
+            glass: glass.map(|(id, _)| id).collect(),
             ends: sight.ends(),
             bodies: bodies.into_iter().flatten().collect(),
             solids: scene
@@ -92,20 +96,45 @@ impl Tracer {
         &self.bodies
     }
 
-    /// Draws the picture; `done` is called once for each of [`Tracer::steps`], from any thread.
+    /// Objects that something is seen through, in ascending order.
+    pub fn glass(&self) -> &[u32] {
+        &self.glass
+    }
+
+    /// Draws the picture of all that nothing is seen through; `done` is called once for each of [`Tracer::steps`], from
+    /// any thread.
     pub fn draw(&self, done: impl Fn() + Sync) -> Traced {
+        self.picture(&self.opaque(), done)
+    }
+
+    /// Draws one object alone.
+    pub fn draw_alone(&self, object: u32) -> Traced {
+        self.picture(&self.of(|id| id == object), || ())
+    }
+
+    fn opaque(&self) -> Vec<u32> {
+        self.of(|id| !self.glass.contains(&id))
+    }
+
+    /// The indices of the bodies of some objects.
+    fn of(&self, takes: impl Fn(u32) -> bool) -> Vec<u32> {
+        let bodies = (0..).zip(&self.bodies);
+        let own = bodies.filter(|(_, (id, _))| takes(*id));
+        own.map(|(index, _)| index).collect()
+    }
+
+    fn picture(&self, all: &[u32], done: impl Fn() + Sync) -> Traced {
         let (width, height) = (self.sight.width, self.sight.height);
         let cells: Vec<(u32, u32)> = (0..height)
             .step_by(LARGEST as usize)
             .flat_map(|y| (0..width).step_by(LARGEST as usize).map(move |x| (x, y)))
             .collect();
-        let all: Vec<u32> = (0..self.bodies.len() as u32).collect();
         let drawn: Vec<Vec<((u32, u32), Drawn)>> = cells
             .par_iter()
             .map(|&(x, y)| {
                 let to = [(x + LARGEST).min(width), (y + LARGEST).min(height)];
                 let mut pixels = vec![];
-                self.area([[x, y], to], &all, &mut pixels);
+                self.area([[x, y], to], all, &mut pixels);
                 done();
                 pixels
             })
@@ -123,27 +152,17 @@ impl Tracer {
         picture
     }
 
-    /// What is seen at one pixel.
+    /// What is seen at one pixel of all that nothing is seen through.
     pub fn at(&self, x: u32, y: u32) -> Option<TracedPixel> {
-        let all: Vec<u32> = (0..self.bodies.len() as u32).collect();
-        self.pixel(x, y, &all).0
+        self.pixel(x, y, &self.opaque()).0
     }
 
     /// What one object alone shows at a pixel, in exact arithmetic.
     pub fn alone(&self, object: u32, x: u32, y: u32) -> Option<TracedPixel> {
-        let bodies = self.bodies.iter().enumerate();
-        let own = bodies.filter(|(_, (id, _))| *id == object);
-        let own = own.map(|(index, _)| index as u32);
         // One of a solid is asked for with all others of it.
-        let list: Vec<u32> = match self.solids.iter().find(|solid| solid.has(object)) {
-            None => own.collect(),
-            Some(solid) => {
-                let bodies = (0..).zip(&self.bodies);
-                bodies
-                    .filter(|(_, (id, _))| solid.has(*id))
-                    .map(|(index, _)| index)
-                    .collect()
-            }
+        let list = match self.solids.iter().find(|solid| solid.has(object)) {
+            None => self.of(|id| id == object),
+            Some(solid) => self.of(|id| solid.has(id)),
         };
         self.solve(x, y, &list)
     }
@@ -164,6 +183,32 @@ impl Tracer {
     fn is_member(&self, index: u32) -> bool {
         let (object, _) = self.bodies[index as usize];
         self.solids.iter().any(|solid| solid.has(object))
+    }
+
+    /// Coordinates of a pixel's centre in half pixels.
+    pub fn place(&self, x: u32, y: u32) -> (i64, i64) {
+        self.sight.place(x, y)
+    }
+
+    /// The lines of sight.
+    pub fn sight(&self) -> &Sight {
+        &self.sight
+    }
+
+    /// The parameters at which a line of sight is within `reach` of what is seen, which is a share of the depth, and
+    /// the normal of what is seen; nothing for a facet.
+    pub fn normal(
+        &self,
+        x: u32,
+        y: u32,
+        seen: &TracedPixel,
+        reach: f64,
+    ) -> Option<(Interval, [Interval; 3])> {
+        let mut bodies = self.bodies.iter();
+        let (_, body) = bodies.find(|(object, _)| *object == seen.object)?;
+        let true_t = self.sight.parameter(seen.depth);
+        let normal = body.normal(self.place(x, y), seen.number, true_t)?;
+        Some((self.sight.parameter(seen.depth.widened(reach)), normal))
     }
 
     /// Steps of [`Tracer::draw`], for a bar of its progress.
@@ -293,11 +338,11 @@ impl Tracer {
     }
 }
 
-/// What is seen through takes no part in the picture.
-fn is_transparent(scene: &SceneFile, object: &Object) -> bool {
+/// The material of an object.
+pub(crate) fn material<'a>(scene: &'a SceneFile, object: &Object) -> &'a Material {
     let mut materials = scene.materials.iter();
     let own = materials.find(|material| material.name == object.material);
-    own.is_some_and(Material::is_transparent)
+    own.expect("checked: every material exists")
 }
 
 /// Pixels from one column and line to before another.

@@ -58,15 +58,25 @@ impl<'a> Jury<'a> {
         }
     }
 
-    /// By the rounding bounds of the words alone: objects of other processors than quadric and patch are left out.
+    /// By the rounding bounds of the words alone, of the objects that nothing is seen through. Those of other
+    /// processors than quadric and patch are left out.
     pub fn of_words(prepared: &'a PreparedScene) -> Jury<'a> {
-        let judge = |object: &'a PreparedObject| match object.quadric() {
-            Some(quadric) => Judge::Words(quadric, prepared.format),
-            None => Judge::Nothing,
+        Jury::of_some_words(prepared, |id| !prepared.transparent.contains(&id))
+    }
+
+    /// The same of one object alone.
+    pub fn of_words_alone(prepared: &'a PreparedScene, object: usize) -> Jury<'a> {
+        Jury::of_some_words(prepared, |id| id == object)
+    }
+
+    fn of_some_words(prepared: &'a PreparedScene, takes: impl Fn(usize) -> bool) -> Jury<'a> {
+        let judge = |(id, object): (usize, &'a PreparedObject)| match object.quadric() {
+            Some(quadric) if takes(id) => Judge::Words(quadric, prepared.format),
+            _ => Judge::Nothing,
         };
         Jury {
             prepared,
-            judges: prepared.objects.iter().map(judge).collect(),
+            judges: prepared.objects.iter().enumerate().map(judge).collect(),
         }
     }
 

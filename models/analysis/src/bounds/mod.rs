@@ -37,7 +37,7 @@ pub use guards::{ExactGuards, exact_guards};
 pub use jury::Jury;
 pub use kind::quadric_kind;
 pub use needs::{MachineNeeds, machine_needs};
-pub use normal::{normal_bound, quadric_sine};
+pub use normal::{constant_normal_bound, normal_bound, quadric_sine};
 pub use object::{ObjectBounds, QuadricReport};
 pub use parts::{PartsBounds, PartsReport};
 pub use pixels::{Shows, Undecided};

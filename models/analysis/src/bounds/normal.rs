@@ -33,9 +33,13 @@ pub fn normal_bound(object: &PreparedQuadric, number: u8, f2: i64, normal: [i16;
             f2,
             normal,
         )),
-        // Constant normals are rounded to the nearest word.
-        _ => degrees(0.75f64.sqrt() / length(normal)),
+        _ => constant_normal_bound(normal),
     }
+}
+
+/// The same for a plane, whose normal is rounded to the nearest word.
+pub fn constant_normal_bound(normal: [i16; 3]) -> f64 {
+    degrees(0.75f64.sqrt() / length(normal))
 }
 
 /// Greatest sine of the angle between a quadric's golden normal and the true gradient; the direction is not determined

@@ -19,6 +19,8 @@ fn ordinary_scenes_draw() {
         let found = survey(seed, scenes, Format::BASE, || ());
         assert!(found.pixels > 2000 * scenes as usize);
         assert!(found.differing.is_empty(), "{:?}", found.differing);
+        assert!(found.transparent > 100 * scenes as usize);
+        assert!(found.colours * 100 > 99 * found.pixels);
         // Nothing is really open in any of them.
         assert!(found.check_fails.is_empty(), "{:?}", found.check_fails);
         assert!(

@@ -2,15 +2,15 @@
 
 use imogene_analysis::bounds::check;
 use imogene_golden::format::Format;
-use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
-use imogene_oracle::bounds::Bounds;
-use imogene_oracle::compare::{Comparison, Mark, compare};
-use imogene_oracle::run::{Outcome, run};
-use imogene_oracle::trace::{Traced, Tracer};
+use imogene_golden::machine::lighting::Lighting;
+use imogene_golden::machine::shader::shade_picture;
+use imogene_oracle::compare::{Comparison, Mark, Pictures, compare};
+use imogene_oracle::run::{Outcome, pictures, run, trace};
 use imogene_prepare::Framing;
+use imogene_prepare::shader::{material_numbers, shader_words};
 use imogene_prepare::{PreparedScene, prepare};
-use imogene_scene::SceneFile;
+use imogene_scene::{FramedScene, SceneFile, Step};
 
 /// The scenes that their own check fails, since their words are too short for them: pixels of their outlines are
 /// announced far from the edge.
@@ -25,6 +25,7 @@ fn size(scene: &SceneFile) -> (u32, u32) {
 #[test]
 fn every_golden_picture_is_the_traced_one_outside_the_band() {
     let (mut refused, mut compared) = (vec![], 0);
+    let (mut glass, mut solids, mut colours) = (0, 0, 0);
     for file in crate::common::files() {
         let name = file
             .file_stem()
@@ -51,6 +52,10 @@ fn every_golden_picture_is_the_traced_one_outside_the_band() {
         assert_eq!(marked(Mark::Outside), c.differences_outside);
         assert_eq!(marked(Mark::Tied), c.tied);
         assert_eq!(marked(Mark::Announced), c.announced);
+        assert_eq!(marked(Mark::Colour), c.colours_beyond_bound);
+        glass += c.transparent;
+        solids += usize::from(!scene.solids.is_empty() && c.covered > 0);
+        colours += c.colours_known;
         assert!(
             c.covered < 20 || c.depths > 0,
             "{name}: no depth was compared"
@@ -62,6 +67,8 @@ fn every_golden_picture_is_the_traced_one_outside_the_band() {
     }
     assert!(compared >= 60, "{compared}");
     assert!(refused.is_empty(), "{refused:?}");
+    assert!(glass > 500 && solids >= 2, "{glass}, {solids}");
+    assert!(colours > 100_000, "{colours}");
 }
 
 #[test]
@@ -84,40 +91,27 @@ fn a_scene_that_differs_is_one_whose_check_fails() {
     }
 }
 
-/// A scene with both pictures, to hold others against the traced one.
-struct Drawn {
-    prepared: PreparedScene,
-    golden: Frame,
-    tracer: Tracer,
-    traced: Traced,
-    bounds: Bounds,
+/// A scene in the size of its picture, and its words.
+fn words(scene: &SceneFile, (width, height): (u32, u32)) -> (FramedScene, PreparedScene) {
+    let framed = scene.frame(width, height).expect("framed");
+    let prepared = prepare(&framed, Format::BASE).expect("prepared");
+    (framed, prepared)
 }
 
-impl Drawn {
-    fn new(scene: &SceneFile, (width, height): (u32, u32)) -> Drawn {
-        let framed = scene.frame(width, height).expect("framed");
-        let prepared = prepare(&framed, Format::BASE).expect("prepared");
-        let (columns, lines) = (width as usize, height as usize);
-        let tracer = Tracer::new(scene, &framed.range, width, height);
-        Drawn {
-            golden: beam::render(&prepared.slots(), &Format::BASE, columns, lines, || ()),
-            bounds: Bounds::new(&framed, &prepared, tracer.bodies()).expect("bounds"),
-            traced: tracer.draw(|| ()),
-            tracer,
-            prepared,
-        }
-    }
+/// Its pictures, to hold others against the traced ones.
+fn draw<'a>(
+    scene: &SceneFile,
+    (framed, prepared): &'a (FramedScene, PreparedScene),
+) -> Pictures<'a> {
+    let traced = trace(scene, framed, &|_| ());
+    pictures(traced, scene, framed, prepared).expect("bounds")
+}
 
-    fn against(&self, frame: &Frame) -> Comparison {
-        compare(
-            &self.tracer,
-            &self.traced,
-            frame,
-            &self.bounds,
-            &self.prepared,
-        )
-        .0
-    }
+/// What is found of another golden picture, whose colours are not looked at.
+fn against(pictures: &mut Pictures, frame: &Frame) -> Comparison {
+    pictures.painted = None;
+    pictures.pairs[0].golden = frame.clone();
+    compare(pictures).0
 }
 
 /// A wrong picture is noticed: one object moved by two pixels, or one word of depth too many.
@@ -128,9 +122,10 @@ fn wrong_pictures_are_noticed() {
         .find(|f| f.ends_with("teapot.toml"))
         .expect("the teapot");
     let scene = SceneFile::read(&file).expect("valid");
-    let drawn = Drawn::new(&scene, (80, 60));
-    let golden = drawn.golden.clone();
-    let against = |frame| drawn.against(frame);
+    let words = words(&scene, (80, 60));
+    let mut drawn = draw(&scene, &words);
+    let golden = drawn.pairs[0].golden.clone();
+    let mut against = |frame| against(&mut drawn, frame);
     assert!(against(&golden).holds());
     let mut moved = golden.clone();
     moved.id.rotate_right(2);
@@ -141,6 +136,81 @@ fn wrong_pictures_are_noticed() {
     deeper.depth.iter_mut().for_each(|d| *d += 2 * most);
     let found = against(&deeper);
     assert!(found.depths_beyond_bound > 0 && found.differences_outside == 0);
+}
+
+/// What is made wrong in a frame.
+type Fault = fn(&mut Frame);
+
+/// The golden picture of glass, with a fault in it.
+fn with_fault(words: &(FramedScene, PreparedScene), golden: &Frame, fault: Fault) -> Vec<u8> {
+    let (framed, prepared) = words;
+    let mut frame = golden.clone();
+    fault(&mut frame);
+    let shading = shader_words(framed, &prepared.format, None).expect("words");
+    let lighting = Lighting::full(&frame);
+    shade_picture(&frame, &lighting, &material_numbers(framed), &shading)
+}
+
+/// Wrong blends are noticed by their colours, and a wrong surface of glass by its faces and depths.
+#[test]
+fn wrong_pictures_of_glass_are_found() {
+    let files = crate::common::files();
+    let mut files = files.iter();
+    let file = files.find(|f| f.ends_with("still-life.toml"));
+    let mut scene = SceneFile::read(file.expect("the still life")).expect("valid");
+    // One more sphere of glass, behind the ball.
+    let mut hidden = scene.objects[4].clone();
+    hidden.name = "hidden".into();
+    hidden.place.push(Step::Translate([0.3, 0.2, -2.6]));
+    scene.objects.push(hidden);
+    let words = words(&scene, (160, 120));
+    let mut drawn = draw(&scene, &words);
+    let (right, _) = compare(&drawn);
+    assert!(right.holds(), "{right:#?}");
+    assert_eq!(drawn.pairs.len(), 5);
+    assert!(right.transparent > 2000 && right.colours == 160 * 120);
+    assert!(right.colours_known * 20 > 19 * right.colours);
+    let golden = drawn.pairs[0].golden.clone();
+    let faults: [(&str, Fault); 6] = [
+        ("layers the wrong way round", |f| f.layers.reverse()),
+        ("the parts of two colours exchanged", |f| {
+            f.layers.iter_mut().for_each(|l| l.weight = 255 - l.weight);
+        }),
+        ("a part a twentieth off", |f| f.layers[0].weight += 13),
+        ("a layer left out", |f| drop(f.layers.remove(1))),
+        ("hidden surfaces seen", |f| {
+            let depths = f.layers.iter_mut().flat_map(|l| &mut l.depth);
+            let there = depths.filter(|z| **z < Format::BASE.z_max());
+            there.for_each(|z| *z = Format::BASE.z_low());
+        }),
+        ("a normal of the surface behind", |f| {
+            f.layers[2].normal = f.layers[0].normal.clone()
+        }),
+    ];
+    for (what, fault) in faults {
+        let colours = with_fault(&words, &golden, fault);
+        drawn.painted.as_mut().expect("colours").golden = colours;
+        let (found, marks) = compare(&drawn);
+        let marked = marks.iter().filter(|mark| **mark == Mark::Colour).count();
+        println!("{what}: {marked}");
+        assert!(found.colours_beyond_bound > 20, "{what}: {found:#?}");
+        assert_eq!(marked, found.colours_beyond_bound, "{what}");
+        assert_eq!(
+            (found.differences_outside, found.depths_beyond_bound),
+            (0, 0),
+            "{what}"
+        );
+    }
+    drawn.painted = None;
+    let most = 2 * right.depth_bound as i64 + 1;
+    drawn.pairs[3]
+        .golden
+        .depth
+        .iter_mut()
+        .for_each(|z| *z += most);
+    assert!(compare(&drawn).0.depths_beyond_bound > 100);
+    drawn.pairs[3].golden.id.rotate_right(2);
+    assert!(compare(&drawn).0.differences_outside > 20);
 }
 
 /// Slivers between the pixels, seen where their corners are rounded to: the golden picture holds, and what is wrong
@@ -154,15 +224,15 @@ fn slivers_hold_and_wrong_pixels_of_a_mesh_are_found() {
     let camera = "kind = \"perspective\"\neye = [-2.848, -3.182, 7.89]\ntarget = [-0.168, 0.045, -0.09]\nviewer_distance = 8.170\nview_height = 3.031\n";
     let scene = crate::common::scene(camera, &[slivers]);
     let (w, h) = (64, 48);
-    let drawn = Drawn::new(&scene, (w, h));
-    let golden = drawn.golden.clone();
-    let against = |frame: &Frame| drawn.against(frame);
-    let found = against(&golden);
+    let words = words(&scene, (w, h));
+    let mut drawn = draw(&scene, &words);
+    let golden = drawn.pairs[0].golden.clone();
+    let found = against(&mut drawn, &golden);
     assert!(found.holds(), "{found:#?}");
     // A pixel that no facet and no seen pixel is near, and one beside the facet that is at another depth.
     let far_from_all = |&i: &usize| {
         let (x, y) = (i % w as usize, i / w as usize);
-        let beside = imogene_oracle::compare::is_in_band(&drawn.traced, x, y);
+        let beside = imogene_oracle::compare::is_in_band(&drawn.pairs[0].traced, x, y);
         !beside
             && golden.id[i] < 0
             && drawn
@@ -171,7 +241,8 @@ fn slivers_hold_and_wrong_pixels_of_a_mesh_are_found() {
                 .is_empty()
     };
     let mut wrong = 0;
-    for i in (0..golden.id.len()).filter(far_from_all).step_by(97) {
+    let alone: Vec<usize> = (0..golden.id.len()).filter(far_from_all).collect();
+    for i in alone.into_iter().step_by(97) {
         let mut frame = golden.clone();
         let like = golden
             .id
@@ -180,7 +251,8 @@ fn slivers_hold_and_wrong_pixels_of_a_mesh_are_found() {
             .expect("something is seen");
         (frame.id[i], frame.number[i], frame.depth[i]) =
             (0, golden.number[like], golden.depth[like]);
-        assert_eq!(against(&frame).differences_outside, 1, "pixel {i}");
+        let found = against(&mut drawn, &frame);
+        assert_eq!(found.differences_outside, 1, "pixel {i}");
         wrong += 1;
     }
     assert!(wrong > 10, "{wrong}");
@@ -188,5 +260,5 @@ fn slivers_hold_and_wrong_pixels_of_a_mesh_are_found() {
     assert_eq!(golden.id[sliver], 0);
     let mut deeper = golden.clone();
     deeper.depth[sliver] += 100_000;
-    assert_eq!(against(&deeper).differences_outside, 1);
+    assert_eq!(against(&mut drawn, &deeper).differences_outside, 1);
 }
