@@ -1,6 +1,7 @@
 //! All tests of the crate that need it from outside, as one program.
 
 mod bad_input;
+mod bad_machine;
 mod bench;
 mod board;
 mod bounds;

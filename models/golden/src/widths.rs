@@ -30,7 +30,7 @@ pub enum WidthsError {
 
 /// Widths that do not follow from the depth word, by the names of the text.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub struct OwnWidths {
     /// Root bits.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -1,5 +1,6 @@
 //! Machine descriptions: what a machine with a screen is made of, as a TOML file (`docs/machines.md`).
 
+mod keys;
 mod validation;
 
 use imogene_contract::object::ProductSlots;
@@ -11,9 +12,14 @@ use imogene_golden::machine::zone::ZoneMachine;
 use imogene_golden::slots::{FittedSlot, Products, Slots};
 use imogene_golden::widths::OwnWidths;
 use imogene_scene::{in_plain_words, line_and_column};
-use serde::{Deserialize, Serialize};
+use keys::{Places, key};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{MapAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
+use std::fmt;
 use std::path::Path;
 use thiserror::Error;
+use toml::de::DeTable;
 
 /// Which machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -64,7 +70,7 @@ pub enum Output {
 
 /// Columns and lines of a zone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub struct ZoneSize {
     /// Columns.
     pub width: u32,
@@ -89,13 +95,38 @@ pub struct OwnMode {
 }
 
 /// The video mode.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(untagged)]
 pub enum Mode {
     /// One of the published modes, as `640x480`.
     Named(String),
     /// Numbers of one's own.
     Own(OwnMode),
+}
+
+/// By hand, so that what is wrong in a table is told, and not that it is no mode.
+impl<'de> Deserialize<'de> for Mode {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Mode, D::Error> {
+        struct NameOrNumbers;
+
+        impl<'de> Visitor<'de> for NameOrNumbers {
+            type Value = Mode;
+
+            fn expecting(&self, to: &mut fmt::Formatter) -> fmt::Result {
+                to.write_str("the name of a mode or a table of its numbers")
+            }
+
+            fn visit_str<E: serde::de::Error>(self, name: &str) -> Result<Mode, E> {
+                Ok(Mode::Named(name.to_owned()))
+            }
+
+            fn visit_map<M: MapAccess<'de>>(self, map: M) -> Result<Mode, M::Error> {
+                OwnMode::deserialize(MapAccessDeserializer::new(map)).map(Mode::Own)
+            }
+        }
+
+        deserializer.deserialize_any(NameOrNumbers)
+    }
 }
 
 /// A machine with a screen.
@@ -215,18 +246,20 @@ pub enum DescriptionError {
         problem: String,
     },
     /// A width out of its range.
-    #[error("{file}: {problem}")]
+    #[error("{place}: {key}: {problem}")]
     Widths {
-        /// Path as given.
-        file: String,
+        /// Path as given, with line and column of the value if that stands in it.
+        place: String,
+        /// Key.
+        key: &'static str,
         /// Which, and what would be accepted.
         problem: FittedError,
     },
     /// A value out of its range.
-    #[error("{file}: {key} is {value}; accepted: {accepted}")]
+    #[error("{place}: {key} is {value}; accepted: {accepted}")]
     Value {
-        /// Path as given.
-        file: String,
+        /// Path as given, with line and column of the value if that stands in it.
+        place: String,
         /// Key.
         key: &'static str,
         /// Value.
@@ -234,6 +267,53 @@ pub enum DescriptionError {
         /// What would be accepted.
         accepted: String,
     },
+}
+
+/// A key that has to be given, and is not.
+fn missing(name: &str, file: &str) -> Option<DescriptionError> {
+    let (key, accepted) = key(name)?;
+    Some(DescriptionError::Value {
+        place: file.into(),
+        key,
+        value: "missing".into(),
+        accepted,
+    })
+}
+
+/// What the reader says of a text, with the key that it speaks of and what that accepts where its value is of another
+/// type.
+fn unread(
+    error: &toml::de::Error,
+    text: &str,
+    file: &str,
+    places: Option<&Places>,
+) -> DescriptionError {
+    let start = error.span().map_or(0, |span| span.start);
+    let (line, column) = line_and_column(text, start);
+    let said =
+        in_plain_words(error.message()).replace("wanted string or table", "expected a string");
+    let around = || key(places?.around(start)?);
+    let named = said.strip_prefix("missing field `");
+    let named = named.and_then(|rest| rest.strip_suffix('`'));
+    let whole = named
+        .filter(|_| start == 0)
+        .and_then(|name| missing(name, file));
+    if let Some(missing) = whole {
+        return missing;
+    }
+    let is_of_type = ["invalid", "missing", "expected"]
+        .iter()
+        .any(|word| said.starts_with(word));
+    DescriptionError::Syntax {
+        file: file.into(),
+        line,
+        column,
+        problem: match around() {
+            Some((key, accepted)) if is_of_type => format!("{key}: {said}; accepted: {accepted}"),
+            Some((key, _)) => format!("{key}: {said}"),
+            None => said,
+        },
+    }
 }
 
 /// Most bytes of a description, which has a dozen lines.
@@ -262,18 +342,21 @@ impl MachineDescription {
     ///
     /// As [`Self::read`].
     pub fn parse(text: &str, file: &str) -> Result<MachineDescription, DescriptionError> {
-        let mut description: Self = toml::from_str(text).map_err(|error| {
-            let start = error.span().map_or(0, |span| span.start);
-            let (line, column) = line_and_column(text, start);
-            DescriptionError::Syntax {
-                file: file.into(),
-                line,
-                column,
-                problem: in_plain_words(error.message()),
-            }
-        })?;
+        let table = DeTable::parse(text).map_err(|error| unread(&error, text, file, None))?;
+        let places = Places::of(table.get_ref());
+        let mut description = Self::deserialize(toml::Deserializer::from(table))
+            .map_err(|error| unread(&error, text, file, Some(&places)))?;
+        if places.value("objects").is_none() && description.slots.is_none() {
+            return Err(missing("objects", file).expect("a key"));
+        }
         description.count_slots();
-        description.check(file)?;
+        description.check_at(&|key| match places.value(key) {
+            Some(start) => {
+                let (line, column) = line_and_column(text, start);
+                format!("{file}:{line}:{column}")
+            }
+            None => file.to_owned(),
+        })?;
         Ok(description)
     }
 
@@ -284,7 +367,9 @@ impl MachineDescription {
 
     /// Counts objects and planes where they are not given.
     fn count_slots(&mut self) {
-        let slots = self.slots();
+        let Some(Slots(slots)) = &self.slots else {
+            return;
+        };
         if self.objects == 0 {
             self.objects = slots.len();
         }

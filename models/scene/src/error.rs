@@ -123,7 +123,7 @@ fn around(line: &str, column: usize) -> String {
 }
 
 /// What stands in a message for names of Rust types, and what a scene may have in the place of `[camera]`.
-const WORDS: [(&str, &str); 6] = [
+const WORDS: [(&str, &str); 9] = [
     ("\n", ", "),
     (
         "expected usize",
@@ -132,8 +132,14 @@ const WORDS: [(&str, &str); 6] = [
     ("expected f64", "expected a number"),
     (
         "expected u32",
+        "expected a whole number from 0 to 4294967295",
+    ),
+    (
+        "expected u64",
         "expected a whole number that is not negative",
     ),
+    (" as i128", ""),
+    ("duplicate key", "duplicate key; a table has a key once"),
     ("expected a sequence", "expected an array of numbers [...]"),
     (
         "missing field `camera`",

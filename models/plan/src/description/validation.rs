@@ -1,5 +1,6 @@
 //! What a machine description may say.
 
+use super::keys::{key_of, modes};
 use super::{DescriptionError, MachineDescription, MachineKind, Output, Smoothing};
 use imogene_contract::object::Kind;
 use imogene_contract::video::VideoMode;
@@ -12,7 +13,7 @@ use imogene_golden::slots::FittedSlot;
 use imogene_golden::slots::Slots;
 
 /// Pixels of a zone at most.
-const MAX_ZONE_PIXELS: u32 = 1 << 14;
+pub(super) const MAX_ZONE_PIXELS: u32 = 1 << 14;
 /// Pixels of a screen at most.
 const MAX_SCREEN_PIXELS: u64 = 1 << 22;
 /// Pixels of a line at most that a smoothing filter keeps.
@@ -41,9 +42,18 @@ impl MachineDescription {
     ///
     /// When one is not.
     pub fn check(&self, file: &str) -> Result<(), DescriptionError> {
-        let format = self.format().map_err(|problem| DescriptionError::Widths {
-            file: file.into(),
-            problem,
+        self.check_at(&|_| file.to_owned())
+    }
+
+    /// The same; `place` tells of a key where it stands.
+    pub(super) fn check_at(&self, place: &dyn Fn(&str) -> String) -> Result<(), DescriptionError> {
+        let format = self.format().map_err(|problem| {
+            let key = key_of(&problem);
+            DescriptionError::Widths {
+                place: place(key),
+                key,
+                problem,
+            }
         })?;
         let checks = || {
             self.check_counts(format.root_rows() as usize)?;
@@ -55,7 +65,7 @@ impl MachineDescription {
             self.check_kind()
         };
         checks().map_err(|Refusal(key, value, accepted)| DescriptionError::Value {
-            file: file.into(),
+            place: place(key),
             key,
             value,
             accepted,
@@ -142,12 +152,8 @@ impl MachineDescription {
 
     fn check_mode(&self) -> Result<VideoMode, Refusal> {
         let Some(mode) = self.video_mode() else {
-            let names = VideoMode::ALL.map(|m| format!("\"{}x{}\"", m.line.active, m.frame.active));
-            let accepted = format!(
-                "{}, or {{ columns = [shown, front, sync, back], lines = [..] }} with 1 to 4095 shown, a sync of 1 at least, 8192 in all",
-                names.join(", ")
-            );
-            return Err(Refusal("mode", format!("{:?}", self.mode), accepted));
+            let given = toml::Value::try_from(&self.mode).expect("a name or a table of numbers");
+            return Err(Refusal("mode", given.to_string(), modes()));
         };
         let pixels = mode.line.active * mode.frame.active;
         if pixels > MAX_SCREEN_PIXELS {
