@@ -132,7 +132,7 @@ const WORDS: [(&str, &str); 9] = [
     ("expected f64", "expected a number"),
     (
         "expected u32",
-        "expected a whole number from 0 to 4294967295",
+        "expected a whole number that is not negative, at most 4294967295",
     ),
     (
         "expected u64",

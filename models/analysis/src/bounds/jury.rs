@@ -11,11 +11,15 @@ use imogene_golden::unit::depth_interval::FACE_PLANE;
 use imogene_prepare::{PreparedObject, PreparedQuadric, PreparedScene};
 use imogene_scene::{FramedObject, FramedScene};
 use rayon::prelude::*;
+use std::collections::BTreeSet;
+use std::ops::RangeInclusive;
 
 /// What is proven of the objects of a scene: which pixels of its picture rounding leaves open.
 pub struct Jury<'a> {
     prepared: &'a PreparedScene,
     judges: Vec<Judge<'a>>,
+    /// The objects that something is seen through.
+    transparent: BTreeSet<usize>,
 }
 
 /// What is proven of one object.
@@ -55,6 +59,7 @@ impl<'a> Jury<'a> {
         Jury {
             prepared,
             judges: objects.map(judge).collect(),
+            transparent: prepared.transparent.clone(),
         }
     }
 
@@ -77,6 +82,7 @@ impl<'a> Jury<'a> {
         Jury {
             prepared,
             judges: prepared.objects.iter().enumerate().map(judge).collect(),
+            transparent: BTreeSet::new(),
         }
     }
 
@@ -103,11 +109,7 @@ impl<'a> Jury<'a> {
 
     /// Who is seen at a pixel.
     pub(super) fn contest(&self, x: i64, y: i64) -> Contest {
-        let mut contest = Contest::EMPTY;
-        for (id, judge) in self.judges.iter().enumerate() {
-            judge.for_each(y, x..=x, |_, verdict| contest.enter(id, &verdict));
-        }
-        contest
+        self.contests(y, x..=x).remove(0)
     }
 
     /// The pixels at which an outline is adrift and not hidden behind something else.
@@ -118,14 +120,34 @@ impl<'a> Jury<'a> {
     }
 
     pub(super) fn line(&self, y: i64) -> Vec<Contest> {
-        let width = i64::from(self.prepared.width);
-        let mut line = vec![Contest::EMPTY; width as usize];
-        for (id, judge) in self.judges.iter().enumerate() {
-            judge.for_each(y, 0..=width - 1, |x, verdict| {
-                line[x as usize].enter(id, &verdict)
+        self.contests(y, 0..=i64::from(self.prepared.width) - 1)
+    }
+
+    fn contests(&self, y: i64, columns: RangeInclusive<i64>) -> Vec<Contest> {
+        let first = *columns.start();
+        let place = |x: i64| (x - first) as usize;
+        let count = columns.clone().count();
+        let mut contests = vec![Contest::EMPTY; count];
+        let judges = self.judges.iter().enumerate();
+        let (before, opaque): (Vec<_>, Vec<_>) =
+            judges.partition(|(id, _)| self.transparent.contains(id));
+        for (id, judge) in opaque {
+            judge.for_each(y, columns.clone(), |x, verdict| {
+                contests[place(x)].enter(id, &verdict);
             });
         }
-        line
+        if before.is_empty() {
+            return contests;
+        }
+        let mut layers: Vec<Vec<Verdict>> = vec![vec![]; count];
+        for (_, judge) in before {
+            judge.for_each(y, columns.clone(), |x, verdict| {
+                layers[place(x)].push(verdict)
+            });
+        }
+        let both = contests.iter_mut().zip(&layers);
+        both.for_each(|(contest, layers)| contest.see_through(layers));
+        contests
     }
 }
 
@@ -181,7 +203,7 @@ impl<'a> Judge<'a> {
     pub fn for_each(
         &self,
         y: i64,
-        columns: std::ops::RangeInclusive<i64>,
+        columns: RangeInclusive<i64>,
         mut sink: impl FnMut(i64, Verdict),
     ) {
         let window = self.window();
@@ -206,7 +228,7 @@ impl<'a> Judge<'a> {
 
 impl Comparison {
     /// Golden and true picture of a part of a line.
-    pub fn line(&self, y: i64, columns: std::ops::RangeInclusive<i64>) -> Vec<Compared> {
+    pub fn line(&self, y: i64, columns: RangeInclusive<i64>) -> Vec<Compared> {
         let first = *columns.start();
         let truth = self.truth.line(y, columns).into_iter();
         let apart = |truth| Compared {

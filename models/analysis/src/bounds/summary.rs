@@ -66,10 +66,14 @@ pub(super) fn visible_pixels(prepared: &PreparedScene) -> Vec<usize> {
     let (width, height) = (prepared.width as usize, prepared.height as usize);
     let frame = beam::render(&prepared.slots(), &prepared.format, width, height, || ());
     let mut pixels = vec![0; prepared.objects.len()];
-    for id in frame.id {
-        if let Ok(id) = usize::try_from(id) {
+    for id in &frame.id {
+        if let Ok(id) = usize::try_from(*id) {
             pixels[id] += 1;
         }
+    }
+    for layer in &frame.layers {
+        let both = layer.depth.iter().zip(&frame.depth);
+        pixels[layer.object] = both.filter(|(own, surface)| own < surface).count();
     }
     pixels
 }

@@ -253,12 +253,15 @@ pub(super) struct Contest {
     pub winner: Option<Seen>,
     /// The two objects that may be the nearest ones, and how near.
     nearest: [(f64, usize); 2],
+    /// What is seen through, or its order, is open.
+    open_before: bool,
 }
 
 impl Contest {
     pub const EMPTY: Contest = Contest {
         winner: None,
         nearest: [(f64::INFINITY, usize::MAX); 2],
+        open_before: false,
     };
 
     /// Takes part with what is known of object `id`.
@@ -281,10 +284,33 @@ impl Contest {
         }
     }
 
-    /// True if object and face are the same in the true and in the golden picture.
+    /// Takes what is known of the transparent objects, once all others have taken part: each must be decided unless it
+    /// is hidden, and apart in depth from what is behind it.
+    pub fn see_through(&mut self, layers: &[Verdict]) {
+        let surface = self.winner.map(|seen| seen.depth);
+        let limit = surface.map_or(f64::INFINITY, |depth| depth.high);
+        let mut ranges: Vec<Range> = surface.into_iter().collect();
+        for layer in layers {
+            match layer {
+                Verdict::Absent => {}
+                Verdict::Undecided { nearest, .. } => self.open_before |= *nearest <= limit,
+                Verdict::Face(_, depth) if depth.low > limit => {}
+                Verdict::Face(_, depth) => {
+                    let meets = |other: &Range| depth.low <= other.high && other.low <= depth.high;
+                    self.open_before |= ranges.iter().any(meets);
+                    ranges.push(*depth);
+                }
+            }
+        }
+    }
+
+    /// True if object and face are the same in the true and in the golden picture, and all that is seen through.
     pub fn is_decided(&self) -> bool {
         let winner = self.winner.map(|seen| (seen.id, seen.depth.high));
         let (winner, limit) = winner.unwrap_or((usize::MAX, f64::INFINITY));
+        if self.open_before {
+            return false;
+        }
         let mut others = self.nearest.iter().filter(|(_, id)| *id != winner);
         others.all(|&(low, id)| id == usize::MAX || low > limit)
     }

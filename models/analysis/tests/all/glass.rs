@@ -1,5 +1,6 @@
 //! Transparent objects: the golden picture against blends in real numbers by exact depths, and what is refused.
 
+use imogene_analysis::bounds::check;
 use imogene_analysis::exact::render::{render, to_frame};
 use imogene_analysis::phong;
 use imogene_golden::format::Format;
@@ -86,6 +87,38 @@ fn layers_are_blended_farthest_first() {
         // In whatever order the file has them.
         file.objects.reverse();
     }
+}
+
+/// Glass hides nothing from the check, is shown itself, and where its outline is open the picture is.
+#[test]
+fn the_check_sees_through_glass() {
+    let open = |change: &dyn Fn(&mut SceneFile)| {
+        let mut file = still_life();
+        change(&mut file);
+        let scene = file.frame(SIZE.0, SIZE.1).expect("valid size");
+        let prepared = prepare(&scene, Format::new(10).expect("a format")).expect("prepared");
+        let report = check(&scene, &prepared);
+        assert!(
+            report.summary.never_shown.is_empty(),
+            "{:?}",
+            report.summary
+        );
+        report.open
+    };
+    let all = open(&|_| ());
+    let behind = open(&|file| file.objects.truncate(3));
+    let glass = open(&|file| drop(file.objects.drain(..3)));
+    let count = |open: &[bool]| open.iter().filter(|open| **open).count();
+    assert!(
+        count(&behind) > 100 && count(&glass) > 100,
+        "{} {}",
+        count(&behind),
+        count(&glass)
+    );
+    // What is open behind the glass is open, whether the glass is there or not.
+    assert!(behind.iter().zip(&all).all(|(behind, all)| !behind || *all));
+    // Of the glass some pixels may be hidden, of which nothing depends.
+    assert!(count(&all) > count(&behind) + count(&glass) / 2);
 }
 
 #[test]
