@@ -23,9 +23,9 @@ pub struct Board {
     /// Frames of the scene's animation, counted from 1; all of an animated scene if not given.
     #[arg(long, value_name = "FIRST..LAST")]
     pub animation: Option<FrameRange>,
-    /// Frames of the screen to simulate; those of all images if not given.
-    #[arg(long, value_name = "N", conflicts_with_all = ["sources_only", "no_simulation"], value_parser = clap::value_parser!(u64).range(1..=100_000))]
-    pub frames: Option<u64>,
+    /// Frames of the screen to simulate; those of all images, or three of a tile, if not given.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=9_999))]
+    pub frames: Option<u16>,
     /// Leave the shading processor out of a fitted machine: every object has the plain colour of its material.
     #[arg(long, conflicts_with = "machine")]
     pub flat: bool,
@@ -36,7 +36,10 @@ pub struct Board {
     /// scripts/dvi_witness.py.
     #[arg(long, conflicts_with_all = ["sources_only", "no_simulation"])]
     pub samples: bool,
-    /// Leave out synthesis, place and route and the bitstream.
+    /// Place and route a tile in cells of 180 nm, and simulate what comes of it; minutes.
+    #[arg(long, conflicts_with_all = ["sources_only", "no_bitstream"])]
+    pub layout: bool,
+    /// Leave out synthesis, place and route and the bitstream, or the cells of a tile.
     #[arg(long, conflicts_with = "sources_only")]
     pub no_bitstream: bool,
     /// Leave out the simulation of the pins.

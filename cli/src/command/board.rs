@@ -2,6 +2,7 @@
 
 mod film;
 mod report;
+mod tile;
 
 use super::fit;
 use crate::arguments::{self, Fit, MACHINE_FILE};
@@ -30,6 +31,9 @@ const LEVELS: f64 = 2.0;
 /// Makes a board that shows a scene.
 pub fn run(options: &arguments::Board, json: bool) -> Result<(), Failure> {
     let board = Board::named(&options.board)?;
+    if board.tiles.is_some() {
+        return tile::run(options, &board, json);
+    }
     if !options.sources_only && !options.no_bitstream {
         find_tools(&board)?;
     }
@@ -139,7 +143,7 @@ impl Work<'_> {
         files: &mut Outputs,
     ) -> Result<Shown, Failure> {
         // The words of the first image are on their way in the first frame.
-        let frames = self.options.frames.unwrap_or(self.film.frames());
+        let frames = self.options.frames.map_or(self.film.frames(), u64::from);
         let clocks = (1 + frames) * self.mode.clocks() + SLACK;
         let pins = simulate((&self.board, &self.mode), verilog, models, clocks)?;
         let firsts = pins
@@ -158,7 +162,9 @@ impl Work<'_> {
             let golden = self.film.picture(pins.shown.pictures.len() - 1);
             files.add(&out("golden.rgb"), |out| out.write_all(golden))?;
         }
-        Ok(Shown::of(&pins, &self.film, clocks))
+        let golden = (0..=frames as usize).map(|frame| self.film.picture(frame));
+        let golden: Vec<&[u8]> = golden.collect();
+        Ok(Shown::of(&pins, &golden, clocks))
     }
 
     /// Places and routes the board, packs its bitstream, and shows what that shows.
@@ -207,7 +213,8 @@ fn fitted(options: &arguments::Board, board: &Board) -> Result<MachineDescriptio
         max_depth_error: None,
         max_silhouette_errors: Some(CountLimit::Percent(PERCENT)),
         max_face_errors: Some(CountLimit::Percent(PERCENT)),
-        max_colour_error: (!options.flat).then_some(LEVELS),
+        // A tile has a light of its own, which the fit does not know.
+        max_colour_error: (!options.flat && board.tiles.is_none()).then_some(LEVELS),
         max_normal_error: None,
         machine: Some(MachineKind::Beam),
         min_fps: None,

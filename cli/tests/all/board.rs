@@ -231,3 +231,98 @@ fn a_machine_that_does_not_fit_is_refused_with_what_runs_out() {
     assert!(said.contains("--flat"), "{said}");
     assert!(!folder.path().join("out").exists());
 }
+
+#[test]
+fn a_tile_shows_its_golden_frames_and_has_the_files_of_its_project() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let found = board(
+        "tinytapeout",
+        "ellipsoid.toml",
+        &["--no-bitstream"],
+        folder.path(),
+    );
+    let frames = found["pins"].as_array().expect("frames");
+    assert_eq!(frames.len(), 3);
+    for frame in frames {
+        assert_eq!(
+            (&frame["pixels"], &frame["differing"]),
+            (&307_200.into(), &0.into())
+        );
+    }
+    let read = |name: &str| {
+        let path = folder.path().join("out").join(name);
+        std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{name}: {error}"))
+    };
+    let info = read("info.yaml");
+    for line in [
+        "tiles: \"1x2\"",
+        "clock_hz: 25175000",
+        "uo[7]: \"hsync\"",
+        "uo[0]: \"red_1\"",
+        "ui[0]: \"\"",
+    ] {
+        assert!(info.contains(line), "{line}: {info}");
+    }
+    let top = "tt_um_imogene_ellipsoid";
+    for name in ["info.yaml", "src/project.v", "test/tb.v"] {
+        assert!(read(name).contains(top), "{name}");
+    }
+    // A chip has no values at power-up.
+    assert!(!read("src/project.v").contains("initial"));
+    serde_json::from_str::<Value>(&read("src/config.json")).expect("JSON");
+    assert!(read("test/test.py").contains("COLOURS = [[4, 0], [5, 1], [6, 2]]"));
+    for number in 0..3 {
+        let reference = folder
+            .path()
+            .join(format!("out/test/reference/frame{number}.png"));
+        assert!(reference.is_file(), "frame {number}");
+    }
+}
+
+#[test]
+fn what_a_tile_cannot_draw_is_refused() {
+    let scene = scene("cut-sphere.toml").display().to_string();
+    let arguments = [
+        "board",
+        "tinytapeout",
+        &scene,
+        "--sources-only",
+        "--out",
+        "out",
+    ];
+    let said = refusal_in(&arguments, Path::new("."));
+    assert!(
+        said.contains("at most 3 planes; the scene has 2 objects"),
+        "{said}"
+    );
+}
+
+/// In the cells of 180 nm with their delays, from unknown states on; the area is that of the shuttle's cells.
+#[test]
+fn the_cells_of_a_tile_show_the_golden_frames() {
+    if !is_full() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let found = board(
+        "tinytapeout",
+        "ellipsoid.toml",
+        &["--layout"],
+        folder.path(),
+    );
+    assert!(found["percent_of_tiles"].as_f64() < Some(80.0), "{found}");
+    for kind in ["gate_pins", "layout_pins"] {
+        let frames = found[kind].as_array().expect("frames");
+        let differing = frames
+            .iter()
+            .filter_map(|frame| frame["differing"].as_u64());
+        assert_eq!((frames.len(), differing.sum::<u64>()), (3, 0), "{kind}");
+    }
+    assert_eq!(
+        (
+            &found["layout"]["unrouted"],
+            &found["layout"]["differences"]
+        ),
+        (&0.into(), &0.into())
+    );
+}

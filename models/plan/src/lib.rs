@@ -30,4 +30,5 @@ pub mod display;
 pub mod needs;
 pub mod pace;
 pub mod split;
+pub mod tile;
 pub mod zone;

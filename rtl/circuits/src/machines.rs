@@ -6,6 +6,7 @@ use crate::machine::{self, BeamMachine, Beat, Objects, Slot, Volumes, ZoneCore, 
 use crate::object::{Network, Widths};
 use crate::video::{Output, OverlayBus};
 use imogene_contract::MachineWords;
+use imogene_contract::tile::TileWords;
 use imogene_contract::words::{NORMAL, NORMAL_PART, depth_sum, quadratic};
 use imogene_hdl::{Bits, Design, Value};
 
@@ -88,4 +89,9 @@ pub fn zone_display(machine: &ZoneMachine, output: &Output) -> Design {
         let beat = Beat::input(machine.bus());
         machine::zone_display("top", beat, OverlayBus::input(), machine, output)
     })
+}
+
+/// A tile: one solid whose words are constants.
+pub fn tile(words: &TileWords) -> Design {
+    Design::of(|| machine::tile("top", words))
 }

@@ -47,6 +47,7 @@ pub use build::{Design, module};
 pub use bundle::{Bundle, Label};
 #[doc(hidden)]
 pub use scope::Handle;
+pub use scope::unregistered;
 pub use simulate::{Code, Flop, Kind, Levels, Port, Simulator, Store};
 pub use tree::{Binary, Direction, Instance, Memory, Module, Net, Node, Op, PortRecord, Register};
 pub use value::{Bits, Int, Value, join, memory};

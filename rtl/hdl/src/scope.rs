@@ -44,6 +44,8 @@ struct Builder {
     /// Every scope has another number, so that a value of one is known in another.
     scopes: u64,
     closed: Closed,
+    /// Values take no register on their way.
+    is_unregistered: bool,
 }
 
 thread_local! {
@@ -58,6 +60,23 @@ pub struct Handle {
     pub(crate) scope: u64,
     pub(crate) width: u32,
     pub(crate) signed: bool,
+}
+
+/// Builds what is inside without the registers of its pipelines, [`reg`](crate::Value::reg), `delay` and what is made
+/// of them: all of it works within the clock, and no value is late to another. Registers that hold a state stay.
+pub fn unregistered<T>(build: impl FnOnce() -> T) -> T {
+    let set = |value| {
+        BUILDER.with_borrow_mut(|builder| std::mem::replace(&mut builder.is_unregistered, value))
+    };
+    let before = set(true);
+    let built = build();
+    set(before);
+    built
+}
+
+/// Do values take no register on their way?
+pub(crate) fn is_unregistered() -> bool {
+    BUILDER.with_borrow(|builder| builder.is_unregistered)
 }
 
 /// Is a module open?

@@ -167,6 +167,8 @@ pub struct Register {
     pub enable: Option<Net>,
     /// Its value at power-up.
     pub initial: u64,
+    /// It holds a state, and is none that makes a value later.
+    pub is_state: bool,
 }
 
 /// A block memory with one port to write and one to read: the word at the address of the last clock, as it was before
@@ -241,6 +243,12 @@ impl Module {
         !self.registers.is_empty()
             || !self.memories.is_empty()
             || self.instances.iter().any(|i| i.module.is_clocked())
+    }
+
+    /// It holds a state, or one of its instances does.
+    pub fn has_state(&self) -> bool {
+        self.registers.iter().any(|register| register.is_state)
+            || self.instances.iter().any(|i| i.module.has_state())
     }
 
     /// It and all modules below it, each once, those without instances first.

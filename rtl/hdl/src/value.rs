@@ -5,7 +5,7 @@ mod operators;
 
 pub use memory::memory;
 
-use crate::scope::{Handle, add, refuse, with_scope};
+use crate::scope::{Handle, add, is_unregistered, refuse, with_scope};
 use crate::tree::{Binary, Op, Register, WIDEST};
 use std::mem::replace;
 use std::panic::Location;
@@ -77,7 +77,9 @@ pub trait Value: Copy {
     /// A register, 0 at power-up, that [`Value::load`] or [`Value::load_when`] gives an input.
     #[track_caller]
     fn register(width: u32) -> Self {
-        Self::of(register(width, Self::SIGNED))
+        let state = register(width, Self::SIGNED);
+        edit_register(state, |register| register.is_state = true);
+        Self::of(state)
     }
 
     /// The value of this register at power-up.
@@ -303,6 +305,7 @@ fn register(width: u32, signed: bool) -> Handle {
         next: None,
         enable: None,
         initial: 0,
+        is_state: false,
     };
     with_scope(|scope| scope.module.registers.push(register));
     value
@@ -336,6 +339,9 @@ fn load(register: Handle, enable: Option<Bits>, next: Handle) {
 /// One clock later, taken where the enable is 1.
 #[track_caller]
 pub(crate) fn later(value: Handle, enable: Option<Bits>) -> Handle {
+    if enable.is_none() && is_unregistered() {
+        return value;
+    }
     let register = register(value.width, value.signed);
     load(register, enable, value);
     register
@@ -344,14 +350,14 @@ pub(crate) fn later(value: Handle, enable: Option<Bits>) -> Handle {
 /// A single bit passes through one register of as many bits, any other value through one register after the other.
 #[track_caller]
 pub(crate) fn delayed(value: Handle, name: Option<&str>, clocks: u32) -> Handle {
-    if value.width > 1 || !(2..=WIDEST).contains(&clocks) {
+    if value.width > 1 || !(2..=WIDEST).contains(&clocks) || is_unregistered() {
         return (1..=clocks).fold(value, |value, clock| {
             let value = later(value, None);
             let name = name.map(|name| format!("{name}_{clock}"));
             name.map_or(value, |name| Bits(value).named(&name).0)
         });
     }
-    let line = Bits::register(clocks);
+    let line = Bits(register(clocks, false));
     name.map(|name| line.named(name));
     line.load(join([line.slice(clocks - 2, 0), as_bits(value)]));
     line.top().0

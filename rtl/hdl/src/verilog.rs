@@ -21,11 +21,21 @@ use text::{filled, literal, range};
 
 /// The text of one module, without those it instantiates; `prefix` stands before the names of modules.
 pub fn write(module: &Module, prefix: &str) -> String {
+    text(module, prefix, false)
+}
+
+/// The same for a chip, where registers have no value at power-up: those that hold a state get it from a port `reset`.
+pub fn write_for_chip(module: &Module, prefix: &str) -> String {
+    text(module, prefix, true)
+}
+
+fn text(module: &Module, prefix: &str, has_reset: bool) -> String {
     let names = Names::of(module);
     let writer = Writer {
         module,
         prefix,
         names,
+        has_reset,
     };
     let parts = [
         writer.ports(),
@@ -40,8 +50,9 @@ pub fn write(module: &Module, prefix: &str) -> String {
 
 impl Writer<'_> {
     fn ports(&self) -> String {
-        let clock = ("input  wire ".to_owned(), "clock".to_owned());
-        let mut all = Vec::from_iter(self.module.is_clocked().then_some(clock));
+        let wire = |name: &str| ("input  wire ".to_owned(), name.to_owned());
+        let mut all = Vec::from_iter(self.module.is_clocked().then(|| wire("clock")));
+        all.extend((self.has_reset && self.module.has_state()).then(|| wire("reset")));
         for port in &self.module.ports {
             let (kind, name) = match self.names.ports.contains(&port.name) {
                 true => self.declared(port.net, &port.name),
@@ -73,6 +84,9 @@ impl Writer<'_> {
             Op::Read(_) => 0,
             _ => return ("wire", name.to_owned()),
         };
+        if self.has_reset {
+            return ("reg", name.to_owned());
+        }
         let initial = literal(initial, node.width, node.signed);
         ("reg", format!("{name} = {initial}"))
     }
@@ -145,10 +159,29 @@ impl Writer<'_> {
             }
             let nets = instance.inputs.iter().chain(&instance.outputs);
             let values = nets.map(|net| self.value(*net, false));
-            let names = (self.prefix, &*instance.name);
-            texts.push(text::instance(&instance.module, names, values, 4));
+            texts.push(self.instance(&instance.module, &instance.name, values, 4));
         }
         texts.join("\n")
+    }
+
+    /// An instance of a module whose ports are connected with these values.
+    fn instance(
+        &self,
+        module: &Module,
+        name: &str,
+        values: impl Iterator<Item = String>,
+        indent: usize,
+    ) -> String {
+        let clock = module.is_clocked().then(|| ".clock(clock)".to_owned());
+        let has_reset = self.has_reset && module.has_state();
+        let reset = has_reset.then(|| ".reset(reset)".to_owned());
+        let ports = module.ports.iter().zip(values);
+        let ports = ports.map(|(port, value)| format!(".{}({value})", port.name));
+        let all: Vec<String> = clock.into_iter().chain(reset).chain(ports).collect();
+        let (margin, inner) = (" ".repeat(indent), " ".repeat(indent + 4));
+        let lines = filled(&inner, &all, indent + 4);
+        let module = format!("{}{}", self.prefix, module.name);
+        format!("{margin}{module} {name} (\n{lines});\n")
     }
 
     fn assignments(&self) -> String {
@@ -197,6 +230,7 @@ impl Writer<'_> {
             })
             .collect();
         self.enabled(&paths, 0, &mut text);
+        text += &self.reset(&registers);
         for (memory, name) in self.module.memories.iter().zip(&self.names.memories) {
             let [enable, at, data] = memory.write.map(|net| self.value(net, true));
             writeln!(text, "        if ({enable}) {name}[{at}] <= {data};").unwrap();
@@ -206,6 +240,22 @@ impl Writer<'_> {
             }
         }
         text + "    end\n"
+    }
+
+    /// What a reset puts into registers that hold a state.
+    fn reset(&self, registers: &[&Register]) -> String {
+        let states = registers.iter().filter(|register| register.is_state);
+        let value = |register: &&Register| {
+            let node = self.module.node(register.net);
+            let name = &self.names.get(register.net).expect("it is read").text;
+            let initial = literal(register.initial, node.width, node.signed);
+            format!("            {name} <= {initial};\n")
+        };
+        let values: String = states.map(value).collect();
+        match self.has_reset && !values.is_empty() {
+            true => format!("        if (reset) begin\n{values}        end\n"),
+            false => String::new(),
+        }
     }
 
     /// An enable as conditions one within the other.

@@ -5,7 +5,8 @@
 pub mod machine;
 mod words;
 
-use imogene_circuits::units;
+use imogene_circuits::{machines, units};
+use imogene_contract::tile::TileWords;
 use imogene_contract::{Request, RequestError};
 pub use imogene_hdl::Direction;
 use imogene_hdl::block::Block;
@@ -120,6 +121,31 @@ fn unit(request: &Request, prefix: &str) -> Result<Emitted, RequestError> {
         command: &request.command_with_prefix(prefix),
     };
     Ok(emitted(&design, prefix, request.latency(), &heading))
+}
+
+/// The Verilog of a tile. Its registers have no value at power-up, for those of a chip have none.
+pub fn emit_tile(words: &TileWords, prefix: &str, command: &str) -> Emitted {
+    let design = machines::tile(words);
+    let widths = &words.widths;
+    let widths = [
+        format!("depth {}", widths.depth),
+        format!("root {}", widths.root),
+        format!("{} rows of it left out", widths.dropped_rows),
+        format!("plane {}", widths.plane),
+    ];
+    let heading = Heading {
+        contract: "one solid with its cut planes, one pixel per clock, in a window that goes over the screen",
+        parameters: widths.to_vec(),
+        error: "none: every pixel is that of the golden model",
+        source: "docs/boards.md",
+        command,
+    };
+    let mut emitted = emitted(&design, prefix, 1, &heading);
+    let texts = design.top.all().into_iter();
+    for ((_, text), module) in emitted.modules.iter_mut().zip(texts) {
+        *text = verilog::write_for_chip(&module, prefix);
+    }
+    emitted
 }
 
 /// The Verilog that rust-hdl itself prints of a unit. It is compared with ours and used for nothing else; the module of

@@ -5,7 +5,7 @@ use imogene_scene::{in_plain_words, line_and_column};
 use serde::{Deserialize, Serialize};
 
 /// A board.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Board {
     /// The name, which is that of its file.
@@ -23,6 +23,9 @@ pub struct Board {
     /// Its part; none of a board that is only simulated.
     #[serde(default)]
     pub part: Option<Part>,
+    /// The tiles of a shared chip; none of other boards.
+    #[serde(default)]
+    pub tiles: Option<Tiles>,
     /// Its clock.
     pub clock: Clock,
     /// Where its picture leaves.
@@ -52,6 +55,16 @@ pub struct Part {
     /// Its speed grade, where the family has one.
     #[serde(default)]
     pub speed: Option<String>,
+}
+
+/// A place on a shared chip.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Tiles {
+    /// How many, as the project files name them.
+    pub size: String,
+    /// Width and height.
+    pub micrometres: [f64; 2],
 }
 
 /// An oscillator of a board.
@@ -118,7 +131,7 @@ macro_rules! boards {
     };
 }
 
-boards! { "ulx3s-85" "ulx3s-45" "ulx3s-25" "ulx3s-12" "hx8k-evb" "icebreaker" "simulation" }
+boards! { "ulx3s-85" "ulx3s-45" "ulx3s-25" "ulx3s-12" "hx8k-evb" "icebreaker" "simulation" "tinytapeout" }
 
 impl Board {
     /// The names of all boards.

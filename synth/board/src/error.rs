@@ -77,6 +77,17 @@ pub enum BoardError {
     /// A design that does not turn out the same behind the bitstream.
     #[error("{0}")]
     Bitstream(String),
+    /// A library of cells is missing.
+    #[error("{} is missing; install the package {package} (scripts/setup --silicon does)", .path.display())]
+    Library {
+        /// Its file.
+        path: std::path::PathBuf,
+        /// Its package.
+        package: &'static str,
+    },
+    /// A layout whose reports cannot be read.
+    #[error("the reports of qflow do not say this of the layout: {0}")]
+    Layout(String),
     /// A unit cannot be emitted.
     #[error(transparent)]
     Emit(#[from] RequestError),

@@ -5,7 +5,7 @@ use crate::error::BoardError;
 use crate::screen::{Screen, Shown, Tick};
 use crate::tmds::{Channels, Decoder};
 use imogene_contract::video::VideoMode;
-use imogene_tools::{FileError, VERILATOR, scratch, write};
+use imogene_tools::{FileError, ICARUS, VERILATOR, VVP, scratch, write};
 use minijinja::{Environment, context};
 use std::io::{BufRead, Read};
 use std::path::{Path, PathBuf};
@@ -14,6 +14,7 @@ use tempfile::TempDir;
 const BENCH: &str = include_str!("top/bench.v");
 const SAMPLES: &str = "pins.bin";
 const DRIVER: &str = include_str!("top/bench.cpp");
+const GATES: &str = include_str!("top/gates.v");
 const OPTIONS: &str = "--cc --exe --build -j 2 -O3 --x-assign fast --x-initial fast -Wno-fatal -Wno-lint -Wno-style \
     --top-module board_bench --Mdir cpp -CFLAGS -O1 bench.v design.v models.v bench.cpp";
 
@@ -46,7 +47,33 @@ pub fn simulate(
     models: &str,
     clocks: u64,
 ) -> Result<Pins, BoardError> {
-    let folder = sampled(board, verilog, models, clocks)?;
+    seen(board, mode, sampled(board, verilog, models, clocks)?)
+}
+
+/// Simulates a board of gates with the delays of their models for so many clocks, from unknown states on.
+///
+/// # Errors
+///
+/// When Icarus Verilog is missing or refuses the Verilog, or the pins are against the mode.
+pub fn simulate_gates(
+    (board, mode): (&Board, &VideoMode),
+    verilog: &str,
+    models: &str,
+    clocks: u64,
+) -> Result<Pins, BoardError> {
+    let folder = bench(board, verilog, models)?;
+    let half = format!("{:.2}", 5e8 / board.clock.hertz as f64);
+    let gates = Environment::new().render_str(GATES, context! { clocks, half })?;
+    write(&folder.path().join("gates.v"), &gates)?;
+    let options =
+        "-g2005 -gspecify -T typ -s board_gates -o gates.vvp gates.v bench.v design.v models.v";
+    ICARUS.run(options.split_whitespace(), folder.path())?;
+    VVP.run(["gates.vvp"], folder.path())?;
+    seen(board, mode, folder)
+}
+
+/// What a screen makes of samples in a folder.
+fn seen(board: &Board, mode: &VideoMode, folder: TempDir) -> Result<Pins, BoardError> {
     let path = folder.path().join(SAMPLES);
     let file = std::fs::File::open(&path).map_err(FileError::at(&path))?;
     let mut file = std::io::BufReader::with_capacity(1 << 16, file);
@@ -78,19 +105,9 @@ pub fn simulate(
 
 /// A folder with the levels of all pins: after both edges of the fast clock, or once a pixel.
 fn sampled(board: &Board, verilog: &str, models: &str, clocks: u64) -> Result<TempDir, BoardError> {
-    let folder = scratch()?;
+    let folder = bench(board, verilog, models)?;
     let path = |name: &str| folder.path().join(name);
-    let pins = board.video.pins();
-    let names: Vec<String> = pins.into_iter().map(|(name, _)| name).collect();
-    let bench = Environment::new().render_str(BENCH, context! { names })?;
-    for (name, text) in [
-        ("bench.v", bench.as_str()),
-        ("design.v", verilog),
-        ("models.v", models),
-        ("bench.cpp", DRIVER),
-    ] {
-        write(&path(name), text)?;
-    }
+    write(&path("bench.cpp"), DRIVER)?;
     VERILATOR.run(OPTIONS.split_whitespace(), folder.path())?;
     let [edges, bytes] = match board.video {
         Video::Tmds { .. } => ["2", "1"],
@@ -102,6 +119,22 @@ fn sampled(board: &Board, verilog: &str, models: &str, clocks: u64) -> Result<Te
         &[&count, edges, bytes, SAMPLES],
         folder.path(),
     )?;
+    Ok(folder)
+}
+
+/// A folder with a board, the models of its cells, and its pins side by side.
+fn bench(board: &Board, verilog: &str, models: &str) -> Result<TempDir, BoardError> {
+    let folder = scratch()?;
+    let pins = board.video.pins();
+    let names: Vec<String> = pins.into_iter().map(|(name, _)| name).collect();
+    let bench = Environment::new().render_str(BENCH, context! { names })?;
+    for (name, text) in [
+        ("bench.v", bench.as_str()),
+        ("design.v", verilog),
+        ("models.v", models),
+    ] {
+        write(&folder.path().join(name), text)?;
+    }
     Ok(folder)
 }
 

@@ -360,6 +360,7 @@ fn constant(module: &mut Module, initial: u64, width: u32, beside: Net) -> Net {
         next: Some(net),
         enable: Some(never),
         initial,
+        is_state: true,
     });
     net
 }

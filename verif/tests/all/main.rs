@@ -15,6 +15,7 @@ mod patches;
 mod proofs;
 mod roots;
 mod shading_processor;
+mod tile;
 mod units;
 mod verilator;
 mod video;

@@ -1,7 +1,6 @@
 //! What is told of a board.
 
 use super::Work;
-use super::film::Film;
 use crate::failure::Failure;
 use crate::output;
 use imogene_board::{Board, Pins, Routed};
@@ -41,7 +40,7 @@ pub(super) struct Shown {
     /// Clocks of the pixels that were simulated, and those between two frames.
     pub(super) clocks: u64,
     pub(super) clocks_per_frame: usize,
-    /// Whole frames of the screen, pixels of all, and those that are not golden.
+    /// Whole frames of the screen, pixels of all, and those that are not golden or not there.
     pub(super) frames: usize,
     pub(super) pixels: usize,
     pub(super) differing: usize,
@@ -53,27 +52,30 @@ pub(super) struct Shown {
 }
 
 impl Shown {
-    pub(super) fn of(pins: &Pins, film: &Film, clocks: u64) -> Shown {
+    pub(super) fn of(pins: &Pins, golden: &[impl AsRef<[u8]>], clocks: u64) -> Shown {
         let (shown, channels) = (&pins.shown, pins.channels);
-        let frames = shown.pictures.iter().enumerate();
-        let differing = |(frame, picture): (usize, &Vec<u8>)| {
-            let golden = film.picture(frame).chunks_exact(3);
+        let frames = shown.pictures.iter().zip(golden);
+        let missing = golden[frames.len()..]
+            .iter()
+            .map(|golden| golden.as_ref().len() / 3);
+        let differing = |(picture, golden): (&Vec<u8>, &_)| {
+            let golden = AsRef::<[u8]>::as_ref(golden).chunks_exact(3);
             let pixels = picture.chunks_exact(3).zip(golden);
             pixels.filter(|(found, golden)| found != golden).count()
         };
         Shown {
             clocks,
             clocks_per_frame: shown.clocks,
-            frames: shown.pictures.len(),
-            pixels: shown.pictures.iter().map(|picture| picture.len() / 3).sum(),
-            differing: frames.map(differing).sum(),
+            frames: frames.len(),
+            pixels: frames.clone().map(|(picture, _)| picture.len() / 3).sum(),
+            differing: missing.sum::<usize>() + frames.map(differing).sum::<usize>(),
             words: channels.map(|channels| channels.words),
             disparity: channels.map(|channels| channels.disparity),
             transitions: channels.map(|channels| channels.transitions),
         }
     }
 
-    fn tell(&self, of: &str) {
+    pub(super) fn tell(&self, of: &str) {
         output::text(format!(
             "  {of}: {} of {}, {}",
             counted(self.pixels as u64, "pixel"),

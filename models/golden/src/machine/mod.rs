@@ -16,6 +16,7 @@ pub mod sequencer;
 pub mod shader;
 pub mod shadow;
 pub mod skew;
+pub mod tile;
 pub mod tmds;
 pub mod transparency;
 pub mod video_timing;

@@ -10,6 +10,8 @@ pub(super) struct Writer<'a> {
     pub(super) module: &'a Module,
     pub(super) prefix: &'a str,
     pub(super) names: Names,
+    /// A port has a reset for registers that hold a state.
+    pub(super) has_reset: bool,
 }
 
 impl Writer<'_> {

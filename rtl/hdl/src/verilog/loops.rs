@@ -2,7 +2,7 @@
 
 use super::expressions::Writer;
 use super::rows::{Row, Source};
-use super::text::{filled, instance};
+use super::text::filled;
 use crate::tree::{Direction, Net};
 use std::fmt::Write;
 
@@ -41,9 +41,8 @@ impl Writer<'_> {
         values.extend(outputs.map(|(output, _)| row.element(module, output)));
         let one = row.base.strip_suffix('s').unwrap_or("one");
         let (base, count) = (&row.base, row.instances.len());
-        let names = (self.prefix, one);
         text + &format!("    for (k = 0; k < {count}; k = k + 1) begin : {base}\n")
-            + &instance(own, names, values.into_iter(), 8)
+            + &self.instance(own, one, values.into_iter(), 8)
             + "    end\n"
     }
 }

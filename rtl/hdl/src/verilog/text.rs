@@ -1,6 +1,5 @@
 //! Lists, widths and constants as text.
 
-use crate::tree::Module;
 use crate::value::mask;
 
 /// Columns of a line at most.
@@ -22,22 +21,6 @@ pub(super) fn filled(first: &str, items: &[String], indent: usize) -> String {
         column += item.len();
     }
     text
-}
-
-/// An instance of a module whose ports are connected with these values.
-pub(super) fn instance(
-    module: &Module,
-    (prefix, name): (&str, &str),
-    values: impl Iterator<Item = String>,
-    indent: usize,
-) -> String {
-    let clock = module.is_clocked().then(|| ".clock(clock)".to_owned());
-    let ports = module.ports.iter().zip(values);
-    let ports = ports.map(|(port, value)| format!(".{}({value})", port.name));
-    let all: Vec<String> = clock.into_iter().chain(ports).collect();
-    let (margin, inner) = (" ".repeat(indent), " ".repeat(indent + 4));
-    let lines = filled(&inner, &all, indent + 4);
-    format!("{margin}{prefix}{} {name} (\n{lines});\n", module.name)
 }
 
 /// The width of a declaration, and what says that it is a number with a sign.

@@ -1,7 +1,8 @@
 //! What is built, simulated, written and refused.
 
 use imogene_hdl::{
-    Bits, Bundle, Design, Int, Simulator, Value, bundle, join, memory, module, net, verilog,
+    Bits, Bundle, Design, Int, Simulator, Value, bundle, join, memory, module, net, unregistered,
+    verilog,
 };
 
 fn refusal<T>(build: impl FnOnce() -> T + std::panic::UnwindSafe) -> String {
@@ -312,4 +313,65 @@ fn what_only_feeds_unread_registers_is_not_read() {
     });
     let text = verilog::write(&design.top, "");
     assert!(text.contains(".late(unused_inner_late)"), "{text}");
+}
+
+/// A sum that is late by so many clocks, beside a state.
+fn late_sum(at: &str, a: Bits) -> Bits {
+    module("late_sum", at, ("a", a), |a| {
+        let count = Bits::register(4).initially(5).named("count");
+        count.load_when(a.bit(0), count + Bits::new(1, 4));
+        let held = a.reg_when(a.top());
+        let (once, late) = (a.reg(), a.top().delay(3));
+        ("sum", once + count + held + late.extend(4))
+    })
+}
+
+#[test]
+fn without_registers_of_pipelines_a_circuit_works_within_the_clock() {
+    let design = Design::of(|| unregistered(|| late_sum("top", Bits::input(4))));
+    let mut simulator = Simulator::new(&design);
+    let [a, sum] = ["a", "sum"].map(|name| simulator.port(name));
+    // The state counts, and what is held under an enable is held.
+    let mut seen = vec![];
+    for value in [9, 1, 2] {
+        simulator.set(a, value);
+        seen.push(simulator.get(sum));
+        simulator.clock();
+    }
+    assert_eq!(seen, [9 + 5 + 1, (1 + 6 + 9) % 16, 2 + 7 + 9 - 16]);
+    assert_eq!(design.top.registers.len(), 2);
+    // What is built behind it has its registers again.
+    assert_eq!(
+        Design::of(|| late_sum("top", Bits::input(4)))
+            .top
+            .registers
+            .len(),
+        4
+    );
+}
+
+#[test]
+fn on_a_chip_states_begin_with_a_reset() {
+    let design = Design::of(|| {
+        module("outer", "top", ("a", Bits::input(4)), |a| {
+            ("sum", late_sum("inner", a))
+        })
+    });
+    let modules = design.top.all();
+    let texts: Vec<String> = modules
+        .iter()
+        .map(|own| verilog::write_for_chip(own, ""))
+        .collect();
+    let [inner, outer] = &texts[..] else {
+        panic!("{texts:?}");
+    };
+    assert!(outer.contains(".clock(clock), .reset(reset)"), "{outer}");
+    assert!(
+        inner.contains("        if (reset) begin\n            count <= 4'd5;\n        end\n"),
+        "{inner}"
+    );
+    // What makes a value later begins with nothing, and no register has a value at power-up.
+    assert_eq!(inner.matches("if (reset)").count(), 1);
+    assert!(!inner.contains("reg  [3:0] count ="), "{inner}");
+    assert!(verilog::write(&modules[0], "").contains("count = 4'd5"));
 }

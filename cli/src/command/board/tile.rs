@@ -1,0 +1,322 @@
+//! A tile of a shared chip that shows a scene.
+
+use super::report::Shown;
+use super::{SLACK, command, machine, mode_of};
+use crate::arguments::{self, MACHINE_FILE, View};
+use crate::command::{frame_in, read_scene};
+use crate::failure::Failure;
+use crate::output;
+use imogene_board::{
+    About, Board, Layout, Library, Mapped, Pins, Tile, cell_delays, lay_out, simulate,
+    simulate_gates,
+};
+use imogene_contract::tile::{PIN_BITS, TileWords};
+use imogene_contract::video::VideoMode;
+use imogene_files::Outputs;
+use imogene_files::text::counted;
+use imogene_golden::format::Format;
+use imogene_golden::machine::tile::Tile as Golden;
+use imogene_plan::description::MachineDescription;
+use imogene_plan::tile::tile_words;
+use imogene_studies::picture;
+use serde::Serialize;
+use std::path::PathBuf;
+
+/// Bits of a component of the normals that the light is found from.
+const NORMAL: u32 = 16;
+
+/// What of a tile place and route fills at most, in percent: the template of the shuttle says so.
+const FULL: f64 = 80.0;
+
+/// Frames that are drawn and compared, unless others are asked for.
+const FRAMES: u16 = 3;
+
+/// A tile and what it shows; the keys are stable.
+#[derive(Serialize)]
+struct TileReport<'a> {
+    board: &'a Board,
+    machine: &'a MachineDescription,
+    /// Columns and lines that the object is drawn in.
+    window: [u64; 2],
+    /// Cells of the shuttle, and the part of the tiles that they fill, in percent.
+    cells: Option<Mapped>,
+    percent_of_tiles: Option<f64>,
+    /// What the pins show in simulation of the sources.
+    pins: Option<Shown>,
+    /// Cells of 180 nm, and what their pins show with their delays, from unknown states on.
+    gates: Option<Mapped>,
+    gate_pins: Option<Shown>,
+    /// Their layout, and what its netlist shows.
+    layout: Option<Layout>,
+    layout_pins: Option<Shown>,
+    command: String,
+    files: Vec<PathBuf>,
+}
+
+/// Makes a tile that shows a scene.
+pub fn run(options: &arguments::Board, board: &Board, json: bool) -> Result<(), Failure> {
+    let machine = machine(options, board)?;
+    let mode = mode_of(board, &machine)?;
+    let words = words(options, &machine, mode)?;
+    let command = command(options);
+    let name = name_of(options);
+    let frames = options.frames.unwrap_or(FRAMES);
+    let about = About {
+        title: format!("imogene: {name}"),
+        name,
+        command: command.clone(),
+        frames: usize::from(frames),
+    };
+    let tile = Tile::new(board, &words, &about)?;
+    let work = Work {
+        options,
+        board,
+        mode,
+        golden: golden(&words, frames)?,
+        tile,
+    };
+    let mut files = output::files();
+    work.add_project(&machine, &mut files)?;
+    let mut report = TileReport {
+        board,
+        machine: &machine,
+        window: words.window,
+        cells: None,
+        percent_of_tiles: None,
+        pins: None,
+        gates: None,
+        gate_pins: None,
+        layout: None,
+        layout_pins: None,
+        command,
+        files: vec![],
+    };
+    if !options.sources_only {
+        work.check(&mut report, &mut files)?;
+    }
+    report.files = files.paths();
+    let path = options.out.join("board.json");
+    report.files.push(path.clone());
+    files.add_text(&path, &output::json_text(&report))?;
+    files.finish()?;
+    output::report(json, &report, tell);
+    report.verdict()
+}
+
+/// The words of a scene that is framed for the whole screen.
+fn words(
+    options: &arguments::Board,
+    machine: &MachineDescription,
+    mode: VideoMode,
+) -> Result<TileWords, Failure> {
+    let named = |problem: String| Failure::Input(format!("{}: {problem}", options.scene.display()));
+    let file = read_scene(&options.scene, &View::default())?;
+    let mut widths = machine.words();
+    widths.normal = NORMAL;
+    let format = Format::fitted(&widths)?;
+    let (framed, prepared) = frame_in(&file, machine.drawn_size(), format)?;
+    tile_words(&framed, &prepared, mode).map_err(|error| named(error.to_string()))
+}
+
+/// The name of the scene as a part of that of a module.
+fn name_of(options: &arguments::Board) -> String {
+    let stem = options.scene.file_stem().unwrap_or_default();
+    let plain = |c: char| {
+        if c.is_ascii_alphanumeric() {
+            c.to_ascii_lowercase()
+        } else {
+            '_'
+        }
+    };
+    stem.to_string_lossy().chars().map(plain).collect()
+}
+
+/// The first frames, in the bits of the pins.
+fn golden(words: &TileWords, frames: u16) -> Result<Vec<Vec<u8>>, Failure> {
+    let mut tile = Golden::new(words)?;
+    Ok((0..frames).map(|_| tile.frame()).collect())
+}
+
+/// A tile on its way.
+struct Work<'a> {
+    options: &'a arguments::Board,
+    board: &'a Board,
+    mode: VideoMode,
+    tile: Tile,
+    golden: Vec<Vec<u8>>,
+}
+
+impl Work<'_> {
+    fn out(&self, name: &str) -> PathBuf {
+        self.options.out.join(name)
+    }
+
+    fn add_project(
+        &self,
+        machine: &MachineDescription,
+        files: &mut Outputs,
+    ) -> Result<(), Failure> {
+        files.add_text(&self.out(MACHINE_FILE), &machine.to_toml())?;
+        files.add_text(&self.out("src/project.v"), &self.tile.verilog)?;
+        for (place, text) in &self.tile.files {
+            files.add_text(&self.out(place), text)?;
+        }
+        for (number, picture) in self.golden.iter().enumerate() {
+            self.add_picture(&format!("test/reference/frame{number}.png"), picture, files)?;
+        }
+        Ok(())
+    }
+
+    /// A picture of levels as the pins have them.
+    fn add_picture(&self, name: &str, levels: &[u8], files: &mut Outputs) -> Result<(), Failure> {
+        let [width, height] = [self.mode.line, self.mode.frame].map(|span| span.active as usize);
+        let most = (1 << PIN_BITS) - 1;
+        let pixels: Vec<u8> = levels.iter().map(|level| level * (255 / most)).collect();
+        files.add(&self.out(name), |out| {
+            picture::png(out, width, height, &pixels)
+        })?;
+        Ok(())
+    }
+
+    fn check(&self, report: &mut TileReport, files: &mut Outputs) -> Result<(), Failure> {
+        let clocks = self.golden.len() as u64 * self.mode.clocks() + SLACK;
+        let is_shown = !self.options.no_simulation;
+        let (tile, board) = (&self.tile, self.board);
+        if is_shown {
+            let sources = format!("{}\n{}", tile.verilog, tile.bench);
+            let pins = simulate((board, &self.mode), &sources, "", clocks)?;
+            report.pins = Some(self.shown("pins", &pins, clocks, files)?);
+        }
+        if self.options.no_bitstream {
+            return Ok(());
+        }
+        let cells = Library::Sky130.map(tile)?;
+        let tiles = board.tiles.as_ref().expect("a board of tiles");
+        report.percent_of_tiles =
+            Some(100.0 * cells.area / tiles.micrometres.iter().product::<f64>());
+        report.cells = Some(cells);
+        let gates = Library::Osu018.map(tile)?;
+        files.add_text(&self.out("gates.v"), &gates.verilog)?;
+        let on_pins = |netlist: &str| -> Result<Pins, Failure> {
+            let netlist = format!("{netlist}\n{}", tile.bench);
+            let board = (board, &self.mode);
+            Ok(simulate_gates(board, &netlist, &cell_delays()?, clocks)?)
+        };
+        if is_shown {
+            let pins = on_pins(&gates.verilog)?;
+            report.gate_pins = Some(self.shown("gates", &pins, clocks, files)?);
+        }
+        if self.options.layout {
+            let (layout, texts) = lay_out(tile, &gates)?;
+            files.add_text(&self.out("layout.v"), &texts.verilog)?;
+            files.add_text(&self.out("layout.def"), &texts.def)?;
+            report.layout = Some(layout);
+            if is_shown {
+                let pins = on_pins(&texts.verilog)?;
+                report.layout_pins = Some(self.shown("layout", &pins, clocks, files)?);
+            }
+        }
+        report.gates = Some(gates);
+        Ok(())
+    }
+
+    fn shown(
+        &self,
+        name: &str,
+        pins: &Pins,
+        clocks: u64,
+        files: &mut Outputs,
+    ) -> Result<Shown, Failure> {
+        let golden = |levels: &Vec<u8>| -> Vec<u8> {
+            levels.iter().map(|level| level << (8 - PIN_BITS)).collect()
+        };
+        let golden: Vec<Vec<u8>> = self.golden.iter().map(golden).collect();
+        for (number, picture) in pins.shown.pictures.iter().take(golden.len()).enumerate() {
+            let levels: Vec<u8> = picture
+                .iter()
+                .map(|level| level >> (8 - PIN_BITS))
+                .collect();
+            self.add_picture(&format!("{name}{number}.png"), &levels, files)?;
+        }
+        Ok(Shown::of(pins, &golden, clocks))
+    }
+}
+
+impl TileReport<'_> {
+    /// Fails where pins do not show the golden frames, or the layout is none.
+    fn verdict(&self) -> Result<(), Failure> {
+        let shown = [&self.pins, &self.gate_pins, &self.layout_pins]
+            .into_iter()
+            .flatten();
+        let differing: usize = shown.map(|shown| shown.differing).sum();
+        let unsound = self
+            .layout
+            .as_ref()
+            .map_or(0, |layout| layout.unrouted + layout.differences);
+        let percent = self.percent_of_tiles.unwrap_or(0.0);
+        match (differing, unsound) {
+            (0, 0) if percent > FULL => Err(Failure::Check(format!(
+                "the cells fill {percent:.1} % of the tiles, and {FULL} % is what place and route can fill; fewer cut \
+                 planes or shorter words (--machine) would do"
+            ))),
+            (0, 0) => Ok(()),
+            (0, count) => Err(Failure::Check(format!(
+                "{} of the layout to its netlist",
+                counted(count, "difference")
+            ))),
+            (count, _) => Err(Failure::Check(format!(
+                "{} on the pins of the tile; please report the command: {}",
+                counted(count as u64, "differing pixel"),
+                self.command
+            ))),
+        }
+    }
+}
+
+fn tell(report: &TileReport) {
+    let board = report.board;
+    output::text(format!("{}: {}", board.name, board.about));
+    let [width, height] = report.window;
+    output::text(format!("  a window of {width}x{height} pixels"));
+    let frames = |of: &str, shown: &Option<Shown>| {
+        if let Some(shown) = shown {
+            shown.tell(of);
+        }
+    };
+    frames("pins in simulation", &report.pins);
+    if let (Some(cells), Some(percent), Some(tiles)) =
+        (&report.cells, report.percent_of_tiles, &board.tiles)
+    {
+        output::text(format!(
+            "  {} of sky130: {:.0} um2, {percent:.1} % of {} tiles",
+            counted(cells.count(), "cell"),
+            cells.area,
+            tiles.size
+        ));
+    }
+    if let Some(gates) = &report.gates {
+        output::text(format!(
+            "  {} of 180 nm: {:.0} um2",
+            counted(gates.count(), "cell"),
+            gates.area
+        ));
+    }
+    frames("pins of the cells of 180 nm", &report.gate_pins);
+    if let Some(layout) = &report.layout {
+        let [width, height] = layout.micrometres;
+        output::text(format!(
+            "  layout of {width:.1} x {height:.1} um: {}, {} of which {} not routed, longest path {:.2} ns",
+            counted(layout.cells, "cell"),
+            counted(layout.nets, "net"),
+            layout.unrouted,
+            layout.longest_ns
+        ));
+        output::text(format!(
+            "    {} to the netlist, {} of its rules",
+            counted(layout.differences, "difference"),
+            counted(layout.rule_errors, "error")
+        ));
+    }
+    frames("pins of the layout", &report.layout_pins);
+    output::wrote(&report.files);
+}

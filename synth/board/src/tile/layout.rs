@@ -1,0 +1,194 @@
+//! The layout of a tile in cells of 180 nm, by the tools that Debian has.
+
+use super::Tile;
+use super::cells::{Library, Mapped};
+use crate::error::BoardError;
+use imogene_synth::kept;
+use imogene_tools::{FileError, Program, read, scratch, write};
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+
+/// The flow: placement by graywolf, routing by qrouter, times by vesta, layout and extraction by magic, comparison by
+/// netgen.
+const QFLOW: Program = Program {
+    name: "qflow",
+    package: "qflow",
+};
+/// The cells, as the flow calls them.
+const TECHNOLOGY: &str = "osu018";
+/// The steps, and those of them that fail where they find errors: their logs count these.
+const STEPS: [&str; 7] = [
+    "synthesize",
+    "place",
+    "route",
+    "backanno",
+    "migrate",
+    "drc",
+    "lvs",
+];
+const CHECKS: [&str; 2] = ["drc", "lvs"];
+/// Settings of the flow: the part of the rows that cells fill.
+const SETTINGS: &str = "set initial_density = 0.75\n";
+
+/// A tile that was placed and routed.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Layout {
+    /// Width and height in micrometres.
+    pub micrometres: [f64; 2],
+    /// Cells, with the buffers of the flow and without fillers.
+    pub cells: u64,
+    /// Nets.
+    pub nets: u64,
+    /// Of the nets those that could not be routed.
+    pub unrouted: u64,
+    /// The longest path between two registers, with its wires, in ns.
+    pub longest_ns: f64,
+    /// Errors of the rules of the layout.
+    pub rule_errors: u64,
+    /// Differences of what is extracted from the layout to the netlist.
+    pub differences: u64,
+}
+
+/// The texts of a layout.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct LayoutTexts {
+    /// The netlist with the buffers of the flow.
+    pub verilog: String,
+    /// Places of cells and wires, in DEF.
+    pub def: String,
+}
+
+/// Places and routes a tile that is in the cells of 180 nm. What was made of the same netlist is kept. Errors in a
+/// layout are counted.
+///
+/// # Errors
+///
+/// When a tool is missing or fails.
+///
+/// # Panics
+///
+/// When the tile is in other cells.
+pub fn lay_out(tile: &Tile, mapped: &Mapped) -> Result<(Layout, LayoutTexts), BoardError> {
+    assert_eq!(mapped.library, Library::Osu018, "cells with a layout");
+    let place = kept(&[&mapped.verilog, &STEPS.join(" "), SETTINGS]);
+    if let Some(known) = place.load() {
+        return Ok(known);
+    }
+    let folder = scratch()?;
+    let layout = made(tile, mapped, folder.path())?;
+    place.store(&layout)?;
+    Ok(layout)
+}
+
+fn made(tile: &Tile, mapped: &Mapped, folder: &Path) -> Result<(Layout, LayoutTexts), BoardError> {
+    let top = &tile.top;
+    for name in ["source", "synthesis", "layout", "log"] {
+        let path = folder.join(name);
+        std::fs::create_dir_all(&path).map_err(FileError::at(path))?;
+    }
+    write(&folder.join(format!("source/{top}.v")), &mapped.verilog)?;
+    write(&folder.join("project_vars.sh"), SETTINGS)?;
+    for step in STEPS {
+        let said = QFLOW.run([step, "-T", TECHNOLOGY, top.as_str()], folder);
+        if !CHECKS.contains(&step) {
+            said?;
+        }
+    }
+    let text = |name: &str| read(&folder.join(name));
+    let log = |name: &str| text(&format!("log/{name}.log"));
+    let def = text(&format!("layout/{top}.def"))?;
+    let verilog = text(&format!("synthesis/{top}.rtlnopwr.v"))?;
+    let layout = layout([
+        &def,
+        &verilog,
+        &log("route")?,
+        &log("post_sta")?,
+        &log("drc")?,
+        &log("lvs")?,
+    ]);
+    let layout = layout.map_err(|what| BoardError::Layout(what.to_owned()))?;
+    Ok((layout, LayoutTexts { verilog, def }))
+}
+
+/// What the texts of the flow say; or what they do not say.
+fn layout(
+    [def, verilog, route, times, rules, comparison]: [&str; 6],
+) -> Result<Layout, &'static str> {
+    let whole = |text: &str, label: &'static str| {
+        number(text, label).map(|number| number as u64).ok_or(label)
+    };
+    let area: Vec<f64> = line(def, "DIEAREA")
+        .ok_or("DIEAREA")?
+        .split_whitespace()
+        .filter_map(|word| word.parse().ok())
+        .collect();
+    let [left, bottom, right, top] = area[..] else {
+        return Err("DIEAREA");
+    };
+    let unit = number(def, "UNITS DISTANCE MICRONS").ok_or("UNITS")?;
+    let unrouted = match route.contains("Final: No failed routes!") {
+        true => 0,
+        false => whole(route, "Final: Failed net routes:")?,
+    };
+    Ok(Layout {
+        micrometres: [(right - left) / unit, (top - bottom) / unit],
+        cells: verilog.lines().filter(|line| line.contains(" ( .")).count() as u64,
+        nets: whole(def, "\nNETS")?,
+        unrouted,
+        longest_ns: number(times, "/D delay").ok_or("the longest path")? / 1e3,
+        rule_errors: whole(rules, "drc =")?,
+        differences: whole(comparison, "Total errors =")?,
+    })
+}
+
+/// The line that begins with a label, behind it.
+fn line<'a>(text: &'a str, label: &str) -> Option<&'a str> {
+    text.lines()
+        .find_map(|line| line.trim_start().strip_prefix(label))
+}
+
+/// The first number behind a label.
+fn number(text: &str, label: &str) -> Option<f64> {
+    let (_, rest) = text.split_once(label)?;
+    rest.split_whitespace().next()?.parse().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const DEF: &str =
+        "UNITS DISTANCE MICRONS 100 ;\n\nDIEAREA ( -320 -300 ) ( 52800 38300 ) ;\nNETS 3780 ;\n";
+    const VERILOG: &str =
+        "wire gnd = 1'b0;\nBUFX4 BUFX4_1 ( .A(clk), .Y(a) );\nINVX1 INVX1_1 ( .A(a), .Y(b) );\n";
+    const TIMES: &str =
+        "Path DFFPOSX1_171/CLK to DFFPOSX1_321/D delay 7843.3 ps\nPath A/CLK to B/D delay 70 ps\n";
+
+    #[test]
+    fn reports_of_the_flow_are_read() {
+        let texts =
+            |route, comparison| layout([DEF, VERILOG, route, TIMES, "drc = 17\n", comparison]);
+        let sound = texts("Final: No failed routes!\n", "\nTotal errors = 0\n");
+        let mut expected = Layout {
+            micrometres: [531.2, 386.0],
+            cells: 2,
+            nets: 3780,
+            unrouted: 0,
+            longest_ns: 7.8433,
+            rule_errors: 17,
+            differences: 0,
+        };
+        assert_eq!(sound.as_ref(), Ok(&expected));
+        (expected.unrouted, expected.differences) = (4, 3);
+        let unsound = texts(
+            "Final: Failed net routes: 4\n",
+            "Total errors = 3\nDesign fails",
+        );
+        assert_eq!(unsound, Ok(expected));
+        // A comparison that did not happen is no equal one.
+        assert_eq!(
+            texts("Final: No failed routes!\n", "LVS Done."),
+            Err("Total errors =")
+        );
+    }
+}
