@@ -31,13 +31,19 @@ const LEVELS: f64 = 2.0;
 /// Makes a board that shows a scene.
 pub fn run(options: &arguments::Board, json: bool) -> Result<(), Failure> {
     let board = Board::named(&options.board)?;
+    if let Some(mode) = &options.mode
+        && board.part.is_some()
+        && !board.modes.contains(mode)
+    {
+        return Err(unknown_mode(&board, mode));
+    }
     if board.tiles.is_some() {
         return tile::run(options, &board, json);
     }
+    let reel = reel(&options.scene, options.animation)?;
     if !options.sources_only && !options.no_bitstream {
         find_tools(&board)?;
     }
-    let reel = reel(&options.scene, options.animation)?;
     let machine = machine(options, &board)?;
     let mode = mode_of(&board, &machine)?;
     let film = Film::of(reel, options, &machine, |picture| seen(&board, picture))?;

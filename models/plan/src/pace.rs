@@ -7,14 +7,13 @@ use super::display::zone_plan;
 use super::zone::clocks::{ZoneTiming, clocks};
 use super::zone::refine::Refinement;
 use imogene_contract::shading;
+use imogene_golden::machine::accumulator;
 use imogene_prepare::PreparedScene;
 use imogene_scene::FramedScene;
 
 /// Clocks of a beam machine from the last pixel of a frame that is issued to the copying of the next words, and from
 /// there to the first pixel, beside those of the pipeline and the words themselves.
 const TURN: u64 = 7;
-/// Clocks of the means of samples.
-const MEANS: u64 = 3;
 
 /// What the hardware of a machine takes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -46,7 +45,11 @@ pub fn clocks_per_frame(
             let plan = zone_plan(scene, prepared, machine, Refinement::Box)?;
             // The tables of the shading processor are written when the last pixel has left it: one clock reads its
             // material, one takes it to the queue.
-            let means = if machine.supersampling > 1 { MEANS } else { 0 };
+            let means = if machine.supersampling > 1 {
+                accumulator::LATENCY as u64
+            } else {
+                0
+            };
             Ok(clocks(&plan, &timing.zone).total + shading::LATENCY as u64 + 2 + means)
         }
     }

@@ -54,8 +54,8 @@ pub struct Shown {
     pub clocks: usize,
 }
 
-/// A screen: it finds a frame by the beginning of the vertical synchronisation alone, and every pin has to be as the mode
-/// has it from there to the end of the shown part.
+/// A screen: it finds a frame by the beginning of the vertical synchronisation alone, and every pin has to be as the
+/// mode has it from there to the end of the shown part.
 pub(crate) struct Screen<'a> {
     layout: Layout<'a>,
     ticks: usize,

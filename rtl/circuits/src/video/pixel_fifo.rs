@@ -25,8 +25,8 @@ bundle! {
 /// them, and says when the pipeline may be given another one.
 ///
 /// A pixel that is started has its place until it is taken, so what is pushed always finds one. One pixel per clock
-/// without a stall. Latency 3 from a push to the output, where nothing waits before it: to the store, out of it, and to a
-/// register behind it. Section 8 of the architecture.
+/// without a stall. Latency 3 from a push to the output, where nothing waits before it: to the store, out of it, and to
+/// a register behind it. Section 8 of the architecture.
 ///
 /// # Panics
 ///

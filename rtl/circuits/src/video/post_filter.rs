@@ -31,8 +31,8 @@ bundles! {
 /// Pixels outside the picture are the nearest inside. A pixel leaves 6 clocks after the one to the right of it in the
 /// next line came, and the last of a line 1 clock after the one before it: a line leaves while the next one comes,
 /// the last line by itself from 3 clocks after the last pixel on. After a picture there are `width + 3` clocks or
-/// more without a pixel, after a line 1 or more, and lines begin 3 clocks apart or more. With every kernel the same clocks, so it can change from picture to
-/// picture. Chaillou 1991, IV.4.3.
+/// more without a pixel, after a line 1 or more, and lines begin 3 clocks apart or more. With every kernel the same
+/// clocks, so it can change from picture to picture. Chaillou 1991, IV.4.3.
 pub fn post_filter(at: &str, kernel: Bits, pixel: Picture, places: u32) -> Picture {
     let meaning =
         "0 pass, 1 box of 2 x 2, 2 and 3 binomial of 3 x 3; read with the first pixel of a picture";
