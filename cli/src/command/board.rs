@@ -10,7 +10,7 @@ use crate::failure::Failure;
 use crate::output;
 use film::{Film, RATE, reel};
 use imogene_board::{
-    Board, Display, MODELS, Pll, Sources, find_tools, route, simulate, sources, witness,
+    Board, Display, MODELS, Pll, Sources, Video, find_tools, route, simulate, sources, witness,
 };
 use imogene_contract::video::VideoMode;
 use imogene_files::{Outputs, WriteError};
@@ -31,12 +31,7 @@ const LEVELS: f64 = 2.0;
 /// Makes a board that shows a scene.
 pub fn run(options: &arguments::Board, json: bool) -> Result<(), Failure> {
     let board = Board::named(&options.board)?;
-    if let Some(mode) = &options.mode
-        && board.part.is_some()
-        && !board.modes.contains(mode)
-    {
-        return Err(unknown_mode(&board, mode));
-    }
+    check(options, &board)?;
     if board.tiles.is_some() {
         return tile::run(options, &board, json);
     }
@@ -79,6 +74,34 @@ pub fn run(options: &arguments::Board, json: bool) -> Result<(), Failure> {
     files.finish()?;
     output::report(json, &report, tell);
     report.verdict()
+}
+
+/// Refuses what the board has not: a mode, or what an option is for.
+fn check(options: &arguments::Board, board: &Board) -> Result<(), Failure> {
+    let is_tile = board.tiles.is_some();
+    let is_dvi = matches!(board.video, Video::Tmds { .. });
+    let mode = options.mode.as_ref();
+    if let Some(mode) = mode.filter(|mode| !board.modes.contains(mode)) {
+        return Err(unknown_mode(board, mode));
+    }
+    let unmeant = [
+        (
+            options.animation.is_some() && is_tile,
+            "--animation is for boards with a memory; a tile moves by itself",
+        ),
+        (
+            options.layout && !is_tile,
+            "--layout is for a tile, as that of the board tinytapeout",
+        ),
+        (
+            options.samples && !is_dvi,
+            "--samples are those of DVI channels, which the board does not have",
+        ),
+    ];
+    match unmeant.iter().find(|(is_given, _)| *is_given) {
+        Some((_, problem)) => Err(Failure::Input(format!("{}: {problem}", board.name))),
+        None => Ok(()),
+    }
 }
 
 /// A board on its way.
@@ -291,6 +314,9 @@ fn command(options: &arguments::Board) -> String {
     }
     if let Some(range) = &options.animation {
         command += &format!(" --animation {range}");
+    }
+    if let Some(frames) = options.frames {
+        command += &format!(" --frames {frames}");
     }
     command + " --out DIR"
 }

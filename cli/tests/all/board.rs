@@ -175,6 +175,14 @@ fn what_is_refused_says_what_would_do() {
         said.contains("1280x720") && said.contains("it has 640x480"),
         "{said}"
     );
+    for (board, option, part) in [
+        ("tinytapeout", "--animation=1..2", "a tile moves by itself"),
+        ("ulx3s-12", "--layout", "for a tile"),
+        ("hx8k-evb", "--samples", "DVI channels"),
+    ] {
+        let said = refused(&[board, &cone, option]);
+        assert!(said.contains(board) && said.contains(part), "{said}");
+    }
     let said = refused(&["simulation", &cone, "--animation", "1..2"]);
     assert!(
         said.contains("cone.toml") && said.contains("image"),

@@ -90,7 +90,7 @@ impl Part {
     }
 }
 
-/// Finds all that a bitstream of the board and its check need.
+/// Finds what leads from the sources of the board to its bitstream, and back to the text of place and route.
 ///
 /// # Errors
 ///
