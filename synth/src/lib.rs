@@ -56,5 +56,5 @@ pub use netlist::{Netlist, cell_models, netlist};
 pub use nextpnr::{RouteReport, RoutedClock, parse_report};
 pub use registers::fold as fold_registers;
 pub use report::{CriticalPath, SeedResult, SynthReport};
-pub use target::{Target, UnknownTarget};
+pub use target::{TIMING_WEIGHT, Target, UnknownTarget};
 pub use yosys::{CellCounts, Resources, run as run_yosys};

@@ -201,15 +201,19 @@ impl Work<'_> {
         if self.board.part.is_none() || self.options.no_bitstream {
             return Ok(());
         }
-        let (routed, bitstream) = route(&self.board, &self.pll, &self.sources)?;
-        let back = witness(&self.board, &self.sources, &bitstream)?;
+        let built = route(&self.board, &self.pll, &self.sources)?;
+        let [verilog, models] = witness(&self.board, &self.sources, &built)?;
         let path = self.options.out.join(format!("{}.bit", self.board.name));
-        files.add(&path, |out| out.write_all(&bitstream))?;
-        if let Some([verilog, models]) = back.filter(|_| !self.options.no_simulation) {
-            files.add_text(&self.options.out.join("bitstream.v"), &verilog)?;
-            report.bitstream = Some(self.shown("bitstream", &verilog, &models, files)?);
+        files.add(&path, |out| out.write_all(&built.bitstream))?;
+        if !self.options.no_simulation {
+            let (name, shown) = match built.netlist {
+                Some(_) => ("netlist", &mut report.netlist),
+                None => ("bitstream", &mut report.bitstream),
+            };
+            files.add_text(&self.options.out.join(format!("{name}.v")), &verilog)?;
+            *shown = Some(self.shown(name, &verilog, &models, files)?);
         }
-        report.routed = Some(routed);
+        report.routed = Some(built.routed);
         Ok(())
     }
 }

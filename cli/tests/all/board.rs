@@ -193,15 +193,21 @@ fn what_is_refused_says_what_would_do() {
     assert!(said.contains("a board takes a beam machine"), "{said}");
 }
 
-/// What is in the part, not what was meant: the bitstream of a whole frame.
+/// What is in the part, not what was meant: a whole frame out of the bitstream of an iCE40, and out of the routed cells of
+/// an ECP5.
 #[test]
-fn the_bitstream_of_an_ice40_shows_the_golden_picture() {
+fn what_is_in_the_part_shows_the_golden_picture() {
     if !is_full() {
         return;
     }
+    in_the_part("hx8k-evb", "bitstream");
+    in_the_part("ulx3s-12", "netlist");
+}
+
+fn in_the_part(name: &str, witness: &str) {
     let folder = tempfile::tempdir().expect("a folder");
-    let found = board("hx8k-evb", "ellipsoid.toml", &["--flat"], folder.path());
-    for pins in [&found["pins"], &found["bitstream"]] {
+    let found = board(name, "ellipsoid.toml", &["--flat"], folder.path());
+    for pins in [&found["pins"], &found[witness]] {
         assert_eq!(
             (&pins["pixels"], &pins["differing"]),
             (&(2 * 307_200).into(), &0.into())
@@ -212,7 +218,7 @@ fn the_bitstream_of_an_ice40_shows_the_golden_picture() {
         clock["achieved_mhz"].as_f64() > clock["wanted_mhz"].as_f64(),
         "{clock}"
     );
-    pictures_are_equal(folder.path(), &["pins.png", "bitstream.png"]);
+    pictures_are_equal(folder.path(), &["pins.png", &format!("{witness}.png")]);
 }
 
 /// The shading processor takes more than the part has: that is said, and nothing is written.

@@ -2,11 +2,12 @@
 
 use crate::description::{Board, Family, Part};
 use crate::error::BoardError;
+use crate::netlist::routed_verilog;
 use crate::pll::Pll;
 use crate::top::{Sources, TOP};
 use imogene_synth::tools::{NEXTPNR_ECP5, NEXTPNR_ICE40, Tool, YOSYS};
 use imogene_synth::{
-    RouteReport, SynthError, digest, fold_registers, kept, parse_report, run_yosys,
+    RouteReport, SynthError, TIMING_WEIGHT, digest, fold_registers, kept, parse_report, run_yosys,
 };
 use imogene_tools::{FileError, Program, last_lines, read, scratch, write};
 use serde::{Deserialize, Serialize};
@@ -16,6 +17,7 @@ use std::path::Path;
 const NETLIST: &str = "board.json";
 const TEXT: &str = "board.text";
 const REPORT: &str = "report.json";
+const ROUTED: &str = "routed.json";
 const SEED: &str = "1";
 
 /// A clock of a routed board, in MHz.
@@ -65,6 +67,7 @@ impl Part {
         if self.family == Family::Ecp5 {
             // The first router rips up three arcs of four of a whole machine, and comes to no end.
             arguments.extend(["--router".into(), "router2".into()]);
+            arguments.extend(TIMING_WEIGHT.map(str::to_owned));
         }
         if let Some(speed) = &self.speed {
             arguments.extend(["--speed".into(), speed.clone()]);
@@ -109,8 +112,19 @@ pub fn find_tools(board: &Board) -> Result<(), BoardError> {
     Ok(())
 }
 
-/// Synthesises, places, routes and packs a board; the report and the bitstream. Every clock has to reach what is asked
-/// for. What was made of the same sources with the same tools is kept.
+/// What place and route made of a board.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Built {
+    /// What it takes and reaches.
+    pub routed: Routed,
+    /// Its bitstream.
+    pub bitstream: Vec<u8>,
+    /// Of an ECP5 the routed netlist as Verilog.
+    pub netlist: Option<String>,
+}
+
+/// Synthesises, places, routes and packs a board. Every clock has to reach what is asked for. What was made of the same
+/// sources with the same tools is kept.
 ///
 /// # Errors
 ///
@@ -119,7 +133,7 @@ pub fn find_tools(board: &Board) -> Result<(), BoardError> {
 /// # Panics
 ///
 /// When the board has no part.
-pub fn route(board: &Board, pll: &Pll, sources: &Sources) -> Result<(Routed, Vec<u8>), BoardError> {
+pub fn route(board: &Board, pll: &Pll, sources: &Sources) -> Result<Built, BoardError> {
     let part = board.part.as_ref().expect("a board with a part");
     let (yosys, router) = (Tool::find(YOSYS)?, Tool::find(part.router())?);
     let (kind, constraints) = sources.constraints.as_ref().expect("constraints of a part");
@@ -141,7 +155,7 @@ pub fn route(board: &Board, pll: &Pll, sources: &Sources) -> Result<(Routed, Vec
         constraints,
         &script,
         &arguments.join(" "),
-        "output registers",
+        "output registers, routed netlist",
         &yosys.version,
         &router.version,
     ]);
@@ -159,12 +173,17 @@ pub fn route(board: &Board, pll: &Pll, sources: &Sources) -> Result<(Routed, Vec
     packed(part, &router, &arguments, folder)?;
     let report = placed(part, &router, arguments, folder)?;
     let bitstream = packed_text(part, TEXT, folder)?;
-    let routed = (
-        report_of(report, &[yosys, router], bitstream.len()),
+    let netlist = match part.family {
+        Family::Ecp5 => Some(routed_verilog(&yosys, folder, ROUTED)?),
+        Family::Ice40 => None,
+    };
+    let built = Built {
+        routed: report_of(report, &[yosys, router], bitstream.len()),
         bitstream,
-    );
-    place.store(&routed)?;
-    Ok(routed)
+        netlist,
+    };
+    place.store(&built)?;
+    Ok(built)
 }
 
 fn report_of(report: RouteReport, tools: &[Tool], bytes: usize) -> Routed {
@@ -218,7 +237,7 @@ fn placed(
 ) -> Result<RouteReport, BoardError> {
     let report = folder.join(REPORT);
     std::fs::remove_file(&report).map_err(FileError::at(&report))?;
-    arguments.extend([part.packers()[0].to_owned(), TEXT.to_owned()]);
+    arguments.extend([part.packers()[0], TEXT, "--write", ROUTED].map(str::to_owned));
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let outcome = router.run(&arguments, folder)?;
     // A clock that is not reached ends the router with an error, behind its report.

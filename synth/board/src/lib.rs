@@ -15,6 +15,7 @@
 mod description;
 mod error;
 mod flow;
+mod netlist;
 mod pll;
 mod screen;
 mod simulate;
@@ -25,7 +26,7 @@ mod witness;
 
 pub use description::{Board, Clock, Family, Part, Tiles, Video};
 pub use error::BoardError;
-pub use flow::{ClockReport, Routed, find_tools, route};
+pub use flow::{Built, ClockReport, Routed, find_tools, route};
 pub use pll::{Dividers, Pll};
 pub use screen::{ScreenError, Shown, Tick};
 pub use simulate::{Pins, simulate, simulate_gates};

@@ -1,8 +1,9 @@
 //! The bitstream as a witness: what it unpacks to, and Verilog that is made of it.
 
-use crate::description::{Board, Family};
+use crate::description::Board;
 use crate::error::BoardError;
-use crate::flow::{failed, packed_text};
+use crate::flow::{Built, failed, packed_text};
+use crate::netlist::routed_models;
 use crate::top::{MODELS, Sources, TOP};
 use imogene_synth::tools::Tool;
 use imogene_synth::{Target, cell_models};
@@ -20,8 +21,8 @@ const ICEBOX: Program = Program {
 /// Cells that Verilog of a bitstream instantiates.
 const RAM: &str = "SB_RAM40_4K";
 
-/// Unpacks a bitstream, and packs it again: the same bits have to come out. Of an iCE40 what was unpacked is turned
-/// back into Verilog, with the models of its cells, for [`simulate`](crate::simulate).
+/// Unpacks a bitstream, and packs it again: the same bits have to come out. With it Verilog and the models of its cells
+/// for [`simulate`](crate::simulate): of an iCE40 what was unpacked is turned back, of an ECP5 it is the routed netlist.
 ///
 /// # Errors
 ///
@@ -30,11 +31,8 @@ const RAM: &str = "SB_RAM40_4K";
 /// # Panics
 ///
 /// When the board has no part.
-pub fn witness(
-    board: &Board,
-    sources: &Sources,
-    bitstream: &[u8],
-) -> Result<Option<[String; 2]>, BoardError> {
+pub fn witness(board: &Board, sources: &Sources, built: &Built) -> Result<[String; 2], BoardError> {
+    let bitstream = &built.bitstream;
     let part = board.part.as_ref().expect("a board with a part");
     let folder = scratch()?;
     let folder = folder.path();
@@ -44,7 +42,7 @@ pub fn witness(
     let outcome = unpacker.run(&[BITSTREAM, UNPACKED], folder)?;
     outcome.map_err(|said| failed(&unpacker, &said))?;
     let again = packed_text(part, UNPACKED, folder)?;
-    if again != bitstream {
+    if again != *bitstream {
         let apart = again.iter().zip(bitstream).filter(|(a, b)| a != b);
         return Err(BoardError::Bitstream(format!(
             "the bitstream of {} bytes, unpacked and packed again, has {} bytes, of which {} differ",
@@ -53,8 +51,8 @@ pub fn witness(
             apart.count()
         )));
     }
-    if part.family != Family::Ice40 {
-        return Ok(None);
+    if let Some(netlist) = &built.netlist {
+        return Ok([netlist.clone(), routed_models()?]);
     }
     let (_, constraints) = sources.constraints.as_ref().expect("constraints of a part");
     write(&folder.join("pins.pcf"), constraints)?;
@@ -73,7 +71,7 @@ pub fn witness(
         verilog = with_pad(&verilog);
     }
     let models = cell_models(&[RAM], Target::Ice40Hx8k)? + MODELS;
-    Ok(Some([declared_once(&verilog), models]))
+    Ok([declared_once(&verilog), models])
 }
 
 /// The same Verilog with the pin of the clock at the pad of its PLL, which `icebox_vlog` leaves open.

@@ -52,7 +52,7 @@ fn volume(format: Format, planes: usize, clocks: [u32; 2], has_quadric: bool) ->
 
 pub(super) fn quadric_volume(format: Format, planes: usize, rows_per_stage: usize) -> Description {
     let latency = quadric_latency(&format, rows_per_stage as u32);
-    volume(format, planes, [latency - 4, latency], true)
+    volume(format, planes, [latency - 5, latency], true)
 }
 
 pub(super) fn polyhedral_volume(format: Format, planes: usize) -> Description {

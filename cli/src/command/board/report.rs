@@ -30,6 +30,8 @@ pub(super) struct BoardReport<'a> {
     pub(super) routed: Option<Routed>,
     /// What the pins show in simulation of the Verilog that the bitstream was turned back into.
     pub(super) bitstream: Option<Shown>,
+    /// What they show in simulation of the routed netlist.
+    pub(super) netlist: Option<Shown>,
     pub(super) command: String,
     pub(super) files: Vec<PathBuf>,
 }
@@ -105,6 +107,7 @@ impl<'a> BoardReport<'a> {
             pins: None,
             routed: None,
             bitstream: None,
+            netlist: None,
             command,
             files: vec![],
         }
@@ -112,7 +115,8 @@ impl<'a> BoardReport<'a> {
 
     /// Fails where pins do not show the golden picture.
     pub(super) fn verdict(&self) -> Result<(), Failure> {
-        let shown = self.pins.iter().chain(&self.bitstream);
+        let shown = [&self.pins, &self.bitstream, &self.netlist].into_iter();
+        let shown = shown.flatten();
         match shown.map(|shown| shown.differing).sum::<usize>() {
             0 => Ok(()),
             count => Err(Failure::Check(format!(
@@ -153,6 +157,9 @@ pub(super) fn tell(report: &BoardReport) {
     }
     if let Some(bitstream) = &report.bitstream {
         bitstream.tell("pins of the bitstream");
+    }
+    if let Some(netlist) = &report.netlist {
+        netlist.tell("pins of the routed netlist");
     }
     output::wrote(&report.files);
 }

@@ -40,7 +40,7 @@ impl Volumes {
 
     /// Clocks from the flags of the raster to the visible depth.
     pub fn depth_offset(&self) -> u32 {
-        self.root.latency() + 1
+        self.root.latency()
     }
 
     /// Clocks from the flags of the raster to those of the sources before these volumes.

@@ -45,7 +45,7 @@ pub fn cylinder_processor(at: &str, scan: Scan, words: Cylinder, depth: u32) -> 
             let in_box_late = words.screen_box.contains(pixel).reg();
             let in_rectangle = between.reduce(|all, one| all & one).expect("sides");
             let in_front = in_discs[0];
-            let kept_there = (in_box_late & (in_front | in_rectangle | in_discs[1])).reg();
+            let kept_there = in_box_late & (in_front | in_rectangle | in_discs[1]);
         }
         let body_normal = Normal::of([
             component("normal_x", words.nx),
@@ -56,11 +56,14 @@ pub fn cylinder_processor(at: &str, scan: Scan, words: Cylinder, depth: u32) -> 
         let body = (body_depth, face(NEAR_ROOT), body_normal);
         let lid_depth = sum(pe1("lid", flags, words.lid));
         let lid = (lid_depth, face(FIRST_PLANE), words.lid_normal);
+        // Both parts are asked before one is chosen, so that one bit alone selects in the last clock.
+        let [lid_visible, body_visible] = [("lid_depth", lid_depth), ("body_depth", body_depth)]
+            .map(|(name, depth)| Clamped::of(name, depth, NEAR_ROOT).is_visible());
         let (z, part, normal) = in_front.select(lid, body).registered();
         let normal = normal.called("kept");
         net! {
             let kept_face = part;
-            let is_present = kept_there & Clamped::of("depth", z, NEAR_ROOT).is_visible();
+            let is_present = (kept_there & in_front.select(lid_visible, body_visible)).reg();
         }
         let no_normal = Normal::of([Int::new(0, NORMAL); 3]);
         let nothing = (absent(depth), face(NEAR_ROOT), no_normal);

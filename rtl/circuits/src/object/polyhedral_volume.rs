@@ -15,7 +15,7 @@ pub fn polyhedral_volume(at: &str, scan: Scan, point: VolumePoint, bounds: Bound
     module("polyhedral_volume", at, inputs, |(scan, point, bounds)| {
         let in_box = bounds.screen_box.contains(scan.pixel);
         let in_box = in_box.delayed_as("in_box_late", 3);
-        let is_kept = point.is_kept(scan.flags, &bounds.planes);
+        let is_kept = VolumePoint::is_kept(point.depths(), scan.flags, &bounds.planes);
         Answer {
             out_valid: scan.flags.valid.delayed_as("valid_late", 4),
             is_inside: (in_box & is_kept).reg(),

@@ -3,7 +3,7 @@
 use super::{Answer, Bounds, Network, Roots, VolumePoint, Widths, roots};
 use crate::raster::{Linear, Quadratic, Scan};
 use imogene_contract::words::{FRONT, PRISM, SIDE};
-use imogene_hdl::{Bits, Bundle, Int, Value, bundles, module, net};
+use imogene_hdl::{Bits, Int, Value, bundles, module, net};
 
 bundles! {
     /// Words of a volume of a quadric and planes.
@@ -19,7 +19,7 @@ bundles! {
 }
 
 /// For every pixel whether the visible point lies in a shadow or light volume: a quadric cut by planes. The point comes
-/// `ceil(rows / rows_per_stage) + 1` clocks after its flags.
+/// `ceil(rows / rows_per_stage)` clocks after its flags.
 ///
 /// A point is in an intersection exactly if it is in every part, so every part is asked by itself: no chain of cuts, no
 /// second half. Latency `ceil(rows / rows_per_stage) + 5`. The words stay unchanged until that many clocks after the
@@ -35,20 +35,23 @@ pub fn quadric_volume(
     module("quadric_volume", at, inputs, |(scan, point, words)| {
         let f = (words.f1, words.f2);
         let (roots, _, late) = roots(scan, words.bounds.screen_box, f, network);
-        let late = late.delayed(1);
         // A depth of the quadric is at or before another one exactly if it is at or before that one rounded down to
         // its unit.
-        let coarse = |depth: Int| depth.right_by(words.depth_shift);
-        let [z, entered] = point.depths().map(coarse);
+        let depths = point.depths();
+        let [z, entered] = depths.map(|depth| {
+            depth
+                .extend(roots.near_sum.width())
+                .right_by(words.depth_shift)
+        });
         net! {
             let coarse_z = z.reg();
             let coarse_entered = entered.reg();
             let in_quadric = is_inside(words.object_class, roots, coarse_z, coarse_entered).reg();
             let in_box = roots.in_box.delay(2);
-            let is_kept = point.is_kept(late, &words.bounds.planes);
+            let is_kept = VolumePoint::is_kept(depths, late, &words.bounds.planes).reg();
         }
         Answer {
-            out_valid: late.valid.delayed_as("valid_late", 4),
+            out_valid: late.valid.delayed_as("valid_late", 5),
             is_inside: (in_box & in_quadric & is_kept).reg(),
         }
     })

@@ -9,7 +9,7 @@ bundle! {
     /// The visible point of a pixel.
     VolumePoint(depth) {
         depth: Int(depth),
-            "visible depth of the pixel, ceil(W / R) + 1 clocks after its flags where the volume has a quadric, with \
+            "visible depth of the pixel, ceil(W / R) clocks after its flags where the volume has a quadric, with \
             them where not";
         margin: Bits(depth), "counts that a point has to lie behind the beginning of the volume, at most 2^(W-1) - 1";
     }
@@ -31,21 +31,22 @@ bundles! {
 }
 
 impl VolumePoint {
-    /// Depth, and depth less margin, which has to lie behind the beginning of a volume: words of two bits more.
+    /// Depth, and depth less margin, which has to lie behind the beginning of a volume: one clock late, the second a
+    /// word of two bits more.
     pub(super) fn depths(self) -> [Int; 2] {
         let width = self.depth.width() + 2;
-        let z = self.depth.extend(width);
-        [z, z - self.margin.extend(width).int()]
+        let behind = self.depth.extend(width) - self.margin.extend(width).int();
+        net! {
+            let z = self.depth.reg();
+            let entered = behind.reg();
+        }
+        [z, entered]
     }
 
     /// 1 where the point is no background and all planes keep it, three clocks after the point and the flags of its
-    /// pixel.
-    pub(super) fn is_kept(self, flags: Flags, planes: &[HalfSpace]) -> Bits {
-        net! {
-            let z = self.depth.reg();
-            let entered = self.depths()[1].reg();
-            let is_surface = (!z.equals(absent(z.width()))).delay(2);
-        }
+    /// pixel, two after [`VolumePoint::depths`].
+    pub(super) fn is_kept([z, entered]: [Int; 2], flags: Flags, planes: &[HalfSpace]) -> Bits {
+        net! { let is_surface = (!z.equals(absent(z.width()))).delay(2); }
         let planes = numbered("planes", planes).map(|(at, plane)| PlaneAt {
             kind: plane.kind,
             zp: pe1(&at, flags, plane.linear),

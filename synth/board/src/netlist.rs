@@ -1,0 +1,228 @@
+//! A routed ECP5 as Verilog: the cells that the router put into the part, for [`simulate`](crate::simulate).
+
+use crate::error::BoardError;
+use crate::top::{MODELS, TOP};
+use imogene_synth::tools::Tool;
+use imogene_synth::{SynthError, run_yosys};
+use imogene_tools::{read, write};
+use minijinja::{Environment, context};
+use serde_json::{Map, Value, json};
+use std::path::Path;
+
+const CELLS: &str = include_str!("top/ecp5.v");
+
+/// A cell of which there is a model: its type, the parameters that the model takes, those that have to be of a certain
+/// value for it, and the inputs that have to stay at a level.
+struct Model {
+    cell: &'static str,
+    taken: &'static [&'static str],
+    fixed: &'static [(&'static str, &'static [&'static str])],
+    still: &'static [(&'static str, &'static str)],
+}
+
+const FLIP_FLOP: &str = "TRELLIS_FF";
+const MODELLED: [Model; 8] = [
+    Model {
+        cell: "TRELLIS_COMB",
+        taken: &["MODE", "CCU2_INJECT1", "INITVAL"],
+        fixed: &[("MODE", &["LOGIC", "CCU2"])],
+        still: &[],
+    },
+    Model {
+        cell: FLIP_FLOP,
+        taken: &["CLKMUX", "CEMUX", "LSRMUX", "REGSET", "SD"],
+        fixed: &[("SRMODE", &["LSR_OVER_CE"]), ("LSRMODE", &["LSR"])],
+        still: &[],
+    },
+    Model {
+        cell: "DP16KD",
+        taken: &["DATA_WIDTH", "REGMODE", "INITVAL"],
+        fixed: &[
+            ("CSDECODE_A", &["0b000"]),
+            ("CSDECODE_B", &["0b000"]),
+            ("INIT_DATA", &["STATIC"]),
+        ],
+        still: &[("WEB", "0"), ("RSTA", "0"), ("RSTB", "0")],
+    },
+    Model {
+        cell: "MULT18X18D",
+        taken: &["REG_OUTPUT_CLK"],
+        fixed: &[
+            ("REG_INPUTA_CLK", &["NONE"]),
+            ("REG_INPUTB_CLK", &["NONE"]),
+            ("REG_PIPELINE_CLK", &["NONE"]),
+            ("REG_OUTPUT_CLK", &["NONE", "CLK0"]),
+            ("MULT_BYPASS", &["DISABLED"]),
+        ],
+        still: &[],
+    },
+    Model {
+        cell: "SIOLOGIC",
+        taken: &[],
+        fixed: &[("MODE", &["IDDRX1_ODDRX1"])],
+        still: &[],
+    },
+    Model {
+        cell: "DCCA",
+        taken: &[],
+        fixed: &[],
+        still: &[],
+    },
+    Model {
+        cell: "TRELLIS_IO",
+        taken: &["DATAMUX_ODDR"],
+        fixed: &[("DIR", &["INPUT", "OUTPUT"])],
+        still: &[],
+    },
+    Model {
+        cell: "EHXPLLL",
+        taken: &[],
+        fixed: &[],
+        still: &[],
+    },
+];
+
+/// Verilog of the netlist that the router wrote to a file of the folder.
+///
+/// # Errors
+///
+/// When it has a cell without a model, or one that does what its model does not; when Yosys fails.
+pub(crate) fn routed_verilog(
+    yosys: &Tool,
+    folder: &Path,
+    file: &str,
+) -> Result<String, BoardError> {
+    let path = folder.join(file);
+    let mut netlist: Value =
+        serde_json::from_str(&read(&path)?).map_err(|error| unread(error.to_string()))?;
+    let modules = netlist["modules"].as_object_mut();
+    for module in modules.into_iter().flat_map(Map::values_mut) {
+        let cells = module["cells"].as_object_mut();
+        for (name, cell) in cells.into_iter().flatten() {
+            settle(cell).map_err(|problem| unread(format!("{name}: {problem}")))?;
+        }
+    }
+    write(&path, &netlist.to_string())?;
+    // The router calls every design so.
+    let script = format!("read_json {file}; rename top {TOP}; write_verilog -noattr {file}.v");
+    run_yosys(yosys, folder, &script)?;
+    Ok(read(&folder.join(format!("{file}.v")))?)
+}
+
+/// The models of its cells.
+pub(crate) fn routed_models() -> Result<String, BoardError> {
+    let slices: Vec<String> = (0..64).map(|slice| format!("{slice:02X}")).collect();
+    let cells = Environment::new().render_str(CELLS, context! { slices })?;
+    Ok(format!("{MODELS}{cells}"))
+}
+
+fn unread(problem: String) -> BoardError {
+    BoardError::Synth(SynthError::Report {
+        tool: "nextpnr-ecp5",
+        problem,
+    })
+}
+
+/// Gives the open inputs of a cell their levels, and leaves it the parameters that its model takes.
+fn settle(cell: &mut Value) -> Result<(), String> {
+    let kind = text(&cell["type"]);
+    let model = MODELLED.iter().find(|model| model.cell == kind);
+    let model = model.ok_or_else(|| format!("no model of a {kind}"))?;
+    for (name, accepted) in model.fixed {
+        let value = &cell["parameters"][name];
+        if !value.is_null() && !accepted.contains(&text(value).as_str()) {
+            return Err(format!("no model of a {kind} whose {name} is {value}"));
+        }
+    }
+    let directions = cell["port_directions"].as_object().cloned();
+    let inputs = directions.into_iter().flatten();
+    for (port, _) in inputs.filter(|(_, direction)| direction == "input") {
+        let mux = text(&cell["parameters"][format!("{port}MUX")]);
+        let net = &mut cell["connections"][&port];
+        let is_open = net.as_array().is_none_or(Vec::is_empty);
+        if is_open {
+            *net = json!([level(&kind, &port, &mux)]);
+        } else if mux == "INV" && kind != FLIP_FLOP {
+            return Err(format!("no model of a {kind} with {port} inverted"));
+        }
+        let still = model.still.iter().find(|(name, _)| *name == port);
+        if still.is_some_and(|(_, level)| *net != json!([level])) {
+            return Err(format!("no model of a {kind} with a level at {port}"));
+        }
+        if is_open && port == "LSR" {
+            cell["parameters"]["LSRMUX"] = "LSR".into();
+        }
+    }
+    if kind == "TRELLIS_IO" {
+        cell["type"] = format!("TRELLIS_{}", text(&cell["parameters"]["DIR"])).into();
+    }
+    if let Some(parameters) = cell["parameters"].as_object_mut() {
+        let is_taken = |name: &String| model.taken.iter().any(|taken| name.starts_with(taken));
+        parameters.retain(|name, _| is_taken(name));
+    }
+    Ok(())
+}
+
+/// The level of an input that the router leaves open: that of its multiplexer, and else a pull-up. A reset of a
+/// flip-flop is never chosen then.
+fn level(kind: &str, port: &str, mux: &str) -> &'static str {
+    let is_low = matches!(mux, "0" | "INV") || (kind, port) == (FLIP_FLOP, "LSR");
+    if is_low { "0" } else { "1" }
+}
+
+/// A text of the netlist, whose zeros and ones alone have a blank behind them.
+fn text(value: &Value) -> String {
+    value.as_str().unwrap_or_default().trim().to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::settle;
+    use serde_json::json;
+
+    #[test]
+    fn open_inputs_have_the_level_of_the_part() {
+        let mut cell = json!({
+            "type": "TRELLIS_FF",
+            "parameters": {"GSR": "DISABLED", "LSRMUX": "INV", "CEMUX": "1 ", "SD": "0 "},
+            "port_directions": {"CLK": "input", "LSR": "input", "CE": "input", "M": "input", "Q": "output"},
+            "connections": {"CLK": [7], "LSR": [], "CE": [], "M": [8], "Q": []},
+        });
+        settle(&mut cell).unwrap();
+        let wanted = json!({"CLK": [7], "LSR": ["0"], "CE": ["1"], "M": [8], "Q": []});
+        assert_eq!(cell["connections"], wanted);
+        assert_eq!(
+            cell["parameters"],
+            json!({"LSRMUX": "LSR", "CEMUX": "1 ", "SD": "0 "})
+        );
+    }
+
+    #[test]
+    fn what_no_model_does_is_refused() {
+        let memory = |port: &str, net: i32, mode: &str| {
+            let mut cell = json!({
+                "type": "DP16KD",
+                "parameters": {"CSDECODE_A": mode, "WEBMUX": "INV", "RSTAMUX": "INV", "CSA0MUX": "INV"},
+                "port_directions": {"WEB": "input", "RSTA": "input", "CSA0": "input"},
+                "connections": {"WEB": [], "RSTA": [], "CSA0": []},
+            });
+            cell["connections"][port] = if net > 0 { json!([net]) } else { json!([]) };
+            settle(&mut cell).err().unwrap_or_default()
+        };
+        assert_eq!(memory("WEB", 0, "0b000"), "");
+        assert_eq!(
+            memory("CSA0", 5, "0b000"),
+            "no model of a DP16KD with CSA0 inverted"
+        );
+        assert_eq!(
+            memory("RSTA", 5, "0b000"),
+            "no model of a DP16KD with RSTA inverted"
+        );
+        assert_eq!(
+            memory("WEB", 0, "0b001"),
+            "no model of a DP16KD whose CSDECODE_A is \"0b001\""
+        );
+        let mut other = json!({"type": "ALU54B", "parameters": {}});
+        assert_eq!(settle(&mut other).unwrap_err(), "no model of a ALU54B");
+    }
+}
