@@ -25,7 +25,7 @@ pub use cosim::{Cosim, Speed};
 pub use fit::{Fit, MACHINE_FILE};
 pub use frames::FrameRange;
 pub use help::{GROUPS, Group, command};
-pub use import::{Deviation, Import, Terrain};
+pub use import::{Deviation, Import, Terrain, kind_name};
 pub use look::LookOptions;
 pub use machine::Machine;
 pub use oracle::{Cracks, Raytrace, Repair};

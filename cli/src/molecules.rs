@@ -51,13 +51,12 @@ pub fn read_scene(path: &Path) -> Result<SceneFile, Failure> {
         let name = file.display().to_string();
         let bytes = load(&file)?;
         check_memory(&bytes, &file)?;
-        let format = Kind::of(&bytes, &name).and_then(Kind::format);
-        let format = format.ok_or_else(|| {
-            Failure::Input(format!(
+        let Some(Kind::Structure(format)) = Kind::of(&bytes, &name) else {
+            return Err(Failure::Input(format!(
                 "{name}: it is no structure, as the scene {} says; the PDB, PDBx/mmCIF or BinaryCIF format would be accepted",
                 path.display()
-            ))
-        })?;
+            )));
+        };
         pdb::add(&mut scene, molecule, &bytes, format, &name)?;
     }
     let named = |error| Failure::input(format!("{}: {error}", path.display()));

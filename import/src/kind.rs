@@ -5,12 +5,8 @@ use crate::pdb::Format;
 /// Kinds of files that are read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// A structure in the PDB format.
-    Pdb,
-    /// A structure in the PDBx/mmCIF format.
-    Mmcif,
-    /// A structure in the BinaryCIF format.
-    Bcif,
+    /// A molecule.
+    Structure(Format),
     /// A list of CAD faces.
     Faces,
     /// A STEP file, ISO 10303-21.
@@ -19,44 +15,26 @@ pub enum Kind {
     Heights,
 }
 
-/// Each kind with its name on the command line, what a person calls it, and endings of its files.
-const KINDS: [(Kind, &str, &str, &[&str]); 6] = [
+/// Each kind with what a person calls it, and endings of its files.
+const KINDS: [(Kind, &str, &[&str]); 6] = [
     (
-        Kind::Pdb,
-        "pdb",
+        Kind::Structure(Format::Pdb),
         "a structure in the PDB format",
         &[".pdb", ".ent"],
     ),
     (
-        Kind::Mmcif,
-        "mmcif",
+        Kind::Structure(Format::Mmcif),
         "a structure in the PDBx/mmCIF format",
         &[".cif", ".mmcif"],
     ),
     (
-        Kind::Bcif,
-        "bcif",
+        Kind::Structure(Format::Bcif),
         "a structure in the BinaryCIF format",
         &[".bcif"],
     ),
-    (
-        Kind::Faces,
-        "faces",
-        "a list of CAD faces",
-        &[".faces.toml"],
-    ),
-    (
-        Kind::Step,
-        "step",
-        "a STEP file",
-        &[".step", ".stp", ".p21"],
-    ),
-    (
-        Kind::Heights,
-        "heights",
-        "a grid of heights",
-        &[".heights", ".asc"],
-    ),
+    (Kind::Faces, "a list of CAD faces", &[".faces.toml"]),
+    (Kind::Step, "a STEP file", &[".step", ".stp", ".p21"]),
+    (Kind::Heights, "a grid of heights", &[".heights", ".asc"]),
 ];
 
 /// Records that a PDB file begins with; its coordinates may come much later.
@@ -70,22 +48,6 @@ const RECORDS: [&str; 26] = [
 const LOOKED_AT: usize = 1 << 16;
 
 impl Kind {
-    /// The name that the command line has for it.
-    pub fn name(self) -> &'static str {
-        let row = KINDS.iter().find(|(kind, ..)| *kind == self);
-        row.expect("every kind has a row").1
-    }
-
-    /// The format, if it is a structure.
-    pub fn format(self) -> Option<Format> {
-        match self {
-            Kind::Pdb => Some(Format::Pdb),
-            Kind::Mmcif => Some(Format::Mmcif),
-            Kind::Bcif => Some(Format::Bcif),
-            _ => None,
-        }
-    }
-
     /// What the bytes of a file, not compressed, and its name say; the bytes count for more.
     pub fn of(bytes: &[u8], file: &str) -> Option<Kind> {
         Kind::of_bytes(bytes).or_else(|| Kind::of_name(file))
@@ -104,7 +66,7 @@ impl Kind {
         let is_map = matches!(bytes.first(), Some(0x80..=0x8f | 0xde | 0xdf));
         let has = |word: &[u8]| bytes.windows(word.len()).any(|w| w == word);
         if is_map && (has(b"dataBlocks") || has(b"encoder")) {
-            return Some(Kind::Bcif);
+            return Some(Kind::Structure(Format::Bcif));
         }
         let text = String::from_utf8_lossy(bytes);
         let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
@@ -120,7 +82,7 @@ impl Kind {
             .iter()
             .any(|own| start.starts_with(own))
         {
-            return Some(Kind::Mmcif);
+            return Some(Kind::Structure(Format::Mmcif));
         }
         if is_grid_keyword(word) || lines().filter(is_told).take(3).all(is_heights) {
             return Some(Kind::Heights);
@@ -136,7 +98,7 @@ impl Kind {
             let ends = rest.starts_with(|c: char| c == ' ' || c.is_ascii_digit());
             (rest.is_empty() || ends) && (RECORDS.iter().any(is) || name.starts_with("ATOM "))
         };
-        is_record(first).then_some(Kind::Pdb)
+        is_record(first).then_some(Kind::Structure(Format::Pdb))
     }
 }
 

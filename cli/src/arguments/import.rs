@@ -5,10 +5,11 @@ mod molecule;
 mod terrain;
 
 use super::LookOptions;
-use super::parse::{Choices, choice};
+use super::parse::{Choices, choice, name};
 use clap::Args;
 pub use faces::{Deviation, FaceOptions};
 use imogene_import::Kind;
+use imogene_import::pdb::Format;
 pub use molecule::MoleculeOptions;
 use std::path::PathBuf;
 pub use terrain::{Terrain, TerrainOptions};
@@ -41,10 +42,15 @@ pub struct Import {
 /// Kinds of files that are read.
 #[rustfmt::skip]
 const KINDS: Choices<Kind> = &[
-    (Kind::Pdb, "pdb", "A structure of the Protein Data Bank in its PDB format (.pdb, .ent)"),
-    (Kind::Mmcif, "mmcif", "A structure in the PDBx/mmCIF format (.cif, .mmcif)"),
-    (Kind::Bcif, "bcif", "A structure in the BinaryCIF format (.bcif)"),
+    (Kind::Structure(Format::Pdb), "pdb", "A structure of the Protein Data Bank in its PDB format (.pdb, .ent)"),
+    (Kind::Structure(Format::Mmcif), "mmcif", "A structure in the PDBx/mmCIF format (.cif, .mmcif)"),
+    (Kind::Structure(Format::Bcif), "bcif", "A structure in the BinaryCIF format (.bcif)"),
     (Kind::Faces, "faces", "A list of CAD faces (.faces.toml)"),
     (Kind::Step, "step", "A STEP file, ISO 10303-21 (.step, .stp, .p21)"),
     (Kind::Heights, "heights", "A grid of heights (.heights, .asc)"),
 ];
+
+/// The name of a kind of file.
+pub fn kind_name(kind: Kind) -> &'static str {
+    name(KINDS, kind)
+}

@@ -95,7 +95,6 @@ impl EdgeBuilder<'_> {
         };
         Ok(Edge {
             name: self.keys.name.as_ref().clone(),
-            kind,
             vertices,
             curve,
             off: 0.0,

@@ -45,8 +45,6 @@ pub struct Model {
 pub struct Edge {
     /// Name.
     pub name: String,
-    /// Its kind in the list: `line`, `circle`, `ellipse` or `points`.
-    pub kind: &'static str,
     /// Its course.
     pub curve: Curve,
     /// How far the curve of the file is off its course at most, scene units; 0 if it is the same.

@@ -4,7 +4,7 @@ use super::bonds::TOLERANCE;
 use super::choose::{Chosen, LeftOut};
 use super::options::Options;
 use super::scene::Drawn;
-use super::structure::{Remark, Structure};
+use super::structure::Structure;
 use super::words::listed;
 use imogene_files::text::counted;
 use serde::Serialize;
@@ -49,7 +49,7 @@ pub fn report(
         *elements.entry(atom.element.symbol).or_default() += 1;
         chains.insert(structure.words.text(atom.chain));
     }
-    let remark = |remark| structure.count(remark);
+    let remarks = &structure.remarks;
     let shown: Vec<i64> = chosen.iter().map(|c| c.number).collect();
     let short = |v: f64| (v * 1e4).round() / 1e4;
     let (low, high) = (drawn.extent.0.map(short), drawn.extent.1.map(short));
@@ -68,8 +68,8 @@ pub fn report(
         "assembly_drawn": options.assembly,
         "chains": chains,
         "elements": elements,
-        "elements_from_names": remark(Remark::NamedElement),
-        "elements_unknown": remark(Remark::NoElement),
+        "elements_from_names": remarks.named_element,
+        "elements_unknown": remarks.no_element,
         "bonds": drawn.bonds.pairs.len(),
         "bonds_from_file_alone": drawn.bonds.connected,
         "spheres": drawn.spheres,
@@ -95,7 +95,7 @@ pub fn report(
     };
     let assemblies = listed(read.assemblies.iter().cloned());
     let as_they_stand = options.assembly.is_none() && !read.assemblies.is_empty();
-    let no_occupancy = remark(Remark::NoOccupancy);
+    let no_occupancy = remarks.no_occupancy;
     let guessed = guessed.into_iter().collect::<Vec<_>>().join(", ");
     let farther = format!(
         "that only the file says: farther apart than the covalent radii and {TOLERANCE} angstroms, or of a kind that is not looked for"
@@ -117,10 +117,11 @@ pub fn report(
                 "the coordinates as they stand; --assembly {assemblies} draws what it makes of them"
             )
         }),
-        (remark(Remark::OtherBlocks) > 0)
+        remarks
+            .other_blocks
             .then(|| "further data blocks left out: the first that has atoms is drawn".to_owned()),
         told(
-            remark(Remark::OtherCells),
+            remarks.other_cells,
             "bond",
             "to other cells of the crystal left out",
         ),
@@ -132,12 +133,12 @@ pub fn report(
         told(left_out.hydrogens, "hydrogen", "left out"),
         told(left_out.water, "atom", "of water left out"),
         told(
-            remark(Remark::NamedElement),
+            remarks.named_element,
             "atom",
             "without an element's symbol: element from the atom's name",
         ),
         told(
-            remark(Remark::NoElement),
+            remarks.no_element,
             "atom",
             "of no known element: drawn with a van der Waals radius of 2.0 and a covalent one of 1.5 angstroms, in pink",
         ),

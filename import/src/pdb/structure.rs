@@ -3,7 +3,6 @@
 use super::assembly::Assemblies;
 use super::element::{Element, UNKNOWN, of_name, of_symbol};
 use super::words::{Serial, Word, Words};
-use std::collections::HashMap;
 
 /// An atom; millions of them are held.
 #[derive(Clone, Debug)]
@@ -66,34 +65,26 @@ pub struct Structure {
     /// What can be put together of copies of its chains.
     pub assemblies: Assemblies,
     pub words: Words,
-    /// What was unusual, each with the number of places.
-    pub remarks: HashMap<Remark, usize>,
+    pub remarks: Remarks,
 }
 
-/// What a reader may want to know of a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Remark {
+/// What a reader may want to know of a file: in how many places it is unusual.
+#[derive(Debug, Default)]
+pub struct Remarks {
     /// Element from the atom's name.
-    NamedElement,
-    NoElement,
-    NoOccupancy,
+    pub named_element: usize,
+    pub no_element: usize,
+    pub no_occupancy: usize,
     /// Data blocks behind the first with atoms.
-    OtherBlocks,
+    pub other_blocks: bool,
     /// Bonds to copies of the crystal.
-    OtherCells,
+    pub other_cells: usize,
 }
 
 impl Structure {
-    /// Counts something unusual.
-    pub fn remark(&mut self, remark: Remark) {
-        *self.remarks.entry(remark).or_default() += 1;
-    }
-
     /// The occupancy of an atom; 1 if the file does not give it, or no number.
     pub fn occupancy(&mut self, is_given: bool, number: Option<f64>) -> f32 {
-        if is_given && number.is_none() {
-            self.remark(Remark::NoOccupancy);
-        }
+        self.remarks.no_occupancy += usize::from(is_given && number.is_none());
         number.unwrap_or(1.0) as f32
     }
 
@@ -112,15 +103,9 @@ impl Structure {
         }
         let (columns, residue) = name();
         let found = of_name(columns, &residue);
-        self.remark(match found {
-            Some(_) => Remark::NamedElement,
-            None => Remark::NoElement,
-        });
+        self.remarks.named_element += usize::from(found.is_some());
+        self.remarks.no_element += usize::from(found.is_none());
         found.unwrap_or(&UNKNOWN)
-    }
-
-    pub fn count(&self, remark: Remark) -> usize {
-        self.remarks.get(&remark).copied().unwrap_or(0)
     }
 }
 

@@ -22,7 +22,9 @@ fn bytes(name: &str) -> Vec<u8> {
 fn try_import(name: &str, options: &Options) -> Result<Imported, ImportError> {
     let bytes = bytes(name);
     let kind = Kind::of(&bytes, "no ending").expect("known by what it holds");
-    let format = kind.format().expect("a structure");
+    let Kind::Structure(format) = kind else {
+        panic!("{kind:?} is no structure");
+    };
     pdb::read(&bytes, format, name, options)
 }
 
@@ -237,11 +239,17 @@ fn kinds_are_known_by_what_files_hold() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let read = |path: &str| std::fs::read(root.join(path)).expect(path);
     let kinds = [
-        ("import/tests/data/1A8O.cif", Kind::Mmcif),
-        ("import/tests/data/1SSU_mod.cif", Kind::Mmcif),
-        ("import/tests/data/1A8O.pdb", Kind::Pdb),
-        ("import/tests/data/disordered.pdb", Kind::Pdb),
-        ("scenes/molecules/helix.pdb", Kind::Pdb),
+        ("import/tests/data/1A8O.cif", Kind::Structure(Format::Mmcif)),
+        (
+            "import/tests/data/1SSU_mod.cif",
+            Kind::Structure(Format::Mmcif),
+        ),
+        ("import/tests/data/1A8O.pdb", Kind::Structure(Format::Pdb)),
+        (
+            "import/tests/data/disordered.pdb",
+            Kind::Structure(Format::Pdb),
+        ),
+        ("scenes/molecules/helix.pdb", Kind::Structure(Format::Pdb)),
         ("parts/bracket.faces.toml", Kind::Faces),
         ("parts/nut.step", Kind::Step),
         ("scenes/terrain/hills.heights", Kind::Heights),
@@ -250,14 +258,20 @@ fn kinds_are_known_by_what_files_hold() {
         // A name that says something else counts for less.
         assert_eq!(Kind::of(&read(path), "a.stp"), Some(kind), "{path}");
     }
-    assert_eq!(Kind::of(&bytes("3jqh.bcif.gz"), "a.stp"), Some(Kind::Bcif));
+    assert_eq!(
+        Kind::of(&bytes("3jqh.bcif.gz"), "a.stp"),
+        Some(Kind::Structure(Format::Bcif))
+    );
     let texts = [
         ("NCOLS 2\nnrows 2", Some(Kind::Heights)),
         ("# heights\nstep 2 2\n1 2\n3 4", Some(Kind::Heights)),
         ("3\nwater\nO 0 0 0", None),
-        ("ATOM 100000  CA  ALA", Some(Kind::Pdb)),
-        ("\u{feff}atom      1  CA", Some(Kind::Pdb)),
-        ("\r\n  DATA_x", Some(Kind::Mmcif)),
+        ("ATOM 100000  CA  ALA", Some(Kind::Structure(Format::Pdb))),
+        (
+            "\u{feff}atom      1  CA",
+            Some(Kind::Structure(Format::Pdb)),
+        ),
+        ("\r\n  DATA_x", Some(Kind::Structure(Format::Mmcif))),
         ("hello", None),
         ("HEADER;\nFILE_NAME('x')", None),
         ("", None),
@@ -267,10 +281,10 @@ fn kinds_are_known_by_what_files_hold() {
     }
     // What its contents do not show, the name does.
     let named = [
-        ("a.PDB", Kind::Pdb),
-        ("a.ent.gz", Kind::Pdb),
-        ("a.cif.gz", Kind::Mmcif),
-        ("a.bcif", Kind::Bcif),
+        ("a.PDB", Kind::Structure(Format::Pdb)),
+        ("a.ent.gz", Kind::Structure(Format::Pdb)),
+        ("a.cif.gz", Kind::Structure(Format::Mmcif)),
+        ("a.bcif", Kind::Structure(Format::Bcif)),
         ("a.asc", Kind::Heights),
     ];
     for (name, kind) in named {

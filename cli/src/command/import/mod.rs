@@ -5,12 +5,11 @@ mod molecule;
 mod terrain;
 
 use super::looked;
-use crate::arguments::Import;
+use crate::arguments::{Import, kind_name};
 use crate::failure::Failure;
 use crate::molecules::load;
 use crate::{missing, output};
 use imogene_files::text::counted;
-use imogene_import::pdb::Format;
 use imogene_import::{Kind, is_scene, kinds};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -34,9 +33,7 @@ pub fn run(options: &Import, json: bool) -> Result<(), Failure> {
         None => kind_of(&bytes, &options.file)?,
     };
     let mut imported = match kind {
-        Kind::Pdb => molecule::import(bytes, Format::Pdb, options)?,
-        Kind::Mmcif => molecule::import(bytes, Format::Mmcif, options)?,
-        Kind::Bcif => molecule::import(bytes, Format::Bcif, options)?,
+        Kind::Structure(format) => molecule::import(bytes, format, options)?,
         Kind::Faces => faces::import(&bytes, options)?,
         Kind::Step => faces::import_step(&bytes, options)?,
         Kind::Heights => terrain::import(&bytes, options)?,
@@ -49,7 +46,7 @@ pub fn run(options: &Import, json: bool) -> Result<(), Failure> {
     output::write_text(&options.output, &text)?;
     let report = ImportReport {
         file: options.file.clone(),
-        kind: kind.name(),
+        kind: kind_name(kind),
         objects,
         report: imported.report,
         notes: imported.notes,

@@ -24,7 +24,7 @@ pub fn import(bytes: Vec<u8>, format: Format, options: &Import) -> Result<Import
 pub fn referred(mut imported: Imported, kind: Kind, options: &Import) -> Result<Imported, Failure> {
     let asked = &options.molecule;
     let is_long = imported.scene.objects.len() > MOST_LINES && !asked.inline;
-    if kind.format().is_none() || !(asked.reference || is_long) {
+    if !matches!(kind, Kind::Structure(_)) || !(asked.reference || is_long) {
         return Ok(imported);
     }
     let file = relative(&options.file, &options.output)?;

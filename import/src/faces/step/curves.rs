@@ -17,8 +17,8 @@ const CONIC_STEPS: usize = 64;
 /// Steps of a spline: four to a piece.
 const SPLINE_STEPS: std::ops::RangeInclusive<usize> = 48..=256;
 
-/// An edge's kind and course, or why it has none.
-pub type Found = Result<(&'static str, Curve), String>;
+/// The course of an edge, or why it has none.
+pub type Found = Result<Curve, String>;
 
 /// An edge between its vertices, in the space of its representation, millimetres.
 #[derive(Clone, Copy, Debug)]
@@ -85,7 +85,7 @@ impl<'a> Span<'a> {
         let off = |p: Vector| length(across(minus(p, origin), course));
         let missed = off(from).max(off(to));
         on_curve(missed, tolerance)?;
-        Ok(("line", Curve::Line { from, to }))
+        Ok(Curve::Line { from, to })
     }
 
     fn ellipse(&self, args: &Args<'a>) -> Found {
@@ -104,8 +104,7 @@ impl<'a> Span<'a> {
         };
         let tolerance = self.tolerance(first.max(second));
         let arc = ellipse.arc(Some(self.ends), self.closed, tolerance);
-        let kind = if circle { "circle" } else { "ellipse" };
-        arc.map(|arc| (kind, arc)).map_err(|(problem, _)| problem)
+        arc.map_err(|(problem, _)| problem)
     }
 
     /// A hyperbola or a parabola: points on it, evenly in its parameter.
@@ -204,7 +203,7 @@ impl<'a> Span<'a> {
         if is_short || points.iter().flatten().any(|v| !v.is_finite()) {
             return Err("it has no length".into());
         }
-        Ok(("points", Curve::through(points, closed, COINCIDENT * size)))
+        Ok(Curve::through(points, closed, COINCIDENT * size))
     }
 }
 

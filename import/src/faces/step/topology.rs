@@ -289,7 +289,6 @@ impl Topology {
             let edge = *space.sides.entry(key).or_insert_with(|| {
                 edges.push(Edge {
                     name: format!("#{}-#{}", key[0], key[1]),
-                    kind: "line",
                     curve: Curve::Line { from, to },
                     off: 0.0,
                     vertices: None,
@@ -361,10 +360,9 @@ impl Topology {
         };
         let curve = args.entity(3).map_err(String::from);
         let edge = match curve.and_then(|curve| span.of(curve)) {
-            Ok((kind, curve)) => {
+            Ok(curve) => {
                 self.model.edges.push(Edge {
                     name: format!("#{}", entity.id),
-                    kind,
                     curve: placed(curve, &space.place),
                     off: 0.0,
                     vertices: Some(vertices),

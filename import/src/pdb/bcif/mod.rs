@@ -5,7 +5,7 @@ mod decode;
 use super::cif::{
     ATOMS, Atoms, Table, Tables, WANTED, columns, finish, instead_of_atoms, kept, no_atoms,
 };
-use super::structure::{Remark, Structure};
+use super::structure::Structure;
 use crate::error::{Result, unusable};
 use decode::{Budget, Values, array, decode, get, text};
 use rmpv::ValueRef;
@@ -49,9 +49,7 @@ pub fn read(bytes: &[u8], file: &str) -> Result<Structure> {
         if structure.models.is_empty() {
             continue;
         }
-        if place + 1 < blocks.len() {
-            structure.remark(Remark::OtherBlocks);
-        }
+        structure.remarks.other_blocks = place + 1 < blocks.len();
         finish(&mut structure, &tables, &|_, problem, accepted| {
             unusable(file, problem, accepted)
         });

@@ -1,7 +1,7 @@
 //! What the categories beside the atoms say: title, bonds, assemblies.
 
 use super::super::assembly::{Copies, IDENTITY, Part, Rows};
-use super::super::structure::{End, Remark, Structure};
+use super::super::structure::{End, Structure};
 use super::super::words::{Words, plain};
 use super::atoms::number;
 use super::table::Row;
@@ -51,7 +51,7 @@ fn connection(structure: &mut Structure, row: Row) {
     }
     let symmetries = ["ptnr1_symmetry", "ptnr2_symmetry"].map(|item| row.text(item));
     if symmetries.iter().any(|s| !s.is_empty() && *s != HERE) {
-        structure.remark(Remark::OtherCells);
+        structure.remarks.other_cells += 1;
         return;
     }
     let words = &mut structure.words;

@@ -12,7 +12,7 @@ pub use atoms::{Atoms, WANTED};
 pub use meaning::finish;
 pub use table::{Cell, Table};
 
-use super::structure::{Remark, Structure};
+use super::structure::Structure;
 use super::words::plain;
 use crate::error::{ImportError, Result, unusable};
 use std::collections::HashMap;
@@ -137,7 +137,7 @@ impl<'a> Reader<'a> {
                 Token::Data(name) => {
                     self.only_atom()?;
                     if !self.structure.models.is_empty() {
-                        self.structure.remark(Remark::OtherBlocks);
+                        self.structure.remarks.other_blocks = true;
                         return Ok(());
                     }
                     self.block.name = plain(name);
