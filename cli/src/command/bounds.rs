@@ -67,7 +67,7 @@ fn try_bounds(options: &Bounds, json: bool) -> Result<(), Failure> {
 
 /// The table's head: one column for each bound, with the worst and the mean ratio of an error to it.
 fn trial_head() -> String {
-    let terms = Term::ALL.iter().map(|t| t.name());
+    let terms = Term::ALL.map(|(_, name)| name);
     format!(
         "| W, g1:g2 | cases | comparisons | in integers | violations | {} |\n|{}",
         output::joined(terms, " | "),

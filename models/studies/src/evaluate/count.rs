@@ -78,13 +78,9 @@ pub struct Counted<'c> {
 }
 
 impl<'c> Counted<'c> {
-    fn with(self, value: f64) -> Counted<'c> {
-        self.counter.number(value)
-    }
-
     /// A constant beside this number: free.
     pub fn constant(self, value: f64) -> Counted<'c> {
-        self.with(value)
+        self.counter.number(value)
     }
 
     /// Twice the number, by an addition.
@@ -95,7 +91,7 @@ impl<'c> Counted<'c> {
     /// A number that is the result of an operation.
     fn counted(self, kind: fn(&mut Tally) -> &mut u64, value: f64) -> Counted<'c> {
         self.counter.note(kind);
-        self.with(value)
+        self.constant(value)
     }
 
     /// Its square root.
@@ -154,53 +150,35 @@ impl<'c> Counted<'c> {
     }
 }
 
-impl Add for Counted<'_> {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        self.counted(|tally| &mut tally.additions, self.value + other.value)
-    }
+/// An operation between two numbers, counted among those of a kind.
+macro_rules! operation {
+    ($operator:ident, $name:ident, $kind:ident) => {
+        impl $operator for Counted<'_> {
+            type Output = Self;
+            fn $name(self, other: Self) -> Self {
+                self.counted(|tally| &mut tally.$kind, self.value.$name(other.value))
+            }
+        }
+
+        // By reference, as the algebra of this project multiplies and subtracts.
+        impl<'c> $operator for &Counted<'c> {
+            type Output = Counted<'c>;
+            fn $name(self, other: Self) -> Counted<'c> {
+                (*self).$name(*other)
+            }
+        }
+    };
 }
 
-impl Sub for Counted<'_> {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        self.counted(|tally| &mut tally.additions, self.value - other.value)
-    }
-}
-
-impl Mul for Counted<'_> {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        self.counted(|tally| &mut tally.multiplications, self.value * other.value)
-    }
-}
-
-impl Div for Counted<'_> {
-    type Output = Self;
-    fn div(self, other: Self) -> Self {
-        self.counted(|tally| &mut tally.divisions, self.value / other.value)
-    }
-}
+operation!(Add, add, additions);
+operation!(Sub, sub, additions);
+operation!(Mul, mul, multiplications);
+operation!(Div, div, divisions);
 
 impl Neg for Counted<'_> {
     type Output = Self;
     fn neg(self) -> Self {
-        self.with(-self.value)
-    }
-}
-
-// By reference, as the algebra of this project multiplies and subtracts.
-impl<'c> Mul for &Counted<'c> {
-    type Output = Counted<'c>;
-    fn mul(self, other: Self) -> Counted<'c> {
-        *self * *other
-    }
-}
-
-impl<'c> Sub for &Counted<'c> {
-    type Output = Counted<'c>;
-    fn sub(self, other: Self) -> Counted<'c> {
-        *self - *other
+        self.constant(-self.value)
     }
 }
 

@@ -1,6 +1,6 @@
 //! How many zones a box touches (source: 1.3.2, chapter 5).
 
-use super::error::EvaluateError;
+use super::EvaluateError;
 use super::scenes::{Moving, ZONE_SIDE, zone_machine};
 use imogene_plan::zone::plan::ZonePlan;
 use serde::Serialize;

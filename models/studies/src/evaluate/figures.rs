@@ -1,8 +1,8 @@
 //! The counts that the rows are made of, by name: numbers to keep and to send, scans in software, loading, clocks.
 
+use super::EvaluateError;
 use super::count::Counter;
 use super::duplication::{Edges, planned, touched};
-use super::error::EvaluateError;
 use super::hardware::{
     DEVICE, Figures, GATES, Hardware, MACHINE_PLANES, MACHINE_PROCESSORS, PLAIN_DEVICE, Resources,
 };
@@ -46,11 +46,7 @@ pub fn counts(hardware: &Hardware) -> Result<Environment<'static>, EvaluateError
     resources(&mut names)?;
     let [ball, _, patch] = balls()?;
     let figures = [
-        json!(
-            steps::costs()
-                .into_iter()
-                .collect::<serde_json::Map<_, _>>()
-        ),
+        Value::Object(steps::costs()),
         duplication(&ball)?,
         software(),
         storage(&patch)?,

@@ -1,6 +1,6 @@
 //! Figures of the hardware: parts of the processors as they are emitted, and the table of resources.
 
-use super::error::EvaluateError;
+use super::EvaluateError;
 use imogene_plan::zone::clocks::ZoneTiming;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -73,7 +73,7 @@ pub struct Figures {
 impl Resources {
     /// The table that is compiled in.
     pub fn compiled_in() -> Result<Resources, EvaluateError> {
-        Ok(serde_json::from_str(TABLE)?)
+        serde_json::from_str(TABLE).map_err(|error| format!("docs/resources.json: {error}").into())
     }
 
     /// A figure of a unit on a device, in the table of all units or of those with so many planes.
@@ -93,13 +93,9 @@ impl Resources {
             let planes = planes.is_none_or(|n| line.parameters.get("planes") == Some(&n));
             line.section == section && line.unit == unit && line.target == target && planes
         };
-        let missing = |figure| EvaluateError::Missing {
-            unit: unit.into(),
-            target: target.into(),
-            figure,
-        };
+        let missing = |figure: &str| format!("no {figure} of `{unit}` for {target}");
         let line = self.rows.iter().find(is_wanted);
         let line = line.ok_or_else(|| missing("row"))?;
-        figure(&line.figures).ok_or_else(|| missing(what))
+        figure(&line.figures).ok_or_else(|| missing(what).into())
     }
 }

@@ -8,7 +8,6 @@
 
 mod count;
 mod duplication;
-mod error;
 mod figures;
 mod hardware;
 mod page;
@@ -19,9 +18,11 @@ mod steps;
 mod table;
 pub mod work;
 
-pub use error::EvaluateError;
 pub use hardware::{Hardware, MACHINE_PLANES, MACHINE_PROCESSORS, Parts};
 pub use page::{markdown, page};
 pub use plot::{duplication_plot, operations_plot};
 pub use row::{Evaluation, Group, Omitted, Printed, Row};
 pub use table::evaluate;
+
+/// Why there is no evaluation: a defect of this workspace, since nothing is given that could be wrong.
+pub type EvaluateError = Box<dyn std::error::Error + Send + Sync>;

@@ -1,6 +1,6 @@
 //! The evaluation as text and as a page.
 
-use super::error::EvaluateError;
+use super::EvaluateError;
 use super::plot::{duplication_plot, operations_plot};
 use super::row::{Evaluation, Row, number};
 use crate::kit::page::{line, rendered};

@@ -1,7 +1,7 @@
 //! Two pictures of the evaluation: duplication over the size of a box, operations of an object there and here.
 
+use super::EvaluateError;
 use super::duplication::{Edges, formula, touched};
-use super::error::EvaluateError;
 use super::row::Evaluation;
 use crate::kit::plot::{Area, COLOURS, FONT, GREY, Outcome, series_labels, svg};
 use plotters::coord::ranged1d::SegmentValue;

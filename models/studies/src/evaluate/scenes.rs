@@ -1,6 +1,6 @@
 //! Prepared objects that the counts are taken from: real words, moved about in whole pixels.
 
-use super::error::EvaluateError;
+use super::EvaluateError;
 use super::hardware::MACHINE_PLANES;
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::ZoneMachine;

@@ -13,7 +13,7 @@ use super::work::transform::{
 use super::work::zones::{outline, outline_of};
 use super::work::{quadric, transform, zones};
 use imogene_algebra::matrix::{cofactors4, image, product};
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 const MATRIX: [[f64; 4]; 4] = [
     [2.0, -1.0, 3.0, 5.0],
@@ -181,14 +181,11 @@ const STEPS: &[Step] = &[
 
 /// What each step costs. Without products, where a factor is a power of two and they are shifts, a step costs its
 /// additions.
-pub fn costs() -> Vec<(String, Value)> {
-    let costs: Vec<(&str, Tally)> = STEPS
-        .iter()
-        .map(|(name, step)| (*name, cost(step)))
-        .collect();
-    let whole = costs
-        .iter()
-        .map(|(name, cost)| ((*name).into(), json!(cost.weighted())));
+pub fn costs() -> Map<String, Value> {
+    let costs = STEPS.iter().map(|(name, step)| (*name, cost(step)));
+    let costs: Vec<(&str, Tally)> = costs.collect();
+    let weighted = |(name, cost): &(&str, Tally)| ((*name).into(), json!(cost.weighted()));
+    let whole = costs.iter().map(weighted);
     let moved = costs.iter().filter(|(name, _)| name.starts_with("moved"));
     let shifted = moved.map(|(name, cost)| (format!("{name}_by_shifts"), json!(cost.additions)));
     let exponent = ("worst_exponent".into(), json!(WORST_EXPONENT));

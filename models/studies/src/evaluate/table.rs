@@ -1,6 +1,6 @@
 //! The rows of `evaluation.toml`, their expressions worked out.
 
-use super::error::EvaluateError;
+use super::EvaluateError;
 use super::figures::counts;
 use super::hardware::{Hardware, Parts};
 use super::row::{Evaluation, Group, Omitted, Printed, Row};
@@ -83,7 +83,8 @@ struct Processor {
 
 /// Counts everything.
 pub fn evaluate(hardware: &Hardware) -> Result<Evaluation, EvaluateError> {
-    let table: Table = toml::from_str(include_str!("evaluation.toml"))?;
+    let table: Table = toml::from_str(include_str!("evaluation.toml"))
+        .map_err(|error| format!("evaluation.toml: {error}"))?;
     let sums = Sums::of(&table.sums, counts(hardware)?)?;
     let groups = table.groups.iter().map(|subject| {
         let rows = subject.rows.iter().map(|line| sums.row(line, subject));
@@ -157,10 +158,7 @@ impl<'a> Sums<'a> {
 }
 
 fn failed(expression: &str, problem: &minijinja::Error) -> EvaluateError {
-    EvaluateError::Expression {
-        expression: expression.into(),
-        problem: format!("{problem:#}"),
-    }
+    format!("evaluation.toml, `{expression}`: {problem:#}").into()
 }
 
 /// Additions of the elementary processors at a pixel: one of a PE1, two of a PE2.
@@ -171,11 +169,8 @@ fn additions([pe1, pe2, ..]: [usize; 4]) -> f64 {
 impl Processor {
     fn rows(&self, all: &[Parts]) -> Result<Vec<Row>, EvaluateError> {
         let own = |p: &&Parts| p.unit == self.unit && p.parameters == self.parameters;
-        let parts = all.iter().find(own).ok_or_else(|| EvaluateError::Missing {
-            unit: self.unit.clone(),
-            target: self.parameters.clone(),
-            figure: "parts",
-        })?;
+        let missing = || format!("no parts of `{}` for {}", self.unit, self.parameters);
+        let parts = all.iter().find(own).ok_or_else(missing)?;
         let ours = [parts.pe1, parts.pe2, parts.roots, parts.multipliers];
         let row = |what: &str, unit: &str, printed: Printed, ours: f64, corrected: Option<f64>| {
             let name = format!("{}: {what}", self.name);

@@ -4,22 +4,6 @@ use imogene_analysis::metrics::Metrics;
 use serde::Serialize;
 use std::fmt;
 use std::str::FromStr;
-use thiserror::Error;
-
-/// Text that names no limit.
-#[derive(Debug, Error, PartialEq, Eq)]
-pub enum LimitError {
-    /// Of a depth.
-    #[error(
-        "'{0}' is no limit of a depth; expected words of the base format, such as 1 or 1lsb (a word is D / (2^23 - 1)), or pixels of depth, such as 0.5px"
-    )]
-    Depth(String),
-    /// Of a number of pixels.
-    #[error(
-        "'{0}' is no number of pixels; expected one such as 0 or 12, or a part of the picture such as 0.1%"
-    )]
-    Count(String),
-}
 
 /// Greatest error of a depth.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -47,27 +31,34 @@ fn positive(text: &str) -> Option<f64> {
 }
 
 impl FromStr for DepthLimit {
-    type Err = LimitError;
+    type Err = String;
 
-    fn from_str(text: &str) -> Result<Self, LimitError> {
-        let refused = || LimitError::Depth(text.to_owned());
-        if let Some(pixels) = text.strip_suffix("px") {
-            return positive(pixels).map(Self::Pixels).ok_or_else(refused);
-        }
-        let words = text.strip_suffix("lsb").unwrap_or(text);
-        positive(words).map(Self::Words).ok_or_else(refused)
+    fn from_str(text: &str) -> Result<Self, String> {
+        let limit = match text.strip_suffix("px") {
+            Some(pixels) => positive(pixels).map(Self::Pixels),
+            None => positive(text.strip_suffix("lsb").unwrap_or(text)).map(Self::Words),
+        };
+        limit.ok_or_else(|| {
+            format!(
+                "'{text}' is no limit of a depth; expected words of the base format, such as 1 or 1lsb (a word is D / (2^23 - 1)), or pixels of depth, such as 0.5px"
+            )
+        })
     }
 }
 
 impl FromStr for CountLimit {
-    type Err = LimitError;
+    type Err = String;
 
-    fn from_str(text: &str) -> Result<Self, LimitError> {
-        let refused = || LimitError::Count(text.to_owned());
-        if let Some(percent) = text.strip_suffix('%') {
-            return positive(percent).map(Self::Percent).ok_or_else(refused);
-        }
-        text.parse().map(Self::Pixels).map_err(|_| refused())
+    fn from_str(text: &str) -> Result<Self, String> {
+        let limit = match text.strip_suffix('%') {
+            Some(percent) => positive(percent).map(Self::Percent),
+            None => text.parse().ok().map(Self::Pixels),
+        };
+        limit.ok_or_else(|| {
+            format!(
+                "'{text}' is no number of pixels; expected one such as 0 or 12, or a part of the picture such as 0.1%"
+            )
+        })
     }
 }
 
@@ -153,22 +144,17 @@ impl Budget {
 
     /// The options of the command line that give it.
     pub fn options(&self) -> String {
-        let limits = [
-            ("depth-error", self.depth.map(|limit| limit.to_string())),
-            (
-                "silhouette-errors",
-                self.silhouette.map(|limit| limit.to_string()),
-            ),
-            ("face-errors", self.faces.map(|limit| limit.to_string())),
-            ("colour-error", self.colour.map(|limit| limit.to_string())),
-            ("normal-error", self.normal.map(|limit| limit.to_string())),
-        ];
-        let given = limits
-            .into_iter()
-            .filter_map(|(name, limit)| Some((name, limit?)));
-        given
-            .map(|(name, limit)| format!(" --max-{name} {limit}"))
-            .collect()
+        fn option<T: fmt::Display>(name: &str, limit: Option<T>) -> String {
+            limit.map_or(String::new(), |limit| format!(" --max-{name} {limit}"))
+        }
+        [
+            option("depth-error", self.depth),
+            option("silhouette-errors", self.silhouette),
+            option("face-errors", self.faces),
+            option("colour-error", self.colour),
+            option("normal-error", self.normal),
+        ]
+        .concat()
     }
 
     /// Every limit against the metrics of one frame of so many pixels.

@@ -1,9 +1,9 @@
 //! The frames that a machine has to draw, each with its truth, and what a machine of given words makes of them.
 
-use super::FitError;
 use super::budget::{Budget, Item, worst};
 use super::machine::MOST_OF_BEAM;
 use super::search::MOST_GUARDS;
+use super::{Cause, FitError};
 use crate::kit::words::{drawn, narrowest};
 use imogene_analysis::metrics::{Drawing, Metrics, Truth, measure};
 use imogene_contract::MachineWords;
@@ -29,7 +29,7 @@ pub struct Frame {
 impl Frame {
     /// What the machine shows.
     fn draw(&self, prepared: &PreparedScene) -> Result<Drawing, FitError> {
-        drawn(&self.scene, prepared).map_err(|source| self.refused(source.into()))
+        drawn(&self.scene, prepared).map_err(|source| self.refused(DisplayError::from(source)))
     }
 
     /// The map of the errors of the picture: red, green and blue of every pixel.
@@ -41,11 +41,8 @@ impl Frame {
         Ok(measure(&self.truth, &self.draw(prepared)?).1)
     }
 
-    pub(super) fn refused(&self, source: DisplayError) -> FitError {
-        FitError::Machine {
-            scene: self.name.clone(),
-            source: Box::new(source),
-        }
+    pub(super) fn refused(&self, source: impl Into<Cause>) -> FitError {
+        FitError::of(&self.name, source)
     }
 }
 
@@ -92,10 +89,7 @@ impl Frames {
         let scenes = files.iter().map(|(name, file)| {
             let (width, height) = size.unwrap_or((file.image.width, file.image.height));
             let framed = file.frame(width, height);
-            framed.map_err(|source| FitError::Scene {
-                scene: name.clone(),
-                source: Box::new(source),
-            })
+            framed.map_err(|source| FitError::of(name, source))
         });
         let scenes: Vec<FramedScene> = scenes.collect::<Result<_, _>>()?;
         for ((name, _), scene) in files.iter().zip(&scenes) {
@@ -113,10 +107,7 @@ impl Frames {
             let wide = Format::BASE.with_guards(MOST_GUARDS.0, 0);
             let wide = wide.expect("guard bits of f1 within their range");
             let prepared = prepare_for_roots(&frame.scene, wide);
-            let prepared = prepared.map_err(|source| FitError::Prepare {
-                scene: frame.name.clone(),
-                source: Box::new(source),
-            })?;
+            let prepared = prepared.map_err(|source| frame.refused(source))?;
             let zone = needs::check_any(MachineKind::Zone, &frame.scene, &prepared);
             let zone = zone.map_err(|source| frame.refused(source));
             let beam = needs::check_any(MachineKind::Beam, &frame.scene, &prepared);
@@ -191,12 +182,7 @@ impl Frames {
                 Err(PrepareError::TooLarge { .. } | PrepareError::SteepPlane { .. }) => {
                     return Ok(None);
                 }
-                Err(source) => {
-                    return Err(FitError::Prepare {
-                        scene: frame.name.clone(),
-                        source: Box::new(source),
-                    });
-                }
+                Err(source) => return Err(frame.refused(source)),
             }
         }
         Ok(Some(all))

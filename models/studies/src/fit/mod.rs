@@ -13,37 +13,21 @@ pub mod search;
 
 use imogene_files::text::counted;
 use imogene_plan::description::DescriptionError;
-use imogene_plan::display::DisplayError;
-use imogene_prepare::error::PrepareError;
-use imogene_scene::SceneError;
 use thiserror::Error;
+
+/// What is wrong with a scene.
+pub type Cause = Box<dyn std::error::Error + Send + Sync>;
 
 /// Why nothing can be fitted.
 #[derive(Debug, Error)]
 pub enum FitError {
-    /// A scene at this size.
+    /// A scene that is none at this size, that no machine takes whatever its words, or that none shows.
     #[error("{scene}: {source}")]
     Scene {
         /// The file.
         scene: String,
-        /// What is wrong with it.
-        source: Box<SceneError>,
-    },
-    /// A scene that no machine takes, whatever its words.
-    #[error("{scene}: {source}")]
-    Prepare {
-        /// The file.
-        scene: String,
         /// What is in the way.
-        source: Box<PrepareError>,
-    },
-    /// A scene that no machine shows.
-    #[error("{scene}: {source}")]
-    Machine {
-        /// The file.
-        scene: String,
-        /// What is in the way.
-        source: Box<DisplayError>,
+        source: Cause,
     },
     /// More objects or volumes than a beam machine has processors.
     #[error(
@@ -92,4 +76,14 @@ pub enum FitError {
          --max-normal-error"
     )]
     NoBudget,
+}
+
+impl FitError {
+    /// A scene is in the way.
+    fn of(scene: &str, source: impl Into<Cause>) -> FitError {
+        FitError::Scene {
+            scene: scene.to_owned(),
+            source: source.into(),
+        }
+    }
 }

@@ -219,7 +219,7 @@ fn places(case: &Case, random: &mut Random) -> Vec<(i64, i64)> {
 }
 
 fn report(format: &Format, cases: u64, tally: Tally) -> TrialReport {
-    let fared = |term| TermReport {
+    let fared = |(term, _)| TermReport {
         term,
         fared: tally.fared(term),
     };

@@ -37,36 +37,24 @@ pub enum Term {
 }
 
 impl Term {
-    /// Every term in the order of reports.
-    pub const ALL: [Term; 11] = [
-        Term::Linear,
-        Term::QuadraticValue,
-        Term::QuadraticRoot,
-        Term::RootFloor,
-        Term::Truncation,
-        Term::Depth,
-        Term::DepthClosedForm,
-        Term::Silhouette,
-        Term::Normal,
-        Term::LinearBeforehand,
-        Term::QuadraticBeforehand,
+    /// Every term in the order of reports, and what is bounded, for a person.
+    pub const ALL: [(Term, &str); 11] = [
+        (Term::Linear, "f1 coefficients"),
+        (Term::QuadraticValue, "f2 coefficients"),
+        (Term::QuadraticRoot, "f2 through the root"),
+        (Term::RootFloor, "floor of the root"),
+        (Term::Truncation, "dropped guards"),
+        (Term::Depth, "depth"),
+        (Term::DepthClosedForm, "depth, closed form"),
+        (Term::Silhouette, "silhouette"),
+        (Term::Normal, "normal"),
+        (Term::LinearBeforehand, "f1, beforehand"),
+        (Term::QuadraticBeforehand, "f2, beforehand"),
     ];
 
     /// What is bounded, for a person.
     pub const fn name(self) -> &'static str {
-        match self {
-            Term::Linear => "f1 coefficients",
-            Term::QuadraticValue => "f2 coefficients",
-            Term::QuadraticRoot => "f2 through the root",
-            Term::RootFloor => "floor of the root",
-            Term::Truncation => "dropped guards",
-            Term::Depth => "depth",
-            Term::DepthClosedForm => "depth, closed form",
-            Term::Silhouette => "silhouette",
-            Term::Normal => "normal",
-            Term::LinearBeforehand => "f1, beforehand",
-            Term::QuadraticBeforehand => "f2, beforehand",
-        }
+        Self::ALL[self as usize].1
     }
 }
 
