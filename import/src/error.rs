@@ -14,12 +14,8 @@ pub struct Place {
 impl Place {
     /// Of a byte of a text whose lines end so.
     pub(crate) fn of(bytes: &[u8], at: usize, end: u8) -> Place {
-        let before = &bytes[..at.min(bytes.len())];
-        let start = before.iter().rposition(|b| *b == end).map_or(0, |k| k + 1);
-        Place {
-            line: before.iter().filter(|b| **b == end).count() + 1,
-            column: String::from_utf8_lossy(&before[start..]).chars().count() + 1,
-        }
+        let (line, column) = step21::position(bytes, at, end);
+        Place { line, column }
     }
 }
 

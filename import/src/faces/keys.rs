@@ -126,7 +126,6 @@ impl SurfaceKeys {
         self.vectors().into_iter().find(|(name, _)| *name == key)?.1
     }
 
-    /// A number by its key.
     pub fn number(&self, key: &str) -> Option<&Spanned<f64>> {
         self.numbers().into_iter().find(|(name, _)| *name == key)?.1
     }

@@ -68,15 +68,11 @@ impl Implicit {
         ]
     }
 
-    /// The same surface with inside and outside exchanged.
-    pub fn negated(&self) -> Implicit {
-        // Zero stays without sign, so that the written scene has no "-0".
-        Implicit(self.0.map(|value| if value == 0.0 { 0.0 } else { -value }))
-    }
-
-    /// The side that is kept: that where it is negative, or the other.
+    /// The side that is kept: that where it is negative, or the other, inside and outside exchanged.
     pub fn kept(&self, positive: bool) -> Implicit {
-        if positive { self.negated() } else { *self }
+        // Zero stays without sign, so that the written scene has no "-0".
+        let turned = |value: f64| if positive { 0.0 - value } else { value };
+        Implicit(self.0.map(turned))
     }
 
     /// `one * identity - by * axis axis^T`, centred at `centre`, and the constant there.

@@ -48,7 +48,6 @@ struct Materials {
 }
 
 impl Materials {
-    /// The material of an atom.
     fn of(&mut self, atom: &Atom, model: i64, words: &Words) -> &Material {
         let key = match self.colouring {
             Colouring::Element => Key::Element(atom.element.symbol),

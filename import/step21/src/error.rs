@@ -13,6 +13,15 @@ pub struct Error {
     pub accepted: String,
 }
 
+/// Line and column, in characters from 1, of a byte of a text whose lines end so.
+pub fn position(bytes: &[u8], at: usize, end: u8) -> (usize, usize) {
+    let before = &bytes[..at.min(bytes.len())];
+    let start = before.iter().rposition(|b| *b == end).map_or(0, |k| k + 1);
+    let line = before.iter().filter(|b| **b == end).count() + 1;
+    let column = String::from_utf8_lossy(&before[start..]).chars().count() + 1;
+    (line, column)
+}
+
 /// What comes of reading a file.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
@@ -28,12 +37,8 @@ impl Error {
 
     /// At a byte of a file.
     pub fn at(bytes: &[u8], at: usize, problem: impl ToString, accepted: impl ToString) -> Error {
-        let before = &bytes[..at.min(bytes.len())];
-        let newline = before.iter().rposition(|byte| *byte == b'\n');
-        let line = before.iter().filter(|byte| **byte == b'\n').count() + 1;
-        let own = String::from_utf8_lossy(&before[newline.map_or(0, |place| place + 1)..]);
         Error {
-            place: Some((line, own.chars().count() + 1)),
+            place: Some(position(bytes, at, b'\n')),
             ..Error::whole(problem, accepted)
         }
     }

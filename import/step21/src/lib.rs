@@ -27,7 +27,7 @@ mod token;
 mod value;
 
 pub use args::{Args, Entity};
-pub use error::{Error, Result};
+pub use error::{Error, Result, position};
 pub use exchange::Exchange;
 pub use text::{decoded, with_article};
 pub use value::{Instance, Kind, Record, Value};

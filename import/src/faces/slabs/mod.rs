@@ -41,7 +41,6 @@ pub struct Band {
 }
 
 impl Band {
-    /// All of a surface.
     pub fn whole(surface: &Surface) -> Vec<Band> {
         vec![Band {
             quadric: surface.implicit(),

@@ -6,7 +6,7 @@ use step21::{Args, Entity, Exchange, Kind, Result};
 const LONGEST_CHAIN: usize = 8;
 
 /// What the numbers of a representation mean.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Context {
     /// Millimetres in a unit of length.
     pub length: f64,
@@ -28,9 +28,7 @@ pub fn context(entity: Option<Entity>, measure: Measure) -> Result<Context> {
     let mut context = Context {
         length: 1.0,
         angle: 1.0,
-        uncertainty: 0.0,
-        extent: 0.0,
-        precision: 0.0,
+        ..Context::default()
     };
     let args = |name| entity.and_then(|entity| entity.find(&[name]));
     if let Some(args) = args("GLOBAL_UNIT_ASSIGNED_CONTEXT") {

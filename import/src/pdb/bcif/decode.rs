@@ -46,7 +46,6 @@ impl Values<'_> {
     }
 }
 
-/// The value of a key.
 pub fn get<'a, 'v>(map: &'v ValueRef<'a>, key: &str) -> Result<&'v ValueRef<'a>, String> {
     let found = match map {
         ValueRef::Map(pairs) => pairs.iter().find(|(name, _)| text(name) == Ok(key)),
