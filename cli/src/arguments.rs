@@ -34,7 +34,7 @@ pub use scene::{
     Check, Detail, Model, New, Primitives, Render, Scene, SceneWords, Size, Split, View,
 };
 pub use synth::{Peers, Synth};
-pub use trade::{Points, Trade, TradeEngine};
+pub use trade::{Trade, TradeEngine};
 pub use unit::{Contract, Demo, Emit, Fitted, Package, Processors, Roots, Shape};
 pub use waves::Waves;
 

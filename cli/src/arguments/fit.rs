@@ -12,8 +12,8 @@ use imogene_verif::engine::Engine;
 use imogene_verif::engine::design::Simulator;
 use std::path::PathBuf;
 
-/// Arguments of `fit`.
-#[derive(Debug, Args)]
+/// Arguments of `fit`; without a value nothing is asked for.
+#[derive(Debug, Default, Args)]
 pub struct Fit {
     /// Scene files (TOML); several are the frames of an animation, with the same objects. A scene with images stands
     /// for all of its frames.

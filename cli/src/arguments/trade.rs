@@ -1,8 +1,10 @@
 //! Arguments of `trade`.
 
+use super::parse::{Choices, choice, name};
 use super::scene::size;
 use super::{Size, parse};
 use clap::{Args, ValueEnum};
+use imogene_studies::trade::design::Space;
 use imogene_studies::trade::run::Shard;
 use std::path::PathBuf;
 
@@ -29,8 +31,8 @@ pub struct Trade {
     #[arg(long, conflicts_with = "clock")]
     pub no_cost: bool,
     /// Which points: some twenty or more than five hundred.
-    #[arg(long, value_enum, default_value_t = Points::Full)]
-    pub points: Points,
+    #[arg(long, value_parser = choice(SPACES), default_value = "full")]
+    pub points: Space,
     /// Measure part K of N of the points alone, and sum up nothing.
     #[arg(long, value_name = "K/N", value_parser = shard)]
     pub shard: Option<Shard>,
@@ -56,14 +58,21 @@ pub enum TradeEngine {
 }
 
 /// Points of the design space.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Points {
-    /// Some twenty.
-    Quick,
-    /// All.
-    Full,
-    /// Every form of the root at two depth words.
-    Roots,
+const SPACES: Choices<Space> = &[
+    (Space::Quick, "quick", "Some twenty"),
+    (Space::Full, "full", "All"),
+    (
+        Space::Roots,
+        "roots",
+        "Every form of the root at two depth words",
+    ),
+];
+
+impl Trade {
+    /// The name of the points.
+    pub fn points(&self) -> &'static str {
+        name(SPACES, self.points)
+    }
 }
 
 fn shard(text: &str) -> Result<Shard, String> {

@@ -243,19 +243,13 @@ fn fitted(options: &arguments::Board, board: &Board) -> Result<MachineDescriptio
         scenes: vec![options.scene.clone()],
         out: options.out.clone(),
         size: Some(size.ok_or_else(|| unknown_mode(board, name))?),
-        max_depth_error: None,
         max_silhouette_errors: Some(CountLimit::Percent(PERCENT)),
         max_face_errors: Some(CountLimit::Percent(PERCENT)),
         // A tile has a light of its own, which the fit does not know.
         max_colour_error: (!options.flat && board.tiles.is_none()).then_some(LEVELS),
-        max_normal_error: None,
         machine: Some(MachineKind::Beam),
-        min_fps: None,
         no_cost: true,
-        clock: false,
-        min_mhz: None,
-        target: "ecp5-45k".into(),
-        engine: None,
+        ..Fit::default()
     };
     let mut machine = fit::smallest(&fit)?;
     if options.flat {

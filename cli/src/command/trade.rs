@@ -3,7 +3,7 @@
 mod parts;
 
 use super::{fitted, size_of};
-use crate::arguments::{Points, Trade, TradeEngine};
+use crate::arguments::{Trade, TradeEngine};
 use crate::failure::Failure;
 use crate::{missing, molecules, output};
 use imogene_files::text::counted;
@@ -34,12 +34,7 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
     let size = size_of(&file, options.size);
     let file = missing::reduced(file, size, Format::BASE, Options::ROOTS)?;
     let target = Target::from_name(&options.target)?;
-    let (space, points) = match options.points {
-        Points::Quick => (Space::Quick, "quick"),
-        Points::Full => (Space::Full, "full"),
-        Points::Roots => (Space::Roots, "roots"),
-    };
-    let designs = space.designs();
+    let designs = options.points.designs();
     let bar = output::progress(designs.len() as u64, "points");
     let version = env!("CARGO_PKG_VERSION");
     let asked = Request {
@@ -67,7 +62,7 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
     }
     if options.engine == TradeEngine::Hq {
         run::check(&asked)?;
-        parts::run(options, points)?;
+        parts::run(options)?;
     }
     let trade = run::run(&asked)?;
     bar.finish_and_clear();
@@ -141,7 +136,7 @@ fn own_digest() -> Result<String, Failure> {
     Ok(run::digest(&bytes))
 }
 
-fn write(trade: &report::Trade, folder: &Path, points: Points) -> Result<Vec<PathBuf>, Failure> {
+fn write(trade: &report::Trade, folder: &Path, points: Space) -> Result<Vec<PathBuf>, Failure> {
     let mut files = output::files();
     let mut put = |name: &str, text: String| files.add_text(&folder.join(name), &text);
     put("trade.json", output::json_text(trade) + "\n")?;
@@ -152,7 +147,7 @@ fn write(trade: &report::Trade, folder: &Path, points: Points) -> Result<Vec<Pat
         put(&format!("plots/{}.svg", front.name), picture)?;
     }
     put("index.html", page(trade, folder)?)?;
-    if points == Points::Roots {
+    if points == Space::Roots {
         let sheet = sheet(trade, folder)?;
         files.add(&folder.join("plots/pictures.png"), |out| {
             picture::png(out, sheet.width, sheet.height, &sheet.rgb)

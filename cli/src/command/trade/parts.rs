@@ -13,7 +13,7 @@ const DRIVER: &str = include_str!("hyperqueue.py");
 const PARTS: usize = 4;
 
 /// Runs all parts of the points, each by this program.
-pub fn run(options: &Trade, points: &str) -> Result<(), Failure> {
+pub fn run(options: &Trade) -> Result<(), Failure> {
     let program = std::env::current_exe()?;
     let mut command = vec![
         program.display().to_string(),
@@ -24,7 +24,7 @@ pub fn run(options: &Trade, points: &str) -> Result<(), Failure> {
         "--target".into(),
         options.target.clone(),
         "--points".into(),
-        points.into(),
+        options.points().into(),
     ];
     if let Some((width, height)) = options.size {
         command.extend(["--size".into(), format!("{width}x{height}")]);

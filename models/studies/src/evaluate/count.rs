@@ -72,7 +72,6 @@ pub fn cost(work: impl FnOnce(&Counter)) -> Tally {
 /// A number whose operations are counted.
 #[derive(Clone, Copy, Debug)]
 pub struct Counted<'c> {
-    /// What it is.
     pub value: f64,
     counter: &'c Counter,
 }

@@ -42,7 +42,6 @@ const TABLE: &str = include_str!("../../../../docs/resources.json");
 pub const DEVICE: &str = "ecp5-45k";
 /// A device without multipliers: they are made of its cells.
 pub const PLAIN_DEVICE: &str = "ice40-hx8k";
-/// Gates, in transistors.
 pub const GATES: &str = "transistors";
 
 /// The resource table, as far as it is needed.

@@ -63,3 +63,13 @@ pub fn span(values: impl Iterator<Item = f64> + Clone) -> Range<f64> {
     let least = values.clone().fold(f64::INFINITY, f64::min);
     least..values.fold(f64::NEG_INFINITY, f64::max)
 }
+
+/// The same with a little room around them: a share of what is between; from 0 to 1 if there is none.
+pub fn roomy(values: impl Iterator<Item = f64> + Clone, share: f64) -> Range<f64> {
+    let span = span(values);
+    if span.is_empty() && span.start.is_infinite() {
+        return 0.0..1.0;
+    }
+    let room = share * (span.end - span.start).max(0.5);
+    span.start - room..span.end + room
+}

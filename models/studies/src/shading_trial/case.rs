@@ -16,7 +16,6 @@ pub struct Case {
 }
 
 impl Case {
-    /// A random case.
     pub(super) fn draw(random: &mut Random) -> Case {
         let depth = [16, 20, 24, 28, 32][random.below(5) as usize];
         Case::of_format(depth, random)

@@ -22,7 +22,6 @@ const POLYNOMIAL: Delay = Delay {
     fixed: 9.6,
     bit: 0.335,
 };
-/// Normals.
 const NORMAL: Delay = Delay {
     fixed: 7.5,
     bit: 0.2,

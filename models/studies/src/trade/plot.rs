@@ -2,11 +2,12 @@
 
 use super::TradeError;
 use super::report::{Entry, Front, Trade, hardware};
-use crate::kit::plot::{Area, FONT, Outcome, span, svg};
+use crate::kit::plot::{Area, FONT, Outcome, roomy, svg};
 use plotters::prelude::*;
-use std::ops::Range;
 
 const SIZE: (u32, u32) = (420, 270);
+/// Share of the values that is room around them.
+const ROOM: f64 = 0.06;
 /// Silhouette-exact points.
 const EXACT: RGBColor = RGBColor(10, 120, 80);
 const OTHER: RGBColor = RGBColor(190, 90, 20);
@@ -88,7 +89,8 @@ fn label(front: &Front, place: f64) -> String {
 }
 
 fn draw_dots(area: &Area, trade: &Trade, front: &Front, dots: &[Dot]) -> Outcome {
-    let (x, y) = (range(dots, |d| d.x), range(dots, |d| d.y));
+    let x = roomy(dots.iter().map(|dot| dot.x), ROOM);
+    let y = roomy(dots.iter().map(|dot| dot.y), ROOM);
     let mut chart = ChartBuilder::on(area)
         .margin(10)
         .caption(front.title, (FONT, 15))
@@ -133,14 +135,4 @@ fn steps(front: &Front, dots: &[Dot]) -> Vec<(f64, f64)> {
     let mut on: Vec<(f64, f64)> = on.collect();
     on.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.total_cmp(&a.1)));
     on
-}
-
-/// The values with a little room around them.
-fn range(dots: &[Dot], of: fn(&Dot) -> f64) -> Range<f64> {
-    if dots.is_empty() {
-        return 0.0..1.0;
-    }
-    let span = span(dots.iter().map(of));
-    let room = 0.06 * (span.end - span.start).max(0.5);
-    span.start - room..span.end + room
 }

@@ -2,7 +2,7 @@
 
 use super::TradeError;
 use super::design::Design;
-use super::point::{Point, Pricing};
+use super::point::{Cost, Point, Pricing};
 use super::report::{Trade, assemble};
 use super::run::Request;
 use super::store::Store;
@@ -23,8 +23,12 @@ impl Prices<'_> {
     /// more, those that are on the front of speed, which move as they become known.
     pub fn trade(&self, empty: &Trade, mut points: Vec<Point>) -> Result<Trade, TradeError> {
         let seeds = seeds(&points);
-        self.find(&mut points, &seeds)?;
+        self.find(&mut points, &seeds, Pricing::Synthesised)?;
         self.estimate(&mut points, &seeds)?;
+        let on_front = match self.request.with_clock {
+            true => Pricing::Routed,
+            false => Pricing::Synthesised,
+        };
         let mut known: BTreeSet<usize> = seeds.into_iter().collect();
         loop {
             let now = points.iter().enumerate();
@@ -39,7 +43,7 @@ impl Prices<'_> {
                 .filter(|&index| !known.contains(&index) || self.lacks_clock(&points[index]))
                 .collect();
             let before = points.clone();
-            self.find_front(&mut points, &wanted)?;
+            self.find(&mut points, &wanted, on_front)?;
             if known.is_superset(&wanted.iter().copied().collect()) && before == points {
                 return Ok(trade);
             }
@@ -52,24 +56,17 @@ impl Prices<'_> {
         self.request.with_clock && synthesised.is_some_and(|cost| cost.fmax_mhz.is_none())
     }
 
-    /// Synthesises what is not known yet.
-    fn find(&self, points: &mut [Point], wanted: &[usize]) -> Result<(), TradeError> {
-        let lacks = |&&index: &&usize| points[index].cost_synthesised.is_none();
+    /// Synthesises what is not known yet, or has no clock if one is asked for.
+    fn find(
+        &self,
+        points: &mut [Point],
+        wanted: &[usize],
+        pricing: Pricing,
+    ) -> Result<(), TradeError> {
+        let has_all = |cost: Cost| !matches!(pricing, Pricing::Routed) || cost.fmax_mhz.is_some();
+        let lacks = |&&index: &&usize| !points[index].cost_synthesised.is_some_and(has_all);
         let wanted: Vec<usize> = wanted.iter().filter(lacks).copied().collect();
-        self.ask(points, &wanted, Pricing::Synthesised)
-    }
-
-    /// The same with clocks, if they are asked for.
-    fn find_front(&self, points: &mut [Point], wanted: &[usize]) -> Result<(), TradeError> {
-        if !self.request.with_clock {
-            return self.find(points, wanted);
-        }
-        let lacks = |&&index: &&usize| {
-            let synthesised = points[index].cost_synthesised;
-            synthesised.is_none_or(|cost| cost.fmax_mhz.is_none())
-        };
-        let wanted: Vec<usize> = wanted.iter().filter(lacks).copied().collect();
-        self.ask(points, &wanted, Pricing::Routed)
+        self.ask(points, &wanted, pricing)
     }
 
     /// Estimates what is not known yet from the synthesised points.

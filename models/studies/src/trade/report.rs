@@ -6,7 +6,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 /// All points; the keys are stable.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct Trade {
     /// Version of the program.
     pub version: String,

@@ -84,11 +84,7 @@ pub fn run(request: &Request) -> Result<Trade, TradeError> {
         target: request.target.to_owned(),
         truth,
         legend: map::legend(),
-        measure: "",
-        clock_error: None,
-        area_error: None,
-        classes: vec![],
-        points: vec![],
+        ..Trade::default()
     };
     let prices = Prices {
         request,

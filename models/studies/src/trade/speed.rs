@@ -4,13 +4,15 @@ use super::TradeError;
 use super::design::Accuracy;
 use super::plot::{hardware_title, marked};
 use super::report::{Entry, Trade, hardware};
-use crate::kit::plot::{Area, FONT, GREY, Outcome, span, svg};
+use crate::kit::plot::{Area, FONT, GREY, Outcome, roomy, svg};
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::ops::Range;
 
 const SIZE: (u32, u32) = (860, 520);
+/// Share of the values that is room around them.
+const ROOM: f64 = 0.05;
 const TITLE: &str = "The fastest machines of every area and accuracy";
 /// Room on the right, for the names of the classes.
 const NAMES: i32 = 190;
@@ -136,8 +138,8 @@ fn in_words(accuracy: &Accuracy) -> String {
 type Plane<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
 fn chart(area: &Area, trade: &Trade, dots: &[Dot], classes: &[Class]) -> Outcome {
-    let x = range(dots, |dot| dot.place.0);
-    let y = range(dots, |dot| dot.place.1);
+    let x = roomy(dots.iter().map(|dot| dot.place.0), ROOM);
+    let y = roomy(dots.iter().map(|dot| dot.place.1), ROOM);
     let mut plane = ChartBuilder::on(area)
         .margin(12)
         .margin_right(NAMES)
@@ -215,14 +217,4 @@ fn name(area: &Area, mut ends: Vec<((i32, i32), &Class)>) -> Outcome {
         }
     }
     Ok(())
-}
-
-/// The values with a little room around them.
-fn range(dots: &[Dot], of: fn(&Dot) -> f64) -> Range<f64> {
-    if dots.is_empty() {
-        return 0.0..1.0;
-    }
-    let span = span(dots.iter().map(of));
-    let room = 0.05 * (span.end - span.start).max(0.5);
-    span.start - room..span.end + room
 }
