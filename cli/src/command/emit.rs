@@ -24,7 +24,7 @@ struct EmitReport {
 }
 
 #[derive(Serialize)]
-struct PortEntry {
+pub struct PortEntry {
     name: String,
     direction: &'static str,
     width: usize,
@@ -93,7 +93,7 @@ pub fn add_verilog(
     Ok(())
 }
 
-fn port(port: &imogene_rtl::emit::Port) -> PortEntry {
+pub fn port(port: &imogene_rtl::emit::Port) -> PortEntry {
     PortEntry {
         name: port.name.clone(),
         direction: port.direction.keyword(),

@@ -8,8 +8,8 @@ use imogene_golden::machine::zone::ZoneMachine;
 use imogene_package::processors::processors;
 use imogene_rtl::emit::machine::ZONE_BITS;
 use imogene_studies::evaluate::{
-    Evaluation, Hardware, MACHINE_PLANES, MACHINE_PROCESSORS, Parts, duplication_plot, evaluate,
-    markdown, operations_plot, page,
+    EvaluateError, Evaluation, Hardware, MACHINE_PLANES, MACHINE_PROCESSORS, Parts,
+    duplication_plot, evaluate, markdown, operations_plot, page,
 };
 use imogene_verif::display::request::{core_request, zone_timing};
 use serde::Serialize;
@@ -26,14 +26,14 @@ struct Report {
 /// Counts the cost tables of the sources again, prints them, and writes page, figures and pictures if there is a folder
 /// for them.
 pub fn run(options: &Evaluate, json: bool) -> Result<(), Failure> {
-    let defect = |error: &dyn std::fmt::Display| Failure::Check(error.to_string());
-    let evaluation = evaluate(&hardware()?).map_err(|error| defect(&error))?;
+    let evaluation = evaluate(&hardware()?).map_err(defect)?;
+    let page = markdown(&evaluation).map_err(defect)?;
     let files = match &options.out {
-        Some(folder) => write(folder, &evaluation)?,
+        Some(folder) => write(folder, &evaluation, &page)?,
         None => vec![],
     };
     output::report(json, &Report { evaluation, files }, |report| {
-        output::text(markdown(&report.evaluation).trim_end());
+        output::text(page.trim_end());
         output::wrote(&report.files);
     });
     Ok(())
@@ -66,24 +66,26 @@ fn hardware() -> Result<Hardware, Failure> {
     })
 }
 
-fn write(folder: &Path, evaluation: &Evaluation) -> Result<Vec<PathBuf>, Failure> {
-    let failed =
-        |error: imogene_studies::evaluate::EvaluateError| Failure::Check(error.to_string());
+fn defect(error: EvaluateError) -> Failure {
+    Failure::Check(error.to_string())
+}
+
+fn write(folder: &Path, evaluation: &Evaluation, markdown: &str) -> Result<Vec<PathBuf>, Failure> {
     let figures = output::json_text(evaluation);
     let texts = [
         (
             "index.html",
-            page(evaluation, env!("CARGO_PKG_VERSION")).map_err(failed)?,
+            page(evaluation, env!("CARGO_PKG_VERSION")).map_err(defect)?,
         ),
         ("evaluation.json", figures + "\n"),
-        ("evaluation.md", markdown(evaluation)),
+        ("evaluation.md", markdown.to_owned()),
         (
             "images/duplication.svg",
-            duplication_plot().map_err(failed)?,
+            duplication_plot().map_err(defect)?,
         ),
         (
             "images/operations.svg",
-            operations_plot(evaluation).map_err(failed)?,
+            operations_plot(evaluation).map_err(defect)?,
         ),
     ];
     let mut files = output::files();

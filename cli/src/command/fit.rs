@@ -100,7 +100,8 @@ pub fn run(options: &Fit, json: bool) -> Result<(), Failure> {
         &emitted,
         options,
     )?;
-    output::report(json, &report, |_| output::text(contract::summary(&report)));
+    let summary = contract::summary(&report)?;
+    output::report(json, &report, |_| output::text(summary));
     verdict(&report)
 }
 
@@ -320,7 +321,7 @@ fn write(
             files.add(&path, |out| picture::png(out, width, height, picture))?;
         }
     }
-    let page = contract::page(report, emitted);
+    let page = contract::page(report, emitted)?;
     files.add_text(&options.out.join("contract.md"), &page)?;
     let figures = options.out.join("fit.json");
     report.files = files.paths();

@@ -55,7 +55,7 @@ pub fn run(options: &Primitives, json: bool) -> Result<(), Failure> {
         variants: variants?,
         speed: speed(&drawn, &format),
     };
-    let text = page::markdown(&comparison);
+    let text = page::markdown(&comparison)?;
     if let Some(folder) = &options.out {
         write(folder, &comparison, &text, &subject, &drawn)?;
     }

@@ -3,7 +3,8 @@
 use crate::failure::Failure;
 use crate::{arguments, output};
 use imogene_golden::format::Format;
-use imogene_studies::sweep::{self, Sweep, SweepResult, heading, markdown, plot, section};
+use imogene_studies::kit::DrawError;
+use imogene_studies::sweep::{self, Sweep, SweepResult, plot, section};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -27,9 +28,10 @@ pub fn run(options: &arguments::Sweep, json: bool) -> Result<(), Failure> {
         Some(folder) => write(folder, &sweeps)?,
         None => vec![],
     };
+    let page = page(&sweeps, None)?;
     let report = Report { sweeps, files };
     output::report(json, &report, |report| {
-        output::text(page(&report.sweeps).trim_end());
+        output::text(page.trim_end());
         output::wrote(&report.files);
     });
     verdict(&report.sweeps)
@@ -43,9 +45,10 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Sweep>, Failure> {
     Ok(sweep::all().iter().filter(wanted).collect())
 }
 
-fn page(sweeps: &[SweepResult]) -> String {
-    let section = |sweep| format!("{}\n\n{}", heading(sweep), markdown(sweep));
-    output::joined(sweeps.iter().map(section), "\n")
+fn page(sweeps: &[SweepResult], pictures: Option<&str>) -> Result<String, Failure> {
+    let sections = sweeps.iter().map(|sweep| section(sweep, pictures));
+    let sections = sections.collect::<Result<Vec<String>, DrawError>>()?;
+    Ok(sections.join("\n"))
 }
 
 fn write(folder: &Path, sweeps: &[SweepResult]) -> Result<Vec<PathBuf>, Failure> {
@@ -56,8 +59,7 @@ fn write(folder: &Path, sweeps: &[SweepResult]) -> Result<Vec<PathBuf>, Failure>
     }
     let figures = output::json_text(&sweeps) + "\n";
     files.add_text(&folder.join("sweeps.json"), &figures)?;
-    let sections = output::joined(sweeps.iter().map(|sweep| section(sweep, "")), "\n");
-    files.add_text(&folder.join("sweeps.md"), &sections)?;
+    files.add_text(&folder.join("sweeps.md"), &page(sweeps, Some(""))?)?;
     Ok(files.finish()?)
 }
 

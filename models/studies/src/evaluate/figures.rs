@@ -9,6 +9,7 @@ use super::hardware::{
 use super::scenes::{Moving, OBJECT_SIDE, balls, others, zone_machine};
 use super::steps;
 use super::work::pixel;
+use crate::kit::page::fixed;
 use crate::primitives::fair_sides;
 use crate::primitives::tessellate::to_mesh;
 use imogene_algebra::rational::from_decimal;
@@ -39,10 +40,7 @@ const SOLIDS: &str = include_str!("../../../../scenes/comparison/three-solids.to
 pub fn counts(hardware: &Hardware) -> Result<Environment<'static>, EvaluateError> {
     let mut names = Environment::new();
     names.set_undefined_behavior(UndefinedBehavior::Strict);
-    names.add_filter("fixed", |value: f64, digits: Option<usize>| match digits {
-        Some(digits) => format!("{value:.digits$}"),
-        None => value.to_string(),
-    });
+    names.add_filter("fixed", fixed);
     resources(&mut names)?;
     let [ball, _, patch] = balls()?;
     let figures = [

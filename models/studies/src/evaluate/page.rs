@@ -2,18 +2,13 @@
 
 use super::EvaluateError;
 use super::plot::{duplication_plot, operations_plot};
-use super::row::{Evaluation, Row, number};
-use crate::kit::page::{line, rendered};
-use imogene_files::text::wrapped;
-use minijinja::context;
+use super::row::{Evaluation, Group, Row, number};
+use crate::kit::page::{rendered, text};
 use minijinja::value::Serde;
 use serde_json::{Value, json};
 
 const TEMPLATE: &str = include_str!("page/evaluation.html");
 const STYLE: &str = include_str!("page/evaluation.css");
-
-/// The command that makes the page of the documentation.
-const COMMAND: &str = "imogene evaluate --out DIR";
 
 const INTRODUCTION: &str = "Every cost table of the two sources beside our own counts: Nyiri 1994, chapter 5 and the sections it builds on, and where it is named, Chaillou 1991, chapter IV. *Printed* is what the source prints; \
 *corrected* is its own sum or formula done again where the print does not hold; *ours* is counted by running code and never typed in. The difference is that to the corrected value, else to the printed one. \
@@ -59,50 +54,31 @@ const HEAD: [&str; 8] = [
     "why",
 ];
 
+/// What both pages are made of.
+fn values(evaluation: &Evaluation) -> Value {
+    let row = |row: &Row| json!({ "cells": cells(row), "corrected": row.corrected.is_some(), "size": size(row) });
+    let group = |group: &Group| {
+        let rows: Vec<Value> = group.rows.iter().map(row).collect();
+        json!({ "name": group.name, "title": group.title, "about": group.about, "rows": rows })
+    };
+    let groups: Vec<Value> = evaluation.groups.iter().map(group).collect();
+    let omitted = &evaluation.omitted;
+    json!({ "introduction": INTRODUCTION, "head": HEAD, "groups": groups, "omitted": omitted })
+}
+
 /// All tables as Markdown.
-pub fn markdown(evaluation: &Evaluation) -> String {
-    let mut text = format!(
-        "# Evaluation: the cost tables of the sources counted again\n\n{}\n\nMade by `{COMMAND}`. Do not edit.\n",
-        wrapped(INTRODUCTION, "")
-    );
-    text += "\n![Zones that a box touches](images/duplication.svg)\n\n![Operations to prepare an object](images/operations.svg)\n";
-    for group in &evaluation.groups {
-        text += &format!(
-            "\n## {}\n\n{}\n\n{}|---|---:|---:|---:|---|---:|---|---|\n",
-            group.title,
-            wrapped(&group.about, ""),
-            line(&HEAD)
-        );
-        text.extend(group.rows.iter().map(|row| line(&cells(row))));
-    }
-    text +=
-        "\n## Printed and not counted\n\n| what | section | printed | why |\n|---|---|---|---|\n";
-    let omitted = evaluation.omitted.iter();
-    text.extend(omitted.map(|one| line(&[&one.name, &one.section, &one.printed, &one.why])));
-    text
+pub fn markdown(evaluation: &Evaluation) -> Result<String, EvaluateError> {
+    let template = include_str!("page/evaluation.md");
+    Ok(text("cannot tell of it", template, values(evaluation))?)
 }
 
 /// The page: one file with everything in it.
 pub fn page(evaluation: &Evaluation, version: &str) -> Result<String, EvaluateError> {
-    let plots = [duplication_plot()?, operations_plot(evaluation)?];
-    let groups = evaluation.groups.iter().map(|group| {
-        let rows = group.rows.iter().map(|row| {
-            json!({ "cells": cells(row), "corrected": row.corrected.is_some(), "size": size(row) })
-        });
-        let rows: Vec<Value> = rows.collect();
-        json!({ "name": group.name, "title": group.title, "about": group.about, "rows": rows })
-    });
-    let rows = evaluation.groups.iter().map(|group| group.rows.len());
-    let values = context! {
-        groups => Serde(groups.collect::<Vec<Value>>()),
-        omitted => Serde(&evaluation.omitted),
-        introduction => INTRODUCTION.replace('*', ""),
-        head => HEAD,
-        rows => rows.sum::<usize>(),
-        version,
-        plots,
-        style => STYLE,
-    };
+    let mut values = values(evaluation);
+    values["version"] = json!(version);
+    values["plots"] = json!([duplication_plot()?, operations_plot(evaluation)?]);
+    values["style"] = json!(STYLE);
+    let values = minijinja::Value::from(Serde(values));
     Ok(rendered("the page cannot be made", TEMPLATE, values)?)
 }
 

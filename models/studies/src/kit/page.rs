@@ -1,22 +1,104 @@
 //! Pages and tables.
 
 use super::DrawError;
-use minijinja::{Environment, Value};
+use imogene_files::text::{counted, wrapped};
+use minijinja::syntax::SyntaxConfig;
+use minijinja::value::Serde;
+use minijinja::{Environment, Error, ErrorKind, UndefinedBehavior, Value};
+use serde::Serialize;
 
-/// A page from its template; `what` begins the message if it cannot be made.
+/// A page of HTML from its template; `what` begins the message if it cannot be made.
 pub fn rendered(what: &str, template: &str, values: Value) -> Result<String, DrawError> {
     let mut environment = Environment::new();
     // By its name the text is escaped.
     let page = environment.add_template("page.html", template);
     let page = page.and_then(|()| environment.get_template("page.html")?.render(values));
-    page.map_err(|error| DrawError {
+    page.map_err(|error| failed(what, &error))
+}
+
+fn failed(what: &str, error: &Error) -> DrawError {
+    DrawError {
         what: what.into(),
         problem: format!("{error:#}"),
+    }
+}
+
+/// A text from its template, over values by their keys in JSON; `what` begins the message if it cannot be made.
+///
+/// A line of statements alone leaves no line behind. Numbers are printed by the filters [`fixed`], [`power`] and `figure`;
+/// `counted` says how many there are of something, and `wrapped` breaks prose into lines.
+pub fn text(what: &str, template: &str, values: impl Serialize) -> Result<String, DrawError> {
+    let mut syntax = SyntaxConfig::builder();
+    syntax.trim_blocks(true).lstrip_blocks(true);
+    let syntax = syntax.keep_trailing_newline(true).build();
+    let mut environment = Environment::new();
+    environment.set_syntax(syntax.map_err(|error| failed(what, &error))?);
+    environment.set_undefined_behavior(UndefinedBehavior::Strict);
+    environment.add_filter("fixed", fixed);
+    environment.add_filter("power", power);
+    environment.add_filter("figure", |value: &Value| printed(value, figure));
+    environment.add_filter("counted", |count: u64, one: &str| counted(count, one));
+    environment.add_filter("wrapped", |prose: &str, indent: Option<&str>| {
+        wrapped(prose, indent.unwrap_or_default())
+    });
+    let text = environment.render_str(template, Serde(values));
+    text.map_err(|error| failed(what, &error))
+}
+
+/// A number with so many digits after the point, or as many as it has; a dash if it is none.
+pub fn fixed(value: &Value, digits: Option<usize>) -> Result<String, Error> {
+    printed(value, |number| match digits {
+        Some(digits) => format!("{number:.digits$}"),
+        None => number.to_string(),
     })
 }
 
-/// A line of a Markdown table.
-pub fn line<S: AsRef<str>>(cells: &[S]) -> String {
-    let cells: Vec<&str> = cells.iter().map(AsRef::as_ref).collect();
-    format!("| {} |\n", cells.join(" | "))
+/// A number with a power of ten, and so many digits after the point.
+pub fn power(value: &Value, digits: usize) -> Result<String, Error> {
+    printed(value, |number| format!("{number:.digits$e}"))
+}
+
+fn printed(value: &Value, print: impl FnOnce(f64) -> String) -> Result<String, Error> {
+    if value.is_undefined() {
+        return Err(Error::from(ErrorKind::UndefinedError));
+    }
+    if value.is_none() {
+        return Ok("-".into());
+    }
+    f64::try_from(value.clone()).map(print)
+}
+
+/// Three significant digits; an exponent where the number would be long.
+fn figure(value: f64) -> String {
+    let size = value.abs();
+    if value == 0.0 {
+        "0".into()
+    } else if !value.is_finite() {
+        "none".into()
+    } else if !(1e-3..1e5).contains(&size) {
+        format!("{value:.2e}")
+    } else {
+        let decimals = (2 - size.log10().floor() as i32).max(0) as usize;
+        format!("{value:.decimals$}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::figure;
+
+    #[test]
+    fn figures_have_three_significant_digits() {
+        for (value, expected) in [
+            (0.0, "0"),
+            (0.012345, "0.0123"),
+            (1.0, "1.00"),
+            (99_999.0, "99999"),
+            (123_456.0, "1.23e5"),
+            (1.234e-9, "1.23e-9"),
+            (f64::INFINITY, "none"),
+        ] {
+            assert_eq!(figure(value), expected);
+        }
+    }
 }

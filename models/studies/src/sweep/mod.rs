@@ -21,6 +21,6 @@ mod truth;
 pub use families::{UnknownSweep, all, find, names};
 pub use family::{Axis, Sweep};
 pub use measure::{Bounds, Figures, Observed, Ratios};
-pub use page::{heading, markdown, section};
+pub use page::section;
 pub use plot::plot;
 pub use record::{GivesOut, Notice, Record, SweepResult};

@@ -478,7 +478,7 @@ fn the_page_and_the_plots_are_current() {
         "run `imogene sweep --out docs/images/sweeps` and renew docs/sweeps.md as its end says";
     for result in RESULTS.iter() {
         let name = result.name;
-        let text = section(result, "images/sweeps/");
+        let text = section(result, Some("images/sweeps/")).unwrap();
         assert!(page.contains(&text), "{name} on docs/sweeps.md: {advice}");
         let kept = docs.join("images/sweeps").join(format!("{name}.svg"));
         let kept = std::fs::read_to_string(kept).expect("a plot");
