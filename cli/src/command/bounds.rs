@@ -8,17 +8,12 @@ use imogene_analysis::bounds::headroom::{Headroom, Summary, headroom, summaries}
 use imogene_files::text::counted;
 use imogene_golden::format::Format;
 use imogene_scene::SceneFile;
+use imogene_studies::kit::DrawError;
+use imogene_studies::kit::page::text;
 use imogene_studies::trial::{self, FORMATS, Term, TrialReport};
 use serde::Serialize;
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
-
-const HEADROOM_HEAD: &str = "\
-| scene | size | depth word | pixels | silhouette errors | ties | depth max lsb | depth rms lsb | g2 derived | g2 confirmed | errors with one less |
-|---|---|---|---|---|---|---|---|---|---|---|";
-
-const SUMMARY_HEAD: &str = "\
-| size | depth word | pixels | silhouette errors | scenes with errors | depth max lsb | depth rms lsb | g2 derived | g2 confirmed | errors with one less |
-|---|---|---|---|---|---|---|---|---|---|";
 
 /// Tries the bounds on random cases, or shows the headroom of scenes.
 pub fn run(options: &Bounds, json: bool) -> Result<(), Failure> {
@@ -147,13 +142,8 @@ fn show_headroom(options: &Bounds, json: bool) -> Result<(), Failure> {
         summary: summaries(&all),
         scenes: rows,
     };
-    output::report(json, &table, |table| {
-        output::text(SUMMARY_HEAD);
-        let summaries = table.summary.iter();
-        summaries.for_each(|summary| output::text(summary_line(summary)));
-        output::text(format!("\n{HEADROOM_HEAD}"));
-        table.scenes.iter().for_each(|row| output::text(line(row)));
-    });
+    let page = page(&table)?;
+    output::report(json, &table, |_| output::text(page.trim_end()));
     Ok(())
 }
 
@@ -171,50 +161,22 @@ fn row(path: &Path, file: &SceneFile, size: Size, format: u32) -> Result<Row, Fa
     })
 }
 
-fn line(row: &Row) -> String {
-    let h = &row.headroom;
-    let name = row.scene.file_stem().unwrap_or_default();
-    format!(
-        "| {} | {}x{} | {} | {} | {} | {} | {:.1} | {:.2} | {} | {} | {} |",
-        name.display(),
-        h.width,
-        h.height,
-        h.depth_word,
-        h.pixels,
-        h.silhouette_errors,
-        h.ties,
-        h.depth_max_lsb,
-        h.depth_rms_lsb,
-        h.derived,
-        bits(h.confirmed, h.errors_with_one_less),
-        h.errors_with_one_less
-    )
-}
-
-fn summary_line(s: &Summary) -> String {
-    format!(
-        "| {}x{} | {} | {} | {} | {} | {:.1} | {:.2} | {} | {} | {} |",
-        s.width,
-        s.height,
-        s.depth_word,
-        s.pixels,
-        s.silhouette_errors,
-        s.scenes_with_errors,
-        s.depth_max_lsb,
-        s.depth_rms_lsb,
-        s.derived,
-        bits(s.confirmed, s.errors_with_one_less),
-        s.errors_with_one_less
-    )
-}
-
-/// The confirmed number of guard bits; any, where not even dropping all bits makes an error.
-fn bits(confirmed: Option<i32>, errors_with_one_less: u64) -> String {
-    match confirmed {
-        None => "none".into(),
-        Some(_) if errors_with_one_less == 0 => "any".into(),
-        Some(bits) => bits.to_string(),
+/// The tables with the names of the scenes.
+fn page(table: &Table) -> Result<String, DrawError> {
+    #[derive(Serialize)]
+    struct Page<'a> {
+        #[serde(flatten)]
+        table: &'a Table,
+        names: Vec<Cow<'a, str>>,
     }
+    let stems = table.scenes.iter().map(|row| row.scene.file_stem());
+    let names = stems.map(|stem| stem.unwrap_or_default().to_string_lossy());
+    let names = names.collect();
+    text(
+        "no tables",
+        include_str!("bounds.md"),
+        Page { table, names },
+    )
 }
 
 #[cfg(test)]

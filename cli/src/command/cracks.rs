@@ -12,8 +12,10 @@ use imogene_oracle::plot::plot;
 use imogene_oracle::trace::Tracer;
 use imogene_prepare::PreparedScene;
 use imogene_scene::DepthRange;
+use imogene_studies::kit::page::text;
 use imogene_studies::picture;
 use serde::Serialize;
+use serde_json::json;
 use std::path::PathBuf;
 
 /// Flagged pixels that are told to a person.
@@ -82,7 +84,9 @@ pub fn run(options: &Cracks, json: bool) -> Result<(), Failure> {
         scores,
         files: files.finish()?,
     };
-    output::report(json, &report, tell);
+    let scores = json!({ "scores": report.scores });
+    let table = text("no table", include_str!("cracks.md"), scores)?;
+    output::report(json, &report, |report| tell(report, &table));
     match closed(&report) {
         _ if options.inject.is_some() => missed(&report),
         0 => Ok(()),
@@ -132,7 +136,7 @@ fn scores(
     .collect()
 }
 
-fn tell(report: &CrackReport) {
+fn tell(report: &CrackReport, table: &str) {
     output::text(format!(
         "{} x {} pixels, both sides nearer by {:.4} or more, cracks up to {} wide: {} flagged, {} of them cracks and the others ends of notches and openings of the scene",
         report.width,
@@ -164,29 +168,7 @@ fn tell(report: &CrackReport) {
         output::text(format!("  and {} more", report.cracks.len() - TOLD));
     }
     if !report.scores.is_empty() {
-        output::text(
-            "| cracks | minimum distance | made | found | recall | deep | found | flagged besides | precision |",
-        );
-        output::text("|---|---|---|---|---|---|---|---|---|");
-    }
-    for row in &report.scores {
-        let s = &row.score;
-        let sort = match s.sort {
-            Sort::Points => "points",
-            Sort::Lines => "lines",
-            Sort::Joints => "joints",
-        };
-        output::text(format!(
-            "| {sort} | {:.4} | {} | {} | {:.1} % | {} | {} | {} | {:.1} % |",
-            s.min_distance,
-            s.made,
-            s.found,
-            100.0 * row.recall,
-            s.deep,
-            s.deep_found,
-            s.others,
-            100.0 * row.precision
-        ));
+        output::text(table.trim_end());
     }
     output::wrote(&report.files);
 }

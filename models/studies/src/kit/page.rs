@@ -25,8 +25,8 @@ fn failed(what: &str, error: &Error) -> DrawError {
 
 /// A text from its template, over values by their keys in JSON; `what` begins the message if it cannot be made.
 ///
-/// A line of statements alone leaves no line behind. Numbers are printed by the filters [`fixed`], [`power`] and `figure`;
-/// `counted` says how many there are of something, and `wrapped` breaks prose into lines.
+/// A line of statements alone leaves no line behind. Numbers are printed by the filters [`fixed`], [`power`], `digits`
+/// and `figure`; `counted` says how many there are of something, and `wrapped` breaks prose into lines.
 pub fn text(what: &str, template: &str, values: impl Serialize) -> Result<String, DrawError> {
     let mut syntax = SyntaxConfig::builder();
     syntax.trim_blocks(true).lstrip_blocks(true);
@@ -37,6 +37,9 @@ pub fn text(what: &str, template: &str, values: impl Serialize) -> Result<String
     environment.add_filter("fixed", fixed);
     environment.add_filter("power", power);
     environment.add_filter("figure", |value: &Value| printed(value, figure));
+    environment.add_filter("digits", |value: &Value, count: i32| {
+        printed(value, |value| digits(value, count))
+    });
     environment.add_filter("counted", |count: u64, one: &str| counted(count, one));
     environment.add_filter("wrapped", |prose: &str, indent: Option<&str>| {
         wrapped(prose, indent.unwrap_or_default())
@@ -68,24 +71,27 @@ fn printed(value: &Value, print: impl FnOnce(f64) -> String) -> Result<String, E
     f64::try_from(value.clone()).map(print)
 }
 
+/// So many significant digits, without an exponent.
+fn digits(value: f64, count: i32) -> String {
+    if value == 0.0 {
+        return "0".into();
+    }
+    let decimals = (count - 1 - value.abs().log10().floor() as i32).max(0) as usize;
+    format!("{value:.decimals$}")
+}
+
 /// Three significant digits; an exponent where the number would be long.
 fn figure(value: f64) -> String {
-    let size = value.abs();
-    if value == 0.0 {
-        "0".into()
-    } else if !value.is_finite() {
-        "none".into()
-    } else if !(1e-3..1e5).contains(&size) {
-        format!("{value:.2e}")
-    } else {
-        let decimals = (2 - size.log10().floor() as i32).max(0) as usize;
-        format!("{value:.decimals$}")
+    match value.abs() {
+        size if !size.is_finite() => "none".into(),
+        size if size == 0.0 || (1e-3..1e5).contains(&size) => digits(value, 3),
+        _ => format!("{value:.2e}"),
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::figure;
+    use super::{digits, figure};
 
     #[test]
     fn figures_have_three_significant_digits() {
@@ -100,5 +106,10 @@ mod tests {
         ] {
             assert_eq!(figure(value), expected);
         }
+    }
+    #[test]
+    fn digits_are_counted_from_the_first_that_is_not_zero() {
+        let found = [0.0, 0.00477, 6.0660, 56_077.4, 0.54].map(|value| digits(value, 4));
+        assert_eq!(found, ["0", "0.004770", "6.066", "56077", "0.5400"]);
     }
 }
