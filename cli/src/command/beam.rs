@@ -15,8 +15,8 @@ pub fn run(
     engine: Engine,
 ) -> Result<(Report, Frame), Failure> {
     let pixels = u64::from(prepared.width) * u64::from(prepared.height);
-    let bar = output::progress(pixels, "hardware in simulation");
-    let outcome = scene::run(prepared, options, engine, || bar.inc(1));
-    bar.finish_and_clear();
+    let outcome = output::during(pixels, "hardware in simulation", |bar| {
+        scene::run(prepared, options, engine, || bar.inc(1))
+    });
     Ok(outcome?)
 }

@@ -84,11 +84,10 @@ fn of_machine(path: &Path, options: &Mutate, json: bool) -> Result<(), Failure> 
     };
     let design = mutants::design(&machine)?;
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
-    let bar = output::progress(mutants::count(&design), "mutants");
     let report = MutationReport::of(&name, &options.unit.join(","));
-    let report = mutants::run(&shown, &design, report, || bar.inc(1));
-    bar.finish_and_clear();
-    let report = report?;
+    let report = output::during(mutants::count(&design), "mutants", |bar| {
+        mutants::run(&shown, &design, report, || bar.inc(1))
+    })?;
     if !json {
         output::text(describe(&report));
     }
@@ -101,9 +100,9 @@ fn of_machine(path: &Path, options: &Mutate, json: bool) -> Result<(), Failure> 
 
 fn of_circuit(request: &Request, options: &Options) -> Result<MutationReport, Failure> {
     let (subject, design) = (subject(request)?, design(request)?);
-    let bar = output::progress(circuit::count(&design), "mutants");
-    let report = circuit::run(&subject, &design, options, || bar.inc(1));
-    bar.finish_and_clear();
+    let report = output::during(circuit::count(&design), "mutants", |bar| {
+        circuit::run(&subject, &design, options, || bar.inc(1))
+    });
     Ok(report?)
 }
 
@@ -115,9 +114,9 @@ fn of_netlist(request: &Request, options: &Options) -> Result<MutationReport, Fa
         text: &text,
         latency: emitted.latency,
     };
-    let bar = output::progress(options.mutants as u64, "mutants");
-    let report = netlist::run(&subject, &design, options, || bar.inc(1));
-    bar.finish_and_clear();
+    let report = output::during(options.mutants as u64, "mutants", |bar| {
+        netlist::run(&subject, &design, options, || bar.inc(1))
+    });
     Ok(report?)
 }
 

@@ -20,10 +20,10 @@ pub fn run(options: &arguments::Sweep, json: bool) -> Result<(), Failure> {
     let chosen = chosen(&options.names)?;
     let format = Format::new(options.format)?;
     let steps: usize = chosen.iter().map(|sweep| sweep.scenes(format).len()).sum();
-    let bar = output::progress(steps as u64, "steps");
-    let sweeps = chosen.iter().map(|sweep| sweep.run(format, || bar.inc(1)));
-    let sweeps: Vec<SweepResult> = sweeps.collect();
-    bar.finish_and_clear();
+    let sweeps: Vec<SweepResult> = output::during(steps as u64, "steps", |bar| {
+        let sweeps = chosen.iter().map(|sweep| sweep.run(format, || bar.inc(1)));
+        sweeps.collect()
+    });
     let files = match &options.out {
         Some(folder) => write(folder, &sweeps)?,
         None => vec![],

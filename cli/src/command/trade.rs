@@ -79,7 +79,8 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
         "files": files,
     });
     output::report(json, &summary, |_| {
-        output::text(text(&trade, &files, seconds))
+        tell(&trade, seconds);
+        output::wrote(&files);
     });
     let refusals: Option<Vec<&String>> = (trade.points.iter())
         .map(|entry| entry.point.refused.as_ref())
@@ -177,30 +178,23 @@ fn sheet(trade: &report::Trade, folder: &Path) -> Result<Sheet, Failure> {
     Ok(Sheet::of(&pairs, size, BAND))
 }
 
-fn text(trade: &report::Trade, files: &[PathBuf], seconds: f64) -> String {
-    let mut text = format!(
-        "{}: {} at {} x {} pixels in {seconds:.1} s\n",
+fn tell(trade: &report::Trade, seconds: f64) {
+    output::text(format!(
+        "{}: {} at {} x {} pixels in {seconds:.1} s",
         trade.title,
         counted(trade.points.len(), "point"),
         trade.width,
         trade.height
-    );
+    ));
     let exact = trade.points.iter().filter(|e| e.silhouette_exact);
     let refused = trade.points.iter().filter(|e| e.point.refused.is_some());
-    text += &format!(
-        "  {} without a silhouette error, {} that the scene does not fit\n",
+    output::text(format!(
+        "  {} without a silhouette error, {} that the scene does not fit",
         exact.count(),
         refused.count()
-    );
-    if let Some(problem) = trade
-        .points
-        .iter()
-        .find_map(|e| e.point.cost_refused.as_ref())
-    {
-        text += &format!("  no cost of some points: {problem}\n");
+    ));
+    let mut points = trade.points.iter();
+    if let Some(problem) = points.find_map(|e| e.point.cost_refused.as_ref()) {
+        output::text(format!("  no cost of some points: {problem}"));
     }
-    for file in files {
-        text += &format!("wrote {}\n", file.display());
-    }
-    text.trim_end().to_owned()
 }

@@ -41,13 +41,11 @@ pub fn exact_frame(framed: &FramedScene, prepared: &PreparedScene) -> Frame {
 }
 
 pub fn golden_frame(prepared: &PreparedScene) -> Frame {
-    let bar = output::progress(u64::from(prepared.height), "golden model");
     let (width, height) = (prepared.width as usize, prepared.height as usize);
-    let frame = render(&prepared.slots(), &prepared.format, width, height, || {
-        bar.inc(1)
-    });
-    bar.finish_and_clear();
-    frame
+    output::during(u64::from(prepared.height), "golden model", |bar| {
+        let step = || bar.inc(1);
+        render(&prepared.slots(), &prepared.format, width, height, step)
+    })
 }
 
 pub fn exact_lighting(framed: &FramedScene, frame: &Frame) -> Lighting {

@@ -22,9 +22,9 @@ pub fn run(options: &Synth, json: bool) -> Result<(), Failure> {
         clock: !options.no_clock,
         cache: options.cache(),
     };
-    let bar = output::progress(rows.len() as u64, "synthesis");
-    let checks = check(&rows, &baseline, &check_options, || bar.inc(1))?;
-    bar.finish_and_clear();
+    let checks = output::during(rows.len() as u64, "synthesis", |bar| {
+        check(&rows, &baseline, &check_options, || bar.inc(1))
+    })?;
     output::report(json, &checks, |checks| {
         checks.iter().for_each(|row| output::text(describe(row)));
         output::text(summary(checks));
