@@ -52,6 +52,7 @@ fn hardware() -> Result<Hardware, Failure> {
     });
     let machine = ZoneMachine {
         object_processors: MACHINE_PROCESSORS,
+        products: vec![],
         planes: MACHINE_PLANES,
         volume_processors: 0,
         volume_planes: 0,

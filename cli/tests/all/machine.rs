@@ -182,10 +182,28 @@ fn the_lines_that_a_refusal_advises_are_accepted() {
     ]
     .map(crate::common::scene);
     let [teapot, robot, cylinders, molecule] = [&*teapot, &*robot, &*cylinders, &*molecule];
+    let [bracket, printed] = ["bracket", "printed-example"]
+        .map(|name| crate::common::scene(&format!("solids/{name}.toml")));
+    let [bracket, printed] = [&*bracket, &*printed];
     let few = ["objects = 10 ", "planes = ", "lights = 2 # was 1"];
     let slotted = beam.replace("objects = 1\nplanes = 0", "slots = \"3,0\"");
     let suns = format!("{beam}suns = 1\n");
-    let cases: [(&[&Path], &str, &[&str]); 9] = [
+    let solid = zone.replace("objects = 1\n", "objects = 4\nproducts = \"2-1\"\n");
+    let cases: [(&[&Path], &str, &[&str]); 11] = [
+        (
+            &[bracket],
+            &zone,
+            &[
+                "products = \"1-4\"",
+                "objects = 6 # was 1",
+                "planes = 6 # was 0",
+            ],
+        ),
+        (
+            &[printed, bracket],
+            &solid,
+            &["products = \"2-4\" # was \"2-1\"", "objects = 7 # was 4"],
+        ),
         (&[teapot], &suns, &few),
         (&[teapot], &beam, &[few.as_slice(), &["mode = "]].concat()),
         (&[cylinders, teapot], &stream, &few),

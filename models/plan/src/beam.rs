@@ -1,6 +1,7 @@
 //! The words that a machine is given for a scene, or why it cannot show it.
 
 use super::description::MachineDescription;
+use super::products::in_slots;
 use super::zone::plan::{self, Part, PlanError};
 use imogene_contract::object::{Kind, ProductSlots};
 use imogene_contract::shading::MOST_MATERIALS;
@@ -138,21 +139,18 @@ pub(super) struct Member {
     pub slot: Slot,
 }
 
-/// The parts of the solids in the slots of products that are large enough for them. Of objects intersected the first
-/// one stands again where a product has a slot too many.
+/// The parts of the solids in the slots of products that are large enough for them.
 pub(super) fn members(prepared: &PreparedScene, products: &[ProductSlots]) -> Vec<Member> {
     let mut slots = prepared.solids.slots().into_iter();
     let (mut members, mut first) = (vec![], 0);
     for (own, product) in prepared.solids.products.iter().zip(products) {
         let [intersected, subtracted] = own.size();
         let own: Vec<Slot> = slots.by_ref().take(intersected + subtracted).collect();
-        let again = std::iter::repeat_n(&own[0], product.intersected - intersected);
-        let kept = own[..intersected].iter().chain(again).enumerate();
-        let taken_away = (product.intersected..).zip(&own[intersected..]);
-        members.extend(kept.chain(taken_away).map(|(place, slot)| Member {
+        let own = in_slots(product, own.split_at(intersected).into());
+        members.extend(own.into_iter().map(|(place, slot)| Member {
             place: first + place,
             needed: FittedSlot::of_words(&slot.words).expect("a quadric processor draws it"),
-            slot: slot.clone(),
+            slot,
         }));
         first += product.count();
     }

@@ -156,7 +156,7 @@ pub struct MachineDescription {
     /// Object processors of a beam machine that are not all alike, in place of `objects` and `planes`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub slots: Option<Slots>,
-    /// Products of solids in a beam machine; the last slots are theirs, product by product.
+    /// Products of solids; the last object processors are theirs, product by product.
     #[serde(default, skip_serializing_if = "has_none")]
     pub products: Products,
     /// Transparent objects of a beam machine: its last slots, behind those of products, are theirs.
@@ -476,7 +476,8 @@ impl MachineDescription {
             height: 1,
         });
         ZoneMachine {
-            object_processors: self.objects,
+            object_processors: self.slots_alone(),
+            products: self.products.0.clone(),
             planes: self.planes,
             volume_processors: self.volumes,
             volume_planes: self.volume_planes,

@@ -29,6 +29,7 @@ pub mod description;
 pub mod display;
 pub mod needs;
 pub mod pace;
+mod products;
 pub mod split;
 pub mod tile;
 pub mod zone;

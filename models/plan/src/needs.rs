@@ -14,6 +14,12 @@ use imogene_prepare::PreparedScene;
 use imogene_prepare::shader::ShaderError;
 use imogene_scene::FramedScene;
 
+/// A product before it has slots.
+const NO_SLOTS: ProductSlots = ProductSlots {
+    intersected: 0,
+    subtracted: 0,
+};
+
 /// Zone of a machine that takes the place of a beam machine.
 const ZONE: ZoneSize = ZoneSize {
     width: 32,
@@ -57,6 +63,9 @@ pub fn enough(
         }
         if enough.check("").is_err() {
             share_processors(&mut enough, machine);
+            for (framed, prepared) in scenes {
+                add(&mut enough, framed, prepared)?;
+            }
         }
     }
     Ok(enough)
@@ -110,7 +119,8 @@ fn add(
         MachineKind::Zone => {
             let parts = parts(prepared, MAX_PLANES)?;
             let planes = parts.iter().map(|part| part.words.planes.len()).max();
-            (1, planes, volumes.len().min(1))
+            let objects = add_products(machine, prepared);
+            (objects, planes, volumes.len().min(1))
         }
     };
     // A machine without lights shows plain colours, whatever shines in the scene.
@@ -129,6 +139,27 @@ fn add(
     let directional = machine.lights - points.count().min(lights);
     machine.suns = machine.suns.min(directional);
     Ok(())
+}
+
+/// Gives a zone machine a product that is large enough for each of a scene; the object processors that it then needs.
+fn add_products(machine: &mut MachineDescription, prepared: &PreparedScene) -> usize {
+    let has_others = !prepared.slots_alone().is_empty();
+    let alone = machine.slots_alone().max(usize::from(has_others));
+    let products = &mut machine.products.0;
+    for product in &prepared.solids.products {
+        if products.iter().any(|slots| slots.hold(product.size())) {
+            continue;
+        }
+        if products.is_empty() {
+            products.push(NO_SLOTS);
+        }
+        if let Some(last) = products.last_mut() {
+            let [intersected, subtracted] = product.size();
+            last.intersected = last.intersected.max(intersected);
+            last.subtracted = last.subtracted.max(subtracted);
+        }
+    }
+    alone + machine.slots_of_products()
 }
 
 /// Gives the slots of a beam machine what they lack for a scene; the planes or sides of each part.
@@ -180,10 +211,6 @@ fn enlarge(
     slots: &mut Vec<FittedSlot>,
     prepared: &PreparedScene,
 ) {
-    let nothing = ProductSlots {
-        intersected: 0,
-        subtracted: 0,
-    };
     let needed = prepared
         .solids
         .products
@@ -191,7 +218,7 @@ fn enlarge(
         .map(|product| product.size());
     let needed: Vec<[usize; 2]> = needed.collect();
     let mut given = std::mem::take(slots).into_iter();
-    products.resize(products.len().max(needed.len()), nothing);
+    products.resize(products.len().max(needed.len()), NO_SLOTS);
     for (place, product) in products.iter_mut().enumerate() {
         let sizes = needed.get(place).copied().unwrap_or_default();
         for (size, needed) in [&mut product.intersected, &mut product.subtracted]
@@ -242,7 +269,7 @@ fn make_room(
     Ok(())
 }
 
-/// No beam machine is large enough: the zone machine of its processors, which share the objects.
+/// No beam machine is large enough: the zone machine of its processors, which share objects and products.
 fn share_processors(enough: &mut MachineDescription, beam: &MachineDescription) {
     *enough = MachineDescription {
         machine: MachineKind::Zone,
@@ -252,6 +279,8 @@ fn share_processors(enough: &mut MachineDescription, beam: &MachineDescription) 
         loader_words: None,
         lights: enough.lights.max(1),
         slots: None,
+        products: beam.products.clone(),
+        layers: 0,
         mode: beam.mode.clone(),
         ..enough.clone()
     };

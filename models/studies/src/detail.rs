@@ -106,6 +106,7 @@ pub struct Report {
 pub const fn machine(side: u32) -> ZoneMachine {
     ZoneMachine {
         object_processors: 8,
+        products: Vec::new(),
         planes: MAX_PLANES,
         volume_processors: 4,
         volume_planes: MAX_PLANES,
@@ -225,7 +226,10 @@ fn streams(scene: &PreparedScene, side: u32) -> Result<Streams, PlanError> {
 
 fn stream(plan: &ZonePlan, refinement: Refinement) -> ZoneStream {
     let counted = clocks(plan, &ZoneTiming::default());
-    let parts = plan.zones.iter().map(|zone| zone.parts.len() as u64);
+    let parts = plan
+        .zones
+        .iter()
+        .map(|zone| zone.all_parts().count() as u64);
     let volumes = plan.zones.iter().map(|zone| zone.volumes.len() as u64);
     ZoneStream {
         refinement,

@@ -92,6 +92,11 @@ impl ProductSlots {
     pub const fn count(&self) -> usize {
         self.intersected + self.subtracted
     }
+
+    /// Are they enough for a product of so many objects intersected and taken away?
+    pub const fn hold(&self, [intersected, subtracted]: [usize; 2]) -> bool {
+        intersected <= self.intersected && subtracted <= self.subtracted
+    }
 }
 
 /// Address of the columns of the screen box of a quadric, in front of that of its lines.

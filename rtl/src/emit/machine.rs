@@ -58,7 +58,7 @@ pub struct MachineRequest {
     pub rows_per_stage: usize,
     /// Object processors, in a beam machine one for each object.
     pub slots: Vec<Slot>,
-    /// Products of solids, of a beam machine alone, whose slots are the last, product by product.
+    /// Products of solids, whose slots are the last, product by product.
     pub products: Vec<ProductSlots>,
     /// Slots of transparent objects, of a beam machine that shades alone; their numbers follow those of `slots`.
     pub layers: Vec<Slot>,
@@ -176,12 +176,7 @@ impl MachineRequest {
 
     fn check_products(&self) -> Result<(), RequestError> {
         let members: usize = self.products.iter().map(ProductSlots::count).sum();
-        let most = if self.kind.zone().is_some() {
-            0
-        } else {
-            self.slots.len()
-        };
-        in_range("slots of products", members, 0, most as u32)?;
+        in_range("slots of products", members, 0, self.slots.len() as u32)?;
         self.products.iter().try_for_each(|product| {
             in_range("objects intersected", product.intersected, 1, MOST_MEMBERS)?;
             in_range("objects taken away", product.subtracted, 0, MOST_MEMBERS)

@@ -2,7 +2,7 @@
 //! `scripts/setup --lint` installs in target/tools, and fails without it.
 
 use crate::support::{requests, write};
-use imogene_contract::object::KINDS;
+use imogene_contract::object::{KINDS, ProductSlots};
 use imogene_contract::video::VideoMode;
 use imogene_contract::{Request, Unit};
 use imogene_rtl::emit::machine::{
@@ -49,7 +49,7 @@ fn slang_accepts_every_unit_without_a_warning() {
     assert_clean(&files);
 }
 
-/// A zone machine and a beam machine with their screens, and one with a slot of each kind.
+/// A zone machine and a beam machine with a product and their screens, and one with a slot of each kind.
 fn machines() -> [Emitted; 3] {
     let screen = Output {
         mode: VideoMode::VGA,
@@ -60,19 +60,28 @@ fn machines() -> [Emitted; 3] {
         zone_bits: 8,
         samples: 2,
     };
-    let quadrics = vec![Slot::full(1); 2];
+    let quadrics = vec![Slot::full(1); 3];
+    let product = ProductSlots {
+        intersected: 1,
+        subtracted: 1,
+    };
     let each = KINDS.map(|(kind, _, [least, _])| Slot {
         kind,
         ..Slot::full(least as usize)
     });
     let machines = [
-        (Kind::ZoneDisplay(zone, screen), quadrics.clone()),
-        (Kind::BeamDisplay(8, screen), quadrics),
-        (Kind::BeamDisplay(10, screen), each.to_vec()),
+        (
+            Kind::ZoneDisplay(zone, screen),
+            quadrics.clone(),
+            vec![product],
+        ),
+        (Kind::BeamDisplay(8, screen), quadrics, vec![product]),
+        (Kind::BeamDisplay(10, screen), each.to_vec(), vec![]),
     ];
-    machines.map(|(kind, slots)| {
+    machines.map(|(kind, slots, products)| {
         let request = MachineRequest {
             kind,
+            products,
             volumes: 1,
             volume_planes: 4,
             lights: 2,

@@ -59,9 +59,10 @@ pub fn core_request(
     format: &Format,
     rows_per_stage: usize,
 ) -> MachineRequest {
-    let slots = vec![Slot::full(machine.planes); machine.object_processors];
+    let slots = vec![Slot::full(machine.planes); machine.slots()];
     MachineRequest {
         kind: Kind::ZoneCore(shape(machine)),
+        products: machine.products.clone(),
         volumes: machine.volume_processors,
         volume_planes: machine.volume_planes,
         ..MachineRequest::fitted(format.widths(), rows_per_stage, slots)

@@ -174,6 +174,28 @@ fn flat_facets_on_the_pins_of_a_machine_with_guard_bits() {
     }
 }
 
+/// One solid after the other, so that a processor that is not loaded has words of the other one; then samples.
+#[test]
+fn solids_on_the_pins_of_a_zone_machine() {
+    let machine = small("zone-solids.toml", 64, 48, 12);
+    let of = |machine: &MachineDescription, name: &str| {
+        let image = drawn(&format!("solids/{name}.toml"), machine);
+        assert!(image.frame.id.iter().filter(|id| **id >= 0).count() > 600);
+        image
+    };
+    let [bracket, printed] = ["bracket", "printed-example"].map(|name| of(&machine, name));
+    let images = [bracket.clone(), printed, bracket];
+    run(&machine, &images, &PinsRun::plain(Engine::BuiltIn));
+    run(&machine, &images, &PinsRun::plain(VERILATOR));
+    let sampled = MachineDescription {
+        supersampling: 2,
+        output: Output::Stream,
+        ..machine
+    };
+    let image = of(&sampled, "bracket");
+    run(&sampled, &[image], &PinsRun::plain(Engine::BuiltIn));
+}
+
 #[test]
 fn the_beam_machine_smooths_and_never_tears() {
     for smoothing in [Smoothing::None, Smoothing::Box, Smoothing::Binomial] {

@@ -4,6 +4,7 @@ use imogene_golden::format::Format;
 use imogene_golden::machine::zone::ZoneMachine;
 use imogene_golden::machine::zone::beat::Beat;
 use imogene_golden::machine::zone::golden::ZoneMachineModel;
+use imogene_golden::slots::Products;
 use imogene_plan::zone::clocks::clocks;
 use imogene_plan::zone::plan::ZonePlan;
 use imogene_prepare::Framing;
@@ -28,6 +29,7 @@ fn plan(scene: &str, (width, height): (u32, u32), machine: ZoneMachine) -> ZoneP
 fn machine(objects: usize, volumes: usize, side: u32) -> ZoneMachine {
     ZoneMachine {
         object_processors: objects,
+        products: vec![],
         planes: 3,
         volume_processors: volumes,
         volume_planes: 10,
@@ -73,6 +75,30 @@ fn scenes_with_shadows_in_verilator() {
         );
         check(&plan, engine, None);
         check(&plan, engine, Some(3));
+    }
+}
+
+/// Products in turn in the places of one or of several, also without any other object.
+#[test]
+fn solids() {
+    let verilator = Engine::Verilog(Simulator::Verilator);
+    let (bracket, printed) = ("solids/bracket.toml", "solids/printed-example.toml");
+    for (scene, size, objects, products, engine) in [
+        (bracket, (40, 30), 1, "1-4", Engine::BuiltIn),
+        (printed, (40, 30), 0, "2-1,2-1", Engine::BuiltIn),
+        (bracket, (96, 72), 2, "3-1,2-5", verilator),
+        (printed, (96, 72), 1, "1-0,3-2,2-1,2-2", verilator),
+    ] {
+        let Products(products) = products.to_owned().try_into().expect("products");
+        let machine = ZoneMachine {
+            planes: 6,
+            products,
+            ..machine(objects, 0, 16)
+        };
+        let plan = plan(scene, size, machine);
+        assert!(plan.zones.iter().any(|zone| zone.products.len() > 1));
+        check(&plan, engine, None);
+        check(&plan, engine, Some(5));
     }
 }
 

@@ -27,9 +27,6 @@ pub enum AsQuadricError {
         "{0} cannot be drawn by a quadric processor; accepted are quadrics, patches, polyhedra and flat facets"
     )]
     Processor(&'static str),
-    /// A product of a solid takes its objects at the same time.
-    #[error("belongs to a solid; accepted are solids in a beam machine alone")]
-    Solid,
     /// Blends are made beside the decider.
     #[error("is transparent; accepted are transparent objects in a beam machine alone")]
     Transparent,
@@ -83,7 +80,7 @@ impl ProcessorWords {
                 ));
             }
             Self::CurvedFacet(_) => return Err(AsQuadricError::Processor("a curved facet")),
-            Self::Member(_) => return Err(AsQuadricError::Solid),
+            Self::Member(words) => words.own().clone(),
             Self::Quotient(_) => {
                 return Err(AsQuadricError::Processor(
                     "a quadric that the viewer lies on",

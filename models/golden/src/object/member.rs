@@ -28,18 +28,62 @@ impl MemberWords {
     pub fn own(&self) -> &QuadricWords {
         &self.objects[self.place]
     }
+}
 
-    /// Where the object ends along the line of sight.
-    fn extent(&self, place: usize, pixel: &ObjectPixel, format: &Format) -> Extent {
-        let ObjectPixel { zf, zb, number, .. } = *pixel;
-        if place < self.intersected {
-            return Extent { zf, zb };
-        }
-        // What reaches the far end has its cap there.
-        let is_open = number == FACE_NEAR_END && zf != format.z_max();
-        Extent {
-            zf: !zb,
-            zb: if is_open { format.z_max() } else { !zf },
+/// Where an object ends along the line of sight.
+fn extent(is_intersected: bool, pixel: &ObjectPixel, format: &Format) -> Extent {
+    let ObjectPixel { zf, zb, number, .. } = *pixel;
+    if is_intersected {
+        return Extent { zf, zb };
+    }
+    // What reaches the far end has its cap there.
+    let is_open = number == FACE_NEAR_END && zf != format.z_max();
+    Extent {
+        zf: !zb,
+        zb: if is_open { format.z_max() } else { !zf },
+    }
+}
+
+/// What is seen of a product at pixel (x, y), both ends at the face that is seen, and which object's face it is. The
+/// first objects are intersected, the others taken away and seen from behind.
+fn seen_at(
+    objects: &[QuadricWords],
+    intersected: usize,
+    [x, y]: [i64; 2],
+    format: &Format,
+) -> Option<(usize, ObjectPixel)> {
+    let pixels = objects.iter().map(|words| words.at(x, y, format));
+    let pixels: Vec<ObjectPixel> = pixels.collect();
+    let extents = pixels.iter().enumerate();
+    let extents = extents.map(|(place, pixel)| extent(place < intersected, pixel, format));
+    let extents: Vec<Extent> = extents.collect();
+    let (kept, taken_away) = extents.split_at(intersected);
+    let seen = front(kept, taken_away, format.z_max())?;
+    let pixel = ObjectPixel {
+        zf: seen.depth,
+        zb: seen.depth,
+        ..pixels[seen.object]
+    };
+    Some((seen.object, pixel))
+}
+
+/// Calls `sink(x, object, pixel)` for every pixel of line `y` at which a product is seen, left to right, with the
+/// object whose face it is. The first objects are intersected, the others taken away and seen from behind.
+pub fn for_each_seen(
+    objects: &[QuadricWords],
+    intersected: usize,
+    format: &Format,
+    y: i64,
+    mut sink: impl FnMut(i64, usize, ObjectPixel),
+) {
+    let boxes = objects[..intersected].iter().map(|words| words.screen_box);
+    let window = boxes.reduce(|all, one| all.shared(&one));
+    let Some(window) = window.filter(|window| (window.y0..=window.y1).contains(&y)) else {
+        return;
+    };
+    for x in window.x0..=window.x1 {
+        if let Some((object, pixel)) = seen_at(objects, intersected, [x, y], format) {
+            sink(x, object, pixel);
         }
     }
 }
@@ -66,20 +110,9 @@ impl Words for MemberWords {
 
 impl Object for MemberWords {
     fn at(&self, x: i64, y: i64, format: &Format) -> ObjectPixel {
-        let pixels = self.objects.iter().map(|words| words.at(x, y, format));
-        let pixels: Vec<ObjectPixel> = pixels.collect();
-        let extents = pixels.iter().enumerate();
-        let extents = extents.map(|(place, pixel)| self.extent(place, pixel, format));
-        let extents: Vec<Extent> = extents.collect();
-        let (intersected, subtracted) = extents.split_at(self.intersected);
-        let seen = front(intersected, subtracted, format.z_max());
-        match seen.filter(|seen| seen.object == self.place) {
-            Some(seen) => ObjectPixel {
-                zf: seen.depth,
-                zb: seen.depth,
-                ..pixels[self.place]
-            },
-            None => ObjectPixel {
+        match seen_at(&self.objects, self.intersected, [x, y], format) {
+            Some((place, pixel)) if place == self.place => pixel,
+            _ => ObjectPixel {
                 zf: format.z_max(),
                 zb: format.z_max(),
                 number: 0,

@@ -47,6 +47,14 @@ impl ScreenBox {
         }
     }
 
+    /// The pixels of both.
+    pub fn shared(&self, other: &ScreenBox) -> ScreenBox {
+        ScreenBox::of(
+            [self.x0.max(other.x0), self.x1.min(other.x1)],
+            [self.y0.max(other.y0), self.y1.min(other.y1)],
+        )
+    }
+
     /// True if the boxes have a pixel in common, or pixels side by side.
     pub fn touches(&self, other: &ScreenBox) -> bool {
         let along = |a0: i64, a1: i64, b0: i64, b1: i64| a0 <= b1 + 1 && b0 <= a1 + 1;

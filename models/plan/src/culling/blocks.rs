@@ -32,14 +32,6 @@ fn halves(first: i64, last: i64) -> [Option<(i64, i64)>; 2] {
     [Some((first, middle)), Some((middle + 1, last))]
 }
 
-/// The pixels that two windows share.
-pub fn shared(p: &ScreenBox, q: &ScreenBox) -> ScreenBox {
-    ScreenBox::of(
-        [p.x0.max(q.x0), p.x1.min(q.x1)],
-        [p.y0.max(q.y0), p.y1.min(q.y1)],
-    )
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -13,5 +13,4 @@ mod surface;
 pub mod volume;
 pub mod zones;
 
-pub(crate) use blocks::shared;
 pub use surface::{Planes, all_planes};

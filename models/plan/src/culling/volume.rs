@@ -4,7 +4,7 @@
 //! what is seen is not known before it is drawn, but it lies between the depths of the objects of the zone, object by
 //! object: that is enough to leave most volumes out.
 
-use super::blocks::{everywhere, shared};
+use super::blocks::everywhere;
 use super::part::with_planes;
 use super::surface::{
     DepthBounds, Matter, Planes, Roots, Surface, difference, keep, plus, radicand, times,
@@ -41,7 +41,7 @@ impl Seen {
 pub fn matter_of_volume(words: &VolumeWords, seen: &[Seen], format: &Format) -> Matter {
     Matter::of(words.planes.len(), |planes, idle| {
         seen.iter().all(|seen| {
-            let window = shared(&seen.window, &words.screen_box);
+            let window = seen.window.shared(&words.screen_box);
             everywhere(&window, &|w| {
                 let near = Near::new(words, seen, format, w);
                 near.is_outside(planes) || idle.is_some_and(|index| near.keeps_all(index))

@@ -1,6 +1,5 @@
 //! The zones that each object of a scene touches: by its screen box, by bounds, and in truth.
 
-use super::blocks::shared;
 use super::part::{Matter, matter};
 use crate::split::{Division, Piece};
 use imogene_golden::format::Format;
@@ -87,7 +86,7 @@ fn touched(words: &ProcessorWords, format: &Format, pieces: &[Piece]) -> Vec<(us
     };
     let mut found = vec![];
     for (index, piece) in pieces.iter().enumerate() {
-        let window = shared(words.screen_box(), &window_of(piece));
+        let window = words.screen_box().shared(&window_of(piece));
         if window.is_empty() {
             continue;
         }

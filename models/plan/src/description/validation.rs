@@ -121,12 +121,8 @@ impl MachineDescription {
         range("layers", self.layers, 0, MOST_LAYERS as usize)?;
         let (members, layers, slots) = (self.slots_of_products(), self.layers, self.slots());
         let text = || String::from(self.products.clone());
-        if self.machine == MachineKind::Zone {
-            return match (members, layers) {
-                (0, 0) => Ok(()),
-                (0, _) => refuse("layers", layers, "layers in a beam machine alone"),
-                _ => refuse("products", text(), "products in a beam machine alone"),
-            };
+        if self.machine == MachineKind::Zone && layers > 0 {
+            return refuse("layers", layers, "layers in a beam machine alone");
         }
         if layers >= slots.len() {
             let accepted = format!(
@@ -299,6 +295,16 @@ mod tests {
         assert!(refusal(&format!("{BEAM}supersampling = 2\n")).contains("1 in a beam machine"));
         let zone = BEAM.replace("beam", "zone") + "zone = { width = 8, height = 8 }\n";
         assert!(refusal(&format!("{zone}supersampling = 3\n")).contains("1, 2 or 4"));
+        // Products are the last of the ten object processors, and may be all of them.
+        assert!(refusal(&format!("{zone}layers = 1\n")).contains("layers in a beam machine alone"));
+        let products = |list: &str| format!("{zone}products = \"{list}\"\n");
+        assert!(refusal(&products("8-1,2-0")).contains("products of 10 slots in all"));
+        let solids = MachineDescription::parse(&products("2-4,1-2"), "m.toml").unwrap();
+        assert_eq!(
+            (solids.slots_alone(), solids.zone_machine().slots()),
+            (1, 10)
+        );
+        assert!(MachineDescription::parse(&products("8-1,1-0"), "m.toml").is_ok());
         let wide = zone.replace("640x480", "1280x720");
         assert!(refusal(&format!("{wide}supersampling = 4\n")).contains("up to 1024 x 1024"));
     }

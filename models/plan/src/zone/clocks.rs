@@ -114,7 +114,7 @@ impl FrameClocks {
 fn words_of(plan: &ZonePlan, zone: &Zone, pass: &Pass) -> u64 {
     match pass {
         Pass::Draw { parts, .. } => {
-            let beats = |&index: &u32| {
+            let beats = |&(_, index): &(usize, u32)| {
                 let all = all_planes(plan.parts[index as usize].words.planes.len());
                 let used = (zone.planes_of_part(index) & all).count_ones();
                 beats_of_part(used as usize, plan.machine.planes)

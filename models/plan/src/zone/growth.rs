@@ -16,7 +16,7 @@ pub const OBJECT_PROCESSORS: [usize; 5] = [1, 2, 4, 8, 16];
 pub struct Growth {
     /// Side of the zones.
     pub side: u32,
-    /// Object processors.
+    /// Object processors, those of products not counted.
     pub object_processors: usize,
     /// Volume processors.
     pub volume_processors: usize,
@@ -46,7 +46,7 @@ pub fn growth(
             ZoneMachine {
                 zone_width: side,
                 zone_height: side,
-                ..*machine
+                ..machine.clone()
             },
         )?;
         for &number in object_processors {
@@ -60,7 +60,7 @@ pub fn growth(
 
 impl Growth {
     fn of(plan: &ZonePlan, timing: &ZoneTiming) -> Growth {
-        let parts = plan.zones.iter().map(|zone| zone.parts.len());
+        let parts = plan.zones.iter().map(|zone| zone.all_parts().count());
         let volumes = plan.zones.iter().map(|zone| zone.volumes.len());
         Growth {
             side: plan.machine.zone_width,

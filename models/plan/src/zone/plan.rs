@@ -1,6 +1,8 @@
 //! The host's plan of a frame: zones, their objects and volumes, and the passes that draw, light and show them.
 
 use crate::culling::Planes;
+pub use crate::products::ZoneProduct;
+use crate::products::in_passes;
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::sample::Sample;
 use imogene_golden::machine::zone::{ID_BITS, MAX_PICTURE, ZoneMachine, ZoneMachineError};
@@ -10,7 +12,8 @@ use imogene_golden::object::slot::Slot;
 use imogene_golden::object::volume::{VolumeKind, VolumeWords};
 use imogene_golden::object::words::Words;
 use imogene_prepare::PreparedScene;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 use thiserror::Error;
 
 /// Why a scene cannot be drawn by a zone machine.
@@ -43,6 +46,18 @@ pub enum PlanError {
         "the scene has {0} shadow and light volumes and the machine no volume processor; accepted is at least one"
     )]
     NoVolumeProcessor(usize),
+    /// Objects without a processor.
+    #[error(
+        "{0} objects are in no solid, and the machine has object processors of products alone; accepted is one more at \
+         least"
+    )]
+    NoObjectProcessor(usize),
+    /// A product that is larger than those of the machine.
+    #[error(
+        "a product of a solid intersects {} objects and takes {} away; accepted are machines with products such as \
+         \"{}-{}\"", .0[0], .0[1], .0[0], .0[1]
+    )]
+    NoProduct([usize; 2]),
     /// More objects than ids.
     #[error("{0} objects: an id has {ID_BITS} bits; accepted are up to {most}", most = 1 << ID_BITS)]
     Objects(usize),
@@ -81,9 +96,11 @@ pub struct Zone {
     pub height: u32,
     /// The sample; a zone is there once for each.
     pub sample: Sample,
-    /// Indices of the parts whose box touches the zone, ascending.
+    /// Indices of the parts that are in no solid and whose box touches the zone, ascending.
     pub parts: Vec<u32>,
-    /// Indices of the volumes that matter here, ascending; none if there is no part.
+    /// Products of which the boxes of all objects intersected share a place in the zone.
+    pub products: Vec<ZoneProduct>,
+    /// Indices of the volumes that matter here, ascending; none if there is nothing to draw.
     pub volumes: Vec<u32>,
     /// Of each part of which not all planes are sent: those that are.
     pub part_planes: BTreeMap<u32, Planes>,
@@ -92,6 +109,17 @@ pub struct Zone {
 }
 
 impl Zone {
+    /// True if there is nothing to draw.
+    pub fn is_empty(&self) -> bool {
+        self.parts.is_empty() && self.products.is_empty()
+    }
+
+    /// The parts that are sent to it, those of products as often as these name them.
+    pub fn all_parts(&self) -> impl Iterator<Item = u32> + '_ {
+        let members = self.products.iter().flat_map(ZoneProduct::parts);
+        self.parts.iter().copied().chain(members)
+    }
+
     /// The words of a part or a volume for the zone at its sample.
     pub(super) fn moved<W: Words + Clone>(&self, words: &W) -> W {
         let [x0, y0, width, height] = [self.x0, self.y0, self.width, self.height].map(i64::from);
@@ -101,14 +129,14 @@ impl Zone {
 }
 
 /// One pass of the machine over a zone.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Pass<'a> {
     /// Parts go through the object processors into the buffer.
     Draw {
         /// The buffer holds nothing of this zone yet.
         first: bool,
-        /// Their indices; part i of the list is loaded into processor i.
-        parts: &'a [u32],
+        /// Processors, and the index of the part that each is loaded with.
+        parts: Vec<(usize, u32)>,
     },
     /// The buffer's depths go through the volume processors into its flags.
     Light {
@@ -139,7 +167,7 @@ pub struct ZonePlan {
     pub width: u32,
     /// Lines of samples.
     pub height: u32,
-    /// What there is to draw, by ascending object.
+    /// What there is to draw: by ascending object what is in no solid, then the objects of solids, product by product.
     pub parts: Vec<Part>,
     /// Shadow and light volumes, for the whole screen.
     pub volumes: Vec<VolumeWords>,
@@ -180,19 +208,30 @@ impl ZonePlan {
         let volumes = volumes(scene, machine.volume_planes, |volume, why| {
             PlanError::Volume { volume, why }
         })?;
+        let sizes = scene.solids.products.iter().map(|product| product.size());
+        let sizes: Vec<[usize; 2]> = sizes.collect();
+        let alone = parts.len() - sizes.iter().flatten().sum::<usize>();
+        check_places(&machine, alone, &sizes)?;
         let mut plan = ZonePlan {
             format: scene.format,
-            machine,
             width: scene.width,
             height: scene.height,
             zones: zones(scene.width, scene.height, &machine),
+            machine,
             parts,
             volumes,
             shading: vec![],
             materials: vec![],
             objects: scene.objects.len(),
         };
-        plan.assign();
+        plan.assign_parts(alone);
+        let mut first = alone;
+        for [intersected, subtracted] in sizes {
+            let middle = first + intersected;
+            plan.assign_product(first..middle, middle..middle + subtracted);
+            first = middle + subtracted;
+        }
+        plan.assign_volumes();
         Ok(plan)
     }
 
@@ -222,8 +261,8 @@ impl ZonePlan {
         zone: &'a Zone,
         last: bool,
     ) -> impl Iterator<Item = Pass<'a>> + use<'a> {
-        let draws = zone.parts.chunks(self.machine.object_processors);
-        let draws = draws.enumerate().map(|(batch, parts)| Pass::Draw {
+        let draws = self.draws(zone).into_iter().enumerate();
+        let draws = draws.map(|(batch, parts)| Pass::Draw {
             first: batch == 0,
             parts,
         });
@@ -235,68 +274,111 @@ impl ZonePlan {
         });
         let show = Pass::Show {
             lit: !zone.volumes.is_empty(),
-            drawn: !zone.parts.is_empty(),
+            drawn: !zone.is_empty(),
             last,
         };
         draws.chain(lights).chain([show])
     }
 
-    /// Parts and volumes to the zones that they matter in.
-    fn assign(&mut self) {
-        let zones_of = {
-            let (machine, width) = (self.machine, self.width);
-            move |window: &ScreenBox| zones_of(window, width, &machine)
-        };
-        let seen = |window: &ScreenBox| !window.is_empty();
-        for (index, part) in self.parts.iter().enumerate() {
-            let window = &part.words.screen_box;
-            if seen(window) {
-                for zone in zones_of(window) {
-                    self.zones[zone].parts.push(index as u32);
-                }
+    /// Processors and parts of each draw pass over a zone. Objects go in their order, products as there is a place.
+    fn draws(&self, zone: &Zone) -> Vec<Vec<(usize, u32)>> {
+        // Without objects that are in no solid there may be no processor for them.
+        let alone = zone.parts.chunks(self.machine.object_processors.max(1));
+        let alone = alone.map(|parts| parts.iter().copied().enumerate().collect());
+        let mut draws: Vec<Vec<_>> = alone.collect();
+        let products = in_passes(&self.machine, &zone.products);
+        draws.resize(draws.len().max(products.len()), vec![]);
+        for (draw, members) in draws.iter_mut().zip(products) {
+            draw.extend(members);
+        }
+        draws
+    }
+
+    /// The first parts, so many, to the zones that their boxes touch.
+    fn assign_parts(&mut self, alone: usize) {
+        for index in 0..alone {
+            for zone in self.zones_of(&self.parts[index].words.screen_box) {
+                self.zones[zone].parts.push(index as u32);
             }
         }
+    }
+
+    /// A product to the zones where the boxes of all that it intersects share a place, each object that it takes away
+    /// to those of them where it shares it.
+    fn assign_product(&mut self, intersected: Range<usize>, subtracted: Range<usize>) {
+        let window = |part: &Part| part.words.screen_box;
+        let boxes = self.parts[intersected.clone()].iter().map(window);
+        let common = boxes.reduce(|all, one| all.shared(&one));
+        let common = common.unwrap_or(ScreenBox::EMPTY);
+        let reached = |part| self.zones_of(&common.shared(&window(part)));
+        let taken_away = self.parts[subtracted.clone()].iter().map(reached);
+        let taken_away: Vec<BTreeSet<usize>> = taken_away
+            .map(|zones| zones.into_iter().collect())
+            .collect();
+        for zone in self.zones_of(&common) {
+            let own = subtracted.clone().zip(&taken_away);
+            let own = own.filter(|(_, zones)| zones.contains(&zone));
+            self.zones[zone].products.push(ZoneProduct {
+                intersected: intersected.clone().map(|part| part as u32).collect(),
+                subtracted: own.map(|(part, _)| part as u32).collect(),
+            });
+        }
+    }
+
+    /// Volumes to the zones that they matter in.
+    fn assign_volumes(&mut self) {
         for (index, volume) in self.volumes.iter().enumerate() {
-            let add = |zone: &mut Zone| {
-                if !zone.parts.is_empty() {
-                    zone.volumes.push(index as u32);
-                }
-            };
-            match volume.kind {
+            let zones = match volume.kind {
                 // Outside of it is dark, also outside its box.
-                VolumeKind::Light => self.zones.iter_mut().for_each(add),
-                VolumeKind::Shadow if seen(&volume.screen_box) => {
-                    for zone in zones_of(&volume.screen_box) {
-                        add(&mut self.zones[zone]);
-                    }
+                VolumeKind::Light => (0..self.zones.len()).collect(),
+                VolumeKind::Shadow => self.zones_of(&volume.screen_box),
+            };
+            for zone in zones {
+                if !self.zones[zone].is_empty() {
+                    self.zones[zone].volumes.push(index as u32);
                 }
-                VolumeKind::Shadow => {}
             }
         }
+    }
+
+    /// Indices of the zones that a box of samples touches.
+    fn zones_of(&self, window: &ScreenBox) -> Vec<usize> {
+        let (machine, of) = (&self.machine, self.machine.samples);
+        let columns = (self.width / of).div_ceil(machine.zone_width);
+        let span = |first: i64, last: i64, size: u32| {
+            let size = i64::from(size);
+            (first / size) as u32..=(last / size) as u32
+        };
+        let mut zones = vec![];
+        for (place, sample) in Sample::all(of).enumerate() {
+            let window = window.on(&sample.pixels());
+            if window.is_empty() {
+                continue;
+            }
+            for v in span(window.y0, window.y1, machine.zone_height) {
+                for u in span(window.x0, window.x1, machine.zone_width) {
+                    zones.push(((v * columns + u) * of * of) as usize + place);
+                }
+            }
+        }
+        zones
     }
 }
 
-/// Indices of the zones that a box of samples touches, on a screen of `width` samples per line.
-fn zones_of(window: &ScreenBox, width: u32, machine: &ZoneMachine) -> Vec<usize> {
-    let of = machine.samples;
-    let columns = (width / of).div_ceil(machine.zone_width);
-    let span = |first: i64, last: i64, size: u32| {
-        let size = i64::from(size);
-        (first / size) as u32..=(last / size) as u32
-    };
-    let mut zones = vec![];
-    for (place, sample) in Sample::all(of).enumerate() {
-        let window = window.on(&sample.pixels());
-        if window.is_empty() {
-            continue;
-        }
-        for v in span(window.y0, window.y1, machine.zone_height) {
-            for u in span(window.x0, window.x1, machine.zone_width) {
-                zones.push(((v * columns + u) * of * of) as usize + place);
-            }
-        }
+/// Refuses a machine without a processor for objects in no solid, or without a product as large as one of the scene's.
+fn check_places(
+    machine: &ZoneMachine,
+    alone: usize,
+    products: &[[usize; 2]],
+) -> Result<(), PlanError> {
+    if machine.object_processors == 0 && alone > 0 {
+        return Err(PlanError::NoObjectProcessor(alone));
     }
-    zones
+    let has_place = |size: &[usize; 2]| machine.products.iter().any(|slots| slots.hold(*size));
+    match products.iter().find(|size| !has_place(size)) {
+        Some(&large) => Err(PlanError::NoProduct(large)),
+        None => Ok(()),
+    }
 }
 
 /// Object and words of every part of a scene, for processors of so many planes; `refused` says of an object why not.
@@ -345,6 +427,7 @@ fn zones(width: u32, height: u32, machine: &ZoneMachine) -> Vec<Zone> {
                 height: machine.zone_height.min(height - y0),
                 sample,
                 parts: vec![],
+                products: vec![],
                 volumes: vec![],
                 part_planes: BTreeMap::new(),
                 volume_planes: BTreeMap::new(),

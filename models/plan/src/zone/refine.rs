@@ -1,12 +1,13 @@
 //! Leaving out of a plan what changes no pixel: objects, planes and volumes that the screen box alone sends to a zone
 //! (source: 1.3.2, 5.5).
 
-use super::plan::{Zone, ZonePlan};
+use super::plan::{Zone, ZonePlan, ZoneProduct};
 use crate::culling::part::{Matter, matter};
 use crate::culling::volume::{Seen, matter_of_volume, volume_with_planes};
-use crate::culling::{Planes, all_planes, shared};
+use crate::culling::{Planes, all_planes};
 use imogene_golden::machine::zone::sample::Sample;
 use imogene_golden::object::line::for_each_present;
+use imogene_golden::object::member::for_each_seen;
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
 use imogene_golden::object::volume::{VolumeKind, VolumeWords};
 use imogene_golden::object::volume_line::for_each_inside;
@@ -76,13 +77,17 @@ impl<'a> ZoneRefiner<'a> {
 
     fn refine(mut self, refinement: Refinement) -> Zone {
         self.refine_parts(refinement);
-        if self.zone.parts.is_empty() {
+        self.refine_products(refinement);
+        if self.zone.is_empty() {
             self.zone.volumes.clear();
         }
         if self.zone.volumes.is_empty() {
             return self.zone;
         }
-        self.bound_volumes();
+        // The backs of what is taken away have no bounds.
+        if self.zone.products.is_empty() {
+            self.bound_volumes();
+        }
         if refinement == Refinement::Pixels {
             self.try_volumes();
         }
@@ -99,25 +104,70 @@ impl<'a> ZoneRefiner<'a> {
 
     /// The pixels of a part in the zone.
     fn pixels_of(&self, index: u32) -> ScreenBox {
-        shared(&self.words(index).screen_box, &self.window)
+        self.words(index).screen_box.shared(&self.window)
     }
 
     fn refine_parts(&mut self, refinement: Refinement) {
         let mut left = vec![];
         for index in std::mem::take(&mut self.zone.parts) {
-            let window = self.pixels_of(index);
-            let Matter::With(planes) = matter(self.words(index), &window, &self.plan.format) else {
+            let Some(planes) = self.planes_on(&self.window, index, refinement) else {
                 continue;
             };
-            if refinement == Refinement::Pixels && !self.is_drawn(index, window) {
-                continue;
-            }
             left.push(index);
             if planes != all_planes(self.words(index).planes.len()) {
                 self.zone.part_planes.insert(index, planes);
             }
         }
         self.zone.parts = left;
+    }
+
+    /// The planes of a part that matter on a window; nothing if it is at no pixel there.
+    fn planes_on(&self, window: &ScreenBox, index: u32, refinement: Refinement) -> Option<Planes> {
+        let window = self.words(index).screen_box.shared(window);
+        match matter(self.words(index), &window, &self.plan.format) {
+            Matter::With(planes)
+                if refinement != Refinement::Pixels || self.is_drawn(index, window) =>
+            {
+                Some(planes)
+            }
+            _ => None,
+        }
+    }
+
+    /// Leaves out products that are nowhere, and what the others take away nowhere. The back of an object counts, so
+    /// that all planes of the others stay.
+    fn refine_products(&mut self, refinement: Refinement) {
+        let mut left = vec![];
+        for mut product in std::mem::take(&mut self.zone.products) {
+            let boxes = product.intersected.iter();
+            let boxes = boxes.map(|&index| self.words(index).screen_box);
+            let window = boxes.fold(self.window, |all, one| all.shared(&one));
+            let is_there = |&index: &u32| self.planes_on(&window, index, refinement).is_some();
+            if !product.intersected.iter().all(is_there) {
+                continue;
+            }
+            product.subtracted.retain(is_there);
+            if refinement != Refinement::Pixels || self.is_seen(&product, &window) {
+                left.push(product);
+            }
+        }
+        self.zone.products = left;
+    }
+
+    /// Is the product at any pixel of the window?
+    fn is_seen(&self, product: &ZoneProduct, window: &ScreenBox) -> bool {
+        let objects = product.parts().map(|index| QuadricWords {
+            screen_box: self.words(index).screen_box.shared(window),
+            ..self.words(index).clone()
+        });
+        let (objects, intersected) = (objects.collect::<Vec<_>>(), product.intersected.len());
+        (window.y0..=window.y1).any(|y| {
+            let mut seen = false;
+            for_each_seen(&objects, intersected, &self.plan.format, y, |_, _, _| {
+                seen = true;
+            });
+            seen
+        })
     }
 
     /// Is the part at any pixel of the window?
@@ -236,6 +286,22 @@ impl<'a> ZoneRefiner<'a> {
                     let depth = &mut line[x as usize];
                     *depth = pixel.zf.min(*depth);
                 });
+            }
+        }
+        for product in &self.zone.products {
+            let objects = product.parts().map(|index| self.in_zone(self.words(index)));
+            let (objects, intersected) = (objects.collect::<Vec<_>>(), product.intersected.len());
+            for (y, line) in (0..).zip(depths.chunks_mut(width)) {
+                for_each_seen(
+                    &objects,
+                    intersected,
+                    &self.plan.format,
+                    y,
+                    |x, _, pixel| {
+                        let depth = &mut line[x as usize];
+                        *depth = pixel.zf.min(*depth);
+                    },
+                );
             }
         }
         depths

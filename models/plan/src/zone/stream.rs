@@ -51,7 +51,7 @@ impl ZonePlan {
     fn words_of(&self, pass: &Pass, zone: &Zone, beats: &mut Vec<Beat>) {
         match pass {
             Pass::Draw { parts, .. } => {
-                for (unit, &index) in parts.iter().enumerate() {
+                for &(unit, index) in parts {
                     let object = self.parts[index as usize].object;
                     let planes = zone.planes_of_part(index);
                     let words = zone.moved(&with_planes(&self.parts[index as usize].words, planes));

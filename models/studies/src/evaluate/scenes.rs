@@ -19,6 +19,7 @@ pub const OBJECT_SIDE: u32 = 80;
 pub fn zone_machine(object_processors: usize) -> ZoneMachine {
     ZoneMachine {
         object_processors,
+        products: vec![],
         planes: MACHINE_PLANES,
         volume_processors: 0,
         volume_planes: 0,

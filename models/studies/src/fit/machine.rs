@@ -289,13 +289,13 @@ fn plans(
     }
     .zone_machine();
     let plan = |(frame, prepared): (&Frame, &PreparedScene)| {
-        let plan = ZonePlan::of(prepared, machine);
+        let plan = ZonePlan::of(prepared, machine.clone());
         plan.map_err(|source| frame.refused(DisplayError::Plan(source)))
     };
     pairs(frames, drawn).map(plan).collect()
 }
 
-/// A machine of so many processors, with the side of its zones at which its slowest frame is fastest.
+/// A machine of so many processors beside those of products, with the side of its zones at which its slowest frame is fastest.
 fn with_processors(
     base: &MachineDescription,
     (objects, volumes): (usize, usize),
@@ -303,7 +303,7 @@ fn with_processors(
     timing: &dyn Fn(&MachineDescription) -> ZoneTiming,
 ) -> Fitted {
     let machine = MachineDescription {
-        objects,
+        objects: objects + base.slots_of_products(),
         volumes: volumes.min(base.volumes * volumes),
         ..base.clone()
     };
@@ -311,7 +311,7 @@ fn with_processors(
     let slowest = |plans: &[ZonePlan]| {
         let of_frame = |plan: &ZonePlan| {
             let mut plan = plan.clone();
-            plan.machine.object_processors = machine.objects;
+            plan.machine.object_processors = objects;
             plan.machine.volume_processors = machine.volumes;
             clocks(&plan, &timing).total
         };

@@ -95,10 +95,8 @@ impl Measured<'_> {
             .zones
             .iter()
             .map(|zone| {
-                let parts = zone
-                    .parts
-                    .iter()
-                    .map(|&part| &plan.parts[part as usize].words);
+                let parts = zone.all_parts();
+                let parts = parts.map(|part| &plan.parts[part as usize].words);
                 parts.map(|words| words.on(&zone.sample.pixels())).collect()
             })
             .collect();

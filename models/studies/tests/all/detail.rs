@@ -87,15 +87,6 @@ fn assert_sound(
     }
 }
 
-fn shared(p: &ScreenBox, q: &ScreenBox) -> ScreenBox {
-    ScreenBox {
-        x0: p.x0.max(q.x0),
-        x1: p.x1.min(q.x1),
-        y0: p.y0.max(q.y0),
-        y1: p.y1.min(q.y1),
-    }
-}
-
 fn windows(side: u32, (width, height): (u32, u32)) -> Vec<ScreenBox> {
     let zones = Division::Zones {
         width: side,
@@ -126,7 +117,7 @@ fn bounds_never_contradict_a_pixel_of_the_collection() {
         for words in parts(&scene) {
             for side in [9, 32] {
                 for window in windows(side, SIZE) {
-                    let window = shared(&window, &words.screen_box);
+                    let window = window.shared(&words.screen_box);
                     if !window.is_empty() {
                         assert_sound(&words, &window, &scene.format, &mut decided, &what);
                     }
@@ -257,7 +248,7 @@ fn bounds_never_contradict_a_volume_at_any_surface_point() {
         for window in windows(15, size) {
             let here = parts
                 .iter()
-                .map(|words| (words, shared(&words.screen_box, &window)));
+                .map(|words| (words, words.screen_box.shared(&window)));
             for (words, window) in here.filter(|(_, window)| !window.is_empty()) {
                 let planes = match matter(words, &window, &format) {
                     Matter::Nothing => continue,

@@ -8,7 +8,10 @@ use crate::format::Format;
 use crate::machine::frame::Frame;
 use crate::machine::lighting::{ALL_SOURCES, Lighting};
 use crate::object::line::for_each_present;
+use crate::object::member::for_each_seen;
+use crate::object::quadric::{ObjectPixel, QuadricWords};
 use crate::object::volume_line::for_each_inside;
+use imogene_contract::object::ProductSlots;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use thiserror::Error;
@@ -72,6 +75,17 @@ struct Kept {
     flags: u16,
 }
 
+impl Kept {
+    /// The nearer stays; at equal depth the smaller id, and of two parts of one object the one that came first.
+    fn take(&mut self, id: u16, pixel: &ObjectPixel) {
+        if (pixel.zf, id) < (self.depth, self.id) {
+            self.depth = pixel.zf;
+            self.id = id;
+            self.normal = pixel.normal;
+        }
+    }
+}
+
 /// What has been done to the zone.
 #[derive(Clone, Copy, Debug, Default)]
 struct Progress {
@@ -86,6 +100,7 @@ struct Progress {
 pub struct ZoneMachineModel {
     format: Format,
     objects: Vec<Registers>,
+    products: Vec<ProductSlots>,
     volumes: Vec<Registers>,
     materials: BTreeMap<u16, u64>,
     shading: BTreeMap<u16, u64>,
@@ -103,7 +118,8 @@ impl ZoneMachineModel {
         let volumes = Registers::of_volume(machine.volume_planes);
         ZoneMachineModel {
             format: *format,
-            objects: vec![objects; machine.object_processors],
+            objects: vec![objects; machine.slots()],
+            products: machine.products.clone(),
             volumes: vec![volumes; machine.volume_processors],
             materials: BTreeMap::new(),
             shading: BTreeMap::new(),
@@ -230,31 +246,59 @@ impl ZoneMachineModel {
         if first {
             self.buffer = vec![self.background(); self.pixels()];
         }
-        for index in 0..self.objects.len() {
-            if self.objects[index].take() {
-                self.draw_object(index);
-            }
+        let mut loaded: Vec<Option<(u16, QuadricWords)>> =
+            (0..self.objects.len()).map(|i| self.loaded(i)).collect();
+        let members: usize = self.products.iter().map(ProductSlots::count).sum();
+        let mut members = loaded.split_off(loaded.len() - members).into_iter();
+        for (id, words) in loaded.into_iter().flatten() {
+            self.draw_object(id, &words);
+        }
+        for product in self.products.clone() {
+            let own = members.by_ref().take(product.count());
+            self.draw_product(product.intersected, own.collect());
         }
         self.progress.drawn = true;
         Ok(())
     }
 
-    /// The nearer stays; at equal depth the smaller id, and of two parts of one object the one that came first.
-    fn draw_object(&mut self, index: usize) {
-        let id = self.objects[index].id();
-        let mut words = self.objects[index].object(&self.format);
+    /// Id and words of an object, if it was loaded since the last pass.
+    fn loaded(&mut self, index: usize) -> Option<(u16, QuadricWords)> {
+        let registers = &mut self.objects[index];
+        if !registers.take() {
+            return None;
+        }
+        let mut words = registers.object(&self.format);
         let [width, height] = self.size.map(i64::from);
         words.screen_box = words.screen_box.in_zone(0, 0, width, height);
-        for y in 0..height {
-            let line = &mut self.buffer[(y * width) as usize..];
-            for_each_present(&words, &self.format, y, |x, pixel| {
-                let kept = &mut line[x as usize];
-                if (pixel.zf, id) < (kept.depth, kept.id) {
-                    kept.depth = pixel.zf;
-                    kept.id = id;
-                    kept.normal = pixel.normal;
-                }
+        Some((registers.id(), words))
+    }
+
+    fn draw_object(&mut self, id: u16, words: &QuadricWords) {
+        let lines = self.buffer.chunks_mut(self.size[0].into());
+        for (y, line) in (0..).zip(lines) {
+            for_each_present(words, &self.format, y, |x, pixel| {
+                line[x as usize].take(id, &pixel);
             });
+        }
+    }
+
+    /// Nothing, if an object is missing that is intersected. The id of a pixel is that of the object whose face it is.
+    fn draw_product(&mut self, intersected: usize, loaded: Vec<Option<(u16, QuadricWords)>>) {
+        if loaded[..intersected].contains(&None) {
+            return;
+        }
+        let (ids, objects): (Vec<u16>, Vec<QuadricWords>) = loaded.into_iter().flatten().unzip();
+        let lines = self.buffer.chunks_mut(self.size[0].into());
+        for (y, line) in (0..).zip(lines) {
+            for_each_seen(
+                &objects,
+                intersected,
+                &self.format,
+                y,
+                |x, object, pixel| {
+                    line[x as usize].take(ids[object], &pixel);
+                },
+            );
         }
     }
 

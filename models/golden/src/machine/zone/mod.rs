@@ -10,7 +10,7 @@ pub mod golden;
 pub mod sample;
 
 use crate::object::quadric::MAX_PLANES;
-use serde::{Deserialize, Serialize};
+use imogene_contract::object::ProductSlots;
 use thiserror::Error;
 
 /// Bits of an object's id in the zone buffer.
@@ -26,10 +26,12 @@ pub const MAX_ZONE: u32 = 4095;
 pub const SAMPLES: [u32; 3] = [1, 2, 4];
 
 /// What a zone machine is made of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ZoneMachine {
-    /// K: quadric object processors, at least 1.
+    /// K: quadric object processors for objects that are in no solid, at least 1 if there are no products.
     pub object_processors: usize,
+    /// Products of solids, whose object processors follow, product by product.
+    pub products: Vec<ProductSlots>,
     /// N: cut planes of each.
     pub planes: usize,
     /// V: volume processors with a quadric; none in a machine without shadows and spots.
@@ -65,6 +67,12 @@ pub enum ZoneMachineError {
 }
 
 impl ZoneMachine {
+    /// All its object processors.
+    pub fn slots(&self) -> usize {
+        let members = self.products.iter().map(ProductSlots::count);
+        self.object_processors + members.sum::<usize>()
+    }
+
     /// Is there such a machine?
     pub fn check(&self) -> Result<(), ZoneMachineError> {
         let range = |what, value: usize, least: usize, most: usize| {
@@ -80,12 +88,7 @@ impl ZoneMachine {
             }
         };
         let side = MAX_ZONE as usize;
-        range(
-            "object processors",
-            self.object_processors,
-            1,
-            MAX_PROCESSORS,
-        )?;
+        range("object processors", self.slots(), 1, MAX_PROCESSORS)?;
         range("planes", self.planes, 0, MAX_PLANES)?;
         range(
             "volume processors",

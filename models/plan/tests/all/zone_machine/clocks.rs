@@ -71,7 +71,8 @@ fn the_formula_is_what_the_stream_takes() {
             assert_eq!(
                 counted.total,
                 by_beats(plan.beats(), &TIMING),
-                "{machine:?}"
+                "{:?}",
+                plan.machine
             );
             assert_eq!(counted.beats, plan.beats().count() as u64);
             assert_eq!(counted.bytes, 12 * counted.beats);
@@ -96,6 +97,7 @@ fn one_zone_of_one_object() {
     let prepared = scene("../../scenes/ellipsoid.toml", (40, 30), Format::BASE);
     let machine = ZoneMachine {
         object_processors: 1,
+        products: vec![],
         planes: 3,
         volume_processors: 0,
         volume_planes: 0,

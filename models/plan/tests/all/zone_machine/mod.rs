@@ -5,6 +5,7 @@ mod clocks;
 mod conversion;
 mod refine;
 mod refusals;
+mod solids;
 
 use imogene_golden::format::Format;
 use imogene_golden::machine::beam;
@@ -27,6 +28,7 @@ use std::sync::LazyLock;
 /// Twelve planes and ten of a volume: enough for every scene.
 const MACHINE: ZoneMachine = ZoneMachine {
     object_processors: 4,
+    products: Vec::new(),
     planes: 12,
     volume_processors: 2,
     volume_planes: 10,

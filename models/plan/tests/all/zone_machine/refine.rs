@@ -16,7 +16,7 @@ fn is_part_of(less: &[u32], more: &[u32]) -> bool {
 }
 
 /// The counts of a scene on one machine, box to pixels: parts, volumes, beats, clocks.
-fn assert_same(prepared: &PreparedScene, machine: ZoneMachine, truth: &Truth) -> [[u64; 4]; 3] {
+pub fn assert_same(prepared: &PreparedScene, machine: ZoneMachine, truth: &Truth) -> [[u64; 4]; 3] {
     let plan = ZonePlan::of(prepared, machine).expect("fits the machine");
     let mut before: Option<Vec<Zone>> = None;
     REFINEMENTS.map(|refinement| {
@@ -32,7 +32,7 @@ fn assert_same(prepared: &PreparedScene, machine: ZoneMachine, truth: &Truth) ->
             }
         }
         let zones = &refined.zones;
-        let parts: usize = zones.iter().map(|zone| zone.parts.len()).sum();
+        let parts: usize = zones.iter().map(|zone| zone.all_parts().count()).sum();
         let volumes: usize = zones.iter().map(|zone| zone.volumes.len()).sum();
         before = Some(refined.zones.clone());
         [parts as u64, volumes as u64, counted.beats, counted.total]

@@ -3,6 +3,10 @@ use super::*;
 fn machine() -> ZoneMachine {
     ZoneMachine {
         object_processors: 2,
+        products: vec![ProductSlots {
+            intersected: 2,
+            subtracted: 1,
+        }],
         planes: 1,
         volume_processors: 1,
         volume_planes: 1,
@@ -102,6 +106,37 @@ fn a_processor_that_is_not_loaded_again_is_absent() {
     assert_eq!(ids, [1, 2]);
 }
 
+/// Processors 2 and 3 are intersected, 4 is taken away, seen from behind: its depth is the complement.
+#[test]
+fn a_product_is_what_its_objects_have_in_common() {
+    let draw = |sheets: &[Vec<Beat>]| {
+        let beats = [&zone(0, 0, 1, 1)[..], &sheets.concat(), &[DRAW_FIRST, SHOW]];
+        let pixel = run(&beats.concat()).unwrap()[0];
+        (pixel.depth != Format::BASE.z_max()).then_some((pixel.id, pixel.depth))
+    };
+    let behind = |depth: u64| sheet(4, !depth, 3);
+    // The first of them is seen, whatever the ids.
+    assert_eq!(draw(&[sheet(2, 70, 9), sheet(3, 70, 8)]), Some((9, 70)));
+    assert_eq!(draw(&[sheet(2, 70, 9), sheet(3, 71, 8)]), None);
+    let common = [sheet(2, 70, 9), sheet(3, 70, 8)];
+    let less = |depth| draw(&[&common[..], &[behind(depth)]].concat());
+    assert_eq!(
+        [less(69), less(70), less(71)],
+        [Some((9, 70)), None, Some((9, 70))]
+    );
+    // Without one that is intersected there is nothing; what is nearer in another processor stays.
+    assert_eq!(draw(&[sheet(2, 70, 9)]), None);
+    assert_eq!(draw(&[behind(70)]), None);
+    assert_eq!(
+        draw(&[&common[..], &[sheet(1, 69, 11)]].concat()),
+        Some((11, 69))
+    );
+    assert_eq!(
+        draw(&[&common[..], &[sheet(1, 70, 11)]].concat()),
+        Some((9, 70))
+    );
+}
+
 #[test]
 fn streams_without_a_meaning_are_refused() {
     let refused = |beats: &[Beat]| run(beats).unwrap_err().to_string();
@@ -115,7 +150,7 @@ fn streams_without_a_meaning_are_refused() {
     assert!(refused(&[origin, size, light]).contains("before a draw pass"));
     assert!(refused(&[origin, size, DRAW_FIRST, light, DRAW]).contains("after a light pass"));
     let stray = [
-        Beat::new(kind::OBJECT, 2, 0, 0),
+        Beat::new(kind::OBJECT, 5, 0, 0),
         Beat::new(kind::OBJECT, 0, 31, 0),
         Beat::new(kind::VOLUME, 0, 17, 0),
         Beat::new(kind::MATERIAL, 0, 4096, 0),
