@@ -86,8 +86,8 @@ fn solids() {
     for (scene, size, objects, products, engine) in [
         (bracket, (40, 30), 1, "1-4", Engine::BuiltIn),
         (printed, (40, 30), 0, "2-1,2-1", Engine::BuiltIn),
-        (bracket, (96, 72), 2, "3-1,2-5", verilator),
-        (printed, (96, 72), 1, "1-0,3-2,2-1,2-2", verilator),
+        (bracket, (64, 48), 2, "3-1,2-5", Engine::BuiltIn),
+        (printed, (64, 48), 1, "1-0,3-2,2-1", verilator),
     ] {
         let Products(products) = products.to_owned().try_into().expect("products");
         let machine = ZoneMachine {
