@@ -295,7 +295,8 @@ fn plans(
     pairs(frames, drawn).map(plan).collect()
 }
 
-/// A machine of so many processors beside those of products, with the side of its zones at which its slowest frame is fastest.
+/// A machine of so many processors beside those of products, with the side of its zones at which its slowest frame is
+/// fastest.
 fn with_processors(
     base: &MachineDescription,
     (objects, volumes): (usize, usize),
