@@ -193,8 +193,8 @@ fn what_is_refused_says_what_would_do() {
     assert!(said.contains("a board takes a beam machine"), "{said}");
 }
 
-/// What is in the part, not what was meant: a whole frame out of the bitstream of an iCE40, and out of the routed cells of
-/// an ECP5.
+/// What is in the part, not what was meant: a whole frame out of the bitstream of an iCE40, and out of the routed cells
+/// of an ECP5.
 #[test]
 fn what_is_in_the_part_shows_the_golden_picture() {
     if !is_full() {

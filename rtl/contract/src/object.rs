@@ -64,7 +64,7 @@ impl Kind {
             Kind::CurvedFacet => [26, 6],
             Kind::Sphere => [27, 0],
             Kind::Cylinder => [56, 0],
-            Kind::FirstGeneration => [55, 0],
+            Kind::FirstGeneration => [52, 0],
         };
         first + each * planes
     }

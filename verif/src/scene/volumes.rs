@@ -8,13 +8,10 @@ use crate::subject::{Inputs, Subject};
 use crate::unit::words::volume;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::{ALL_SOURCES, Lighting};
-use imogene_golden::object::volume::{VolumeKind, VolumeWords};
+use imogene_golden::object::volume::{FROM_DEPTH, VolumeKind, VolumeWords};
 use imogene_golden::object::words::Words;
 use imogene_prepare::PreparedScene;
 use std::time::Instant;
-
-/// Clocks from the visible depth to the answer, whatever the volume.
-const FROM_DEPTH: usize = 4;
 
 /// A volume that is on the screen.
 type Job<'a> = super::zone::Job<&'a VolumeWords>;
@@ -80,11 +77,13 @@ impl Job<'_> {
         (report, inside)
     }
 
-    /// One pixel a clock, its depth as many clocks later as the volume takes to its own depths; then until the last
-    /// answer.
+    /// One pixel a clock, its depth as many clocks later as the volume wants it; then until the last answer.
     fn clocks(&self, latency: usize, frame: &Frame) -> impl Iterator<Item = Inputs> {
         let (zone, pixels) = (self.zone, self.zone.pixels());
-        let entry = (latency - FROM_DEPTH) as i64;
+        let entry = match self.of.quadric {
+            Some(_) => latency as i64 - i64::from(FROM_DEPTH),
+            None => 0,
+        };
         (0..pixels + latency as i64).map(move |n| {
             let raster = if n < pixels { zone.raster(n) } else { [0; 5] };
             let seen = n - entry;

@@ -128,7 +128,7 @@ pub(super) fn first_generation_processor(format: Format, rows_per_stage: usize) 
         planes.iter_mut().for_each(|p| p.depth = reader.linear());
         planes.iter_mut().for_each(|p| p.conic = reader.quadratic());
         planes.iter_mut().for_each(|p| p.polar = reader.linear());
-        planes.iter_mut().for_each(|p| p.normal = reader.vector());
+        planes[0].normal = reader.vector();
         let [front, back] = planes;
         ProcessorWords::FirstGeneration(FirstGenerationWords {
             patch,

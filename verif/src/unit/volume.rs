@@ -7,8 +7,8 @@ use crate::stimulus::depth;
 use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
 use imogene_golden::object::volume::{
-    VolumeKind, VolumePlane, VolumeProcessor, VolumeQuadric, VolumeWords, polyhedral_latency,
-    quadric_latency,
+    FROM_DEPTH, VolumeKind, VolumePlane, VolumeProcessor, VolumeQuadric, VolumeWords,
+    polyhedral_latency, quadric_latency,
 };
 use proptest::prelude::*;
 
@@ -52,7 +52,7 @@ fn volume(format: Format, planes: usize, clocks: [u32; 2], has_quadric: bool) ->
 
 pub(super) fn quadric_volume(format: Format, planes: usize, rows_per_stage: usize) -> Description {
     let latency = quadric_latency(&format, rows_per_stage as u32);
-    volume(format, planes, [latency - 5, latency], true)
+    volume(format, planes, [latency - FROM_DEPTH, latency], true)
 }
 
 pub(super) fn polyhedral_volume(format: Format, planes: usize) -> Description {

@@ -61,7 +61,7 @@ pub fn processor(words: &ProcessorWords, format: &Format) -> Option<Loaded> {
             planes.iter().for_each(|p| w.linear(&p.depth, format.plane));
             planes.iter().for_each(|p| w.quadratic(&p.conic));
             planes.iter().for_each(|p| w.linear(&p.polar, format.plane));
-            planes.iter().for_each(|p| w.vector(p.normal));
+            w.vector(q.front.normal);
             (Unit::FirstGenerationProcessor, 0)
         }
         ProcessorWords::Polyhedron(p) => {

@@ -28,7 +28,7 @@ pub struct ContourPlane {
     /// The line in which it meets the polar plane: negative where the middle of the quadric is on the removed side. P
     /// bits, of any scale.
     pub polar: Linear,
-    /// Constant normal.
+    /// Constant normal; that of the back plane, which is never seen, is not loaded.
     pub normal: [i16; 3],
 }
 

@@ -123,10 +123,13 @@ impl VolumeWords {
     }
 }
 
-/// Latency in clocks from the raster flags to the answer of a volume with a quadric; the visible depth enters `L + 1`
-/// clocks after them.
+/// Clocks from the visible depth to the answer of a volume with a quadric.
+pub const FROM_DEPTH: u32 = 5;
+
+/// Latency in clocks from the raster flags to the answer of a volume with a quadric; the visible depth enters `L` clocks
+/// after them.
 pub fn quadric_latency(format: &Format, rows_per_stage: u32) -> u32 {
-    format.root_latency(rows_per_stage) + 5
+    format.root_latency(rows_per_stage) + FROM_DEPTH
 }
 
 /// The same without a quadric; the visible depth enters with the flags.

@@ -18,7 +18,8 @@ bundles! {
             "not negative where plane # (0 front, 1 back) is inside the quadric";
         polars: [Linear(widths.plane); 2] as "polar",
             "negative where plane # (0 front, 1 back) has the middle of the quadric on its removed side";
-        normals: [Normal(widths.normal); 2] as "plane", "plane # (0 front, 1 back)";
+        /// The back plane is never seen.
+        normals: [Normal(widths.normal); 1] as "plane", "plane # (0 front)";
     }
 }
 
