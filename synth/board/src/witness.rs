@@ -22,7 +22,7 @@ const ICEBOX: Program = Program {
 const RAM: &str = "SB_RAM40_4K";
 
 /// Unpacks a bitstream, and packs it again: the same bits have to come out. With it Verilog and the models of its cells
-/// for [`simulate`](crate::simulate): of an iCE40 what was unpacked is turned back, of an ECP5 it is the routed netlist.
+/// for [`simulate`](crate::simulate): of an iCE40 made of what was unpacked, of an ECP5 the routed netlist.
 ///
 /// # Errors
 ///

@@ -126,8 +126,8 @@ impl VolumeWords {
 /// Clocks from the visible depth to the answer of a volume with a quadric.
 pub const FROM_DEPTH: u32 = 5;
 
-/// Latency in clocks from the raster flags to the answer of a volume with a quadric; the visible depth enters `L` clocks
-/// after them.
+/// Latency in clocks from the raster flags to the answer of a volume with a quadric; the visible depth enters `L`
+/// clocks after them.
 pub fn quadric_latency(format: &Format, rows_per_stage: u32) -> u32 {
     format.root_latency(rows_per_stage) + FROM_DEPTH
 }
