@@ -101,7 +101,6 @@ fn contours_at_zero(subject: &Subject) -> Vec<Inputs> {
             ("depth_0_c", -5),
             ("depth_1_c", 5),
             ("plane_0_nz", -7),
-            ("plane_1_nz", 7),
         ];
         pixel(subject, &set)
     };
