@@ -4,6 +4,7 @@
 use crate::common::{imogene, scene};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
+use std::sync::LazyLock;
 use std::time::{Duration, Instant};
 
 const DEADLINE: Duration = Duration::from_secs(60);
@@ -29,11 +30,12 @@ fn command(out: &Path, more: &[&str]) -> Command {
 }
 
 /// The results of one program.
-fn wanted(folder: &Path) -> String {
-    let out = folder.join("alone");
+static WANTED: LazyLock<String> = LazyLock::new(|| {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("alone");
     assert!(command(&out, &[]).status().unwrap().success());
     results(&out)
-}
+});
 
 /// The results in a folder, without its name.
 fn results(out: &Path) -> String {
@@ -103,7 +105,6 @@ fn succeeds(run: Child) -> String {
 #[test]
 fn a_part_that_is_killed_is_done_again() {
     let folder = tempfile::tempdir().unwrap();
-    let wanted = wanted(folder.path());
     let out = folder.path().join("parts");
     let mut run = command(&out, &["--engine", "hq"]).spawn().unwrap();
     let place = out.display().to_string();
@@ -112,13 +113,12 @@ fn a_part_that_is_killed_is_done_again() {
     let second = kill_first(is_part(&place), &[first], &mut run);
     assert_ne!(first, second);
     succeeds(run);
-    assert!(results(&out) == wanted);
+    assert!(results(&out) == *WANTED);
 }
 
 #[test]
 fn a_run_whose_server_dies_goes_on_where_it_stopped() {
     let folder = tempfile::tempdir().unwrap();
-    let wanted = wanted(folder.path());
     let out = folder.path().join("parts");
     let place = out.display().to_string();
     let mut run = command(&out, &["--engine", "hq"]).spawn().unwrap();
@@ -147,14 +147,13 @@ fn a_run_whose_server_dies_goes_on_where_it_stopped() {
             .spawn()
             .unwrap(),
     );
-    assert!(results(&out) == wanted);
+    assert!(results(&out) == *WANTED);
 }
 
 /// A server that runs already, given by its folder.
 #[test]
 fn a_running_server_takes_the_parts() {
     let folder = tempfile::tempdir().unwrap();
-    let wanted = wanted(folder.path());
     let server = folder.path().join("server");
     let text = "import sys, time\nfrom hyperqueue.cluster import LocalCluster, WorkerConfig\n\
                 cluster = LocalCluster(sys.argv[1])\ncluster.start_worker(WorkerConfig(cores=1))\n\
@@ -176,7 +175,7 @@ fn a_running_server_takes_the_parts() {
     host.kill().unwrap();
     host.wait().unwrap();
     assert!(output.status.success(), "{output:?}");
-    assert!(results(&out) == wanted);
+    assert!(results(&out) == *WANTED);
 }
 
 fn python() -> PathBuf {
