@@ -56,7 +56,7 @@ pub struct Measured {
     pub seeds: usize,
     /// Tools and versions.
     pub tools: BTreeMap<String, String>,
-    /// Command of the synthesis tool.
+    /// Commands of synthesis, and options of place and route.
     pub synthesis: String,
     /// Latency in clocks.
     pub latency: usize,

@@ -4,7 +4,7 @@
 // The receiver is figure 3-6 of DVI 1.0. `sent` counts ones less zeros of all words since the last word of control, as
 // they leave; the encoder keeps half of it.
 
-module tmds_encoder_properties #(parameter LATENCY = 2) (
+module tmds_encoder_properties #(parameter LATENCY = 3) (
     input wire clock,
     input wire de,
     input wire [7:0] level,
@@ -12,21 +12,22 @@ module tmds_encoder_properties #(parameter LATENCY = 2) (
     input wire [9:0] word,
     input wire signed [3:0] disparity
 );
-    // The ports two clocks ago: latency 2.
-    reg [1:0] started = 0;
-    reg de_1 = 0, de_2 = 0;
-    reg [7:0] level_1, level_2;
-    reg [1:0] control_1, control_2;
+    // The ports so many clocks ago as the latency is.
+    reg [2:0] started = 0;
+    reg [2:0] de_late = 0;
+    reg [23:0] level_late;
+    reg [5:0] control_late;
 
     always @(posedge clock) begin
-        started <= {started[0], 1'b1};
-        de_1 <= de;
-        de_2 <= de_1;
-        level_1 <= level;
-        level_2 <= level_1;
-        control_1 <= control;
-        control_2 <= control_1;
+        started <= {started[1:0], 1'b1};
+        de_late <= {de_late[1:0], de};
+        level_late <= {level_late[15:0], level};
+        control_late <= {control_late[3:0], control};
     end
+
+    wire de_before = de_late[2];
+    wire [7:0] level_before = level_late[23:16];
+    wire [1:0] control_before = control_late[5:4];
 
     wire [7:0] body = word[9] ? ~word[7:0] : word[7:0];
     wire [7:0] differs = body ^ {body[6:0], 1'b0};
@@ -40,7 +41,7 @@ module tmds_encoder_properties #(parameter LATENCY = 2) (
     wire signed [6:0] balance = $signed({2'b00, ones, 1'b0}) - 7'sd10;
 
     reg signed [6:0] before = 0;
-    wire signed [6:0] sent = de_2 ? before + balance : 7'sd0;
+    wire signed [6:0] sent = de_before ? before + balance : 7'sd0;
     always @(posedge clock) before <= sent;
 
     wire is_control = word == 10'h354 || word == 10'h0ab || word == 10'h154 || word == 10'h2ab;
@@ -48,15 +49,15 @@ module tmds_encoder_properties #(parameter LATENCY = 2) (
     always @* begin
         assert (sent == 2 * disparity);
         assert (disparity >= -4 && disparity <= 4);
-        if (started[1]) begin
-            if (de_2) begin
-                assert (decoded == level_2);
+        if (started[2]) begin
+            if (de_before) begin
+                assert (decoded == level_before);
                 assert (transitions <= 5);
                 assert (!is_control);
             end else begin
                 assert (transitions >= 7);
-                assert (word == (control_2[1] ? control_2[0] ? 10'h2ab : 10'h154
-                    : control_2[0] ? 10'h0ab : 10'h354));
+                assert (word == (control_before[1] ? control_before[0] ? 10'h2ab : 10'h154
+                    : control_before[0] ? 10'h0ab : 10'h354));
             end
         end
     end

@@ -8,9 +8,10 @@ use super::fit;
 use crate::arguments::{self, Fit, MACHINE_FILE};
 use crate::failure::Failure;
 use crate::output;
-use film::{Film, RATE, reel};
+use film::{Film, views};
 use imogene_board::{
-    Board, Display, MODELS, Pll, Sources, Video, find_tools, route, simulate, sources, witness,
+    Board, Display, MODELS, Pll, Sources, Video, find_tools, route, simulate, sources, unpack,
+    witness,
 };
 use imogene_contract::video::VideoMode;
 use imogene_files::{Outputs, WriteError};
@@ -35,14 +36,16 @@ pub fn run(options: &arguments::Board, json: bool) -> Result<(), Failure> {
     if board.tiles.is_some() {
         return tile::run(options, &board, json);
     }
-    let reel = reel(&options.scene, options.animation)?;
+    let views = views(&options.scene, options.animation)?;
     if !options.sources_only && !options.no_bitstream {
         find_tools(&board)?;
     }
     let machine = machine(options, &board)?;
-    let mode = mode_of(&board, &machine)?;
-    let film = Film::of(reel, options, &machine, |picture| seen(&board, picture))?;
-    let pll = Pll::of(&board, hertz(&mode))?;
+    let (mode, rate) = mode_of(&board, &machine)?;
+    let film = Film::of(views, options, &machine, rate, |picture| {
+        seen(&board, picture)
+    })?;
+    let pll = Pll::of(&board, hertz(&mode, rate))?;
     let command = command(options);
     let emitted = emit_machine(&request(&machine, &command))?;
     let heading = format!("Made by: {command}");
@@ -81,7 +84,7 @@ fn check(options: &arguments::Board, board: &Board) -> Result<(), Failure> {
     let is_tile = board.tiles.is_some();
     let is_dvi = matches!(board.video, Video::Tmds { .. });
     let mode = options.mode.as_ref();
-    if let Some(mode) = mode.filter(|mode| !board.modes.contains(mode)) {
+    if let Some(mode) = mode.filter(|mode| rate_of(board, mode).is_none()) {
         return Err(unknown_mode(board, mode));
     }
     let unmeant = [
@@ -147,7 +150,7 @@ impl Work<'_> {
         let failed = |error| Failure::from(WriteError::at(&path)(error));
         let size = (width as u32, height as u32);
         let file = files.open(&path)?;
-        let seconds = self.film.stay as f64 / RATE;
+        let seconds = self.film.stay as f64 / self.film.rate;
         let mut preview = Preview::new(file, size, pictures.len() as u32).map_err(failed)?;
         for picture in pictures {
             preview.frame(picture.as_ref(), seconds).map_err(failed)?;
@@ -202,7 +205,7 @@ impl Work<'_> {
             return Ok(());
         }
         let built = route(&self.board, &self.pll, &self.sources)?;
-        let [verilog, models] = witness(&self.board, &self.sources, &built)?;
+        let unpacked = unpack(&self.board, &built.bitstream)?;
         let path = self.options.out.join(format!("{}.bit", self.board.name));
         files.add(&path, |out| out.write_all(&built.bitstream))?;
         if !self.options.no_simulation {
@@ -210,6 +213,7 @@ impl Work<'_> {
                 Some(_) => ("netlist", &mut report.netlist),
                 None => ("bitstream", &mut report.bitstream),
             };
+            let [verilog, models] = witness(&self.board, &self.sources, &built, &unpacked)?;
             files.add_text(&self.options.out.join(format!("{name}.v")), &verilog)?;
             *shown = Some(self.shown(name, &verilog, &models, files)?);
         }
@@ -234,7 +238,7 @@ fn machine(options: &arguments::Board, board: &Board) -> Result<MachineDescripti
 }
 
 fn fitted(options: &arguments::Board, board: &Board) -> Result<MachineDescription, Failure> {
-    let name = options.mode.as_ref().unwrap_or(&board.modes[0]);
+    let name = options.mode.as_ref().unwrap_or(&board.modes[0].name);
     let size = name.split_once('x').and_then(|(width, height)| {
         let [width, height] = [width, height].map(|side| side.parse().ok());
         width.zip(height)
@@ -258,8 +262,9 @@ fn fitted(options: &arguments::Board, board: &Board) -> Result<MachineDescriptio
     Ok(machine)
 }
 
-/// The mode of a machine, if it is one of the board; any blanking where there is no connector.
-fn mode_of(board: &Board, machine: &MachineDescription) -> Result<VideoMode, Failure> {
+/// The mode of a machine and its frames per second, if it is one of the board; any blanking where there is no
+/// connector.
+fn mode_of(board: &Board, machine: &MachineDescription) -> Result<(VideoMode, u32), Failure> {
     let mode = machine.video_mode();
     let name = match (&machine.mode, mode) {
         (Mode::Own(_), Some(mode)) if board.part.is_none() => {
@@ -268,23 +273,29 @@ fn mode_of(board: &Board, machine: &MachineDescription) -> Result<VideoMode, Fai
         (Mode::Own(_), _) => "of its own".into(),
         (Mode::Named(name), _) => name.clone(),
     };
-    let mode = mode.filter(|_| board.modes.contains(&name));
+    let mode = mode.zip(rate_of(board, &name));
     mode.ok_or_else(|| unknown_mode(board, &name))
+}
+
+/// Frames per second of a mode of the board.
+fn rate_of(board: &Board, name: &str) -> Option<u32> {
+    let mut modes = board.modes.iter();
+    modes.find(|mode| mode.name == name).map(|mode| mode.rate)
 }
 
 fn unknown_mode(board: &Board, name: &str) -> Failure {
     Failure::Input(format!(
         "mode {name} is none of the board {}; it has {}",
         board.name,
-        board.modes.join(", ")
+        output::joined(board.modes.iter().map(|mode| &mode.name), ", ")
     ))
 }
 
-/// The clock of the pixels of a mode: the published one, or that of 60 frames a second.
-fn hertz(mode: &VideoMode) -> u64 {
+/// The clock of the pixels of a mode: the published one, or that of its frames per second.
+fn hertz(mode: &VideoMode, rate: u32) -> u64 {
     match *mode {
         VideoMode::VGA => 25_175_000,
-        mode => 60 * mode.clocks(),
+        mode => u64::from(rate) * mode.clocks(),
     }
 }
 

@@ -246,12 +246,12 @@ units! {
         computes "the mean of 4 or 16 passes over a picture";
         ties "halves are rounded up";
         error EXACT;
-    TmdsEncoder "tmds_encoder" [] "2", "one word per clock", "DVI 1.0, 3.2";
+    TmdsEncoder "tmds_encoder" [] "3", "one word per clock", "DVI 1.0, 3.2";
         computes "the word of ten bits that a DVI channel sends for a level, or for two bits of control";
         ties "the chain of fewer transitions, which are never as many; without a disparity, or in a chain of four ones, the bits of the chain are turned over where it is of XNOR";
         error EXACT;
-    TmdsSerialiser "tmds_serialiser" [] "2", "two bits of each channel per clock, a word every five clocks", "DVI 1.0, 2.2";
-        computes "the words of three DVI channels and of their clock, two bits at a time";
+    TmdsSerialiser "tmds_serialiser" [] "4", "two bits per clock, a word every five clocks", "DVI 1.0, 2.2";
+        computes "the words of a DVI channel, two bits at a time";
         ties NO_TIES;
         error EXACT;
     SceneSequencer "scene_sequencer" [] "1", "one word every two clocks", "none: it stands in for the host";

@@ -202,12 +202,7 @@ const CASES: &[Case] = &[
         "m_tvalid",
     ),
     (Unit::TmdsEncoder, &[], &[("de", 1)], "word"),
-    (
-        Unit::TmdsSerialiser,
-        &[("blue", 1)],
-        &[("turn", 1)],
-        "pair_blue",
-    ),
+    (Unit::TmdsSerialiser, &[("word", 1)], &[("turn", 1)], "pair"),
     (Unit::SceneSequencer, &[], &[("m_tready", 1)], "m_tvalid"),
     (Unit::FrameStore, &[], &[("need", 1)], "valid"),
     // A pixel leaves when the one below it to the right comes.

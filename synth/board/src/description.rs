@@ -15,8 +15,8 @@ pub struct Board {
     pub about: String,
     /// Where its pins and limits are from.
     pub sources: Vec<String>,
-    /// The video modes that part and connector take, by their names in machine descriptions.
-    pub modes: Vec<String>,
+    /// The video modes that part and connector take.
+    pub modes: Vec<BoardMode>,
     /// The command that writes a bitstream to it, without its file.
     #[serde(default)]
     pub programmer: Option<String>,
@@ -30,6 +30,50 @@ pub struct Board {
     pub clock: Clock,
     /// Where its picture leaves.
     pub video: Video,
+}
+
+/// A video mode of a board: its name in machine descriptions, and behind an `@` the frames per second if they are not
+/// 60.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "String")]
+pub struct BoardMode {
+    /// The name.
+    pub name: String,
+    /// Frames per second.
+    pub rate: u32,
+}
+
+/// Frames per second of a mode without an `@`.
+const USUAL_RATE: u32 = 60;
+
+impl TryFrom<String> for BoardMode {
+    type Error = String;
+
+    fn try_from(text: String) -> Result<BoardMode, String> {
+        let (name, rate) = text.split_once('@').unwrap_or((&text, ""));
+        let rate = match rate {
+            "" if !text.contains('@') => Ok(USUAL_RATE),
+            rate => rate.parse(),
+        };
+        match rate {
+            Ok(rate @ 1..=240) => Ok(BoardMode {
+                name: name.into(),
+                rate,
+            }),
+            _ => Err(format!(
+                "the mode {text} does not end in @ and 1 to 240 frames per second"
+            )),
+        }
+    }
+}
+
+impl From<BoardMode> for String {
+    fn from(mode: BoardMode) -> String {
+        match mode.rate {
+            USUAL_RATE => mode.name,
+            rate => format!("{}@{rate}", mode.name),
+        }
+    }
 }
 
 /// Families of parts that bitstreams are made for.
@@ -264,6 +308,27 @@ impl Video {
         match self {
             Video::Tmds { io, .. } => io,
             Video::Parallel { .. } => "",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::BoardMode;
+
+    #[test]
+    fn a_mode_has_60_frames_a_second_where_it_says_nothing_else() {
+        for (text, name, rate) in [
+            ("640x480", "640x480", 60),
+            ("1920x1080@30", "1920x1080", 30),
+        ] {
+            let mode = BoardMode::try_from(text.to_owned()).unwrap();
+            assert_eq!((mode.name.as_str(), mode.rate), (name, rate));
+            assert_eq!(String::from(mode), text);
+        }
+        for text in ["640x480@", "640x480@0", "640x480@241", "640x480@x"] {
+            let problem = BoardMode::try_from(text.to_owned()).unwrap_err();
+            assert!(problem.contains("1 to 240 frames per second"), "{problem}");
         }
     }
 }

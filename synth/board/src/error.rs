@@ -74,6 +74,25 @@ pub enum BoardError {
         /// What is asked for.
         wanted: f64,
     },
+    /// A path between two clocks that is longer than the edges it goes between.
+    #[error(
+        "a path from {from} to {to} takes {length:.2} ns on {part}, {most:.2} ns are between their edges"
+    )]
+    Crossing {
+        /// The part.
+        part: String,
+        /// The clock that it comes from.
+        from: String,
+        /// The clock that it goes to.
+        to: String,
+        /// Its length in ns.
+        length: f64,
+        /// What it may take, in ns.
+        most: f64,
+    },
+    /// A cell of a routed part without a model.
+    #[error("the routed cells cannot be simulated: {0}; --no-simulation makes the bitstream alone")]
+    NoModel(String),
     /// A design that does not turn out the same behind the bitstream.
     #[error("{0}")]
     Bitstream(String),

@@ -33,4 +33,4 @@ pub use simulate::{Pins, simulate, simulate_gates};
 pub use tile::{About, Layout, LayoutTexts, Library, Mapped, Tile, cell_delays, lay_out};
 pub use tmds::{Channels, TmdsError};
 pub use top::{Display, MODELS, Sources, sources};
-pub use witness::witness;
+pub use witness::{unpack, witness};

@@ -82,16 +82,17 @@ const MODELLED: [Model; 8] = [
     },
 ];
 
-/// Verilog of the netlist that the router wrote to a file of the folder.
+/// Verilog of the netlist that the router wrote to a file of the folder; why there is none where it has a cell without
+/// a model, or one that does what its model does not.
 ///
 /// # Errors
 ///
-/// When it has a cell without a model, or one that does what its model does not; when Yosys fails.
+/// When the file is no netlist, or Yosys fails.
 pub(crate) fn routed_verilog(
     yosys: &Tool,
     folder: &Path,
     file: &str,
-) -> Result<String, BoardError> {
+) -> Result<Result<String, String>, BoardError> {
     let path = folder.join(file);
     let mut netlist: Value =
         serde_json::from_str(&read(&path)?).map_err(|error| unread(error.to_string()))?;
@@ -99,14 +100,16 @@ pub(crate) fn routed_verilog(
     for module in modules.into_iter().flat_map(Map::values_mut) {
         let cells = module["cells"].as_object_mut();
         for (name, cell) in cells.into_iter().flatten() {
-            settle(cell).map_err(|problem| unread(format!("{name}: {problem}")))?;
+            if let Err(problem) = settle(cell) {
+                return Ok(Err(format!("{name}: {problem}")));
+            }
         }
     }
     write(&path, &netlist.to_string())?;
     // The router calls every design so.
     let script = format!("read_json {file}; rename top {TOP}; write_verilog -noattr {file}.v");
     run_yosys(yosys, folder, &script)?;
-    Ok(read(&folder.join(format!("{file}.v")))?)
+    Ok(Ok(read(&folder.join(format!("{file}.v")))?))
 }
 
 /// The models of its cells.

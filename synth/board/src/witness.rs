@@ -7,7 +7,7 @@ use crate::netlist::routed_models;
 use crate::top::{MODELS, Sources, TOP};
 use imogene_synth::tools::Tool;
 use imogene_synth::{Target, cell_models};
-use imogene_tools::{FileError, Program, scratch, write};
+use imogene_tools::{FileError, Program, read, scratch, write};
 
 const BITSTREAM: &str = "witness.bit";
 const UNPACKED: &str = "unpacked.text";
@@ -21,8 +21,7 @@ const ICEBOX: Program = Program {
 /// Cells that Verilog of a bitstream instantiates.
 const RAM: &str = "SB_RAM40_4K";
 
-/// Unpacks a bitstream, and packs it again: the same bits have to come out. With it Verilog and the models of its cells
-/// for [`simulate`](crate::simulate): of an iCE40 made of what was unpacked, of an ECP5 the routed netlist.
+/// Unpacks a bitstream, and packs it again: the same bits have to come out. What was unpacked, as text.
 ///
 /// # Errors
 ///
@@ -31,8 +30,7 @@ const RAM: &str = "SB_RAM40_4K";
 /// # Panics
 ///
 /// When the board has no part.
-pub fn witness(board: &Board, sources: &Sources, built: &Built) -> Result<[String; 2], BoardError> {
-    let bitstream = &built.bitstream;
+pub fn unpack(board: &Board, bitstream: &[u8]) -> Result<String, BoardError> {
     let part = board.part.as_ref().expect("a board with a part");
     let folder = scratch()?;
     let folder = folder.path();
@@ -42,7 +40,7 @@ pub fn witness(board: &Board, sources: &Sources, built: &Built) -> Result<[Strin
     let outcome = unpacker.run(&[BITSTREAM, UNPACKED], folder)?;
     outcome.map_err(|said| failed(&unpacker, &said))?;
     let again = packed_text(part, UNPACKED, folder)?;
-    if again != *bitstream {
+    if again != bitstream {
         let apart = again.iter().zip(bitstream).filter(|(a, b)| a != b);
         return Err(BoardError::Bitstream(format!(
             "the bitstream of {} bytes, unpacked and packed again, has {} bytes, of which {} differ",
@@ -51,9 +49,34 @@ pub fn witness(board: &Board, sources: &Sources, built: &Built) -> Result<[Strin
             apart.count()
         )));
     }
-    if let Some(netlist) = &built.netlist {
-        return Ok([netlist.clone(), routed_models()?]);
+    Ok(read(&folder.join(UNPACKED))?)
+}
+
+/// Verilog of a board and the models of its cells for [`simulate`](crate::simulate): of an iCE40 made of what was
+/// unpacked, of an ECP5 the routed netlist.
+///
+/// # Errors
+///
+/// When a tool is missing or fails, or there is no model of a cell.
+///
+/// # Panics
+///
+/// When the board has no part.
+pub fn witness(
+    board: &Board,
+    sources: &Sources,
+    built: &Built,
+    unpacked: &str,
+) -> Result<[String; 2], BoardError> {
+    match &built.netlist {
+        Some(Ok(netlist)) => return Ok([netlist.clone(), routed_models()?]),
+        Some(Err(problem)) => return Err(BoardError::NoModel(problem.clone())),
+        None => (),
     }
+    let part = board.part.as_ref().expect("a board with a part");
+    let folder = scratch()?;
+    let folder = folder.path();
+    write(&folder.join(UNPACKED), unpacked)?;
     let (_, constraints) = sources.constraints.as_ref().expect("constraints of a part");
     write(&folder.join("pins.pcf"), constraints)?;
     let arguments = [

@@ -176,8 +176,14 @@ impl Row {
         )
     }
 
-    /// Command that synthesises it in its harness.
+    /// How it is synthesised in its harness, placed and routed.
     pub(crate) fn synthesis(&self) -> String {
-        self.target.synthesis(crate::harness::TOP)
+        let target = self.target;
+        let routed = target.place_and_route().filter(|_| self.options.seeds > 0);
+        let mut parts = vec![target.synthesis(crate::harness::TOP)];
+        parts.push(target.steps().trim().to_owned());
+        parts.extend(routed.map(|route| route.arguments.join(" ")));
+        parts.retain(|part| !part.is_empty());
+        parts.join("; ")
     }
 }

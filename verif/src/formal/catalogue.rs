@@ -291,7 +291,7 @@ fn tmds_encoder() -> Job {
                 property!("tmds_encoder.sv"),
                 Unit::TmdsEncoder,
             ),
-            2,
+            3,
             &[],
         )
     }

@@ -151,11 +151,11 @@ pub const MUTANTS: &[Mutant] = &[
     mutant("root_lemma-24", 1, "the divisor is 4 root", "{1'b0, root, 2'b01}", "{1'b0, root, 2'b00}"),
     mutant("root_lemma-24", 1, "the digit is not kept", "{root[K-2:0], digit}", "{root[K-2:0], 1'b0}"),
     mutant("root-integers", 0, "the square forgets 1", "(* 4 root) 1)", "(* 4 root))"),
-    mutant("tmds_encoder", 6, "five ones are not inverted", "ones > 4'd4", "ones > 4'd5"),
-    mutant("tmds_encoder", 8, "the disparity outlives control", "de_2 ? next_disparity : 4'sd0", "de_2 ? next_disparity : disparity"),
-    mutant("tmds_encoder", 10, "words are turned the wrong way", "grows = disparity[3] == excess[3]", "grows = disparity[3] != excess[3]"),
-    mutant("tmds_encoder", 8, "the two marks do not count", "(disparity + weighed) + marks", "disparity + weighed"),
-    mutant("tmds_encoder", 6, "a word of control is another", "10'd340", "10'd342"),
+    mutant("tmds_encoder", 7, "five ones are not inverted", "ones > 4'd4", "ones > 4'd5"),
+    mutant("tmds_encoder", 9, "the disparity outlives control", "de_2 ? next_disparity : 4'sd0", "de_2 ? next_disparity : disparity"),
+    mutant("tmds_encoder", 11, "words are turned the wrong way", "grows = disparity[3] == is_short", "grows = disparity[3] != is_short"),
+    mutant("tmds_encoder", 9, "the marks do not count", "(excess + mark) - 4'sd1", "excess"),
+    mutant("tmds_encoder", 7, "a word of control is another", "10'd340", "10'd342"),
 ];
 
 #[cfg(test)]

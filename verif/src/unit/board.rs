@@ -12,7 +12,7 @@ const SEQUENCE: u32 = 12;
 
 pub(super) fn tmds_encoder() -> Description {
     Description::new(lines, || {
-        let (mut encoder, mut words) = (TmdsEncoder::default(), late(2));
+        let (mut encoder, mut words) = (TmdsEncoder::default(), late(3));
         move |i: &[i64]| {
             let sent = match bit(i[0]) {
                 true => Sent::Level(i[1] as u8),
@@ -46,23 +46,19 @@ fn lines(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
 pub(super) fn tmds_serialiser() -> Description {
     Description::new(turns, || {
         let mut serialiser = TmdsSerialiser::default();
-        move |i: &[i64]| {
-            let words = [i[1], i[2], i[3]].map(|word| word as u16);
-            let pairs = serialiser.clock(bit(i[0]), words);
-            pairs.map(|pair| Some(pair.into())).to_vec()
-        }
+        move |i: &[i64]| vec![Some(serialiser.clock(bit(i[0]), i[1] as u16).into())]
     })
 }
 
-/// Words that stand for five clocks, now and then for fewer or more.
+/// Words that stand for five clocks, now and then for more.
 fn turns(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
-    let length = prop_oneof![6 => Just(5usize), 1 => 1usize..9];
+    let length = prop_oneof![6 => Just(5usize), 1 => 5usize..12];
     let words: Vec<_> = subject.inputs[1..].iter().map(word).collect();
     proptest::collection::vec((length, words), clocks)
         .prop_map(move |list| {
             let each = list.into_iter().enumerate();
             let each = each.flat_map(|(index, (length, words))| {
-                let inputs = [vec![index as i64 % 2], words].concat();
+                let inputs = [vec![(index as i64 + 1) % 2], words].concat();
                 std::iter::repeat_n(inputs, length)
             });
             each.take(clocks).collect()

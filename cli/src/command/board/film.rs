@@ -9,8 +9,6 @@ use imogene_plan::description::MachineDescription;
 use num_integer::gcd;
 use std::path::Path;
 
-/// Frames of the screen per second, which every mode has.
-pub(super) const RATE: f64 = 60.0;
 /// The longest stay of an image in the memory, in frames of the screen; one that stays longer is there more than once.
 const LONGEST: u64 = 256;
 
@@ -22,6 +20,8 @@ pub(super) struct Film {
     pub(super) pictures: Vec<Vec<u8>>,
     /// Frames of the screen that show an image.
     pub(super) stay: u64,
+    /// Frames of the screen per second.
+    pub(super) rate: f64,
     /// What is shown while the words of the first image are on their way.
     black: Vec<u8>,
 }
@@ -29,13 +29,15 @@ pub(super) struct Film {
 impl Film {
     /// What a machine shows of a scene.
     pub(super) fn of(
-        reel: Reel,
+        views: Views,
         options: &arguments::Board,
         machine: &MachineDescription,
+        rate: u32,
         seen: impl Fn(&[u8]) -> Vec<u8>,
     ) -> Result<Film, Failure> {
         let scene = options.scene.as_path();
-        let Reel { views, stay } = reel;
+        let rate = rate.into();
+        let Reel { views, stay } = views.at(rate);
         let views: Vec<(&Path, View)> = views.into_iter().map(|view| (scene, view)).collect();
         let described = options.machine.as_deref().unwrap_or(scene);
         let images = images_of(&views, machine, described)?;
@@ -48,6 +50,7 @@ impl Film {
                 .collect(),
             pictures: images.iter().map(|image| seen(&image.picture)).collect(),
             stay,
+            rate,
         })
     }
 
@@ -66,37 +69,42 @@ impl Film {
 }
 
 /// What of a scene is in the memory, and for how many frames of the screen each view stays.
-pub(super) struct Reel {
+struct Reel {
     views: Vec<View>,
     stay: u64,
 }
 
+/// The views of a scene, each for so many seconds.
+pub(super) struct Views(Vec<(View, f64)>);
+
 /// The frames of an animated scene, or the scene as it is written.
-pub(super) fn reel(scene: &Path, range: Option<FrameRange>) -> Result<Reel, Failure> {
+pub(super) fn views(scene: &Path, range: Option<FrameRange>) -> Result<Views, Failure> {
     let as_written = View::default();
     let is_still = range.is_none() && read_scene(scene, &as_written)?.images.is_empty();
     if is_still {
-        return Ok(Reel {
-            views: vec![as_written],
-            stay: 1,
-        });
+        return Ok(Views(vec![(as_written, 0.0)]));
     }
-    let frames = frames_of(scene, &as_written, range.unwrap_or_default())?;
-    let seconds: Vec<f64> = frames.iter().map(|(_, seconds)| *seconds).collect();
-    let (stay, counts) = stays(&seconds);
-    let repeated = frames.into_iter().zip(counts);
-    let views = repeated.flat_map(|((view, _), count)| std::iter::repeat_n(view, count));
-    Ok(Reel {
-        views: views.collect(),
-        stay,
-    })
+    frames_of(scene, &as_written, range.unwrap_or_default()).map(Views)
+}
+
+impl Views {
+    fn at(self, rate: f64) -> Reel {
+        let (views, seconds): (Vec<View>, Vec<f64>) = self.0.into_iter().unzip();
+        let (stay, counts) = stays(&seconds, rate);
+        let repeated = views.into_iter().zip(counts);
+        let views = repeated.flat_map(|(view, count)| std::iter::repeat_n(view, count));
+        Reel {
+            views: views.collect(),
+            stay,
+        }
+    }
 }
 
 /// One stay for all images, in frames of the screen, and how often each of them follows itself.
-fn stays(seconds: &[f64]) -> (u64, Vec<usize>) {
+fn stays(seconds: &[f64], rate: f64) -> (u64, Vec<usize>) {
     let frames = seconds
         .iter()
-        .map(|seconds| (seconds * RATE).round() as u64);
+        .map(|seconds| (seconds * rate).round() as u64);
     let frames: Vec<u64> = frames.map(|frames| frames.max(1)).collect();
     let common: u64 = frames.iter().fold(0, |common, frames| gcd(common, *frames));
     let divides = |stay: &u64| common.is_multiple_of(*stay);
@@ -111,10 +119,13 @@ mod tests {
 
     #[test]
     fn images_stay_as_long_as_the_scene_says() {
-        assert_eq!(stays(&[0.08, 0.08]), (5, vec![1, 1]));
-        assert_eq!(stays(&[0.1, 0.25, 0.001]), (1, vec![6, 15, 1]));
-        assert_eq!(stays(&[0.1, 0.25]), (3, vec![2, 5]));
+        let at_60 = |seconds: &[f64]| stays(seconds, 60.0);
+        assert_eq!(at_60(&[0.0]), (1, vec![1]));
+        assert_eq!(at_60(&[0.08, 0.08]), (5, vec![1, 1]));
+        assert_eq!(stays(&[0.1, 0.1], 30.0), (3, vec![1, 1]));
+        assert_eq!(at_60(&[0.1, 0.25, 0.001]), (1, vec![6, 15, 1]));
+        assert_eq!(at_60(&[0.1, 0.25]), (3, vec![2, 5]));
         // 600 frames are more than the memory can say.
-        assert_eq!(stays(&[10.0]), (200, vec![3]));
+        assert_eq!(at_60(&[10.0]), (200, vec![3]));
     }
 }

@@ -56,7 +56,7 @@ struct TileReport<'a> {
 /// Makes a tile that shows a scene.
 pub fn run(options: &arguments::Board, board: &Board, json: bool) -> Result<(), Failure> {
     let machine = machine(options, board)?;
-    let mode = mode_of(board, &machine)?;
+    let (mode, _) = mode_of(board, &machine)?;
     let words = words(options, &machine, mode)?;
     let command = command(options);
     let name = name_of(options);

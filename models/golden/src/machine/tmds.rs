@@ -87,27 +87,25 @@ pub fn meaning(word: u16) -> Option<Sent> {
     table.get(usize::from(word)).copied().flatten()
 }
 
-/// The sender of the bits of three channels and their clock, two at a time.
+/// The sender of the bits of a channel, two at a time.
 #[derive(Clone, Debug, Default)]
 pub struct TmdsSerialiser {
-    turns: [bool; 2],
-    words: [u16; 4],
+    turns: [bool; 4],
+    word: u16,
     sent: u32,
 }
 
 impl TmdsSerialiser {
-    /// One clock of five in a pixel: `turn`, and the words of red, green and blue; the pairs of these and of the clock.
-    pub fn clock(&mut self, turn: bool, words: [u16; 3]) -> [u16; 4] {
-        let takes = self.turns[0] != self.turns[1];
-        self.turns = [turn, self.turns[0]];
+    /// One clock of five in a pixel: the pair that is sent, zeros before the first word, with which `turn` is high. The
+    /// last pair of a word is sent until another word follows.
+    pub fn clock(&mut self, turn: bool, word: u16) -> u16 {
         self.sent += 1;
-        if takes {
-            let [red, green, blue] = words;
-            self.words = [red, green, blue, 0x01f];
-            self.sent = 0;
+        if self.turns[2] != self.turns[3] {
+            (self.word, self.sent) = (word, 0);
         }
-        let pair = 2 * self.sent.min(5);
-        self.words.map(|word| word >> pair & 3)
+        self.turns.rotate_right(1);
+        self.turns[0] = turn;
+        self.word >> (2 * self.sent.min(4)) & 3
     }
 }
 

@@ -22,7 +22,7 @@ pub use pixel_place::pixel_place;
 pub use post_filter::{Picture, Place, post_filter};
 pub use scene_sequencer::{SEQUENCE, Sequence, Sequenced, scene_sequencer};
 pub use tmds_encoder::{Channel, SYMBOL, tmds_encoder};
-pub use tmds_serialiser::{Pairs, Symbols, tmds_serialiser};
+pub use tmds_serialiser::{Symbols, tmds_serialiser};
 pub use video_output::{Output, OverlayBus, Pins, Wanted, video_output};
 pub use video_timing::{Screen, video_timing};
 

@@ -21,7 +21,7 @@ bundle! {
 /// Makes of a level the word of ten bits that a DVI channel sends, with few transitions and as many ones as zeros in
 /// the long run; of two bits of control one of four words that no level has.
 ///
-/// Latency 2, one word per clock. DVI 1.0, section 3.2, figure 3-5. The disparity is half of that of the figure: the
+/// Latency 3, one word per clock. DVI 1.0, section 3.2, figure 3-5. The disparity is half of that of the figure: the
 /// ones of a word of even length less its zeros are even.
 pub fn tmds_encoder(at: &str, channel: Channel) -> Bits {
     module("tmds_encoder", at, channel, |channel| {
@@ -32,19 +32,24 @@ pub fn tmds_encoder(at: &str, channel: Channel) -> Bits {
             let inverts = is_most | (is_half & !channel.level.bit(0));
             let chain = chained(channel.level, inverts);
             let short = join([!inverts, chain]).reg();
-            let de = channel.de.reg();
-            let control = channel.control.reg();
-            let disparity = Int::register(COUNT);
             let chain_ones = count(short.low(LEVEL));
             let excess = chain_ones.int() - Int::new(4, COUNT);
-            let is_xor = short.top();
-            let is_even = disparity.is(0) | excess.is(0);
-            let grows = disparity.is_negative().equals(excess.is_negative());
+            let mark = short.top().extend(COUNT).int();
+            // What the word adds to the disparity as it is, and turned over.
+            let plain_step = (excess + mark - Int::new(1, COUNT)).reg();
+            let turned_step = (mark - excess).reg();
+            let is_balanced = excess.is(0).reg();
+            let is_short = excess.is_negative().reg();
+            let kept = short.reg();
+            let de = channel.de.delay(2);
+            let control = channel.control.delay(2);
+            let disparity = Int::register(COUNT);
+            let is_xor = kept.top();
+            let is_even = disparity.is(0) | is_balanced;
+            let grows = disparity.is_negative().equals(is_short);
             let turned = is_even.select(!is_xor, grows);
-            let sent = short.low(LEVEL) ^ spread(turned);
-            let weighed = turned.select(Int::new(0, COUNT) - excess, excess);
-            let marks = (turned.extend(COUNT) + is_xor.extend(COUNT)).int() - Int::new(1, COUNT);
-            let next_disparity = disparity + weighed + marks;
+            let sent = kept.low(LEVEL) ^ spread(turned);
+            let next_disparity = disparity + turned.select(turned_step, plain_step);
             let level_word = join([turned, is_xor, sent]);
             let word = de.select(level_word, control_word(control)).reg();
         }

@@ -4,47 +4,34 @@ use super::tmds_encoder::SYMBOL;
 use imogene_hdl::{Bits, Value, bundle, module, net};
 
 bundle! {
-    /// Symbols from the clock of the pixels.
+    /// The words of a channel, from the clock of the pixels.
     Symbols() {
-        turn: Bits(1), "another value with every pixel";
-        red: Bits(SYMBOL), "word of the red channel";
-        green: Bits(SYMBOL), "word of the green channel";
-        blue: Bits(SYMBOL), "word of the blue channel";
-    }
-
-    /// Two bits of each channel, for the two edges of a clock; bit 0 is sent first.
-    Pairs() {
-        red: Bits(2), "red channel";
-        green: Bits(2), "green channel";
-        blue: Bits(2), "blue channel";
-        clock: Bits(2), "clock channel: five ones and five zeros";
+        turn: Bits(1), "1 with the first word, another value with every other";
+        word: Bits(SYMBOL), "the word, which stands for at least five clocks";
     }
 }
 
-/// Sends the words of three channels and the clock of the pixels, two bits per clock.
+/// Sends the words of a channel, two bits per clock, for the two edges of a clock; bit 0 is sent first.
 ///
-/// The words come from the clock of the pixels, a fifth of this one. `turn` goes through two registers, and the words
-/// are taken in the clock after the first: one to two of the five clocks behind the edge that changed them, three
-/// before the next one. Latency 2 from a change of `turn` to the first pair.
-pub fn tmds_serialiser(at: &str, words: Symbols) -> Pairs {
-    module("tmds_serialiser", at, words, |words| {
+/// The words come from the clock of the pixels, a fifth of this one. `turn` goes through three registers, and the words
+/// are taken with the third: three of the five clocks behind the edge that changed them, two before the next one. The
+/// last pair of a word that stands longer is sent again. Between two registers is one look-up table at most, for a
+/// clock of 371.25 MHz. Latency 4 from a change of `turn` to the first pair.
+pub fn tmds_serialiser(at: &str, symbols: Symbols) -> Bits {
+    module("tmds_serialiser", at, symbols, |symbols| {
+        let pair = |index: u32| symbols.word.slice(2 * index + 1, 2 * index);
         net! {
-            let turn_seen = words.turn.reg();
+            let turn_seen = symbols.turn.reg();
             let turn_before = turn_seen.reg();
-            let takes = turn_seen ^ turn_before;
+            let takes = (turn_seen ^ turn_before).reg();
+            let pair_4 = pair(4).reg();
+            let pair_3 = takes.select(pair(3), pair_4).reg();
+            let pair_2 = takes.select(pair(2), pair_3).reg();
+            let pair_1 = takes.select(pair(1), pair_2).reg();
+            let pair_0 = takes.select(pair(0), pair_1).reg();
+            // A register more, which may stand beside the pin.
+            let sent = pair_0.reg();
         }
-        let sent = |name: &str, word: Bits| {
-            let shift = Bits::register(SYMBOL).named(name);
-            let rest = shift.high(SYMBOL - 2).extend(SYMBOL);
-            shift.load(takes.select(word, rest));
-            shift.low(2)
-        };
-        let pairs = Pairs {
-            red: sent("red_shift", words.red),
-            green: sent("green_shift", words.green),
-            blue: sent("blue_shift", words.blue),
-            clock: sent("clock_shift", Bits::new(0b00000_11111, SYMBOL)),
-        };
-        ("pair", pairs)
+        ("pair", sent, "two bits of the word, bit 0 first")
     })
 }

@@ -60,9 +60,10 @@ module scene_channels (
     wire hsync, vsync, de;
     wire [7:0] red, green, blue;
     wire [9:0] red_word, green_word, blue_word;
-    reg turn = 1'b0;
+    // One for each channel, near it.
+    reg [3:0] turns = 4'd0;
 
-    always @(posedge pixel_clock) turn <= ~turn;
+    always @(posedge pixel_clock) turns <= ~turns;
 
     scene_display display (
         .clock(pixel_clock), .hsync(hsync), .vsync(vsync), .de(de), .red(red), .green(green), .blue(blue)
@@ -76,9 +77,9 @@ module scene_channels (
     tmds_encoder red_channel (
         .clock(pixel_clock), .de(de), .level(red), .control(2'd0), .word(red_word)
     );
-    tmds_serialiser serialiser (
-        .clock(fast_clock), .turn(turn), .red(red_word), .green(green_word), .blue(blue_word),
-        .pair_red(pair_2), .pair_green(pair_1), .pair_blue(pair_0), .pair_clock(pair_3)
-    );
+    tmds_serialiser blue_pairs (.clock(fast_clock), .turn(turns[0]), .word(blue_word), .pair(pair_0));
+    tmds_serialiser green_pairs (.clock(fast_clock), .turn(turns[1]), .word(green_word), .pair(pair_1));
+    tmds_serialiser red_pairs (.clock(fast_clock), .turn(turns[2]), .word(red_word), .pair(pair_2));
+    tmds_serialiser clock_pairs (.clock(fast_clock), .turn(turns[3]), .word(10'b0000011111), .pair(pair_3));
 endmodule
 {% endif -%}
