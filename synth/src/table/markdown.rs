@@ -142,8 +142,7 @@ fn reading(table: &Table) -> String {
     }
     text + "
 The core is limited by the accumulators of PE2, whose sum of 48 bits has to be ready for the next pixel and so cannot be pipelined.
-The object processor is limited by the cut plane, a comparison that steers a multiplexer in one clock, and by the normal unit, a
-product and a negation in one clock; neither is in a loop.
+What else an object processor has is in no loop, and has register stages for about that clock.
 "
 }
 
