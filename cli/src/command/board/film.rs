@@ -37,7 +37,7 @@ impl Film {
     ) -> Result<Film, Failure> {
         let scene = options.scene.as_path();
         let rate = rate.into();
-        let Reel { views, stay } = views.at(rate);
+        let (views, stay) = views.at(rate);
         let views: Vec<(&Path, View)> = views.into_iter().map(|view| (scene, view)).collect();
         let described = options.machine.as_deref().unwrap_or(scene);
         let images = images_of(&views, machine, described)?;
@@ -68,12 +68,6 @@ impl Film {
     }
 }
 
-/// What of a scene is in the memory, and for how many frames of the screen each view stays.
-struct Reel {
-    views: Vec<View>,
-    stay: u64,
-}
-
 /// The views of a scene, each for so many seconds.
 pub(super) struct Views(Vec<(View, f64)>);
 
@@ -88,15 +82,13 @@ pub(super) fn views(scene: &Path, range: Option<FrameRange>) -> Result<Views, Fa
 }
 
 impl Views {
-    fn at(self, rate: f64) -> Reel {
+    /// What is in the memory at a rate of the screen, and for how many of its frames each view stays.
+    fn at(self, rate: f64) -> (Vec<View>, u64) {
         let (views, seconds): (Vec<View>, Vec<f64>) = self.0.into_iter().unzip();
         let (stay, counts) = stays(&seconds, rate);
         let repeated = views.into_iter().zip(counts);
         let views = repeated.flat_map(|(view, count)| std::iter::repeat_n(view, count));
-        Reel {
-            views: views.collect(),
-            stay,
-        }
+        (views.collect(), stay)
     }
 }
 
