@@ -17,6 +17,9 @@ pub struct Shading {
     /// Also with each width shorter by 1 to 4 bits.
     #[arg(long)]
     pub sweep: bool,
+    /// Compare lit-sphere shading with the shading processor on the pictures of scenes instead.
+    #[arg(long, value_name = "SCENE", num_args = 1.., conflicts_with_all = ["cases", "seed", "sweep"])]
+    pub lit_sphere: Vec<PathBuf>,
 }
 
 /// Arguments of `bounds`.

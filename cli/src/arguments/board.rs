@@ -1,6 +1,7 @@
 //! Arguments of `board`.
 
 use super::FrameRange;
+use super::fit::side;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -29,6 +30,18 @@ pub struct Board {
     /// Leave the shading processor out of a fitted machine: every object has the plain colour of its material.
     #[arg(long, conflicts_with = "machine")]
     pub flat: bool,
+    /// Shade a fitted machine by tables of the direction of the normal, of so many entries along each side, in the
+    /// place of the shading processor: fewer cells, with all lights and the viewer infinitely far.
+    #[arg(
+        long,
+        value_name = "SIDE",
+        num_args = 0..=1,
+        default_missing_value = "64",
+        require_equals = true,
+        value_parser = side,
+        conflicts_with_all = ["machine", "flat"]
+    )]
+    pub lit_sphere: Option<u32>,
     /// Write the sources alone, and run no outside tool.
     #[arg(long)]
     pub sources_only: bool,

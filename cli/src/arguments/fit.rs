@@ -46,6 +46,11 @@ pub struct Fit {
     /// Frames per second that the machine must reach, at the clock of --min-mhz or at 50 MHz.
     #[arg(long, value_name = "F", value_parser = at_least_zero)]
     pub min_fps: Option<f64>,
+    /// Shade by tables of the direction of the normal, of so many entries along each side, in the place of a shading
+    /// processor: fewer cells, with all lights and the viewer infinitely far (docs/shading.md). The budget of colours
+    /// is that of the words.
+    #[arg(long, value_name = "SIDE", num_args = 0..=1, default_missing_value = "64", require_equals = true, value_parser = side)]
+    pub lit_sphere: Option<u32>,
     /// Leave out synthesis: no costs, and the machine that should be smallest is taken.
     #[arg(long, conflicts_with_all = ["clock", "min_mhz"])]
     pub no_cost: bool,
@@ -136,6 +141,9 @@ impl Fit {
         if let Some(kind) = self.machine {
             command += &format!(" --machine {}", name(MACHINES, kind));
         }
+        if let Some(side) = self.lit_sphere {
+            command += &format!(" --lit-sphere={side}");
+        }
         if let Some(frames) = self.min_fps {
             command += &format!(" --min-fps {frames}");
         }
@@ -150,6 +158,13 @@ impl Fit {
         }
         command + &format!(" --target {} --out {}", self.target, self.out.display())
     }
+}
+
+/// Entries along each side of a table.
+pub fn side(text: &str) -> Result<u32, String> {
+    let sides = [16, 32, 64, 128];
+    let found = sides.into_iter().find(|side| side.to_string() == text);
+    found.ok_or_else(|| "expected 16, 32, 64 or 128".to_owned())
 }
 
 fn at_least_zero(text: &str) -> Result<f64, String> {

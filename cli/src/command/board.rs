@@ -10,8 +10,8 @@ use crate::failure::Failure;
 use crate::output;
 use film::{Film, views};
 use imogene_board::{
-    Board, Display, MODELS, Pll, Sources, Video, find_tools, route, simulate, sources, unpack,
-    witness,
+    Board, Display, MODELS, Pll, Sources, Video, core_file, find_tools, page, route, simulate,
+    sources, unpack, witness,
 };
 use imogene_contract::video::VideoMode;
 use imogene_files::{Outputs, WriteError};
@@ -20,7 +20,7 @@ use imogene_rtl::emit::machine::emit_machine;
 use imogene_studies::fit::budget::CountLimit;
 use imogene_studies::kit::preview::Preview;
 use imogene_studies::picture;
-use imogene_verif::display::request::request;
+use imogene_verif::display::request::request_for;
 use report::{BoardReport, Shown, tell};
 
 /// Clocks that are simulated beside whole frames.
@@ -47,7 +47,7 @@ pub fn run(options: &arguments::Board, json: bool) -> Result<(), Failure> {
     })?;
     let pll = Pll::of(&board, hertz(&mode, rate))?;
     let command = command(options);
-    let emitted = emit_machine(&request(&machine, &command))?;
+    let emitted = emit_machine(&request_for(&machine, &film.tables, &command))?;
     let heading = format!("Made by: {command}");
     let display = Display {
         machine: &emitted,
@@ -69,6 +69,11 @@ pub fn run(options: &arguments::Board, json: bool) -> Result<(), Failure> {
     if !options.sources_only {
         report.pins = work.pins(&mut files)?;
         work.bitstream(&mut report, &mut files)?;
+    }
+    files.add_text(&options.out.join("board.md"), &page(&work.board, &report)?)?;
+    if let Some(text) = core_file(&work.board, &work.pll, &report.command)? {
+        let name = format!("{}.core", work.board.name);
+        files.add_text(&options.out.join(name), &text)?;
     }
     report.files = files.paths();
     let path = options.out.join("board.json");
@@ -252,6 +257,7 @@ fn fitted(options: &arguments::Board, board: &Board) -> Result<MachineDescriptio
         // A tile has a light of its own, which the fit does not know.
         max_colour_error: (!options.flat && board.tiles.is_none()).then_some(LEVELS),
         machine: Some(MachineKind::Beam),
+        lit_sphere: options.lit_sphere,
         no_cost: true,
         ..Fit::default()
     };
@@ -320,6 +326,9 @@ fn command(options: &arguments::Board) -> String {
     }
     if options.flat {
         command += " --flat";
+    }
+    if let Some(side) = options.lit_sphere {
+        command += &format!(" --lit-sphere={side}");
     }
     if let Some(range) = &options.animation {
         command += &format!(" --animation {range}");

@@ -27,7 +27,7 @@ use imogene_studies::picture;
 use imogene_synth::Target;
 use imogene_synth::fitted::{MachineCost, Parts};
 use imogene_verif::display::pins::{PinsRun, run as run_pins};
-use imogene_verif::display::request::{request, zone_timing};
+use imogene_verif::display::request::{request, request_for, zone_timing};
 use imogene_verif::report::Report;
 use std::time::Instant;
 
@@ -53,13 +53,12 @@ pub fn run(options: &Fit, json: bool) -> Result<(), Failure> {
     let command = options.command(&frames);
     let choice = choose(&frames, &found, options, target, json)?;
     let description = &choice.machine.description;
-    let request = request(description, &command);
-    let emitted = emit_machine(&request)?;
+    let (images, cosim) = show(&choice, &frames, options)?;
+    let emitted = emit_machine(&request_for(description, &images[0].tables, &command))?;
     let base_cost = match choice.cost {
         Some(_) => Some(price(&[machine::base(description)], target, options)?[0]),
         None => None,
     };
-    let (images, cosim) = show(&choice, &frames, options)?;
     let bounds = frames
         .has_bounds
         .then(|| proof::bounds(&frames, choice.drawn));
@@ -140,10 +139,11 @@ fn frames(options: &Fit) -> Result<Frames, Failure> {
             files.extend(playback.scenes(&name)?);
         }
     }
-    let frames = output::during(0, "lines of the truth", |bar| {
+    let mut frames = output::during(0, "lines of the truth", |bar| {
         Frames::new(&files, options.size, options.machine, || bar.inc(1))
-    });
-    frames.map_err(Failure::from)
+    })?;
+    frames.lit_sphere = options.lit_sphere;
+    Ok(frames)
 }
 
 /// The message of a budget that no machine meets.

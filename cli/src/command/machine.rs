@@ -20,9 +20,10 @@ use imogene_plan::zone::refine::Refinement;
 use imogene_scene::animation::Playback;
 use imogene_studies::picture::read_mask;
 use imogene_verif::display::pins::{PinsOutcome, PinsRun, run as run_pins};
-use imogene_verif::display::request::request;
+use imogene_verif::display::request::request_for;
 use imogene_verif::report::Report;
 use report::{MachineReport, tell};
+use std::fmt::Display;
 use std::path::Path;
 
 /// Shows scenes on the pins of a machine.
@@ -36,7 +37,7 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
     let scenes = scenes.collect::<Result<Vec<_>, _>>()?;
     let images = images(&scenes, &machine, &options.machine, options.refine)?;
     let command = command_of(options);
-    let request = request(&machine, &command);
+    let request = request_for(&machine, &images[0].tables, &command);
     let mut files = output::files();
     let top = add_verilog(&request, &options.out, &mut files)?;
     let timing = zone_timing_of(&request, &machine)?;
@@ -186,21 +187,31 @@ fn images(
     path: &Path,
     refine: Refinement,
 ) -> Result<Vec<Image>, Failure> {
-    let named = |name: &dyn std::fmt::Display, error| Failure::Input(format!("{name}: {error}"));
+    let named =
+        |name: &dyn Display, error: &dyn Display| Failure::Input(format!("{name}: {error}"));
     // What no machine shows is the matter of its scene, what this one lacks that of its description.
     for scene in scenes {
         match needs::check(machine, &[scene.parts()]) {
             Ok(()) | Err(DisplayError::Needs(_)) => {}
-            Err(error) => return Err(named(&scene.name, error)),
+            Err(error) => return Err(named(&scene.name, &error)),
         }
     }
     let all: Vec<_> = scenes.iter().map(Scene::parts).collect();
-    needs::check(machine, &all).map_err(|error| named(&path.display(), error))?;
+    needs::check(machine, &all).map_err(|error| named(&path.display(), &error))?;
     let image = |scene: &Scene| {
         let image = refined_image(&scene.framed, &scene.prepared, machine, refine);
-        image.map_err(|error| named(&scene.name, error))
+        image.map_err(|error| named(&scene.name, &error))
     };
-    scenes.iter().map(image).collect()
+    let images = scenes.iter().map(image).collect::<Result<Vec<_>, _>>()?;
+    let mut others = images.iter().zip(scenes);
+    match others.find(|(image, _)| image.tables != images[0].tables) {
+        None => Ok(images),
+        Some((_, other)) => Err(named(
+            &other.name,
+            &"lights or materials are other ones than in the first image: lit_sphere has one table of them for all; \
+             lights in its place are loaded with each image",
+        )),
+    }
 }
 
 /// The plane of `--overlay`.

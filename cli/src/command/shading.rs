@@ -1,15 +1,24 @@
 //! `imogene shading`.
 
-use crate::arguments::Shading;
+use super::{frame_in, read_scene};
+use crate::arguments::{Shading, View};
 use crate::failure::Failure;
 use crate::output;
+use imogene_golden::format::Format;
 use imogene_golden::machine::shader::ShaderWidths;
-use imogene_studies::shading_trial::{ShadingErrors, errors};
+use imogene_studies::shading_trial::{
+    LevelErrors, ShadingErrors, SphereErrors, errors, sphere_errors,
+};
 use serde::Serialize;
+use std::path::PathBuf;
 
 const HEAD: &str = "\
 | widths | multiplier bits, one light | four lights | cases | searched | off by 1 | beyond 1 | max error, random | max error, searched |
 |---|---|---|---|---|---|---|---|---|";
+
+const SPHERE_HEAD: &str = "\
+| scene | side | table: mean | of 99.9 % | greatest | all: mean | of 99.9 % | greatest |
+|---|---|---|---|---|---|---|---|";
 
 /// Bits that are taken of each width by the sweep.
 const MOST_LESS: u32 = 4;
@@ -32,8 +41,11 @@ struct Table {
     rows: Vec<Row>,
 }
 
-/// Compares the shading processor with its formula on random cases.
+/// Compares the shading processor with its formula on random cases, or lit-sphere shading with both on scenes.
 pub fn run(options: &Shading, json: bool) -> Result<(), Failure> {
+    if !options.lit_sphere.is_empty() {
+        return on_scenes(&options.lit_sphere, json);
+    }
     let widths = ShaderWidths::default();
     let mut sets = vec![("of the hardware".to_string(), widths)];
     if options.sweep {
@@ -69,6 +81,52 @@ pub fn run(options: &Shading, json: bool) -> Result<(), Failure> {
         output::json(&Table { seed, rows });
     }
     verdict
+}
+
+/// Lit-sphere shading of a scene; the keys are stable.
+#[derive(Serialize)]
+struct SphereScene {
+    scene: PathBuf,
+    materials: usize,
+    tables: Vec<SphereErrors>,
+}
+
+fn on_scenes(paths: &[PathBuf], json: bool) -> Result<(), Failure> {
+    let scene = |path: &PathBuf| {
+        let (framed, prepared) =
+            frame_in(&read_scene(path, &View::default())?, None, Format::BASE)?;
+        let tables = sphere_errors(&framed, &prepared);
+        let tables =
+            tables.map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
+        Ok(SphereScene {
+            scene: path.clone(),
+            materials: framed.materials.len(),
+            tables,
+        })
+    };
+    let scenes: Vec<SphereScene> = paths.iter().map(scene).collect::<Result<_, Failure>>()?;
+    output::report(json, &scenes, |scenes| {
+        let mut lines = vec![SPHERE_HEAD.to_owned()];
+        for scene in scenes {
+            let row = |errors: &SphereErrors| {
+                let figures = |errors: &LevelErrors| {
+                    format!(
+                        "{:.2} | {} | {}",
+                        errors.mean, errors.most_of_1000, errors.greatest
+                    )
+                };
+                let (side, name) = (errors.side, scene.scene.display());
+                format!(
+                    "| {name} | {side} | {} | {} |",
+                    figures(&errors.table),
+                    figures(&errors.all)
+                )
+            };
+            lines.extend(scene.tables.iter().map(row));
+        }
+        output::text(lines.join("\n"));
+    });
+    Ok(())
 }
 
 fn line(row: &Row) -> String {

@@ -8,6 +8,8 @@ use std::path::Path;
 const BEAM: &str = "machine = \"beam\"\nobjects = 10\nplanes = 3\nmode = \"160x120\"\n";
 const ZONE: &str = "machine = \"zone\"\nobjects = 3\nplanes = 3\nmode = \"160x120\"\nzone = { width = 32, height = 24 }\n";
 
+const SPHERE: &str = "machine = \"beam\"\nobjects = 10\nplanes = 3\nmode = \"160x120\"\nlights = 0\nlit_sphere = { side = 64, materials = 2 }\n";
+
 /// What is given and what the message says of it, besides the key and its place.
 type Said = (&'static str, &'static [&'static str]);
 
@@ -105,6 +107,42 @@ fn all() -> Vec<Bad> {
             ("\"\"", &["string \"\"", "a table such as"]),
             ("9", &["dropped digits of the root of 9 bits", "0 to 8"]),
         ),
+        Bad {
+            base: SPHERE,
+            contradiction: Some((
+                "lights = 1",
+                &[
+                    "lit_sphere is { side = 64, materials = 2 }",
+                    "of lights = 0",
+                ],
+            )),
+            ..bad(
+                "lit_sphere",
+                ("64", &["integer `64`", "a table", "side = 64"]),
+                (
+                    "{ side = 128, materials = 3 }",
+                    &["materials = 3", "of 128 to 2"],
+                ),
+            )
+        },
+        Bad {
+            base: SPHERE,
+            missing: Some(&["lit_sphere: missing field `side`", "side = 64"]),
+            ..bad(
+                "lit_sphere.side",
+                ("\"x\"", &["string \"x\"", "a side of 16"]),
+                ("48", &["side = 48", "16, 32, 64 or 128"]),
+            )
+        },
+        Bad {
+            base: SPHERE,
+            missing: Some(&["lit_sphere: missing field `materials`", "1 to 32 materials"]),
+            ..bad(
+                "lit_sphere.materials",
+                ("true", &["boolean `true`", "1 to 32 materials"]),
+                ("0", &["materials = 0", "1 to 32 materials"]),
+            )
+        },
         Bad {
             contradiction: Some((
                 "root_form = \"quadratic1\"\nwidths = { root = 11 }",
@@ -531,7 +569,12 @@ fn no_key_is_left_out() {
         .collect()
     };
     let mut read = of_table("", BEAM);
-    for (table, base) in [("widths", BEAM), ("zone", ZONE), ("mode", BEAM)] {
+    for (table, base) in [
+        ("widths", BEAM),
+        ("zone", ZONE),
+        ("mode", BEAM),
+        ("lit_sphere", SPHERE),
+    ] {
         read.extend(of_table(table, base));
     }
     let read: BTreeSet<String> = read.into_iter().collect();
@@ -542,7 +585,7 @@ fn no_key_is_left_out() {
 /// What the errors start from is right, and so are all machines of the repository.
 #[test]
 fn machines_that_are_right_are_read() {
-    for text in [BEAM, ZONE, OWN_MODE] {
+    for text in [BEAM, ZONE, OWN_MODE, SPHERE] {
         let machine = imogene_plan::description::MachineDescription::parse(text, "m.toml");
         assert!(machine.is_ok(), "{machine:?}");
     }

@@ -47,6 +47,32 @@ fn the_pins_of_a_simulated_board_show_the_golden_picture() {
     assert_eq!(golden.len(), 3 * 19_200);
 }
 
+/// Colours from tables that stand in memory from the beginning: no word of them is sent.
+#[test]
+fn the_pins_of_a_board_show_colours_from_tables() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let options = ["--lit-sphere=16", "--mode", "160x120"];
+    let found = board("simulation", "cone.toml", &options, folder.path());
+    assert_eq!(found["pins"]["differing"], 0);
+    let machine = &found["machine"];
+    assert_eq!(
+        machine["lit_sphere"],
+        serde_json::json!({ "side": 16, "materials": 2 })
+    );
+    let words = found["words"].as_u64().expect("a number");
+    assert!(words < 200, "{words}");
+    pictures_are_equal(folder.path(), &["pins.png"]);
+    let page = std::fs::read_to_string(folder.path().join("out/board.md")).expect("a page");
+    for part in [
+        "(pins.png)",
+        &format!("{words} words"),
+        "| the sources | 2 | 38400 | 0 |",
+    ] {
+        assert!(page.contains(part), "{part}: {page}");
+    }
+    assert!(!page.contains("fusesoc"), "{page}");
+}
+
 /// Images in memory, each for as many frames of the screen as the scene says: from the first again behind the last.
 #[test]
 fn the_pins_of_a_board_show_an_animation() {
@@ -96,6 +122,16 @@ fn sources_need_no_tool() {
     command.assert().success();
     let read =
         |name: &str| std::fs::read_to_string(folder.path().join("out").join(name)).expect("a file");
+    let core = read("ulx3s-12.core");
+    for part in [
+        "name: imogene:board:ulx3s-12:",
+        "flow: trellis",
+        "board.lpf: {file_type: LPF}",
+        "\"--12k\"",
+    ] {
+        assert!(core.contains(part), "{part}: {core}");
+    }
+    assert!(read("board.md").contains("run imogene:board:ulx3s-12\n"));
     let pins = read("board.lpf");
     for line in [
         "LOCATE COMP \"clock\" SITE \"G2\";",

@@ -189,7 +189,10 @@ fn the_lines_that_a_refusal_advises_are_accepted() {
     let slotted = beam.replace("objects = 1\nplanes = 0", "slots = \"3,0\"");
     let suns = format!("{beam}suns = 1\n");
     let solid = zone.replace("objects = 1\n", "objects = 4\nproducts = \"2-1\"\n");
-    let cases: [(&[&Path], &str, &[&str]); 11] = [
+    let sphere = format!("{beam}lights = 0\nlit_sphere = {{ side = 128, materials = 1 }}\n");
+    let parallel = crate::common::scene("orthographic.toml");
+    let cases: [(&[&Path], &str, &[&str]); 12] = [
+        (&[&*parallel], &sphere, &["objects = ", "lit_sphere = { "]),
         (
             &[bracket],
             &zone,
@@ -358,8 +361,23 @@ fn what_a_machine_cannot_show_is_refused_and_leaves_nothing() {
         assert!(said.contains(says), "{said}");
         assert!(!out.exists(), "{says}");
     };
-    let refused = |scene, machine, says| refused_with(scene, machine, &[], says);
+    let refused = |scene: &str, machine: &str, says: &str| {
+        refused_with(scene, machine, &[], says);
+    };
     refused("scenes/teapot.toml", "no/machine.toml", "give the path");
+    let tables = "machines/beam-lit-sphere.toml";
+    for (scene, says) in [
+        (
+            "shadows/robot.toml",
+            "robot.toml: shadows: lit-sphere shading has all lights",
+        ),
+        (
+            "glass/still-life.toml",
+            "transparent objects: lit-sphere shading is that of surfaces",
+        ),
+    ] {
+        refused(&format!("scenes/{scene}"), tables, says);
+    }
     let beam = "machines/beam-160x120.toml";
     refused("scenes/shadows/robot.toml", beam, "objects = 39 # was 10");
     let zone_machine = "machine = \"zone\" # was \"beam\"";

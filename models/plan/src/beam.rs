@@ -19,6 +19,7 @@ use imogene_golden::object::unused::empty_slot;
 use imogene_golden::object::volume::{VolumePlane, VolumeWords};
 use imogene_golden::slots::FittedSlot;
 use imogene_prepare::PreparedScene;
+use imogene_prepare::lit_sphere::sphere_words;
 use imogene_prepare::shader::{ShaderError, flat_words, material_numbers, shader_words};
 use imogene_scene::FramedScene;
 use thiserror::Error;
@@ -75,6 +76,9 @@ pub enum DisplayError {
     /// The shading processor cannot be loaded.
     #[error(transparent)]
     Shader(#[from] ShaderError),
+    /// What lit-sphere shading does not do.
+    #[error("{0}; without lit_sphere and with lights of its own the machine takes it")]
+    LitSphere(String),
     /// The picture has another size than the screen.
     #[error("a picture of {}x{} on a screen of {}x{}; frame the scene for the screen", picture.0, picture.1, screen.0, screen.1)]
     Size {
@@ -85,12 +89,16 @@ pub enum DisplayError {
     },
 }
 
-/// What the machine is told of colours: those of materials alone where it has no lights.
+/// What the machine is told of colours: tables where it has them, and else those of materials alone where it has no
+/// lights.
 pub(super) fn shader(
     scene: &FramedScene,
     format: &Format,
     machine: &MachineDescription,
 ) -> Result<ShaderWords, ShaderError> {
+    if let Some(sphere) = machine.lit_sphere {
+        return sphere_words(scene, format, sphere.places());
+    }
     match machine.lights {
         0 => flat_words(scene, format),
         _ => shader_words(scene, format, None),

@@ -129,6 +129,23 @@ impl<'de> Deserialize<'de> for Mode {
     }
 }
 
+/// Shading by tables of the direction of the normal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table")]
+pub struct LitSphere {
+    /// Entries along each side of a table: 16, 32, 64 or 128.
+    pub side: u32,
+    /// Materials, each with a table.
+    pub materials: usize,
+}
+
+impl LitSphere {
+    /// Bits of a coordinate in a table.
+    pub fn places(&self) -> u32 {
+        self.side.max(1).ilog2()
+    }
+}
+
 /// A machine with a screen.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -174,6 +191,9 @@ pub struct MachineDescription {
     /// Of these, the last ones that are directional alone.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub suns: usize,
+    /// Shading by tables in the place of lights, in a beam machine.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lit_sphere: Option<LitSphere>,
     /// Zone of a zone machine.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub zone: Option<ZoneSize>,

@@ -29,6 +29,8 @@ pub struct Image {
     pub lighting: Lighting,
     /// Red, green, blue of every pixel on the pins, row-major.
     pub picture: Vec<u8>,
+    /// The entries of the tables of lit-sphere shading, in words; none without.
+    pub tables: Vec<u64>,
     /// The plan of a zone machine.
     pub plan: Option<ZonePlan>,
 }
@@ -82,6 +84,7 @@ pub fn refined_image(
         }
     };
     Ok(Image {
+        tables: table_words(&shader),
         picture: finished(&frame, &lighting, &numbers, &shader, machine),
         beats,
         frame,
@@ -106,6 +109,12 @@ pub fn zone_plan(
     let materials = materials.into_iter().map(u32::from).collect();
     let plan = ZonePlan::of(prepared, machine.zone_machine())?;
     Ok(plan.refined(refinement).shaded(shading, materials)?)
+}
+
+fn table_words(shader: &ShaderWords) -> Vec<u64> {
+    let tables = shader.sphere.iter();
+    let words = tables.flat_map(|sphere| sphere.load_words());
+    words.map(|(_, word)| word.into()).collect()
 }
 
 fn check_size(scene: &FramedScene, machine: &MachineDescription) -> Result<(), DisplayError> {

@@ -1,7 +1,9 @@
 //! Has a machine what scenes need? If not, the lines of a description that has.
 
 use super::beam::{DisplayError, beam_slots, beam_words, layer_slots, members, parts, volumes};
-use super::description::{MachineDescription, MachineKind, Mode, Output, OwnMode, ZoneSize};
+use super::description::{
+    LitSphere, MachineDescription, MachineKind, Mode, Output, OwnMode, ZoneSize,
+};
 use super::zone::plan::PlanError;
 use imogene_contract::object::{Kind, ProductSlots};
 use imogene_golden::machine::shader::MOST_LIGHTS;
@@ -11,6 +13,7 @@ use imogene_golden::object::slot::Slot;
 use imogene_golden::slots::FittedSlot;
 use imogene_golden::slots::Slots;
 use imogene_prepare::PreparedScene;
+use imogene_prepare::lit_sphere::most_materials;
 use imogene_prepare::shader::ShaderError;
 use imogene_scene::FramedScene;
 
@@ -111,6 +114,9 @@ fn add(
 ) -> Result<(), DisplayError> {
     check_counts(framed, prepared)?;
     let volumes = volumes(prepared, MAX_PLANES)?;
+    if let Some(sphere) = &mut machine.lit_sphere {
+        add_tables(sphere, framed, prepared)?;
+    }
     let (objects, planes, bodies) = match machine.machine {
         MachineKind::Beam => {
             let planes = add_slots(machine, prepared)?;
@@ -138,6 +144,33 @@ fn add(
     let points = framed.lights.iter().filter(|light| light.is_at_a_point());
     let directional = machine.lights - points.count().min(lights);
     machine.suns = machine.suns.min(directional);
+    Ok(())
+}
+
+/// Gives a machine tables for the materials of a scene, smaller ones where there are many.
+fn add_tables(
+    sphere: &mut LitSphere,
+    framed: &FramedScene,
+    prepared: &PreparedScene,
+) -> Result<(), DisplayError> {
+    let refused = |why: &str| Err(DisplayError::LitSphere(why.to_owned()));
+    if !prepared.volumes.is_empty() {
+        return refused("shadows: lit-sphere shading has all lights in one table");
+    }
+    if !prepared.layers.is_empty() {
+        return refused("transparent objects: lit-sphere shading is that of surfaces alone");
+    }
+    let materials = framed.materials.len().max(sphere.materials);
+    while most_materials(sphere.places()) < materials {
+        if sphere.side <= 16 {
+            let most = most_materials(sphere.places());
+            let why =
+                format!("{materials} materials: lit-sphere shading has tables for {most} at most");
+            return refused(&why);
+        }
+        sphere.side /= 2;
+    }
+    sphere.materials = materials;
     Ok(())
 }
 
@@ -278,6 +311,7 @@ fn share_processors(enough: &mut MachineDescription, beam: &MachineDescription) 
         zone: Some(ZONE),
         loader_words: None,
         lights: enough.lights.max(1),
+        lit_sphere: None,
         slots: None,
         products: beam.products.clone(),
         layers: 0,

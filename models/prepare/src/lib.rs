@@ -42,6 +42,7 @@ mod framing;
 mod known;
 mod layers;
 mod ledger;
+pub mod lit_sphere;
 mod located;
 pub mod memory;
 mod mesh;

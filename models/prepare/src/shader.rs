@@ -84,6 +84,7 @@ pub fn shader_words(
             .iter()
             .map(|m| material(m, scene.ambient))
             .collect(),
+        sphere: None,
     })
 }
 

@@ -164,6 +164,19 @@ pub fn design(p: &Request) -> Design {
             let (count, suns) = (p.lights.into(), p.suns.into());
             shading_processor("top", point, ShadingLoad::input(), Lights { count, suns })
         }),
+        Unit::LitSphere => alone(|| {
+            let tables = Tables {
+                places: p.table_places,
+                materials: p.materials,
+                entries: vec![],
+            };
+            lit_sphere(
+                "top",
+                SpherePoint::input(depth, NORMAL),
+                ShadingLoad::input(),
+                &tables,
+            )
+        }),
         Unit::VideoTiming => alone(|| {
             let mode = &VideoMode::ALL[p.mode as usize];
             video_timing("top", Bits::input(1), mode, LEAD as u64)

@@ -61,6 +61,10 @@ macro_rules! with_parameters {
                 "Lights of the shading processor, 1 to 16 [default: 1]";
             SUNS: "suns" "U" suns, 0 to Some(MOST_LIGHTS), Some(0),
                 "Of its lights, the last ones that are directional alone, 0 to all [default: 0]";
+            TABLE_PLACES: "table-places" "B" table_places, 4 to Some(7), Some(6),
+                "Bits of a coordinate in the tables of lit_sphere, 4 to 7: 2^B by 2^B entries [default: 6]";
+            MATERIALS: "materials" "Z" materials, 1 to Some(32), Some(1),
+                "Materials of lit_sphere, each with a table, 1 to 32: at most 2^15 entries in all [default: 1]";
         }
     };
 }

@@ -3,6 +3,7 @@
 use crate::formula::evaluate;
 use crate::parameters::{PARAMETERS, Parameter, with_parameters};
 use crate::root_form::RootForm;
+use crate::shading::TABLE_BITS;
 use crate::unit::{OBJECT_ROOT, Unit};
 use crate::words::{MOST_DEPTH, MOST_OBJECTS};
 use std::fmt::Write;
@@ -192,6 +193,10 @@ impl Request {
         }
         if self.unit == Unit::ShadingProcessor {
             in_range("suns", self.suns as usize, 0, self.lights)?;
+        }
+        if self.unit == Unit::LitSphere {
+            let most = 1 << (TABLE_BITS - 2 * self.table_places);
+            in_range("materials", self.materials as usize, 1, most)?;
         }
         Ok(())
     }

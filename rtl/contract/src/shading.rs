@@ -2,6 +2,8 @@
 
 /// Clocks from a pixel to its colour.
 pub const LATENCY: usize = 44;
+/// The same of lit-sphere shading.
+pub const LIT_SPHERE_LATENCY: u32 = 31;
 /// The same where there are no lights.
 pub const FLAT_LATENCY: u32 = 3;
 /// Bits after the point of a level before it is rounded.
@@ -27,3 +29,9 @@ pub const MATERIAL: u64 = 0x1000;
 pub const MATERIAL_WORDS: u64 = 4;
 /// Materials at most.
 pub const MOST_MATERIALS: u64 = 256;
+/// Address of the first entry of the table of lit-sphere shading.
+pub const TABLE: u64 = 0x8000;
+/// Bits of the address of an entry: of all tables together.
+pub const TABLE_BITS: u32 = 15;
+/// Bits of a level in an entry, of which two are behind the point; red stands in the low ones.
+pub const ENTRY_LEVEL: u32 = 10;

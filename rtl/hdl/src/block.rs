@@ -136,10 +136,14 @@ impl Block {
         }
         for memory in &module.memories {
             let (last, top) = (memory.words - 1, memory.width - 1);
+            let contents = memory.contents.iter().enumerate();
+            let contents: String = contents
+                .map(|(place, word)| format!("words[{place}] = {word};\n"))
+                .collect();
             let text = format!(
                 "reg [{top}:0] words [0:{last}];\ninteger place;\n\
-                 initial begin\nq = 0;\nfor (place = 0; place <= {last}; place = place + 1) words[place] = 0;\nend\n\
-                 always @(posedge clock) begin\nq <= words[read];\nif (write) words[at] <= data;\nend\n"
+                 initial begin\nq = 0;\nfor (place = 0; place <= {last}; place = place + 1) words[place] = 0;\n\
+                 {contents}end\nalways @(posedge clock) begin\nq <= words[read];\nif (write) words[at] <= data;\nend\n"
             );
             let inputs = memory_pins(memory).map(|(pin, net)| (pin, module.node(net)));
             let part = Block::leaf(text, &inputs, module.node(memory.net));

@@ -50,4 +50,4 @@ pub use scope::Handle;
 pub use scope::unregistered;
 pub use simulate::{Code, Flop, Kind, Levels, Port, Simulator, Store};
 pub use tree::{Binary, Direction, Instance, Memory, Module, Net, Node, Op, PortRecord, Register};
-pub use value::{Bits, Int, Value, join, memory};
+pub use value::{Bits, Int, Value, join, memory, read_only_memory};

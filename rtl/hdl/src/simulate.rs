@@ -32,7 +32,7 @@ impl Simulator {
     /// With the name of a value in a loop without a register.
     pub fn new(design: &Design) -> Simulator {
         let levels = Levels::of(design);
-        let memories = levels.stores.iter().map(|store| vec![0; store.words]);
+        let memories = levels.stores.iter().map(|store| store.words.clone());
         Simulator {
             ports: design.top.ports.clone(),
             memories: memories.collect(),

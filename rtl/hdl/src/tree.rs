@@ -181,12 +181,24 @@ pub struct Memory {
     pub width: u32,
     /// Words.
     pub words: usize,
+    /// What it holds at power-up and for ever, if it is never written; else none, and zeros at power-up.
+    pub contents: Vec<u64>,
     /// Enable, address and data to write.
     pub write: [Net; 3],
     /// Address to read.
     pub address: Net,
     /// What is read, zero at power-up.
     pub net: Net,
+}
+
+impl Memory {
+    /// Its words at power-up.
+    pub fn at_power_up(&self) -> Vec<u64> {
+        match self.contents.as_slice() {
+            [] => vec![0; self.words],
+            contents => contents.to_vec(),
+        }
+    }
 }
 
 /// A module within another.

@@ -3,7 +3,7 @@
 mod memory;
 mod operators;
 
-pub use memory::memory;
+pub use memory::{memory, read_only_memory};
 
 use crate::scope::{Handle, add, is_unregistered, refuse, with_scope};
 use crate::tree::{Binary, Op, Register, WIDEST};

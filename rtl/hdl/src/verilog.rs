@@ -128,13 +128,13 @@ impl Writer<'_> {
             // Nothing depends on what is read of a word while it is written.
             writeln!(text, "    (* no_rw_check *) reg {range}{name} [0:{last}];").unwrap();
         }
-        text + &self.zeros()
+        text + &self.zeros() + &self.contents()
     }
 
     /// Block RAM begins with zeros; synthesis need not work through a loop for it.
     fn zeros(&self) -> String {
         let loops = self.module.memories.iter().zip(&self.names.memories);
-        let loops = loops.map(|(memory, name)| {
+        let loops = loops.filter(|(memory, _)| memory.contents.is_empty()).map(|(memory, name)| {
             let (last, zero) = (memory.words - 1, literal(0, memory.width, false));
             format!("        for (place = 0; place <= {last}; place = place + 1) {name}[place] = {zero};\n")
         });
@@ -144,6 +144,23 @@ impl Writer<'_> {
             _ => format!(
                 "`ifndef SYNTHESIS\n    integer place;\n    initial begin\n{loops}    end\n`endif\n"
             ),
+        }
+    }
+
+    /// What memories hold that are never written.
+    fn contents(&self) -> String {
+        let memories = self.module.memories.iter().zip(&self.names.memories);
+        let words = memories.flat_map(|(memory, name)| {
+            let words = memory.contents.iter().enumerate();
+            words.map(move |(place, word)| {
+                let word = literal(*word, memory.width, false);
+                format!("        {name}[{place}] = {word};\n")
+            })
+        });
+        let words: String = words.collect();
+        match words.as_str() {
+            "" => words,
+            _ => format!("    initial begin\n{words}    end\n"),
         }
     }
 
@@ -232,8 +249,10 @@ impl Writer<'_> {
         self.enabled(&paths, 0, &mut text);
         text += &self.reset(&registers);
         for (memory, name) in self.module.memories.iter().zip(&self.names.memories) {
-            let [enable, at, data] = memory.write.map(|net| self.value(net, true));
-            writeln!(text, "        if ({enable}) {name}[{at}] <= {data};").unwrap();
+            if memory.contents.is_empty() {
+                let [enable, at, data] = memory.write.map(|net| self.value(net, true));
+                writeln!(text, "        if ({enable}) {name}[{at}] <= {data};").unwrap();
+            }
             if let Some(Name { text: read, .. }) = self.names.get(memory.net) {
                 let address = self.value(memory.address, true);
                 writeln!(text, "        {read} <= {name}[{address}];").unwrap();

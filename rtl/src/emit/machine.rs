@@ -8,6 +8,7 @@ use imogene_circuits::machine::{
 };
 use imogene_circuits::machines::{self, objects, volumes};
 use imogene_circuits::shade::Lights;
+pub use imogene_circuits::shade::Tables;
 pub use imogene_circuits::video::Output;
 pub use imogene_contract::MachineWords;
 use imogene_contract::object::ProductSlots;
@@ -70,6 +71,8 @@ pub struct MachineRequest {
     pub lights: usize,
     /// Of these, the last ones that are directional alone.
     pub suns: usize,
+    /// Lit-sphere shading, of a beam machine without lights.
+    pub sphere: Option<Tables>,
     /// Before the name of every module; may be empty.
     pub prefix: String,
     /// The command line that makes the same text, for the header.
@@ -138,6 +141,7 @@ impl MachineRequest {
             volume_planes: 0,
             lights: 1,
             suns: 0,
+            sphere: None,
             prefix: String::new(),
             command: String::new(),
         }
@@ -221,6 +225,7 @@ impl MachineRequest {
             layers: self.layers.clone(),
             volumes: volumes(&self.words, rows, self.volumes, planes),
             lights: self.lights(),
+            sphere: self.sphere.clone(),
             loader_places: loader_bits as u32,
         }
     }
@@ -308,7 +313,14 @@ impl MachineRequest {
         let loader = self.kind.loader_bits();
         lines.extend(loader.map(|bits| format!("{} words of the next frame", 1usize << bits)));
         if !matches!(self.kind, Kind::ZoneCore(_)) {
-            lines.push(format!("{} lights", self.lights));
+            match &self.sphere {
+                Some(tables) => lines.push(format!(
+                    "lit-sphere tables of {0} x {0} entries for {1} materials",
+                    1 << tables.places,
+                    tables.materials
+                )),
+                None => lines.push(format!("{} lights", self.lights)),
+            }
             if self.suns > 0 {
                 lines.push(format!("the last {} directional", self.suns));
             }

@@ -220,6 +220,7 @@ const CASES: &[Case] = &[
         "out_valid",
     ),
     (Unit::ShadingProcessor, &[], &[("valid", 1)], "out_valid"),
+    (Unit::LitSphere, &[], &[("valid", 1)], "out_valid"),
 ];
 const ROOTS_OF_PE: Values = &[("f1_c", 100), ("f2_f", 9)];
 

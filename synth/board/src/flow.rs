@@ -61,7 +61,7 @@ impl Part {
         }
     }
 
-    fn arguments(&self) -> Vec<String> {
+    pub(crate) fn arguments(&self) -> Vec<String> {
         let mut arguments = vec![
             format!("--{}", self.device),
             "--package".into(),
@@ -78,7 +78,7 @@ impl Part {
         arguments
     }
 
-    fn synthesis(&self) -> &'static str {
+    pub(crate) fn synthesis(&self) -> &'static str {
         match self.family {
             // Why without wide tables: docs/synthesis.md.
             Family::Ecp5 => "synth_ecp5 -nowidelut",
@@ -225,7 +225,7 @@ fn packed(
         Some(excess) => Err(BoardError::Excess {
             part: part.name(),
             excess,
-            remedy: "a smaller machine (--machine), or one without shading (--flat), may fit",
+            remedy: "a smaller machine (--machine), tables of colours in it (--lit-sphere) or plain ones (--flat) may fit",
         }),
         None => Ok(()),
     }

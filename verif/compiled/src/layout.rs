@@ -240,6 +240,27 @@ impl Layout {
         found
     }
 
+    /// The places of the words that memories hold at power-up, beside zeros, each with its word.
+    pub(crate) fn contents(&self, top: &Arc<Module>, lanes: Lanes) -> Vec<(usize, u64)> {
+        let mut found = vec![];
+        let stride = lanes.count();
+        self.add_contents(top, Spot { place: 0, stride }, &mut found);
+        found
+    }
+
+    fn add_contents(&self, module: &Arc<Module>, spot: Spot, found: &mut Vec<(usize, u64)>) {
+        for (index, instance) in module.instances.iter().enumerate() {
+            let part = self.part(module, spot, index);
+            self.add_contents(&instance.module, part, found);
+        }
+        let block = self.block(module);
+        for (memory, place) in module.memories.iter().zip(&block.memories) {
+            // What was read last stands before the words.
+            let words = memory.contents.iter().zip(place + 1..);
+            found.extend(words.map(|(word, place)| (spot.place + place * spot.stride, *word)));
+        }
+    }
+
     fn add_registers(&self, module: &Arc<Module>, spot: Spot, found: &mut Vec<Register>) {
         for (index, instance) in module.instances.iter().enumerate() {
             let part = self.part(module, spot, index);

@@ -29,6 +29,8 @@ pub struct Program {
     lanes: Lanes,
     size: usize,
     registers: Vec<Register>,
+    /// Words of memories at power-up, beside zeros.
+    contents: Vec<(usize, u64)>,
     ports: HashMap<String, Port>,
     inputs: usize,
     given: [usize; 2],
@@ -77,6 +79,7 @@ impl Program {
             lanes,
             size: layout.size,
             registers: layout.registers(&design.top, lanes),
+            contents: layout.contents(&design.top, lanes),
             ports,
         }
     }
@@ -114,6 +117,9 @@ impl Program {
             for lane in 0..self.lanes() {
                 words[register.place + lane] = register.initial;
             }
+        }
+        for &(place, word) in &self.contents {
+            words[place..place + self.lanes()].fill(word);
         }
         words
     }

@@ -25,7 +25,7 @@ pub fn run(
     frame_done: impl FnMut(),
 ) -> Result<PinsOutcome, RunError> {
     run_in(
-        options.design(machine)?,
+        options.design(machine, images)?,
         machine,
         images,
         options,

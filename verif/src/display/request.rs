@@ -8,14 +8,24 @@ use imogene_golden::machine::zone::ZoneMachine;
 use imogene_plan::description::{MachineDescription, MachineKind, Output as Picture, Smoothing};
 use imogene_plan::pace::Timing;
 use imogene_plan::zone::clocks::ZoneTiming;
-use imogene_rtl::emit::machine::{Kind, MachineRequest, Output, Slot, ZoneShape};
+use imogene_rtl::emit::machine::{Kind, MachineRequest, Output, Slot, Tables, ZoneShape};
 
-/// The request for the machine of a description; `command` is stated in the header of its Verilog.
+/// The request for the machine of a description without the scene of its tables; `command` is stated in the header of
+/// its Verilog.
 ///
 /// # Panics
 ///
 /// When the description was not checked.
 pub fn request(machine: &MachineDescription, command: &str) -> MachineRequest {
+    request_for(machine, &[], command)
+}
+
+/// The request for the machine of a description whose tables of lit-sphere shading hold these words.
+///
+/// # Panics
+///
+/// When the description was not checked.
+pub fn request_for(machine: &MachineDescription, tables: &[u64], command: &str) -> MachineRequest {
     let mode = mode(machine);
     let output = Output {
         mode,
@@ -48,6 +58,11 @@ pub fn request(machine: &MachineDescription, command: &str) -> MachineRequest {
         volume_planes: machine.volume_planes,
         lights: machine.lights,
         suns: machine.suns,
+        sphere: machine.lit_sphere.map(|sphere| Tables {
+            places: sphere.places(),
+            materials: sphere.materials as u32,
+            entries: tables.to_vec(),
+        }),
         prefix: String::new(),
         command: command.to_owned(),
     }

@@ -1,7 +1,7 @@
 //! How a machine is shown, and what came of it.
 
 use super::Machine;
-use super::request::{mode, request};
+use super::request::{mode, request_for};
 use super::waves::Waves;
 use crate::engine::Engine;
 use crate::engine::design::DesignError;
@@ -10,6 +10,7 @@ use crate::report::Report;
 use crate::waveform::{PlaceError, WaveformRequest, WindowStart};
 use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_plan::description::MachineDescription;
+use imogene_plan::display::Image;
 use std::time::Instant;
 use thiserror::Error;
 
@@ -54,13 +55,18 @@ impl PinsRun<'_> {
     }
 
     /// The machine, ready to run; refuses waveforms from a pixel that its screen does not have.
-    pub(super) fn design(&self, machine: &MachineDescription) -> Result<MachineDesign, RunError> {
+    pub(super) fn design(
+        &self,
+        machine: &MachineDescription,
+        images: &[Image],
+    ) -> Result<MachineDesign, RunError> {
         let mode = mode(machine);
         if let Some(WindowStart::At(place)) = self.waveforms.map(|waveforms| waveforms.from) {
             place.check(mode.line.active as usize, mode.frame.active as usize)?;
         }
         let nets = self.waveforms.map_or(&[][..], |waveforms| &waveforms.nets);
-        let request = request(machine, "");
+        let tables = images.first().map_or(&[][..], |image| &image.tables);
+        let request = request_for(machine, tables, "");
         Ok(MachineDesign::compile(self.engine, &request, &[], nets)?)
     }
 

@@ -1,9 +1,12 @@
-//! The shading processor.
+//! The shading processor, and shading by a table.
 
 use super::description::{Description, behind_valid, bit, late};
 use crate::subject::{Inputs, Subject};
+use imogene_contract::shading::LIT_SPHERE_LATENCY;
 use imogene_golden::format::Format;
-use imogene_golden::machine::shader::{LATENCY, LightWords, Pixel, Shader, ShaderWords};
+use imogene_golden::machine::shader::{
+    LATENCY, LightWords, Pixel, Shader, ShaderWords, SphereTables,
+};
 use imogene_studies::shading_trial::sequence;
 use proptest::prelude::*;
 
@@ -12,21 +15,73 @@ mod port {
     pub const VALID: usize = 0;
     pub const PIXEL: usize = 1;
     pub const DEPTH: usize = 3;
-    pub const LOAD_VALID: usize = 9;
-    pub const LOAD_ADDRESS: usize = 10;
-    pub const LOAD_DATA: usize = 11;
-    pub const COUNT: usize = 12;
+    pub const NORMAL: usize = 5;
+    pub const FLAGS: usize = 8;
 }
 
+/// Inputs that load a word: valid, address, data, behind all others.
+const LOAD: usize = 3;
+
 pub(super) fn shading_processor(format: Format, lights: usize, suns: usize) -> Description {
-    let stimulus = move |subject: &_, clocks| words_then_pixels(subject, clocks, (lights, suns));
+    let stimulus = move |subject: &_, clocks| {
+        words_then_pixels(subject, clocks, lights, move |_, words| {
+            words.lights[lights - suns..]
+                .iter_mut()
+                .for_each(shine_from_afar);
+            words.load_words()
+        })
+    };
+    let words = ShaderWords::unloaded(format.depth, lights);
+    described(stimulus, words, LATENCY)
+}
+
+pub(super) fn lit_sphere(format: Format, places: u32, materials: u32) -> Description {
+    let tables = SphereTables::dark(places, materials);
+    let words = ShaderWords {
+        sphere: Some(tables.clone()),
+        ..ShaderWords::unloaded(format.depth, 0)
+    };
+    let stimulus = move |subject: &_, clocks| {
+        let tables = tables.clone();
+        words_then_pixels(subject, clocks, 1, move |seed, words| {
+            // Words of lights and materials mean nothing to it.
+            let view = words.load_words().into_iter().take(20);
+            view.chain(drawn(&tables, seed).load_words()).collect()
+        })
+    };
+    described(stimulus, words, LIT_SPHERE_LATENCY)
+}
+
+/// Tables of any entries that are no brighter than white.
+fn drawn(tables: &SphereTables, seed: u64) -> SphereTables {
+    let mut state = seed;
+    let mut level = || {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1);
+        (state >> 33) as u16 % 1021
+    };
+    let entries = tables.entries.iter().map(|_| [(); 3].map(|()| level()));
+    SphereTables {
+        entries: entries.collect(),
+        ..tables.clone()
+    }
+}
+
+/// Words that are loaded, and the colours of pixels so many clocks later.
+fn described(
+    stimulus: impl Fn(&Subject, usize) -> BoxedStrategy<Vec<Inputs>> + Sync + 'static,
+    words: ShaderWords,
+    latency: u32,
+) -> Description {
     Description::new(stimulus, move || {
-        let mut words = ShaderWords::unloaded(format.depth, lights);
+        let mut words = words.clone();
         let mut shader = Shader::new(&words);
-        let mut late = late(LATENCY as usize);
+        let mut late = late(latency as usize);
         move |i: &[i64]| {
-            if bit(i[port::LOAD_VALID]) {
-                words.load(i[port::LOAD_ADDRESS] as u16, i[port::LOAD_DATA] as u32);
+            let [valid, address, data] = [3, 2, 1].map(|back| i[i.len() - back]);
+            if bit(valid) {
+                words.load(address as u16, data as u32);
                 shader = shader.reloaded(&words);
             }
             let colour = bit(i[port::VALID]).then(|| shader.pixel(&pixel(i)));
@@ -35,15 +90,17 @@ pub(super) fn shading_processor(format: Format, lights: usize, suns: usize) -> D
     })
 }
 
+/// The pixel of inputs; without flags where every light reaches all.
 fn pixel(i: &[i64]) -> Pixel {
-    let [x, y, depth, material, nx, ny, nz, flags] = std::array::from_fn(|k| i[port::PIXEL + k]);
+    let [x, y, depth, material, nx, ny, nz] = std::array::from_fn(|k| i[port::PIXEL + k]);
+    let has_flags = i.len() > port::FLAGS + LOAD;
     Pixel {
         x: x as u16,
         y: y as u16,
         depth,
         material: material as u8,
         normal: [nx, ny, nz].map(|v| v as i16),
-        flags: flags as u16,
+        flags: if has_flags { i[port::FLAGS] as u16 } else { 0 },
     }
 }
 
@@ -51,39 +108,40 @@ fn pixel(i: &[i64]) -> Pixel {
 fn words_then_pixels(
     subject: &Subject,
     clocks: usize,
-    (lights, suns): (usize, usize),
+    lights: usize,
+    loaded: impl Fn(u64, &mut ShaderWords) -> Vec<(u16, u32)> + 'static,
 ) -> BoxedStrategy<Vec<Inputs>> {
     let depth = subject.inputs[port::DEPTH].width;
+    let count = subject.inputs.len();
     let gaps = proptest::collection::vec(0u8..4, clocks + LATENCY as usize);
     (any::<u64>(), gaps)
         .prop_map(move |(seed, gaps)| {
             let (mut words, pixels) = sequence(seed, depth, lights, gaps.len());
-            words.lights[lights - suns..]
-                .iter_mut()
-                .for_each(shine_from_afar);
-            let idle: Inputs = vec![0; port::COUNT];
+            let idle: Inputs = vec![0; count];
             let mut list: Vec<Inputs> = vec![];
-            for (address, word) in words.load_words() {
+            for (address, word) in loaded(seed, &mut words) {
                 let mut inputs = idle.clone();
-                inputs[port::LOAD_ADDRESS] = address.into();
-                inputs[port::LOAD_DATA] = word.into();
+                inputs[count - 2] = address.into();
+                inputs[count - 1] = word.into();
                 if gaps[list.len() % gaps.len()] == 0 {
                     // A word on the bus that is not valid is not loaded.
                     let mut other = inputs.clone();
-                    other[port::LOAD_DATA] ^= 0xffff_ffff;
+                    other[count - 1] ^= 0xffff_ffff;
                     list.push(other);
                 }
-                inputs[port::LOAD_VALID] = 1;
+                inputs[count - LOAD] = 1;
                 list.push(inputs);
             }
             for (gap, p) in gaps.iter().zip(pixels) {
-                let [nx, ny, nz] = p.normal.map(i64::from);
-                let (x, y) = (p.x.into(), p.y.into());
-                let (material, flags) = (p.material.into(), p.flags.into());
-                let valid = i64::from(*gap > 0);
-                list.push(vec![
-                    valid, x, y, p.depth, material, nx, ny, nz, flags, 0, 0, 0,
-                ]);
+                let mut inputs = idle.clone();
+                inputs[port::VALID] = i64::from(*gap > 0);
+                let place = [p.x.into(), p.y.into(), p.depth, p.material.into()];
+                inputs[port::PIXEL..port::NORMAL].copy_from_slice(&place);
+                inputs[port::NORMAL..port::FLAGS].copy_from_slice(&p.normal.map(i64::from));
+                if count > port::FLAGS + LOAD {
+                    inputs[port::FLAGS] = p.flags.into();
+                }
+                list.push(inputs);
             }
             list
         })

@@ -349,6 +349,27 @@ impl Instance for UpsetInstance {
     }
 }
 
+/// Colours from tables in memories that are never written, in every engine; with other tables they are others.
+#[test]
+fn a_machine_with_tables_shows_their_colours() {
+    let text = "machine = \"beam\"\nobjects = 10\nplanes = 3\nlights = 0\nlit_sphere = { side = 16, materials = 2 }\n\
+        mode = { columns = [64, 4, 8, 8], lines = [48, 2, 2, 12] }\n";
+    let machine = MachineDescription::parse(text, "m.toml").expect("a description");
+    let teapot = drawn("teapot.toml", &machine);
+    for engine in [Engine::BuiltIn, VERILATOR] {
+        run(
+            &machine,
+            std::slice::from_ref(&teapot),
+            &PinsRun::plain(engine),
+        );
+    }
+    let mut other = teapot.clone();
+    other.tables.reverse();
+    let options = PinsRun::plain(Engine::BuiltIn);
+    let outcome = pins::run(&machine, &[other], &options, || ()).expect("a machine that runs");
+    assert!(outcome.report.mismatches > 100, "{:?}", outcome.report);
+}
+
 /// Parts give anything for a word that is read while it is written: loader, materials, zone buffer, frame store.
 #[test]
 fn no_machine_uses_what_it_reads_while_it_writes_it() {

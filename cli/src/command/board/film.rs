@@ -16,6 +16,8 @@ const LONGEST: u64 = 256;
 pub(super) struct Film {
     /// The words of all images.
     pub(super) words: Vec<Beat>,
+    /// The entries of the tables of its machine.
+    pub(super) tables: Vec<u64>,
     /// Red, green, blue of every pixel of each, in the bits that the pins have.
     pub(super) pictures: Vec<Vec<u8>>,
     /// Frames of the screen that show an image.
@@ -44,6 +46,7 @@ impl Film {
         let black = vec![0; images[0].picture.len()];
         Ok(Film {
             black,
+            tables: images[0].tables.clone(),
             words: images
                 .iter()
                 .flat_map(|image| image.beats.clone())

@@ -90,7 +90,14 @@ fn line(machine: &MachineDescription, widths: &str) -> String {
         MachineKind::Beam => "beam machine",
         MachineKind::Zone => "zone machine",
     };
-    let lights = counted(machine.lights, "light");
+    let lights = match machine.lit_sphere {
+        Some(sphere) => format!(
+            "{} of {1} x {1} entries",
+            counted(sphere.materials, "table"),
+            sphere.side
+        ),
+        None => counted(machine.lights, "light"),
+    };
     let rows = counted(machine.rows_per_stage, "row");
     format!("{kind}, {widths}, {processors}{volumes}, {lights}, {rows} per stage")
 }

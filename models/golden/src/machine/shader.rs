@@ -3,6 +3,7 @@
 mod curve;
 mod curves;
 mod light;
+mod sphere;
 mod view;
 mod widths;
 mod words;
@@ -14,6 +15,7 @@ use curves::Curves;
 use imogene_contract::shading;
 use light::Light;
 use rayon::prelude::*;
+pub use sphere::SphereTables;
 use std::sync::Arc;
 use view::Sight;
 pub use widths::ShaderWidths;
@@ -59,6 +61,12 @@ impl Shader {
     /// Red, green, blue of a pixel.
     pub fn pixel(&self, pixel: &Pixel) -> [u8; 3] {
         let half = 1 << (LEVEL_FRACTION - 1);
+        if let Some(sphere) = &self.words.sphere {
+            return match pixel.depth == self.words.far_end() {
+                true => self.words.background,
+                false => sphere.colour(&self.words, pixel),
+            };
+        }
         match self.levels(pixel) {
             None => self.words.background,
             Some(levels) => levels.map(|v| ((v + half) >> LEVEL_FRACTION).min(255) as u8),
@@ -68,7 +76,7 @@ impl Shader {
     /// Levels of a pixel, [`LEVEL_FRACTION`] bits after the point, neither rounded nor clamped; none where nothing is
     /// seen.
     pub fn levels(&self, pixel: &Pixel) -> Option<[i64; 3]> {
-        if pixel.depth == (1 << (self.words.depth - 1)) - 1 {
+        if pixel.depth == self.words.far_end() {
             return None;
         }
         let unlit = MaterialWords::default();

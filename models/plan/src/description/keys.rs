@@ -12,7 +12,7 @@ use toml::de::DeTable;
 type Key = (&'static str, String);
 
 /// All keys in their order.
-fn keys() -> [Key; 21] {
+fn keys() -> [Key; 22] {
     let up_to = |most: usize| format!("0 to {most}");
     let depths = format!("{} to {}", Format::DEPTHS.start(), Format::DEPTHS.end());
     let zone = format!("{{ width = 32, height = 32 }}, of 1 to {MAX_ZONE_PIXELS} pixels");
@@ -41,6 +41,7 @@ fn keys() -> [Key; 21] {
         ("volume_planes", up_to(MAX_PLANES)),
         ("lights", up_to(MOST_LIGHTS)),
         ("suns", "0 to the number of lights".into()),
+        ("lit_sphere", SPHERE.into()),
         ("zone", zone),
         ("loader_words", "2 to 65536".into()),
         ("mode", modes()),
@@ -50,6 +51,10 @@ fn keys() -> [Key; 21] {
         ("overlay", "true or false".into()),
     ]
 }
+
+/// What `lit_sphere` accepts.
+pub(super) const SPHERE: &str = "{ side = 64, materials = 2 } with a side of 16, 32, 64 or 128, and 1 to 32 materials, of side 64 \
+     to 8 and of 128 to 2; in a beam machine of lights = 0 without volumes and layers";
 
 /// What `mode` accepts.
 pub(super) fn modes() -> String {

@@ -1,6 +1,6 @@
 //! What a machine description may say.
 
-use super::keys::{key_of, modes};
+use super::keys::{SPHERE, key_of, modes};
 use super::{DescriptionError, MachineDescription, MachineKind, Output, Smoothing};
 use imogene_contract::object::Kind;
 use imogene_contract::video::VideoMode;
@@ -11,6 +11,7 @@ use imogene_golden::machine::zone::{MAX_PICTURE, SAMPLES};
 use imogene_golden::object::quadric::MAX_PLANES;
 use imogene_golden::slots::FittedSlot;
 use imogene_golden::slots::Slots;
+use imogene_prepare::lit_sphere::most_materials;
 
 /// Pixels of a zone at most.
 pub(super) const MAX_ZONE_PIXELS: u32 = 1 << 14;
@@ -59,6 +60,7 @@ impl MachineDescription {
             self.check_counts(format.root_rows() as usize)?;
             let mode = self.check_mode()?;
             self.check_slots(&format)?;
+            self.check_sphere()?;
             self.check_products()?;
             self.check_samples(&mode)?;
             self.check_output(&mode)?;
@@ -143,6 +145,25 @@ impl MachineDescription {
                 refuse("slots", other.kind.name(), accepted)
             }
             None => Ok(()),
+        }
+    }
+
+    fn check_sphere(&self) -> Checked {
+        let Some(sphere) = self.lit_sphere else {
+            return Ok(());
+        };
+        let text = format!(
+            "{{ side = {}, materials = {} }}",
+            sphere.side, sphere.materials
+        );
+        let is_side = [16, 32, 64, 128].contains(&sphere.side);
+        let has_others = self.lights + self.volumes + self.layers > 0;
+        if self.machine == MachineKind::Zone || has_others || !is_side {
+            return refuse("lit_sphere", text, SPHERE);
+        }
+        match (1..=most_materials(sphere.places())).contains(&sphere.materials) {
+            true => Ok(()),
+            false => refuse("lit_sphere", text, SPHERE),
         }
     }
 

@@ -54,6 +54,8 @@ pub struct Frames {
     pub has_bounds: bool,
     /// Which machine they are for.
     pub(super) kind: MachineKind,
+    /// Entries along each side of its tables of lit-sphere shading, in the place of a shading processor.
+    pub lit_sphere: Option<u32>,
 }
 
 /// The frames in words, against their truth.
@@ -129,6 +131,7 @@ impl Frames {
             frames,
             has_bounds,
             kind,
+            lit_sphere: None,
         })
     }
 

@@ -12,7 +12,7 @@ use imogene_golden::slots::{FittedSlot, Products, Slots};
 use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::widths::OwnWidths;
 use imogene_plan::description::{
-    MachineDescription, MachineKind, Mode, Output, OwnMode, Smoothing, ZoneSize,
+    LitSphere, MachineDescription, MachineKind, Mode, Output, OwnMode, Smoothing, ZoneSize,
 };
 use imogene_plan::display::DisplayError;
 use imogene_plan::needs::enough;
@@ -63,7 +63,11 @@ pub fn machine(
 ) -> Result<Fitted, FitError> {
     let size = &frames.all()[0].scene;
     let size = (size.width, size.height);
-    let smallest = smallest(&drawn.widths, &drawn.prepared, rows_per_stage, size);
+    let mut smallest = smallest(&drawn.widths, &drawn.prepared, rows_per_stage, size);
+    if let Some(side) = frames.lit_sphere {
+        (smallest.lights, smallest.suns) = (0, 0);
+        smallest.lit_sphere = Some(LitSphere { side, materials: 1 });
+    }
     let found = match frames.kind {
         MachineKind::Beam => {
             let beam = with_enough(&smallest, frames, drawn)?;
@@ -111,6 +115,7 @@ pub fn smallest(
         volumes: 0,
         volume_planes: 0,
         lights: 1,
+        lit_sphere: None,
         // As many as the lights of the scene leave.
         suns: MOST_LIGHTS,
         zone: None,

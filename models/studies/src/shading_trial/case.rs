@@ -35,6 +35,7 @@ impl Case {
             attenuation: random.one_in(3).then(|| random.between(0, 30 << 22) as i32),
             offset_when_on: 0,
             background: [0; 3],
+            sphere: None,
             lights: vec![],
             materials: vec![material(random)],
         };

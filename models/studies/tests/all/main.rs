@@ -2,6 +2,7 @@
 
 mod detail;
 mod fit;
+mod lit_sphere;
 mod primitives;
 mod sweeps;
 mod trade;

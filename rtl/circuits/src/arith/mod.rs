@@ -4,6 +4,7 @@ mod fifteenth;
 mod logarithm;
 mod normalise;
 mod product;
+mod reciprocal;
 mod root_correction;
 mod root_length;
 mod root_rows;
@@ -18,7 +19,9 @@ mod square_root_quadratic;
 mod vector;
 
 pub use logarithm::{logarithm, logarithm_of_sum, power_of_two};
+pub(crate) use normalise::shifted_by;
 pub use product::product;
+pub use reciprocal::reciprocal;
 pub use square_root::{Root, square_root, square_root_rows};
 pub use square_root_iterative::{Iterative, square_root_iterative};
 pub use square_root_leading::square_root_leading;

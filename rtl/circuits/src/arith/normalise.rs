@@ -14,10 +14,18 @@ bundles! {
     }
 }
 
-/// Shifts words to the left until the first bit of the magnitude is set, or of the first word where there is none: by
-/// the longer powers of two first, each where as many bits are free. Latency 3: registers stand behind the shifts by
-/// 16, by 4 and by 1; the first behind the shift by 8 where no word is longer.
+/// Shifts words to the left until the first bit of the magnitude is set, or of the first word where there is none.
+/// Latency 3: registers stand behind the shifts by 16, by 4 and by 1; the first behind the shift by 8 where no word is
+/// longer.
 pub(super) fn shifted(words: Vec<Bits>, magnitude: Option<Bits>) -> Shifted {
+    let width = magnitude.unwrap_or(words[0]).width();
+    let shifts = width.next_power_of_two().ilog2();
+    shifted_by(words, magnitude, &[4.min(shifts - 1), 2, 0])
+}
+
+/// The same with registers behind the shifts by these powers of two: the longer ones are first, each where as many bits
+/// are free.
+pub(crate) fn shifted_by(words: Vec<Bits>, magnitude: Option<Bits>, kept: &[u32]) -> Shifted {
     let width = magnitude.unwrap_or(words[0]).width();
     let shifts = width.next_power_of_two().ilog2();
     let mut now = Shifted {
@@ -39,7 +47,7 @@ pub(super) fn shifted(words: Vec<Bits>, magnitude: Option<Bits>) -> Shifted {
         if shift == 0 {
             now.magnitude.clear();
         }
-        if [4.min(shifts - 1), 2, 0].contains(&shift) {
+        if kept.contains(&shift) {
             now = now.delayed(1);
         }
     }

@@ -9,8 +9,8 @@ use crate::object::Normal;
 use crate::raster::Scan;
 use crate::rows::numbered;
 use crate::shade::{
-    BLEND_LATENCY, FlatPoint, Lights, Point, Shaded, ShadingLoad, Surface, flat_shading,
-    shading_processor, transparency_pipeline,
+    BLEND_LATENCY, FlatPoint, Lights, Point, Shaded, ShadingLoad, SpherePoint, Surface, Tables,
+    flat_shading, lit_sphere, shading_processor, transparency_pipeline,
 };
 use crate::video::LEVEL;
 use imogene_contract::shading;
@@ -30,6 +30,8 @@ pub struct BeamMachine {
     pub volumes: Volumes,
     /// Its lights; without one it has no shading processor, and every object the ambient level of its material.
     pub lights: Lights,
+    /// Tables in the place of lights.
+    pub sphere: Option<Tables>,
     /// Address bits of the words that it keeps for the next frame.
     pub loader_places: u32,
 }
@@ -42,6 +44,9 @@ impl BeamMachine {
 
     /// Clocks from what is told of a pixel to its colour.
     pub(super) fn shading(&self) -> u32 {
+        if self.sphere.is_some() {
+            return shading::LIT_SPHERE_LATENCY;
+        }
         match self.lights.count {
             0 => shading::FLAT_LATENCY,
             _ => shading::LATENCY as u32,
@@ -158,6 +163,16 @@ fn shaded_surface(
     let valid = valid.delayed_as("valid_late", wait);
     let depth = seen.depth.delayed_as("depth_late", wait);
     let material = material.delayed_as("material_late", wait - 1);
+    if let Some(tables) = &machine.sphere {
+        let point = SpherePoint {
+            valid,
+            pixel: scan.pixel.delayed(machine.decided()),
+            depth,
+            material,
+            normal: shaded_normal(seen.normal).delayed(wait),
+        };
+        return (depth, lit_sphere("shading", point, shading, tables));
+    }
     if machine.lights.count == 0 {
         let point = FlatPoint {
             valid,

@@ -4,6 +4,7 @@ mod attenuation;
 mod flat_shading;
 mod light_factors;
 mod light_vector;
+mod lit_sphere;
 mod sent_light;
 mod shading_processor;
 mod sight;
@@ -11,6 +12,7 @@ mod transparency;
 mod words;
 
 pub use flat_shading::{FlatPoint, flat_shading};
+pub use lit_sphere::{SpherePoint, Tables, lit_sphere};
 pub use shading_processor::{Lights, Point, Shaded, ShadingLoad, shading_processor};
 pub use transparency::{BLEND_LATENCY, Layer, Surface, transparency_pipeline, transparency_stage};
 

@@ -29,25 +29,35 @@ bundles! {
     }
 }
 
+/// Place on the screen, 1 clock after the pixel, and line of sight, 2 clocks after it.
+pub(super) fn line_of_sight(pixel: Pixel, eye: Eye) -> (Middle, Vector) {
+    let place = |at: Bits, size: Bits| (join([at, Bits::new(0, 1)]) - size).reg().int();
+    net! {
+        let place_x = place(pixel.x, eye.size_x);
+        let place_y = place(pixel.y, eye.size_y);
+    }
+    let along = |place: Int| {
+        net! {
+            let raised = place.extend(33).bits().left(5);
+            let lowered = raised.right_by(eye.view_shift);
+        }
+        let none = Bits::new(0, 18);
+        eye.perspective.select(lowered.low(18), none).reg().int()
+    };
+    let place = Middle {
+        x: place_x,
+        y: place_y,
+    };
+    let ray = Vector::of([along(place_x), along(place_y), factor(eye.distance)]);
+    (place, ray)
+}
+
 /// Place on the screen, line of sight and normal in full words, and their products; beside them the places that the
 /// line of sight was shifted, 19 clocks after the pixel. Section 8.2 of the architecture.
 pub(super) fn sight(at: &str, pixel: Pixel, normal: Normal, eye: Eye) -> (Sight, Bits) {
     let inputs = (pixel, normal, eye);
     module("sight", at, inputs, |(pixel, normal, eye)| {
-        let place = |at: Bits, size: Bits| (join([at, Bits::new(0, 1)]) - size).reg().int();
-        net! {
-            let place_x = place(pixel.x, eye.size_x);
-            let place_y = place(pixel.y, eye.size_y);
-        }
-        let along = |place: Int| {
-            net! {
-                let raised = place.extend(33).bits().left(5);
-                let lowered = raised.right_by(eye.view_shift);
-            }
-            let none = Bits::new(0, 18);
-            eye.perspective.select(lowered.low(18), none).reg().int()
-        };
-        let ray = Vector::of([along(place_x), along(place_y), factor(eye.distance)]);
+        let (place, ray) = line_of_sight(pixel, eye);
         let full = vector_normaliser("ray_normaliser", ray);
         let ray = full.vector.delayed(3);
         let normal = Vector::of(normal.parts()).delayed(5);
@@ -57,10 +67,7 @@ pub(super) fn sight(at: &str, pixel: Pixel, normal: Normal, eye: Eye) -> (Sight,
         let ray_square = scalar_product("ray_square", ray, ray).bits();
         let both = scalar_product("both", normal, ray);
         let sight = Sight {
-            place: Middle {
-                x: place_x,
-                y: place_y,
-            },
+            place,
             ray,
             normal,
             across: both.slice(34, 10).int(),

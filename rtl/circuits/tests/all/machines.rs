@@ -53,6 +53,7 @@ fn machine() -> BeamMachine {
             planes: vec![1, 0],
         },
         lights: Lights { count: 1, suns: 0 },
+        sphere: None,
         loader_places: 3,
     }
 }

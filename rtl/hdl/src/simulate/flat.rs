@@ -30,10 +30,10 @@ pub struct Flop {
 }
 
 /// A memory, by the places of its words.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Store {
-    /// Words that it holds.
-    pub words: usize,
+    /// Words that it holds at power-up.
+    pub words: Vec<u64>,
     /// Enable, address and word of a write.
     pub write: [u32; 3],
     /// Of what is read.
@@ -178,7 +178,7 @@ impl Flat {
         }
         for memory in &module.memories {
             self.stores.push(Store {
-                words: memory.words,
+                words: memory.at_power_up(),
                 write: memory.write.map(at),
                 address: at(memory.address),
                 output: at(memory.net),

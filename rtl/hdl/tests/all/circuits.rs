@@ -1,8 +1,8 @@
 //! What is built, simulated, written and refused.
 
 use imogene_hdl::{
-    Bits, Bundle, Design, Int, Simulator, Value, bundle, join, memory, module, net, unregistered,
-    verilog,
+    Bits, Bundle, Design, Int, Simulator, Value, bundle, join, memory, module, net,
+    read_only_memory, unregistered, verilog,
 };
 
 fn refusal<T>(build: impl FnOnce() -> T + std::panic::UnwindSafe) -> String {
@@ -272,6 +272,34 @@ fn registers_begin_as_they_say_and_memories_with_zeros() {
         simulator.get(other)
     });
     assert_eq!(seen.collect::<Vec<u64>>(), [2, 3, 2, 3 ^ 1]);
+}
+
+/// A memory that is never written has its words from the beginning, and no process that writes it.
+#[test]
+fn memories_that_are_never_written_hold_their_contents() {
+    let contents = vec![5, 0, 7, 2];
+    let design = Design::of(|| {
+        module("primes", "top", ("place", Bits::input(2)), |place| {
+            (
+                "value",
+                read_only_memory("kept", 3, contents.clone(), place),
+            )
+        });
+    });
+    let mut simulator = Simulator::new(&design);
+    let [place, value] = ["place", "value"].map(|name| simulator.port(name));
+    assert_eq!(simulator.get(value), 0);
+    for (at, word) in contents.iter().enumerate() {
+        simulator.set(place, at as u64);
+        simulator.clock();
+        assert_eq!(simulator.get(value), *word);
+    }
+    let text = verilog::write(&design.top, "");
+    assert!(text.contains("        kept[2] = 3'd7;\n"), "{text}");
+    assert!(
+        !text.contains("SYNTHESIS") && !text.contains("if ("),
+        "{text}"
+    );
 }
 
 /// What is read through a value that is driven later is read, though it stands behind that value.

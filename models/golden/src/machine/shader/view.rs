@@ -63,7 +63,7 @@ impl Sight {
 }
 
 /// Half pixels from the middle of the picture, 13 bits.
-fn place(words: &ShaderWords, pixel: &Pixel) -> [i64; 2] {
+pub(super) fn place(words: &ShaderWords, pixel: &Pixel) -> [i64; 2] {
     let from_middle = |at: u16, size: u16| {
         let place = 2 * i64::from(at) - i64::from(size);
         place << 51 >> 51
@@ -74,7 +74,7 @@ fn place(words: &ShaderWords, pixel: &Pixel) -> [i64; 2] {
     ]
 }
 
-fn ray(words: &ShaderWords, place: [i64; 2]) -> [i64; 3] {
+pub(super) fn ray(words: &ShaderWords, place: [i64; 2]) -> [i64; 3] {
     let distance = i64::from(words.distance);
     if words.perspective {
         let [x, y] = place.map(|v| (v << 5) >> words.view_shift);

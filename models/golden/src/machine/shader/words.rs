@@ -1,5 +1,6 @@
 //! Words of the shading processor and their addresses.
 
+use super::sphere::SphereTables;
 use imogene_contract::shading;
 
 /// Lights at most.
@@ -10,6 +11,8 @@ pub const MOST_MATERIALS: usize = shading::MOST_MATERIALS as usize;
 pub const LIGHT_ADDRESS: u16 = shading::LIGHT as u16;
 /// Address of the first word of material 0; the next material begins 4 further on.
 pub const MATERIAL_ADDRESS: u16 = shading::MATERIAL as u16;
+
+const TABLE: u16 = shading::TABLE as u16;
 
 /// What is asked of the shading processor at one pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,6 +54,8 @@ pub struct ShaderWords {
     pub lights: Vec<LightWords>,
     /// The materials.
     pub materials: Vec<MaterialWords>,
+    /// The tables of lit-sphere shading, in the place of lights and materials.
+    pub sphere: Option<SphereTables>,
 }
 
 /// Words of one light: `L = base - (pixel coordinates) - slope * depth`.
@@ -94,6 +99,11 @@ impl ShaderWords {
         }
     }
 
+    /// The depth of the background.
+    pub(super) fn far_end(&self) -> i64 {
+        (1 << (self.depth - 1)) - 1
+    }
+
     /// Writes one word; what a word has beyond its fields, and addresses that are not in use, mean nothing.
     pub fn load(&mut self, address: u16, word: u32) {
         let bits = |low: u32, width: u32| word >> low & ((1 << width) - 1);
@@ -115,6 +125,11 @@ impl ShaderWords {
                 let light = usize::from(address / 16) - 1;
                 if let Some(light) = self.lights.get_mut(light) {
                     light.load(address % 16, word);
+                }
+            }
+            TABLE.. => {
+                if let Some(sphere) = &mut self.sphere {
+                    sphere.load(address, word);
                 }
             }
             _ => {

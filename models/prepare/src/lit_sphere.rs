@@ -1,0 +1,95 @@
+//! Words of lit-sphere shading from a scene (`docs/architecture.md`, section 8.4).
+
+use crate::shader::{ShaderError, shader_words};
+use imogene_algebra::vector::{Vector, dot, length};
+use imogene_contract::shading::TABLE_BITS;
+use imogene_golden::format::Format;
+use imogene_golden::machine::shader::{ShaderWords, SphereTables};
+use imogene_scene::{FramedLight, FramedScene, Material};
+
+/// Towards the viewer, who is infinitely far.
+const VIEWER: Vector = [0.0, 0.0, -1.0];
+
+/// Materials at most of tables with so many bits of a coordinate.
+pub fn most_materials(places: u32) -> usize {
+    1 << (TABLE_BITS - 2 * places).min(5)
+}
+
+/// The words of a scene for a machine with tables of `2^places` by `2^places` entries. A light at a point counts as
+/// one in its direction from the middle of the picture in the screen plane.
+///
+/// # Errors
+///
+/// As [`shader_words`].
+pub fn sphere_words(
+    scene: &FramedScene,
+    format: &Format,
+    places: u32,
+) -> Result<ShaderWords, ShaderError> {
+    let words = shader_words(scene, format, None)?;
+    let materials = scene.materials.len() as u32;
+    let mut tables = SphereTables::dark(places, materials.max(1));
+    let of_one = 1 << (2 * places);
+    let tables_of = tables.entries.chunks_exact_mut(of_one);
+    for (material, table) in scene.materials.iter().zip(tables_of) {
+        for (place, entry) in table.iter_mut().enumerate() {
+            let normal = direction(place as u32, places);
+            *entry = far_colour(scene, material, normal).map(quarters);
+        }
+    }
+    Ok(ShaderWords {
+        lights: vec![],
+        materials: vec![],
+        sphere: Some(tables),
+        ..words
+    })
+}
+
+/// The normal of an entry: the octahedral map of the half sphere before the viewer, its axes turned by an eighth, so
+/// that it fills a square.
+fn direction(entry: u32, places: u32) -> Vector {
+    let last = (1u32 << places) - 1;
+    let [sum, difference] =
+        [entry & last, entry >> places].map(|place| 2.0 * f64::from(place) / f64::from(last) - 1.0);
+    let [x, y] = [(sum + difference) / 2.0, (sum - difference) / 2.0];
+    unit([x, y, x.abs() + y.abs() - 1.0])
+}
+
+/// What a material sends back of each colour, 1 a full level, where viewer and lights are infinitely far. The normal
+/// has the length 1 and looks towards the viewer.
+pub fn far_colour(scene: &FramedScene, material: &Material, normal: Vector) -> Vector {
+    let ambient = |k: usize| material.ambient * scene.ambient[k] * material.colour[k];
+    let mut sum: Vector = std::array::from_fn(ambient);
+    for light in &scene.lights {
+        let (towards, intensity) = match light {
+            FramedLight::Directional { towards, colour } => (unit(*towards), colour),
+            FramedLight::Point { position, colour } => (unit(*position), colour),
+        };
+        let lambert = dot(normal, towards);
+        if lambert <= 0.0 {
+            continue;
+        }
+        let mirrored: Vector = std::array::from_fn(|k| 2.0 * lambert * normal[k] - towards[k]);
+        let highlight = dot(mirrored, VIEWER)
+            .max(0.0)
+            .powi(material.exponent as i32);
+        for k in 0..3 {
+            let diffused = material.diffuse * material.colour[k] * lambert;
+            sum[k] += intensity[k] * (diffused + material.specular * highlight);
+        }
+    }
+    sum
+}
+
+/// A level in quarters, at most white.
+fn quarters(level: f64) -> u16 {
+    (level.clamp(0.0, 1.0) * 1020.0).round() as u16
+}
+
+/// The vector at length one; one without length has no direction, and stays.
+fn unit(vector: Vector) -> Vector {
+    match length(vector) {
+        0.0 => vector,
+        length => vector.map(|part| part / length),
+    }
+}

@@ -1,0 +1,44 @@
+//! Lit-sphere shading against the shading processor, which has another formula and other words.
+
+use imogene_golden::format::Format;
+use imogene_prepare::{Framing, prepare};
+use imogene_scene::SceneFile;
+use imogene_studies::shading_trial::{SphereErrors, sphere_errors};
+
+/// The errors on a scene whose lights at a point are directional ones.
+fn errors(scene: &str) -> Vec<SphereErrors> {
+    let path = format!("{}/../../scenes/{scene}.toml", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(path).expect("a scene");
+    let text = text.replace("kind = \"point\"\nposition", "kind = \"directional\"\nfrom");
+    let file = SceneFile::parse(&text, scene).expect("a valid scene");
+    let framed = file.frame(320, 240).expect("a valid size");
+    let prepared = prepare(&framed, Format::BASE).expect("fits the format");
+    sphere_errors(&framed, &prepared).expect("words")
+}
+
+/// Where viewer and lights are infinitely far, nothing but the table and its rounding is between the two.
+#[test]
+fn along_parallel_lines_of_sight_large_tables_are_near_the_processor() {
+    let [smallest, .., largest] = &errors("orthographic")[..] else {
+        panic!("tables of several sizes");
+    };
+    assert_eq!((smallest.side, largest.side), (16, 128));
+    assert!(
+        largest.all.mean < 0.5 && largest.all.most_of_1000 <= 3,
+        "{largest:?}"
+    );
+    assert!(smallest.all.mean > 2.0 * largest.all.mean, "{smallest:?}");
+}
+
+/// The table is as near to its own formula where the eye is near, though that is far from the processor's.
+#[test]
+fn a_near_viewer_costs_more_than_the_table() {
+    let errors = errors("teapot");
+    let of_64 = &errors[2];
+    assert_eq!(of_64.side, 64);
+    assert!(
+        of_64.table.mean < 0.5 && of_64.table.most_of_1000 <= 10,
+        "{of_64:?}"
+    );
+    assert!(of_64.all.mean > of_64.table.mean, "{of_64:?}");
+}

@@ -1,0 +1,330 @@
+//! Shading by a table of the direction of the normal.
+
+use super::shading_processor::{Shaded, ShadingLoad};
+use super::sight::line_of_sight;
+use super::words::{Eye, view_store};
+use crate::arith::{reciprocal, shifted_by};
+use crate::machine::LoadBus;
+use crate::object::Normal;
+use crate::raster::Pixel;
+use crate::rows::numbered;
+use crate::video::Colour;
+use imogene_contract::shading::{ENTRY_LEVEL, LIT_SPHERE_LATENCY, TABLE_BITS};
+use imogene_contract::words::far_end;
+use imogene_hdl::{
+    Bits, Bundle, Int, Value, bundle, bundles, join, memory, module, net, ports, read_only_memory,
+};
+
+/// Bits of the place between two entries.
+const BETWEEN: u32 = 7;
+/// Bits of a coordinate of the map before it counts entries.
+const COORDINATE: u32 = 16;
+/// Bits of the length of a normal, the sum of its components without their signs.
+const LENGTH: u32 = 17;
+/// Clock of a pixel at which its entries are asked for.
+const ASKED: u32 = 23;
+
+/// The tables of [`lit_sphere`].
+#[derive(Clone, Debug)]
+pub struct Tables {
+    /// Bits of a coordinate: a table has `2^places` by `2^places` entries.
+    pub places: u32,
+    /// Materials, each with a table.
+    pub materials: u32,
+    /// Every entry, the first material first, line by line; none where they are loaded.
+    pub entries: Vec<u64>,
+}
+
+bundles! {
+    /// A visible point, all of whose lights are far away.
+    SpherePoint(depth: u32, normal: u32) {
+        valid: Bits(1) as "valid", "this clock carries a pixel";
+        pixel: Pixel() as "", "pixel of the screen";
+        depth: Int(depth) as "depth", "depth; 2^(W-1) - 1 is the background";
+        material: Bits(8) as "material", "number of the material";
+        normal: Normal(normal) as "", "vector of any length";
+    }
+}
+
+/// The colour of every pixel, one pixel per clock, from a table of what its material sends back at each direction of
+/// the normal: all lights and the viewer count as infinitely far. Between the entries of the octahedral map colours
+/// are of first degree in each of the two triangles of a cell.
+///
+/// Latency 31. Words stay unchanged while pixels are inside. Section 8.4 of the architecture.
+pub fn lit_sphere(at: &str, point: SpherePoint, load: ShadingLoad, tables: &Tables) -> Shaded {
+    let inputs = (point, ("load", load));
+    module("lit_sphere", at, inputs, |(point, load)| {
+        let bus = LoadBus {
+            write: load.valid,
+            address: load.address,
+            data: load.data,
+        };
+        let view = view_store("view_store", bus);
+        let facing = facing("facing", point.pixel, point.normal, view.eye);
+        let cell = map_cell("map_cell", facing, tables.places);
+        let material = point.material.delayed_as("material_late", ASKED);
+        let corners = corners("corners", cell, material, load, tables);
+        let levels = ["red", "green", "blue"].iter().enumerate();
+        let levels = levels.map(|(channel, name)| {
+            let level = |entry: Bits| {
+                let low = channel as u32 * ENTRY_LEVEL;
+                entry.slice(low + ENTRY_LEVEL - 1, low)
+            };
+            let places = [cell.more, cell.less].map(|place| place.delay(3));
+            let ends = [corners.near, corners.middle, corners.far].map(level);
+            between(&format!("{name}_between"), ends, places)
+        });
+        let levels: Vec<Bits> = levels.collect();
+        let is_far = point.depth.is(far_end(point.depth.width()) as u64);
+        let is_far = is_far.delayed_as("is_far", LIT_SPHERE_LATENCY - 1);
+        let own = Colour::of([levels[0], levels[1], levels[2]]);
+        let [red, green, blue] = is_far.select(view.background, own).parts();
+        Shaded {
+            out_valid: point.valid.delayed_as("valid_late", LIT_SPHERE_LATENCY),
+            red: red.reg(),
+            green: green.reg(),
+            blue: blue.reg(),
+        }
+    })
+}
+
+bundle! {
+    /// The direction of a normal that looks towards the viewer, on the octahedral map of a half sphere.
+    Facing() {
+        length: Bits(LENGTH), "sum of the components without their signs, its first bit set";
+        sum: Int(LENGTH + 1), "x + y in its unit";
+        difference: Int(LENGTH + 1), "x - y in its unit";
+    }
+
+    /// A cell of a table, and the place in it.
+    Cell(places) {
+        even_x: Bits(places - 1), "half of its column of even number";
+        odd_x: Bits(places - 1), "half of its column of odd number";
+        even_y: Bits(places - 1), "half of its line of even number";
+        odd_y: Bits(places - 1), "half of its line of odd number";
+        first: Bits(2), "its first column and its first line are odd";
+        is_across: Bits(1), "the way to the far corner is across first, then down";
+        more: Bits(BETWEEN), "the longer one of the ways across and down";
+        less: Bits(BETWEEN), "the shorter one";
+    }
+
+    /// The entries between which a place lies.
+    Corners(width) {
+        near: Bits(width), "of the first column and line";
+        middle: Bits(width), "of the corner on the side of the place";
+        far: Bits(width), "of the last column and line";
+    }
+}
+
+/// The direction of a normal: turned towards the viewer, and at a right angle to the axis of the view at most.
+/// Latency 13.
+fn facing(at: &str, pixel: Pixel, normal: Normal, eye: Eye) -> Facing {
+    let inputs = (pixel, normal, eye);
+    module("map_direction", at, inputs, |(pixel, normal, eye)| {
+        let ray = line_of_sight(pixel, eye).1;
+        let kept = normal.delayed(2);
+        let [x, y, z] = kept.delayed(3).parts();
+        net! {
+            let product_x = (kept.nx * ray.x).reg();
+            let product_y = (kept.ny * ray.y).reg();
+            let product_z = (kept.nz * ray.z).reg();
+        }
+        let wide = |product: Int| product.extend(product.width() + 2);
+        net! {
+            let flat_sum = (wide(product_x) + wide(product_y)).reg();
+            let deep_part = wide(product_z).reg();
+            let both = (flat_sum + deep_part).reg();
+        }
+        let size = |part: Int| {
+            let wide = part.extend(LENGTH);
+            let size = part.is_negative().select(Int::new(0, LENGTH) - wide, wide);
+            size.bits().low(LENGTH - 1)
+        };
+        let one_more = |part: Int| part.extend(LENGTH + 1);
+        net! {
+            let is_turned = Int::new(0, both.width()).less(both).reg();
+            let size_x = size(x).reg();
+            let size_y = size(y).reg();
+            let size_z = size(z).reg();
+            let is_away = Int::new(0, z.width()).less(z).reg();
+            let is_near = z.is_negative().reg();
+            let plain_sum = (one_more(x) + one_more(y)).reg();
+            let plain_difference = (one_more(x) - one_more(y)).reg();
+        }
+        let turned = |part: Int| is_turned.select(Int::new(0, LENGTH + 1) - part, part).reg();
+        let flat = Bits::new(0, LENGTH - 1);
+        net! {
+            let flat_length = (size_x.extend(LENGTH) + size_y.extend(LENGTH)).reg();
+            let towards = is_turned.select(is_away, is_near).select(size_z, flat).reg();
+            let sum = turned(plain_sum);
+            let difference = turned(plain_difference);
+            let length = (flat_length + towards.extend(LENGTH)).reg();
+            let late_sum = sum.reg();
+            let late_difference = difference.reg();
+        }
+        let words = vec![length, late_sum.bits(), late_difference.bits()];
+        let full = shifted_by(words, None, &[4, 3, 2, 1, 0]);
+        Facing {
+            length: full.words[0],
+            sum: full.words[1].int(),
+            difference: full.words[2].int(),
+        }
+    })
+}
+
+/// The cell of a direction in tables of this size. Latency 10.
+fn map_cell(at: &str, facing: Facing, places: u32) -> Cell {
+    module("map_cell", at, facing, |facing| {
+        let part = reciprocal("reciprocal", facing.length.low(COORDINATE));
+        let place = |name: &str, number: Int| {
+            let late = number.delayed_as(&format!("{name}_late"), 5);
+            let product = (late * part).reg().named(&format!("{name}_product"));
+            let middle = Int::new(1 << (COORDINATE - 1), product.width() - LENGTH);
+            let moved = product.slice(product.width() - 1, LENGTH).int() + middle;
+            let moved = moved.reg().named(&format!("{name}_moved"));
+            let last = Bits::new((1 << COORDINATE) - 1, COORDINATE);
+            let kept = moved
+                .bit(COORDINATE)
+                .select(last, moved.bits().low(COORDINATE));
+            let none = Bits::new(0, COORDINATE);
+            let kept = moved.is_negative().select(none, kept).reg();
+            let kept = kept
+                .named(&format!("{name}_kept"))
+                .extend(COORDINATE + places);
+            let counted = (kept.left(places) - kept).reg();
+            counted.named(&format!("{name}_counted"))
+        };
+        let (x, y) = (place("x", facing.sum), place("y", facing.difference));
+        let [columns, lines] = [x, y].map(|place| place.high(places));
+        let [across, down] = [x, y].map(|place| place.slice(COORDINATE - 1, COORDINATE - BETWEEN));
+        let odd = |number: Bits| number.high(places - 1);
+        let even = |number: Bits| odd(number) + number.low(1).extend(places - 1);
+        net! { let is_across = !across.less(down); }
+        Cell {
+            even_x: even(columns).reg(),
+            odd_x: odd(columns).reg(),
+            even_y: even(lines).reg(),
+            odd_y: odd(lines).reg(),
+            first: join([lines.low(1), columns.low(1)]).reg(),
+            is_across: is_across.reg(),
+            more: is_across.select(across, down).reg(),
+            less: is_across.select(down, across).reg(),
+        }
+    })
+}
+
+/// The entries of three corners of a cell, from four memories: of even and odd columns in even and odd lines.
+/// Latency 3.
+fn corners(at: &str, cell: Cell, material: Bits, load: ShadingLoad, tables: &Tables) -> Corners {
+    let inputs = (cell, ("material", material), ("load", load));
+    module("map_entries", at, inputs, |(cell, material, load)| {
+        let columns = [cell.even_x, cell.odd_x];
+        let lines = [cell.even_y, cell.odd_y];
+        let banks = numbered("entries", 0..4u32).map(|(name, bank)| {
+            let (line, column) = (lines[(bank >> 1) as usize], columns[(bank & 1) as usize]);
+            let read = tables.place(material, join([line, column]));
+            let entry = match tables.entries.is_empty() {
+                true => {
+                    let write = tables.write(load, bank);
+                    memory(&name, tables.words(), write, read)
+                }
+                false => read_only_memory(&name, 3 * ENTRY_LEVEL, tables.bank(bank), read),
+            };
+            entry.reg().named(&format!("{name}_read"))
+        });
+        let banks: Vec<Bits> = banks.collect();
+        net! {
+            let first = cell.first.delay(2);
+            let is_across = cell.is_across.delay(2);
+            let beside = first ^ is_across.select(Bits::new(1, 2), Bits::new(2, 2));
+        }
+        let entry = |number: Bits| {
+            let line = |first: usize| number.bit(0).select(banks[first + 1], banks[first]);
+            number.bit(1).select(line(2), line(0)).reg()
+        };
+        Corners {
+            near: entry(first),
+            middle: entry(beside),
+            far: entry(!first),
+        }
+    })
+}
+
+/// The level at a place between three corners, rounded. Latency 4: the differences, the products, their sum, the level.
+fn between(at: &str, [near, middle, far]: [Bits; 3], [more, less]: [Bits; 2]) -> Bits {
+    let inputs = ports!(near, middle, far, more, less);
+    module(
+        "sphere_level",
+        at,
+        inputs,
+        |(near, middle, far, more, less)| {
+            const SUM: u32 = ENTRY_LEVEL + BETWEEN + 2;
+            let wide = |level: Bits| level.extend(ENTRY_LEVEL + 1).int();
+            let place = |place: Bits| place.extend(BETWEEN + 1).int();
+            net! {
+                let rise = (wide(middle) - wide(near)).reg();
+                let rest = (wide(far) - wide(middle)).reg();
+                let more_late = more.reg();
+                let less_late = less.reg();
+                let first_part = (rise * place(more_late)).reg();
+                let second_part = (rest * place(less_late)).reg();
+                let risen = (first_part + second_part).reg();
+                let near_late = near.delay(3).extend(SUM).left(BETWEEN) + Bits::new(1 << (BETWEEN + 1), SUM);
+                let level = (near_late + risen.extend(SUM).bits()).reg();
+            }
+            ("level", level.slice(BETWEEN + ENTRY_LEVEL - 1, BETWEEN + 2))
+        },
+    )
+}
+
+impl Tables {
+    /// Bits of the number of a material.
+    fn material_bits(&self) -> u32 {
+        self.materials.next_power_of_two().ilog2()
+    }
+
+    /// Entries in each of the four memories.
+    fn words(&self) -> usize {
+        1 << (self.material_bits() + 2 * (self.places - 1))
+    }
+
+    /// The place of an entry in its memory.
+    fn place(&self, material: Bits, entry: Bits) -> Bits {
+        match self.material_bits() {
+            0 => entry,
+            bits => join([material.low(bits), entry]),
+        }
+    }
+
+    /// What is written into one of the four memories.
+    fn write(&self, load: ShadingLoad, bank: u32) -> (Bits, Bits, Bits) {
+        let places = self.places;
+        let address = load.address;
+        let half = |first: u32| address.slice(first + places - 1, first + 1);
+        let is_own =
+            address.bit(0).is(u64::from(bank & 1)) & address.bit(places).is(u64::from(bank >> 1));
+        let used = self.material_bits() + 2 * places;
+        let is_there = match TABLE_BITS - used {
+            0 => load.valid & address.bit(TABLE_BITS),
+            _ => load.valid & address.slice(TABLE_BITS, used).is(1 << (TABLE_BITS - used)),
+        };
+        let material = address.slice(TABLE_BITS - 1, 2 * places);
+        let place = self.place(material, join([half(places), half(0)]));
+        (is_there & is_own, place, load.data.low(3 * ENTRY_LEVEL))
+    }
+
+    /// The entries of one of the four memories.
+    fn bank(&self, bank: u32) -> Vec<u64> {
+        let places = self.places;
+        let words = self.words() as u32;
+        let half = |word: u32| word & ((1 << (places - 1)) - 1);
+        let entry = |word: u32| {
+            let column = 2 * half(word) + (bank & 1);
+            let line = 2 * half(word >> (places - 1)) + (bank >> 1);
+            let material = word >> (2 * (places - 1));
+            let entry = (material << places | line) << places | column;
+            self.entries.get(entry as usize).copied().unwrap_or(0)
+        };
+        (0..words).map(entry).collect()
+    }
+}

@@ -1,0 +1,47 @@
+//! What a board is delivered with beside its sources: a page for a person, and a FuseSoC core (CAPI2).
+
+use super::description::{Board, Family};
+use super::error::BoardError;
+use super::pll::Pll;
+use minijinja::value::Serde;
+use minijinja::{Environment, Value, context};
+use serde::Serialize;
+use serde_json::json;
+
+/// The page of a board, of the keys of its report.
+///
+/// # Errors
+///
+/// When the report lacks what the page says.
+pub fn page(board: &Board, report: &impl Serialize) -> Result<String, BoardError> {
+    let values = context! {
+        name => board.name.clone(), core => board.part.is_some(), report => Value::from(Serde(report)),
+    };
+    let text = Environment::new().render_str(include_str!("page/board.md"), values)?;
+    Ok(text + "\n")
+}
+
+/// The core file by which FuseSoC makes a bitstream of the sources; none of a board without a part.
+///
+/// # Errors
+///
+/// A defect of its template, if any.
+pub fn core_file(board: &Board, pll: &Pll, command: &str) -> Result<Option<String>, BoardError> {
+    let Some(part) = &board.part else {
+        return Ok(None);
+    };
+    let (kind, flow) = match part.family {
+        Family::Ecp5 => ("lpf", "trellis"),
+        Family::Ice40 => ("pcf", "icestorm"),
+    };
+    let mut options = part.arguments();
+    options.extend(["--freq".to_owned(), format!("{:.6}", pll.pixel_mhz())]);
+    let synthesis: Vec<&str> = part.synthesis().split(' ').skip(1).collect();
+    // JSON is YAML.
+    let values = context! {
+        name => board.name.clone(), version => env!("CARGO_PKG_VERSION"), about => json!(board.about).to_string(),
+        command, kind, flow, options => json!(options).to_string(), synthesis => json!(synthesis).to_string(),
+    };
+    let text = Environment::new().render_str(include_str!("page/board.core"), values)?;
+    Ok(Some(text + "\n"))
+}
