@@ -82,7 +82,7 @@ fn of_machine(path: &Path, options: &Mutate, json: bool) -> Result<(), Failure> 
         images: &images,
         runs: options.stimuli.unwrap_or(8),
     };
-    let design = mutants::design(&machine)?;
+    let design = mutants::design(&machine, &images)?;
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
     let report = MutationReport::of(&name, &options.unit.join(","));
     let report = output::during(mutants::count(&design), "mutants", |bar| {

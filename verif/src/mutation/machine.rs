@@ -6,7 +6,7 @@
 
 use super::score::{Fate, MutationError, MutationReport};
 use crate::display::pins::{PinsRun, run_in};
-use crate::display::request::{mode, request};
+use crate::display::request::{mode, request_for};
 use crate::engine::circuit::{Circuit, Compiled};
 use crate::engine::machine::MachineDesign;
 use crate::engine::{Engine, design::DesignError};
@@ -43,9 +43,10 @@ pub struct Shown<'a> {
     pub runs: u64,
 }
 
-/// The circuit of a machine.
-pub fn design(machine: &MachineDescription) -> Result<Design, MutationError> {
-    let design = request(machine, "").design();
+/// The circuit of a machine that shows these images.
+pub fn design(machine: &MachineDescription, images: &[Image]) -> Result<Design, MutationError> {
+    let tables = images.first().map_or(&[][..], |image| &image.tables);
+    let design = request_for(machine, tables, "").design();
     Ok(design.map_err(DesignError::from)?)
 }
 

@@ -202,7 +202,7 @@ fn machine_score(machine: &MachineDescription, images: &[Image]) -> Result<Mutat
         images,
         runs: 2,
     };
-    let design = of_machine::design(machine).expect("a legal machine");
+    let design = of_machine::design(machine, images).expect("a legal machine");
     let report = MutationReport::of("beam", "");
     let report = of_machine::run(&shown, &design, report, || ());
     let report = report.map_err(|error| error.to_string())?;
