@@ -8,6 +8,10 @@ use std::path::PathBuf;
 /// Arguments of `shading`.
 #[derive(Debug, Args)]
 pub struct Shading {
+    /// Scene files (TOML), on whose pictures lit-sphere shading is compared; without any, the shading processor is, on
+    /// random cases.
+    #[arg(conflicts_with_all = ["cases", "seed", "sweep"])]
+    pub scenes: Vec<PathBuf>,
     /// Random cases for each set of widths.
     #[arg(long, default_value_t = 1_000_000, value_name = "N", value_parser = clap::value_parser!(u64).range(4096..))]
     pub cases: u64,
@@ -17,9 +21,6 @@ pub struct Shading {
     /// Also with each width shorter by 1 to 4 bits.
     #[arg(long)]
     pub sweep: bool,
-    /// Compare lit-sphere shading with the shading processor on the pictures of scenes instead.
-    #[arg(long, value_name = "SCENE", num_args = 1.., conflicts_with_all = ["cases", "seed", "sweep"])]
-    pub lit_sphere: Vec<PathBuf>,
 }
 
 /// Arguments of `bounds`.

@@ -12,7 +12,7 @@ use imogene_files::text::counted;
 use imogene_golden::format::Format;
 use imogene_golden::{slots, widths};
 use imogene_plan::description::MachineDescription;
-use imogene_plan::display::{Image, image};
+use imogene_plan::display::{Image, check_tables, image};
 use imogene_prepare::Options;
 use imogene_rtl::emit::Emitted;
 use imogene_rtl::emit::machine::emit_machine;
@@ -280,6 +280,8 @@ fn show(
     let scenes = frames.all().iter().zip(&choice.drawn.prepared);
     let images = scenes.map(|(frame, prepared)| image(&frame.scene, prepared, machine));
     let images: Vec<Image> = images.collect::<Result<_, _>>()?;
+    check_tables(&images)
+        .map_err(|error| Failure::Input(format!("{}: {error}", frames.all()[error.image].name)))?;
     let Some(engine) = options.engine else {
         return Ok((images, vec![]));
     };

@@ -13,7 +13,7 @@ use imogene_files::Outputs;
 use imogene_files::text::counted;
 use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_plan::description::{MachineDescription, Output};
-use imogene_plan::display::{DisplayError, Image, refined_image};
+use imogene_plan::display::{DisplayError, Image, check_tables, refined_image};
 use imogene_plan::needs;
 use imogene_plan::zone::clocks::clocks;
 use imogene_plan::zone::refine::Refinement;
@@ -203,15 +203,8 @@ fn images(
         image.map_err(|error| named(&scene.name, &error))
     };
     let images = scenes.iter().map(image).collect::<Result<Vec<_>, _>>()?;
-    let mut others = images.iter().zip(scenes);
-    match others.find(|(image, _)| image.tables != images[0].tables) {
-        None => Ok(images),
-        Some((_, other)) => Err(named(
-            &other.name,
-            &"lights or materials are other ones than in the first image: lit_sphere has one table of them for all; \
-             lights in its place are loaded with each image",
-        )),
-    }
+    check_tables(&images).map_err(|error| named(&scenes[error.image].name, &error))?;
+    Ok(images)
 }
 
 /// The plane of `--overlay`.

@@ -43,8 +43,8 @@ struct Table {
 
 /// Compares the shading processor with its formula on random cases, or lit-sphere shading with both on scenes.
 pub fn run(options: &Shading, json: bool) -> Result<(), Failure> {
-    if !options.lit_sphere.is_empty() {
-        return on_scenes(&options.lit_sphere, json);
+    if !options.scenes.is_empty() {
+        return on_scenes(&options.scenes, json);
     }
     let widths = ShaderWidths::default();
     let mut sets = vec![("of the hardware".to_string(), widths)];

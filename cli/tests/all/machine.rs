@@ -378,6 +378,9 @@ fn what_a_machine_cannot_show_is_refused_and_leaves_nothing() {
     ] {
         refused(&format!("scenes/{scene}"), tables, says);
     }
+    let others = ["scenes/crossing-cylinders.toml"];
+    let says = "crossing-cylinders.toml: lights or materials are other ones";
+    refused_with("scenes/teapot.toml", tables, &others, says);
     let beam = "machines/beam-160x120.toml";
     refused("scenes/shadows/robot.toml", beam, "objects = 39 # was 10");
     let zone_machine = "machine = \"zone\" # was \"beam\"";

@@ -17,6 +17,30 @@ use imogene_golden::object::slot::Slot;
 use imogene_prepare::PreparedScene;
 use imogene_prepare::shader::material_numbers;
 use imogene_scene::FramedScene;
+use thiserror::Error;
+
+/// An image with other tables than the first.
+#[derive(Debug, Error)]
+#[error(
+    "lights or materials are other ones than in the first image: lit_sphere has one table of them for all; lights in its place are loaded with each image"
+)]
+pub struct OtherTables {
+    /// Its place among the images.
+    pub image: usize,
+}
+
+/// Checks that one machine shows all images: their tables stand in its memories from the beginning.
+///
+/// # Errors
+///
+/// When the tables of an image are other ones than those of the first.
+pub fn check_tables(images: &[Image]) -> Result<(), OtherTables> {
+    let mut pairs = images.iter().map(|image| image.tables != images[0].tables);
+    match pairs.position(|is_other| is_other) {
+        Some(image) => Err(OtherTables { image }),
+        None => Ok(()),
+    }
+}
 
 /// One image of a machine: the words that it is given and the picture that it then shows.
 #[derive(Clone, Debug)]

@@ -15,7 +15,7 @@ use serde_json::json;
 /// When the report lacks what the page says.
 pub fn page(board: &Board, report: &impl Serialize) -> Result<String, BoardError> {
     let values = context! {
-        name => board.name.clone(), core => board.part.is_some(), report => Value::from(Serde(report)),
+        name => board.name.clone(), report => Value::from(Serde(report)),
     };
     let text = Environment::new().render_str(include_str!("page/board.md"), values)?;
     Ok(text + "\n")

@@ -203,12 +203,13 @@ const NOT_RUN: [(&str, &str); 25] = [
 
 /// Options that make a quick run of a long one, by the beginning of the command line; they stand behind its own,
 /// which they replace.
-const SMALLER: [(&str, &[&str]); 13] = [
+const SMALLER: [(&str, &[&str]); 14] = [
     ("imogene bounds --cases", &["--cases", "100"]),
     (
         "imogene bounds scenes",
         &["--sizes", "40x30", "--formats", "24"],
     ),
+    ("imogene shading scenes", &[]),
     ("imogene shading", &["--cases", "4096"]),
     ("imogene package", &["--clocks", "0"]),
     ("imogene cosim scenes", &["--size", "40x30"]),

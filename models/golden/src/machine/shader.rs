@@ -3,7 +3,7 @@
 mod curve;
 mod curves;
 mod light;
-mod sphere;
+mod lit_sphere;
 mod view;
 mod widths;
 mod words;
@@ -14,8 +14,8 @@ use super::transparency::{Layer, Seen, stage};
 use curves::Curves;
 use imogene_contract::shading;
 use light::Light;
+pub use lit_sphere::SphereTables;
 use rayon::prelude::*;
-pub use sphere::SphereTables;
 use std::sync::Arc;
 use view::Sight;
 pub use widths::ShaderWidths;

@@ -2,13 +2,13 @@
 
 mod case;
 mod exact;
-mod sphere;
+mod lit_sphere;
 
 use super::trial::random::{Random, in_pieces};
 pub use case::{Case, sequence};
 use imogene_golden::machine::shader::{LEVEL_FRACTION, Shader, ShaderWidths};
+pub use lit_sphere::{LevelErrors, SphereErrors, sphere_errors};
 use serde::Serialize;
-pub use sphere::{LevelErrors, SphereErrors, sphere_errors};
 use std::ops::Range;
 
 /// Cases that are drawn, and improved, one after another by one thread.

@@ -1,6 +1,6 @@
 //! Words of the shading processor and their addresses.
 
-use super::sphere::SphereTables;
+use super::lit_sphere::SphereTables;
 use imogene_contract::shading;
 
 /// Lights at most.
