@@ -47,14 +47,16 @@ fn the_pins_of_a_simulated_board_show_the_golden_picture() {
     assert_eq!(golden.len(), 3 * 19_200);
 }
 
-/// Colours from tables that stand in memory from the beginning: no word of them is sent.
+/// Colours from tables that stand in memory from the beginning, one for each set of lights: no word of them is sent.
 #[test]
 fn the_pins_of_a_board_show_colours_from_tables() {
     let folder = tempfile::tempdir().expect("a folder");
     let options = ["--lit-sphere=16", "--mode", "160x120"];
-    let found = board("simulation", "cone.toml", &options, folder.path());
+    let scene = "shadows/ball-before-ball.toml";
+    let found = board("simulation", scene, &options, folder.path());
     assert_eq!(found["pins"]["differing"], 0);
     let machine = &found["machine"];
+    assert_eq!(machine["lights"], 1);
     assert_eq!(
         machine["lit_sphere"],
         serde_json::json!({ "side": 16, "materials": 2 })

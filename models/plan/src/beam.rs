@@ -76,9 +76,19 @@ pub enum DisplayError {
     /// The shading processor cannot be loaded.
     #[error(transparent)]
     Shader(#[from] ShaderError),
-    /// What lit-sphere shading does not do.
-    #[error("{0}; without lit_sphere and with lights of its own the machine takes it")]
-    LitSphere(String),
+    /// More tables of lit-sphere shading than there are.
+    #[error(
+        "{materials} materials, {lights} lights with shadows: lit-sphere shading has {most} tables at most, one for each \
+         material and twice as many for each of these lights; without lit_sphere the machine takes them"
+    )]
+    Tables {
+        /// Materials.
+        materials: usize,
+        /// Lights with volumes.
+        lights: usize,
+        /// Tables of the smallest side.
+        most: u32,
+    },
     /// The picture has another size than the screen.
     #[error("a picture of {}x{} on a screen of {}x{}; frame the scene for the screen", picture.0, picture.1, screen.0, screen.1)]
     Size {
@@ -97,7 +107,7 @@ pub(super) fn shader(
     machine: &MachineDescription,
 ) -> Result<ShaderWords, ShaderError> {
     if let Some(sphere) = machine.lit_sphere {
-        return sphere_words(scene, format, sphere.places());
+        return sphere_words(scene, format, sphere.places(), machine.lights as u32);
     }
     match machine.lights {
         0 => flat_words(scene, format),
@@ -107,8 +117,12 @@ pub(super) fn shader(
 
 /// The words of the shading processor; lights that the scene has not got are dark.
 pub(super) fn shading_words(shader: &ShaderWords, machine: &MachineDescription) -> Vec<(u16, u32)> {
+    let lights = match &shader.sphere {
+        Some(_) => 0,
+        None => machine.lights as u16,
+    };
     // The colour of a light that sends nothing is black.
-    let missing = shader.lights.len() as u16..machine.lights as u16;
+    let missing = shader.lights.len() as u16..lights;
     let first = missing.map(|light| LIGHT_ADDRESS + 16 * light);
     let dark = first.flat_map(|first| (first..first + 16).map(|address| (address, 0)));
     shader.load_words().into_iter().chain(dark).collect()

@@ -11,6 +11,7 @@ use imogene_golden::machine::post_filter::Kernel;
 use imogene_golden::machine::zone::ZoneMachine;
 use imogene_golden::slots::{FittedSlot, Products, Slots};
 use imogene_golden::widths::OwnWidths;
+use imogene_prepare::lit_sphere::most_tables;
 use imogene_scene::{in_plain_words, line_and_column};
 use keys::{Places, key};
 use serde::de::value::MapAccessDeserializer;
@@ -135,14 +136,31 @@ impl<'de> Deserialize<'de> for Mode {
 pub struct LitSphere {
     /// Entries along each side of a table: 16, 32, 64 or 128.
     pub side: u32,
-    /// Materials, each with a table.
+    /// Materials, each with a table, and with twice as many for each light of the machine.
     pub materials: usize,
 }
+
+/// Entries along each side of the smallest tables.
+pub(crate) const SMALLEST_SIDE: u32 = 16;
 
 impl LitSphere {
     /// Bits of a coordinate in a table.
     pub fn places(&self) -> u32 {
         self.side.max(1).ilog2()
+    }
+
+    /// Tables of this side at most.
+    pub fn most_tables(&self) -> u32 {
+        most_tables(self.places())
+    }
+
+    /// True if there are tables for its materials and the flags of so many lights.
+    pub fn has_room(&self, lights: usize) -> bool {
+        let tables = self
+            .materials
+            .next_power_of_two()
+            .checked_shl(lights as u32);
+        tables.is_some_and(|tables| tables <= self.most_tables() as usize)
     }
 }
 
@@ -185,13 +203,13 @@ pub struct MachineDescription {
     /// Planes of each.
     #[serde(default = "volume_planes")]
     pub volume_planes: usize,
-    /// Lights of the shading processor.
+    /// Lights of the shading processor; with tables those whose flags number them.
     #[serde(default = "one_light")]
     pub lights: usize,
     /// Of these, the last ones that are directional alone.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub suns: usize,
-    /// Shading by tables in the place of lights, in a beam machine.
+    /// Shading by tables in the place of a shading processor.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lit_sphere: Option<LitSphere>,
     /// Zone of a zone machine.

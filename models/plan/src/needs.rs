@@ -2,7 +2,7 @@
 
 use super::beam::{DisplayError, beam_slots, beam_words, layer_slots, members, parts, volumes};
 use super::description::{
-    LitSphere, MachineDescription, MachineKind, Mode, Output, OwnMode, ZoneSize,
+    MachineDescription, MachineKind, Mode, Output, OwnMode, SMALLEST_SIDE, ZoneSize,
 };
 use super::zone::plan::PlanError;
 use imogene_contract::object::{Kind, ProductSlots};
@@ -13,7 +13,7 @@ use imogene_golden::object::slot::Slot;
 use imogene_golden::slots::FittedSlot;
 use imogene_golden::slots::Slots;
 use imogene_prepare::PreparedScene;
-use imogene_prepare::lit_sphere::most_materials;
+use imogene_prepare::lit_sphere::shadowed_lights;
 use imogene_prepare::shader::ShaderError;
 use imogene_scene::FramedScene;
 
@@ -114,9 +114,7 @@ fn add(
 ) -> Result<(), DisplayError> {
     check_counts(framed, prepared)?;
     let volumes = volumes(prepared, MAX_PLANES)?;
-    if let Some(sphere) = &mut machine.lit_sphere {
-        add_tables(sphere, framed, prepared)?;
-    }
+    add_tables(machine, framed, prepared)?;
     let (objects, planes, bodies) = match machine.machine {
         MachineKind::Beam => {
             let planes = add_slots(machine, prepared)?;
@@ -129,8 +127,11 @@ fn add(
             (objects, planes, volumes.len().min(1))
         }
     };
-    // A machine without lights shows plain colours, whatever shines in the scene.
-    let lights = framed.lights.len() * usize::from(machine.lights > 0);
+    // A machine without lights shows plain colours, whatever shines in the scene, or has all of it in its tables.
+    let lights = match machine.lit_sphere {
+        Some(_) => machine.lights,
+        None => framed.lights.len() * usize::from(machine.lights > 0),
+    };
     let volume_planes = volumes.iter().map(|words| words.planes.len()).max();
     for (given, needed) in [
         (&mut machine.objects, objects),
@@ -147,30 +148,30 @@ fn add(
     Ok(())
 }
 
-/// Gives a machine tables for the materials of a scene, smaller ones where there are many.
+/// Gives a machine with tables those for the materials of a scene and for the lights that are in shadow somewhere,
+/// smaller ones where there are many.
 fn add_tables(
-    sphere: &mut LitSphere,
+    machine: &mut MachineDescription,
     framed: &FramedScene,
     prepared: &PreparedScene,
 ) -> Result<(), DisplayError> {
-    let refused = |why: &str| Err(DisplayError::LitSphere(why.to_owned()));
-    if !prepared.volumes.is_empty() {
-        return refused("shadows: lit-sphere shading has all lights in one table");
-    }
-    if !prepared.layers.is_empty() {
-        return refused("transparent objects: lit-sphere shading is that of surfaces alone");
-    }
+    let Some(sphere) = &mut machine.lit_sphere else {
+        return Ok(());
+    };
+    let lights = shadowed_lights(prepared).max(machine.lights);
     let materials = framed.materials.len().max(sphere.materials);
-    while most_materials(sphere.places()) < materials {
-        if sphere.side <= 16 {
-            let most = most_materials(sphere.places());
-            let why =
-                format!("{materials} materials: lit-sphere shading has tables for {most} at most");
-            return refused(&why);
+    (machine.lights, sphere.materials) = (lights, materials);
+    while !sphere.has_room(lights) {
+        if sphere.side <= SMALLEST_SIDE {
+            let most = sphere.most_tables();
+            return Err(DisplayError::Tables {
+                materials,
+                lights,
+                most,
+            });
         }
         sphere.side /= 2;
     }
-    sphere.materials = materials;
     Ok(())
 }
 
@@ -310,8 +311,6 @@ fn share_processors(enough: &mut MachineDescription, beam: &MachineDescription) 
         volumes: beam.volumes.max(enough.volumes.min(1)),
         zone: Some(ZONE),
         loader_words: None,
-        lights: enough.lights.max(1),
-        lit_sphere: None,
         slots: None,
         products: beam.products.clone(),
         layers: 0,

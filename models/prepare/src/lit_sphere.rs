@@ -1,8 +1,9 @@
 //! Words of lit-sphere shading from a scene (`docs/architecture.md`, section 8.4).
 
+use crate::PreparedScene;
 use crate::shader::{ShaderError, shader_words};
 use imogene_algebra::vector::{Vector, dot, length};
-use imogene_contract::shading::TABLE_BITS;
+use imogene_contract::shading::{MOST_TABLES, TABLE_BITS};
 use imogene_golden::format::Format;
 use imogene_golden::machine::shader::{ShaderWords, SphereTables};
 use imogene_scene::{FramedLight, FramedScene, Material};
@@ -10,13 +11,20 @@ use imogene_scene::{FramedLight, FramedScene, Material};
 /// Towards the viewer, who is infinitely far.
 const VIEWER: Vector = [0.0, 0.0, -1.0];
 
-/// Materials at most of tables with so many bits of a coordinate.
-pub fn most_materials(places: u32) -> usize {
-    1 << (TABLE_BITS - 2 * places).min(5)
+/// Tables at most with so many bits of a coordinate.
+pub fn most_tables(places: u32) -> u32 {
+    MOST_TABLES.min(1 << (TABLE_BITS - 2 * places))
 }
 
-/// The words of a scene for a machine with tables of `2^places` by `2^places` entries. A light at a point counts as
-/// one in its direction from the middle of the picture in the screen plane.
+/// The lights from the first to the last that has a volume: what is behind them reaches everything.
+pub fn shadowed_lights(prepared: &PreparedScene) -> usize {
+    let sources = prepared.volumes.iter().map(|volume| volume.words.source);
+    sources.max().map_or(0, |last| usize::from(last) + 1)
+}
+
+/// The words of a scene for a machine with tables of `2^places` by `2^places` entries, one for every way in which the
+/// first `lights` of the scene can reach a material or be in shadow. A light at a point counts as one in its direction
+/// from the middle of the picture in the screen plane.
 ///
 /// # Errors
 ///
@@ -25,16 +33,20 @@ pub fn sphere_words(
     scene: &FramedScene,
     format: &Format,
     places: u32,
+    lights: u32,
 ) -> Result<ShaderWords, ShaderError> {
     let words = shader_words(scene, format, None)?;
     let materials = scene.materials.len() as u32;
-    let mut tables = SphereTables::dark(places, materials.max(1));
-    let of_one = 1 << (2 * places);
-    let tables_of = tables.entries.chunks_exact_mut(of_one);
-    for (material, table) in scene.materials.iter().zip(tables_of) {
+    let mut tables = SphereTables::dark(places, materials.max(1), lights);
+    let of_one = tables.entries.chunks_exact_mut(1 << (2 * places));
+    let looks = scene.materials.iter();
+    let looks =
+        looks.flat_map(|material| (0..1usize << lights).map(move |flags| (material, flags)));
+    for ((material, flags), table) in looks.zip(of_one) {
+        let reaches = |light: usize| light >= lights as usize || flags >> light & 1 == 1;
         for (place, entry) in table.iter_mut().enumerate() {
             let normal = direction(place as u32, places);
-            *entry = far_colour(scene, material, normal).map(quarters);
+            *entry = far_colour(scene, material, normal, reaches).map(quarters);
         }
     }
     Ok(ShaderWords {
@@ -55,12 +67,18 @@ fn direction(entry: u32, places: u32) -> Vector {
     unit([x, y, x.abs() + y.abs() - 1.0])
 }
 
-/// What a material sends back of each colour, 1 a full level, where viewer and lights are infinitely far. The normal
-/// has the length 1 and looks towards the viewer.
-pub fn far_colour(scene: &FramedScene, material: &Material, normal: Vector) -> Vector {
+/// What a material sends back of each colour, 1 a full level, where viewer and lights are infinitely far and the lights
+/// with these numbers reach it. The normal has the length 1 and looks towards the viewer.
+pub fn far_colour(
+    scene: &FramedScene,
+    material: &Material,
+    normal: Vector,
+    reaches: impl Fn(usize) -> bool,
+) -> Vector {
     let ambient = |k: usize| material.ambient * scene.ambient[k] * material.colour[k];
     let mut sum: Vector = std::array::from_fn(ambient);
-    for light in &scene.lights {
+    let lights = scene.lights.iter().enumerate();
+    for (_, light) in lights.filter(|(number, _)| reaches(*number)) {
         let (towards, intensity) = match light {
             FramedLight::Directional { towards, colour } => (unit(*towards), colour),
             FramedLight::Point { position, colour } => (unit(*position), colour),

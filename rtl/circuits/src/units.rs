@@ -167,7 +167,7 @@ pub fn design(p: &Request) -> Design {
         Unit::LitSphere => alone(|| {
             let tables = Tables {
                 places: p.table_places,
-                materials: p.materials,
+                count: p.tables,
                 entries: vec![],
             };
             lit_sphere(

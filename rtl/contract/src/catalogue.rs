@@ -2,7 +2,7 @@
 
 use crate::parameters::{
     CARDS, CORRECTIONS, CURVED_SIDES, DIGITS, FACES, FOUR_PLANES, INTERSECTED, LAYERS, LIGHTS,
-    MATERIALS, MODE, OBJECTS, PLANES, ROWS, SIDES, SUBTRACTED, SUNS, TABLE_PLACES, TWO_CORRECTIONS,
+    MODE, OBJECTS, PLANES, ROWS, SIDES, SUBTRACTED, SUNS, TABLE_PLACES, TABLES, TWO_CORRECTIONS,
 };
 use crate::record::Record;
 
@@ -250,7 +250,7 @@ units! {
         computes "the word of ten bits that a DVI channel sends for a level, or for two bits of control";
         ties "the chain of fewer transitions, which are never as many; without a disparity, or in a chain of four ones, the bits of the chain are turned over where it is of XNOR";
         error EXACT;
-    TmdsSerialiser "tmds_serialiser" [] "4", "two bits per clock, a word every five clocks", "DVI 1.0, 2.2";
+    TmdsSerialiser "tmds_serialiser" [] "6", "two bits per clock, a word every five clocks", "DVI 1.0, 2.2";
         computes "the words of a DVI channel, two bits at a time";
         ties NO_TIES;
         error EXACT;
@@ -262,8 +262,8 @@ units! {
         computes "the colour of every pixel by Phong shading under several lights";
         ties "a normal at a right angle to the line of sight is not turned; a light in the plane of the surface adds nothing; half a level is rounded up";
         error "within one level of 8 bits of the formula in real numbers on the same integer words (docs/shading.md)";
-    LitSphere "lit_sphere" [TABLE_PLACES, MATERIALS] "31", "one pixel per clock, without a bubble; words change only when the pipeline has drained", "architecture, 8.4";
-        computes "the colour of every pixel from a table of the direction of its normal, one for each material";
+    LitSphere "lit_sphere" [TABLE_PLACES, TABLES] "31", "one pixel per clock, without a bubble; words change only when the pipeline has drained", "architecture, 8.4";
+        computes "the colour of every pixel from a table of the direction of its normal, one for each material and each way in which lights reach it";
         ties "a normal at a right angle to the line of sight is not turned; half a level is rounded up";
         error "measured in docs/shading.md: lights and viewer count as infinitely far, and between entries colours are of first degree";
 }

@@ -1,5 +1,6 @@
 //! Parameters of units besides the format: option, symbol, range and default.
 
+use crate::shading::MOST_TABLES;
 use crate::video::VideoMode;
 use crate::words::{MOST_LAYERS, MOST_LIGHTS, MOST_MEMBERS, MOST_OBJECTS, MOST_PLANES, MOST_SIDES};
 
@@ -63,8 +64,8 @@ macro_rules! with_parameters {
                 "Of its lights, the last ones that are directional alone, 0 to all [default: 0]";
             TABLE_PLACES: "table-places" "B" table_places, 4 to Some(7), Some(6),
                 "Bits of a coordinate in the tables of lit_sphere, 4 to 7: 2^B by 2^B entries [default: 6]";
-            MATERIALS: "materials" "Z" materials, 1 to Some(32), Some(1),
-                "Materials of lit_sphere, each with a table, 1 to 32: at most 2^15 entries in all [default: 1]";
+            TABLES: "tables" "Z" tables, 1 to Some(MOST_TABLES), Some(1),
+                "Tables of lit_sphere, 1 to 32: at most 2^15 entries in all [default: 1]";
         }
     };
 }

@@ -196,7 +196,7 @@ impl Request {
         }
         if self.unit == Unit::LitSphere {
             let most = 1 << (TABLE_BITS - 2 * self.table_places);
-            in_range("materials", self.materials as usize, 1, most)?;
+            in_range("tables", self.tables as usize, 1, most)?;
         }
         Ok(())
     }

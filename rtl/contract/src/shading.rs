@@ -31,6 +31,8 @@ pub const MATERIAL_WORDS: u64 = 4;
 pub const MOST_MATERIALS: u64 = 256;
 /// Address of the first entry of the table of lit-sphere shading.
 pub const TABLE: u64 = 0x8000;
+/// Tables of lit-sphere shading at most.
+pub const MOST_TABLES: u32 = 32;
 /// Bits of the address of an entry: of all tables together.
 pub const TABLE_BITS: u32 = 15;
 /// Bits of a level in an entry, of which two are behind the point; red stands in the low ones.

@@ -7,8 +7,8 @@ use imogene_circuits::machine::{
     BeamMachine, Load, Objects, SHOW_CLOCKS, Zone, ZoneCore, ZoneMachine, beam,
 };
 use imogene_circuits::machines::{self, objects, volumes};
-use imogene_circuits::shade::Lights;
 pub use imogene_circuits::shade::Tables;
+use imogene_circuits::shade::{Lights, Shading};
 pub use imogene_circuits::video::Output;
 pub use imogene_contract::MachineWords;
 use imogene_contract::object::ProductSlots;
@@ -67,11 +67,11 @@ pub struct MachineRequest {
     pub volumes: usize,
     /// Planes of each.
     pub volume_planes: usize,
-    /// Its lights, none of a beam machine with plain colours; a deciding part has none.
+    /// Its lights, none of a machine with plain colours, or whose tables have all of them; a deciding part has none.
     pub lights: usize,
     /// Of these, the last ones that are directional alone.
     pub suns: usize,
-    /// Lit-sphere shading, of a beam machine without lights.
+    /// Lit-sphere shading in the place of a shading processor; lights number the tables of a material.
     pub sphere: Option<Tables>,
     /// Before the name of every module; may be empty.
     pub prefix: String,
@@ -160,8 +160,7 @@ impl MachineRequest {
         )?;
         in_range("volumes", self.volumes, 0, MOST_OBJECTS)?;
         in_range("volume planes", self.volume_planes, 0, MOST_PLANES)?;
-        let least = u32::from(self.kind.loader_bits().is_none());
-        in_range("lights", self.lights, least, MOST_LIGHTS)?;
+        in_range("lights", self.lights, 0, MOST_LIGHTS)?;
         in_range("suns", self.suns, 0, self.lights as u32)?;
         if let Some(bits) = self.kind.loader_bits() {
             in_range("loader bits", bits, 1, LOADER_BITS)?;
@@ -203,10 +202,13 @@ impl MachineRequest {
         }
     }
 
-    fn lights(&self) -> Lights {
-        Lights {
-            count: self.lights as u64,
-            suns: self.suns as u64,
+    fn shading(&self) -> Shading {
+        Shading {
+            lights: Lights {
+                count: self.lights as u64,
+                suns: self.suns as u64,
+            },
+            tables: self.sphere.clone(),
         }
     }
 
@@ -214,7 +216,7 @@ impl MachineRequest {
         ZoneMachine {
             core: self.core(zone),
             samples: zone.samples as u32,
-            lights: self.lights(),
+            shading: self.shading(),
         }
     }
 
@@ -224,8 +226,7 @@ impl MachineRequest {
             objects: self.objects(),
             layers: self.layers.clone(),
             volumes: volumes(&self.words, rows, self.volumes, planes),
-            lights: self.lights(),
-            sphere: self.sphere.clone(),
+            shading: self.shading(),
             loader_places: loader_bits as u32,
         }
     }
@@ -313,14 +314,11 @@ impl MachineRequest {
         let loader = self.kind.loader_bits();
         lines.extend(loader.map(|bits| format!("{} words of the next frame", 1usize << bits)));
         if !matches!(self.kind, Kind::ZoneCore(_)) {
-            match &self.sphere {
-                Some(tables) => lines.push(format!(
-                    "lit-sphere tables of {0} x {0} entries for {1} materials",
-                    1 << tables.places,
-                    tables.materials
-                )),
-                None => lines.push(format!("{} lights", self.lights)),
-            }
+            lines.push(format!("{} lights", self.lights));
+            lines.extend(self.sphere.iter().map(|tables| {
+                let (side, count) = (1 << tables.places, tables.count);
+                format!("{count} lit-sphere tables of {side} x {side} entries")
+            }));
             if self.suns > 0 {
                 lines.push(format!("the last {} directional", self.suns));
             }

@@ -87,6 +87,21 @@ impl Part {
         }
     }
 
+    /// What Yosys does. On an ECP5 each object processor is synthesised by itself: else one flag, the same in all of
+    /// them, would become one register that reaches across the part.
+    fn script(&self) -> String {
+        let synthesis = self.synthesis();
+        match self.family {
+            Family::Ecp5 => format!(
+                "read_verilog board.v; setattr -mod -set keep_hierarchy 1 *_processor *_processor_*; {synthesis} -top {TOP}; \
+                 setattr -mod -unset keep_hierarchy A:keep_hierarchy; flatten; opt_clean; write_json {NETLIST}"
+            ),
+            Family::Ice40 => {
+                format!("read_verilog board.v; {synthesis} -top {TOP} -json {NETLIST}")
+            }
+        }
+    }
+
     /// The option of the router for its text, and the programs that make a bitstream of the text and the other way.
     pub(crate) fn packers(&self) -> [&'static str; 3] {
         match self.family {
@@ -141,10 +156,7 @@ pub fn route(board: &Board, pll: &Pll, sources: &Sources) -> Result<Built, Board
     let (yosys, router) = (Tool::find(YOSYS)?, Tool::find(part.router())?);
     let (kind, constraints) = sources.constraints.as_ref().expect("constraints of a part");
     let pins = format!("pins.{kind}");
-    let script = format!(
-        "read_verilog board.v; {} -top {TOP} -json {NETLIST}",
-        part.synthesis()
-    );
+    let script = part.script();
     let mut arguments = part.arguments();
     let option = format!("--{kind}");
     let common = ["--json", NETLIST, &option, &pins, "-q", "--report", REPORT];

@@ -60,7 +60,7 @@ pub fn request_for(machine: &MachineDescription, tables: &[u64], command: &str) 
         suns: machine.suns,
         sphere: machine.lit_sphere.map(|sphere| Tables {
             places: sphere.places(),
-            materials: sphere.materials as u32,
+            count: (sphere.materials as u32) << machine.lights,
             entries: tables.to_vec(),
         }),
         prefix: String::new(),

@@ -50,18 +50,23 @@ pub(super) fn tmds_serialiser() -> Description {
     })
 }
 
-/// Words that stand for five clocks, now and then for more.
+/// Words that stand for five clocks, now and then for more; before the first, clocks without one.
 fn turns(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let length = prop_oneof![6 => Just(5usize), 1 => 5usize..12];
     let words: Vec<_> = subject.inputs[1..].iter().map(word).collect();
-    proptest::collection::vec((length, words), clocks)
-        .prop_map(move |list| {
+    let idle = vec![0; subject.inputs.len()];
+    (
+        0..9usize,
+        proptest::collection::vec((length, words), clocks),
+    )
+        .prop_map(move |(before, list)| {
             let each = list.into_iter().enumerate();
             let each = each.flat_map(|(index, (length, words))| {
                 let inputs = [vec![(index as i64 + 1) % 2], words].concat();
                 std::iter::repeat_n(inputs, length)
             });
-            each.take(clocks).collect()
+            let before = std::iter::repeat_n(idle.clone(), before);
+            before.chain(each).take(clocks).collect()
         })
         .boxed()
 }

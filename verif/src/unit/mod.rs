@@ -156,7 +156,7 @@ fn describe(p: &Request) -> Description {
         Unit::Overlay => video_filter::overlay(),
         Unit::Accumulator => video_filter::accumulator(),
         Unit::ShadingProcessor => shading::shading_processor(format, n(p.lights), n(p.suns)),
-        Unit::LitSphere => shading::lit_sphere(format, p.table_places, p.materials),
+        Unit::LitSphere => shading::lit_sphere(format, p.table_places, p.tables),
         Unit::VisibilityNode => decision::visibility_node(),
         Unit::VisibilityChain => decision::visibility_chain(objects),
         Unit::CardDecider => decision::card_decider(objects, n(p.cards)),

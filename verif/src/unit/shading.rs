@@ -35,8 +35,8 @@ pub(super) fn shading_processor(format: Format, lights: usize, suns: usize) -> D
     described(stimulus, words, LATENCY)
 }
 
-pub(super) fn lit_sphere(format: Format, places: u32, materials: u32) -> Description {
-    let tables = SphereTables::dark(places, materials);
+pub(super) fn lit_sphere(format: Format, places: u32, count: u32) -> Description {
+    let tables = SphereTables::dark(places, count, 0);
     let words = ShaderWords {
         sphere: Some(tables.clone()),
         ..ShaderWords::unloaded(format.depth, 0)

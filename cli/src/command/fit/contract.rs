@@ -93,7 +93,7 @@ fn line(machine: &MachineDescription, widths: &str) -> String {
     let lights = match machine.lit_sphere {
         Some(sphere) => format!(
             "{} of {1} x {1} entries",
-            counted(sphere.materials, "table"),
+            counted(sphere.materials << machine.lights, "table"),
             sphere.side
         ),
         None => counted(machine.lights, "light"),

@@ -93,11 +93,13 @@ pub struct TmdsSerialiser {
     turns: [bool; 4],
     word: u16,
     sent: u32,
+    /// Pairs on their way to the pin.
+    leaving: [u16; 2],
 }
 
 impl TmdsSerialiser {
     /// One clock of five in a pixel: the pair that is sent, zeros before the first word, with which `turn` is high. The
-    /// last pair of a word is sent until another word follows.
+    /// last pair of a word is sent until another word follows. A pair takes two clocks to its pin.
     pub fn clock(&mut self, turn: bool, word: u16) -> u16 {
         self.sent += 1;
         if self.turns[2] != self.turns[3] {
@@ -105,7 +107,9 @@ impl TmdsSerialiser {
         }
         self.turns.rotate_right(1);
         self.turns[0] = turn;
-        self.word >> (2 * self.sent.min(4)) & 3
+        let pair = self.word >> (2 * self.sent.min(4)) & 3;
+        self.leaving.rotate_right(1);
+        std::mem::replace(&mut self.leaving[0], pair)
     }
 }
 

@@ -11,7 +11,6 @@ use imogene_golden::machine::zone::{MAX_PICTURE, SAMPLES};
 use imogene_golden::object::quadric::MAX_PLANES;
 use imogene_golden::slots::FittedSlot;
 use imogene_golden::slots::Slots;
-use imogene_prepare::lit_sphere::most_materials;
 
 /// Pixels of a zone at most.
 pub(super) const MAX_ZONE_PIXELS: u32 = 1 << 14;
@@ -75,14 +74,13 @@ impl MachineDescription {
     }
 
     fn check_counts(&self, rows: usize) -> Checked {
-        let is_zone = self.machine == MachineKind::Zone;
         let counts = [
             ("rows_per_stage", self.rows_per_stage as usize, 1, rows),
             ("objects", self.objects, 1, 256),
             ("planes", self.planes, 0, MAX_PLANES),
             ("volumes", self.volumes, 0, 256),
             ("volume_planes", self.volume_planes, 0, MAX_PLANES),
-            ("lights", self.lights, usize::from(is_zone), MOST_LIGHTS),
+            ("lights", self.lights, 0, MOST_LIGHTS),
             ("suns", self.suns, 0, self.lights.min(MOST_LIGHTS)),
         ];
         counts
@@ -157,11 +155,7 @@ impl MachineDescription {
             sphere.side, sphere.materials
         );
         let is_side = [16, 32, 64, 128].contains(&sphere.side);
-        let has_others = self.lights + self.volumes + self.layers > 0;
-        if self.machine == MachineKind::Zone || has_others || !is_side {
-            return refuse("lit_sphere", text, SPHERE);
-        }
-        match (1..=most_materials(sphere.places())).contains(&sphere.materials) {
+        match is_side && sphere.materials > 0 && sphere.has_room(self.lights) {
             true => Ok(()),
             false => refuse("lit_sphere", text, SPHERE),
         }
@@ -278,7 +272,11 @@ mod tests {
         let dark = format!("{BEAM}lights = 0\n");
         assert!(MachineDescription::parse(&dark, "m.toml").is_ok());
         let zone = "\"zone\"\nzone = { width = 8, height = 8 }";
-        assert!(refusal(&dark.replace("\"beam\"", zone)).contains("lights is 0; accepted: 1 to"));
+        let zone = dark.replace("\"beam\"", zone);
+        assert!(MachineDescription::parse(&zone, "m.toml").is_ok());
+        assert!(
+            refusal(&format!("{BEAM}lights = 17\n")).contains("lights is 17; accepted: 0 to 16")
+        );
         assert!(refusal(&format!("{BEAM}suns = 2\n")).contains("suns is 2; accepted: 0 to 1"));
         assert!(refused("640x480", "640x481").contains("\"1280x720\""));
         assert!(refused("beam", "zone").contains("zone is missing"));

@@ -6,7 +6,7 @@ use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::Lighting;
 use imogene_golden::machine::shader::{ShaderWords, shade_picture};
 use imogene_prepare::PreparedScene;
-use imogene_prepare::lit_sphere::{far_colour, sphere_words};
+use imogene_prepare::lit_sphere::{far_colour, shadowed_lights, sphere_words};
 use imogene_prepare::shader::{ShaderError, material_numbers, shader_words};
 use imogene_scene::FramedScene;
 use serde::Serialize;
@@ -36,7 +36,7 @@ pub struct SphereErrors {
     pub all: LevelErrors,
 }
 
-/// The errors of tables of every size on the picture of a scene, all of whose lights reach everything.
+/// The errors of tables of every size on the picture of a scene, with its shadows.
 ///
 /// # Errors
 ///
@@ -50,12 +50,13 @@ pub fn sphere_errors(
     let mut frame = beam::render(&prepared.slots(), format, width, height, || ());
     frame.layers.clear();
     let materials = material_numbers(scene);
-    let lighting = Lighting::full(&frame);
+    let lighting = prepared.light(&frame, || ());
+    let lights = shadowed_lights(prepared) as u32;
     let picture = |words: &ShaderWords| shade_picture(&frame, &lighting, &materials, words);
     let exact = picture(&shader_words(scene, format, None)?);
-    let far = far_picture(&frame, scene, format.z_max());
+    let far = far_picture(&frame, &lighting, scene, format.z_max());
     let errors = |places| {
-        let own = picture(&sphere_words(scene, format, places)?);
+        let own = picture(&sphere_words(scene, format, places, lights)?);
         Ok(SphereErrors {
             side: 1 << places,
             table: differences(&frame, &own, &far),
@@ -66,7 +67,7 @@ pub fn sphere_errors(
 }
 
 /// The picture by the formula in real numbers, viewer and lights infinitely far.
-fn far_picture(frame: &Frame, scene: &FramedScene, z_max: i64) -> Vec<u8> {
+fn far_picture(frame: &Frame, lighting: &Lighting, scene: &FramedScene, z_max: i64) -> Vec<u8> {
     let scale = scene.projection.full_depth() / z_max as f64;
     let pixel = |index: usize| {
         let Ok(object) = usize::try_from(frame.id[index]) else {
@@ -80,7 +81,8 @@ fn far_picture(frame: &Frame, scene: &FramedScene, z_max: i64) -> Vec<u8> {
         let long = length(normal).max(f64::MIN_POSITIVE);
         let normal = normal.map(|part| turn * part / long);
         let material = &scene.materials[scene.objects[object].material()];
-        far_colour(scene, material, normal)
+        let reaches = |light: usize| lighting.flags[index] >> light & 1 == 1;
+        far_colour(scene, material, normal, reaches)
             .map(|level| (level.clamp(0.0, 1.0) * 255.0).round() as u8)
     };
     (0..frame.depth.len()).flat_map(pixel).collect()

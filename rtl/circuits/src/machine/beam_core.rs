@@ -9,11 +9,9 @@ use crate::object::Normal;
 use crate::raster::Scan;
 use crate::rows::numbered;
 use crate::shade::{
-    BLEND_LATENCY, FlatPoint, Lights, Point, Shaded, ShadingLoad, SpherePoint, Surface, Tables,
-    flat_shading, lit_sphere, shading_processor, transparency_pipeline,
+    BLEND_LATENCY, Point, Shaded, Shading, ShadingLoad, Surface, transparency_pipeline,
 };
 use crate::video::LEVEL;
-use imogene_contract::shading;
 use imogene_hdl::{Bits, Bundle, Int, Value, memory, module};
 
 /// Bits of the number of a slot.
@@ -28,10 +26,8 @@ pub struct BeamMachine {
     pub layers: Vec<Slot>,
     /// Its shadow and light volumes, as many as they have numbers of planes; there may be none.
     pub volumes: Volumes,
-    /// Its lights; without one it has no shading processor, and every object the ambient level of its material.
-    pub lights: Lights,
-    /// Tables in the place of lights.
-    pub sphere: Option<Tables>,
+    /// Its shading.
+    pub shading: Shading,
     /// Address bits of the words that it keeps for the next frame.
     pub loader_places: u32,
 }
@@ -39,18 +35,7 @@ pub struct BeamMachine {
 impl BeamMachine {
     /// Clocks from a pixel to its colour.
     pub fn latency(&self) -> u32 {
-        self.surfaces() + self.shading() + BLEND_LATENCY * self.layers.len() as u32
-    }
-
-    /// Clocks from what is told of a pixel to its colour.
-    pub(super) fn shading(&self) -> u32 {
-        if self.sphere.is_some() {
-            return shading::LIT_SPHERE_LATENCY;
-        }
-        match self.lights.count {
-            0 => shading::FLAT_LATENCY,
-            _ => shading::LATENCY as u32,
-        }
+        self.surfaces() + self.shading.latency() + BLEND_LATENCY * self.layers.len() as u32
     }
 
     /// Clocks from a pixel to what the shading processor of the surfaces is told of it: the layers, each a blend
@@ -106,7 +91,7 @@ pub fn beam_core(
         if machine.layers.is_empty() {
             return seen;
         }
-        let depth = depth.delayed_as("shaded_depth", machine.shading());
+        let depth = depth.delayed_as("shaded_depth", machine.shading.latency());
         blended(scan, (load, words), (depth, seen), machine)
     })
 }
@@ -163,26 +148,9 @@ fn shaded_surface(
     let valid = valid.delayed_as("valid_late", wait);
     let depth = seen.depth.delayed_as("depth_late", wait);
     let material = material.delayed_as("material_late", wait - 1);
-    if let Some(tables) = &machine.sphere {
-        let point = SpherePoint {
-            valid,
-            pixel: scan.pixel.delayed(machine.decided()),
-            depth,
-            material,
-            normal: shaded_normal(seen.normal).delayed(wait),
-        };
-        return (depth, lit_sphere("shading", point, shading, tables));
-    }
-    if machine.lights.count == 0 {
-        let point = FlatPoint {
-            valid,
-            depth,
-            material,
-        };
-        return (depth, flat_shading("shading", point, shading));
-    }
     let flags = match machine.volumes.planes.len() {
         0 => all_sources(),
+        _ if !machine.shading.asks_sources() => all_sources(),
         _ => {
             let start = machine.volume_start();
             let lit = Lit {
@@ -201,10 +169,7 @@ fn shaded_surface(
         normal: shaded_normal(seen.normal).delayed(wait),
         flags,
     };
-    (
-        depth,
-        shading_processor("shading", point, shading, machine.lights),
-    )
+    (depth, machine.shading.shade("shading", point, shading))
 }
 
 /// A normal in the words of the shading processor, to which its length means nothing.

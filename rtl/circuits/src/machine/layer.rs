@@ -4,9 +4,7 @@ use super::beam_core::shaded_normal;
 use super::slot::processor;
 use super::{BeamMachine, LoadBus, MATERIAL, Slot, all_sources};
 use crate::raster::Scan;
-use crate::shade::{
-    FlatPoint, Layer, Point, ShadingLoad, Surface, flat_shading, shading_processor,
-};
+use crate::shade::{Layer, Point, ShadingLoad, Surface};
 use crate::video::LEVEL;
 use imogene_hdl::{Bundle, Value, bundle, module};
 
@@ -19,7 +17,7 @@ bundle! {
 }
 
 /// The surface of a transparent object at every pixel, lit by all sources. Latency that of its processor and of the
-/// shading processor.
+/// shading.
 pub(super) fn shaded_layer(
     at: &str,
     scan: Scan,
@@ -37,29 +35,17 @@ pub(super) fn shaded_layer(
             .slice(MATERIAL + LEVEL - 1, MATERIAL)
             .reg_when(look.write);
         let (valid, depth) = (seen.front.out_valid, seen.front.zf);
-        let shaded = match machine.lights.count {
-            0 => {
-                let point = FlatPoint {
-                    valid,
-                    depth,
-                    material,
-                };
-                flat_shading("shading", point, load)
-            }
-            _ => {
-                let point = Point {
-                    valid,
-                    pixel: scan.pixel.delayed(slot.clocks(&root)),
-                    depth,
-                    material,
-                    normal: shaded_normal(seen.normal),
-                    flags: all_sources(),
-                };
-                shading_processor("shading", point, load, machine.lights)
-            }
+        let point = Point {
+            valid,
+            pixel: scan.pixel.delayed(slot.clocks(&root)),
+            depth,
+            material,
+            normal: shaded_normal(seen.normal),
+            flags: all_sources(),
         };
+        let shaded = machine.shading.shade("shading", point, load);
         let surface = Surface {
-            depth: depth.delayed_as("depth_late", machine.shading()),
+            depth: depth.delayed_as("depth_late", machine.shading.latency()),
             red: shaded.red,
             green: shaded.green,
             blue: shaded.blue,

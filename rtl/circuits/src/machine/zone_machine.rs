@@ -6,15 +6,12 @@ use super::{
     sample_mean, zone_core,
 };
 use crate::raster::Pixel;
-use crate::shade::{Lights, Point, ShadingLoad, shading_processor};
+use crate::shade::{Point, Shading, ShadingLoad};
 use crate::video::{LEVEL, PixelStream, Queue, pixel_fifo};
-use imogene_contract::shading::LATENCY;
 use imogene_hdl::{Bits, Bundle, Value, join, memory, module, net};
 
-/// Bits of the place of a pixel in the queue behind the shading processor.
+/// Bits of the place of a pixel in the queue behind its shading.
 const QUEUE: u32 = 6;
-/// Clocks from a pixel of the core to its colour: one reads its material.
-const SHADED: u32 = LATENCY as u32 + 1;
 
 /// What a zone machine is built for.
 #[derive(Clone, Debug)]
@@ -23,8 +20,8 @@ pub struct ZoneMachine {
     pub core: ZoneCore,
     /// Samples of a pixel along each side: 1, 2 or 4.
     pub samples: u32,
-    /// Lights.
-    pub lights: Lights,
+    /// Its shading.
+    pub shading: Shading,
 }
 
 impl ZoneMachine {
@@ -33,9 +30,14 @@ impl ZoneMachine {
         self.core.bus().max(SHADING)
     }
 
+    /// Clocks from a pixel of the core to its colour: one reads its material.
+    fn shaded(&self) -> u32 {
+        1 + self.shading.latency()
+    }
+
     /// Clocks from a pixel of the core until it is in the queue.
     fn drain(&self) -> u32 {
-        SHADED + 1 + if self.samples > 1 { MEAN_LATENCY } else { 0 }
+        self.shaded() + 1 + if self.samples > 1 { MEAN_LATENCY } else { 0 }
     }
 }
 
@@ -111,18 +113,19 @@ fn shaded(seen: &Shown, machine: &ZoneMachine) -> Coloured {
         address: load.address,
         data: load.data.low(SHADING),
     };
-    let shaded = shading_processor("shading", point, load, machine.lights);
+    let shaded = machine.shading.shade("shading", point, load);
+    let late = machine.shaded();
     Coloured {
         valid: shaded.out_valid,
         colour: shaded.colour(),
-        place: join([place.y, place.x]).delayed_as("place_late", SHADED),
-        last: seen.frame_ends.delayed_as("last_late", SHADED),
+        place: join([place.y, place.x]).delayed_as("place_late", late),
+        last: seen.frame_ends.delayed_as("last_late", late),
     }
 }
 
 /// The pixels of the last pass, each with the mean of its samples.
 fn mean(seen: &Shown, shaded: Coloured, machine: &ZoneMachine) -> Coloured {
-    let late = |name: &str, flag: Bits| flag.delayed_as(name, SHADED);
+    let late = |name: &str, flag: Bits| flag.delayed_as(name, machine.shaded());
     let pass = SamplePass {
         first_pass: late("first_pass_late", seen.sample.bit(0)),
         last_pass: late("last_pass_late", seen.sample.bit(1)),

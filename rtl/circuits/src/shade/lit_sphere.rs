@@ -29,9 +29,9 @@ const ASKED: u32 = 23;
 pub struct Tables {
     /// Bits of a coordinate: a table has `2^places` by `2^places` entries.
     pub places: u32,
-    /// Materials, each with a table.
-    pub materials: u32,
-    /// Every entry, the first material first, line by line; none where they are loaded.
+    /// Their number.
+    pub count: u32,
+    /// Every entry, the first table first, line by line; none where they are loaded.
     pub entries: Vec<u64>,
 }
 
@@ -41,14 +41,14 @@ bundles! {
         valid: Bits(1) as "valid", "this clock carries a pixel";
         pixel: Pixel() as "", "pixel of the screen";
         depth: Int(depth) as "depth", "depth; 2^(W-1) - 1 is the background";
-        material: Bits(8) as "material", "number of the material";
+        table: Bits(8) as "table_number", "number of the table";
         normal: Normal(normal) as "", "vector of any length";
     }
 }
 
 /// The colour of every pixel, one pixel per clock, from a table of what its material sends back at each direction of
-/// the normal: all lights and the viewer count as infinitely far. Between the entries of the octahedral map colours
-/// are of first degree in each of the two triangles of a cell.
+/// the normal: all lights and the viewer count as infinitely far. Which lights reach it says the number of the table.
+/// Between the entries of the octahedral map colours are of first degree in each of the two triangles of a cell.
 ///
 /// Latency 31. Words stay unchanged while pixels are inside. Section 8.4 of the architecture.
 pub fn lit_sphere(at: &str, point: SpherePoint, load: ShadingLoad, tables: &Tables) -> Shaded {
@@ -62,8 +62,8 @@ pub fn lit_sphere(at: &str, point: SpherePoint, load: ShadingLoad, tables: &Tabl
         let view = view_store("view_store", bus);
         let facing = facing("facing", point.pixel, point.normal, view.eye);
         let cell = map_cell("map_cell", facing, tables.places);
-        let material = point.material.delayed_as("material_late", ASKED);
-        let corners = corners("corners", cell, material, load, tables);
+        let table = point.table.delayed_as("table_late", ASKED);
+        let corners = corners("corners", cell, table, load, tables);
         let levels = ["red", "green", "blue"].iter().enumerate();
         let levels = levels.map(|(channel, name)| {
             let level = |entry: Bits| {
@@ -215,14 +215,14 @@ fn map_cell(at: &str, facing: Facing, places: u32) -> Cell {
 
 /// The entries of three corners of a cell, from four memories: of even and odd columns in even and odd lines.
 /// Latency 3.
-fn corners(at: &str, cell: Cell, material: Bits, load: ShadingLoad, tables: &Tables) -> Corners {
-    let inputs = (cell, ("material", material), ("load", load));
-    module("map_entries", at, inputs, |(cell, material, load)| {
+fn corners(at: &str, cell: Cell, table: Bits, load: ShadingLoad, tables: &Tables) -> Corners {
+    let inputs = (cell, ("table_number", table), ("load", load));
+    module("map_entries", at, inputs, |(cell, table, load)| {
         let columns = [cell.even_x, cell.odd_x];
         let lines = [cell.even_y, cell.odd_y];
         let banks = numbered("entries", 0..4u32).map(|(name, bank)| {
             let (line, column) = (lines[(bank >> 1) as usize], columns[(bank & 1) as usize]);
-            let read = tables.place(material, join([line, column]));
+            let read = tables.place(table, join([line, column]));
             let entry = match tables.entries.is_empty() {
                 true => {
                     let write = tables.write(load, bank);
@@ -278,21 +278,21 @@ fn between(at: &str, [near, middle, far]: [Bits; 3], [more, less]: [Bits; 2]) ->
 }
 
 impl Tables {
-    /// Bits of the number of a material.
-    fn material_bits(&self) -> u32 {
-        self.materials.next_power_of_two().ilog2()
+    /// Bits of the number of a table.
+    fn number_bits(&self) -> u32 {
+        self.count.next_power_of_two().ilog2()
     }
 
     /// Entries in each of the four memories.
     fn words(&self) -> usize {
-        1 << (self.material_bits() + 2 * (self.places - 1))
+        1 << (self.number_bits() + 2 * (self.places - 1))
     }
 
     /// The place of an entry in its memory.
-    fn place(&self, material: Bits, entry: Bits) -> Bits {
-        match self.material_bits() {
+    fn place(&self, table: Bits, entry: Bits) -> Bits {
+        match self.number_bits() {
             0 => entry,
-            bits => join([material.low(bits), entry]),
+            bits => join([table.low(bits), entry]),
         }
     }
 
@@ -303,13 +303,13 @@ impl Tables {
         let half = |first: u32| address.slice(first + places - 1, first + 1);
         let is_own =
             address.bit(0).is(u64::from(bank & 1)) & address.bit(places).is(u64::from(bank >> 1));
-        let used = self.material_bits() + 2 * places;
+        let used = self.number_bits() + 2 * places;
         let is_there = match TABLE_BITS - used {
             0 => load.valid & address.bit(TABLE_BITS),
             _ => load.valid & address.slice(TABLE_BITS, used).is(1 << (TABLE_BITS - used)),
         };
-        let material = address.slice(TABLE_BITS - 1, 2 * places);
-        let place = self.place(material, join([half(places), half(0)]));
+        let table = address.slice(TABLE_BITS - 1, 2 * places);
+        let place = self.place(table, join([half(places), half(0)]));
         (is_there & is_own, place, load.data.low(3 * ENTRY_LEVEL))
     }
 
@@ -321,8 +321,8 @@ impl Tables {
         let entry = |word: u32| {
             let column = 2 * half(word) + (bank & 1);
             let line = 2 * half(word >> (places - 1)) + (bank >> 1);
-            let material = word >> (2 * (places - 1));
-            let entry = (material << places | line) << places | column;
+            let table = word >> (2 * (places - 1));
+            let entry = (table << places | line) << places | column;
             self.entries.get(entry as usize).copied().unwrap_or(0)
         };
         (0..words).map(entry).collect()

@@ -2,6 +2,7 @@
 
 mod attenuation;
 mod flat_shading;
+mod form;
 mod light_factors;
 mod light_vector;
 mod lit_sphere;
@@ -12,6 +13,7 @@ mod transparency;
 mod words;
 
 pub use flat_shading::{FlatPoint, flat_shading};
+pub use form::Shading;
 pub use lit_sphere::{SpherePoint, Tables, lit_sphere};
 pub use shading_processor::{Lights, Point, Shaded, ShadingLoad, shading_processor};
 pub use transparency::{BLEND_LATENCY, Layer, Surface, transparency_pipeline, transparency_stage};

@@ -16,7 +16,8 @@ bundle! {
 /// The words come from the clock of the pixels, a fifth of this one. `turn` goes through three registers, and the words
 /// are taken with the third: three of the five clocks behind the edge that changed them, two before the next one. The
 /// last pair of a word that stands longer is sent again. Between two registers is one look-up table at most, for a
-/// clock of 371.25 MHz. Latency 4 from a change of `turn` to the first pair.
+/// clock of 371.25 MHz; two of them are for the way across the part to the pin. Latency 6 from a change of `turn` to
+/// the first pair.
 pub fn tmds_serialiser(at: &str, symbols: Symbols) -> Bits {
     module("tmds_serialiser", at, symbols, |symbols| {
         let pair = |index: u32| symbols.word.slice(2 * index + 1, 2 * index);
@@ -29,8 +30,10 @@ pub fn tmds_serialiser(at: &str, symbols: Symbols) -> Bits {
             let pair_2 = takes.select(pair(2), pair_3).reg();
             let pair_1 = takes.select(pair(1), pair_2).reg();
             let pair_0 = takes.select(pair(0), pair_1).reg();
+            let leaving = pair_0.reg();
+            let on_the_way = leaving.reg();
             // A register more, which may stand beside the pin.
-            let sent = pair_0.reg();
+            let sent = on_the_way.reg();
         }
         ("pair", sent, "two bits of the word, bit 0 first")
     })

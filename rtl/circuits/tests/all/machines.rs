@@ -3,7 +3,7 @@
 use imogene_circuits::machine::{BeamMachine, Objects, Slot, Volumes};
 use imogene_circuits::machines::{beam_display, beam_stream};
 use imogene_circuits::object::{Network, Widths};
-use imogene_circuits::shade::Lights;
+use imogene_circuits::shade::{Lights, Shading};
 use imogene_circuits::video::Output;
 use imogene_contract::RootForm;
 use imogene_contract::command_stream::SHADING_WORD;
@@ -52,8 +52,10 @@ fn machine() -> BeamMachine {
             root,
             planes: vec![1, 0],
         },
-        lights: Lights { count: 1, suns: 0 },
-        sphere: None,
+        shading: Shading {
+            lights: Lights { count: 1, suns: 0 },
+            tables: None,
+        },
         loader_places: 3,
     }
 }

@@ -10,9 +10,11 @@ use std::sync::LazyLock;
 /// The tables of a lit-sphere processor.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct SphereTables {
-    /// Bits of a coordinate: the table of a material has `2^places` by `2^places` entries.
+    /// Bits of a coordinate: a table has `2^places` by `2^places` entries.
     pub places: u32,
-    /// Entries, the first material first, line by line: red, green, blue in quarters of a level, 10 bits.
+    /// The first lights, whose flags number the `2^lights` tables of a material; the others reach everything.
+    pub lights: u32,
+    /// Entries, the first table first, line by line: red, green, blue in quarters of a level, 10 bits.
     pub entries: Vec<[u16; 3]>,
 }
 
@@ -22,10 +24,12 @@ static RECIPROCAL: LazyLock<Curve> =
 
 impl SphereTables {
     /// Tables of so many materials whose entries are all 0.
-    pub fn dark(places: u32, materials: u32) -> SphereTables {
+    pub fn dark(places: u32, materials: u32, lights: u32) -> SphereTables {
+        let tables = (materials.next_power_of_two() as usize) << lights;
         SphereTables {
             places,
-            entries: vec![[0; 3]; (materials.next_power_of_two() as usize) << (2 * places)],
+            lights,
+            entries: vec![[0; 3]; tables << (2 * places)],
         }
     }
 
@@ -56,8 +60,9 @@ impl SphereTables {
         let [column, line] = coordinates(words, pixel).map(|at| at * ((1 << self.places) - 1));
         let [across, down] = [column, line].map(|at| at >> 9 & 127);
         let (more, less) = (across.max(down), across.min(down));
-        let own = usize::from(pixel.material) << (2 * self.places);
-        let own = own & (self.entries.len() - 1);
+        let reaching = usize::from(pixel.flags) & ((1 << self.lights) - 1);
+        let table = usize::from(pixel.material) << self.lights | reaching;
+        let own = table << (2 * self.places) & (self.entries.len() - 1);
         let entry = |right: i64, below: i64| {
             let [column, line] = [(column >> 16) + right, (line >> 16) + below];
             self.entries[own + ((line as usize) << self.places) + column as usize].map(i64::from)
@@ -129,7 +134,7 @@ mod tests {
     /// Every colour of a table that is of first degree is met exactly, up to its rounding.
     #[test]
     fn between_entries_levels_are_of_first_degree() {
-        let mut tables = SphereTables::dark(4, 1);
+        let mut tables = SphereTables::dark(4, 1, 0);
         for line in 0..16 {
             for column in 0..16 {
                 tables.entries[16 * line + column] = [64 * column as u16, 64 * line as u16, 1020];
