@@ -1,23 +1,7 @@
 //! Why a file was not read.
 
+pub use step21::Place;
 use thiserror::Error;
-
-/// Where in a text file, from 1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Place {
-    /// Line.
-    pub line: usize,
-    /// Column, in characters.
-    pub column: usize,
-}
-
-impl Place {
-    /// Of a byte of a text whose lines end so.
-    pub(crate) fn of(bytes: &[u8], at: usize, end: u8) -> Place {
-        let (line, column) = step21::position(bytes, at, end);
-        Place { line, column }
-    }
-}
 
 /// Why a file was not read.
 #[derive(Debug, Error)]

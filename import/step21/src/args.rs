@@ -1,7 +1,7 @@
 //! Entities by their names, and parameters by what they have to be.
 
 use super::error::{Error, Result};
-use super::exchange::Exchange;
+use super::parser::Exchange;
 use super::text::{decoded, with_article};
 use super::token::shortened;
 use super::value::{Instance, Kind, Record, Value};
@@ -24,10 +24,6 @@ impl<'a> Deref for Entity<'a> {
 }
 
 impl<'a> Entity<'a> {
-    fn new(file: &'a Exchange<'a>, own: &'a Instance<'a>) -> Self {
-        Entity { file, own }
-    }
-
     /// An error at the entity.
     pub fn error(&self, problem: impl ToString, accepted: impl ToString) -> Error {
         Error::at(self.file.bytes, self.at, problem, accepted)
@@ -45,11 +41,7 @@ impl<'a> Entity<'a> {
     pub fn need(&self, names: &[&str]) -> Result<Args<'a>> {
         self.find(names).ok_or_else(|| {
             let problem = format!("`#{}` is {}", self.id, with_article(&self.name()));
-            let others = names.iter().skip(1).map(|name| format!(" or {name}"));
-            let first = names
-                .first()
-                .map_or("nothing".into(), |own| with_article(own));
-            let needed = first + &others.collect::<String>();
+            let needed = with_article(&names.join(" or "));
             self.error(problem, format!("{needed} is needed where it is named"))
         })
     }
@@ -68,13 +60,13 @@ impl<'a> Entity<'a> {
 impl Exchange<'_> {
     /// An entity by its number.
     pub fn get(&self, id: u64) -> Option<Entity<'_>> {
-        let place = *self.index.get(&id)?;
-        Some(Entity::new(self, &self.instances[place]))
+        let own = &self.instances[*self.index.get(&id)?];
+        Some(Entity { file: self, own })
     }
 
     /// All entities in their order.
     pub fn entities(&self) -> impl Iterator<Item = Entity<'_>> {
-        self.instances.iter().map(|own| Entity::new(self, own))
+        self.instances.iter().map(|own| Entity { file: self, own })
     }
 
     /// Those that have one of these records.
@@ -95,12 +87,12 @@ pub struct Args<'a> {
 impl<'a> Args<'a> {
     /// An error of the whole entity.
     pub fn error(&self, problem: impl Display, accepted: impl ToString) -> Error {
-        self.error_at(self.entity.at, problem, accepted)
+        self.error_at(self.entity.at, &format!(": {problem}"), accepted)
     }
 
-    fn error_at(&self, at: usize, problem: impl Display, accepted: impl ToString) -> Error {
+    fn error_at(&self, at: usize, problem: &str, accepted: impl ToString) -> Error {
         let (id, name) = (self.entity.id, shortened(self.record.name));
-        let problem = format!("`#{id}` {name}: {problem}");
+        let problem = format!("`#{id}` {name}{problem}");
         Error::at(self.entity.file.bytes, at, problem, accepted)
     }
 
@@ -108,8 +100,8 @@ impl<'a> Args<'a> {
         let values = &self.record.values;
         let place = values.iter().position(|v| v.at >= value.at);
         let place = place.map_or(values.len(), |p| p + 1);
-        let problem = format!("parameter {place} is {}", value.kind.name());
-        self.error_at(value.at, problem, format!("{needed} is needed"))
+        let problem = format!(": parameter {place} is {}", value.kind.name());
+        self.error_at(value.at, &problem, format!("{needed} is needed"))
     }
 
     /// The record that has the parameters of a supertype: its own in a complex entity, this one in a simple one.
@@ -160,7 +152,6 @@ impl<'a> Args<'a> {
         list.map(|value| self.as_number(value)).collect()
     }
 
-    /// A whole number that is not negative.
     fn as_whole(&self, value: &Value) -> Result<usize> {
         match value.kind {
             Kind::Number(number, true) if (0.0..=1e9).contains(&number) => Ok(number as usize),
@@ -175,8 +166,8 @@ impl<'a> Args<'a> {
 
     /// A list of them.
     pub fn wholes(&self, index: usize) -> Result<Vec<usize>> {
-        let list = self.list(index)?;
-        list.iter().map(|value| self.as_whole(value)).collect()
+        let list = self.list(index)?.iter();
+        list.map(|value| self.as_whole(value)).collect()
     }
 
     /// `.T.` or `.F.`
@@ -225,10 +216,9 @@ impl<'a> Args<'a> {
             return Err(self.wrong(value, "a reference such as `#12`"));
         };
         self.entity.file.get(id).ok_or_else(|| {
-            let (own, name) = (self.entity.id, shortened(self.record.name));
-            let problem = format!("`#{own}` {name} names `#{id}`, which is not in the file");
+            let problem = format!(" names `#{id}`, which is not in the file");
             let accepted = "the number of an entity of this file is needed";
-            Error::at(self.entity.file.bytes, value.at, problem, accepted)
+            self.error_at(value.at, &problem, accepted)
         })
     }
 

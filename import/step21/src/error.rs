@@ -2,24 +2,35 @@
 
 use std::fmt;
 
+/// Where in a text file, from 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// Line.
+    pub line: usize,
+    /// Column, in characters.
+    pub column: usize,
+}
+
+impl Place {
+    /// Of a byte of a text whose lines end so.
+    pub fn of(bytes: &[u8], at: usize, end: u8) -> Place {
+        let before = &bytes[..at.min(bytes.len())];
+        let start = before.iter().rposition(|b| *b == end).map_or(0, |k| k + 1);
+        let line = before.iter().filter(|b| **b == end).count() + 1;
+        let column = String::from_utf8_lossy(&before[start..]).chars().count() + 1;
+        Place { line, column }
+    }
+}
+
 /// What is wrong, where, and what would be accepted.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Error {
-    /// Line and column in characters, from 1; nothing of the file as a whole.
-    pub place: Option<(usize, usize)>,
+    /// Nothing of the file as a whole.
+    pub place: Option<Place>,
     /// What is wrong.
     pub problem: String,
     /// What would be accepted.
     pub accepted: String,
-}
-
-/// Line and column, in characters from 1, of a byte of a text whose lines end so.
-pub fn position(bytes: &[u8], at: usize, end: u8) -> (usize, usize) {
-    let before = &bytes[..at.min(bytes.len())];
-    let start = before.iter().rposition(|b| *b == end).map_or(0, |k| k + 1);
-    let line = before.iter().filter(|b| **b == end).count() + 1;
-    let column = String::from_utf8_lossy(&before[start..]).chars().count() + 1;
-    (line, column)
 }
 
 /// What comes of reading a file.
@@ -38,7 +49,7 @@ impl Error {
     /// At a byte of a file.
     pub fn at(bytes: &[u8], at: usize, problem: impl ToString, accepted: impl ToString) -> Error {
         Error {
-            place: Some(position(bytes, at, b'\n')),
+            place: Some(Place::of(bytes, at, b'\n')),
             ..Error::whole(problem, accepted)
         }
     }
@@ -46,7 +57,7 @@ impl Error {
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some((line, column)) = self.place {
+        if let Some(Place { line, column }) = self.place {
             write!(f, "{line}:{column}: ")?;
         }
         write!(f, "{}; {}", self.problem, self.accepted)

@@ -20,14 +20,13 @@
 
 mod args;
 mod error;
-mod exchange;
 mod parser;
 mod text;
 mod token;
 mod value;
 
 pub use args::{Args, Entity};
-pub use error::{Error, Result, position};
-pub use exchange::Exchange;
+pub use error::{Error, Place, Result};
+pub use parser::Exchange;
 pub use text::{decoded, with_article};
 pub use value::{Instance, Kind, Record, Value};

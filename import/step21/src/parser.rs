@@ -8,24 +8,29 @@ use std::collections::HashMap;
 /// Most lists inside each other.
 const DEEPEST: usize = 32;
 
-/// Reads a file from its start.
-pub struct Parser<'a> {
-    tokens: Tokens<'a>,
-    /// The word that is next.
-    token: Token<'a>,
-    instances: Vec<Instance<'a>>,
-    index: HashMap<u64, usize>,
+/// A file that has been taken apart.
+#[derive(Debug)]
+pub struct Exchange<'a> {
+    /// Its bytes: ASCII, apart from what stands in strings and comments.
+    pub bytes: &'a [u8],
+    /// Records of the header.
+    pub header: Vec<Record<'a>>,
+    /// Entities in their order.
+    pub instances: Vec<Instance<'a>>,
+    /// Their places by their numbers.
+    pub(crate) index: HashMap<u64, usize>,
 }
 
-/// The records of the header, the entities and their places by their numbers.
-type Parts<'a> = (Vec<Record<'a>>, Vec<Instance<'a>>, HashMap<u64, usize>);
-
-impl<'a> Parser<'a> {
-    /// Reads a whole file.
-    pub fn read(bytes: &'a [u8]) -> Result<Parts<'a>> {
+impl<'a> Exchange<'a> {
+    /// Takes a file apart.
+    pub fn parse(bytes: &'a [u8]) -> Result<Self> {
         let mut parser = Parser {
             tokens: Tokens::new(bytes),
             token: Token::End,
+        };
+        let mut file = Exchange {
+            bytes,
+            header: vec![],
             instances: vec![],
             index: HashMap::new(),
         };
@@ -38,20 +43,32 @@ impl<'a> Parser<'a> {
         parser.sign(b';')?;
         parser.keyword("HEADER")?;
         parser.sign(b';')?;
-        let mut header = vec![];
         while parser.token != Token::Keyword("ENDSEC") {
-            header.push(parser.record(0)?);
+            file.header.push(parser.record(0)?);
             parser.sign(b';')?;
         }
         parser.step()?;
         parser.sign(b';')?;
         while parser.token != Token::Keyword("END-ISO-10303-21") {
-            parser.section()?;
+            parser.section(&mut file)?;
         }
-        Ok((header, parser.instances, parser.index))
+        if file.instances.is_empty() {
+            let accepted = "a data section with a solid is needed";
+            return Err(Error::whole("the file has no entities", accepted));
+        }
+        Ok(file)
     }
+}
 
-    fn section(&mut self) -> Result<()> {
+/// Reads a file from its start.
+struct Parser<'a> {
+    tokens: Tokens<'a>,
+    /// The word that is next.
+    token: Token<'a>,
+}
+
+impl<'a> Parser<'a> {
+    fn section(&mut self, file: &mut Exchange<'a>) -> Result<()> {
         let is_data = match self.token {
             Token::Keyword("DATA") => true,
             Token::Keyword("ANCHOR" | "REFERENCE" | "SIGNATURE") => false,
@@ -68,13 +85,13 @@ impl<'a> Parser<'a> {
         while self.token != Token::Keyword("ENDSEC") {
             if is_data {
                 let entity = self.entity()?;
-                let place = self.instances.len();
-                if self.index.insert(entity.id, place).is_some() {
+                let place = file.instances.len();
+                if file.index.insert(entity.id, place).is_some() {
                     let problem = format!("`#{}` is there already", entity.id);
                     let accepted = "every entity needs a number of its own";
-                    return Err(Error::at(self.tokens.bytes, entity.at, problem, accepted));
+                    return Err(Error::at(file.bytes, entity.at, problem, accepted));
                 }
-                self.instances.push(entity);
+                file.instances.push(entity);
             } else if self.token == Token::End {
                 return Err(self.unexpected("`ENDSEC;`"));
             } else {
@@ -154,21 +171,18 @@ impl<'a> Parser<'a> {
         }
         self.sign(b'(')?;
         let mut values = vec![];
-        if self.token == Token::Sign(b')') {
-            self.step()?;
-            return Ok(values);
-        }
-        loop {
+        if self.token != Token::Sign(b')') {
             values.push(self.value(depth)?);
-            match self.token {
-                Token::Sign(b',') => self.step()?,
-                Token::Sign(b')') => {
-                    self.step()?;
-                    return Ok(values);
-                }
-                _ => return Err(self.unexpected("`,` or `)`")),
+            while self.token == Token::Sign(b',') {
+                self.step()?;
+                values.push(self.value(depth)?);
             }
         }
+        if self.token != Token::Sign(b')') {
+            return Err(self.unexpected("`,` or `)`"));
+        }
+        self.step()?;
+        Ok(values)
     }
 
     fn value(&mut self, depth: usize) -> Result<Value<'a>> {

@@ -16,7 +16,7 @@ mod units;
 
 use super::model::Model;
 use crate::error::unusable;
-use crate::{ImportError, Place, Result};
+use crate::{ImportError, Result};
 use assembly::Assembly;
 use colours::colours;
 use placement::Placement;
@@ -54,8 +54,7 @@ pub fn build(bytes: &[u8], file: &str, beside: Beside) -> Result<(Model, Summary
 }
 
 fn of_file(file: &str, error: Error) -> ImportError {
-    let place = error.place.map(|(line, column)| Place { line, column });
-    ImportError::new(file, place, error.problem, error.accepted)
+    ImportError::new(file, error.place, error.problem, error.accepted)
 }
 
 /// Why a file has no face.
