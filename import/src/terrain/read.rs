@@ -14,7 +14,7 @@ pub fn read(bytes: &[u8], file: &str) -> Result<HeightGrid> {
     let text = decoded(bytes, file, "a grid of heights is plain text")?;
     let reader = Reader { file, text };
     let first = reader.words().next();
-    let grid = match first.is_some_and(|word| is_grid_keyword(word.text)) {
+    let grid = match first.is_some_and(is_grid_keyword) {
         true => reader.esri()?,
         false => reader.plain()?,
     };
@@ -34,50 +34,47 @@ struct Reader<'a> {
 type Header = [Option<f64>; KEYS.len()];
 
 impl<'a> Reader<'a> {
-    fn malformed(&self, place: Place, problem: impl ToString, accepted: &str) -> ImportError {
+    /// What is wrong at a word, which is a piece of the text.
+    fn malformed(&self, word: &str, problem: impl ToString, accepted: &str) -> ImportError {
+        let at = word.as_ptr() as usize - self.text.as_ptr() as usize;
+        let place = Place::of(self.text.as_bytes(), at, b'\n');
         ImportError::new(self.file, Some(place), problem, accepted)
     }
 
-    fn refused(&self, word: Word, problem: &str, accepted: &str) -> ImportError {
-        let problem = format!("{} {problem}", shown(word.text));
-        self.malformed(word.place, problem, accepted)
+    fn refused(&self, word: &str, problem: &str, accepted: &str) -> ImportError {
+        self.malformed(word, format!("{} {problem}", shown(word)), accepted)
     }
 
     /// Every word of the text.
-    fn words(&self) -> impl Iterator<Item = Word<'a>> + use<'a> {
-        let lines = self.text.lines().enumerate();
-        lines.flat_map(|(index, line)| words(line, index + 1))
+    fn words(&self) -> impl Iterator<Item = &'a str> + use<'a> {
+        self.text.lines().flat_map(words)
     }
 
-    fn number(&self, word: Word, what: &str) -> Result<f64> {
+    fn number(&self, word: &str, what: &str) -> Result<f64> {
         let plain = |b: u8| b.is_ascii_digit() || b"+-.eE".contains(&b);
-        let value = word.text.parse::<f64>().ok();
-        let value = value.filter(|v| word.text.bytes().all(plain) && v.abs() <= MAX_NUMBER);
+        let value = word.parse::<f64>().ok();
+        let value = value.filter(|v| word.bytes().all(plain) && v.abs() <= MAX_NUMBER);
         let accepted = "a decimal number of magnitude up to 1e8 is expected";
         value.ok_or_else(|| self.refused(word, &format!("is no {what}"), accepted))
     }
 
-    fn positive(&self, word: Word, what: &str) -> Result<f64> {
-        let value = self.number(word, what)?;
+    fn distance(&self, word: &str) -> Result<f64> {
+        let value = self.number(word, "distance of two nodes")?;
         if value > 0.0 {
             return Ok(value);
         }
-        let problem = format!("a {what} of {}", shown(word.text));
-        Err(self.malformed(word.place, problem, "it must be greater than zero"))
+        let problem = format!("a distance of two nodes of {}", shown(word));
+        Err(self.malformed(word, problem, "it must be greater than zero"))
     }
 
     fn esri(&self) -> Result<HeightGrid> {
         let mut all = self.words().peekable();
         let mut header: Header = [None; KEYS.len()];
-        while let Some(word) = all.peek().copied() {
-            if !word.text.starts_with(|c: char| c.is_alphabetic()) {
-                break;
-            }
-            all.next();
+        while let Some(word) = all.next_if(|word| word.starts_with(char::is_alphabetic)) {
             let key = self.key(word, &header)?;
             let value = all.next().ok_or_else(|| {
                 let problem = format!("{} without a value", KEYS[key]);
-                self.malformed(word.place, problem, "`KEYWORD VALUE` is expected")
+                self.malformed(word, problem, "`KEYWORD VALUE` is expected")
             })?;
             header[key] = Some(self.header_value(key, value)?);
         }
@@ -92,15 +89,15 @@ impl<'a> Reader<'a> {
             ));
         }
         let mut heights = Vec::with_capacity(columns * rows);
-        let mut last = Place { line: 1, column: 1 };
+        let mut last = &self.text[..0];
         for word in all {
-            last = word.place;
+            last = word;
             if heights.len() == columns * rows {
                 let problem = format!("more than {columns} x {rows} heights");
                 return Err(self.malformed(last, problem, "`ncols` times `nrows` are expected"));
             }
             // The mark of missing data may be of any magnitude.
-            let is_known = header[9].is_none() || word.text.parse::<f64>().ok() != header[9];
+            let is_known = header[9].is_none() || word.parse::<f64>().ok() != header[9];
             let known = is_known.then(|| self.number(word, "height"));
             heights.push(known.transpose()?);
         }
@@ -117,32 +114,32 @@ impl<'a> Reader<'a> {
         })
     }
 
-    fn key(&self, word: Word, header: &Header) -> Result<usize> {
-        let name = word.text.to_lowercase();
+    fn key(&self, word: &str, header: &Header) -> Result<usize> {
+        let name = word.to_lowercase();
         let accepted = "ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize (or dx and dy) and NODATA_value are expected once each";
         match KEYS.iter().position(|key| *key == name) {
             Some(key) if header[key].is_none() => Ok(key),
             Some(_) => {
                 let problem = format!("{name} for the second time");
-                Err(self.malformed(word.place, problem, accepted))
+                Err(self.malformed(word, problem, accepted))
             }
             None => Err(self.refused(word, "is no keyword of the header and no height", accepted)),
         }
     }
 
-    fn header_value(&self, key: usize, word: Word) -> Result<f64> {
+    fn header_value(&self, key: usize, word: &str) -> Result<f64> {
         match KEYS[key] {
             "ncols" | "nrows" => {
-                let count = word.text.parse::<u32>().ok().filter(|n| *n >= 2);
+                let count = word.parse::<u32>().ok().filter(|n| *n >= 2);
                 let accepted = format!("2 to {MAX_NODES} nodes in all are expected");
                 let refused = || self.refused(word, "is no number of nodes", &accepted);
                 count.map(f64::from).ok_or_else(refused)
             }
-            "cellsize" | "dx" | "dy" => self.positive(word, "distance of two nodes"),
+            "cellsize" | "dx" | "dy" => self.distance(word),
             // Missing data is often marked by the least number of a format, beyond every height; the place on the
             // globe is not used.
             _ => {
-                let value = word.text.parse::<f64>().ok().filter(|v| v.is_finite());
+                let value = word.parse::<f64>().ok().filter(|v| v.is_finite());
                 value.ok_or_else(|| self.refused(word, "is no number", "a number is expected"))
             }
         }
@@ -170,24 +167,23 @@ impl<'a> Reader<'a> {
         let mut step = None;
         let mut heights: Vec<Option<f64>> = vec![];
         let (mut columns, mut rows) = (0, 0);
-        for (index, line) in self.text.lines().enumerate() {
-            let mut row = words(line, index + 1).peekable();
-            let Some(first) = row.peek().copied() else {
-                continue;
-            };
-            if first.text == "step" {
+        for line in self.text.lines() {
+            let mut row = words(line).peekable();
+            if let Some(first) = row.next_if_eq(&"step") {
                 if step.is_some() || rows > 0 {
                     let accepted = "one line `step EAST SOUTH` before the first row is expected";
-                    return Err(self.malformed(first.place, "`step` out of place", accepted));
+                    return Err(self.malformed(first, "`step` out of place", accepted));
                 }
-                step = Some(self.plain_step(row.skip(1), first.place)?);
+                step = Some(self.plain_step(first, row)?);
                 continue;
             }
+            let Some(mut end) = row.peek().copied() else {
+                continue;
+            };
             let before = heights.len();
-            let mut end = first.place;
             for word in row {
-                end = word.place;
-                let known = (word.text != "-").then(|| self.number(word, "height"));
+                end = word;
+                let known = (word != "-").then(|| self.number(word, "height"));
                 heights.push(known.transpose()?);
                 if heights.len() > MAX_NODES {
                     let accepted = format!("at most {MAX_NODES} are read");
@@ -219,13 +215,12 @@ impl<'a> Reader<'a> {
 
     fn plain_step<'w>(
         &self,
-        mut values: impl Iterator<Item = Word<'w>>,
-        place: Place,
+        first: &str,
+        mut values: impl Iterator<Item = &'w str>,
     ) -> Result<[f64; 2]> {
         let accepted = "`step EAST SOUTH`, two distances of nodes, is expected";
-        let missing = || self.malformed(place, "a distance is missing", accepted);
-        let mut next =
-            || self.positive(values.next().ok_or_else(missing)?, "distance of two nodes");
+        let missing = || self.malformed(first, "a distance is missing", accepted);
+        let mut next = || self.distance(values.next().ok_or_else(missing)?);
         let step = [next()?, next()?];
         match values.next() {
             None => Ok(step),
@@ -234,32 +229,10 @@ impl<'a> Reader<'a> {
     }
 }
 
-#[derive(Clone, Copy, Debug)]
-struct Word<'a> {
-    text: &'a str,
-    place: Place,
-}
-
-/// The words of a line, from 1; what follows a `#` is left out.
-fn words(line: &str, number: usize) -> impl Iterator<Item = Word<'_>> {
+/// The words of a line; what follows a `#` is left out.
+fn words(line: &str) -> impl Iterator<Item = &str> {
     let code = line.split('#').next().unwrap_or_default();
-    let (mut rest, mut column) = (code, 1);
-    std::iter::from_fn(move || {
-        let start = rest.find(|c: char| !c.is_whitespace())?;
-        column += rest[..start].chars().count();
-        rest = &rest[start..];
-        let length = rest.find(char::is_whitespace).unwrap_or(rest.len());
-        let word = Word {
-            text: &rest[..length],
-            place: Place {
-                line: number,
-                column,
-            },
-        };
-        column += word.text.chars().count();
-        rest = &rest[length..];
-        Some(word)
-    })
+    code.split_whitespace()
 }
 
 /// A word for a message: at most a few characters of it.
