@@ -4,28 +4,17 @@
 //! The naive compiler takes one half-space for each neighbour, its whole surface, on the side on which the face
 //! begins, and joins them by one AND or one OR.
 
+use crate::common::list::{self, HEAD, arc, circle, face, faces, line, solid};
 use crate::common::points;
 use crate::common::winding::Oracle;
 use imogene_import::faces::vector::Vector;
-use imogene_import::faces::{Compilation, FaceOptions, Part, Verdict, compile};
-
-const HEAD: &str = "format = 1\ntitle = \"t\"\n[[materials]]\nname = \"m\"\ncolour = [1, 1, 1]\n";
-
-fn part(text: &str) -> Part {
-    let options = FaceOptions {
-        max_deviation: Some(0.0),
-        no_volumes: true,
-    };
-    compile(text.as_bytes(), "test", &options).unwrap()
-}
+use imogene_import::faces::{Part, Verdict};
 
 /// Whether the cells of face 0, solid 0, keep a point of its surface.
 fn kept(part: &Part, p: Vector) -> bool {
-    let Compilation::Faces(faces) = &part.solids[0] else {
-        panic!("volumes are switched off")
-    };
-    assert_eq!(faces[0].verdict, Verdict::Exact);
-    points::kept(part, &faces[0].cells, p)
+    let first = &faces(part, 0)[0];
+    assert_eq!(first.verdict, Verdict::Exact);
+    points::kept(part, &first.cells, p)
 }
 
 /// A face in the plane z = 0 whose border runs along the plane A (y = 0) and the cylinder B (radius 1) twice: left of
@@ -41,16 +30,14 @@ fn keyhole() -> String {
         ("bc", "b", "c"),
         ("cn", "c", "n"),
     ] {
-        text += &format!(
-            "[[edges]]\nname = \"{name}\"\nkind = \"line\"\nstart = \"{from}\"\nend = \"{to}\"\n"
-        );
+        text += &line(name, from, to);
     }
     for (name, from, to) in [("se", "s", "e"), ("nw", "n", "w")] {
-        text += &format!(
-            "[[edges]]\nname = \"{name}\"\nkind = \"circle\"\nstart = \"{from}\"\nend = \"{to}\"\ncentre = [0, 0, 0]\naxis = [0, 0, 1]\nradius = 1\n"
-        );
+        text += &arc(circle(name, [0.0; 3], [0.0, 0.0, 1.0], 1.0), from, to);
     }
-    text + "[[faces]]\nname = \"keyhole\"\nsurface = { kind = \"plane\", origin = [0, 0, 0], normal = [0, 0, 1] }\nloops = [[\"wo\", \"os\", \"se\", \"ea\", \"ab\", \"bc\", \"cn\", \"nw\"]]\n[[solids]]\nname = \"s\"\nmaterial = \"m\"\nfaces = [\"keyhole\"]\n"
+    let loops = r#"[["wo", "os", "se", "ea", "ab", "bc", "cn", "nw"]]"#;
+    let plane = "kind = 'plane', origin = [0, 0, 0], normal = [0, 0, 1]";
+    text + &face("keyhole", plane, loops) + &solid("'keyhole'")
 }
 
 /// The face itself, from its description.
@@ -65,7 +52,7 @@ fn in_keyhole([x, y, _]: Vector) -> bool {
 
 #[test]
 fn one_operator_for_a_pair_of_neighbours_is_not_enough() {
-    let part = part(&keyhole());
+    let part = list::part(&keyhole(), 0.0);
     let oracle = Oracle::new(&part.model, &part.model.faces[0]);
     let (mut and_wrong, mut or_wrong, mut points) = (0, 0, 0);
     for i in 0..200 {
@@ -102,21 +89,22 @@ fn one_operator_for_a_pair_of_neighbours_is_not_enough() {
 /// comes back up through the plane's solid side, and a sign of the whole torus is wrong where only its circle counts.
 #[test]
 fn a_neighbour_is_not_trusted_beyond_its_extent() {
-    let circle = |name: &str, y: f64, radius: f64| {
-        format!(
-            "[[edges]]\nname = \"{name}\"\nkind = \"circle\"\ncentre = [0, {y}, 0]\naxis = [0, 1, 0]\nradius = {radius}\n"
-        )
-    };
     // The chamfer cone r = 12 - y from y = 0, where the fillet ends, up to y = 6, where it cuts through the level of
     // the continued torus.
     let mut text = HEAD.to_owned();
-    text += &circle("fillet end", 0.0, 12.0);
-    text += &circle("top", 6.0, 6.0);
-    text += &circle("fillet start", -2.0, 17.0);
-    text += "[[faces]]\nname = \"chamfer\"\nsurface = { kind = \"cone\", apex = [0, 12, 0], axis = [0, -1, 0], half_angle = 45 }\nloops = [[\"fillet end\"], [\"-top\"]]\n";
-    text += "[[faces]]\nname = \"fillet\"\nsurface = { kind = \"torus\", centre = [0, 3, 0], axis = [0, 1, 0], major = 10, minor = 4 }\nloops = [[\"fillet start\"], [\"-fillet end\"]]\n";
-    text += "[[solids]]\nname = \"s\"\nmaterial = \"m\"\nfaces = [\"chamfer\", \"fillet\"]\n";
-    let part = part(&text);
+    for (name, y, radius) in [
+        ("fillet end", 0.0, 12.0),
+        ("top", 6.0, 6.0),
+        ("fillet start", -2.0, 17.0),
+    ] {
+        text += &circle(name, [0.0, y, 0.0], [0.0, 1.0, 0.0], radius);
+    }
+    let cone = "kind = 'cone', apex = [0, 12, 0], axis = [0, -1, 0], half_angle = 45";
+    text += &face("chamfer", cone, "[['fillet end'], ['-top']]");
+    let torus = "kind = 'torus', centre = [0, 3, 0], axis = [0, 1, 0], major = 10, minor = 4";
+    text += &face("fillet", torus, "[['fillet start'], ['-fillet end']]");
+    text += &solid("'chamfer', 'fillet'");
+    let part = list::part(&text, 0.0);
     let oracle = Oracle::new(&part.model, &part.model.faces[0]);
     let torus = |[x, y, z]: Vector| (x.hypot(z) - 10.0).powi(2) + (y - 3.0).powi(2) - 16.0;
     let (mut naive_wrong, mut points) = (0, 0);
@@ -139,29 +127,16 @@ fn a_neighbour_is_not_trusted_beyond_its_extent() {
     }
     assert!(points > 10_000);
     assert!(naive_wrong > points / 20, "{naive_wrong} of {points}");
-    let Compilation::Faces(faces) = &part.solids[0] else {
-        unreachable!()
-    };
-    assert!(
-        matches!(&faces[1].verdict, Verdict::Rejected(why) if why.contains("a deviation of 0"))
-    );
+    let fillet = &faces(&part, 0)[1].verdict;
+    assert!(matches!(fillet, Verdict::Rejected(why) if why.contains("a deviation of 0")));
 }
 
 /// Four fillets of a rounded rectangle: inside all four of their cylinders there is nothing.
 #[test]
 fn the_cylinders_of_rounded_corners_are_not_trusted_beyond_their_arcs() {
-    let path = format!(
-        "{}/../parts/curved-plate.faces.toml",
-        env!("CARGO_MANIFEST_DIR")
-    );
-    let text = std::fs::read_to_string(path).unwrap();
-    let part = part(&text);
-    let index = part
-        .model
-        .faces
-        .iter()
-        .position(|f| f.name == "top")
-        .unwrap();
+    let part = list::part(&list::text("parts/curved-plate.faces.toml"), 0.0);
+    let mut names = part.model.faces.iter().map(|f| &f.name);
+    let index = names.position(|name| name == "top").unwrap();
     let oracle = Oracle::new(&part.model, &part.model.faces[index]);
     let corners = [[30.0, 15.0], [30.0, -15.0], [-30.0, -15.0], [-30.0, 15.0]];
     let mut naive_wrong = 0;
@@ -172,11 +147,8 @@ fn the_cylinders_of_rounded_corners_are_not_trusted_beyond_their_arcs() {
                 6.0,
                 -28.0 + 0.801 * f64::from(j),
             ];
-            let naive = p[0].abs() < 40.0
-                && p[2].abs() < 25.0
-                && corners
-                    .iter()
-                    .all(|[x, z]| (p[0] - x).hypot(p[2] - z) < 10.0);
+            let near = |[x, z]: &[f64; 2]| (p[0] - x).hypot(p[2] - z) < 10.0;
+            let naive = p[0].abs() < 40.0 && p[2].abs() < 25.0 && corners.iter().all(near);
             naive_wrong += usize::from(naive != oracle.has(p));
         }
     }

@@ -2,16 +2,17 @@
 //! false alarms (a hole of which one pixel looks out behind an edge) a ray through the faces themselves takes back. One
 //! crack is injected to see that it is found.
 
+use crate::common::list::file;
 use crate::common::winding::Oracle;
 use imogene_golden::format::Format;
 use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
-use imogene_import::faces::vector::{Vector, along, cross, dot, minus, plus, times, unit};
+use imogene_import::faces::vector::{Vector, along, cross, dot, minus, times, unit};
 use imogene_import::faces::{FaceOptions, read};
 use imogene_import::faces::{Part, Surface, compile};
 use imogene_prepare::Framing;
 use imogene_prepare::prepare;
-use imogene_scene::{Camera, Lens, SceneFile};
+use imogene_scene::{Camera, Lens, Object, SceneFile};
 
 const SIZE: [usize; 2] = [360, 270];
 
@@ -24,8 +25,7 @@ struct Drawn {
 }
 
 fn drawn(name: &str, format: &Format) -> Drawn {
-    let path = format!("{}/../parts/{name}.faces.toml", env!("CARGO_MANIFEST_DIR"));
-    let bytes = std::fs::read(path).unwrap();
+    let bytes = file(&format!("parts/{name}.faces.toml"));
     let options = FaceOptions {
         max_deviation: None,
         no_volumes: true,
@@ -33,14 +33,8 @@ fn drawn(name: &str, format: &Format) -> Drawn {
     let part = compile(&bytes, name, &options).unwrap();
     let scene = read(&bytes, name, &options).unwrap().scene;
     // `solid/face` or `solid/face#1`
-    let faces = scene
-        .objects
-        .iter()
-        .map(|object| {
-            let face = object.name.split('/').nth(1).unwrap();
-            face.split('#').next().unwrap().to_owned()
-        })
-        .collect();
+    let face = |object: &Object| object.name.split(['/', '#']).nth(1).unwrap().to_owned();
+    let faces = scene.objects.iter().map(face).collect();
     let [width, height] = SIZE;
     let framed = scene.frame(width as u32, height as u32).unwrap();
     let prepared = prepare(&framed, *format).unwrap();
@@ -79,14 +73,10 @@ impl Drawn {
         let right = unit(cross(forward, up));
         let down = cross(forward, right);
         let step = view_height / SIZE[1] as f64;
-        let [i, j] = [
-            x as f64 - 0.5 * SIZE[0] as f64,
-            y as f64 - 0.5 * SIZE[1] as f64,
-        ];
-        let ray = plus(
-            times(viewer_distance, forward),
-            plus(times(i * step, right), times(j * step, down)),
-        );
+        let from_middle = |at: usize, size: usize| step * (at as f64 - 0.5 * size as f64);
+        let ahead = times(viewer_distance, forward);
+        let aside = along(ahead, from_middle(x, SIZE[0]), right);
+        let ray = along(aside, from_middle(y, SIZE[1]), down);
         let mut nearest: Option<(f64, &str)> = None;
         for face in &self.part.model.faces {
             let oracle = Oracle::new(&self.part.model, face);
@@ -110,17 +100,15 @@ fn hits(surface: &Surface, eye: Vector, ray: Vector) -> Vec<f64> {
             vec![(-b - root) / (2.0 * a), (-b + root) / (2.0 * a)]
         }
     };
-    all.into_iter()
-        .filter(|t| t.is_finite() && *t > 0.0)
-        .collect()
+    let in_front = |t: &f64| t.is_finite() && *t > 0.0;
+    all.into_iter().filter(in_front).collect()
 }
 
 /// Pixels that the detector flags and that truly show something else.
 fn cracks(drawn: &Drawn, d_min: i64) -> Vec<(usize, usize)> {
-    let found = flagged(drawn, d_min);
-    let wrong =
-        |&(x, y): &(usize, usize)| drawn.owner(y * drawn.frame.width + x) != drawn.truth(x, y);
-    found.into_iter().filter(wrong).collect()
+    let mut found = flagged(drawn, d_min);
+    found.retain(|(x, y)| drawn.owner(y * drawn.frame.width + x) != drawn.truth(*x, *y));
+    found
 }
 
 /// Pixels between two opposite neighbours that are both nearer by more than `d_min` words and neither of the pixel's
@@ -132,15 +120,12 @@ fn flagged(drawn: &Drawn, d_min: i64) -> Vec<(usize, usize)> {
     for y in 1..frame.height - 1 {
         for x in 1..frame.width - 1 {
             let at = y * frame.width + x;
-            let steps = [1, frame.width - 1, frame.width, frame.width + 1];
-            let crack = steps.into_iter().any(|step| {
-                [at - step, at + step].into_iter().all(|k| {
-                    owner(k).is_some()
-                        && owner(k) != owner(at)
-                        && frame.depth[k] + d_min < frame.depth[at]
-                })
-            });
-            if crack {
+            let is_before = |k: usize| {
+                let other = owner(k).is_some() && owner(k) != owner(at);
+                other && frame.depth[k] + d_min < frame.depth[at]
+            };
+            let mut steps = [1, frame.width - 1, frame.width, frame.width + 1].into_iter();
+            if steps.any(|step| is_before(at - step) && is_before(at + step)) {
                 found.push((x, y));
             }
         }
@@ -160,16 +145,14 @@ fn closed_parts_are_seen_without_cracks() {
     ] {
         let mut drawn = drawn(name, &format);
         let frame = &drawn.frame;
-        let seen = frame
-            .depth
-            .iter()
-            .zip(&frame.id)
-            .filter(|(_, id)| **id >= 0);
-        let [near, far] = seen.fold([i64::MAX, i64::MIN], |[near, far], (depth, _)| {
-            [near.min(*depth), far.max(*depth)]
-        });
+        let both = frame.depth.iter().zip(&frame.id);
+        let seen = || {
+            both.clone()
+                .filter(|(_, id)| **id >= 0)
+                .map(|(depth, _)| depth)
+        };
         // A hundredth of the depth of what is seen: every wall of the parts is thicker.
-        let d_min = (far - near) / 100;
+        let d_min = (seen().max().unwrap() - seen().min().unwrap()) / 100;
         assert_eq!(cracks(&drawn, d_min), [], "{name}");
         // One pixel out of the middle of what is covered.
         let covered = |k: usize| frame.id.get(k).is_some_and(|id| *id >= 0);

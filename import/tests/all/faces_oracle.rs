@@ -1,10 +1,12 @@
 //! Compiled cells against a second opinion: winding numbers of the loops in the parameters of the surface, and random
 //! sectors whose inside is known.
 
+use crate::common::list::{self, HEAD, arc, circle, faces, line, part, solid};
 use crate::common::points::{Even, kept, point_of};
+use crate::common::says;
 use crate::common::winding::Oracle;
 use imogene_import::faces::vector::{Vector, along, cross, dot, frame, minus, plus, times, unit};
-use imogene_import::faces::{Cell, Compilation, FaceOptions, Part, Verdict, compile};
+use imogene_import::faces::{Cell, Part, Verdict};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
@@ -12,22 +14,10 @@ use std::fmt::Write;
 
 /// A point of an axis, or the centre of a sphere.
 const ORIGIN: Vector = [0.3, -0.7, 1.1];
-const MATERIAL: &str = "[[materials]]\nname = \"m\"\ncolour = [1, 1, 1]\n";
-
-fn part(text: &str, max_deviation: f64) -> Part {
-    let options = FaceOptions {
-        max_deviation: Some(max_deviation),
-        no_volumes: true,
-    };
-    compile(text.as_bytes(), "test", &options).unwrap()
-}
 
 fn cells(part: &Part, name: &str) -> (Verdict, Vec<Cell>) {
-    for (solid, compilation) in part.model.solids.iter().zip(&part.solids) {
-        let Compilation::Faces(faces) = compilation else {
-            panic!("volumes are switched off")
-        };
-        for (face, compiled) in solid.faces.iter().zip(faces) {
+    for (index, solid) in part.model.solids.iter().enumerate() {
+        for (face, compiled) in solid.faces.iter().zip(faces(part, index)) {
             if part.model.faces[*face].name == name {
                 return (compiled.verdict.clone(), compiled.cells.clone());
             }
@@ -53,24 +43,15 @@ fn compare(part: &Part, points: usize, kinds: &mut BTreeMap<String, usize>) {
             let expected = oracle.has(p);
             inside += usize::from(expected);
             *kinds.entry(face.surface.name().to_owned()).or_default() += 1;
-            assert_eq!(
-                kept(part, &cells, p),
-                expected,
-                "face {} at {p:?}, {verdict:?}",
-                face.name
-            );
+            let place = format!("face {} at {p:?}, {verdict:?}", face.name);
+            assert_eq!(kept(part, &cells, p), expected, "{place}");
         }
-        assert!(
-            inside > points / 50,
-            "{}: {inside} of {points} inside",
-            face.name
-        );
+        assert!(inside > points / 50, "{}: {inside} inside", face.name);
     }
 }
 
 fn shipped(name: &str) -> String {
-    let path = format!("{}/../parts/{name}.faces.toml", env!("CARGO_MANIFEST_DIR"));
-    std::fs::read_to_string(path).unwrap()
+    list::text(&format!("parts/{name}.faces.toml"))
 }
 
 #[test]
@@ -95,11 +76,8 @@ fn approximated_borders_are_off_by_no_more_than_they_say() {
     for asked in [0.3, 0.05] {
         let part = part(&shipped("cross-drilled"), asked);
         for name in ["side", "hole"] {
-            let (verdict, _) = cells(&part, name);
-            assert!(
-                matches!(verdict, Verdict::Approximated(off) if off <= asked),
-                "{name}: {verdict:?}"
-            );
+            let verdict = cells(&part, name).0;
+            assert!(matches!(verdict, Verdict::Approximated(off) if off <= asked));
         }
         compare(&part, 5000, &mut BTreeMap::new());
     }
@@ -109,11 +87,10 @@ fn approximated_borders_are_off_by_no_more_than_they_say() {
 fn a_deviation_that_is_not_allowed_rejects_the_face() {
     let part = part(&shipped("cross-drilled"), 0.0);
     for name in ["side", "hole"] {
-        let (verdict, cells) = cells(&part, name);
-        assert!(
-            matches!(verdict, Verdict::Rejected(ref why) if why.contains("planar pieces")),
-            "{verdict:?}"
-        );
+        let (Verdict::Rejected(why), cells) = cells(&part, name) else {
+            panic!("{name} is drawn")
+        };
+        says(why, "planar pieces");
         assert!(cells.is_empty());
     }
     assert_eq!(cells(&part, "lid").0, Verdict::Exact);
@@ -130,16 +107,6 @@ fn write_vertex(text: &mut String, name: &str, p: Vector) {
     writeln!(text, "{name} = {p:?}").unwrap();
 }
 
-fn arc(name: &str, from: &str, to: &str, centre: Vector, axis: Vector, radius: f64) -> String {
-    format!(
-        "[[edges]]\nname = \"{name}\"\nkind = \"circle\"\nstart = \"{from}\"\nend = \"{to}\"\ncentre = {centre:?}\naxis = {axis:?}\nradius = {radius:?}\n"
-    )
-}
-
-fn line(name: &str, from: &str, to: &str) -> String {
-    format!("[[edges]]\nname = \"{name}\"\nkind = \"line\"\nstart = \"{from}\"\nend = \"{to}\"\n")
-}
-
 /// Writes the sides of a polygon with the corners `p0`, `p1`, ..; their names.
 fn sides(text: &mut String, count: u32) -> String {
     let side = |k: u32| {
@@ -150,10 +117,9 @@ fn sides(text: &mut String, count: u32) -> String {
     (0..count).map(side).collect::<Vec<_>>().join(", ")
 }
 
+/// The only face.
 fn face(surface: &str, loops: &str) -> String {
-    format!(
-        "[[faces]]\nname = \"face\"\nsurface = {{ {surface} }}\nloops = {loops}\n[[solids]]\nname = \"s\"\nmaterial = \"m\"\nfaces = [\"face\"]\n"
-    )
+    list::face("face", surface, loops) + &solid("'face'")
 }
 
 /// A sector of a cylinder or cone between two heights on it, from the angle `from` over `sweep`.
@@ -169,7 +135,7 @@ fn sector(
         let out = plus(times(angle.cos(), e), times(angle.sin(), f));
         along(along(ORIGIN, height, axis), at(height), out)
     };
-    let mut text = format!("format = 1\ntitle = \"t\"\n{MATERIAL}[vertices]\n");
+    let mut text = format!("{HEAD}[vertices]\n");
     for (name, angle, height) in [
         ("a", from, low),
         ("b", from + sweep, low),
@@ -178,8 +144,9 @@ fn sector(
     ] {
         write_vertex(&mut text, name, point(angle, height));
     }
-    text += &arc("low", "a", "b", along(ORIGIN, low, axis), axis, at(low));
-    text += &arc("high", "d", "c", along(ORIGIN, high, axis), axis, at(high));
+    let parallel = |name, height| circle(name, along(ORIGIN, height, axis), axis, at(height));
+    text += &arc(parallel("low", low), "a", "b");
+    text += &arc(parallel("high", high), "d", "c");
     text += &line("left", "a", "d");
     text += &line("right", "b", "c");
     text + &face(surface, "[[\"low\", \"right\", \"-high\", \"-left\"]]")
@@ -200,26 +167,15 @@ fn sector_cells(
         let p = point_of(&part.model.faces[0].surface, ORIGIN, size, &mut even);
         let [x, y, height] = [e, f, axis].map(|d| dot(minus(p, ORIGIN), d));
         let turned = (y.atan2(x) - from).rem_euclid(TAU);
-        let near = [
-            turned,
-            turned - sweep,
-            turned - TAU,
-            height - low,
-            height - high,
-        ];
-        if near.iter().any(|d| d.abs() < 1e-9) {
+        let round = [0.0, sweep, TAU].map(|end| turned - end);
+        let up = [low, high].map(|end| height - end);
+        if round.iter().chain(&up).any(|d| d.abs() < 1e-9) {
             continue;
         }
         // On the other nappe of a cone the height is negative.
         let expected = turned < sweep && (low..high).contains(&height);
-        prop_assert_eq!(
-            kept(part, &cells, p),
-            expected,
-            "{:?} {} {}",
-            p,
-            turned,
-            height
-        );
+        let kept = kept(part, &cells, p);
+        prop_assert_eq!(kept, expected, "{:?} {} {}", p, turned, height);
     }
     Ok(cells)
 }
@@ -233,13 +189,13 @@ fn angles() -> impl Strategy<Value = [f64; 3]> {
 #[test]
 fn convex_polygons_of_many_corners() {
     for (count, hole) in [(11, false), (24, false), (24, true), (60, false)] {
-        let mut text = format!("format = 1\ntitle = \"t\"\n{MATERIAL}[vertices]\n");
+        let mut text = format!("{HEAD}[vertices]\n");
         for k in 0..count {
             let angle = TAU * f64::from(k) / f64::from(count);
             write_vertex(&mut text, &format!("p{k}"), [angle.cos(), angle.sin(), 0.5]);
         }
         let sides = sides(&mut text, count);
-        text += "[[edges]]\nname = \"hole\"\nkind = \"circle\"\ncentre = [0.1, 0.2, 0.5]\naxis = [0, 0, 1]\nradius = 0.3\n";
+        text += &circle("hole", [0.1, 0.2, 0.5], [0.0, 0.0, 1.0], 0.3);
         let inner = if hole { ", [\"-hole\"]" } else { "" };
         text += &face(
             "kind = \"plane\", origin = [0, 0, 0.5], normal = [0, 0, 1]",
@@ -254,22 +210,18 @@ fn convex_polygons_of_many_corners() {
             let (x, y) = (2.2 * (even.next() - 0.5), 2.2 * (even.next() - 0.5));
             // The polygon is inside all its sides.
             let inner = (TAU / f64::from(2 * count)).cos();
-            let reach = (0..count)
-                .map(|k| {
-                    let angle = TAU * (f64::from(k) + 0.5) / f64::from(count);
-                    x * angle.cos() + y * angle.sin()
-                })
-                .fold(f64::MIN, f64::max);
+            let reach = (0..count).map(|k| {
+                let angle = TAU * (f64::from(k) + 0.5) / f64::from(count);
+                x * angle.cos() + y * angle.sin()
+            });
+            let reach = reach.fold(f64::MIN, f64::max);
             let from_hole = (x - 0.1).hypot(y - 0.2) - 0.3;
             if (reach - inner).abs() < 1e-7 || from_hole.abs() < 1e-7 {
                 continue;
             }
             let expected = reach < inner && !(hole && from_hole < 0.0);
-            assert_eq!(
-                kept(&part, &cells, [x, y, 0.5]),
-                expected,
-                "{count}: {x} {y}"
-            );
+            let kept = kept(&part, &cells, [x, y, 0.5]);
+            assert_eq!(kept, expected, "{count}: {x} {y}");
         }
     }
 }
@@ -312,16 +264,17 @@ proptest! {
             let out = plus(times(u.cos(), e), times(u.sin(), f));
             plus(ORIGIN, times(radius, plus(times(v.cos(), out), times(v.sin(), axis))))
         };
-        let mut text = format!("format = 1\ntitle = \"t\"\n{MATERIAL}[vertices]\n");
+        let mut text = format!("{HEAD}[vertices]\n");
         for (name, u, v) in [("a", from, low), ("b", from + sweep, low), ("c", from + sweep, high), ("d", from, high)] {
             write_vertex(&mut text, name, point(u, v));
         }
         for (name, ends, v) in [("low", ("a", "b"), low), ("high", ("d", "c"), high)] {
-            text += &arc(name, ends.0, ends.1, along(ORIGIN, radius * v.sin(), axis), axis, radius * v.cos());
+            let parallel = circle(name, along(ORIGIN, radius * v.sin(), axis), axis, radius * v.cos());
+            text += &arc(parallel, ends.0, ends.1);
         }
         for (name, ends, u) in [("left", ("a", "d"), from), ("right", ("b", "c"), from + sweep)] {
             let out = plus(times(u.cos(), e), times(u.sin(), f));
-            text += &arc(name, ends.0, ends.1, ORIGIN, cross(out, axis), radius);
+            text += &arc(circle(name, ORIGIN, cross(out, axis), radius), ends.0, ends.1);
         }
         text += &face(
             &format!("kind = \"sphere\", centre = {ORIGIN:?}, radius = {radius:?}"),
@@ -345,7 +298,7 @@ proptest! {
             let u = TAU * (k % count) as f64 / count as f64;
             (radii[k % count] * u.cos(), radii[k % count] * u.sin())
         };
-        let mut text = format!("format = 1\ntitle = \"t\"\n{MATERIAL}[vertices]\n");
+        let mut text = format!("{HEAD}[vertices]\n");
         for k in 0..count {
             let (x, y) = corner(k);
             write_vertex(&mut text, &format!("p{k}"), along(along(ORIGIN, x, e), y, f));

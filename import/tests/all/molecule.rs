@@ -1,7 +1,9 @@
 //! Molecules from text to scene: what real files have, and that no bytes make the reader panic.
 
 use crate::common::cases::cases;
-use crate::common::structure::{names, with};
+use crate::common::says;
+use crate::common::structure::{names, places, with};
+use imogene_algebra::rational::{from_decimal, to_f64};
 use imogene_golden::format::Format;
 use imogene_import::pdb::{
     self, Alternates, Colouring, Format as Kind, ModelChoice, Options, Style,
@@ -51,12 +53,8 @@ fn what_other_programs_write_is_read() {
     let anisou = format!("{ONE}\nANISOU    1  CA  ALA A   1     nonsense\nSIGATM\n\n\x1a");
     for text in [&crlf, &cr, &lower, &bom, short, &anisou] {
         let imported = import(text, Options::default());
-        assert_eq!(imported.scene.objects.len(), 1, "{text:?}");
+        assert_eq!(places(&imported), [[11.104, 13.207, 9.327]], "{text:?}");
         assert_eq!(imported.scene.objects[0].material, "C", "{text:?}");
-        assert_eq!(
-            imported.scene.objects[0].place,
-            [Step::Translate([11.104, 13.207, 9.327])]
-        );
     }
     let mut latin = b"REMARK   1 caf\xe9 \xff\xfe\n".to_vec();
     latin.extend(ONE.bytes());
@@ -96,8 +94,8 @@ fn a_bad_coordinate_is_refused_where_it_stands() {
         let text = format!("REMARK\n{}", ONE.replace(&good, &wrong));
         let error = read(text.as_bytes(), "f.pdb", &Options::default()).unwrap_err();
         assert_eq!(error.place, Some(Place { line: 2, column }), "{wrong}");
-        assert!(error.to_string().contains(&problem), "{error}");
-        assert!(error.to_string().contains("would be accepted"), "{error}");
+        says(&error, &problem);
+        says(&error, "would be accepted");
     }
     // A file that was cut off does not move its last atom.
     for (length, place) in [
@@ -105,78 +103,55 @@ fn a_bad_coordinate_is_refused_where_it_stands() {
         (52, "f.pdb:2:50: the line ends within the z"),
     ] {
         let cut = format!("{ONE}\n{}", &ONE[..length]);
-        let error = refusal(cut.as_bytes(), Options::default());
-        assert!(error.starts_with(place), "{error}");
+        says(refusal(cut.as_bytes(), Options::default()), place);
     }
     // Columns are counted in characters.
     let wide = ONE
         .replace("CA  ALA", "C\u{e9}  ALA")
         .replace("11.104", "11.1o4");
     let error = refusal(wide.as_bytes(), Options::default());
-    assert!(error.starts_with("f.pdb:1:33: the x"), "{error}");
+    says(error, "f.pdb:1:33: the x");
     let error = refusal(&ONE.as_bytes()[..30], Options::default());
-    assert!(
-        error.starts_with("f.pdb:1:31: the line ends before the x coordinate"),
-        "{error}"
-    );
+    says(error, "f.pdb:1:31: the line ends before the x coordinate");
 }
 
 #[test]
 fn what_is_no_structure_is_refused_by_name() {
+    let no_atom = "no ATOM or HETATM line";
     let cases: [(&[u8], &str); 4] = [
-        (b"", "no ATOM or HETATM line"),
-        (b"REMARK nothing\nEND\n", "no ATOM or HETATM line"),
+        (b"", no_atom),
+        (b"REMARK nothing\nEND\n", no_atom),
         (b"\xff\xfeA\x00T\x00", "UTF-16"),
-        (b"\x00\x00\x00", "no ATOM or HETATM line"),
+        (b"\x00\x00\x00", no_atom),
     ];
     for (bytes, problem) in cases {
         let error = refusal(bytes, Options::default());
-        assert!(
-            error.contains(problem) && error.contains("would be accepted"),
-            "{error}"
-        );
+        says(&error, problem);
+        says(&error, "would be accepted");
     }
     let nothing = with(|o| o.water = false);
     let error = refusal(ONE.replace("ALA", "HOH").as_bytes(), nothing);
-    assert!(error.contains("the options leave no atom"), "{error}");
+    says(error, "the options leave no atom");
 }
 
 #[test]
 fn models_are_chosen_by_number() {
     let model = |n: i32, x: &str| format!("MODEL {n:>8}\n{}\nENDMDL\n", ONE.replace("  11.104", x));
     let text = model(3, "   1.000") + &model(7, "   2.000") + "END\n";
-    let at = |model| {
+    for (model, x) in [(ModelChoice::First, 1.0), (ModelChoice::Number(7), 2.0)] {
         let imported = import(&text, with(|o| o.model = model));
-        imported.scene.objects[0].place.clone()
-    };
-    assert_eq!(
-        at(ModelChoice::First),
-        [Step::Translate([1.0, 13.207, 9.327])]
-    );
-    assert_eq!(
-        at(ModelChoice::Number(7)),
-        [Step::Translate([2.0, 13.207, 9.327])]
-    );
+        assert_eq!(places(&imported), [[x, 13.207, 9.327]]);
+    }
     let error = refusal(text.as_bytes(), with(|o| o.model = ModelChoice::Number(2)));
-    assert!(
-        error.contains("it has no model 2; 3, 7 or all would be accepted"),
-        "{error}"
-    );
-    let all = import(
-        &text,
-        with(|o| {
-            o.model = ModelChoice::All;
-            o.colouring = Colouring::Model;
-        }),
-    );
+    says(error, "it has no model 2; 3, 7 or all would be accepted");
+    let by_model = with(|o| {
+        o.model = ModelChoice::All;
+        o.colouring = Colouring::Model;
+    });
+    let all = import(&text, by_model);
     assert_eq!(names(&all), ["3/A/1/CA", "7/A/1/CA"]);
-    let materials: Vec<&str> = all
-        .scene
-        .materials
-        .iter()
-        .map(|m| m.name.as_str())
-        .collect();
-    assert_eq!(materials, ["model 3", "model 7"]);
+    let materials = all.scene.materials.iter().map(|m| m.name.as_str());
+    assert_eq!(materials.collect::<Vec<_>>(), ["model 3", "model 7"]);
     // Without MODEL lines the ends part the models.
     let parted = format!("{ONE}\nENDMDL\n{ONE}\nEND\n{ONE}\n");
     let imported = import(&parted, Options::default());
@@ -199,51 +174,34 @@ fn sticks_join_the_middles_of_their_atoms() {
     let options = with(|o| o.style = Style::BallAndStick);
     let imported = import(&text, options);
     assert_eq!(imported.report["bonds"], 2);
-    assert_eq!(
-        names(&imported),
-        [
-            "A/1/C1",
-            "A/1/C2",
-            "A/1/O1",
-            "A/1/C1-A/1/C2",
-            "A/1/C2>A/1/O1",
-            "A/1/O1>A/1/C2"
-        ]
-    );
-    let lengths = imported.scene.objects[3..]
-        .iter()
-        .map(|o| [o.cuts[0].point[1], o.cuts[1].point[1]]);
-    assert_eq!(
-        lengths.collect::<Vec<_>>(),
-        [[0.0, 1.5], [0.0, 0.7], [0.7, 1.4]]
-    );
-    // The ends of each stick, placed by the scene's own steps: the middles of the atoms, or half way, to 10^-5.
-    let ends = [
-        [[0.0, 0.0, 0.0], [0.9, 1.2, 0.0]],
-        [[0.9, 1.2, 0.0], [0.9, 1.2, -0.7]],
-        [[0.9, 1.2, -0.7], [0.9, 1.2, -1.4]],
+    // The ends of each stick along itself and, placed by the scene's own steps, the middles of the atoms, or half way,
+    // to 10^-5.
+    let (c1, c2, o1) = ([0.0, 0.0, 0.0], [0.9, 1.2, 0.0], [0.9, 1.2, -1.4]);
+    let half = [0.9, 1.2, -0.7];
+    let sticks = [
+        ("A/1/C1-A/1/C2", [0.0, 1.5], [c1, c2]),
+        ("A/1/C2>A/1/O1", [0.0, 0.7], [c2, half]),
+        ("A/1/O1>A/1/C2", [0.7, 1.4], [half, o1]),
     ];
-    for (object, ends) in imported.scene.objects[3..].iter().zip(ends) {
+    assert_eq!(names(&imported)[..3], ["A/1/C1", "A/1/C2", "A/1/O1"]);
+    assert_eq!(imported.scene.objects.len(), 6);
+    for (object, (name, along, ends)) in imported.scene.objects[3..].iter().zip(sticks) {
+        assert_eq!(object.name, name);
         let placed = imogene_scene::Transform::placement(&object.place);
-        for (cut, end) in object.cuts.iter().zip(ends) {
-            let at = placed.point(&cut.point.map(imogene_algebra::rational::from_decimal));
-            for (a, b) in at.iter().zip(end) {
-                assert!(
-                    (imogene_algebra::rational::to_f64(a) - b).abs() < 1e-5,
-                    "{}: {at:?}",
-                    object.name
-                );
-            }
+        for (cut, (along, end)) in object.cuts.iter().zip(along.into_iter().zip(ends)) {
+            assert_eq!(cut.point[1], along, "{name}");
+            let at = placed.point(&cut.point.map(from_decimal));
+            let off = at.iter().zip(end).map(|(a, b)| (to_f64(a) - b).abs());
+            assert!(off.fold(0.0, f64::max) < 1e-5, "{name}: {at:?}");
         }
     }
     // Half bonds have the same plane in the middle, so that no pixel between them is missed.
+    let [one, other] = &imported.scene.objects[4..] else {
+        panic!("two halves")
+    };
     assert_eq!(
-        imported.scene.objects[4].place,
-        imported.scene.objects[5].place
-    );
-    assert_eq!(
-        imported.scene.objects[4].cuts[1].point,
-        imported.scene.objects[5].cuts[0].point
+        (&one.place, one.cuts[1].point),
+        (&other.place, other.cuts[0].point)
     );
 }
 
@@ -256,12 +214,10 @@ fn the_helix_is_drawn_in_every_style() {
             Alternates::Named("B".into()),
             Alternates::All,
         ] {
-            let options = Options {
-                style,
-                alternates,
-                ..Options::default()
-            };
-            let imported = import(text, options);
+            let imported = import(
+                text,
+                with(|o| (o.style, o.alternates) = (style, alternates)),
+            );
             let toml = imported.scene.to_toml().expect("a valid scene");
             let scene = SceneFile::parse(&toml, "helix").expect("read back");
             assert_eq!(scene, imported.scene);
@@ -290,15 +246,10 @@ fn no_direction_of_a_bond_is_refused() {
     }
     let imported = import(&text, with(|o| o.style = Style::BallAndStick));
     assert_eq!(imported.report["cylinders"], 90);
-    let tilted = imported.scene.objects.iter().filter(|o| {
-        o.cuts
-            .first()
-            .is_some_and(|c| c.normal[0] != 0.0 || c.normal[2] != 0.0)
-    });
-    assert!(
-        tilted.count() > 40,
-        "most of them lie across the line of sight"
-    );
+    let cuts = imported.scene.objects.iter().filter_map(|o| o.cuts.first());
+    let tilted = cuts.filter(|c| c.normal[0] != 0.0 || c.normal[2] != 0.0);
+    // Most of them lie across the line of sight.
+    assert!(tilted.count() > 40);
     for depth in [16, 24, 32] {
         let framed = imported.scene.frame(1280, 960).expect("framed");
         imogene_prepare::prepare(&framed, Format::new(depth).expect("catalogue"))
@@ -356,11 +307,7 @@ fn options() -> impl Strategy<Value = Options> {
     ];
     (models, alternates, 0usize..3, any::<[bool; 3]>()).prop_map(
         |(model, alternates, colours, [sticks, hydrogens, water])| Options {
-            style: if sticks {
-                Style::BallAndStick
-            } else {
-                Style::SpaceFilling
-            },
+            style: [Style::SpaceFilling, Style::BallAndStick][usize::from(sticks)],
             colouring: [Colouring::Element, Colouring::Chain, Colouring::Model][colours],
             model,
             alternates,

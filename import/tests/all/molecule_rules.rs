@@ -1,5 +1,6 @@
 //! What the reader of molecules decides: elements, alternate locations, bonds, and what options say.
 
+use crate::common::says;
 use crate::common::structure::{names, with};
 use imogene_algebra::vector::{cross, dot, length, minus};
 use imogene_import::Imported;
@@ -69,11 +70,10 @@ fn read(text: &str, options: &Options) -> Result<Imported, String> {
 }
 
 fn bonded(text: &str) -> Result<Imported, String> {
-    let options = Options {
-        style: Style::BallAndStick,
-        alternates: Alternates::All,
-        ..Options::default()
-    };
+    let options = with(|o| {
+        o.style = Style::BallAndStick;
+        o.alternates = Alternates::All;
+    });
     read(text, &options)
 }
 
@@ -182,11 +182,8 @@ fn kept_of(atoms: &str, alternates: &str) -> String {
     let count = imported.scene.objects.len() as u64 + left_out.expect("a number");
     assert_eq!(count, text.lines().count() as u64);
     let own = |name: &str| name["A/7/".len()..].replace('.', "").replace(" #1", "");
-    names(&imported)
-        .into_iter()
-        .map(own)
-        .collect::<Vec<_>>()
-        .join(" ")
+    let kept: Vec<String> = names(&imported).into_iter().map(own).collect();
+    kept.join(" ")
 }
 
 const SIDE: &str = "N - SER 1.0, CA A SER 0.4, CA B SER 0.6, CB A SER 0.7, CB B SER 0.6, OG A SER 0.4, OG B SER 0.6";
@@ -267,8 +264,7 @@ fn crowds_are_refused_and_stars_are_thinned() {
         lines(&(0..count).map(place).collect::<Vec<_>>())
     };
     let error = bonded(&row(1000, 0.001)).unwrap_err();
-    let says = "f.pdb: more than 256 atoms within 2.0 angstroms";
-    assert!(error.starts_with(says), "{error}");
+    says(error, "f.pdb: more than 256 atoms within 2.0 angstroms");
     let said: String = (2..=20).map(|k| format!("CONECT    1{k:>5}\n")).collect();
     let imported = bonded(&(row(20, 100.0) + &said)).expect("readable");
     assert_eq!(imported.report["bonds"], 16);
@@ -350,23 +346,17 @@ proptest! {
 
 #[test]
 fn residues_are_numbers_ranges_and_names() {
-    let cases = [
-        ("10", Residues::Called("10".into())),
-        ("52A", Residues::Called("52A".into())),
-        ("-5", Residues::Called("-5".into())),
-        ("HEM", Residues::Called("HEM".into())),
-        ("U-1", Residues::Called("U-1".into())),
-        ("10-20", Residues::Range(10, 20)),
-        ("-5-3", Residues::Range(-5, 3)),
-        ("-5--1", Residues::Range(-5, -1)),
-    ];
-    for (text, expected) in cases {
+    let ranges = [("10-20", 10, 20), ("-5-3", -5, 3), ("-5--1", -5, -1)];
+    let ranges = ranges.map(|(text, first, last)| (text, Residues::Range(first, last)));
+    let called = ["10", "52A", "-5", "HEM", "U-1"];
+    let called = called.map(|text| (text, Residues::Called(text.into())));
+    for (text, expected) in ranges.into_iter().chain(called) {
         let residues: Residues = text.parse().expect(text);
         assert_eq!(residues, expected);
         assert_eq!(residues.to_string(), text);
     }
     let error = "20-10".parse::<Residues>().unwrap_err();
-    assert!(error.contains("10-20 would be accepted"), "{error}");
+    says(error, "10-20 would be accepted");
     assert!(" ".parse::<Residues>().is_err());
 }
 
@@ -390,6 +380,6 @@ fn a_scene_asks_in_words() {
         ..molecule
     };
     let error = Options::of(&wrong).unwrap_err();
-    let says = "style: `sticks` is not known; space-filling or ball-and-stick";
-    assert!(error.starts_with(says), "{error}");
+    let why = "style: `sticks` is not known; space-filling or ball-and-stick";
+    says(error, why);
 }

@@ -1,33 +1,28 @@
 //! STEP files that others wrote, and machine parts written by a CAD kernel, against that kernel's counts
 //! (`scripts/step_witness.py`, `parts/machine/faces.json`).
 
+use crate::common::list::{file, text};
+use crate::common::says;
+use imogene_import::Imported;
 use imogene_import::faces::{FaceOptions, read_step};
-use imogene_import::{ImportError, Imported};
-use std::path::{Path, PathBuf};
 
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
-}
-
-fn import(path: &Path, max_deviation: Option<f64>) -> Result<Imported, ImportError> {
-    let bytes = std::fs::read(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+fn read(bytes: &[u8], max_deviation: Option<f64>) -> Imported {
     let options = FaceOptions {
         max_deviation,
         no_volumes: false,
     };
-    read_step(&bytes, &path.display().to_string(), &options, &|_| None)
+    read_step(bytes, "a file", &options, &|_| None).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Faces in the file times their placements, and how many of them are exact, approximated and rejected.
 fn counts(imported: &Imported) -> [u64; 4] {
-    let number = |value: &serde_json::Value| value.as_u64().unwrap();
-    let total = &imported.report["total"];
-    [
-        number(&imported.report["step"]["placed_faces"]),
-        number(&total["exact"]),
-        number(&total["approximated"]),
-        number(&total["rejected"]),
-    ]
+    let keys = [
+        "/step/placed_faces",
+        "/total/exact",
+        "/total/approximated",
+        "/total/rejected",
+    ];
+    keys.map(|key| imported.report.pointer(key).unwrap().as_u64().unwrap())
 }
 
 /// Solids and faces as OpenCASCADE 7.9.3 counts them, and how many of the faces are drawn: of the screw all but its
@@ -41,15 +36,11 @@ fn files_of_others_have_the_faces_that_opencascade_counts() {
         ("pipe_tee.step", 1, 7, 0),
         ("manifold.step", 1, 17, 0),
     ] {
-        let path = root().join("import/tests/data/step").join(name);
-        let imported = import(&path, None).unwrap();
+        let imported = read(&file(&format!("import/tests/data/step/{name}")), None);
         let [all, exact, approximated, rejected] = counts(&imported);
         assert_eq!(imported.report["solids"], solids, "{name}");
-        assert_eq!(
-            (all, exact + approximated),
-            (faces, faces - free_form),
-            "{name}"
-        );
+        let drawn = exact + approximated;
+        assert_eq!((all, drawn), (faces, faces - free_form), "{name}");
         assert_eq!(rejected, free_form, "{name}");
         assert_eq!(imported.scene.incomplete.is_some(), free_form > 0, "{name}");
     }
@@ -58,15 +49,15 @@ fn files_of_others_have_the_faces_that_opencascade_counts() {
 /// Every machine part is whole within a hundredth of a millimetre; a rolling-ball saddle alone is no quadric.
 #[test]
 fn machine_parts_are_whole_within_a_hundredth_of_a_millimetre() {
-    let text = std::fs::read_to_string(root().join("parts/machine/faces.json")).unwrap();
-    let parts: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let parts = file("parts/machine/faces.json");
+    let parts: serde_json::Value = serde_json::from_slice(&parts).unwrap();
     let parts = parts.as_object().unwrap();
     assert_eq!(parts.len(), 26);
     let has_saddle = |part: &&serde_json::Value| part["surfaces"]["bspline"].is_u64();
     assert_eq!(parts.values().filter(has_saddle).count(), 1);
     for (name, expected) in parts {
-        let path = root().join(format!("parts/machine/{name}.step"));
-        let imported = import(&path, Some(0.01)).unwrap();
+        let bytes = file(&format!("parts/machine/{name}.step"));
+        let imported = read(&bytes, Some(0.01));
         let [all, _, _, rejected] = counts(&imported);
         assert_eq!(imported.report["solids"], expected["solids"], "{name}");
         assert_eq!(all, expected["faces"].as_u64().unwrap(), "{name}");
@@ -83,22 +74,16 @@ fn machine_parts_are_whole_within_a_hundredth_of_a_millimetre() {
 /// once.
 #[test]
 fn properties_are_no_parts() {
-    let text = std::fs::read_to_string(root().join("parts/nut.step")).unwrap();
-    let solid = text
-        .lines()
-        .find(|line| line.contains("MANIFOLD_SOLID_BREP"))
-        .unwrap();
-    let number = solid.split('=').next().unwrap().trim();
-    let context = text
-        .lines()
-        .find(|line| line.contains("GEOMETRIC_REPRESENTATION_CONTEXT(3)"))
-        .unwrap();
-    let context = context.split('=').next().unwrap().trim();
-    let product = text
-        .lines()
-        .find(|line| line.contains("PRODUCT_DEFINITION_SHAPE"))
-        .unwrap();
-    let product = product.split('=').next().unwrap().trim();
+    let text = text("parts/nut.step");
+    let [number, context, product] = [
+        "MANIFOLD_SOLID_BREP",
+        "GEOMETRIC_REPRESENTATION_CONTEXT(3)",
+        "PRODUCT_DEFINITION_SHAPE",
+    ]
+    .map(|name| {
+        let line = text.lines().find(|line| line.contains(name));
+        line.unwrap().split('=').next().unwrap().trim()
+    });
     let ghost = format!(
         "#9001=SHAPE_ASPECT('solid data','',{product},.F.);
 #9002=PROPERTY_DEFINITION('shape for solid data with which properties are associated','',#9001);
@@ -107,18 +92,10 @@ fn properties_are_no_parts() {
 ENDSEC;
 END-ISO"
     );
-    let place = text.rfind("ENDSEC;").unwrap();
-    let end = text.find("END-ISO").unwrap();
-    let haunted = format!(
-        "{}{ghost}{}",
-        &text[..place],
-        &text[end + "END-ISO".len()..]
-    );
-    let read = |text: &str| {
-        let options = FaceOptions::default();
-        read_step(text.as_bytes(), "nut.step", &options, &|_| None).unwrap()
-    };
-    let (plain, ghost) = (read(&text), read(&haunted));
+    let (before, _) = text.rsplit_once("ENDSEC;").unwrap();
+    let (_, behind) = text.split_once("END-ISO").unwrap();
+    let haunted = format!("{before}{ghost}{behind}");
+    let [plain, ghost] = [text, haunted].map(|text| read(text.as_bytes(), None));
     assert_eq!(counts(&plain)[0], 10);
     assert_eq!(counts(&ghost), counts(&plain));
     assert_eq!(ghost.scene.objects.len(), plain.scene.objects.len());
@@ -142,25 +119,20 @@ fn parts_in_other_files_are_read_or_named() {
 #33=PRODUCT_DEFINITION_SHAPE('','',#30);#34=SHAPE_DEFINITION_REPRESENTATION(#33,#10);
 #40=APPLIED_DOCUMENT_REFERENCE(#41,'',(#30));#41=DOCUMENT_FILE('folder/nut.step','','',#42,'',$);#42=DOCUMENT_TYPE('geometry');
 ENDSEC;END-ISO-10303-21;";
-    let nut = std::fs::read(root().join("parts/nut.step")).unwrap();
+    let nut = file("parts/nut.step");
     let options = FaceOptions::default();
     let beside = |name: &str| (name == "nut.step").then(|| nut.clone());
     let found = read_step(assembly.as_bytes(), "stand.step", &options, &beside).unwrap();
-    let alone = read_step(&nut, "nut.step", &options, &|_| None).unwrap();
+    let alone = read(&nut, None);
     assert_eq!(counts(&found), counts(&alone));
     assert_eq!(found.report["step"]["files"][0], "nut.step");
-    let middle = |imported: &Imported| {
-        let points = imported.scene.objects.iter().flat_map(|o| &o.cuts);
-        points
-            .map(|cut| cut.point[0])
-            .fold(f64::NEG_INFINITY, f64::max)
+    let most = |imported: &Imported| {
+        let cuts = imported.scene.objects.iter().flat_map(|o| &o.cuts);
+        cuts.map(|cut| cut.point[0]).fold(f64::MIN, f64::max)
     };
     // Placed a tenth of a metre along x.
-    assert!((middle(&found) - middle(&alone) - 100.0).abs() < 1e-9);
+    assert!((most(&found) - most(&alone) - 100.0).abs() < 1e-9);
     let lost = read_step(assembly.as_bytes(), "stand.step", &options, &|_| None);
-    let said = lost.unwrap_err().to_string();
-    assert!(
-        said.contains("part `nut` is in the file `nut.step`, which is not beside"),
-        "{said}"
-    );
+    let why = "part `nut` is in the file `nut.step`, which is not beside";
+    says(lost.unwrap_err(), why);
 }

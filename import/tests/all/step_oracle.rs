@@ -1,15 +1,15 @@
 //! STEP files of `parts/` against what they were made from: unions and differences of bodies, asked point by point,
 //! and face lists.
 
+use crate::common::list::{faces, file};
 use crate::common::points::{Even, kept, point_of};
 use crate::common::winding::Oracle;
 use imogene_import::faces::model::Face;
-use imogene_import::faces::vector::{
-    Vector, along, cross, distance, dot, length, minus, plus, times, unit,
-};
+use imogene_import::faces::vector::*;
 use imogene_import::faces::{
-    Cell, Compilation, FaceOptions, Form, Part, Surface, Verdict, compile, compile_step,
+    Cell, FaceOptions, Form, Part, Surface, Verdict, compile, compile_step,
 };
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 const OPTIONS: FaceOptions = FaceOptions {
@@ -17,26 +17,17 @@ const OPTIONS: FaceOptions = FaceOptions {
     no_volumes: true,
 };
 
-fn bytes(name: &str) -> Vec<u8> {
-    std::fs::read(format!("{}/../parts/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
-}
-
 fn step(name: &str) -> Part {
-    let file = format!("{name}.step");
-    compile_step(&bytes(&file), &file, &OPTIONS).unwrap()
+    let bytes = file(&format!("parts/{name}.step"));
+    compile_step(&bytes, name, &OPTIONS).unwrap()
 }
 
 /// Faces of a solid with their verdicts and cells.
 fn compiled(part: &Part, solid: usize) -> Vec<(&Face, &Verdict, &[Cell])> {
-    let Compilation::Faces(faces) = &part.solids[solid] else {
-        panic!("volumes are switched off")
-    };
     let own = part.model.solids[solid].faces.iter();
-    own.zip(faces)
-        .map(|(face, compiled)| {
-            let face = &part.model.faces[*face];
-            (face, &compiled.verdict, &compiled.cells[..])
-        })
+    let own = own.map(|face| &part.model.faces[*face]);
+    let each = own.zip(faces(part, solid));
+    each.map(|(face, compiled)| (face, &compiled.verdict, &compiled.cells[..]))
         .collect()
 }
 
@@ -62,7 +53,7 @@ fn on_border(
         }
     }
     let n = normal(surface, p);
-    let [e, f] = imogene_import::faces::vector::frame(n, 0.0);
+    let [e, f] = frame(n, 0.0);
     let at = |q: Vector| {
         let foot = surface.nearest(q).unwrap();
         let n = normal(surface, foot);
@@ -86,18 +77,14 @@ fn agrees(part: &Part, solid: usize, inside: &dyn Fn(Vector) -> bool) {
         if matches!(face.surface.form, Form::Torus(..) | Form::Other(_)) {
             continue;
         }
-        let on_same: Vec<_> = faces
-            .iter()
-            .filter(|(other, ..)| other.surface.same(&face.surface, 1e-7))
-            .collect();
-        let deviation = on_same
-            .iter()
-            .map(|(_, verdict, _)| match verdict {
-                Verdict::Exact => 0.0,
-                Verdict::Approximated(off) => *off,
-                Verdict::Rejected(reason) => panic!("{}: {reason}", face.name),
-            })
-            .fold(0.0, f64::max);
+        let is_same = |(other, ..): &&(&Face, _, _)| other.surface.same(&face.surface, 1e-7);
+        let on_same: Vec<_> = faces.iter().filter(is_same).collect();
+        let deviations = on_same.iter().map(|(_, verdict, _)| match verdict {
+            Verdict::Exact => 0.0,
+            Verdict::Approximated(off) => *off,
+            Verdict::Rejected(reason) => panic!("{}: {reason}", face.name),
+        });
+        let deviation = deviations.fold(0.0, f64::max);
         // The oracle looks around a point for edges; of a face that is approximated they are so far off.
         let reach = 1e-5_f64.max(1.01 * deviation);
         let oracle = Oracle::new(&part.model, face);
@@ -110,36 +97,21 @@ fn agrees(part: &Part, solid: usize, inside: &dyn Fn(Vector) -> bool) {
             let Some(expected) = on_border(inside, &face.surface, p, reach) else {
                 continue;
             };
-            let keeping: Vec<&Face> = on_same
-                .iter()
-                .filter(|(_, _, cells)| kept(part, cells, p))
-                .map(|(face, ..)| *face)
-                .collect();
             match expected {
                 None => no += 1,
                 Some(_) => yes += 1,
             }
-            assert_eq!(
-                !keeping.is_empty(),
-                expected.is_some(),
-                "face {} ({}) at {p:?}",
-                face.name,
-                face.surface.name()
-            );
-            for keeper in keeping {
-                let body_above = if dot(normal(&keeper.surface, p), normal(&face.surface, p)) > 0.0
-                {
-                    keeper.reversed
-                } else {
-                    !keeper.reversed
-                };
-                assert_eq!(
-                    Some(body_above),
-                    expected,
-                    "side of {} at {p:?}",
-                    keeper.name
-                );
+            let mut is_kept = false;
+            for (keeper, _, cells) in &on_same {
+                if kept(part, cells, p) {
+                    let aligned = dot(normal(&keeper.surface, p), normal(&face.surface, p)) > 0.0;
+                    let body_above = Some(aligned == keeper.reversed);
+                    assert_eq!(body_above, expected, "side of {} at {p:?}", keeper.name);
+                    is_kept = true;
+                }
             }
+            let place = format!("face {} ({}) at {p:?}", face.name, face.surface.name());
+            assert_eq!(is_kept, expected.is_some(), "{place}");
         }
         assert!(yes > 60, "{}: {yes} inside, {no} outside", face.name);
     }
@@ -161,16 +133,11 @@ const Y: Vector = [0.0, 1.0, 0.0];
 const Z: Vector = [0.0, 0.0, 1.0];
 
 fn kinds(part: &Part) -> Vec<(&str, usize)> {
-    let mut kinds: Vec<(&str, usize)> = vec![];
+    let mut kinds = BTreeMap::new();
     for face in &part.model.faces {
-        let name = face.surface.name();
-        match kinds.iter_mut().find(|(kind, _)| *kind == name) {
-            Some((_, count)) => *count += 1,
-            None => kinds.push((name, 1)),
-        }
+        *kinds.entry(face.surface.name()).or_default() += 1;
     }
-    kinds.sort_unstable();
-    kinds
+    kinds.into_iter().collect()
 }
 
 #[test]
@@ -231,19 +198,17 @@ fn parts_of_an_assembly_are_where_they_are_placed() {
     const INCH: f64 = 25.4;
     let part = step("stand");
     let inches = |v: Vector| times(INCH, v);
-    let names: Vec<&str> = part.model.solids.iter().map(|s| s.name.as_str()).collect();
-    assert_eq!(names, ["plate", "ball", "pin", "pin 2", "pin 3"]);
-    let materials: Vec<&str> = part
-        .model
-        .solids
-        .iter()
-        .map(|s| s.material.as_str())
-        .collect();
+    let solids = part.model.solids.iter();
+    let solids = solids.map(|s| (s.name.as_str(), s.material.as_str()));
     // 0.15, 0.3, 0.6; 0.8, 0.2, 0.1; 0.5, 0.55, 0.6 times 255.
-    assert_eq!(
-        materials,
-        ["#264c99", "#cc3319", "#808c99", "#808c99", "#808c99"]
-    );
+    let expected = [
+        ("plate", "#264c99"),
+        ("ball", "#cc3319"),
+        ("pin", "#808c99"),
+        ("pin 2", "#808c99"),
+        ("pin 3", "#808c99"),
+    ];
+    assert_eq!(solids.collect::<Vec<_>>(), expected);
     let plate = |p: Vector| {
         in_box(p, inches([-1.5, -1.0, 0.0]), inches([1.5, 1.0, 0.25]))
             && !turned(p, [0.0, 0.0, -1.0], Z, 26.0, |_| 0.375 * INCH)
@@ -285,12 +250,9 @@ fn a_flange_is_its_plate_and_boss_less_seven_holes() {
 fn a_cross_drilled_pin_is_off_by_no_more_than_it_says() {
     let part = step("cross-drilled");
     assert_eq!(kinds(&part), [("cylinder", 2), ("plane", 2)]);
-    let faces = compiled(&part, 0);
-    let approximated = faces
-        .iter()
-        .filter(|(_, verdict, _)| matches!(verdict, Verdict::Approximated(_)))
-        .count();
-    assert_eq!(approximated, 2);
+    let faces = faces(&part, 0).iter();
+    let off = faces.filter(|face| matches!(face.verdict, Verdict::Approximated(_)));
+    assert_eq!(off.count(), 2);
     let body =
         |p: Vector| turned(p, [0.0, -30.0, 0.0], Y, 60.0, |_| 20.0) && p[0].hypot(p[1]) > 8.0;
     agrees(&part, 0, &body);
@@ -301,26 +263,21 @@ fn a_cross_drilled_pin_is_off_by_no_more_than_it_says() {
 #[test]
 fn step_files_and_face_lists_of_the_same_part_agree() {
     for name in ["flange", "fillet", "cross-drilled"] {
-        let list = format!("{name}.faces.toml");
-        let one = compile(&bytes(&list), &list, &OPTIONS).unwrap();
+        let list = file(&format!("parts/{name}.faces.toml"));
+        let one = compile(&list, name, &OPTIONS).unwrap();
         let other = step(name);
         assert_eq!(kinds(&one), kinds(&other), "{name}");
         let (ours, theirs) = (compiled(&one, 0), compiled(&other, 0));
         for (face, verdict, cells) in &ours {
             let place = format!("{name}, {}", face.name);
+            let is_same = |(other, ..): &&(&Face, _, _)| other.surface.same(&face.surface, 1e-9);
+            let same: Vec<_> = theirs.iter().filter(is_same).collect();
             if face.surface.is_torus() {
-                let twin = theirs
-                    .iter()
-                    .find(|(twin, ..)| twin.surface.same(&face.surface, 1e-9));
-                let (_, twins, twin_cells) = twin.unwrap();
+                let (_, twins, twin_cells) = same[0];
                 assert!(matches!(verdict, Verdict::Approximated(_)), "{place}");
                 assert_eq!((twins, twin_cells.len()), (verdict, cells.len()), "{place}");
                 continue;
             }
-            let same: Vec<_> = theirs
-                .iter()
-                .filter(|(other, ..)| other.surface.same(&face.surface, 1e-9))
-                .collect();
             let [(twin, twins, twin_cells)] = same[..] else {
                 panic!("{place}: {} faces on its surface", same.len())
             };

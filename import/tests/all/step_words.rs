@@ -1,11 +1,12 @@
 //! Texts of STEP files: other words for the same part, units, placements, colours, curves, and what is rejected by its
 //! name.
 
-use crate::common::bar::{BAR, changed, is_whole, message, part, read};
+use crate::common::bar::{BAR, changed, is_whole, part, read, said};
 use crate::common::cases::cases;
+use crate::common::list::faces;
 use crate::common::points::kept;
-use imogene_import::faces::{Compilation, Verdict};
-use std::fmt::Write;
+use crate::common::says;
+use imogene_import::faces::Verdict;
 
 #[test]
 fn the_bar_is_one_volume() {
@@ -14,49 +15,31 @@ fn the_bar_is_one_volume() {
     assert_eq!(imported.report["total"]["exact"], 3);
     assert_eq!(imported.report["step"]["schema"][0], "AUTOMOTIVE_DESIGN");
     assert_eq!(imported.scene.objects[0].name, "bar");
-    let names: Vec<_> = imported.report["faces"]
-        .as_array()
-        .unwrap()
-        .iter()
-        .map(|face| face["name"].as_str().unwrap().to_owned())
-        .collect();
-    assert_eq!(names, ["side #11", "floor #12", "#13"]);
+    for (face, name) in ["side #11", "floor #12", "#13"].into_iter().enumerate() {
+        assert_eq!(imported.report["faces"][face]["name"], name);
+    }
     let text = imported.scene.to_toml().unwrap();
     let again = imogene_scene::SceneFile::parse(&text, "again").unwrap();
     assert_eq!(again, imported.scene);
 }
 
 /// A circle as nine control points of degree 2.
-fn rational_circle(height: f64) -> String {
-    let corners = [
-        (1, 0),
-        (1, 1),
-        (0, 1),
-        (-1, 1),
-        (-1, 0),
-        (-1, -1),
-        (0, -1),
-        (1, -1),
-        (1, 0),
-    ];
+fn rational_circle() -> String {
+    let xs = [1, 1, 0, -1, -1, -1, 0, 1, 1];
+    let ys = [0, 1, 1, 1, 0, -1, -1, -1, 0];
     let mut text = "#62=( BOUNDED_CURVE() B_SPLINE_CURVE(2,(#101,#102,#103,#104,#105,#106,#107,#108,#109),.CIRCULAR_ARC.,.T.,.F.)
 B_SPLINE_CURVE_WITH_KNOTS((3,2,2,2,3),(0.,1.,2.,3.,4.),.UNSPECIFIED.) CURVE() GEOMETRIC_REPRESENTATION_ITEM()
 RATIONAL_B_SPLINE_CURVE((1.,0.7071067811865476,1.,0.7071067811865476,1.,0.7071067811865476,1.,0.7071067811865476,1.)) REPRESENTATION_ITEM('') );"
         .to_owned();
-    for (index, (x, y)) in corners.iter().enumerate() {
-        write!(
-            text,
-            "\n#{}=CARTESIAN_POINT('',({x}.,{y}.,{height:?}));",
-            101 + index
-        )
-        .unwrap();
+    for ((x, y), id) in xs.iter().zip(ys).zip(101..) {
+        text += &format!("\n#{id}=CARTESIAN_POINT('',({x}.,{y}.,0.));");
     }
     text
 }
 
 #[test]
 fn other_words_for_the_same_bar() {
-    let spline = rational_circle(0.0);
+    let spline = rational_circle();
     // Among them: a bound that is passed the other way round, a plane with its normal outwards, and shells and faces
     // that are turned, and turned back.
     let table = r"
@@ -75,13 +58,9 @@ fn other_words_for_the_same_bar() {
 ";
     let comments = changed(&[("\n", "\r\n"), ("=", " = /* a ; comment ' */ ")]);
     let table = table.trim_matches('\n').lines().map(|line| {
-        let fields = line.split(" | ").map(|field| field.replace("\\n", "\n"));
-        let fields: Vec<String> = fields
-            .map(|field| field.replace("SPLINE", &spline))
-            .collect();
-        let pairs = fields
-            .chunks(2)
-            .map(|pair| (pair[0].as_str(), pair[1].as_str()));
+        let line = line.replace("\\n", "\n").replace("SPLINE", &spline);
+        let fields: Vec<&str> = line.split(" | ").collect();
+        let pairs = fields.chunks(2).map(|pair| (pair[0], pair[1]));
         changed(&pairs.collect::<Vec<_>>())
     });
     for text in table.chain([comments]) {
@@ -110,22 +89,11 @@ fn lengths_are_in_the_units_of_the_file() {
         (".MILLI.", 1.0),
         (".MICRO.", 1e-3),
     ] {
-        let text = changed(&[
-            (".MILLI.", prefix),
-            (
-                "((#4,#5))",
-                "((#4,#5)) GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#9))",
-            ),
-            (
-                "#10=",
-                "#9=UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-4),#4,'','');\n#10=",
-            ),
-        ]);
-        is_whole(
-            &text,
-            [-factor, -factor, 0.0],
-            [factor, factor, 2.0 * factor],
-        );
+        let units = "((#4,#5)) GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#9))";
+        let own = "#9=UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-4),#4,'','');\n#10=";
+        let text = changed(&[(".MILLI.", prefix), ("((#4,#5))", units), ("#10=", own)]);
+        let [low, high] = [[-1.0, -1.0, 0.0], [1.0, 1.0, 2.0]].map(|p| p.map(|v| v * factor));
+        is_whole(&text, low, high);
         let expected = (1e-4 * factor).min(0.01);
         assert!((part(&text).model.uncertainty - expected).abs() < 1e-18);
     }
@@ -193,35 +161,19 @@ fn what_is_not_drawn_is_rejected_by_its_name() {
 (#20,#21),#30 | (),#30 | it has no border
 ";
     for [from, to, reason] in cases(table) {
-        let text = changed(&[(&from, &to)]);
-        let imported = read(&text).unwrap();
-        let faces = imported.report["faces"].as_array().unwrap();
+        let imported = read(&changed(&[(&from, &to)])).unwrap();
+        let faces = &imported.report["faces"];
         assert_eq!(faces[0]["verdict"], "rejected", "{to}");
-        let found = faces[0]["reason"].as_str().unwrap();
-        assert!(found.contains(&reason), "{found}");
+        says(faces[0]["reason"].as_str().unwrap(), &reason);
         assert_eq!(faces[2]["verdict"], "exact", "{to}");
-        assert!(
-            imported
-                .scene
-                .objects
-                .iter()
-                .all(|o| !o.name.contains("#11"))
-        );
+        let mut names = imported.scene.objects.iter().map(|o| &o.name);
+        assert!(names.all(|name| !name.contains("#11")));
     }
-    let text = changed(&[
-        ("(#2)", "(#2,#98,#99)"),
-        (
-            "#10=",
-            "#98=CSG_SOLID('',#99);#99=BLOCK('',#80,1.,1.,1.);\n#10=",
-        ),
-    ]);
+    let others = "#98=CSG_SOLID('',#99);#99=BLOCK('',#80,1.,1.,1.);\n#10=";
+    let text = changed(&[("(#2)", "(#2,#98,#99)"), ("#10=", others)]);
     let imported = read(&text).unwrap();
     assert_eq!(imported.report["step"]["left_out"]["CSG_SOLID"], 1);
-    assert!(
-        imported.notes[1].starts_with("1 BLOCK left out"),
-        "{:?}",
-        imported.notes
-    );
+    says(&imported.notes[1], "1 BLOCK left out");
 }
 
 #[test]
@@ -235,8 +187,7 @@ fn units_that_make_no_sense_are_refused() {
 ";
     for [unit, part] in cases(table) {
         let own = "(LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.))";
-        let message = message(&changed(&[(own, &unit)]));
-        assert!(message.contains(&part), "{message}");
+        says(said(&changed(&[(own, &unit)])), &part);
     }
 }
 
@@ -253,9 +204,8 @@ BEZIER_CURVE('',9,(#90,#91),.U.,.F.,.F.) | 2 control points for degree 9
 ( BEZIER_CURVE() ) | a B_SPLINE_CURVE is needed
 ";
     for [curve, part] in cases(table) {
-        let imported = read(&changed(&[("CIRCLE('',#80,1.)", &curve)])).unwrap();
-        let said = imported.notes.join("\n");
-        assert!(said.contains(&part), "{said}");
+        let text = changed(&[("CIRCLE('',#80,1.)", &curve)]);
+        says(read(&text).unwrap().notes.join("\n"), &part);
     }
 }
 
@@ -268,38 +218,29 @@ fn colours_become_materials() {
 #203=SURFACE_SIDE_STYLE('',(#204));#204=SURFACE_STYLE_FILL_AREA(#205);#205=FILL_AREA_STYLE('',(#206));#206=FILL_AREA_STYLE_COLOUR('',#207);#207={colour};"
         )
     };
+    let shell = "#10=CLOSED_SHELL('',(#11,#12,#13));";
     for (item, colour, name) in [
         ("#2", "COLOUR_RGB('',1.,0.5,0.)", "#ff8000"),
         ("#10", "DRAUGHTING_PRE_DEFINED_COLOUR('green')", "#00ff00"),
         ("#62", "COLOUR_RGB('',0.,0.,0.)", "grey"),
     ] {
-        let text = changed(&[("#10=CLOSED_SHELL('',(#11,#12,#13));", &styled(item, colour))]);
-        let imported = read(&text).unwrap();
+        let imported = read(&changed(&[(shell, &styled(item, colour))])).unwrap();
         assert_eq!(imported.scene.objects[0].material, name);
         assert_eq!(imported.scene.materials.len(), 1);
     }
     // One face of another colour: the solid is drawn face by face.
     let black = styled("#11", "COLOUR_RGB('',0.,0.,0.)");
-    let imported = read(&changed(&[("#10=CLOSED_SHELL('',(#11,#12,#13));", &black)])).unwrap();
+    let imported = read(&changed(&[(shell, &black)])).unwrap();
     for object in &imported.scene.objects {
-        let expected = if object.name.contains("#11") {
-            "#000000"
-        } else {
-            "grey"
-        };
+        let is_black = object.name.contains("#11");
+        let expected = if is_black { "#000000" } else { "grey" };
         assert_eq!(object.material, expected, "{}", object.name);
     }
-    let text = changed(&[(
-        "#10=CLOSED_SHELL('',(#11,#12,#13));",
-        &styled("#2", "COLOUR_RGB('',1.,0.5,2.)"),
-    )]);
-    let imported = read(&text).unwrap();
+    let beyond = styled("#2", "COLOUR_RGB('',1.,0.5,2.)");
+    let imported = read(&changed(&[(shell, &beyond)])).unwrap();
     assert_eq!(imported.scene.objects[0].material, "grey");
-    let said = imported.notes.join("\n");
-    assert!(
-        said.contains("15:140: `#207` COLOUR_RGB: the colour"),
-        "{said}"
-    );
+    let notes = imported.notes.join("\n");
+    says(notes, "15:140: `#207` COLOUR_RGB: the colour");
 }
 
 #[test]
@@ -319,13 +260,8 @@ fn mapped_items_are_placed() {
     );
     let imported = read(&refused).unwrap();
     assert_eq!(imported.report["solids"], 1);
-    let said = imported.notes.join("\n");
-    assert!(
-        said.contains(
-            "`#114` is a CARTESIAN_TRANSFORMATION_OPERATOR_3D; an AXIS2_PLACEMENT_3D is needed"
-        ),
-        "{said}"
-    );
+    let why = "`#114` is a CARTESIAN_TRANSFORMATION_OPERATOR_3D; an AXIS2_PLACEMENT_3D is needed";
+    says(imported.notes.join("\n"), why);
 }
 
 /// The bar as the only component of an assembly, its upper end at a place of the assembly; the relationship from the
@@ -450,10 +386,8 @@ fn open_curves_run_from_vertex_to_vertex() {
     for (curve, sense, height, exact) in cases {
         let text = text(&curve, sense);
         let part = part(&text);
-        let Compilation::Faces(faces) = &part.solids[0] else {
-            panic!("one face")
-        };
-        let off = match &faces[0].verdict {
+        let face = &faces(&part, 0)[0];
+        let off = match &face.verdict {
             Verdict::Exact => 0.0,
             Verdict::Approximated(off) => *off,
             Verdict::Rejected(reason) => panic!("{curve}: {reason}"),
@@ -474,7 +408,7 @@ fn open_curves_run_from_vertex_to_vertex() {
                 continue;
             }
             inside += u32::from(expected);
-            let kept = kept(&part, &faces[0].cells, p);
+            let kept = kept(&part, &face.cells, p);
             assert_eq!(kept, expected, "{curve} at {p:?}");
         }
         assert!(inside > 400);

@@ -1,17 +1,17 @@
 //! Structure files in all their formats: published ones against what another program counts, and what each format may
 //! hold.
 
+use crate::common::list::file;
+use crate::common::says;
 use crate::common::structure::{cif, names, places, with};
 use imogene_import::pdb::{self, Alternates, Colouring, Format, Options, Style};
 use imogene_import::{ImportError, Imported, Kind, is_compressed, unpack};
 use imogene_prepare::Framing;
 use imogene_scene::{Molecule, SceneFile};
-use std::path::Path;
 
 /// A file of the tests, unpacked.
 fn bytes(name: &str) -> Vec<u8> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
-    let bytes = std::fs::read(folder.join(name)).expect(name);
+    let bytes = file(&format!("import/tests/data/{name}"));
     if is_compressed(&bytes) {
         unpack(&bytes, 10_000_000, name).expect(name)
     } else {
@@ -32,28 +32,20 @@ fn import(name: &str, options: &Options) -> Imported {
     try_import(name, options).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn all_of(style: Style) -> Options {
-    Options {
-        style,
-        alternates: Alternates::All,
-        ..Options::default()
-    }
-}
-
 #[test]
 fn published_files_hold_what_another_program_counts() {
     let table = include_str!("../data/expected.tsv");
-    let rows: Vec<Vec<&str>> = table
-        .lines()
-        .skip(2)
-        .map(|row| row.split('\t').collect())
-        .collect();
-    assert_eq!(rows.len(), 7);
-    for row in rows {
+    assert_eq!(table.lines().count(), 2 + 7);
+    for row in table.lines().skip(2) {
+        let row: Vec<&str> = row.split('\t').collect();
         let [file, atoms, models, first, chains, bonds, assembly, mean] = row[..] else {
             panic!("{row:?}");
         };
-        let imported = import(file, &all_of(Style::BallAndStick));
+        let mut options = with(|o| {
+            o.style = Style::BallAndStick;
+            o.alternates = Alternates::All;
+        });
+        let imported = import(file, &options);
         let report = &imported.report;
         let words = |key: &str| {
             let list = report[key].as_array().expect(key).iter();
@@ -63,30 +55,20 @@ fn published_files_hold_what_another_program_counts() {
         assert_eq!(report["atoms_read"].to_string(), atoms, "{file}");
         assert_eq!(report["atoms_drawn"].to_string(), first, "{file}");
         assert_eq!(report["bonds"].to_string(), bonds, "{file}");
-        assert_eq!(
-            (words("models"), words("chains")),
-            (models.into(), chains.into()),
-            "{file}"
-        );
+        assert_eq!(words("models"), models, "{file}");
+        assert_eq!(words("chains"), chains, "{file}");
         if assembly == "-" {
             assert_eq!(words("assemblies"), "", "{file}");
             continue;
         }
-        let options = Options {
-            assembly: Some("1".into()),
-            ..all_of(Style::SpaceFilling)
-        };
+        options.style = Style::SpaceFilling;
+        options.assembly = Some("1".into());
         let places = places(&import(file, &options));
         assert_eq!(places.len().to_string(), assembly, "{file}");
-        let middle: Vec<f64> = (0..3)
-            .map(|k| places.iter().map(|p| p[k]).sum::<f64>() / places.len() as f64)
-            .collect();
-        for (own, other) in middle.iter().zip(mean.split(' ')) {
+        for (k, other) in mean.split(' ').enumerate() {
+            let own = places.iter().map(|p| p[k]).sum::<f64>() / places.len() as f64;
             let other: f64 = other.parse().expect("a number");
-            assert!(
-                (own - other).abs() <= 6e-4,
-                "{file}: {middle:?}, not {mean}"
-            );
+            assert!((own - other).abs() <= 6e-4, "{file}: {own}, not {other}");
         }
     }
 }
@@ -128,66 +110,53 @@ fn copies_of_chains_are_named_and_coloured_by_their_operator() {
         assert!((own - expected).abs() < 1e-9, "{moved:?}");
     }
     let unknown = with(|o| o.assembly = Some("7".into()));
-    let error = |file: &str| {
-        let refused = try_import(file, &unknown).unwrap_err();
-        refused.to_string()
-    };
-    assert_eq!(
-        error("1A8O.pdb"),
-        "1A8O.pdb: it has no assembly 7; --assembly 1 would be accepted"
-    );
-    assert!(error("disordered.pdb").contains("it describes no assembly"));
+    for (file, why) in [
+        (
+            "1A8O.pdb",
+            "it has no assembly 7; --assembly 1 would be accepted",
+        ),
+        ("disordered.pdb", "it describes no assembly"),
+    ] {
+        let error = try_import(file, &unknown).unwrap_err();
+        says(error, &format!("{file}: {why}"));
+    }
 }
 
 #[test]
 fn chains_and_residues_are_chosen() {
-    let residues = |text: &str| {
-        text.split(',')
-            .map(|r| r.parse().expect("residues"))
-            .collect()
-    };
-    let chosen = |file: &str, chains: &[&str], text: &str| {
-        let options = Options {
-            chains: chains.iter().map(|c| (*c).to_owned()).collect(),
-            residues: if text.is_empty() {
-                vec![]
-            } else {
-                residues(text)
-            },
-            ..Options::default()
-        };
-        try_import(file, &options)
-            .map(|imported| imported.scene.objects.len())
-            .map_err(|error| error.to_string())
+    let chosen = |file: &str, chains: &[&str], residues: &[&str]| {
+        let options = with(|o| {
+            o.chains = chains.iter().map(|c| (*c).to_owned()).collect();
+            o.residues = residues.iter().map(|r| r.parse().expect(r)).collect();
+        });
+        let read = try_import(file, &options).map_err(|error| error.to_string());
+        read.map(|imported| imported.scene.objects.len())
     };
     // Counted with grep in the file: residues 151 to 153 of the chain, and selenomethionines.
     let lines = |test: fn(&str) -> bool| {
         let text = String::from_utf8(bytes("1A8O.pdb")).expect("text");
-        let atoms = text
-            .lines()
-            .filter(|l| l.starts_with("ATOM") || l.starts_with("HETATM"));
+        let is_atom = |line: &&str| line.starts_with("ATOM") || line.starts_with("HETATM");
+        let atoms = text.lines().filter(is_atom);
         atoms.filter(|line| test(line)).count()
     };
     let range = lines(|l| (151..=153).contains(&l[22..26].trim().parse().unwrap_or(0)));
     let named = lines(|l| &l[17..20] == "MSE");
     assert!(range > 0 && named > 0);
-    assert_eq!(chosen("1A8O.pdb", &["A"], "151-153"), Ok(range));
-    assert_eq!(chosen("1A8O.cif", &[], "151,152-153"), Ok(range));
-    assert_eq!(chosen("1A8O.cif", &["A"], "mse"), Ok(named));
-    let both = chosen("1LCD.pdb.gz", &["B", "C"], "").expect("two chains");
+    assert_eq!(chosen("1A8O.pdb", &["A"], &["151-153"]), Ok(range));
+    assert_eq!(chosen("1A8O.cif", &[], &["151", "152-153"]), Ok(range));
+    assert_eq!(chosen("1A8O.cif", &["A"], &["mse"]), Ok(named));
+    let file = "1LCD.pdb.gz";
+    let [both, one, other] =
+        [&["B", "C"][..], &["B"], &["C"]].map(|chains| chosen(file, chains, &[]).unwrap());
+    assert_eq!(both, one + other);
+    let error = chosen(file, &["A", "D"], &[]).unwrap_err();
     assert_eq!(
-        both,
-        chosen("1LCD.pdb.gz", &["C"], "").unwrap() + chosen("1LCD.pdb.gz", &["B"], "").unwrap()
-    );
-    assert_eq!(
-        chosen("1LCD.pdb.gz", &["A", "D"], "").unwrap_err(),
+        error,
         "1LCD.pdb.gz: it has no chain D; A, B, C would be accepted"
     );
-    let error = chosen("1LCD.pdb.gz", &["B"], "HEM").unwrap_err();
-    assert!(
-        error.contains("no residue HEM in what is asked for; numbers from 1 to 3293 and the names DA, DC, DG, DT, HOH"),
-        "{error}"
-    );
+    let error = chosen(file, &["B"], &["HEM"]).unwrap_err();
+    let why = "no residue HEM in what is asked for; numbers from 1 to 3293 and the names DA, DC, DG, DT, HOH";
+    says(error, why);
 }
 
 /// What is wrong with an operator is told to those who ask for an assembly, and to nobody else.
@@ -195,83 +164,56 @@ fn chains_and_residues_are_chosen() {
 fn wrong_operators_are_refused_when_they_are_asked_for() {
     let whole = String::from_utf8(bytes("1A8O.cif")).expect("text");
     let asked = with(|o| o.assembly = Some("1".into()));
-    let line = whole
-        .lines()
-        .position(|l| l.starts_with("0.0000000000 0.0000000000 41.98"))
-        .expect("the operator")
-        + 1;
-    let bad = whole.replace("0.0000000000 0.0000000000 41.98", "0.0000000000 one 41.98");
+    let row = "0.0000000000 0.0000000000 41.98";
+    let line = whole.lines().position(|l| l.starts_with(row));
+    let line = line.expect("the operator") + 1;
+    let bad = whole.replace(row, "0.0000000000 one 41.98");
     assert!(cif(&bad, &Options::default()).is_ok());
-    let error = cif(&bad, &asked).unwrap_err();
-    assert!(
-        error.starts_with(&format!(
-            "f.cif:{line}:14: matrix[2][3] of operator `2` is `one`"
-        )),
-        "{error}"
-    );
+    let why = format!("f.cif:{line}:14: matrix[2][3] of operator `2` is `one`");
+    says(cif(&bad, &asked).unwrap_err(), &why);
     let missing = whole.replace("oper_expression   1,2", "oper_expression   1,(2-4)");
-    assert!(
-        cif(&missing, &asked)
-            .unwrap_err()
-            .contains("there is no operator `3`")
+    says(
+        cif(&missing, &asked).unwrap_err(),
+        "there is no operator `3`",
     );
     let old = String::from_utf8(bytes("1A8O.pdb")).expect("text");
-    let read = |text: &str, options: &Options| {
-        pdb::read(text.as_bytes(), Format::Pdb, "f.pdb", options).map_err(|e| e.to_string())
-    };
+    let read =
+        |text: &str, options: &Options| pdb::read(text.as_bytes(), Format::Pdb, "f.pdb", options);
     let bad = old.replace("BIOMT2   2 -1.000000", "BIOMT2   2 -1.0000o0");
     assert!(read(&bad, &Options::default()).is_ok());
-    let error = read(&bad, &asked).unwrap_err();
-    assert!(
-        error.starts_with("f.pdb:262:24: `-1.0000o0` of an operator"),
-        "{error}"
-    );
+    let why = "f.pdb:262:24: `-1.0000o0` of an operator";
+    says(read(&bad, &asked).unwrap_err(), why);
     let cut = old.replace("REMARK 350   BIOMT3   2", "REMARK 351   BIOMT3   2");
-    assert!(
-        read(&cut, &asked)
-            .unwrap_err()
-            .contains("without its lines BIOMT1, BIOMT2 and BIOMT3")
-    );
+    let why = "without its lines BIOMT1, BIOMT2 and BIOMT3";
+    says(read(&cut, &asked).unwrap_err(), why);
 }
 
 #[test]
 fn kinds_are_known_by_what_files_hold() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let read = |path: &str| std::fs::read(root.join(path)).expect(path);
+    let [pdb, mmcif, bcif] = [Format::Pdb, Format::Mmcif, Format::Bcif].map(Kind::Structure);
     let kinds = [
-        ("import/tests/data/1A8O.cif", Kind::Structure(Format::Mmcif)),
-        (
-            "import/tests/data/1SSU_mod.cif",
-            Kind::Structure(Format::Mmcif),
-        ),
-        ("import/tests/data/1A8O.pdb", Kind::Structure(Format::Pdb)),
-        (
-            "import/tests/data/disordered.pdb",
-            Kind::Structure(Format::Pdb),
-        ),
-        ("scenes/molecules/helix.pdb", Kind::Structure(Format::Pdb)),
+        ("import/tests/data/1A8O.cif", mmcif),
+        ("import/tests/data/1SSU_mod.cif", mmcif),
+        ("import/tests/data/1A8O.pdb", pdb),
+        ("import/tests/data/disordered.pdb", pdb),
+        ("scenes/molecules/helix.pdb", pdb),
         ("parts/bracket.faces.toml", Kind::Faces),
         ("parts/nut.step", Kind::Step),
         ("scenes/terrain/hills.heights", Kind::Heights),
     ];
     for (path, kind) in kinds {
         // A name that says something else counts for less.
-        assert_eq!(Kind::of(&read(path), "a.stp"), Some(kind), "{path}");
+        assert_eq!(Kind::of(&file(path), "a.stp"), Some(kind), "{path}");
     }
-    assert_eq!(
-        Kind::of(&bytes("3jqh.bcif.gz"), "a.stp"),
-        Some(Kind::Structure(Format::Bcif))
-    );
+    let packed = bytes("3jqh.bcif.gz");
+    assert_eq!(Kind::of(&packed, "a.stp"), Some(bcif));
     let texts = [
         ("NCOLS 2\nnrows 2", Some(Kind::Heights)),
         ("# heights\nstep 2 2\n1 2\n3 4", Some(Kind::Heights)),
         ("3\nwater\nO 0 0 0", None),
-        ("ATOM 100000  CA  ALA", Some(Kind::Structure(Format::Pdb))),
-        (
-            "\u{feff}atom      1  CA",
-            Some(Kind::Structure(Format::Pdb)),
-        ),
-        ("\r\n  DATA_x", Some(Kind::Structure(Format::Mmcif))),
+        ("ATOM 100000  CA  ALA", Some(pdb)),
+        ("\u{feff}atom      1  CA", Some(pdb)),
+        ("\r\n  DATA_x", Some(mmcif)),
         ("hello", None),
         ("HEADER;\nFILE_NAME('x')", None),
         ("", None),
@@ -281,10 +223,10 @@ fn kinds_are_known_by_what_files_hold() {
     }
     // What its contents do not show, the name does.
     let named = [
-        ("a.PDB", Kind::Structure(Format::Pdb)),
-        ("a.ent.gz", Kind::Structure(Format::Pdb)),
-        ("a.cif.gz", Kind::Structure(Format::Mmcif)),
-        ("a.bcif", Kind::Structure(Format::Bcif)),
+        ("a.PDB", pdb),
+        ("a.ent.gz", pdb),
+        ("a.cif.gz", mmcif),
+        ("a.bcif", bcif),
         ("a.asc", Kind::Heights),
     ];
     for (name, kind) in named {
@@ -309,11 +251,8 @@ fn a_scene_is_filled_from_the_file_that_it_names() {
     let text = scene.to_toml().expect("a scene may name a file");
     let read = SceneFile::parse(&text, "s.toml").expect("readable");
     assert_eq!(read, scene);
-    let error = scene.validate().unwrap_err().to_string();
-    assert!(
-        error.contains("molecules: `1A8O.cif` has not been read"),
-        "{error}"
-    );
+    let error = scene.validate().unwrap_err();
+    says(error, "molecules: `1A8O.cif` has not been read");
     assert!(scene.frame(64, 48).is_err());
     let [mut molecule] = <[_; 1]>::try_from(std::mem::take(&mut scene.molecules)).expect("one");
     let bytes = bytes("1A8O.cif");
@@ -323,7 +262,6 @@ fn a_scene_is_filled_from_the_file_that_it_names() {
     molecule.colour = "chain".into();
     pdb::add(&mut scene, &molecule, &bytes, Format::Mmcif, "f").expect("readable");
     assert_eq!(scene.objects.len(), 2 * whole.objects.len() - 292);
-    scene
-        .validate()
-        .expect("names are parted by the molecule's, and its materials are added");
+    // Names are parted by the molecule's, and its materials are added.
+    scene.validate().expect("valid");
 }

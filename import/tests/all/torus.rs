@@ -1,31 +1,20 @@
 //! Bands of cones against the torus that they stand for: every place of a face has one of its cells within the
 //! deviation, and no other place has.
 
+use crate::common::list::{self, HEAD, circle, face, faces, solid};
 use crate::common::points::kept;
-use imogene_import::faces::{Compilation, Compiled, FaceOptions, Part, Verdict, compile};
+use imogene_import::faces::{Compiled, Part, Verdict};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 const R: f64 = 20.0;
 const TUBE: f64 = 5.0;
 
+const Y: [f64; 3] = [0.0, 1.0, 0.0];
+
 /// Faces of one solid.
 fn part(edges: &str, faces: &str, names: &str, max_deviation: f64) -> Part {
-    let text = format!(
-        "format = 1\ntitle = \"t\"\n[[materials]]\nname = \"m\"\ncolour = [1, 1, 1]\n{edges}\n{faces}
-[[solids]]\nname = \"s\"\nmaterial = \"m\"\nfaces = [{names}]\n"
-    );
-    let options = FaceOptions {
-        max_deviation: Some(max_deviation),
-        no_volumes: true,
-    };
-    compile(text.as_bytes(), "t", &options).unwrap()
-}
-
-fn face(part: &Part, index: usize) -> &Compiled {
-    let Compilation::Faces(faces) = &part.solids[0] else {
-        panic!("volumes are switched off")
-    };
-    &faces[index]
+    let text = format!("{HEAD}{edges}{faces}{}", solid(names));
+    list::part(&text, max_deviation)
 }
 
 /// A place at the angle u about the y axis and v about the tube, so far from the middle of the tube.
@@ -64,7 +53,7 @@ fn agrees(
     inside: impl Fn(f64, f64) -> bool,
     border: impl Fn(f64, f64) -> f64,
 ) {
-    let compiled = face(part, index);
+    let compiled = &faces(part, 0)[index];
     let Verdict::Approximated(off) = compiled.verdict else {
         panic!("{:?}", compiled.verdict)
     };
@@ -88,8 +77,11 @@ fn agrees(
 }
 
 fn torus(loops: &str) -> String {
-    format!(
-        "[[faces]]\nname = \"tube\"\nsurface = {{ kind = \"torus\", centre = [0, 0, 0], axis = [0, 1, 0], major = {R}, minor = {TUBE} }}\nloops = {loops}\n"
+    let ring = "kind = 'torus', centre = [0, 0, 0], axis = [0, 1, 0]";
+    face(
+        "tube",
+        &format!("{ring}, major = {R}, minor = {TUBE}"),
+        loops,
     )
 }
 
@@ -100,8 +92,8 @@ fn apart(a: f64, b: f64) -> f64 {
 #[test]
 fn a_whole_ring_is_bands_all_round() {
     for deviation in [0.2, 0.05, 0.01] {
-        let part = part("", &torus("[]"), "\"tube\"", deviation);
-        let Verdict::Approximated(off) = face(&part, 0).verdict else {
+        let part = part("", &torus("[]"), "'tube'", deviation);
+        let Verdict::Approximated(off) = faces(&part, 0)[0].verdict else {
             panic!("approximated")
         };
         assert!(off <= deviation && off > 0.2 * deviation);
@@ -113,52 +105,36 @@ fn a_whole_ring_is_bands_all_round() {
 /// same ring.
 #[test]
 fn a_fillet_is_a_quarter_and_its_rest_three() {
-    let circle = |name: &str, y: f64, radius: f64| {
-        format!(
-            "[[edges]]\nname = \"{name}\"\nkind = \"circle\"\ncentre = [0, {y}, 0]\naxis = [0, 1, 0]\nradius = {radius}\n"
-        )
-    };
-    let edges = circle("foot", -TUBE, R) + &circle("top", 0.0, R - TUBE);
+    let edges = circle("foot", [0.0, -TUBE, 0.0], Y, R) + &circle("top", [0.0; 3], Y, R - TUBE);
     let quarter = |v: f64| v > PI && v < 1.5 * PI;
     let border = |_: f64, v: f64| apart(v, PI).min(apart(v, 1.5 * PI));
-    let fillet = part(&edges, &torus("[[\"-foot\"], [\"top\"]]"), "\"tube\"", 0.02);
+    let fillet = part(&edges, &torus("[['-foot'], ['top']]"), "'tube'", 0.02);
     agrees(&fillet, 0, |_, v| quarter(v), border);
-    let rest = part(&edges, &torus("[[\"foot\"], [\"-top\"]]"), "\"tube\"", 0.02);
+    let rest = part(&edges, &torus("[['foot'], ['-top']]"), "'tube'", 0.02);
     agrees(&rest, 0, |_, v| !quarter(v), border);
-    assert!(
-        fillet.model.faces[0]
-            .surface
-            .same(&rest.model.faces[0].surface, 0.0)
-    );
+    let [one, other] = [&fillet, &rest].map(|part| &part.model.faces[0].surface);
+    assert!(one.same(other, 0.0));
 }
 
 /// A quarter of a ring between two discs, which are polygons of the bands: no gap is left between them.
 #[test]
 fn an_elbow_and_the_discs_that_close_it_have_the_same_border() {
-    let circle = |name: &str, centre: [f64; 3], axis: [f64; 3]| {
-        format!(
-            "[[edges]]\nname = \"{name}\"\nkind = \"circle\"\ncentre = {centre:?}\naxis = {axis:?}\nradius = {TUBE}\n"
-        )
-    };
     // At u = 0 the tube stands on the x axis, at u = 90 degrees on the negative z axis.
-    let edges = circle("one", [R, 0.0, 0.0], [0.0, 0.0, 1.0])
-        + &circle("other", [0.0, 0.0, -R], [1.0, 0.0, 0.0]);
-    let discs = "[[faces]]\nname = \"disc\"\nsurface = { kind = \"plane\", origin = [20, 0, 0], normal = [0, 0, 1] }\nloops = [[\"one\"]]
-[[faces]]\nname = \"lid\"\nsurface = { kind = \"plane\", origin = [0, 0, -20], normal = [-1, 0, 0] }\nloops = [[\"-other\"]]\n";
-    let elbow = part(
-        &edges,
-        &(torus("[[\"-one\"], [\"other\"]]") + discs),
-        "\"tube\", \"disc\", \"lid\"",
-        0.05,
-    );
+    let edges = circle("one", [R, 0.0, 0.0], [0.0, 0.0, 1.0], TUBE)
+        + &circle("other", [0.0, 0.0, -R], [1.0, 0.0, 0.0], TUBE);
+    let disc = "kind = 'plane', origin = [20, 0, 0], normal = [0, 0, 1]";
+    let lid = "kind = 'plane', origin = [0, 0, -20], normal = [-1, 0, 0]";
+    let all = torus("[['-one'], ['other']]")
+        + &face("disc", disc, "[['one']]")
+        + &face("lid", lid, "[['-other']]");
+    let elbow = part(&edges, &all, "'tube', 'disc', 'lid'", 0.05);
     let border = |u: f64, _: f64| apart(u, 0.0).min(apart(u, FRAC_PI_2));
     agrees(&elbow, 0, |u, _| u < FRAC_PI_2, border);
     assert_eq!(elbow.model.faces[0].surface.name(), "torus");
     // Beside the disc, just below the bands and just above them.
-    let disc = face(&elbow, 1);
-    let off = match disc.verdict {
-        Verdict::Approximated(off) => off,
-        ref other => panic!("{other:?}"),
+    let disc = &faces(&elbow, 0)[1];
+    let Verdict::Approximated(off) = disc.verdict else {
+        panic!("{:?}", disc.verdict)
     };
     for k in 0..720 {
         let v = TAU * (f64::from(k) + 0.3) / 720.0;

@@ -65,17 +65,13 @@ pub fn changed(changes: &[(&str, &str)]) -> String {
 
 /// The scene of a text.
 pub fn read(text: &str) -> Result<Imported, ImportError> {
-    read_step(
-        text.as_bytes(),
-        "bar.step",
-        &FaceOptions::default(),
-        &|_| None,
-    )
+    let options = FaceOptions::default();
+    read_step(text.as_bytes(), "bar.step", &options, &|_| None)
 }
 
-/// Why a text is refused.
-pub fn message(text: &str) -> String {
-    read(text).unwrap_err().to_string()
+/// What is said of a text, whether it is read or refused.
+pub fn said(text: &str) -> String {
+    read(text).map_or_else(|error| error.to_string(), |read| read.notes.join("\n"))
 }
 
 /// The compiled part of a text.
@@ -92,8 +88,6 @@ pub fn is_whole(text: &str, low: [f64; 3], high: [f64; 3]) {
             assert!((value - expected).abs() <= 1e-9 * high[2], "{bound:?}");
         }
     }
-    assert!(
-        matches!(part.solids[..], [Compilation::Volume(_)]),
-        "{text}"
-    );
+    let is_volume = matches!(part.solids[..], [Compilation::Volume(_)]);
+    assert!(is_volume, "{text}");
 }

@@ -2,7 +2,7 @@
 
 use imogene_import::Imported;
 use imogene_import::pdb::{self, Format, Options};
-use imogene_scene::{Shape, Step};
+use imogene_scene::{Object, Shape, Step};
 
 pub fn cif(text: &str, options: &Options) -> Result<Imported, String> {
     pdb::read(text.as_bytes(), Format::Mmcif, "f.cif", options).map_err(|e| e.to_string())
@@ -14,16 +14,13 @@ pub fn names(imported: &Imported) -> Vec<&str> {
 }
 
 pub fn places(imported: &Imported) -> Vec<[f64; 3]> {
-    let spheres = imported
-        .scene
-        .objects
-        .iter()
-        .filter(|o| matches!(o.shape, Shape::Sphere { .. }));
-    let place = |step: &Step| match step {
-        Step::Translate(place) => *place,
-        other => panic!("{other:?}"),
+    let is_sphere = |o: &&Object| matches!(o.shape, Shape::Sphere { .. });
+    let spheres = imported.scene.objects.iter().filter(is_sphere);
+    let place = |object: &Object| match object.place[..] {
+        [Step::Translate(place)] => place,
+        ref other => panic!("{other:?}"),
     };
-    spheres.map(|object| place(&object.place[0])).collect()
+    spheres.map(place).collect()
 }
 
 /// The options with a change.

@@ -3,7 +3,7 @@
 use super::points::{Even, point_of};
 use imogene_import::faces::model::{Face, Model};
 use imogene_import::faces::vector::{
-    Vector, along, cross, distance, dot, frame, length, minus, plus, times, unit,
+    Vector, along, cross, distance, dot, frame, hull, length, minus, plus, times, unit,
 };
 use imogene_import::faces::{Curve, Form, Surface};
 use std::f64::consts::TAU;
@@ -44,10 +44,8 @@ impl Oracle {
             if !matches!(curve, Curve::Line { .. }) {
                 // Sagitta of the chords: an eighth of a step's square over the radius, at most a step of the radius
                 // over 8.
-                let step = points
-                    .windows(2)
-                    .map(|pair| distance(pair[0], pair[1]))
-                    .fold(0.0, f64::max);
+                let steps = points.windows(2).map(|pair| distance(pair[0], pair[1]));
+                let step = steps.fold(0.0, f64::max);
                 coarseness = coarseness.max(step * step / smallest_radius(curve) / 8.0);
             }
             if !edge_use.forward {
@@ -73,33 +71,26 @@ impl Oracle {
     /// Least and greatest coordinates of the loops, or of the whole sphere.
     pub fn bounds(&self) -> [Vector; 2] {
         let origin = self.surface.origin;
-        let mut bounds = match self.surface.form {
-            Form::Sphere(radius) => [origin.map(|v| v - radius), origin.map(|v| v + radius)],
-            _ => [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]],
-        };
-        for p in self.chains.iter().flatten() {
-            for k in 0..3 {
-                bounds[0][k] = bounds[0][k].min(p[k]);
-                bounds[1][k] = bounds[1][k].max(p[k]);
-            }
+        let mut points = self.chains.concat();
+        if let Form::Sphere(radius) = self.surface.form {
+            points.extend([-radius, radius].map(|r| origin.map(|v| v + r)));
         }
-        bounds
+        hull(&points).expect("a border, or a whole sphere")
     }
 
     /// Distance of a point from the polylines.
     pub fn distance_to_edge(&self, p: Vector) -> f64 {
         let segments = self.chains.iter().flat_map(|chain| chain.windows(2));
-        segments
-            .map(|pair| {
-                let course = minus(pair[1], pair[0]);
-                let square = dot(course, course);
-                if square == 0.0 {
-                    return distance(p, pair[0]);
-                }
-                let share = (dot(minus(p, pair[0]), course) / square).clamp(0.0, 1.0);
-                distance(p, along(pair[0], share, course))
-            })
-            .fold(f64::INFINITY, f64::min)
+        let distances = segments.map(|pair| {
+            let course = minus(pair[1], pair[0]);
+            let square = dot(course, course);
+            if square == 0.0 {
+                return distance(p, pair[0]);
+            }
+            let share = (dot(minus(p, pair[0]), course) / square).clamp(0.0, 1.0);
+            distance(p, along(pair[0], share, course))
+        });
+        distances.fold(f64::INFINITY, f64::min)
     }
 
     /// Whether the face has a point.
@@ -113,12 +104,8 @@ impl Oracle {
             }
             Form::Cylinder(_) => self.rolled(p, origin, axis),
             Form::Cone(_) => dot(minus(p, origin), axis) > 0.0 && self.rolled(p, origin, axis),
-            Form::Sphere(_) => {
-                if self.chains.is_empty() {
-                    return true;
-                }
-                self.winding(self.projected(p), |q| self.projected(q)) != 0
-            }
+            Form::Sphere(_) if self.chains.is_empty() => true,
+            Form::Sphere(_) => self.winding(self.projected(p), |q| self.projected(q)) != 0,
             Form::Torus(..) | Form::Other(_) => unreachable!("not drawn as one surface"),
         }
     }
@@ -195,11 +182,9 @@ impl Oracle {
             let own = distance(p, chain[middle]);
             self.distance_to_edge(p) >= 0.9 * own && length(minus(p, chain[middle])) > 0.0
         };
-        [0.3, 0.1, 0.03, 0.01]
-            .into_iter()
-            .map(candidate)
-            .find(|p| near(*p))
-            .expect("an edge has a right side")
+        let mut candidates = [0.3, 0.1, 0.03, 0.01].map(candidate).into_iter();
+        let found = candidates.find(|p| near(*p));
+        found.expect("an edge has a right side")
     }
 }
 
@@ -207,20 +192,16 @@ impl Oracle {
 fn smallest_radius(curve: &Curve) -> f64 {
     match curve {
         Curve::Arc(arc) => {
-            let radii = arc.ellipse.radii;
-            let (a, b) = (radii[0].min(radii[1]), radii[0].max(radii[1]));
-            a * a / b
+            let [a, b] = arc.ellipse.radii;
+            a.min(b).powi(2) / a.max(b)
         }
         _ => {
             let points = curve.sampled(1);
             let bends = points.windows(3).map(|p| {
                 let [a, b, c] = [p[0], p[1], p[2]];
                 let area = length(cross(minus(b, a), minus(c, a)));
-                if area == 0.0 {
-                    f64::INFINITY
-                } else {
-                    distance(a, b) * distance(b, c) * distance(c, a) / (2.0 * area)
-                }
+                // Endless for points in a line.
+                distance(a, b) * distance(b, c) * distance(c, a) / (2.0 * area)
             });
             bends.fold(f64::INFINITY, f64::min)
         }
