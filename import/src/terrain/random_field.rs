@@ -91,11 +91,13 @@ struct Vertex {
 
 #[derive(Clone, Copy)]
 enum Edge {
+    /// With its ends.
     Whole([usize; 2]),
-    Divided([usize; 2]),
+    /// With its halves and the vertex between them.
+    Divided([usize; 2], usize),
 }
 
-/// Edges W, S, N, E.
+/// Edges W, S, N, E, or what belongs to each.
 type Area = [usize; 4];
 
 struct Maker {
@@ -147,35 +149,28 @@ impl Maker {
         self.vertex(at, value)
     }
 
-    /// Divides an edge at a new vertex, unless a neighbour has done so already.
-    fn divide(&mut self, edge: usize, deviation: f64) -> [usize; 2] {
-        let ends = match self.edges[edge] {
-            Edge::Divided(halves) => return halves,
-            Edge::Whole(ends) => ends,
-        };
-        let vertex = self.middle(ends, deviation);
-        self.divide_at(edge, ends, vertex)
+    /// Divides an edge at a new vertex, unless a neighbour has done so already: its halves and the vertex.
+    fn divide(&mut self, edge: usize, deviation: f64) -> ([usize; 2], usize) {
+        match self.edges[edge] {
+            Edge::Divided(halves, middle) => (halves, middle),
+            Edge::Whole(ends) => {
+                let middle = self.middle(ends, deviation);
+                (self.divide_at(edge, ends, middle), middle)
+            }
+        }
     }
 
     fn divide_at(&mut self, edge: usize, [from, to]: [usize; 2], vertex: usize) -> [usize; 2] {
         let halves = [self.edge([from, vertex]), self.edge([vertex, to])];
-        self.edges[edge] = Edge::Divided(halves);
+        self.edges[edge] = Edge::Divided(halves, vertex);
         self.release(from);
         self.release(to);
         halves
     }
 
-    fn end_of(&self, edge: usize) -> usize {
-        match self.edges[edge] {
-            Edge::Whole([_, end]) => end,
-            Edge::Divided([_, second]) => self.end_of(second),
-        }
-    }
-
-    /// The new inner edges: the vertical one with its halves, the horizontal one with its halves. Their common middle
-    /// is the mean of two estimates.
-    fn inner(&mut self, halves: &[[usize; 2]; 4], deviation: f64) -> [(usize, [usize; 2]); 2] {
-        let [w, s, n, e] = halves.map(|[first, _]| self.end_of(first));
+    /// The new inner edges between the middles of the sides: the vertical one with its halves, the horizontal one with
+    /// its halves. Their common middle is the mean of two estimates.
+    fn inner(&mut self, [w, s, n, e]: Area, deviation: f64) -> [(usize, [usize; 2]); 2] {
         let [centre, twin] = [[s, n], [w, e]].map(|ends| self.middle(ends, deviation));
         let other = self.vertices.remove(twin).value;
         let centre_value = &mut self.vertices[centre].value;
@@ -196,59 +191,41 @@ impl Maker {
         let area = [[sw, nw], [sw, se], [nw, ne], [se, ne]].map(|ends| self.edge(ends));
         self.region(area, relief, levels);
         // The sides to the north and east belong to no later region.
-        for edge in area {
-            self.free_all(edge);
+        let mut open = area[2..].to_vec();
+        while let Some(edge) = open.pop() {
+            open.extend(self.free(edge).into_iter().flatten());
         }
     }
 
-    /// Gives back an edge with its ends, or with the halves that are left of it.
-    fn free_all(&mut self, edge: usize) {
-        let mut open = vec![edge];
-        while let Some(edge) = open.pop() {
-            match self.edges.remove(edge) {
-                Edge::Whole(ends) => ends.into_iter().for_each(|end| self.release(end)),
-                Edge::Divided(halves) => open.extend(halves.into_iter().filter(|&h| h != FREED)),
+    /// Gives back an edge with its ends; the halves of a divided one stay.
+    fn free(&mut self, edge: usize) -> Option<[usize; 2]> {
+        match self.edges.remove(edge) {
+            Edge::Divided(halves, _) => Some(halves),
+            Edge::Whole(ends) => {
+                ends.into_iter().for_each(|end| self.release(end));
+                None
             }
         }
     }
 
-    /// Gives back one half of an edge, with what is left of it.
-    fn free_half(&mut self, edge: usize, which: usize) {
-        let half = match &mut self.edges[edge] {
-            Edge::Divided(halves) => std::mem::replace(&mut halves[which], FREED),
-            Edge::Whole(_) => unreachable!("a half of a divided edge"),
-        };
-        self.free_all(half);
-    }
-
+    /// Fills a region, and gives back its sides to the west and south: no later region has them.
     fn region(&mut self, area: Area, deviation: f64, levels: u32) {
-        if levels == 0 {
-            return;
+        if levels > 0 {
+            let (next, below) = (deviation * self.factor, levels - 1);
+            let sides = area.map(|edge| self.divide(edge, next));
+            let [w, s, n, e] = sides.map(|(halves, _)| halves);
+            let [(upright, v), (flat, h)] = self.inner(sides.map(|(_, middle)| middle), next);
+            self.region([w[0], s[0], h[0], v[0]], next, below);
+            self.region([v[0], s[1], h[1], e[0]], next, below);
+            self.region([w[1], h[0], n[0], v[1]], next, below);
+            self.region([v[1], h[1], n[1], e[1]], next, below);
+            self.free(upright);
+            self.free(flat);
         }
-        let halves = area.map(|edge| self.divide(edge, deviation * self.factor));
-        let [w, s, n, e] = halves;
-        let [(v_edge, v), (h_edge, h)] = self.inner(&halves, deviation * self.factor);
-        let [west, south, ..] = area;
-        let (next, below) = (deviation * self.factor, levels - 1);
-        self.region([w[0], s[0], h[0], v[0]], next, below);
-        self.free_half(west, 0);
-        self.free_half(south, 0);
-        self.region([v[0], s[1], h[1], e[0]], next, below);
-        self.free_half(v_edge, 0);
-        self.free_half(south, 1);
-        self.region([w[1], h[0], n[0], v[1]], next, below);
-        self.free_half(west, 1);
-        self.free_half(h_edge, 0);
-        self.region([v[1], h[1], n[1], e[1]], next, below);
-        self.free_half(v_edge, 1);
-        self.free_half(h_edge, 1);
-        self.free_all(v_edge);
-        self.free_all(h_edge);
+        self.free(area[0]);
+        self.free(area[1]);
     }
 }
-
-/// In the place of a half that was given back.
-const FREED: usize = usize::MAX;
 
 /// A field as the text of a file of heights: a comment that says how it was made, the distance of nodes and the rows.
 /// Heights are rounded to a thousandth.
