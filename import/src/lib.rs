@@ -31,7 +31,7 @@ pub use compressed::{is_compressed, unpack};
 pub use error::{ImportError, Place, Result};
 pub use kind::{Kind, is_scene, kinds};
 
-use imogene_scene::{Object, SceneFile, Shape, Surface};
+use imogene_scene::{Material, Object, SceneFile, Shape, Surface};
 use std::collections::HashMap;
 
 /// What a reader made of a file.
@@ -65,6 +65,36 @@ impl Names {
     pub(crate) fn has(&self, name: &str) -> bool {
         self.0.contains_key(name)
     }
+}
+
+/// An opaque material with its shares of ambient, diffused and mirrored light, and the sharpness of the highlight.
+pub(crate) fn material(
+    name: String,
+    colour: [f64; 3],
+    [ambient, diffuse, specular]: [f64; 3],
+    exponent: u32,
+) -> Material {
+    Material {
+        name,
+        colour,
+        ambient,
+        diffuse,
+        specular,
+        exponent,
+        opacity: 1.0,
+    }
+}
+
+/// A number of digits and some other letters; Rust would also take "nan" and "inf".
+pub(crate) fn decimal(text: &[u8], letters: &[u8]) -> Option<f64> {
+    let is_plain = |c: &u8| c.is_ascii_digit() || letters.contains(c);
+    let text = Some(text).filter(|text| text.iter().all(is_plain))?;
+    std::str::from_utf8(text).ok()?.parse().ok()
+}
+
+/// The number with four digits after the point, for people who read the file.
+pub(crate) fn short(value: f64) -> f64 {
+    (value * 1e4).round() / 1e4
 }
 
 /// A solid where its coordinates put it, without cuts.

@@ -3,6 +3,8 @@
 use super::lines::Columns;
 use super::words::{Word, Words, listed};
 use crate::error::{ImportError, Result, unusable};
+use crate::short;
+use indexmap::IndexSet;
 use std::collections::HashMap;
 
 /// Most operators of a part of an assembly; the largest virus shells have some thousand.
@@ -32,10 +34,9 @@ impl Operator {
         if self.is_identity() {
             return point;
         }
-        self.rows.map(|[a, b, c, d]| {
-            let value = a * point[0] + b * point[1] + c * point[2] + d;
-            (value * 1e4).round() / 1e4
-        })
+        let [x, y, z] = point;
+        self.rows
+            .map(|[a, b, c, d]| short(a * x + b * y + c * z + d))
     }
 
     /// Whether it leaves points where they are.
@@ -89,13 +90,8 @@ pub struct Assemblies {
 impl Assemblies {
     /// Their names in the order of the file.
     pub fn names(&self) -> Vec<&str> {
-        let mut names: Vec<&str> = vec![];
-        for part in &self.parts {
-            if !names.contains(&part.assembly.as_str()) {
-                names.push(&part.assembly);
-            }
-        }
-        names
+        let names: IndexSet<&str> = self.parts.iter().map(|p| p.assembly.as_str()).collect();
+        names.into_iter().collect()
     }
 
     /// Chains and operators of the parts of one of them.
@@ -128,21 +124,20 @@ impl Assemblies {
 
 /// The operators of an expression.
 fn expand(text: &str, known: &HashMap<String, Rows>) -> Result<Vec<Operator>, String> {
-    let mut all: Option<Vec<Operator>> = None;
-    for factor in factors(text)? {
+    let mut factors = factors(text)?.into_iter();
+    let mut all = list(factors.next().unwrap_or_default(), known)?;
+    for factor in factors {
         let factor = list(factor, known)?;
-        let Some(outer) = all else {
-            all = Some(factor);
-            continue;
-        };
-        if outer.len() * factor.len() > MOST_OPERATORS {
+        if all.len() * factor.len() > MOST_OPERATORS {
             return Err(format!("`{text}` is more than {MOST_OPERATORS} operators"));
         }
-        let pairs = outer.iter().flat_map(|o| factor.iter().map(|f| o.after(f)));
-        all = Some(pairs.collect());
+        let pairs = all.iter().flat_map(|o| factor.iter().map(|f| o.after(f)));
+        all = pairs.collect();
     }
-    all.filter(|all| !all.is_empty())
-        .ok_or_else(|| "it names no operator".to_owned())
+    match all.is_empty() {
+        true => Err("it names no operator".to_owned()),
+        false => Ok(all),
+    }
 }
 
 /// The lists of an expression, those in brackets and those without.
@@ -165,20 +160,19 @@ fn factors(text: &str) -> Result<Vec<&str>, String> {
 }
 
 fn list(text: &str, known: &HashMap<String, Rows>) -> Result<Vec<Operator>, String> {
-    let find = |name: &str| -> Result<Operator, String> {
-        let rows = known.get(name);
-        let rows = *rows.ok_or_else(|| format!("there is no operator `{name}`"))?;
-        let name = name.to_owned();
-        Ok(Operator { name, rows })
+    let find = |name: &str| match known.get(name) {
+        Some(rows) => Ok(Operator {
+            name: name.to_owned(),
+            rows: *rows,
+        }),
+        None => Err(format!("there is no operator `{name}`")),
     };
     let mut operators = vec![];
     for item in text.split(',').map(str::trim).filter(|i| !i.is_empty()) {
         let number = |text: &str| text.trim().parse::<u32>().ok();
-        let ends = item
-            .split_once('-')
-            .map(|(first, last)| (number(first), number(last)));
-        match ends {
-            Some((Some(first), Some(last))) if !known.contains_key(item) => {
+        let (first, last) = item.split_once('-').unwrap_or_default();
+        match (number(first), number(last)) {
+            (Some(first), Some(last)) if !known.contains_key(item) => {
                 if first > last {
                     return Err(format!("`{item}` runs backwards"));
                 }
@@ -236,10 +230,10 @@ impl Biomt {
     }
 
     fn begin(&mut self) {
-        let mut molecules = self.molecules.clone();
-        if molecules.is_empty() {
-            molecules.push("1".to_owned());
-        }
+        let molecules = match &self.molecules[..] {
+            [] => vec!["1".to_owned()],
+            molecules => molecules.to_vec(),
+        };
         let lines = Lines::default();
         self.parts.push(Lines { molecules, ..lines });
     }

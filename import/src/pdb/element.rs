@@ -4,6 +4,8 @@
 //! Bondi, J. Phys. Chem. 68 (1964) 441, and for the elements that he has not, S. Alvarez, "A cartography of the van der
 //! Waals territories", Dalton Trans. 2013, 42, 8617. Colours: those of the program Jmol.
 
+use crate::short;
+
 /// What is known of an element; radii in picometres, 0 where the sources have none.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Element {
@@ -152,10 +154,7 @@ impl Element {
     /// Red, green and blue, 0 to 1.
     pub fn colour(&self) -> [f64; 3] {
         // Four digits, so that a scene file says 0.5647 and not sixteen digits of 144/255; 8 bits stay the same.
-        [16, 8, 0].map(|shift| {
-            let level = f64::from(self.colour >> shift & 0xff) / 255.0;
-            (level * 1e4).round() / 1e4
-        })
+        [16, 8, 0].map(|shift| short(f64::from(self.colour >> shift & 0xff) / 255.0))
     }
 
     /// Hydrogen, deuterium or tritium.

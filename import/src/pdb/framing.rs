@@ -1,5 +1,6 @@
 //! A camera that sees a whole set of balls.
 
+use crate::short;
 use imogene_algebra::vector::{cross, length, minus};
 use imogene_scene::{Body, Camera, ImageSize, fitting_from};
 
@@ -78,6 +79,8 @@ pub fn frame(balls: &[Ball]) -> Framing {
     let bodies: Vec<Body> = balls.iter().map(about_middle).collect();
     let shape = f64::from(IMAGE.width) / f64::from(IMAGE.height);
     let ([x, y], tangent) = fitting_from(&bodies, &[right, up, towards], distance, shape);
+    // The sum turns -0 into 0.
+    let short = |value: f64| short(value) + 0.0;
     let target: [f64; 3] = std::array::from_fn(|k| short(middle[k] + x * right[k] + y * up[k]));
     let eye = std::array::from_fn(|k| short(target[k] + distance * towards[k]));
     let height = five_digits_up(2.0 * tangent * distance);
@@ -85,11 +88,6 @@ pub fn frame(balls: &[Ball]) -> Framing {
         camera: Camera::perspective([eye, target, up], distance, height),
         axes: [right, up, towards],
     }
-}
-
-fn short(value: f64) -> f64 {
-    // The sum turns -0 into 0.
-    (value * 1e4).round() / 1e4 + 0.0
 }
 
 /// The number rounded upwards to five significant digits: short in the file, and small as a fraction.

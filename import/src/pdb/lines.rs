@@ -3,6 +3,7 @@
 use super::assembly::Biomt;
 use super::structure::{Atom, End, Model, Structure};
 use super::words::{Repeated, Serial};
+use crate::decimal;
 use crate::error::{ImportError, Place, Result, unusable};
 use std::borrow::Cow;
 
@@ -207,13 +208,7 @@ impl<'a> Columns<'a> {
 
     /// A number in decimal notation, if that is all there is in the columns.
     pub fn number(&self, first: usize, last: usize) -> Option<f64> {
-        let text = self.bytes(first, last).trim_ascii();
-        let decimal = |c: &u8| c.is_ascii_digit() || matches!(c, b'+' | b'-' | b'.');
-        // Rust would also take "nan", "inf" and exponents.
-        if !text.iter().all(decimal) {
-            return None;
-        }
-        std::str::from_utf8(text).ok()?.parse().ok()
+        decimal(self.bytes(first, last).trim_ascii(), b"+-.")
     }
 
     /// One coordinate of an atom. A line that ends within it has been cut off, and what is left of the number is not

@@ -6,6 +6,7 @@ use super::options::Options;
 use super::scene::Drawn;
 use super::structure::Structure;
 use super::words::listed;
+use crate::short;
 use imogene_files::text::counted;
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -51,12 +52,10 @@ pub fn report(
     }
     let remarks = &structure.remarks;
     let shown: Vec<i64> = chosen.iter().map(|c| c.number).collect();
-    let short = |v: f64| (v * 1e4).round() / 1e4;
     let (low, high) = (drawn.extent.0.map(short), drawn.extent.1.map(short));
-    let guessed: BTreeSet<&str> = atoms()
-        .filter(|a| a.element.is_guessed() && a.element.symbol != "?")
-        .map(|a| a.element.symbol)
-        .collect();
+    let guessed = atoms().map(|atom| atom.element);
+    let guessed = guessed.filter(|e| e.is_guessed() && e.symbol != "?");
+    let guessed: BTreeSet<&str> = guessed.map(|e| e.symbol).collect();
     let value = json!({
         "title": drawn.scene.title,
         "atoms_read": read.atoms,
@@ -96,7 +95,7 @@ pub fn report(
     let assemblies = listed(read.assemblies.iter().cloned());
     let as_they_stand = options.assembly.is_none() && !read.assemblies.is_empty();
     let no_occupancy = remarks.no_occupancy;
-    let guessed = guessed.into_iter().collect::<Vec<_>>().join(", ");
+    let guessed = Vec::from_iter(guessed).join(", ");
     let farther = format!(
         "that only the file says: farther apart than the covalent radii and {TOLERANCE} angstroms, or of a kind that is not looked for"
     );

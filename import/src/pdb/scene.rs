@@ -7,7 +7,7 @@ use super::options::{Colouring, Options, Style};
 use super::structure::{Atom, Structure};
 use super::words::{Word, Words};
 use crate::error::Result;
-use crate::{Names, object};
+use crate::{Names, material, object, short};
 use imogene_algebra::vector::{dot, length, minus};
 use imogene_scene::{Axis, Cut, Light, Material, Object, Rotation, SceneFile, Shape, Step};
 use std::collections::HashMap;
@@ -69,21 +69,9 @@ impl Materials {
                 Colouring::Element => atom.element.colour(),
                 _ => colour_of_rank(place),
             };
-            self.list.push(material(name, colour));
+            self.list.push(material(name, colour, [0.4, 0.7, 0.35], 40));
         }
         &self.list[place]
-    }
-}
-
-fn material(name: String, colour: [f64; 3]) -> Material {
-    Material {
-        name,
-        colour,
-        ambient: 0.4,
-        diffuse: 0.7,
-        specular: 0.35,
-        exponent: 40,
-        opacity: 1.0,
     }
 }
 
@@ -124,13 +112,11 @@ pub fn build(
     }
     let framing = framing::frame(&balls);
     let (mut sticks, mut all) = (vec![], Bonds::default());
+    let with_sticks = options.style == Style::BallAndStick;
     let mut rest = &objects[..];
-    for model in chosen {
+    for model in chosen.iter().filter(|_| with_sticks) {
         let (balls, others) = rest.split_at(model.atoms.len());
         rest = others;
-        if options.style == Style::SpaceFilling {
-            continue;
-        }
         let found = bonds::find(&model.atoms, &model.copies, &structure.connections, file)?;
         for pair in &found.pairs {
             let ends = pair.map(|k| (&model.atoms[k], &balls[k]));
@@ -156,7 +142,7 @@ fn radius(atom: &Atom, style: Style) -> f64 {
     let radius = atom.element.van_der_waals();
     match style {
         Style::SpaceFilling => radius,
-        Style::BallAndStick => (radius * BALL * 1e4).round() / 1e4,
+        Style::BallAndStick => short(radius * BALL),
     }
 }
 
@@ -179,9 +165,8 @@ fn sphere(name: String, place: [f64; 3], radius: f64, material: String) -> Objec
 }
 
 /// The stick of a bond: one cylinder, or two halves that meet in one plane if its ends have different colours.
-fn cylinders(ends: [(&Atom, &Object); 2], eye: [f64; 3], names: &mut Names) -> Vec<Object> {
+fn cylinders(mut ends: [(&Atom, &Object); 2], eye: [f64; 3], names: &mut Names) -> Vec<Object> {
     // The local y axis is turned towards the upper end, which keeps the half turn below well away from the axis itself.
-    let mut ends = ends;
     if ends[1].0.place[1] < ends[0].0.place[1] {
         ends.swap(0, 1);
     }
@@ -202,7 +187,6 @@ fn cylinders(ends: [(&Atom, &Object); 2], eye: [f64; 3], names: &mut Names) -> V
         }
     };
     // Ends lie in the middles of the balls, to a thousandth of the stick's radius.
-    let short = |v: f64| (v * 1e4).round() / 1e4;
     let (half, whole) = (short(0.5 * length), short(length));
     if first.material == second.material {
         let name = names.unique(format!("{}-{}", first.name, second.name), numbered);
@@ -234,7 +218,7 @@ fn normal(along: [f64; 3], length: f64, to_eye: [f64; 3]) -> [f64; 3] {
     let line = turn_line(along, length);
     let square = dot(line, line);
     let share = 2.0 * dot(line, tilted) / square;
-    std::array::from_fn(|k| ((share * line[k] - tilted[k]) * 1e4).round() / 1e4 + 0.0)
+    std::array::from_fn(|k| short(share * line[k] - tilted[k]) + 0.0)
 }
 
 /// The line half way between the y axis and a direction, with six digits after the point.
@@ -290,12 +274,9 @@ fn numbered(name: &str, count: usize) -> String {
 /// `A/17/CA`: chain, residue number, atom; with the alternate behind it if there is one, the model in front if there
 /// are several, and the serial number if another atom has the same.
 fn atom_name(names: &mut Names, atom: &Atom, words: &Words, model: Option<i64>) -> String {
-    let or_dash = |text: String| {
-        if text.is_empty() {
-            "-".to_owned()
-        } else {
-            text
-        }
+    let or_dash = |text: String| match text.is_empty() {
+        true => "-".to_owned(),
+        false => text,
     };
     let text = |word: Word| or_dash(words.text(word).to_owned());
     let mut name = [atom.chain, atom.number, atom.name].map(text).join("/");

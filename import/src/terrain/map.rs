@@ -2,11 +2,11 @@
 
 use super::TerrainOptions;
 use super::grid::HeightGrid;
-use crate::Result;
 use crate::error::unusable;
+use crate::{Result, material};
 use imogene_algebra::rational::{fraction, from_decimal, integer, to_f64};
 use imogene_algebra::vector::length;
-use imogene_scene::{Camera, ImageSize, Light, Material, SceneFile};
+use imogene_scene::{Camera, ImageSize, Light, SceneFile};
 use num_rational::BigRational;
 
 /// Colours of altitudes, lowest first, as on a map.
@@ -66,12 +66,11 @@ impl<'a> Map<'a> {
         let target = options.target.unwrap_or([0.0, short(middle), 0.0]);
         // The range of the depth begins at half the viewer distance unless more of it is needed.
         let outside = |value: f64, low: f64, high: f64| (low - value).max(value - high).max(0.0);
-        let gaps = [
+        let nearest = length([
             outside(eye[0], -half[0], half[0]),
             outside(eye[1], heights.0, heights.1),
             outside(eye[2], -half[1], half[1]),
-        ];
-        let nearest = length(gaps);
+        ]);
         Ok(Map {
             file,
             options,
@@ -90,14 +89,8 @@ impl<'a> Map<'a> {
     }
 
     pub(super) fn empty_scene(&self) -> SceneFile {
-        let material = |(index, colour): (usize, &[f64; 3])| Material {
-            name: format!("altitude-{index}"),
-            colour: *colour,
-            ambient: 0.25,
-            diffuse: 0.75,
-            specular: 0.0,
-            exponent: 1,
-            opacity: 1.0,
+        let material = |(index, colour): (usize, &[f64; 3])| {
+            material(format!("altitude-{index}"), *colour, [0.25, 0.75, 0.0], 1)
         };
         let pose = [self.eye, self.target, [0.0, 1.0, 0.0]];
         let window = short(VIEW * self.viewer_distance);

@@ -3,7 +3,7 @@
 use super::grid::{HeightGrid, MAX_NODES};
 use crate::error::{decoded, unusable};
 use crate::kind::{KEYS, is_grid_keyword};
-use crate::{ImportError, Place, Result};
+use crate::{ImportError, Place, Result, decimal};
 
 /// Largest magnitude of a height or a distance.
 const MAX_NUMBER: f64 = 1e8;
@@ -51,9 +51,8 @@ impl<'a> Reader<'a> {
     }
 
     fn number(&self, word: &str, what: &str) -> Result<f64> {
-        let plain = |b: u8| b.is_ascii_digit() || b"+-.eE".contains(&b);
-        let value = word.parse::<f64>().ok();
-        let value = value.filter(|v| word.bytes().all(plain) && v.abs() <= MAX_NUMBER);
+        let value = decimal(word.as_bytes(), b"+-.eE");
+        let value = value.filter(|v| v.abs() <= MAX_NUMBER);
         let accepted = "a decimal number of magnitude up to 1e8 is expected";
         value.ok_or_else(|| self.refused(word, &format!("is no {what}"), accepted))
     }

@@ -2,6 +2,7 @@
 
 use super::super::structure::{Atom, Model, Structure};
 use super::super::words::{Repeated, Serial, plain};
+use crate::decimal;
 use std::collections::HashMap;
 
 /// The items that are read, in the order in which a row is handed on.
@@ -55,25 +56,9 @@ impl Atoms {
         structure: &mut Structure,
         row: &[&[u8]; WANTED.len()],
     ) -> Result<(), Defect> {
-        let [
-            x,
-            y,
-            z,
-            id,
-            symbol,
-            name,
-            own_name,
-            alternate,
-            own_residue,
-            residue,
-            own_chain,
-            chain,
-            own_number,
-            number,
-            insertion,
-            occupancy,
-            model,
-        ] = *row;
+        let [x, y, z, id, symbol, name, own_name, alternate, rest @ ..] = *row;
+        let [own_residue, residue, own_chain, chain, rest @ ..] = rest;
+        let [own_number, number, insertion, occupancy, model] = rest;
         let place = [
             coordinate(x, 0, 'x')?,
             coordinate(y, 1, 'y')?,
@@ -144,14 +129,8 @@ fn given<'a>(first: &'a [u8], second: &'a [u8]) -> &'a [u8] {
 /// A number; its uncertainty may stand behind it in brackets.
 pub fn number(text: &[u8]) -> Option<f64> {
     let end = text.iter().position(|c| *c == b'(').unwrap_or(text.len());
-    let text = &text[..end];
-    // Rust would also take "nan" and "inf".
-    let plain = |c: &u8| c.is_ascii_digit() || b"+-.eE".contains(c);
-    if !text.iter().all(plain) {
-        return None;
-    }
-    let value: f64 = std::str::from_utf8(text).ok()?.parse().ok()?;
-    (value.abs() <= MOST).then_some(value)
+    let value = decimal(&text[..end], b"+-.eE");
+    value.filter(|value| value.abs() <= MOST)
 }
 
 fn coordinate(text: &[u8], column: usize, axis: char) -> Result<f64, Defect> {

@@ -147,10 +147,9 @@ impl<'a> Reader<'a> {
                 Token::Tag(tag) => self.item(tag, at)?,
                 Token::Other => {}
                 Token::Bare(_) | Token::Quoted(_) => {
+                    let problem = "a value without a name";
                     let accepted = "a name such as _entry.id before each value would be accepted";
-                    return Err(self
-                        .tokens
-                        .malformed(at, "a value without a name", accepted));
+                    return Err(self.tokens.malformed(at, problem, accepted));
                 }
             }
         }
@@ -214,10 +213,9 @@ impl<'a> Reader<'a> {
         }
         let width = items.len();
         if width == 0 {
+            let problem = "a loop without names";
             let accepted = "names such as _atom_site.id behind `loop_` would be accepted";
-            return Err(self
-                .tokens
-                .malformed(start, "a loop without names", accepted));
+            return Err(self.tokens.malformed(start, problem, accepted));
         }
         match (kept(&category), columns(&items)) {
             (Some(ATOMS), Some(columns)) => {
@@ -257,10 +255,8 @@ impl<'a> Reader<'a> {
         let Some((_, at)) = row.first() else {
             return Ok(());
         };
-        let problem = format!(
-            "the last row of the loop has {} of {width} values",
-            row.len()
-        );
+        let count = row.len();
+        let problem = format!("the last row of the loop has {count} of {width} values");
         let accepted = format!("{width} values in each row, one for each name, would be accepted");
         Err(self.tokens.malformed(*at, problem, accepted))
     }
