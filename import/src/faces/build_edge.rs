@@ -1,8 +1,7 @@
 //! Edges from their words.
 
 use super::curve::{Curve, Ellipse, Tolerance};
-use super::keys::EdgeKeys;
-use super::keys::Source;
+use super::keys::{EdgeKeys, Source};
 use super::model::{COINCIDENT, Edge};
 use super::vector::{Vector, across, distance, frame, hull, length, minus, reach, unit};
 use crate::{ImportError, Result};

@@ -23,7 +23,7 @@ const ANGLES: [f64; 2] = [0.1, 89.9];
 type Place = (Vector, Vector);
 
 /// What a surface is taken for.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Found {
     pub surface: Surface,
     /// Why it is not drawn although it is a quadric.
@@ -60,9 +60,9 @@ pub fn canonical(patches: &[Patch], tolerance: f64) -> Option<Found> {
     }
     Some(Found {
         surface,
-        refused: None,
         off,
         opposite: opposite_normal && !turned,
+        ..Found::default()
     })
 }
 

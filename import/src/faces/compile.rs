@@ -7,8 +7,7 @@ use super::courses::Courses;
 use super::cover::Term;
 use super::curve::{Curve, PlaneOf, arc_through};
 use super::model::{COINCIDENT, EdgeUse, Face, Model};
-use super::parting::terms;
-use super::parting::{AUXILIARY, EDGE, Parting, halving};
+use super::parting::{AUXILIARY, EDGE, Parting, halving, terms};
 use super::planes::Planes;
 use super::rings::{MOST, Rings};
 use super::slabs::{Band, Slabs};
@@ -178,12 +177,8 @@ pub fn torus_face(task: Task, planes: &mut Planes) -> Made<Compiled> {
         .ok_or_else(|| format!("more than {MOST} bands would be needed to be within {most:.3e}"))?;
     let off = task.deviation()?;
     let parting = task.parting(planes)?;
-    let cells = task.slabs(
-        &parting,
-        &rings.bands(&Chart::of(surface, None)),
-        None,
-        planes,
-    );
+    let bands = rings.bands(&Chart::of(surface, None));
+    let cells = task.slabs(&parting, &bands, None, planes);
     task.compiled(cells, off.max(rings.deviation))
 }
 

@@ -9,8 +9,7 @@ use super::courses::MAX_PIECES;
 use super::cover::Term;
 use super::curve::{Curve, PlaneOf};
 use super::model::EdgeUse;
-use super::parting::terms;
-use super::parting::{EDGE, Parting, halving};
+use super::parting::{EDGE, Parting, halving, terms};
 use super::planes::{Planes, Separator};
 use super::slabs::Band;
 use super::surface::Surface;
@@ -165,11 +164,7 @@ impl Border<'_> {
     /// The separator of a straight edge: the neighbour's plane if it has one that is not too flat, or one upright on
     /// the face.
     fn side(&mut self, edge: usize, from: Vector, to: Vector, planes: &mut Planes) -> usize {
-        let Task {
-            model,
-            courses,
-            index,
-        } = self.task;
+        let (model, courses, index) = (self.task.model, self.task.courses, self.task.index);
         let mut own = None;
         for other in model.neighbours(index, edge) {
             own = own.or(match model.faces[other].surface.plane() {

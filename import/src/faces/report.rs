@@ -4,13 +4,13 @@ use super::cell::{Compilation, Verdict};
 use super::courses::Courses;
 use super::curve::Curve;
 use super::model::Model;
-use super::surface::Form;
 use imogene_files::text::counted;
+use indexmap::IndexMap;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The report of an import; its keys are stable.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Default, Serialize)]
 pub struct Report {
     solids: usize,
     max_deviation: f64,
@@ -67,12 +67,8 @@ pub fn report(model: &Model, courses: &Courses, solids: &[Compilation]) -> (Repo
     let mut report = Report {
         solids: model.solids.len(),
         max_deviation: courses.max_deviation,
-        faces: vec![],
-        counts: BTreeMap::new(),
-        total: Counts::default(),
-        planes_per_face: BTreeMap::new(),
-        cuts_per_object: BTreeMap::new(),
         edges: edges(model, courses),
+        ..Report::default()
     };
     for (index, compilation) in solids.iter().enumerate() {
         report.solid(model, index, compilation);
@@ -92,11 +88,13 @@ impl Report {
             let (form, verdict, cells) = match compilation {
                 Compilation::Volume(_) => ("volume", &Verdict::Exact, &[][..]),
                 Compilation::Faces(faces) => {
-                    let form = match face.surface.form {
-                        Form::Plane => "flat",
-                        _ => "patch",
+                    let own = &faces[position];
+                    let form = if face.surface.is_plane() {
+                        "flat"
+                    } else {
+                        "patch"
                     };
-                    (form, &faces[position].verdict, &faces[position].cells[..])
+                    (form, &own.verdict, &own.cells[..])
                 }
             };
             let planes = cells.iter().flat_map(|cell| &cell.cuts);
@@ -122,7 +120,7 @@ impl Report {
                 let cuts = cell.cuts.len() + if cell.flat.is_some() { 2 } else { 0 };
                 *self.cuts_per_object.entry(cuts).or_default() += 1;
             }
-            let line = FaceReport {
+            self.faces.push(FaceReport {
                 name: face.name.clone(),
                 solid: solid.name.clone(),
                 surface: surface.to_owned(),
@@ -133,8 +131,7 @@ impl Report {
                 objects: cells.len(),
                 planes: planes.len(),
                 edges: face.loops.iter().flatten().count(),
-            };
-            self.faces.push(line);
+            });
         }
     }
 }
@@ -160,49 +157,41 @@ const MOST_NAMES: usize = 4;
 
 /// The summary first, then what is rejected by its reasons, and the worst of what is approximated.
 fn notes(report: &Report) -> Vec<String> {
-    let Counts {
-        exact,
-        approximated,
-        rejected,
-    } = report.total;
+    let total = &report.total;
     let mut notes = vec![format!(
-        "{} of {}: {exact} exact, {approximated} approximated, {rejected} rejected",
+        "{} of {}: {} exact, {} approximated, {} rejected",
         counted(report.faces.len(), "face"),
-        counted(report.solids, "solid")
+        counted(report.solids, "solid"),
+        total.exact,
+        total.approximated,
+        total.rejected
     )];
-    let mut reasons: Vec<(&FaceReport, String, Vec<&str>, bool)> = vec![];
+    let mut reasons: IndexMap<(&str, String), Vec<(&str, &str)>> = IndexMap::new();
     for face in &report.faces {
-        let Some(reason) = &face.reason else { continue };
-        let kind = without_numbers(reason);
-        match reasons
-            .iter_mut()
-            .find(|(first, known, ..)| first.surface == face.surface && *known == kind)
-        {
-            Some((first, _, names, same)) => {
-                names.push(&face.name);
-                *same &= first.reason == face.reason;
-            }
-            None => reasons.push((face, kind, vec![&face.name], true)),
+        if let Some(reason) = &face.reason {
+            let kind = (face.surface.as_str(), without_numbers(reason));
+            reasons.entry(kind).or_default().push((&face.name, reason));
         }
     }
-    for (first, kind, names, same) in &reasons {
-        let surface = &first.surface;
-        let reason = first.reason.as_deref().unwrap_or_default();
-        notes.push(match &names[..] {
-            [name] => format!("face `{name}` ({surface}): rejected, {reason}"),
-            names => format!(
-                "{} ({surface}): rejected, {}: {}",
-                counted(names.len(), "face"),
-                if *same { reason } else { kind },
-                listed(names)
-            ),
-        });
+    for ((surface, kind), faces) in &reasons {
+        let (first, reason) = faces[0];
+        if faces.len() == 1 {
+            notes.push(format!("face `{first}` ({surface}): rejected, {reason}"));
+            continue;
+        }
+        let same = faces.iter().all(|(_, other)| *other == reason);
+        notes.push(format!(
+            "{} ({surface}): rejected, {}: {}",
+            counted(faces.len(), "face"),
+            if same { reason } else { kind },
+            listed(faces)
+        ));
     }
     let deviations = report.faces.iter().filter_map(|f| Some((f.deviation?, f)));
     if let Some((off, face)) = deviations.max_by(|a, b| a.0.total_cmp(&b.0)) {
         notes.push(format!(
-            "{approximated} approximated: face `{}` ({}) is off by at most {off:.3e}, the others by no more",
-            face.name, face.surface
+            "{} approximated: face `{}` ({}) is off by at most {off:.3e}, the others by no more",
+            total.approximated, face.name, face.surface
         ));
     }
     notes
@@ -215,11 +204,11 @@ fn without_numbers(reason: &str) -> String {
     reason.split(' ').map(shown).collect::<Vec<_>>().join(" ")
 }
 
-/// The first of some names, and how many more there are.
-fn listed(names: &[&str]) -> String {
-    let first = names.iter().take(MOST_NAMES);
-    let first: Vec<String> = first.map(|name| format!("`{name}`")).collect();
-    match names.len().saturating_sub(MOST_NAMES) {
+/// The names of the first of some faces, and how many more there are.
+fn listed(faces: &[(&str, &str)]) -> String {
+    let first = faces.iter().take(MOST_NAMES);
+    let first: Vec<String> = first.map(|(name, _)| format!("`{name}`")).collect();
+    match faces.len().saturating_sub(MOST_NAMES) {
         0 => first.join(", "),
         more => format!("{} and {more} more", first.join(", ")),
     }

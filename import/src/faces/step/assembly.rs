@@ -1,8 +1,7 @@
 //! Representations, and where they are placed in each other (ISO 10303-43, -44).
 
 use super::placement::{Placement, placement};
-use super::units::Measure;
-use super::units::{Context, context};
+use super::units::{Context, Measure, context};
 use std::collections::{HashMap, HashSet};
 use step21::{Args, Entity, Error, Exchange, Result};
 
@@ -120,11 +119,8 @@ impl<'a> Assembly<'a> {
             "SHAPE_REPRESENTATION_RELATIONSHIP",
             "REPRESENTATION_RELATIONSHIP",
         ];
-        let file = self.file;
-        for args in file.all(&names) {
-            if args.entity.find(&PLACING).is_some() {
-                continue;
-            }
+        let joined = self.file.all(&names);
+        for args in joined.filter(|args| args.entity.find(&PLACING).is_none()) {
             let found = relation(&args);
             let Some(ends) = self.keep("a relationship is left out", found) else {
                 continue;
@@ -200,17 +196,13 @@ impl<'a> Assembly<'a> {
         };
         let last = if placed.entity.complex { 0 } else { 4 };
         let operator = placed.named(last, &["ITEM_DEFINED_TRANSFORMATION"])?;
-        let frame = |k: usize, index: usize| {
-            let context = self.context(&self.representations[index])?;
-            placement(operator.entity(2 + k)?, &context)
-        };
-        let frames = [frame(0, first)?, frame(1, second)?];
+        let mut ends = [
+            self.frame(first, &operator, 2)?,
+            self.frame(second, &operator, 3)?,
+        ];
         // The first is the component, unless its product is the one that uses.
-        let whole = wholes.get(&placed.entity.id);
-        let product = self.products.get(&self.group[first]).map(|(id, _)| id);
-        let swapped = whole.is_some() && whole == product;
-        let mut ends = [(first, frames[0]), (second, frames[1])];
-        if swapped {
+        let whole = wholes.get(&placed.entity.id).copied();
+        if whole.is_some() && whole == self.product_of(self.group[first]) {
             ends.reverse();
         }
         Ok(Some(self.inside(ends, placed.entity.id)))
@@ -220,11 +212,9 @@ impl<'a> Assembly<'a> {
         for index in 0..self.representations.len() {
             let own = self.representations[index];
             // Items that cannot be read are reported where the solids are.
-            let items = own.list(1).unwrap_or_default();
-            for item in items.iter().filter_map(|item| own.as_entity(item).ok()) {
-                let Some(item) = item.find(&["MAPPED_ITEM"]) else {
-                    continue;
-                };
+            let items = own.list(1).unwrap_or_default().iter();
+            let items = items.filter_map(|item| own.as_entity(item).ok());
+            for item in items.filter_map(|item| item.find(&["MAPPED_ITEM"])) {
                 let map = item.named(1, &["REPRESENTATION_MAP"]);
                 let source = map.and_then(|map| map.entity(1)).ok();
                 let child = source.and_then(|entity| self.find(entity));
@@ -235,18 +225,18 @@ impl<'a> Assembly<'a> {
     }
 
     fn mapped(&self, index: usize, item: &Args<'a>) -> Result<Option<Inside>> {
-        let own = &self.representations[index];
         let map = item.named(1, &["REPRESENTATION_MAP"])?;
         let Some(source) = self.index.get(&map.entity(1)?.id).copied() else {
             return Ok(None);
         };
-        let inner = self.context(&self.representations[source])?;
-        let origin = placement(map.entity(0)?, &inner)?;
-        let target = placement(item.entity(2)?, &self.context(own)?)?;
-        Ok(Some(self.inside(
-            [(source, origin), (index, target)],
-            item.entity.id,
-        )))
+        let ends = [self.frame(source, &map, 0)?, self.frame(index, item, 2)?];
+        Ok(Some(self.inside(ends, item.entity.id)))
+    }
+
+    /// A representation with a placement in it that is named.
+    fn frame(&self, index: usize, args: &Args, place: usize) -> Result<(usize, Placement)> {
+        let context = self.context(&self.representations[index])?;
+        Ok((index, placement(args.entity(place)?, &context)?))
     }
 
     /// A representation inside another, so that a placement of the one comes to be where one of the other is.
@@ -330,12 +320,9 @@ impl<'a> Assembly<'a> {
 
 /// The relationship that places a usage, and the product that uses.
 fn usage(args: &Args) -> Option<(u64, u64)> {
-    let shape = args
-        .named(1, &["PRODUCT_DEFINITION_SHAPE"])
-        .ok()?
-        .entity(2)
-        .ok()?;
-    let usage = shape.find(&["NEXT_ASSEMBLY_USAGE_OCCURRENCE"])?;
+    let shape = args.named(1, &["PRODUCT_DEFINITION_SHAPE"]).ok()?;
+    let usage = shape.entity(2).ok()?;
+    let usage = usage.find(&["NEXT_ASSEMBLY_USAGE_OCCURRENCE"])?;
     Some((args.entity(0).ok()?.id, usage.entity(3).ok()?.id))
 }
 

@@ -20,8 +20,7 @@ use crate::{ImportError, Result};
 use assembly::Assembly;
 use colours::colours;
 use placement::Placement;
-use reader::Summary;
-use reader::{Found, Reader};
+use reader::{Found, Reader, Summary};
 use std::collections::HashSet;
 use step21::{Error, Exchange, Kind, Value, decoded};
 
@@ -123,15 +122,12 @@ fn schema(file: &Exchange) -> Vec<String> {
         Some(Kind::List(values)) => &values[..],
         _ => &[],
     };
-    let word = |value: &Value| match value.kind {
-        Kind::Text(name) => Some(
-            decoded(name)
-                .split_whitespace()
-                .next()
-                .unwrap_or("")
-                .to_owned(),
-        ),
-        _ => None,
+    let word = |value: &Value| {
+        let Kind::Text(name) = value.kind else {
+            return None;
+        };
+        let name = decoded(name);
+        Some(name.split_whitespace().next().unwrap_or("").to_owned())
     };
     names.iter().filter_map(word).collect()
 }

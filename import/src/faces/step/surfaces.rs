@@ -13,9 +13,7 @@ impl Found {
     fn exact(surface: Surface) -> Found {
         Found {
             surface,
-            refused: None,
-            off: 0.0,
-            opposite: false,
+            ..Found::default()
         }
     }
 
