@@ -1,13 +1,12 @@
 //! From a face to cells: what all faces need, and faces on quadrics and tori.
 
-use super::arrangement::Sample;
 use super::cell::{Cell, Compiled, Made, Verdict};
 use super::chart::Chart;
 use super::courses::Courses;
 use super::cover::Term;
 use super::curve::{Curve, PlaneOf, arc_through};
 use super::model::{COINCIDENT, EdgeUse, Face, Model};
-use super::parting::{AUXILIARY, EDGE, Parting, halving, terms};
+use super::parting::{AUXILIARY, EDGE, Parting, terms};
 use super::planes::Planes;
 use super::rings::{MOST, Rings};
 use super::slabs::{Band, Slabs};
@@ -143,25 +142,18 @@ impl<'a> Task<'a> {
 
 pub fn quadric_face(task: Task, planes: &mut Planes) -> Made<Compiled> {
     let surface = &task.face().surface;
-    let name = surface.name();
-    let implicit = surface
-        .implicit()
-        .ok_or_else(|| format!("a {name} is no quadric"))?;
+    let none = || format!("a {} is no quadric", surface.name());
+    let implicit = surface.implicit().ok_or_else(none)?;
     let deviation = task.deviation()?;
     let border = task.parting(planes)?;
     let mut parting = border.clone();
     parting.split(planes, &between_loops(task.model, task.face()));
-    let fits = |_: &Parting, term: &Term| term.len() as usize <= MAX_CUTS;
-    let refine = |parting: &Parting, terms: &[Term], samples: &[Sample]| {
-        let large = terms.iter().filter(|term| !fits(parting, term));
-        large.map(|term| halving(term, samples, surface)).collect()
-    };
     let cell = |parting: &Parting, term: &Term| Cell {
         quadric: Some(implicit),
         flat: None,
         cuts: parting.cuts(term),
     };
-    let cells = match terms(task, &mut parting, planes, &fits, &refine) {
+    let cells = match terms(task, &mut parting, planes, MAX_CUTS, &[]) {
         Ok(terms) => Ok(terms.iter().map(|term| cell(&parting, term)).collect()),
         Err(_) => task.slabs(&border, &Band::whole(surface), None, planes),
     };

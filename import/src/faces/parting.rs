@@ -2,8 +2,9 @@
 
 use super::arrangement::{Boundary, Division, MAX_SEPARATORS, Sample};
 use super::compile::Task;
+use super::conics::{self, Conic};
 use super::cover::{Conflict, Term, cover};
-use super::curve::PlaneOf;
+use super::curve::{Curve, PlaneOf};
 use super::planes::{Planes, Separator};
 use super::surface::{Implicit, Surface};
 use super::vector::{Vector, along, dot, mean, minus, plus, times, unit};
@@ -50,7 +51,7 @@ impl Parting {
     }
 
     /// Adds a piece of the border.
-    pub fn border(&mut self, separator: usize, curve: super::curve::Curve, forward: bool) {
+    pub fn border(&mut self, separator: usize, curve: Curve, forward: bool) {
         self.boundaries.push(Boundary {
             separator,
             curve,
@@ -77,14 +78,47 @@ impl Parting {
     /// The quadrics of a term.
     pub fn conics(&self, term: &Term) -> Vec<(usize, bool)> {
         let literals = term.literals();
-        literals
-            .filter(|(k, _)| self.planes[*k].is_none())
-            .collect()
+        let own = literals.filter(|(k, _)| self.planes[*k].is_none());
+        own.collect()
+    }
+
+    /// One object has one conic, and so many sides at most.
+    fn fits(&self, term: &Term, most: usize) -> bool {
+        let own = self.conics(term).len();
+        own <= 1 && term.len() as usize - own <= most
     }
 }
 
+/// Planes that take apart what one object cannot be: two conics in one term, more sides than there may be.
+fn refined(
+    parting: &Parting,
+    terms: &[Term],
+    samples: &[Sample],
+    most: usize,
+    conics: &[(usize, Conic)],
+    surface: &Surface,
+) -> Vec<PlaneOf> {
+    let mut new = vec![];
+    let of = |k: usize| conics.iter().find(|(index, _)| *index == k).map(|(_, c)| c);
+    for term in terms {
+        let own = parting.conics(term);
+        for (i, (one, _)) in own.iter().enumerate() {
+            for (other, _) in &own[i + 1..] {
+                if let (Some(a), Some(b)) = (of(*one), of(*other)) {
+                    new.extend(conics::between(a, b, surface.axis));
+                }
+            }
+        }
+    }
+    if new.is_empty() {
+        let large = terms.iter().filter(|term| !parting.fits(term, most));
+        new.extend(large.map(|term| halving(term, samples, surface)));
+    }
+    new
+}
+
 /// A plane through the middle of a term's pieces across their greatest extent.
-pub fn halving(term: &Term, samples: &[Sample], surface: &Surface) -> PlaneOf {
+fn halving(term: &Term, samples: &[Sample], surface: &Surface) -> PlaneOf {
     let own = samples.iter().filter(|s| term.takes(s.sides));
     let own: Vec<Vector> = own.map(|s| s.point).collect();
     let middle = mean(&own);
@@ -95,7 +129,7 @@ pub fn halving(term: &Term, samples: &[Sample], surface: &Surface) -> PlaneOf {
 }
 
 /// Of a direction, what is within the surface if that is a plane.
-pub fn within(direction: Vector, surface: &Surface) -> Vector {
+fn within(direction: Vector, surface: &Surface) -> Vector {
     match surface.plane() {
         Some((_, normal)) => along(direction, -dot(direction, normal), normal),
         None => direction,
@@ -111,12 +145,7 @@ const MOST_SEARCHED: usize = 128;
 /// Most pieces of a surface that are searched.
 const MOST_SAMPLES: usize = 100_000;
 
-/// Whether a term is one object.
-type Fits<'a> = &'a dyn Fn(&Parting, &Term) -> bool;
-/// Planes that take apart terms that are not, a point and a normal each; none if all are.
-type Refine<'a> = &'a dyn Fn(&Parting, &[Term], &[Sample]) -> Vec<PlaneOf>;
-
-/// Terms of a parting, split until each is one object.
+/// Terms of a parting with conics, split until each is one object with so many sides at most.
 ///
 /// First with the fewest sides for every term, which drops a plane that only halves a convex piece; where that does
 /// not end on a plane, once more with the halves.
@@ -124,17 +153,17 @@ pub fn terms(
     task: Task,
     parting: &mut Parting,
     planes: &mut Planes,
-    fits: Fits,
-    refine: Refine,
+    most: usize,
+    conics: &[(usize, Conic)],
 ) -> Result<Vec<Term>, String> {
     if parting.separators.len() > MOST_SEARCHED {
         return Err("its border has too many pieces for the search".into());
     }
     let start = parting.clone();
-    match attempt(task, parting, planes, fits, refine, false) {
+    match attempt(task, parting, planes, most, conics, false) {
         Err(Trouble::Unresolved(_)) if task.face().surface.is_plane() => {
             *parting = start;
-            attempt(task, parting, planes, fits, refine, true)
+            attempt(task, parting, planes, most, conics, true)
         }
         other => other,
     }
@@ -158,8 +187,8 @@ fn attempt(
     task: Task,
     parting: &mut Parting,
     planes: &mut Planes,
-    fits: Fits,
-    refine: Refine,
+    most: usize,
+    conics: &[(usize, Conic)],
     halves: bool,
 ) -> Result<Vec<Term>, Trouble> {
     let surface = &task.face().surface;
@@ -178,14 +207,14 @@ fn attempt(
         if !samples.iter().any(|sample| sample.inside) {
             return Err(Trouble::Wrong("its loops enclose nothing"));
         }
-        let fits = |term: &Term| fits(parting, term);
+        let fits = |term: &Term| parting.fits(term, most);
         let new = match cover(&samples, &parting.ranks, halves.then_some(&fits)) {
             Err(conflicts) => {
                 trouble = "pieces of it lie on the same side of all its planes as others that are not of it";
                 conflicts.iter().map(|c| between(c, surface)).collect()
             }
             Ok(terms) => {
-                let new = refine(parting, &terms, &samples);
+                let new = refined(parting, &terms, &samples, most, conics, surface);
                 if new.is_empty() {
                     return Ok(terms);
                 }

@@ -1,18 +1,16 @@
 //! Faces in a plane: solids without thickness, two opposite cut planes with one more quadric at most, which are drawn
 //! exactly.
 
-use super::arrangement::Sample;
 use super::cell::{Cell, Compiled, Made};
 use super::compile::Task;
-use super::conics::{Conic, between};
+use super::conics::Conic;
 use super::courses::MAX_PIECES;
 use super::cover::Term;
 use super::curve::{Curve, PlaneOf};
 use super::model::EdgeUse;
-use super::parting::{EDGE, Parting, halving, terms};
+use super::parting::{EDGE, Parting, terms};
 use super::planes::{Planes, Separator};
 use super::slabs::Band;
-use super::surface::Surface;
 use super::vector::{Vector, along, cross, distance, dot, minus, unit};
 use imogene_scene::MAX_CUTS;
 
@@ -28,10 +26,7 @@ pub fn plane_face(task: Task, planes: &mut Planes) -> Made<Compiled> {
     let border = border(task, true, planes)?;
     let mut searched = border.parting.clone();
     searched.split(planes, &border.chords);
-    let refine = |parting: &Parting, terms: &[Term], samples: &[Sample]| {
-        refined(parting, terms, samples, &border.conics, surface)
-    };
-    if let Ok(terms) = terms(task, &mut searched, planes, &fits, &refine) {
+    if let Ok(terms) = terms(task, &mut searched, planes, SIDES, &border.conics) {
         let cells = terms.iter().map(|term| cell(&searched, term, flat));
         return task.compiled(Ok(cells.collect()), border.deviation);
     }
@@ -71,39 +66,6 @@ fn cell(parting: &Parting, term: &Term, flat: usize) -> Cell {
         flat: Some(flat),
         cuts: parting.cuts(term),
     }
-}
-
-/// One object has one conic and no more sides than there are cut planes.
-fn fits(parting: &Parting, term: &Term) -> bool {
-    let own = parting.conics(term).len();
-    own <= 1 && term.len() as usize - own <= SIDES
-}
-
-/// Planes that take apart what one object cannot be: two conics in one term, more sides than there are cut planes.
-fn refined(
-    parting: &Parting,
-    terms: &[Term],
-    samples: &[Sample],
-    conics: &[(usize, Conic)],
-    surface: &Surface,
-) -> Vec<PlaneOf> {
-    let mut new = vec![];
-    let of = |k: usize| conics.iter().find(|(index, _)| *index == k).map(|(_, c)| c);
-    for term in terms {
-        let own = parting.conics(term);
-        for (i, (one, _)) in own.iter().enumerate() {
-            for (other, _) in &own[i + 1..] {
-                if let (Some(a), Some(b)) = (of(*one), of(*other)) {
-                    new.extend(between(a, b, surface.axis));
-                }
-            }
-        }
-    }
-    if new.is_empty() {
-        let large = terms.iter().filter(|term| !fits(parting, term));
-        new.extend(large.map(|term| halving(term, samples, surface)));
-    }
-    new
 }
 
 /// The border of a plane face while its edges are collected.
