@@ -18,12 +18,8 @@ pub enum Cells {
     Auto,
 }
 
-#[derive(Clone, Debug)]
-pub struct Piece {
-    /// Factors of the surface, as in a scene file.
-    pub coefficients: [f64; 10],
-    pub cuts: Vec<Cut>,
-}
+/// A surface by its factors, as in a scene file, and its cuts.
+pub type Piece = ([f64; 10], Vec<Cut>);
 
 /// An edge of a cell: where u (axis 0) or v (axis 1) is 0 or 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,11 +79,9 @@ pub fn surface([uv, u, height, v, constant]: &[BigRational; 5]) -> Option<[f64; 
 
 /// The bilinear patch of a cell, its cuts moved outwards by a part of the cell at each edge.
 pub fn bilinear_piece(z: &Corners, outwards: [f64; 4]) -> Option<Piece> {
-    let cuts = Edge::ALL.into_iter().zip(outwards);
-    Some(Piece {
-        coefficients: bilinear(z)?,
-        cuts: cuts.map(|(edge, by)| edge.cut(by)).collect(),
-    })
+    let edges = Edge::ALL.into_iter().zip(outwards);
+    let cuts = edges.map(|(edge, by)| edge.cut(by));
+    Some((bilinear(z)?, cuts.collect()))
 }
 
 /// The cell as flat facets: one if it is a plane, else two that meet in the diagonal from its north-western corner.

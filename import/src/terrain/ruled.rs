@@ -89,7 +89,7 @@ fn piece(
             cuts.push(sector_cut(eye, corner, index == 0)?);
         }
     }
-    Some(Piece { coefficients, cuts })
+    Some((coefficients, cuts))
 }
 
 /// The vertical plane through the eye and a corner; what is before it in the order of corners is removed, or what is
@@ -159,13 +159,13 @@ mod tests {
     use imogene_scene::{Quadric, Shape};
     use proptest::prelude::*;
 
-    fn quadric(piece: &Piece) -> Quadric {
-        let coefficients = piece.coefficients;
+    fn quadric((coefficients, _): &Piece) -> Quadric {
+        let coefficients = *coefficients;
         Quadric::from_shape(&Shape::Quadric { coefficients }).unwrap()
     }
 
-    fn keeps(piece: &Piece, [u, v]: &Point) -> bool {
-        piece.cuts.iter().all(|cut| {
+    fn keeps((_, cuts): &Piece, [u, v]: &Point) -> bool {
+        cuts.iter().all(|cut| {
             let [pu, _, pv] = cut.point.map(from_decimal);
             let [nu, _, nv] = cut.normal.map(from_decimal);
             !(nu * (u - pu) + nv * (v - pv)).is_positive()
@@ -216,7 +216,7 @@ mod tests {
             prop_assume!(eye.iter().any(|e| e.is_negative() || *e > integer(1)));
             let pieces = ruled_pieces(&z, &eye, [0.0; 4]).expect("few digits");
             prop_assert!(!pieces.is_empty() && pieces.len() <= 3);
-            for piece in pieces.iter().filter(|p| p.coefficients[0] != 0.0 || p.coefficients[2] != 0.0 || p.coefficients[3] != 0.0 || p.coefficients[5] != 0.0) {
+            for piece in pieces.iter().filter(|(c, _)| [0, 2, 3, 5].iter().any(|k| c[*k] != 0.0)) {
                 for level in [-3, 0, 1000] {
                     prop_assert!(quadric(piece).value_at(&eye[0], &integer(level), &eye[1]).is_zero());
                 }

@@ -145,10 +145,7 @@ impl Map<'_> {
             Form::Facets => vec![(Shape::Mesh(facets(&cell.corners)), vec![])],
             Form::Surfaces => {
                 let pieces = self.pieces(cell, cells).ok_or_else(|| self.digits())?;
-                let shape = |piece: Piece| {
-                    let coefficients = piece.coefficients;
-                    (Shape::Quadric { coefficients }, piece.cuts)
-                };
+                let shape = |(coefficients, cuts)| (Shape::Quadric { coefficients }, cuts);
                 pieces.into_iter().map(shape).collect()
             }
         };
