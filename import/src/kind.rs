@@ -78,10 +78,8 @@ impl Kind {
         }
         let word = first.split_whitespace().next()?;
         let start = word.to_ascii_lowercase();
-        if ["data_", "loop_", "global_", "_"]
-            .iter()
-            .any(|own| start.starts_with(own))
-        {
+        let cif = ["data_", "loop_", "global_", "_"];
+        if cif.iter().any(|own| start.starts_with(own)) {
             return Some(Kind::Structure(Format::Mmcif));
         }
         if is_grid_keyword(word) || lines().filter(is_told).take(3).all(is_heights) {

@@ -122,11 +122,10 @@ fn polygon(small: &Conic, within: f64, normal: Vector) -> Vec<PlaneOf> {
     };
     let reach = 0.5 * (inner + within * (PI / n as f64).cos());
     let [e, f] = frame(normal, 0.0);
-    (0..n)
-        .map(|k| {
-            let (sine, cosine) = (2.0 * PI * k as f64 / n as f64).sin_cos();
-            let out = plus(times(cosine, e), times(sine, f));
-            (along(small.centre, reach, out), out)
-        })
-        .collect()
+    let side = |k: usize| {
+        let (sine, cosine) = (2.0 * PI * k as f64 / n as f64).sin_cos();
+        let out = plus(times(cosine, e), times(sine, f));
+        (along(small.centre, reach, out), out)
+    };
+    (0..n).map(side).collect()
 }

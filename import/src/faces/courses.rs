@@ -5,7 +5,7 @@ use super::model::Model;
 use super::planes::Planes;
 use super::rings::chords;
 use super::surface::{Form, Surface};
-use super::vector::{Vector, across, along, cross, distance, dot, length, minus, plus, unit};
+use super::vector::*;
 use std::collections::HashMap;
 
 pub const MAX_PIECES: usize = 400;
@@ -42,16 +42,13 @@ pub struct Courses {
 
 impl Courses {
     pub fn new(model: &Model, planes: &mut Planes, max_deviation: f64, bands: f64) -> Courses {
-        let courses = 0..model.edges.len();
-        let courses = courses
-            .map(|edge| course(model, edge, max_deviation, bands))
-            .collect();
+        let course = |edge| course(model, edge, max_deviation, bands);
         let mut generators = Generators::new();
         for face in 0..model.faces.len() {
             pair_generators(model, face, planes, &mut generators);
         }
         Courses {
-            courses,
+            courses: (0..model.edges.len()).map(course).collect(),
             generators,
             max_deviation,
             bands,
@@ -78,11 +75,10 @@ fn course(model: &Model, index: usize, max_deviation: f64, bands: f64) -> Result
             deviation: edge.off,
         });
     };
-    let faces = model.users[index].iter().map(|face| &model.faces[*face]);
-    let surfaces = faces.map(|face| &face.surface);
-    let surfaces: Vec<&Surface> = surfaces
-        .filter(|own| !matches!(own.form, Form::Other(_)))
-        .collect();
+    let surfaces = model.users[index].iter();
+    let surfaces = surfaces.map(|face| &model.faces[*face].surface);
+    let known = surfaces.filter(|own| !matches!(own.form, Form::Other(_)));
+    let surfaces: Vec<&Surface> = known.collect();
     let mut refined = refine(line, &surfaces);
     if line.closed {
         refined.push(refined[0]);
@@ -283,7 +279,7 @@ fn lines(model: &Model, face: usize) -> Vec<Line> {
     let mut lines = vec![];
     for edge_use in model.faces[face].border() {
         let edge = &model.edges[edge_use.edge];
-        if !matches!(edge.curve, super::curve::Curve::Line { .. }) {
+        if !matches!(edge.curve, Curve::Line { .. }) {
             continue;
         }
         let [from, to] = edge.curve.ends();
@@ -307,7 +303,7 @@ fn distinct(lines: &[Line], axis: Vector) -> Vec<Vec<usize>> {
     let side = cross(axis, first.out);
     let angle = |k: usize| {
         let angle = dot(lines[k].out, side).atan2(dot(lines[k].out, first.out));
-        super::vector::positive_angle(angle + 1e-9)
+        positive_angle(angle + 1e-9)
     };
     let mut order: Vec<usize> = (0..lines.len()).collect();
     order.sort_by(|i, j| angle(*i).total_cmp(&angle(*j)));

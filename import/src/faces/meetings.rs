@@ -82,10 +82,8 @@ impl Chart {
         let meetings = quadratic(a, b, c).into_iter().map(u_at);
         // A point of the other nappe lies on the line of the opposite angle.
         let opposite = |u: f64| self.surface.is_cone().then(|| positive_angle(u + PI));
-        meetings
-            .flat_map(|u| [Some(u), opposite(u)])
-            .flatten()
-            .collect()
+        let both = meetings.flat_map(|u| [Some(u), opposite(u)]);
+        both.flatten().collect()
     }
 
     fn plane_and_conic(&self, (n, c): (Vector, f64), implicit: &Implicit) -> Vec<f64> {

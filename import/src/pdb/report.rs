@@ -95,6 +95,7 @@ pub fn report(
     let assemblies = listed(read.assemblies.iter().cloned());
     let as_they_stand = options.assembly.is_none() && !read.assemblies.is_empty();
     let no_occupancy = remarks.no_occupancy;
+    let blocks = "further data blocks left out: the first that has atoms is drawn";
     let guessed = Vec::from_iter(guessed).join(", ");
     let farther = format!(
         "that only the file says: farther apart than the covalent radii and {TOLERANCE} angstroms, or of a kind that is not looked for"
@@ -116,9 +117,7 @@ pub fn report(
                 "the coordinates as they stand; --assembly {assemblies} draws what it makes of them"
             )
         }),
-        remarks
-            .other_blocks
-            .then(|| "further data blocks left out: the first that has atoms is drawn".to_owned()),
+        remarks.other_blocks.then(|| blocks.to_owned()),
         told(
             remarks.other_cells,
             "bond",

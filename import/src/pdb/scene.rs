@@ -112,9 +112,12 @@ pub fn build(
     }
     let framing = framing::frame(&balls);
     let (mut sticks, mut all) = (vec![], Bonds::default());
-    let with_sticks = options.style == Style::BallAndStick;
+    let with_sticks = match options.style {
+        Style::SpaceFilling => &[],
+        Style::BallAndStick => chosen,
+    };
     let mut rest = &objects[..];
-    for model in chosen.iter().filter(|_| with_sticks) {
+    for model in with_sticks {
         let (balls, others) = rest.split_at(model.atoms.len());
         rest = others;
         let found = bonds::find(&model.atoms, &model.copies, &structure.connections, file)?;

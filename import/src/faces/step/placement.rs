@@ -56,12 +56,11 @@ impl Placement {
 
 /// The numbers of a point or a direction.
 fn triple(args: &Args, index: usize) -> Result<Vector> {
-    args.numbers(index)?
-        .try_into()
-        .map_err(|numbers: Vec<f64>| {
-            let problem = format!("it has {} coordinates", numbers.len());
-            args.error(problem, "three coordinates are needed")
-        })
+    let numbers = args.numbers(index)?;
+    numbers.try_into().map_err(|numbers: Vec<f64>| {
+        let problem = format!("it has {} coordinates", numbers.len());
+        args.error(problem, "three coordinates are needed")
+    })
 }
 
 /// A point, millimetres.

@@ -103,11 +103,9 @@ impl Spline {
             let [c, d] = [a + (b - a) / 3.0, b - (b - a) / 3.0];
             (a, b) = if off(c) <= off(d) { (a, d) } else { (c, b) };
         }
-        let found = [low, high, place(best), 0.5 * (a + b)].map(|u| (u, off(u)));
-        let nearest = found
-            .into_iter()
-            .min_by(|one, other| one.1.total_cmp(&other.1));
-        nearest.expect("four places")
+        let mut found = [low, high, place(best), 0.5 * (a + b)].map(|u| (u, off(u)));
+        found.sort_by(|one, other| one.1.total_cmp(&other.1));
+        found[0]
     }
 }
 
