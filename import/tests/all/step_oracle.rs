@@ -1,7 +1,7 @@
 //! STEP files of `parts/` against what they were made from: unions and differences of bodies, asked point by point,
 //! and face lists.
 
-use crate::common::list::{faces, file};
+use crate::common::list::{faces, file, off};
 use crate::common::points::{Even, kept, point_of};
 use crate::common::winding::Oracle;
 use imogene_import::faces::model::Face;
@@ -79,11 +79,7 @@ fn agrees(part: &Part, solid: usize, inside: &dyn Fn(Vector) -> bool) {
         }
         let is_same = |(other, ..): &&(&Face, _, _)| other.surface.same(&face.surface, 1e-7);
         let on_same: Vec<_> = faces.iter().filter(is_same).collect();
-        let deviations = on_same.iter().map(|(_, verdict, _)| match verdict {
-            Verdict::Exact => 0.0,
-            Verdict::Approximated(off) => *off,
-            Verdict::Rejected(reason) => panic!("{}: {reason}", face.name),
-        });
+        let deviations = on_same.iter().map(|(_, verdict, _)| off(verdict));
         let deviation = deviations.fold(0.0, f64::max);
         // The oracle looks around a point for edges; of a face that is approximated they are so far off.
         let reach = 1e-5_f64.max(1.01 * deviation);

@@ -3,10 +3,9 @@
 
 use crate::common::bar::{BAR, changed, is_whole, part, read, said};
 use crate::common::cases::cases;
-use crate::common::list::faces;
+use crate::common::list::{faces, off};
 use crate::common::points::kept;
 use crate::common::says;
-use imogene_import::faces::Verdict;
 
 #[test]
 fn the_bar_is_one_volume() {
@@ -304,112 +303,54 @@ fn open_curves_run_from_vertex_to_vertex() {
 #60=EDGE_CURVE('',#70,#71,#62,.T.);#61=EDGE_CURVE('',#71,#70,#63,{sense});#62=LINE('',#90,#64);#64=VECTOR('',#95,3.);
 #70=VERTEX_POINT('',#90);#71=VERTEX_POINT('',#91);#31=PLANE('',#80);#80=AXIS2_PLACEMENT_3D('',#92,#94,#95);
 #90=CARTESIAN_POINT('',(-2.,0.,0.));#91=CARTESIAN_POINT('',(2.,0.,0.));#92=CARTESIAN_POINT('',(0.,0.,0.));
-#94=DIRECTION('',(0.,0.,1.));#95=DIRECTION('',(1.,0.,0.));{curve}ENDSEC;END-ISO-10303-21;"
+#94=DIRECTION('',(0.,0.,1.));#95=DIRECTION('',(1.,0.,0.));#63={curve}ENDSEC;END-ISO-10303-21;"
         )
-    };
-    let parabola = "#63=PARABOLA('',#82,1.);#82=AXIS2_PLACEMENT_3D('',#96,#94,#97);#96=CARTESIAN_POINT('',(0.,1.,0.));#97=DIRECTION('',(0.,-1.,0.));";
-    let spline = |points: &str| {
-        format!(
-            "#63=BEZIER_CURVE('',2,({points}),.U.,.F.,.F.);#101=CARTESIAN_POINT('',(2.,0.,0.));#102=CARTESIAN_POINT('',(0.,2.,0.));#103=CARTESIAN_POINT('',(-2.,0.,0.));"
-        )
-    };
-    let knotted = |curve: &str, points: &[(f64, f64)]| {
-        let mut text = format!("#63={curve};");
-        for ((x, y), id) in points.iter().zip(101..) {
-            text += &format!("#{id}=CARTESIAN_POINT('',({x:?},{y:?},0.));");
-        }
-        text
     };
     let turned = "#83=AXIS2_PLACEMENT_3D('',#92,#98,#99);#98=DIRECTION('',(0.,0.,-1.));#99=DIRECTION('',(0.,1.,0.));";
-    // What is inside: y below 3 sqrt(1 - x^2 / 4), or below 1 - x^2 / 4; the second three are one curve.
-    type Height = fn(f64) -> f64;
-    let ellipse: Height = |x| 3.0 * (1.0 - x * x / 4.0).sqrt();
-    let arch: Height = |x| 1.0 - x * x / 4.0;
-    let cases = [
-        (
-            "#63=ELLIPSE('',#80,2.,3.);".to_owned(),
-            ".T.",
-            ellipse,
-            true,
-        ),
-        (
-            format!("#63=ELLIPSE('',#83,3.,2.);{turned}"),
-            ".F.",
-            ellipse,
-            true,
-        ),
-        (
-            format!(
-                "#63=TRIMMED_CURVE('',#65,(#91),(#90),.F.,.CARTESIAN.);#65=ELLIPSE('',#83,3.,2.);{turned}"
-            ),
-            ".T.",
-            ellipse,
-            true,
-        ),
-        (parabola.to_owned(), ".F.", arch, false),
-        (spline("#101,#102,#103"), ".T.", arch, false),
-        (spline("#103,#102,#101"), ".F.", arch, false),
-        // The same with control points by their polar forms: knots that are written, and those of the kinds.
-        (
-            knotted(
-                "B_SPLINE_CURVE_WITH_KNOTS('',2,(#101,#102,#103,#104),.U.,.F.,.F.,(3,1,3),(0.,1.,3.),.U.)",
-                &[
-                    (2.0, 0.0),
-                    (4.0 / 3.0, 2.0 / 3.0),
-                    (-2.0 / 3.0, 4.0 / 3.0),
-                    (-2.0, 0.0),
-                ],
-            ),
-            ".T.",
-            arch,
-            false,
-        ),
-        (
-            knotted(
-                "( B_SPLINE_CURVE(2,(#101,#102,#103,#104),.U.,.F.,.F.) QUASI_UNIFORM_CURVE() RATIONAL_B_SPLINE_CURVE((2.,2.,2.,2.)) )",
-                &[(2.0, 0.0), (1.0, 1.0), (-1.0, 1.0), (-2.0, 0.0)],
-            ),
-            ".T.",
-            arch,
-            false,
-        ),
-        (
-            knotted(
-                "UNIFORM_CURVE('',2,(#101,#102,#103),.U.,.F.,.F.)",
-                &[(4.0, -2.0), (0.0, 2.0), (-4.0, -2.0)],
-            ),
-            ".T.",
-            arch,
-            false,
-        ),
-    ];
-    for (curve, sense, height, exact) in cases {
-        let text = text(&curve, sense);
+    // Each with its sense and the control points from #101 on. All from the fourth on are one curve, the last three
+    // with control points by their polar forms: knots that are written, and those of the kinds.
+    let table = "
+ELLIPSE('',#80,2.,3.); | .T. | -
+ELLIPSE('',#83,3.,2.);TURNED | .F. | -
+TRIMMED_CURVE('',#65,(#91),(#90),.F.,.CARTESIAN.);#65=ELLIPSE('',#83,3.,2.);TURNED | .T. | -
+PARABOLA('',#82,1.);#82=AXIS2_PLACEMENT_3D('',#101,#94,#97);#97=DIRECTION('',(0.,-1.,0.)); | .F. | 0 1
+BEZIER_CURVE('',2,(#101,#102,#103),.U.,.F.,.F.); | .T. | 2 0 0 2 -2 0
+BEZIER_CURVE('',2,(#103,#102,#101),.U.,.F.,.F.); | .F. | 2 0 0 2 -2 0
+B_SPLINE_CURVE_WITH_KNOTS('',2,(#101,#102,#103,#104),.U.,.F.,.F.,(3,1,3),(0.,1.,3.),.U.); | .T. | 2 0 1.3333333333333333 0.6666666666666666 -0.6666666666666666 1.3333333333333333 -2 0
+( B_SPLINE_CURVE(2,(#101,#102,#103,#104),.U.,.F.,.F.) QUASI_UNIFORM_CURVE() RATIONAL_B_SPLINE_CURVE((2.,2.,2.,2.)) ); | .T. | 2 0 1 1 -1 1 -2 0
+UNIFORM_CURVE('',2,(#101,#102,#103),.U.,.F.,.F.); | .T. | 4 -2 0 2 -4 -2
+";
+    for [curve, sense, points] in cases(table) {
+        let mut text = text(&curve.replace("TURNED", turned), &sense);
+        let points: Vec<&str> = points.split(' ').collect();
+        for (pair, id) in points.chunks_exact(2).zip(101..) {
+            let point = format!("#{id}=CARTESIAN_POINT('',({},{},0));", pair[0], pair[1]);
+            text = text.replace("#94=", &format!("{point}#94="));
+        }
+        // What is inside: y below 3 sqrt(1 - x^2 / 4), or below 1 - x^2 / 4.
+        let exact = curve.contains("ELLIPSE");
+        let height = |x: f64| match 1.0 - x * x / 4.0 {
+            square if exact => 3.0 * square.sqrt(),
+            arch => arch,
+        };
         let part = part(&text);
         let face = &faces(&part, 0)[0];
-        let off = match &face.verdict {
-            Verdict::Exact => 0.0,
-            Verdict::Approximated(off) => *off,
-            Verdict::Rejected(reason) => panic!("{curve}: {reason}"),
-        };
+        let off = off(&face.verdict);
         // The plane face beside nothing: an ellipse is kept as it is, others are chords.
         assert_eq!(off == 0.0, exact, "{curve}: {off}");
         assert!(off <= 1e-3 * part.model.size());
         let mut inside = 0;
         for k in 0..4000_u32 {
-            let p = [
-                f64::from(k % 80) * 0.06 - 2.4 + 1e-4,
-                f64::from(k / 80) * 0.08 - 0.6 + 1e-4,
-                0.0,
-            ];
-            let expected = p[0].abs() < 2.0 && p[1] > 0.0 && p[1] < height(p[0]);
+            let (column, row) = (f64::from(k % 80), f64::from(k / 80));
+            let (x, y) = (column * 0.06 - 2.4 + 1e-4, row * 0.08 - 0.6 + 1e-4);
+            let expected = x.abs() < 2.0 && y > 0.0 && y < height(x);
             // As far as the chords are off, across the curve; it is steepest at its ends.
-            if off > 0.0 && p[0].abs() < 2.0 && (p[1] - height(p[0])).abs() <= 2.0 * off {
+            if off > 0.0 && x.abs() < 2.0 && (y - height(x)).abs() <= 2.0 * off {
                 continue;
             }
             inside += u32::from(expected);
-            let kept = kept(&part, &face.cells, p);
-            assert_eq!(kept, expected, "{curve} at {p:?}");
+            let kept = kept(&part, &face.cells, [x, y, 0.0]);
+            assert_eq!(kept, expected, "{curve} at {x} {y}");
         }
         assert!(inside > 400);
     }

@@ -1,6 +1,7 @@
 //! Grids of heights from text to scene, and heights made at random.
 
 use crate::common::cases::cases;
+use crate::common::list;
 use crate::common::says;
 use imogene_algebra::rational::{fraction, from_decimal, integer};
 use imogene_import::terrain::random_field::{Field, FieldOptions, field, heights_text};
@@ -290,6 +291,18 @@ fn options_out_of_range_are_refused() {
         };
         says(field(&changed).unwrap_err(), why);
     }
+}
+
+#[test]
+fn shipped_heights_are_those_of_their_first_line() {
+    let options = FieldOptions {
+        levels: 4,
+        smoothness: 0.8,
+        relief: 40.0,
+        seed: 3,
+    };
+    let text = heights_text(&field(&options).unwrap(), &options, 10.0);
+    assert_eq!(text, list::text("scenes/terrain/hills.heights"));
 }
 
 #[test]

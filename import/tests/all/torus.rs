@@ -1,9 +1,9 @@
 //! Bands of cones against the torus that they stand for: every place of a face has one of its cells within the
 //! deviation, and no other place has.
 
-use crate::common::list::{self, HEAD, circle, face, faces, solid};
+use crate::common::list::{self, HEAD, circle, face, faces, off, solid};
 use crate::common::points::kept;
-use imogene_import::faces::{Compiled, Part, Verdict};
+use imogene_import::faces::{Compiled, Part};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 const R: f64 = 20.0;
@@ -54,16 +54,12 @@ fn agrees(
     border: impl Fn(f64, f64) -> f64,
 ) {
     let compiled = &faces(part, 0)[index];
-    let Verdict::Approximated(off) = compiled.verdict else {
-        panic!("{:?}", compiled.verdict)
-    };
+    let off = off(&compiled.verdict);
     let mut counts = [0, 0];
     for i in 0..180 {
         for j in 0..120 {
-            let (u, v) = (
-                TAU * (f64::from(i) + 0.37) / 180.0,
-                TAU * (f64::from(j) + 0.41) / 120.0,
-            );
+            let u = TAU * (f64::from(i) + 0.37) / 180.0;
+            let v = TAU * (f64::from(j) + 0.41) / 120.0;
             if border(u, v) < 0.03 {
                 continue;
             }
@@ -93,9 +89,7 @@ fn apart(a: f64, b: f64) -> f64 {
 fn a_whole_ring_is_bands_all_round() {
     for deviation in [0.2, 0.05, 0.01] {
         let part = part("", &torus("[]"), "'tube'", deviation);
-        let Verdict::Approximated(off) = faces(&part, 0)[0].verdict else {
-            panic!("approximated")
-        };
+        let off = off(&faces(&part, 0)[0].verdict);
         assert!(off <= deviation && off > 0.2 * deviation);
         agrees(&part, 0, |_, _| true, |_, _| 1.0);
     }
@@ -133,9 +127,7 @@ fn an_elbow_and_the_discs_that_close_it_have_the_same_border() {
     assert_eq!(elbow.model.faces[0].surface.name(), "torus");
     // Beside the disc, just below the bands and just above them.
     let disc = &faces(&elbow, 0)[1];
-    let Verdict::Approximated(off) = disc.verdict else {
-        panic!("{:?}", disc.verdict)
-    };
+    let off = off(&disc.verdict);
     for k in 0..720 {
         let v = TAU * (f64::from(k) + 0.3) / 720.0;
         let kept = |r: f64| kept(&elbow, &disc.cells, place(0.0, v, r));

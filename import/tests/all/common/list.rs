@@ -1,7 +1,7 @@
 //! Face lists, and what they are compiled to.
 
 use imogene_import::faces::vector::Vector;
-use imogene_import::faces::{Compilation, Compiled, FaceOptions, Part, compile};
+use imogene_import::faces::{Compilation, Compiled, FaceOptions, Part, Verdict, compile};
 use std::path::Path;
 
 /// What a list with the material `m` begins with.
@@ -22,6 +22,16 @@ pub fn faces(part: &Part, solid: usize) -> &[Compiled] {
     match &part.solids[solid] {
         Compilation::Faces(faces) => faces,
         Compilation::Volume(_) => panic!("volumes are switched off"),
+    }
+}
+
+/// How far the border of a face that is drawn is off.
+#[track_caller]
+pub fn off(verdict: &Verdict) -> f64 {
+    match verdict {
+        Verdict::Exact => 0.0,
+        Verdict::Approximated(off) => *off,
+        Verdict::Rejected(reason) => panic!("{reason}"),
     }
 }
 
