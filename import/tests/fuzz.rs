@@ -14,6 +14,7 @@ use memory::MOST;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{RngCore, SeedableRng};
 use rayon::prelude::*;
+use std::fmt::Display;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
@@ -92,16 +93,12 @@ const READERS: [Reader; 9] = [
     Reader {
         name: "scene",
         endings: &[".toml"],
-        read: |bytes| of_text(bytes, |text| SceneFile::parse(text, "a file").map(|_| ())),
+        read: |bytes| of_text(bytes, |text| SceneFile::parse(text, "a file")),
     },
     Reader {
         name: "machine",
         endings: &["machines/beam-160x120.toml", "machines/zone-160x120.toml"],
-        read: |bytes| {
-            of_text(bytes, |text| {
-                MachineDescription::parse(text, "a file").map(|_| ())
-            })
-        },
+        read: |bytes| of_text(bytes, |text| MachineDescription::parse(text, "a file")),
     },
 ];
 
@@ -129,10 +126,8 @@ fn outcome(read: Result<imogene_import::Imported, ImportError>) -> Outcome {
     match read.map_err(|error| error.place) {
         Ok(imported) => {
             // What was read can be written.
-            imported
-                .scene
-                .to_toml()
-                .expect("a scene that can be written");
+            let toml = imported.scene.to_toml();
+            toml.expect("a scene that can be written");
             Outcome::Read
         }
         Err(Some(place)) => Outcome::Malformed(place.line, place.column),
@@ -141,7 +136,7 @@ fn outcome(read: Result<imogene_import::Imported, ImportError>) -> Outcome {
 }
 
 /// Readers of text: a file that is not text is refused before them.
-fn of_text<E: std::fmt::Display>(bytes: &[u8], read: impl Fn(&str) -> Result<(), E>) -> Outcome {
+fn of_text<T, E: Display>(bytes: &[u8], read: impl Fn(&str) -> Result<T, E>) -> Outcome {
     let text = String::from_utf8_lossy(bytes);
     let Err(error) = read(&text) else {
         return Outcome::Read;
@@ -224,22 +219,8 @@ impl Dice {
     }
 
     fn change(&mut self, bytes: &mut Vec<u8>, files: &[Vec<u8>]) {
-        const WORDS: [&str; 14] = [
-            "nan",
-            "inf",
-            "-1",
-            "0",
-            "1e308",
-            "-1e-308",
-            "99999999999999999999",
-            "\"",
-            "[[",
-            "]",
-            "\n",
-            "\r\n",
-            "\u{e9}",
-            "=",
-        ];
+        const WORDS: &str =
+            "nan|inf|-1|0|1e308|-1e-308|99999999999999999999|\"|[[|]|\n|\r\n|\u{e9}|=";
         let at = self.below(bytes.len() + 1);
         let to = (at + self.below(40)).min(bytes.len());
         match self.below(8) {
@@ -250,7 +231,8 @@ impl Dice {
             1 => bytes.truncate(at),
             2 => drop(bytes.drain(at..to)),
             3 => {
-                let word = WORDS[self.below(WORDS.len())].bytes();
+                let words: Vec<&str> = WORDS.split('|').collect();
+                let word = words[self.below(words.len())].bytes();
                 bytes.splice(at..to.min(at + 6), word);
             }
             4 => {
@@ -270,9 +252,9 @@ impl Dice {
             }
             _ => {
                 // Another digit is a number of another size, or a name that is not there.
-                let digits: Vec<usize> = (at..bytes.len().min(at + 400))
-                    .filter(|&place| bytes[place].is_ascii_digit())
-                    .collect();
+                let near = at..bytes.len().min(at + 400);
+                let digits = near.filter(|&place| bytes[place].is_ascii_digit());
+                let digits: Vec<usize> = digits.collect();
                 if !digits.is_empty() {
                     let place = digits[self.below(digits.len())];
                     bytes[place] = b'0' + self.below(10) as u8;
@@ -304,11 +286,8 @@ fn try_one(reader: &Reader, bytes: &[u8], seed: u64) -> Count {
     let started = Instant::now();
     let outcome = (reader.read)(bytes);
     let slowest = started.elapsed();
-    assert!(
-        slowest < PATIENCE,
-        "{}, seed {seed}: {slowest:?}",
-        reader.name
-    );
+    let name = reader.name;
+    assert!(slowest < PATIENCE, "{name}, seed {seed}: {slowest:?}");
     let mut count = Count {
         slowest,
         ..Count::default()
@@ -317,13 +296,10 @@ fn try_one(reader: &Reader, bytes: &[u8], seed: u64) -> Count {
         Outcome::Read => count.read = 1,
         Outcome::Refused => count.refused = 1,
         Outcome::Malformed(line, column) => {
-            let lines = bytes
-                .iter()
-                .filter(|&&byte| byte == b'\n' || byte == b'\r')
-                .count()
-                + 1;
-            let is_there = (1..=lines).contains(&line) && (1..=bytes.len() + 1).contains(&column);
-            assert!(is_there, "{}, seed {seed}: {line}:{column}", reader.name);
+            let ends = bytes.iter().filter(|byte| b"\n\r".contains(byte));
+            let is_there =
+                (1..=ends.count() + 1).contains(&line) && (1..=bytes.len() + 1).contains(&column);
+            assert!(is_there, "{name}, seed {seed}: {line}:{column}");
             count.malformed = 1;
         }
     }
@@ -335,10 +311,8 @@ fn run(reader: &Reader, cases: u64, make: impl Fn(&mut Dice) -> Vec<u8> + Sync) 
         let bytes = make(&mut Dice(ChaCha8Rng::seed_from_u64(seed)));
         try_one(reader, &bytes, seed)
     };
-    (0..cases)
-        .into_par_iter()
-        .map(one)
-        .reduce(Count::default, Count::with)
+    let counts = (0..cases).into_par_iter().map(one);
+    counts.reduce(Count::default, Count::with)
 }
 
 #[test]
@@ -351,11 +325,11 @@ fn readers_survive_anything() {
     };
     let texts = if is_full { 20_000 } else { 4_000 };
     let only = std::env::var("IMOGENE_FUZZ_READERS").ok();
-    let is_asked = |name: &str| {
-        only.as_ref()
-            .is_none_or(|o| o.split(',').any(|n| n == name))
+    let is_asked = |reader: &&Reader| match &only {
+        Some(only) => only.split(',').any(|name| name == reader.name),
+        None => true,
     };
-    for reader in READERS.iter().filter(|reader| is_asked(reader.name)) {
+    for reader in READERS.iter().filter(is_asked) {
         let random = run(reader, texts, |dice| dice.bytes(RANDOM_BYTES));
         println!("{}: random bytes: {random:?}", reader.name);
         assert_eq!(random.read, 0, "{}", reader.name);
@@ -370,15 +344,11 @@ fn readers_survive_anything() {
             1.. if is_binary => dice.spoilt(&files),
             _ => dice.changed(&files),
         });
-        println!(
-            "{}: {changed} changes of {} files: {count:?}",
-            reader.name,
-            files.len()
-        );
-        let wrong = if is_binary {
-            count.refused
-        } else {
-            count.malformed
+        let (name, files) = (reader.name, files.len());
+        println!("{name}: {changed} changes of {files} files: {count:?}");
+        let wrong = match is_binary {
+            true => count.refused,
+            false => count.malformed,
         };
         assert!(wrong > changed as usize / 10, "{}", reader.name);
         assert!(count.read > 0, "{}", reader.name);
