@@ -2,7 +2,7 @@
 //!
 //! A word is computed where it is first wanted.
 
-use crate::layout::{Lanes, Layout, Spot};
+use crate::layout::{Lanes, Layout, Spot, whole};
 use crate::line::{Line, Step, Value};
 use crate::word::Word;
 use imogene_hdl::{Direction, Module, Net, Op};
@@ -55,8 +55,7 @@ impl<'d> Body<'d> {
             lanes,
             before: None,
         };
-        let stride = lanes.count();
-        body.open(module, Spot { place: 0, stride }, None, true);
+        body.open(module, whole(lanes), None, true);
         body
     }
 
@@ -86,10 +85,8 @@ impl<'d> Body<'d> {
         }
         let around = &self.scopes[scope];
         let module = &around.module.instances[index].module;
-        let (spot, rows) = (
-            self.layout.part(around.module, around.spot, index),
-            around.rows,
-        );
+        let spot = self.layout.part(around.module, around.spot, index);
+        let rows = around.rows;
         // Rows that run together are no part of what runs alone.
         let is_own = around.is_own
             && !self.layout.is_called(module)
@@ -148,9 +145,9 @@ impl<'d> Body<'d> {
 
     fn learn(&mut self, at: Place, known: Known) {
         let before = std::mem::replace(&mut self.scopes[at.0].words[at.1.0], known);
-        self.before
-            .iter_mut()
-            .for_each(|all| all.push((at, before)));
+        if let Some(all) = &mut self.before {
+            all.push((at, before));
+        }
     }
 
     /// Steps that are only done if the top bit of a word is 1 in some lane; what they compute is forgotten.
@@ -241,9 +238,8 @@ impl<'d> Body<'d> {
 }
 
 pub(crate) fn input_index(module: &Module, net: Net) -> usize {
-    let place = module
-        .ports_of(Direction::In)
-        .position(|port| port.net == net);
+    let mut inputs = module.ports_of(Direction::In);
+    let place = inputs.position(|port| port.net == net);
     place.expect("an input is a port")
 }
 

@@ -59,15 +59,13 @@ impl Body<'_> {
         match self.lanes {
             Lanes::One => {
                 let groups = self.layout.groups.iter();
-                groups
-                    .map(|group| (group.module.clone(), group.place))
-                    .collect()
+                let calls = groups.map(|group| (group.module.clone(), group.place));
+                calls.collect()
             }
             Lanes::Four => {
                 let parts = called.iter().map(|part| &self.scopes[*part]);
-                parts
-                    .map(|part| (part.module.clone(), part.spot.place))
-                    .collect()
+                let calls = parts.map(|part| (part.module.clone(), part.spot.place));
+                calls.collect()
             }
         }
     }

@@ -93,9 +93,7 @@ impl Layout {
             size: 0,
         };
         for module in &modules {
-            let is_shared = count
-                .get(&Arc::as_ptr(module))
-                .is_some_and(|count| *count > 1);
+            let is_shared = count[&Arc::as_ptr(module)] > 1;
             let block = layout.new_block(module, is_shared);
             layout.blocks.insert(Arc::as_ptr(module), block);
         }
@@ -117,9 +115,8 @@ impl Layout {
             *size - words
         };
         let memories = module.memories.iter();
-        let memories = memories
-            .map(|memory| take(&mut size, memory.words + 3))
-            .collect();
+        let memories = memories.map(|memory| take(&mut size, memory.words + 3));
+        let memories = memories.collect();
         let (mut sizes, mut nets) = ([size; 2], module.nodes.len());
         let mut parts = [vec![], vec![]];
         for instance in &module.instances {
@@ -192,12 +189,11 @@ impl Layout {
             let rows: Vec<[usize; 4]> = indices.chunks(4).filter_map(four).collect();
             let stride = 4 * rows.len();
             for (lane, index) in rows.as_flattened().iter().enumerate() {
-                let place_of_row = self.size + lane;
-                let spot = Spot {
-                    place: place_of_row,
+                let row = Spot {
+                    place: self.size + lane,
                     stride,
                 };
-                self.grouped.entry((place, *index)).or_insert(spot);
+                self.grouped.entry((place, *index)).or_insert(row);
             }
             self.size += stride * self.block(part).sizes[1];
             self.rows.entry(place).or_default().extend(rows);
@@ -235,53 +231,47 @@ impl Layout {
     /// The places, widths and first words of all registers, those of instances before those of the module around them.
     pub(crate) fn registers(&self, top: &Arc<Module>, lanes: Lanes) -> Vec<Register> {
         let mut found = vec![];
-        let stride = lanes.count();
-        self.add_registers(top, Spot { place: 0, stride }, &mut found);
+        self.visit(top, whole(lanes), &mut |module, spot| {
+            let block = self.block(module);
+            let registers = module.registers.iter().enumerate();
+            found.extend(registers.map(|(index, register)| {
+                let width = module.node(register.net).width;
+                Register {
+                    place: spot.place + block.register(index) * spot.stride,
+                    width,
+                    initial: kept(register.initial, width),
+                }
+            }));
+        });
         found
     }
 
     /// The places of the words that memories hold at power-up, beside zeros, each with its word.
     pub(crate) fn contents(&self, top: &Arc<Module>, lanes: Lanes) -> Vec<(usize, u64)> {
         let mut found = vec![];
-        let stride = lanes.count();
-        self.add_contents(top, Spot { place: 0, stride }, &mut found);
+        self.visit(top, whole(lanes), &mut |module, spot| {
+            for (memory, place) in module.memories.iter().zip(&self.block(module).memories) {
+                // What was read last stands before the words.
+                let words = memory.contents.iter().zip(place + 1..);
+                found.extend(words.map(|(word, place)| (spot.place + place * spot.stride, *word)));
+            }
+        });
         found
     }
 
-    fn add_contents(&self, module: &Arc<Module>, spot: Spot, found: &mut Vec<(usize, u64)>) {
+    /// Every instance and where it lies, those in a module before it.
+    fn visit(&self, module: &Arc<Module>, spot: Spot, tell: &mut impl FnMut(&Arc<Module>, Spot)) {
         for (index, instance) in module.instances.iter().enumerate() {
-            let part = self.part(module, spot, index);
-            self.add_contents(&instance.module, part, found);
+            self.visit(&instance.module, self.part(module, spot, index), tell);
         }
-        let block = self.block(module);
-        for (memory, place) in module.memories.iter().zip(&block.memories) {
-            // What was read last stands before the words.
-            let words = memory.contents.iter().zip(place + 1..);
-            found.extend(words.map(|(word, place)| (spot.place + place * spot.stride, *word)));
-        }
+        tell(module, spot);
     }
+}
 
-    fn add_registers(&self, module: &Arc<Module>, spot: Spot, found: &mut Vec<Register>) {
-        for (index, instance) in module.instances.iter().enumerate() {
-            let part = self.part(module, spot, index);
-            self.add_registers(&instance.module, part, found);
-        }
-        let block = self.block(module);
-        found.extend(
-            module
-                .registers
-                .iter()
-                .enumerate()
-                .map(|(index, register)| {
-                    let width = module.node(register.net).width;
-                    Register {
-                        place: spot.place + block.register(index) * spot.stride,
-                        width,
-                        initial: kept(register.initial, width),
-                    }
-                }),
-        );
-    }
+/// Where the whole lies.
+pub(crate) fn whole(lanes: Lanes) -> Spot {
+    let stride = lanes.count();
+    Spot { place: 0, stride }
 }
 
 /// A register in the words of a design, in its first lane.

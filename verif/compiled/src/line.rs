@@ -308,13 +308,11 @@ impl Line {
 
     /// By a count of each lane.
     fn left_each(&mut self, value: Value, counts: [u32; 4]) -> Value {
-        match counts == [counts[0]; 4] {
-            true => self.left(value, counts[0]),
-            false => {
-                let counts = self.constants(counts.map(u64::from));
-                self.two(Two::LeftBy, value, counts)
-            }
+        if counts == [counts[0]; 4] {
+            return self.left(value, counts[0]);
         }
+        let counts = self.constants(counts.map(u64::from));
+        self.two(Two::LeftBy, value, counts)
     }
 
     pub(crate) fn right(&mut self, value: Value, count: u32) -> Value {

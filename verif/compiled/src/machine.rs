@@ -23,28 +23,24 @@ pub(crate) struct Machine {
 impl Machine {
     /// Nothing where the processor has no AVX2.
     pub(crate) fn of(functions: &[Function]) -> Option<Machine> {
-        if !has_avx2() {
+        let [true, has_masks] = abilities() else {
             return None;
-        }
+        };
         let (mut begins, mut constants, mut spilled) = (vec![], Constants::default(), 0);
         let mut bytes = vec![];
         for (index, function) in functions.iter().enumerate() {
             let mut to = Assembler {
                 bytes,
                 lanes: function.lanes,
-                has_masks: has_masks(),
+                has_masks,
             };
             let begin = to.bytes.len();
             let is_outer = index + TASKS >= functions.len();
             if is_outer {
                 to.begin();
             }
-            spilled = spilled.max(registers::write(
-                &function.line,
-                &mut to,
-                &mut constants,
-                &begins,
-            ));
+            let more = registers::write(&function.line, &mut to, &mut constants, &begins);
+            spilled = spilled.max(more);
             to.end(is_outer);
             bytes = to.bytes;
             begins.push(begin);
@@ -94,23 +90,15 @@ impl Machine {
     }
 }
 
+/// AVX2, and the masks of AVX-512.
 #[cfg(target_arch = "x86_64")]
-fn has_avx2() -> bool {
-    std::arch::is_x86_feature_detected!("avx2")
-}
-
-#[cfg(target_arch = "x86_64")]
-fn has_masks() -> bool {
+fn abilities() -> [bool; 2] {
     use std::arch::is_x86_feature_detected as is_there;
-    is_there!("avx512vl") && is_there!("avx512dq")
+    let has_masks = is_there!("avx512vl") && is_there!("avx512dq");
+    [is_there!("avx2"), has_masks]
 }
 
 #[cfg(not(target_arch = "x86_64"))]
-fn has_avx2() -> bool {
-    false
-}
-
-#[cfg(not(target_arch = "x86_64"))]
-fn has_masks() -> bool {
-    false
+fn abilities() -> [bool; 2] {
+    [false; 2]
 }

@@ -8,13 +8,11 @@ use imogene_hdl::{Binary, Net, Op};
 impl Body<'_> {
     fn load(&mut self, scope: usize, word: usize, width: u32) -> Word {
         let place = self.at(scope, word);
-        self.loaded(
-            match self.scopes[scope].rows {
-                None => Step::Load(place),
-                Some(_) => Step::LoadFour(place),
-            },
-            width,
-        )
+        let load = match self.scopes[scope].rows {
+            None => Step::Load(place),
+            Some(_) => Step::LoadFour(place),
+        };
+        self.loaded(load, width)
     }
 
     fn loaded(&mut self, load: Step, width: u32) -> Word {
@@ -185,32 +183,12 @@ impl Body<'_> {
 
     fn binary(&mut self, binary: Binary, a: Place, b: Place, width: u32) -> Word {
         match binary {
-            Binary::Add | Binary::Sub => {
-                let (a, b) = (self.word(a).value, self.word(b).value);
-                let how = match binary {
-                    Binary::Add => Two::Add,
-                    _ => Two::Sub,
-                };
-                Word::new(self.to.two(how, a, b), width)
-            }
+            Binary::Add => self.sum(Two::Add, a, b, width),
+            Binary::Sub => self.sum(Two::Sub, a, b, width),
             Binary::Mul => Word::new(self.product(a, b), width),
-            Binary::And | Binary::Or | Binary::Xor => {
-                let how = match binary {
-                    Binary::And => Two::And,
-                    Binary::Or => Two::Or,
-                    _ => Two::Xor,
-                };
-                let (a, b) = (self.word(a), self.word(b));
-                let word = self.together(a, b, width, |to, a, b| to.two(how, a, b));
-                match (how, a.zeros.or(b.zeros)) {
-                    // Zeros above either are zeros above both.
-                    (Two::And, Some(_)) if word.signs.is_none() => {
-                        let (a, b) = (a.zeros.unwrap_or(a.value), b.zeros.unwrap_or(b.value));
-                        Word::with_zeros_above(self.to.two(how, a, b), width)
-                    }
-                    _ => word,
-                }
-            }
+            Binary::And => self.bit_by_bit(Two::And, a, b, width),
+            Binary::Or => self.bit_by_bit(Two::Or, a, b, width),
+            Binary::Xor => self.bit_by_bit(Two::Xor, a, b, width),
             Binary::Left => {
                 let (value, count) = (self.word(a).value, self.zeros(b));
                 Word::new(self.to.two(Two::LeftBy, value, count), width)
@@ -231,6 +209,24 @@ impl Body<'_> {
             }
             Binary::Equal => Word::with_signs_above(self.equal(a, b), width),
             Binary::Less => Word::with_signs_above(self.less(a, b), width),
+        }
+    }
+
+    fn sum(&mut self, how: Two, a: Place, b: Place, width: u32) -> Word {
+        let (a, b) = (self.word(a).value, self.word(b).value);
+        Word::new(self.to.two(how, a, b), width)
+    }
+
+    fn bit_by_bit(&mut self, how: Two, a: Place, b: Place, width: u32) -> Word {
+        let (a, b) = (self.word(a), self.word(b));
+        let word = self.together(a, b, width, |to, a, b| to.two(how, a, b));
+        match (how, a.zeros.or(b.zeros)) {
+            // Zeros above either are zeros above both.
+            (Two::And, Some(_)) if word.signs.is_none() => {
+                let (a, b) = (a.zeros.unwrap_or(a.value), b.zeros.unwrap_or(b.value));
+                Word::with_zeros_above(self.to.two(how, a, b), width)
+            }
+            _ => word,
         }
     }
 
@@ -274,20 +270,16 @@ impl Body<'_> {
         let (a, b) = (self.extended(a), self.extended(b));
         let to = &mut self.to;
         if is_short {
-            let how = if signed {
-                Two::SignedProduct
-            } else {
-                Two::Product
+            return match signed {
+                true => to.two(Two::SignedProduct, a, b),
+                false => to.two(Two::Product, a, b),
             };
-            return to.two(how, a, b);
         }
         // The high halves count in the high half of the product alone.
         let low = to.two(Two::Product, a, b);
         let (high_a, high_b) = (to.right(a, 32), to.right(b, 32));
-        let (one, other) = (
-            to.two(Two::Product, high_a, b),
-            to.two(Two::Product, a, high_b),
-        );
+        let one = to.two(Two::Product, high_a, b);
+        let other = to.two(Two::Product, a, high_b);
         let high = to.two(Two::Add, one, other);
         let high = to.left(high, 32);
         to.two(Two::Add, low, high)

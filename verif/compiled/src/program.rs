@@ -159,12 +159,11 @@ impl Program {
 /// The width of a net, by its path.
 fn width(top: &Module, path: &str) -> Option<u32> {
     let mut module = top;
-    let (instances, name) = path
-        .rsplit_once('.')
-        .map_or((None, path), |(instances, name)| (Some(instances), name));
-    for name in instances.into_iter().flat_map(|path| path.split('.')) {
+    let mut names: Vec<&str> = path.split('.').collect();
+    let last = names.pop()?;
+    for name in names {
         let mut parts = module.instances.iter();
         module = &parts.find(|instance| instance.name == name)?.module;
     }
-    Some(module.node(body::named(module, name)?).width)
+    Some(module.node(body::named(module, last)?).width)
 }

@@ -383,10 +383,9 @@ impl Writer<'_> {
     fn next_use(&self, register: usize) -> usize {
         let value = self.held[register].expect("no register is free").0 as usize;
         let next = *self.uses[value].last().expect("what is held is wanted");
-        next + if self.home[value].is_some() {
-            CHEAPER
-        } else {
-            0
+        match self.home[value] {
+            Some(_) => next + CHEAPER,
+            None => next,
         }
     }
 
