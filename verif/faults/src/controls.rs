@@ -54,8 +54,9 @@ pub struct Mutant {
 /// A mutant of a design, the same under any controls that make it.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Key {
+    /// Where it is.
+    pub site: Site,
     path: String,
-    kind: ControlKind,
     bit: u32,
     change: Change,
 }
@@ -64,19 +65,10 @@ pub struct Key {
 struct Control {
     /// Names of the instances around it.
     path: String,
-    /// Its module, among all of the design.
     module: Arc<Module>,
-    kind: ControlKind,
-    /// Its first register, among all of the design.
+    site: Site,
+    /// Its first register, among all of the design; that which begins otherwise needs no more.
     register: usize,
-}
-
-/// What a control does in a module.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-enum ControlKind {
-    Site(Site),
-    /// The power-up of a register of the module, by its number.
-    Initial(usize),
 }
 
 /// A design with a control for each of some sites, in each instance.
@@ -99,9 +91,9 @@ impl Controls {
             let of_module = sites.iter().filter(|site| site.module == index);
             let of_module = of_module.map(|site| {
                 let register = control(&mut own, module, site.kind);
-                (ControlKind::Site(*site), register)
+                (*site, register)
             });
-            let of_module: Vec<(ControlKind, usize)> = of_module.collect();
+            let of_module: Vec<(Site, usize)> = of_module.collect();
             let own = Arc::new(own);
             added.insert(Arc::as_ptr(&own), (module.clone(), of_module));
             made.insert(Arc::as_ptr(module), own);
@@ -110,10 +102,10 @@ impl Controls {
         let mut controls = vec![];
         walk(&top, "", &mut 0, &mut |instance, path, first| {
             let (module, of_module) = &added[&Arc::as_ptr(instance)];
-            controls.extend(of_module.iter().map(|(kind, register)| Control {
+            controls.extend(of_module.iter().map(|(site, register)| Control {
                 path: path.to_owned(),
                 module: module.clone(),
-                kind: *kind,
+                site: *site,
                 register: first + register,
             }));
         });
@@ -123,33 +115,13 @@ impl Controls {
         }
     }
 
-    /// The design as it is: what its registers begin with is all that can be changed.
-    pub fn of_power_up(design: &Design) -> Controls {
-        let mut controls = vec![];
-        walk(&design.top, "", &mut 0, &mut |module, path, first| {
-            let registers = 0..module.registers.len();
-            controls.extend(registers.map(|index| Control {
-                path: path.to_owned(),
-                module: module.clone(),
-                kind: ControlKind::Initial(index),
-                register: first + index,
-            }));
-        });
-        Controls {
-            design: design.clone(),
-            controls,
-        }
-    }
-
     /// The registers that were added, by their places among all.
     pub(crate) fn registers(&self) -> impl Iterator<Item = usize> {
         self.controls.iter().flat_map(|control| {
-            let count = match control.kind {
-                ControlKind::Site(site) => match site.kind {
-                    SiteKind::Operator(..) => 1,
-                    _ => 2,
-                },
-                ControlKind::Initial(_) => 0,
+            let count = match control.site.kind {
+                SiteKind::Initial(_) => 0,
+                SiteKind::Operator(..) => 1,
+                _ => 2,
             };
             control.register..control.register + count
         })
@@ -171,43 +143,31 @@ impl Controls {
         mutants.collect()
     }
 
-    /// Where a mutant is, and what it changes; nothing of a site for what is held at power-up.
-    pub fn key(&self, mutant: &Mutant) -> (Option<Site>, Key) {
-        let Control { path, kind, .. } = &self.controls[mutant.control];
-        let site = match kind {
-            ControlKind::Site(site) => Some(*site),
-            ControlKind::Initial(_) => None,
-        };
-        let key = Key {
+    /// Where a mutant is, and what it changes.
+    pub fn key(&self, mutant: &Mutant) -> Key {
+        let Control { path, site, .. } = &self.controls[mutant.control];
+        Key {
+            site: *site,
             path: path.clone(),
-            kind: *kind,
             bit: mutant.bit,
             change: mutant.change,
-        };
-        (site, key)
-    }
-
-    /// The module in which a mutant is.
-    pub fn module(&self, mutant: &Mutant) -> &Arc<Module> {
-        &self.controls[mutant.control].module
+        }
     }
 
     /// What a mutant changes, as `f2.kept_b[3] stuck at 1 (pe2.rs:40)`.
     pub fn describe(&self, mutant: &Mutant) -> String {
         let Control {
-            path, module, kind, ..
+            path, module, site, ..
         } = &self.controls[mutant.control];
         let register = |index: usize| module.registers[index].net;
-        let (net, what) = match *kind {
-            ControlKind::Site(site) => match site.kind {
-                SiteKind::Bits(net) => (net, format!("[{}]", mutant.bit)),
-                SiteKind::Operator(net, which) => {
-                    let other = exchange_name(&module.node(net).op, which);
-                    (net, format!(" by {other}"))
-                }
-                SiteKind::Enable(index) => (register(index), " enable".to_owned()),
-            },
-            ControlKind::Initial(index) => (register(index), format!("[{}]", mutant.bit)),
+        let (net, what) = match site.kind {
+            SiteKind::Bits(net) => (net, format!("[{}]", mutant.bit)),
+            SiteKind::Operator(net, which) => {
+                let other = exchange_name(&module.node(net).op, which);
+                (net, format!(" by {other}"))
+            }
+            SiteKind::Enable(index) => (register(index), " enable".to_owned()),
+            SiteKind::Initial(index) => (register(index), format!("[{}]", mutant.bit)),
         };
         let node = module.node(net);
         let name = node.name.clone();
@@ -230,32 +190,22 @@ impl Control {
     /// The bits that it can change, and how.
     fn changes(&self) -> (u32, &'static [Change]) {
         use Change::{Exchanged, Initial, Inverted, StuckAt0, StuckAt1};
-        match self.kind {
-            ControlKind::Site(site) => match site.kind {
-                SiteKind::Bits(net) => {
-                    let node = self.node(net);
-                    match node.op {
-                        // Its other value is its inverse.
-                        Op::Literal(_) => (node.width, &[Inverted]),
-                        _ => (node.width, &[StuckAt0, StuckAt1, Inverted]),
-                    }
-                }
-                SiteKind::Operator(..) => (1, &[Exchanged]),
-                SiteKind::Enable(_) => (1, &[StuckAt0, StuckAt1, Inverted]),
-            },
-            ControlKind::Initial(index) => (
-                self.node(self.module.registers[index].net).width,
-                &[Initial],
-            ),
-        }
+        let changes: &[Change] = match self.site.kind {
+            // Its other value is its inverse.
+            SiteKind::Bits(net) if matches!(self.node(net).op, Op::Literal(_)) => &[Inverted],
+            SiteKind::Bits(_) | SiteKind::Enable(_) => &[StuckAt0, StuckAt1, Inverted],
+            SiteKind::Operator(..) => &[Exchanged],
+            SiteKind::Initial(_) => &[Initial],
+        };
+        (self.width(), changes)
     }
 
     /// The registers that make a change: what stays of the bits, and what is inverted then.
     fn upsets(&self, change: Change, bit: u32) -> Vec<Upset> {
         let (stay, invert) = (self.register, self.register + 1);
         let stays = |width: u32| u64::MAX >> (64 - width) & !(1 << bit);
-        match (self.kind, change) {
-            (ControlKind::Initial(index), _) => {
+        match (self.site.kind, change) {
+            (SiteKind::Initial(index), _) => {
                 let initial = self.module.registers[index].initial;
                 vec![(self.register, initial ^ 1 << bit)]
             }
@@ -267,11 +217,9 @@ impl Control {
     }
 
     fn width(&self) -> u32 {
-        match self.kind {
-            ControlKind::Site(Site {
-                kind: SiteKind::Bits(net),
-                ..
-            }) => self.node(net).width,
+        match self.site.kind {
+            SiteKind::Bits(net) => self.node(net).width,
+            SiteKind::Initial(index) => self.node(self.module.registers[index].net).width,
             _ => 1,
         }
     }
@@ -292,7 +240,8 @@ pub(crate) fn walk(
     *registers += module.registers.len();
 }
 
-/// Adds a control to a module, which was `original`, and gives the number of its first register.
+/// Adds a control to a module, which was `original`, and gives the number of its first register, which for what a
+/// register begins with is that register.
 fn control(module: &mut Module, original: &Module, kind: SiteKind) -> usize {
     let first = module.registers.len();
     match kind {
@@ -317,6 +266,7 @@ fn control(module: &mut Module, original: &Module, kind: SiteKind) -> usize {
             let changed = masked(module, enable);
             module.registers[index].enable = Some(changed);
         }
+        SiteKind::Initial(index) => return index,
     }
     first
 }

@@ -172,8 +172,7 @@ impl Unrolled {
     /// Does nothing that is seen, and nothing that is left, depend on what a register begins with?
     pub(crate) fn is_dead(&self, levels: &Levels, register: usize) -> bool {
         let begin = self.begin(0).at(levels.flops[register].output);
-        let sources: Vec<usize> = begin.iter().map(|bit| bit.gate()).collect();
-        let depends = self.gates.depending(&sources);
+        let depends = self.gates.depending_on(begin);
         let outputs = self.clocks.iter().flat_map(|(_, clock)| &clock.end.outputs);
         let mut seen = outputs.chain(self.end().registers.iter().flatten());
         !seen.any(|bit| depends[bit.gate()])

@@ -26,9 +26,8 @@ pub(crate) struct End {
 
 pub(crate) fn constant(value: u64) -> Word {
     let width = 64 - value.leading_zeros();
-    (0..width)
-        .map(|bit| Bit::of(value >> bit & 1 == 1))
-        .collect()
+    let bits = (0..width).map(|bit| Bit::of(value >> bit & 1 == 1));
+    bits.collect()
 }
 
 impl Begin {
@@ -53,10 +52,8 @@ impl Begin {
     /// Any inputs, and any words from the memories.
     fn with_inputs(&mut self, levels: &Levels, gates: &mut Gates) {
         let inputs = levels.inputs().iter().map(|port| (port.place, port.width));
-        let stores = levels
-            .stores
-            .iter()
-            .map(|store| (store.output, store.width));
+        let stores = levels.stores.iter();
+        let stores = stores.map(|store| (store.output, store.width));
         for (place, width) in inputs.chain(stores) {
             self.words[place as usize] = free(width, gates);
         }
@@ -131,11 +128,8 @@ impl Frame {
         let mut changed: Vec<Option<Word>> = vec![None; self.words.len()];
         others.for_each(|(place, word)| changed[place as usize] = Some(word));
         for code in &levels.code {
-            if code
-                .from
-                .iter()
-                .any(|place| changed[*place as usize].is_some())
-            {
+            let mut places = code.from.iter();
+            if places.any(|place| changed[*place as usize].is_some()) {
                 let from = code.from.map(|place| self.or(&changed, place));
                 let word = value(code, from, gates);
                 if word != self.words[code.to as usize] {
@@ -148,20 +142,14 @@ impl Frame {
         let mut end = self.end.clone();
         end.outputs = outputs(levels, &word);
         for (flop, held) in levels.flops.iter().zip(&mut end.registers) {
-            if [flop.enable, flop.next, flop.output]
-                .into_iter()
-                .any(is_changed)
-            {
+            let mut places = [flop.enable, flop.next, flop.output].into_iter();
+            if places.any(is_changed) {
                 *held = next(flop, &word, gates);
             }
         }
         for (store, held) in levels.stores.iter().zip(&mut end.memories) {
-            if store
-                .write
-                .into_iter()
-                .chain([store.address])
-                .any(is_changed)
-            {
+            let mut places = store.write.into_iter().chain([store.address]);
+            if places.any(is_changed) {
                 *held = taken(store, &word, gates);
             }
         }
@@ -176,9 +164,7 @@ impl Frame {
         gates: &Gates,
         register: usize,
     ) -> bool {
-        let word = begin.at(levels.flops[register].output);
-        let sources: Vec<usize> = word.iter().map(|bit| bit.gate()).collect();
-        let depends = gates.depending(&sources);
+        let depends = gates.depending_on(begin.at(levels.flops[register].output));
         let others = self.end.registers.iter().enumerate();
         let others = others.filter(|(index, _)| *index != register);
         let mut seen = others.flat_map(|(_, word)| word).chain(&self.end.outputs);

@@ -123,6 +123,12 @@ impl Gates {
         depends
     }
 
+    /// Does each gate depend on one of these bits?
+    pub(crate) fn depending_on(&self, bits: &[Bit]) -> Vec<bool> {
+        let gates: Vec<usize> = bits.iter().map(|bit| bit.gate()).collect();
+        self.depending(&gates)
+    }
+
     pub(crate) fn and(&mut self, a: Bit, b: Bit) -> Bit {
         let [a, b] = if a < b { [a, b] } else { [b, a] };
         match (a, b) {

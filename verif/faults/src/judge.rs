@@ -10,10 +10,8 @@ use crate::controls::{Controls, Upset};
 use crate::flow::{State, Unrolled, keeps_nothing};
 use crate::frame::{Begin, End, Frame, Word, constant, upset};
 use crate::gates::{Bit, Gates, NO};
-use crate::held::Held;
-use crate::idle::Idle;
 use crate::known::Known;
-use crate::phases::{Compared, Phases};
+use crate::phases::Compared;
 use crate::rest::Rest;
 use crate::solve::{CONFLICTS, can_be};
 use imogene_hdl::Levels;
@@ -46,15 +44,8 @@ pub struct Judge {
     state: HashMap<usize, State>,
     /// Those that are no controls.
     registers: Vec<usize>,
-    latency: usize,
-    /// Bits of inputs that are 0.
-    zeros: Vec<(usize, u32)>,
+    known: Known,
     keeps_nothing: bool,
-    /// Does what is assumed hold from power-up on?
-    always_holds: bool,
-    held: Held,
-    idle: Idle,
-    phases: Option<Phases>,
     /// A clock of the work, where inputs are held and registers hold them.
     work: Option<Frame>,
     /// The circuit over its latency, made when it is first wanted: from any clock, from the beginning of the work, and
@@ -92,14 +83,9 @@ impl Judge {
             assumed,
             state,
             registers,
-            latency: known.latency,
-            zeros: known.zeros.clone(),
+            known: known.clone(),
             keeps_nothing,
-            always_holds: known.always_holds,
             work,
-            held: known.held.clone(),
-            idle: known.idle.clone(),
-            phases: known.phases.clone(),
             rest: OnceLock::new(),
             flow: OnceLock::new(),
             start: OnceLock::new(),
@@ -115,18 +101,18 @@ impl Judge {
         }
         let mut gates = self.gates.clone();
         let bad = self.with(&self.good, upsets, &mut gates);
-        self.always_holds && self.of_a_clock(&bad, &mut gates, few) == Verdict::Equivalent
+        self.known.always_holds && self.of_a_clock(&bad, &mut gates, few) == Verdict::Equivalent
     }
 
     /// Is nothing of the state left once the latency passed, in circuit and mutant?
     fn forgets(&self, bad: &End, gates: &Gates) -> bool {
-        self.keeps_nothing && keeps_nothing(gates, bad, &self.state, self.latency)
+        self.keeps_nothing && keeps_nothing(gates, bad, &self.state, self.known.latency)
     }
 
     /// What is known of the mutant that upsets make.
     pub fn judge(&self, upsets: &[Upset]) -> Verdict {
         let verdict = self.by_clocks(upsets, CONFLICTS);
-        let phases = self.phases.as_ref();
+        let phases = self.known.phases.as_ref();
         match phases.is_some_and(|phases| phases.are_same(&self.compared(), upsets)) {
             true => Verdict::Equivalent,
             false => verdict,
@@ -138,7 +124,7 @@ impl Judge {
         let mut gates = self.gates.clone();
         let bad = self.with(&self.good, upsets, &mut gates);
         let of_a_clock = self.of_a_clock(&bad, &mut gates, conflicts);
-        if of_a_clock == Verdict::Equivalent && self.always_holds {
+        if of_a_clock == Verdict::Equivalent && self.known.always_holds {
             return Verdict::Equivalent;
         }
         if self.is_same_at_work(upsets) || self.is_same_from_rest(upsets) {
@@ -167,7 +153,7 @@ impl Judge {
         }
         let flow = self.flow()?;
         let (all, ends) = flow.with(&self.levels, upsets, &[]);
-        let later = (1..=self.latency).flat_map(|clock| flow.begin(clock).at(input.place));
+        let later = (1..=self.known.latency).flat_map(|clock| flow.begin(clock).at(input.place));
         let later: Vec<usize> = later.map(|bit| bit.gate()).collect();
         let depends = all.depending(&later);
         let mut outputs = ends.last()?.iter().flat_map(|end| &end.outputs);
@@ -201,7 +187,7 @@ impl Judge {
 
     /// The circuit over its latency.
     fn flow(&self) -> Option<&Unrolled> {
-        let make = || Unrolled::of(&self.levels, &self.gates, &self.begin, self.latency);
+        let make = || Unrolled::of(&self.levels, &self.gates, &self.begin, self.known.latency);
         self.flow.get_or_init(make).as_ref()
     }
 
@@ -213,7 +199,7 @@ impl Judge {
         let (mut gates, ends) = flow.with(&self.levels, upsets, &[]);
         let last = ends.last().expect("there is a first clock");
         let pairs = zip(&last[0].outputs, &last[1].outputs);
-        let zeros = flow.zeros(&self.zeros, &self.levels);
+        let zeros = flow.zeros(&self.known.zeros, &self.levels);
         equality(pairs, &zeros, &mut gates, conflicts) == Verdict::Equivalent
     }
 
@@ -232,14 +218,20 @@ impl Judge {
         }
         let start = self.start.get_or_init(|| {
             let (gates, begin) = (&self.gates, &self.begin);
-            Unrolled::from_start(&self.levels, gates, begin, &self.held, self.latency)
+            Unrolled::from_start(
+                &self.levels,
+                gates,
+                begin,
+                &self.known.held,
+                self.known.latency,
+            )
         });
         let Some(start) = start else { return false };
         let (mut gates, ends) = start.with(&self.levels, upsets, &[]);
         let [good, bad] = ends.last().expect("there is a first clock");
         let state = state_pairs(&self.registers, good, bad);
         let pairs = self.results(&ends).chain(state).collect();
-        let zeros = start.zeros(&self.zeros, &self.levels);
+        let zeros = start.zeros(&self.known.zeros, &self.levels);
         equality(pairs, &zeros, &mut gates, CONFLICTS / 10) == Verdict::Equivalent
     }
 
@@ -247,7 +239,7 @@ impl Judge {
     fn is_same_from_rest(&self, upsets: &[Upset]) -> bool {
         let rest = self
             .rest
-            .get_or_init(|| Rest::of(&self.compared(), &self.idle, self.latency));
+            .get_or_init(|| Rest::of(&self.compared(), &self.known.idle, self.known.latency));
         rest.as_ref()
             .is_some_and(|rest| rest.is_same(&self.levels, upsets))
     }
@@ -255,7 +247,7 @@ impl Judge {
     /// The outputs from the beginning of the work on: before the first result nothing counts but the first output,
     /// which tells that there is none.
     fn results<'a>(&self, ends: &'a [[End; 2]]) -> impl Iterator<Item = (Bit, Bit)> + use<'a> {
-        let latency = self.latency;
+        let latency = self.known.latency;
         let from_start = ends.iter().skip(latency).enumerate();
         from_start.flat_map(move |(clock, [good, bad])| {
             let all = zip(&good.outputs, &bad.outputs);

@@ -8,7 +8,7 @@ use crate::held::Held;
 use crate::idle::Idle;
 use crate::phases::Phases;
 use crate::solve::{CONFLICTS, can_be};
-use imogene_hdl::{Design, Direction, Levels};
+use imogene_hdl::{Design, Direction, Levels, PortRecord};
 
 /// Bits, at most, of a register that holds control, not data: a flag, a state, a count of steps.
 pub(crate) const CONTROL: u32 = 6;
@@ -44,6 +44,7 @@ pub struct Contract {
 pub(crate) type Constants = Vec<Vec<Option<bool>>>;
 
 /// What holds in every state that is reached from power-up. Registers are counted without controls.
+#[derive(Clone)]
 pub struct Known {
     pub(crate) zeros: Vec<(usize, u32)>,
     zeros_beside: Vec<((usize, u64), (usize, u32))>,
@@ -68,12 +69,10 @@ impl Known {
     /// Of a design without controls.
     pub fn new(design: &Design, contract: &Contract) -> Known {
         let levels = Levels::of(design);
-        let ports: Vec<&str> = design
-            .top
-            .ports_of(Direction::In)
-            .map(|port| &port.name[..])
-            .collect();
-        let place = |name: &String| ports.iter().position(|port| port == name);
+        let place = |name: &String| {
+            let mut ports = design.top.ports_of(Direction::In);
+            ports.position(|port| port.name == *name)
+        };
         let register = |path: &String| {
             let mut points = levels.points.iter();
             let (_, point) = points.find(|(name, _)| name == path)?;
@@ -279,26 +278,21 @@ pub(crate) fn idle(levels: &Levels, zeros: &[(usize, u32)], quiet: &[usize]) -> 
 
 /// Of each output, the one without which it counts nothing.
 fn counts_with(design: &Design, contract: &Contract) -> Vec<Option<usize>> {
-    let outputs: Vec<&str> = design
-        .top
-        .ports_of(Direction::Out)
-        .map(|port| &port.name[..])
-        .collect();
-    let flag = |name: &&str| {
+    let outputs = || design.top.ports_of(Direction::Out);
+    let flag = |port: &PortRecord| {
         let mut pairs = contract.counts_with.iter();
-        let (_, flag) = pairs.find(|(output, _)| output == name)?;
-        outputs.iter().position(|name| name == flag)
+        let (_, flag) = pairs.find(|(output, _)| *output == port.name)?;
+        outputs().position(|port| port.name == *flag)
     };
-    outputs.iter().map(flag).collect()
+    outputs().map(flag).collect()
 }
 
 /// What every register holds at power-up.
 fn initial(levels: &Levels) -> Vec<Vec<Option<bool>>> {
     let flops = levels.flops.iter().map(|flop| {
         let word = levels.words[flop.output as usize];
-        (0..flop.width)
-            .map(|bit| Some(word >> bit & 1 == 1))
-            .collect()
+        let bits = (0..flop.width).map(|bit| Some(word >> bit & 1 == 1));
+        bits.collect()
     });
     flops.collect()
 }
@@ -349,10 +343,8 @@ fn forgotten(levels: &Levels, begins: &[(usize, u64)], latency: usize) -> Vec<Ve
         let reached = gates.behind(next.chain(before.memories.iter().flatten().copied()));
         let count = |bits: &[bool]| bits.iter().filter(|is| **is).count();
         let old = count(&matters);
-        matters
-            .iter_mut()
-            .zip(reached)
-            .for_each(|(all, one)| *all |= one);
+        let pairs = matters.iter_mut().zip(reached);
+        pairs.for_each(|(all, one)| *all |= one);
         if count(&matters) == old {
             break;
         }

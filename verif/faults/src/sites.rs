@@ -21,9 +21,28 @@ pub enum SiteKind {
     Operator(Net, usize),
     /// The enable of a register.
     Enable(usize),
+    /// What a register begins with.
+    Initial(usize),
 }
 
-/// Every site of a design: nets from which a way leads to an output of their module, but for those that are only
+impl Site {
+    /// Is it what a register begins with?
+    pub fn is_of_power_up(&self) -> bool {
+        matches!(self.kind, SiteKind::Initial(_))
+    }
+}
+
+/// What all registers of a design begin with.
+pub fn power_up(design: &Design) -> Vec<Site> {
+    let modules = design.top.all().into_iter().enumerate();
+    let sites = modules.flat_map(|(module, tree)| {
+        let kinds = (0..tree.registers.len()).map(SiteKind::Initial);
+        kinds.map(move |kind| Site { module, kind })
+    });
+    sites.collect()
+}
+
+/// Every other site of a design: nets from which a way leads to an output of their module, but for those that are only
 /// another name; the registers and operators among them.
 pub fn sites(design: &Design) -> Vec<Site> {
     let mut found = vec![];

@@ -9,7 +9,9 @@ use super::score::{Fate, Kill, MutationError, MutationReport, Options};
 use super::vectors::{Vectors, vectors};
 use crate::subject::Subject;
 use imogene_compiled::{Program, Simulation};
-use imogene_faults::{CONFLICTS, Controls, Judge, Key, Known, Mutant, Site, Upset, Verdict, sites};
+use imogene_faults::{
+    CONFLICTS, Controls, Judge, Key, Known, Mutant, Site, Upset, Verdict, power_up, sites,
+};
 use imogene_hdl::Design;
 use rayon::prelude::*;
 use std::collections::HashSet;
@@ -40,9 +42,8 @@ fn undecided() -> String {
 
 /// How many mutants a circuit has.
 pub fn count(design: &Design) -> u64 {
-    let all = Controls::new(design, &sites(design));
-    let of_power_up = Controls::of_power_up(design);
-    (all.mutants().len() + of_power_up.mutants().len()) as u64
+    let all = [sites(design), power_up(design)].concat();
+    Controls::new(design, &all).mutants().len() as u64
 }
 
 /// Runs every mutant of a unit's circuit on the unit's stimulus, and judges those that nothing killed; those that
@@ -68,13 +69,12 @@ pub fn run(
     };
     let end = options.stimuli;
     let vectors = campaign.stimuli(0..FIRST.min(end))?;
-    let sites = sites(design);
-    let groups = sites.chunks(GROUP).map(Some).chain([None]);
-    let groups: Vec<Option<&[Site]>> = groups.collect();
+    let (sites, power_up) = (sites(design), power_up(design));
+    let groups: Vec<&[Site]> = sites.chunks(GROUP).chain([&power_up[..]]).collect();
     let first = groups.into_par_iter().map(|sites| {
         let group = Group::of(design, sites, |_| true);
         let killed = group.kills(&vectors, &on_done);
-        let judge = sites.map(|_| Judge::new(&group.controls, &known));
+        let judge = group.judge(&known);
         let fates = group.mutants.par_iter().zip(killed).map(|(mutant, kill)| {
             let fate = match (kill, &judge) {
                 (Some(kill), _) => return Ok(Fate::Killed(kill)),
@@ -173,7 +173,7 @@ impl<F: Fn() + Sync> Campaign<'_, F> {
     /// Drops what is proven equivalent, and tells of all else what is known of it.
     fn prove(&self, groups: &mut [Group], known: &Known, report: &mut MutationReport) {
         let equivalent = groups.par_iter_mut().map(|group| {
-            let judge = group.has_sites.then(|| Judge::new(&group.controls, known));
+            let judge = group.judge(known);
             let verdicts = group.mutants.par_iter().map(|mutant| {
                 let judge = judge.as_ref();
                 judge.map_or(Verdict::Differs, |judge| judge.judge(&mutant.upsets))
@@ -199,7 +199,7 @@ impl<F: Fn() + Sync> Campaign<'_, F> {
             return;
         };
         let bits = groups.par_iter_mut().flat_map_iter(|group| {
-            let judge = group.has_sites.then(|| Judge::new(&group.controls, known));
+            let judge = group.judge(known);
             let shorts = group.mutants.iter();
             let shorts = shorts.map(|mutant| judge.as_ref()?.short(&mutant.upsets));
             group.shorts = shorts.collect();
@@ -243,8 +243,7 @@ struct Group {
     controls: Controls,
     program: Arc<Program>,
     mutants: Vec<Mutant>,
-    /// Is it of sites, not of what is held at power-up?
-    has_sites: bool,
+    is_of_power_up: bool,
     /// Why each survives so far, where that is known.
     reasons: Vec<String>,
     /// Bits of the only words for which each can differ, where they are few.
@@ -252,22 +251,24 @@ struct Group {
 }
 
 impl Group {
-    /// Of some sites, or of what is held at power-up: the mutants that are wanted.
-    fn of(design: &Design, sites: Option<&[Site]>, wanted: impl Fn(&Key) -> bool) -> Group {
-        let controls = match sites {
-            Some(sites) => Controls::new(design, sites),
-            None => Controls::of_power_up(design),
-        };
+    /// Of some sites, all of what is held at power-up or none: the mutants that are wanted.
+    fn of(design: &Design, sites: &[Site], wanted: impl Fn(&Key) -> bool) -> Group {
+        let controls = Controls::new(design, sites);
         let mut mutants = controls.mutants();
-        mutants.retain(|mutant| wanted(&controls.key(mutant).1));
+        mutants.retain(|mutant| wanted(&controls.key(mutant)));
         Group {
             program: Arc::new(Program::in_lanes(&controls.design, &[])),
-            has_sites: sites.is_some(),
+            is_of_power_up: sites.iter().all(Site::is_of_power_up),
             controls,
             mutants,
             reasons: vec![],
             shorts: vec![],
         }
+    }
+
+    /// None of what is held at power-up.
+    fn judge(&self, known: &Known) -> Option<Judge> {
+        (!self.is_of_power_up).then(|| Judge::new(&self.controls, known))
     }
 
     fn kills(&self, vectors: &[Vectors], on_kill: &(impl Fn() + Sync)) -> Vec<Option<Kill>> {
@@ -288,14 +289,14 @@ impl Group {
 }
 
 /// The mutants that are left, of many sites each, in groups as before.
-fn regrouped(design: &Design, alive: Vec<(Option<Site>, Key)>) -> Vec<Group> {
-    let (mut sites, keys): (Vec<Option<Site>>, HashSet<Key>) = alive.into_iter().unzip();
+fn regrouped(design: &Design, alive: Vec<Key>) -> Vec<Group> {
     let mut seen = HashSet::new();
-    sites.retain(|site| seen.insert(*site));
-    let of_power_up = sites.contains(&None).then_some(None);
-    let sites: Vec<Site> = sites.into_iter().flatten().collect();
-    let groups = sites.chunks(GROUP).map(Some).chain(of_power_up);
-    let groups: Vec<Option<&[Site]>> = groups.collect();
+    let sites = alive.iter().map(|key| key.site);
+    let sites = sites.filter(|site| seen.insert(*site));
+    let (power_up, sites): (Vec<Site>, Vec<Site>) = sites.partition(Site::is_of_power_up);
+    let keys: HashSet<Key> = alive.into_iter().collect();
+    let groups = sites.chunks(GROUP).chain(power_up.chunks(usize::MAX));
+    let groups: Vec<&[Site]> = groups.collect();
     let groups = groups.into_par_iter();
     groups
         .map(|sites| Group::of(design, sites, |key| keys.contains(key)))

@@ -13,7 +13,9 @@ use crate::engine::{Engine, design::DesignError};
 use crate::random::generator;
 use crate::report::Report;
 use imogene_contract::Unit;
-use imogene_faults::{Around, Controls, Judge, Known, Mutant, Site, Verdict, alone, sites};
+use imogene_faults::{
+    Around, Controls, Judge, Known, Mutant, Site, Verdict, alone, power_up, sites,
+};
 use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_hdl::{Design, Module};
 use imogene_plan::description::MachineDescription;
@@ -53,8 +55,8 @@ pub fn design(machine: &MachineDescription, images: &[Image]) -> Result<Design, 
 /// How many mutants the modules of a machine have that are no units and in none.
 pub fn count(design: &Design) -> u64 {
     let own = Own::of(design);
-    let of_sites = Controls::new(design, &own.sites.concat()).mutants();
-    (of_sites.len() + own.of_power_up(design).1.len()) as u64
+    let all = [own.sites.concat(), own.power_up].concat();
+    Controls::new(design, &all).mutants().len() as u64
 }
 
 /// Runs every mutant of a machine's own modules; `on_done` is called once for each, from any thread.
@@ -75,13 +77,13 @@ pub fn run(
         let groups = sites.chunks(GROUP).map(|sites| {
             let controls = Controls::new(design, sites);
             let judge = Alone::new(&module_alone, &known, sites);
-            Group::new(&controls, controls.mutants(), Some(judge)).fates(&campaign, &on_done)
+            Group::new(&controls, Some(judge)).fates(&campaign, &on_done)
         });
         groups.collect::<Vec<_>>()
     });
     let of_sites = of_sites.collect::<Result<Vec<_>, _>>()?;
-    let (controls, mutants) = own.of_power_up(design);
-    let of_power_up = Group::new(&controls, mutants, None).fates(&campaign, &on_done)?;
+    let controls = Controls::new(design, &own.power_up);
+    let of_power_up = Group::new(&controls, None).fates(&campaign, &on_done)?;
     for (fate, mutant) in of_sites.into_iter().flatten().chain(of_power_up) {
         report.count(fate, 0, || mutant.clone());
     }
@@ -159,6 +161,8 @@ impl Shown<'_> {
 struct Own {
     modules: Vec<Arc<Module>>,
     sites: Vec<Vec<Site>>,
+    /// What their registers hold at power-up.
+    power_up: Vec<Site>,
 }
 
 impl Own {
@@ -168,23 +172,18 @@ impl Own {
         let all = design.top.all();
         let sites = sites(design);
         let of = |module: &Arc<Module>| {
-            let place = all.iter().position(|other| Arc::ptr_eq(other, module));
-            let own = sites.iter().filter(|site| Some(site.module) == place);
+            let own = sites.iter();
+            let own = own.filter(|site| Arc::ptr_eq(&all[site.module], module));
             own.copied().collect()
         };
+        let mut power_up = power_up(design);
+        let is_own = |place: usize| modules.iter().any(|own| Arc::ptr_eq(own, &all[place]));
+        power_up.retain(|site| is_own(site.module));
         Own {
             sites: modules.iter().map(of).collect(),
+            power_up,
             modules,
         }
-    }
-
-    /// Mutants of what their registers hold at power-up.
-    fn of_power_up(&self, design: &Design) -> (Controls, Vec<Mutant>) {
-        let controls = Controls::of_power_up(design);
-        let mut mutants = controls.mutants();
-        let is_own = |module| self.modules.iter().any(|own| Arc::ptr_eq(own, module));
-        mutants.retain(|mutant| is_own(controls.module(mutant)));
-        (controls, mutants)
     }
 }
 
@@ -232,11 +231,11 @@ struct Group<'a> {
 }
 
 impl Group<'_> {
-    fn new(controls: &Controls, mutants: Vec<Mutant>, alone: Option<Alone>) -> Group<'_> {
+    fn new(controls: &Controls, alone: Option<Alone>) -> Group<'_> {
         Group {
             compiled: Compiled::of(&controls.design, &[]),
+            mutants: controls.mutants(),
             controls,
-            mutants,
             alone,
         }
     }

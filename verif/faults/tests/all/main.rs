@@ -3,7 +3,9 @@
 mod reached;
 
 use imogene_compiled::{Program, Simulation};
-use imogene_faults::{Change, Contract, Controls, Judge, Known, Mutant, Upset, Verdict, sites};
+use imogene_faults::{
+    Change, Contract, Controls, Judge, Known, Mutant, Upset, Verdict, power_up, sites,
+};
 use imogene_hdl::{Bits, Design, Value, module, net};
 use std::sync::Arc;
 
@@ -89,7 +91,7 @@ fn no_mutant_that_shows_is_called_equivalent() {
 #[test]
 fn power_up_shows_before_the_first_clock_alone_and_is_forgotten() {
     let design = adder();
-    let controls = Controls::of_power_up(&design);
+    let controls = Controls::new(&design, &power_up(&design));
     let program = Arc::new(Program::new(&controls.design, &[]));
     let contract = Contract {
         latency: 1,
