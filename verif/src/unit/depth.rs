@@ -1,7 +1,7 @@
 //! The units of the depth interval: opening it, cutting it, merging its halves.
 
 use super::description::{Description, any_raster, bit, last_pixel, late, stated};
-use super::zone::{Reader, class, plane_kind};
+use super::words::{Ports, class, plane_kind, read};
 use crate::stimulus::{depth, interval};
 use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
@@ -67,7 +67,8 @@ fn sums(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
 
 pub(super) fn plane_depth(format: Format) -> Description {
     Description::new(any_raster, move || {
-        let start = move |i: &[i64]| Pe1::object_start(&Reader::of(&i[3..]).linear(), format.plane);
+        let words = move |i: &[i64]| read(&i[3..], &format, Ports::line);
+        let start = move |i: &[i64]| Pe1::object_start(&words(i), format.plane);
         let depth = move |pe: &mut Pe1| saturate(pe.pixel() as i64, &format);
         let mut last = last_pixel(start, Pe1::line_step, depth);
         let mut late = late(2);

@@ -1,21 +1,22 @@
 //! The elementary processors: PE1, PE2 and the programmable one.
 
 use super::description::{Description, any_raster, bit, last_pixel};
-use super::zone::Reader;
+use super::words::{Ports, read};
 use imogene_golden::format::Format;
 use imogene_golden::unit::pe1::Pe1;
 use imogene_golden::unit::pe2::{Pe2, PreconditionedWords};
 use imogene_golden::unit::programmable::{Programmable, ProgrammableWords};
 
-pub(super) fn pe1(width: u32) -> Description {
+pub(super) fn pe1(format: Format) -> Description {
     Description::new(any_raster, move || {
-        let start = move |i: &[i64]| Pe1::object_start(&Reader::of(&i[3..]).linear(), width);
+        let words = move |i: &[i64]| read(&i[3..], &format, Ports::line);
+        let start = move |i: &[i64]| Pe1::object_start(&words(i), format.sum);
         let mut last = last_pixel(start, Pe1::line_step, |pe| pe.pixel() as i64);
         move |i: &[i64]| vec![last(i)]
     })
 }
 
-pub(super) fn pe2(width: u32) -> Description {
+pub(super) fn pe2(format: Format) -> Description {
     // Second differences are even: they are twice a coefficient.
     let stimulus = |subject: &_, clocks| {
         use proptest::strategy::Strategy;
@@ -29,7 +30,8 @@ pub(super) fn pe2(width: u32) -> Description {
         any_raster(subject, clocks).prop_map(even).boxed()
     };
     Description::new(stimulus, move || {
-        let start = move |i: &[i64]| Pe2::object_start(&Reader::of(&i[3..]).quadratic(), width);
+        let words = move |i: &[i64]| read(&i[3..], &format, Ports::quadratic);
+        let start = move |i: &[i64]| Pe2::object_start(&words(i), format.quadratic);
         let mut last = last_pixel(start, Pe2::line_step, |pe| pe.pixel() as i64);
         move |i: &[i64]| vec![last(i)]
     })

@@ -33,10 +33,9 @@ pub(super) fn held(
                 // The pixels that the first line does not have.
                 let place = if pixel == 0 { 0 } else { pixel + before };
                 let (x, y) = (place % width, place / width);
-                let flags = if n % 11 == 10 {
-                    [0, 0, 0]
-                } else {
-                    [1, i64::from(pixel == 0), i64::from(x == 0 && y > 0)]
+                let flags = match n % 11 {
+                    10 => [0; 3],
+                    _ => [true, pixel == 0, x == 0 && y > 0].map(i64::from),
                 };
                 let at = [x + origin[0], (y + origin[1]) & LAST_PIXEL];
                 let raster = flags.into_iter().chain(at);
@@ -85,9 +84,8 @@ pub(super) fn words(
     let ports = &ports[WORDS..];
     let groups = |of: fn(&[Signal], Likely, u32) -> BoxedStrategy<Inputs>| {
         let groups = ports.chunk_by(|a, b| owner(a) == owner(b)).map(|ports| {
-            let entry = plan
-                .iter()
-                .find(|(prefix, _)| ports[0].name.starts_with(prefix));
+            let mut plan = plan.iter();
+            let entry = plan.find(|(prefix, _)| ports[0].name.starts_with(prefix));
             let likely = entry.map_or(Likely::Any, |(_, likely)| *likely);
             of(ports, likely, depth_word)
         });
@@ -100,9 +98,8 @@ pub(super) fn words(
 
 /// The name of a port without its last part.
 fn owner(port: &Signal) -> &str {
-    port.name
-        .rsplit_once('_')
-        .map_or(&port.name, |(owner, _)| owner)
+    let parts = port.name.rsplit_once('_');
+    parts.map_or(&port.name, |(owner, _)| owner)
 }
 
 /// The last part of the name of a port.
@@ -139,10 +136,8 @@ fn is_quadratic(ports: &[Signal]) -> bool {
 
 /// The words of one polynomial, or of what else stands together.
 fn group(ports: &[Signal], likely: Likely, depth_word: u32) -> BoxedStrategy<Inputs> {
-    let likely_words: Vec<_> = ports
-        .iter()
-        .map(|port| one(port, likely, depth_word))
-        .collect();
+    let likely_words = ports.iter().map(|port| one(port, likely, depth_word));
+    let likely_words: Vec<_> = likely_words.collect();
     let any_words: Vec<_> = ports.iter().map(word).collect();
     prop_oneof![
         4 => likely_words,
@@ -163,14 +158,10 @@ fn sized(ports: &[Signal]) -> BoxedStrategy<Inputs> {
         ("a" | "b" | "a2" | "b2" | "c", _) => Some(0),
         _ => None,
     };
-    let words: Vec<_> = ports
-        .iter()
-        .map(|port| (word(port), any::<i64>()))
-        .collect();
-    let ports: Vec<_> = ports
-        .iter()
-        .map(|port| (port.clone(), bits(port)))
-        .collect();
+    let words = ports.iter().map(|port| (word(port), any::<i64>()));
+    let words: Vec<_> = words.collect();
+    let ports = ports.iter().map(|port| (port.clone(), bits(port)));
+    let ports: Vec<_> = ports.collect();
     (1u32..64, words)
         .prop_map(move |(size, words)| {
             let each = ports.iter().zip(words);
@@ -202,19 +193,16 @@ pub(super) fn even_differences(
     words: BoxedStrategy<Inputs>,
 ) -> BoxedStrategy<Inputs> {
     let is_second = |port: &Signal| port.name.ends_with("_a2") || port.name.ends_with("_b2");
-    let masks: Vec<i64> = ports
-        .iter()
-        .map(|port| if is_second(port) { !1 } else { !0 })
-        .collect();
-    words
-        .prop_map(move |mut words| {
-            words
-                .iter_mut()
-                .zip(&masks)
-                .for_each(|(word, mask)| *word &= mask);
-            words
-        })
-        .boxed()
+    let masks = ports.iter().map(|port| !i64::from(is_second(port)));
+    let masks: Vec<i64> = masks.collect();
+    let masked = move |mut words: Inputs| {
+        words
+            .iter_mut()
+            .zip(&masks)
+            .for_each(|(word, mask)| *word &= mask);
+        words
+    };
+    words.prop_map(masked).boxed()
 }
 
 /// One zone with words that `plan` makes likely, as [`words`] and [`held`] say; the kinds of all planes are drawn
@@ -241,10 +229,8 @@ pub(super) fn planes_any_kind(
     }
     (words, proptest::collection::vec(0i64..4, kinds.len()))
         .prop_map(move |(mut words, drawn)| {
-            kinds
-                .iter()
-                .zip(drawn)
-                .for_each(|(&k, kind)| words[k] = kind);
+            let kinds = kinds.iter().zip(drawn);
+            kinds.for_each(|(&place, kind)| words[place] = kind);
             words
         })
         .boxed()

@@ -2,8 +2,9 @@
 
 use super::decision::flat;
 use super::description::{Description, behind_valid, bit, inputs, late};
-use super::object::plausible;
-use super::zone::{Reader, WORDS};
+use super::object::{plausible, quadric_words};
+use super::words::Ports;
+use super::zone::WORDS;
 use crate::scene::golden::GoldenMachine;
 use crate::signal::Signal;
 use crate::stimulus::{each, word};
@@ -14,6 +15,7 @@ use imogene_golden::format::Format;
 use imogene_golden::machine::decider::{Visible, latency as tree_latency};
 use imogene_golden::machine::raster::RasterControl;
 use imogene_golden::object::quadric::{QuadricWords, latency};
+use imogene_golden::unit::depth_interval::Class;
 use proptest::prelude::*;
 
 /// Where the words of the box and the control word begin (`docs/architecture.md`, section 7).
@@ -156,7 +158,9 @@ impl Machine {
 
     fn words(&self, slot: &Slot) -> QuadricWords {
         let values = slot.values(&self.ports, &self.places);
-        Reader::of(&values).quadric_processor(self.planes)
+        let mut words = quadric_words(Class::Side, self.planes);
+        Ports::of(Some(&values), &self.format).quadric_processor(&mut words);
+        words
     }
 }
 

@@ -115,8 +115,8 @@ fn describe(p: &Request) -> Description {
     let network = |method| root::network(format, method, rows);
     let (kept, corrections) = (p.digits, p.corrections);
     match p.unit {
-        Unit::Pe1 => elementary::pe1(format.sum),
-        Unit::Pe2 => elementary::pe2(format.quadratic),
+        Unit::Pe1 => elementary::pe1(format),
+        Unit::Pe2 => elementary::pe2(format),
         Unit::SquareRoot => network(Method::Restoring),
         Unit::SquareRootNonRestoring => network(Method::NonRestoring),
         Unit::SquareRootIterative => root::iterative(format),

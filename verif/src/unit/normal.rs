@@ -1,7 +1,7 @@
 //! The normal unit.
 
 use super::description::{Description, bit, late, scan, stated};
-use super::zone::Reader;
+use super::words::{Ports, read};
 use crate::stimulus::{flags, word};
 use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
@@ -36,15 +36,18 @@ pub(super) fn normal_unit(planes: usize) -> Description {
 
 /// The normal of a clock with a pixel.
 fn normal(g: &mut Option<[Pe1; 3]>, i: &[i64], planes: usize) -> Option<[i64; 3]> {
-    let mut words = Reader::of(&i[port::WORDS..]).normal();
+    let format = &Format::BASE;
+    let mut words = read(&i[port::WORDS..], format, Ports::normal);
     words.shift = i[port::SHIFT] as u8;
     let start = || words.g.map(|g| Pe1::object_start(&g, 24));
     let g = scan(g, i, start, |g| g.iter_mut().for_each(Pe1::line_step))?;
     let linear = g.each_mut().map(|pe| pe.pixel() as i64);
-    let mut constants = Reader::of(&i[port::PLANES..]);
-    let constants: Vec<[i16; 3]> = (0..planes).map(|_| constants.vector()).collect();
+    let planes = i[port::PLANES..].chunks(3).take(planes);
+    let constants: Vec<_> = planes
+        .map(|normal| read(normal, format, Ports::vector))
+        .collect();
     let (number, present) = (i[port::NUMBER] as u8, !bit(i[port::ABSENT]));
-    let (root, format) = (i[port::ROOT], &Format::BASE);
+    let root = i[port::ROOT];
     let found = select(number, present, linear, root, &words, &constants, format);
     Some(found.map(i64::from))
 }

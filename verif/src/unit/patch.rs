@@ -1,7 +1,7 @@
 //! The decider of patches.
 
 use super::description::{Description, bit, late, stated};
-use super::zone::plane_kind;
+use super::words::plane_kind;
 use crate::stimulus::depth;
 use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;

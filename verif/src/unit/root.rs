@@ -1,7 +1,7 @@
 //! The family of square root networks, and the quadric elementary processor around one of them.
 
 use super::description::{Description, bit, late, scan, stated};
-use super::zone::Reader;
+use super::words::{Ports, read};
 use crate::stimulus::{each, radicand, raster};
 use crate::subject::{Inputs, Subject};
 use imogene_golden::format::{Format, wrap64};
@@ -114,10 +114,11 @@ fn any_words(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
 }
 
 fn start(i: &[i64], format: &Format) -> (Pe1, Pe2) {
-    let mut reader = Reader::of(&i[3..]);
+    let f1 = read(&i[F1..], format, Ports::line);
+    let f2 = read(&i[F2..], format, Ports::quadratic);
     (
-        Pe1::object_start(&reader.linear(), format.sum),
-        Pe2::object_start(&reader.quadratic(), format.quadratic),
+        Pe1::object_start(&f1, format.sum),
+        Pe2::object_start(&f2, format.quadratic),
     )
 }
 

@@ -2,10 +2,12 @@
 
 use super::description::Description;
 use super::likely::{Likely, held, planes_any_kind, words};
-use super::zone::{Reader, WORDS, zone};
+use super::words::Ports;
+use super::zone::{WORDS, zone};
 use crate::stimulus::depth;
 use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
+use imogene_golden::object::screen_box::ScreenBox;
 use imogene_golden::object::volume::{
     FROM_DEPTH, VolumeKind, VolumePlane, VolumeProcessor, VolumeQuadric, VolumeWords,
     polyhedral_latency, quadric_latency,
@@ -15,39 +17,23 @@ use proptest::prelude::*;
 /// The visible depth comes in before the words.
 const DEPTH: usize = WORDS;
 
-/// The words behind the visible depth, of a volume with a quadric or without.
-fn words_of(i: &[i64], planes: usize, has_quadric: bool) -> VolumeWords {
-    let mut reader = Reader::new(i);
-    let (_depth, margin) = (reader.word(), reader.word() as u32);
-    let f = has_quadric.then(|| (reader.linear(), reader.quadratic()));
-    let screen_box = reader.screen_box();
-    let plane = |_| VolumePlane {
-        kind: reader.kind(),
-        depth: reader.linear(),
-    };
-    let planes = (0..planes).map(plane).collect();
-    let quadric = f.map(|(f1, f2)| VolumeQuadric {
-        f1,
-        f2,
-        class: reader.class(),
-        shift: reader.word() as u8,
-    });
-    // Shadow or light, and whose: the flags behind the processor are told, not the processor.
-    VolumeWords {
-        kind: VolumeKind::Shadow,
-        source: 0,
-        screen_box,
-        margin,
-        quadric,
-        planes,
-    }
-}
-
 /// Whether the visible point is inside.
 fn volume(format: Format, planes: usize, clocks: [u32; 2], has_quadric: bool) -> Description {
-    let words = move |i: &[i64]| words_of(i, planes, has_quadric);
+    // Shadow or light, and whose: the flags behind the processor are told, not the processor.
+    let words = VolumeWords {
+        kind: VolumeKind::Shadow,
+        source: 0,
+        screen_box: ScreenBox::EMPTY,
+        margin: 0,
+        quadric: has_quadric.then_some(VolumeQuadric::EVERYWHERE),
+        planes: vec![VolumePlane::default(); planes],
+    };
+    let read = |ports: &mut Ports, words: &mut VolumeWords| {
+        ports.number(&mut 0, |depth| depth);
+        ports.volume(words);
+    };
     let pixel = |processor: &mut VolumeProcessor, i: &[i64]| [processor.pixel(i[DEPTH]).into()];
-    zone(points, format, clocks, words, pixel)
+    zone(points, format, clocks, words, read, pixel)
 }
 
 pub(super) fn quadric_volume(format: Format, planes: usize, rows_per_stage: usize) -> Description {

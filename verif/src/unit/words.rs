@@ -1,14 +1,17 @@
-//! From the words of a prepared object or volume to the ports of its processor.
+//! The words of a prepared object or volume on the ports of its processor.
 
 use imogene_contract::{Request, Unit};
 use imogene_golden::format::{Format, wrap};
-use imogene_golden::object::quadric::{PlaneWords, ScreenBox};
+use imogene_golden::object::polyhedron::PolyhedronWords;
+use imogene_golden::object::quadric::{PlaneWords, QuadricWords, ScreenBox};
 use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::object::volume::VolumeWords;
 use imogene_golden::unit::cut_plane::PlaneKind;
+use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::unit::normal::NormalWords;
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;
+use std::collections::VecDeque;
 
 /// A processor with the words of a zone on its ports.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -20,10 +23,10 @@ pub struct Loaded {
 }
 
 /// A unit with so many planes or sides.
-fn loaded(unit: Unit, count: usize, writer: Writer) -> Loaded {
-    let mut request = Request::of(unit, writer.format.depth);
+fn loaded(unit: Unit, count: usize, ports: Ports) -> Loaded {
+    let mut request = Request::of(unit, ports.format.depth);
     if unit.has_object_root() {
-        request.root_form = writer.format.root_form;
+        request.root_form = ports.format.root_form;
     }
     match unit.has("sides") {
         true => request.sides = count as u32,
@@ -31,165 +34,263 @@ fn loaded(unit: Unit, count: usize, writer: Writer) -> Loaded {
     }
     Loaded {
         request,
-        words: writer.words,
+        words: ports.written,
     }
 }
 
 /// The processor of a slot; `None` if there is no hardware for it.
 pub fn processor(words: &ProcessorWords, format: &Format) -> Option<Loaded> {
-    let mut w = Writer {
-        format,
-        words: Vec::new(),
-    };
     let (unit, count) = match words {
-        ProcessorWords::Quadric(q) => {
-            w.quadric(&q.f1, &q.f2, &q.normal, &q.screen_box);
-            w.words.push(q.class as i64);
-            w.planes(&q.planes);
-            (Unit::QuadricProcessor, q.planes.len())
-        }
-        ProcessorWords::Patch(q) => {
-            w.quadric(&q.f1, &q.f2, &q.normal, &q.screen_box);
-            let planes = q.planes.iter();
-            planes.for_each(|plane| w.plane(plane.kind, &plane.depth));
-            (Unit::PatchProcessor, q.planes.len())
-        }
-        ProcessorWords::FirstGeneration(q) => {
-            w.quadric(&q.f1, &q.f2, &q.normal, &q.screen_box);
-            w.words.push(i64::from(q.patch));
-            let planes = [&q.front, &q.back];
-            planes.iter().for_each(|p| w.linear(&p.depth, format.plane));
-            planes.iter().for_each(|p| w.quadratic(&p.conic));
-            planes.iter().for_each(|p| w.linear(&p.polar, format.plane));
-            w.vector(q.front.normal);
-            (Unit::FirstGenerationProcessor, 0)
-        }
-        ProcessorWords::Polyhedron(p) => {
-            w.screen_box(&p.screen_box);
-            w.planes(&p.planes);
-            (Unit::PolyhedronProcessor, p.planes.len())
-        }
-        ProcessorWords::Facet(f) => {
-            w.screen_box(&f.screen_box);
-            f.edges.iter().for_each(|side| w.linear(side, format.plane));
-            w.linear(&f.depth, format.plane);
-            let part = format.normal_linear;
-            f.normal.iter().for_each(|n| w.linear(n, part));
-            (Unit::FacetProcessor, f.edges.len())
-        }
-        ProcessorWords::CurvedFacet(f) => {
-            w.screen_box(&f.screen_box);
-            f.sides.iter().for_each(|side| w.quadratic(side));
-            w.quadratic(&f.depth);
-            f.normal.iter().for_each(|n| w.quadratic(n));
-            (Unit::CurvedFacetProcessor, f.sides.len())
-        }
-        ProcessorWords::Sphere(s) => {
-            w.screen_box(&s.screen_box);
-            w.quadratic(&s.contour);
-            w.quadratic(&s.front);
-            w.word(s.sum.into(), format.sum);
-            let part = format.normal_linear;
-            s.normal.iter().for_each(|n| w.linear(n, part));
-            w.quadratic(&s.normal_z);
-            (Unit::SphereProcessor, 0)
-        }
-        ProcessorWords::Cylinder(c) => {
-            w.screen_box(&c.screen_box);
-            c.sides.iter().for_each(|side| w.linear(side, format.plane));
-            c.discs.iter().for_each(|disc| w.quadratic(disc));
-            w.quadratic(&c.body);
-            c.normal.iter().for_each(|n| w.quadratic(n));
-            w.linear(&c.disc, format.plane);
-            w.vector(c.disc_normal);
-            (Unit::CylinderProcessor, 0)
-        }
+        ProcessorWords::Quadric(q) => (Unit::QuadricProcessor, q.planes.len()),
+        ProcessorWords::Patch(q) => (Unit::PatchProcessor, q.planes.len()),
+        ProcessorWords::FirstGeneration(_) => (Unit::FirstGenerationProcessor, 0),
+        ProcessorWords::Polyhedron(p) => (Unit::PolyhedronProcessor, p.planes.len()),
+        ProcessorWords::Facet(f) => (Unit::FacetProcessor, f.edges.len()),
+        ProcessorWords::CurvedFacet(f) => (Unit::CurvedFacetProcessor, f.sides.len()),
+        ProcessorWords::Sphere(_) => (Unit::SphereProcessor, 0),
+        ProcessorWords::Cylinder(_) => (Unit::CylinderProcessor, 0),
         // What a member hands on depends on the others of its product.
         ProcessorWords::Quotient(_) | ProcessorWords::Member(_) => return None,
     };
-    Some(loaded(unit, count, w))
+    let mut ports = Ports::of(None, format);
+    ports.processor(&mut words.clone());
+    Some(loaded(unit, count, ports))
 }
 
 /// The processor of a volume; the visible depth, its port before the words, is left to the caller.
 pub fn volume(words: &VolumeWords, format: &Format) -> Loaded {
-    let mut w = Writer {
-        format,
-        words: Vec::new(),
-    };
-    w.words.push(words.margin.into());
-    if let Some(q) = &words.quadric {
-        w.linear(&q.f1, format.sum);
-        w.quadratic(&q.f2);
-    }
-    w.screen_box(&words.screen_box);
-    for plane in &words.planes {
-        w.plane(plane.kind, &plane.depth);
-    }
-    if let Some(q) = &words.quadric {
-        w.words.extend([q.class as i64, q.shift.into()]);
-    }
+    let mut ports = Ports::of(None, format);
+    ports.volume(&mut words.clone());
     let unit = match &words.quadric {
         Some(_) => Unit::QuadricVolume,
         None => Unit::PolyhedralVolume,
     };
-    loaded(unit, words.planes.len(), w)
+    loaded(unit, words.planes.len(), ports)
 }
 
-/// Writes words as their ports show them.
-struct Writer<'a> {
-    format: &'a Format,
-    words: Vec<i64>,
+/// Words on ports, one after the other: those that the ports show, or those that they are to show.
+pub(super) struct Ports {
+    format: Format,
+    /// What the ports show, from which words are read; without it words are written.
+    shown: Option<VecDeque<i64>>,
+    written: Vec<i64>,
+    /// Column and line of the first pixel of the zone.
+    pub origin: [i64; 2],
 }
 
-impl Writer<'_> {
-    fn word(&mut self, value: i128, width: u32) {
-        self.words.push(wrap(value, width) as i64);
-    }
+/// What ports show.
+pub(super) fn read<T: Default>(shown: &[i64], format: &Format, of: fn(&mut Ports, &mut T)) -> T {
+    let mut words = T::default();
+    of(&mut Ports::of(Some(shown), format), &mut words);
+    words
+}
 
-    fn linear(&mut self, l: &Linear, width: u32) {
-        for value in [l.a, l.b, l.c] {
-            self.word(value, width);
+impl Ports {
+    pub fn of(shown: Option<&[i64]>, format: &Format) -> Ports {
+        Ports {
+            format: *format,
+            shown: shown.map(|words| words.iter().copied().collect()),
+            written: vec![],
+            origin: [0; 2],
         }
     }
 
-    fn quadratic(&mut self, q: &Quadratic) {
+    fn word(&mut self, value: &mut i128, width: u32) {
+        match &mut self.shown {
+            Some(words) => *value = words.pop_front().expect("a port for each word").into(),
+            None => self.written.push(wrap(*value, width) as i64),
+        }
+    }
+
+    /// A number that has a type of its own.
+    pub fn number<T: Copy + Into<i128>>(&mut self, value: &mut T, of: fn(i128) -> T) {
+        let mut word = (*value).into();
+        self.word(&mut word, 64);
+        *value = of(word);
+    }
+
+    fn linear(&mut self, l: &mut Linear, width: u32) {
+        for word in [&mut l.a, &mut l.b, &mut l.c] {
+            self.word(word, width);
+        }
+    }
+
+    /// A depth or a side.
+    pub fn line(&mut self, l: &mut Linear) {
+        self.linear(l, self.format.plane);
+    }
+
+    fn normal_line(&mut self, l: &mut Linear) {
+        self.linear(l, self.format.normal_linear);
+    }
+
+    /// The words on the ports are preconditioned, modulo their width. `a2 = 2a` and `b2 = 2b` have no unique half modulo
+    /// 2^n, but the halves may be taken in one bit more.
+    pub fn quadratic(&mut self, q: &mut Quadratic) {
         let width = self.format.quadratic;
-        let p = q.preconditioned(width);
-        for value in [p.a2, p.b2, p.c, p.i0, p.p0, p.f] {
-            self.word(value, width);
+        let mut p = q.preconditioned(width);
+        let words = [&mut p.a2, &mut p.b2, &mut p.c, &mut p.i0, &mut p.p0];
+        for word in words.into_iter().chain([&mut p.f]) {
+            self.word(word, width);
+        }
+        let (a, b) = (p.a2 / 2, p.b2 / 2);
+        *q = Quadratic::new([a, b, p.c, p.p0 - a, p.i0 - b, p.f]);
+    }
+
+    fn screen_box(&mut self, b: &mut ScreenBox) {
+        *b = b.or_empty();
+        let [x, y] = self.origin;
+        for (edge, first) in [
+            (&mut b.x0, x),
+            (&mut b.x1, x),
+            (&mut b.y0, y),
+            (&mut b.y1, y),
+        ] {
+            self.number(edge, |word| word as i64);
+            *edge -= first;
         }
     }
 
-    fn screen_box(&mut self, b: &ScreenBox) {
-        let b = if b.is_empty() { &ScreenBox::EMPTY } else { b };
-        self.words.extend([b.x0, b.x1, b.y0, b.y1]);
+    pub fn vector(&mut self, vector: &mut [i16; 3]) {
+        for part in vector {
+            self.number(part, |word| word as i16);
+        }
     }
 
-    fn vector(&mut self, v: [i16; 3]) {
-        self.words.extend(v.map(i64::from));
+    fn class(&mut self, value: &mut Class) {
+        let mut word = *value as i64;
+        self.number(&mut word, |word| word as i64);
+        *value = class(word);
     }
 
-    fn plane(&mut self, kind: PlaneKind, depth: &Linear) {
-        self.words.push(kind as i64);
-        self.linear(depth, self.format.plane);
+    fn plane(&mut self, kind: &mut PlaneKind, depth: &mut Linear) {
+        let mut word = *kind as i64;
+        self.number(&mut word, |word| word as i64);
+        *kind = plane_kind(word);
+        self.line(depth);
     }
 
     /// Planes with their normals.
-    fn planes(&mut self, planes: &[PlaneWords]) {
+    fn planes(&mut self, planes: &mut [PlaneWords]) {
         for plane in planes {
-            self.plane(plane.kind, &plane.depth);
-            self.vector(plane.normal);
+            self.plane(&mut plane.kind, &mut plane.depth);
+            self.vector(&mut plane.normal);
         }
     }
 
-    fn quadric(&mut self, f1: &Linear, f2: &Quadratic, normal: &NormalWords, b: &ScreenBox) {
+    /// The words of the normal unit but for its shift.
+    pub fn normal(&mut self, normal: &mut NormalWords) {
+        normal.g.iter_mut().for_each(|g| self.normal_line(g));
+        self.vector(&mut normal.k);
+    }
+
+    /// What quadrics of all kinds have.
+    fn quadric(
+        &mut self,
+        f1: &mut Linear,
+        f2: &mut Quadratic,
+        normal: &mut NormalWords,
+        screen_box: &mut ScreenBox,
+    ) {
         self.linear(f1, self.format.sum);
         self.quadratic(f2);
-        for g in &normal.g {
-            self.linear(g, self.format.normal_linear);
-        }
-        self.vector(normal.k);
-        self.screen_box(b);
-        self.words.push(normal.shift.into());
+        self.normal(normal);
+        self.screen_box(screen_box);
+        self.number(&mut normal.shift, |word| word as u8);
     }
+
+    pub fn quadric_processor(&mut self, q: &mut QuadricWords) {
+        self.quadric(&mut q.f1, &mut q.f2, &mut q.normal, &mut q.screen_box);
+        self.class(&mut q.class);
+        self.planes(&mut q.planes);
+    }
+
+    pub fn polyhedron(&mut self, p: &mut PolyhedronWords) {
+        self.screen_box(&mut p.screen_box);
+        self.planes(&mut p.planes);
+    }
+
+    pub fn processor(&mut self, words: &mut ProcessorWords) {
+        match words {
+            ProcessorWords::Quadric(q) => self.quadric_processor(q),
+            ProcessorWords::Patch(q) => {
+                self.quadric(&mut q.f1, &mut q.f2, &mut q.normal, &mut q.screen_box);
+                for plane in &mut q.planes {
+                    self.plane(&mut plane.kind, &mut plane.depth);
+                }
+            }
+            ProcessorWords::FirstGeneration(q) => {
+                self.quadric(&mut q.f1, &mut q.f2, &mut q.normal, &mut q.screen_box);
+                self.number(&mut q.patch, |word| word != 0);
+                let mut planes = [&mut q.front, &mut q.back];
+                planes.iter_mut().for_each(|p| self.line(&mut p.depth));
+                planes.iter_mut().for_each(|p| self.quadratic(&mut p.conic));
+                planes.iter_mut().for_each(|p| self.line(&mut p.polar));
+                self.vector(&mut q.front.normal);
+            }
+            ProcessorWords::Polyhedron(p) => self.polyhedron(p),
+            ProcessorWords::Facet(f) => {
+                self.screen_box(&mut f.screen_box);
+                f.edges.iter_mut().for_each(|side| self.line(side));
+                self.line(&mut f.depth);
+                f.normal.iter_mut().for_each(|n| self.normal_line(n));
+            }
+            ProcessorWords::CurvedFacet(f) => {
+                self.screen_box(&mut f.screen_box);
+                f.sides.iter_mut().for_each(|side| self.quadratic(side));
+                self.quadratic(&mut f.depth);
+                f.normal.iter_mut().for_each(|n| self.quadratic(n));
+            }
+            ProcessorWords::Sphere(s) => {
+                self.screen_box(&mut s.screen_box);
+                self.quadratic(&mut s.contour);
+                self.quadratic(&mut s.front);
+                let mut sum = s.sum.into();
+                self.word(&mut sum, self.format.sum);
+                s.sum = sum as i64;
+                s.normal.iter_mut().for_each(|n| self.normal_line(n));
+                self.quadratic(&mut s.normal_z);
+            }
+            ProcessorWords::Cylinder(c) => {
+                self.screen_box(&mut c.screen_box);
+                c.sides.iter_mut().for_each(|side| self.line(side));
+                c.discs.iter_mut().for_each(|disc| self.quadratic(disc));
+                self.quadratic(&mut c.body);
+                c.normal.iter_mut().for_each(|n| self.quadratic(n));
+                self.line(&mut c.disc);
+                self.vector(&mut c.disc_normal);
+            }
+            ProcessorWords::Quotient(_) | ProcessorWords::Member(_) => {
+                unreachable!("it has no hardware")
+            }
+        }
+    }
+
+    /// The words behind the visible depth.
+    pub fn volume(&mut self, v: &mut VolumeWords) {
+        self.number(&mut v.margin, |word| word as u32);
+        if let Some(q) = &mut v.quadric {
+            self.linear(&mut q.f1, self.format.sum);
+            self.quadratic(&mut q.f2);
+        }
+        self.screen_box(&mut v.screen_box);
+        for plane in &mut v.planes {
+            self.plane(&mut plane.kind, &mut plane.depth);
+        }
+        if let Some(q) = &mut v.quadric {
+            self.class(&mut q.class);
+            self.number(&mut q.shift, |word| word as u8);
+        }
+    }
+}
+
+/// How an object lies, by its word.
+pub(super) fn class(word: i64) -> Class {
+    [Class::Side, Class::Front, Class::Patch, Class::Prism][word as usize]
+}
+
+/// How a plane lies, by its word.
+pub(super) fn plane_kind(word: i64) -> PlaneKind {
+    use PlaneKind::{Back, Front, None, Perpendicular};
+    [None, Front, Back, Perpendicular][word as usize]
 }

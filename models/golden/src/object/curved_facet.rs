@@ -25,7 +25,7 @@ pub fn other_side(q: &Quadratic) -> Quadratic {
 }
 
 /// All coefficient words of one facet for one zone, F bits each.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CurvedFacetWords {
     /// Where the facet can be on the screen.
     pub screen_box: ScreenBox,

@@ -39,7 +39,7 @@ pub struct CylinderShape {
 }
 
 /// All coefficient words of one cylinder for one zone.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CylinderWords {
     /// Where the cylinder can be on the screen.
     pub screen_box: ScreenBox,

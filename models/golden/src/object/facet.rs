@@ -54,7 +54,7 @@ pub enum FacetError {
 }
 
 /// All coefficient words of one facet for one zone.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct FacetWords {
     /// Where the facet can be on the screen.
     pub screen_box: ScreenBox,

@@ -74,7 +74,7 @@ impl ContourPlane {
 
 /// All coefficient words of one object for one zone. f1 and f2 may have guard bits, which the core drops; conics and
 /// lines have a scale of their own.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct FirstGenerationWords {
     /// The surface alone, not the solid.
     pub patch: bool,

@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 pub const DEFAULT_PLANES: usize = 6;
 
 /// All coefficient words of one polyhedron for one zone; at least one plane, at most [`super::quadric::MAX_PLANES`].
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct PolyhedronWords {
     /// Where the object can be on the screen.
     pub screen_box: ScreenBox,

@@ -38,7 +38,7 @@ impl PlaneWords {
 }
 
 /// All coefficient words of one object for one zone.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct QuadricWords {
     /// How the object lies to the viewer.
     pub class: Class,

@@ -4,7 +4,7 @@ use crate::unit::lattice::Lattice;
 use serde::{Deserialize, Serialize};
 
 /// The screen box of an object in pixels of the zone, inclusive; empty if `x0 > x1` or `y0 > y1`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ScreenBox {
     /// First column.
     pub x0: i64,

@@ -33,7 +33,7 @@ pub struct SphereShape {
 }
 
 /// All coefficient words of one sphere for one zone.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct SphereWords {
     /// Where the sphere can be on the screen.
     pub screen_box: ScreenBox,
