@@ -15,31 +15,18 @@ pub struct Signal {
 }
 
 impl Signal {
-    /// A two's complement signal.
-    pub fn signed(name: impl Into<String>, width: u32) -> Signal {
+    /// A signal of so many bits, in two's complement or without sign.
+    pub fn new(name: impl Into<String>, width: u32, signed: bool) -> Signal {
         Signal {
             name: name.into(),
             width,
-            signed: true,
-        }
-    }
-
-    /// A signal without sign.
-    pub fn unsigned(name: impl Into<String>, width: u32) -> Signal {
-        Signal {
-            name: name.into(),
-            width,
-            signed: false,
+            signed,
         }
     }
 
     /// A port of a circuit.
     pub fn of(port: &PortRecord) -> Signal {
-        Signal {
-            name: port.name.clone(),
-            width: port.width,
-            signed: port.signed,
-        }
+        Signal::new(&port.name, port.width, port.signed)
     }
 
     /// The bits of a value as they stand on the wires.
@@ -91,10 +78,10 @@ mod tests {
 
     #[test]
     fn values_and_wires_agree() {
-        let s = Signal::signed("zf", 24);
+        let s = Signal::new("zf", 24, true);
         assert_eq!(s.bits(-1), 0xff_ffff);
         assert_eq!(s.value(0x80_0000), -8_388_608);
-        assert_eq!(Signal::unsigned("id", 8).value(0xff), 255);
+        assert_eq!(Signal::new("id", 8, false).value(0xff), 255);
     }
 
     #[test]

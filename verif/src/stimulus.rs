@@ -85,7 +85,7 @@ pub fn depth(width: u32) -> BoxedStrategy<i64> {
     let far = (1i64 << (width - 1)) - 1;
     let levels = (-far - 1..=-far + 1).chain(-2..=3).chain(far - 1..=far);
     let level = select(levels.collect::<Vec<i64>>());
-    let any_word = word(&Signal::signed("depth", width));
+    let any_word = word(&Signal::new("depth", width, true));
     prop_oneof![3 => level, 1 => any_word].boxed()
 }
 

@@ -28,12 +28,9 @@ impl Spot {
 
     /// The values of [`SPOT`].
     fn values(&self) -> [Option<i64>; 3] {
-        let [column, line] = [self.pixel.map(|p| p.0), self.pixel.map(|p| p.1)];
-        [
-            Some(self.frame.into()),
-            column.map(|n| n as i64),
-            line.map(|n| n as i64),
-        ]
+        let (column, line) = self.pixel.unzip();
+        let [column, line] = [column, line].map(|n| n.map(|n| n as i64));
+        [Some(self.frame.into()), column, line]
     }
 }
 
@@ -68,19 +65,16 @@ impl Waves {
             name: format!("{scope}.{}", signal.name),
             ..*signal
         };
-        let spot = SPOT.map(|(name, width)| Signal::unsigned(name, width));
-        let plain = others
-            .iter()
-            .map(|place| within("outputs", &outputs[*place]));
+        let spot = SPOT.map(|(name, width)| Signal::new(name, width, false));
+        let plain = others.iter();
+        let plain = plain.map(|place| within("outputs", &outputs[*place]));
         let nets = hardware.design.nets.iter();
         let nets = nets.map(|net| within("inside", net));
+        let shown = compared.iter().map(|place| outputs[*place].clone());
         let group = Group {
             name: hardware.design.name.clone(),
             stimulus: hardware.design.inputs.clone(),
-            compared: compared
-                .iter()
-                .map(|place| outputs[*place].clone())
-                .collect(),
+            compared: shown.collect(),
             observed: spot.into_iter().chain(plain).chain(nets).collect(),
         };
         let (window, awaited) = match request.from {

@@ -180,35 +180,45 @@ impl Lanes for Circuit {
 
 /// A circuit in the simulator of `imogene-hdl`, which interprets it level by level: the check of the compiled one.
 pub struct Levelised {
-    simulator: Simulator,
-    inputs: Vec<hdl::Port>,
-    outputs: Vec<(Signal, hdl::Port)>,
+    /// The circuit.
+    pub design: Design,
+    /// Memories upset what is read while it is written.
+    pub upsets_collisions: bool,
 }
 
-impl Levelised {
-    /// A design in its simulator, at power-up.
-    pub fn new(design: &Design, simulator: Simulator) -> Levelised {
-        let inputs = design.top.ports_of(Direction::In);
-        let inputs = inputs.map(|port| simulator.port(&port.name)).collect();
-        let outputs = design.top.ports_of(Direction::Out);
-        let outputs = outputs.map(|port| (Signal::of(port), simulator.port(&port.name)));
-        Levelised {
-            inputs,
-            outputs: outputs.collect(),
-            simulator,
+impl design::Design for Levelised {
+    fn instance(&self) -> Box<dyn Instance> {
+        let mut simulator = Simulator::new(&self.design);
+        if self.upsets_collisions {
+            simulator = simulator.with_upset_collisions();
         }
+        let ports = |way| {
+            let ports = self.design.top.ports_of(way);
+            ports.map(|port| simulator.port(&port.name)).collect()
+        };
+        let [inputs, outputs] = [Direction::In, Direction::Out].map(ports);
+        Box::new(LevelisedInstance {
+            inputs,
+            outputs,
+            simulator,
+        })
     }
 }
 
-impl Clocked for Levelised {
-    fn clock(&mut self, inputs: &[i64]) -> Vec<Option<i64>> {
-        for (port, value) in self.inputs.iter().zip(inputs) {
-            self.simulator.set(*port, *value as u64);
+struct LevelisedInstance {
+    simulator: Simulator,
+    inputs: Vec<hdl::Port>,
+    outputs: Vec<hdl::Port>,
+}
+
+impl Instance for LevelisedInstance {
+    fn clock(&mut self, inputs: &[u64], outputs: &mut [Option<u64>]) {
+        for (port, word) in self.inputs.iter().zip(inputs) {
+            self.simulator.set(*port, *word);
         }
         self.simulator.clock();
-        let outputs = self.outputs.iter();
-        outputs
-            .map(|(signal, port)| Some(signal.value(self.simulator.get(*port))))
-            .collect()
+        for (port, word) in self.outputs.iter().zip(outputs) {
+            *word = Some(self.simulator.get(*port));
+        }
     }
 }

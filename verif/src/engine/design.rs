@@ -5,6 +5,7 @@ use super::nets::NetError;
 use super::verilator::Model;
 use crate::signal::Signal;
 use crate::subject::{Clocked, Inputs, Subject};
+use crate::waveform::PlaceError;
 use imogene_contract::RequestError;
 use imogene_tools::ToolError;
 use std::hint::black_box;
@@ -24,6 +25,9 @@ pub enum DesignError {
     /// A program is missing or refused the design.
     #[error(transparent)]
     Tool(#[from] ToolError),
+    /// Waveforms are wanted from a place that its screen does not have.
+    #[error(transparent)]
+    Place(#[from] PlaceError),
     /// The library that Verilator's output was compiled to cannot be loaded.
     #[error("{}: {source}; remove the file and try again", path.display())]
     Load {
@@ -117,19 +121,16 @@ pub fn with_verilog(
     text: &str,
 ) -> Result<Subject, DesignError> {
     let design = simulator.compile(&Source::of(&subject, top, text))?;
-    Ok(driven(subject, simulator, design))
+    Ok(driven(subject, simulator.name(), design))
 }
 
-/// Puts a design of a simulator in the place of the subject's hardware.
-pub(super) fn driven(subject: Subject, simulator: Simulator, design: Box<dyn Design>) -> Subject {
-    let masks: Arc<[u64]> = subject
-        .inputs
-        .iter()
-        .map(|signal| signal.bits(-1))
-        .collect();
+/// Puts a design in an engine in the place of the subject's hardware.
+pub(crate) fn driven(subject: Subject, engine: &'static str, design: Box<dyn Design>) -> Subject {
+    let masks = subject.inputs.iter().map(|signal| signal.bits(-1));
+    let masks: Arc<[u64]> = masks.collect();
     let outputs: Arc<[Signal]> = subject.outputs.clone().into();
     Subject {
-        engine: simulator.name(),
+        engine,
         hardware: Box::new(move || {
             Box::new(Driven {
                 instance: design.instance(),

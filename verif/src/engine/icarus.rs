@@ -18,6 +18,7 @@ const BENCH: &str = "imogene_bench";
 const COMPILED: &str = "design.vvp";
 
 /// A design compiled by Icarus Verilog.
+#[derive(Clone)]
 pub struct IcarusDesign {
     folder: Arc<TempDir>,
     inputs: Arc<[Signal]>,
@@ -47,9 +48,7 @@ impl Design for IcarusDesign {
     fn instance(&self) -> Box<dyn Instance> {
         Box::new(IcarusInstance {
             process: start(self.folder.path()),
-            _folder: self.folder.clone(),
-            inputs: self.inputs.clone(),
-            outputs: self.outputs.clone(),
+            design: self.clone(),
             line: String::new(),
         })
     }
@@ -59,10 +58,8 @@ impl Design for IcarusDesign {
 struct IcarusInstance {
     /// None when the process could not be started or has ended: nothing is defined then.
     process: Option<Process>,
-    /// Keeps the compiled design until the last instance is gone.
-    _folder: Arc<TempDir>,
-    inputs: Arc<[Signal]>,
-    outputs: Arc<[Signal]>,
+    /// Keeps what is compiled until the last instance is gone.
+    design: IcarusDesign,
     line: String,
 }
 
@@ -104,7 +101,7 @@ impl Drop for Process {
 impl Instance for IcarusInstance {
     fn clock(&mut self, inputs: &[u64], outputs: &mut [Option<u64>]) {
         self.line.clear();
-        for (word, signal) in inputs.iter().zip(&*self.inputs) {
+        for (word, signal) in inputs.iter().zip(&*self.design.inputs) {
             let digits = signal.width.div_ceil(4) as usize;
             let _ = write!(self.line, "{word:0digits$x} ");
         }
@@ -115,7 +112,7 @@ impl Instance for IcarusInstance {
         };
         let outcome = process.exchange(&mut self.line);
         let mut fields = self.line.split_ascii_whitespace();
-        for (place, signal) in outputs.iter_mut().zip(&*self.outputs) {
+        for (place, signal) in outputs.iter_mut().zip(&*self.design.outputs) {
             let field = fields.next();
             let field = field.filter(|bits| bits.len() == signal.width as usize);
             *place = field.and_then(|bits| u64::from_str_radix(bits, 2).ok());

@@ -93,16 +93,10 @@ pub fn processor_signals(
     let mut list = Vec::new();
     let mut add = |name: &str, width: u32, offset: usize, point: &str| {
         let signed = !["root", "merged_nf", "number"].contains(&name);
-        let (name, point) = (name.to_owned(), point.to_owned());
-        let signal = Signal {
-            name,
-            width,
-            signed,
-        };
         list.push(ProbeSignal {
-            signal,
+            signal: Signal::new(name, width, signed),
             offset,
-            point,
+            point: point.to_owned(),
         });
     };
     add("f2", format.pe2_width(), 1, "quadric.f2.value");

@@ -82,14 +82,9 @@ impl Walk<'_> {
 
 /// Ports of a module, and its nets that have names.
 fn nets(module: &Module) -> Vec<Signal> {
-    let named = module.nets().filter_map(|(_, node)| {
-        let name = node.name.clone()?;
-        Some(Signal {
-            name,
-            width: node.width,
-            signed: node.signed,
-        })
-    });
+    let named = module
+        .nets()
+        .filter_map(|(_, node)| Some(Signal::new(node.name.as_ref()?, node.width, node.signed)));
     let mut list: Vec<Signal> = module.ports.iter().map(Signal::of).chain(named).collect();
     let mut known = HashSet::new();
     list.retain(|net| known.insert(net.name.clone()));
@@ -98,11 +93,7 @@ fn nets(module: &Module) -> Vec<Signal> {
 
 fn unknown(top: &Module, path: &str) -> NetError {
     let (mut module, mut name) = (top, top.name.as_str());
-    for (at, part) in path
-        .match_indices('.')
-        .map(|(at, _)| at)
-        .zip(path.split('.'))
-    {
+    for ((at, _), part) in path.match_indices('.').zip(path.split('.')) {
         let mut parts = module.instances.iter();
         let Some(found) = parts.find(|instance| instance.name == part) else {
             break;

@@ -24,6 +24,7 @@ pub mod words;
 mod zone;
 
 use crate::engine::circuit::{Circuit, Compiled, Levelised};
+use crate::engine::design::driven;
 use crate::engine::{BUILT_IN, LEVELISED};
 use crate::signal::Signal;
 use crate::subject::Subject;
@@ -31,7 +32,7 @@ use description::Description;
 use imogene_contract::{MachineWords, Request, RequestError, Unit};
 use imogene_golden::format::Format;
 use imogene_golden::unit::root::Method;
-use imogene_hdl::{Design, Direction, Simulator};
+use imogene_hdl::Direction;
 use imogene_rtl::emit::design;
 use std::sync::OnceLock;
 
@@ -77,30 +78,20 @@ pub fn subject(request: &Request) -> Result<Subject, RequestError> {
 
 /// The same in the simulator of `imogene-hdl`.
 pub fn levelised(request: &Request) -> Result<Subject, RequestError> {
-    simulated(request, Simulator::new)
+    simulated(request, false)
 }
 
 /// The same, where memories upset what is read while it is written.
 pub fn with_upset_collisions(request: &Request) -> Result<Subject, RequestError> {
-    simulated(request, |design| {
-        Simulator::new(design).with_upset_collisions()
-    })
+    simulated(request, true)
 }
 
-fn simulated(
-    request: &Request,
-    simulator: fn(&Design) -> Simulator,
-) -> Result<Subject, RequestError> {
-    let request = *request;
-    Ok(Subject {
-        engine: LEVELISED,
-        hardware: Box::new(move || {
-            let design = design(&request).expect("a checked request");
-            Box::new(Levelised::new(&design, simulator(&design)))
-        }),
-        lanes: None,
-        ..subject(&request)?
-    })
+fn simulated(request: &Request, upsets_collisions: bool) -> Result<Subject, RequestError> {
+    let design = Levelised {
+        design: design(request)?,
+        upsets_collisions,
+    };
+    Ok(driven(subject(request)?, LEVELISED, Box::new(design)))
 }
 
 /// Joins each unit to its golden model and stimulus.

@@ -30,7 +30,7 @@ enum Change<'a> {
 impl Group {
     /// All variables with their paths.
     fn variables(&self) -> Vec<(String, Signal)> {
-        let mut list = vec![("mismatch".to_owned(), Signal::unsigned("mismatch", 1))];
+        let mut list = vec![("mismatch".to_owned(), Signal::new("mismatch", 1, false))];
         for (scope, signals) in [
             ("stimulus.", &self.stimulus),
             ("hardware.", &self.compared),
@@ -51,11 +51,8 @@ impl Group {
         let outputs = sample.hardware.iter().chain(&sample.golden);
         let observed = outputs.chain(&sample.observed).copied();
         let count = 1 + self.stimulus.len() + 2 * self.compared.len() + self.observed.len();
-        given
-            .map(Some)
-            .chain(observed)
-            .chain(repeat(None))
-            .take(count)
+        let all = given.map(Some).chain(observed);
+        all.chain(repeat(None)).take(count)
     }
 }
 
@@ -89,7 +86,7 @@ pub(super) fn range_of(signal: &Signal) -> String {
 impl Trace {
     /// The clock, then the variables of all groups.
     fn variables(&self) -> Vec<(String, Signal)> {
-        let clock = ("imogene.clock".to_owned(), Signal::unsigned("clock", 1));
+        let clock = ("imogene.clock".to_owned(), Signal::new("clock", 1, false));
         let groups = self.groups.iter().flat_map(Group::variables);
         [clock].into_iter().chain(groups).collect()
     }
@@ -138,9 +135,8 @@ impl Trace {
             Line::Variable(name, s) => {
                 let range = vcd::ReferenceIndex::Range(s.width as i32 - 1, 0);
                 let range = (s.width > 1).then_some(range);
-                writer
-                    .add_var(VarType::Wire, s.width, name, range)
-                    .map(|id| ids.push(id))
+                let id = writer.add_var(VarType::Wire, s.width, name, range);
+                id.map(|id| ids.push(id))
             }
         })?;
         writer.enddefinitions()?;
@@ -183,9 +179,8 @@ impl Trace {
                 let name = format!("{name} {}", range_of(s));
                 let (kind, way) = (FstVarType::Wire, FstVarDirection::Implicit);
                 let word = FstSignalType::bit_vec(s.width);
-                header
-                    .var(name.trim_end(), word, kind, way, None)
-                    .map(|id| ids.push(id))
+                let id = header.var(name.trim_end(), word, kind, way, None);
+                id.map(|id| ids.push(id))
             }
         })?;
         let mut body = header.finish()?;

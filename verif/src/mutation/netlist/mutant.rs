@@ -16,7 +16,7 @@ pub struct Design<'a> {
 
 /// The input that selects a mutant; 0 selects none.
 pub(super) fn selector(mutants: usize) -> Signal {
-    Signal::unsigned("mutant_select", (mutants as u64).ilog2() + 1)
+    Signal::new("mutant_select", (mutants as u64).ilog2() + 1, false)
 }
 
 /// One small change of a netlist.
