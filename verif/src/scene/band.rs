@@ -4,8 +4,9 @@ use super::golden::{GoldenMachine, probe_values};
 use super::request::Options;
 use crate::engine::ProbeSignal;
 use crate::engine::beam::{Beam, Outputs};
+use crate::engine::machine::MachineDesign;
 use crate::report::Report;
-use crate::signal::{Delay, Signal};
+use crate::signal::Delay;
 use crate::waveform::{Group, Sample, Trace};
 use imogene_golden::machine::decider::Visible;
 use imogene_golden::machine::frame::Frame;
@@ -16,8 +17,7 @@ use imogene_prepare::PreparedScene;
 /// What one band runs.
 pub(super) struct Band<'a> {
     pub scene: &'a PreparedScene,
-    /// Outputs of the machine.
-    pub outputs: Vec<Signal>,
+    pub machine: &'a MachineDesign,
     /// Clocks from `go` to the first pixel.
     pub latency: usize,
     /// The words of each slot, with as many planes as the slot has.
@@ -27,8 +27,6 @@ pub(super) struct Band<'a> {
     pub options: &'a Options,
     /// The column and line at which the window of waveforms begins, if it has one, in a band that is traced.
     pub trace: Option<Option<(usize, usize)>>,
-    /// Nets that they show.
-    pub nets: Vec<Signal>,
 }
 
 /// What a band gives: counts, the hardware's lines and the waveforms.
@@ -119,21 +117,16 @@ impl Band<'_> {
     /// Column and line on the screen of the pixel with this index in the band.
     fn pixel(&self, index: usize) -> (i64, i64) {
         let width = self.scene.width as usize;
-        (
-            (index % width) as i64,
-            (self.first_line + index / width) as i64,
-        )
+        let line = self.first_line + index / width;
+        ((index % width) as i64, line as i64)
     }
 
     /// The words of a slot, with the fault if it is there.
     fn load_words(&self, object: usize) -> Vec<LoadWord> {
         let words = &self.objects[object];
         let mut words = load_words(words, &self.scene.format, words.planes.len());
-        if let Some(fault) = self
-            .options
-            .fault
-            .filter(|f| usize::from(f.object) == object)
-        {
+        let fault = self.options.fault;
+        if let Some(fault) = fault.filter(|fault| usize::from(fault.object) == object) {
             let place = words.iter_mut().filter(|w| w.address == fault.address);
             place.for_each(|word| word.bits ^= 1 << fault.bit);
         }
@@ -143,8 +136,8 @@ impl Band<'_> {
     fn score(&self, outputs: &Outputs, stated: Option<Visible>, index: usize, report: &mut Report) {
         let pixel = stated.map(|_| self.pixel(index));
         let cycle = report.cycles;
-        let golden = output_values(stated);
-        for ((signal, &hardware), golden) in self.outputs.iter().zip(outputs).zip(golden) {
+        let outputs = self.machine.outputs.iter().zip(outputs);
+        for ((signal, &hardware), golden) in outputs.zip(output_values(stated)) {
             let Some(golden) = golden else { continue };
             report.compare(cycle, pixel, &signal.name, hardware, golden);
         }
@@ -215,11 +208,11 @@ impl Recorder {
             from..from.saturating_add(clocks)
         });
         let object = band.options.traced;
-        let mut inside = band.nets.clone();
+        let mut inside = band.machine.nets.clone();
         (inside.iter_mut()).for_each(|net| net.name = format!("inside.{}", net.name));
         let mut groups = vec![Group {
             name: "beam".into(),
-            compared: band.outputs.clone(),
+            compared: band.machine.outputs.clone(),
             observed: inside,
             ..Group::default()
         }];
@@ -240,11 +233,10 @@ impl Recorder {
 
     /// The golden values that belong to the present clock, each delayed by its signal's place in the pipeline.
     fn align(&mut self, probe: Option<Vec<i64>>) -> Vec<Option<i64>> {
-        self.delays
-            .iter_mut()
-            .enumerate()
-            .map(|(k, delay)| delay.push(probe.as_ref().map(|values| values[k])).flatten())
-            .collect()
+        let value = |k: usize| probe.as_ref().map(|values| values[k]);
+        let delays = self.delays.iter_mut().enumerate();
+        let aligned = delays.map(|(k, delay)| delay.push(value(k)).flatten());
+        aligned.collect()
     }
 
     fn clock(

@@ -27,9 +27,8 @@ impl GoldenMachine {
     pub(crate) fn pixel(&mut self, traced: Option<usize>) -> (Visible, Option<Probe>) {
         if self.column == self.width {
             self.column = 0;
-            self.processors
-                .iter_mut()
-                .for_each(QuadricProcessor::line_step);
+            let processors = self.processors.iter_mut();
+            processors.for_each(QuadricProcessor::line_step);
         }
         self.column += 1;
         let mut probe = None;

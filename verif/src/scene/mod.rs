@@ -13,7 +13,6 @@ pub mod zone;
 use crate::engine::beam::BeamDesign;
 use crate::engine::{Engine, processor_signals, slots_of};
 use crate::report::Report;
-use crate::signal::Signal;
 use crate::subject::Inputs;
 use crate::waveform::{PlaceError, WindowStart};
 pub use request::{CosimError, Fault, MAX_OBJECTS, Options};
@@ -131,17 +130,17 @@ pub fn run_on(
 ) -> Result<(Report, Frame), CosimError> {
     let words = quadric_words(scene)?;
     let latency = beam::latency(slots, &scene.format, options.rows_per_stage as u32);
+    let words = words.iter().zip(slots);
     let bands = Bands {
         scene,
-        words: (words.iter().zip(slots))
+        design,
+        words: words
             .map(|(words, slot)| with_planes(words, slot))
             .collect(),
-        outputs: design.machine.outputs.clone(),
-        nets: design.machine.nets.clone(),
         latency: latency as usize,
         options,
     };
-    let (mut report, frame) = bands.run(design, pixel_done);
+    let (mut report, frame) = bands.run(pixel_done);
     report.engine = design.engine.name().into();
     Ok((report, frame))
 }
@@ -149,28 +148,28 @@ pub fn run_on(
 /// The words with as many planes as their slot has.
 fn with_planes(words: &QuadricWords, slot: &FittedSlot) -> QuadricWords {
     let mut words = words.clone();
-    words
-        .planes
-        .resize(slot.planes as usize, PlaneWords::default());
+    let planes = slot.planes as usize;
+    words.planes.resize(planes, PlaneWords::default());
     words
 }
 
 /// A machine over the whole screen, cut into bands.
 struct Bands<'a> {
     scene: &'a PreparedScene,
+    design: &'a BeamDesign,
+    /// The words of each slot, with as many planes as the slot has.
     words: Vec<QuadricWords>,
-    outputs: Vec<Signal>,
-    nets: Vec<Signal>,
+    /// Clocks from `go` to the first pixel.
     latency: usize,
     options: &'a Options,
 }
 
 impl Bands<'_> {
     /// Runs every band on a machine of its own; the report counts the clocks of all bands, each with its latency.
-    fn run(&self, design: &BeamDesign, pixel_done: impl Fn() + Sync) -> (Report, Frame) {
+    fn run(&self, pixel_done: impl Fn() + Sync) -> (Report, Frame) {
         let started = Instant::now();
         let bands = self.cut(self.options.threads);
-        let run = |band: &Band| band::run(band, &mut design.machine(), &pixel_done);
+        let run = |band: &Band| band::run(band, &mut self.design.machine(), &pixel_done);
         let parts: Vec<Part> = bands.par_iter().map(run).collect();
         let mut report = Report::default();
         let width = self.scene.width as usize;
@@ -210,14 +209,13 @@ impl Bands<'_> {
                 |words: &QuadricWords| words.for_zone(0, first as i64, width as i64, lines as i64);
             Band {
                 scene,
-                outputs: self.outputs.clone(),
+                machine: &self.design.machine,
                 latency: self.latency,
                 objects: self.words.iter().map(zone).collect(),
                 first_line: first,
                 lines,
                 options,
                 trace: trace(first, lines),
-                nets: self.nets.clone(),
             }
         };
         parts.into_iter().map(band).collect()
@@ -261,12 +259,11 @@ fn check_requests(
 /// First line and number of lines of each band.
 fn split(height: usize, bands: usize) -> Vec<(usize, usize)> {
     let bands = bands.clamp(1, height);
-    (0..bands)
-        .map(|k| {
-            let first = k * height / bands;
-            (first, (k + 1) * height / bands - first)
-        })
-        .collect()
+    let part = |k: usize| {
+        let first = k * height / bands;
+        (first, (k + 1) * height / bands - first)
+    };
+    (0..bands).map(part).collect()
 }
 
 fn append(frame: &mut Frame, lines: Frame) {
