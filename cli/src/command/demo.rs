@@ -10,7 +10,7 @@ use imogene_plan::description::MachineDescription;
 use imogene_plan::display::image;
 use imogene_scene::SceneFile;
 use imogene_verif::display::pins::{PinsRun, run as run_pins};
-use imogene_verif::display::request::request;
+use imogene_verif::display::request::request_for;
 use imogene_verif::engine::Engine;
 use imogene_verif::report::Report;
 use imogene_verif::scene;
@@ -51,7 +51,11 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
     let command = format!("imogene demo --out {}", options.out.display());
     // Written first: an unwritable folder is found before the long work.
     let mut files = output::files();
-    add_verilog(&request(&machine, &command), &options.out, &mut files)?;
+    add_verilog(
+        &request_for(&machine, &[], &command),
+        &options.out,
+        &mut files,
+    )?;
 
     let golden = image.picture.clone();
     let pins = PinsRun::plain(Engine::BuiltIn);

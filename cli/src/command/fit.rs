@@ -27,7 +27,7 @@ use imogene_studies::picture;
 use imogene_synth::Target;
 use imogene_synth::fitted::{MachineCost, Parts};
 use imogene_verif::display::pins::{PinsRun, run as run_pins};
-use imogene_verif::display::request::{request, request_for, zone_timing};
+use imogene_verif::display::request::{request_for, zone_timing};
 use imogene_verif::report::Report;
 use std::time::Instant;
 
@@ -212,7 +212,7 @@ fn choose<'a>(
 /// The machine of these words.
 fn fitted(frames: &Frames, drawn: &Drawn, rows: u32, options: &Fit) -> Result<Fitted, Failure> {
     let timing = |machine: &MachineDescription| {
-        zone_timing(&request(machine, "")).expect("a machine that is within its ranges")
+        zone_timing(&request_for(machine, &[], "")).expect("a machine that is within its ranges")
     };
     let machine = machine::machine(frames, drawn, rows, options.pace(), &timing);
     machine.map_err(|error| match error {
@@ -228,7 +228,7 @@ fn price(
 ) -> Result<Vec<MachineCost>, Failure> {
     let emitted = machines
         .iter()
-        .map(|machine| emit_machine(&request(machine, "")));
+        .map(|machine| emit_machine(&request_for(machine, &[], "")));
     let emitted: Vec<Emitted> = emitted.collect::<Result<_, _>>()?;
     costs_of(
         &emitted,

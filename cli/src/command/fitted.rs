@@ -10,7 +10,7 @@ use imogene_rtl::emit::Emitted;
 use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
 use imogene_synth::Target;
 use imogene_synth::fitted::{MachineCost, Parts, estimated_costs, machine_costs};
-use imogene_verif::display::request::request;
+use imogene_verif::display::request::request_for;
 use imogene_verif::engine::slots_of;
 use std::collections::BTreeSet;
 
@@ -51,7 +51,7 @@ pub fn estimates(
 ) -> Result<Vec<MachineCost>, Failure> {
     let emitted = |machines: &[MachineDescription], rows: u32| {
         let alike = machines.iter().filter(|m| m.rows_per_stage == rows);
-        let emitted = alike.map(|m| emit_machine(&request(m, "")).map_err(Failure::from));
+        let emitted = alike.map(|m| emit_machine(&request_for(m, &[], "")).map_err(Failure::from));
         emitted.collect::<Result<Vec<Emitted>, Failure>>()
     };
     let rows: BTreeSet<u32> = machines.iter().map(|m| m.rows_per_stage).collect();
@@ -75,7 +75,9 @@ pub fn costs(
     target: Target,
     with_clock: bool,
 ) -> Result<Vec<MachineCost>, Failure> {
-    let emitted = machines.iter().map(|m| emit_machine(&request(m, "")));
+    let emitted = machines
+        .iter()
+        .map(|m| emit_machine(&request_for(m, &[], "")));
     let emitted: Vec<Emitted> = emitted.collect::<Result<_, _>>()?;
     costs_of(&emitted, Parts::Units, target, with_clock)
 }

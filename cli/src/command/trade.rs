@@ -22,7 +22,7 @@ use imogene_studies::trade::run::{self, Request};
 use imogene_studies::trade::speed;
 use imogene_synth::Target;
 use imogene_synth::fitted::MachineCost;
-use imogene_verif::display::request::{request, timing};
+use imogene_verif::display::request::{request_for, timing};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -98,7 +98,7 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
 
 /// What the hardware of a machine takes.
 fn timing_of(machine: &MachineDescription) -> Timing {
-    timing(&request(machine, "")).expect("a machine that is within its ranges")
+    timing(&request_for(machine, &[], "")).expect("a machine that is within its ranges")
 }
 
 /// What machines cost.

@@ -2,7 +2,7 @@
 
 use super::Machine;
 use super::host::Host;
-use super::request::{mode, request};
+use super::request::{mode, request_for};
 use super::stream;
 use super::waves::{Spot, Waves};
 use crate::engine::design::DesignError;
@@ -14,7 +14,7 @@ use imogene_plan::description::{MachineDescription, MachineKind, Output};
 use imogene_plan::display::Image;
 use std::time::Instant;
 
-pub use super::run::{PinsOutcome, PinsRun, RunError};
+pub use super::run::{PinsOutcome, PinsRun};
 
 /// Shows images one after the other and compares every pin on every clock, or every pixel of a machine that streams. A
 /// frame is that of the image that came on last, or black.
@@ -23,14 +23,9 @@ pub fn run(
     images: &[Image],
     options: &PinsRun,
     frame_done: impl FnMut(),
-) -> Result<PinsOutcome, RunError> {
-    run_in(
-        options.design(machine, images)?,
-        machine,
-        images,
-        options,
-        frame_done,
-    )
+) -> Result<PinsOutcome, DesignError> {
+    let design = options.design(machine, images)?;
+    run_in(design, machine, images, options, frame_done)
 }
 
 /// The same in a machine that was made of this description.
@@ -40,13 +35,12 @@ pub fn run_in(
     images: &[Image],
     options: &PinsRun,
     mut frame_done: impl FnMut(),
-) -> Result<PinsOutcome, RunError> {
+) -> Result<PinsOutcome, DesignError> {
     let mut hardware = Machine::of(design);
     if machine.output == Output::Stream {
         return Ok(stream::run(hardware, machine, images, options, frame_done));
     }
-    let clocks = request(machine, "").clocks();
-    let behind = clocks.map_err(DesignError::from)?.output;
+    let behind = request_for(machine, &[], "").clocks()?.output;
     let mode = mode(machine);
     let started = Instant::now();
     let mut run = Run {
@@ -149,9 +143,8 @@ impl Run<'_> {
     /// Keeps the waveforms of the clock that comes next.
     fn keep(&mut self, hardware: &mut Machine) {
         if let Some(waves) = &mut self.waves {
-            let golden = self
-                .wanted
-                .map_or([None; PINS.len()], |pins| pins.map(Some));
+            let golden = self.wanted.map(|pins| pins.map(Some));
+            let golden = golden.unwrap_or_default();
             let differs = self.outcome.report.mismatches > 0;
             waves.clock(hardware, &self.spot, &golden, differs);
         }
@@ -200,14 +193,9 @@ impl Run<'_> {
             (true, None) => i64::from(expected[at + channel]),
             (false, _) => 0,
         };
-        let wanted = [
-            colour(0),
-            colour(1),
-            colour(2),
-            hsync.into(),
-            vsync.into(),
-            shown.active.into(),
-        ];
+        let [red, green, blue] = [0, 1, 2].map(colour);
+        let [hsync, vsync, de] = [hsync, vsync, shown.active].map(i64::from);
+        let wanted = [red, green, blue, hsync, vsync, de];
         self.wanted = Some(wanted);
         let found = self.places.map(|place| hardware.at(place));
         let pixel = shown.active.then_some((shown.x.into(), shown.y.into()));

@@ -10,17 +10,8 @@ use imogene_plan::pace::Timing;
 use imogene_plan::zone::clocks::ZoneTiming;
 use imogene_rtl::emit::machine::{Kind, MachineRequest, Output, Slot, Tables, ZoneShape};
 
-/// The request for the machine of a description without the scene of its tables; `command` is stated in the header of
-/// its Verilog.
-///
-/// # Panics
-///
-/// When the description was not checked.
-pub fn request(machine: &MachineDescription, command: &str) -> MachineRequest {
-    request_for(machine, &[], command)
-}
-
-/// The request for the machine of a description whose tables of lit-sphere shading hold these words.
+/// The request for the machine of a description whose tables of lit-sphere shading hold these words; `command` is
+/// stated in the header of its Verilog.
 ///
 /// # Panics
 ///

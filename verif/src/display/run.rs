@@ -7,12 +7,11 @@ use crate::engine::Engine;
 use crate::engine::design::DesignError;
 use crate::engine::machine::MachineDesign;
 use crate::report::Report;
-use crate::waveform::{PlaceError, WaveformRequest, WindowStart};
+use crate::waveform::{WaveformRequest, WindowStart};
 use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_plan::description::MachineDescription;
 use imogene_plan::display::Image;
 use std::time::Instant;
-use thiserror::Error;
 
 /// How to run.
 #[derive(Clone, Copy, Debug)]
@@ -59,7 +58,7 @@ impl PinsRun<'_> {
         &self,
         machine: &MachineDescription,
         images: &[Image],
-    ) -> Result<MachineDesign, RunError> {
+    ) -> Result<MachineDesign, DesignError> {
         let mode = mode(machine);
         if let Some(WindowStart::At(place)) = self.waveforms.map(|waveforms| waveforms.from) {
             place.check(mode.line.active as usize, mode.frame.active as usize)?;
@@ -67,7 +66,7 @@ impl PinsRun<'_> {
         let nets = self.waveforms.map_or(&[][..], |waveforms| &waveforms.nets);
         let tables = images.first().map_or(&[][..], |image| &image.tables);
         let request = request_for(machine, tables, "");
-        Ok(MachineDesign::compile(self.engine, &request, &[], nets)?)
+        MachineDesign::compile(self.engine, &request, &[], nets)
     }
 
     /// The waveforms that are wanted, of a machine of whose outputs some are compared.
@@ -75,17 +74,6 @@ impl PinsRun<'_> {
         let waveforms = self.waveforms?;
         Some(Waves::new(waveforms, hardware, compared))
     }
-}
-
-/// Why a machine cannot be run.
-#[derive(Debug, Error)]
-pub enum RunError {
-    /// The engine does not run it.
-    #[error(transparent)]
-    Design(#[from] DesignError),
-    /// Waveforms are wanted from a place that its screen does not have.
-    #[error(transparent)]
-    Place(#[from] PlaceError),
 }
 
 /// What the pins have shown.

@@ -1,6 +1,5 @@
 //! What is asked of a mutation score, and what it tells.
 
-use crate::display::pins::RunError;
 use crate::engine::design::DesignError;
 use crate::subject::Subject;
 use imogene_tools::{FileError, ToolError};
@@ -57,12 +56,9 @@ pub enum MutationError {
     /// A file could not be read or written.
     #[error(transparent)]
     File(#[from] FileError),
-    /// A machine cannot be run.
+    /// A machine, or its mutants, cannot be run.
     #[error(transparent)]
-    Run(#[from] RunError),
-    /// The mutants cannot be compiled or loaded.
-    #[error(transparent)]
-    Verilator(#[from] DesignError),
+    Design(#[from] DesignError),
     /// A unit itself, without a mutation, differs from the golden model, in a stimulus at a clock.
     #[error(
         "{0} without a mutation differs from its golden model at clock {2} of stimulus {1}; a score means nothing"
@@ -99,7 +95,7 @@ pub struct Survivor {
 }
 
 /// The score of a unit; the keys are stable.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct MutationReport {
     /// Unit.
     pub unit: String,
@@ -136,15 +132,7 @@ impl MutationReport {
         MutationReport {
             unit: unit.to_owned(),
             options: options.to_owned(),
-            candidates: 0,
-            mutants: 0,
-            killed: 0,
-            equivalent: 0,
-            forgotten: 0,
-            surviving: vec![],
-            score: 100.0,
-            longest_life: 0,
-            seconds: 0.0,
+            ..MutationReport::default()
         }
     }
 

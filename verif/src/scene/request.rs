@@ -102,6 +102,19 @@ pub enum CosimError {
     /// A slot to trace that does not exist, and the last one.
     #[error("there is no object {0} to trace; accepted: 0 to {1}")]
     TracedObject(usize, usize),
+    /// There is no hardware of the processor of an object, where each runs by itself.
+    #[error(
+        "object '{0}': drawn by the quotient processor, because the viewer lies on its quadric (or looks along an asymptotic direction of it); \
+         there is no hardware of that processor: move the camera by any small amount, or draw the scene with --model golden or exact"
+    )]
+    NoHardware(String),
+    /// Widths that processors have in a machine alone.
+    #[error(
+        "only a beam machine takes --guards and --widths, and it draws 1 to 256 quadrics; \
+         give --format, or render with --model golden or exact; \
+         a zone machine draws facets with guard bits (imogene machine)"
+    )]
+    OwnWords,
 }
 
 /// The middle line of an object on the screen.

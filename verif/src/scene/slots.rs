@@ -5,7 +5,8 @@
 //! golden model, from the words that the preparation made; what all of them draw together is compared with the frame of
 //! the golden machine.
 
-use super::zone::{SlotError, Zone};
+use super::request::CosimError;
+use super::zone::Zone;
 use crate::engine::Engine;
 use crate::report::{Report, place};
 use crate::subject::{Inputs, Subject};
@@ -35,18 +36,16 @@ pub fn run(
     rows_per_stage: usize,
     engine: Engine,
     pixel_done: impl Fn(u64) + Sync,
-) -> Result<(Report, Frame), SlotError> {
+) -> Result<(Report, Frame), CosimError> {
     let started = Instant::now();
     if !scene.format.follows_depth_word() || scene.format.has_guards() {
-        return Err(SlotError::OwnWords);
+        return Err(CosimError::OwnWords);
     }
     let slots = scene.slots();
-    let without = slots
-        .iter()
-        .find(|slot| processor(&slot.words, &scene.format).is_none());
-    if let Some(slot) = without {
+    let is_without = |slot: &&Slot| processor(&slot.words, &scene.format).is_none();
+    if let Some(slot) = slots.iter().find(is_without) {
         let object = scene.objects[slot.object].name();
-        return Err(SlotError::NoHardware(object.to_owned()));
+        return Err(CosimError::NoHardware(object.to_owned()));
     }
     let jobs: Vec<Job> = slots.iter().filter_map(|slot| job(slot, scene)).collect();
     let width = scene.width as usize;
@@ -74,10 +73,8 @@ pub fn pixels(scene: &PreparedScene) -> u64 {
 /// True if a beam machine can draw the scene: it has quadric processors alone, and no more than there are slots.
 pub fn is_for_beam(scene: &PreparedScene) -> bool {
     let slots = scene.slots();
-    let quadrics = slots
-        .iter()
-        .all(|slot| matches!(slot.words, ProcessorWords::Quadric(_)));
-    quadrics && slots.len() <= super::MAX_OBJECTS
+    let is_quadric = |slot: &Slot| matches!(slot.words, ProcessorWords::Quadric(_));
+    slots.iter().all(is_quadric) && slots.len() <= super::MAX_OBJECTS
 }
 
 fn job<'a>(slot: &'a Slot, scene: &PreparedScene) -> Option<Job<'a>> {
@@ -111,12 +108,7 @@ impl Job<'_> {
 
     /// One pixel a clock, then as many clocks as the last one takes.
     fn clocks(&self, latency: usize) -> impl Iterator<Item = Inputs> {
-        let inputs = |raster: [i64; 5]| -> Inputs {
-            raster
-                .into_iter()
-                .chain(self.loaded.words.iter().copied())
-                .collect()
-        };
+        let inputs = |raster: [i64; 5]| [&raster[..], &self.loaded.words].concat();
         let raster = (0..self.zone.pixels()).map(move |n| inputs(self.zone.raster(n)));
         raster.chain((0..latency).map(move |_| inputs([0; 5])))
     }

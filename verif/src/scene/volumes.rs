@@ -1,7 +1,8 @@
 //! Co-simulation of the shadow and light volumes of a scene: each on the zone of its screen box, on the depths that are
 //! seen, its answers into the flags of the light sources.
 
-use super::zone::{SlotError, Zone};
+use super::request::CosimError;
+use super::zone::Zone;
 use crate::engine::Engine;
 use crate::report::{Report, place};
 use crate::subject::{Inputs, Subject};
@@ -23,7 +24,7 @@ pub fn run(
     rows_per_stage: usize,
     engine: Engine,
     pixel_done: impl Fn(u64) + Sync,
-) -> Result<Report, SlotError> {
+) -> Result<Report, CosimError> {
     let started = Instant::now();
     let jobs: Vec<Job> = jobs(scene).collect();
     let run = |job: &Job, subject: &Subject| job.run(subject, frame);

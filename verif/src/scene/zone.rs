@@ -1,7 +1,7 @@
 //! Processors that run by themselves on the zone of their screen box.
 
+use super::request::CosimError;
 use crate::engine::Engine;
-use crate::engine::design::DesignError;
 use crate::report::Report;
 use crate::subject::{Inputs, Subject};
 use crate::unit::words::Loaded;
@@ -10,31 +10,9 @@ use imogene_golden::object::quadric::ScreenBox;
 use rayon::prelude::*;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
-use thiserror::Error;
 
 /// Pixels around the screen box that are drawn too: the object is absent there.
 const BORDER: i64 = 1;
-
-/// Why a scene's processors cannot be co-simulated.
-#[derive(Debug, Error)]
-pub enum SlotError {
-    /// A processor has no legal parameters, or the engine cannot be built.
-    #[error(transparent)]
-    Design(#[from] DesignError),
-    /// There is no hardware of the processor of an object.
-    #[error(
-        "object '{0}': drawn by the quotient processor, because the viewer lies on its quadric (or looks along an asymptotic direction of it); \
-         there is no hardware of that processor: move the camera by any small amount, or draw the scene with --model golden or exact"
-    )]
-    NoHardware(String),
-    /// Widths that processors have in a machine alone.
-    #[error(
-        "only a beam machine takes --guards and --widths, and it draws 1 to 256 quadrics; \
-         give --format, or render with --model golden or exact; \
-         a zone machine draws facets with guard bits (imogene machine)"
-    )]
-    OwnWords,
-}
 
 /// A processor that runs by itself: what it is for, its zone, and its words there.
 pub(super) struct Job<T> {
@@ -51,7 +29,7 @@ impl<T: Sync> Job<T> {
         engine: Engine,
         pixel_done: impl Fn(u64) + Sync,
         run: impl Fn(&Job<T>, &Subject) -> (Report, D) + Sync,
-    ) -> Result<Vec<(Report, D)>, SlotError> {
+    ) -> Result<Vec<(Report, D)>, CosimError> {
         let subjects = subjects(jobs, rows_per_stage, engine)?;
         let one = |job: &Job<T>| {
             let part = run(job, &subjects[&job.loaded.request]);
@@ -85,7 +63,7 @@ fn subjects<T>(
     jobs: &[Job<T>],
     rows_per_stage: usize,
     engine: Engine,
-) -> Result<HashMap<Request, Subject>, SlotError> {
+) -> Result<HashMap<Request, Subject>, CosimError> {
     let mut list = HashMap::new();
     for Job { loaded, .. } in jobs {
         let Entry::Vacant(place) = list.entry(loaded.request) else {

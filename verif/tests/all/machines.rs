@@ -9,7 +9,7 @@ use imogene_prepare::Framing;
 use imogene_prepare::prepare;
 use imogene_scene::SceneFile;
 use imogene_verif::display::pins::{self, PinsOutcome, PinsRun};
-use imogene_verif::display::request::request;
+use imogene_verif::display::request::request_for;
 use imogene_verif::engine::Engine;
 use imogene_verif::engine::design::{Design, Instance, Simulator};
 use imogene_verif::engine::machine::MachineDesign;
@@ -409,7 +409,7 @@ fn no_machine_uses_what_it_reads_while_it_writes_it() {
         let machine = machine.expect("a description");
         let scenes = ["ball-before-ball", "ball-from-the-right"];
         let images = scenes.map(|scene| drawn(&format!("shadows/{scene}.toml"), &machine));
-        let design = request(&machine, "").design().expect("a machine");
+        let design = request_for(&machine, &[], "").design().expect("a machine");
         let upset = MachineDesign::of(&design, Box::new(Upset(design.clone())));
         let options = PinsRun::plain(Engine::BuiltIn);
         let outcome = pins::run_in(upset, &machine, &images, &options, || ());
