@@ -109,13 +109,9 @@ fn of_circuit(request: &Request, options: &Options) -> Result<MutationReport, Fa
 fn of_netlist(request: &Request, options: &Options) -> Result<MutationReport, Failure> {
     let (subject, emitted) = (subject(request)?, emit(request)?);
     let text = emitted.bundle();
-    let design = netlist::Design {
-        top: &emitted.top,
-        text: &text,
-        latency: emitted.latency,
-    };
+    let design = (&emitted.top[..], &text[..]);
     let report = output::during(options.mutants as u64, "mutants", |bar| {
-        netlist::run(&subject, &design, options, || bar.inc(1))
+        netlist::run(&subject, design, options, || bar.inc(1))
     });
     Ok(report?)
 }

@@ -126,12 +126,8 @@ fn counts_with(subject: &Subject, options: &Options) -> Vec<(String, String)> {
 
 /// Inputs that do not change while the unit works: the words of a zone, behind the raster of an object or a volume.
 fn held(subject: &Subject) -> Vec<String> {
-    let names: Vec<&str> = subject
-        .inputs
-        .iter()
-        .map(|signal| &signal.name[..])
-        .collect();
-    match names[..] {
+    let names = subject.inputs.iter().map(|signal| &signal.name[..]);
+    match names.collect::<Vec<_>>()[..] {
         ["valid", "start", "line", "x", "y", ref words @ ..] => {
             let words = words.iter().filter(|name| **name != "depth");
             words.map(|name| (*name).to_owned()).collect()

@@ -12,29 +12,27 @@ mod equivalence;
 mod facts;
 mod mutant;
 
-pub use mutant::Design;
-
 use super::score::{MutationError, MutationReport, Options};
 use crate::subject::Subject;
 use imogene_tools::{scratch, write};
 use std::time::Instant;
 
-/// Makes mutants of a unit's emitted Verilog, kills them, and proves the rest equivalent where that is so.
+/// Makes mutants of a unit's emitted Verilog, the name of its module and the text, kills them, and proves the rest equivalent where that is so.
 ///
 /// `on_done` is called once for each mutant, from any thread.
 pub fn run(
     subject: &Subject,
-    design: &Design,
+    (top, text): (&str, &str),
     options: &Options,
     on_done: impl Fn() + Sync,
 ) -> Result<MutationReport, MutationError> {
     let started = Instant::now();
     let scratch = scratch()?;
     let folder = scratch.path();
-    write(&folder.join(elaborate::SOURCE), design.text)?;
-    let (mutants, candidates) = elaborate::elaborate(folder, design, options)?;
-    let kills = campaign::run(subject, design.top, folder, &mutants, options)?;
-    let judge = equivalence::Judge::new(folder, design, subject, options)?;
+    write(&folder.join(elaborate::SOURCE), text)?;
+    let (mutants, candidates) = elaborate::elaborate(folder, top, text, options)?;
+    let kills = campaign::run(subject, top, folder, &mutants, options)?;
+    let judge = equivalence::Judge::new(folder, top, subject, options)?;
     let fates = judge.judge(&mutants, kills, &on_done)?;
     let mut report = MutationReport::new(subject);
     for (mutant, fate) in mutants.iter().zip(fates) {

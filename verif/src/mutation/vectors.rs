@@ -1,6 +1,5 @@
 //! The stimuli of a unit, and what its golden model states of them.
 
-use super::score::Kill;
 use crate::subject::{Inputs, Subject};
 use rayon::prelude::*;
 use std::ops::Range;
@@ -61,16 +60,4 @@ impl Stated<'_> {
         let mut stated = self.0.iter().zip(found);
         stated.any(|(expected, found)| expected.is_some_and(|expected| expected != *found))
     }
-}
-
-/// The first stimulus and clock at which a unit that `start` makes afresh differs from what is stated.
-pub(super) fn first_difference<C: FnMut(&[u64], &Stated) -> bool>(
-    vectors: &[Vectors],
-    start: impl Fn() -> C,
-) -> Option<Kill> {
-    vectors.iter().enumerate().find_map(|(stimulus, vectors)| {
-        let mut differs = start();
-        let clock = vectors.first(|_, inputs, stated| differs(inputs, stated))?;
-        Some((stimulus, clock))
-    })
 }

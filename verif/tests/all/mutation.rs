@@ -8,8 +8,7 @@ use imogene_plan::description::MachineDescription;
 use imogene_plan::display::Image;
 use imogene_rtl::emit::{Emitted, design, emit};
 use imogene_verif::mutation::machine::{self as of_machine, Shown};
-use imogene_verif::mutation::netlist::{self, Design};
-use imogene_verif::mutation::{MutationReport, Options, circuit, table};
+use imogene_verif::mutation::{MutationReport, Options, circuit, netlist, table};
 use imogene_verif::subject::Subject;
 use imogene_verif::unit::subject;
 
@@ -24,16 +23,11 @@ fn unit(name: &str) -> (Subject, Emitted) {
 }
 
 fn score(subject: &Subject, emitted: &Emitted, text: &str, mutants: usize) -> MutationReport {
-    let design = Design {
-        top: &emitted.top,
-        text,
-        latency: emitted.latency,
-    };
     let options = Options {
         mutants,
         ..Options::default()
     };
-    netlist::run(subject, &design, &options, || ()).unwrap_or_else(|error| panic!("{error}"))
+    netlist::run(subject, (&emitted.top, text), &options, || ()).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Units on which nothing may survive but a changed clock of a register, which the proofs cannot judge; of the others,
@@ -99,16 +93,11 @@ fn a_weak_stimulus_has_a_low_score() {
 fn a_unit_that_is_wrong_without_a_mutation_has_no_score() {
     let (subject, emitted) = unit("cut_plane");
     let wrong = emitted.bundle().replacen("zp == zb", "zp != zb", 1);
-    let design = Design {
-        top: &emitted.top,
-        text: &wrong,
-        latency: emitted.latency,
-    };
     let options = Options {
         mutants: 5,
         ..Options::default()
     };
-    let outcome = netlist::run(&subject, &design, &options, || ());
+    let outcome = netlist::run(&subject, (&emitted.top, &wrong), &options, || ());
     let message = outcome.expect_err("a wrong unit").to_string();
     assert!(message.contains("without a mutation differs"), "{message}");
 }

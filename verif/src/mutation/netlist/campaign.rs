@@ -5,7 +5,7 @@ use super::mutant::{Mutant, selector};
 use crate::engine::design::Source;
 use crate::engine::verilator::Model;
 use crate::mutation::score::{Kill, MutationError, Options};
-use crate::mutation::vectors::{Stated, first_difference, vectors};
+use crate::mutation::vectors::vectors;
 use crate::subject::Subject;
 use rayon::prelude::*;
 use std::path::Path;
@@ -29,22 +29,22 @@ pub(super) fn run(
     })?;
     let vectors = vectors(subject, options.clocks, 0..options.stimuli);
     let first = |mutant: usize| {
-        first_difference(&vectors, || {
+        let mut all = vectors.iter().enumerate();
+        all.find_map(|(stimulus, vectors)| {
             let mut unit = model.instance();
             let mut found = vec![0; subject.outputs.len()];
-            move |given: &[u64], stated: &Stated| {
+            let clock = vectors.first(|_, given, stated| {
                 let given: Vec<u64> = given.iter().copied().chain([mutant as u64]).collect();
                 unit.clock_words(&given, &mut found);
                 stated.differs(&found)
-            }
+            })?;
+            Some((stimulus, clock))
         })
     };
     if let Some((stimulus, clock)) = first(0) {
         let unit = subject.name.clone();
         return Err(MutationError::Baseline(unit, stimulus, clock));
     }
-    Ok(mutants
-        .par_iter()
-        .map(|mutant| first(mutant.number))
-        .collect())
+    let kills = mutants.par_iter().map(|mutant| first(mutant.number));
+    Ok(kills.collect())
 }

@@ -18,11 +18,8 @@ struct Register<'a> {
 /// The register that begins at a line; takes its other lines.
 fn register<'a>(line: &'a str, rest: &mut impl Iterator<Item = &'a str>) -> Option<Register<'a>> {
     let cell = line.trim_start().strip_prefix("cell $dff ")?;
-    let body: Vec<&str> = rest
-        .by_ref()
-        .map(str::trim)
-        .take_while(|line| *line != "end")
-        .collect();
+    let body = rest.by_ref().map(str::trim);
+    let body: Vec<&str> = body.take_while(|line| *line != "end").collect();
     let after = |prefix: &str| body.iter().find_map(|line| line.strip_prefix(prefix));
     Some(Register {
         cell,
@@ -85,10 +82,9 @@ impl Register<'_> {
 
 /// The options of a mutant, for the netlist with cut registers.
 pub(super) fn cut_command(command: &str, cell: &str, netlist: &str) -> String {
-    let is_register = netlist.lines().any(|line| {
-        let cell_of_line = line.trim_start().strip_prefix("cell $dff ");
-        cell_of_line == Some(cell)
-    });
+    let is_register = netlist
+        .lines()
+        .any(|line| line.trim_start().strip_prefix("cell $dff ") == Some(cell));
     if !is_register {
         return command.to_owned();
     }

@@ -1,6 +1,6 @@
 //! Yosys: the elaborated unit, its list of mutants, and all mutants in one design.
 
-use super::mutant::{Design, Mutant, parse, selector};
+use super::mutant::{Mutant, parse, selector};
 use crate::mutation::score::{MutationError, Options};
 use imogene_tools::{read, yosys};
 use std::fmt::Write as _;
@@ -14,10 +14,10 @@ pub(super) const NETLIST: &str = "unit.il";
 /// Elaborates the unit, flat, and lists mutants; returns them and how many were possible.
 pub(super) fn elaborate(
     folder: &Path,
-    design: &Design,
+    top: &str,
+    text: &str,
     options: &Options,
 ) -> Result<(Vec<Mutant>, usize), MutationError> {
-    let Design { top, text, .. } = design;
     let script = format!(
         "read_verilog {SOURCE}\nhierarchy -check -top {top}\nproc\nflatten\nopt -full\nwreduce\n\
          opt -full\ndffunmap\nopt_expr -fine\nopt_clean\nstat\nwrite_rtlil {NETLIST}\n\
@@ -25,13 +25,12 @@ pub(super) fn elaborate(
         options.mutants, options.seed
     );
     let said = yosys(folder, "elaborate.ys", &script)?;
-    let candidates = said
-        .lines()
-        .find_map(|line| line.strip_prefix("Raw database size: "))
-        .and_then(|count| count.trim().parse().ok())
-        .ok_or_else(|| MutationError::List("no size of the database".into()))?;
+    let mut lines = said.lines();
+    let size = lines.find_map(|line| line.strip_prefix("Raw database size: "));
+    let candidates = size.and_then(|count| count.trim().parse().ok());
+    let unread = || MutationError::List("no size of the database".into());
     let list = read(&folder.join("mutants.txt"))?;
-    Ok((parse(&list, text)?, candidates))
+    Ok((parse(&list, text)?, candidates.ok_or_else(unread)?))
 }
 
 /// The Verilog of all mutants in one module, with an input that selects one.

@@ -6,7 +6,7 @@
 
 use super::cut::{cut, cut_command};
 use super::facts::{ASSUMED, Proof, assume};
-use super::mutant::{Design, Mutant};
+use super::mutant::Mutant;
 use crate::mutation::score::{Fate, Kill, MutationError, Options};
 use crate::subject::Subject;
 use imogene_tools::{ToolError, read, write, yosys};
@@ -19,7 +19,9 @@ const STEPS: u32 = 40;
 /// Judges what the campaign left.
 pub(super) struct Judge<'a> {
     folder: &'a Path,
-    design: &'a Design<'a>,
+    top: &'a str,
+    /// Clocks from an input to its result.
+    latency: usize,
     /// Text of the netlist with the facts.
     netlist: String,
     begins_at_zero: bool,
@@ -33,11 +35,11 @@ const CUT: &str = "cut.il";
 impl<'a> Judge<'a> {
     pub(super) fn new(
         folder: &'a Path,
-        design: &'a Design,
+        top: &'a str,
         subject: &Subject,
         options: &Options,
     ) -> Result<Judge<'a>, MutationError> {
-        let facts = assume(folder, design.top, &subject.name)?;
+        let facts = assume(folder, top, &subject.name)?;
         let netlist = read(&folder.join(ASSUMED))?;
         write(&folder.join(CUT), &cut(&netlist))?;
         let mut initial = netlist
@@ -49,7 +51,8 @@ impl<'a> Judge<'a> {
         });
         Ok(Judge {
             folder,
-            design,
+            top,
+            latency: subject.latency,
             begins_at_zero,
             facts,
             netlist,
@@ -88,7 +91,7 @@ impl<'a> Judge<'a> {
         // Nothing is stated of the outputs before the first result is there.
         let time = format!(
             "sat -tempinduct -set-init-zero -seq {} -maxsteps {STEPS}",
-            self.design.latency
+            self.latency
         );
         let time = if self.begins_at_zero {
             self.prove(mutant.number, ASSUMED, &mutant.command, &time)?
@@ -121,7 +124,7 @@ impl<'a> Judge<'a> {
         command: &str,
         sat: &str,
     ) -> Result<String, ToolError> {
-        let (top, seconds) = (self.design.top, self.seconds);
+        let (top, seconds) = (self.top, self.seconds);
         // Merging leaves one copy of all that the mutation does not touch.
         let script = format!(
             "read_rtlil {netlist}\nsetattr -unset init w:*\ncopy {top} gate\ndelete gate/t:$assume\n\

@@ -41,12 +41,9 @@ impl Facts {
                 _ => format!("{remainder} <= 2 * {root}"),
             }
         });
+        let even_inputs = wires.keys().filter(|name| inputs.contains(name)).map(even);
         Facts {
-            inputs: wires
-                .keys()
-                .filter(|name| inputs.contains(name))
-                .map(even)
-                .collect(),
+            inputs: even_inputs.collect(),
             registers: second_differences.map(even).chain(rows).collect(),
         }
     }
@@ -185,11 +182,8 @@ pub(super) fn assume(folder: &Path, top: &str, unit: &str) -> Result<Proof, Tool
         }
     }
     facts.insert("assume", folder, &netlist, &wires)?;
-    yosys(
-        folder,
-        "assume.ys",
-        &format!("{build}write_rtlil {ASSUMED}\n"),
-    )?;
+    let script = format!("{build}write_rtlil {ASSUMED}\n");
+    yosys(folder, "assume.ys", &script)?;
     Ok(outcome)
 }
 
@@ -197,7 +191,6 @@ pub(super) fn assume(folder: &Path, top: &str, unit: &str) -> Result<Proof, Tool
 mod tests {
     use super::*;
     use crate::mutation::netlist::elaborate::{SOURCE, elaborate};
-    use crate::mutation::netlist::mutant::Design;
     use crate::mutation::score::Options;
     use imogene_contract::Request;
     use imogene_rtl::emit::emit;
@@ -231,17 +224,12 @@ mod tests {
         let options = [("rows-per-stage", Some(rows_per_stage))];
         let request = Request::given(unit, 16, &options).expect("a unit of the catalogue");
         let emitted = emit(&request).expect("a legal request");
-        let text = &emitted.bundle();
-        let design = Design {
-            top: &emitted.top,
-            text,
-            latency: emitted.latency,
-        };
+        let (top, text) = (&emitted.top, &emitted.bundle());
         let scratch = scratch().expect("a folder");
         let folder = scratch.path();
         write(&folder.join(SOURCE), text).expect("a file");
-        elaborate(folder, &design, &Options::default()).expect("a legal unit");
-        let proof = assume(folder, design.top, named).expect("yosys runs");
+        elaborate(folder, top, text, &Options::default()).expect("a legal unit");
+        let proof = assume(folder, top, named).expect("yosys runs");
         (proof, read(&folder.join(ASSUMED)).expect("a netlist"))
     }
 

@@ -3,17 +3,6 @@
 use crate::mutation::score::MutationError;
 use crate::signal::Signal;
 
-/// A unit's emitted Verilog.
-#[derive(Clone, Copy, Debug)]
-pub struct Design<'a> {
-    /// Name of the module.
-    pub top: &'a str,
-    /// Text.
-    pub text: &'a str,
-    /// Clocks from an input to its result.
-    pub latency: usize,
-}
-
 /// The input that selects a mutant; 0 selects none.
 pub(super) fn selector(mutants: usize) -> Signal {
     Signal::new("mutant_select", (mutants as u64).ilog2() + 1, false)
