@@ -39,10 +39,8 @@ impl Pictures {
                 None if golden.0 < 0 => {}
                 _ if undecided[index] => {}
                 _ => {
-                    return Err(format!(
-                        "pixel {place:?}: drawn object {} face {}, exact {exact:?}",
-                        golden.0, golden.1
-                    ));
+                    let drawn = format!("drawn object {} face {}", golden.0, golden.1);
+                    return Err(format!("pixel {place:?}: {drawn}, exact {exact:?}"));
                 }
             }
         }
@@ -74,12 +72,11 @@ impl Pictures {
         let unit = f64::from(1u32 << DEPTH_FRACTION);
         let off = (self.frame.depth[index] as f64 - exact.depth as f64 / unit).abs();
         // The exact depth itself is cut after its fraction bits.
-        if off <= bound + 2.0 / unit {
-            Ok(())
-        } else {
-            Err(format!(
+        match off <= bound + 2.0 / unit {
+            true => Ok(()),
+            false => Err(format!(
                 "pixel ({x}, {y}): depth off by {off} words, bound {bound}"
-            ))
+            )),
         }
     }
 
@@ -97,9 +94,8 @@ impl Pictures {
     /// Pixels of one face, of any object.
     pub fn pixels_of_face(&self, number: u8) -> usize {
         let covered = self.frame.id.iter().zip(&self.frame.number);
-        covered
-            .filter(|&(&id, &found)| id >= 0 && found == number)
-            .count()
+        let of_face = covered.filter(|&(&id, &found)| id >= 0 && found == number);
+        of_face.count()
     }
 
     /// Pixels of the exact picture with an object.

@@ -58,9 +58,19 @@ const CONICS: [i64; 4] = [-(1 << 47), -1, 0, (1 << 47) - 1];
 /// One pixel with these words, which stay until its result is out.
 fn pixel(subject: &Subject, words: &[(&str, i64)]) -> Vec<Inputs> {
     let with = |flags: &[(&str, i64)]| inputs(subject, &[flags, words].concat());
-    let first = with(&[("valid", 1), ("start", 1)]);
-    std::iter::once(first)
-        .chain(std::iter::repeat_n(with(&[]), subject.latency))
+    let mut clocks = vec![with(&[]); 1 + subject.latency];
+    clocks[0] = with(&[("valid", 1), ("start", 1)]);
+    clocks
+}
+
+/// A pixel for each combination of values.
+fn pixels<const N: usize, const M: usize>(
+    subject: &Subject,
+    lists: [&[i64]; N],
+    words: impl Fn([i64; N]) -> [(&'static str, i64); M],
+) -> Vec<Inputs> {
+    let all = every(lists);
+    all.flat_map(|values| pixel(subject, &words(values)))
         .collect()
 }
 
@@ -89,9 +99,9 @@ fn patch_ties(subject: &Subject) -> Vec<Inputs> {
 }
 
 fn contours_at_zero(subject: &Subject) -> Vec<Inputs> {
-    let all = every([&[0, 1], &CONICS, &CONICS, &LINES]);
-    let one = |[surface, front, back, polar]: [i64; 4]| {
-        let set = [
+    let lists = [&[0, 1][..], &CONICS, &CONICS, &LINES];
+    pixels(subject, lists, |[surface, front, back, polar]| {
+        [
             ("surface", surface),
             ("f2_f", 25),
             ("conic_0_f", front),
@@ -101,15 +111,14 @@ fn contours_at_zero(subject: &Subject) -> Vec<Inputs> {
             ("depth_0_c", -5),
             ("depth_1_c", 5),
             ("plane_0_nz", -7),
-        ];
-        pixel(subject, &set)
-    };
-    all.flat_map(one).collect()
+        ]
+    })
 }
 
 fn without_thickness(subject: &Subject) -> Vec<Inputs> {
-    let one = |[depth, gap, half_plane]: [i64; 3]| {
-        let set = [
+    let lists = [&DEPTHS[..], &[-1, 0, 1], &[-1, 0]];
+    pixels(subject, lists, |[depth, gap, half_plane]| {
+        [
             ("plane_0_kind", 1),
             ("plane_0_c", depth),
             ("plane_1_kind", 2),
@@ -118,11 +127,8 @@ fn without_thickness(subject: &Subject) -> Vec<Inputs> {
             ("plane_2_c", half_plane),
             ("plane_0_nz", -1),
             ("plane_1_nz", 1),
-        ];
-        pixel(subject, &set)
-    };
-    let all = every([&DEPTHS, &[-1, 0, 1], &[-1, 0]]);
-    all.flat_map(one).collect()
+        ]
+    })
 }
 
 /// Units of a first-degree depth below the depth word.
@@ -131,71 +137,73 @@ const PLANE_GUARD: i64 = 1 << 10;
 const BULGE_GUARD: i64 = 1 << 22;
 
 fn facet_sides(subject: &Subject) -> Vec<Inputs> {
-    let names = ["side_0_c", "side_1_c", "side_2_c", "depth_c"];
+    let names = ["side_0_c", "side_1_c", "depth_c"];
     sides_and_depths(subject, &LINES, names, PLANE_GUARD)
 }
 
 fn curved_sides(subject: &Subject) -> Vec<Inputs> {
-    let names = ["side_0_f", "side_1_f", "side_2_f", "depth_f"];
+    let names = ["side_0_f", "side_1_f", "depth_f"];
     sides_and_depths(subject, &CONICS, names, BULGE_GUARD)
 }
 
 fn sides_and_depths(
     subject: &Subject,
     values: &[i64],
-    [side_0, side_1, side_2, depth]: [&str; 4],
+    [side_0, side_1, depth]: [&'static str; 3],
     guard: i64,
 ) -> Vec<Inputs> {
     // The last unit below the next word as well: depths are rounded down.
     let rests = [0, guard - 1];
-    let all = every([&DEPTHS, &rests, values, &[-1, 0]]);
-    let one = |[z, rest, first, second]: [i64; 4]| {
-        let [one, two] = [(side_0, first), (side_1, second)];
-        pixel(subject, &[one, two, (side_2, 0), (depth, z * guard + rest)])
-    };
-    all.flat_map(one).collect()
+    let lists = [&DEPTHS[..], &rests, values, &[-1, 0]];
+    pixels(subject, lists, |[z, rest, first, second]| {
+        let sides = [(side_0, first), (side_1, second)];
+        [sides[0], sides[1], (depth, z * guard + rest)]
+    })
 }
 
 fn sphere_depths(subject: &Subject) -> Vec<Inputs> {
-    let one = |[near, far, outline]: [i64; 3]| {
-        let set = [
+    let lists = [&DEPTHS[..], &DEPTHS, &[-1, 0]];
+    pixels(subject, lists, |[near, far, outline]| {
+        [
             ("outline_f", outline),
             ("front_f", near * BULGE_GUARD),
             ("depth_sum", near + far),
             ("nz_f", -(1 << 47)),
-        ];
-        pixel(subject, &set)
-    };
-    let all = every([&DEPTHS, &DEPTHS, &[-1, 0]]);
-    all.flat_map(one).collect()
+        ]
+    })
 }
 
 fn cylinder_parts(subject: &Subject) -> Vec<Inputs> {
-    let one = |signs: i64| {
-        let value = |bit: i64| -(signs >> bit & 1);
-        let set = [
-            ("side_0_c", value(0)),
-            ("side_1_c", value(1)),
-            ("side_2_c", value(2)),
-            ("side_3_c", value(3)),
-            ("disc_0_f", value(4)),
-            ("disc_1_f", value(5)),
+    let lists = [&[0, -1][..]; 6];
+    pixels(subject, lists, |[disc_1, disc_0, sides @ ..]| {
+        [
+            ("side_0_c", sides[3]),
+            ("side_1_c", sides[2]),
+            ("side_2_c", sides[1]),
+            ("side_3_c", sides[0]),
+            ("disc_0_f", disc_0),
+            ("disc_1_f", disc_1),
             ("body_f", -(1 << 46)),
             ("lid_c", 1 << 20),
             ("lid_nz", -9),
-        ];
-        pixel(subject, &set)
-    };
-    (0..64).flat_map(one).collect()
+        ]
+    })
 }
 
 fn volume_ties(subject: &Subject) -> Vec<Inputs> {
     let names = ["object_class", "depth", "margin", "depth_shift", "f2_f"];
     let depths = [-FAR, -4, -3, -2, 0, 2, 3, 4, FAR - 1, FAR];
     let margins = [0, 1, 5, FAR];
-    let all = every([&[0, 1, 2, 3], &depths, &margins, &[0, 1, 8], &[-1, 0, 9]]);
-    let one = |values: [i64; 5]| pixel(subject, &[0, 1, 2, 3, 4].map(|k| (names[k], values[k])));
-    all.flat_map(one).collect()
+    let lists = [
+        &[0, 1, 2, 3][..],
+        &depths,
+        &margins,
+        &[0, 1, 8],
+        &[-1, 0, 9],
+    ];
+    pixels(subject, lists, |values| {
+        std::array::from_fn::<_, 5, _>(|k| (names[k], values[k]))
+    })
 }
 
 fn volume_planes(subject: &Subject) -> Vec<Inputs> {
@@ -237,18 +245,12 @@ fn carries(subject: &Subject) -> Vec<Inputs> {
 fn fields(subject: &Subject) -> Vec<Inputs> {
     let half = 1i64 << 47;
     let words = [-half, half - 2, -half, half - 1, -half, half - 1];
-    let mut list: Vec<Inputs> = (0..6)
-        .chain([3, 4, 5])
-        .enumerate()
-        .map(|(address, word)| {
-            let set = [
-                ("load_valid", 1),
-                ("load_address", address as i64),
-                ("load_data", words[word]),
-            ];
-            inputs(subject, &set)
-        })
-        .collect();
+    let mut list: Vec<Inputs> = vec![];
+    for (address, word) in (0..).zip((0..6).chain([3, 4, 5])) {
+        let load = [("load_valid", 1), ("load_address", address)];
+        let data = [("load_data", words[word])];
+        list.push(inputs(subject, &[&load[..], &data].concat()));
+    }
     for odd in [1, 1, 0, 1] {
         list.push(inputs(subject, &[("field_start", 1), ("odd_field", odd)]));
         list.extend(std::iter::repeat_n(inputs(subject, &[]), 5));

@@ -142,18 +142,13 @@ fn no_hole(p: &Pictures) -> Result<(), String> {
 }
 
 fn front_cut(p: &Pictures) -> Result<(), String> {
-    count(
-        "pixels of the front cut",
-        p.pixels_of_face(2),
-        p.frame.covered(),
-    )
+    let found = p.pixels_of_face(2);
+    count("pixels of the front cut", found, p.frame.covered())
 }
 
 fn disc(p: &Pictures) -> Result<(), String> {
-    some(
-        "pixels of the disc",
-        p.pixels_of_face(2) + p.pixels_of_face(3),
-    )
+    let found = p.pixels_of_face(2) + p.pixels_of_face(3);
+    some("pixels of the disc", found)
 }
 
 fn count(what: &str, found: usize, expected: usize) -> Result<(), String> {
@@ -181,14 +176,9 @@ fn half(p: &Pictures, last: usize) -> Result<(), String> {
 
 fn nearer(p: &Pictures, one: (usize, usize), other: (usize, usize)) -> Result<(), String> {
     let depth = |(x, y): (usize, usize)| p.frame.depth[y * p.frame.width + x];
-    if depth(one) < depth(other) {
-        Ok(())
-    } else {
-        Err(format!(
-            "depth {} at {one:?}, {} at {other:?}",
-            depth(one),
-            depth(other)
-        ))
+    match (depth(one), depth(other)) {
+        (near, far) if near < far => Ok(()),
+        (near, far) => Err(format!("depth {near} at {one:?}, {far} at {other:?}")),
     }
 }
 
@@ -197,12 +187,9 @@ fn mirrored(p: &Pictures) -> Result<(), String> {
     let depth = |x: usize, y: usize| p.frame.depth[y * p.frame.width + x];
     for y in 0..p.frame.height {
         for k in 1..middle {
-            if depth(middle - k, y) != depth(middle + k, y) {
-                return Err(format!(
-                    "line {y}: columns {} and {} differ",
-                    middle - k,
-                    middle + k
-                ));
+            let (left, right) = (middle - k, middle + k);
+            if depth(left, y) != depth(right, y) {
+                return Err(format!("line {y}: columns {left} and {right} differ"));
             }
         }
     }

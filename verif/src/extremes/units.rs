@@ -55,10 +55,8 @@ pub(super) fn inputs(subject: &Subject, set: &[(&str, i64)]) -> Inputs {
         let found = set.iter().find(|(name, _)| *name == signal.name);
         found.map_or(0, |&(_, value)| value)
     };
-    debug_assert!(
-        set.iter()
-            .all(|(name, _)| subject.inputs.iter().any(|s| s.name == *name))
-    );
+    let is_port = |name: &str| subject.inputs.iter().any(|signal| signal.name == name);
+    debug_assert!(set.iter().all(|(name, _)| is_port(name)));
     subject.inputs.iter().map(value).collect()
 }
 
@@ -70,15 +68,13 @@ fn flushed(subject: &Subject, mut stimulus: Vec<Inputs>) -> Vec<Inputs> {
 
 fn f2_ends(subject: &Subject) -> Vec<Inputs> {
     // The f1 processor starts later than the f2 processor, so each start is followed by a pause.
-    let starts = [0, 1, (1 << 47) - 1, -1, -(1 << 47)]
-        .iter()
-        .flat_map(|&f2| {
-            let start = [("valid", 1), ("start", 1), ("f2_f", f2)];
-            let pause = [("f2_f", f2)];
-            std::iter::once(inputs(subject, &start))
-                .chain(std::iter::repeat_n(inputs(subject, &pause), 40))
-        });
-    starts.collect()
+    let starts = [0, 1, (1 << 47) - 1, -1, -(1 << 47)].map(|f2| {
+        let start = [("valid", 1), ("start", 1), ("f2_f", f2)];
+        let mut clocks = vec![inputs(subject, &[("f2_f", f2)]); 41];
+        clocks[0] = inputs(subject, &start);
+        clocks
+    });
+    starts.concat()
 }
 
 fn radicands(subject: &Subject, values: impl Iterator<Item = u64>) -> Vec<Inputs> {
@@ -90,22 +86,21 @@ fn smallest_radicands(subject: &Subject) -> Vec<Inputs> {
     radicands(subject, 0..16)
 }
 
+/// The powers of two of so many places, and what is beside them.
+fn powers(places: u32) -> impl Iterator<Item = u64> {
+    let powers = (0..places).map(|place| 1u64 << place);
+    powers.flat_map(|power| [power - 1, power, power + 1])
+}
+
 fn powers_of_four(subject: &Subject) -> Vec<Inputs> {
-    let octaves = (0..48).flat_map(|place| {
-        let power = 1u64 << place;
-        [power - 1, power, power + 1]
-    });
-    radicands(subject, octaves.chain([(1 << 48) - 1]))
+    radicands(subject, powers(48).chain([(1 << 48) - 1]))
 }
 
 fn squares(subject: &Subject) -> Vec<Inputs> {
-    let roots = (0..24).flat_map(|place| {
-        let power = 1u64 << place;
-        [power - 1, power, power + 1]
-    });
     let last = (1u64 << 24) - 1;
     let around = |n: u64| [(n * n).saturating_sub(1), n * n, n * n + 2 * n];
-    radicands(subject, roots.chain([last - 1, last]).flat_map(around))
+    let roots = powers(24).chain([last - 1, last]);
+    radicands(subject, roots.flat_map(around))
 }
 
 fn plane_ties(subject: &Subject) -> Vec<Inputs> {
@@ -129,19 +124,15 @@ fn plane_ties(subject: &Subject) -> Vec<Inputs> {
 
 /// One line of `pixels` pixels of a plane.
 fn plane_line(subject: &Subject, a: i64, c: i64, pixels: usize) -> Vec<Inputs> {
-    let start = inputs(subject, &[("valid", 1), ("start", 1), ("a", a), ("c", c)]);
-    let next = inputs(subject, &[("valid", 1)]);
-    std::iter::once(start)
-        .chain(std::iter::repeat_n(next, pixels - 1))
-        .collect()
+    let mut line = vec![inputs(subject, &[("valid", 1)]); pixels];
+    line[0] = inputs(subject, &[("valid", 1), ("start", 1), ("a", a), ("c", c)]);
+    line
 }
 
 fn plane_slopes(subject: &Subject) -> Vec<Inputs> {
     let lines = [(0, 0), (1, -20), (-1, 20)];
-    let lines = lines
-        .iter()
-        .flat_map(|&(a, c)| plane_line(subject, a, c, 41));
-    flushed(subject, lines.collect())
+    let lines = lines.map(|(a, c)| plane_line(subject, a, c, 41));
+    flushed(subject, lines.concat())
 }
 
 fn plane_past_its_word(subject: &Subject) -> Vec<Inputs> {
@@ -155,10 +146,8 @@ fn plane_past_its_word(subject: &Subject) -> Vec<Inputs> {
         (0, (1 << 35) - 1),
         (0, -(1 << 35)),
     ];
-    let lines = lines
-        .iter()
-        .flat_map(|&(a, c)| plane_line(subject, a, c, 200));
-    flushed(subject, lines.collect())
+    let lines = lines.map(|(a, c)| plane_line(subject, a, c, 200));
+    flushed(subject, lines.concat())
 }
 
 fn lines_after_the_last(subject: &Subject) -> Vec<Inputs> {
@@ -171,12 +160,10 @@ fn lines_after_the_last(subject: &Subject) -> Vec<Inputs> {
         ("f", (1 << 47) - 5),
     ];
     let with = |flags: &[(&str, i64)]| inputs(subject, &[flags, &words].concat());
-    let line = std::iter::once(with(&[("valid", 1), ("line", 1)]))
-        .chain(std::iter::repeat_n(with(&[("valid", 1)]), 3));
+    let mut line = vec![with(&[("valid", 1)]); 4];
+    line[0] = with(&[("valid", 1), ("line", 1)]);
     let first = with(&[("valid", 1), ("start", 1)]);
-    std::iter::once(first)
-        .chain(std::iter::repeat_n(line, 64).flatten())
-        .collect()
+    [vec![first], vec![line; 64].concat()].concat()
 }
 
 fn normal_words(subject: &Subject) -> Vec<Inputs> {
