@@ -100,26 +100,20 @@ impl Words<'_> {
 impl Bench<'_> {
     /// The files, each with its name.
     pub fn files(&self) -> Result<Vec<(&'static str, String)>, BenchError> {
-        let data = self.data_bits();
+        let format = self.machine.format();
+        let bus = format.expect("a description that was checked").bus();
+        // Bits of a beat's data: those of the widest word, at least the 32 of the shading processor.
+        let data = bus.max(32) as usize;
         let beat = beat_fields(data);
         let mut words = vec![self.beats(&beat), self.shading(), self.pixels()];
         words.extend(self.overlay.map(overlay));
-        let mut files: Vec<_> = words
-            .iter()
-            .map(|words| (words.file, words.text()))
-            .collect();
+        let files = words.iter().map(|words| (words.file, words.text()));
+        let mut files: Vec<_> = files.collect();
         let description = serde_json::to_string_pretty(&self.description(&words));
         let description = description.expect("every key is a string");
         files.push((DESCRIPTION, description + "\n"));
         files.push((BENCH, self.bench(data, words[0].count())?));
         Ok(files)
-    }
-
-    /// Bits of a beat's data: those of the widest word, at least the 32 of the shading processor.
-    fn data_bits(&self) -> usize {
-        let format = self.machine.format();
-        let bus = format.expect("a description that was checked").bus();
-        bus.max(32) as usize
     }
 
     fn is_beam(&self) -> bool {

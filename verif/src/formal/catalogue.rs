@@ -45,14 +45,13 @@ fn job(
 
 /// The same with these widths and counts.
 fn with(job: Job, definitions: &[(&str, usize)]) -> Job {
-    let named = definitions.iter();
-    let named = named.map(|(name, value)| ((*name).to_owned(), value.to_string()));
-    let definitions: Vec<(String, String)> = named.collect();
     let widths = definitions.iter();
     let widths = widths.map(|(name, value)| format!("{name} = {value}"));
+    let named = definitions.iter();
+    let named = named.map(|(name, value)| ((*name).to_owned(), value.to_string()));
     Job {
         widths: widths.collect::<Vec<_>>().join(", "),
-        definitions,
+        definitions: named.collect(),
         ..job
     }
 }
@@ -149,10 +148,9 @@ const VISIBILITY_NODE: Family = Family {
 };
 
 fn elementary() -> Vec<Job> {
-    let mut jobs: Vec<Job> = [PE2, PE1]
-        .iter()
-        .flat_map(|family| DEPTH_WORDS.map(|word| family.at(word)))
-        .collect();
+    let families = [PE2, PE1].into_iter();
+    let jobs = families.flat_map(|family| DEPTH_WORDS.map(|word| family.at(word)));
+    let mut jobs: Vec<Job> = jobs.collect();
     let pe1 = job(
         "pe1-products",
         "pe1 against a x + b y + c with multipliers, narrowed",
@@ -213,11 +211,6 @@ fn raster() -> Vec<Job> {
         widths: "coordinates 12".into(),
         ..job(name, statement, properties, Unit::RasterControl)
     };
-    let count = control(
-        "raster_control-3x3",
-        "raster_control: width x height valid clocks per go, against the product, zones to 3 x 3",
-        property!("raster_control_count.sv"),
-    );
     let mut jobs = vec![
         control(
             "raster_control-12",
@@ -226,7 +219,11 @@ fn raster() -> Vec<Job> {
         ),
         Job {
             method: Method::Bounded(22),
-            ..count
+            ..control(
+                "raster_control-3x3",
+                "raster_control: width x height valid clocks per go, against the product, zones to 3 x 3",
+                property!("raster_control_count.sv"),
+            )
         },
         integers(
             "raster_control-integers",
@@ -282,18 +279,15 @@ fn beam_valid() -> Job {
 }
 
 fn tmds_encoder() -> Job {
+    let encoder = job(
+        "tmds_encoder",
+        "tmds_encoder: every word is decoded to its level or control, at most five transitions, ones less zeros -8 to 8",
+        property!("tmds_encoder.sv"),
+        Unit::TmdsEncoder,
+    );
     Job {
         widths: "word 10".into(),
-        ..late(
-            job(
-                "tmds_encoder",
-                "tmds_encoder: every word is decoded to its level or control, at most five transitions, ones less zeros -8 to 8",
-                property!("tmds_encoder.sv"),
-                Unit::TmdsEncoder,
-            ),
-            3,
-            &[],
-        )
+        ..late(encoder, 3, &[])
     }
 }
 

@@ -25,23 +25,20 @@ impl Mutant {
     pub fn apply(&self, design: &str) -> Result<String, FormalError> {
         match design.matches(self.from).count() {
             1 => Ok(design.replacen(self.from, self.to, 1)),
-            count => Err(FormalError::Text(
-                format!("{}, mutant `{}`", self.job, self.name),
-                format!(
-                    "`{}` is in the design {count} times instead of once",
-                    self.from
-                ),
-            )),
+            count => {
+                let mutant = format!("{}, mutant `{}`", self.job, self.name);
+                let from = self.from;
+                let problem = format!("`{from}` is in the design {count} times instead of once");
+                Err(FormalError::Text(mutant, problem))
+            }
         }
     }
 }
 
 /// The mutants of a job.
 pub fn of(job: &str) -> impl Iterator<Item = Mutant> + '_ {
-    MUTANTS
-        .iter()
-        .copied()
-        .filter(move |mutant| mutant.job == job)
+    let all = MUTANTS.iter().copied();
+    all.filter(move |mutant| mutant.job == job)
 }
 
 /// Names of the jobs that have mutants.

@@ -129,9 +129,7 @@ impl Trace {
 impl Sample {
     /// True if a stated golden value differs from the hardware's.
     pub fn differs(&self) -> bool {
-        self.hardware
-            .iter()
-            .zip(&self.golden)
-            .any(|(hardware, golden)| golden.is_some() && golden != hardware)
+        let mut pairs = self.hardware.iter().zip(&self.golden);
+        pairs.any(|(hardware, golden)| golden.is_some() && golden != hardware)
     }
 }
