@@ -1,6 +1,8 @@
 //! The deciders in hardware: every shape, and the same answer from tree, chain and cards whichever input an object
 //! comes to.
 
+use super::run;
+use super::video::Numbers;
 use imogene_contract::{Request, RequestError};
 use imogene_golden::machine::card_decider;
 use imogene_verif::subject::{Inputs, Subject};
@@ -9,21 +11,17 @@ use imogene_verif::unit::subject;
 const FIELDS: usize = 6;
 
 fn unit(name: &str, values: &[(&'static str, usize)]) -> Result<Subject, RequestError> {
-    let given = values
-        .iter()
-        .map(|(option, value)| (*option, Some(*value as u32)));
+    let given = values.iter();
+    let given = given.map(|(option, value)| (*option, Some(*value as u32)));
     subject(&Request::given(name, 24, &given.collect::<Vec<_>>())?)
 }
 
 fn check(name: &str, values: &[(&'static str, usize)], clocks: usize) {
-    let subject = unit(name, values).expect("a unit in its legal range");
-    let stimuli: Vec<_> = (0..8)
-        .map(|seed| subject.seeded_stimulus(clocks, seed))
-        .collect();
-    for (report, _) in subject.run_all(&stimuli, false) {
-        assert_eq!(report.mismatches, 0, "{name} {}", subject.options);
-        assert!(report.comparisons > 0, "{name}: nothing was compared");
-    }
+    run(
+        &unit(name, values).expect("a unit in its legal range"),
+        8,
+        clocks,
+    );
 }
 
 #[test]
@@ -67,20 +65,11 @@ fn too_many_cards_are_refused() {
 
 /// Pixels of 12 objects with few depths: ids, faces and normals tell them apart.
 fn pixels(count: usize) -> Vec<Vec<[i64; FIELDS]>> {
-    let mut state = 1u64;
-    let mut next = || {
-        state = state
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (state >> 33) as i64
-    };
-    (0..count)
-        .map(|_| {
-            (0..12)
-                .map(|id| [next() % 3, id, next() % 16, next() % 999, id, -id])
-                .collect()
-        })
-        .collect()
+    let mut numbers = Numbers(1);
+    let mut below = |count| numbers.below(count) as i64;
+    let mut object = |id| [below(3), id, below(16), below(999), id, -id];
+    let pixels = (0..count).map(|_| (0..12).map(&mut object).collect());
+    pixels.collect()
 }
 
 /// The last output of every pixel in hardware: `order[i]` is the object on input i.
@@ -107,37 +96,33 @@ fn decided(
 #[test]
 fn tree_chain_and_cards_agree_in_any_order() {
     let pixels = pixels(60);
-    let expected: Vec<Vec<Option<i64>>> = pixels
-        .iter()
-        .map(|objects| {
-            let nearest = objects.iter().min_by_key(|o| (o[0], o[1]));
-            nearest.expect("twelve objects").map(Some).to_vec()
-        })
-        .collect();
+    let nearest = pixels.iter().map(|objects| {
+        let nearest = objects.iter().min_by_key(|o| (o[0], o[1]));
+        nearest.expect("twelve objects").map(Some).to_vec()
+    });
+    let expected: Vec<Vec<Option<i64>>> = nearest.collect();
     let ties = pixels.iter().filter(|objects| {
         let least = objects.iter().map(|o| o[0]).min();
         objects.iter().filter(|o| Some(o[0]) == least).count() > 1
     });
     assert!(ties.count() > 50, "most pixels are ties");
     let units = [
-        ("decider", &[("objects", 12)][..], vec![0; 12]),
-        (
-            "visibility_chain",
-            &[("objects", 12)],
-            card_decider::starts(12, 1),
-        ),
+        ("decider", &[("objects", 12)][..], None),
+        ("visibility_chain", &[("objects", 12)], Some((12, 1))),
         (
             "card_decider",
             &[("objects", 4), ("cards", 3)],
-            card_decider::starts(4, 3),
+            Some((4, 3)),
         ),
         (
             "card_decider",
             &[("objects", 6), ("cards", 2)],
-            card_decider::starts(6, 2),
+            Some((6, 2)),
         ),
     ];
-    for (name, values, starts) in units {
+    for (name, values, cards) in units {
+        let starts = |(objects, cards)| card_decider::starts(objects, cards);
+        let starts = cards.map_or(vec![0; 12], starts);
         let subject = unit(name, values).expect("a unit in its legal range");
         let mut order: Vec<usize> = (0..12).collect();
         for step in [1, 5, 7, 11] {

@@ -1,7 +1,7 @@
 //! What every simulator of Verilog must do: find a fault, show it, name an undefined bit, say which tool is missing.
 
+use super::{unit, verilog};
 use imogene_contract::{Request, Unit};
-use imogene_rtl::emit::emit;
 use imogene_verif::engine::design::{Simulator, with_verilog};
 use imogene_verif::random;
 use imogene_verif::subject::Subject;
@@ -9,17 +9,16 @@ use imogene_verif::unit::{levelised, subject, with_upset_collisions};
 
 const CLOCKS: usize = 2_000;
 
-fn verilog(name: &str) -> String {
-    let request = Request::new(Unit::from_name(name).expect("a unit of the catalogue"));
-    emit(&request).expect("a legal request").bundle()
-}
-
 fn changed(name: &str, right: &str, wrong: &str, simulator: Simulator) -> Subject {
-    let text = verilog(name);
+    let text = verilog(name, 24);
     assert!(text.contains(right), "{name} has no '{right}'");
-    let request = Request::given(name, 24, &[]).expect("a unit of the catalogue");
-    let subject = subject(&request).expect("its defaults are legal");
-    with_verilog(subject, simulator, name, &text.replacen(right, wrong, 1)).expect("a unit")
+    with_verilog(
+        unit(name, 24),
+        simulator,
+        name,
+        &text.replacen(right, wrong, 1),
+    )
+    .expect("a unit")
 }
 
 #[test]
@@ -78,9 +77,9 @@ fn an_undefined_bit_is_a_mismatch_without_a_value() {
 #[test]
 fn verilog_that_a_simulator_refuses_is_reported() {
     for simulator in Simulator::ALL {
-        let subject = subject(&Request::new(Unit::Pe1)).expect("a legal subject");
-        let text = verilog("pe1").replace("= line_value + kept_b;", "= line_value + missing_name;");
-        let outcome = with_verilog(subject, simulator, "pe1", &text);
+        let text =
+            verilog("pe1", 24).replace("= line_value + kept_b;", "= line_value + missing_name;");
+        let outcome = with_verilog(unit("pe1", 24), simulator, "pe1", &text);
         let message = outcome.err().expect("a refusal").to_string();
         assert!(message.contains("missing_name"), "{message}");
     }

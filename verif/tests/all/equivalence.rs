@@ -1,19 +1,10 @@
 //! The emitted text against rust-hdl's own, by Yosys and ABC. Needs the package 'yosys' and fails without it. Every
 //! unit at the base format and at the shortest under `IMOGENE_FULL=1`; small units otherwise.
 
-use imogene_contract::{Request, Unit};
-use imogene_rtl::emit::emit;
+use super::{is_full_run, root, verilog};
+use imogene_contract::Unit;
 use imogene_verif::equivalence::table::{Row, markdown};
 use imogene_verif::equivalence::{Text, Verdict, compare};
-
-fn is_full_run() -> bool {
-    std::env::var("IMOGENE_FULL").is_ok_and(|value| value == "1")
-}
-
-fn page() -> String {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/emission.md");
-    std::fs::read_to_string(path).expect("the page of the emission")
-}
 
 /// Units that take seconds.
 const SMALL: [Unit; 8] = [
@@ -48,16 +39,10 @@ fn rows(depth_word: u32) -> Vec<String> {
 
 #[test]
 fn units_of_the_base_format_are_the_circuits_that_rust_hdl_prints() {
-    let page = page();
-    let missing: Vec<String> = rows(24)
-        .into_iter()
-        .filter(|line| !page.contains(line))
-        .collect();
-    assert!(
-        missing.is_empty(),
-        "docs/emission.md does not have\n{}",
-        missing.join("\n")
-    );
+    let page = std::fs::read_to_string(root().join("docs/emission.md")).expect("a page");
+    let mut missing = rows(24);
+    missing.retain(|line| !page.contains(line));
+    assert!(missing.is_empty(), "docs/emission.md lacks {missing:#?}");
 }
 
 #[test]
@@ -67,7 +52,7 @@ fn units_of_short_words_are_the_circuits_that_rust_hdl_prints() {
 
 #[test]
 fn a_changed_text_is_not_equal() {
-    let own = emit(&Request::new(Unit::Pe1)).expect("a text").bundle();
+    let own = verilog("pe1", 24);
     let verdict = |other: &str| {
         let [one, other] = [&own, other].map(|verilog| Text {
             top: "pe1",

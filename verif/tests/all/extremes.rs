@@ -1,8 +1,8 @@
 //! Every named extreme comes out as stated, and the page of the documentation holds the same statements.
 
+use super::root;
 use imogene_verif::extremes;
 use std::collections::BTreeSet;
-use std::path::Path;
 
 #[test]
 fn every_extreme_comes_out_as_stated() {
@@ -18,21 +18,17 @@ fn every_extreme_comes_out_as_stated() {
 fn names_are_unique_and_every_scene_file_has_a_case() {
     let names: BTreeSet<&str> = extremes::all().map(|e| e.name).collect();
     assert_eq!(names.len(), extremes::all().count());
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/extremes");
+    let folder = root().join("scenes/extremes");
     for entry in std::fs::read_dir(folder).expect("the folder of extremes") {
         let path = entry.expect("readable").path();
-        let name = path
-            .file_stem()
-            .expect("a file")
-            .to_string_lossy()
-            .into_owned();
-        assert!(names.contains(name.as_str()), "{name} has no case");
+        let name = path.file_stem().expect("a file").to_string_lossy();
+        assert!(names.contains(&*name), "{name} has no case");
     }
 }
 
 #[test]
 fn the_documentation_states_the_same() {
-    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/extremes.md");
+    let page = root().join("docs/extremes.md");
     let page = std::fs::read_to_string(page).expect("docs/extremes.md");
     let rows = page.lines().filter(|line| line.starts_with("| `")).count();
     assert_eq!(rows, extremes::all().count());

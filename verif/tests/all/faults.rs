@@ -1,17 +1,18 @@
 //! A co-simulation that could not find a fault would prove nothing: broken units and a broken coefficient must be
 //! reported with cycle, pixel, values and a trace.
 
+use super::scene;
 use imogene_circuits::raster::{Flags, Linear, pe1};
 use imogene_contract::{Request, Unit};
 use imogene_golden::format::Format;
 use imogene_golden::machine::beam;
 use imogene_prepare::Framing;
 use imogene_prepare::{PreparedScene, prepare};
-use imogene_scene::SceneFile;
 use imogene_verif::engine::Engine;
 use imogene_verif::engine::circuit::Circuit;
 use imogene_verif::random;
-use imogene_verif::scene::{self, Fault, Options};
+use imogene_verif::report::Report;
+use imogene_verif::scene::{Fault, Options, run as run_scene, slots_for};
 use imogene_verif::subject::{Inputs, LANES, Lanes, Subject};
 use imogene_verif::unit::{subject, units};
 use imogene_verif::waveform::{Place, WaveformRequest, WindowStart};
@@ -98,14 +99,12 @@ fn a_difference_is_found_in_its_lane_at_its_clock() {
     let request = Request::new(Unit::Pe1);
     let good = subject(&request).unwrap();
     let lengths = [90, 40, 120, 60, 70, 30];
-    let stimuli = (0..)
-        .zip(lengths)
-        .map(|(seed, clocks)| good.seeded_stimulus(clocks, seed));
+    let stimuli = (0..).zip(lengths);
+    let stimuli = stimuli.map(|(seed, clocks)| good.seeded_stimulus(clocks, seed));
     let stimuli: Vec<Vec<Inputs>> = stimuli.collect();
     let one_by_one = stimuli.iter().map(|stimulus| good.run(stimulus, false).0);
-    let counts: Vec<_> = one_by_one
-        .map(|report| (report.cycles, report.comparisons))
-        .collect();
+    let count = |report: &Report| (report.cycles, report.comparisons);
+    let counts: Vec<_> = one_by_one.map(|report| count(&report)).collect();
     for (lane, clock) in [(0, 85), (1, 35), (2, 119), (3, 59)] {
         let mut broken = subject(&request).unwrap();
         let make = subject(&request).unwrap().lanes.unwrap();
@@ -119,32 +118,18 @@ fn a_difference_is_found_in_its_lane_at_its_clock() {
             })
         }));
         let outcomes = broken.run_all(&stimuli[..LANES], true);
-        let all = outcomes
-            .iter()
-            .map(|(report, _)| (report.cycles, report.comparisons));
+        let all = outcomes.iter().map(|(report, _)| count(report));
         assert!(all.eq(counts[..LANES].iter().copied()));
         for (place, (report, trace)) in outcomes.into_iter().enumerate() {
-            let found: Vec<u64> = report
-                .first_mismatches
-                .iter()
-                .map(|found| found.cycle)
-                .collect();
-            assert_eq!(
-                found,
-                vec![clock; usize::from(place == lane)],
-                "lane {place}"
-            );
+            let found = report.first_mismatches.iter().map(|found| found.cycle);
+            let wanted = vec![clock; usize::from(place == lane)];
+            assert!(found.eq(wanted), "lane {place}");
             assert!(!trace.unwrap().is_empty());
         }
     }
     // More than there are lanes.
     let outcomes = good.run_all(&stimuli, false);
-    assert!(
-        outcomes
-            .iter()
-            .map(|(report, _)| (report.cycles, report.comparisons))
-            .eq(counts)
-    );
+    assert!(outcomes.iter().map(|(report, _)| count(report)).eq(counts));
 }
 
 /// The first stimuli come first in the report, in lanes as one by one.
@@ -166,21 +151,13 @@ fn many_stimuli_have_one_report_in_lanes_and_alone() {
             broken.lanes = None;
         }
         let (report, trace) = random::run(&broken, 40_000, 3, true);
-        let counts = [
-            report.cycles,
-            report.pixels,
-            report.comparisons,
-            report.mismatches,
-        ];
-        (
-            counts,
-            report.first_mismatches,
-            trace.map(|trace| trace.len()),
-        )
+        let counts = [report.cycles, report.pixels, report.comparisons];
+        let length = trace.map(|trace| trace.len());
+        (counts, report.mismatches, report.first_mismatches, length)
     };
     let (in_lanes, alone) = (report(true), report(false));
     assert_eq!(in_lanes, alone);
-    assert!(alone.1.len() == 20 && alone.0[3] > 20);
+    assert!(alone.2.len() == 20 && alone.1 > 20);
 }
 
 /// For every unit: hardware whose first output has its lowest bit inverted now and then is found.
@@ -211,12 +188,21 @@ fn every_scoreboard_finds_a_flipped_output_bit() {
 }
 
 pub(crate) fn teapot(width: u32, height: u32) -> PreparedScene {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/teapot.toml");
-    let scene = SceneFile::read(&path)
-        .unwrap()
-        .frame(width, height)
-        .unwrap();
+    let scene = scene("teapot.toml").frame(width, height).unwrap();
     prepare(&scene, Format::BASE).unwrap()
+}
+
+/// Bit 18 of f1's constant term of object 0, the pot's body.
+pub(crate) const FAULT: Fault = Fault {
+    object: 0,
+    address: 2,
+    bit: 18,
+};
+
+/// Waveforms without nets inside.
+fn waveforms(from: WindowStart, clocks: u64) -> Option<WaveformRequest> {
+    let nets = vec![];
+    Some(WaveformRequest { from, clocks, nets })
 }
 
 #[test]
@@ -224,23 +210,14 @@ fn a_wrong_coefficient_bit_is_reported_with_pixel_and_trace() {
     let folder = tempfile::tempdir().unwrap();
     let scene = teapot(48, 36);
     let mut options = Options {
-        trace: Some(WaveformRequest {
-            from: WindowStart::Usual,
-            clocks: 100,
-            nets: vec![],
-        }),
+        trace: waveforms(WindowStart::Usual, 100),
         ..Options::plain(4, 1)
     };
-    let run = |options: &Options| scene::run(&scene, options, Engine::BuiltIn, || ()).unwrap();
+    let run = |options: &Options| run_scene(&scene, options, Engine::BuiltIn, || ()).unwrap();
     let (good, frame) = run(&options);
     assert!(good.passed(), "{:?}", good.first_mismatches);
 
-    // Bit 18 of f1's constant term of object 0, the pot's body.
-    options.fault = Some(Fault {
-        object: 0,
-        address: 2,
-        bit: 18,
-    });
+    options.fault = Some(FAULT);
     let (report, broken_frame) = run(&options);
     assert!(report.mismatches > 0);
     assert_ne!(frame, broken_frame);
@@ -256,17 +233,13 @@ fn a_wrong_coefficient_bit_is_reported_with_pixel_and_trace() {
 /// The clocks that a trace holds.
 fn clocks(vcd: &Path) -> Vec<u64> {
     let text = std::fs::read_to_string(vcd).unwrap();
-    let rising = text
-        .lines()
-        .filter_map(|line| line.strip_prefix('#')?.parse().ok());
-    let rising: Vec<u64> = rising
-        .filter(|time: &u64| time.is_multiple_of(10))
-        .collect();
+    let times = text.lines();
+    let times = times.filter_map(|line| line.strip_prefix('#')?.parse().ok());
+    let rising = times.filter(|time: &u64| time.is_multiple_of(10));
+    let mut clocks: Vec<u64> = rising.map(|time| time / 10).collect();
     // The last is the end of the last clock.
-    rising[..rising.len() - 1]
-        .iter()
-        .map(|time| time / 10)
-        .collect()
+    clocks.pop();
+    clocks
 }
 
 /// The window of a trace begins at the pixel asked for, counted from the first line of its band, or shows a mismatch
@@ -278,15 +251,11 @@ fn a_window_begins_at_a_pixel_or_shows_a_mismatch_alone() {
     let scene = teapot(48, 36);
     let run = |from, count, fault| {
         let options = Options {
-            trace: Some(WaveformRequest {
-                from,
-                clocks: count,
-                nets: vec![],
-            }),
+            trace: waveforms(from, count),
             fault,
             ..Options::plain(4, 2)
         };
-        scene::run(&scene, &options, Engine::BuiltIn, || ()).map(|(report, _)| report)
+        run_scene(&scene, &options, Engine::BuiltIn, || ()).map(|(report, _)| report)
     };
     // Lines 18 to 35 are the second band.
     let report = run(WindowStart::At(Place::pixel(5, 20)), 60, None).unwrap();
@@ -298,12 +267,7 @@ fn a_window_begins_at_a_pixel_or_shows_a_mismatch_alone() {
 
     let report = run(WindowStart::Mismatch, 60, None).unwrap();
     assert!(report.trace.is_none(), "nothing differs");
-    let fault = Fault {
-        object: 0,
-        address: 2,
-        bit: 18,
-    };
-    let report = run(WindowStart::Mismatch, 60, Some(fault)).unwrap();
+    let report = run(WindowStart::Mismatch, 60, Some(FAULT)).unwrap();
     let first = report.first_mismatches[0].cycle;
     report.trace.unwrap().write(&path).unwrap();
     let held = clocks(&path);
@@ -328,11 +292,11 @@ fn every_band_reports_the_places_of_its_band() {
             fault,
             ..Options::plain(4, 5)
         };
-        scene::run(&scene, &options, Engine::BuiltIn, || ()).unwrap()
+        run_scene(&scene, &options, Engine::BuiltIn, || ()).unwrap()
     };
     let (good, frame) = run(None);
     assert!(good.passed(), "{:?}", good.first_mismatches);
-    let slots = scene::slots_for(&scene, 4).unwrap();
+    let slots = slots_for(&scene, 4).unwrap();
     let latency = u64::from(beam::latency(&slots, &scene.format, 4));
     assert_eq!(
         (good.pixels, good.cycles),
@@ -340,12 +304,7 @@ fn every_band_reports_the_places_of_its_band() {
     );
 
     for object in 0..scene.objects.len() as u8 {
-        let (address, bit) = (2, 18);
-        let (report, broken) = run(Some(Fault {
-            object,
-            address,
-            bit,
-        }));
+        let (report, broken) = run(Some(Fault { object, ..FAULT }));
         let depths = frame.depth.iter().zip(&broken.depth);
         let differs: Vec<bool> = depths.map(|(good, broken)| good != broken).collect();
         let found = report
@@ -369,12 +328,12 @@ fn faults_that_do_not_exist_are_refused() {
     let options = Options {
         fault: Some(Fault {
             object: 99,
-            address: 2,
             bit: 0,
+            ..FAULT
         }),
         ..Options::plain(24, 1)
     };
-    let outcome = scene::run(&scene, &options, Engine::BuiltIn, || ());
+    let outcome = run_scene(&scene, &options, Engine::BuiltIn, || ());
     let message = outcome.err().unwrap().to_string();
     assert!(
         message.contains("99:2:0") && message.contains("accepted"),

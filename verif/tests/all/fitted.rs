@@ -1,5 +1,6 @@
 //! Machines whose words no catalogue has, in Verilator against the golden machine: every output of every clock.
 
+use super::scene;
 use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
 use imogene_golden::machine::beam;
@@ -7,13 +8,11 @@ use imogene_golden::slots::FittedSlot;
 use imogene_prepare::Framing;
 use imogene_prepare::{PreparedScene, prepare};
 use imogene_rtl::emit::machine::emit_machine;
-use imogene_scene::SceneFile;
 use imogene_verif::engine::Engine;
 use imogene_verif::engine::beam::BeamDesign;
 use imogene_verif::engine::design::Simulator;
 use imogene_verif::report::Report;
 use imogene_verif::scene::{Fault, Options, request, run_on};
-use std::path::Path;
 
 const SIZE: (u32, u32) = (64, 48);
 
@@ -31,16 +30,12 @@ const MACHINES: [Row; 6] = [
     ("orthographic", 14, [0, 0], 15, [1, 0], 0, 14),
 ];
 
-fn scene(name: &str) -> SceneFile {
-    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
-    SceneFile::read(&scenes.join(format!("{name}.toml"))).unwrap()
-}
-
 /// The scene in the narrowest words of this depth word in which it can be prepared, and some bits more.
 fn prepared(index: usize) -> (PreparedScene, Vec<FittedSlot>, u32) {
     let (name, depth, [more_root, more_plane], normal, [g1, g2], dropped_rows, rows) =
         MACHINES[index];
-    let framed = scene(name).frame(SIZE.0, SIZE.1).unwrap();
+    let framed = scene(&format!("{name}.toml")).frame(SIZE.0, SIZE.1);
+    let framed = framed.unwrap();
     let widest = MachineWords::of(depth);
     let wide = prepare(&framed, Format::fitted(&widest).unwrap()).unwrap();
     let quadrics = || wide.quadrics().map(|(_, object)| &object.needed);

@@ -1,6 +1,7 @@
 //! The emitted Verilog of every unit in Icarus Verilog against the golden models, by the scoreboard of every engine.
 //! Needs the package 'iverilog' and fails without it.
 
+use super::run;
 use imogene_contract::Request;
 use imogene_rtl::emit::emit;
 use imogene_verif::engine::design::{Simulator, with_verilog};
@@ -16,18 +17,9 @@ fn check(request: &Request) {
     let subject = subject(request).expect("a legal request");
     let unit = with_verilog(subject, Simulator::Icarus, &emitted.top, &emitted.bundle())
         .unwrap_or_else(|error| panic!("{name}: {error}"));
-    let mut pixels = 0;
-    let stimuli = (0..STIMULI).map(|seed| unit.seeded_stimulus(CLOCKS, seed));
-    let outcomes = unit.run_all(&stimuli.collect::<Vec<_>>(), false);
-    for (seed, (report, _)) in outcomes.into_iter().enumerate() {
-        assert_eq!(report.engine, "icarus");
-        assert_eq!(
-            report.mismatches, 0,
-            "{name} {}, seed {seed}: {:?}",
-            unit.options, report.first_mismatches
-        );
-        pixels += report.pixels;
-    }
+    let reports = run(&unit, STIMULI, CLOCKS);
+    assert!(reports.iter().all(|report| report.engine == "icarus"));
+    let pixels: u64 = reports.iter().map(|report| report.pixels).sum();
     // The raster control is stated on every clock, the others from their first pixel on.
     assert!(
         pixels >= 2_000,

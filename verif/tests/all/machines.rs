@@ -1,8 +1,8 @@
 //! Machines with a screen: the pins on every clock, and the pixels of their streams.
 
+use super::root;
 use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_golden::slots::{Slots, parse};
-use imogene_hdl as hdl;
 use imogene_plan::description::{MachineDescription, Output, Smoothing, ZoneSize};
 use imogene_plan::display::{Image, image};
 use imogene_prepare::Framing;
@@ -11,15 +11,11 @@ use imogene_scene::SceneFile;
 use imogene_verif::display::pins::{self, PinsOutcome, PinsRun};
 use imogene_verif::display::request::request_for;
 use imogene_verif::engine::Engine;
-use imogene_verif::engine::design::{Design, Instance, Simulator};
+use imogene_verif::engine::circuit::Levelised;
+use imogene_verif::engine::design::Simulator;
 use imogene_verif::engine::machine::MachineDesign;
-use std::path::Path;
 
 const VERILATOR: Engine = Engine::Verilog(Simulator::Verilator);
-
-fn root() -> std::path::PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
-}
 
 /// A machine with a screen of this size and little blanking.
 pub(crate) fn small(name: &str, columns: u64, lines: u64, blank: u64) -> MachineDescription {
@@ -312,43 +308,6 @@ fn a_receiver_that_stalls_gets_every_pixel_once() {
     }
 }
 
-/// A machine in the simulator of its circuits, where memories upset what is read while it is written.
-struct Upset(hdl::Design);
-
-impl Design for Upset {
-    fn instance(&self) -> Box<dyn Instance> {
-        let simulator = hdl::Simulator::new(&self.0).with_upset_collisions();
-        let ports = |way| {
-            let ports = self.0.top.ports_of(way);
-            ports.map(|port| simulator.port(&port.name)).collect()
-        };
-        let [inputs, outputs] = [hdl::Direction::In, hdl::Direction::Out].map(ports);
-        Box::new(UpsetInstance {
-            inputs,
-            outputs,
-            simulator,
-        })
-    }
-}
-
-struct UpsetInstance {
-    simulator: hdl::Simulator,
-    inputs: Vec<hdl::Port>,
-    outputs: Vec<hdl::Port>,
-}
-
-impl Instance for UpsetInstance {
-    fn clock(&mut self, inputs: &[u64], outputs: &mut [Option<u64>]) {
-        for (port, word) in self.inputs.iter().zip(inputs) {
-            self.simulator.set(*port, *word);
-        }
-        self.simulator.clock();
-        for (port, word) in self.outputs.iter().zip(outputs) {
-            *word = Some(self.simulator.get(*port));
-        }
-    }
-}
-
 /// Colours from tables in memories that are never written; with other tables they are others. Each set of lights that
 /// shadows leave has its own; so has each transparent object.
 #[test]
@@ -410,7 +369,11 @@ fn no_machine_uses_what_it_reads_while_it_writes_it() {
         let scenes = ["ball-before-ball", "ball-from-the-right"];
         let images = scenes.map(|scene| drawn(&format!("shadows/{scene}.toml"), &machine));
         let design = request_for(&machine, &[], "").design().expect("a machine");
-        let upset = MachineDesign::of(&design, Box::new(Upset(design.clone())));
+        let upset = Levelised {
+            design: design.clone(),
+            upsets_collisions: true,
+        };
+        let upset = MachineDesign::of(&design, Box::new(upset));
         let options = PinsRun::plain(Engine::BuiltIn);
         let outcome = pins::run_in(upset, &machine, &images, &options, || ());
         let report = outcome.expect("a machine that runs").report;

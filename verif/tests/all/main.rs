@@ -21,3 +21,67 @@ mod verilator;
 mod video;
 mod waveforms;
 mod zone_core;
+
+use imogene_contract::Request;
+use imogene_rtl::emit::emit;
+use imogene_scene::SceneFile;
+use imogene_verif::engine::design::{DesignError, Source};
+use imogene_verif::engine::verilator::Model;
+use imogene_verif::report::Report;
+use imogene_verif::subject::Subject;
+use imogene_verif::unit::subject;
+use std::path::{Path, PathBuf};
+
+/// The runs of minutes are made as well.
+fn is_full_run() -> bool {
+    std::env::var("IMOGENE_FULL").is_ok_and(|value| value == "1")
+}
+
+/// The folder of the repository.
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// A scene of the repository.
+fn scene(name: &str) -> SceneFile {
+    SceneFile::read(&root().join("scenes").join(name)).expect("a valid scene")
+}
+
+/// A unit of the catalogue with its default parameters.
+fn unit(name: &str, depth_word: u32) -> Subject {
+    subject(&request(name, depth_word, &[])).expect("its defaults are legal")
+}
+
+/// A unit with these parameters.
+fn request(name: &str, depth_word: u32, options: &[(&'static str, u32)]) -> Request {
+    let options = options
+        .iter()
+        .map(|(option, value)| (*option, Some(*value)));
+    let request = Request::given(name, depth_word, &options.collect::<Vec<_>>());
+    request.unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+/// The emitted Verilog of a unit.
+fn verilog(name: &str, depth_word: u32) -> String {
+    let request = request(name, depth_word, &[]);
+    emit(&request).expect("a legal request").bundle()
+}
+
+/// Verilog of a unit in Verilator.
+fn compiled(unit: &Subject, text: &str) -> Result<Model, DesignError> {
+    Model::compile(&Source::of(unit, &unit.name, text))
+}
+
+/// Runs so many stimuli, in which nothing differs.
+fn run(unit: &Subject, stimuli: u64, clocks: usize) -> Vec<Report> {
+    let stimuli = (0..stimuli).map(|seed| unit.seeded_stimulus(clocks, seed));
+    let outcomes = unit.run_all(&stimuli.collect::<Vec<_>>(), false);
+    let reports: Vec<Report> = outcomes.into_iter().map(|(report, _)| report).collect();
+    for (seed, report) in reports.iter().enumerate() {
+        let unit = format!("{} {}, seed {seed}", unit.name, unit.options);
+        let first = &report.first_mismatches;
+        assert_eq!(report.mismatches, 0, "{unit}: {first:?}");
+        assert!(report.comparisons > 0, "{unit}: nothing was compared");
+    }
+    reports
+}

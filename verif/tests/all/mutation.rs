@@ -2,6 +2,7 @@
 //! to change nothing. Those of the netlist need the packages 'yosys', 'verilator' and 'g++' and fail without them: all
 //! units of the published table under `IMOGENE_FULL=1`, the cut plane otherwise.
 
+use super::is_full_run;
 use super::machines::{drawn, small};
 use imogene_contract::Request;
 use imogene_plan::description::MachineDescription;
@@ -11,10 +12,6 @@ use imogene_verif::mutation::machine::{self as of_machine, Shown};
 use imogene_verif::mutation::{MutationReport, Options, circuit, netlist, table};
 use imogene_verif::subject::Subject;
 use imogene_verif::unit::subject;
-
-fn is_full_run() -> bool {
-    std::env::var("IMOGENE_FULL").is_ok_and(|value| value == "1")
-}
 
 fn unit(name: &str) -> (Subject, Emitted) {
     let request = Request::given(name, 16, &[]).expect("a unit of the catalogue");
@@ -27,7 +24,8 @@ fn score(subject: &Subject, emitted: &Emitted, text: &str, mutants: usize) -> Mu
         mutants,
         ..Options::default()
     };
-    netlist::run(subject, (&emitted.top, text), &options, || ()).unwrap_or_else(|error| panic!("{error}"))
+    netlist::run(subject, (&emitted.top, text), &options, || ())
+        .unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Units on which nothing may survive but a changed clock of a register, which the proofs cannot judge; of the others,

@@ -1,34 +1,13 @@
 //! The patch decider in hardware against the sequential algorithm of the source, a chain of cuts, in every order of the
 //! planes.
 
-use imogene_contract::{Request, Unit};
+use crate::exhaustive::cut_sequence::permutations;
+use crate::exhaustive::cut_single::KINDS;
+use crate::request;
 use imogene_golden::format::Format;
-use imogene_golden::unit::cut_plane::{PlaneKind, cut};
+use imogene_golden::unit::cut_plane::cut;
 use imogene_golden::unit::depth_interval::{Class, Interval, halves};
 use imogene_verif::unit::subject;
-
-const KINDS: [PlaneKind; 4] = [
-    PlaneKind::None,
-    PlaneKind::Front,
-    PlaneKind::Back,
-    PlaneKind::Perpendicular,
-];
-
-/// All orders of `n` planes.
-fn orders(n: usize) -> Vec<Vec<usize>> {
-    if n == 0 {
-        return vec![vec![]];
-    }
-    let mut list = Vec::new();
-    for shorter in orders(n - 1) {
-        for place in 0..n {
-            let mut order = shorter.clone();
-            order.insert(place, n - 1);
-            list.push(order);
-        }
-    }
-    list
-}
 
 /// A plane: kind and depth.
 type Plane = (i64, i64);
@@ -65,13 +44,10 @@ fn chain(
 fn decides_as_the_chain_in_every_order_of_up_to_four_planes() {
     let format = Format::new(16).unwrap();
     for planes in 0..=4usize {
-        let request = Request {
-            planes: planes as u32,
-            ..Request::of(Unit::PatchDecider, 16)
-        };
-        let subject = subject(&request).unwrap();
+        let options = [("planes", planes as u32)];
+        let subject = subject(&request("patch_decider", 16, &options)).unwrap();
         let mut hardware = (subject.hardware)();
-        let orders = orders(planes);
+        let orders = permutations(&(0..planes).collect::<Vec<_>>());
         let levels: Vec<i64> = (0..planes as i64 + 2).collect();
         let mut choices: Vec<Plane> = levels.iter().flat_map(|&z| [(1, z), (2, z)]).collect();
         choices.extend([(0, 0), (3, 0), (3, -1)]);

@@ -1,6 +1,7 @@
 //! The formal proofs of the emitted Verilog. By default a part of them with the Yosys and z3 of the system; under
 //! `IMOGENE_FULL=1` all of them and all mutants, with SymbiYosys.
 
+use super::is_full_run;
 use imogene_verif::formal::mutants;
 use imogene_verif::formal::runner::{ProofReport, Task, prove_all, select};
 use imogene_verif::formal::toolchain::{Driver, Toolchain};
@@ -24,19 +25,15 @@ const REPRESENTATIVE: [&str; 12] = [
 /// Jobs whose mutants are in the default run.
 const MUTATED: [&str; 4] = ["root_lemma-24", "pe1-26", "pe1-integers", "cut_plane-24"];
 
-fn full() -> bool {
-    std::env::var_os("IMOGENE_FULL").is_some()
-}
-
 fn toolchain() -> Toolchain {
-    let tools = if full() {
+    let tools = if is_full_run() {
         Toolchain::find()
     } else {
         Toolchain::system()
     };
     let tools = tools.unwrap_or_else(|error| panic!("{error}"));
     assert!(
-        !full() || tools.driver != Driver::Smtbmc,
+        !is_full_run() || tools.driver != Driver::Smtbmc,
         "SymbiYosys is missing; `scripts/setup --formal` installs it"
     );
     tools
@@ -59,7 +56,7 @@ fn mutants_of(job: &str) -> Vec<Task> {
 
 #[test]
 fn every_property_is_proved() {
-    let jobs = if full() {
+    let jobs = if is_full_run() {
         select("all", true).unwrap()
     } else {
         let one = |name: &&str| select(name, false).unwrap().remove(0);
@@ -76,7 +73,7 @@ fn every_property_is_proved() {
 
 #[test]
 fn every_mutant_is_refuted() {
-    let names = if full() {
+    let names = if is_full_run() {
         mutants::jobs()
     } else {
         MUTATED.into()

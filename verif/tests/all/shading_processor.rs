@@ -1,6 +1,6 @@
 //! The shading processor with several numbers of lights, at points or directional.
 
-use imogene_contract::{Request, Unit};
+use super::{request, run};
 use imogene_verif::unit::subject;
 
 #[test]
@@ -15,23 +15,10 @@ fn every_number_of_lights() {
         (4, 0),
         (4, 2),
     ] {
-        let request = Request {
-            lights,
-            suns,
-            ..Request::new(Unit::ShadingProcessor)
-        };
-        let subject = subject(&request).unwrap();
+        let options = [("lights", lights), ("suns", suns)];
+        let subject = subject(&request("shading_processor", 24, &options)).unwrap();
         // Small numbers before a logarithm are rare.
-        let seeds = 0..if lights == 1 { 100 } else { 8 };
-        let stimuli = seeds.map(|seed| subject.seeded_stimulus(500, seed));
-        let outcomes = subject.run_all(&stimuli.collect::<Vec<_>>(), false);
-        for (seed, (report, _)) in outcomes.into_iter().enumerate() {
-            assert_eq!(
-                report.mismatches, 0,
-                "{lights} lights, {suns} suns, seed {seed}: {:?}",
-                report.first_mismatches
-            );
-            assert!(report.comparisons > 500);
-        }
+        let reports = run(&subject, if lights == 1 { 100 } else { 8 }, 500);
+        assert!(reports.iter().all(|report| report.comparisons > 500));
     }
 }

@@ -1,6 +1,7 @@
 //! Every unit against its golden model, cycle by cycle, on random stimulus biased to the edges; failures shrink and are
 //! replayed from their seeds.
 
+use super::request;
 use imogene_contract::{MachineWords, Request, RootForm, Unit};
 use imogene_golden::format::Format;
 use imogene_verif::subject::LANES;
@@ -44,6 +45,11 @@ fn check(request: &Request, clocks: usize) {
     }
 }
 
+/// At the base format with these parameters.
+fn check_with(unit: Unit, options: &[(&'static str, u32)]) {
+    check(&request(unit.name(), 24, options), CLOCKS);
+}
+
 /// Clocks of a stimulus: longer than the deepest pipeline.
 const CLOCKS: usize = 120;
 
@@ -66,11 +72,7 @@ fn root_networks_at_all_rows_per_stage() {
             Unit::SquareRootRows,
             Unit::SquareRootLeading,
         ] {
-            let request = Request {
-                rows_per_stage,
-                ..Request::new(unit)
-            };
-            check(&request, CLOCKS);
+            check_with(unit, &[("rows-per-stage", rows_per_stage)]);
         }
     }
 }
@@ -79,21 +81,12 @@ fn root_networks_at_all_rows_per_stage() {
 fn shortened_and_corrected_roots_of_every_parameter() {
     for digits in 1..=24 {
         for unit in [Unit::SquareRootRows, Unit::SquareRootLeading] {
-            let request = Request {
-                digits,
-                rows_per_stage: 3,
-                ..Request::new(unit)
-            };
-            check(&request, CLOCKS);
+            check_with(unit, &[("digits", digits), ("rows-per-stage", 3)]);
         }
     }
     for corrections in 0..=2 {
         for unit in [Unit::SquareRootLinear, Unit::SquareRootQuadratic] {
-            let request = Request {
-                corrections,
-                ..Request::new(unit)
-            };
-            check(&request, CLOCKS);
+            check_with(unit, &[("corrections", corrections)]);
         }
     }
 }
@@ -125,15 +118,11 @@ fn processors_with_every_form_of_the_root() {
 #[test]
 fn processors_with_0_to_12_planes() {
     for planes in 0..=12 {
-        let of = |unit, rows_per_stage| Request {
-            planes,
-            rows_per_stage,
-            ..Request::new(unit)
-        };
         for rows_per_stage in [1, 5, 24] {
-            check(&of(Unit::QuadricProcessor, rows_per_stage), CLOCKS);
+            let options = [("planes", planes), ("rows-per-stage", rows_per_stage)];
+            check_with(Unit::QuadricProcessor, &options);
         }
-        check(&of(Unit::NormalUnit, 1), 30);
+        check(&request("normal_unit", 24, &[("planes", planes)]), 30);
     }
 }
 
@@ -160,11 +149,7 @@ fn other_processors_with_every_number_of_planes_and_sides() {
         (Unit::CurvedFacetProcessor, 1..=4),
     ] {
         for sides in sides {
-            let request = Request {
-                sides,
-                ..Request::new(unit)
-            };
-            check(&request, CLOCKS);
+            check_with(unit, &[("sides", sides)]);
         }
     }
 }
@@ -229,10 +214,6 @@ fn both_sides_state_the_same_latency() {
 #[test]
 fn deciders_of_every_shape_of_tree() {
     for objects in [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 13, 16, 17] {
-        let request = Request {
-            objects,
-            ..Request::new(Unit::Decider)
-        };
-        check(&request, 30);
+        check(&request("decider", 24, &[("objects", objects)]), 30);
     }
 }

@@ -2,46 +2,30 @@
 //! and fails without them. A first run compiles each unit, some seconds each: all units under `IMOGENE_FULL=1`, one of
 //! each group otherwise.
 
-use imogene_contract::{Request, Unit};
-use imogene_rtl::emit::emit;
-use imogene_verif::engine::design::{DesignError, Simulator, Source, with_verilog};
-use imogene_verif::engine::verilator::Model;
+use super::{compiled, is_full_run, unit, verilog};
+use imogene_contract::Unit;
+use imogene_verif::engine::design::{Simulator, with_verilog};
 use imogene_verif::random;
-use imogene_verif::subject::Subject;
-use imogene_verif::unit::{subject, units};
+use imogene_verif::unit::units;
 
 const REPRESENTATIVES: [&str; 4] = ["pe2", "square_root", "cut_plane", "quadric_processor"];
 const CLOCKS: usize = 5_000;
 
-fn is_full() -> bool {
-    std::env::var_os("IMOGENE_FULL").is_some_and(|value| value == "1")
-}
-
-fn verilog(name: &str) -> String {
-    let request = Request::new(Unit::from_name(name).expect("a unit of the catalogue"));
-    let emitted = emit(&request).expect("a legal request");
-    emitted.bundle()
-}
-
-fn compile(unit: &Subject, text: &str) -> Result<Model, DesignError> {
-    Model::compile(&Source::of(unit, &unit.name, text))
-}
-
-fn base(name: &str) -> Subject {
-    let request = Request::given(name, 24, &[]).expect("a unit of the catalogue");
-    subject(&request).expect("its defaults are legal")
-}
-
 #[test]
 fn emitted_units_agree_with_their_golden_models() {
-    let names = if is_full() {
+    let names = if is_full_run() {
         units().map(Unit::name).collect()
     } else {
         REPRESENTATIVES.to_vec()
     };
     for name in names {
-        let unit = with_verilog(base(name), Simulator::Verilator, name, &verilog(name))
-            .expect("a compiled unit");
+        let unit = with_verilog(
+            unit(name, 24),
+            Simulator::Verilator,
+            name,
+            &verilog(name, 24),
+        )
+        .expect("a compiled unit");
         let (report, _) = random::run(&unit, CLOCKS, 11, false);
         assert_eq!(report.engine, "verilator");
         assert!(
@@ -56,8 +40,8 @@ fn emitted_units_agree_with_their_golden_models() {
 
 #[test]
 fn instances_of_one_model_do_not_share_registers() {
-    let unit = base("pe1");
-    let model = compile(&unit, &verilog("pe1")).expect("pe1");
+    let unit = unit("pe1", 24);
+    let model = compiled(&unit, &verilog("pe1", 24)).expect("pe1");
     let (mut one, mut other) = (model.instance(), model.instance());
     let mut value = [0];
     one.clock_words(&[1, 1, 0, 3, 0, 100], &mut value);
@@ -79,11 +63,11 @@ fn instances_of_one_model_do_not_share_registers() {
 
 #[test]
 fn verilog_that_verilator_refuses_is_reported_and_not_kept() {
-    let unit = base("pe1");
+    let unit = unit("pe1", 24);
     for _ in 0..2 {
         let broken =
-            verilog("pe1").replace("= line_value + kept_b;", "= line_value + missing_name;");
-        let outcome = compile(&unit, &broken);
+            verilog("pe1", 24).replace("= line_value + kept_b;", "= line_value + missing_name;");
+        let outcome = compiled(&unit, &broken);
         let message = outcome.err().expect("a refusal").to_string();
         assert!(message.contains("missing_name"), "{message}");
     }

@@ -1,15 +1,15 @@
 //! The units of the graphics module behind the decider, over whole frames: what the clock by clock comparison of
 //! `units.rs` does not say by itself.
 
+use super::{request, unit};
 use imogene_circuits::video::{Queue, pixel_fifo, video_timing};
 use imogene_contract::video::{Span, VideoMode};
-use imogene_contract::{Request, Unit};
 use imogene_golden::machine::post_filter::Kernel;
 use imogene_golden::machine::video_timing as golden;
 use imogene_hdl::{Bits, Value};
 use imogene_verif::engine::circuit::Circuit;
 use imogene_verif::random;
-use imogene_verif::subject::{Clocked, Subject};
+use imogene_verif::subject::Clocked;
 use imogene_verif::unit::subject;
 
 /// A reproducible source of numbers.
@@ -28,11 +28,6 @@ impl Numbers {
     }
 }
 
-fn unit(name: &str) -> Subject {
-    let request = Request::given(name, 24, &[]).expect("a unit of the catalogue");
-    subject(&request).expect("its defaults are legal")
-}
-
 /// The values after a clock, by port; all are defined in the built-in engine.
 fn clock(hardware: &mut dyn Clocked, inputs: &[i64]) -> Vec<i64> {
     let values = hardware.clock(inputs);
@@ -49,7 +44,7 @@ fn every_video_unit_is_its_golden_model() {
         "overlay",
         "accumulator",
     ] {
-        let (report, _) = random::run(&unit(name), 20_000, 5, false);
+        let (report, _) = random::run(&unit(name, 24), 20_000, 5, false);
         assert_eq!(
             report.mismatches, 0,
             "{name}: {:?}",
@@ -63,10 +58,7 @@ fn every_video_unit_is_its_golden_model() {
 #[test]
 fn whole_frames_of_video() {
     for (mode, frames) in [(0, 2), (1, 1)] {
-        let request = Request {
-            mode: mode as u32,
-            ..Request::new(Unit::VideoTiming)
-        };
+        let request = request("video_timing", 24, &[("mode", mode as u32)]);
         let subject = subject(&request).expect("a mode of the catalogue");
         let mut numbers = Numbers(mode as u64);
         let clocks = VideoMode::ALL[mode].clocks() * frames * 16 / 15 + 1000;
@@ -130,7 +122,7 @@ fn stream(
     mut wants: impl FnMut(usize) -> bool,
     mut ready: impl FnMut(usize) -> bool,
 ) -> (Vec<i64>, Vec<i64>) {
-    let mut hardware = (unit("pixel_fifo").hardware)();
+    let mut hardware = (unit("pixel_fifo", 24).hardware)();
     let (mut pushed, mut taken) = (Vec::new(), Vec::new());
     let mut flying = vec![false; clocks + flight + 1];
     let mut out = vec![1, 0, 0, 0];
@@ -210,7 +202,7 @@ fn frames_are_shown_whole() {
     let colour =
         |frame: usize, place: usize| (frame * 0x40_1003 + place * 0x1_0107) as i64 & 0xff_ffff;
     let mut numbers = Numbers(3);
-    let mut hardware = (unit("frame_store").hardware)();
+    let mut hardware = (unit("frame_store", 24).hardware)();
     let mode = VideoMode {
         line: Span::new(WIDTH as u64, 1, 1, 1),
         frame: Span::new(HEIGHT as u64, 0, 1, 0),
@@ -277,7 +269,7 @@ fn frames_are_shown_whole() {
 #[test]
 fn filtered_pictures_are_the_convolution() {
     let mut numbers = Numbers(9);
-    let mut hardware = (unit("post_filter").hardware)();
+    let mut hardware = (unit("post_filter", 24).hardware)();
     let shapes = [(1, 1), (1, 5), (2, 2), (5, 1), (9, 7), (33, 20), (2048, 3)];
     for (width, height) in shapes {
         for kernel in 0..4 {
@@ -327,27 +319,26 @@ fn filtered_pictures_are_the_convolution() {
 /// Every sum of a pass count has the rounded mean: each step of 0 to 255 in 16 passes.
 #[test]
 fn means_are_exact() {
-    let mut hardware = (unit("accumulator").hardware)();
+    let mut hardware = (unit("accumulator", 24).hardware)();
     for (fine, passes) in [(0, 4), (1, 16)] {
         for sum in 0..=passes * 255 {
             // Levels as even as they can be, in two places by turns and a pause, so that a place comes again after 3
             // clocks.
             let level = |pass: i64| (sum + pass) / passes;
             let mut means = Vec::new();
+            let mut take = |inputs: [i64; 8]| {
+                let out = clock(hardware.as_mut(), &inputs);
+                means.extend((out[0] == 1).then(|| out[1..].to_vec()));
+            };
+            let pause = [fine, 0, 0, 0, 0, 0, 0, 0];
             for pass in 0..passes {
                 let flags = [i64::from(pass == 0), i64::from(pass + 1 == passes)];
                 for (place, value) in [(7, level(pass)), (8, 255 - level(pass))] {
-                    let inputs = [fine, 1, place, flags[0], flags[1], value, 0, 255];
-                    let out = clock(hardware.as_mut(), &inputs);
-                    means.extend((out[0] == 1).then(|| out[1..].to_vec()));
+                    take([fine, 1, place, flags[0], flags[1], value, 0, 255]);
                 }
-                let out = clock(hardware.as_mut(), &[fine, 0, 0, 0, 0, 0, 0, 0]);
-                means.extend((out[0] == 1).then(|| out[1..].to_vec()));
+                take(pause);
             }
-            for _ in 0..3 {
-                let out = clock(hardware.as_mut(), &[fine, 0, 0, 0, 0, 0, 0, 0]);
-                means.extend((out[0] == 1).then(|| out[1..].to_vec()));
-            }
+            (0..3).for_each(|_| take(pause));
             let mean = |sum: i64| (sum + passes / 2).div_euclid(passes);
             let expected = [
                 vec![7, mean(sum), 0, 255],

@@ -1,6 +1,6 @@
 //! Waveforms read back: FST has what VCD has, windows begin where it is said, nets inside are those of the machine.
 
-use crate::faults::teapot;
+use crate::faults::{FAULT, teapot};
 use crate::machines::{drawn, small};
 use fst_reader::{FstFilter, FstHierarchyEntry, FstReader, FstSignalValue};
 use imogene_contract::{Request, Unit};
@@ -10,7 +10,7 @@ use imogene_verif::display::pins::{PinsRun, run};
 use imogene_verif::engine::Engine;
 use imogene_verif::engine::design::Simulator;
 use imogene_verif::report::Report;
-use imogene_verif::scene::{self, Fault, Options};
+use imogene_verif::scene::{self, Options};
 use imogene_verif::unit::subject;
 use imogene_verif::waveform::{Trace, WaveformRequest, WindowStart};
 use std::collections::BTreeMap;
@@ -192,14 +192,9 @@ fn nets_of_a_scene_are_recorded_by_their_paths() {
 /// A mismatch far before the window is recorded with what led to it, and not all that lies between.
 #[test]
 fn a_mismatch_has_a_window_of_its_own() {
-    let fault = Some(Fault {
-        object: 0,
-        address: 2,
-        bit: 18,
-    });
     let options = Options {
         trace: Some(request("line:30", 50, &[])),
-        fault,
+        fault: Some(FAULT),
         ..Options::plain(4, 1)
     };
     let (report, _) = scene::run(&teapot(48, 36), &options, Engine::BuiltIn, || ()).unwrap();

@@ -9,16 +9,12 @@
 //! or sets it again: absent stays absent. Each ordering is laid out twice, with and without its last depth at the far
 //! end.
 
-use super::account;
 use super::cut_single::KINDS;
-use imogene_contract::{Request, Unit};
+use super::{account, compile};
 use imogene_golden::format::Format;
 use imogene_golden::unit::cut_plane::{PlaneKind, cut};
 use imogene_golden::unit::depth_interval::Interval;
-use imogene_rtl::emit::emit;
-use imogene_verif::engine::design::Source;
-use imogene_verif::engine::verilator::{Model, VerilatedUnit};
-use imogene_verif::unit::subject;
+use imogene_verif::engine::verilator::VerilatedUnit;
 use rayon::prelude::*;
 use std::time::Instant;
 
@@ -63,7 +59,8 @@ fn weak_orderings(count: usize) -> Vec<Vec<usize>> {
     .collect()
 }
 
-fn permutations(items: &[usize]) -> Vec<Vec<usize>> {
+/// All orders of some items.
+pub(crate) fn permutations(items: &[usize]) -> Vec<Vec<usize>> {
     if items.is_empty() {
         return vec![vec![]];
     }
@@ -151,15 +148,6 @@ fn cut_in_hardware(
         zb: value(found[2]),
         nb: found[3] as u8,
     }
-}
-
-fn compile() -> Model {
-    let request = Request::of(Unit::CutPlane, DEPTH_WORD);
-    let emitted = emit(&request).expect("a legal request");
-    let ports = subject(&request).expect("a legal request");
-    let text = &emitted.bundle();
-    let model = Model::compile(&Source::of(&ports, &emitted.top, text));
-    model.expect("Verilator compiles the unit")
 }
 
 /// Depths for ranks: steps of different size, the last at `top`.
@@ -254,7 +242,7 @@ fn every_order_and_tie_of_four_planes() {
     let started = Instant::now();
     let format = Format::new(DEPTH_WORD).expect("a format");
     let orders = permutations(&[0, 1, 2, 3]);
-    let model = compile();
+    let (model, _) = compile("cut_plane", DEPTH_WORD);
     let codes = 0..CHOICES.len().pow(PLANES as u32);
     let (cases, runs) = codes
         .into_par_iter()

@@ -9,7 +9,7 @@ use imogene_golden::unit::depth_interval::Interval;
 use imogene_verif::engine::circuit::Circuit;
 use std::time::Instant;
 
-pub(super) const KINDS: [PlaneKind; 4] = [
+pub(crate) const KINDS: [PlaneKind; 4] = [
     PlaneKind::None,
     PlaneKind::Front,
     PlaneKind::Back,

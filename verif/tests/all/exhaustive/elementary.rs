@@ -5,7 +5,8 @@
 //! columns and lines is therefore stands for every pixel of every zone. One instance runs through all coefficients, so
 //! that each zone starts from the registers another one left, in the middle of its raster now and then.
 
-use super::{account, is_full_run};
+use super::account;
+use crate::is_full_run;
 use imogene_circuits::raster::{self, Flags, pe1, pe2};
 use imogene_golden::unit::pe1::{Linear, Pe1 as GoldenPe1};
 use imogene_golden::unit::pe2::{Pe2 as GoldenPe2, Quadratic};
@@ -53,36 +54,53 @@ fn zones(columns: i64, lines: i64) -> Vec<RasterClock> {
     list
 }
 
+/// Runs zones with these words, which are read at the start of a zone only: elsewhere their complements stand there.
+/// `golden` is given `start` and `line` of each pixel, `exact` its column and line. Returns the pixels checked.
+fn check<const N: usize>(
+    unit: &mut Circuit,
+    clocks: &[RasterClock],
+    words: &[i64],
+    mut golden: impl FnMut(bool, bool) -> i128,
+    exact: impl Fn(i64, i64) -> i64,
+) -> u64 {
+    let mut pixels = 0;
+    for ([valid, start, line], place) in clocks {
+        let flip = if *valid && *start { 0 } else { -1 };
+        let flags = [*valid, *start, *line].map(i64::from).into_iter();
+        let inputs = flags.chain(words.iter().map(|word| word ^ flip));
+        unit.clock(&inputs.collect::<Vec<i64>>());
+        let Some((x, y)) = *place else { continue };
+        let exact = wrapped(exact(x, y), N);
+        assert_eq!(unit.output(0), exact, "{words:?} at ({x}, {y})");
+        let golden = golden(*start, *line);
+        assert_eq!(golden, i128::from(exact), "{words:?} at ({x}, {y})");
+        pixels += 1;
+    }
+    pixels
+}
+
 /// Runs every zone of PE1 with these `a`; returns the pixels checked.
 fn check_pe1<const N: usize>(a: i64, side: i64) -> u64 {
     let words_in = || raster::Linear::input(N as u32);
     let mut unit = Circuit::of(|| pe1("top", Flags::input(), words_in()));
     let clocks = zones(side, side);
-    let mut pixels = 0;
-    for b in words(N) {
-        for c in words(N) {
-            let words = Linear::new(a.into(), b.into(), c.into());
-            let mut golden = GoldenPe1::object_start(&words, N as u32);
-            for ([valid, start, line], place) in &clocks {
-                // The words are read at the start of a zone only; elsewhere their complements stand there.
-                let flip = if *valid && *start { 0 } else { -1 };
-                let [valid, first, later] = [*valid, *start, *line].map(i64::from);
-                unit.clock(&[valid, first, later, a ^ flip, b ^ flip, c ^ flip]);
-                let Some((x, y)) = *place else { continue };
-                if *start {
-                    golden = GoldenPe1::object_start(&words, N as u32);
-                } else if *line {
-                    golden.line_step();
-                }
-                let exact = wrapped(a * x + b * y + c, N);
-                let found = unit.output(0);
-                assert_eq!(found, exact, "{words:?} at ({x}, {y})");
-                assert_eq!(golden.pixel(), i128::from(exact), "{words:?} at ({x}, {y})");
-                pixels += 1;
+    let pairs = words(N).flat_map(|b| words(N).map(move |c| (b, c)));
+    let pixels = pairs.map(|(b, c)| {
+        let words = Linear::new(a.into(), b.into(), c.into());
+        let start = || GoldenPe1::object_start(&words, N as u32);
+        let mut pe = start();
+        let golden = |starts, line| {
+            match (starts, line) {
+                (true, _) => pe = start(),
+                (false, true) => pe.line_step(),
+                _ => {}
             }
-        }
-    }
-    pixels
+            pe.pixel()
+        };
+        let exact = |x, y| a * x + b * y + c;
+        check::<N>(&mut unit, &clocks, &[a, b, c], golden, exact)
+    });
+    pixels.sum()
 }
 
 /// Runs every zone of PE2 with these `a2` and `b2`; returns the pixels checked.
@@ -90,42 +108,28 @@ fn check_pe2<const N: usize>(a2: i64, b2: i64, side: i64) -> u64 {
     let words_in = || raster::Quadratic::input(N as u32);
     let mut unit = Circuit::of(|| pe2("top", Flags::input(), words_in()));
     let clocks = zones(side, side);
-    let mut pixels = 0;
     let count = words(N).count();
-    for code in 0..count.pow(4) {
+    let pixels = (0..count.pow(4)).map(|code| {
         let digit = |place: u32| (code / count.pow(place) % count) as i64 + words(N).start;
         let (c, p0, i0, f) = (digit(0), digit(1), digit(2), digit(3));
         let (a, b) = (a2 / 2, b2 / 2);
         let (d, e) = (p0 - a, i0 - b);
-        let [qa, qb, qc, qd, qe, qf] = [a, b, c, d, e, f].map(i128::from);
-        let words = Quadratic {
-            a: qa,
-            b: qb,
-            c: qc,
-            d: qd,
-            e: qe,
-            f: qf,
-        };
-        let mut golden = GoldenPe2::object_start(&words, N as u32);
-        for ([valid, start, line], place) in &clocks {
-            let flip = if *valid && *start { 0 } else { -1 };
-            let [valid, first, later] = [*valid, *start, *line].map(i64::from);
-            let [wa, wb, wc, wi, wp, wf] = [a2, b2, c, i0, p0, f].map(|word| word ^ flip);
-            unit.clock(&[valid, first, later, wa, wb, wc, wi, wp, wf]);
-            let Some((x, y)) = *place else { continue };
-            if *start {
-                golden = GoldenPe2::object_start(&words, N as u32);
-            } else if *line {
-                golden.line_step();
+        let words = Quadratic::new([a, b, c, d, e, f].map(i128::from));
+        let start = || GoldenPe2::object_start(&words, N as u32);
+        let mut pe = start();
+        let golden = |starts, line| {
+            match (starts, line) {
+                (true, _) => pe = start(),
+                (false, true) => pe.line_step(),
+                _ => {}
             }
-            let exact = wrapped(a * x * x + b * y * y + c * x * y + d * x + e * y + f, N);
-            let found = unit.output(0);
-            assert_eq!(found, exact, "{words:?} at ({x}, {y})");
-            assert_eq!(golden.pixel(), i128::from(exact), "{words:?} at ({x}, {y})");
-            pixels += 1;
-        }
-    }
-    pixels
+            pe.pixel()
+        };
+        let exact = |x, y| a * x * x + b * y * y + c * x * y + d * x + e * y + f;
+        let words = [a2, b2, c, i0, p0, f];
+        check::<N>(&mut unit, &clocks, &words, golden, exact)
+    });
+    pixels.sum()
 }
 
 /// Pixels of [`zones`]: one line and a pixel, then the whole.

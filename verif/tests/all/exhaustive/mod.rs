@@ -4,15 +4,20 @@
 //! The runs of minutes are made when the environment variable `IMOGENE_FULL` is 1; otherwise the same checks run over a
 //! smaller set. Each test prints what it counted (`cargo test -- --nocapture`).
 
-mod cut_sequence;
-mod cut_single;
+pub(crate) mod cut_sequence;
+pub(crate) mod cut_single;
 mod elementary;
 mod roots;
 
+use crate::{compiled, unit, verilog};
+use imogene_verif::engine::verilator::Model;
 use std::time::Instant;
 
-fn is_full_run() -> bool {
-    std::env::var("IMOGENE_FULL").is_ok_and(|value| value == "1")
+/// The emitted Verilog of a unit in Verilator, and its latency.
+fn compile(name: &str, depth_word: u32) -> (Model, usize) {
+    let unit = unit(name, depth_word);
+    let model = compiled(&unit, &verilog(name, depth_word));
+    (model.expect("Verilator compiles the unit"), unit.latency)
 }
 
 /// Prints how much was checked and how fast.

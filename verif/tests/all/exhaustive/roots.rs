@@ -3,12 +3,10 @@
 //! The oracle takes no square root: radicands ascend, and `n` is counted up where the next square is reached, so that
 //! `n^2 <= radicand < (n + 1)^2` holds by construction. Now and then num-bigint confirms it.
 
-use super::{account, is_full_run};
-use imogene_contract::{Request, Unit};
-use imogene_rtl::emit::emit;
-use imogene_verif::engine::design::Source;
+use super::{account, compile};
+use crate::is_full_run;
+use imogene_contract::Unit;
 use imogene_verif::engine::verilator::Model;
-use imogene_verif::unit::subject;
 use num_bigint::BigUint;
 use rayon::prelude::*;
 use std::time::Instant;
@@ -22,15 +20,6 @@ const PIPELINED: [Unit; 2] = [Unit::SquareRoot, Unit::SquareRootNonRestoring];
 
 /// A radicand, its root and its remainder.
 type Vector = [u64; 3];
-
-fn compile(unit: Unit, depth_word: usize) -> (Model, usize) {
-    let request = Request::of(unit, depth_word as u32);
-    let emitted = emit(&request).expect("a legal request");
-    let text = emitted.bundle();
-    let ports = subject(&request).expect("a legal request");
-    let model = Model::compile(&Source::of(&ports, &emitted.top, &text));
-    (model.expect("Verilator compiles the unit"), emitted.latency)
-}
 
 /// All radicands from `first` to before `end`.
 fn every(first: u64, end: u64) -> impl Iterator<Item = Vector> {
@@ -128,7 +117,7 @@ fn in_parts(end: u64, run: impl Fn(u64, u64) -> u64 + Sync) -> u64 {
 
 /// Boundary vectors of `digits` digits in `unit`: three for each root, but none before 0.
 fn check_boundaries(unit: Unit, digits: usize) {
-    let (model, latency) = compile(unit, digits);
+    let (model, latency) = compile(unit.name(), digits as u32);
     let started = Instant::now();
     let count = in_parts(1 << digits, |first, end| match unit {
         Unit::SquareRootIterative => iterate(&model, digits, boundaries(first, end)),
@@ -163,7 +152,7 @@ fn every_boundary_of_the_base_format() {
 #[test]
 fn every_radicand_of_32_bits() {
     for unit in PIPELINED {
-        let (model, latency) = compile(unit, 16);
+        let (model, latency) = compile(unit.name(), 16);
         let started = Instant::now();
         let run = |first, end| stream(&model, latency, every(first, end));
         let count = if is_full_run() {
@@ -183,7 +172,7 @@ fn every_radicand_of_32_bits() {
 /// The comparison is alive: an expected remainder with one wrong bit is reported with its radicand.
 #[test]
 fn a_wrong_remainder_is_found() {
-    let (model, latency) = compile(Unit::SquareRoot, 16);
+    let (model, latency) = compile("square_root", 16);
     let wrong =
         |[radicand, root, rest]: Vector| [radicand, root, rest ^ u64::from(radicand == 120)];
     let outcome =
