@@ -3,7 +3,7 @@
 //!
 //! Needs the package 'iverilog' and fails without it.
 
-use crate::common::imogene;
+use crate::common::{Place, scene};
 use imogene_studies::picture::write_png;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -14,62 +14,39 @@ const ZONE: &str = "machine = \"zone\"\nobjects = 2\nzone = { width = 20, height
 const COMMON: &str = "planes = 3\nlights = 2\nrows_per_stage = 6\nmode = { columns = [32, 4, 4, 4], lines = [24, 2, 2, 20] }\n";
 const STREAM: &str = "output = \"stream\"\n";
 
-/// The files of a machine for two scenes, one after the other, and their description.
-fn emitted(folder: &Path, description: &str, options: &[&str]) -> (PathBuf, Value) {
-    let machine = folder.join("machine.toml");
-    std::fs::write(&machine, description).expect("a file");
-    let out = folder.join("out");
-    let mut command = imogene();
-    command
-        .arg("machine")
-        .arg(crate::common::scene("crossing-cylinders.toml"));
-    command.arg(crate::common::scene("cut-sphere.toml"));
-    command.arg("--machine").arg(&machine).args(options);
-    command.args(["--emit-only", "--json", "--out"]).arg(&out);
-    let output = command.output().expect("the program runs");
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(0), "{said}");
-    let summary: Value = serde_json::from_slice(&output.stdout).expect("one JSON document");
+/// The files of a machine for two scenes, one after the other, and their description, in a folder.
+fn emitted(place: &Place, description: &str, options: &str) -> (PathBuf, Value) {
+    place.write("machine.toml", description);
+    let scenes = [scene("crossing-cylinders.toml"), scene("cut-sphere.toml")].join(" ");
+    let options = format!("--machine machine.toml --emit-only --out out {options}");
+    let summary = place.json(&format!("machine {scenes} {options}"));
     let written = summary["files"].as_array().expect("files");
-    for name in [
-        "beats.hex",
-        "shading.hex",
-        "pixels.hex",
-        "bench.json",
-        "bench.v",
-        "golden.png",
-    ] {
-        let path = out.join(name);
-        assert!(
-            path.is_file() && written.iter().any(|file| *file == *path.to_string_lossy()),
-            "{name}"
-        );
+    let names = "beats.hex shading.hex pixels.hex bench.json bench.v golden.png";
+    for name in names.split(' ').map(|name| format!("out/{name}")) {
+        let is_told = written.iter().any(|file| *file == *name);
+        assert!(is_told && place.has(&name), "{name}");
     }
-    let text = std::fs::read_to_string(out.join("bench.json")).expect("a file");
-    (out, serde_json::from_str(&text).expect("JSON"))
+    let described = serde_json::from_str(&place.text("out/bench.json"));
+    (place.path("out"), described.expect("JSON"))
+}
+
+/// What a program of the package says in a folder, and whether it ended well.
+fn icarus(folder: &Path, line: &str) -> (bool, String) {
+    let mut words = line.split(' ');
+    let mut command = Command::new(words.next().expect("a program"));
+    let output = command.args(words).current_dir(folder).output();
+    let output = output.expect("the package 'iverilog' is installed");
+    let said = [output.stdout, output.stderr].concat();
+    let said = String::from_utf8_lossy(&said).into_owned();
+    (output.status.success(), said)
 }
 
 /// Compiles and runs a bench; whether it ended well, and what it said.
 fn run(folder: &Path, bench: &str, verilog: &str) -> (bool, String) {
-    let iverilog = Command::new("iverilog")
-        .current_dir(folder)
-        .args(["-g2005", "-s", "bench", "-o", "bench.vvp", bench, verilog])
-        .output();
-    let compiled = iverilog.expect("the package 'iverilog' is installed");
-    assert!(
-        compiled.status.success(),
-        "{}",
-        String::from_utf8_lossy(&compiled.stderr)
-    );
-    let ran = Command::new("vvp")
-        .current_dir(folder)
-        .args(["-n", "bench.vvp"])
-        .output();
-    let ran = ran.expect("the package 'iverilog' is installed");
-    (
-        ran.status.success(),
-        String::from_utf8_lossy(&ran.stdout).into_owned(),
-    )
+    let compile = format!("iverilog -g2005 -s bench -o bench.vvp {bench} {verilog}");
+    let (is_compiled, said) = icarus(folder, &compile);
+    assert!(is_compiled, "{said}");
+    icarus(folder, "vvp -n bench.vvp")
 }
 
 /// Lines of words, without comments.
@@ -81,37 +58,28 @@ fn words(path: &Path) -> Vec<String> {
 
 #[test]
 fn the_bench_that_is_written_finds_every_pixel() {
+    let stripes: Vec<u8> = (0..3 * 32 * 24)
+        .map(|byte| u8::from(byte / 3 % 11 == 4))
+        .collect();
     for (description, options) in [
         (
             format!("{BEAM}{COMMON}overlay = true\n"),
-            &["--overlay", "mask.png"][..],
+            "--overlay mask.png",
         ),
-        (format!("{ZONE}{COMMON}smoothing = \"3x3\"\n"), &[]),
-        (format!("{BEAM}{COMMON}{STREAM}"), &[]),
-        (format!("{ZONE}{COMMON}{STREAM}"), &[]),
+        (format!("{ZONE}{COMMON}smoothing = \"3x3\"\n"), ""),
+        (format!("{BEAM}{COMMON}{STREAM}"), ""),
+        (format!("{ZONE}{COMMON}{STREAM}"), ""),
         // Words of f2 that are no whole number of hexadecimal digits long.
         (
             format!("{ZONE}{COMMON}{STREAM}depth_word = 17\nwidths = {{ g1 = 10, g2 = 3 }}\n"),
-            &[],
+            "",
         ),
     ] {
-        let folder = tempfile::tempdir().expect("a folder");
-        let mask = folder.path().join("mask.png");
-        let stripes: Vec<u8> = (0..3 * 32 * 24)
-            .map(|byte| u8::from(byte / 3 % 11 == 4))
-            .collect();
-        write_png(&mask, 32, 24, &stripes).expect("a picture");
-        let mask = mask.to_str().expect("a plain path");
-        let options: Vec<&str> = options
-            .iter()
-            .map(|o| if *o == "mask.png" { mask } else { o })
-            .collect();
-        let (out, described) = emitted(folder.path(), &description, &options);
-        let (ended_well, said) = run(
-            &out,
-            "bench.v",
-            described["verilog"].as_str().expect("a name"),
-        );
+        let place = Place::new();
+        write_png(&place.path("mask.png"), 32, 24, &stripes).expect("a picture");
+        let (out, described) = emitted(&place, &description, options);
+        let verilog = described["verilog"].as_str().expect("a name");
+        let (ended_well, said) = run(&out, "bench.v", verilog);
         let beats = words(&out.join("beats.hex")).len();
         let wanted = format!("2 frames of 768 pixels, {beats} beats: 0 differences");
         assert!(ended_well && said.contains(&wanted), "{description}{said}");
@@ -121,8 +89,8 @@ fn the_bench_that_is_written_finds_every_pixel() {
 
 #[test]
 fn the_bench_that_is_written_sees_what_is_wrong() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let (out, described) = emitted(folder.path(), &format!("{ZONE}{COMMON}{STREAM}"), &[]);
+    let place = Place::new();
+    let (out, described) = emitted(&place, &format!("{ZONE}{COMMON}{STREAM}"), "");
     let verilog = described["verilog"].as_str().expect("a name");
     let pixels = words(&out.join("pixels.hex"));
     let mut wrong = pixels.clone();
@@ -220,8 +188,8 @@ fn a_bench_written_by_hand_from_the_documents_finds_every_pixel() {
     // The hand-written beam bench stops after the first frame: it does not wait for its pixels before it sends the
     // next.
     for (machine, frames, define) in [(ZONE, "2", ""), (BEAM, "1", "`define BEAM\n")] {
-        let folder = tempfile::tempdir().expect("a folder");
-        let (out, described) = emitted(folder.path(), &format!("{machine}{COMMON}{STREAM}"), &[]);
+        let place = Place::new();
+        let (out, described) = emitted(&place, &format!("{machine}{COMMON}{STREAM}"), "");
         let text = format!("{define}{}", BY_HAND.replace("FRAMES", frames));
         std::fs::write(out.join("by_hand.v"), text).expect("a file");
         let verilog = described["verilog"].as_str().expect("a name");
@@ -234,8 +202,8 @@ fn a_bench_written_by_hand_from_the_documents_finds_every_pixel() {
 
 #[test]
 fn the_words_are_where_the_description_says() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let (out, described) = emitted(folder.path(), &format!("{BEAM}{COMMON}"), &[]);
+    let place = Place::new();
+    let (out, described) = emitted(&place, &format!("{BEAM}{COMMON}"), "");
     let mut shading_of_beats = vec![];
     for described in described["words"].as_array().expect("files") {
         let path = out.join(described["file"].as_str().expect("a name"));

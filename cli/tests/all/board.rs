@@ -1,70 +1,61 @@
 //! `imogene board`: sources, pins and bitstream. Needs the package 'verilator', and under `IMOGENE_FULL=1` the tools of
 //! `scripts/setup --synth --boards`; fails without them.
 
-use crate::common::{imogene, json_in, refusal_in, scene};
+use crate::common::{Place, Run, imogene, is_full, repository, scene};
 use serde_json::Value;
-use std::path::Path;
 
-fn is_full() -> bool {
-    std::env::var("IMOGENE_FULL").is_ok_and(|value| value == "1")
+/// A board of a scene in the folder `out` of a place.
+fn board(place: &Place, name: &str, file: &str, options: &str) -> Value {
+    let scene = scene(file);
+    place.json(&format!("board {name} {scene} --out out {options}"))
 }
 
-fn board(name: &str, file: &str, options: &[&str], folder: &Path) -> Value {
-    let scene = scene(file).display().to_string();
-    let arguments = [&["board", name, &scene, "--out", "out"], options].concat();
-    json_in(&arguments, folder)
-}
-
-fn pictures_are_equal(folder: &Path, names: &[&str]) {
-    let read = |name: &str| std::fs::read(folder.join("out").join(name)).expect("a picture");
+fn pictures_are_equal(place: &Place, names: &[&str]) {
     for name in names {
-        assert!(read(name) == read("golden.png"), "{name}");
+        let picture = place.bytes(&format!("out/{name}"));
+        assert!(picture == place.bytes("out/golden.png"), "{name}");
     }
+}
+
+/// Pins showed so many frames of so many pixels, all as they must be.
+fn assert_shown(pins: &Value, pixels: u64) {
+    assert_eq!(pins["pixels"], pixels);
+    assert_eq!(pins["differing"], 0);
 }
 
 /// Whole: the words in a memory, the machine, DVI words, pairs of bits, pins; found again by a receiver.
 #[test]
 fn the_pins_of_a_simulated_board_show_the_golden_picture() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let options = ["--flat", "--mode", "160x120", "--samples"];
-    let found = board("simulation", "ellipsoid.toml", &options, folder.path());
+    let place = Place::new();
+    let options = "--flat --mode 160x120 --samples";
+    let found = board(&place, "simulation", "ellipsoid.toml", options);
     let pins = &found["pins"];
-    assert_eq!(
-        (&pins["pixels"], &pins["differing"]),
-        (&(2 * 19_200).into(), &0.into())
-    );
+    assert_shown(pins, 2 * 19_200);
     assert!(pins["words"].as_u64() > Some(2 * 19_200), "{pins}");
     assert!(pins["disparity"].as_i64() <= Some(8), "{pins}");
     assert_eq!(found["machine"]["lights"], 0);
-    pictures_are_equal(folder.path(), &["pins.png"]);
+    pictures_are_equal(&place, &["pins.png"]);
     // One byte for every bit, and the picture that it is compared with by others.
-    let samples = std::fs::metadata(folder.path().join("out/pins.bin")).expect("samples");
-    assert_eq!(
-        samples.len(),
-        10 * pins["clocks"].as_u64().expect("a number")
-    );
-    let golden = std::fs::metadata(folder.path().join("out/golden.rgb")).expect("a picture");
-    assert_eq!(golden.len(), 3 * 19_200);
+    let clocks = pins["clocks"].as_u64().expect("a number") as usize;
+    assert_eq!(place.bytes("out/pins.bin").len(), 10 * clocks);
+    assert_eq!(place.bytes("out/golden.rgb").len(), 3 * 19_200);
 }
 
 /// Colours from tables that stand in memory from the beginning, one for each set of lights: no word of them is sent.
 #[test]
 fn the_pins_of_a_board_show_colours_from_tables() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let options = ["--lit-sphere=16", "--mode", "160x120"];
+    let place = Place::new();
+    let options = "--lit-sphere=16 --mode 160x120";
     let scene = "shadows/ball-before-ball.toml";
-    let found = board("simulation", scene, &options, folder.path());
+    let found = board(&place, "simulation", scene, options);
     assert_eq!(found["pins"]["differing"], 0);
-    let machine = &found["machine"];
-    assert_eq!(machine["lights"], 1);
-    assert_eq!(
-        machine["lit_sphere"],
-        serde_json::json!({ "side": 16, "materials": 2 })
-    );
+    let tables = serde_json::json!({ "side": 16, "materials": 2 });
+    assert_eq!(found["machine"]["lit_sphere"], tables);
+    assert_eq!(found["machine"]["lights"], 1);
     let words = found["words"].as_u64().expect("a number");
     assert!(words < 200, "{words}");
-    pictures_are_equal(folder.path(), &["pins.png"]);
-    let page = std::fs::read_to_string(folder.path().join("out/board.md")).expect("a page");
+    pictures_are_equal(&place, &["pins.png"]);
+    let page = place.text("out/board.md");
     for part in [
         "(pins.png)",
         &format!("{words} words"),
@@ -78,25 +69,17 @@ fn the_pins_of_a_board_show_colours_from_tables() {
 /// Images in memory, each for as many frames of the screen as the scene says: from the first again behind the last.
 #[test]
 fn the_pins_of_a_board_show_an_animation() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let options = ["--flat", "--mode", "160x120", "--animation", "2..3"];
-    let found = board(
-        "simulation",
-        "animation/moon.toml",
-        &[&options[..], &["--frames", "14"]].concat(),
-        folder.path(),
-    );
+    let place = Place::new();
+    let options = "--flat --mode 160x120 --animation 2..3 --frames 14";
+    let found = board(&place, "simulation", "animation/moon.toml", options);
     assert_eq!(found["images"], 2);
     // 0.08 s at 60 frames a second.
     assert_eq!(found["frames_per_image"], 5);
     let pins = &found["pins"];
     // One black frame comes first.
     assert_eq!(pins["frames"], 15);
-    assert_eq!(
-        (&pins["pixels"], &pins["differing"]),
-        (&(15 * 19_200).into(), &0.into())
-    );
-    let golden = std::fs::read(folder.path().join("out/golden.png")).expect("a picture");
+    assert_shown(pins, 15 * 19_200);
+    let golden = place.bytes("out/golden.png");
     let decoder = png::Decoder::new(std::io::Cursor::new(golden));
     let mut reader = decoder.read_info().expect("a picture");
     let control = reader.info().animation_control.expect("an animation");
@@ -112,80 +95,69 @@ fn the_pins_of_a_board_show_an_animation() {
 
 #[test]
 fn sources_need_no_tool() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let options = ["--flat", "--sources-only"];
-    let scene = scene("ellipsoid.toml").display().to_string();
-    let mut command = imogene();
-    command.args(["board", "ulx3s-12", &scene, "--out", "out"]);
-    command
-        .args(options)
-        .env("PATH", "")
-        .current_dir(folder.path());
-    command.assert().success();
-    let read =
-        |name: &str| std::fs::read_to_string(folder.path().join("out").join(name)).expect("a file");
-    let core = read("ulx3s-12.core");
-    for part in [
-        "name: imogene:board:ulx3s-12:",
-        "flow: trellis",
-        "board.lpf: {file_type: LPF}",
-        "\"--12k\"",
+    let place = Place::new();
+    let scene = scene("ellipsoid.toml");
+    let line = format!("board ulx3s-12 {scene} --out . --flat --sources-only");
+    let mut command = imogene(&line);
+    Run::of(command.env("PATH", "").current_dir(place.folder())).ended(0);
+    for (file, parts) in [
+        (
+            "ulx3s-12.core",
+            &[
+                "name: imogene:board:ulx3s-12:",
+                "flow: trellis",
+                "board.lpf: {file_type: LPF}",
+                "\"--12k\"",
+            ][..],
+        ),
+        ("board.md", &["run imogene:board:ulx3s-12\n"]),
+        (
+            "board.lpf",
+            &[
+                "LOCATE COMP \"clock\" SITE \"G2\";",
+                "LOCATE COMP \"channel_3\" SITE \"A17\";",
+                "IOBUF PORT \"channel_0\" IO_TYPE=LVCMOS33D DRIVE=4;",
+                "FREQUENCY PORT \"clock\" 25 MHZ;",
+            ],
+        ),
+        (
+            "board.v",
+            &[
+                ".CLKI_DIV(7), .CLKFB_DIV(47)",
+                ".CLKOP_DIV(4)",
+                ".CLKOS_DIV(20)",
+                ".CLKOS2_DIV(3)",
+            ],
+        ),
     ] {
-        assert!(core.contains(part), "{part}: {core}");
-    }
-    assert!(read("board.md").contains("run imogene:board:ulx3s-12\n"));
-    let pins = read("board.lpf");
-    for line in [
-        "LOCATE COMP \"clock\" SITE \"G2\";",
-        "LOCATE COMP \"channel_3\" SITE \"A17\";",
-        "IOBUF PORT \"channel_0\" IO_TYPE=LVCMOS33D DRIVE=4;",
-        "FREQUENCY PORT \"clock\" 25 MHZ;",
-    ] {
-        assert!(pins.contains(line), "{line}: {pins}");
-    }
-    let verilog = read("board.v");
-    for divider in [
-        ".CLKI_DIV(7), .CLKFB_DIV(47)",
-        ".CLKOP_DIV(4)",
-        ".CLKOS_DIV(20)",
-        ".CLKOS2_DIV(3)",
-    ] {
-        assert!(verilog.contains(divider), "{divider}");
+        let text = place.text(file);
+        for part in parts {
+            assert!(text.contains(part), "{file}: {part}");
+        }
     }
 }
 
 /// The top level with the stated models of the cells, in Verilator.
 #[test]
 fn what_a_board_is_made_of_is_lint_clean() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let scene = scene("ellipsoid.toml").display().to_string();
-    let models = concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/../synth/board/src/top/models.v"
-    );
+    let place = Place::new();
+    let scene = scene("ellipsoid.toml");
+    let models = repository("synth/board/src/top/models.v");
     for board in ["ulx3s-12", "icebreaker", "hx8k-evb"] {
-        let mut command = imogene();
-        command.args(["board", board, &scene, "--sources-only", "--out", board]);
         // One machine for all of them.
-        let machine = folder.path().join("ulx3s-12/machine.toml");
-        match machine.exists() {
-            true => command.arg("--machine").arg(machine),
-            false => command.arg("--flat"),
+        let machine = match place.has("ulx3s-12/machine.toml") {
+            true => "--machine ulx3s-12/machine.toml",
+            false => "--flat",
         };
-        command.current_dir(folder.path()).assert().success();
+        let line = format!("board {board} {scene} --sources-only --out {board} {machine}");
+        place.run(&line).ended(0);
+        let lint = "--lint-only -Wall -Wno-DECLFILENAME --top-module board_top board.v -v";
         let lint = std::process::Command::new("verilator")
-            .args([
-                "--lint-only",
-                "-Wall",
-                "-Wno-DECLFILENAME",
-                "--top-module",
-                "board_top",
-                "board.v",
-            ])
-            .args(["-v", models])
+            .args(lint.split(' '))
+            .arg(&models)
             // Cells of the part have pins and parameters that this design has no use for.
             .args(["-Wno-PINMISSING", "-Wno-UNUSEDPARAM"])
-            .current_dir(folder.path().join(board))
+            .current_dir(place.path(board))
             .output()
             .expect("verilator, which scripts/setup installs");
         let said = String::from_utf8_lossy(&lint.stderr);
@@ -193,42 +165,35 @@ fn what_a_board_is_made_of_is_lint_clean() {
     }
 }
 
+/// A board of a scene is refused with a message that has these parts, and nothing is written.
+fn refused(scene_name: &str, line: &str, parts: &[&str]) {
+    let place = Place::new();
+    let line = line.replace("SCENE", &scene(scene_name));
+    place.run(&format!("board {line} --out out")).refused(parts);
+    assert!(!place.has("out"));
+}
+
 #[test]
 fn what_is_refused_says_what_would_do() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let cone = scene("cone.toml").display().to_string();
-    let refused = |more: &[&str]| {
-        let arguments = [&["board"], more, &["--out", "out"]].concat();
-        let said = refusal_in(&arguments, folder.path());
-        assert!(!folder.path().join("out").exists());
-        said
-    };
-    let said = refused(&["ulx3s-99", &cone]);
-    assert!(
-        said.contains("ulx3s-99") && said.contains("ulx3s-85"),
-        "{said}"
-    );
-    let said = refused(&["hx8k-evb", &cone, "--mode", "1280x720"]);
-    assert!(
-        said.contains("1280x720") && said.contains("it has 640x480"),
-        "{said}"
-    );
-    for (board, option, part) in [
-        ("tinytapeout", "--animation=1..2", "a tile moves by itself"),
-        ("ulx3s-12", "--layout", "for a tile"),
-        ("hx8k-evb", "--samples", "DVI channels"),
+    let zone = repository("machines/zone-160x120.toml");
+    let with_zone = format!("simulation SCENE --machine {}", zone.display());
+    for (line, parts) in [
+        ("ulx3s-99 SCENE", ["ulx3s-99", "ulx3s-85"]),
+        (
+            "hx8k-evb SCENE --mode 1280x720",
+            ["1280x720", "it has 640x480"],
+        ),
+        (
+            "tinytapeout SCENE --animation=1..2",
+            ["tinytapeout", "a tile moves by itself"],
+        ),
+        ("ulx3s-12 SCENE --layout", ["ulx3s-12", "for a tile"]),
+        ("hx8k-evb SCENE --samples", ["hx8k-evb", "DVI channels"]),
+        ("simulation SCENE --animation 1..2", ["cone.toml", "image"]),
+        (&with_zone, ["zone-160x120", "a board takes a beam machine"]),
     ] {
-        let said = refused(&[board, &cone, option]);
-        assert!(said.contains(board) && said.contains(part), "{said}");
+        refused("cone.toml", line, &parts);
     }
-    let said = refused(&["simulation", &cone, "--animation", "1..2"]);
-    assert!(
-        said.contains("cone.toml") && said.contains("image"),
-        "{said}"
-    );
-    let zone = concat!(env!("CARGO_MANIFEST_DIR"), "/../machines/zone-160x120.toml");
-    let said = refused(&["simulation", &cone, "--machine", zone]);
-    assert!(said.contains("a board takes a beam machine"), "{said}");
 }
 
 /// What is in the part, not what was meant: a whole frame out of the bitstream of an iCE40, and out of the routed cells
@@ -238,25 +203,16 @@ fn what_is_in_the_part_shows_the_golden_picture() {
     if !is_full() {
         return;
     }
-    in_the_part("hx8k-evb", "bitstream");
-    in_the_part("ulx3s-12", "netlist");
-}
-
-fn in_the_part(name: &str, witness: &str) {
-    let folder = tempfile::tempdir().expect("a folder");
-    let found = board(name, "ellipsoid.toml", &["--flat"], folder.path());
-    for pins in [&found["pins"], &found[witness]] {
-        assert_eq!(
-            (&pins["pixels"], &pins["differing"]),
-            (&(2 * 307_200).into(), &0.into())
-        );
+    for (name, witness) in [("hx8k-evb", "bitstream"), ("ulx3s-12", "netlist")] {
+        let place = Place::new();
+        let found = board(&place, name, "ellipsoid.toml", "--flat");
+        assert_shown(&found["pins"], 2 * 307_200);
+        assert_shown(&found[witness], 2 * 307_200);
+        let clock = &found["routed"]["clocks"][0];
+        let [achieved, wanted] = ["achieved_mhz", "wanted_mhz"].map(|key| clock[key].as_f64());
+        assert!(achieved > wanted, "{clock}");
+        pictures_are_equal(&place, &["pins.png", &format!("{witness}.png")]);
     }
-    let clock = &found["routed"]["clocks"][0];
-    assert!(
-        clock["achieved_mhz"].as_f64() > clock["wanted_mhz"].as_f64(),
-        "{clock}"
-    );
-    pictures_are_equal(folder.path(), &["pins.png", &format!("{witness}.png")]);
 }
 
 /// The shading processor takes more than the part has: that is said, and nothing is written.
@@ -265,44 +221,18 @@ fn a_machine_that_does_not_fit_is_refused_with_what_runs_out() {
     if !is_full() {
         return;
     }
-    let folder = tempfile::tempdir().expect("a folder");
-    let cone = scene("cone.toml").display().to_string();
-    let arguments = [
-        "board",
-        "hx8k-evb",
-        &cone,
-        "--no-simulation",
-        "--out",
-        "out",
-    ];
-    let said = refusal_in(&arguments, folder.path());
-    assert!(
-        said.contains("does not fit hx8k ct256: it takes") && said.contains("of 7680"),
-        "{said}"
-    );
-    assert!(said.contains("--flat"), "{said}");
-    assert!(!folder.path().join("out").exists());
+    let excess = "does not fit hx8k ct256: it takes";
+    let parts = [excess, "of 7680", "--flat"];
+    refused("cone.toml", "hx8k-evb SCENE --no-simulation", &parts);
 }
 
 #[test]
 fn a_tile_shows_its_golden_frames_and_has_the_files_of_its_project() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let found = board(
-        "tinytapeout",
-        "ellipsoid.toml",
-        &["--no-bitstream"],
-        folder.path(),
-    );
-    let pins = &found["pins"];
-    assert_eq!(pins["frames"], 3);
-    assert_eq!(
-        (&pins["pixels"], &pins["differing"]),
-        (&(3 * 307_200).into(), &0.into())
-    );
-    let read = |name: &str| {
-        let path = folder.path().join("out").join(name);
-        std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{name}: {error}"))
-    };
+    let place = Place::new();
+    let found = board(&place, "tinytapeout", "ellipsoid.toml", "--no-bitstream");
+    assert_eq!(found["pins"]["frames"], 3);
+    assert_shown(&found["pins"], 3 * 307_200);
+    let read = |name: &str| place.text(&format!("out/{name}"));
     let info = read("info.yaml");
     for line in [
         "tiles: \"1x2\"",
@@ -322,28 +252,18 @@ fn a_tile_shows_its_golden_frames_and_has_the_files_of_its_project() {
     serde_json::from_str::<Value>(&read("src/config.json")).expect("JSON");
     assert!(read("test/test.py").contains("COLOURS = [[4, 0], [5, 1], [6, 2]]"));
     for number in 0..3 {
-        let reference = folder
-            .path()
-            .join(format!("out/test/reference/frame{number}.png"));
-        assert!(reference.is_file(), "frame {number}");
+        let reference = format!("out/test/reference/frame{number}.png");
+        assert!(place.has(&reference), "frame {number}");
     }
 }
 
 #[test]
 fn what_a_tile_cannot_draw_is_refused() {
-    let scene = scene("cut-sphere.toml").display().to_string();
-    let arguments = [
-        "board",
-        "tinytapeout",
-        &scene,
-        "--sources-only",
-        "--out",
-        "out",
-    ];
-    let said = refusal_in(&arguments, Path::new("."));
-    assert!(
-        said.contains("at most 3 planes; the scene has 2 objects"),
-        "{said}"
+    let parts = ["at most 3 planes; the scene has 2 objects"];
+    refused(
+        "cut-sphere.toml",
+        "tinytapeout SCENE --sources-only",
+        &parts,
     );
 }
 
@@ -353,24 +273,12 @@ fn the_cells_of_a_tile_show_the_golden_frames() {
     if !is_full() {
         return;
     }
-    let folder = tempfile::tempdir().expect("a folder");
-    let found = board(
-        "tinytapeout",
-        "ellipsoid.toml",
-        &["--layout"],
-        folder.path(),
-    );
+    let found = board(&Place::new(), "tinytapeout", "ellipsoid.toml", "--layout");
     assert!(found["percent_of_tiles"].as_f64() < Some(80.0), "{found}");
     for kind in ["gate_pins", "layout_pins"] {
-        let pins = &found[kind];
-        let shown = (&pins["frames"], &pins["differing"]);
-        assert_eq!(shown, (&3.into(), &0.into()), "{kind}");
+        assert_eq!(found[kind]["frames"], 3, "{kind}");
+        assert_eq!(found[kind]["differing"], 0, "{kind}");
     }
-    assert_eq!(
-        (
-            &found["layout"]["unrouted"],
-            &found["layout"]["differences"]
-        ),
-        (&0.into(), &0.into())
-    );
+    assert_eq!(found["layout"]["unrouted"], 0);
+    assert_eq!(found["layout"]["differences"], 0);
 }

@@ -1,106 +1,52 @@
 //! `imogene check` and `bounds`: guard bits, random cases, headroom.
 
-use crate::common::{assert_keys, json, scene};
+use crate::common::{assert_keys, json};
 
 #[test]
 fn guard_bits_sharpen_the_bounds_of_a_check() {
-    let cone = scene("cone.toml");
     let depth = |guards: &str| {
-        let report = json(&[
-            "check",
-            cone.to_str().unwrap(),
-            "--size",
-            "96x72",
-            "--guards",
-            guards,
-        ]);
-        report["objects"][0]["bounds"]["f2"].as_f64().unwrap()
+        let line = format!("check scenes/cone.toml --size 96x72 --guards {guards}");
+        json(&line)["objects"][0]["bounds"]["f2"].as_f64().unwrap()
     };
     assert!(depth("2:4") < depth("0:0") / 4.0);
 }
 
 #[test]
 fn bounds_hold_on_random_cases() {
-    let trial = json(&["bounds", "--cases", "300", "--seed", "5"]);
-    assert_eq!(
-        (&trial["violations"], &trial["cases"]),
-        (&0.into(), &300.into())
-    );
+    let trial = json("bounds --cases 300 --seed 5");
+    assert_eq!(trial["violations"], 0);
+    assert_eq!(trial["cases"], 300);
     let formats = trial["formats"].as_array().unwrap();
     assert!(formats.len() >= 8);
     for format in formats {
         assert_keys(
             format,
-            &[
-                "depth",
-                "guard_linear",
-                "guard_quadratic",
-                "pixels",
-                "decided_exactly",
-            ],
+            "depth guard_linear guard_quadratic pixels decided_exactly",
         );
         assert_eq!(format["cases"], 300);
         for term in format["terms"].as_array().unwrap() {
-            assert_keys(
-                term,
-                &[
-                    "term",
-                    "comparisons",
-                    "tightness",
-                    "mean",
-                    "observed",
-                    "bound",
-                ],
-            );
+            assert_keys(term, "term comparisons tightness mean observed bound");
         }
     }
-    assert_eq!(
-        trial,
-        json(&["bounds", "--cases", "300", "--seed", "5"]),
-        "not reproducible"
-    );
+    let again = json("bounds --cases 300 --seed 5");
+    assert_eq!(trial, again, "not reproducible");
 }
 
 #[test]
 fn headroom_of_scenes_is_a_table() {
-    let (cone, ellipsoid) = (scene("cone.toml"), scene("ellipsoid.toml"));
-    let rows = json(&[
-        "bounds",
-        cone.to_str().unwrap(),
-        ellipsoid.to_str().unwrap(),
-        "--sizes",
-        "64x48,32x24",
-        "--formats",
-        "16,24",
-    ]);
+    let scenes = "scenes/cone.toml scenes/ellipsoid.toml";
+    let rows = json(&format!(
+        "bounds {scenes} --sizes 64x48,32x24 --formats 16,24"
+    ));
     let summary = rows["summary"].as_array().unwrap();
     assert_eq!(summary.len(), 4);
-    assert_keys(
-        &summary[0],
-        &[
-            "width",
-            "depth_word",
-            "silhouette_errors",
-            "derived",
-            "confirmed",
-        ],
-    );
+    let keys = "width depth_word silhouette_errors derived confirmed";
+    assert_keys(&summary[0], keys);
     let rows = rows["scenes"].as_array().unwrap();
     assert_eq!(rows.len(), 8);
     for row in rows {
-        assert_keys(
-            row,
-            &[
-                "scene",
-                "width",
-                "depth_word",
-                "silhouette_errors",
-                "derived",
-                "confirmed",
-                "depth_max_lsb",
-                "depth_rms_lsb",
-            ],
-        );
+        assert_keys(row, keys);
+        assert_keys(row, "scene depth_max_lsb depth_rms_lsb");
     }
     // Longer words need fewer guard bits: 16 bits more of f2.
     let derived = |row: usize| rows[row]["derived"].as_i64().unwrap();

@@ -1,24 +1,14 @@
 //! The tables of `docs/error-bounds.md` are those that the command prints.
 
-use crate::common::{imogene, scene};
-use std::path::PathBuf;
-
-/// As `scripts/test --full` sets it.
-fn full() -> bool {
-    std::env::var("IMOGENE_FULL").is_ok_and(|value| value == "1")
-}
+use crate::common::{is_full, repository, run, scene};
 
 fn page() -> String {
-    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../docs/error-bounds.md");
-    std::fs::read_to_string(path).expect("the page")
+    std::fs::read_to_string(repository("docs/error-bounds.md")).expect("the page")
 }
 
 /// The lines of the tables that a command prints, without heads.
-fn rows(arguments: &[String]) -> Vec<String> {
-    let output = imogene().arg("bounds").args(arguments).output().unwrap();
-    let message = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(output.status.success(), "{message}");
-    let text = String::from_utf8(output.stdout).unwrap();
+fn rows(arguments: &str) -> Vec<String> {
+    let text = run(&format!("bounds {arguments}")).ended(0).out;
     text.lines()
         .filter(|l| l.starts_with("| ") && l.contains(|c: char| c.is_ascii_digit()))
         .filter(|l| !l.contains("depth word") && !l.contains("violations"))
@@ -47,13 +37,12 @@ fn scenes_are_documented_as_they_are() {
         .collect();
     files.sort();
     let count = files.len();
-    let sizes = if full() {
+    let sizes = if is_full() {
         "160x120,320x240,640x480,1024x768"
     } else {
         "160x120,320x240"
     };
-    files.extend(["--sizes".into(), sizes.into()]);
-    let rows = rows(&files);
+    let rows = rows(&format!("{} --sizes {sizes}", files.join(" ")));
     let sizes = sizes.split(',').count();
     assert_eq!(rows.len(), 3 * sizes + 3 * sizes * count);
     let (summary, scenes) = rows.split_at(3 * sizes);
@@ -68,10 +57,10 @@ fn scenes_are_documented_as_they_are() {
 /// these formats.
 #[test]
 fn the_trial_is_documented_as_it_is() {
-    let cases = if full() { "1000000" } else { "100" };
-    let rows = rows(&["--cases".into(), cases.into()]);
+    let cases = if is_full() { "1000000" } else { "100" };
+    let rows = rows(&format!("--cases {cases}"));
     assert!(rows.len() >= 8);
-    if full() {
+    if is_full() {
         assert_documented(&rows);
     }
     let page = page();

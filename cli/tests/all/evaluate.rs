@@ -1,20 +1,8 @@
 //! `imogene evaluate`: every row is counted, the page of the documentation is what the command makes, and what must
 //! hold between the rows holds.
 
-use crate::common::{imogene, said};
+use crate::common::{Place, repository, run};
 use serde_json::Value;
-use std::path::PathBuf;
-
-fn docs(name: &str) -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
-        .join("../docs")
-        .join(name)
-}
-
-fn run(arguments: &[&str]) -> (Option<i32>, String, String) {
-    let output = imogene().arg("evaluate").args(arguments).output().unwrap();
-    said(output)
-}
 
 fn groups(report: &Value) -> Vec<&Value> {
     report["groups"].as_array().unwrap().iter().collect()
@@ -37,27 +25,21 @@ fn ours(report: &Value, group: &str, name: &str) -> f64 {
 
 #[test]
 fn the_page_of_the_documentation_is_what_the_command_makes() {
-    let folder = tempfile::tempdir().unwrap();
-    let (code, out, error) = run(&["--json", "--out", folder.path().to_str().unwrap()]);
-    assert_eq!(code, Some(0), "{error}");
-    let report: Value = serde_json::from_str(&out).unwrap();
-    let made = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
-    assert_eq!(
-        made("evaluation.md"),
-        std::fs::read_to_string(docs("evaluation.md")).unwrap(),
-        "docs/evaluation.md is not what `imogene evaluate --out DIR` makes"
-    );
-    for picture in ["images/duplication.svg", "images/operations.svg"] {
-        assert_eq!(
-            made(picture),
-            std::fs::read_to_string(docs(picture)).unwrap(),
-            "docs/{picture} is not what `imogene evaluate --out DIR` makes"
-        );
+    let place = Place::new();
+    let report = place.json("evaluate --out .");
+    for name in [
+        "evaluation.md",
+        "images/duplication.svg",
+        "images/operations.svg",
+    ] {
+        let shown = std::fs::read_to_string(repository("docs").join(name)).unwrap();
+        let makes = "is not what `imogene evaluate --out DIR` makes";
+        assert_eq!(place.text(name), shown, "docs/{name} {makes}");
     }
-    let figures: Value = serde_json::from_str(&made("evaluation.json")).unwrap();
+    let figures: Value = serde_json::from_str(&place.text("evaluation.json")).unwrap();
     assert_eq!(figures["groups"], report["groups"]);
     assert_eq!(report["files"].as_array().unwrap().len(), 5);
-    let page = made("index.html");
+    let page = place.text("index.html");
     for row in rows(&report) {
         let name = row["name"].as_str().unwrap();
         assert!(page.contains(&format!("<td>{name}</td>")), "{name}");
@@ -154,21 +136,20 @@ fn assert_relations(report: &Value) {
 
 #[test]
 fn tables_are_printed_without_a_folder() {
-    let (code, out, error) = run(&[]);
-    assert_eq!(code, Some(0), "{error}");
+    let out = run("evaluate").ended(0).out;
     assert!(out.starts_with("# Evaluation"));
-    assert!(
-        out.contains("| what | printed | corrected | ours |")
-            && out.contains("## Printed and not counted")
-    );
+    for part in [
+        "| what | printed | corrected | ours |",
+        "## Printed and not counted",
+    ] {
+        assert!(out.contains(part), "{part}");
+    }
 }
 
 #[test]
 fn a_folder_that_cannot_be_made_is_bad_input() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("file");
-    std::fs::write(&file, "").unwrap();
-    let (code, out, error) = run(&["--out", file.join("sub").to_str().unwrap()]);
-    assert_eq!((code, out.as_str()), (Some(2), ""));
-    assert!(error.contains("file"), "{error}");
+    let place = Place::new();
+    place.write("file", "");
+    let refused = place.run("evaluate --out file/sub").refused(&["file"]);
+    assert_eq!(refused.out, "");
 }

@@ -1,39 +1,15 @@
 //! `imogene render` on animations: frames, cameras, and what a failing frame leaves.
 
-use crate::common::{imogene, scene};
-use std::fs;
-use std::path::{Path, PathBuf};
+use crate::common::{Place, Run, json, names_in, scene};
 
-fn frames(scene: &Path, out: &Path, more: &[&str]) -> assert_cmd::assert::Assert {
-    let mut command = imogene();
-    command.args(["--json", "render"]).arg(scene);
-    command.args(["--size", "64x48", "-o"]).arg(out).args(more);
-    command.assert()
-}
-
-fn stderr(assert: &assert_cmd::assert::Assert) -> String {
-    String::from_utf8(assert.get_output().stderr.clone()).unwrap()
-}
-
-fn json(assert: &assert_cmd::assert::Assert) -> serde_json::Value {
-    serde_json::from_slice(&assert.get_output().stdout).unwrap()
-}
-
-fn names(folder: &Path) -> Vec<String> {
-    let entries = fs::read_dir(folder).unwrap();
-    let name = |entry: std::io::Result<fs::DirEntry>| entry.unwrap().file_name();
-    let mut names: Vec<String> = entries
-        .map(|entry| name(entry).into_string().unwrap())
-        .collect();
-    names.sort();
-    names
+/// Frames of a scene, drawn in a folder.
+fn frames(place: &Place, scene: &str, more: &str) -> Run {
+    place.run(&format!("--json render {scene} --size 64x48 {more}"))
 }
 
 /// A sheet that comes nearer with every frame: in the second it is where the viewer is, from where a mesh cannot be
 /// drawn.
-fn through_the_viewer(folder: &Path) -> PathBuf {
-    let path = folder.join("nearer.toml");
-    let text = r#"
+const THROUGH_THE_VIEWER: &str = r#"
 format = 1
 title = "nearer"
 [camera]
@@ -75,16 +51,21 @@ steps = 4
 duration = 0.1
 actions = [{ target = "sheet", translate = [-4, 0, 20] }]
 "#;
-    fs::write(&path, text).unwrap();
-    path
+
+/// A folder with that scene in it.
+fn place() -> Place {
+    let place = Place::new();
+    place.write("nearer.toml", THROUGH_THE_VIEWER);
+    place
 }
 
 #[test]
 fn frames_preview_and_report_are_written() {
-    let folder = tempfile::tempdir().unwrap();
-    let out = folder.path().join("moon");
-    let report =
-        json(&frames(&scene("animation/moon.toml"), &out, &["--frames", "5..7"]).success());
+    let place = Place::new();
+    let moon = scene("animation/moon.toml");
+    let report = frames(&place, &moon, "-o moon --frames 5..7")
+        .ended(0)
+        .json();
     let wanted = [
         "animation.png",
         "frame-0005.png",
@@ -92,9 +73,8 @@ fn frames_preview_and_report_are_written() {
         "frame-0007.png",
         "frames.json",
     ];
-    assert_eq!(names(&out), wanted);
-    let kept: serde_json::Value =
-        serde_json::from_slice(&fs::read(out.join("frames.json")).unwrap()).unwrap();
+    assert_eq!(names_in(&place.path("moon")), wanted);
+    let kept: serde_json::Value = serde_json::from_str(&place.text("moon/frames.json")).unwrap();
     assert_eq!(kept, report);
     let list = report["frames"].as_array().unwrap();
     assert_eq!(list.len(), 3);
@@ -107,97 +87,91 @@ fn frames_preview_and_report_are_written() {
     // The planet stands still, the moon moves.
     assert_eq!(report["objects_prepared"], 4);
     assert_eq!(report["objects_reused"], 2);
-    let preview = fs::read(out.join("animation.png")).unwrap();
+    let preview = place.bytes("moon/animation.png");
     let chunks = |name: &[u8]| preview.windows(4).filter(|w| *w == name).count();
     assert_eq!((chunks(b"acTL"), chunks(b"fcTL")), (1, 3));
 }
 
 #[test]
 fn a_frame_is_the_picture_of_that_frame_alone() {
-    let folder = tempfile::tempdir().unwrap();
-    let out = folder.path().join("moon");
+    let place = Place::new();
     let moon = scene("animation/moon.toml");
-    frames(&moon, &out, &["--frames", "1..3"]).success();
-    let alone = folder.path().join("alone.png");
-    frames(&moon, &alone, &["--frame", "3"]).success();
-    let third = fs::read(out.join("frame-0003.png")).unwrap();
-    assert_eq!(third, fs::read(&alone).unwrap());
-    assert!(third != fs::read(out.join("frame-0002.png")).unwrap());
+    frames(&place, &moon, "-o moon --frames 1..3").ended(0);
+    frames(&place, &moon, "-o alone.png --frame 3").ended(0);
+    let third = place.bytes("moon/frame-0003.png");
+    assert_eq!(third, place.bytes("alone.png"));
+    assert!(third != place.bytes("moon/frame-0002.png"));
 }
 
 #[test]
 fn a_frame_that_cannot_be_drawn_is_named_and_leaves_nothing_half_written() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = through_the_viewer(folder.path());
-    let out = folder.path().join("out");
-    let refused = frames(&file, &out, &["--frames", "--strict"]).code(2);
-    let message = stderr(&refused);
-    for part in [
+    let place = place();
+    let refused = frames(&place, "nearer.toml", "-o out --frames --strict");
+    refused.refused(&[
         "nearer.toml: frame 2",
         "image `approach`, frame 2 of 4",
         "sheet",
-    ] {
-        assert!(message.contains(part), "{part}: {message}");
-    }
-    assert!(!out.exists());
+    ]);
+    assert!(!place.has("out"));
 }
 
 #[test]
 fn a_camera_is_chosen_by_its_name() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = through_the_viewer(folder.path());
-    let [front, named, side] = ["front", "named", "side"].map(|n| folder.path().join(n));
-    frames(&file, &front, &[]).success();
-    frames(&file, &named, &["--camera", "front"]).success();
-    frames(&file, &side, &["--camera", "side"]).success();
-    let [front, named, side] = [front, named, side].map(|path| fs::read(path).unwrap());
-    assert_eq!(front, named);
-    assert!(front != side);
-    let out = folder.path().join("none.png");
-    let refused = frames(&file, &out, &["--camera", "top"]).code(2);
-    let message = stderr(&refused);
-    assert!(
-        message.contains("`top` is not a camera of this scene; the scene has `front`, `side`"),
-        "{message}"
-    );
-    assert!(!out.exists());
+    let place = place();
+    let picture = |camera: &str| {
+        frames(&place, "nearer.toml", &format!("-o p.png {camera}")).ended(0);
+        place.bytes("p.png")
+    };
+    let front = picture("");
+    assert_eq!(front, picture("--camera front"));
+    assert!(front != picture("--camera side"));
+    let refused = frames(&place, "nearer.toml", "-o none.png --camera top");
+    refused.refused(&["`top` is not a camera of this scene; the scene has `front`, `side`"]);
+    assert!(!place.has("none.png"));
 }
 
 /// A frame is a scene for the hardware and the oracles too: its golden picture is another than that of the scene as it
 /// is written.
 #[test]
 fn a_frame_is_a_scene_of_its_own_for_other_commands() {
-    let moon = scene("animation/moon.toml");
-    let of = |command: &str, frame: Option<&str>| {
-        let mut run = imogene();
-        run.args(["--json", command]).arg(&moon);
-        run.args(["--size", "32x24"]);
-        run.args(frame.map(|number| ["--frame", number]).iter().flatten());
-        json(&run.assert().success())
+    let of = |command: &str, frame: &str| {
+        json(&format!(
+            "{command} scenes/animation/moon.toml --size 32x24 {frame}"
+        ))
     };
-    let report = of("cosim", Some("4"));
+    let report = of("cosim", "--frame 4");
     assert_eq!(report["mismatches"], 0);
     let command = report["reproduce"].as_str().expect("a command");
     assert!(command.ends_with("--frame 4"), "{command}");
-    assert_ne!(report["pixels"], of("cosim", None)["pixels"]);
+    assert_ne!(report["pixels"], of("cosim", "")["pixels"]);
     let covered = |frame| of("trace", frame)["scenes"][0]["comparison"]["covered"].clone();
-    assert_ne!(covered(Some("4")), covered(None));
+    assert_ne!(covered("--frame 4"), covered(""));
 }
 
 #[test]
 fn frames_that_there_are_not_are_refused() {
-    let folder = tempfile::tempdir().unwrap();
-    let out = folder.path().join("out");
-    let moon = scene("animation/moon.toml");
-    let refused = frames(&moon, &out, &["--frames", "20..25"]).code(2);
-    assert!(stderr(&refused).contains("the animation has 24 frames"));
-    let refused = frames(&moon, &out, &["--frame", "25"]).code(2);
-    assert!(stderr(&refused).contains("a number from 1 to 24"));
-    let refused = frames(&scene("teapot.toml"), &out, &["--frames"]).code(2);
-    assert!(stderr(&refused).contains("the scene has no images to play"));
-    let refused = frames(&moon, &out, &["--frames", "7..3"]).code(2);
-    assert!(stderr(&refused).contains("'7..3' is no range of frames"));
-    let refused = frames(&moon, &out, &["--frames", "1", "--model", "rtl"]).code(2);
-    assert!(stderr(&refused).contains("--model golden or exact"));
-    assert!(!out.exists());
+    let place = Place::new();
+    for (name, options, part) in [
+        (
+            "animation/moon",
+            "--frames 20..25",
+            "the animation has 24 frames",
+        ),
+        ("animation/moon", "--frame 25", "a number from 1 to 24"),
+        ("teapot", "--frames", "the scene has no images to play"),
+        (
+            "animation/moon",
+            "--frames 7..3",
+            "'7..3' is no range of frames",
+        ),
+        (
+            "animation/moon",
+            "--frames 1 --model rtl",
+            "--model golden or exact",
+        ),
+    ] {
+        let scene = scene(&format!("{name}.toml"));
+        frames(&place, &scene, &format!("-o out {options}")).refused(&[part]);
+        assert!(!place.has("out"));
+    }
 }

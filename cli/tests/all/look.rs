@@ -1,24 +1,20 @@
 //! `--view`, `--rotate`, `--fit`, `--samples` of `render` and `import`, and pictures sampled elsewhere in their pixels.
 
-use crate::common::{imogene, said, scene};
+use crate::common::{Place, repository, run};
+use imogene_studies::picture::read_png;
 use std::path::{Path, PathBuf};
 
-fn run(arguments: &[&str]) {
-    let (code, _, message) = said(imogene().args(arguments).output().unwrap());
-    assert_eq!(code, Some(0), "{arguments:?}: {message}");
+fn scene(name: &str) -> PathBuf {
+    repository("scenes").join(name)
 }
 
 /// The indices of a picture's objects.
-fn ids(scene: &Path, (width, height): (usize, usize), options: &[&str]) -> Vec<i32> {
-    let folder = tempfile::tempdir().unwrap();
-    let [png, npy] = ["p.png", "i.npy"].map(|name| folder.path().join(name));
-    let size = format!("{width}x{height}");
-    let files = [scene, &png, &npy].map(|path| path.to_str().unwrap());
-    let fixed = [
-        "render", files[0], "-o", files[1], "--ids", files[2], "--size", &size,
-    ];
-    run(&[&fixed[..], options].concat());
-    let bytes = std::fs::read(npy).unwrap();
+fn ids(scene: &Path, (width, height): (usize, usize), options: &str) -> Vec<i32> {
+    let place = Place::new();
+    let scene = scene.display();
+    let line = format!("render {scene} --ids i.npy --size {width}x{height} -o p.png {options}");
+    place.run(&line).ended(0);
+    let bytes = place.bytes("i.npy");
     let words = bytes[bytes.len() - 4 * width * height..].chunks_exact(4);
     words
         .map(|w| i32::from_le_bytes(w.try_into().unwrap()))
@@ -26,20 +22,12 @@ fn ids(scene: &Path, (width, height): (usize, usize), options: &[&str]) -> Vec<i
 }
 
 /// The colours of a picture, red, green and blue.
-fn colours(scene: &Path, size: &str, options: &[&str]) -> Vec<u8> {
-    let folder = tempfile::tempdir().unwrap();
-    let png = folder.path().join("p.png");
-    let files = [scene, &png].map(|path| path.to_str().unwrap());
-    run(&[
-        &["render", files[0], "-o", files[1], "--size", size],
-        options,
-    ]
-    .concat());
-    let file = std::io::BufReader::new(std::fs::File::open(png).unwrap());
-    let mut reader = png::Decoder::new(file).read_info().unwrap();
-    let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
-    reader.next_frame(&mut pixels).unwrap();
-    pixels
+fn colours(scene: &Path, size: &str, options: &str) -> Vec<u8> {
+    let place = Place::new();
+    let scene = scene.display();
+    let line = format!("render {scene} --size {size} -o p.png {options}");
+    place.run(&line).ended(0);
+    read_png(&place.path("p.png")).unwrap().1
 }
 
 /// A scene with a line more in its camera.
@@ -77,7 +65,6 @@ fn filled(ids: &[i32], what: &str) -> f64 {
 #[test]
 fn a_fitted_scene_fills_the_picture_and_is_whole() {
     let folder = tempfile::tempdir().unwrap();
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mut scenes: Vec<PathBuf> = [
         "teapot.toml",
         "orthographic.toml",
@@ -94,29 +81,18 @@ fn a_fitted_scene_fills_the_picture_and_is_whole() {
         "parts/cross-drilled.step",
         "scenes/molecules/helix.pdb",
     ] {
-        let written = folder
-            .path()
-            .join(Path::new(part).with_extension("toml").file_name().unwrap());
-        let file = root.join(part);
-        run(&[
-            "import",
-            file.to_str().unwrap(),
-            "-o",
-            written.to_str().unwrap(),
-        ]);
+        let name = Path::new(part).with_extension("toml");
+        let written = folder.path().join(name.file_name().unwrap());
+        run(&format!("import {part} -o {}", written.display())).ended(0);
         // Importers fit their pictures to what they write.
-        let filled = filled(&ids(&written, SIZE, &[]), part);
+        let filled = filled(&ids(&written, SIZE, ""), part);
         assert!((0.9..=1.0).contains(&filled), "{part}: {filled}");
         scenes.push(written);
     }
     for file in &scenes {
-        for view in [
-            &[][..],
-            &["--view", "iso"],
-            &["--view", "back", "--rotate", "20,-35,10"],
-        ] {
-            let options = [&["--fit"], view].concat();
-            let what = format!("{} {options:?}", file.display());
+        for view in ["", "--view iso", "--view back --rotate 20,-35,10"] {
+            let options = format!("--fit {view}");
+            let what = format!("{} {options}", file.display());
             let filled = filled(&ids(file, SIZE, &options), &what);
             assert!((0.9..=1.0).contains(&filled), "{what}: {filled}");
         }
@@ -125,29 +101,22 @@ fn a_fitted_scene_fills_the_picture_and_is_whole() {
 
 #[test]
 fn import_writes_the_camera_it_is_asked_for() {
-    let folder = tempfile::tempdir().unwrap();
-    let part = Path::new(env!("CARGO_MANIFEST_DIR")).join("../parts/flange.step");
-    let part = part.to_str().unwrap();
-    let import = |name: &str, options: &[&str]| {
-        let path = folder.path().join(name);
-        run(&[&["import", part, "-o", path.to_str().unwrap()], options].concat());
-        let text = std::fs::read_to_string(path).unwrap();
-        let scene: toml::Table = toml::from_str(&text).unwrap();
-        let camera = scene["camera"].as_table().unwrap().clone();
+    let place = Place::new();
+    let part = repository("parts/flange.step");
+    let import = |options: &str| {
+        let line = format!("import {} -o a.toml {options}", part.display());
+        place.run(&line).ended(0);
+        let scene: toml::Table = toml::from_str(&place.text("a.toml")).unwrap();
         ["eye", "target", "up"].map(|key| -> Vec<f64> {
-            let numbers = camera[key].as_array().unwrap().iter();
-            numbers
-                .map(|v| {
-                    v.as_float()
-                        .unwrap_or_else(|| v.as_integer().unwrap() as f64)
-                })
-                .collect()
+            let number = |v: &toml::Value| v.clone().try_into::<f64>();
+            let numbers = scene["camera"][key].as_array().unwrap().iter();
+            numbers.map(|v| number(v).unwrap()).collect()
         })
     };
-    let [eye, target, _] = import("plain.toml", &[]);
+    let [eye, target, _] = import("");
     let squares = eye.iter().zip(&target).map(|(e, t)| (e - t).powi(2));
     let distance = squares.sum::<f64>().sqrt();
-    let [eye, same, up] = import("front.toml", &["--view", "front"]);
+    let [eye, same, up] = import("--view front");
     // A part has z up: its front is seen from -y.
     assert_eq!((&same, up), (&target, vec![0.0, 0.0, 1.0]));
     assert_eq!([eye[0], eye[2]], [target[0], target[2]]);
@@ -170,7 +139,7 @@ fn samples_are_the_mean_of_shifted_pictures() {
         for y in &places {
             for x in &places {
                 let shifted = with_key(&file, &format!("sample_at = [{x}, {y}]"), folder.path());
-                for (sum, value) in sums.iter_mut().zip(colours(&shifted, "64x48", &[])) {
+                for (sum, value) in sums.iter_mut().zip(colours(&shifted, "64x48", "")) {
                     *sum += u32::from(value);
                 }
             }
@@ -180,14 +149,14 @@ fn samples_are_the_mean_of_shifted_pictures() {
             .iter()
             .map(|s| ((s + passes / 2) / passes) as u8)
             .collect();
-        let plain = colours(&file, "64x48", &[]);
-        let drawn = colours(&file, "64x48", &["--samples", count]);
+        let plain = colours(&file, "64x48", "");
+        let drawn = colours(&file, "64x48", &format!("--samples {count}"));
         assert!(drawn == mean, "{name}");
         assert_ne!(drawn, plain);
         let size = (64, 48);
         assert_eq!(
-            ids(&file, size, &["--samples", count]),
-            ids(&file, size, &[])
+            ids(&file, size, &format!("--samples {count}")),
+            ids(&file, size, "")
         );
     }
 }
@@ -214,20 +183,17 @@ fn half_pixels_are_the_odd_pixels_of_the_double_size() {
     std::fs::write(&wide, text).unwrap();
     for file in [scene("teapot.toml"), scene("orthographic.toml"), wide] {
         let half = with_key(&file, "sample_at = [0.5, 0.5]", folder.path());
-        let exact = ["--model", "exact"];
+        let exact = "--model exact";
         let odd = |k: usize| (2 * (k / width) + 1) * 2 * width + 2 * (k % width) + 1;
         let (found, double) = (
-            ids(&half, (width, height), &exact),
-            ids(&file, (2 * width, 2 * height), &exact),
+            ids(&half, (width, height), exact),
+            ids(&file, (2 * width, 2 * height), exact),
         );
         let expected: Vec<i32> = (0..found.len()).map(|k| double[odd(k)]).collect();
         assert!(found == expected, "{}", file.display());
-        assert_ne!(found, ids(&file, (width, height), &exact));
+        assert_ne!(found, ids(&file, (width, height), exact));
         // The words of depth and normal are rounded for another size of pixel; light is the same.
-        let (found, double) = (
-            colours(&half, &small, &exact),
-            colours(&file, &large, &exact),
-        );
+        let (found, double) = (colours(&half, &small, exact), colours(&file, &large, exact));
         for (k, found) in found.chunks_exact(3).enumerate() {
             for (a, b) in found.iter().zip(&double[3 * odd(k)..]) {
                 assert!(
@@ -237,6 +203,6 @@ fn half_pixels_are_the_odd_pixels_of_the_double_size() {
                 );
             }
         }
-        run(&["raytrace", half.to_str().unwrap(), "--size", &small]);
+        run(&format!("raytrace {} --size {small}", half.display())).ended(0);
     }
 }

@@ -1,76 +1,69 @@
 //! An object that cannot be drawn costs itself, not the picture.
 
-use crate::common::imogene;
-use std::path::{Path, PathBuf};
+use crate::common::Place;
 
-/// A ball, and a mesh of which a corner is behind the viewer.
-fn scene(folder: &Path, with_ball: bool) -> PathBuf {
-    let ball = "[[objects]]\nname = \"ball\"\nmaterial = \"m\"\nkind = \"sphere\"\nradius = 1\n";
-    let text = format!(
-        "format = 1\ntitle = \"t\"\nimage = {{ width = 32, height = 24 }}\n[camera]\nkind = \"perspective\"\neye = [0, 0, 10]\n\
-         target = [0, 0, 0]\nfield_of_view = 30\n[[materials]]\nname = \"m\"\ncolour = [1, 1, 1]\n{}\
-         [[objects]]\nname = \"sheet\"\nmaterial = \"m\"\nkind = \"mesh\"\n\
-         vertices = [[0, 0, 0], [1, 0, 0], [0, 0, 20]]\nfaces = [[0, 1, 2]]\n",
-        if with_ball { ball } else { "" }
-    );
-    let path = folder.join("scene.toml");
-    std::fs::write(&path, text).unwrap();
-    path
+const HEAD: &str = r#"
+format = 1
+title = "t"
+image = { width = 32, height = 24 }
+[camera]
+kind = "perspective"
+eye = [0, 0, 10]
+target = [0, 0, 0]
+field_of_view = 30
+[[materials]]
+name = "m"
+colour = [1, 1, 1]
+"#;
+const BALL: &str = r#"
+[[objects]]
+name = "ball"
+material = "m"
+kind = "sphere"
+radius = 1
+"#;
+/// A mesh of which a corner is behind the viewer.
+const SHEET: &str = r#"
+[[objects]]
+name = "sheet"
+material = "m"
+kind = "mesh"
+vertices = [[0, 0, 0], [1, 0, 0], [0, 0, 20]]
+faces = [[0, 1, 2]]
+"#;
+
+/// A folder with a scene of these objects in it.
+fn place(objects: &[&str]) -> Place {
+    let place = Place::new();
+    place.write("scene.toml", format!("{HEAD}{}", objects.concat()));
+    place
 }
 
-fn run(command: &str, scene: &Path, flags: &[&str]) -> (Option<i32>, String) {
-    let output = imogene()
-        .arg(command)
-        .arg(scene)
-        .args(flags)
-        .output()
-        .unwrap();
-    (
-        output.status.code(),
-        String::from_utf8(output.stderr).unwrap(),
-    )
-}
+/// What is done about the sheet, and how a command ends.
+const POLICIES: [(&str, i32); 3] = [("", 1), ("--allow-missing", 0), ("--strict", 2)];
 
 #[test]
 fn the_rest_is_drawn_and_the_exit_code_says_so() {
-    let folder = tempfile::tempdir().unwrap();
-    let scene = scene(folder.path(), true);
-    let picture = folder.path().join("picture.png");
-    let to = ["-o", picture.to_str().unwrap()];
-    for (flags, code) in [
-        (vec![], 1),
-        (vec!["--allow-missing"], 0),
-        (vec!["--strict"], 2),
-    ] {
-        let (found, message) = run("render", &scene, &[&to[..], &flags].concat());
-        assert_eq!(found, Some(code), "{message}");
-        assert!(
-            message.contains("'sheet'") && message.contains("vertex 2"),
-            "{message}"
-        );
-        assert_eq!(picture.exists(), code != 2, "{flags:?}");
-        let _ = std::fs::remove_file(&picture);
+    let place = place(&[BALL, SHEET]);
+    for (flag, code) in POLICIES {
+        let drawn = place.run(&format!("render scene.toml -o picture.png {flag}"));
+        drawn.ended(code).says(&["'sheet'", "vertex 2"]);
+        assert_eq!(place.has("picture.png"), code != 2, "{flag}");
+        let _ = std::fs::remove_file(place.path("picture.png"));
     }
-    for command in ["check", "prepare", "cosim", "detail", "raytrace", "cracks"] {
-        for (flags, code) in [
-            (vec![], 1),
-            (vec!["--allow-missing"], 0),
-            (vec!["--strict"], 2),
-        ] {
-            let (found, message) = run(command, &scene, &flags);
-            assert_eq!(found, Some(code), "{command} {flags:?}: {message}");
-            assert!(message.contains("'sheet'"), "{command}: {message}");
+    for command in "check prepare cosim detail raytrace cracks".split(' ') {
+        for (flag, code) in POLICIES {
+            let run = place.run(&format!("{command} scene.toml {flag}"));
+            run.ended(code).says(&["'sheet'"]);
         }
     }
 }
 
 #[test]
 fn a_scene_of_which_nothing_is_left_is_refused() {
-    let folder = tempfile::tempdir().unwrap();
-    let scene = scene(folder.path(), false);
-    for flags in [vec![], vec!["--allow-missing"], vec!["--strict"]] {
-        let (code, message) = run("check", &scene, &flags);
-        assert_eq!(code, Some(2), "{message}");
+    let place = place(&[SHEET]);
+    for (flag, _) in POLICIES {
+        place.run(&format!("check scene.toml {flag}")).ended(2);
     }
 }
 
@@ -78,32 +71,16 @@ fn a_scene_of_which_nothing_is_left_is_refused() {
 /// ball is.
 #[test]
 fn a_depth_word_can_be_turned_back_into_a_distance() {
-    let folder = tempfile::tempdir().unwrap();
-    let scene = scene(folder.path(), true);
-    let output = imogene()
-        .args(["--json", "--allow-missing", "check"])
-        .arg(&scene)
-        .output()
-        .unwrap();
-    let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let place = place(&[BALL, SHEET]);
+    let report = place.json("--allow-missing check scene.toml");
     let range = &report["range"];
     assert_eq!(range["far"], serde_json::Value::Null);
     let near: f64 = range["near_units"].as_f64().unwrap();
     assert!(near > 0.0 && near <= 9.0, "{range}");
     let product = range["distance"].as_str().unwrap();
     assert!(product.ends_with("/ (8388607 - w)"), "{product}");
-    let arrays = folder.path().join("depth.npy");
-    let drawn = imogene()
-        .args(["--allow-missing", "render"])
-        .arg(&scene)
-        .arg("-o")
-        .arg(folder.path().join("p.png"))
-        .arg("--depth")
-        .arg(&arrays)
-        .output()
-        .unwrap();
-    assert!(drawn.status.success());
-    let bytes = std::fs::read(&arrays).unwrap();
+    place.json("--allow-missing render scene.toml -o p.png --depth depth.npy");
+    let bytes = place.bytes("depth.npy");
     let words = bytes[bytes.len() - 32 * 24 * 8..].chunks(8);
     let words: Vec<i64> = words
         .map(|w| i64::from_le_bytes(w.try_into().unwrap()))

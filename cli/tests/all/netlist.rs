@@ -2,42 +2,25 @@
 //! and 'iverilog', and under `IMOGENE_FULL=1` 'verilator', 'g++' and the tools of `scripts/setup --synth`; fails
 //! without them.
 
-use crate::common::imogene;
-use serde_json::Value;
+use crate::common::{is_full, json, run};
 
-fn is_full() -> bool {
-    std::env::var_os("IMOGENE_FULL").is_some_and(|value| value == "1")
-}
-
-fn cosim(unit: &str, engine: &str, target: &str, clocks: &str) -> Value {
-    let mut command = imogene();
-    command.args(["cosim", unit, "--engine", engine, "--netlist", target]);
-    let output = command
-        .args(["--clocks", clocks, "--json"])
-        .output()
-        .unwrap();
-    let message = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(output.status.success(), "{unit} on {target}: {message}");
-    serde_json::from_slice(&output.stdout).expect("one JSON document")
-}
-
-fn check(unit: &str, engine: &str, target: &str, clocks: &str) {
-    let report = cosim(unit, engine, target, clocks);
+fn check(unit: &str, engine: &str, target: &str, clocks: u32) {
+    let report = json(&format!(
+        "cosim {unit} --engine {engine} --netlist {target} --clocks {clocks}"
+    ));
     assert_eq!(report["mismatches"], 0, "{unit} on {target}");
     assert_eq!(report["netlist"], target);
     assert_eq!(report["engine"], engine);
     assert!(report["pixels"].as_u64().unwrap() > 100, "{unit}: {report}");
     let reproduce = report["reproduce"].as_str().unwrap();
-    assert!(
-        reproduce.contains(&format!("--netlist {target}")),
-        "{reproduce}"
-    );
+    let netlist = format!("--netlist {target}");
+    assert!(reproduce.contains(&netlist), "{reproduce}");
 }
 
 #[test]
 fn small_units_agree_after_synthesis() {
     for unit in ["pe1", "cut_plane"] {
-        check(unit, "icarus", "ice40-hx8k", "1000");
+        check(unit, "icarus", "ice40-hx8k", 1_000);
     }
 }
 
@@ -47,49 +30,30 @@ fn the_units_of_the_quadric_processor_agree_after_synthesis() {
     if !is_full() {
         return;
     }
-    let units = [
-        "pe2",
-        "quadric_pe",
-        "depth_interval",
-        "plane_depth",
-        "two_volume_merge",
-    ];
-    for unit in units {
+    let units = "pe2 quadric_pe depth_interval plane_depth two_volume_merge";
+    for unit in units.split(' ') {
         for target in ["ice40-hx8k", "ecp5-45k"] {
-            check(unit, "verilator", target, "20000");
+            check(unit, "verilator", target, 20_000);
         }
     }
-    check("normal_unit", "verilator", "ice40-hx8k", "20000");
-    check("quadric_processor", "icarus", "ice40-hx8k", "1000");
+    check("normal_unit", "verilator", "ice40-hx8k", 20_000);
+    check("quadric_processor", "icarus", "ice40-hx8k", 1_000);
 }
 
 #[test]
 fn what_cannot_be_run_is_refused_by_name() {
-    let cases: [(&[&str], &str); 4] = [
-        (&["pe1", "--netlist", "ice40-hx8k"], "--engine icarus"),
+    for (line, part) in [
+        ("pe1 --netlist ice40-hx8k", "--engine icarus"),
+        ("pe1 --engine icarus --netlist gowin", "ice40-hx8k"),
         (
-            &["pe1", "--engine", "icarus", "--netlist", "gowin"],
-            "ice40-hx8k",
-        ),
-        (
-            &["pe1", "--engine", "icarus", "--netlist", "ecp6"],
+            "pe1 --engine icarus --netlist ecp6",
             "there is no target `ecp6`",
         ),
         (
-            &[
-                "scenes/cone.toml",
-                "--engine",
-                "icarus",
-                "--netlist",
-                "ice40-hx8k",
-            ],
+            "scenes/cone.toml --engine icarus --netlist ice40-hx8k",
             "--netlist takes a unit",
         ),
-    ];
-    for (arguments, part) in cases {
-        let output = imogene().arg("cosim").args(arguments).output().unwrap();
-        let message = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert_eq!(output.status.code(), Some(2), "{message}");
-        assert!(message.contains(part), "no '{part}' in: {message}");
+    ] {
+        run(&format!("cosim {line}")).refused(&[part]);
     }
 }

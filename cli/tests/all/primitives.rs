@@ -1,19 +1,7 @@
 //! `imogene primitives`: the page is what the command prints, and the figures are those of the sources.
 
-use crate::common::{imogene, said};
+use crate::common::{Place, repository};
 use serde_json::Value;
-use std::path::{Path, PathBuf};
-
-fn docs(name: &str) -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
-        .join("../docs")
-        .join(name)
-}
-
-fn run(arguments: &[&str]) -> (Option<i32>, String, String) {
-    let output = imogene().arg("compare").args(arguments).output().unwrap();
-    said(output)
-}
 
 fn variant<'a>(report: &'a Value, name: &str) -> &'a Value {
     let variants = report["variants"].as_array().unwrap();
@@ -28,27 +16,22 @@ fn figure(value: &Value, path: &str) -> f64 {
 
 #[test]
 fn the_page_and_its_picture_are_what_the_command_makes() {
-    let folder = tempfile::tempdir().unwrap();
-    let (code, out, error) = run(&["--json", "--out", folder.path().to_str().unwrap()]);
-    assert_eq!(code, Some(0), "{error}");
-    let made = |name: &str| std::fs::read(folder.path().join(name)).unwrap();
-    let page = std::fs::read_to_string(docs("comparison.md")).unwrap();
-    let tables = String::from_utf8(made("comparison.md")).unwrap();
+    let place = Place::new();
+    let report = place.json("compare --out .");
+    let page = std::fs::read_to_string(repository("docs/comparison.md")).unwrap();
+    let tables = place.text("comparison.md");
     assert!(
         page.contains(tables.trim()),
         "docs/comparison.md does not hold what the command prints:\n{tables}"
     );
-    let picture = made("comparison.png");
+    let picture = place.bytes("comparison.png");
     assert!(picture.len() < 250_000, "{} bytes", picture.len());
     assert!(
-        picture == std::fs::read(docs("images/comparison.png")).unwrap(),
+        picture == std::fs::read(repository("docs/images/comparison.png")).unwrap(),
         "docs/images/comparison.png is not what the command draws"
     );
-    let report: Value = serde_json::from_str(&out).unwrap();
-    assert_eq!(
-        serde_json::from_slice::<Value>(&made("comparison.json")).unwrap(),
-        report
-    );
+    let figures: Value = serde_json::from_str(&place.text("comparison.json")).unwrap();
+    assert_eq!(figures, report);
     assert_figures(&report);
 }
 
@@ -97,24 +80,16 @@ fn assert_figures(report: &Value) {
 
 #[test]
 fn bad_input_is_refused_and_writes_nothing() {
-    let folder = tempfile::tempdir().unwrap();
-    let obstacle = folder.path().join("obstacle");
-    std::fs::write(&obstacle, "x").unwrap();
-    let blocked = obstacle.join("out");
-    let fresh = folder.path().join("fresh");
-    let text = |path: &Path| path.to_str().unwrap().to_owned();
+    let place = Place::new();
+    place.write("obstacle", "x");
     for (size, out, wanted) in [
-        ("16x12", text(&blocked), ["cannot write", "obstacle"]),
-        ("0x12", text(&fresh), ["0", "4096"]),
-        ("12x0", text(&fresh), ["0", "4096"]),
-        ("12", text(&fresh), ["12", "WIDTHxHEIGHT"]),
+        ("16x12", "obstacle/out", ["cannot write", "obstacle"]),
+        ("0x12", "fresh", ["0", "4096"]),
+        ("12x0", "fresh", ["0", "4096"]),
+        ("12", "fresh", ["12", "WIDTHxHEIGHT"]),
     ] {
-        let (code, _, error) = run(&["--size", size, "--out", &out]);
-        assert_eq!(code, Some(2), "{size}: {error}");
-        assert!(!error.contains("panicked"), "{error}");
-        for part in wanted {
-            assert!(error.contains(part), "no '{part}' in: {error}");
-        }
-        assert!(!fresh.exists());
+        let line = format!("compare --size {size} --out {out}");
+        place.run(&line).refused(&wanted);
+        assert!(!place.has("fresh"));
     }
 }

@@ -1,108 +1,66 @@
 //! Scenes whose objects are drawn by other processors than the quadric processor.
 
-use crate::common::{imogene, said, scene};
-use serde_json::Value;
+use crate::common::{Place, json, repository, run};
 use std::path::PathBuf;
 
 /// Every scene of the folder.
 fn scenes() -> Vec<PathBuf> {
-    let folder = scene("processors");
-    let entries = std::fs::read_dir(&folder).expect("the folder of scenes");
+    let entries = std::fs::read_dir(repository("scenes/processors")).expect("a folder");
     let mut list: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
     list.retain(|path| path.extension().is_some_and(|end| end == "toml"));
     assert!(list.len() >= 7, "{list:?}");
     list
 }
 
-fn run(arguments: &[&str]) -> (Option<i32>, String, String) {
-    let output = imogene().args(arguments).output().unwrap();
-    said(output)
+/// Hardware and golden model agree on a scene, at so many pixels at least.
+fn agrees(line: &str, pixels: u64) -> serde_json::Value {
+    let report = json(&format!("cosim {line}"));
+    assert_eq!(report["mismatches"], 0, "{line}");
+    assert!(report["pixels"].as_u64() > Some(pixels), "{line}: {report}");
+    report
 }
 
 #[test]
 fn hardware_draws_what_the_golden_model_draws() {
-    let folder = tempfile::tempdir().unwrap();
+    let place = Place::new();
     for path in scenes() {
-        let scene = path.to_str().unwrap();
-        let (code, out, error) = run(&["cosim", scene, "--size", "80x60", "--json"]);
-        assert_eq!(code, Some(0), "{scene}: {error}");
-        let report: Value = serde_json::from_str(&out).unwrap();
-        assert_eq!(report["mismatches"], 0, "{scene}");
-        assert!(report["pixels"].as_u64() > Some(500), "{scene}: {report}");
-        let pictures = ["golden", "rtl"].map(|model| {
-            let png = folder.path().join(format!("{model}.png"));
-            let output = png.to_str().unwrap();
-            let arguments = [
-                "render", scene, "--model", model, "--size", "80x60", "-o", output,
-            ];
-            let (code, _, error) = run(&arguments);
-            assert_eq!(code, Some(0), "{scene}, {model}: {error}");
-            std::fs::read(&png).unwrap()
+        let scene = path.display();
+        agrees(&format!("{scene} --size 80x60"), 500);
+        let [golden, rtl] = ["golden", "rtl"].map(|model| {
+            let line = format!("render {scene} --model {model} --size 80x60 -o p.png");
+            place.run(&line).ended(0);
+            place.bytes("p.png")
         });
-        assert_eq!(pictures[0], pictures[1], "{scene}");
+        assert_eq!(golden, rtl, "{scene}");
     }
 }
 
 #[test]
 fn emitted_verilog_of_the_processors_draws_the_scenes_too() {
     for name in ["paraboloids", "polyhedron", "first-generation"] {
-        let path = scene(&format!("processors/{name}.toml"));
-        let arguments = [
-            "cosim",
-            path.to_str().unwrap(),
-            "--engine",
-            "icarus",
-            "--size",
-            "40x30",
-            "--rows-per-stage",
-            "5",
-            "--json",
-        ];
-        let (code, out, error) = run(&arguments);
-        assert_eq!(code, Some(0), "{name}: {error}");
-        let report: Value = serde_json::from_str(&out).unwrap();
-        assert_eq!(
-            (&report["engine"], &report["mismatches"]),
-            (&"icarus".into(), &0.into())
-        );
-        assert!(report["pixels"].as_u64() > Some(100), "{name}: {report}");
+        let options = "--engine icarus --size 40x30 --rows-per-stage 5";
+        let report = agrees(&format!("scenes/processors/{name}.toml {options}"), 100);
+        assert_eq!(report["engine"], "icarus");
     }
 }
 
 #[test]
 fn rows_out_of_range_are_refused() {
-    let path = scene("processors/mesh.toml");
-    let mesh = path.to_str().unwrap();
-    let (code, _, error) = run(&["cosim", mesh, "--rows-per-stage", "99"]);
-    assert_eq!(code, Some(2));
-    assert!(
-        error.contains("rows-per-stage = 99 is out of range; legal values are 1 to 24"),
-        "{error}"
-    );
+    let refused = run("cosim scenes/processors/mesh.toml --rows-per-stage 99");
+    refused.refused(&["rows-per-stage = 99 is out of range; legal values are 1 to 24"]);
 }
 
 #[test]
 fn volumes_in_hardware_leave_the_flags_of_the_golden_machine() {
-    for (name, size) in [("shadows/robot", "40x30"), ("shadows/dna", "24x18")] {
-        let path = scene(&format!("{name}.toml"));
-        let arguments = ["cosim", path.to_str().unwrap(), "--size", size, "--json"];
-        let (code, out, error) = run(&arguments);
-        assert_eq!(code, Some(0), "{name}: {error}");
-        let report: Value = serde_json::from_str(&out).unwrap();
-        assert_eq!(report["mismatches"], 0, "{name}");
-        assert!(report["pixels"].as_u64() > Some(5_000), "{name}: {report}");
-    }
+    agrees("scenes/shadows/robot.toml --size 40x30", 5_000);
+    agrees("scenes/shadows/dna.toml --size 24x18", 5_000);
 }
 
 #[test]
 fn the_list_of_processors_is_printed() {
-    let (code, out, _) = run(&["processors", "--json"]);
-    assert_eq!(code, Some(0));
-    let list: Value = serde_json::from_str(&out).unwrap();
+    let list = json("processors");
     let patch = &list[1];
     assert_eq!(patch["unit"], "patch_processor");
-    assert_eq!(
-        ["pe1", "pe2", "roots", "multipliers"].map(|key| patch[key].as_u64().unwrap()),
-        [8, 1, 1, 3]
-    );
+    let parts = ["pe1", "pe2", "roots", "multipliers"].map(|key| patch[key].as_u64());
+    assert_eq!(parts, [8, 1, 1, 3].map(Some));
 }

@@ -1,7 +1,7 @@
 //! `imogene trade --engine hq`: a HyperQueue server with two workers, and what becomes of a run that loses some of it.
 //! `scripts/setup --parts` installs it.
 
-use crate::common::{imogene, scene};
+use crate::common::{Place, Run, imogene, repository, scene};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::sync::LazyLock;
@@ -9,23 +9,13 @@ use std::time::{Duration, Instant};
 
 const DEADLINE: Duration = Duration::from_secs(60);
 
-fn command(out: &Path, more: &[&str]) -> Command {
+fn command(out: &Path, more: &str) -> Command {
+    let (out, teapot) = (out.display(), scene("teapot.toml"));
+    let options = "--size 96x72 --points quick --no-cost";
+    let line = format!("trade {teapot} {options} --out {out} {more}");
     let mut command = Command::new(env!("CARGO_BIN_EXE_imogene"));
-    command
-        .args([
-            "trade",
-            "--size",
-            "96x72",
-            "--points",
-            "quick",
-            "--no-cost",
-            "--out",
-        ])
-        .arg(out)
-        .arg(scene("teapot.toml"))
-        .args(more)
-        .stdout(Stdio::null())
-        .stderr(Stdio::piped());
+    command.args(line.split_whitespace());
+    command.stdout(Stdio::null()).stderr(Stdio::piped());
     command
 }
 
@@ -33,7 +23,7 @@ fn command(out: &Path, more: &[&str]) -> Command {
 static WANTED: LazyLock<String> = LazyLock::new(|| {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("alone");
-    assert!(command(&out, &[]).status().unwrap().success());
+    assert!(command(&out, "").status().unwrap().success());
     results(&out)
 });
 
@@ -106,7 +96,7 @@ fn succeeds(run: Child) -> String {
 fn a_part_that_is_killed_is_done_again() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("parts");
-    let mut run = command(&out, &["--engine", "hq"]).spawn().unwrap();
+    let mut run = command(&out, "--engine hq").spawn().unwrap();
     let place = out.display().to_string();
     // Two of the parts, which the two workers run.
     let first = kill_first(is_part(&place), &[], &mut run);
@@ -121,7 +111,7 @@ fn a_run_whose_server_dies_goes_on_where_it_stopped() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("parts");
     let place = out.display().to_string();
-    let mut run = command(&out, &["--engine", "hq"]).spawn().unwrap();
+    let mut run = command(&out, "--engine hq").spawn().unwrap();
     let points = out.join("points");
     // Finished points; one that is being written has another name.
     let is_point = |entry: &std::io::Result<std::fs::DirEntry>| {
@@ -142,11 +132,8 @@ fn a_run_whose_server_dies_goes_on_where_it_stopped() {
     assert!(!out.join("trade.json").exists());
     let before = kept();
     assert!(before > 0);
-    succeeds(
-        command(&out, &["--engine", "hq", "--workers", "1"])
-            .spawn()
-            .unwrap(),
-    );
+    let mut again = command(&out, "--engine hq --workers 1");
+    succeeds(again.spawn().unwrap());
     assert!(results(&out) == *WANTED);
 }
 
@@ -169,7 +156,7 @@ fn a_running_server_takes_the_parts() {
     }
     std::thread::sleep(Duration::from_millis(500));
     let out = folder.path().join("parts");
-    let more = ["--engine", "hq", "--server", server.to_str().unwrap()];
+    let more = format!("--engine hq --server {}", server.display());
     let run = command(&out, &more).spawn().unwrap();
     let output = run.wait_with_output().unwrap();
     host.kill().unwrap();
@@ -179,24 +166,16 @@ fn a_running_server_takes_the_parts() {
 }
 
 fn python() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../target/tools/bin/python")
+    repository("target/tools/bin/python")
 }
 
 #[test]
 fn a_scene_that_is_refused_starts_no_server() {
-    let folder = tempfile::tempdir().unwrap();
-    let out = folder.path().join("out");
-    let output = imogene()
-        .args(["trade", "--engine", "hq", "--out"])
-        .arg(&out)
-        .arg(scene("processors/mesh.toml"))
-        .env("IMOGENE_TOOLS", folder.path().join("nothing"))
-        .output()
-        .unwrap();
-    let error = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(2), "{error}");
-    assert!(
-        error.contains("processor \"facet\"") && !out.exists(),
-        "{error}"
-    );
+    let place = Place::new();
+    let out = place.path("out");
+    let mesh = "scenes/processors/mesh.toml";
+    let mut command = imogene(&format!("trade {mesh} --engine hq --out {}", out.display()));
+    let tools = command.env("IMOGENE_TOOLS", place.path("nothing"));
+    Run::of(tools).refused(&["processor \"facet\""]);
+    assert!(!out.exists());
 }

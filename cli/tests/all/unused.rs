@@ -1,7 +1,7 @@
 //! The words of `imogene prepare --json`, and no others, in a machine that has more processors and planes than the
 //! scene.
 
-use crate::common::imogene;
+use crate::common::{Place, scene};
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::beat::{Beat, kind};
 use imogene_plan::description::MachineDescription;
@@ -12,7 +12,6 @@ use imogene_scene::SceneFile;
 use imogene_verif::display::pins::{PinsRun, run};
 use imogene_verif::engine::Engine;
 use serde_json::Value;
-use std::path::Path;
 
 const SIZE: (u32, u32) = (32, 24);
 const OBJECTS: usize = 4;
@@ -36,16 +35,6 @@ fn golden(text: &str) -> Image {
     let framed = file.frame(SIZE.0, SIZE.1).expect("a size");
     let prepared = prepare(&framed, Format::BASE).expect("fits the format");
     image(&framed, &prepared, &machine()).expect("fits the machine")
-}
-
-fn prepared(path: &Path) -> Value {
-    let size = format!("{}x{}", SIZE.0, SIZE.1);
-    let mut command = imogene();
-    let output = command.arg("prepare").arg(path);
-    let output = output.args(["--size", &size, "--json"]).output();
-    let output = output.expect("the program runs");
-    assert_eq!(output.status.code(), Some(0));
-    serde_json::from_slice(&output.stdout).expect("one JSON document")
 }
 
 /// The words of a list, for a processor; `offset` is added to the addresses.
@@ -92,9 +81,8 @@ fn frame_of(document: &Value) -> Vec<Beat> {
 
 #[test]
 fn unused_planes_and_slots_are_switched_off_by_the_words_of_the_document() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = crate::common::scene("crossing-cylinders.toml");
-    let plain = std::fs::read_to_string(path).expect("a scene");
+    let place = Place::new();
+    let plain = std::fs::read_to_string(scene("crossing-cylinders.toml")).expect("a scene");
     let shadows = "kind = \"directional\"\nshadows = true";
     let full = plain.replacen("kind = \"directional\"", shadows, 1);
     // Fewer objects with fewer planes, and no volumes: what the first scene left has to be switched off.
@@ -107,9 +95,8 @@ fn unused_planes_and_slots_are_switched_off_by_the_words_of_the_document() {
         ("sparse.toml", sparse),
         ("again.toml", &full),
     ] {
-        let path = folder.path().join(name);
-        std::fs::write(&path, text).expect("a file");
-        let document = prepared(&path);
+        place.write(name, text);
+        let document = place.json(&format!("prepare {name} --size {}x{}", SIZE.0, SIZE.1));
         let mut image = golden(text);
         let is_shading = |beat: &Beat| beat.kind == kind::SHADING || beat.kind == kind::MATERIAL;
         image.beats.retain(is_shading);

@@ -1,73 +1,172 @@
-//! Shared by the command line tests.
+//! Shared by the command line tests: command lines as a person types them.
 
 use assert_cmd::Command;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
+use tempfile::TempDir;
 
-/// The program.
-pub fn imogene() -> Command {
-    Command::cargo_bin("imogene").expect("the program was built")
+/// A file or folder of the repository.
+pub fn repository(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(name)
 }
 
 /// A scene of the repository.
-pub fn scene(name: &str) -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
-        .join("../scenes")
-        .join(name)
+pub fn scene(name: &str) -> String {
+    repository("scenes").join(name).display().to_string()
 }
 
-/// Exit code, standard output and standard error of a run.
-pub fn said(output: std::process::Output) -> (Option<i32>, String, String) {
-    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("text");
-    let code = output.status.code();
-    (code, text(output.stdout), text(output.stderr))
+/// The program with the words of a line, at the root of the repository.
+pub fn imogene(line: &str) -> Command {
+    let mut command = Command::cargo_bin("imogene").expect("the program was built");
+    command.args(line.split_whitespace());
+    command.current_dir(repository(""));
+    command
 }
 
-/// What a command says as JSON, run in a folder.
-pub fn json_in(arguments: &[&str], folder: &Path) -> Value {
-    let mut command = imogene();
-    let output = command
-        .args(arguments)
-        .arg("--json")
-        .current_dir(folder)
-        .output()
-        .unwrap();
-    let message = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {message}");
-    serde_json::from_slice(&output.stdout).unwrap()
+/// How a run ended and what it said.
+pub struct Run {
+    /// Its exit code.
+    pub code: Option<i32>,
+    /// Standard output.
+    pub out: String,
+    /// Standard error.
+    pub said: String,
+}
+
+impl Run {
+    /// Runs a command.
+    pub fn of(command: &mut Command) -> Run {
+        let output = command.output().expect("the program runs");
+        let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("text");
+        Run {
+            code: output.status.code(),
+            out: text(output.stdout),
+            said: text(output.stderr),
+        }
+    }
+
+    /// The same, which ended with this exit code.
+    pub fn ended(self, code: i32) -> Run {
+        assert_eq!(self.code, Some(code), "{}{}", self.out, self.said);
+        self
+    }
+
+    /// The same, which was refused with a message that has these parts.
+    pub fn refused(self, parts: &[&str]) -> Run {
+        let run = self.ended(2);
+        assert!(!run.said.contains("panicked"), "{}", run.said);
+        run.says(parts)
+    }
+
+    /// The same, whose message has these parts.
+    pub fn says(self, parts: &[&str]) -> Run {
+        for part in parts {
+            assert!(self.said.contains(part), "no '{part}' in: {}", self.said);
+        }
+        self
+    }
+
+    /// The document that was printed.
+    pub fn json(&self) -> Value {
+        serde_json::from_str(&self.out).expect("one JSON document")
+    }
+}
+
+/// Runs a command line at the root of the repository.
+pub fn run(line: &str) -> Run {
+    Run::of(&mut imogene(line))
 }
 
 /// What a command says as JSON.
-pub fn json(arguments: &[&str]) -> Value {
-    json_in(arguments, Path::new("."))
+pub fn json(line: &str) -> Value {
+    run(&format!("{line} --json")).ended(0).json()
 }
 
-pub fn assert_keys(value: &Value, keys: &[&str]) {
-    for key in keys {
+/// A folder of a test's own, in which command lines are run.
+pub struct Place(TempDir);
+
+impl Place {
+    /// An empty one.
+    pub fn new() -> Place {
+        Place(tempfile::tempdir().expect("a folder"))
+    }
+
+    /// The folder.
+    pub fn folder(&self) -> &Path {
+        self.0.path()
+    }
+
+    /// A file in it.
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.folder().join(name)
+    }
+
+    /// True if a file or folder is in it.
+    pub fn has(&self, name: &str) -> bool {
+        self.path(name).exists()
+    }
+
+    /// What a file in it holds.
+    pub fn bytes(&self, name: &str) -> Vec<u8> {
+        std::fs::read(self.path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+    }
+
+    /// The same as text.
+    pub fn text(&self, name: &str) -> String {
+        String::from_utf8(self.bytes(name)).expect("text")
+    }
+
+    /// Writes a file in it.
+    pub fn write(&self, name: &str, content: impl AsRef<[u8]>) {
+        std::fs::write(self.path(name), content).expect("a file");
+    }
+
+    /// The names of what is in it.
+    pub fn names(&self) -> Vec<String> {
+        names_in(self.folder())
+    }
+
+    /// Runs a command line in it.
+    pub fn run(&self, line: &str) -> Run {
+        Run::of(imogene(line).current_dir(self.folder()))
+    }
+
+    /// What a command says as JSON, run in it.
+    pub fn json(&self, line: &str) -> Value {
+        self.run(&format!("{line} --json")).ended(0).json()
+    }
+
+    /// Every file that a report names is in it.
+    pub fn assert_files(&self, report: &Value) {
+        for file in report["files"].as_array().expect("files") {
+            let path = self.path(file.as_str().expect("a path"));
+            assert!(path.is_file(), "{file}");
+        }
+    }
+}
+
+/// The names of what is in a folder.
+pub fn names_in(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).expect("a folder");
+    let name = |entry: std::io::Result<std::fs::DirEntry>| entry.expect("an entry").file_name();
+    let mut names: Vec<String> = entries
+        .map(|entry| name(entry).into_string().expect("a plain name"))
+        .collect();
+    names.sort();
+    names
+}
+
+/// Refuses a document that lacks one of these keys.
+pub fn assert_keys(value: &Value, keys: &str) {
+    for key in keys.split_whitespace() {
         assert!(value.get(key).is_some(), "no key '{key}' in {value}");
     }
 }
 
-/// Keys of every co-simulation.
-pub const COSIM_KEYS: [&str; 8] = [
-    "engine",
-    "cycles",
-    "pixels",
-    "mismatches",
-    "seconds",
-    "cycles_per_second",
-    "seed",
-    "files",
-];
-
-/// What a command that is refused says, run in a folder.
-pub fn refusal_in(arguments: &[&str], folder: &Path) -> String {
-    let output = imogene()
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .unwrap();
-    assert_eq!(output.status.code(), Some(2), "{arguments:?}");
-    assert!(!folder.join("never.toml").exists());
-    String::from_utf8(output.stderr).unwrap()
+/// As `scripts/test --full` sets it.
+pub fn is_full() -> bool {
+    std::env::var("IMOGENE_FULL").is_ok_and(|value| value == "1")
 }
+
+/// Keys of every co-simulation.
+pub const COSIM_KEYS: &str = "engine cycles pixels mismatches seconds cycles_per_second seed files";

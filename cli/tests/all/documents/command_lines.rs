@@ -1,7 +1,7 @@
 //! Command lines of the pages and of the help: all parse, quick ones run.
 
 use super::{documents, root};
-use crate::common::imogene;
+use crate::common::{Run, imogene};
 use clap::error::ErrorKind;
 use imogene::arguments::{GROUPS, Group, command};
 use regex::Regex;
@@ -271,18 +271,10 @@ fn quick_command_lines_run() {
             continue;
         };
         let words: Vec<String> = words.iter().skip(1).flat_map(|w| expanded(w)).collect();
-        let output = imogene()
-            .args(&words)
-            .current_dir(folder.path())
-            .output()
-            .unwrap();
-        if !output.status.success() {
-            let said = String::from_utf8_lossy(&output.stderr);
-            problems.push(format!(
-                "{}: imogene {}\n{said}",
-                line.page,
-                words.join(" ")
-            ));
+        let typed = words.join(" ");
+        let run = Run::of(imogene(&typed).current_dir(folder.path()));
+        if run.code != Some(0) {
+            problems.push(format!("{}: imogene {typed}\n{}", line.page, run.said));
         }
     }
     assert!(problems.is_empty(), "{}", problems.join("\n"));

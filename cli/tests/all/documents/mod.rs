@@ -4,10 +4,11 @@
 mod command_lines;
 mod pages;
 
-use std::path::{Path, PathBuf};
+use crate::common::repository;
+use std::path::PathBuf;
 
 fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+    repository("")
 }
 
 /// README.md and the pages of docs/, by their paths from the root.

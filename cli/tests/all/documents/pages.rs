@@ -1,7 +1,7 @@
 //! Links, lines and lists of the pages.
 
 use super::{documents, read, root};
-use crate::common::imogene;
+use crate::common::json;
 use imogene::arguments::{GROUPS, command};
 use regex::Regex;
 use std::collections::{BTreeMap, BTreeSet};
@@ -195,8 +195,7 @@ fn the_page_of_resources_names_the_units_it_lacks() {
         .iter()
         .map(|row| row["unit"].as_str().unwrap())
         .collect();
-    let output = imogene().args(["units", "--json"]).output().unwrap();
-    let units: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let units = json("units");
     let units = units.as_array().unwrap();
     let readme = read("README.md");
     assert!(readme.contains(&format!("{} units as Verilog", units.len())));

@@ -7,78 +7,44 @@ mod files;
 mod limits;
 mod standard_output;
 
-use crate::common::{imogene, scene};
-use std::fs::{self};
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
-use tempfile::TempDir;
-
-const SIZE: [&str; 2] = ["--size", "48x36"];
+use crate::common::{Place, Run, scene};
+use std::fs;
+use std::path::Path;
+use std::process::Command;
 
 /// A folder with a scene of its own in it.
-struct Place {
-    folder: TempDir,
+fn place() -> Place {
+    let place = Place::new();
+    fs::copy(scene("cut-sphere.toml"), place.path("c.toml")).unwrap();
+    place
 }
 
-impl Place {
-    fn new() -> Place {
-        let folder = tempfile::tempdir().unwrap();
-        fs::copy(scene("cut-sphere.toml"), folder.path().join("c.toml")).unwrap();
-        Place { folder }
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.folder.path().join(name)
-    }
-
-    fn run(&self, arguments: &[&str]) -> Output {
-        let mut command = imogene();
-        command.current_dir(self.folder.path()).args(arguments);
-        command.output().unwrap()
-    }
-
-    fn render(&self, arguments: &[&str]) -> Output {
-        let mut all = vec!["render", "c.toml"];
-        all.extend(SIZE);
-        all.extend(arguments);
-        self.run(&all)
-    }
-
-    /// The picture of the scene, by another file of its own.
-    fn picture(&self) -> Vec<u8> {
-        let other = Place::new();
-        accepted(&other.render(&["-o", "x.png"]));
-        fs::read(other.path("x.png")).unwrap()
-    }
-
-    fn names(&self) -> Vec<String> {
-        let entries = fs::read_dir(self.folder.path()).unwrap();
-        let mut names: Vec<String> = entries
-            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-            .collect();
-        names.sort();
-        names
-    }
+/// A run of the scene.
+fn render(place: &Place, options: &str) -> Run {
+    place.run(&format!("render c.toml --size 48x36 {options}"))
 }
 
-fn accepted(output: &Output) {
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(0), "{message}");
+/// The picture of the scene, by another file of its own.
+fn picture() -> Vec<u8> {
+    let other = place();
+    render(&other, "-o x.png").ended(0);
+    other.bytes("x.png")
 }
 
-/// The message of a refusal, which is never long.
-fn refused(output: &Output) -> String {
-    let message = String::from_utf8(output.stderr.clone()).unwrap();
-    assert_eq!(output.status.code(), Some(2), "{message}");
-    assert!(message.starts_with("error: "), "{message}");
-    assert!(message.len() < 2_048, "{} bytes", message.len());
-    message
+/// A refusal, whose message is never long and has these parts.
+fn refused(run: Run, parts: &[&str]) -> Run {
+    let run = run.refused(parts);
+    assert!(run.said.starts_with("error: "), "{}", run.said);
+    assert!(run.said.len() < 2_048, "{} bytes", run.said.len());
+    run
 }
 
-fn assert_says(message: &str, parts: &[&str]) {
-    for part in parts {
-        assert!(message.contains(part), "no '{part}' in: {message}");
-    }
+/// The program as `$0` of a script, in a folder.
+fn shell(place: &Place, script: &str) -> Run {
+    let mut shell = assert_cmd::Command::new("sh");
+    let program = assert_cmd::cargo::cargo_bin("imogene");
+    shell.arg("-c").arg(script).arg(program);
+    Run::of(shell.current_dir(place.folder()))
 }
 
 fn make_pipe(path: &Path) {
