@@ -245,3 +245,9 @@ pub fn file_prepared(
     let prepared = imogene_prepare::prepare(&framed, format).ok()?;
     Some((framed, prepared))
 }
+
+/// The rows of a table, a line each, with their cells between bars.
+pub fn rows(table: &str) -> impl Iterator<Item = Vec<&str>> {
+    let lines = table.trim().lines();
+    lines.map(|line| line.split('|').map(str::trim).collect())
+}

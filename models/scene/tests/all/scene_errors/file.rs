@@ -1,6 +1,6 @@
 //! Refusals of a file as a text: missing, cut short, of another version.
 
-use super::{GOOD, assert_says, check, file_with, refusal_of};
+use super::{GOOD, assert_says, check_each, file_with, refusal_of};
 use imogene_scene::SceneFile;
 use std::fs;
 use std::path::Path;
@@ -62,15 +62,11 @@ fn every_truncation_is_refused_or_a_scene() {
 
 #[test]
 fn missing_and_wrong_version() {
-    check(
-        "format = 1\n",
-        "",
-        &["version of the format is missing", "`format = 1`"],
+    check_each(
+        r#"
+        format = 1\n | | version of the format is missing | `format = 1`
+        format = 1 | format = 2 | version 2 is not known | `format = 1`
+        format = 1 | format = "1" | version | `format = 1`
+        "#,
     );
-    check(
-        "format = 1",
-        "format = 2",
-        &["version 2 is not known", "`format = 1`"],
-    );
-    check("format = 1", "format = \"1\"", &["version", "`format = 1`"]);
 }

@@ -6,6 +6,7 @@ mod values;
 
 use imogene_prepare::Framing;
 use imogene_scene::SceneFile;
+use imogene_testkit::rows;
 use std::fs;
 use std::path::PathBuf;
 
@@ -66,8 +67,15 @@ fn assert_says(message: &str, parts: &[&str]) {
     }
 }
 
-fn check(old: &str, new: &str, parts: &[&str]) {
-    assert_says(&refusal(old, new), parts);
+/// A row is a text of the good scene, what stands in its place, and the parts of the message.
+fn check_each(table: &str) {
+    for row in rows(table) {
+        let [old, new, parts @ ..] = &row[..] else {
+            panic!("no change in {row:?}");
+        };
+        let [old, new] = [old, new].map(|text| text.replace("\\n", "\n"));
+        assert_says(&refusal(&old, &new), parts);
+    }
 }
 
 /// A file of this test alone, named after it.
@@ -96,53 +104,25 @@ fn duplicate_names() {
 }
 
 #[test]
-fn empty_name() {
-    check(
-        "name = \"ball\"",
-        "name = \" \"",
-        &["objects[0].name", "empty", "a name is needed"],
-    );
-    check(
-        "name = \"clay\"",
-        "name = \"\"",
-        &["materials[0].name", "empty", "a name is needed"],
+fn empty_and_unknown_names() {
+    check_each(
+        r#"
+        name = "ball" | name = " " | objects[0].name | empty | a name is needed
+        name = "clay" | name = "" | materials[0].name | empty | a name is needed
+        material = "clay" | material = "clya" | object `ball`, material | `clya` | `clay`
+        "#,
     );
 }
 
 #[test]
-fn unknown_material() {
-    check(
-        "material = \"clay\"",
-        "material = \"clya\"",
-        &["object `ball`, material", "`clya`", "`clay`"],
-    );
-}
-
-#[test]
-fn camera_without_direction() {
-    check(
-        "target = [0, 0, 0]",
-        "target = [0, 0, 10]",
-        &["camera.target", "the eye itself", "away from the eye"],
-    );
-    check(
-        "up = [0, 1, 0]",
-        "up = [0, 0, -3]",
-        &["camera.up", "parallel", "upwards"],
-    );
-}
-
-#[test]
-fn camera_without_window() {
-    check(
-        "viewer_distance = 10",
-        "viewer_distance = 0",
-        &["camera.viewer_distance", "not positive", "above 0"],
-    );
-    check(
-        "view_height = 4",
-        "view_height = -4",
-        &["camera.view_height", "-4 is not positive"],
+fn camera_without_direction_or_window() {
+    check_each(
+        r#"
+        target = [0, 0, 0] | target = [0, 0, 10] | camera.target | the eye itself | away from the eye
+        up = [0, 1, 0] | up = [0, 0, -3] | camera.up | parallel | upwards
+        viewer_distance = 10 | viewer_distance = 0 | camera.viewer_distance | not positive | above 0
+        view_height = 4 | view_height = -4 | camera.view_height | -4 is not positive
+        "#,
     );
     let orthographic = GOOD
         .replacen("\"perspective\"", "\"orthographic\"", 1)
@@ -157,9 +137,8 @@ fn camera_without_window() {
 fn too_many_cuts() {
     let cut = "{ point = [0, 0.5, 0], normal = [0, 1, 0] }";
     let thirteen = vec![cut; 13].join(", ");
-    check(
-        cut,
-        &thirteen,
+    assert_says(
+        &refusal(cut, &thirteen),
         &["object `ball`, cuts", "13 cut planes", "at most 12"],
     );
 }
