@@ -3,9 +3,10 @@
 use imogene_algebra::rational::{fraction, integer};
 use imogene_golden::format::Format;
 use imogene_prepare::Framing;
-use imogene_prepare::prepare;
 use imogene_prepare::volume::pairs;
+use imogene_prepare::{PreparedScene, prepare};
 use imogene_scene::{Aim, Beam, SceneFile};
+use imogene_testkit::rows;
 
 const GOOD: &str = r#"
 format = 1
@@ -39,13 +40,16 @@ fn scene(text: &str) -> SceneFile {
     SceneFile::parse(text, "demo.toml").expect("a valid scene")
 }
 
-/// The refusal of a scene with this light holds all of these words, on lines that name the file.
-fn refused(light: &str, words: &[&str]) {
-    let error = SceneFile::parse(&with_light(light), "demo.toml").expect_err(light);
-    let message = error.to_string();
-    assert!(message.starts_with("demo.toml:"), "{message}");
-    for word in words {
-        assert!(message.contains(word), "`{word}` is not in: {message}");
+/// A row has the keys of a light and words of the refusal, which names the file.
+fn refused(table: &str) {
+    for row in rows(table) {
+        let light = row[0].replace("\\n", "\n");
+        let error = SceneFile::parse(&with_light(&light), "demo.toml").expect_err(&light);
+        let message = error.to_string();
+        assert!(message.starts_with("demo.toml:"), "{message}");
+        for word in &row[1..] {
+            assert!(message.contains(word), "`{word}` is not in: {message}");
+        }
     }
 }
 
@@ -123,78 +127,36 @@ fn the_cone_of_a_spot_is_exact() {
 #[test]
 fn keys_of_another_kind_of_light_are_refused() {
     refused(
-        "kind = \"point\"\nposition = [1, 2, 3]\nhalf_angle = 10",
-        &["a point light has no `half_angle`", "`position`"],
+        r#"
+        kind = "point"\nposition = [1, 2, 3]\nhalf_angle = 10 | a point light has no `half_angle` | `position`
+        kind = "directional"\nfrom = [1, 2, 3]\ntarget = [0, 0, 0] | a directional light has no `target` | `from`
+        kind = "spot"\nfrom = [1, 2, 3]\nhalf_angle = 10 | a spot has no `from` | `half_angle`
+        kind = "point"\nposition = [1, 2, 3]\nshadow = true | unknown field `shadow` | `shadows`
+        kind = "point"\nposition = [1, 2, 3]\nshadows = 1 | boolean
+        kind = "lamp" | unknown variant `lamp` | `spot`
+        "#,
     );
-    refused(
-        "kind = \"directional\"\nfrom = [1, 2, 3]\ntarget = [0, 0, 0]",
-        &["a directional light has no `target`", "`from`"],
-    );
-    refused(
-        "kind = \"spot\"\nfrom = [1, 2, 3]\nhalf_angle = 10",
-        &["a spot has no `from`", "`half_angle`"],
-    );
-    refused(
-        "kind = \"point\"\nposition = [1, 2, 3]\nshadow = true",
-        &["unknown field `shadow`", "`shadows`"],
-    );
-    refused(
-        "kind = \"point\"\nposition = [1, 2, 3]\nshadows = 1",
-        &["boolean"],
-    );
-    refused("kind = \"lamp\"", &["unknown variant `lamp`", "`spot`"]);
 }
 
 #[test]
-fn spots_that_lack_a_key_are_refused() {
+fn spots_that_lack_a_key_or_a_cone_are_refused() {
     refused(
-        "kind = \"spot\"\ntarget = [0, 0, 0]\nhalf_angle = 10",
-        &["a spot needs `position`"],
+        r#"
+        kind = "spot"\ntarget = [0, 0, 0]\nhalf_angle = 10 | a spot needs `position`
+        kind = "spot"\nposition = [4, 0, 0]\ntarget = [0, 0, 0] | a spot needs `half_angle` | degrees
+        kind = "spot"\nposition = [4, 0, 0]\nhalf_angle = 10 | a spot needs `target` | `towards`
+        kind = "spot"\nposition = [4, 0, 0]\ntarget = [0, 0, 0]\ntowards = [1, 0, 0]\nhalf_angle = 45 | `target` or `towards` | both
+        kind = "spot"\nposition = [4, 0, 0]\ntarget = [0, 0]\nhalf_angle = 45 | 2 numbers found
+        kind = "spot"\nposition = [4, 0, 0]\ntarget = [4, 0, 0]\nhalf_angle = 45 | lights[0].target | position of the spot itself | away from
+        kind = "spot"\nposition = [4, 0, 0]\ntowards = [0, 0, 0]\nhalf_angle = 45 | lights[0].towards | no direction
+        kind = "spot"\nposition = [4, 0, 0]\ntarget = [0, 0, 0]\nhalf_angle = nan | lights[0].half_angle | finite number
+        "#,
     );
-    refused(
-        "kind = \"spot\"\nposition = [4, 0, 0]\ntarget = [0, 0, 0]",
-        &["a spot needs `half_angle`", "degrees"],
-    );
-    refused(
-        "kind = \"spot\"\nposition = [4, 0, 0]\nhalf_angle = 10",
-        &["a spot needs `target`", "`towards`"],
-    );
-    refused(
-        &format!("{SPOT}\ntowards = [1, 0, 0]"),
-        &["`target` or `towards`", "both"],
-    );
-    refused(&SPOT.replace("[0, 0, 0]", "[0, 0]"), &["2 numbers found"]);
-}
-
-#[test]
-fn spots_without_a_cone_are_refused() {
     for angle in ["0", "-5", "90", "89.5", "0.05"] {
-        let light = SPOT.replace("45", angle);
-        refused(
-            &light,
-            &[
-                "lights[0].half_angle",
-                "degrees is out of range",
-                "from 0.1 to 89 degrees",
-            ],
-        );
+        let light = SPOT.replace("45", angle).replace('\n', "\\n");
+        let words = "lights[0].half_angle | degrees is out of range | from 0.1 to 89 degrees";
+        refused(&format!("{light} | {words}"));
     }
-    refused(
-        &SPOT.replace("45", "nan"),
-        &["lights[0].half_angle", "finite number"],
-    );
-    refused(
-        &SPOT.replace("[0, 0, 0]", "[4, 0, 0]"),
-        &[
-            "lights[0].target",
-            "position of the spot itself",
-            "away from",
-        ],
-    );
-    refused(
-        &SPOT.replace("target", "towards"),
-        &["lights[0].towards", "no direction"],
-    );
 }
 
 #[test]
@@ -282,15 +244,12 @@ fn a_cut_patch_casts_no_shadow_and_says_so() {
             .expect("valid");
         prepare(&framed, Format::BASE).expect("prepared")
     };
+    let shadows = |scene: &PreparedScene| {
+        let of_ball = scene.volumes.iter().filter(|v| v.name.contains("'ball'"));
+        of_ball.count()
+    };
     let closed = prepared(&patch);
-    assert_eq!(
-        closed
-            .volumes
-            .iter()
-            .filter(|v| v.name.contains("'ball'"))
-            .count(),
-        1
-    );
+    assert_eq!(shadows(&closed), 1);
     assert!(closed.objects[0].notes().is_empty());
     let cut = patch.replace(
         "radius = 1\n",
@@ -298,13 +257,7 @@ fn a_cut_patch_casts_no_shadow_and_says_so() {
     );
     assert_ne!(cut, patch);
     let open = prepared(&cut);
-    assert_eq!(
-        open.volumes
-            .iter()
-            .filter(|v| v.name.contains("'ball'"))
-            .count(),
-        0
-    );
+    assert_eq!(shadows(&open), 0);
     assert!(open.objects[0].notes()[0].contains("casts no shadow: the shadow of a cut patch"));
 }
 

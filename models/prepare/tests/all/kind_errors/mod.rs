@@ -7,22 +7,69 @@ use imogene_golden::format::Format;
 use imogene_prepare::Framing;
 use imogene_prepare::prepare;
 use imogene_scene::SceneFile;
+use imogene_testkit::rows;
 
 const PERSPECTIVE: &str = "kind = \"perspective\"\neye = [0, 0, 10]\ntarget = [0, 0, 0]\nviewer_distance = 10\nview_height = 4\n";
 const PARALLEL: &str = "kind = \"orthographic\"\neye = [3, 4, 10]\ntarget = [0, 0, 0]\nview_height = 4\nhalf_depth = 4\n";
 const STRAIGHT: &str = "kind = \"orthographic\"\neye = [0, 0, 10]\ntarget = [0, 0, 0]\nview_height = 4\nhalf_depth = 4\n";
 
-const UP: &str = "{ point = [0, 0.5, 0], normal = [0, 1, 0] }";
-const DOWN: &str = "{ point = [0, -0.5, 0], normal = [0, -1, 0] }";
-const TRIANGLE: &str = "vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]\n";
-const CORNERS: &str = "corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]\n";
-const WEIGHTS: &str = "weights = [-1, 1, 1, 1, -1, -1, -1, -1, -1, -1]\n";
+/// What stands for longer keys in the tables.
+const SHORT: [(&str, &str); 16] = [
+    ("{UP}", "{ point = [0, 0.5, 0], normal = [0, 1, 0] }"),
+    ("{DOWN}", "{ point = [0, -0.5, 0], normal = [0, -1, 0] }"),
+    (
+        "{SLANTED}",
+        "{ point = [0, -0.5, 0], normal = [0.1, -1, 0] }",
+    ),
+    ("{SIDE}", "{ point = [1, 0, 0], normal = [1, 0, 0] }"),
+    (
+        "{TURNED}",
+        "place = [{ rotate = { axis = \"x\", degrees = 90 } }]\n",
+    ),
+    ("{FIRST}", "processor = \"first_generation\"\n"),
+    ("{PARABOLOID}", "processor = \"paraboloid\"\n"),
+    ("{SPHERE}", "kind = \"sphere\"\nradius = 1\n"),
+    (
+        "{CYLINDER}",
+        "kind = \"elliptic_cylinder\"\nradii = [1, 1]\n",
+    ),
+    (
+        "{WAIST}",
+        "kind = \"hyperboloid_one_sheet\"\nradii = [1, 1, 1]\nplace = [{ scale = 30 }, { translate = [0, 0, 10] }]\n\
+         cuts = [{ point = [0, -0.1, 0], normal = [0, 1, 0] }, { point = [0, -0.2, 0], normal = [0, -1, 0] }]\n",
+    ),
+    (
+        "{BOWL}",
+        "kind = \"elliptic_paraboloid\"\nradii = [1, 1, 1]\nprocessor = \"curved_facet\"\n",
+    ),
+    ("{FACE}", "{MESH}{TRIANGLE}faces = [[0, 1, 2]]\n"),
+    ("{MESH}", "kind = \"mesh\"\n"),
+    (
+        "{TRIANGLE}",
+        "vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]\n",
+    ),
+    (
+        "{CORNERS}",
+        "corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]\n",
+    ),
+    (
+        "{WEIGHTS}",
+        "weights = [-1, 1, 1, 1, -1, -1, -1, -1, -1, -1]\n",
+    ),
+];
+
+/// The keys of an object with all that is short in them.
+fn full(keys: &str) -> String {
+    let replaced = |text: String, (short, long): &(&str, &str)| text.replace(short, long);
+    SHORT.iter().fold(keys.replace("\\n", "\n"), replaced)
+}
 
 fn scene(camera: &str, keys: &str) -> String {
     format!(
         "format = 1\ntitle = \"test\"\nimage = {{ width = 64, height = 48 }}\n[camera]\n{camera}\
          [[materials]]\nname = \"clay\"\ncolour = [0.8, 0.4, 0.3]\n\
-         [[objects]]\nname = \"thing\"\nmaterial = \"clay\"\n{keys}\n"
+         [[objects]]\nname = \"thing\"\nmaterial = \"clay\"\n{}\n",
+        full(keys)
     )
 }
 
@@ -42,129 +89,78 @@ fn refusal(camera: &str, keys: &str) -> String {
     }
 }
 
-#[track_caller]
-fn check(camera: &str, keys: &str, parts: &[&str]) {
-    let message = refusal(camera, keys);
-    for part in parts.iter().chain(&["thing"]) {
-        assert!(message.contains(part), "`{part}` is missing in: {message}");
+/// A row has the keys of an object and the parts of the message.
+fn check_each(camera: &str, table: &str) {
+    for row in rows(table) {
+        let message = refusal(camera, row[0]);
+        for part in row[1..].iter().chain(&["thing"]) {
+            assert!(message.contains(part), "`{part}` is missing in: {message}");
+        }
     }
 }
 
-#[track_caller]
-fn accept(camera: &str, keys: &str) {
-    let file = SceneFile::parse(&scene(camera, keys), "demo.toml").expect("valid");
-    let framed = file.frame(64, 48).expect("framed");
-    prepare(&framed, Format::BASE).expect("fits");
-    let written = file.to_toml().expect("can be written");
-    assert_eq!(SceneFile::parse(&written, "written").expect("valid"), file);
+fn accept_each(camera: &str, table: &str) {
+    for row in rows(table) {
+        let file = SceneFile::parse(&scene(camera, row[0]), "demo.toml").expect("valid");
+        let framed = file.frame(64, 48).expect("framed");
+        prepare(&framed, Format::BASE).expect("fits");
+        let written = file.to_toml().expect("can be written");
+        assert_eq!(SceneFile::parse(&written, "written").expect("valid"), file);
+    }
 }
 
 #[test]
 fn good_ones_are_accepted_and_written() {
-    accept(
+    accept_each(
         PERSPECTIVE,
-        "kind = \"sphere\"\nradius = 1\nmode = \"patch\"\nprocessor = \"patch\"",
+        r#"
+        {SPHERE}mode = "patch"\nprocessor = "patch"
+        kind = "polyhedron"\ncuts = [{UP}, { point = [0, 0, 1], normal = [0, 0, 1] }]
+        {MESH}{TRIANGLE}faces = [[0, 1, 2], [0, 1, 3, 2]]
+        {FACE}normals = [[0, 0, 1], [0, 1, 1], [1, 0, 1], [0, 0, 2]]
+        kind = "tetrahedron_patch"\n{CORNERS}{WEIGHTS}
+        kind = "tetrahedron_patch"\nmode = "patch"\nprocessor = "quadric"\n{CORNERS}{WEIGHTS}
+        {SPHERE}{FIRST}cuts = [{UP}, {DOWN}]\nplace = [{ rotate = { axis = "x", degrees = 60 } }]
+        "#,
     );
-    accept(
-        PERSPECTIVE,
-        &format!(
-            "kind = \"polyhedron\"\ncuts = [{UP}, {{ point = [0, 0, 1], normal = [0, 0, 1] }}]"
-        ),
-    );
-    accept(
-        PERSPECTIVE,
-        &format!("kind = \"mesh\"\n{TRIANGLE}faces = [[0, 1, 2], [0, 1, 3, 2]]"),
-    );
-    accept(
-        PERSPECTIVE,
-        &format!(
-            "kind = \"mesh\"\n{TRIANGLE}faces = [[0, 1, 2]]\nnormals = [[0, 0, 1], [0, 1, 1], [1, 0, 1], [0, 0, 2]]"
-        ),
-    );
-    accept(
-        PERSPECTIVE,
-        &format!("kind = \"tetrahedron_patch\"\n{CORNERS}{WEIGHTS}"),
-    );
-    accept(
-        PERSPECTIVE,
-        &format!(
-            "kind = \"tetrahedron_patch\"\nmode = \"patch\"\nprocessor = \"quadric\"\n{CORNERS}{WEIGHTS}"
-        ),
-    );
-    accept(
+    accept_each(
         PARALLEL,
-        "kind = \"sphere\"\nradius = 1\nprocessor = \"paraboloid\"\nplace = [{ scale = [2, -2, 2] }, { rotate = { axis = [1, 2, 3], degrees = 33 } }]",
-    );
-    accept(
-        PARALLEL,
-        &format!(
-            "kind = \"elliptic_cylinder\"\nradii = [1, 1]\nprocessor = \"paraboloid\"\ncuts = [{DOWN}, {UP}]"
-        ),
-    );
-    accept(
-        PARALLEL,
-        "kind = \"sphere\"\nradius = 1\nmode = \"patch\"\nprocessor = \"curved_facet\"",
-    );
-    accept(
-        PERSPECTIVE,
-        &format!(
-            "kind = \"sphere\"\nradius = 1\nprocessor = \"first_generation\"\ncuts = [{UP}, {DOWN}]\nplace = [{{ rotate = {{ axis = \"x\", degrees = 60 }} }}]"
-        ),
+        r#"
+        {SPHERE}{PARABOLOID}place = [{ scale = [2, -2, 2] }, { rotate = { axis = [1, 2, 3], degrees = 33 } }]
+        {CYLINDER}{PARABOLOID}cuts = [{DOWN}, {UP}]
+        {SPHERE}mode = "patch"\nprocessor = "curved_facet"
+        "#,
     );
 }
 
 /// Objects beyond the words are refused with the word and its bits; nothing panics at the ends of what a file can hold.
 #[test]
 fn what_does_not_fit_is_refused_by_word() {
-    let far = |kind: &str| {
-        format!("{kind}\nplace = [{{ translate = [0, 0, -3000] }}, {{ scale = 1000 }}]")
-    };
-    let sphere = "kind = \"sphere\"\nradius = 3000\nprocessor = \"paraboloid\"";
-    check(PARALLEL, sphere, &["too large for the format", "bits"]);
-    check(
+    check_each(
+        PARALLEL,
+        r#"kind = "sphere"\nradius = 3000\n{PARABOLOID} | too large for the format | bits"#,
+    );
+    check_each(
         STRAIGHT,
-        &far("kind = \"mesh\"\nvertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\nfaces = [[0, 1, 2]]"),
-        &["too far outside the depth range"],
+        "{FACE}place = [{ translate = [0, 0, -3000] }, { scale = 1000 }] | too far outside the depth range",
     );
     for scale in ["1e-12", "1e-6", "1e6", "1e12"] {
         let steps = vec![format!("{{ scale = {scale} }}"); 30].join(", ");
         let place = format!("place = [{steps}]\n");
-        let objects = [
-            (
-                "kind = \"sphere\"\nradius = 1\nprocessor = \"paraboloid\"\n".to_owned(),
-                PARALLEL,
-            ),
-            (
-                format!(
-                    "kind = \"elliptic_cylinder\"\nradii = [1, 1]\nprocessor = \"paraboloid\"\ncuts = [{UP}, {DOWN}]\n"
-                ),
-                PARALLEL,
-            ),
-            (
-                "kind = \"sphere\"\nradius = 1\nmode = \"patch\"\nprocessor = \"curved_facet\"\n"
-                    .to_owned(),
-                PARALLEL,
-            ),
-            (
-                format!("kind = \"mesh\"\n{TRIANGLE}faces = [[0, 1, 2]]\n"),
-                PARALLEL,
-            ),
-            (
-                format!("kind = \"mesh\"\n{TRIANGLE}faces = [[0, 1, 2]]\n"),
-                PERSPECTIVE,
-            ),
-            (
-                format!("kind = \"tetrahedron_patch\"\n{CORNERS}{WEIGHTS}"),
-                PERSPECTIVE,
-            ),
-            (
-                format!(
-                    "kind = \"polyhedron\"\ncuts = [{UP}, {{ point = [0, 0, 1], normal = [0, 0, 1] }}]\n"
-                ),
-                PERSPECTIVE,
-            ),
-        ];
-        for (keys, camera) in objects {
+        let parallel = r#"
+            {SPHERE}{PARABOLOID}
+            {CYLINDER}{PARABOLOID}cuts = [{UP}, {DOWN}]\n
+            {SPHERE}mode = "patch"\nprocessor = "curved_facet"\n
+            {FACE}
+            "#;
+        let perspective = r#"
+            {FACE}
+            kind = "tetrahedron_patch"\n{CORNERS}{WEIGHTS}
+            kind = "polyhedron"\ncuts = [{UP}, { point = [0, 0, 1], normal = [0, 0, 1] }]\n
+            "#;
+        let parallel = rows(parallel).map(|row| (row[0], PARALLEL));
+        let perspective = rows(perspective).map(|row| (row[0], PERSPECTIVE));
+        for (keys, camera) in parallel.chain(perspective) {
             let text = scene(camera, &format!("{keys}{place}"));
             let file = SceneFile::parse(&text, "demo.toml").expect("valid");
             for format in Format::CATALOGUE {

@@ -1,13 +1,10 @@
 //! Refusals of processors that draw a quadric of a family.
 
-use super::{DOWN, PARALLEL, PERSPECTIVE, STRAIGHT, UP, check, refusal};
+use super::{PARALLEL, PERSPECTIVE, STRAIGHT, check_each, refusal};
 
 #[test]
 fn unknown_processor() {
-    let message = refusal(
-        PERSPECTIVE,
-        "kind = \"sphere\"\nradius = 1\nprocessor = \"facet\"",
-    );
+    let message = refusal(PERSPECTIVE, "{SPHERE}processor = \"facet\"");
     for part in [
         "demo.toml:18:13",
         "`facet`",
@@ -20,167 +17,72 @@ fn unknown_processor() {
 
 #[test]
 fn patch_processor_on_a_solid() {
-    check(
+    check_each(
         PERSPECTIVE,
-        "kind = \"sphere\"\nradius = 1\nprocessor = \"patch\"",
-        &["processor", "\"patch\"", "solid", "mode = \"patch\""],
+        r#"{SPHERE}processor = "patch" | processor | "patch" | solid | mode = "patch""#,
     );
 }
 
 #[test]
 fn first_generation_with_other_cuts() {
-    let with = |cuts: &str| {
-        format!("kind = \"sphere\"\nradius = 1\nprocessor = \"first_generation\"\ncuts = [{cuts}]")
-    };
-    let needed = "exactly two parallel cuts";
-    check(PERSPECTIVE, &with(UP), &["cuts", "1 cuts", needed]);
-    check(
+    // In the fifth the viewer looks along the planes and stands between them. In the last he is inside the waist of
+    // one sheet; between two sheets he would be outside of the solid.
+    check_each(
         PERSPECTIVE,
-        &with(&format!("{UP}, {DOWN}, {DOWN}")),
-        &["3 cuts", needed],
-    );
-    check(
-        PERSPECTIVE,
-        &with(&format!("{UP}, {UP}")),
-        &["not parallel with opposite normals", needed],
-    );
-    let slanted = "{ point = [0, -0.5, 0], normal = [0.1, -1, 0] }";
-    check(
-        PERSPECTIVE,
-        &with(&format!("{UP}, {slanted}")),
-        &["not parallel", needed],
-    );
-    // The viewer looks along the planes and stands between them.
-    check(
-        PERSPECTIVE,
-        &with(&format!("{UP}, {DOWN}")),
-        &["first_generation", "between its two planes", "\"quadric\""],
-    );
-    let around = "place = [{ scale = 3 }, { translate = [0, 0, 10] }]\n";
-    let inside = format!(
-        "kind = \"hyperboloid_two_sheets\"\nradii = [1, 1, 1]\nprocessor = \"first_generation\"\n{around}cuts = [{{ point = [0, -2, 0], normal = [0, 1, 0] }}, {{ point = [0, -3, 0], normal = [0, -1, 0] }}]"
-    );
-    // Outside a hyperboloid of two sheets, between them, is outside of the solid; one sheet's waist is inside.
-    let waist = inside
-        .replace("two_sheets", "one_sheet")
-        .replace("scale = 3", "scale = 30")
-        .replace("-2, 0]", "-0.1, 0]")
-        .replace("-3, 0]", "-0.2, 0]");
-    check(
-        PERSPECTIVE,
-        &waist,
-        &["first_generation", "inside the unbounded quadric"],
+        r#"
+        {SPHERE}{FIRST}cuts = [{UP}] | cuts | 1 cuts | exactly two parallel cuts
+        {SPHERE}{FIRST}cuts = [{UP}, {DOWN}, {DOWN}] | 3 cuts | exactly two parallel cuts
+        {SPHERE}{FIRST}cuts = [{UP}, {UP}] | not parallel with opposite normals | exactly two parallel cuts
+        {SPHERE}{FIRST}cuts = [{UP}, {SLANTED}] | not parallel | exactly two parallel cuts
+        {SPHERE}{FIRST}cuts = [{UP}, {DOWN}] | first_generation | between its two planes | "quadric"
+        {WAIST}{FIRST} | first_generation | inside the unbounded quadric
+        "#,
     );
 }
 
 #[test]
 fn paraboloids_that_cannot_be() {
-    let sphere = "kind = \"sphere\"\nradius = 1\nprocessor = \"paraboloid\"\n";
-    check(
+    check_each(
         PERSPECTIVE,
-        sphere,
-        &["processor", "\"paraboloid\"", "perspective", "orthographic"],
+        r#"{SPHERE}{PARABOLOID} | processor | "paraboloid" | perspective | orthographic"#,
     );
-    check(
+    check_each(
         PARALLEL,
-        &format!("{sphere}mode = \"patch\""),
-        &["\"paraboloid\"", "patch", "mode = \"solid\""],
+        r#"
+        {SPHERE}{PARABOLOID}mode = "patch" | "paraboloid" | patch | mode = "solid"
+        {SPHERE}{PARABOLOID}cuts = [{UP}] | cuts | does not cut a sphere
+        {SPHERE}{PARABOLOID}place = [{ scale = [1, 2, 1] }] | place | no longer a sphere | keep it round
+        kind = "ellipsoid"\nradii = [1, 1, 1]\n{PARABOLOID} | spheres and circular cylinders only | kind = "sphere"
+        kind = "elliptic_cylinder"\nradii = [1, 2]\n{PARABOLOID}cuts = [{UP}, {DOWN}] | place | not a right circular cylinder
+        {CYLINDER}{PARABOLOID}cuts = [{UP}] | cuts | two ends | [0, 1, 0]
+        {CYLINDER}{PARABOLOID}cuts = [{UP}, {SLANTED}] | across the axis
+        {CYLINDER}{PARABOLOID}cuts = [{UP}, { point = [0, 0.5, 0], normal = [0, -1, 0] }] | leave nothing
+        "#,
     );
-    check(
-        PARALLEL,
-        &format!("{sphere}cuts = [{UP}]"),
-        &["cuts", "does not cut a sphere"],
-    );
-    check(
-        PARALLEL,
-        &format!("{sphere}place = [{{ scale = [1, 2, 1] }}]"),
-        &["place", "no longer a sphere", "keep it round"],
-    );
-    check(
-        PARALLEL,
-        "kind = \"ellipsoid\"\nradii = [1, 1, 1]\nprocessor = \"paraboloid\"",
-        &["spheres and circular cylinders only", "kind = \"sphere\""],
-    );
-    let cylinder = |radii: &str, cuts: &str, place: &str| {
-        format!(
-            "kind = \"elliptic_cylinder\"\nradii = {radii}\nprocessor = \"paraboloid\"\nplace = [{place}]\ncuts = [{cuts}]"
-        )
-    };
-    let both = format!("{UP}, {DOWN}");
-    check(
-        PARALLEL,
-        &cylinder("[1, 2]", &both, ""),
-        &["place", "not a right circular cylinder"],
-    );
-    check(
-        PARALLEL,
-        &cylinder("[1, 1]", UP, ""),
-        &["cuts", "two ends", "[0, 1, 0]"],
-    );
-    let slanted = "{ point = [0, -0.5, 0], normal = [0.1, -1, 0] }";
-    check(
-        PARALLEL,
-        &cylinder("[1, 1]", &format!("{UP}, {slanted}"), ""),
-        &["across the axis"],
-    );
-    check(
-        PARALLEL,
-        &cylinder(
-            "[1, 1]",
-            &format!("{UP}, {}", DOWN.replace("-0.5", "0.5")),
-            "",
-        ),
-        &["leave nothing"],
-    );
-    check(
+    check_each(
         STRAIGHT,
-        &cylinder("[1, 1]", &both, ""),
-        &["side-on", "turn it"],
-    );
-    let turned = "{ rotate = { axis = \"x\", degrees = 90 } }";
-    check(
-        STRAIGHT,
-        &cylinder("[1, 1]", &both, turned),
-        &["end-on", "turn it"],
+        r#"
+        {CYLINDER}{PARABOLOID}cuts = [{UP}, {DOWN}] | side-on | turn it
+        {CYLINDER}{PARABOLOID}cuts = [{UP}, {DOWN}]\n{TURNED} | end-on | turn it
+        "#,
     );
 }
 
 #[test]
 fn curved_facets_that_cannot_be() {
-    let bowl = "kind = \"elliptic_paraboloid\"\nradii = [1, 1, 1]\nprocessor = \"curved_facet\"\n";
-    check(
+    check_each(
         PERSPECTIVE,
-        &format!("{bowl}mode = \"patch\""),
-        &["\"curved_facet\"", "perspective"],
+        r#"{BOWL}mode = "patch" | "curved_facet" | perspective"#,
     );
-    check(
+    check_each(
         STRAIGHT,
-        bowl,
-        &["\"curved_facet\"", "solid", "mode = \"patch\""],
-    );
-    let bowl = format!("{bowl}mode = \"patch\"\n");
-    check(STRAIGHT, &bowl, &["second degree", "along its axis"]);
-    let turned = "place = [{ rotate = { axis = \"x\", degrees = 90 } }]\n";
-    check(
-        STRAIGHT,
-        &format!("{bowl}{turned}cuts = [{UP}]"),
-        &["cuts[0]", "perpendicular to the screen"],
-    );
-    let side = "{ point = [1, 0, 0], normal = [1, 0, 0] }, ".repeat(5);
-    check(
-        STRAIGHT,
-        &format!("{bowl}{turned}cuts = [{side}]"),
-        &["5 cuts", "at most 4 sides"],
-    );
-    let sphere = "kind = \"sphere\"\nradius = 1\nmode = \"patch\"\nprocessor = \"curved_facet\"\n";
-    check(
-        STRAIGHT,
-        &format!("{sphere}cuts = [{UP}]"),
-        &["cuts", "outline"],
-    );
-    check(
-        STRAIGHT,
-        &format!("{sphere}place = [{{ scale = [1, 1, 2] }}]"),
-        &["place", "no longer a sphere"],
+        r#"
+        {BOWL} | "curved_facet" | solid | mode = "patch"
+        {BOWL}mode = "patch" | second degree | along its axis
+        {BOWL}mode = "patch"\n{TURNED}cuts = [{UP}] | cuts[0] | perpendicular to the screen
+        {BOWL}mode = "patch"\n{TURNED}cuts = [{SIDE}, {SIDE}, {SIDE}, {SIDE}, {SIDE}] | 5 cuts | at most 4 sides
+        {SPHERE}mode = "patch"\nprocessor = "curved_facet"\ncuts = [{UP}] | cuts | outline
+        {SPHERE}mode = "patch"\nprocessor = "curved_facet"\nplace = [{ scale = [1, 1, 2] }] | place | no longer a sphere
+        "#,
     );
 }
