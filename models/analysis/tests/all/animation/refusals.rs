@@ -3,6 +3,7 @@
 use super::{CAMERA, CHAIN, ball, scene};
 use imogene_scene::animation::{MAX_MOVES, Playback};
 use imogene_scene::{MAX_NESTING, SceneFile};
+use imogene_testkit::rows;
 
 /// Asserts that a scene is refused with all of these parts of a message.
 fn refused(top: &str, rest: &str, parts: &[&str]) {
@@ -37,26 +38,40 @@ fn with_action(action: &str) -> String {
     with_image(&format!("actions = [{action}]"))
 }
 
+/// Each row has what `rest` makes the rest of a scene of, and the parts of the message.
+fn refused_each(rest: fn(&str) -> String, table: &str) {
+    for row in rows(table) {
+        refused(CAMERA, &rest(&row[0].replace("\\n", "\n")), &row[1..]);
+    }
+}
+
+/// The same of cameras: a part of the usual one, what stands in its place, and the parts of the message.
+fn refused_cameras(table: &str) {
+    for row in rows(table) {
+        let [old, new] = [row[0], row[1]].map(|text| text.replace("\\n", "\n"));
+        refused(&CAMERA.replace(&old, &new), &ball(""), &row[2..]);
+    }
+}
+
+fn parallel_camera() -> String {
+    let parallel = CAMERA.replace("perspective", "orthographic");
+    parallel.replace("viewer_distance", "half_depth")
+}
+
 #[test]
 fn groups_that_do_not_exist() {
     let none = ball("group = \"arm\"");
-    refused(
-        CAMERA,
-        &none,
-        &[
-            "object `ball`, group",
-            "`arm` is not a group",
-            "no `[[groups]]` yet",
-        ],
-    );
+    let parts = [
+        "object `ball`, group",
+        "`arm` is not a group",
+        "no `[[groups]]` yet",
+    ];
+    refused(CAMERA, &none, &parts);
     let other = with_group("leg", None) + &none;
     refused(CAMERA, &other, &["the scene has `leg`"]);
     let parent = with_group("leg", Some("hip")) + &ball("");
-    refused(
-        CAMERA,
-        &parent,
-        &["group `leg`, group", "`hip` is not a group"],
-    );
+    let parts = ["group `leg`, group", "`hip` is not a group"];
+    refused(CAMERA, &parent, &parts);
     let camera = format!("{CAMERA}group = \"rig\"\n");
     refused(&camera, &ball(""), &["camera `eye`, group", "`rig`"]);
     let light =
@@ -92,11 +107,8 @@ fn groups_nested_too_deeply() {
         (0..depth).map(one).collect::<String>() + &ball("")
     };
     assert!(SceneFile::parse(&scene(CAMERA, &chain(MAX_NESTING)), "test.toml").is_ok());
-    refused(
-        CAMERA,
-        &chain(MAX_NESTING + 2),
-        &["64 groups", "at most 64"],
-    );
+    let beyond = chain(MAX_NESTING + 2);
+    refused(CAMERA, &beyond, &["64 groups", "at most 64"]);
 }
 
 #[test]
@@ -114,217 +126,91 @@ fn names_taken_by_another_class() {
 
 #[test]
 fn cameras_that_cannot_be() {
-    refused(
-        "",
-        &ball(""),
-        &["test.toml:1:1:", "missing field `camera`", "[[cameras]]"],
-    );
-    let nameless = CAMERA.replace("[camera]\nname = \"eye\"", "[[cameras]]");
-    refused(&nameless, &ball(""), &["cameras[0] has no `name`"]);
-    let unknown = format!("active_camera = \"top\"\n{CAMERA}");
-    refused(
-        &unknown,
-        &ball(""),
-        &[
-            "active_camera",
-            "`top` is not a camera",
-            "the scene has `eye`",
-        ],
+    let parts = ["test.toml:1:1:", "missing field `camera`", "[[cameras]]"];
+    refused("", &ball(""), &parts);
+    refused_cameras(
+        r#"
+        [camera]\nname = "eye" | [[cameras]] | cameras[0] has no `name`
+        [camera] | active_camera = "top"\n[camera] | active_camera | `top` is not a camera | the scene has `eye`
+        view_height = 6 | focal = 0.5 | focal: 0.5 is out of range | from 1 to 10000 millimetres
+        view_height = 6 | focal = nan | focal: NaN is out of range
+        view_height = 6 | field_of_view = 175 | field_of_view: 175 | 0.1 to 170 degrees
+        "#,
     );
     let both = CAMERA.to_owned() + "focal = 50\n";
     let table = place_of("[camera]", &both, "");
-    refused(
-        &both,
-        &ball(""),
-        &[
-            &table,
-            "one of `view_height`, `focal`, `field_of_view`; found several",
-        ],
-    );
-    let lens = |keys: &str| CAMERA.replace("view_height = 6", keys);
-    refused(
-        &lens("focal = 0.5"),
-        &ball(""),
-        &["focal: 0.5 is out of range", "from 1 to 10000 millimetres"],
-    );
-    refused(
-        &lens("focal = nan"),
-        &ball(""),
-        &["focal: NaN is out of range"],
-    );
-    refused(
-        &lens("field_of_view = 175"),
-        &ball(""),
-        &["field_of_view: 175", "0.1 to 170 degrees"],
-    );
-    let parallel = CAMERA
-        .replace("perspective", "orthographic")
-        .replace("viewer_distance", "half_depth");
-    let parallel = parallel.replace("view_height = 6", "focal = 50");
-    refused(
-        &parallel,
-        &ball(""),
-        &["an orthographic camera has no `focal`"],
-    );
+    let several = "one of `view_height`, `focal`, `field_of_view`; found several";
+    refused(&both, &ball(""), &[&table, several]);
+    let parallel = parallel_camera().replace("view_height = 6", "focal = 50");
+    let parts = ["an orthographic camera has no `focal`"];
+    refused(&parallel, &ball(""), &parts);
 }
 
 #[test]
 fn actions_on_what_does_not_exist_or_cannot_do_it() {
-    let parts = [
-        "image `one`, actions[0].target",
-        "nothing of this scene has the name `bal`",
-        "`ball`, `eye`",
-    ];
-    refused(
-        CAMERA,
-        &with_action("{ target = \"bal\", translate = [1, 0, 0] }"),
-        &parts,
+    refused_each(
+        with_action,
+        r#"
+        { target = "bal", translate = [1, 0, 0] } | image `one`, actions[0].target | nothing of this scene has the name `bal` | `ball`, `eye`
+        { target = "eye", show = false } | actions[0].target | `eye` is a camera | object or group or light is needed
+        { light = "ball", intensity = 0.5 } | actions[0].light | `ball` is an object
+        { camera = "ball", focal = 50 } | actions[0].camera | `ball` is not a camera | the scene has `eye`
+        { active_camera = "top" } | actions[0].active_camera | `top` is not a camera
+        { camera = "eye", focal = 1e9 } | focal | millimetres is possible
+        { target = "ball", scale = 0 } | actions[0].scale | singular
+        "#,
     );
-    let parts = [
-        "actions[0].target",
-        "`eye` is a camera",
-        "object or group or light is needed",
-    ];
-    refused(
-        CAMERA,
-        &with_action("{ target = \"eye\", show = false }"),
-        &parts,
-    );
-    let parts = ["actions[0].light", "`ball` is an object"];
-    refused(
-        CAMERA,
-        &with_action("{ light = \"ball\", intensity = 0.5 }"),
-        &parts,
-    );
-    let parts = [
-        "actions[0].camera",
-        "`ball` is not a camera",
-        "the scene has `eye`",
-    ];
-    refused(
-        CAMERA,
-        &with_action("{ camera = \"ball\", focal = 50 }"),
-        &parts,
-    );
-    let parts = ["actions[0].active_camera", "`top` is not a camera"];
-    refused(CAMERA, &with_action("{ active_camera = \"top\" }"), &parts);
-    let parallel = CAMERA
-        .replace("perspective", "orthographic")
-        .replace("viewer_distance", "half_depth");
     let parts = ["`eye` is an orthographic camera and has no lens"];
-    refused(
-        &parallel,
-        &with_action("{ camera = \"eye\", focal = 50 }"),
-        &parts,
-    );
-    refused(
-        CAMERA,
-        &with_action("{ camera = \"eye\", focal = 1e9 }"),
-        &["focal", "millimetres is possible"],
-    );
-    refused(
-        CAMERA,
-        &with_action("{ target = \"ball\", scale = 0 }"),
-        &["actions[0].scale", "singular"],
-    );
+    let action = with_action("{ camera = \"eye\", focal = 50 }");
+    refused(&parallel_camera(), &action, &parts);
 }
 
 #[test]
 fn actions_that_say_nothing_or_too_much() {
-    for (action, part) in [
-        ("{ target = \"ball\" }", "the action on `ball` is empty"),
-        ("{ translate = [1, 0, 0] }", "does not name what it changes"),
-        (
-            "{ target = \"ball\", translate = [1, 0, 0], scale = 2 }",
-            "several steps in one table",
-        ),
-        (
-            "{ target = \"ball\", show = true, scale = 2 }",
-            "moves and shows at once",
-        ),
-        (
-            "{ target = \"ball\", focal = 50 }",
-            "an action with `target` has no `focal`",
-        ),
-        ("{ light = \"ball\" }", "needs `intensity`"),
-        (
-            "{ camera = \"eye\", intensity = 1 }",
-            "an action with `camera` has no `intensity`",
-        ),
-        (
-            "{ active_camera = \"eye\", show = true }",
-            "an action with `active_camera` has no `show`",
-        ),
-        (
-            "{ target = \"ball\", translate = [1, 0] }",
-            "2 numbers found",
-        ),
-        (
-            "{ target = \"ball\", scale = 2, frame = \"scene\" }",
-            "unknown variant `scene`",
-        ),
-        ("{ target = \"ball\", sclae = 2 }", "unknown field `sclae`"),
-    ] {
-        let rest = with_action(action);
+    let table = r#"
+        { target = "ball" } | the action on `ball` is empty
+        { translate = [1, 0, 0] } | does not name what it changes
+        { target = "ball", translate = [1, 0, 0], scale = 2 } | several steps in one table
+        { target = "ball", show = true, scale = 2 } | moves and shows at once
+        { target = "ball", focal = 50 } | an action with `target` has no `focal`
+        { light = "ball" } | needs `intensity`
+        { camera = "eye", intensity = 1 } | an action with `camera` has no `intensity`
+        { active_camera = "eye", show = true } | an action with `active_camera` has no `show`
+        { target = "ball", translate = [1, 0] } | 2 numbers found
+        { target = "ball", scale = 2, frame = "scene" } | unknown variant `scene`
+        { target = "ball", sclae = 2 } | unknown field `sclae`
+        "#;
+    for row in rows(table) {
+        let rest = with_action(row[0]);
         let line = place_of("actions = [", CAMERA, &rest);
         let line = line.rsplit_once(':').unwrap().0.rsplit_once(':').unwrap().0;
-        refused(CAMERA, &rest, &[part, &format!("{line}:")]);
+        refused(CAMERA, &rest, &[row[1], &format!("{line}:")]);
     }
     let rest = with_action("{ target = \"ball\", sclae = 2 }");
     refused(CAMERA, &rest, &[&place_of("sclae", CAMERA, &rest)]);
     let rest = with_image("lasts = 3");
+    let place = place_of("lasts", CAMERA, &rest);
     refused(
         CAMERA,
         &rest,
-        &[
-            &place_of("lasts", CAMERA, &rest),
-            "unknown field `lasts`",
-            "`duration`",
-        ],
+        &[&place, "unknown field `lasts`", "`duration`"],
     );
 }
 
 #[test]
 fn images_that_cannot_be_played() {
-    refused(
-        CAMERA,
-        &with_image("duration = 0"),
-        &["image `one`, duration", "0.001 to 60"],
-    );
-    refused(CAMERA, &with_image("duration = nan"), &["duration", "NaN"]);
-    refused(
-        CAMERA,
-        &with_image("steps = 0"),
-        &["image `one`, steps", "1 to 100000"],
-    );
-    let rest = with_image("steps = -1");
-    refused(
-        CAMERA,
-        &rest,
-        &["test.toml:", "whole number that is not negative"],
-    );
-    let many = with_image("steps = 100000") + "[[images]]\nname = \"two\"\n";
-    refused(
-        CAMERA,
-        &many,
-        &["images", "100001 frames", "at most 100000"],
-    );
-    let mirror = with_image("steps = 2\nactions = [{ target = \"ball\", scale = [-1, 1, 1] }]");
-    refused(
-        CAMERA,
-        &mirror,
-        &["actions[0].scale", "mirrors", "steps = 1"],
-    );
-    refused(
-        CAMERA,
-        &with_image("parent = \"zero\""),
-        &["image `one`, parent", "`zero` is not an image", "`one`"],
-    );
-    let circle = with_image("parent = \"two\"") + "[[images]]\nname = \"two\"\nparent = \"one\"\n";
-    refused(
-        CAMERA,
-        &circle,
-        &["image `one`, parent", "`one` from `two` from `one`"],
+    refused_each(
+        with_image,
+        r#"
+        duration = 0 | image `one`, duration | 0.001 to 60
+        duration = nan | duration | NaN
+        steps = 0 | image `one`, steps | 1 to 100000
+        steps = -1 | test.toml: | whole number that is not negative
+        steps = 100000\n[[images]]\nname = "two" | images | 100001 frames | at most 100000
+        steps = 2\nactions = [{ target = "ball", scale = [-1, 1, 1] }] | actions[0].scale | mirrors | steps = 1
+        parent = "zero" | image `one`, parent | `zero` is not an image | `one`
+        parent = "two"\n[[images]]\nname = "two"\nparent = "one" | image `one`, parent | `one` from `two` from `one`
+        "#,
     );
 }
 
