@@ -253,11 +253,6 @@ impl PrepareError {
         let volume = volume.to_owned();
         match self {
             Self::TooLarge { excess, .. } => Self::VolumeTooLarge { volume, excess },
-            Self::SteepPlane { plane, steep, .. } => Self::VolumeSteepPlane {
-                volume,
-                plane,
-                steep,
-            },
             other => other,
         }
     }

@@ -2,7 +2,7 @@
 //! replaced by a proof).
 
 use super::context::Context;
-use super::error::{PrepareError, Steep};
+use super::error::Steep;
 use super::forms::{LinearForm, inverse, times};
 use super::rounding::{linear_error, round_half_plane, round_linear};
 use imogene_algebra::rational::{floor, from_f64_exact, integer, round_half_up, to_f64, to_f64_up};
@@ -34,30 +34,15 @@ impl PreparedPlane {
     }
 }
 
-/// A plane of an object: before perspective and after it, where it is proven, and the box around all objects that have
-/// the plane, for which it is rounded and scaled.
-pub(super) struct PlaneOf<'a> {
-    pub object: &'a str,
-    pub index: usize,
-    pub original: &'a Plane,
-    pub projected: &'a Plane,
-    pub window: &'a ScreenBox,
-    pub shared: &'a ScreenBox,
-}
-
-/// Prepares a plane that has to decide between two depths (pixels), which are asked for only if the plane is steep.
+/// Prepares a plane, before perspective and after it, that has to decide between two depths (pixels), which are asked
+/// for only if the plane is steep. It is proven on a window, and rounded and scaled for the box around all objects that
+/// have it.
 pub(super) fn prepare_plane(
-    plane: &PlaneOf,
+    [original, projected]: [&Plane; 2],
+    (window, shared): (&ScreenBox, &ScreenBox),
     depths: impl FnOnce() -> (f64, f64),
     context: &Context,
-) -> Result<PreparedPlane, PrepareError> {
-    let PlaneOf {
-        original,
-        projected,
-        window,
-        shared,
-        ..
-    } = *plane;
+) -> Result<PreparedPlane, Steep> {
     let normal = constant_normal(original, context.format.greatest_normal());
     // The half-plane value; kept where it is not negative.
     let value = context.to_pixels_linear(&LinearForm::new(
@@ -90,15 +75,11 @@ pub(super) fn prepare_plane(
             steep: false,
         });
     }
-    let refusal = |(x, y)| PrepareError::SteepPlane {
-        object: plane.object.to_string(),
-        plane: plane.index,
-        steep: Steep {
-            needed,
-            available: context.format.plane,
-            x,
-            y,
-        },
+    let refusal = |(x, y)| Steep {
+        needed,
+        available: context.format.plane,
+        x,
+        y,
     };
     let form = perpendicular_if_proven(&value, &projected.c, depths(), window, context)
         .map_err(refusal)?;

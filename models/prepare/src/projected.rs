@@ -5,8 +5,8 @@ use super::context::Context;
 use super::error::PrepareError;
 use super::extent::Extent;
 use super::perspective::{ScreenQuadric, on_screen};
-use super::planes::{PlaneOf, PreparedPlane, prepare_plane};
-use super::screen_box::{Existence, Region};
+use super::planes::{PreparedPlane, prepare_plane};
+use super::screen_box::Region;
 use super::seams::Place;
 use imogene_algebra::rational::to_f64;
 use imogene_golden::object::quadric::ScreenBox;
@@ -48,15 +48,13 @@ impl Projected {
         let planes = object.planes.iter().zip(&self.planes).zip(&place.planes);
         let planes = planes.enumerate();
         planes.map(move |(index, ((original, projected), shared))| {
-            let plane = PlaneOf {
-                object: &object.name,
-                index,
-                original,
-                projected,
-                window: &self.window,
-                shared,
-            };
-            prepare_plane(&plane, depths, context)
+            let at = (&self.window, shared);
+            let plane = prepare_plane([original, projected], at, depths, context);
+            plane.map_err(|steep| PrepareError::SteepPlane {
+                object: object.name.clone(),
+                plane: index,
+                steep,
+            })
         })
     }
 }
@@ -116,5 +114,5 @@ fn is_empty_between(object: &FramedQuadric, near: f64, far: f64, context: &Conte
         [side, side, far * distance],
     );
     let region = Region::new(&object.quadric, &object.planes, object.surface);
-    region.existence(cell, [1e-3 * distance; 3]) == Existence::Empty
+    !region.may_be_in(cell, [1e-3 * distance; 3])
 }

@@ -21,7 +21,7 @@ use super::context::{Context, Options};
 use super::extent::Extent;
 use super::perspective::on_screen;
 use super::projected::tangent_box;
-use super::screen_box::{Cell, Existence, Region, Search, screen_between};
+use super::screen_box::{Cell, Region, Search, screen_between};
 use super::witness::witnesses;
 use imogene_algebra::rational::{integer, to_f64};
 use imogene_golden::format::Format;
@@ -279,7 +279,7 @@ impl<'a> Depths<'a> {
         if witness.is_some_and(|point| body.regions.iter().any(|region| region.holds(point))) {
             return true;
         }
-        let is_met = |region: &Region| region.existence(cell, resolution) == Existence::Possible;
+        let is_met = |region: &Region| region.may_be_in(cell, resolution);
         body.regions.is_empty() || body.regions.iter().any(is_met)
     }
 

@@ -52,15 +52,6 @@ pub struct Region {
     enclosure: Option<Cell>,
 }
 
-/// What an existence search found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Existence {
-    /// No point of the region lies in the cell: proven.
-    Empty,
-    /// A small cell could not be excluded, or the budget ran out.
-    Possible,
-}
-
 impl Region {
     /// A region from exact coefficients; `planes` are kept where they are not positive.
     pub fn new(quadric: &Quadric, planes: &[Plane], surface: Surface) -> Region {
@@ -151,21 +142,22 @@ impl Region {
             && self.quadric_range(&cell).1 <= 0.0
     }
 
-    /// Searches the cell for a point of the region, down to cells of `resolution` along each axis.
-    pub fn existence(&self, cell: Cell, resolution: [f64; 3]) -> Existence {
+    /// Searches the cell for a point of the region, down to cells of `resolution` along each axis. False only if it is
+    /// proven that no point lies there: a small cell may not be excluded, or the budget run out.
+    pub fn may_be_in(&self, cell: Cell, resolution: [f64; 3]) -> bool {
         let mut open = vec![cell];
         for _ in 0..Search::FINE.budget {
             let Some(cell) = open.pop() else {
-                return Existence::Empty;
+                return false;
             };
             if self.may_meet(&cell) {
                 if cell.relative_size(&resolution).all(|size| size <= 1.0) {
-                    return Existence::Possible;
+                    return true;
                 }
                 open.extend(cell.halves(&resolution));
             }
         }
-        Existence::Possible
+        true
     }
 
     /// The least value of `direction * coordinate[axis]` at which the region can be met, or `None` if it is empty.

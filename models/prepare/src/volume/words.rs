@@ -6,7 +6,7 @@ use crate::error::PrepareError;
 use crate::forms::LinearForm;
 use crate::object::depth_words;
 use crate::perspective::{ScreenQuadric, project_plane};
-use crate::planes::{PlaneOf, PreparedPlane, prepare_plane, signed_bits};
+use crate::planes::{PreparedPlane, prepare_plane, signed_bits};
 use crate::prepared::{Beginning, ExactForms, NeededWidths, PreparedVolume, RoundingBounds};
 use crate::screen_box::{Region, Search};
 use imogene_algebra::rational::power_of_two;
@@ -49,7 +49,6 @@ pub(super) fn volume_words(
     if window.is_empty() {
         return Ok(empty(shape));
     }
-    let in_volume = |error: PrepareError| error.in_volume(&shape.name);
     let mut prepared = if shape.quadric.is_everywhere() {
         PreparedVolume {
             notes: vec![],
@@ -62,20 +61,18 @@ pub(super) fn volume_words(
     let reach = receivers.half[2];
     let depths = (receivers.centre[2] - reach, receivers.centre[2] + reach);
     for (index, (original, projected)) in shape.planes.iter().zip(&planes).enumerate() {
-        let plane = PlaneOf {
-            object: &shape.name,
-            index,
-            original,
-            projected,
-            window: &window,
-            shared: &window,
-        };
-        let plane = prepare_plane(&plane, || depths, context).map_err(in_volume)?;
+        let at = (&window, &window);
+        let plane = prepare_plane([original, projected], at, || depths, context);
+        let plane = plane.map_err(|steep| PrepareError::VolumeSteepPlane {
+            volume: shape.name.clone(),
+            plane: index,
+            steep,
+        })?;
         add_plane(&mut prepared, plane, index);
     }
     if shape.kind == VolumeKind::Shadow {
         keep_off_beginning(&mut prepared, shape.face_error);
-        prove_planes(&mut prepared, context).map_err(in_volume)?;
+        prove_planes(&mut prepared, context).map_err(|error| error.in_volume(&shape.name))?;
     }
     Ok(prepared)
 }
