@@ -1,5 +1,6 @@
 //! The words of a tile: a chip that shows the one solid of a scene.
 
+use imogene_algebra::vector::{dot, length};
 use imogene_contract::MachineWords;
 use imogene_contract::tile::{
     FACTOR, LIGHT, LIGHT_FRACTION, MOST_LEVEL, MOST_TILE_PLANES, TileLight, TilePlane, TileWords,
@@ -192,14 +193,6 @@ fn has_root(words: &QuadricWords, x: i64, y: i64, format: &Format) -> bool {
     (0..1 << (format.pe2_width() - 1)).contains(&f2)
 }
 
-fn length(vector: [f64; 3]) -> f64 {
-    vector
-        .into_iter()
-        .map(|part| part * part)
-        .sum::<f64>()
-        .sqrt()
-}
-
 /// What the first plane moves by in a frame, and how far it is moved at both edges of the screen, at most. A plane
 /// along the line of sight stays.
 fn drift(quadric: &QuadricWords, object: &Drawn, screen: u64) -> (i64, [i64; 2]) {
@@ -320,10 +313,6 @@ impl Shading {
             ambient: self.ambient.round() as u64,
         }
     }
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a.into_iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// Towards the brightest source, and how bright it is; without any, the light is that of the viewer.

@@ -13,6 +13,7 @@
 //! at most `asin(E / L)` away from the true one. Where E >= L the direction is not determined.
 
 use super::depth::root_error;
+use imogene_algebra::vector::length;
 use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END};
 use imogene_golden::unit::normal::NormalWords;
 use imogene_prepare::{PreparedQuadric, RoundingBounds};
@@ -39,7 +40,7 @@ pub fn normal_bound(object: &PreparedQuadric, number: u8, f2: i64, normal: [i16;
 
 /// The same for a plane, whose normal is rounded to the nearest word.
 pub fn constant_normal_bound(normal: [i16; 3]) -> f64 {
-    degrees(0.75f64.sqrt() / length(normal))
+    degrees(0.75f64.sqrt() / length(normal.map(f64::from)))
 }
 
 /// Greatest sine of the angle between a quadric's golden normal and the true gradient; the direction is not determined
@@ -50,15 +51,8 @@ pub fn quadric_sine(
     f2: i64,
     normal: [i16; 3],
 ) -> f64 {
-    quadric_error(words, bounds, f2) / (length(normal) * DROPPED) * (1.0 + FLOAT_MARGIN)
-}
-
-fn length(normal: [i16; 3]) -> f64 {
-    normal
-        .map(|v| f64::from(v).powi(2))
-        .iter()
-        .sum::<f64>()
-        .sqrt()
+    let length = length(normal.map(f64::from));
+    quadric_error(words, bounds, f2) / (length * DROPPED) * (1.0 + FLOAT_MARGIN)
 }
 
 fn quadric_error(words: &NormalWords, bounds: &RoundingBounds, f2: i64) -> f64 {
@@ -73,12 +67,7 @@ fn quadric_error(words: &NormalWords, bounds: &RoundingBounds, f2: i64) -> f64 {
             + (shifted + truncated) / (2.0 * product)
             + DROPPED
     };
-    words
-        .k
-        .map(|k| component(k).powi(2))
-        .iter()
-        .sum::<f64>()
-        .sqrt()
+    length(words.k.map(component))
 }
 
 fn degrees(sine: f64) -> f64 {

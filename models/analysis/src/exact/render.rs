@@ -4,6 +4,7 @@ use super::facet::{MeshNormals, RayMesh};
 use super::ray::{Hit, RayObject};
 use super::solid::{Interval, first_point};
 use imogene_algebra::rational::to_f64;
+use imogene_algebra::vector::length;
 use imogene_algebra::whole::greatest;
 use imogene_golden::format::Format;
 use imogene_golden::machine::frame::{Frame, FrameLayer};
@@ -259,7 +260,7 @@ impl Normals<'_> {
 }
 
 fn full_length(direction: [f64; 3]) -> [i16; 3] {
-    let length = direction.iter().map(|v| v * v).sum::<f64>().sqrt();
+    let length = length(direction);
     direction.map(|v| (v / length * 32767.0).round() as i16)
 }
 
