@@ -1,5 +1,4 @@
 //! Scenes written by hand in the camera frame, and what the tests ask of them.
-//!
 
 use imogene_algebra::rational::integer;
 use imogene_golden::format::Format;
@@ -76,16 +75,26 @@ pub fn object(
     }
 }
 
+/// A ball of the first material.
+pub fn ball(centre: [i64; 3], radius: i64, planes: &[[i64; 4]]) -> FramedQuadric {
+    object("ball", Surface::Solid, sphere(centre, radius), planes)
+}
+
+/// The view of an eye so many pixels before the screen.
+pub fn perspective(distance: i64) -> Projection {
+    let distance = integer(distance);
+    Projection::Perspective { distance }
+}
+
+/// A parallel view that reaches so many pixels before and behind the screen.
+pub fn parallel(half_depth: i64) -> Projection {
+    let half_depth = integer(half_depth);
+    Projection::Orthographic { half_depth }
+}
+
 /// A perspective scene of 720 x 540 pixels at 1000 pixels from the viewer.
 pub fn scene(objects: Vec<FramedQuadric>) -> FramedScene {
-    scene_of(
-        WIDTH,
-        HEIGHT,
-        Projection::Perspective {
-            distance: integer(1000),
-        },
-        objects,
-    )
+    scene_of(WIDTH, HEIGHT, perspective(1000), objects)
 }
 
 /// A scene without lights.

@@ -1,24 +1,32 @@
 //! The check: what it reports, and that its bounds and its word on undecided pixels hold.
 
 use imogene_algebra::rational::from_f64_exact;
-use imogene_analysis::bounds::{CheckReport, Shows, check, depth_bound};
+use imogene_analysis::bounds::{CheckReport, QuadricReport, Shows, check, depth_bound};
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::unit::pe1::Linear;
 use imogene_prepare::{PreparedObject, PreparedQuadric, prepare as prepare_scene};
-use imogene_scene::{FramedScene, Quadric, Surface};
+use imogene_scene::{FramedQuadric, Quadric, Surface};
 use imogene_testkit::*;
 use num_traits::Signed;
 
-fn report(objects: Vec<imogene_scene::FramedQuadric>) -> CheckReport {
+fn report(objects: Vec<FramedQuadric>) -> CheckReport {
     let scene = scene(objects);
     check(&scene, &prepare(&scene))
 }
 
-fn ball() -> Quadric {
-    sphere([20, -10, 300], 100)
+/// The check of one object.
+fn report_of(object: FramedQuadric) -> CheckReport {
+    report(vec![object])
 }
+
+fn first_of(report: &CheckReport) -> &QuadricReport {
+    report.objects[0].quadric().expect("a quadric")
+}
+
+const CENTRE: [i64; 3] = [20, -10, 300];
+const ENDS: [[i64; 4]; 2] = [[0, 1, 0, -120], [0, -1, 0, -120]];
 
 /// A double cone about an axis in the picture's plane, its apex on the screen: x^2 - y^2/4 + (z - 200)^2 = 0.
 fn double_cone() -> Quadric {
@@ -27,7 +35,7 @@ fn double_cone() -> Quadric {
 
 #[track_caller]
 fn assert_problem(report: &CheckReport, essential: &str) {
-    let problems = &report.objects[0].quadric().expect("a quadric").problems;
+    let problems = &first_of(report).problems;
     assert!(
         problems.iter().any(|p| p.contains(essential)),
         "'{essential}' not in {problems:?}"
@@ -36,8 +44,8 @@ fn assert_problem(report: &CheckReport, essential: &str) {
 
 #[test]
 fn a_plain_ball_has_no_problem() {
-    let report = report(vec![object("ball", Surface::Solid, ball(), &[])]);
-    let ball = report.objects[0].quadric().expect("a quadric");
+    let report = report_of(ball(CENTRE, 100, &[]));
+    let ball = first_of(&report);
     assert!(report.ok && ball.problems.is_empty(), "{:?}", ball.problems);
     assert_eq!(
         (ball.name.as_str(), ball.kind, ball.class),
@@ -52,7 +60,8 @@ fn a_plain_ball_has_no_problem() {
 
 #[test]
 fn the_report_has_the_keys_that_scripts_rely_on() {
-    let report = report(vec![object("ball", Surface::Patch, ball(), &[])]);
+    let surface = object("ball", Surface::Patch, sphere(CENTRE, 100), &[]);
+    let report = report_of(surface);
     let json = serde_json::to_value(&report).expect("serialisable");
     for key in ["name", "kind", "class", "problems"] {
         assert!(json["objects"][0].get(key).is_some(), "objects[].{key}");
@@ -68,61 +77,36 @@ fn the_report_has_the_keys_that_scripts_rely_on() {
 #[test]
 fn planes_without_effect_are_named() {
     let cuts = [[0, 0, -1, 250], [0, 0, 1, -500]];
-    let report = report(vec![object("ball", Surface::Solid, ball(), &cuts)]);
+    let report = report_of(ball(CENTRE, 100, &cuts));
     assert_problem(&report, "cut 1 changes no pixel");
-    assert_eq!(
-        report.objects[0]
-            .quadric()
-            .expect("a quadric")
-            .problems
-            .len(),
-        1
-    );
+    assert_eq!(first_of(&report).problems.len(), 1);
 }
 
 #[test]
 fn objects_off_the_screen_and_notes_of_the_preparation_are_told() {
-    let aside = report(vec![object(
-        "aside",
-        Surface::Solid,
-        sphere([2000, 0, 300], 100),
-        &[],
-    )]);
+    let aside = report_of(ball([2000, 0, 300], 100, &[]));
     assert_problem(&aside, "outside the screen");
-    assert_eq!(aside.objects[0].quadric().expect("a quadric").pixels, 0);
+    assert_eq!(first_of(&aside).pixels, 0);
     let apart = [[1, 0, 0, 0], [-1, 0, 0, 1]];
-    let empty = report(vec![object(
-        "slice",
-        Surface::Patch,
-        sphere([0, 0, 300], 100),
-        &apart,
-    )]);
+    let slice = sphere([0, 0, 300], 100);
+    let empty = report_of(object("slice", Surface::Patch, slice, &apart));
     assert_problem(&empty, "leave nothing");
-    assert_eq!(empty.objects[0].quadric().expect("a quadric").pixels, 0);
+    assert_eq!(first_of(&empty).pixels, 0);
 }
 
 #[test]
 fn a_solid_before_the_near_end_is_told() {
-    let report = report(vec![object(
-        "ball",
-        Surface::Solid,
-        sphere([0, 0, -451], 290),
-        &[],
-    )]);
+    let report = report_of(ball([0, 0, -451], 290, &[]));
     assert_problem(&report, "near end");
     assert_eq!(report.widths.needed.sum, Format::BASE.sum);
 }
 
 #[test]
 fn the_apex_of_a_double_cone_is_told_and_bounded() {
-    let report = report(vec![object(
-        "hourglass",
-        Surface::Solid,
-        double_cone(),
-        &[[0, 1, 0, -120], [0, -1, 0, -120]],
-    )]);
+    let cone = object("hourglass", Surface::Solid, double_cone(), &ENDS);
+    let report = report_of(cone);
     assert_problem(&report, "no direction");
-    let cone = report.objects[0].quadric().expect("a quadric");
+    let cone = first_of(&report);
     assert_eq!(cone.kind, "cone");
     assert!(cone.bounds.silhouette_singular);
     println!(
@@ -176,26 +160,22 @@ fn contour_points(object: &PreparedQuadric) -> Vec<([f64; 2], [f64; 2])> {
 }
 
 fn exact_sign(object: &PreparedQuadric, [x, y]: [f64; 2]) -> bool {
-    object
-        .exact
-        .f2
-        .at(&from_f64_exact(x), &from_f64_exact(y))
-        .is_positive()
+    let f2 = &object.exact.f2;
+    f2.at(&from_f64_exact(x), &from_f64_exact(y)).is_positive()
 }
 
 /// From every point of the computed contour the true one is crossed within the stated displacement, along the slope.
 #[test]
 fn the_true_silhouette_lies_within_the_stated_displacement() {
     let egg = whole_quadric([3, 2, 5, 1, -1, 1, -60, 17, -1200, 320_000]);
-    for (name, quadric) in [("ball", ball()), ("egg", egg), ("hourglass", double_cone())] {
-        let cuts: &[[i64; 4]] = if name == "hourglass" {
-            &[[0, 1, 0, -120], [0, -1, 0, -120]]
-        } else {
-            &[]
-        };
+    for solid in [
+        ball(CENTRE, 100, &[]),
+        object("egg", Surface::Solid, egg, &[]),
+        object("hourglass", Surface::Solid, double_cone(), &ENDS),
+    ] {
+        let name = solid.name.clone();
         for (depth, guards) in [(16, 0), (16, 6), (20, 0), (20, 8), (24, 0)] {
-            let scene: FramedScene =
-                scene(vec![object(name, Surface::Solid, quadric.clone(), cuts)]);
+            let scene = scene(vec![solid.clone()]);
             let format = Format::new(depth).expect("in the catalogue");
             let format = format.with_guards(3, guards).expect("within limits");
             let prepared = prepare_scene(&scene, format).expect("fits");
@@ -219,12 +199,7 @@ fn the_true_silhouette_lies_within_the_stated_displacement() {
 
 #[test]
 fn longer_words_are_never_worse() {
-    let scene = scene(vec![object(
-        "ball",
-        Surface::Solid,
-        ball(),
-        &[[0, 0, -1, 250]],
-    )]);
+    let scene = scene(vec![ball(CENTRE, 100, &[[0, 0, -1, 250]])]);
     let mut last = f64::INFINITY;
     for depth in [16, 20, 24, 28, 32] {
         let prepared =
@@ -241,8 +216,7 @@ fn longer_words_are_never_worse() {
 /// checked again.
 #[test]
 fn planes_that_wrap_as_loaded_fail_the_check() {
-    let cuts = [[0, 0, -1, 250]];
-    let scene = scene(vec![object("ball", Surface::Solid, ball(), &cuts)]);
+    let scene = scene(vec![ball(CENTRE, 100, &[[0, 0, -1, 250]])]);
     let mut prepared = prepare(&scene);
     assert!(check(&scene, &prepared).ok);
     let PreparedObject::Quadric(object) = &mut prepared.objects[0] else {
@@ -278,19 +252,14 @@ fn what_an_object_is_and_whether_it_shows_are_fields() {
 fn planes_and_classes_are_fields() {
     // Vertical half-plane through the eye, one that cuts, one that does nothing.
     let cuts = [[1, 0, 0, -20], [0, 0, -1, 250], [0, 0, 1, -500]];
-    let ball = report(vec![object("ball", Surface::Solid, ball(), &cuts)]);
-    let found = ball.objects[0].quadric().expect("a quadric");
+    let cut = report_of(ball(CENTRE, 100, &cuts));
+    let found = first_of(&cut);
     assert_eq!(found.planes_without_effect, [2]);
     assert!(!found.front_view && !found.prism && !found.degenerate);
-    assert_eq!(ball.summary.planes_without_effect, ["ball"]);
-    let through_the_eye = [[1, 0, 0, 0]];
-    let sliced = report(vec![object(
-        "ball",
-        Surface::Solid,
-        self::ball(),
-        &through_the_eye,
-    )]);
-    let found = sliced.objects[0].quadric().expect("a quadric");
+    assert_eq!(cut.summary.planes_without_effect, ["ball"]);
+    // Through the eye.
+    let sliced = report_of(ball(CENTRE, 100, &[[1, 0, 0, 0]]));
+    let found = first_of(&sliced);
     assert_eq!(found.perpendicular_planes, [0]);
     assert_eq!(sliced.summary.perpendicular_planes, ["ball"]);
     // Two planes x = 100, x = 140, of which the viewer is not between.
@@ -301,8 +270,8 @@ fn planes_and_classes_are_fields() {
         [0, 0, 1, -400],
         [0, 0, -1, 200],
     ];
-    let slab = report(vec![object("slab", Surface::Solid, slab, &pair)]);
-    let found = slab.objects[0].quadric().expect("a quadric");
+    let slab = report_of(object("slab", Surface::Solid, slab, &pair));
+    let found = first_of(&slab);
     assert!(found.degenerate, "{}", found.kind);
     assert_eq!(slab.summary.degenerate, ["slab"]);
 }

@@ -268,9 +268,7 @@ fn every_visible_point_lies_on_its_face() {
 /// Balls of radius 25 seen in parallel: at whole points of the circle the depth is a whole number and is met exactly.
 #[test]
 fn rational_roots_are_exact() {
-    let projection = Projection::Orthographic {
-        half_depth: integer(100),
-    };
+    let projection = parallel(100);
     for surface in [Surface::Solid, Surface::Patch] {
         let scene = scene_of(
             64,

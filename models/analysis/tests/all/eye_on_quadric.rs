@@ -14,18 +14,15 @@ use imogene_prepare::error::PrepareError;
 use imogene_prepare::{
     PreparedObject, PreparedParts, PreparedScene, prepare as prepare_in, prepare_for_roots,
 };
-use imogene_scene::{FramedQuadric, FramedScene, Projection, Quadric, Surface};
+use imogene_scene::{FramedQuadric, FramedScene, Quadric, Surface};
 use imogene_testkit::*;
 use num_rational::BigRational;
 use proptest::prelude::*;
 
 const D: i64 = 1000;
 
-fn perspective(object: FramedQuadric) -> FramedScene {
-    let projection = Projection::Perspective {
-        distance: integer(D),
-    };
-    scene_of(64, 48, projection, vec![object])
+fn small(object: FramedQuadric) -> FramedScene {
+    scene_of(64, 48, perspective(D), vec![object])
 }
 
 /// The quadric of these coefficients, its constant such that the eye, (0, 0, -D), lies on it.
@@ -141,7 +138,7 @@ proptest! {
         q in coefficients(), planes in prop::collection::vec([-9i64..9, -9..9, -9..9, -2000..2000], 0..3)
     ) {
         let planes: Vec<[i64; 4]> = planes.into_iter().filter(|p| p[..3] != [0; 3]).collect();
-        let scene = perspective(object("sheet", Surface::Patch, through_eye(q), &planes));
+        let scene = small(object("sheet", Surface::Patch, through_eye(q), &planes));
         match pictures(scene, Format::BASE) {
             Ok(pictures) => {
                 if matches!(pictures.prepared.objects[0], PreparedObject::Parts(_)) {
@@ -158,7 +155,7 @@ proptest! {
     fn solids_are_drawn_as_they_are(q in coefficients(), at in -400i64..300, slope in [-1i64..=1, -1..=1]) {
         // Kept where it is behind a plane before the eye: -(z - at) + slope <= 0.
         let cut = [[slope[0], slope[1], -10, 10 * at]];
-        let scene = perspective(object("block", Surface::Solid, through_eye(q), &cut));
+        let scene = small(object("block", Surface::Solid, through_eye(q), &cut));
         match pictures(scene, Format::BASE) {
             Ok(pictures) => {
                 if matches!(pictures.prepared.objects[0], PreparedObject::Parts(_)) {
@@ -177,7 +174,7 @@ fn the_far_wall_of_a_ball_is_half_way_to_infinity() {
     let ball = object("ball", Surface::Patch, sphere([0, 0, 0], D), &[]);
     for format in [16, 20, 24, 28, 32] {
         let format = Format::new(format).unwrap();
-        let pictures = pictures(perspective(ball.clone()), format).unwrap();
+        let pictures = pictures(small(ball.clone()), format).unwrap();
         assert_eq!(pictures.check(), Ok(64 * 48));
         let middle = 24 * 64 + 32;
         assert!((pictures.golden.depth[middle] - format.z_max() / 2).abs() <= 1);
@@ -198,9 +195,7 @@ fn the_far_wall_of_a_ball_is_half_way_to_infinity() {
 #[test]
 fn parallel_lines_along_an_asymptotic_direction() {
     let bowl = whole_quadric([1, 1, 0, 0, 0, 0, 0, 0, -50, -10_000]);
-    let projection = Projection::Orthographic {
-        half_depth: integer(500),
-    };
+    let projection = parallel(500);
     for surface in [Surface::Patch, Surface::Solid] {
         let bowl = object("bowl", surface, bowl.clone(), &[]);
         let scene = scene_of(64, 48, projection.clone(), vec![bowl]);
@@ -219,10 +214,10 @@ fn parallel_lines_along_an_asymptotic_direction() {
 #[test]
 fn a_solid_on_which_the_eye_lies_is_open_at_the_near_end_and_machines_of_roots_alone_refuse_it() {
     let ball = |surface| object("ball", surface, sphere([0, 0, 0], D), &[]);
-    let open = pictures(perspective(ball(Surface::Solid)), Format::BASE).unwrap();
+    let open = pictures(small(ball(Surface::Solid)), Format::BASE).unwrap();
     assert_eq!(open.check(), Ok(0));
     assert!(open.golden.number.iter().all(|&face| face == FACE_NEAR_END));
-    let scene = perspective(ball(Surface::Patch));
+    let scene = small(ball(Surface::Patch));
     let error = prepare_for_roots(&scene, Format::BASE).unwrap_err();
     assert!(matches!(error, PrepareError::ViewerOnSurface { .. }));
     let mut widths = Format::BASE.widths();
@@ -238,7 +233,7 @@ fn the_eye_nearly_on_a_quadric() {
     let off_by = |off: BigRational| {
         let mut ball = sphere([0, 0, 0], D);
         ball.j = &ball.j - off * integer(2 * D);
-        perspective(object("ball", Surface::Patch, ball, &[]))
+        small(object("ball", Surface::Patch, ball, &[]))
     };
     for (sign, parts_of_one) in [1, 1000, 1_000_000, 1_000_000_000_000]
         .into_iter()

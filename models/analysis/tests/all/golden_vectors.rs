@@ -19,21 +19,12 @@ use num_traits::Signed;
 
 fn cut_cylinder(surface: Surface) -> FramedScene {
     let planes = [[0, 0, -1, 250], [0, 1, 0, -80], [0, -1, 0, -80]];
-    scene(vec![object(
-        "cylinder",
-        surface,
-        centred([1, 0, 1], [0, 0, 300], 10_000),
-        &planes,
-    )])
+    let cylinder = centred([1, 0, 1], [0, 0, 300], 10_000);
+    scene(vec![object("cylinder", surface, cylinder, &planes)])
 }
 
 fn sphere_scene() -> FramedScene {
-    scene(vec![object(
-        "sphere",
-        Surface::Solid,
-        sphere([20, -10, 300], 100),
-        &[],
-    )])
+    scene(vec![ball([20, -10, 300], 100, &[])])
 }
 
 fn words_of(scene: &FramedScene) -> QuadricWords {

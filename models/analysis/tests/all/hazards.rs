@@ -8,7 +8,7 @@ use imogene_golden::unit::cut_plane::{PlaneKind, cut};
 use imogene_golden::unit::depth_interval::{Class, FACE_NEAR, FACE_NEAR_END, FACE_PLANE, Interval};
 use imogene_golden::unit::root::fast_root;
 use imogene_prepare::perspective::ScreenQuadric;
-use imogene_scene::{FramedScene, Plane, Projection, Quadric, Surface, Transform};
+use imogene_scene::{FramedScene, Plane, Quadric, Surface, Transform};
 use imogene_testkit::*;
 use num_rational::BigRational;
 use num_traits::Zero;
@@ -38,12 +38,7 @@ fn random_planes_wrap_a_depth_word_but_not_the_plane_word() {
     for _ in 0..samples {
         let [a, b, c] = random.direction();
         let cut = [[a, b, c, 0]];
-        let prepared = prepare(&scene(vec![object(
-            "ball",
-            Surface::Solid,
-            sphere([0, 0, 0], 40),
-            &cut,
-        )]));
+        let prepared = prepare(&scene(vec![ball([0, 0, 0], 40, &cut)]));
         let object = first(&prepared);
         let plane = &object.words.planes[0];
         let corners = [(0, 0), (719, 0), (0, 539), (719, 539)];
@@ -69,12 +64,7 @@ fn random_planes_wrap_a_depth_word_but_not_the_plane_word() {
 /// word.
 #[test]
 fn depth_sums_need_two_more_bits_than_the_depth() {
-    let prepared = prepare(&scene(vec![object(
-        "ball",
-        Surface::Solid,
-        sphere([0, 0, -451], 290),
-        &[],
-    )]));
+    let prepared = prepare(&scene(vec![ball([0, 0, -451], 290, &[])]));
     let object = first(&prepared);
     let (f1, f2) = values(&object.words, 360, 270);
     let near = f1 - fast_root(f2);
@@ -156,15 +146,9 @@ fn seen_from_inside_the_cap_has_no_hole_where_f2_is_negative() {
     for (zc, loss_percent) in [(1, 50.0), (2, 20.0), (3, 10.0)] {
         let cuts = [[0, 0, -1, -unit * zc], [0, 0, 1, -unit * zc]];
         let quadric = centred([1, 1, -1], [0, 0, 0], unit * unit);
-        let projection = Projection::Orthographic {
-            half_depth: integer(1000),
-        };
-        let scene = scene_of(
-            WIDTH,
-            HEIGHT,
-            projection,
-            vec![object("cap", Surface::Solid, quadric, &cuts)],
-        );
+        let projection = parallel(1000);
+        let cap = object("cap", Surface::Solid, quadric, &cuts);
+        let scene = scene_of(WIDTH, HEIGHT, projection, vec![cap]);
         let words = &first(&prepare(&scene)).words.clone();
         assert_eq!(words.class, Class::Front);
         let radius = unit * unit * (1 + zc * zc);
@@ -245,12 +229,8 @@ fn the_depth_solves_the_quadric_and_the_printed_factors_do_not() {
 /// f1 - r is the nearer root whatever the sign of c'; the source's text has them reversed.
 #[test]
 fn the_near_root_is_the_one_with_the_minus_sign() {
-    let ball = scene(vec![object(
-        "ball",
-        Surface::Patch,
-        sphere([20, -10, 300], 100),
-        &[],
-    )]);
+    let ball = object("ball", Surface::Patch, sphere([20, -10, 300], 100), &[]);
+    let ball = scene(vec![ball]);
     for scene in [ball, room(&[])] {
         let words = &first(&prepare(&scene)).words.clone();
         let (f1, f2) = values(words, 365, 268);
@@ -265,15 +245,8 @@ fn the_near_root_is_the_one_with_the_minus_sign() {
 /// again.
 #[test]
 fn the_screen_box_hides_the_wrapped_discriminant() {
-    let projection = Projection::Perspective {
-        distance: integer(200),
-    };
-    let scene = scene_of(
-        WIDTH,
-        HEIGHT,
-        projection,
-        vec![object("ball", Surface::Solid, sphere([0, 0, 0], 30), &[])],
-    );
+    let projection = perspective(200);
+    let scene = scene_of(WIDTH, HEIGHT, projection, vec![ball([0, 0, 0], 30, &[])]);
     let words = &first(&prepare(&scene)).words.clone();
     let (x, y) = (360 + 300, 270);
     assert!(words.f2.exact_at(x, y) < (-(1i64 << 47)).into());
@@ -330,12 +303,7 @@ fn a_plane_through_the_eye_is_a_half_plane_and_keeps_its_own_pixels() {
 /// x <= 0.01 passes 0.01 pixels beside the eye: its depth leaves the plane word, but its half-plane form is proven.
 #[test]
 fn a_plane_nearly_through_the_eye_is_taken_as_a_half_plane_by_proof() {
-    let scene = scene(vec![object(
-        "half",
-        Surface::Solid,
-        sphere([0, 0, 300], 100),
-        &[[100, 0, 0, -1]],
-    )]);
+    let scene = scene(vec![ball([0, 0, 300], 100, &[[100, 0, 0, -1]])]);
     let prepared = prepare(&scene);
     let object = first(&prepared);
     assert_eq!(object.words.planes[0].kind, PlaneKind::Perpendicular);

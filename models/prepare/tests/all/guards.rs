@@ -83,7 +83,7 @@ fn processors_hold_the_range_of_their_guard_bits() {
 
 /// Largest and mean error of the near root of a ball, in depth words, from exact rationals.
 fn depth_error(format: Format) -> (f64, f64) {
-    let ball = object("ball", Surface::Solid, sphere([20, -10, 300], 100), &[]);
+    let ball = ball([20, -10, 300], 100, &[]);
     let prepared = prepare_for(&scene(vec![ball]), format).expect("fits");
     let object = first(&prepared);
     let (mut worst, mut sum, mut count) = (0.0f64, 0.0, 0);

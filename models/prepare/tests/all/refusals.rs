@@ -1,35 +1,22 @@
 //! What the preparation refuses, and that its message says what, where and what would be accepted.
 
-use imogene_algebra::rational::integer;
 use imogene_golden::format::Format;
 use imogene_prepare::error::PrepareError;
 use imogene_prepare::{prepare as prepare_scene, prepare_for_roots};
 use imogene_scene::{FramedQuadric, Projection, Surface};
 use imogene_testkit::*;
 
-fn refusal(object: FramedQuadric) -> PrepareError {
-    refusal_in(
-        Projection::Perspective {
-            distance: integer(1000),
-        },
-        Format::BASE,
-        object,
-    )
-}
-
-fn refusal_in(projection: Projection, format: Format, object: FramedQuadric) -> PrepareError {
+/// The refusal of a machine that has processors of roots alone.
+fn refusal(projection: Projection, object: FramedQuadric) -> PrepareError {
     let scene = scene_of(WIDTH, HEIGHT, projection, vec![object]);
-    prepare_scene(&scene, format).expect_err("must be refused")
+    prepare_for_roots(&scene, Format::BASE).expect_err("no processor")
 }
 
 #[track_caller]
 fn assert_says(error: &PrepareError, essentials: &[&str]) {
     let message = error.to_string();
     for essential in essentials {
-        assert!(
-            message.contains(essential),
-            "'{essential}' missing in: {message}"
-        );
+        assert!(message.contains(essential), "'{essential}': {message}");
     }
 }
 
@@ -45,29 +32,17 @@ fn a_solid_about_the_viewer_is_open_at_the_near_end() {
 /// The same room with the viewer's part cut away is a solid before him, and is drawn.
 #[test]
 fn viewer_in_the_part_that_is_cut_away_is_accepted() {
-    let cut = object(
-        "room",
-        Surface::Solid,
-        sphere([0, 0, -1000], 1200),
-        &[[0, 0, -1, 100]],
-    );
+    let cuts = [[0, 0, -1, 100]];
+    let cut = object("room", Surface::Solid, sphere([0, 0, -1000], 1200), &cuts);
     let prepared = prepare(&scene(vec![cut]));
     assert!(golden_pixels(&first(&prepared).words) > 0);
 }
 
 #[test]
 fn viewer_exactly_on_the_quadric() {
-    let cut = object(
-        "ball",
-        Surface::Patch,
-        sphere([0, 0, -700], 300),
-        &[[0, 0, -1, -600]],
-    );
-    let projection = Projection::Perspective {
-        distance: integer(1000),
-    };
-    let scene = scene_of(WIDTH, HEIGHT, projection, vec![cut]);
-    let error = prepare_for_roots(&scene, Format::BASE).expect_err("no processor");
+    let cuts = [[0, 0, -1, -600]];
+    let cut = object("ball", Surface::Patch, sphere([0, 0, -700], 300), &cuts);
+    let error = refusal(perspective(1000), cut);
     assert!(matches!(error, PrepareError::ViewerOnSurface { .. }));
     assert_says(
         &error,
@@ -77,7 +52,7 @@ fn viewer_exactly_on_the_quadric() {
 
 #[test]
 fn object_behind_the_viewer() {
-    let ball = object("ball", Surface::Solid, sphere([0, 0, -1500], 100), &[]);
+    let ball = ball([0, 0, -1500], 100, &[]);
     let prepared = prepare(&scene(vec![ball]));
     let notes = prepared.objects[0].notes();
     assert!(notes[0].contains("behind the viewer") && notes[0].contains("target"));
@@ -88,12 +63,8 @@ fn object_behind_the_viewer() {
 #[test]
 fn orthographic_view_along_an_asymptotic_direction() {
     let trough = whole_quadric([1, 0, 0, 0, 0, 0, 0, 0, -50, 0]);
-    let projection = Projection::Orthographic {
-        half_depth: integer(500),
-    };
     let trough = object("trough", Surface::Solid, trough, &[]);
-    let scene = scene_of(WIDTH, HEIGHT, projection, vec![trough]);
-    let error = prepare_for_roots(&scene, Format::BASE).expect_err("no processor");
+    let error = refusal(parallel(500), trough);
     assert!(matches!(error, PrepareError::AsymptoticView { .. }));
     assert_says(
         &error,
@@ -133,12 +104,8 @@ fn too_large_for_the_format() {
 #[test]
 fn steep_plane_that_is_no_half_plane() {
     let steep = [100_000, 0, 1, -300];
-    let error = refusal(object(
-        "ball",
-        Surface::Solid,
-        sphere([0, 0, 300], 100),
-        &[steep],
-    ));
+    let scene = scene(vec![ball([0, 0, 300], 100, &[steep])]);
+    let error = prepare_scene(&scene, Format::BASE).expect_err("must be refused");
     let PrepareError::SteepPlane { ref steep, .. } = error else {
         panic!("{error}");
     };

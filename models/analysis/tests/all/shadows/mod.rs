@@ -14,9 +14,7 @@ use compare::{Tally, compare};
 use imogene_algebra::rational::integer;
 use imogene_golden::format::Format;
 use imogene_prepare::Framing;
-use imogene_scene::{
-    FramedObject, FramedQuadric, FramedScene, FramedSource, Projection, SceneFile, Surface,
-};
+use imogene_scene::{FramedObject, FramedQuadric, FramedScene, FramedSource, SceneFile, Surface};
 use imogene_testkit::*;
 
 const F: Format = Format::BASE;
@@ -61,13 +59,9 @@ fn before_a_wall(round: usize, casters: [FramedObject; 2]) -> FramedScene {
         ..object("wall", Surface::Solid, sphere([0, 0, 250], 200), &[])
     };
     let projection = if round.is_multiple_of(2) {
-        Projection::Perspective {
-            distance: integer(150),
-        }
+        perspective(150)
     } else {
-        Projection::Orthographic {
-            half_depth: integer(150),
-        }
+        parallel(150)
     };
     let mut framed = scene_of(96, 72, projection, vec![wall]);
     framed.objects.extend(casters);
