@@ -22,44 +22,28 @@ fn text(camera: &str, lights: &str, object: &str) -> String {
     )
 }
 
-struct Case<'a> {
-    scene: String,
-    format: Format,
-    options: Options,
-    /// What the message advises, and the change of the text that follows it.
-    remedies: Vec<(&'a str, &'a str, &'a str)>,
-}
-
 fn prepared(text: &str, format: Format, options: Options) -> Result<PreparedScene, PrepareError> {
     let scene = SceneFile::parse(text, "t.toml").unwrap_or_else(|error| panic!("{error}\n{text}"));
     let framed = scene.frame(64, 48).expect("framed");
     prepare_with(&framed, format, options)
 }
 
-impl Case<'_> {
-    fn of(scene: String) -> Case<'static> {
-        Case {
-            scene,
-            format: Format::BASE,
-            options: Options::default(),
-            remedies: vec![],
-        }
-    }
+/// The refusal of a scene. Of each remedy it has what the message advises, and the change of the text that follows it,
+/// with which the scene is prepared.
+fn refused(scene: &str, remedies: &[[&str; 3]]) -> String {
+    refused_in(scene, Format::BASE, Options::default(), remedies)
+}
 
-    /// The refusal; each remedy that it names is applied.
-    fn check(&self) -> String {
-        let refusal =
-            prepared(&self.scene, self.format, self.options).expect_err("must be refused");
-        let message = refusal.to_string();
-        for (advice, before, after) in &self.remedies {
-            assert!(message.contains(advice), "no `{advice}` in: {message}");
-            assert!(self.scene.contains(before), "no `{before}` to change");
-            let changed = self.scene.replace(before, after);
-            let drawn = prepared(&changed, self.format, self.options);
-            assert!(drawn.is_ok(), "{advice}: {}", drawn.unwrap_err());
-        }
-        message
+fn refused_in(scene: &str, format: Format, options: Options, remedies: &[[&str; 3]]) -> String {
+    let refusal = prepared(scene, format, options).expect_err("must be refused");
+    let message = refusal.to_string();
+    for [advice, before, after] in remedies {
+        assert!(message.contains(advice), "no `{advice}` in: {message}");
+        assert!(scene.contains(before), "no `{before}` to change");
+        let drawn = prepared(&scene.replace(before, after), format, options);
+        assert!(drawn.is_ok(), "{advice}: {}", drawn.unwrap_err());
     }
+    message
 }
 
 /// The text between two others.
@@ -77,11 +61,7 @@ fn the_range_that_would_do_does() {
             .replace("[0, 0, 10]", &format!("[0, 0, {distance}]"))
             .replace("near = 5", "near = 1");
         let scene = text(&camera, "", &format!("{SPHERE}mode = \"patch\"\n"));
-        let case = Case {
-            options: Options::ROOTS,
-            ..Case::of(scene.clone())
-        };
-        let message = case.check();
+        let message = refused_in(&scene, Format::BASE, Options::ROOTS, &[]);
         let near = between(&message, "`near = ", "`");
         let changed = scene.replace("near = 1", &format!("near = {near}"));
         prepared(&changed, Format::BASE, Options::ROOTS).expect("the range that would do");
@@ -92,15 +72,8 @@ fn the_range_that_would_do_does() {
         "",
         &saddle,
     );
-    let message = Case {
-        options: Options::ROOTS,
-        ..Case::of(scene.clone())
-    }
-    .check();
-    let (near, far) = (
-        between(&message, "`near = ", "`"),
-        between(&message, "`far = ", "`"),
-    );
+    let message = refused_in(&scene, Format::BASE, Options::ROOTS, &[]);
+    let [near, far] = ["`near = ", "`far = "].map(|key| between(&message, key, "`"));
     let changed = scene.replace(
         "near = -0.01\nfar = 0.01",
         &format!("near = {near}\nfar = {far}"),
@@ -132,19 +105,15 @@ fn volumes_that_are_left_out() {
         (block, "passes so nearly through the viewer"),
     ] {
         let casting = scene.replace("material = \"m\"", "material = \"m\"\ncasts_shadow = true");
-        let remedies = vec![
-            ("`shadows = false`", "\nshadows = true", "\nshadows = false"),
-            (
+        let remedies = [
+            ["`shadows = false`", "\nshadows = true", "\nshadows = false"],
+            [
                 "`casts_shadow = false`",
                 "casts_shadow = true",
                 "casts_shadow = false",
-            ),
+            ],
         ];
-        let case = Case {
-            remedies,
-            ..Case::of(casting)
-        };
-        let message = case.check();
+        let message = refused(&casting, &remedies);
         assert!(message.contains(problem), "{message}");
     }
 }
@@ -152,34 +121,21 @@ fn volumes_that_are_left_out() {
 #[test]
 fn a_light_within_a_solid() {
     let lamp = "[[lights]]\nkind = \"point\"\nposition = [0, 0.5, 0]\nshadows = true\n";
-    let remedies = vec![
-        ("move the light out of it", "[0, 0.5, 0]", "[0, 5, 0]"),
-        (
-            "`casts_shadow = false`",
-            "radius = 1",
-            "radius = 1\ncasts_shadow = false",
-        ),
+    let unlit = "radius = 1\ncasts_shadow = false";
+    let remedies = [
+        ["move the light out of it", "[0, 0.5, 0]", "[0, 5, 0]"],
+        ["`casts_shadow = false`", "radius = 1", unlit],
     ];
-    Case {
-        remedies,
-        ..Case::of(text(PERSPECTIVE, lamp, SPHERE))
-    }
-    .check();
+    refused(&text(PERSPECTIVE, lamp, SPHERE), &remedies);
 }
 
 #[test]
 fn a_plane_that_passes_through_the_eye() {
     let object = "kind = \"sphere\"\nradius = 1\ncuts = [{ point = [0, 0, 0], normal = [100000, 0, -1] }]\nplace = [{ translate = [0, 0, -3] }]\n";
-    let remedies = vec![(
-        "turn the plane by a degree",
-        "[100000, 0, -1]",
-        "[100000, 0, -1745]",
-    )];
-    Case {
-        remedies,
-        ..Case::of(text(&PERSPECTIVE.replace("near = 5\n", ""), "", object))
-    }
-    .check();
+    let scene = text(&PERSPECTIVE.replace("near = 5\n", ""), "", object);
+    let turned = "[100000, 0, -1745]";
+    let remedy = ["turn the plane by a degree", "[100000, 0, -1]", turned];
+    refused(&scene, &[remedy]);
 }
 
 #[test]
@@ -187,16 +143,9 @@ fn the_first_generation_and_fitted_machines() {
     let cylinder = "kind = \"elliptic_cylinder\"\nradii = [1, 1]\nprocessor = \"first_generation\"\n\
         cuts = [{ point = [0, 1, 0], normal = [0, 1, 0] }, { point = [0, -1, 0], normal = [0, -1, 0] }]\n";
     // Both planes are seen edge-on, or the viewer is between them.
-    let remedies = vec![(
-        "the processor \"quadric\" draws it",
-        "\"first_generation\"",
-        "\"quadric\"",
-    )];
-    Case {
-        remedies,
-        ..Case::of(text(PERSPECTIVE, "", cylinder))
-    }
-    .check();
+    let advice = "the processor \"quadric\" draws it";
+    let remedy = [advice, "\"first_generation\"", "\"quadric\""];
+    refused(&text(PERSPECTIVE, "", cylinder), &[remedy]);
     let widths = MachineWords {
         plane: 30,
         ..Format::BASE.widths()
@@ -205,32 +154,20 @@ fn the_first_generation_and_fitted_machines() {
         "kind = \"mesh\"\nvertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\nfaces = [[0, 1, 2]]\n";
     let scene = text(PERSPECTIVE, "", mesh);
     let fitted = Format::fitted(&widths).expect("a machine");
-    let message = Case {
-        format: fitted,
-        ..Case::of(scene.clone())
-    }
-    .check();
-    assert!(
-        message.contains("follow from the depth word; give --format"),
-        "{message}"
-    );
+    let message = refused_in(&scene, fitted, Options::default(), &[]);
+    let advice = "follow from the depth word; give --format";
+    assert!(message.contains(advice), "{message}");
     prepared(&scene, Format::BASE, Options::default()).expect("of the catalogue");
 }
 
 #[test]
 fn a_face_of_a_mesh_behind_the_viewer() {
     let mesh = "kind = \"mesh\"\nvertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 20]]\nfaces = [[0, 1, 2], [1, 2, 3]]\n";
-    let remedies = vec![
-        ("leave the face out", ", [1, 2, 3]]", "]"),
-        (
-            "move the mesh",
-            "vertices",
-            "place = [{ translate = [0, 0, -15] }]\nvertices",
-        ),
+    let moved = "place = [{ translate = [0, 0, -15] }]\nvertices";
+    let remedies = [
+        ["leave the face out", ", [1, 2, 3]]", "]"],
+        ["move the mesh", "vertices", moved],
     ];
-    Case {
-        remedies,
-        ..Case::of(text(&PERSPECTIVE.replace("near = 5\n", ""), "", mesh))
-    }
-    .check();
+    let scene = text(&PERSPECTIVE.replace("near = 5\n", ""), "", mesh);
+    refused(&scene, &remedies);
 }
