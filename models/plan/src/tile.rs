@@ -341,7 +341,6 @@ fn factor(step: f64) -> (i64, u32) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use imogene_golden::machine::beam;
     use imogene_golden::machine::tile::Tile;
     use imogene_prepare::{Framing, prepare};
     use imogene_scene::SceneFile;
@@ -378,8 +377,7 @@ cuts = [{ point = [0.2, 0.3, 0], normal = [0.5, 1, 0.7] }, { point = [0.9, 0, 0]
         let (scene, prepared) = framed(SCENE, size);
         let words = tile_words(&scene, &prepared, mode).expect("one solid");
         let picture = Tile::new(&words).expect("words of its widths").frame();
-        let [width, height] = size.map(|side| side as usize);
-        let frame = beam::render(&prepared.slots(), &prepared.format, width, height, || ());
+        let frame = prepared.frame(|| ());
         let there = frame
             .depth
             .iter()

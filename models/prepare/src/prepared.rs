@@ -6,6 +6,7 @@ use super::rounding::Anchor;
 use super::solids::PreparedSolids;
 use imogene_contract::{MachineWords, RootForm};
 use imogene_golden::format::Format;
+use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::{Lighting, light};
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
@@ -111,6 +112,12 @@ impl PreparedScene {
     /// The words of its volumes.
     pub fn volume_words(&self) -> Vec<&VolumeWords> {
         self.volumes.iter().map(|volume| &volume.words).collect()
+    }
+
+    /// The frame that a beam machine draws of it; `line_done` is called once a line, from any thread.
+    pub fn frame(&self, line_done: impl Fn() + Sync) -> Frame {
+        let (width, height) = (self.width as usize, self.height as usize);
+        beam::render(&self.slots(), &self.format, width, height, line_done)
     }
 
     /// The flags that its volumes leave of a frame; `line_done` is called once a line, from any thread.

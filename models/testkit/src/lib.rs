@@ -221,14 +221,30 @@ pub fn angle_deg(u: [f64; 3], v: [f64; 3]) -> f64 {
     sine.atan2(dot).to_degrees()
 }
 
+fn folder_of_scenes(name: &str) -> PathBuf {
+    let all = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
+    all.join(name)
+}
+
+/// A scene of the collection, by its path there without the end of its name.
+pub fn scene_file(name: &str) -> SceneFile {
+    let path = folder_of_scenes(name).with_extension("toml");
+    SceneFile::read(&path).unwrap_or_else(|error| panic!("{error}"))
+}
+
 /// The scene files of the collection, in order.
 pub fn collection() -> Vec<PathBuf> {
     let mut found = vec![];
-    scenes_below(
-        &Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes"),
-        &mut found,
-    );
+    scenes_below(&folder_of_scenes(""), &mut found);
     found.sort();
+    found
+}
+
+/// Those of one folder alone; `""` is the one of all others.
+pub fn scenes_in(folder: &str) -> Vec<PathBuf> {
+    let folder = folder_of_scenes(folder);
+    let mut found = collection();
+    found.retain(|path| path.parent() == Some(folder.as_path()));
     found
 }
 

@@ -5,7 +5,6 @@ use super::needs::{MachineNeeds, machine_needs};
 use super::object::QuadricReport;
 use super::pixels::Shows;
 use super::report::ObjectReport;
-use imogene_golden::machine::beam;
 use imogene_prepare::PreparedScene;
 use imogene_scene::FramedScene;
 use serde::Serialize;
@@ -63,8 +62,7 @@ pub(super) fn summary(
 
 /// Pixels of the golden picture that show each object.
 pub(super) fn visible_pixels(prepared: &PreparedScene) -> Vec<usize> {
-    let (width, height) = (prepared.width as usize, prepared.height as usize);
-    let frame = beam::render(&prepared.slots(), &prepared.format, width, height, || ());
+    let frame = prepared.frame(|| ());
     let mut pixels = vec![0; prepared.objects.len()];
     for id in &frame.id {
         if let Ok(id) = usize::try_from(*id) {

@@ -6,7 +6,6 @@ use imogene_analysis::bounds::{CheckReport, check, failing};
 use imogene_analysis::exact::render::{DEPTH_FRACTION, ExactPixel, render};
 use imogene_analysis::exact::shadow;
 use imogene_golden::format::Format;
-use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
 use imogene_prepare::Framing;
 use imogene_prepare::forms::QuadraticForm;
@@ -121,9 +120,8 @@ fn case(text: &str, depth: u32) -> Option<Case> {
     let scene = file.frame(SIZE.0, SIZE.1).ok()?;
     let format = Format::new(depth).expect("in the catalogue");
     let prepared = prepare(&scene, format).ok()?;
-    let (width, height) = (SIZE.0 as usize, SIZE.1 as usize);
     Some(Case {
-        golden: beam::render(&prepared.slots(), &format, width, height, || ()),
+        golden: prepared.frame(|| ()),
         exact: render(&scene, &format, || ()),
         report: check(&scene, &prepared),
         scene,

@@ -7,7 +7,7 @@ use imogene_analysis::exact::render::{DEPTH_FRACTION, render};
 use imogene_golden::format::Format;
 use imogene_golden::unit::depth_interval::{FACE_NEAR_END, FACE_PLANE};
 use imogene_prepare::Framing;
-use imogene_scene::{FramedQuadric, FramedScene, Projection, SceneFile, Surface};
+use imogene_scene::{FramedQuadric, FramedScene, Projection, Surface};
 use imogene_testkit::*;
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -25,9 +25,7 @@ const NAMES: [&str; 6] = [
 ];
 
 fn collection(name: &str, width: u32, height: u32) -> FramedScene {
-    let path = format!("{}/../../scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-    let file = SceneFile::read(path.as_ref()).expect("a valid scene");
-    file.frame(width, height).expect("a valid size")
+    scene_file(name).frame(width, height).expect("a valid size")
 }
 
 /// A face that a line of sight meets: depth as a fraction of the depth word, -1 .. 1, and number.

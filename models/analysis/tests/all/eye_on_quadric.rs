@@ -6,7 +6,6 @@ use imogene_analysis::exact::render::{
     DEPTH_FRACTION, ExactPixel, directions, render as render_exact,
 };
 use imogene_golden::format::Format;
-use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END};
@@ -46,9 +45,8 @@ struct Pictures {
 
 fn pictures(scene: FramedScene, format: Format) -> Result<Pictures, PrepareError> {
     let prepared = prepare_in(&scene, format)?;
-    let (width, height) = (scene.width as usize, scene.height as usize);
     Ok(Pictures {
-        golden: beam::render(&prepared.slots(), &format, width, height, || ()),
+        golden: prepared.frame(|| ()),
         exact: render_exact(&scene, &format, || ()),
         scene,
         prepared,

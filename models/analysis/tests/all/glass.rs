@@ -4,28 +4,25 @@ use imogene_analysis::bounds::check;
 use imogene_analysis::exact::render::{render, to_frame};
 use imogene_analysis::phong;
 use imogene_golden::format::Format;
-use imogene_golden::machine::beam;
 use imogene_golden::machine::lighting::Lighting;
 use imogene_golden::machine::shader::shade_picture;
 use imogene_prepare::shader::{material_numbers, shader_words};
 use imogene_prepare::{Framing, prepare};
 use imogene_scene::{SceneFile, Step};
-use std::path::Path;
+use imogene_testkit::scene_file;
 
 const F: Format = Format::BASE;
 const SIZE: (u32, u32) = (160, 120);
 
 fn still_life() -> SceneFile {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/glass/still-life.toml");
-    SceneFile::read(&path).expect("a scene")
+    scene_file("glass/still-life")
 }
 
 /// Red, green and blue by the golden models of processors, shading and blends, and by the exact reference.
 fn pictures(file: &SceneFile) -> [Vec<u8>; 2] {
     let scene = file.frame(SIZE.0, SIZE.1).expect("valid size");
     let prepared = prepare(&scene, F).expect("prepared");
-    let (width, height) = (SIZE.0 as usize, SIZE.1 as usize);
-    let frame = beam::render(&prepared.slots(), &F, width, height, || ());
+    let frame = prepared.frame(|| ());
     let words = shader_words(&scene, &F, None).expect("words");
     let golden = shade_picture(
         &frame,
@@ -69,8 +66,7 @@ fn layers_are_blended_farthest_first() {
     for _ in 0..2 {
         let scene = file.frame(SIZE.0, SIZE.1).expect("valid size");
         let prepared = prepare(&scene, F).expect("prepared");
-        let (width, height) = (SIZE.0 as usize, SIZE.1 as usize);
-        let frame = beam::render(&prepared.slots(), &F, width, height, || ());
+        let frame = prepared.frame(|| ());
         assert_eq!(frame.layers.len(), 3);
         let mut overlaps = 0;
         for (place, near) in frame.layers.iter().enumerate() {

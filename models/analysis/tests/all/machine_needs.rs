@@ -5,42 +5,26 @@ use imogene_analysis::bounds::{
 };
 use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
-use imogene_golden::machine::beam;
-use imogene_golden::machine::frame::Frame;
 use imogene_golden::{slots, widths};
 use imogene_prepare::Framing;
 use imogene_prepare::error::PrepareError;
 use imogene_prepare::{PreparedQuadric, PreparedScene, prepare};
-use imogene_scene::{FramedScene, SceneFile};
+use imogene_scene::FramedScene;
+use imogene_testkit::{scene_file, scenes_in};
 use num_bigint::BigInt;
 use num_traits::Signed;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-fn folder(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../scenes")
-        .join(name)
+fn framed(name: &str) -> FramedScene {
+    let framed = scene_file(name).frame(160, 120);
+    framed.expect("can be framed")
 }
 
-fn framed(path: &Path) -> FramedScene {
-    let file = SceneFile::read(path).expect("a scene");
-    file.frame(160, 120).expect("can be framed")
-}
-
-fn scenes(name: &str) -> Vec<(String, FramedScene)> {
-    let entries = std::fs::read_dir(folder(name)).expect("the scenes");
-    let paths = entries.map(|entry| entry.expect("readable").path());
-    let mut paths: Vec<PathBuf> = paths
-        .filter(|p| p.extension().is_some_and(|e| e == "toml"))
-        .collect();
-    paths.sort();
+fn scenes(folder: &str) -> Vec<(String, FramedScene)> {
     let name = |path: &Path| path.file_stem().expect("a name").to_string_lossy().into();
+    let framed = |path: &Path| framed(path.to_str().expect("a path"));
+    let paths = scenes_in(folder);
     paths.iter().map(|p| (name(p), framed(p))).collect()
-}
-
-fn picture(prepared: &PreparedScene) -> Frame {
-    let (width, height) = (prepared.width as usize, prepared.height as usize);
-    beam::render(&prepared.slots(), &prepared.format, width, height, || ())
 }
 
 fn in_widths(scene: &FramedScene, widths: &MachineWords) -> Result<PreparedScene, PrepareError> {
@@ -68,7 +52,7 @@ fn every_scene_prepares_in_its_narrowest_machine_to_the_same_picture_and_in_no_n
             println!("{name}: {}", needs.widths);
             assert_eq!((narrow.depth, narrow.normal), (depth, 16));
             let prepared = in_widths(&scene, &narrow).expect("stated to fit");
-            assert_eq!(picture(&prepared), picture(&wide), "{name}");
+            assert_eq!(prepared.frame(|| ()), wide.frame(|| ()), "{name}");
             let slots = slots::parse(&needs.slots).expect("slots");
             assert_eq!(slots, prepared.fitted_slots(), "{name}");
             let root = MachineWords {
@@ -88,7 +72,7 @@ fn every_scene_prepares_in_its_narrowest_machine_to_the_same_picture_and_in_no_n
 /// Where a form is scaled to its word a shorter word would hold other integers: it is kept, and said why.
 #[test]
 fn words_that_are_scaled_are_not_shortened() {
-    let scene = framed(&folder("extremes/axis-along-the-ray.toml"));
+    let scene = framed("extremes/axis-along-the-ray");
     let wide = prepare(&scene, Format::BASE).expect("fits");
     let report = check(&scene, &wide);
     assert!(!report.summary.prisms.is_empty());
@@ -104,7 +88,7 @@ fn words_that_are_scaled_are_not_shortened() {
 /// Widths that are not those of the catalogue stay as they are: guard bits, normals, dropped digits of the root.
 #[test]
 fn other_widths_are_kept() {
-    let scene = framed(&folder("teapot.toml"));
+    let scene = framed("teapot");
     let text = "depth=20,root=20,plane=32,normal=13,g1=2,g2=4,dropped=3";
     let format = Format::fitted(&widths::parse(text).expect("widths")).expect("a machine");
     let wide = prepare(&scene, format).expect("fits");
@@ -117,13 +101,13 @@ fn other_widths_are_kept() {
     let narrow = widths::parse(&needs.widths).expect("widths");
     assert!(narrow.root < 20 && narrow.plane < 32, "{}", needs.widths);
     let prepared = in_widths(&scene, &narrow).expect("stated to fit");
-    assert_eq!(picture(&prepared), picture(&wide));
+    assert_eq!(prepared.frame(|| ()), wide.frame(|| ()));
     // In its own narrowest machine a scene needs exactly that.
     assert_eq!(machine_needs(&scene, &prepared), Some(needs));
 }
 
 fn checked(path: &str) -> CheckReport {
-    let scene = framed(&folder(path));
+    let scene = framed(path);
     check(&scene, &prepare(&scene, Format::BASE).expect("fits"))
 }
 
@@ -204,7 +188,7 @@ impl Values {
 fn accumulators_are_exactly_as_long_as_the_values_at_the_pixels() {
     let formats = ["depth=24", "depth=18,normal=12,g1=2,g2=5,dropped=2"];
     for name in ["teapot", "cut-sphere", "front-view", "molecule"] {
-        let file = SceneFile::read(&folder(&format!("{name}.toml"))).expect("a scene");
+        let file = scene_file(name);
         let scene = file.frame(48, 36).expect("can be framed");
         for text in formats {
             let format = Format::fitted(&widths::parse(text).expect("widths")).expect("a machine");
@@ -301,7 +285,7 @@ fn front_views_and_specks_are_named() {
 }
 
 fn checked_at_its_size(path: &str) -> CheckReport {
-    let file = SceneFile::read(&folder(path)).expect("a scene");
+    let file = scene_file(path);
     let (width, height) = (file.image.width, file.image.height);
     let scene = file.frame(width, height).expect("can be framed");
     check(&scene, &prepare(&scene, Format::BASE).expect("fits"))

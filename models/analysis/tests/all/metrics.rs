@@ -6,9 +6,8 @@ use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
 use imogene_prepare::Framing;
 use imogene_prepare::prepare;
-use imogene_scene::{FramedScene, SceneFile, Surface};
-use imogene_testkit::{WIDTH, object, scene, sphere};
-use std::path::Path;
+use imogene_scene::{FramedScene, Surface};
+use imogene_testkit::{WIDTH, object, scene, scene_file, sphere};
 use std::sync::LazyLock;
 
 const F: Format = Format::BASE;
@@ -267,8 +266,7 @@ fn backs_of_the_scenes_agree_with_the_processors() {
         ("front-view", 80.0),
         ("crossing-cylinders", 80.0),
     ] {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../scenes/{name}.toml"));
-        let scene = SceneFile::read(&path).unwrap().frame(160, 120).unwrap();
+        let scene = scene_file(name).frame(160, 120).unwrap();
         let truth = Truth::new(&scene, || ());
         let drawing = Drawing::of(&prepare(&scene, F).unwrap(), &scene);
         let (metrics, _) = measure(&truth, &drawing);

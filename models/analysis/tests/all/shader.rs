@@ -7,15 +7,11 @@ use imogene_golden::machine::shader::shade_picture;
 use imogene_prepare::Framing;
 use imogene_prepare::prepare;
 use imogene_prepare::shader::{ShaderError, material_numbers, shader_words};
-use imogene_scene::{FramedScene, Projection, SceneFile};
-use std::path::Path;
+use imogene_scene::{FramedScene, Projection};
+use imogene_testkit::scene_file;
 
 fn framed(name: &str) -> FramedScene {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../scenes")
-        .join(name);
-    let file = SceneFile::read(&path).unwrap();
-    file.frame(192, 144).unwrap()
+    scene_file(name).frame(192, 144).unwrap()
 }
 
 #[test]

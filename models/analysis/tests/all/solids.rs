@@ -2,12 +2,10 @@
 
 use imogene_analysis::exact::render::{DEPTH_FRACTION, ExactPixel, directions, render};
 use imogene_golden::format::Format;
-use imogene_golden::machine::beam;
 use imogene_prepare::{Framing, prepare};
 use imogene_scene::SceneFile;
-use imogene_testkit::angle_deg;
+use imogene_testkit::{angle_deg, scene_file};
 use proptest::prelude::*;
-use std::path::Path;
 
 const F: Format = Format::BASE;
 const SIZE: (u32, u32) = (120, 90);
@@ -29,8 +27,7 @@ struct Found {
 fn compare(file: &SceneFile) -> Found {
     let scene = file.frame(SIZE.0, SIZE.1).expect("valid size");
     let prepared = prepare(&scene, F).expect("prepared");
-    let (width, height) = (SIZE.0 as usize, SIZE.1 as usize);
-    let golden = beam::render(&prepared.slots(), &F, width, height, || ());
+    let golden = prepared.frame(|| ());
     let exact = render(&scene, &F, || ());
     let normals = directions(&exact, &scene, &F);
     let mut found = Found::default();
@@ -64,9 +61,7 @@ impl Found {
 #[test]
 fn the_scenes_show_their_exact_picture() {
     for name in ["bracket", "printed-example"] {
-        let path =
-            Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../scenes/solids/{name}.toml"));
-        let found = compare(&SceneFile::read(&path).expect("a scene"));
+        let found = compare(&scene_file(&format!("solids/{name}")));
         assert!(found.alike > 2000 && found.backs > 100, "{name}: {found:?}");
         assert!(found.different <= 3, "{name}: {found:?}");
         // The normal of a quadric turns fast beside its outline.

@@ -2,7 +2,6 @@
 //! processor.
 
 use imogene_golden::format::Format;
-use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::Lighting;
 use imogene_golden::object::slot::ProcessorWords;
@@ -10,8 +9,7 @@ use imogene_golden::object::words::Words;
 use imogene_plan::split::{Divided, Division};
 use imogene_prepare::Framing;
 use imogene_prepare::{PreparedScene, prepare};
-use imogene_scene::SceneFile;
-use imogene_testkit::{collection, file_prepared};
+use imogene_testkit::{collection, file_prepared, scene_file};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -24,8 +22,7 @@ fn prepared(path: &Path) -> Option<PreparedScene> {
 }
 
 fn whole(scene: &PreparedScene) -> (Frame, Lighting) {
-    let (width, height) = (scene.width as usize, scene.height as usize);
-    let frame = beam::render(&scene.slots(), &scene.format, width, height, || ());
+    let frame = scene.frame(|| ());
     let lighting = scene.light(&frame, || ());
     (frame, lighting)
 }
@@ -115,8 +112,7 @@ fn every_scene_of_the_collection_is_the_same_however_it_is_divided() {
 /// A spot whose box is small, in pieces that the box does not touch; and guard bits.
 #[test]
 fn lights_and_guard_bits_are_the_same_however_the_picture_is_divided() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../testkit/scenes/shadows.toml");
-    let file = SceneFile::read(&path).expect("a valid scene");
+    let file = scene_file("../models/testkit/scenes/shadows");
     let framed = file.frame(83, 61).expect("a valid size");
     for (depth, linear, quadratic) in [(24, 0, 0), (16, 3, 5), (20, 10, 7)] {
         let format = Format::new(depth).expect("in the catalogue");

@@ -11,9 +11,8 @@ use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::unit::normal::LINEAR_WIDTH;
 use imogene_prepare::Framing;
 use imogene_prepare::prepare;
-use imogene_scene::SceneFile;
+use imogene_testkit::scene_file;
 use proptest::prelude::*;
-use std::path::Path;
 
 const WIDTH: i64 = 40;
 const HEIGHT: i64 = 30;
@@ -178,8 +177,7 @@ proptest! {
 /// Every facet of a scene, as it is prepared; the operations are those of its spans.
 #[test]
 fn facets_of_a_scene() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/processors/mesh.toml");
-    let framed = SceneFile::read(&path).unwrap().frame(320, 240).unwrap();
+    let framed = scene_file("processors/mesh").frame(320, 240).unwrap();
     let prepared = prepare(&framed, Format::BASE).unwrap();
     let (mut facets, mut pixels) = (0, 0);
     for slot in prepared.slots() {

@@ -10,22 +10,8 @@ use imogene_golden::unit::lattice::Lattice;
 use imogene_prepare::Framing;
 use imogene_prepare::{PreparedScene, prepare};
 use imogene_scene::{FramedScene, SceneFile};
-use std::fs;
-use std::path::{Path, PathBuf};
-
-/// Scene files of a folder of the collection, by name.
-fn files(folder: &str) -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../scenes")
-        .join(folder);
-    let entries = fs::read_dir(folder).expect("the collection");
-    let mut files: Vec<PathBuf> = entries
-        .map(|entry| entry.expect("readable").path())
-        .filter(|path| path.extension().is_some_and(|e| e == "toml"))
-        .collect();
-    files.sort();
-    files
-}
+use imogene_testkit::scenes_in;
+use std::path::Path;
 
 /// The processors for the lines `first, first + step, ..` alone; `None` if one of them has no words for fields.
 fn slots_of_field(prepared: &PreparedScene, step: i64, first: i64) -> Option<Vec<Slot>> {
@@ -84,7 +70,7 @@ fn framed(path: &Path, (width, height): (u32, u32)) -> FramedScene {
 /// The names of the scenes of a folder that were drawn in fields of 2 and of 3, and whose picture is not empty.
 fn interlaced(folder: &str, size: (u32, u32), formats: &[Format]) -> Vec<String> {
     let mut drawn = vec![];
-    for path in files(folder) {
+    for path in scenes_in(folder) {
         let scene = framed(&path, size);
         let name = path.file_stem().expect("a name").to_string_lossy();
         for format in formats {
@@ -95,8 +81,7 @@ fn interlaced(folder: &str, size: (u32, u32), formats: &[Format]) -> Vec<String>
             if slots_of_field(&prepared, 1, 0).is_none() {
                 continue;
             }
-            let (width, height) = (prepared.width as usize, prepared.height as usize);
-            let whole = beam::render(&prepared.slots(), format, width, height, || ());
+            let whole = prepared.frame(|| ());
             for step in [2, 3] {
                 assert_interleaved(&prepared, &whole, step, &name);
             }
@@ -117,7 +102,7 @@ fn fields_of_every_scene_interleave() {
     let formats = [sixteen, Format::BASE, guarded, widest];
     let plain = interlaced("", (160, 120), &formats);
     assert!(
-        plain.len() == files("").len() && plain.len() >= 15,
+        plain.len() == scenes_in("").len() && plain.len() >= 15,
         "{plain:?}"
     );
     assert!(plain.contains(&"teapot".into()) && plain.contains(&"molecule".into()));

@@ -7,7 +7,6 @@
 
 use imogene_algebra::rational::integer;
 use imogene_golden::format::Format;
-use imogene_golden::machine::beam;
 use imogene_golden::object::first_generation::{ContourPlane, FirstGenerationWords};
 use imogene_golden::object::quadric::{ObjectPixel, QuadricWords};
 use imogene_golden::object::slot::ProcessorWords;
@@ -17,6 +16,7 @@ use imogene_prepare::error::PrepareError;
 use imogene_prepare::forms::LinearForm;
 use imogene_prepare::{PreparedObject, PreparedQuadric, PreparedScene, prepare, prepare_for_roots};
 use imogene_scene::{FramedObject, FramedScene, SceneFile};
+use imogene_testkit::scene_file;
 use num_traits::Signed;
 
 /// Depth words.
@@ -219,11 +219,7 @@ fn compare(scene: &FramedScene, format: Format, tally: &mut Tally) -> bool {
         let name = format!("{}: {}", scene.title, theirs.name);
         known.extend(compare_object(&name, words, theirs, &first, tally));
     }
-    let frame = |p: &PreparedScene| {
-        let (width, height) = (p.width as usize, p.height as usize);
-        beam::render(&p.slots(), &p.format, width, height, || ())
-    };
-    let (ours, theirs) = (frame(&first), frame(&second));
+    let (ours, theirs) = (first.frame(|| ()), second.frame(|| ()));
     for index in 0..ours.depth.len() {
         let face = |f: &imogene_golden::machine::frame::Frame| {
             (
@@ -241,11 +237,7 @@ fn compare(scene: &FramedScene, format: Format, tally: &mut Tally) -> bool {
 /// The scene of the collection in every format.
 #[test]
 fn the_scene_of_the_first_generation_differs_only_where_a_plane_is_at_a_face() {
-    let path = format!(
-        "{}/../../scenes/processors/first-generation.toml",
-        env!("CARGO_MANIFEST_DIR")
-    );
-    let scene = SceneFile::read(path.as_ref()).expect("a valid scene");
+    let scene = scene_file("processors/first-generation");
     let scene = scene.frame(480, 360).expect("a valid size");
     for (depth, most) in FORMATS.into_iter().zip(MOST) {
         let mut tally = Tally::default();

@@ -11,15 +11,13 @@ use imogene_golden::object::words::Words;
 use imogene_golden::unit::depth_interval::Class;
 use imogene_prepare::Framing;
 use imogene_prepare::{PreparedScene, prepare};
-use imogene_scene::SceneFile;
+use imogene_testkit::scene_file;
 use std::collections::BTreeSet;
 
 const SIZE: (u32, u32) = (64, 48);
 
 fn prepared(name: &str) -> PreparedScene {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/");
-    let file = SceneFile::read(format!("{path}{name}").as_ref()).expect("a scene");
-    let framed = file.frame(SIZE.0, SIZE.1).expect("a size");
+    let framed = scene_file(name).frame(SIZE.0, SIZE.1).expect("a size");
     prepare(&framed, Format::BASE).expect("fits the format")
 }
 

@@ -13,7 +13,8 @@ use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;
 use imogene_prepare::Framing;
 use imogene_prepare::prepare;
-use imogene_scene::{Beam, SceneFile};
+use imogene_scene::Beam;
+use imogene_testkit::scene_file;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
@@ -432,11 +433,7 @@ fn a_facet_shades_a_triangle() {
 /// moved to the screen's corner, some of the 32-bit format are longer than that.
 #[test]
 fn words_of_volumes_are_shown_as_registers_hold_them() {
-    let path = format!(
-        "{}/../../scenes/orthographic.toml",
-        env!("CARGO_MANIFEST_DIR")
-    );
-    let mut file = SceneFile::read(path.as_ref()).expect("a valid scene");
+    let mut file = scene_file("orthographic");
     for light in &mut file.lights {
         light.shadows |= !matches!(light.beam, Beam::Spot { .. });
     }

@@ -5,14 +5,13 @@ use imogene_algebra::rational::integer;
 use imogene_golden::format::Format;
 use imogene_prepare::Framing;
 use imogene_prepare::prepare;
-use imogene_scene::{FramedScene, SceneFile};
+use imogene_scene::FramedScene;
+use imogene_testkit::scene_file;
 use num_traits::Signed;
-use std::path::Path;
 
 fn scene(name: &str, width: u32, height: u32) -> FramedScene {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
-    let file = SceneFile::read(&folder.join(name)).expect("a scene of the collection");
-    file.frame(width, height).expect("a valid size")
+    let framed = scene_file(name).frame(width, height);
+    framed.expect("a valid size")
 }
 
 fn guarded(depth: u32, guards: u32) -> Format {

@@ -8,6 +8,7 @@ use imogene_algebra::rational::{fraction, integer};
 use imogene_prepare::Framing;
 use imogene_scene::animation::Playback;
 use imogene_scene::{Beam, Camera, SceneFile, Step, Transform};
+use imogene_testkit::scene_file;
 use num_rational::BigRational;
 
 /// A scene of one ball with more keys; `top` stands before the first table.
@@ -295,11 +296,7 @@ fn the_first_camera_is_active_unless_another_is_named() {
 #[test]
 fn animated_scenes_are_written_and_read_back() {
     for name in ["arm", "moon"] {
-        let path = format!(
-            "{}/../../scenes/animation/{name}.toml",
-            env!("CARGO_MANIFEST_DIR")
-        );
-        let file = SceneFile::read(path.as_ref()).expect("a scene of the repository");
+        let file = scene_file(&format!("animation/{name}"));
         let text = file.to_toml().expect("a valid scene");
         assert_eq!(SceneFile::parse(&text, name).expect("valid"), file);
         // A frame is a scene of its own.

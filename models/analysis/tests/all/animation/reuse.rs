@@ -3,7 +3,6 @@
 use super::{CAMERA, ball, parsed};
 use imogene_analysis::phong;
 use imogene_golden::format::Format;
-use imogene_golden::machine::beam;
 use imogene_prepare::Framing;
 use imogene_prepare::animator::{Animator, PreparedFrame};
 use imogene_prepare::{PreparedScene, Reuse, prepare};
@@ -13,8 +12,7 @@ use proptest::prelude::*;
 const SIZE: (u32, u32) = (48, 36);
 
 fn picture(framed: &FramedScene, prepared: &PreparedScene) -> Vec<u8> {
-    let (width, height) = (prepared.width as usize, prepared.height as usize);
-    let frame = beam::render(&prepared.slots(), &prepared.format, width, height, || ());
+    let frame = prepared.frame(|| ());
     let lighting = prepared.light(&frame, || ());
     phong::shade(&frame, &lighting, framed, &prepared.format)
 }

@@ -7,7 +7,6 @@ use imogene_algebra::rational::{integer, to_f64};
 use imogene_analysis::bounds::{check, depth_bound, undecided_pixels};
 use imogene_analysis::exact::render::{DEPTH_FRACTION, ExactPixel, render, to_frame};
 use imogene_golden::format::Format;
-use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::unit::cut_plane::PlaneKind;
@@ -15,9 +14,9 @@ use imogene_prepare::Framing;
 use imogene_prepare::rounding::Anchor;
 use imogene_prepare::{PreparedScene, prepare};
 use imogene_scene::{FramedObject, FramedScene, Quadric, SceneFile, Shape};
+use imogene_testkit::scene_file;
 use num_rational::BigRational;
 use num_traits::Zero;
-use std::path::Path;
 
 const SIZE: (u32, u32) = (320, 240);
 
@@ -39,13 +38,7 @@ struct Pictures {
 }
 
 fn file(name: &str) -> SceneFile {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/processors");
-    SceneFile::read(&path.join(format!("{name}.toml"))).expect("valid")
-}
-
-fn golden(prepared: &PreparedScene) -> Frame {
-    let (width, height) = (prepared.width as usize, prepared.height as usize);
-    beam::render(&prepared.slots(), &prepared.format, width, height, || ())
+    scene_file(&format!("processors/{name}"))
 }
 
 impl Pictures {
@@ -57,7 +50,7 @@ impl Pictures {
         let scene = file.frame(width, height).expect("valid");
         let prepared = prepare(&scene, format).expect("fits");
         Pictures {
-            golden: golden(&prepared),
+            golden: prepared.frame(|| ()),
             exact: render(&scene, &format, || ()),
             scene,
             prepared,
@@ -282,7 +275,7 @@ fn every_format_draws_every_scene() {
         for depth in Format::CATALOGUE {
             let format = Format::new(depth).unwrap();
             let prepared = prepare(&scene, format).expect("fits");
-            covered.push(golden(&prepared).covered());
+            covered.push(prepared.frame(|| ()).covered());
             let report = check(&scene, &prepared);
             assert_eq!(report.objects.len(), scene.objects.len());
             for object in &prepared.objects {
@@ -302,8 +295,8 @@ fn every_format_draws_every_scene() {
 fn first_generation_takes_guard_bits() {
     let format = Format::BASE.with_guards(4, 8).unwrap();
     let scene = file("first-generation").frame(160, 120).expect("valid");
-    let plain = golden(&prepare(&scene, Format::BASE).expect("fits"));
-    let guarded = golden(&prepare(&scene, format).expect("fits"));
+    let [plain, guarded] =
+        [Format::BASE, format].map(|format| prepare(&scene, format).expect("fits").frame(|| ()));
     let other = plain.id.iter().zip(&guarded.id).filter(|(a, b)| a != b);
     assert!(other.count() < 5);
     assert!(plain.depth != guarded.depth);

@@ -2,16 +2,13 @@
 
 use super::*;
 use imogene_prepare::Framing;
+use imogene_testkit::{scene_file, scenes_in};
 
 #[test]
 fn shipped_scenes_load_frame_and_survive_writing() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
-    let mut count = 0;
-    for entry in fs::read_dir(&folder).expect("the scenes folder") {
-        let path = entry.expect("a folder entry").path();
-        if path.extension().is_none_or(|extension| extension != "toml") {
-            continue;
-        }
+    let paths = scenes_in("");
+    assert!(paths.len() >= 15, "only {} scenes found", paths.len());
+    for path in paths {
         let scene = SceneFile::read(&path).unwrap_or_else(|error| panic!("{error}"));
         let framed = scene
             .frame(scene.image.width, scene.image.height)
@@ -21,15 +18,12 @@ fn shipped_scenes_load_frame_and_survive_writing() {
         let again = SceneFile::parse(&written, "written")
             .unwrap_or_else(|error| panic!("{error}\n{written}"));
         assert_eq!(again, scene, "{}", path.display());
-        count += 1;
     }
-    assert!(count >= 15, "only {count} scenes found");
 }
 
 #[test]
 fn teapot_is_made_of_the_source_s_quadrics() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/teapot.toml");
-    let scene = SceneFile::read(&path).unwrap_or_else(|error| panic!("{error}"));
+    let scene = scene_file("teapot");
     let count = |test: fn(&Shape) -> bool| {
         scene
             .objects

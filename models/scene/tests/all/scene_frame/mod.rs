@@ -11,8 +11,6 @@ use imogene_scene::{
 };
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
-use std::fs;
-use std::path::Path;
 
 type Point = [BigRational; 3];
 
