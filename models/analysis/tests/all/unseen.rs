@@ -2,7 +2,6 @@
 //! of the whole scene.
 
 use imogene_golden::format::Format;
-use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
 use imogene_prepare::Framing;
 use imogene_prepare::{Options, PreparedScene, prepare_with};
@@ -42,8 +41,7 @@ fn drawn(framed: FramedScene, format: Format) -> Drawn {
         ..Options::default()
     };
     let prepared = prepare_with(&framed, format, options).expect("without what is refused");
-    let (width, height) = (framed.width as usize, framed.height as usize);
-    let frame = beam::render(&prepared.slots(), &format, width, height, || ());
+    let frame = prepared.frame(|| ());
     Drawn {
         framed,
         prepared,

@@ -4,7 +4,6 @@ use super::F;
 use super::decide::decided;
 use imogene_analysis::exact;
 use imogene_analysis::exact::render::ExactPixel;
-use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::Lighting;
 use imogene_golden::unit::depth_interval::FACE_NEAR_END;
@@ -29,14 +28,9 @@ pub struct Tally {
     pub dark: usize,
 }
 
-fn golden_frame(prepared: &PreparedScene) -> Frame {
-    let (width, height) = (prepared.width as usize, prepared.height as usize);
-    beam::render(&prepared.slots(), &prepared.format, width, height, || ())
-}
-
 /// Compares the flags of all pixels; where the words decide, golden and exact flags are what they decide.
 pub fn compare(framed: &FramedScene, prepared: &PreparedScene, tally: &mut Tally) {
-    let frame = golden_frame(prepared);
+    let frame = prepared.frame(|| ());
     let golden = prepared.light(&frame, || ());
     let truth = exact::shadow::lighting(framed, || ());
     let seen = exact::render::render(framed, &F, || ());

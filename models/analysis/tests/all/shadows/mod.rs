@@ -14,16 +14,14 @@ use compare::{Tally, compare};
 use imogene_algebra::rational::integer;
 use imogene_golden::format::Format;
 use imogene_prepare::Framing;
-use imogene_scene::{FramedObject, FramedQuadric, FramedScene, FramedSource, SceneFile, Surface};
+use imogene_scene::{FramedObject, FramedQuadric, FramedScene, FramedSource, Surface};
 use imogene_testkit::*;
 
 const F: Format = Format::BASE;
 
 /// Compares a scene of a file; the number of its volumes.
 fn compare_file(path: &str, (width, height): (u32, u32), tally: &mut Tally) -> usize {
-    let path = format!("{}/{path}", env!("CARGO_MANIFEST_DIR"));
-    let file = SceneFile::read(path.as_ref()).expect("a valid scene");
-    let framed = file.frame(width, height).expect("a valid size");
+    let framed = scene_file(path).frame(width, height).expect("a valid size");
     let prepared = prepare(&framed);
     compare(&framed, &prepared, tally);
     eprintln!("{} volumes, {tally:?}", prepared.volumes.len());
@@ -35,7 +33,7 @@ fn compare_file(path: &str, (width, height): (u32, u32), tally: &mut Tally) -> u
 fn a_scene_with_a_spot_has_the_shadows_of_the_exact_rays() {
     // Ball 1, half sphere 2, can and floor 3 for each source, less those that meet nothing; one cone.
     let mut tally = Tally::default();
-    compare_file("../testkit/scenes/shadows.toml", (180, 135), &mut tally);
+    compare_file("../models/testkit/scenes/shadows", (180, 135), &mut tally);
     assert!(tally.lit > 10_000 && tally.dark > 5_000, "{tally:?}");
     assert!(tally.open <= 38 && tally.differing <= 32, "{tally:?}");
     assert_eq!(tally.differing, tally.at_an_edge, "{tally:?}");
@@ -45,7 +43,7 @@ fn a_scene_with_a_spot_has_the_shadows_of_the_exact_rays() {
 #[test]
 fn the_robot_has_the_shadows_of_the_exact_rays() {
     let mut tally = Tally::default();
-    let volumes = compare_file("../../scenes/shadows/robot.toml", (120, 90), &mut tally);
+    let volumes = compare_file("shadows/robot", (120, 90), &mut tally);
     assert!(volumes > 100);
     assert!(tally.lit > 3_000 && tally.dark > 2_000, "{tally:?}");
     assert!(tally.open <= 22 && tally.differing <= 15, "{tally:?}");
