@@ -4,13 +4,12 @@ use imogene_analysis::bounds::{depth_bound, normal_bound, undecided_pixels};
 use imogene_analysis::exact::render::{DEPTH_FRACTION, ExactPixel};
 use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
-use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::unit::depth_interval::{FACE_NEAR_END, FACE_PLANE};
 use imogene_prepare::Framing;
 use imogene_prepare::{PreparedQuadric, PreparedScene, prepare};
 use imogene_scene::{FramedScene, Projection, SceneFile};
-use imogene_testkit::{angle_deg, gradient};
+use imogene_testkit::{angle_deg, gradient, scenes_in};
 use std::path::{Path, PathBuf};
 
 const SIZE: (u32, u32) = (320, 240);
@@ -58,17 +57,6 @@ struct Pictures {
     undecided: Vec<bool>,
 }
 
-fn scene_files() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
-    let entries = std::fs::read_dir(folder).expect("the scenes folder");
-    let mut files: Vec<PathBuf> = entries
-        .map(|e| e.expect("readable").path())
-        .filter(|p| p.extension().is_some_and(|e| e == "toml"))
-        .collect();
-    files.sort();
-    files
-}
-
 fn pictures(file: &Path, format: Format) -> Pictures {
     let scene = SceneFile::read(file)
         .expect("valid")
@@ -76,13 +64,7 @@ fn pictures(file: &Path, format: Format) -> Pictures {
         .expect("valid size");
     let prepared = prepare(&scene, format).expect("the scenes of the collection fit");
     Pictures {
-        golden: beam::render(
-            &prepared.slots(),
-            &format,
-            SIZE.0 as usize,
-            SIZE.1 as usize,
-            || (),
-        ),
+        golden: prepared.frame(|| ()),
         exact: imogene_analysis::exact::render::render(&scene, &format, || ()),
         undecided: undecided_pixels(&scene, &prepared),
         scene,
@@ -226,7 +208,7 @@ impl Pictures {
 #[test]
 fn every_scene_stays_within_its_bounds() {
     let mut differences = vec![];
-    for file in scene_files() {
+    for file in scenes_in("") {
         let name = file
             .file_stem()
             .expect("a file")
@@ -270,7 +252,7 @@ fn every_scene_stays_within_its_bounds() {
 #[test]
 fn bounds_hold_in_every_format() {
     let chosen = ["cone", "front-view", "teapot"];
-    let files = scene_files();
+    let files = scenes_in("");
     for name in chosen {
         let file = files
             .iter()
@@ -307,7 +289,7 @@ fn named<'a>(files: &'a [PathBuf], name: &str) -> &'a Path {
 /// Guard bits make the depth error smaller, and the bounds that take them into account hold.
 #[test]
 fn bounds_hold_with_guard_bits() {
-    let files = scene_files();
+    let files = scenes_in("");
     for name in ["cone", "front-view", "teapot"] {
         let file = named(&files, name);
         for depth in [16, 24] {
@@ -337,7 +319,7 @@ fn bounds_hold_with_guard_bits() {
 /// With an approximate root every depth stays within its bound, and no pixel is another one that was declared decided.
 #[test]
 fn bounds_hold_with_every_form_of_the_root() {
-    let files = scene_files();
+    let files = scenes_in("");
     for name in ["cone", "front-view", "teapot"] {
         let file = named(&files, name);
         let worst = |form: &str, dropped_rows: u32| {
