@@ -49,6 +49,22 @@ pub fn report<T: Serialize>(json: bool, report: &T, tell: impl FnOnce(&T)) {
     }
 }
 
+/// The same, of which a template tells a person.
+pub fn told(json: bool, report: &impl Serialize, template: &str) -> Result<(), Failure> {
+    match json {
+        true => self::json(report),
+        false => text(page(template, report)?),
+    }
+    Ok(())
+}
+
+/// What a template makes of values, without the end of its last line.
+pub fn page(template: &str, values: impl Serialize) -> Result<String, Failure> {
+    let mut page = imogene_studies::kit::page::text("the report cannot be told", template, values)?;
+    page.truncate(page.strip_suffix('\n').map_or(page.len(), str::len));
+    Ok(page)
+}
+
 /// Says which files were written.
 pub fn wrote(files: &[PathBuf]) {
     for file in files {

@@ -12,14 +12,10 @@ use imogene_oracle::plot::plot;
 use imogene_oracle::trace::Tracer;
 use imogene_prepare::PreparedScene;
 use imogene_scene::DepthRange;
-use imogene_studies::kit::page::text;
 use imogene_studies::picture;
 use serde::Serialize;
-use serde_json::json;
 use std::path::PathBuf;
 
-/// Flagged pixels that are told to a person.
-const TOLD: usize = 20;
 /// Minimum distances that are tried with cracks made on purpose, as powers of two of the one asked for.
 const POWERS: std::ops::RangeInclusive<i32> = -2..=6;
 
@@ -84,9 +80,7 @@ pub fn run(options: &Cracks, json: bool) -> Result<(), Failure> {
         scores,
         files: files.finish()?,
     };
-    let scores = json!({ "scores": report.scores });
-    let table = text("no table", include_str!("cracks.md"), scores)?;
-    output::report(json, &report, |report| tell(report, &table));
+    output::told(json, &report, include_str!("cracks.md"))?;
     match closed(&report) {
         _ if options.inject.is_some() => missed(&report),
         0 => Ok(()),
@@ -134,41 +128,4 @@ fn scores(
         }
     })
     .collect()
-}
-
-fn tell(report: &CrackReport, table: &str) {
-    output::text(format!(
-        "{} x {} pixels, both sides nearer by {:.4} or more, cracks up to {} wide: {} flagged, {} of them cracks and the others ends of notches and openings of the scene",
-        report.width,
-        report.height,
-        report.min_distance,
-        report.crack_width,
-        report.cracks.len(),
-        closed(report)
-    ));
-    for c in report.cracks.iter().take(TOLD) {
-        let behind = match c.object {
-            -1 => "the background".to_owned(),
-            id => format!("object {id}"),
-        };
-        output::text(format!(
-            "  column {}, line {}: {behind} between objects {} and {}{}",
-            c.x,
-            c.y,
-            c.sides[0],
-            c.sides[1],
-            match (c.notch, c.opening) {
-                (true, _) => ", a notch",
-                (_, true) => ", an opening of the scene",
-                _ => "",
-            }
-        ));
-    }
-    if report.cracks.len() > TOLD {
-        output::text(format!("  and {} more", report.cracks.len() - TOLD));
-    }
-    if !report.scores.is_empty() {
-        output::text(table.trim_end());
-    }
-    output::wrote(&report.files);
 }

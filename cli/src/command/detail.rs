@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::output;
 use imogene_files::text::counted;
 use imogene_plan::culling::precision::guard_bits;
-use imogene_plan::culling::reduce::{Fate, ReducedObject};
+use imogene_plan::culling::reduce::ReducedObject;
 use imogene_plan::culling::zones::{Touches, beside, map};
 use imogene_prepare::PreparedScene;
 use imogene_studies::detail::{Changed, Report, WorkSaved, ZoneStream};
@@ -76,7 +76,7 @@ pub fn run(options: &Detail, json: bool) -> Result<(), Failure> {
         zone_refusal: refusal,
         files,
     };
-    output::report(json, &summary, tell);
+    output::told(json, &summary, include_str!("detail.txt"))?;
     match options.pixels == 0 && report.changed != Changed::default() {
         true => Err(Failure::Check(format!(
             "{}: {} other than before, and none may be",
@@ -137,88 +137,4 @@ fn write_maps(
         )?;
     }
     Ok(files.finish()?)
-}
-
-fn fate(object: &ReducedObject) -> &'static str {
-    match object.fate {
-        Fate::Drawn if object.seen == 0 => "hidden",
-        Fate::Drawn => "drawn",
-        Fate::Nowhere => "nowhere",
-        Fate::TooSmall => "too small",
-    }
-}
-
-fn tell(summary: &DetailReport) {
-    output::text(format!(
-        "{}: {} x {} pixels, zones of {} x {}",
-        summary.scene, summary.width, summary.height, summary.zone, summary.zone
-    ));
-    output::text(format!(
-        "{:24} {:>9} {:>19} {:>7} {:>7} {:>15} {:>16}",
-        "object", "", "pixels visited", "seen", "planes", "bits S F K P", "zones b/bd/px"
-    ));
-    for row in &summary.objects {
-        let object = row.object;
-        let bits = object.bits.map_or_else(String::new, |bits| {
-            format!(
-                "{} {} {} {}",
-                bits.sum, bits.quadratic, bits.root, bits.plane
-            )
-        });
-        output::text(format!(
-            "{:24} {:>9} {:>19} {:>7} {:>7} {:>15} {:>16}",
-            object.name,
-            fate(object),
-            arrow(object.visited),
-            object.seen,
-            arrow(object.planes),
-            bits,
-            format!(
-                "{}/{}/{}",
-                row.zones.boxes, row.zones.bounds, row.zones.pixels
-            )
-        ));
-    }
-    let work = &summary.work;
-    output::text(format!(
-        "objects {}, pixels visited {}, planes {}, depths of planes {}; hidden: {}",
-        arrow(work.objects),
-        arrow(work.object_pixels),
-        arrow(work.planes),
-        arrow(work.plane_depths),
-        counted(summary.hidden, "object")
-    ));
-    output::text(format!(
-        "loads for zones: {} by boxes, {} by bounds, {} in which a pixel is drawn",
-        summary.loads.boxes, summary.loads.bounds, summary.loads.pixels
-    ));
-    for stream in &summary.zone_streams {
-        output::text(format!(
-            "zone machine, {:?}: {} and {} loaded, {} draw and {} light passes, {}, {}",
-            stream.refinement,
-            counted(stream.parts, "object"),
-            counted(stream.volumes, "volume"),
-            stream.draw_passes,
-            stream.light_passes,
-            counted(stream.pass_pixels, "pixel"),
-            counted(stream.beats, "beat")
-        ));
-    }
-    if let Some(why) = &summary.zone_refusal {
-        output::text(format!("no zone machine draws the scene: {why}"));
-    }
-    let changed = &summary.changed;
-    output::text(format!(
-        "changed: {}; {} in depth, {} in object, {} in colour by up to {} of 255",
-        counted(changed.pixels, "pixel"),
-        changed.depth,
-        changed.object,
-        changed.colour,
-        changed.greatest_colour
-    ));
-    output::wrote(&summary.files);
-}
-
-fn arrow([before, after]: [u64; 2]) -> String {
-    format!("{before} > {after}")
 }

@@ -4,12 +4,10 @@ use crate::arguments::Evaluate;
 use crate::failure::Failure;
 use crate::output;
 use imogene_golden::format::Format;
-use imogene_golden::machine::zone::ZoneMachine;
 use imogene_package::processors::processors;
-use imogene_rtl::emit::machine::ZONE_BITS;
 use imogene_studies::evaluate::{
-    EvaluateError, Evaluation, Hardware, MACHINE_PLANES, MACHINE_PROCESSORS, Parts,
-    duplication_plot, evaluate, markdown, operations_plot, page,
+    EvaluateError, Evaluation, Hardware, MACHINE_PROCESSORS, Parts, duplication_plot, evaluate,
+    markdown, operations_plot, page, zone_machine,
 };
 use imogene_verif::display::request::{core_request, zone_timing};
 use serde::Serialize;
@@ -50,16 +48,7 @@ fn hardware() -> Result<Hardware, Failure> {
         roots: p.census.roots,
         multipliers: p.census.multipliers,
     });
-    let machine = ZoneMachine {
-        object_processors: MACHINE_PROCESSORS,
-        products: vec![],
-        planes: MACHINE_PLANES,
-        volume_processors: 0,
-        volume_planes: 0,
-        zone_width: 1 << (ZONE_BITS / 2),
-        zone_height: 1 << (ZONE_BITS / 2),
-        samples: 1,
-    };
+    let machine = zone_machine(MACHINE_PROCESSORS);
     let request = core_request(&machine, &Format::BASE, 1);
     Ok(Hardware {
         processors: parts.collect(),

@@ -12,7 +12,6 @@ use crate::output;
 use imogene_analysis::bounds::{Failing, failing};
 use imogene_analysis::metrics::Drawing;
 use imogene_analysis::phong;
-use imogene_files::text::counted;
 use imogene_golden::machine::frame::Frame;
 use imogene_plan::split::Division;
 use imogene_prepare::PreparedScene;
@@ -71,6 +70,10 @@ impl RenderReport {
             files,
         }
     }
+
+    fn tell(&self, json: bool) -> Result<(), Failure> {
+        output::told(json, self, include_str!("render/picture.txt"))
+    }
 }
 
 pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
@@ -110,7 +113,7 @@ pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
         Model::Rtl => ("rtl", vec![]),
     };
     let report = RenderReport::of(model, (&framed, &prepared), &frame, seconds, files);
-    output::report(json, &report, tell);
+    report.tell(json)?;
     drawn_as_it_is(&failing)
 }
 
@@ -150,8 +153,7 @@ fn zoned(
     let rgb = phong::shade(&frame, &lighting, framed, &prepared.format);
     let files = write(options, &frame, &rgb)?;
     let report = RenderReport::of("golden", (framed, prepared), &frame, seconds, files);
-    output::report(json, &report, tell);
-    Ok(())
+    report.tell(json)
 }
 
 /// The picture that workers draw piece by piece.
@@ -171,33 +173,7 @@ fn divided(
     let files = write(options, frame, &rgb)?;
     let mut report = RenderReport::of("golden", (framed, prepared), frame, seconds, files);
     report.split = Some(split);
-    output::report(json, &report, tell);
-    Ok(())
-}
-
-fn tell(report: &RenderReport) {
-    output::text(format!(
-        "{} x {} pixels by the {} model in {:.3} s, {} covered",
-        report.width, report.height, report.model, report.seconds, report.covered_pixels
-    ));
-    if report.volumes > 0 {
-        output::text(format!(
-            "{}; prepared in {:.3} s",
-            counted(report.volumes, "shadow or light volume"),
-            report.prepare_seconds
-        ));
-    }
-    let Absent { hidden, off_screen } = report.absent;
-    if hidden + off_screen > 0 {
-        output::text(format!(
-            "{} not prepared: {hidden} hidden by others, {off_screen} off the screen",
-            counted(hidden + off_screen, "object")
-        ));
-    }
-    if let Some(split) = &report.split {
-        split.tell();
-    }
-    output::wrote(&report.files);
+    report.tell(json)
 }
 
 fn write(options: &Render, frame: &Frame, rgb: &[u8]) -> Result<Vec<PathBuf>, Failure> {

@@ -56,7 +56,7 @@ pub fn run(options: &Repair, json: bool) -> Result<(), Failure> {
         exact,
         files: write(options, &framed, &prepared, &repaired)?,
     };
-    output::report(json, &report, tell);
+    output::told(json, &report, include_str!("repair.txt"))?;
     let differing = report.exact.as_ref().map_or(0, |e| e.differing_after);
     if differing > 0 || !report.leaves_the_rest {
         return Err(Failure::Check(format!(
@@ -104,31 +104,4 @@ fn write(
         })?;
     }
     Ok(files.finish()?)
-}
-
-fn tell(report: &Report) {
-    let r = &report.repair;
-    let seconds = r.first_seconds + r.find_seconds + r.solve_seconds;
-    output::text(format!(
-        "{} x {} pixels: {} open ({:.3} %), {} of them mended; {:.3} s (first pass {:.3}, open pixels found {:.3}, solved {:.3})",
-        report.width,
-        report.height,
-        r.open,
-        100.0 * report.share,
-        r.mended,
-        seconds,
-        r.first_seconds,
-        r.find_seconds,
-        r.solve_seconds
-    ));
-    if let Some(exact) = &report.exact {
-        output::text(format!(
-            "exact picture in {:.3} s, {:.1} times as long; other object or face at {} before the repair, at {} after",
-            exact.seconds,
-            exact.seconds / seconds.max(1e-9),
-            counted(exact.differing_before, "pixel"),
-            exact.differing_after
-        ));
-    }
-    output::wrote(&report.files);
 }

@@ -5,6 +5,7 @@ use crate::output;
 use imogene_contract::Unit;
 use imogene_contract::parameters::PARAMETERS;
 use serde::Serialize;
+use serde_json::json;
 
 #[derive(Serialize)]
 struct UnitEntry {
@@ -23,26 +24,12 @@ struct ParameterEntry {
 
 pub fn run(json: bool) -> Result<(), Failure> {
     let units: Vec<UnitEntry> = Unit::ALL.into_iter().map(entry).collect();
-    if json {
-        output::json(&units);
-        return Ok(());
-    }
-    for unit in units {
-        let options = unit.parameters.iter();
-        let options = options.map(|p| format!("--{} {}", p.option, p.range));
-        output::text(format!(
-            "{}\n  {}\n  parameters: {}\n  latency:    {} clock{}\n  source:     {}\n",
-            unit.name,
-            unit.contract,
-            output::joined(options, ", "),
-            unit.latency,
-            if unit.latency == "1" { "" } else { "s" },
-            unit.source
-        ));
-    }
     let symbols = PARAMETERS.iter();
     let symbols = symbols.map(|p| format!("{} --{}", p.symbol, p.option));
-    output::text(format!("W --format, {}", output::joined(symbols, ", ")));
+    let symbols: Vec<String> = symbols.collect();
+    let page = json!({ "units": units, "symbols": symbols });
+    let page = output::page(include_str!("units.txt"), page)?;
+    output::report(json, &units, |_| output::text(page));
     Ok(())
 }
 

@@ -6,7 +6,6 @@ use crate::command::{read_scene, size_of};
 use crate::failure::Failure;
 use crate::{missing, output};
 use imogene_analysis::phong;
-use imogene_files::text::counted;
 use imogene_files::{Outputs, WriteError};
 use imogene_golden::machine::beam;
 use imogene_prepare::Reuse;
@@ -92,10 +91,10 @@ pub fn run(options: &Render, range: FrameRange, json: bool) -> Result<(), Failur
     let report_path = options.output().join("frames.json");
     files.add_text(&report_path, &(output::json_text(&report) + "\n"))?;
     files.finish()?;
-    output::report(json, &report, |report| {
-        describe(report);
+    output::told(json, &report, include_str!("frames.txt"))?;
+    if !json {
         output::wrote(&[report_path]);
-    });
+    }
     Ok(())
 }
 
@@ -181,26 +180,4 @@ fn total(frames: &[FrameReport]) -> Reuse {
         sum.volumes_reused += reuse.volumes_reused;
     }
     sum
-}
-
-fn describe(report: &FramesReport) {
-    let FramesReport { reuse, frames, .. } = report;
-    let shown: f64 = frames.iter().map(|frame| frame.duration).sum();
-    output::text(format!(
-        "{} of {} x {} pixels by the {} model in {:.3} s, to be shown in {shown:.3} s",
-        counted(frames.len(), "frame"),
-        report.width,
-        report.height,
-        report.model,
-        report.seconds
-    ));
-    output::text(format!(
-        "objects: {} prepared, {} as in the frame before; shadow and light volumes: {} prepared, {} as before",
-        reuse.objects_prepared, reuse.objects_reused, reuse.volumes_prepared, reuse.volumes_reused
-    ));
-    if let (Some(first), Some(last)) = (frames.first(), frames.last()) {
-        let (first, last) = (first.file.display(), last.file.display());
-        output::text(format!("wrote {first} to {last}"));
-    }
-    output::text(format!("wrote {}", report.preview.display()));
 }

@@ -4,7 +4,6 @@ use super::super::threads;
 use crate::arguments::{Model, Render};
 use crate::failure::Failure;
 use crate::output;
-use imogene_files::text::counted;
 use imogene_plan::split::{Divided, Division, Duplication, Work, Worker};
 use imogene_prepare::PreparedScene;
 use serde::Serialize;
@@ -58,38 +57,6 @@ impl SplitReport {
             balance_of_seconds: seconds.sum::<f64>() / divided.workers.len() as f64 / most,
             duplication: divided.duplication,
             workers: divided.workers.clone(),
-        }
-    }
-
-    /// Prints the report for a person.
-    pub fn tell(&self) {
-        output::text(format!(
-            "{} in {} by {}: balance {:.3} (from a common queue {:.3}; in seconds {:.3})",
-            self.split,
-            counted(self.pieces, "piece"),
-            counted(self.workers.len(), "worker"),
-            self.balance,
-            self.balance_of_queue,
-            self.balance_of_seconds
-        ));
-        output::text(format!(
-            "{} of {}, {:.3} each; (l + L)(h + H) / LH = {:.3}, on whole pixels {:.3}",
-            counted(self.duplication.loads, "load"),
-            counted(self.duplication.boxes, "processor"),
-            self.duplication.measured,
-            self.duplication.formula,
-            self.duplication.on_whole_pixels
-        ));
-        output::text("worker   pieces    loads  object pixels  volume pixels    seconds");
-        for (place, worker) in self.workers.iter().enumerate() {
-            output::text(format!(
-                "{place:6} {:8} {:8} {:14} {:14} {:10.3}",
-                worker.pieces,
-                worker.work.loads,
-                worker.work.object_pixels,
-                worker.work.volume_pixels,
-                worker.seconds
-            ));
         }
     }
 }

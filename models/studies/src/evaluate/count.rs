@@ -32,119 +32,109 @@ impl Tally {
     }
 }
 
-/// Keeps the tally of the numbers made by it.
-#[derive(Debug, Default)]
-pub struct Counter(Cell<Tally>);
+thread_local! {
+    static DONE: Cell<Tally> = Cell::default();
+}
 
-impl Counter {
-    /// A number that is given: making it costs nothing.
-    pub fn number(&self, value: f64) -> Counted<'_> {
-        Counted {
-            value,
-            counter: self,
-        }
-    }
-
-    /// Several of them.
-    pub fn numbers<const N: usize>(&self, values: [f64; N]) -> [Counted<'_>; N] {
-        values.map(|value| self.number(value))
-    }
-
-    /// What was done so far.
-    pub fn tally(&self) -> Tally {
-        self.0.get()
-    }
-
-    fn note(&self, kind: fn(&mut Tally) -> &mut u64) {
-        let mut tally = self.0.get();
-        *kind(&mut tally) += 1;
-        self.0.set(tally);
-    }
+/// What was done so far on this thread.
+pub fn done() -> Tally {
+    DONE.get()
 }
 
 /// What a piece of work costs.
-pub fn cost(work: impl FnOnce(&Counter)) -> Tally {
-    let counter = Counter::default();
-    work(&counter);
-    counter.tally()
+pub fn cost(work: impl FnOnce()) -> Tally {
+    let before = DONE.take();
+    work();
+    DONE.replace(before)
 }
 
 /// A number whose operations are counted.
 #[derive(Clone, Copy, Debug)]
-pub struct Counted<'c> {
+pub struct Counted {
     pub value: f64,
-    counter: &'c Counter,
 }
 
-impl<'c> Counted<'c> {
-    /// A constant beside this number: free.
-    pub fn constant(self, value: f64) -> Counted<'c> {
-        self.counter.number(value)
-    }
+/// A number that is given: making it costs nothing.
+pub const fn number(value: f64) -> Counted {
+    Counted { value }
+}
 
+/// Several of them.
+pub fn numbers<const N: usize>(values: [f64; N]) -> [Counted; N] {
+    values.map(number)
+}
+
+/// Notes an operation.
+fn note(kind: fn(&mut Tally) -> &mut u64) {
+    let mut tally = DONE.get();
+    *kind(&mut tally) += 1;
+    DONE.set(tally);
+}
+
+/// A number that is the result of an operation.
+fn counted(kind: fn(&mut Tally) -> &mut u64, value: f64) -> Counted {
+    note(kind);
+    number(value)
+}
+
+impl Counted {
     /// Twice the number, by an addition.
-    pub fn doubled(self) -> Counted<'c> {
+    pub fn doubled(self) -> Counted {
         self + self
     }
 
-    /// A number that is the result of an operation.
-    fn counted(self, kind: fn(&mut Tally) -> &mut u64, value: f64) -> Counted<'c> {
-        self.counter.note(kind);
-        self.constant(value)
-    }
-
     /// Its square root.
-    pub fn root(self) -> Counted<'c> {
-        self.counted(|tally| &mut tally.roots, self.value.sqrt())
+    pub fn root(self) -> Counted {
+        counted(|tally| &mut tally.roots, self.value.sqrt())
     }
 
     /// One over it.
-    pub fn reciprocal(self) -> Counted<'c> {
-        self.constant(1.0) / self
+    pub fn reciprocal(self) -> Counted {
+        number(1.0) / self
     }
 
     /// Is it less than another?
-    pub fn is_below(self, other: Counted<'c>) -> bool {
-        self.counter.note(|tally| &mut tally.tests);
+    pub fn is_below(self, other: Counted) -> bool {
+        note(|tally| &mut tally.tests);
         self.value < other.value
     }
 
     /// Is it less than zero?
     pub fn is_negative(self) -> bool {
-        self.is_below(self.constant(0.0))
+        self.is_below(number(0.0))
     }
     pub fn is_zero(self) -> bool {
-        self.counter.note(|tally| &mut tally.tests);
+        note(|tally| &mut tally.tests);
         self.value == 0.0
     }
 
     /// Its size: a test of its sign.
-    pub fn size(self) -> Counted<'c> {
+    pub fn size(self) -> Counted {
         if self.is_negative() { -self } else { self }
     }
 
     /// The greater of two.
-    pub fn or_greater(self, other: Counted<'c>) -> Counted<'c> {
+    pub fn or_greater(self, other: Counted) -> Counted {
         if self.is_below(other) { other } else { self }
     }
 
     /// The smaller of two.
-    pub fn or_smaller(self, other: Counted<'c>) -> Counted<'c> {
+    pub fn or_smaller(self, other: Counted) -> Counted {
         if self.is_below(other) { self } else { other }
     }
 
     /// The nearest whole number.
-    pub fn rounded(self) -> Counted<'c> {
-        self.counted(|tally| &mut tally.roundings, self.value.round())
+    pub fn rounded(self) -> Counted {
+        counted(|tally| &mut tally.roundings, self.value.round())
     }
 
     /// The whole number at or below it.
-    pub fn floor(self) -> Counted<'c> {
-        self.counted(|tally| &mut tally.roundings, self.value.floor())
+    pub fn floor(self) -> Counted {
+        counted(|tally| &mut tally.roundings, self.value.floor())
     }
 
     /// Times a scale, rounded.
-    pub fn scaled(self, scale: Counted<'c>) -> Counted<'c> {
+    pub fn scaled(self, scale: Counted) -> Counted {
         (self * scale).rounded()
     }
 }
@@ -152,17 +142,17 @@ impl<'c> Counted<'c> {
 /// An operation between two numbers, counted among those of a kind.
 macro_rules! operation {
     ($operator:ident, $name:ident, $kind:ident) => {
-        impl $operator for Counted<'_> {
-            type Output = Self;
-            fn $name(self, other: Self) -> Self {
-                self.counted(|tally| &mut tally.$kind, self.value.$name(other.value))
+        impl $operator for Counted {
+            type Output = Counted;
+            fn $name(self, other: Counted) -> Counted {
+                counted(|tally| &mut tally.$kind, self.value.$name(other.value))
             }
         }
 
         // By reference, as the algebra of this project multiplies and subtracts.
-        impl<'c> $operator for &Counted<'c> {
-            type Output = Counted<'c>;
-            fn $name(self, other: Self) -> Counted<'c> {
+        impl $operator for &Counted {
+            type Output = Counted;
+            fn $name(self, other: Self) -> Counted {
                 (*self).$name(*other)
             }
         }
@@ -174,10 +164,10 @@ operation!(Sub, sub, additions);
 operation!(Mul, mul, multiplications);
 operation!(Div, div, divisions);
 
-impl Neg for Counted<'_> {
-    type Output = Self;
-    fn neg(self) -> Self {
-        self.constant(-self.value)
+impl Neg for Counted {
+    type Output = Counted;
+    fn neg(self) -> Counted {
+        number(-self.value)
     }
 }
 
@@ -188,15 +178,15 @@ mod tests {
 
     #[test]
     fn every_operation_is_counted_once() {
-        let tally = cost(|counter| {
-            let [a, b] = counter.numbers([3.0, 4.0]);
+        let tally = cost(|| {
+            let [a, b] = numbers([3.0, 4.0]);
             let c = (a * a + b * b).root();
             assert_eq!(c.value, 5.0);
             assert_eq!((-(a - b) / c).value, 0.2);
             assert!(a.is_below(b) && !b.is_negative() && !a.is_zero());
             assert_eq!(a.or_greater(b).value, 4.0);
-            assert_eq!(a.constant(2.5).scaled(b).value, 10.0);
-            assert_eq!(a.constant(-2.5).floor().value, -3.0);
+            assert_eq!(number(2.5).scaled(b).value, 10.0);
+            assert_eq!(number(-2.5).floor().value, -3.0);
             assert_eq!(a.doubled().value, 6.0);
             assert_eq!(b.reciprocal().value, 0.25);
         });
@@ -214,8 +204,8 @@ mod tests {
 
     #[test]
     fn a_product_of_lists_has_one_addition_less() {
-        let tally = cost(|counter| {
-            let list = counter.numbers([1.0, 2.0, 3.0, 4.0]);
+        let tally = cost(|| {
+            let list = numbers([1.0, 2.0, 3.0, 4.0]);
             assert_eq!(dot(list, list).value, 30.0);
         });
         assert_eq!((tally.multiplications, tally.additions), (4, 3));

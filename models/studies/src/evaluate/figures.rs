@@ -1,7 +1,6 @@
 //! The counts that the rows are made of, by name: numbers to keep and to send, scans in software, loading, clocks.
 
 use super::EvaluateError;
-use super::count::Counter;
 use super::duplication::{Edges, planned, touched};
 use super::hardware::{
     DEVICE, Figures, GATES, Hardware, MACHINE_PLANES, MACHINE_PROCESSORS, PLAIN_DEVICE, Resources,
@@ -94,11 +93,10 @@ fn duplication(ball: &Moving) -> Result<Value, EvaluateError> {
 }
 
 fn software() -> Value {
-    let counter = Counter::default();
-    let solid = |side| pixel::solid(&counter, side, &pixel::ball(side, 3)).figures();
-    let patch = |side| pixel::patch(&counter, side, &pixel::ball(side, 4)).figures();
+    let solid = |side| pixel::solid(side, &pixel::ball(side, 3)).figures();
+    let patch = |side| pixel::patch(side, &pixel::ball(side, 4)).figures();
     json!({
-        "facet_scan": pixel::facet(&counter, 20, pixel::FACET).figures(),
+        "facet_scan": pixel::facet(20, pixel::FACET).figures(),
         "solid_128": solid(128),
         "solid_80": solid(80),
         "patch_80": patch(80),

@@ -18,10 +18,11 @@ mod steps;
 mod table;
 pub mod work;
 
-pub use hardware::{Hardware, MACHINE_PLANES, MACHINE_PROCESSORS, Parts};
+pub use hardware::{Hardware, MACHINE_PROCESSORS, Parts};
 pub use page::{markdown, page};
 pub use plot::{duplication_plot, operations_plot};
 pub use row::{Evaluation, Group, Omitted, Printed, Row};
+pub use scenes::zone_machine;
 pub use table::evaluate;
 
 /// Why there is no evaluation: a defect of this workspace, since nothing is given that could be wrong.

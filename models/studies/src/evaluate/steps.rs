@@ -3,7 +3,7 @@
 //! The numbers that the steps are run with are of no meaning: no step asks a question whose answer changes its cost,
 //! except where its name says so.
 
-use super::count::{Counted, Counter, Tally, cost};
+use super::count::{Counted, Tally, cost, number, numbers};
 use super::work::facet::{self, Contour, Corners};
 use super::work::lighting::{Colours, Place, light, power};
 use super::work::transform::{
@@ -46,136 +46,122 @@ const TETRAHEDRON: [[f64; 2]; 4] = [[0.0, 0.0], [40.0, 9.0], [13.0, 30.0], [53.0
 const WORST_EXPONENT: u32 = 127;
 
 /// A step by its name.
-type Step = (&'static str, fn(&Counter));
+type Step = (&'static str, fn());
 
 const STEPS: &[Step] = &[
-    ("product", |c| done(product(&matrix(c), &matrix(c)))),
-    ("affine_product", |c| {
-        done(affine_product(&matrix(c), &matrix(c)))
+    ("product", || done(product(&matrix(), &matrix()))),
+    ("affine_product", || {
+        done(affine_product(&matrix(), &matrix()))
     }),
-    ("point", |c| done(point(&matrix(c), c.numbers(POINT)))),
-    ("direction", |c| {
-        done(direction(&matrix(c), c.numbers(POINT)))
+    ("point", || done(point(&matrix(), numbers(POINT)))),
+    ("direction", || done(direction(&matrix(), numbers(POINT)))),
+    ("divide", || done(divided(numbers([1.0, 2.0, 3.0, 4.0])))),
+    ("plane_image", || done(image(&matrix(), &numbers(PLANE)))),
+    ("quadric_in_full", || {
+        done(quadric_in_full(&matrix(), numbers(QUADRIC)))
     }),
-    ("divide", |c| done(divided(c.numbers([1.0, 2.0, 3.0, 4.0])))),
-    ("plane_image", |c| {
-        done(image(&matrix(c), &c.numbers(PLANE)))
+    ("quadric_image", || {
+        done(transform::quadric(&matrix(), numbers(QUADRIC)))
     }),
-    ("quadric_in_full", |c| {
-        done(quadric_in_full(&matrix(c), c.numbers(QUADRIC)))
+    ("cofactors", || done(cofactors4(&matrix()))),
+    ("shared_cofactors", || {
+        done(cofactors_of_shared_minors(&matrix()))
     }),
-    ("quadric_image", |c| {
-        done(transform::quadric(&matrix(c), c.numbers(QUADRIC)))
+    ("determinant_alone", || done(determinant_alone(&matrix()))),
+    ("determinant", || done(determinant(&matrix(), &matrix()))),
+    ("inverse", || done(inverse(&matrix(), number(2.0)))),
+    ("normalised", || done(normalised(numbers(POINT)))),
+    ("contour", || done(contour())),
+    ("contour_and_followed", || {
+        let contour = contour();
+        done(quantities().map(|w| facet::followed(&contour, w)));
     }),
-    ("cofactors", |c| done(cofactors4(&matrix(c)))),
-    ("shared_cofactors", |c| {
-        done(cofactors_of_shared_minors(&matrix(c)))
-    }),
-    ("determinant_alone", |c| done(determinant_alone(&matrix(c)))),
-    ("determinant", |c| done(determinant(&matrix(c), &matrix(c)))),
-    ("inverse", |c| done(inverse(&matrix(c), c.number(2.0)))),
-    ("normalised", |c| done(normalised(c.numbers(POINT)))),
-    ("contour", |c| done(contour(c))),
-    ("contour_and_followed", |c| {
-        let contour = contour(c);
-        done(quantities(c).map(|w| facet::followed(&contour, w)));
-    }),
-    ("contour_to_words", |c| {
-        let [depth, quantity] = c.numbers([8388.0, 32_767.0]);
+    ("contour_to_words", || {
+        let [depth, quantity] = numbers([8388.0, 32_767.0]);
         done(facet::contour_words(
-            &contour(c),
-            quantities(c),
+            &contour(),
+            quantities(),
             depth,
             quantity,
         ));
     }),
-    ("expressions", |c| done(facet::expressions(corners(c)))),
-    ("expressions_and_expressed", |c| {
-        let facet = facet::expressions(corners(c));
-        done(quantities(c).map(|w| facet::expressed(&facet.shape, corners(c), w)));
+    ("expressions", || done(facet::expressions(corners()))),
+    ("expressions_and_expressed", || {
+        let facet = facet::expressions(corners());
+        done(quantities().map(|w| facet::expressed(&facet.shape, corners(), w)));
     }),
-    ("expressions_to_words", |c| {
-        let [depth, quantity] = c.numbers([8388.0, 32_767.0]);
+    ("expressions_to_words", || {
+        let [depth, quantity] = numbers([8388.0, 32_767.0]);
         done(facet::expression_words(
-            corners(c),
-            quantities(c),
+            corners(),
+            quantities(),
             depth,
             quantity,
         ));
     }),
-    ("light", |c| lit_corners(c, Place::Far, Place::Far)),
-    ("light_near_source", |c| {
-        lit_corners(c, Place::Near, Place::Far)
+    ("light", || lit_corners(Place::Far, Place::Far)),
+    ("light_near_source", || lit_corners(Place::Near, Place::Far)),
+    ("light_near_viewer", || lit_corners(Place::Far, Place::Near)),
+    ("light_near_both", || lit_corners(Place::Near, Place::Near)),
+    ("one_power", || done(power(number(0.9), WORST_EXPONENT))),
+    ("depth", || done(depth())),
+    ("depth_to_words", || {
+        let [scale, square] = numbers([8388.0, 7e7]);
+        done(quadric::depth_words(&depth(), scale, square));
     }),
-    ("light_near_viewer", |c| {
-        lit_corners(c, Place::Far, Place::Near)
-    }),
-    ("light_near_both", |c| {
-        lit_corners(c, Place::Near, Place::Near)
-    }),
-    ("one_power", |c| done(power(c.number(0.9), WORST_EXPONENT))),
-    ("depth", |c| done(depth(c))),
-    ("depth_to_words", |c| {
-        let [scale, square] = c.numbers([8388.0, 7e7]);
-        done(quadric::depth_words(&depth(c), scale, square));
-    }),
-    ("normal", |c| {
+    ("normal", || {
         done(quadric::normal(
-            c.numbers(QUADRIC),
-            &c.numbers(POINT),
-            c.number(0.001),
+            numbers(QUADRIC),
+            &numbers(POINT),
+            number(0.001),
         ));
     }),
     // With the search of its greatest component.
-    ("normal_to_words", |c| {
-        let depth = depth(c);
-        let normal = quadric::normal(c.numbers(QUADRIC), &depth.f1, c.number(0.001));
+    ("normal_to_words", || {
+        let depth = depth();
+        let normal = quadric::normal(numbers(QUADRIC), &depth.f1, number(0.001));
         let root = quadric::greatest_f2(&depth.f2).root();
-        let window = c.numbers([-70.0, -90.0, 180.0, 170.0]);
+        let window = numbers([-70.0, -90.0, 180.0, 170.0]);
         let greatest = quadric::greatest_normal(&normal, root, window);
-        done(quadric::normal_words(&normal, greatest, c.number(0.001)));
+        done(quadric::normal_words(&normal, greatest, number(0.001)));
     }),
-    ("plane", |c| {
-        done(quadric::plane(
-            c.numbers(PLANE),
-            c.number(8388.0),
-            c.number(16e6),
-        ))
+    ("plane", || {
+        done(quadric::plane(numbers(PLANE), number(8388.0), number(16e6)))
     }),
-    ("plane_words", |c| {
-        done(quadric::plane_words(c.numbers(POINT), c.number(8388.0)))
+    ("plane_words", || {
+        done(quadric::plane_words(numbers(POINT), number(8388.0)))
     }),
-    ("plane_normal", |c| {
-        done(quadric::constant_normal(c.numbers(POINT)))
+    ("plane_normal", || {
+        done(quadric::constant_normal(numbers(POINT)))
     }),
-    ("facet_box", |c| presort(c, &CUBE[..3])),
-    ("patch_box", |c| presort(c, &TETRAHEDRON)),
-    ("box_of_eight", |c| presort(c, &CUBE)),
-    ("outline_to_box", |c| {
-        let window = zones::box_of_outline(&depth(c).f2);
-        done(zones::zones(window, c.number(1.0 / 128.0)));
+    ("facet_box", || presort(&CUBE[..3])),
+    ("patch_box", || presort(&TETRAHEDRON)),
+    ("box_of_eight", || presort(&CUBE)),
+    ("outline_to_box", || {
+        let window = zones::box_of_outline(&depth().f2);
+        done(zones::zones(window, number(1.0 / 128.0)));
     }),
-    ("facet_sides", |c| done(outline(&points(c, &CUBE[..3])))),
-    ("facet_sides_and_corner", |c| {
-        corner(c, outline(&points(c, &CUBE[..3])))
+    ("facet_sides", || done(outline(&points(&CUBE[..3])))),
+    ("facet_sides_and_corner", || {
+        corner(outline(&points(&CUBE[..3])))
     }),
-    ("patch_sides", |c| done(outline(&points(c, &TETRAHEDRON)))),
-    ("patch_sides_and_corner", |c| {
-        corner(c, outline(&points(c, &TETRAHEDRON)))
+    ("patch_sides", || done(outline(&points(&TETRAHEDRON)))),
+    ("patch_sides_and_corner", || {
+        corner(outline(&points(&TETRAHEDRON)))
     }),
-    ("quadric_sides", |c| {
-        done(outline_of(&points(c, &CUBE), is_edge))
+    ("quadric_sides", || {
+        done(outline_of(&points(&CUBE), is_edge))
     }),
-    ("quadric_sides_and_corner", |c| {
-        corner(c, outline_of(&points(c, &CUBE), is_edge))
+    ("quadric_sides_and_corner", || {
+        corner(outline_of(&points(&CUBE), is_edge))
     }),
-    ("moved_line", |c| {
-        let [k, l] = c.numbers([128.0, 256.0]);
-        done(zones::moved_line(&c.numbers(POINT), k, l));
+    ("moved_line", || {
+        let [k, l] = numbers([128.0, 256.0]);
+        done(zones::moved_line(&numbers(POINT), k, l));
     }),
-    ("moved_conic", |c| {
-        let [k, l] = c.numbers([128.0, 256.0]);
-        done(zones::moved_conic(&c.numbers([1.0; 6]), k, l));
+    ("moved_conic", || {
+        let [k, l] = numbers([128.0, 256.0]);
+        done(zones::moved_conic(&numbers([1.0; 6]), k, l));
     }),
 ];
 
@@ -195,38 +181,38 @@ pub fn costs() -> Map<String, Value> {
 /// The result of a step has been counted and is of no further use.
 fn done<T>(_result: T) {}
 
-fn matrix(counter: &Counter) -> transform::Matrix<'_> {
-    MATRIX.map(|row| counter.numbers(row))
+fn matrix() -> transform::Matrix {
+    MATRIX.map(numbers)
 }
 
-fn corners(counter: &Counter) -> Corners<'_> {
-    CORNERS.map(|corner| counter.numbers(corner))
+fn corners() -> Corners {
+    CORNERS.map(numbers)
 }
 
-fn quantities(counter: &Counter) -> [[Counted<'_>; 3]; 3] {
-    [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 9.0]].map(|w| counter.numbers(w))
+fn quantities() -> [[Counted; 3]; 3] {
+    [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 9.0]].map(numbers)
 }
 
-fn contour(counter: &Counter) -> Contour<'_> {
-    facet::contour(corners(counter)).expect("the corners have an area")
+fn contour() -> Contour {
+    facet::contour(corners()).expect("the corners have an area")
 }
 
-fn depth(counter: &Counter) -> quadric::Depth<'_> {
-    quadric::depth(counter.numbers(QUADRIC)).expect("it has a depth")
+fn depth() -> quadric::Depth {
+    quadric::depth(numbers(QUADRIC)).expect("it has a depth")
 }
 
-fn points<'c>(counter: &'c Counter, list: &[[f64; 2]]) -> Vec<[Counted<'c>; 2]> {
-    list.iter().map(|p| counter.numbers(*p)).collect()
+fn points(list: &[[f64; 2]]) -> Vec<[Counted; 2]> {
+    list.iter().map(|p| numbers(*p)).collect()
 }
 
-fn presort(counter: &Counter, list: &[[f64; 2]]) {
-    let window = zones::box_of(&points(counter, list));
-    zones::zones(window, counter.number(1.0 / 128.0));
+fn presort(list: &[[f64; 2]]) {
+    let window = zones::box_of(&points(list));
+    zones::zones(window, number(1.0 / 128.0));
 }
 
 /// A zone's corner against the sides of an outline.
-fn corner(counter: &Counter, sides: Vec<facet::Line<'_>>) {
-    facet::is_inside(&sides, counter.number(5.0), counter.number(6.0));
+fn corner(sides: Vec<facet::Line>) {
+    facet::is_inside(&sides, number(5.0), number(6.0));
 }
 
 /// Two corners of the box in space are joined if they differ in one bit of their index.
@@ -235,21 +221,17 @@ fn is_edge(i: usize, j: usize) -> bool {
 }
 
 /// Light at three corners.
-fn lit_corners<'c>(
-    counter: &'c Counter,
-    source: fn([Counted<'c>; 3]) -> Place<'c>,
-    viewer: fn([Counted<'c>; 3]) -> Place<'c>,
-) {
-    let direction = counter.numbers([0.0, 0.6, 0.8]);
+fn lit_corners(source: fn([Counted; 3]) -> Place, viewer: fn([Counted; 3]) -> Place) {
+    let direction = numbers([0.0, 0.6, 0.8]);
     let colours = Colours {
         ambient: direction,
         diffuse: direction,
         specular: direction,
         exponent: WORST_EXPONENT,
     };
-    let point = counter.numbers([0.0; 3]);
+    let point = numbers([0.0; 3]);
     for _ in 0..3 {
-        let normal = counter.numbers([0.1, 0.2, 0.9]);
+        let normal = numbers([0.1, 0.2, 0.9]);
         light(
             point,
             normal,

@@ -1,54 +1,54 @@
 //! A facet of three corners on its way to the display: set-up of both conversions, quantities over it, whole numbers
 //! (source: Tables 5.1, 5.4, 5.5).
 
-use crate::evaluate::count::Counted;
+use crate::evaluate::count::{Counted, number};
 use imogene_algebra::vector::dot;
 
 /// Corners: column, line, depth.
-pub type Corners<'c> = [[Counted<'c>; 3]; 3];
+pub type Corners = [[Counted; 3]; 3];
 
 /// `a x + b y + c`.
-pub type Line<'c> = [Counted<'c>; 3];
+pub type Line = [Counted; 3];
 
 /// What stays of the set-up for the quantities.
 #[derive(Clone, Copy, Debug)]
-pub struct Shape<'c> {
+pub struct Shape {
     /// Second and third corner less the first, column and line.
-    pub sides: [[Counted<'c>; 2]; 2],
+    pub sides: [[Counted; 2]; 2],
     /// One over the doubled area.
-    pub over_area: Counted<'c>,
+    pub over_area: Counted,
 }
 
 /// A facet ready to be drawn by following its contour.
 #[derive(Clone, Debug)]
-pub struct Contour<'c> {
+pub struct Contour {
     /// Corners by ascending line.
-    pub corners: Corners<'c>,
+    pub corners: Corners,
     /// Columns per line of the sides 0-1, 0-2 and 1-2; none along a line.
-    pub slopes: [Option<Counted<'c>>; 3],
+    pub slopes: [Option<Counted>; 3],
     /// The middle corner is right of the long side.
     pub middle_is_right: bool,
     /// Depth per column and per line.
-    pub depth: [Counted<'c>; 2],
+    pub depth: [Counted; 2],
     /// Depth per line along each side that can be the left one.
-    pub depth_steps: Vec<Counted<'c>>,
+    pub depth_steps: Vec<Counted>,
     /// For the quantities.
-    pub shape: Shape<'c>,
+    pub shape: Shape,
 }
 
 /// The set-up of contour following; nothing for a facet without area.
-pub fn contour<'c>(mut corners: Corners<'c>) -> Option<Contour<'c>> {
+pub fn contour(mut corners: Corners) -> Option<Contour> {
     for (i, j) in [(0, 1), (1, 2), (0, 1)] {
         if corners[j][1].is_below(corners[i][1]) {
             corners.swap(i, j);
         }
     }
-    let difference = |i: usize, j: usize| -> [Counted<'c>; 2] {
+    let difference = |i: usize, j: usize| -> [Counted; 2] {
         [0, 1].map(|axis| corners[j][axis] - corners[i][axis])
     };
     let sides = [difference(0, 1), difference(0, 2)];
     let third = difference(1, 2);
-    let slope = |[dx, dy]: [Counted<'c>; 2]| (!dy.is_zero()).then(|| dx / dy);
+    let slope = |[dx, dy]: [Counted; 2]| (!dy.is_zero()).then(|| dx / dy);
     let slopes = [slope(sides[0]), slope(sides[1]), slope(third)];
     let area = sides[0][0] * sides[1][1] - sides[1][0] * sides[0][1];
     if area.is_zero() {
@@ -72,7 +72,7 @@ pub fn contour<'c>(mut corners: Corners<'c>) -> Option<Contour<'c>> {
 }
 
 /// Change per column and per line of a quantity given at the corners.
-fn gradient<'c>(shape: &Shape<'c>, w: [Counted<'c>; 3]) -> [Counted<'c>; 2] {
+fn gradient(shape: &Shape, w: [Counted; 3]) -> [Counted; 2] {
     let (dw1, dw2) = (w[1] - w[0], w[2] - w[0]);
     let [[x1, y1], [x2, y2]] = shape.sides;
     [
@@ -82,11 +82,11 @@ fn gradient<'c>(shape: &Shape<'c>, w: [Counted<'c>; 3]) -> [Counted<'c>; 2] {
 }
 
 /// Change per line along the sides on the left.
-fn steps<'c>(
-    [across, down]: [Counted<'c>; 2],
+fn steps(
+    [across, down]: [Counted; 2],
     middle_is_right: bool,
-    slopes: &[Option<Counted<'c>>; 3],
-) -> Vec<Counted<'c>> {
+    slopes: &[Option<Counted>; 3],
+) -> Vec<Counted> {
     let left = if middle_is_right {
         vec![slopes[1]]
     } else {
@@ -97,7 +97,7 @@ fn steps<'c>(
 }
 
 /// A quantity for contour following: change per column, and per line along the left.
-pub fn followed<'c>(contour: &Contour<'c>, w: [Counted<'c>; 3]) -> Vec<Counted<'c>> {
+pub fn followed(contour: &Contour, w: [Counted; 3]) -> Vec<Counted> {
     let slope = gradient(&contour.shape, w);
     let mut all = vec![slope[0]];
     all.extend(steps(slope, contour.middle_is_right, &contour.slopes));
@@ -106,17 +106,17 @@ pub fn followed<'c>(contour: &Contour<'c>, w: [Counted<'c>; 3]) -> Vec<Counted<'
 
 /// A facet as expressions.
 #[derive(Clone, Debug)]
-pub struct Expressions<'c> {
+pub struct Expressions {
     /// Sides, not negative inside.
-    pub sides: [Line<'c>; 3],
+    pub sides: [Line; 3],
     /// Depth.
-    pub depth: Line<'c>,
+    pub depth: Line,
     /// For the quantities.
-    pub shape: Shape<'c>,
+    pub shape: Shape,
 }
 
 /// The set-up of the expressions. A facet of no area gives a division by zero: its sides leave no pixel.
-pub fn expressions<'c>(corners: Corners<'c>) -> Expressions<'c> {
+pub fn expressions(corners: Corners) -> Expressions {
     let mut sides = [(0, 1), (1, 2), (2, 0)].map(|(i, j)| {
         let [p, q] = [corners[i], corners[j]];
         [p[1] - q[1], q[0] - p[0], p[0] * q[1] - q[0] * p[1]]
@@ -140,31 +140,31 @@ pub fn expressions<'c>(corners: Corners<'c>) -> Expressions<'c> {
 }
 
 /// A quantity as an expression.
-pub fn expressed<'c>(shape: &Shape<'c>, corners: Corners<'c>, w: [Counted<'c>; 3]) -> Line<'c> {
+pub fn expressed(shape: &Shape, corners: Corners, w: [Counted; 3]) -> Line {
     let [a, b] = gradient(shape, w);
     [a, b, w[0] - a * corners[0][0] - b * corners[0][1]]
 }
 
 /// The value of an expression.
-pub fn value<'c>(line: &Line<'c>, x: Counted<'c>, y: Counted<'c>) -> Counted<'c> {
+pub fn value(line: &Line, x: Counted, y: Counted) -> Counted {
     dot([line[0], line[1]], [x, y]) + line[2]
 }
 
 /// Is a point inside the facet? All sides are asked.
-pub fn is_inside<'c>(sides: &[Line<'c>], x: Counted<'c>, y: Counted<'c>) -> bool {
+pub fn is_inside(sides: &[Line], x: Counted, y: Counted) -> bool {
     let outside = sides.iter().filter(|side| value(side, x, y).is_negative());
     outside.count() == 0
 }
 
 /// Words of the expressions: corners on a grid of 1/16 pixel, so that the sides are whole without a further conversion;
 /// depth and quantities scaled and rounded.
-pub fn expression_words<'c>(
-    corners: Corners<'c>,
-    quantities: [[Counted<'c>; 3]; 3],
-    depth_scale: Counted<'c>,
-    quantity_scale: Counted<'c>,
-) -> (Expressions<'c>, Vec<Counted<'c>>) {
-    let subpixels = depth_scale.constant(16.0);
+pub fn expression_words(
+    corners: Corners,
+    quantities: [[Counted; 3]; 3],
+    depth_scale: Counted,
+    quantity_scale: Counted,
+) -> (Expressions, Vec<Counted>) {
+    let subpixels = number(16.0);
     let on_grid = corners.map(|[x, y, z]| [x.scaled(subpixels), y.scaled(subpixels), z]);
     let facet = expressions(on_grid);
     let mut words = facet.depth.map(|v| v.scaled(depth_scale)).to_vec();
@@ -177,16 +177,16 @@ pub fn expression_words<'c>(
 
 /// Words of contour following: the slopes, the column and the line of the first corner, depth and quantities with their
 /// first value and their changes.
-pub fn contour_words<'c>(
-    contour: &Contour<'c>,
-    quantities: [[Counted<'c>; 3]; 3],
-    depth_scale: Counted<'c>,
-    quantity_scale: Counted<'c>,
-) -> Vec<Counted<'c>> {
-    let subpixels = depth_scale.constant(16.0);
+pub fn contour_words(
+    contour: &Contour,
+    quantities: [[Counted; 3]; 3],
+    depth_scale: Counted,
+    quantity_scale: Counted,
+) -> Vec<Counted> {
+    let subpixels = number(16.0);
     let first = contour.corners[0];
     let ends = contour.slopes.iter().flatten().chain(&first[..2]);
-    let mut words: Vec<Counted<'c>> = ends.map(|v| v.scaled(subpixels)).collect();
+    let mut words: Vec<Counted> = ends.map(|v| v.scaled(subpixels)).collect();
     let depth = [first[2], contour.depth[0]].into_iter();
     let depth = depth.chain(contour.depth_steps.iter().copied());
     words.extend(depth.map(|v| v.scaled(depth_scale)));
@@ -205,19 +205,18 @@ pub fn contour_words<'c>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evaluate::count::Counter;
+    use crate::evaluate::count::numbers;
 
     /// Doubled area 16, a power of two: every quotient is exact.
     const CORNERS: [[f64; 3]; 3] = [[1.0, 2.0, 7.0], [5.0, 4.0, -3.0], [3.0, 7.0, 11.0]];
 
-    fn corners(counter: &Counter) -> Corners<'_> {
-        CORNERS.map(|corner| counter.numbers(corner))
+    fn corners() -> Corners {
+        CORNERS.map(numbers)
     }
 
     #[test]
     fn expressions_hold_at_the_corners_whichever_way_round() {
-        let counter = Counter::default();
-        let mut corners = corners(&counter);
+        let mut corners = corners();
         for _ in 0..2 {
             let facet = expressions(corners);
             for (index, [x, y, z]) in corners.into_iter().enumerate() {
@@ -226,7 +225,7 @@ mod tests {
                 assert_eq!(sides.iter().filter(|&&v| v == 0.0).count(), 2, "{index}");
                 assert_eq!(sides.iter().sum::<f64>(), 16.0);
             }
-            let at = |x: f64, y: f64| is_inside(&facet.sides, counter.number(x), counter.number(y));
+            let at = |x: f64, y: f64| is_inside(&facet.sides, number(x), number(y));
             assert!(at(3.0, 4.0) && !at(1.0, 4.0) && !at(3.0, 2.0) && !at(5.0, 6.0));
             corners.swap(1, 2);
         }
@@ -234,8 +233,7 @@ mod tests {
 
     #[test]
     fn the_contour_has_the_gradient_of_the_expressions() {
-        let counter = Counter::default();
-        let corners = corners(&counter);
+        let corners = corners();
         let plane = expressions(corners).depth.map(|v| v.value);
         for order in [[0, 1, 2], [2, 1, 0], [1, 2, 0]] {
             let contour = contour(order.map(|index| corners[index])).expect("it has an area");

@@ -1,20 +1,20 @@
 //! The light at a corner, by Phong's formula (source: 1.2.4, Tables 5.2 and 5.3).
 
 use super::transform::normalised;
-use crate::evaluate::count::Counted;
+use crate::evaluate::count::{Counted, number};
 use imogene_algebra::vector::dot;
 
 /// Where a source or the viewer is.
 #[derive(Clone, Copy, Debug)]
-pub enum Place<'c> {
+pub enum Place {
     /// So far away that its direction, of length 1, is the same everywhere.
-    Far([Counted<'c>; 3]),
+    Far([Counted; 3]),
     /// At a point.
-    Near([Counted<'c>; 3]),
+    Near([Counted; 3]),
 }
 
-impl<'c> Place<'c> {
-    fn seen_from(&self, point: [Counted<'c>; 3]) -> [Counted<'c>; 3] {
+impl Place {
+    fn seen_from(&self, point: [Counted; 3]) -> [Counted; 3] {
         match *self {
             Place::Far(direction) => direction,
             Place::Near(place) => normalised(std::array::from_fn(|axis| place[axis] - point[axis])),
@@ -24,19 +24,19 @@ impl<'c> Place<'c> {
 
 /// Products of material and source, formed once for an object: red, green, blue of each.
 #[derive(Clone, Copy, Debug)]
-pub struct Colours<'c> {
+pub struct Colours {
     /// Of the ambient light.
-    pub ambient: [Counted<'c>; 3],
+    pub ambient: [Counted; 3],
     /// Diffuse.
-    pub diffuse: [Counted<'c>; 3],
+    pub diffuse: [Counted; 3],
     /// Specular.
-    pub specular: [Counted<'c>; 3],
+    pub specular: [Counted; 3],
     /// Whole exponent, at least 1.
     pub exponent: u32,
 }
 
 /// A power with a whole exponent, at least 1, by squaring.
-pub fn power(base: Counted<'_>, exponent: u32) -> Counted<'_> {
+pub fn power(base: Counted, exponent: u32) -> Counted {
     let mut result = base;
     for bit in (0..exponent.ilog2()).rev() {
         result = result * result;
@@ -47,27 +47,27 @@ pub fn power(base: Counted<'_>, exponent: u32) -> Counted<'_> {
     result
 }
 
-fn clamped(value: Counted<'_>) -> Counted<'_> {
+fn clamped(value: Counted) -> Counted {
     if value.is_negative() {
-        value.constant(0.0)
+        number(0.0)
     } else {
         value
     }
 }
 
 /// `ka Ia + kd I (N.L) + ks I (O.R)^n` for red, green and blue, `R = 2 (N.L) N - L`; a negative cosine is 0.
-pub fn light<'c>(
-    point: [Counted<'c>; 3],
-    normal: [Counted<'c>; 3],
-    source: &Place<'c>,
-    viewer: &Place<'c>,
-    colours: &Colours<'c>,
-) -> [Counted<'c>; 3] {
+pub fn light(
+    point: [Counted; 3],
+    normal: [Counted; 3],
+    source: &Place,
+    viewer: &Place,
+    colours: &Colours,
+) -> [Counted; 3] {
     let n = normalised(normal);
     let l = source.seen_from(point);
     let cosine = clamped(dot(n, l));
     let twice = cosine.doubled();
-    let mirrored: [Counted<'c>; 3] = std::array::from_fn(|axis| twice * n[axis] - l[axis]);
+    let mirrored: [Counted; 3] = std::array::from_fn(|axis| twice * n[axis] - l[axis]);
     let glance = clamped(dot(viewer.seen_from(point), mirrored));
     let shine = power(glance, colours.exponent);
     std::array::from_fn(|k| {
@@ -78,13 +78,13 @@ pub fn light<'c>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evaluate::count::{Counter, cost};
+    use crate::evaluate::count::{cost, number, numbers};
 
     #[test]
     fn powers() {
         for exponent in 1..=128 {
-            let tally = cost(|counter| {
-                let found = power(counter.number(1.0625), exponent).value;
+            let tally = cost(|| {
+                let found = power(number(1.0625), exponent).value;
                 let expected = 1.0625f64.powi(exponent as i32);
                 // At most 12 products, each rounded at 2^-53.
                 assert!((found / expected - 1.0).abs() < 1e-13, "{exponent}");
@@ -95,25 +95,24 @@ mod tests {
 
     #[test]
     fn a_mirror_shows_the_source() {
-        let counter = Counter::default();
         let colours = Colours {
-            ambient: counter.numbers([0.5; 3]),
-            diffuse: counter.numbers([0.25, 0.5, 0.0]),
-            specular: counter.numbers([1.0, 0.0, 2.0]),
+            ambient: numbers([0.5; 3]),
+            diffuse: numbers([0.25, 0.5, 0.0]),
+            specular: numbers([1.0, 0.0, 2.0]),
             exponent: 9,
         };
         // Normal (0, 0, 2), source and viewer at 3-4-5 on both sides of it.
-        let point = counter.numbers([0.0, 0.0, 0.0]);
-        let normal = counter.numbers([0.0, 0.0, 2.0]);
-        let source = Place::Near(counter.numbers([3.0, 0.0, 4.0]));
-        let viewer = Place::Near(counter.numbers([-6.0, 0.0, 8.0]));
+        let point = numbers([0.0, 0.0, 0.0]);
+        let normal = numbers([0.0, 0.0, 2.0]);
+        let source = Place::Near(numbers([3.0, 0.0, 4.0]));
+        let viewer = Place::Near(numbers([-6.0, 0.0, 8.0]));
         let found = light(point, normal, &source, &viewer, &colours).map(|v| v.value);
         for (found, expected) in found.into_iter().zip([1.7, 0.9, 2.5]) {
             // A dozen operations on numbers near 1.
             assert!((found - expected).abs() < 1e-14);
         }
         // From below nothing is lit.
-        let below = Place::Far(counter.numbers([0.0, 0.0, -1.0]));
+        let below = Place::Far(numbers([0.0, 0.0, -1.0]));
         let dark = light(point, normal, &below, &viewer, &colours).map(|v| v.value);
         assert_eq!(dark[1], 0.5);
     }

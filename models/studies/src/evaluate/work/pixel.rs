@@ -4,7 +4,7 @@
 //! The kind of a plane and the class of the quadric are the same at all pixels, so no test of them is counted.
 
 use super::quadric::Kind;
-use crate::evaluate::count::{Counted, Counter};
+use crate::evaluate::count::{Counted, done, number, numbers};
 use serde_json::{Value, json};
 
 /// What a scan came to.
@@ -40,16 +40,16 @@ impl Scan {
 }
 
 /// First-degree forward differences.
-struct Linear<'c> {
-    across: Counted<'c>,
-    down: Counted<'c>,
-    line: Counted<'c>,
-    value: Counted<'c>,
+struct Linear {
+    across: Counted,
+    down: Counted,
+    line: Counted,
+    value: Counted,
 }
 
-impl<'c> Linear<'c> {
-    fn new(counter: &'c Counter, expression: [f64; 3]) -> Linear<'c> {
-        let [across, down, line] = counter.numbers(expression);
+impl Linear {
+    fn new(expression: [f64; 3]) -> Linear {
+        let [across, down, line] = numbers(expression);
         Linear {
             across,
             down,
@@ -69,22 +69,21 @@ impl<'c> Linear<'c> {
 }
 
 /// Second-degree ones: two additions a pixel, three a line.
-struct Quadratic<'c> {
-    a2: Counted<'c>,
-    b2: Counted<'c>,
-    c: Counted<'c>,
-    line_first: Counted<'c>,
-    line_step: Counted<'c>,
-    line: Counted<'c>,
-    step: Counted<'c>,
-    value: Counted<'c>,
+struct Quadratic {
+    a2: Counted,
+    b2: Counted,
+    c: Counted,
+    line_first: Counted,
+    line_step: Counted,
+    line: Counted,
+    step: Counted,
+    value: Counted,
 }
 
-impl<'c> Quadratic<'c> {
+impl Quadratic {
     /// Of a x^2 + b y^2 + c xy + d x + e y + f; the differences are formed in the preparation.
-    fn new(counter: &'c Counter, [a, b, c, d, e, f]: [f64; 6]) -> Quadratic<'c> {
-        let [a2, b2, c, first, line_step, value] =
-            counter.numbers([2.0 * a, 2.0 * b, c, d + a, e + b, f]);
+    fn new([a, b, c, d, e, f]: [f64; 6]) -> Quadratic {
+        let [a2, b2, c, first, line_step, value] = numbers([2.0 * a, 2.0 * b, c, d + a, e + b, f]);
         Quadratic {
             a2,
             b2,
@@ -113,26 +112,24 @@ impl<'c> Quadratic<'c> {
 
 /// Visits a square box; `pixel` gives the depth and steps on, `line` steps to the next line.
 fn scan<S>(
-    counter: &Counter,
     side: u64,
     mut state: S,
     pixel: impl Fn(&mut S) -> Option<f64>,
     line: impl Fn(&mut S),
 ) -> Scan {
-    let done = || counter.tally().weighted();
     let mut found = Scan::default();
     for _ in 0..side {
         for _ in 0..side {
-            let before = done();
+            let before = done().weighted();
             let depth = pixel(&mut state);
             let inside = usize::from(depth.is_some());
             found.pixels[inside] += 1;
-            found.costs[inside] += done() - before;
+            found.costs[inside] += done().weighted() - before;
             found.depths.push(depth);
         }
-        let before = done();
+        let before = done().weighted();
         line(&mut state);
-        found.line_cost += done() - before;
+        found.line_cost += done().weighted() - before;
         found.lines += 1;
     }
     found
@@ -151,17 +148,17 @@ pub const FACET: [[f64; 3]; 7] = [
 
 /// A facet on a box of so many pixels a side: sides not negative inside, depth, three components of the normal. Each
 /// pixel inside is compared with a z-buffer.
-pub fn facet(counter: &Counter, side: u64, expressions: [[f64; 3]; 7]) -> Scan {
-    let state = expressions.map(|e| Linear::new(counter, e));
-    let far = counter.number(f64::MAX);
-    let pixel = |state: &mut [Linear<'_>; 7]| {
+pub fn facet(side: u64, expressions: [[f64; 3]; 7]) -> Scan {
+    let state = expressions.map(Linear::new);
+    let far = number(f64::MAX);
+    let pixel = |state: &mut [Linear; 7]| {
         let inside = state[..3].iter().all(|e| !e.value.is_negative());
         let depth = state[3].value;
         let seen = inside && depth.is_below(far);
         state.iter_mut().for_each(Linear::pixel_step);
         seen.then_some(depth.value)
     };
-    scan(counter, side, state, pixel, |state| {
+    scan(side, state, pixel, |state| {
         state.iter_mut().for_each(Linear::line_step)
     })
 }
@@ -202,31 +199,30 @@ pub fn ball(side: u64, planes: usize) -> Object {
     }
 }
 
-struct State<'c> {
-    f1: Linear<'c>,
-    f2: Quadratic<'c>,
-    planes: Vec<(Kind, Linear<'c>)>,
-    g: [Linear<'c>; 3],
-    k: [Counted<'c>; 3],
+struct State {
+    f1: Linear,
+    f2: Quadratic,
+    planes: Vec<(Kind, Linear)>,
+    g: [Linear; 3],
+    k: [Counted; 3],
     /// The z-buffer.
-    far: Counted<'c>,
+    far: Counted,
 }
 
-impl<'c> State<'c> {
-    fn new(counter: &'c Counter, object: &Object) -> State<'c> {
-        let linear = |e: [f64; 3]| Linear::new(counter, e);
+impl State {
+    fn new(object: &Object) -> State {
         let planes = object.planes.iter();
         State {
-            f1: linear(object.f1),
-            f2: Quadratic::new(counter, object.f2),
-            planes: planes.map(|(kind, e)| (*kind, linear(*e))).collect(),
-            g: object.normal.0.map(linear),
-            k: counter.numbers(object.normal.1),
-            far: counter.number(f64::MAX),
+            f1: Linear::new(object.f1),
+            f2: Quadratic::new(object.f2),
+            planes: planes.map(|(kind, e)| (*kind, Linear::new(*e))).collect(),
+            g: object.normal.0.map(Linear::new),
+            k: numbers(object.normal.1),
+            far: number(f64::MAX),
         }
     }
 
-    fn linear(&mut self) -> impl Iterator<Item = &mut Linear<'c>> {
+    fn linear(&mut self) -> impl Iterator<Item = &mut Linear> {
         let planes = self.planes.iter_mut().map(|(_, plane)| plane);
         planes.chain(&mut self.g).chain([&mut self.f1])
     }
@@ -242,39 +238,34 @@ impl<'c> State<'c> {
     }
 
     /// The normal of the quadric at one of its faces.
-    fn normal(&self, signed_root: Counted<'c>) -> [Counted<'c>; 3] {
+    fn normal(&self, signed_root: Counted) -> [Counted; 3] {
         std::array::from_fn(|k| self.g[k].value + self.k[k] * signed_root)
     }
 
     /// The root of f2; nothing outside the silhouette.
-    fn root(&self) -> Option<Counted<'c>> {
+    fn root(&self) -> Option<Counted> {
         let outside = self.f2.value.is_negative();
         (!outside).then(|| self.f2.value.root())
     }
 }
 
 /// Scans an object; `depth` is that of what is seen at a pixel.
-fn object<'c>(
-    counter: &'c Counter,
-    side: u64,
-    object: &Object,
-    depth: impl Fn(&State<'c>) -> Option<Counted<'c>>,
-) -> Scan {
-    let pixel = |state: &mut State<'c>| {
+fn object(side: u64, object: &Object, depth: impl Fn(&State) -> Option<Counted>) -> Scan {
+    let pixel = |state: &mut State| {
         let depth = depth(state).map(|z| z.value);
         state.pixel_step();
         depth
     };
-    let state = State::new(counter, object);
-    scan(counter, side, state, pixel, State::line_step)
+    let state = State::new(object);
+    scan(side, state, pixel, State::line_step)
 }
 
 /// A solid seen from the side: its interval is cut by plane after plane.
-pub fn solid(counter: &Counter, side: u64, solid: &Object) -> Scan {
-    object(counter, side, solid, front_of_solid)
+pub fn solid(side: u64, solid: &Object) -> Scan {
+    object(side, solid, front_of_solid)
 }
 
-fn front_of_solid<'c>(state: &State<'c>) -> Option<Counted<'c>> {
+fn front_of_solid(state: &State) -> Option<Counted> {
     let root = state.root()?;
     let (mut zf, mut zb) = (state.f1.value - root, state.f1.value + root);
     let mut is_quadric = true;
@@ -308,15 +299,15 @@ fn front_of_solid<'c>(state: &State<'c>) -> Option<Counted<'c>> {
 }
 
 /// A patch: the near face if all planes keep it, else the far one.
-pub fn patch(counter: &Counter, side: u64, patch: &Object) -> Scan {
-    object(counter, side, patch, face_of_patch)
+pub fn patch(side: u64, patch: &Object) -> Scan {
+    object(side, patch, face_of_patch)
 }
 
-fn face_of_patch<'c>(state: &State<'c>) -> Option<Counted<'c>> {
+fn face_of_patch(state: &State) -> Option<Counted> {
     let root = state.root()?;
-    let kept = |signed: &Counted<'c>| {
+    let kept = |signed: &Counted| {
         let z = state.f1.value + *signed;
-        let keeps = |(kind, plane): &(Kind, Linear<'c>)| match kind {
+        let keeps = |(kind, plane): &(Kind, Linear)| match kind {
             Kind::Front => !z.is_below(plane.value),
             Kind::Back => !plane.value.is_below(z),
             Kind::Perpendicular => !plane.value.is_negative(),
@@ -343,11 +334,10 @@ mod tests {
     /// numbers are whole or quarters and below 2^20, so that differences and values are the same.
     #[test]
     fn scans_find_what_direct_evaluation_finds() {
-        let counter = Counter::default();
         let side = 40;
         let object = ball(side, 4);
-        let solid = solid(&counter, side, &object);
-        let patch = patch(&counter, side, &object);
+        let solid = solid(side, &object);
+        let patch = patch(side, &object);
         assert!(patch.pixels.iter().all(|&count| count > 300));
         for (index, (solid, patch)) in solid.depths.iter().zip(&patch.depths).enumerate() {
             let (x, y) = ((index as u64 % side) as f64, (index as u64 / side) as f64);
@@ -371,8 +361,7 @@ mod tests {
 
     #[test]
     fn a_facet_covers_the_pixels_within_its_sides() {
-        let counter = Counter::default();
-        let found = facet(&counter, 20, FACET);
+        let found = facet(20, FACET);
         // Half of the box with the diagonal.
         assert_eq!(found.pixels, [190, 210]);
         for (index, depth) in found.depths.iter().enumerate() {

@@ -4,21 +4,21 @@
 //! Quadric and planes are given after the change of frame and the perspective, which is a factor of the matrix.
 
 use super::transform::normalised;
-use crate::evaluate::count::Counted;
+use crate::evaluate::count::{Counted, number};
 
 /// Depth of the quadric: `f1 -+ sqrt(f2)`.
 #[derive(Clone, Copy, Debug)]
-pub struct Depth<'c> {
+pub struct Depth {
     /// Factors of x, y and 1.
-    pub f1: [Counted<'c>; 3],
+    pub f1: [Counted; 3],
     /// Factors of x^2, y^2, xy, x, y and 1.
-    pub f2: [Counted<'c>; 6],
+    pub f2: [Counted; 6],
     /// The viewer is inside.
     pub is_front_view: bool,
 }
 
 /// f1 and f2 of the coefficients a to j; nothing for a quadric without z^2.
-pub fn depth<'c>(q: [Counted<'c>; 10]) -> Option<Depth<'c>> {
+pub fn depth(q: [Counted; 10]) -> Option<Depth> {
     let [a, b, c, d, e, f, g, h, i, j] = q;
     if c.is_zero() {
         return None;
@@ -26,7 +26,7 @@ pub fn depth<'c>(q: [Counted<'c>; 10]) -> Option<Depth<'c>> {
     let is_front_view = c.is_negative();
     let over = c.reciprocal();
     let [x, y, one] = [e, f, i].map(|v| -(v * over));
-    let entry = |p: Counted<'c>, r: Counted<'c>, v: Counted<'c>| p * r - v * over;
+    let entry = |p: Counted, r: Counted, v: Counted| p * r - v * over;
     let f2 = [
         entry(x, x, a),
         entry(y, y, b),
@@ -44,28 +44,24 @@ pub fn depth<'c>(q: [Counted<'c>; 10]) -> Option<Depth<'c>> {
 
 /// The normal before perspective: linear part on the polar plane and factor of the root, for each component.
 #[derive(Clone, Copy, Debug)]
-pub struct Normal<'c> {
+pub struct Normal {
     /// Factors of x, y and 1.
-    pub g: [[Counted<'c>; 3]; 3],
+    pub g: [[Counted; 3]; 3],
     /// Factors of the root.
-    pub k: [Counted<'c>; 3],
+    pub k: [Counted; 3],
 }
 
 /// Half the gradient as `g(x, y) -+ K root`; `over_distance` is one over the viewer's distance.
-pub fn normal<'c>(
-    q: [Counted<'c>; 10],
-    f1: &[Counted<'c>; 3],
-    over_distance: Counted<'c>,
-) -> Normal<'c> {
+pub fn normal(q: [Counted; 10], f1: &[Counted; 3], over_distance: Counted) -> Normal {
     let [a, b, c, d, e, f, g, h, i, j] = q;
-    let before = |v: Counted<'c>, w: Counted<'c>| v + w * over_distance;
+    let before = |v: Counted, w: Counted| v + w * over_distance;
     let linear = [
         [a, d, g],
         [d, b, h],
         [before(e, g), before(f, h), before(i, j)],
     ];
     let k = [e, f, before(c, i)];
-    let on_polar_plane = |component: usize| -> [Counted<'c>; 3] {
+    let on_polar_plane = |component: usize| -> [Counted; 3] {
         std::array::from_fn(|term| linear[component][term] + k[component] * f1[term])
     };
     Normal {
@@ -75,20 +71,20 @@ pub fn normal<'c>(
 }
 
 /// The greatest f2 of a closed outline: its value where it is stationary.
-pub fn greatest_f2<'c>([a, b, c, d, e, f]: &[Counted<'c>; 6]) -> Counted<'c> {
+pub fn greatest_f2([a, b, c, d, e, f]: &[Counted; 6]) -> Counted {
     let determinant = (*a * *b).doubled().doubled() - *c * *c;
     let over = determinant.reciprocal();
     let x = (*c * *e - (*b * *d).doubled()) * over;
     let y = (*c * *d - (*a * *e).doubled()) * over;
-    *f + (*d * x + *e * y) * a.constant(0.5)
+    *f + (*d * x + *e * y) * number(0.5)
 }
 
 /// The greatest size of a component of the normal over a box whose first pixel is (x, y).
-pub fn greatest_normal<'c>(
-    normal: &Normal<'c>,
-    root: Counted<'c>,
-    [x, y, width, height]: [Counted<'c>; 4],
-) -> Counted<'c> {
+pub fn greatest_normal(
+    normal: &Normal,
+    root: Counted,
+    [x, y, width, height]: [Counted; 4],
+) -> Counted {
     let component = |k: usize| {
         let [a, b, c] = normal.g[k];
         let (across, down) = (a * width, b * height);
@@ -104,11 +100,7 @@ pub fn greatest_normal<'c>(
 }
 
 /// Words of the depth with the scale Kp.
-pub fn depth_words<'c>(
-    depth: &Depth<'c>,
-    scale: Counted<'c>,
-    square: Counted<'c>,
-) -> [Counted<'c>; 9] {
+pub fn depth_words(depth: &Depth, scale: Counted, square: Counted) -> [Counted; 9] {
     std::array::from_fn(|word| match word {
         0..3 => depth.f1[word].scaled(scale),
         _ => depth.f2[word - 3].scaled(square),
@@ -117,12 +109,8 @@ pub fn depth_words<'c>(
 
 /// Words of the normal with a scale Kn of its own; the factors of the root, which comes with the scale Kp, take Kn /
 /// Kp.
-pub fn normal_words<'c>(
-    normal: &Normal<'c>,
-    greatest: Counted<'c>,
-    over_depth_scale: Counted<'c>,
-) -> Vec<Counted<'c>> {
-    let full = greatest.constant(32_767.0 * 256.0);
+pub fn normal_words(normal: &Normal, greatest: Counted, over_depth_scale: Counted) -> Vec<Counted> {
+    let full = number(32_767.0 * 256.0);
     let scale = full / greatest;
     let root_scale = scale * over_depth_scale;
     let linear = normal.g.into_iter().flatten().map(|v| v.scaled(scale));
@@ -143,11 +131,11 @@ pub enum Kind {
 }
 
 /// A plane as an expression: its depth, or what is not negative where it keeps.
-pub fn plane<'c>(
-    [a, b, c, d]: [Counted<'c>; 4],
-    depth_scale: Counted<'c>,
-    steepest: Counted<'c>,
-) -> (Kind, [Counted<'c>; 3]) {
+pub fn plane(
+    [a, b, c, d]: [Counted; 4],
+    depth_scale: Counted,
+    steepest: Counted,
+) -> (Kind, [Counted; 3]) {
     if c.is_zero() {
         return (Kind::Perpendicular, [-a, -b, -d]);
     }
@@ -164,19 +152,19 @@ pub fn plane<'c>(
 }
 
 /// Words of a plane's expression.
-pub fn plane_words<'c>(expression: [Counted<'c>; 3], scale: Counted<'c>) -> [Counted<'c>; 3] {
+pub fn plane_words(expression: [Counted; 3], scale: Counted) -> [Counted; 3] {
     expression.map(|v| v.scaled(scale))
 }
 
 /// Words of a constant normal.
-pub fn constant_normal(normal: [Counted<'_>; 3]) -> [Counted<'_>; 3] {
-    normalised(normal).map(|v| v.scaled(v.constant(32_767.0)))
+pub fn constant_normal(normal: [Counted; 3]) -> [Counted; 3] {
+    normalised(normal).map(|v| v.scaled(number(32_767.0)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evaluate::count::Counter;
+    use crate::evaluate::count::numbers;
     use imogene_algebra::rational::{from_decimal, to_f64};
     use imogene_prepare::perspective::ScreenQuadric;
     use imogene_scene::Quadric;
@@ -185,11 +173,11 @@ mod tests {
     const SPHERE: [f64; 10] = [1.0, 1.0, 1.0, 0.0, 0.0, 0.0, -20.0, 10.0, -300.0, 80500.0];
 
     /// The same after perspective, and the exact preparation of it.
-    fn projected(counter: &Counter) -> ([Counted<'_>; 10], ScreenQuadric) {
+    fn projected() -> ([Counted; 10], ScreenQuadric) {
         let exact = Quadric::from_array(SPHERE.map(from_decimal));
         let exact = ScreenQuadric::new(&exact, &from_decimal(0.001));
         let q = exact.q.coefficients().map(to_f64);
-        (counter.numbers(q), exact)
+        (numbers(q), exact)
     }
 
     /// To the rounding of some ten operations.
@@ -202,8 +190,7 @@ mod tests {
 
     #[test]
     fn depth_and_normal_are_those_of_the_exact_preparation() {
-        let counter = Counter::default();
-        let (q, exact) = projected(&counter);
+        let (q, exact) = projected();
         let depth = depth(q).expect("it has a depth");
         assert!(!depth.is_front_view);
         let f1 = exact.f1();
@@ -215,7 +202,7 @@ mod tests {
         for (found, expected) in depth.f2.iter().zip(expected) {
             assert_near(found.value, to_f64(expected));
         }
-        let normal = normal(q, &depth.f1, counter.number(0.001));
+        let normal = normal(q, &depth.f1, number(0.001));
         for (component, (linear, k)) in exact.normal().into_iter().enumerate() {
             assert_near(normal.k[component].value, to_f64(&k));
             for (found, (before, slope)) in normal.g[component].iter().zip([
@@ -230,12 +217,11 @@ mod tests {
 
     #[test]
     fn the_greatest_f2_and_normal_are_not_exceeded_and_nearly_reached() {
-        let counter = Counter::default();
-        let (q, _) = projected(&counter);
+        let (q, _) = projected();
         let depth = depth(q).expect("it has a depth");
-        let normal = normal(q, &depth.f1, counter.number(0.001));
+        let normal = normal(q, &depth.f1, number(0.001));
         let most = greatest_f2(&depth.f2);
-        let window = counter.numbers([-70.0, -95.0, 180.0, 170.0]);
+        let window = numbers([-70.0, -95.0, 180.0, 170.0]);
         let bound = greatest_normal(&normal, most.root(), window).value;
         let (mut f2_seen, mut normal_seen) = (0.0f64, 0.0f64);
         for x in -70..=110 {
@@ -261,9 +247,8 @@ mod tests {
 
     #[test]
     fn planes_keep_their_side() {
-        let counter = Counter::default();
-        let [scale, steepest] = counter.numbers([8388.607, 16e6]);
-        let of = |p: [f64; 4]| plane(counter.numbers(p), scale, steepest);
+        let [scale, steepest] = numbers([8388.607, 16e6]);
+        let of = |p: [f64; 4]| plane(numbers(p), scale, steepest);
         let (kind, depth) = of([2.0, -4.0, -8.0, 16.0]);
         assert_eq!(kind, Kind::Front);
         assert_eq!(depth.map(|v| v.value), [0.25, -0.5, 2.0]);

@@ -1,15 +1,15 @@
 //! Changes of frame: points, normals, planes and quadrics under a matrix of 4 x 4 (source: 2.1.1, 5.1.2). Products and
 //! cofactors are those with which the preparation of this project computes.
 
-use crate::evaluate::count::Counted;
+use crate::evaluate::count::{Counted, number};
 use imogene_algebra::matrix::{Matrix4, SYMMETRIC, cofactor, product, symmetric, transposed};
 use imogene_algebra::vector::dot;
 
 /// A matrix by rows; points are columns.
-pub type Matrix<'c> = Matrix4<Counted<'c>>;
+pub type Matrix = Matrix4<Counted>;
 
 /// The product of matrices whose last row is 0 0 0 1, which is neither read nor computed.
-pub fn affine_product<'c>(left: &Matrix<'c>, right: &Matrix<'c>) -> Matrix<'c> {
+pub fn affine_product(left: &Matrix, right: &Matrix) -> Matrix {
     let columns = transposed(right);
     let entry = |row: usize, col: usize| {
         let ([a, b, c, d], [x, y, z, _]) = (left[row], columns[col]);
@@ -24,38 +24,38 @@ pub fn affine_product<'c>(left: &Matrix<'c>, right: &Matrix<'c>) -> Matrix<'c> {
 }
 
 /// The homogeneous image of a point.
-pub fn point<'c>(m: &Matrix<'c>, p: [Counted<'c>; 3]) -> [Counted<'c>; 4] {
+pub fn point(m: &Matrix, p: [Counted; 3]) -> [Counted; 4] {
     m.map(|[a, b, c, d]| dot([a, b, c], p) + d)
 }
 
 /// A point from its homogeneous one.
-pub fn divided([x, y, z, w]: [Counted<'_>; 4]) -> [Counted<'_>; 3] {
+pub fn divided([x, y, z, w]: [Counted; 4]) -> [Counted; 3] {
     let one = w.reciprocal();
     [x * one, y * one, z * one]
 }
 
 /// The image of a direction under the linear part.
-pub fn direction<'c>(m: &Matrix<'c>, v: [Counted<'c>; 3]) -> [Counted<'c>; 3] {
+pub fn direction(m: &Matrix, v: [Counted; 3]) -> [Counted; 3] {
     let [x, y, z, _] = m.map(|[a, b, c, _]| [a, b, c]);
     [x, y, z].map(|row| dot(row, v))
 }
 
 /// `C Q C'` of a symmetric Q; the product is symmetric, so ten of its entries are computed.
-pub fn quadric<'c>(cofactors: &Matrix<'c>, q: [Counted<'c>; 10]) -> [Counted<'c>; 10] {
+pub fn quadric(cofactors: &Matrix, q: [Counted; 10]) -> [Counted; 10] {
     let half = product(cofactors, &symmetric(q.each_ref()));
     SYMMETRIC.map(|[row, col]| dot(half[row], cofactors[col]))
 }
 
 /// The same, all sixteen entries of both products.
-pub fn quadric_in_full<'c>(cofactors: &Matrix<'c>, q: [Counted<'c>; 10]) -> Matrix<'c> {
+pub fn quadric_in_full(cofactors: &Matrix, q: [Counted; 10]) -> Matrix {
     let half = product(cofactors, &symmetric(q.each_ref()));
     product(&half, &transposed(cofactors))
 }
 
 /// All cofactors from the twelve minors of 2 x 2 that they share.
-pub fn cofactors_of_shared_minors<'c>(m: &Matrix<'c>) -> Matrix<'c> {
-    let minors = |upper: &[Counted<'c>; 4], lower: &[Counted<'c>; 4]| {
-        let zero = upper[0].constant(0.0);
+pub fn cofactors_of_shared_minors(m: &Matrix) -> Matrix {
+    let minors = |upper: &[Counted; 4], lower: &[Counted; 4]| {
+        let zero = number(0.0);
         let mut table = [[zero; 4]; 4];
         for i in 0..4 {
             for j in i + 1..4 {
@@ -87,24 +87,24 @@ pub fn cofactors_of_shared_minors<'c>(m: &Matrix<'c>) -> Matrix<'c> {
 }
 
 /// The determinant from a row and its cofactors.
-pub fn determinant<'c>(m: &Matrix<'c>, cofactors: &Matrix<'c>) -> Counted<'c> {
+pub fn determinant(m: &Matrix, cofactors: &Matrix) -> Counted {
     dot(m[0], cofactors[0])
 }
 
 /// The determinant alone, by the first row.
-pub fn determinant_alone<'c>(m: &Matrix<'c>) -> Counted<'c> {
-    let row: [Counted<'c>; 4] = std::array::from_fn(|col| cofactor(m, 0, col));
+pub fn determinant_alone(m: &Matrix) -> Counted {
+    let row: [Counted; 4] = std::array::from_fn(|col| cofactor(m, 0, col));
     dot(m[0], row)
 }
 
 /// The inverse: the transposed cofactors over the determinant.
-pub fn inverse<'c>(cofactors: &Matrix<'c>, determinant: Counted<'c>) -> Matrix<'c> {
+pub fn inverse(cofactors: &Matrix, determinant: Counted) -> Matrix {
     let one = determinant.reciprocal();
     transposed(cofactors).map(|row| row.map(|value| value * one))
 }
 
 /// A vector of length 1.
-pub fn normalised(v: [Counted<'_>; 3]) -> [Counted<'_>; 3] {
+pub fn normalised(v: [Counted; 3]) -> [Counted; 3] {
     let one = dot(v, v).root().reciprocal();
     v.map(|value| value * one)
 }
@@ -112,7 +112,7 @@ pub fn normalised(v: [Counted<'_>; 3]) -> [Counted<'_>; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evaluate::count::Counter;
+    use crate::evaluate::count::numbers;
     use imogene_algebra::matrix::{cofactors4, image};
 
     /// Whole numbers, so that every result is exact.
@@ -124,18 +124,17 @@ mod tests {
     ];
     const Q: [f64; 10] = [1.0, 2.0, -3.0, 4.0, 0.0, 5.0, -1.0, 2.0, 6.0, -7.0];
 
-    fn matrix(counter: &Counter) -> Matrix<'_> {
-        M.map(|row| counter.numbers(row))
+    fn matrix() -> Matrix {
+        M.map(numbers)
     }
 
-    fn values(m: &Matrix<'_>) -> [[f64; 4]; 4] {
+    fn values(m: &Matrix) -> [[f64; 4]; 4] {
         m.map(|row| row.map(|v| v.value))
     }
 
     #[test]
     fn both_ways_to_the_cofactors_agree_and_invert() {
-        let counter = Counter::default();
-        let m = matrix(&counter);
+        let m = matrix();
         let one_by_one = cofactors4(&m);
         assert_eq!(values(&one_by_one), values(&cofactors_of_shared_minors(&m)));
         let det = determinant(&m, &one_by_one);
@@ -159,8 +158,7 @@ mod tests {
     /// A quadric and a plane have, at the image of a point, det^2 and det times the value that they have at the point.
     #[test]
     fn transformed_surfaces_go_through_the_images_of_their_points() {
-        let counter = Counter::default();
-        let m = matrix(&counter);
+        let m = matrix();
         let c = cofactors4(&m);
         let det = determinant(&m, &c).value;
         let at = |q: [f64; 10], p: [f64; 4]| -> f64 {
@@ -169,14 +167,14 @@ mod tests {
                 .map(|(&[i, j], v)| if i == j { v } else { 2.0 * v } * p[i] * p[j])
                 .sum()
         };
-        let q = counter.numbers(Q);
+        let q = numbers(Q);
         let moved = quadric(&c, q).map(|v| v.value);
         let full = values(&quadric_in_full(&c, q));
         assert_eq!(moved, SYMMETRIC.map(|[row, col]| full[row][col]));
         let flat = [3.0, -2.0, 1.0, 4.0];
-        let moved_plane = image(&c, &counter.numbers(flat)).map(|v| v.value);
+        let moved_plane = image(&c, &numbers(flat)).map(|v| v.value);
         for p in [[1.0, 2.0, 3.0], [-4.0, 0.0, 5.0], [2.0, -7.0, 1.0]] {
-            let image = point(&m, counter.numbers(p)).map(|v| v.value);
+            let image = point(&m, numbers(p)).map(|v| v.value);
             let [x, y, z] = p;
             assert_eq!(at(moved, image), det * det * at(Q, [x, y, z, 1.0]));
             let before: f64 = flat.iter().zip([x, y, z, 1.0]).map(|(a, b)| a * b).sum();
@@ -187,10 +185,9 @@ mod tests {
 
     #[test]
     fn an_affine_product_is_the_product() {
-        let counter = Counter::default();
         let mut m = M;
         m[3] = [0.0, 0.0, 0.0, 1.0];
-        let m = m.map(|row| counter.numbers(row));
+        let m = m.map(numbers);
         assert_eq!(values(&product(&m, &m)), values(&affine_product(&m, &m)));
     }
 }

@@ -1,13 +1,13 @@
 //! Zones of the screen: which an object touches, and its expressions moved to one (source: 1.3.2, 2.4.4, Table 5.8).
 
 use super::facet::{Line, value};
-use crate::evaluate::count::Counted;
+use crate::evaluate::count::{Counted, number};
 
 /// First and last zone, across and down.
-pub type Span<'c> = [Counted<'c>; 4];
+pub type Span = [Counted; 4];
 
 /// The box of points of the screen: least and greatest column, least and greatest line.
-pub fn box_of<'c>(points: &[[Counted<'c>; 2]]) -> [Counted<'c>; 4] {
+pub fn box_of(points: &[[Counted; 2]]) -> [Counted; 4] {
     let (first, others) = points.split_first().expect("points");
     let mut found = [first[0], first[0], first[1], first[1]];
     for point in others {
@@ -21,13 +21,13 @@ pub fn box_of<'c>(points: &[[Counted<'c>; 2]]) -> [Counted<'c>; 4] {
 }
 
 /// The zones of a box; `over_side` is one over the side of a zone.
-pub fn zones<'c>(window: [Counted<'c>; 4], over_side: Counted<'c>) -> Span<'c> {
+pub fn zones(window: [Counted; 4], over_side: Counted) -> Span {
     window.map(|v| (v * over_side).floor())
 }
 
 /// The box of the outline `f2 >= 0` of a closed quadric, from its tangents along the axes.
-pub fn box_of_outline<'c>([a, b, c, d, e, f]: &[Counted<'c>; 6]) -> [Counted<'c>; 4] {
-    let half = a.constant(0.5);
+pub fn box_of_outline([a, b, c, d, e, f]: &[Counted; 6]) -> [Counted; 4] {
+    let half = number(0.5);
     let [c, d, e] = [*c, *d, *e].map(|v| v * half);
     // Cofactors of the conic's matrix (a c d / c b e / d e f).
     let corner = *a * *b - c * c;
@@ -37,7 +37,7 @@ pub fn box_of_outline<'c>([a, b, c, d, e, f]: &[Counted<'c>; 6]) -> [Counted<'c>
     let yy = *a * *f - d * d;
     let over = corner.reciprocal();
     let [x, y] = [x * over, y * over];
-    let reach = |middle: Counted<'c>, cofactor: Counted<'c>| {
+    let reach = |middle: Counted, cofactor: Counted| {
         let reach = (middle * middle - cofactor * over).root();
         [middle - reach, middle + reach]
     };
@@ -47,21 +47,18 @@ pub fn box_of_outline<'c>([a, b, c, d, e, f]: &[Counted<'c>; 6]) -> [Counted<'c>
 
 /// The sides of the outline of a convex solid's corners on the screen: the lines through two of them with all others on
 /// one side, not negative inside.
-pub fn outline<'c>(corners: &[[Counted<'c>; 2]]) -> Vec<Line<'c>> {
+pub fn outline(corners: &[[Counted; 2]]) -> Vec<Line> {
     outline_of(corners, |_, _| true)
 }
 
 /// The same where it is known which pairs are edges of the solid.
-pub fn outline_of<'c>(
-    corners: &[[Counted<'c>; 2]],
-    is_edge: impl Fn(usize, usize) -> bool,
-) -> Vec<Line<'c>> {
+pub fn outline_of(corners: &[[Counted; 2]], is_edge: impl Fn(usize, usize) -> bool) -> Vec<Line> {
     let pairs = (0..corners.len()).flat_map(|i| (i + 1..corners.len()).map(move |j| (i, j)));
     let edges = pairs.filter(|&(i, j)| is_edge(i, j));
     edges.filter_map(|(i, j)| side_of(corners, i, j)).collect()
 }
 
-fn side_of<'c>(corners: &[[Counted<'c>; 2]], i: usize, j: usize) -> Option<Line<'c>> {
+fn side_of(corners: &[[Counted; 2]], i: usize, j: usize) -> Option<Line> {
     let (p, q) = (corners[i], corners[j]);
     let line = [p[1] - q[1], q[0] - p[0], p[0] * q[1] - q[0] * p[1]];
     let mut others = (0..corners.len()).filter(|&k| k != i && k != j);
@@ -72,16 +69,12 @@ fn side_of<'c>(corners: &[[Counted<'c>; 2]], i: usize, j: usize) -> Option<Line<
 }
 
 /// The expression seen from a zone's first pixel (k, l).
-pub fn moved_line<'c>([a, b, c]: &Line<'c>, k: Counted<'c>, l: Counted<'c>) -> Line<'c> {
+pub fn moved_line([a, b, c]: &Line, k: Counted, l: Counted) -> Line {
     [*a, *b, *c + *a * k + *b * l]
 }
 
 /// The same of a second-degree expression.
-pub fn moved_conic<'c>(
-    [a, b, c, d, e, f]: &[Counted<'c>; 6],
-    k: Counted<'c>,
-    l: Counted<'c>,
-) -> [Counted<'c>; 6] {
+pub fn moved_conic([a, b, c, d, e, f]: &[Counted; 6], k: Counted, l: Counted) -> [Counted; 6] {
     let (ak, bl) = (*a * k, *b * l);
     let cl = *c * l;
     let along = *d + ak + cl;
@@ -99,18 +92,17 @@ pub fn moved_conic<'c>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evaluate::count::Counter;
+    use crate::evaluate::count::numbers;
     use imogene_golden::unit::pe1::Linear;
     use imogene_golden::unit::pe2::Quadratic;
 
     #[test]
     fn moved_expressions_are_those_of_the_golden_model() {
-        let counter = Counter::default();
-        let [k, l] = counter.numbers([128.0, -256.0]);
-        let found = moved_line(&counter.numbers([3.0, -5.0, 7.0]), k, l).map(|v| v.value as i128);
+        let [k, l] = numbers([128.0, -256.0]);
+        let found = moved_line(&numbers([3.0, -5.0, 7.0]), k, l).map(|v| v.value as i128);
         let Linear { a, b, c } = Linear::new(3, -5, 7).from_zone(128, -256);
         assert_eq!(found, [a, b, c]);
-        let found = moved_conic(&counter.numbers([2.0, 3.0, -4.0, 5.0, 6.0, 7.0]), k, l);
+        let found = moved_conic(&numbers([2.0, 3.0, -4.0, 5.0, 6.0, 7.0]), k, l);
         let golden = Quadratic {
             a: 2,
             b: 3,
@@ -125,17 +117,16 @@ mod tests {
 
     #[test]
     fn the_box_of_an_ellipse_touches_it() {
-        let counter = Counter::default();
         // 100 - (x - 3)^2 - 4 (y + 2)^2: x from -7 to 13, y from -7 to 3.
         let conic = [-1.0, -4.0, 0.0, 6.0, -16.0, 75.0];
-        let found = box_of_outline(&counter.numbers(conic)).map(|v| v.value);
+        let found = box_of_outline(&numbers(conic)).map(|v| v.value);
         for (found, expected) in found.into_iter().zip([-7.0, 13.0, -7.0, 3.0]) {
             // A dozen operations on numbers below 1000.
             assert!((found - expected).abs() < 1e-11, "{found} {expected}");
         }
         // A sheared one has a value that vanishes along its tangents only.
         let conic = [-2.0, -3.0, 1.5, 4.0, -5.0, 90.0];
-        let [x0, x1, _, _] = box_of_outline(&counter.numbers(conic)).map(|v| v.value);
+        let [x0, x1, _, _] = box_of_outline(&numbers(conic)).map(|v| v.value);
         for x in [x0, x1] {
             let [a, b, c, d, e, f] = conic;
             let (linear, constant) = (c * x + e, a * x * x + d * x + f);
@@ -146,21 +137,19 @@ mod tests {
 
     #[test]
     fn outlines_and_boxes_of_points() {
-        let counter = Counter::default();
-        let points = |list: &[[f64; 2]]| -> Vec<[Counted<'_>; 2]> {
-            list.iter().map(|p| counter.numbers(*p)).collect()
-        };
+        let points =
+            |list: &[[f64; 2]]| -> Vec<[Counted; 2]> { list.iter().map(|p| numbers(*p)).collect() };
         let with_inner = points(&[[0.0, 0.0], [9.0, 1.0], [2.0, 8.0], [3.0, 3.0]]);
         assert_eq!(outline(&with_inner).len(), 3);
         let four = points(&[[0.0, 0.0], [9.0, 1.0], [2.0, 8.0], [9.0, 9.0]]);
         let sides = outline(&four);
         assert_eq!(sides.len(), 4);
         for side in &sides {
-            assert!(!value(side, counter.number(4.0), counter.number(4.0)).is_negative());
+            assert!(!value(side, number(4.0), number(4.0)).is_negative());
         }
         let window = box_of(&four);
         assert_eq!(window.map(|v| v.value), [0.0, 9.0, 0.0, 9.0]);
-        let span = zones(window.map(|v| v - v.constant(1.0)), counter.number(0.25));
+        let span = zones(window.map(|v| v - number(1.0)), number(0.25));
         assert_eq!(span.map(|v| v.value), [-1.0, 2.0, -1.0, 2.0]);
     }
 }
