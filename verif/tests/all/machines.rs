@@ -125,7 +125,7 @@ fn machines_of_any_words_in_the_built_in_simulator() {
 
 #[test]
 fn machines_without_lights_show_plain_colours() {
-    for name in ["beam-160x120.toml", "beam-stream.toml"] {
+    for name in ["beam-160x120.toml", "beam-stream.toml", "zone-160x120.toml"] {
         let machine = MachineDescription {
             lights: 0,
             ..small(name, 48, 36, 40)
