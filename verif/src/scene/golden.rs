@@ -2,46 +2,44 @@
 
 use imogene_golden::format::Format;
 use imogene_golden::machine::decider::{Visible, decide};
-use imogene_golden::object::quadric::{Probe, QuadricProcessor, QuadricWords};
+use imogene_golden::object::quadric::{Probe, QuadricWords};
+use imogene_golden::object::words::Object;
 
 /// All objects of a machine over one zone.
 pub(crate) struct GoldenMachine {
-    processors: Vec<QuadricProcessor>,
+    objects: Vec<QuadricWords>,
+    format: Format,
     width: usize,
-    column: usize,
+    /// Pixels before the next one.
+    done: usize,
 }
 
 impl GoldenMachine {
     /// Zone start.
     pub(crate) fn new(objects: &[QuadricWords], format: &Format, width: usize) -> GoldenMachine {
-        let processors = objects.iter();
-        let processors = processors.map(|words| QuadricProcessor::zone_start(words, format));
         GoldenMachine {
-            processors: processors.collect(),
+            objects: objects.to_vec(),
+            format: *format,
             width,
-            column: 0,
+            done: 0,
         }
     }
 
     /// What is seen at the next pixel, and the values inside the processor of `traced`.
     pub(crate) fn pixel(&mut self, traced: Option<usize>) -> (Visible, Option<Probe>) {
-        if self.column == self.width {
-            self.column = 0;
-            let processors = self.processors.iter_mut();
-            processors.for_each(QuadricProcessor::line_step);
-        }
-        self.column += 1;
+        let [x, y] = [self.done % self.width, self.done / self.width].map(|place| place as i64);
+        self.done += 1;
         let mut probe = None;
-        let visible = |(id, processor): (usize, &mut QuadricProcessor)| {
+        let visible = |(id, words): (usize, &QuadricWords)| {
             let output = if traced == Some(id) {
-                probe.insert(processor.probe()).output
+                probe.insert(words.probe_at(x, y, &self.format)).output
             } else {
-                processor.pixel()
+                words.at(x, y, &self.format)
             };
             Visible::of(&output, id as u8)
         };
-        let processors = self.processors.iter_mut().enumerate();
-        let inputs: Vec<Visible> = processors.map(visible).collect();
+        let objects = self.objects.iter().enumerate();
+        let inputs: Vec<Visible> = objects.map(visible).collect();
         (decide(&inputs), probe)
     }
 }

@@ -12,11 +12,11 @@ use imogene_golden::object::cylinder::{self, CylinderWords};
 use imogene_golden::object::facet::{self, FacetWords};
 use imogene_golden::object::first_generation::{self, FirstGenerationWords};
 use imogene_golden::object::patch;
-use imogene_golden::object::polyhedron::{self, PolyhedronProcessor, PolyhedronWords};
+use imogene_golden::object::polyhedron::{self, PolyhedronWords};
 use imogene_golden::object::quadric::{self, PlaneWords, QuadricWords};
 use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::object::sphere::{self, SphereWords};
-use imogene_golden::object::words::Running;
+use imogene_golden::object::words::Object;
 use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;
@@ -30,20 +30,13 @@ fn object(
     plan: &'static [(&str, Likely)],
     words: ProcessorWords,
 ) -> Description {
-    let pixel = |processor: &mut Running<ProcessorWords>, _: &[i64]| {
-        let p = processor.pixel();
+    let pixel = |words: &ProcessorWords, [x, y]: [i64; 2], format: &Format, _: &[i64]| {
+        let p = words.at(x, y, format);
         let [nx, ny, nz] = p.normal.map(i64::from);
         [p.zf, p.zb, p.number.into(), nx, ny, nz]
     };
-    let clocks = [0, latency];
-    zone(
-        planned(plan),
-        format,
-        clocks,
-        words,
-        Ports::processor,
-        pixel,
-    )
+    let plan = planned(plan);
+    zone(plan, format, [0, latency], words, Ports::processor, pixel)
 }
 
 pub(super) fn facet_processor(format: Format, sides: usize) -> Description {
@@ -121,8 +114,8 @@ pub(super) fn first_generation_processor(format: Format, rows_per_stage: usize) 
 
 pub(super) fn polyhedron_processor(format: Format, planes: usize) -> Description {
     // Both faces go on, each with its normal.
-    let pixel = |processor: &mut PolyhedronProcessor, _: &[i64]| {
-        let p = processor.step(PolyhedronWords::faces_at);
+    let pixel = |words: &PolyhedronWords, [x, y]: [i64; 2], format: &Format, _: &[i64]| {
+        let p = words.faces_at(x, y, format);
         let ([fx, fy, fz], [bx, by, bz]) = (p.front_normal, p.back_normal);
         let [fx, fy, fz, bx, by, bz] = [fx, fy, fz, bx, by, bz].map(i64::from);
         let (nf, nb) = (p.interval.nf.into(), p.interval.nb.into());

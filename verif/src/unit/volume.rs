@@ -9,8 +9,8 @@ use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
 use imogene_golden::object::screen_box::ScreenBox;
 use imogene_golden::object::volume::{
-    FROM_DEPTH, VolumeKind, VolumePlane, VolumeProcessor, VolumeQuadric, VolumeWords,
-    polyhedral_latency, quadric_latency,
+    FROM_DEPTH, VolumeKind, VolumePlane, VolumeQuadric, VolumeWords, polyhedral_latency,
+    quadric_latency,
 };
 use proptest::prelude::*;
 
@@ -32,7 +32,9 @@ fn volume(format: Format, planes: usize, clocks: [u32; 2], has_quadric: bool) ->
         ports.number(&mut 0, |depth| depth);
         ports.volume(words);
     };
-    let pixel = |processor: &mut VolumeProcessor, i: &[i64]| [processor.pixel(i[DEPTH]).into()];
+    let pixel = |words: &VolumeWords, [x, y]: [i64; 2], format: &Format, i: &[i64]| {
+        [words.holds(x, y, i[DEPTH], format).into()]
+    };
     zone(points, format, clocks, words, read, pixel)
 }
 

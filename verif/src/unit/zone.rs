@@ -6,22 +6,21 @@ use super::words::Ports;
 use crate::signal::Delay;
 use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
-use imogene_golden::object::words::Running;
 use proptest::prelude::*;
 
 /// Ports before the first word: the flags, then the column and the line.
 pub(super) const WORDS: usize = 5;
 
-/// A processor with `N` outputs behind `out_valid`, `latency` clocks after the flags. `read` reads those of a zone
-/// from the ports over `words` of the same shape; `pixel` gives the outputs of its next pixel, from what the ports show
-/// `entry` clocks after the flags.
+/// A processor with `N` outputs behind `out_valid`, `latency` clocks after the flags. `read` reads the words of a zone
+/// from the ports over `words` of the same shape; `pixel` gives the outputs at a pixel of the zone, from what the ports
+/// show `entry` clocks after the flags.
 pub(super) fn zone<W: Clone + Send + Sync + 'static, const N: usize>(
     stimulus: impl Fn(&Subject, usize) -> BoxedStrategy<Vec<Inputs>> + Sync + 'static,
     format: Format,
     [entry, latency]: [u32; 2],
     words: W,
     read: fn(&mut Ports, &mut W),
-    pixel: fn(&mut Running<W>, &[i64]) -> [i64; N],
+    pixel: fn(&W, [i64; 2], &Format, &[i64]) -> [i64; N],
 ) -> Description {
     Description::new(stimulus, move || {
         let mut words = words.clone();
@@ -37,10 +36,15 @@ pub(super) fn zone<W: Clone + Send + Sync + 'static, const N: usize>(
                 let mut ports = Ports::of(Some(&i[WORDS..]), &format);
                 ports.origin = [x, y];
                 read(&mut ports, &mut words);
-                Running::zone_start(&words, &format)
+                (words.clone(), [0; 2])
             };
-            let seen = scan(&mut zone, &flags, start, Running::line_step);
-            behind_valid(late.push(seen.map(|processor| pixel(processor, i))))
+            let line_step = |(_, at): &mut (W, [i64; 2])| *at = [0, at[1] + 1];
+            let seen = scan(&mut zone, &flags, start, line_step).map(|(words, at)| {
+                let outputs = pixel(words, *at, &format, i);
+                at[0] += 1;
+                outputs
+            });
+            behind_valid(late.push(seen))
         }
     })
 }

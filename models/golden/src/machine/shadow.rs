@@ -34,7 +34,7 @@ mod tests {
     use crate::machine::frame::Frame;
     use crate::machine::lighting::{ALL_SOURCES, light};
     use crate::object::quadric::ScreenBox;
-    use crate::object::volume::{VolumePlane, VolumeProcessor, VolumeWords};
+    use crate::object::volume::{VolumePlane, VolumeWords};
     use crate::unit::cut_plane::PlaneKind;
     use crate::unit::pe1::Linear;
     use proptest::prelude::*;
@@ -118,26 +118,16 @@ mod tests {
             slab(VolumeKind::Shadow, 1, [4, 6], 80),
         ];
         let expected = light(&frame, &volumes.iter().collect::<Vec<_>>(), &format, || ());
-        let mut processors: Vec<VolumeProcessor> = volumes
-            .iter()
-            .map(|words| VolumeProcessor::zone_start(words, &format))
-            .collect();
-        let words: Vec<ShadowWords> = volumes
-            .iter()
-            .map(|v| ShadowWords {
-                kind: v.kind,
-                source: v.source,
-                enabled: true,
-            })
-            .collect();
-        let found: Vec<u16> = frame
-            .depth
-            .iter()
-            .map(|&depth| {
-                let inside: Vec<bool> = processors.iter_mut().map(|p| p.pixel(depth)).collect();
-                flags(ALL_SOURCES, &words, &inside)
-            })
-            .collect();
+        let words = volumes.each_ref().map(|v| ShadowWords {
+            kind: v.kind,
+            source: v.source,
+            enabled: true,
+        });
+        let pixel = |(x, &depth): (i64, &i64)| {
+            let inside = volumes.each_ref().map(|v| v.holds(x, 0, depth, &format));
+            flags(ALL_SOURCES, &words, &inside)
+        };
+        let found: Vec<u16> = (0..).zip(&frame.depth).map(pixel).collect();
         assert_eq!(found, expected.flags);
         let kinds: std::collections::BTreeSet<u16> = found.into_iter().collect();
         assert_eq!(kinds.len(), 4, "all four states of two sources: {kinds:x?}");

@@ -2,7 +2,7 @@
 
 use super::paraboloid::{Exact, contour, depth_guard, normal_guard, one_face, second_degree};
 use super::screen_box::ScreenBox;
-use super::words::{Expression, Object, ObjectPixel, Running, Words};
+use super::words::{Expression, Object, ObjectPixel, Words};
 use crate::format::Format;
 use crate::unit::depth_interval::FACE_NEAR;
 use crate::unit::pe2::Quadratic;
@@ -74,9 +74,6 @@ impl Words for CurvedFacetWords {
 
 /// Latency in clocks from the raster flags to the outputs: processors; signs and ends of the depth word; selection.
 pub const LATENCY: u32 = 3;
-
-/// The processor running over a zone.
-pub type CurvedFacetProcessor = Running<CurvedFacetWords>;
 
 impl Object for CurvedFacetWords {
     /// Front and back depth are the same.

@@ -6,7 +6,7 @@ use super::paraboloid::{
     plane_guard, second_degree,
 };
 use super::screen_box::ScreenBox;
-use super::words::{Expression, Object, ObjectPixel, Running, Words};
+use super::words::{Expression, Object, ObjectPixel, Words};
 use crate::format::Format;
 use crate::unit::depth_interval::{FACE_NEAR, FACE_PLANE};
 use crate::unit::pe1::Linear;
@@ -248,9 +248,6 @@ impl Words for CylinderWords {
 pub const LATENCY: u32 = 3;
 /// Number of the front disc among the faces.
 pub const FACE_DISC: u8 = FACE_PLANE;
-
-/// The processor running over a zone.
-pub type CylinderProcessor = Running<CylinderWords>;
 
 impl Object for CylinderWords {
     /// Front and back depth are the same, that of the visible part.

@@ -3,7 +3,7 @@
 
 use super::paraboloid::{first_degree, one_face, plane_guard};
 use super::screen_box::ScreenBox;
-use super::words::{Expression, Object, ObjectPixel, Running, Words};
+use super::words::{Expression, Object, ObjectPixel, Words};
 use crate::format::Format;
 use crate::unit::depth_interval::FACE_PLANE;
 use crate::unit::normal::LINEAR_WIDTH;
@@ -186,9 +186,6 @@ impl Words for FacetWords {
 
 /// Latency in clocks from the raster flags to the outputs: processors; signs and ends of the depth word; selection.
 pub const LATENCY: u32 = 3;
-
-/// The processor running over a zone.
-pub type FacetProcessor = Running<FacetWords>;
 
 impl Object for FacetWords {
     /// Front and back depth are the same.

@@ -6,7 +6,7 @@
 
 use super::screen_box::ScreenBox;
 use super::words::Expression::{First, Second};
-use super::words::{Expression, Object, ObjectPixel, Running, Words};
+use super::words::{Expression, Object, ObjectPixel, Words};
 use crate::format::Format;
 use crate::unit::depth_interval::{Class, FACE_PLANE, Interval, halves};
 use crate::unit::normal::{NormalWords, select};
@@ -165,9 +165,6 @@ pub fn patch(near: i64, far: i64, contours: Contours, format: &Format) -> Interv
 pub fn latency(format: &Format, rows_per_stage: u32) -> u32 {
     format.root_latency(rows_per_stage) + 9
 }
-
-/// The processor running over a zone.
-pub type FirstGenerationProcessor = Running<FirstGenerationWords>;
 
 impl Object for FirstGenerationWords {
     fn at(&self, x: i64, y: i64, format: &Format) -> ObjectPixel {

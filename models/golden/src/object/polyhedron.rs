@@ -3,7 +3,7 @@
 
 use super::quadric::PlaneWords;
 use super::screen_box::ScreenBox;
-use super::words::{Expression, Object, ObjectPixel, Running, Words};
+use super::words::{Expression, Object, ObjectPixel, Words};
 use crate::format::Format;
 use crate::unit::depth_interval::{FACE_NEAR_END, FACE_PLANE, Interval};
 use crate::unit::half_spaces::{close, leaf, tree, tree_levels};
@@ -54,9 +54,6 @@ pub fn latency(planes: usize) -> u32 {
     tree_levels(planes) + 6
 }
 
-/// The processor running over a zone.
-pub type PolyhedronProcessor = Running<PolyhedronWords>;
-
 impl PolyhedronWords {
     /// Both faces at pixel (x, y) of the zone.
     ///
@@ -94,7 +91,8 @@ pub const FAR_END_NORMAL: [i16; 3] = [0, 0, 32767];
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::object::quadric::{QuadricProcessor, QuadricWords};
+    use crate::object::quadric::QuadricWords;
+    use crate::testing::{SIDE, pixels};
     use crate::unit::cut_plane::PlaneKind;
     use crate::unit::depth_interval::Class;
     use crate::unit::normal::NormalWords;
@@ -105,8 +103,6 @@ mod tests {
     use num_rational::BigRational;
     use num_traits::{Signed, ToPrimitive, Zero};
     use proptest::prelude::*;
-
-    const SIDE: i64 = 20;
 
     /// A half-space `a x + b y + c z + d <= 0` in pixels and depth words.
     type HalfSpace = [i64; 4];
@@ -163,14 +159,8 @@ mod tests {
         format: &Format,
         mut visit: impl FnMut(i64, i64, PolyhedronPixel),
     ) {
-        let mut processor = PolyhedronProcessor::zone_start(words, format);
-        for y in 0..SIDE {
-            if y > 0 {
-                processor.line_step();
-            }
-            for x in 0..SIDE {
-                visit(x, y, processor.step(PolyhedronWords::faces_at));
-            }
+        for (x, y) in pixels() {
+            visit(x, y, words.faces_at(x, y, format));
         }
     }
 
@@ -288,14 +278,9 @@ mod tests {
             planes: polyhedron.planes.clone(),
         };
         let format = Format::BASE;
-        let mut other = QuadricProcessor::zone_start(&quadric, &format);
-        let (mut line, mut present) = (0, 0);
+        let mut present = 0;
         each_pixel(&polyhedron, &format, |x, y, pixel| {
-            if y > line {
-                other.line_step();
-                line = y;
-            }
-            let theirs = other.pixel();
+            let theirs = quadric.at(x, y, &format);
             assert_eq!(
                 (pixel.interval.zf, pixel.interval.zb, pixel.front_normal),
                 (theirs.zf, theirs.zb, theirs.normal),

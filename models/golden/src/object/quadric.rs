@@ -3,7 +3,7 @@
 pub use super::screen_box::ScreenBox;
 use super::words::Expression::{First, Second};
 pub use super::words::ObjectPixel;
-use super::words::{Expression, Object, Running, Words};
+use super::words::{Expression, Object, Words};
 use crate::format::Format;
 use crate::unit::cut_plane::{PlaneKind, cut};
 use crate::unit::depth_interval::{Class, FACE_PLANE, Interval, halves};
@@ -127,16 +127,6 @@ pub struct Probe {
 /// Latency in clocks from the raster flags to the outputs of a quadric processor.
 pub fn latency(format: &Format, planes: usize, rows_per_stage: u32) -> u32 {
     format.root_latency(rows_per_stage) + 2 * planes as u32 + 11
-}
-
-/// The processor running over a zone.
-pub type QuadricProcessor = Running<QuadricWords>;
-
-impl QuadricProcessor {
-    /// The values of the next pixel of the line, with everything in between.
-    pub fn probe(&mut self) -> Probe {
-        self.step(QuadricWords::probe_at)
-    }
 }
 
 impl QuadricWords {

@@ -17,7 +17,7 @@
 use super::quadric::{PlaneWords, face_normal};
 use super::screen_box::ScreenBox;
 use super::words::Expression::{First, Second};
-use super::words::{Expression, Object, ObjectPixel, Running, Words};
+use super::words::{Expression, Object, ObjectPixel, Words};
 use crate::format::Format;
 use crate::unit::cut_plane::cut;
 use crate::unit::depth_interval::{
@@ -175,9 +175,6 @@ impl Words for QuotientWords {
     }
 }
 
-/// The processor running over a zone.
-pub type QuotientProcessor = Running<QuotientWords>;
-
 impl Object for QuotientWords {
     fn at(&self, x: i64, y: i64, format: &Format) -> ObjectPixel {
         let (mut a, mut b) = self.interval(x, y, format);
@@ -271,11 +268,10 @@ fn solid(quotient: Quotient, numerator: i128, denominator: i128, format: &Format
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::testing::{SIDE, pixels};
     use crate::unit::cut_plane::PlaneKind;
     use num_bigint::BigInt;
     use proptest::prelude::*;
-
-    const SIDE: i64 = 16;
 
     fn words() -> impl Strategy<Value = QuotientWords> {
         let factor = -12i128..12;
@@ -352,40 +348,21 @@ mod tests {
         #[test]
         fn shows_the_first_depth_of_its_definition(words in words()) {
             let format = Format { depth: 8, ..Format::BASE };
-            let mut processor = QuotientProcessor::zone_start(&words, &format);
-            for y in 0..SIDE {
-                if y > 0 {
-                    processor.line_step();
-                }
-                for x in 0..SIDE {
-                    let pixel = processor.pixel();
-                    let inside = words.screen_box.contains(x, y);
-                    let mut depths = format.z_low()..format.z_max();
-                    let first = depths.find(|&z| inside && holds(&words, x, y, z));
-                    prop_assert_eq!(pixel.zf, first.unwrap_or(format.z_max()), "pixel ({}, {})", x, y);
-                }
+            for (x, y) in pixels() {
+                let inside = words.screen_box.contains(x, y);
+                let mut depths = format.z_low()..format.z_max();
+                let first = depths.find(|&z| inside && holds(&words, x, y, z));
+                let found = words.at(x, y, &format).zf;
+                prop_assert_eq!(found, first.unwrap_or(format.z_max()), "pixel ({}, {})", x, y);
             }
         }
 
         #[test]
         fn zones_are_coefficient_changes(words in words(), x0 in 0i64..8, y0 in 0i64..8) {
             let format = Format::BASE;
-            let mut whole = QuotientProcessor::zone_start(&words, &format);
-            let pixels: Vec<Vec<ObjectPixel>> = (0..SIDE).map(|y| {
-                if y > 0 {
-                    whole.line_step();
-                }
-                (0..SIDE).map(|_| whole.pixel()).collect()
-            }).collect();
             let zone = words.for_zone(x0, y0, SIDE - x0, SIDE - y0);
-            let mut part = QuotientProcessor::zone_start(&zone, &format);
-            for y in y0..SIDE {
-                if y > y0 {
-                    part.line_step();
-                }
-                for x in x0..SIDE {
-                    prop_assert_eq!(part.pixel(), pixels[y as usize][x as usize]);
-                }
+            for (x, y) in pixels().filter(|&(x, y)| x >= x0 && y >= y0) {
+                prop_assert_eq!(zone.at(x - x0, y - y0, &format), words.at(x, y, &format));
             }
         }
     }

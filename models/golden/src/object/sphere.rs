@@ -6,7 +6,7 @@ use super::paraboloid::{
     Exact, NORMAL_LENGTH, bulge, contour, depth_guard, first_degree, normal_guard, second_degree,
 };
 use super::screen_box::ScreenBox;
-use super::words::{Expression, Object, ObjectPixel, Running, Words};
+use super::words::{Expression, Object, ObjectPixel, Words};
 use crate::format::{Format, wrap64};
 use crate::unit::depth_interval::{Class, FACE_NEAR_END, halves};
 use crate::unit::normal::{LINEAR_WIDTH, NEAR_END_NORMAL};
@@ -130,9 +130,6 @@ impl Words for SphereWords {
 
 /// Latency in clocks from the raster flags to the outputs: processors, back depth, depth interval, output.
 pub const LATENCY: u32 = 4;
-
-/// The processor running over a zone.
-pub type SphereProcessor = Running<SphereWords>;
 
 impl Object for SphereWords {
     fn at(&self, x: i64, y: i64, format: &Format) -> ObjectPixel {

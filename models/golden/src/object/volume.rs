@@ -6,7 +6,7 @@
 
 use super::screen_box::ScreenBox;
 use super::words::Expression::{First, Second};
-use super::words::{Expression, Running, Words};
+use super::words::{Expression, Words};
 use crate::format::Format;
 use crate::unit::cut_plane::PlaneKind;
 use crate::unit::depth_interval::Class;
@@ -170,16 +170,6 @@ impl VolumeWords {
             && point.is_surface(format)
             && self.planes.iter().all(in_plane)
             && self.quadric.as_ref().is_none_or(in_quadric)
-    }
-}
-
-/// The processor running over a zone.
-pub type VolumeProcessor = Running<VolumeWords>;
-
-impl VolumeProcessor {
-    /// Is the visible depth `z` of the next pixel of the line inside the volume.
-    pub fn pixel(&mut self, z: i64) -> bool {
-        self.step(|words, x, y, format| words.holds(x, y, z, format))
     }
 }
 

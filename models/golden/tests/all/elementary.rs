@@ -1,8 +1,8 @@
 //! The source's elementary processors: interlaced and programmable.
 
 use imogene_golden::format::{Format, wrap};
-use imogene_golden::object::quadric::{PlaneWords, QuadricProcessor, QuadricWords, ScreenBox};
-use imogene_golden::object::words::Words;
+use imogene_golden::object::quadric::{PlaneWords, QuadricWords, ScreenBox};
+use imogene_golden::object::words::{Object, Words};
 use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::unit::interlaced::{INTERLACED_LINE, MemoryPe2, PROGRESSIVE_LINE, RESTORE};
@@ -126,15 +126,8 @@ proptest! {
                 .collect(),
         };
         let picture = |words: &QuadricWords, lines: i64| -> Vec<Vec<_>> {
-            let mut processor = QuadricProcessor::zone_start(words, &Format::BASE);
-            (0..lines)
-                .map(|y| {
-                    if y > 0 {
-                        processor.line_step();
-                    }
-                    (0..SIDE).map(|_| processor.pixel()).collect()
-                })
-                .collect()
+            let line = |y: i64| (0..SIDE).map(move |x| words.at(x, y, &Format::BASE));
+            (0..lines).map(|y| line(y).collect()).collect()
         };
         let whole = picture(&words, SIDE);
         for field in 0..2 {

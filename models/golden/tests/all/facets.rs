@@ -3,14 +3,11 @@
 
 use imogene_algebra::rational::{fraction, integer};
 use imogene_golden::format::Format;
-use imogene_golden::object::curved_facet::{
-    CurvedFacetProcessor, CurvedFacetWords, other_side, side,
-};
-use imogene_golden::object::facet::{
-    Corner, FACE_FACET, FacetError, FacetProcessor, FacetWords, SUBPIXEL,
-};
+use imogene_golden::object::curved_facet::{CurvedFacetWords, other_side, side};
+use imogene_golden::object::facet::{Corner, FACE_FACET, FacetError, FacetWords, SUBPIXEL};
 use imogene_golden::object::paraboloid::{Exact, depth_guard, plane_guard};
 use imogene_golden::object::quadric::{ObjectPixel, ScreenBox};
+use imogene_golden::object::words::Object;
 use num_rational::BigRational;
 use num_traits::Signed;
 use proptest::prelude::*;
@@ -29,15 +26,14 @@ fn corner(x: i64, y: i64, z: i64) -> Corner {
     }
 }
 
+/// The pixels of the screen, line by line.
+fn pixels() -> impl Iterator<Item = (i64, i64)> {
+    (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y)))
+}
+
 fn flat(words: &FacetWords, mut visit: impl FnMut(i64, i64, ObjectPixel)) {
-    let mut processor = FacetProcessor::zone_start(words, &F);
-    for y in 0..SIDE {
-        if y > 0 {
-            processor.line_step();
-        }
-        for x in 0..SIDE {
-            visit(x, y, processor.pixel());
-        }
+    for (x, y) in pixels() {
+        visit(x, y, words.at(x, y, &F));
     }
 }
 
@@ -172,25 +168,19 @@ proptest! {
             let within = |i: usize| cell >> i & 1 == 0;
             let chosen = (0..3).map(|i| if within(i) { sides[i] } else { other_side(&sides[i]) });
             let words = CurvedFacetWords::new(chosen.collect(), &depth, [&normal; 3], SCREEN, &F);
-            let mut processor = CurvedFacetProcessor::zone_start(&words, &F);
-            for y in 0..SIDE {
-                if y > 0 {
-                    processor.line_step();
+            for (x, y) in pixels() {
+                let pixel = words.at(x, y, &F);
+                let inside = (0..3).all(|i| within(i) != value(&exact[i], x, y).is_negative());
+                let mut right = present(&pixel) == inside;
+                if inside {
+                    count[(y * SIDE + x) as usize] += 1;
+                    let counts = x * x + y * y + x * y + x + y + 1;
+                    let bound = fraction(1, 2) + fraction(counts, 2 << depth_guard(&F));
+                    right &= (integer(pixel.zf) - value(&depth, x, y)).abs() <= bound;
+                    right &= (integer(pixel.normal[1].into()) - value(&normal, x, y)).abs() <= bound;
                 }
-                for x in 0..SIDE {
-                    let pixel = processor.pixel();
-                    let inside = (0..3).all(|i| within(i) != value(&exact[i], x, y).is_negative());
-                    let mut right = present(&pixel) == inside;
-                    if inside {
-                        count[(y * SIDE + x) as usize] += 1;
-                        let counts = x * x + y * y + x * y + x + y + 1;
-                        let bound = fraction(1, 2) + fraction(counts, 2 << depth_guard(&F));
-                        right &= (integer(pixel.zf) - value(&depth, x, y)).abs() <= bound;
-                        right &= (integer(pixel.normal[1].into()) - value(&normal, x, y)).abs() <= bound;
-                    }
-                    if !right {
-                        wrong = Some((cell, x, y, pixel));
-                    }
+                if !right {
+                    wrong = Some((cell, x, y, pixel));
                 }
             }
         }
@@ -231,16 +221,10 @@ fn a_fan_around_a_pixel_has_it_once() {
             count[(y * SIDE + x) as usize] += i32::from(present(&pixel))
         });
     }
-    for y in 0..SIDE {
-        for x in 0..SIDE {
-            // Of the square's border, the near columns and lines belong to it.
-            let expected = (4..20).contains(&x) && (4..20).contains(&y);
-            assert_eq!(
-                count[(y * SIDE + x) as usize],
-                i32::from(expected),
-                "({x}, {y})"
-            );
-        }
+    for ((x, y), count) in pixels().zip(count) {
+        // Of the square's border, the near columns and lines belong to it.
+        let expected = (4..20).contains(&x) && (4..20).contains(&y);
+        assert_eq!(count, i32::from(expected), "({x}, {y})");
     }
 }
 

@@ -1,12 +1,9 @@
 //! The first generation against exact cuts and against the second.
 
 use imogene_golden::format::Format;
-use imogene_golden::object::first_generation::{
-    ContourPlane, FirstGenerationProcessor, FirstGenerationWords, Kept, latency,
-};
-use imogene_golden::object::quadric::{
-    ObjectPixel, PlaneWords, QuadricProcessor, QuadricWords, ScreenBox,
-};
+use imogene_golden::object::first_generation::{ContourPlane, FirstGenerationWords, Kept, latency};
+use imogene_golden::object::quadric::{ObjectPixel, PlaneWords, QuadricWords, ScreenBox};
+use imogene_golden::object::words::Object;
 use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::depth_interval::{Class, FACE_NEAR_END};
 use imogene_golden::unit::normal::NormalWords;
@@ -75,15 +72,9 @@ fn both(
     second: &QuadricWords,
     mut visit: impl FnMut(i64, i64, ObjectPixel, ObjectPixel),
 ) {
-    let mut contour = FirstGenerationProcessor::zone_start(first, &F);
-    let mut chain = QuadricProcessor::zone_start(second, &F);
     for y in 0..SIDE {
-        if y > 0 {
-            contour.line_step();
-            chain.line_step();
-        }
         for x in 0..SIDE {
-            visit(x, y, contour.pixel(), chain.pixel());
+            visit(x, y, first.at(x, y, &F), second.at(x, y, &F));
         }
     }
 }

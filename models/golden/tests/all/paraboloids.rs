@@ -2,10 +2,11 @@
 
 use imogene_algebra::rational::{fraction, integer, to_f64};
 use imogene_golden::format::Format;
-use imogene_golden::object::cylinder::{CylinderProcessor, CylinderShape, FACE_DISC};
+use imogene_golden::object::cylinder::{CylinderShape, FACE_DISC};
 use imogene_golden::object::paraboloid::{Exact, depth_guard, plane_guard};
 use imogene_golden::object::quadric::{ObjectPixel, ScreenBox};
-use imogene_golden::object::sphere::{SphereProcessor, SphereShape};
+use imogene_golden::object::sphere::SphereShape;
+use imogene_golden::object::words::Object;
 use num_rational::BigRational;
 use num_traits::Signed;
 
@@ -36,16 +37,15 @@ fn shape(x: BigRational, y: BigRational, radius: BigRational) -> SphereShape {
     }
 }
 
+/// The pixels of a square, line by line.
+fn pixels(side: i64) -> impl Iterator<Item = (i64, i64)> {
+    (0..side).flat_map(move |y| (0..side).map(move |x| (x, y)))
+}
+
 fn sphere_picture(shape: &SphereShape, side: i64, mut visit: impl FnMut(i64, i64, ObjectPixel)) {
     let words = shape.words(screen(side, side), &Format::BASE);
-    let mut processor = SphereProcessor::zone_start(&words, &Format::BASE);
-    for y in 0..side {
-        if y > 0 {
-            processor.line_step();
-        }
-        for x in 0..side {
-            visit(x, y, processor.pixel());
-        }
+    for (x, y) in pixels(side) {
+        visit(x, y, words.at(x, y, &Format::BASE));
     }
 }
 
@@ -245,33 +245,25 @@ fn check_cylinder(shape: &CylinderShape, side: i64) {
     let format = Format::BASE;
     let words = shape.words(screen(side, side), &format);
     let body = shape.body();
-    let mut processor = CylinderProcessor::zone_start(&words, &format);
     let (mut discs, mut bodies) = (0, 0);
-    for y in 0..side {
-        if y > 0 {
-            processor.line_step();
-        }
-        for x in 0..side {
-            let pixel = processor.pixel();
-            let part = cylinder_part(shape, x, y);
-            let ours = (pixel.zf != format.z_max()).then_some(pixel.number);
-            assert_eq!(ours, part, "({x}, {y}) of {shape:?}");
-            match part {
-                Some(FACE_DISC) => {
-                    discs += 1;
-                    check_disc(shape, x, y, &pixel);
-                }
-                Some(_) => {
-                    bodies += 1;
-                    let bound = rounding_bound(x, y, depth_guard(&format));
-                    assert!(
-                        (integer(pixel.zf) - at(&body, x, y)).abs() <= bound,
-                        "({x}, {y})"
-                    );
-                    check_envelope(shape, x, y, &pixel);
-                }
-                None => assert_eq!(pixel.normal, [0; 3]),
+    for (x, y) in pixels(side) {
+        let pixel = words.at(x, y, &format);
+        let part = cylinder_part(shape, x, y);
+        let ours = (pixel.zf != format.z_max()).then_some(pixel.number);
+        assert_eq!(ours, part, "({x}, {y}) of {shape:?}");
+        match part {
+            Some(FACE_DISC) => {
+                discs += 1;
+                check_disc(shape, x, y, &pixel);
             }
+            Some(_) => {
+                bodies += 1;
+                let bound = rounding_bound(x, y, depth_guard(&format));
+                let error = (integer(pixel.zf) - at(&body, x, y)).abs();
+                assert!(error <= bound, "({x}, {y})");
+                check_envelope(shape, x, y, &pixel);
+            }
+            None => assert_eq!(pixel.normal, [0; 3]),
         }
     }
     assert!(discs > 200 && bodies > 500, "{discs} {bodies}");

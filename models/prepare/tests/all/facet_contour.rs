@@ -2,12 +2,11 @@
 
 use imogene_algebra::rational::{fraction, integer};
 use imogene_golden::format::Format;
-use imogene_golden::object::facet::{
-    Corner, FacetError, FacetProcessor, FacetWords, MAX_COMPONENT, SUBPIXEL,
-};
+use imogene_golden::object::facet::{Corner, FacetError, FacetWords, MAX_COMPONENT, SUBPIXEL};
 use imogene_golden::object::facet_contour::FacetContour;
 use imogene_golden::object::quadric::{ObjectPixel, ScreenBox};
 use imogene_golden::object::slot::ProcessorWords;
+use imogene_golden::object::words::Object;
 use imogene_golden::unit::normal::LINEAR_WIDTH;
 use imogene_prepare::Framing;
 use imogene_prepare::prepare;
@@ -21,14 +20,10 @@ type Pixels = Vec<(i64, i64, ObjectPixel)>;
 
 /// The processor over the whole screen.
 fn by_processor(words: &FacetWords, format: &Format, width: i64, height: i64) -> Pixels {
-    let mut processor = FacetProcessor::zone_start(words, format);
     let mut found = vec![];
     for y in 0..height {
-        if y > 0 {
-            processor.line_step();
-        }
         for x in 0..width {
-            let pixel = processor.pixel();
+            let pixel = words.at(x, y, format);
             if pixel.zf != format.z_max() {
                 found.push((x, y, pixel));
             }

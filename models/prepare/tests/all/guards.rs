@@ -2,7 +2,7 @@
 
 use imogene_golden::format::Format;
 use imogene_golden::object::line::for_each_present;
-use imogene_golden::object::quadric::{QuadricProcessor, QuadricWords, ScreenBox};
+use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
 use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;
@@ -60,8 +60,7 @@ fn a_radicand_just_below_zero_is_absent() {
 fn f1_is_dropped_downwards() {
     let format = guarded(24, 2, 4);
     for (f1, dropped) in [(-5, -2), (-4, -1), (-1, -1), (0, 0), (3, 0), (4, 1)] {
-        let mut processor = QuadricProcessor::zone_start(&line(Class::Side, f1, 16 * 9), &format);
-        let probe = processor.probe();
+        let probe = line(Class::Side, f1, 16 * 9).probe_at(0, 0, &format);
         assert_eq!(
             (probe.f1, probe.near, probe.far),
             (dropped, dropped - 3, dropped + 3)
@@ -75,7 +74,7 @@ fn processors_hold_the_range_of_their_guard_bits() {
     let format = guarded(24, 4, 8);
     let most = (1i128 << 55) - 64;
     let words = line(Class::Side, -(1 << 27), most);
-    let probe = QuadricProcessor::zone_start(&words, &format).probe();
+    let probe = words.probe_at(0, 0, &format);
     assert_eq!(probe.f2, ((1i64 << 55) - 64) >> 8);
     assert_eq!(probe.f1, -(1 << 23));
     assert_eq!(probe.root, fast_root(probe.f2));

@@ -4,8 +4,8 @@ use imogene_algebra::rational::{integer, round_half_up};
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::object::volume::{
-    FACET_PLANES, POLYHEDRON_PLANES, QUADRIC_PLANES, VolumeKind, VolumePlane, VolumeProcessor,
-    VolumeQuadric, VolumeWords,
+    FACET_PLANES, POLYHEDRON_PLANES, QUADRIC_PLANES, VolumeKind, VolumePlane, VolumeQuadric,
+    VolumeWords,
 };
 use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::depth_interval::Class;
@@ -42,13 +42,9 @@ fn words(quadric: Option<VolumeQuadric>, planes: Vec<VolumePlane>, margin: u32) 
 /// Calls `visit(x, y, z, inside)` for every pixel with each of the depths.
 fn each_point(words: &VolumeWords, depths: &[i64], mut visit: impl FnMut(i64, i64, i64, bool)) {
     for &z in depths {
-        let mut processor = VolumeProcessor::zone_start(words, &F);
         for y in 0..SIDE {
-            if y > 0 {
-                processor.line_step();
-            }
             for x in 0..SIDE {
-                visit(x, y, z, processor.pixel(z));
+                visit(x, y, z, words.holds(x, y, z, &F));
             }
         }
     }

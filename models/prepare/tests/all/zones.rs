@@ -2,8 +2,8 @@
 
 use imogene_golden::format::Format;
 use imogene_golden::object::line::for_each_present;
-use imogene_golden::object::quadric::{ObjectPixel, QuadricProcessor, QuadricWords};
-use imogene_golden::object::words::Words;
+use imogene_golden::object::quadric::{ObjectPixel, QuadricWords};
+use imogene_golden::object::words::{Object, Words};
 use imogene_scene::Surface;
 use imogene_testkit::*;
 use proptest::prelude::*;
@@ -55,18 +55,11 @@ fn cut_out(
     (y0..y0 + height).flat_map(line).collect()
 }
 
-/// The incremental processor, started anew for the zone.
+/// The processor at every pixel of the zone.
 fn processed(words: &QuadricWords, width: i64, height: i64) -> Vec<Option<ObjectPixel>> {
-    let mut processor = QuadricProcessor::zone_start(words, &F);
-    let mut pixels = vec![];
-    for y in 0..height {
-        if y > 0 {
-            processor.line_step();
-        }
-        let line = (0..width).map(|_| Some(processor.pixel()).filter(|p| p.zf != F.z_max()));
-        pixels.extend(line);
-    }
-    pixels
+    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+    let present = |(x, y)| Some(words.at(x, y, &F)).filter(|p| p.zf != F.z_max());
+    pixels.map(present).collect()
 }
 
 proptest! {

@@ -1,11 +1,11 @@
 //! Two programs that draw the same facets, timed in one run: contour following, and the model of the facet processor.
 
 use imogene_golden::format::Format;
-use imogene_golden::object::facet::{FacetProcessor, FacetWords};
+use imogene_golden::object::facet::FacetWords;
 use imogene_golden::object::facet_contour::{FacetContour, Operations};
 use imogene_golden::object::quadric::ObjectPixel;
 use imogene_golden::object::slot::{ProcessorWords, Slot};
-use imogene_golden::object::words::Words;
+use imogene_golden::object::words::{Object, Words};
 use serde::Serialize;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -109,13 +109,9 @@ fn scan(words: &FacetWords, format: &Format, sum: &mut Sum) {
     }
     let (width, height) = (window.x1 - window.x0 + 1, window.y1 - window.y0 + 1);
     let zone = words.for_zone(window.x0, window.y0, width, height);
-    let mut processor = FacetProcessor::zone_start(&zone, format);
     for y in 0..height {
-        if y > 0 {
-            processor.line_step();
-        }
-        for _ in 0..width {
-            let pixel = processor.pixel();
+        for x in 0..width {
+            let pixel = zone.at(x, y, format);
             if pixel.zf != format.z_max() {
                 sum.add(&pixel);
             }

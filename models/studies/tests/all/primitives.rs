@@ -2,8 +2,8 @@
 
 use imogene_golden::format::Format;
 use imogene_golden::machine::beam;
-use imogene_golden::object::facet::FacetProcessor;
 use imogene_golden::object::facet_contour::FacetContour;
+use imogene_golden::object::words::Object;
 use imogene_prepare::Framing;
 use imogene_prepare::prepare;
 use imogene_scene::{FramedScene, SceneFile};
@@ -50,14 +50,10 @@ fn contour_following_draws_every_facet_of_the_comparison() {
         for words in facets(&drawn.slots) {
             let mut followed = vec![];
             FacetContour::new(words, &F).for_each_pixel(|x, y, p| followed.push((x, y, p)));
-            let mut processor = FacetProcessor::zone_start(words, &F);
             let mut scanned = vec![];
             for y in 0..72 {
-                if y > 0 {
-                    processor.line_step();
-                }
                 for x in 0..96 {
-                    let pixel = processor.pixel();
+                    let pixel = words.at(x, y, &F);
                     if pixel.zf != F.z_max() {
                         scanned.push((x, y, pixel));
                     }
