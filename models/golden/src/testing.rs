@@ -59,12 +59,7 @@ pub fn root_form(digits: u32) -> impl Strategy<Value = RootForm> {
 
 /// Any class.
 pub fn class() -> impl Strategy<Value = Class> {
-    prop_oneof![
-        Just(Class::Side),
-        Just(Class::Front),
-        Just(Class::Patch),
-        Just(Class::Prism)
-    ]
+    prop::sample::select(&Class::ALL[..])
 }
 
 /// A box in a zone.

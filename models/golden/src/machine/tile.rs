@@ -94,8 +94,7 @@ impl<'a> Tile<'a> {
     /// The light of the face that is seen at a pixel of the window; none where there is none.
     fn light(&self, x: i64, y: i64) -> Option<u64> {
         let (words, format) = (self.words, &self.format);
-        let [a, b, c, d, e, f] = words.f2.map(i128::from);
-        let f2 = Quadratic::new([a, b, c, d, e, f]);
+        let f2 = Quadratic::new(words.f2.map(i128::from));
         let depths = QuadricDepths::at(&linear(words.f1), &f2, x, y, format);
         let (whole, _) = halves(Class::Side, depths.near, depths.far, depths.f2 < 0, format);
         let planes = (FACE_PLANE..).zip(&words.planes);

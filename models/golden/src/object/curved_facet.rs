@@ -14,8 +14,7 @@ pub const MAX_SIDES: usize = words::MOST_SIDES as usize;
 
 /// The word of a side: its sign is that of the exact expression, not negative on the facet.
 pub fn side(exact: &Exact) -> Quadratic {
-    let [a, b, c, d, e, f] = contour(exact);
-    Quadratic::new([a, b, c, d, e, f])
+    Quadratic::new(contour(exact))
 }
 
 /// The same side for the neighbour: `-q - 1` is not negative exactly where q is negative, so no pixel is in both or in

@@ -206,10 +206,7 @@ impl CylinderShape {
 
     /// The coefficient words.
     pub fn words(&self, screen_box: ScreenBox, format: &Format) -> CylinderWords {
-        let conic = |exact: &Exact| {
-            let [a, b, c, d, e, f] = contour(exact);
-            Quadratic::new([a, b, c, d, e, f])
-        };
+        let conic = |exact: &Exact| Quadratic::new(contour(exact));
         let side = |exact: &Affine| {
             let [a, b, c] = contour(exact);
             Linear::new(a, b, c)

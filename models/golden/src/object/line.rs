@@ -246,7 +246,7 @@ mod tests {
             let square = (1i128 << (format.quadratic - 1)) - 1;
             let end = 1 << (format.sum - 1).min(31);
             let middle = end - i128::from(fast_root(square as i64));
-            for (class, f1) in [Class::Side, Class::Front, Class::Patch, Class::Prism]
+            for (class, f1) in Class::ALL
                 .into_iter()
                 .flat_map(|class| [middle, -middle, end, -end].map(|f1| (class, f1)))
             {

@@ -243,7 +243,8 @@ fn surface(quotient: Quotient, format: &Format) -> Interval {
 /// The part of the line of sight where `denominator z <= numerator`.
 fn solid(quotient: Quotient, numerator: i128, denominator: i128, format: &Format) -> Interval {
     let (low, end) = (format.z_low(), format.z_max());
-    let all = Interval::new((low, FACE_NEAR_END), (end, FACE_NEAR_END));
+    let (near, far) = ((low, FACE_NEAR_END), (end, FACE_NEAR_END));
+    let all = Interval::new(near, far);
     let ends_here = denominator > 0;
     match quotient {
         Quotient::None if numerator >= 0 => all,
@@ -251,16 +252,8 @@ fn solid(quotient: Quotient, numerator: i128, denominator: i128, format: &Format
         Quotient::Word(z) if !ends_here && z < low => all,
         Quotient::Above if ends_here => all,
         Quotient::Below if !ends_here => all,
-        Quotient::Word(z) if ends_here && z >= low => Interval {
-            zb: z,
-            nb: FACE_FAR,
-            ..all
-        },
-        Quotient::Word(z) if !ends_here && z < end => Interval {
-            zf: z,
-            nf: FACE_NEAR,
-            ..all
-        },
+        Quotient::Word(z) if ends_here && z >= low => Interval::new(near, (z, FACE_FAR)),
+        Quotient::Word(z) if !ends_here && z < end => Interval::new((z, FACE_NEAR), far),
         _ => Interval::absent(format),
     }
 }

@@ -96,12 +96,11 @@ impl SphereShape {
 
     /// The coefficient words.
     pub fn words(&self, screen_box: ScreenBox, format: &Format) -> SphereWords {
-        let [a, b, c, d, e, f] = contour(&self.outline());
         let across = |exact: &[BigRational; 3]| first_degree(exact, LINEAR_WIDTH - format.normal);
         let sum = round_half_up(&(integer(2) * &self.z));
         SphereWords {
             screen_box,
-            contour: Quadratic::new([a, b, c, d, e, f]),
+            contour: Quadratic::new(contour(&self.outline())),
             front: second_degree(&self.paraboloid(), depth_guard(format)),
             sum: sum
                 .to_i64()

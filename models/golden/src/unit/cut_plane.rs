@@ -22,6 +22,11 @@ pub enum PlaneKind {
     Perpendicular = words::PERPENDICULAR as u8,
 }
 
+impl PlaneKind {
+    /// All of them, in the order of their words.
+    pub const ALL: [PlaneKind; 4] = [Self::None, Self::Front, Self::Back, Self::Perpendicular];
+}
+
 /// The interval that is left after one plane of depth (or value) `zp`, already saturated.
 ///
 /// Ties keep the object: a plane that only touches leaves a zero thickness; a plane at the present front or back
@@ -36,34 +41,17 @@ pub fn cut(
     format: &Format,
 ) -> Interval {
     let Interval { zf, zb, nf, nb } = interval;
-    let back_face = Interval {
-        zf: zb,
-        nf: nb,
-        ..interval
-    };
-    let front_face = Interval {
-        zb: zf,
-        nb: nf,
-        ..interval
-    };
+    let (front, back) = ((zf, nf), (zb, nb));
     match kind {
         PlaneKind::Perpendicular if zp < 0 => Interval::absent(format),
         PlaneKind::Front if zp <= zf => interval,
         PlaneKind::Front if zb < zp => Interval::absent(format),
-        PlaneKind::Front if patch => back_face,
-        PlaneKind::Front => Interval {
-            zf: zp,
-            nf: number,
-            ..interval
-        },
+        PlaneKind::Front if patch => Interval::new(back, back),
+        PlaneKind::Front => Interval::new((zp, number), back),
         PlaneKind::Back if zb <= zp => interval,
         PlaneKind::Back if zp < zf => Interval::absent(format),
-        PlaneKind::Back if patch => front_face,
-        PlaneKind::Back => Interval {
-            zb: zp,
-            nb: number,
-            ..interval
-        },
+        PlaneKind::Back if patch => Interval::new(front, front),
+        PlaneKind::Back => Interval::new(front, (zp, number)),
         _ => interval,
     }
 }
@@ -119,12 +107,7 @@ mod tests {
 
     #[test]
     fn absent_stays_absent() {
-        for kind in [
-            PlaneKind::None,
-            PlaneKind::Front,
-            PlaneKind::Back,
-            PlaneKind::Perpendicular,
-        ] {
+        for kind in PlaneKind::ALL {
             for zp in [F.plane_low(), -1, 0, 1, F.z_max()] {
                 for patch in [false, true] {
                     let out = cut(Interval::absent(&F), kind, zp, 5, patch, &F);
@@ -138,18 +121,14 @@ mod tests {
     /// levels.
     #[test]
     fn depths_do_not_depend_on_plane_order() {
-        let kinds = [
-            (PlaneKind::Front, 0),
-            (PlaneKind::Back, 0),
-            (PlaneKind::Perpendicular, 0),
-        ];
+        let kinds = &PlaneKind::ALL[1..];
         let orders = permutations(3);
         let mut configurations = 0u64;
         for code in 0..(3usize * 5).pow(3) {
             let planes: Vec<(PlaneKind, i64)> = (0..3)
                 .map(|i| {
                     let digit = code / 15usize.pow(i) % 15;
-                    (kinds[digit % 3].0, (digit / 3) as i64 - 1)
+                    (kinds[digit % 3], (digit / 3) as i64 - 1)
                 })
                 .collect();
             for (zf, zb) in [(0, 0), (0, 1), (0, 2), (1, 3), (-1, 3)] {

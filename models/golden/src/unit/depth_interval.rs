@@ -21,6 +21,11 @@ pub enum Class {
     Prism = words::PRISM as u8,
 }
 
+impl Class {
+    /// All of them, in the order of their words.
+    pub const ALL: [Class; 4] = [Self::Side, Self::Front, Self::Patch, Self::Prism];
+}
+
 /// Number of the quadric's near root among the faces of an object.
 pub const FACE_NEAR: u8 = words::NEAR_ROOT as u8;
 /// Number of the quadric's far root.

@@ -42,12 +42,9 @@ pub const fn leaf(kind: PlaneKind, zp: i64, index: usize, format: &Format) -> Br
 /// A node of the tree; at equal depths the first branch wins, which holds the smaller indices.
 #[inline]
 pub const fn node(a: Branch, b: Branch) -> Branch {
+    let is_front_of_a = a.front.0 >= b.front.0;
     Branch {
-        front: if a.front.0 >= b.front.0 {
-            a.front
-        } else {
-            b.front
-        },
+        front: if is_front_of_a { a.front } else { b.front },
         back: if a.back.0 <= b.back.0 { a.back } else { b.back },
         removed: a.removed || b.removed,
     }
@@ -76,18 +73,19 @@ pub const fn tree_levels(planes: usize) -> u32 {
 /// near end's cap.
 #[inline]
 pub const fn close(branch: Branch, there: bool, format: &Format) -> Interval {
-    let (zf, nf) = if branch.front.0 > format.z_low() {
-        branch.front
-    } else {
-        (format.z_low(), FACE_NEAR_END)
-    };
-    let (zb, nb) = if branch.back.0 < format.z_max() {
-        branch.back
-    } else {
-        (format.z_max(), FACE_NEAR_END)
-    };
-    if there && !branch.removed && zf <= zb && zf < format.z_max() {
-        Interval::new((zf, nf), (zb, nb))
+    let (low, end) = (
+        (format.z_low(), FACE_NEAR_END),
+        (format.z_max(), FACE_NEAR_END),
+    );
+    let Branch {
+        front,
+        back,
+        removed,
+    } = branch;
+    let front = if front.0 > low.0 { front } else { low };
+    let back = if back.0 < end.0 { back } else { end };
+    if there && !removed && front.0 <= back.0 && front.0 < end.0 {
+        Interval::new(front, back)
     } else {
         Interval::absent(format)
     }

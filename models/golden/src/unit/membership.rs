@@ -126,7 +126,7 @@ mod tests {
         planes.push((PlaneKind::Perpendicular, 0));
         planes.push((PlaneKind::Perpendicular, -1));
         let mut inside = 0;
-        for class in [Class::Side, Class::Front, Class::Prism, Class::Patch] {
+        for class in Class::ALL {
             for (i, &near) in levels.iter().enumerate() {
                 for &far in &levels[i..] {
                     for &first in &planes {

@@ -60,20 +60,12 @@ pub const fn kept(kind: PlaneKind, zp: i64, near: i64, far: i64) -> Faces {
 /// What is left of the two faces: both, one of them (then it is front and back at once) or nothing.
 #[inline]
 pub const fn decide(near: i64, far: i64, left: Faces, format: &Format) -> Interval {
-    let (zf, nf) = if left.front {
-        (near, FACE_NEAR)
-    } else {
-        (far, FACE_FAR)
-    };
-    let (zb, nb) = if left.back {
-        (far, FACE_FAR)
-    } else {
-        (near, FACE_NEAR)
-    };
-    if left.front || left.back {
-        Interval::new((zf, nf), (zb, nb))
-    } else {
-        Interval::absent(format)
+    let (one, two) = ((near, FACE_NEAR), (far, FACE_FAR));
+    match (left.front, left.back) {
+        (true, true) => Interval::new(one, two),
+        (true, false) => Interval::new(one, one),
+        (false, true) => Interval::new(two, two),
+        (false, false) => Interval::absent(format),
     }
 }
 

@@ -74,7 +74,7 @@ impl Registers {
         let planes = self.words[first..].chunks(each).map(|words| PlaneWords {
             kind: plane_kind(words[0]),
             depth: linear(&words[1..4], format.plane),
-            normal: triple(&words[4..7], |word| signed(word, format.normal) as i16),
+            normal: vector(&words[4..7], format),
         });
         let control = self.words[usize::from(load::CONTROL)];
         QuadricWords {
@@ -83,12 +83,8 @@ impl Registers {
             f1: linear(&self.words[0..3], format.pe1_width()),
             f2: quadratic(&self.words[3..9], format.pe2_width()),
             normal: NormalWords {
-                g: std::array::from_fn(|k| {
-                    linear(&self.words[9 + 3 * k..12 + 3 * k], format.normal_linear)
-                }),
-                k: triple(&self.words[18..21], |word| {
-                    signed(word, format.normal) as i16
-                }),
+                g: [9, 12, 15].map(|at| linear(&self.words[at..at + 3], format.normal_linear)),
+                k: vector(&self.words[18..21], format),
                 shift: (control >> 2 & 31) as u8,
             },
             planes: planes.collect(),
@@ -127,12 +123,12 @@ fn signed(word: u64, width: u32) -> i128 {
     wrap(word.into(), width)
 }
 
-fn triple<T>(words: &[u64], of: impl Fn(u64) -> T) -> [T; 3] {
-    std::array::from_fn(|k| of(words[k]))
+fn vector(words: &[u64], format: &Format) -> [i16; 3] {
+    [0, 1, 2].map(|k| signed(words[k], format.normal) as i16)
 }
 
 fn linear(words: &[u64], width: u32) -> Linear {
-    let [a, b, c] = triple(words, |word| signed(word, width));
+    let [a, b, c] = [0, 1, 2].map(|k| signed(words[k], width));
     Linear::new(a, b, c)
 }
 
@@ -155,21 +151,11 @@ fn window(words: &[u64]) -> ScreenBox {
 }
 
 fn class(word: u64) -> Class {
-    match word & 3 {
-        0 => Class::Side,
-        1 => Class::Front,
-        2 => Class::Patch,
-        _ => Class::Prism,
-    }
+    Class::ALL[(word & 3) as usize]
 }
 
 fn plane_kind(word: u64) -> PlaneKind {
-    match word & 3 {
-        0 => PlaneKind::None,
-        1 => PlaneKind::Front,
-        2 => PlaneKind::Back,
-        _ => PlaneKind::Perpendicular,
-    }
+    PlaneKind::ALL[(word & 3) as usize]
 }
 
 #[cfg(test)]
@@ -188,22 +174,13 @@ mod tests {
     }
 
     fn quadratics() -> impl Strategy<Value = Quadratic> {
-        any::<[i64; 6]>().prop_map(|v| {
-            let [a, b, c, d, e, f] = v.map(i128::from);
-            Quadratic::new([a, b, c, d, e, f])
-        })
+        any::<[i64; 6]>().prop_map(|v| Quadratic::new(v.map(i128::from)))
     }
 
     fn boxes() -> impl Strategy<Value = ScreenBox> {
         let side = || 0i64..4096;
-        (side(), side(), side(), side()).prop_map(|(x0, x1, y0, y1)| {
-            let found = ScreenBox::of([x0, x1], [y0, y1]);
-            if found.is_empty() {
-                ScreenBox::EMPTY
-            } else {
-                found
-            }
-        })
+        (side(), side(), side(), side())
+            .prop_map(|(x0, x1, y0, y1)| ScreenBox::of([x0, x1], [y0, y1]).or_empty())
     }
 
     fn formats() -> impl Strategy<Value = Format> {
