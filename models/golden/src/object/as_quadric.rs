@@ -60,6 +60,7 @@ impl ProcessorWords {
         format: &Format,
         planes: usize,
     ) -> Result<QuadricWords, AsQuadricError> {
+        let other = |name| Err(AsQuadricError::Processor(name));
         let words = match self {
             Self::Quadric(words) => words.clone(),
             Self::Patch(words) => QuadricWords {
@@ -68,24 +69,12 @@ impl ProcessorWords {
             },
             Self::Polyhedron(words) => polyhedron(words),
             Self::Facet(words) => facet(words, format)?,
-            Self::FirstGeneration(_) => {
-                return Err(AsQuadricError::Processor(
-                    "a quadric of the first generation",
-                ));
-            }
-            Self::Sphere(_) => return Err(AsQuadricError::Processor("a sphere by a paraboloid")),
-            Self::Cylinder(_) => {
-                return Err(AsQuadricError::Processor(
-                    "a cylinder by a parabolic cylinder",
-                ));
-            }
-            Self::CurvedFacet(_) => return Err(AsQuadricError::Processor("a curved facet")),
             Self::Member(words) => words.own().clone(),
-            Self::Quotient(_) => {
-                return Err(AsQuadricError::Processor(
-                    "a quadric that the viewer lies on",
-                ));
-            }
+            Self::FirstGeneration(_) => return other("a quadric of the first generation"),
+            Self::Sphere(_) => return other("a sphere by a paraboloid"),
+            Self::Cylinder(_) => return other("a cylinder by a parabolic cylinder"),
+            Self::CurvedFacet(_) => return other("a curved facet"),
+            Self::Quotient(_) => return other("a quadric that the viewer lies on"),
         };
         fits(words.planes.len(), planes)?;
         Ok(words)
@@ -129,11 +118,7 @@ fn facet(words: &FacetWords, format: &Format) -> Result<QuadricWords, AsQuadricE
     if !format.follows_depth_word() {
         return Err(AsQuadricError::Fitted);
     }
-    let side = |edge: &Linear| PlaneWords {
-        kind: PlaneKind::Perpendicular,
-        depth: *edge,
-        normal: [0; 3],
-    };
+    let side = |edge: &Linear| PlaneWords::new(PlaneKind::Perpendicular, *edge, [0; 3]);
     Ok(QuadricWords {
         class: Class::Patch,
         screen_box: words.screen_box,
@@ -194,17 +179,14 @@ mod tests {
     }
 
     fn facet_words(format: &Format) -> impl Strategy<Value = FacetWords> + use<> {
-        let end = format.z_max() << 10;
+        let end = i128::from(format.z_max() << 10);
+        let about = |end: i128| {
+            linear(1 << 14, 1 << 16).prop_map(move |l| Linear::new(l.a, l.b, l.c + end))
+        };
         let depth = prop_oneof![
             linear(3000, 1 << 20),
-            linear(1 << 14, 1 << 16).prop_map(move |l| Linear {
-                c: l.c + i128::from(end),
-                ..l
-            }),
-            linear(1 << 14, 1 << 16).prop_map(move |l| Linear {
-                c: l.c - i128::from(end),
-                ..l
-            }),
+            about(end),
+            about(-end),
             // Past the end of the accumulator: both wrap alike.
             linear(i64::MAX >> 20, i64::MAX >> 20),
         ];
@@ -279,7 +261,7 @@ mod tests {
                 normal: NormalWords { g, k, shift: 1 },
                 planes: planes
                     .into_iter()
-                    .map(|(kind, depth, normal)| PlaneWords { kind, depth, normal })
+                    .map(|(kind, depth, normal)| PlaneWords::new(kind, depth, normal))
                     .collect(),
             };
             let quadric = ProcessorWords::Patch(words.clone())

@@ -198,11 +198,7 @@ mod tests {
         let normal = ([g(), g(), g()], any::<[i16; 3]>(), 0u8..32)
             .prop_map(|(g, k, shift)| NormalWords { g, k, shift });
         let plane = (kind(), linear(format.plane), any::<[i16; 3]>());
-        let plane = plane.prop_map(|(kind, depth, normal)| PlaneWords {
-            kind,
-            depth,
-            normal,
-        });
+        let plane = plane.prop_map(|(kind, depth, normal)| PlaneWords::new(kind, depth, normal));
         // Many planes leave little.
         let most = prop_oneof![3 => 0usize..=2, 1 => 0usize..=12];
         let planes = (prop::collection::vec(plane, 12), most).prop_map(|(mut planes, most)| {

@@ -144,11 +144,11 @@ mod tests {
                 k: [4, 5, 6],
                 shift: 7,
             },
-            planes: vec![PlaneWords {
-                kind: PlaneKind::Back,
-                depth: Linear::new(8, 9, 10),
-                normal: [11, 12, 13],
-            }],
+            planes: vec![PlaneWords::new(
+                PlaneKind::Back,
+                Linear::new(8, 9, 10),
+                [11, 12, 13],
+            )],
         }
     }
 

@@ -112,12 +112,7 @@ impl Object for MemberWords {
     fn at(&self, x: i64, y: i64, format: &Format) -> ObjectPixel {
         match seen_at(&self.objects, self.intersected, [x, y], format) {
             Some((place, pixel)) if place == self.place => pixel,
-            _ => ObjectPixel {
-                zf: format.z_max(),
-                zb: format.z_max(),
-                number: 0,
-                normal: [0; 3],
-            },
+            _ => ObjectPixel::absent(format),
         }
     }
 }

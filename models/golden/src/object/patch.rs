@@ -47,11 +47,8 @@ mod tests {
     use proptest::prelude::*;
 
     fn words() -> impl Strategy<Value = QuadricWords> {
-        let plane = (kind(), linear(40, 800)).prop_map(|(kind, depth)| PlaneWords {
-            kind,
-            depth,
-            normal: [1, 2, 3],
-        });
+        let plane = (kind(), linear(40, 800));
+        let plane = plane.prop_map(|(kind, depth)| PlaneWords::new(kind, depth, [1, 2, 3]));
         // Radii and depths of the size of the zone, so that planes, roots and ends meet at many pixels.
         let f2 = (-900i128..=60, -900i128..=60, 0i128..200_000);
         let g = || linear(9000, 180_000);
@@ -106,11 +103,7 @@ mod tests {
     /// The cut cylinder of the restatement of the source (6.7), its column for patches; format 24.
     #[test]
     fn cut_cylinder_of_the_specification() {
-        let plane = |kind, depth| PlaneWords {
-            kind,
-            depth,
-            normal: [0; 3],
-        };
+        let plane = |kind, depth| PlaneWords::new(kind, depth, [0; 3]);
         let words = QuadricWords {
             class: Class::Patch,
             screen_box: ScreenBox::of([0, 719], [0, 539]),

@@ -124,11 +124,7 @@ mod tests {
             let quotient = -integer(n) / integer(scale);
             round_half_up(&quotient).to_i128().unwrap()
         };
-        PlaneWords {
-            kind,
-            depth: Linear::new(word(a), word(b), word(d)),
-            normal,
-        }
+        PlaneWords::new(kind, Linear::new(word(a), word(b), word(d)), normal)
     }
 
     fn words(spaces: &[HalfSpace]) -> PolyhedronWords {

@@ -31,6 +31,15 @@ pub struct PlaneWords {
 }
 
 impl PlaneWords {
+    /// A plane of a kind with its depth and its normal.
+    pub const fn new(kind: PlaneKind, depth: Linear, normal: [i16; 3]) -> PlaneWords {
+        PlaneWords {
+            kind,
+            depth,
+            normal,
+        }
+    }
+
     /// Depth, or value, at a pixel of the zone, saturated.
     pub(super) fn depth_at(&self, x: i64, y: i64, format: &Format) -> i64 {
         saturate(self.depth.wrapped_at(x, y, format.plane) as i64, format)
@@ -97,6 +106,9 @@ impl Words for QuadricWords {
     }
 }
 
+/// Half A and half B.
+type Halves = (Interval, Interval);
+
 /// Every value inside the processor at one pixel, under the names of the hardware; for traces and for finding a fault.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Probe {
@@ -111,11 +123,11 @@ pub struct Probe {
     /// f1 + root.
     pub far: i64,
     /// Depth interval before the planes, half A and B.
-    pub halves: (Interval, Interval),
+    pub halves: Halves,
     /// Saturated value of each plane.
     pub plane: Vec<i64>,
     /// Both halves after each plane.
-    pub cut: Vec<(Interval, Interval)>,
+    pub cut: Vec<Halves>,
     /// After the merge of the halves.
     pub merged: Interval,
     /// Linear parts of the normal.
@@ -166,12 +178,7 @@ impl QuadricWords {
         }
     }
 
-    fn chain(
-        &self,
-        mut state: (Interval, Interval),
-        depths: &[i64],
-        format: &Format,
-    ) -> Vec<(Interval, Interval)> {
+    fn chain(&self, mut state: Halves, depths: &[i64], format: &Format) -> Vec<Halves> {
         let patch = self.class == Class::Patch;
         let planes = self.planes.iter().zip(depths).zip(FACE_PLANE..);
         let cuts = planes.map(|((plane, &zp), number)| {
@@ -189,7 +196,7 @@ impl Object for QuadricWords {
             self.probe_at(x, y, format).output
         } else {
             // Nothing is there, and no plane changes that.
-            ObjectPixel::of(Interval::absent(format), || [0; 3], format)
+            ObjectPixel::absent(format)
         }
     }
 }

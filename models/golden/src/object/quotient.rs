@@ -267,25 +267,18 @@ mod tests {
     use proptest::prelude::*;
 
     fn words() -> impl Strategy<Value = QuotientWords> {
-        let factor = -12i128..12;
-        let second = [
-            factor.clone(),
-            factor.clone(),
-            factor.clone(),
-            factor.clone(),
-            factor,
-            -900i128..900,
-        ];
+        let factors = [(); 5].map(|()| -12i128..12);
         let first = [-3i128..=3, -3..=3, -20..=20];
-        let plane = (0..3u8, -9i128..9, -9i128..9, -120i128..120);
+        let kind = prop::sample::select(&PlaneKind::ALL[1..]);
+        let plane = (kind, -9i128..9, -9i128..9, -120i128..120);
         (
-            second,
+            (factors, -900i128..900),
             first,
             any::<bool>(),
             prop::collection::vec(plane, 0..3),
         )
             .prop_map(
-                |([a, b, c, d, e, f], [p, q, r], solid, planes)| QuotientWords {
+                |(([a, b, c, d, e], f), [p, q, r], solid, planes)| QuotientWords {
                     screen_box: ScreenBox::of([1, SIDE - 2], [0, SIDE - 1]),
                     solid,
                     numerator: Quadratic::new([a, b, c, d, e, f]),
@@ -295,12 +288,7 @@ mod tests {
                     normal_from: 0,
                     planes: planes
                         .into_iter()
-                        .map(|(kind, a, b, c)| PlaneWords {
-                            kind: [PlaneKind::Front, PlaneKind::Back, PlaneKind::Perpendicular]
-                                [usize::from(kind)],
-                            depth: Linear::new(a, b, c),
-                            normal: [0; 3],
-                        })
+                        .map(|(kind, a, b, c)| PlaneWords::new(kind, Linear::new(a, b, c), [0; 3]))
                         .collect(),
                 },
             )

@@ -22,6 +22,11 @@ pub struct ObjectPixel {
 }
 
 impl ObjectPixel {
+    /// Of an object that is absent.
+    pub fn absent(format: &Format) -> ObjectPixel {
+        ObjectPixel::of(Interval::absent(format), || [0; 3], format)
+    }
+
     /// A face with its normal, which is asked for only if something is there.
     #[inline]
     pub fn of(face: Interval, normal: impl FnOnce() -> [i16; 3], format: &Format) -> ObjectPixel {

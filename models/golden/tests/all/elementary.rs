@@ -15,24 +15,15 @@ use imogene_golden::unit::programmable::{
 };
 use proptest::prelude::*;
 
-fn coefficient() -> impl Strategy<Value = i128> {
-    any::<i64>().prop_map(i128::from)
-}
-
 fn quadratic() -> impl Strategy<Value = Quadratic> {
-    [
-        coefficient(),
-        coefficient(),
-        coefficient(),
-        coefficient(),
-        coefficient(),
-        coefficient(),
-    ]
-    .prop_map(|[a, b, c, d, e, f]| Quadratic::new([a, b, c, d, e, f]))
+    any::<[i64; 6]>().prop_map(|factors| Quadratic::new(factors.map(i128::from)))
 }
 
 fn linear() -> impl Strategy<Value = Linear> {
-    [coefficient(), coefficient(), coefficient()].prop_map(|[a, b, c]| Linear::new(a, b, c))
+    any::<[i64; 3]>().prop_map(|factors| {
+        let [a, b, c] = factors.map(i128::from);
+        Linear::new(a, b, c)
+    })
 }
 
 const WIDTH: usize = 9;
@@ -108,11 +99,10 @@ proptest! {
     /// Two fields of a quadric with planes and normals, interleaved, are the progressive picture bit for bit.
     #[test]
     fn fields_of_a_quadric_interleave(
-        f1 in linear(), planes in prop::collection::vec((linear(), 0usize..4), 0..4), g in [linear(), linear(), linear()],
+        f1 in linear(), planes in prop::collection::vec((linear(), prop::sample::select(&PlaneKind::ALL[..])), 0..4), g in [linear(), linear(), linear()],
         y0 in -2i64..14, y1 in -2i64..14
     ) {
         const SIDE: i64 = 12;
-        let kinds = [PlaneKind::None, PlaneKind::Front, PlaneKind::Back, PlaneKind::Perpendicular];
         let small = |l: Linear, bits: u32| Linear::new(wrap(l.a, bits), wrap(l.b, bits), wrap(l.c, bits + 4));
         let words = QuadricWords {
             class: Class::Side,
@@ -122,7 +112,7 @@ proptest! {
             normal: NormalWords { g, k: [300, -7000, 90], shift: 2 },
             planes: planes
                 .iter()
-                .map(|&(depth, kind)| PlaneWords { kind: kinds[kind], depth: small(depth, 8), normal: [5, 6, 7] })
+                .map(|&(depth, kind)| PlaneWords::new(kind, small(depth, 8), [5, 6, 7]))
                 .collect(),
         };
         let picture = |words: &QuadricWords, lines: i64| -> Vec<Vec<_>> {

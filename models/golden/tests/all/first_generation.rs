@@ -48,11 +48,6 @@ fn object(
         front: ContourPlane::new(front, &f1, &f2, Kept::Behind, normals[0]),
         back: ContourPlane::new(back, &f1, &f2, Kept::Before, normals[1]),
     };
-    let plane = |kind, depth, normal| PlaneWords {
-        kind,
-        depth,
-        normal,
-    };
     let second = QuadricWords {
         class: if patch { Class::Patch } else { Class::Side },
         screen_box,
@@ -60,8 +55,8 @@ fn object(
         f2,
         normal,
         planes: vec![
-            plane(PlaneKind::Front, front, normals[0]),
-            plane(PlaneKind::Back, back, normals[1]),
+            PlaneWords::new(PlaneKind::Front, front, normals[0]),
+            PlaneWords::new(PlaneKind::Back, back, normals[1]),
         ],
     };
     (first, second)
