@@ -2,7 +2,7 @@
 
 use super::paraboloid::{Exact, contour, depth_guard, normal_guard, one_face, second_degree};
 use super::screen_box::ScreenBox;
-use super::words::{Expression, Object, ObjectPixel, Words};
+use super::words::{Expression, Object, ObjectPixel, Parts, Words};
 use crate::format::Format;
 use crate::unit::depth_interval::FACE_NEAR;
 use crate::unit::pe2::Quadratic;
@@ -59,15 +59,10 @@ impl Words for CurvedFacetWords {
         &self.screen_box
     }
 
-    fn screen_box_mut(&mut self) -> &mut ScreenBox {
-        &mut self.screen_box
-    }
-
-    fn expressions(&mut self) -> Vec<Expression<'_>> {
+    fn parts_mut(&mut self) -> Parts<'_> {
         let all = self.sides.iter_mut().chain([&mut self.depth]);
-        all.chain(&mut self.normal)
-            .map(Expression::Second)
-            .collect()
+        let all = all.chain(&mut self.normal).map(Expression::Second);
+        (vec![&mut self.screen_box], all.collect())
     }
 }
 

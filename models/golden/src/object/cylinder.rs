@@ -6,7 +6,7 @@ use super::paraboloid::{
     plane_guard, second_degree,
 };
 use super::screen_box::ScreenBox;
-use super::words::{Expression, Object, ObjectPixel, Words};
+use super::words::{Expression, Object, ObjectPixel, Parts, Words};
 use crate::format::Format;
 use crate::unit::depth_interval::{FACE_NEAR, FACE_PLANE};
 use crate::unit::pe1::Linear;
@@ -229,15 +229,12 @@ impl Words for CylinderWords {
         &self.screen_box
     }
 
-    fn screen_box_mut(&mut self) -> &mut ScreenBox {
-        &mut self.screen_box
-    }
-
-    fn expressions(&mut self) -> Vec<Expression<'_>> {
+    fn parts_mut(&mut self) -> Parts<'_> {
         let first = self.sides.iter_mut().chain([&mut self.disc]);
         let second = self.discs.iter_mut().chain([&mut self.body]);
         let second = second.chain(&mut self.normal).map(Expression::Second);
-        first.map(Expression::First).chain(second).collect()
+        let all = first.map(Expression::First).chain(second);
+        (vec![&mut self.screen_box], all.collect())
     }
 }
 

@@ -3,7 +3,7 @@
 
 use super::paraboloid::{first_degree, one_face, plane_guard};
 use super::screen_box::ScreenBox;
-use super::words::{Expression, Object, ObjectPixel, Words};
+use super::words::{Expression, Object, ObjectPixel, Parts, Words};
 use crate::format::Format;
 use crate::unit::depth_interval::FACE_PLANE;
 use crate::unit::normal::LINEAR_WIDTH;
@@ -174,13 +174,10 @@ impl Words for FacetWords {
         &self.screen_box
     }
 
-    fn screen_box_mut(&mut self) -> &mut ScreenBox {
-        &mut self.screen_box
-    }
-
-    fn expressions(&mut self) -> Vec<Expression<'_>> {
+    fn parts_mut(&mut self) -> Parts<'_> {
         let all = self.edges.iter_mut().chain([&mut self.depth]);
-        all.chain(&mut self.normal).map(Expression::First).collect()
+        let all = all.chain(&mut self.normal).map(Expression::First);
+        (vec![&mut self.screen_box], all.collect())
     }
 }
 

@@ -6,7 +6,7 @@
 
 use super::screen_box::ScreenBox;
 use super::words::Expression::{First, Second};
-use super::words::{Expression, Object, ObjectPixel, Words};
+use super::words::{Object, ObjectPixel, Parts, Words};
 use crate::format::Format;
 use crate::unit::depth_interval::{Class, FACE_PLANE, Interval, halves};
 use crate::unit::normal::{NormalWords, select};
@@ -97,18 +97,14 @@ impl Words for FirstGenerationWords {
         &self.screen_box
     }
 
-    fn screen_box_mut(&mut self) -> &mut ScreenBox {
-        &mut self.screen_box
-    }
-
-    fn expressions(&mut self) -> Vec<Expression<'_>> {
+    fn parts_mut(&mut self) -> Parts<'_> {
         let mut all = vec![First(&mut self.f1), Second(&mut self.f2)];
         all.extend(self.normal.g.iter_mut().map(First));
         for plane in [&mut self.front, &mut self.back] {
             all.extend([&mut plane.depth, &mut plane.polar].map(First));
             all.push(Second(&mut plane.conic));
         }
-        all
+        (vec![&mut self.screen_box], all)
     }
 }
 

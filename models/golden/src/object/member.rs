@@ -6,7 +6,7 @@
 
 use super::quadric::QuadricWords;
 use super::screen_box::ScreenBox;
-use super::words::{Expression, Object, ObjectPixel, Words};
+use super::words::{Object, ObjectPixel, Parts, Words};
 use crate::format::Format;
 use crate::machine::csg::{Extent, front};
 use crate::unit::depth_interval::FACE_NEAR_END;
@@ -93,18 +93,12 @@ impl Words for MemberWords {
         &self.own().screen_box
     }
 
-    fn screen_box_mut(&mut self) -> &mut ScreenBox {
-        &mut self.objects[self.place].screen_box
-    }
-
-    fn boxes_mut(&mut self) -> Vec<&mut ScreenBox> {
-        let objects = self.objects.iter_mut();
-        objects.map(|words| &mut words.screen_box).collect()
-    }
-
-    fn expressions(&mut self) -> Vec<Expression<'_>> {
-        let objects = self.objects.iter_mut();
-        objects.flat_map(QuadricWords::expressions).collect()
+    fn parts_mut(&mut self) -> Parts<'_> {
+        let parts = self.objects.iter_mut().map(QuadricWords::parts_mut);
+        let (boxes, expressions): (Vec<_>, Vec<_>) = parts.unzip();
+        let mut boxes: Vec<&mut ScreenBox> = boxes.into_iter().flatten().collect();
+        boxes.swap(0, self.place);
+        (boxes, expressions.into_iter().flatten().collect())
     }
 }
 

@@ -3,7 +3,7 @@
 
 use super::quadric::PlaneWords;
 use super::screen_box::ScreenBox;
-use super::words::{Expression, Object, ObjectPixel, Words};
+use super::words::{Expression, Object, ObjectPixel, Parts, Words};
 use crate::format::Format;
 use crate::unit::depth_interval::{FACE_NEAR_END, FACE_PLANE, Interval};
 use crate::unit::half_spaces::{close, leaf, tree, tree_levels};
@@ -27,13 +27,10 @@ impl Words for PolyhedronWords {
         &self.screen_box
     }
 
-    fn screen_box_mut(&mut self) -> &mut ScreenBox {
-        &mut self.screen_box
-    }
-
-    fn expressions(&mut self) -> Vec<Expression<'_>> {
+    fn parts_mut(&mut self) -> Parts<'_> {
         let planes = self.planes.iter_mut();
-        planes.map(|p| Expression::First(&mut p.depth)).collect()
+        let expressions = planes.map(|p| Expression::First(&mut p.depth));
+        (vec![&mut self.screen_box], expressions.collect())
     }
 }
 

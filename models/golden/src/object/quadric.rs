@@ -3,7 +3,7 @@
 pub use super::screen_box::ScreenBox;
 use super::words::Expression::{First, Second};
 pub use super::words::ObjectPixel;
-use super::words::{Expression, Object, Words};
+use super::words::{Object, Parts, Words};
 use crate::format::Format;
 use crate::unit::cut_plane::{PlaneKind, cut};
 use crate::unit::depth_interval::{Class, FACE_PLANE, Interval, halves};
@@ -94,15 +94,12 @@ impl Words for QuadricWords {
         &self.screen_box
     }
 
-    fn screen_box_mut(&mut self) -> &mut ScreenBox {
-        &mut self.screen_box
-    }
-
-    fn expressions(&mut self) -> Vec<Expression<'_>> {
+    fn parts_mut(&mut self) -> Parts<'_> {
         let depth = [First(&mut self.f1), Second(&mut self.f2)].into_iter();
         let planes = self.planes.iter_mut().map(|plane| &mut plane.depth);
         let linear = self.normal.g.iter_mut().chain(planes);
-        depth.chain(linear.map(First)).collect()
+        let all = depth.chain(linear.map(First));
+        (vec![&mut self.screen_box], all.collect())
     }
 }
 

@@ -17,7 +17,7 @@
 use super::quadric::{PlaneWords, face_normal};
 use super::screen_box::ScreenBox;
 use super::words::Expression::{First, Second};
-use super::words::{Expression, Object, ObjectPixel, Words};
+use super::words::{Object, ObjectPixel, Parts, Words};
 use crate::format::Format;
 use crate::unit::cut_plane::cut;
 use crate::unit::depth_interval::{
@@ -160,18 +160,15 @@ impl Words for QuotientWords {
         &self.screen_box
     }
 
-    fn screen_box_mut(&mut self) -> &mut ScreenBox {
-        &mut self.screen_box
-    }
-
-    fn expressions(&mut self) -> Vec<Expression<'_>> {
+    fn parts_mut(&mut self) -> Parts<'_> {
         let root = self.root.iter_mut().map(|root| &mut root.discriminant);
         let second = root.chain([&mut self.numerator]).map(Second);
         let planes = self.planes.iter_mut().map(|plane| &mut plane.depth);
         let first = planes
             .chain(&mut self.normal.g)
             .chain([&mut self.denominator]);
-        first.map(First).chain(second).collect()
+        let all = first.map(First).chain(second);
+        (vec![&mut self.screen_box], all.collect())
     }
 }
 

@@ -12,7 +12,7 @@ use super::quadric::QuadricWords;
 use super::quotient::QuotientWords;
 use super::screen_box::ScreenBox;
 use super::sphere::SphereWords;
-use super::words::{Expression, Object, ObjectPixel, Words};
+use super::words::{Object, ObjectPixel, Parts, Words};
 use crate::format::Format;
 use serde::Serialize;
 
@@ -113,16 +113,8 @@ impl Words for ProcessorWords {
         self.object().screen_box()
     }
 
-    fn screen_box_mut(&mut self) -> &mut ScreenBox {
-        self.words_mut().screen_box_mut()
-    }
-
-    fn boxes_mut(&mut self) -> Vec<&mut ScreenBox> {
-        self.words_mut().boxes_mut()
-    }
-
-    fn expressions(&mut self) -> Vec<Expression<'_>> {
-        self.words_mut().expressions()
+    fn parts_mut(&mut self) -> Parts<'_> {
+        self.words_mut().parts_mut()
     }
 }
 

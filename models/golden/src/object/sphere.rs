@@ -6,7 +6,7 @@ use super::paraboloid::{
     Exact, NORMAL_LENGTH, bulge, contour, depth_guard, first_degree, normal_guard, second_degree,
 };
 use super::screen_box::ScreenBox;
-use super::words::{Expression, Object, ObjectPixel, Words};
+use super::words::{Expression, Object, ObjectPixel, Parts, Words};
 use crate::format::{Format, wrap64};
 use crate::unit::depth_interval::{Class, FACE_NEAR_END, halves};
 use crate::unit::normal::{LINEAR_WIDTH, NEAR_END_NORMAL};
@@ -116,14 +116,11 @@ impl Words for SphereWords {
         &self.screen_box
     }
 
-    fn screen_box_mut(&mut self) -> &mut ScreenBox {
-        &mut self.screen_box
-    }
-
-    fn expressions(&mut self) -> Vec<Expression<'_>> {
+    fn parts_mut(&mut self) -> Parts<'_> {
         let second = [&mut self.contour, &mut self.front, &mut self.normal_z];
         let first = self.normal.iter_mut().map(Expression::First);
-        first.chain(second.map(Expression::Second)).collect()
+        let all = first.chain(second.map(Expression::Second));
+        (vec![&mut self.screen_box], all.collect())
     }
 }
 

@@ -6,7 +6,7 @@
 
 use super::screen_box::ScreenBox;
 use super::words::Expression::{First, Second};
-use super::words::{Expression, Words};
+use super::words::{Parts, Words};
 use crate::format::Format;
 use crate::unit::cut_plane::PlaneKind;
 use crate::unit::depth_interval::Class;
@@ -142,15 +142,11 @@ impl Words for VolumeWords {
         &self.screen_box
     }
 
-    fn screen_box_mut(&mut self) -> &mut ScreenBox {
-        &mut self.screen_box
-    }
-
-    fn expressions(&mut self) -> Vec<Expression<'_>> {
+    fn parts_mut(&mut self) -> Parts<'_> {
         let planes = self.planes.iter_mut().map(|plane| First(&mut plane.depth));
         let quadric = self.quadric.iter_mut();
         let quadric = quadric.flat_map(|q| [First(&mut q.f1), Second(&mut q.f2)]);
-        planes.chain(quadric).collect()
+        (vec![&mut self.screen_box], planes.chain(quadric).collect())
     }
 }
 

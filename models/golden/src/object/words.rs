@@ -60,36 +60,29 @@ impl Expression<'_> {
     }
 }
 
+/// The boxes and the expressions among the words of a processor.
+pub type Parts<'a> = (Vec<&'a mut ScreenBox>, Vec<Expression<'a>>);
+
 /// Coefficient words of one processor for one zone. They are moved, not rounded again, so every pixel keeps its value.
 pub trait Words {
     /// Where the object can be on the screen.
     fn screen_box(&self) -> &ScreenBox;
 
-    /// The same, to be changed; an empty box switches the processor off.
-    fn screen_box_mut(&mut self) -> &mut ScreenBox;
+    /// The boxes of all objects whose words these are, its own first, and all words that depend on where the raster
+    /// begins.
+    fn parts_mut(&mut self) -> Parts<'_>;
 
-    /// The boxes of all objects whose words these are.
-    fn boxes_mut(&mut self) -> Vec<&mut ScreenBox> {
-        vec![self.screen_box_mut()]
+    /// Its box, to be changed; an empty one switches the processor off.
+    fn screen_box_mut(&mut self) -> &mut ScreenBox {
+        self.parts_mut().0.swap_remove(0)
     }
-
-    /// All words that depend on where the raster begins.
-    fn expressions(&mut self) -> Vec<Expression<'_>>;
 
     /// The words at the pixels of a lattice alone.
     fn on(&self, pixels: &Lattice) -> Self
     where
         Self: Clone,
     {
-        let mut words = self.clone();
-        for screen_box in words.boxes_mut() {
-            *screen_box = screen_box.on(pixels);
-        }
-        words
-            .expressions()
-            .into_iter()
-            .for_each(|expression| expression.move_to(pixels));
-        words
+        self.moved(pixels, |window| window.on(pixels))
     }
 
     /// The words for a zone of `width` x `height` pixels whose first pixel is (x0, y0) of the present one.
@@ -97,15 +90,24 @@ pub trait Words {
     where
         Self: Clone,
     {
+        self.moved(&Lattice::zone(x0, y0), |window| {
+            window.in_zone(x0, y0, width, height)
+        })
+    }
+
+    /// The expressions at the pixels of a lattice alone, the boxes as `window` moves them.
+    fn moved(&self, pixels: &Lattice, window: impl Fn(&ScreenBox) -> ScreenBox) -> Self
+    where
+        Self: Clone,
+    {
         let mut words = self.clone();
-        for screen_box in words.boxes_mut() {
-            *screen_box = screen_box.in_zone(x0, y0, width, height);
+        let (boxes, expressions) = words.parts_mut();
+        for screen_box in boxes {
+            *screen_box = window(screen_box);
         }
-        let moved = Lattice::zone(x0, y0);
-        words
-            .expressions()
-            .into_iter()
-            .for_each(|expression| expression.move_to(&moved));
+        for expression in expressions {
+            expression.move_to(pixels);
+        }
         words
     }
 }
