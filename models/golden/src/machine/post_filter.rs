@@ -3,9 +3,10 @@
 use std::collections::BTreeMap;
 
 /// Weights of the filter.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Kernel {
     /// The picture as it is.
+    #[default]
     Pass,
     /// Mean of 2 x 2: the pixel, those on its left and above, and the one between them.
     Box,
@@ -76,23 +77,12 @@ pub struct FilterPixel {
 pub const LATENCY: u64 = 6;
 
 /// The filter, clock by clock: when each pixel leaves. What leaves is a part of [`Kernel::picture`].
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct PostFilter {
     kernel: Kernel,
     lines: Vec<Vec<[u8; 3]>>,
     clock: u64,
     leaving: BTreeMap<u64, FilterPixel>,
-}
-
-impl Default for PostFilter {
-    fn default() -> Self {
-        PostFilter {
-            kernel: Kernel::Pass,
-            lines: Vec::new(),
-            clock: 0,
-            leaving: BTreeMap::new(),
-        }
-    }
 }
 
 impl PostFilter {

@@ -75,34 +75,29 @@ impl ZoneMachine {
 
     /// Is there such a machine?
     pub fn check(&self) -> Result<(), ZoneMachineError> {
-        let range = |what, value: usize, least: usize, most: usize| {
-            if (least..=most).contains(&value) {
-                Ok(())
-            } else {
-                Err(ZoneMachineError::Range {
+        let [columns, lines, side] =
+            [self.zone_width, self.zone_height, MAX_ZONE].map(|n| n as usize);
+        let (processors, volumes) = (self.slots(), self.volume_processors);
+        for (what, value, least, most) in [
+            ("object processors", processors, 1, MAX_PROCESSORS),
+            ("planes", self.planes, 0, MAX_PLANES),
+            ("volume processors", volumes, 0, MAX_PROCESSORS),
+            ("planes of a volume", self.volume_planes, 0, MAX_PLANES),
+            ("zone width", columns, 1, side),
+            ("zone height", lines, 1, side),
+        ] {
+            if !(least..=most).contains(&value) {
+                return Err(ZoneMachineError::Range {
                     what,
                     value,
                     least,
                     most,
-                })
+                });
             }
-        };
-        let side = MAX_ZONE as usize;
-        range("object processors", self.slots(), 1, MAX_PROCESSORS)?;
-        range("planes", self.planes, 0, MAX_PLANES)?;
-        range(
-            "volume processors",
-            self.volume_processors,
-            0,
-            MAX_PROCESSORS,
-        )?;
-        range("planes of a volume", self.volume_planes, 0, MAX_PLANES)?;
-        range("zone width", self.zone_width as usize, 1, side)?;
-        range("zone height", self.zone_height as usize, 1, side)?;
-        if SAMPLES.contains(&self.samples) {
-            Ok(())
-        } else {
-            Err(ZoneMachineError::Samples(self.samples))
+        }
+        match SAMPLES.contains(&self.samples) {
+            true => Ok(()),
+            false => Err(ZoneMachineError::Samples(self.samples)),
         }
     }
 }
