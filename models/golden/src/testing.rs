@@ -1,6 +1,7 @@
 //! Random words for tests.
 
 use crate::object::screen_box::ScreenBox;
+use crate::object::volume::{VolumeKind, VolumePlane, VolumeWords};
 use crate::unit::cut_plane::PlaneKind;
 use crate::unit::depth_interval::Class;
 use crate::unit::pe1::Linear;
@@ -36,6 +37,41 @@ pub fn bowl(a: i128, b: i128, f: i128) -> Quadratic {
     let side = i128::from(SIDE);
     let middle = (a + b) * side * side / 4;
     Quadratic::new([a, b, 3, -side * a, -side * b, f + middle])
+}
+
+/// Every choice of so many of these, in every order and again.
+pub fn choices<T: Copy>(of: &[T], count: u32) -> impl Iterator<Item = Vec<T>> {
+    let place = |code: usize, k: u32| of[code / of.len().pow(k) % of.len()];
+    let choice = move |code| (0..count).map(|k| place(code, k)).collect();
+    (0..of.len().pow(count)).map(choice)
+}
+
+/// A front and a back plane at each of these levels, and perpendicular ones that keep and remove the pixel.
+pub fn planes_at(levels: &[i64]) -> Vec<(PlaneKind, i64)> {
+    let across = |&z: &i64| [(PlaneKind::Front, z), (PlaneKind::Back, z)];
+    let along = [0, -1].map(|value| (PlaneKind::Perpendicular, value));
+    levels.iter().flat_map(across).chain(along).collect()
+}
+
+/// A volume of one line: its columns x0 to x1 from a depth on.
+pub fn slab(
+    (kind, source): (VolumeKind, u8),
+    [x0, x1]: [i64; 2],
+    depth: i128,
+    margin: u32,
+) -> VolumeWords {
+    let depth = Linear::new(0, 0, depth);
+    VolumeWords {
+        kind,
+        source,
+        screen_box: ScreenBox::of([x0, x1], [0, 0]),
+        margin,
+        quadric: None,
+        planes: vec![VolumePlane {
+            kind: PlaneKind::Front,
+            depth,
+        }],
+    }
 }
 
 /// How a plane lies; seldom not at all.

@@ -68,24 +68,11 @@ fn light_line(words: &VolumeWords, format: &Format, y: i64, depths: &[i64], flag
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::object::quadric::ScreenBox;
-    use crate::object::volume::VolumePlane;
-    use crate::unit::cut_plane::PlaneKind;
-    use crate::unit::pe1::Linear;
+    use crate::testing::slab;
 
     /// A volume from column 1 to 2 and from depth 100 on.
     fn volume(kind: VolumeKind, source: u8, margin: u32) -> VolumeWords {
-        VolumeWords {
-            kind,
-            source,
-            screen_box: ScreenBox::of([1, 2], [0, 0]),
-            margin,
-            quadric: None,
-            planes: vec![VolumePlane {
-                kind: PlaneKind::Front,
-                depth: Linear::new(0, 0, 100),
-            }],
-        }
+        slab((kind, source), [1, 2], 100, margin)
     }
 
     #[test]
@@ -110,9 +97,7 @@ mod tests {
         let format = Format::BASE;
         let frame = Frame::background(4, 1, format.z_max());
         let shade = volume(VolumeKind::Shadow, 0, 1);
-        assert_eq!(
-            light(&frame, &[&shade], &format, || ()),
-            Lighting::full(&frame)
-        );
+        let lighting = light(&frame, &[&shade], &format, || ());
+        assert_eq!(lighting, Lighting::full(&frame));
     }
 }

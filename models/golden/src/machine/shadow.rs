@@ -33,29 +33,17 @@ mod tests {
     use crate::format::Format;
     use crate::machine::frame::Frame;
     use crate::machine::lighting::{ALL_SOURCES, light};
-    use crate::object::quadric::ScreenBox;
-    use crate::object::volume::{VolumePlane, VolumeWords};
-    use crate::unit::cut_plane::PlaneKind;
-    use crate::unit::pe1::Linear;
+    use crate::testing::slab;
     use proptest::prelude::*;
 
     fn any_volumes(count: usize) -> impl Strategy<Value = Vec<(ShadowWords, bool)>> {
-        let one = (any::<bool>(), 0u8..4, any::<bool>(), any::<bool>()).prop_map(
-            |(is_light, source, enabled, inside)| {
-                let kind = if is_light {
-                    VolumeKind::Light
-                } else {
-                    VolumeKind::Shadow
-                };
-                let words = ShadowWords {
-                    kind,
-                    source,
-                    enabled,
-                };
-                (words, inside)
-            },
-        );
-        proptest::collection::vec(one, count)
+        let kind = prop_oneof![Just(VolumeKind::Light), Just(VolumeKind::Shadow)];
+        let words = (kind, 0u8..4, any::<bool>()).prop_map(|(kind, source, enabled)| ShadowWords {
+            kind,
+            source,
+            enabled,
+        });
+        proptest::collection::vec((words, any::<bool>()), count)
     }
 
     proptest! {
@@ -88,21 +76,6 @@ mod tests {
         }
     }
 
-    /// Columns x0 to x1, from a depth on.
-    fn slab(kind: VolumeKind, source: u8, [x0, x1]: [i64; 2], depth: i128) -> VolumeWords {
-        VolumeWords {
-            kind,
-            source,
-            screen_box: ScreenBox::of([x0, x1], [0, 0]),
-            margin: 1,
-            quadric: None,
-            planes: vec![VolumePlane {
-                kind: PlaneKind::Front,
-                depth: Linear::new(0, 0, depth),
-            }],
-        }
-    }
-
     /// Volumes that overlap, of one source and of two, against the lighting of a frame.
     #[test]
     fn the_stage_gives_the_flags_of_a_frame() {
@@ -111,11 +84,11 @@ mod tests {
         let mut frame = Frame::background(width, 1, format.z_max());
         frame.depth = (0..width as i64).map(|x| 60 + 10 * (x % 5)).collect();
         let volumes = [
-            slab(VolumeKind::Shadow, 0, [0, 5], 70),
-            slab(VolumeKind::Shadow, 0, [3, 8], 90),
-            slab(VolumeKind::Light, 0, [1, 9], 50),
-            slab(VolumeKind::Light, 1, [4, 11], 50),
-            slab(VolumeKind::Shadow, 1, [4, 6], 80),
+            slab((VolumeKind::Shadow, 0), [0, 5], 70, 1),
+            slab((VolumeKind::Shadow, 0), [3, 8], 90, 1),
+            slab((VolumeKind::Light, 0), [1, 9], 50, 1),
+            slab((VolumeKind::Light, 1), [4, 11], 50, 1),
+            slab((VolumeKind::Shadow, 1), [4, 6], 80, 1),
         ];
         let expected = light(&frame, &volumes.iter().collect::<Vec<_>>(), &format, || ());
         let words = volumes.each_ref().map(|v| ShadowWords {

@@ -172,6 +172,7 @@ impl VolumeWords {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::testing::slab;
 
     #[test]
     fn latencies() {
@@ -181,14 +182,7 @@ mod tests {
 
     #[test]
     fn flags_only_ever_fall_so_the_order_of_volumes_does_not_matter() {
-        let volume = |kind, source| VolumeWords {
-            kind,
-            source,
-            screen_box: ScreenBox::EMPTY,
-            margin: 0,
-            quadric: None,
-            planes: vec![],
-        };
+        let volume = |kind, source| slab((kind, source), [0, 0], 0, 0);
         let lamp = volume(VolumeKind::Light, 3);
         let shade = volume(VolumeKind::Shadow, 3);
         let all = u16::MAX;

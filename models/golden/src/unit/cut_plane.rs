@@ -77,6 +77,7 @@ pub(super) fn permutations(n: usize) -> Vec<Vec<usize>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::testing::choices;
 
     const F: Format = Format::BASE;
 
@@ -121,16 +122,11 @@ mod tests {
     /// levels.
     #[test]
     fn depths_do_not_depend_on_plane_order() {
-        let kinds = &PlaneKind::ALL[1..];
+        let at = |kind: &PlaneKind| (-1..=3).map(|zp| (*kind, zp)).collect::<Vec<_>>();
+        let all: Vec<(PlaneKind, i64)> = PlaneKind::ALL[1..].iter().flat_map(at).collect();
         let orders = permutations(3);
         let mut configurations = 0u64;
-        for code in 0..(3usize * 5).pow(3) {
-            let planes: Vec<(PlaneKind, i64)> = (0..3)
-                .map(|i| {
-                    let digit = code / 15usize.pow(i) % 15;
-                    (kinds[digit % 3], (digit / 3) as i64 - 1)
-                })
-                .collect();
+        for planes in choices(&all, 3) {
             for (zf, zb) in [(0, 0), (0, 1), (0, 2), (1, 3), (-1, 3)] {
                 for patch in [false, true] {
                     let run = |order: &Vec<usize>| {

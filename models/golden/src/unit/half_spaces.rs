@@ -94,6 +94,7 @@ pub const fn close(branch: Branch, there: bool, format: &Format) -> Interval {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::testing::{choices, planes_at};
     use crate::unit::cut_plane::cut;
 
     const F: Format = Format::BASE;
@@ -120,27 +121,17 @@ mod tests {
     #[test]
     fn equals_the_chain_of_cut_planes() {
         let levels = [F.plane_low(), F.z_low(), -1, 0, 1, F.z_max() - 1, F.z_max()];
-        let mut choices = vec![(PlaneKind::None, 0)];
-        for z in levels {
-            choices.push((PlaneKind::Front, z));
-            choices.push((PlaneKind::Back, z));
-        }
-        choices.push((PlaneKind::Perpendicular, 0));
-        choices.push((PlaneKind::Perpendicular, -1));
+        let mut all = planes_at(&levels);
+        all.push((PlaneKind::None, 0));
         let (mut present, mut absent) = (0u32, 0u32);
-        for n in 1..=4 {
-            for code in 0..choices.len().pow(n) {
-                let planes: Vec<_> = (0..n)
-                    .map(|i| choices[code / choices.len().pow(i) % choices.len()])
-                    .collect();
-                let (ours, theirs) = (parallel(&planes), chain(&planes));
-                if theirs.is_present(&F) {
-                    assert_eq!(ours, theirs, "{planes:?}");
-                    present += 1;
-                } else {
-                    assert_eq!(ours, Interval::absent(&F), "{planes:?}");
-                    absent += 1;
-                }
+        for planes in (1..=4).flat_map(|n| choices(&all, n)) {
+            let (ours, theirs) = (parallel(&planes), chain(&planes));
+            if theirs.is_present(&F) {
+                assert_eq!(ours, theirs, "{planes:?}");
+                present += 1;
+            } else {
+                assert_eq!(ours, Interval::absent(&F), "{planes:?}");
+                absent += 1;
             }
         }
         assert_eq!(present + absent, 17 + 17 * 17 + 4_913 + 83_521);

@@ -72,6 +72,7 @@ pub const fn in_half_space(kind: PlaneKind, zp: i64, point: Point) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::testing::{choices, planes_at};
     use crate::unit::cut_plane::cut;
     use crate::unit::depth_interval::{Interval, halves};
     use crate::unit::plane_depth::saturate;
@@ -102,57 +103,36 @@ mod tests {
     #[test]
     fn closed_test_equals_the_cut_interval() {
         let (low, end) = (F.z_low(), F.z_max());
+        let at = |end: i64, steps: &[i64]| -> Vec<i64> { steps.iter().map(|s| end + s).collect() };
         let levels = [
-            low - 9,
-            low - 1,
-            low,
-            low + 1,
-            0,
-            1,
-            2,
-            end - 1,
-            end,
-            end + 9,
-        ];
-        let points: Vec<i64> = levels
-            .into_iter()
-            .filter(|z| (low..end).contains(z))
-            .collect();
-        let mut planes = vec![(PlaneKind::None, 0)];
-        for z in levels {
-            planes.push((PlaneKind::Front, z));
-            planes.push((PlaneKind::Back, z));
-        }
-        planes.push((PlaneKind::Perpendicular, 0));
-        planes.push((PlaneKind::Perpendicular, -1));
+            at(low, &[-9, -1, 0, 1]),
+            at(0, &[0, 1, 2]),
+            at(end, &[-1, 0, 9]),
+        ]
+        .concat();
+        let visible = levels.iter().filter(|z| (low..end).contains(*z));
+        let points: Vec<i64> = visible.copied().collect();
+        let mut planes = planes_at(&levels);
+        planes.push((PlaneKind::None, 0));
+        let pairs: Vec<Vec<(PlaneKind, i64)>> = choices(&planes, 2).collect();
         let mut inside = 0;
         for class in Class::ALL {
             for (i, &near) in levels.iter().enumerate() {
                 for &far in &levels[i..] {
-                    for &first in &planes {
-                        for &second in &planes {
-                            for negative in [false, true] {
-                                for &z in &points {
-                                    let point = Point::new(z, 0);
-                                    let ours = in_quadric(class, near, far, negative, point)
-                                        && in_half_space(first.0, first.1, point)
-                                        && in_half_space(second.0, second.1, point);
-                                    let theirs = class != Class::Patch
-                                        && by_cutting(
-                                            class,
-                                            near,
-                                            far,
-                                            negative,
-                                            &[first, second],
-                                            z,
-                                        );
-                                    assert_eq!(
-                                        ours, theirs,
-                                        "{class:?} {near} {far} {negative} {first:?} {second:?} {z}"
-                                    );
-                                    inside += u32::from(ours);
-                                }
-                            }
+                    for (planes, negative) in pairs.iter().flat_map(|p| [(p, false), (p, true)]) {
+                        for &z in &points {
+                            let point = Point::new(z, 0);
+                            let ours = in_quadric(class, near, far, negative, point)
+                                && planes
+                                    .iter()
+                                    .all(|&(kind, zp)| in_half_space(kind, zp, point));
+                            let theirs = class != Class::Patch
+                                && by_cutting(class, near, far, negative, planes, z);
+                            assert_eq!(
+                                ours, theirs,
+                                "{class:?} {near} {far} {negative} {planes:?} {z}"
+                            );
+                            inside += u32::from(ours);
                         }
                     }
                 }

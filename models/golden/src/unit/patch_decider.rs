@@ -72,6 +72,7 @@ pub const fn decide(near: i64, far: i64, left: Faces, format: &Format) -> Interv
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::testing::{choices, planes_at};
     use crate::unit::cut_plane::{cut, permutations};
     use crate::unit::depth_interval::{Class, halves};
 
@@ -96,18 +97,10 @@ mod tests {
 
     /// Compares all configurations of `n` planes whose depths stand at one of `levels`, roots likewise, in every order
     /// of the planes.
-    fn exhaust(n: usize, levels: &[i64], kinds: &[Plane]) -> (u64, u64) {
+    fn exhaust(n: usize, levels: &[i64]) -> (u64, u64) {
         let orders = permutations(n);
-        let choices: Vec<Plane> = levels
-            .iter()
-            .flat_map(|&z| [(PlaneKind::Front, z), (PlaneKind::Back, z)])
-            .chain(kinds.iter().copied())
-            .collect();
         let (mut configurations, mut runs) = (0, 0);
-        for code in 0..choices.len().pow(n as u32) {
-            let planes: Vec<Plane> = (0..n)
-                .map(|i| choices[code / choices.len().pow(i as u32) % choices.len()])
-                .collect();
+        for planes in choices(&planes_at(levels), n as u32) {
             for (i, &near) in levels.iter().enumerate() {
                 for &far in &levels[i..] {
                     let decided = parallel(near, far, true, &planes);
@@ -126,18 +119,13 @@ mod tests {
         (configurations, runs)
     }
 
-    const IN_AND_OUT: [Plane; 2] = [
-        (PlaneKind::Perpendicular, 0),
-        (PlaneKind::Perpendicular, -1),
-    ];
-
     /// Two roots and n planes on n + 2 levels: every order there is, with every tie.
     #[test]
     fn equals_the_chain_of_cut_planes_in_every_order() {
         let counts: Vec<(u64, u64)> = (0..=4)
             .map(|n| {
                 let levels: Vec<i64> = (0..n as i64 + 2).collect();
-                exhaust(n, &levels, &IN_AND_OUT)
+                exhaust(n, &levels)
             })
             .collect();
         assert_eq!(
@@ -158,23 +146,16 @@ mod tests {
         let (low, end) = (F.z_low(), F.z_max());
         let levels = [low - 1, low, low + 1, 0, end - 1, end];
         let beyond = [low - 70, low - 1, low, 0, end - 1, end, end + 70];
-        let none = [(PlaneKind::None, 0), (PlaneKind::Perpendicular, low - 1)];
-        let choices: Vec<Plane> = levels
-            .iter()
-            .flat_map(|&z| [(PlaneKind::Front, z), (PlaneKind::Back, z)])
-            .chain(none)
-            .collect();
+        let mut all = planes_at(&levels);
+        all.extend([(PlaneKind::None, 0), (PlaneKind::Perpendicular, low - 1)]);
         for (i, &near) in beyond.iter().enumerate() {
             for &far in &beyond[i..] {
-                for &first in &choices {
-                    for &second in &choices {
-                        for there in [false, true] {
-                            let planes = [first, second];
-                            let decided = parallel(near, far, there, &planes);
-                            for order in [[0, 1], [1, 0]] {
-                                let chain = sequential(near, far, there, &planes, &order);
-                                assert_eq!(chain, decided, "{near} {far} {planes:?} {there}");
-                            }
+                for planes in choices(&all, 2) {
+                    for there in [false, true] {
+                        let decided = parallel(near, far, there, &planes);
+                        for order in [[0, 1], [1, 0]] {
+                            let chain = sequential(near, far, there, &planes, &order);
+                            assert_eq!(chain, decided, "{near} {far} {planes:?} {there}");
                         }
                     }
                 }

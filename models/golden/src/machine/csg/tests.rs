@@ -1,6 +1,7 @@
 //! The front of a product against a scan of all places.
 
 use super::*;
+use crate::testing::choices;
 
 /// Far end of the small scale of levels.
 const FAR: i64 = 7;
@@ -33,17 +34,8 @@ fn scan(intersected: &[Extent], subtracted: &[Extent]) -> Option<i64> {
 
 /// Calls `visit` with every choice of one interval for each object.
 fn for_each_choice(objects: usize, levels: i64, mut visit: impl FnMut(&[Extent])) {
-    let list = intervals(levels);
-    for mut number in 0..list.len().pow(objects as u32) {
-        let choice: Vec<Extent> = (0..objects)
-            .map(|_| {
-                let interval = list[number % list.len()];
-                number /= list.len();
-                extent(interval)
-            })
-            .collect();
-        visit(&choice);
-    }
+    let list: Vec<Extent> = intervals(levels).into_iter().map(extent).collect();
+    choices(&list, objects as u32).for_each(|choice| visit(&choice));
 }
 
 /// The candidates are enough: the front of the intersection and the backs of what is taken away, each tested against
