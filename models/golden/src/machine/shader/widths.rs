@@ -50,19 +50,23 @@ impl Default for ShaderWidths {
 }
 
 impl ShaderWidths {
-    /// The widths by name.
-    pub fn named(&self) -> [(&'static str, u32); 9] {
+    fn each(&mut self) -> [(&'static str, &mut u32); 9] {
         [
-            ("mantissa", self.mantissa),
-            ("scalar", self.scalar),
-            ("square", self.square),
-            ("difference", self.difference),
-            ("place", self.place),
-            ("logarithm", self.logarithm),
-            ("power", self.power),
-            ("factor", self.factor),
-            ("reflected", self.reflected),
+            ("mantissa", &mut self.mantissa),
+            ("scalar", &mut self.scalar),
+            ("square", &mut self.square),
+            ("difference", &mut self.difference),
+            ("place", &mut self.place),
+            ("logarithm", &mut self.logarithm),
+            ("power", &mut self.power),
+            ("factor", &mut self.factor),
+            ("reflected", &mut self.reflected),
         ]
+    }
+
+    /// The widths by name.
+    pub fn named(mut self) -> [(&'static str, u32); 9] {
+        self.each().map(|(name, width)| (name, *width))
     }
 
     /// The same widths with one of [`ShaderWidths::named`] shorter by some bits.
@@ -72,17 +76,9 @@ impl ShaderWidths {
     /// When there is no such name.
     #[must_use]
     pub fn shorter(mut self, name: &str, bits: u32) -> Self {
-        let width = match name {
-            "mantissa" => &mut self.mantissa,
-            "scalar" => &mut self.scalar,
-            "square" => &mut self.square,
-            "difference" => &mut self.difference,
-            "place" => &mut self.place,
-            "logarithm" => &mut self.logarithm,
-            "power" => &mut self.power,
-            "factor" => &mut self.factor,
-            "reflected" => &mut self.reflected,
-            other => panic!("'{other}' is no width of the shading processor"),
+        let own = self.each().into_iter().find(|(own, _)| *own == name);
+        let Some((_, width)) = own else {
+            panic!("'{name}' is no width of the shading processor");
         };
         *width -= bits;
         self
