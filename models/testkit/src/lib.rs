@@ -1,6 +1,7 @@
 //! Scenes written by hand in the camera frame, and what the tests ask of them.
 
-use imogene_algebra::rational::integer;
+use imogene_algebra::rational::{integer, to_f64};
+use imogene_algebra::vector::{cross, dot, length};
 use imogene_golden::format::Format;
 use imogene_golden::object::line::for_each_present;
 use imogene_golden::object::quadric::{ObjectPixel, QuadricWords};
@@ -11,7 +12,6 @@ use imogene_scene::{
     DepthRange, FramedObject, FramedQuadric, FramedScene, Material, Plane, Projection, Quadric,
     SceneFile, Surface,
 };
-use num_rational::BigRational;
 use std::path::{Path, PathBuf};
 
 /// The screen of the source machine: its principal point is pixel (360, 270).
@@ -19,26 +19,9 @@ pub const WIDTH: u32 = 720;
 /// Lines of that screen.
 pub const HEIGHT: u32 = 540;
 
-/// The quadric of coefficients a to j.
-pub fn quadric(coefficients: [BigRational; 10]) -> Quadric {
-    let [a, b, c, d, e, f, g, h, i, j] = coefficients;
-    Quadric {
-        a,
-        b,
-        c,
-        d,
-        e,
-        f,
-        g,
-        h,
-        i,
-        j,
-    }
-}
-
 /// The quadric of whole coefficients a to j.
 pub fn whole_quadric(coefficients: [i64; 10]) -> Quadric {
-    quadric(coefficients.map(integer))
+    Quadric::from_array(coefficients.map(integer))
 }
 
 /// `a (x-x0)^2 + b (y-y0)^2 + c (z-z0)^2 - k`.
@@ -194,14 +177,9 @@ impl Random {
 
 /// The gradient of a quadric at a point of the camera frame, up to a positive factor, in `f64`.
 pub fn gradient(quadric: &Quadric, [x, y, z]: [f64; 3]) -> [f64; 3] {
-    let greatest = quadric
-        .coefficients()
-        .map(|c| imogene_algebra::rational::to_f64(c).abs())
-        .into_iter()
-        .fold(0.0, f64::max);
-    let [a, b, c, d, e, f, g, h, i, _] = quadric
-        .coefficients()
-        .map(|v| imogene_algebra::rational::to_f64(v) / greatest);
+    let coefficients = quadric.coefficients().map(to_f64);
+    let greatest = coefficients.iter().fold(0.0, |most, v| v.abs().max(most));
+    let [a, b, c, d, e, f, g, h, i, _] = coefficients.map(|v| v / greatest);
     [
         a * x + d * y + e * z + g,
         d * x + b * y + f * z + h,
@@ -211,14 +189,7 @@ pub fn gradient(quadric: &Quadric, [x, y, z]: [f64; 3]) -> [f64; 3] {
 
 /// The angle between two vectors in degrees, accurate for small angles.
 pub fn angle_deg(u: [f64; 3], v: [f64; 3]) -> f64 {
-    let cross = [
-        u[1] * v[2] - u[2] * v[1],
-        u[2] * v[0] - u[0] * v[2],
-        u[0] * v[1] - u[1] * v[0],
-    ];
-    let dot: f64 = u.iter().zip(v).map(|(a, b)| a * b).sum();
-    let sine = cross.iter().map(|c| c * c).sum::<f64>().sqrt();
-    sine.atan2(dot).to_degrees()
+    length(cross(u, v)).atan2(dot(u, v)).to_degrees()
 }
 
 fn folder_of_scenes(name: &str) -> PathBuf {

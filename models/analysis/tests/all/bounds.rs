@@ -7,7 +7,7 @@ use imogene_contract::{MachineWords, RootForm};
 use imogene_golden::format::Format;
 use imogene_golden::unit::depth_interval::{Class, FACE_FAR, FACE_NEAR};
 use imogene_prepare::{PreparedQuadric, prepare_for_roots as prepare_for};
-use imogene_scene::Surface;
+use imogene_scene::{Quadric, Surface};
 use imogene_testkit::*;
 use num_rational::BigRational;
 use num_traits::{One, Signed};
@@ -129,7 +129,7 @@ proptest! {
         let form = [a, b, c, d, e, f, -linear[0], -linear[1], -linear[2], constant];
         let mut form = form.map(|n| fraction(n, denominator));
         form[9] += BigRational::one() / integer(7);
-        let scene = scene(vec![object("thing", Surface::Patch, quadric(form), &[plane])]);
+        let scene = scene(vec![object("thing", Surface::Patch, Quadric::from_array(form), &[plane])]);
         // Refusals are the business of other tests; if they became frequent this one would give up and fail.
         let prepared = prepare_for(&scene, format);
         prop_assume!(prepared.is_ok());
