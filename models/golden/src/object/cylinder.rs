@@ -60,14 +60,9 @@ pub struct CylinderWords {
 /// `p x + q y + r`.
 type Affine = [BigRational; 3];
 
-fn affine(parts: [(&BigRational, &Affine); 2], constant: BigRational) -> Affine {
-    let mut sum = [integer(0), integer(0), constant];
-    for (factor, part) in parts {
-        for (total, term) in sum.iter_mut().zip(part) {
-            *total += factor * term;
-        }
-    }
-    sum
+/// `factor p + constant`.
+fn affine(factor: &BigRational, [a, b, c]: &Affine, constant: BigRational) -> Affine {
+    [factor * a, factor * b, factor * c + constant]
 }
 
 /// `factor p^2 + q` as an expression of degree two.
@@ -115,10 +110,9 @@ impl CylinderShape {
 
     /// The parabolic body's front depth in depth words.
     pub fn body(&self) -> Exact {
-        let zero = integer(0);
         let slope = &self.scale * &self.deep / &self.level;
         let middle = &self.scale * &self.centre[2];
-        let axis = affine([(&slope, &self.along()), (&zero, &self.across())], middle);
+        let axis = affine(&slope, &self.along(), middle);
         self.bulge_and(&(-&self.scale / &self.level), &axis)
     }
 
@@ -140,16 +134,14 @@ impl CylinderShape {
 
     /// Sides of the rectangle between the discs' centres, not negative inside.
     pub fn sides(&self) -> [[BigRational; 3]; 4] {
-        let (one, minus, zero) = (integer(1), integer(-1), integer(0));
+        let (one, minus) = (integer(1), integer(-1));
         let (a, t) = (self.along(), self.across());
-        let of = |p: &BigRational, q: &BigRational, c: &BigRational| {
-            affine([(p, &a), (q, &t)], c.clone())
-        };
+        let end = &self.length * &self.level;
         [
-            of(&one, &zero, &zero),
-            of(&minus, &zero, &(&self.length * &self.level)),
-            of(&zero, &one, &self.radius),
-            of(&zero, &minus, &self.radius),
+            affine(&one, &a, integer(0)),
+            affine(&minus, &a, end),
+            affine(&one, &t, self.radius.clone()),
+            affine(&minus, &t, self.radius.clone()),
         ]
     }
 
@@ -167,9 +159,7 @@ impl CylinderShape {
         let [cos, sin] = &self.direction;
         let per_radius = integer(NORMAL_LENGTH) / &self.radius;
         let normal = |across: BigRational, bulge: BigRational| {
-            let zero = integer(0);
-            let along = self.along();
-            let rest = affine([(&across, &self.across()), (&zero, &along)], integer(0));
+            let rest = affine(&across, &self.across(), integer(0));
             self.bulge_and(&bulge, &rest)
         };
         [
@@ -183,10 +173,7 @@ impl CylinderShape {
     pub fn disc(&self) -> [BigRational; 3] {
         let slope = -&self.scale * &self.level / &self.deep;
         let middle = &self.scale * &self.centre[2];
-        affine(
-            [(&slope, &self.along()), (&integer(0), &self.across())],
-            middle,
-        )
+        affine(&slope, &self.along(), middle)
     }
 
     /// Normal of the front disc.

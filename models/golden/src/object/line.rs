@@ -180,17 +180,9 @@ mod tests {
     /// Bowls and saddles that change their sign in the zone, or any words.
     fn quadratic(width: u32) -> impl Strategy<Value = Quadratic> {
         let up_to = move |less: u32| number(width.saturating_sub(less).max(2));
-        let crossing = (
-            [up_to(14), up_to(14), up_to(14)],
-            [up_to(7), up_to(7), up_to(0)],
-        );
-        let any = (
-            [number(64), number(64), number(64)],
-            [number(64), number(64), number(64)],
-        );
-        let one =
-            |([a, b, c], [d, e, f]): ([i128; 3], [i128; 3])| Quadratic::new([a, b, c, d, e, f]);
-        prop_oneof![3 => crossing.prop_map(one), 1 => any.prop_map(one)]
+        let crossing = [14, 14, 14, 7, 7, 0].map(up_to);
+        let any = [(); 6].map(|()| number(64));
+        prop_oneof![3 => crossing, 1 => any].prop_map(Quadratic::new)
     }
 
     fn words(format: Format) -> impl Strategy<Value = QuadricWords> {

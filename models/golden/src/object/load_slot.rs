@@ -3,7 +3,6 @@
 
 use super::first_generation::FirstGenerationWords;
 use super::load::{KIND_WIDTH, List, LoadWord, load_words};
-use super::quadric::QuadricWords;
 use super::slot::ProcessorWords;
 use crate::format::Format;
 use crate::slots::FittedSlot;
@@ -23,7 +22,8 @@ pub fn load_slot(words: &ProcessorWords, format: &Format, slot: &FittedSlot) -> 
         ProcessorWords::Quadric(words) => return load_words(words, format, count),
         ProcessorWords::Member(words) => return load_words(words.own(), format, count),
         ProcessorWords::Patch(words) => {
-            list.surface(words, format);
+            list.window(&words.screen_box);
+            list.quadric(&words.f1, &words.f2, &words.normal, format);
             for plane in padded(&words.planes, count) {
                 list.push(plane.kind as i128, KIND_WIDTH);
                 list.linear(&plane.depth, format.plane);
@@ -99,11 +99,6 @@ impl List {
         self.push(normal.shift.into(), SHIFT);
     }
 
-    fn surface(&mut self, words: &QuadricWords, format: &Format) {
-        self.window(&words.screen_box);
-        self.quadric(&words.f1, &words.f2, &words.normal, format);
-    }
-
     fn first_generation(&mut self, words: &FirstGenerationWords, format: &Format) {
         self.window(&words.screen_box);
         self.quadric(&words.f1, &words.f2, &words.normal, format);
@@ -129,7 +124,7 @@ mod tests {
     use crate::object::facet::FacetWords;
     use crate::object::first_generation::ContourPlane;
     use crate::object::polyhedron::PolyhedronWords;
-    use crate::object::quadric::{PlaneWords, ScreenBox};
+    use crate::object::quadric::{PlaneWords, QuadricWords, ScreenBox};
     use crate::unit::cut_plane::PlaneKind;
     use crate::unit::depth_interval::Class;
 

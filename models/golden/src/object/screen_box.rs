@@ -83,27 +83,18 @@ impl ScreenBox {
 
     /// The part of the box in a zone of `width` x `height` pixels whose first pixel is (x0, y0), in that zone's pixels.
     pub fn in_zone(&self, x0: i64, y0: i64, width: i64, height: i64) -> ScreenBox {
-        let part = ScreenBox::of(
-            [self.x0.max(x0) - x0, self.x1.min(x0 + width - 1) - x0],
-            [self.y0.max(y0) - y0, self.y1.min(y0 + height - 1) - y0],
-        );
-        part.or_empty()
+        let zone = ScreenBox::of([0, width - 1], [0, height - 1]);
+        let moved = self.on(&Lattice::zone(x0, y0));
+        moved.shared(&zone).or_empty()
     }
 
     /// The part of the box at the pixels of a lattice.
     pub fn on(&self, pixels: &Lattice) -> ScreenBox {
         let Lattice { x0, y0, dx, dy } = *pixels;
-        let part = ScreenBox::of(
-            [
-                (self.x0 - x0 + dx - 1).div_euclid(dx),
-                (self.x1 - x0).div_euclid(dx),
-            ],
-            [
-                (self.y0 - y0 + dy - 1).div_euclid(dy),
-                (self.y1 - y0).div_euclid(dy),
-            ],
-        );
-        part.or_empty()
+        let first = |from: i64, step: i64| (from + step - 1).div_euclid(step);
+        let columns = [first(self.x0 - x0, dx), (self.x1 - x0).div_euclid(dx)];
+        let lines = [first(self.y0 - y0, dy), (self.y1 - y0).div_euclid(dy)];
+        ScreenBox::of(columns, lines).or_empty()
     }
 
     /// The same, or the usual empty one.

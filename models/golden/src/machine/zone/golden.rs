@@ -288,17 +288,12 @@ impl ZoneMachineModel {
             return;
         }
         let (ids, objects): (Vec<u16>, Vec<QuadricWords>) = loaded.into_iter().flatten().unzip();
+        let format = &self.format;
         let lines = self.buffer.chunks_mut(self.size[0].into());
         for (y, line) in (0..).zip(lines) {
-            for_each_seen(
-                &objects,
-                intersected,
-                &self.format,
-                y,
-                |x, object, pixel| {
-                    line[x as usize].take(ids[object], &pixel);
-                },
-            );
+            for_each_seen(&objects, intersected, format, y, |x, object, pixel| {
+                line[x as usize].take(ids[object], &pixel);
+            });
         }
     }
 
