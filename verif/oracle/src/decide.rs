@@ -90,10 +90,9 @@ impl CutBody {
         let t = squares(form, &from, ux, uy);
         let s = mixed(form, (&from, ux, uy), (&along, vx, vy));
         // In perspective T is the same for all lines, in parallel projection R.
-        let (constant, other) = if self.perspective {
-            (t[0], &r)
-        } else {
-            (r[0], &t)
+        let (constant, other) = match self.perspective {
+            true => (t[0], &r),
+            false => (r[0], &t),
         };
         let square = square_of(&s);
         let discriminant: Polynomial = std::array::from_fn(|k| square[k] - constant * other[k]);
@@ -167,10 +166,9 @@ impl CutBody {
         let enters = line.discriminant.lo >= 0.0 && (slope.hi < 0.0 || r.hi < 0.0);
         let root = line.discriminant.sqrt();
         // (-S - sqrt) / R = T / (sqrt - S): the one without cancellation.
-        let entry = if s.hi < 0.0 {
-            t / (root - s)
-        } else {
-            (-s - root) / r
+        let entry = match s.hi < 0.0 {
+            true => t / (root - s),
+            false => (-s - root) / r,
         };
         if enters && (end.below(entry) || entry.lo >= cell.last) {
             return Verdict::Absent;
@@ -218,12 +216,9 @@ impl CutBody {
         }
         let [low, high] = roots(line);
         // Behind the eye comes after infinity.
-        let number = if !self.perspective || low.lo > 0.0 {
-            Some(FACE_FAR)
-        } else if low.hi <= 0.0 {
-            Some(FACE_NEAR)
-        } else {
-            None
+        let number = match !self.perspective || low.lo > 0.0 {
+            true => Some(FACE_FAR),
+            false => (low.hi <= 0.0).then_some(FACE_NEAR),
         };
         let [keeps_low, keeps_high] = [low, high].map(|t| self.keeps(cell, line, t));
         match (keeps_low, keeps_high, number) {
@@ -291,10 +286,9 @@ fn roots(line: &Line) -> [Interval; 2] {
     } else {
         ((-s - root) / r, (-s + root) / r)
     };
-    if r.lo > 0.0 {
-        [one, other]
-    } else {
-        [other, one]
+    match r.lo > 0.0 {
+        true => [one, other],
+        false => [other, one],
     }
 }
 

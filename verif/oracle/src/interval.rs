@@ -6,6 +6,7 @@
 
 use num_rational::BigRational;
 use num_traits::{FromPrimitive, ToPrimitive, Zero};
+use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// All numbers from `lo` to `hi`, ends included.
@@ -19,27 +20,23 @@ pub struct Interval {
 
 impl Interval {
     /// Zero alone.
-    pub const ZERO: Interval = Interval { lo: 0.0, hi: 0.0 };
+    pub const ZERO: Interval = Interval::point(0.0);
     /// Any number.
-    pub const WHOLE: Interval = Interval {
-        lo: f64::NEG_INFINITY,
-        hi: f64::INFINITY,
-    };
+    pub const WHOLE: Interval = Interval::new(f64::NEG_INFINITY, f64::INFINITY);
+
+    /// From the least number to the greatest.
+    pub const fn new(lo: f64, hi: f64) -> Interval {
+        Interval { lo, hi }
+    }
 
     /// One number.
     pub const fn point(value: f64) -> Interval {
-        Interval {
-            lo: value,
-            hi: value,
-        }
+        Interval::new(value, value)
     }
 
     /// The numbers of magnitude up to `reach`.
     pub const fn within(reach: f64) -> Interval {
-        Interval {
-            lo: -reach,
-            hi: reach,
-        }
+        Interval::new(-reach, reach)
     }
 
     /// The narrowest interval about an exact value, at most two steps wide.
@@ -48,12 +45,11 @@ impl Interval {
         let Some(back) = BigRational::from_f64(nearest) else {
             return Interval::WHOLE;
         };
-        let (lo, hi) = match back.cmp(value) {
-            std::cmp::Ordering::Equal => (nearest, nearest),
-            std::cmp::Ordering::Less => (nearest, nearest.next_up()),
-            std::cmp::Ordering::Greater => (nearest.next_down(), nearest),
-        };
-        Interval { lo, hi }
+        match back.cmp(value) {
+            Ordering::Equal => Interval::point(nearest),
+            Ordering::Less => Interval::new(nearest, nearest.next_up()),
+            Ordering::Greater => Interval::new(nearest.next_down(), nearest),
+        }
     }
 
     /// One step out at each end; the whole line if the ends are no numbers.
@@ -61,10 +57,7 @@ impl Interval {
         if lo.is_nan() || hi.is_nan() {
             return Interval::WHOLE;
         }
-        Interval {
-            lo: lo.next_down(),
-            hi: hi.next_up(),
-        }
+        Interval::new(lo.next_down(), hi.next_up())
     }
 
     /// Out over the results for both ends of two intervals.
@@ -110,27 +103,19 @@ impl Interval {
 
     /// The greater of a number of each.
     pub fn max(self, other: Interval) -> Interval {
-        Interval {
-            lo: self.lo.max(other.lo),
-            hi: self.hi.max(other.hi),
-        }
+        Interval::new(self.lo.max(other.lo), self.hi.max(other.hi))
     }
 
     /// The smaller of a number of each.
     pub fn min(self, other: Interval) -> Interval {
-        Interval {
-            lo: self.lo.min(other.lo),
-            hi: self.hi.min(other.hi),
-        }
+        Interval::new(self.lo.min(other.lo), self.hi.min(other.hi))
     }
 
     /// Square roots; numbers below zero are left out.
     pub fn sqrt(self) -> Interval {
-        let lo = self.lo.max(0.0).sqrt();
-        Interval {
-            lo: if lo > 0.0 { lo.next_down() } else { 0.0 },
-            hi: self.hi.max(0.0).sqrt().next_up(),
-        }
+        let [lo, hi] = [self.lo, self.hi].map(|end| end.max(0.0).sqrt());
+        let lo = if lo > 0.0 { lo.next_down() } else { 0.0 };
+        Interval::new(lo, hi.next_up())
     }
 
     /// Powers of numbers that are not negative.
@@ -150,10 +135,7 @@ impl Interval {
 
     /// Numbers below an interval's least are its least, those above its greatest its greatest.
     pub fn clamped(self, lo: f64, hi: f64) -> Interval {
-        Interval {
-            lo: self.lo.clamp(lo, hi),
-            hi: self.hi.clamp(lo, hi),
-        }
+        Interval::new(self.lo.clamp(lo, hi), self.hi.clamp(lo, hi))
     }
 
     /// Squares.
@@ -188,10 +170,7 @@ impl Sub for Interval {
 impl Neg for Interval {
     type Output = Interval;
     fn neg(self) -> Interval {
-        Interval {
-            lo: -self.hi,
-            hi: -self.lo,
-        }
+        Interval::new(-self.hi, -self.lo)
     }
 }
 
@@ -279,7 +258,7 @@ mod tests {
     proptest! {
         #[test]
         fn operations_enclose_the_exact_result(a in number(), b in number(), c in number(), d in number()) {
-            let (x, y) = (Interval { lo: a.min(b), hi: a.max(b) }, Interval { lo: c.min(d), hi: c.max(d) });
+            let (x, y) = (Interval::new(a.min(b), a.max(b)), Interval::new(c.min(d), c.max(d)));
             for (p, q) in [(a, c), (a, d), (b, c), (b, d)] {
                 let (u, v) = (exact(p), exact(q));
                 prop_assert!(holds(x + y, &(&u + &v)));

@@ -34,13 +34,9 @@ struct Crossing {
 impl Crossing {
     fn new(t: Real, object: u32, number: u8) -> Crossing {
         let [low, high] = <[BigRational; 2]>::from(t.between(64)).map(|end| Interval::about(&end));
-        let about = Interval {
-            lo: low.lo,
-            hi: high.hi,
-        };
         Crossing {
             t,
-            about,
+            about: Interval::new(low.lo, high.hi),
             object,
             number,
         }

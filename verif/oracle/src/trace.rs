@@ -325,10 +325,7 @@ impl Tracer {
             let (low, high) = found.t.between(bits);
             if !self.sight.perspective || low.is_positive() {
                 let ends = [low, high].map(|t| Interval::about(&self.sight.exact_depth(&t)));
-                let depth = Interval {
-                    lo: ends[0].lo,
-                    hi: ends[1].hi,
-                };
+                let depth = Interval::new(ends[0].lo, ends[1].hi);
                 if depth.width() <= CLOSE {
                     return depth;
                 }

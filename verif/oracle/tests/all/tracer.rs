@@ -6,7 +6,7 @@ use imogene_oracle::body::Body;
 use imogene_oracle::camera::Sight;
 use imogene_oracle::root::Real;
 use imogene_oracle::trace::Tracer;
-use imogene_oracle::verdict::{Cell, Solved, Verdict};
+use imogene_oracle::verdict::{Solved, Verdict};
 use imogene_scene::{DepthRange, Plane, Quadric, SceneFile, Transform};
 use num_rational::BigRational;
 use proptest::prelude::*;
@@ -36,25 +36,10 @@ impl Rays {
         self.bodies[body].solve(x, y, &self.sight.ends())
     }
 
-    fn cell(&self, [x0, y0, x1, y1]: [u32; 4]) -> Cell {
-        let ((left, top), (right, bottom)) = (self.sight.place(x0, y0), self.sight.place(x1, y1));
-        Cell {
-            x: (left + right) as f64 / 2.0,
-            y: (top + bottom) as f64 / 2.0,
-            reach_x: (right - left) as f64 / 2.0,
-            reach_y: (bottom - top) as f64 / 2.0,
-            first: if self.sight.perspective { 0.5 } else { -1.0 },
-            last: if self.sight.perspective {
-                f64::INFINITY
-            } else {
-                1.0
-            },
-        }
-    }
-
     /// What intervals say of a rectangle of pixels is true at this one of it.
     fn check(&self, body: usize, cell: [u32; 4], (column, line): (u32, u32)) -> Result<(), String> {
-        let verdict = self.bodies[body].decide(&self.cell(cell));
+        let [x0, y0, x1, y1] = cell;
+        let verdict = self.bodies[body].decide(&self.sight.cell([x0, y0], [x1, y1]));
         let truth = self.solve(body, column, line);
         let exact = |value: f64| BigRational::from_float(value);
         let not_before = |t: &Real, least: f64| {
@@ -179,10 +164,8 @@ fn the_picture_is_that_of_every_object_at_every_pixel() {
                     let Some(found) = rays.solve(index, column, line) else {
                         continue;
                     };
-                    if nearest
-                        .as_ref()
-                        .is_none_or(|(_, n)| found.t.compare(&n.t) == Ordering::Less)
-                    {
+                    let nearer = |(_, n): &(u32, Solved)| found.t.compare(&n.t) == Ordering::Less;
+                    if nearest.as_ref().is_none_or(nearer) {
                         nearest = Some((*object, found));
                     }
                 }
