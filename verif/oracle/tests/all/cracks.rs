@@ -3,6 +3,7 @@
 use crate::common::scene;
 use imogene_golden::format::Format;
 use imogene_golden::machine::beam;
+use imogene_golden::machine::frame::Frame;
 use imogene_oracle::crack::{Buffers, Rule, cracks, mark_openings, two_pixels};
 use imogene_oracle::inject::{Breakable, Sort};
 use imogene_oracle::trace::Tracer;
@@ -22,6 +23,15 @@ const CONVEX: [&str; 6] = [
 
 fn prepared(scene: &SceneFile, width: u32, height: u32) -> PreparedScene {
     prepare(&scene.frame(width, height).expect("framed"), Format::BASE).expect("prepared")
+}
+
+/// The golden picture, and what is searched of it.
+fn drawn(scene: &SceneFile, prepared: &PreparedScene) -> (Frame, Buffers) {
+    let [columns, lines] = [prepared.width, prepared.height].map(|pixels| pixels as usize);
+    let frame = beam::render(&prepared.slots(), &Format::BASE, columns, lines, || ());
+    let range = DepthRange::of_camera(&scene.camera);
+    let buffers = Buffers::new(&frame, &range, Format::BASE.z_max());
+    (frame, buffers)
 }
 
 #[test]
@@ -44,23 +54,16 @@ fn convex_solids_have_no_cracks_from_any_side() {
                 );
                 let scene = scene(&camera, &[object]);
                 let prepared = prepared(&scene, 160, 120);
-                let frame = beam::render(&prepared.slots(), &Format::BASE, 160, 120, || ());
+                let (frame, buffers) = drawn(&scene, &prepared);
                 assert!(frame.covered() > 100, "{object} from {x} {y} {z}");
-                let buffers = Buffers::new(
-                    &frame,
-                    &DepthRange::of_camera(&scene.camera),
-                    Format::BASE.z_max(),
-                );
                 // A thousandth of a pixel is far above the depth error.
                 let least = two_pixels(&scene.camera, 120) / 2000.0;
                 for (min_distance, width) in [(1000.0 * least, 1), (least, 1), (least, 3)] {
-                    let found = cracks(
-                        &buffers,
-                        &Rule {
-                            min_distance,
-                            width,
-                        },
-                    );
+                    let rule = Rule {
+                        min_distance,
+                        width,
+                    };
+                    let found = cracks(&buffers, &rule);
                     assert_eq!(found, [], "{object} from {x} {y} {z}");
                 }
             }
@@ -96,11 +99,7 @@ fn every_crack_of_a_convex_solid_is_found() {
 /// Behind the pixels of a joint lies another object; what is deep enough behind all that is about it is found.
 #[test]
 fn every_deep_crack_of_the_teapot_is_found() {
-    let file = crate::common::files()
-        .into_iter()
-        .find(|f| f.ends_with("teapot.toml"))
-        .expect("the teapot");
-    let scene = SceneFile::read(&file).expect("valid");
+    let scene = crate::common::read("teapot");
     let breakable = Breakable::new(&prepared(&scene, 200, 150));
     for sort in [Sort::Points, Sort::Lines, Sort::Joints] {
         let rule = Rule {
@@ -120,11 +119,7 @@ fn every_deep_crack_of_the_teapot_is_found() {
 fn edges_that_are_rounded_on_each_side_by_itself_are_found() {
     let mut found_apart = 0;
     for part in ["ball-joint", "bracket", "fillet"] {
-        let file = format!(
-            "{}/../../scenes/cad/{part}.toml",
-            env!("CARGO_MANIFEST_DIR")
-        );
-        let scene = SceneFile::read(file.as_ref()).expect("valid");
+        let scene = crate::common::read(&format!("cad/{part}"));
         let (width, height) = (scene.image.width, scene.image.height);
         let framed = scene.frame(width, height).expect("framed");
         let together = prepare(&framed, Format::BASE).expect("prepared");
@@ -141,13 +136,7 @@ fn edges_that_are_rounded_on_each_side_by_itself_are_found() {
             width: 1,
         };
         let count = |prepared: &PreparedScene| {
-            let (columns, lines) = (width as usize, height as usize);
-            let frame = beam::render(&prepared.slots(), &Format::BASE, columns, lines, || ());
-            let buffers = Buffers::new(
-                &frame,
-                &DepthRange::of_camera(&scene.camera),
-                Format::BASE.z_max(),
-            );
+            let (_, buffers) = drawn(&scene, prepared);
             let mut found = cracks(&buffers, &rule);
             mark_openings(&mut found, &tracer);
             found.iter().filter(|c| c.is_of_the_drawing()).count()

@@ -1,10 +1,10 @@
 //! Scenes as people write them: at random, and on the way through a surface.
 
+use crate::common::{PERSPECTIVE, read, scene};
 use imogene_golden::format::Format;
-use imogene_oracle::run::{Outcome, run};
+use imogene_oracle::run::{Compared, Outcome, run};
 use imogene_oracle::survey::survey;
 use imogene_scene::{Camera, SceneFile};
-use std::path::Path;
 
 fn is_long() -> bool {
     std::env::var_os("IMOGENE_FULL").is_some()
@@ -35,6 +35,18 @@ const SPHERE: &str = "kind = \"sphere\"\nradius = 1";
 const CONE: &str = "kind = \"cone\"\nradii = [1, 1.5, 1]\n\
     cuts = [{ point = [0, 0, 0], normal = [0, 1, 0] }, { point = [0, -1.2, 0], normal = [0, -1, 0] }]";
 
+/// The pictures of a scene that is not refused, which differ nowhere where they must not.
+fn drawn(scene: &SceneFile, name: &str) -> Box<Compared> {
+    match run(scene, 64, 48, Format::BASE, &|_| ()).expect("framed") {
+        Outcome::Refused(reason) => panic!("{name}: {reason}"),
+        Outcome::Compared(found) => {
+            let c = &found.comparison;
+            assert!(c.holds(), "{name}: {c:#?}");
+            found
+        }
+    }
+}
+
 /// The eye at a step of a straight flight, looking ahead.
 fn flown(scene: &SceneFile, from: [f64; 3], to: [f64; 3], part: f64) -> SceneFile {
     let mut scene = scene.clone();
@@ -49,51 +61,28 @@ fn flown(scene: &SceneFile, from: [f64; 3], to: [f64; 3], part: f64) -> SceneFil
 /// ahead, and none differs from the traced picture where that was not announced.
 #[test]
 fn a_flight_through_a_surface_is_drawn_from_beginning_to_end() {
-    let teapot = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/teapot.toml");
-    let teapot = SceneFile::read(&teapot).expect("the teapot");
+    let of = |object: &str| scene(PERSPECTIVE, &[object]);
+    let wall = format!("{SPHERE}\nmode = \"patch\"");
     let flights = [
+        ("ball", of(SPHERE), [0.3, 0.2, 4.0], [0.1, 0.0, 0.2]),
+        ("wall", of(&wall), [0.3, 0.2, 4.0], [0.1, 0.0, 0.2]),
+        ("cone", of(CONE), [0.5, 1.0, 4.0], [0.1, -0.9, 0.1]),
         (
-            "ball",
-            crate::common::scene(crate::common::PERSPECTIVE, &[SPHERE]),
-            [0.3, 0.2, 4.0],
-            [0.1, 0.0, 0.2],
+            "teapot",
+            read("teapot"),
+            [2.63, 4.31, 11.17],
+            [0.1, 0.3, 0.1],
         ),
-        (
-            "wall",
-            crate::common::scene(
-                crate::common::PERSPECTIVE,
-                &[&format!("{SPHERE}\nmode = \"patch\"")],
-            ),
-            [0.3, 0.2, 4.0],
-            [0.1, 0.0, 0.2],
-        ),
-        (
-            "cone",
-            crate::common::scene(crate::common::PERSPECTIVE, &[CONE]),
-            [0.5, 1.0, 4.0],
-            [0.1, -0.9, 0.1],
-        ),
-        ("teapot", teapot, [2.63, 4.31, 11.17], [0.1, 0.3, 0.1]),
     ];
     let steps = if is_long() { 200 } else { 20 };
     for (name, scene, from, to) in flights {
         for step in 0..=steps {
             let part = f64::from(step) / f64::from(steps);
             let frame = flown(&scene, from, to, part);
-            let outcome = run(&frame, 64, 48, Format::BASE, &|_| ()).expect("framed");
-            let Outcome::Compared(found) = outcome else {
-                let Outcome::Refused(reason) = outcome else {
-                    unreachable!()
-                };
-                panic!("{name}, step {step}: {reason}");
-            };
-            let c = &found.comparison;
-            assert!(c.holds(), "{name}, step {step}: {c:#?}");
-            assert!(c.covered > 0, "{name}, step {step}: nothing is seen");
-            assert!(
-                found.golden.covered() > 0,
-                "{name}, step {step}: nothing is drawn"
-            );
+            let place = format!("{name}, step {step}");
+            let found = drawn(&frame, &place);
+            assert!(found.comparison.covered > 0, "{place}: nothing is seen");
+            assert!(found.golden.covered() > 0, "{place}: nothing is drawn");
         }
     }
 }
@@ -109,18 +98,9 @@ fn the_eye_may_be_as_near_to_a_surface_as_it_likes() {
                 "kind = \"perspective\"\neye = [0, 0, {distance:?}]\ntarget = [0, 0, 0]\nviewer_distance = {distance:?}\nview_height = 1\n"
             );
             let ball = format!("{SPHERE}\nmode = \"{mode}\"");
-            let scene = crate::common::scene(&camera, &[&ball]);
-            match run(&scene, 64, 48, Format::BASE, &|_| ()).expect("framed") {
-                Outcome::Refused(reason) => panic!("{mode} at {distance}: {reason}"),
-                Outcome::Compared(found) => {
-                    assert!(
-                        found.comparison.holds(),
-                        "{mode} at {distance}: {:#?}",
-                        found.comparison
-                    );
-                    assert_eq!(found.golden.covered(), 64 * 48, "{mode} at {distance}");
-                }
-            }
+            let scene = scene(&camera, &[&ball]);
+            let found = drawn(&scene, &format!("{mode} at {distance}"));
+            assert_eq!(found.golden.covered(), 64 * 48, "{mode} at {distance}");
         }
     }
 }
@@ -135,14 +115,9 @@ fn the_window_may_stand_anywhere() {
             8.0 * factor,
             4.0 * factor
         );
-        let scene = crate::common::scene(&camera, &objects);
-        match run(&scene, 64, 48, Format::BASE, &|_| ()).expect("framed") {
-            Outcome::Refused(reason) => panic!("{factor}: {reason}"),
-            Outcome::Compared(found) => {
-                assert!(found.comparison.holds());
-                (found.golden.id, found.golden.number)
-            }
-        }
+        let scene = scene(&camera, &objects);
+        let found = drawn(&scene, &factor.to_string());
+        (found.golden.id, found.golden.number)
     };
     let whole = picture(1.0);
     for factor in [0.001, 0.125, 0.5, 2.0, 1000.0] {

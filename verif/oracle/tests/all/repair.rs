@@ -5,15 +5,13 @@ use imogene_golden::format::Format;
 use imogene_oracle::repair::{differing_faces, repair};
 use imogene_prepare::Framing;
 use imogene_prepare::prepare;
-use imogene_scene::SceneFile;
 
 /// Every scene that the words of 16 bits take, objects and faces at all pixels; what the words decide is left as it
 /// was.
 #[test]
 fn every_scene_in_short_words_is_repaired_to_the_exact_picture() {
     let (mut mended, mut untouched, mut scenes) = (0, 0, 0);
-    for file in crate::common::files() {
-        let scene = SceneFile::read(&file).expect("valid");
+    for (name, scene) in crate::common::all() {
         if scene.objects.len() > 40 {
             continue;
         }
@@ -28,13 +26,8 @@ fn every_scene_in_short_words_is_repaired_to_the_exact_picture() {
         };
         let repaired = repair(&framed, &prepared, || ());
         let exact = to_frame(&render(&framed, &format, || ()), &framed, &format);
-        assert_eq!(
-            differing_faces(&repaired.frame, &exact),
-            0,
-            "{}",
-            file.display()
-        );
-        assert!(repaired.leaves_the_rest(), "{}", file.display());
+        assert_eq!(differing_faces(&repaired.frame, &exact), 0, "{name}");
+        assert!(repaired.leaves_the_rest(), "{name}");
         mended += repaired.report.mended;
         untouched += repaired.report.pixels - repaired.report.open;
         scenes += 1;

@@ -26,13 +26,7 @@ fn size(scene: &SceneFile) -> (u32, u32) {
 fn every_golden_picture_is_the_traced_one_outside_the_band() {
     let (mut refused, mut compared) = (vec![], 0);
     let (mut glass, mut solids, mut colours) = (0, 0, 0);
-    for file in crate::common::files() {
-        let name = file
-            .file_stem()
-            .expect("a file")
-            .to_string_lossy()
-            .into_owned();
-        let scene = SceneFile::read(&file).expect("valid");
+    for (name, scene) in crate::common::all() {
         let (w, h) = size(&scene);
         let outcome = run(&scene, w, h, Format::BASE, &|_| ()).expect("framed");
         let found = match outcome {
@@ -73,20 +67,11 @@ fn every_golden_picture_is_the_traced_one_outside_the_band() {
 
 #[test]
 fn a_scene_that_differs_is_one_whose_check_fails() {
-    for file in crate::common::files() {
-        let name = file
-            .file_stem()
-            .expect("a file")
-            .to_string_lossy()
-            .into_owned();
+    for (name, scene) in crate::common::all() {
         if !WITHOUT_BOUNDS.contains(&name.as_str()) {
             continue;
         }
-        let scene = SceneFile::read(&file).expect("valid");
-        let framed = scene
-            .frame(scene.image.width, scene.image.height)
-            .expect("framed");
-        let prepared = prepare(&framed, Format::BASE).expect("prepared");
+        let (framed, prepared) = words(&scene, (scene.image.width, scene.image.height));
         assert!(!check(&framed, &prepared).ok);
     }
 }
@@ -117,11 +102,7 @@ fn against(pictures: &mut Pictures, frame: &Frame) -> Comparison {
 /// A wrong picture is noticed: one object moved by two pixels, or one word of depth too many.
 #[test]
 fn wrong_pictures_are_noticed() {
-    let file = crate::common::files()
-        .into_iter()
-        .find(|f| f.ends_with("teapot.toml"))
-        .expect("the teapot");
-    let scene = SceneFile::read(&file).expect("valid");
+    let scene = crate::common::read("teapot");
     let words = words(&scene, (80, 60));
     let mut drawn = draw(&scene, &words);
     let golden = drawn.pairs[0].golden.clone();
@@ -154,10 +135,7 @@ fn with_fault(words: &(FramedScene, PreparedScene), golden: &Frame, fault: Fault
 /// Wrong blends are noticed by their colours, and a wrong surface of glass by its faces and depths.
 #[test]
 fn wrong_pictures_of_glass_are_found() {
-    let files = crate::common::files();
-    let mut files = files.iter();
-    let file = files.find(|f| f.ends_with("still-life.toml"));
-    let mut scene = SceneFile::read(file.expect("the still life")).expect("valid");
+    let mut scene = crate::common::read("glass/still-life");
     // One more sphere of glass, behind the ball.
     let mut hidden = scene.objects[4].clone();
     hidden.name = "hidden".into();

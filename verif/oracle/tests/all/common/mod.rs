@@ -19,9 +19,27 @@ pub fn scene(camera: &str, objects: &[&str]) -> SceneFile {
     SceneFile::parse(&text, "test.toml").unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
-/// The scene files of the repository.
-pub fn files() -> Vec<PathBuf> {
-    let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes")];
+/// The folder of the scene files of the repository.
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes")
+}
+
+/// One of them, by its path without the ending.
+pub fn read(name: &str) -> SceneFile {
+    SceneFile::read(&folder().join(format!("{name}.toml"))).expect("valid")
+}
+
+/// All of them with the names of their files.
+pub fn all() -> impl Iterator<Item = (String, SceneFile)> {
+    files().into_iter().map(|file| {
+        let name = file.file_stem().expect("a file").to_string_lossy();
+        let scene = SceneFile::read(&file).expect("valid");
+        (name.into_owned(), scene)
+    })
+}
+
+fn files() -> Vec<PathBuf> {
+    let mut folders = vec![folder()];
     let mut files = vec![];
     while let Some(folder) = folders.pop() {
         for entry in std::fs::read_dir(folder).expect("the scenes folder") {
