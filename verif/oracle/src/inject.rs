@@ -7,9 +7,8 @@
 
 use crate::compare::about;
 use crate::crack::{Buffers, Rule, cracks};
-use imogene_golden::machine::beam;
+use crate::run::drawn;
 use imogene_golden::machine::frame::Frame;
-use imogene_golden::object::slot::Slot;
 use imogene_prepare::PreparedScene;
 use imogene_scene::DepthRange;
 use serde::Serialize;
@@ -84,17 +83,13 @@ pub struct Breakable {
 impl Breakable {
     /// Draws the scene, and once more without each of its objects.
     pub fn new(prepared: &PreparedScene) -> Breakable {
-        let draw = |slots: &[Slot]| {
-            let (width, height) = (prepared.width as usize, prepared.height as usize);
-            beam::render(slots, &prepared.format, width, height, || ())
-        };
         let slots = prepared.slots();
         let without = |object: usize| {
             let rest = slots.iter().filter(|slot| slot.object != object);
-            draw(&rest.cloned().collect::<Vec<_>>())
+            drawn(prepared, &rest.cloned().collect::<Vec<_>>())
         };
         Breakable {
-            frame: draw(&slots),
+            frame: drawn(prepared, &slots),
             without: (0..prepared.objects.len()).map(without).collect(),
             z_max: prepared.format.z_max(),
         }
@@ -141,11 +136,7 @@ impl Breakable {
         let mut marked: Vec<usize> = marked.into_iter().collect();
         marked.sort_unstable();
         for &index in &marked {
-            let behind = &self.without[self.frame.id[index] as usize];
-            broken.depth[index] = behind.depth[index];
-            broken.id[index] = behind.id[index];
-            broken.number[index] = behind.number[index];
-            broken.normal[index] = behind.normal[index];
+            broken.take(index, &self.without[self.frame.id[index] as usize]);
         }
         (broken, marked)
     }

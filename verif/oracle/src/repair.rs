@@ -6,9 +6,9 @@
 //! replace those of the first pass; all others keep its words bit for bit. Then object and face are the true ones at
 //! every pixel: by proof where the words decided, by computation where they did not.
 
+use crate::run::drawn;
 use imogene_analysis::bounds::Jury;
 use imogene_analysis::exact::render::{render_where, to_frame};
-use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
 use imogene_prepare::PreparedScene;
 use imogene_scene::FramedScene;
@@ -47,28 +47,21 @@ pub struct RepairReport {
 /// Draws and repairs; `prepared` must come from `scene`. `done` is called once a line of the repair, from any thread.
 pub fn repair(scene: &FramedScene, prepared: &PreparedScene, done: impl Fn() + Sync) -> Repaired {
     let format = &prepared.format;
-    let (width, height) = (prepared.width as usize, prepared.height as usize);
     let started = Instant::now();
-    let first = beam::render(&prepared.slots(), format, width, height, || ());
+    let first = drawn(prepared, &prepared.slots());
     let first_seconds = started.elapsed().as_secs_f64();
     let started = Instant::now();
     let open = open_pixels(prepared);
     let find_seconds = started.elapsed().as_secs_f64();
     let started = Instant::now();
-    let exact = to_frame(
-        &render_where(scene, format, |index| open[index], done),
-        scene,
-        format,
-    );
+    let solved = render_where(scene, format, |index| open[index], done);
+    let exact = to_frame(&solved, scene, format);
     let mut frame = first.clone();
     let mut mended = 0;
     for index in (0..open.len()).filter(|&i| open[i]) {
         let (was, is) = (face(&first, index), face(&exact, index));
         mended += usize::from(was != is);
-        frame.depth[index] = exact.depth[index];
-        frame.id[index] = exact.id[index];
-        frame.number[index] = exact.number[index];
-        frame.normal[index] = exact.normal[index];
+        frame.take(index, &exact);
     }
     let solve_seconds = started.elapsed().as_secs_f64();
     Repaired {

@@ -118,7 +118,8 @@ pub fn pictures<'a>(
     })
 }
 
-fn drawn(prepared: &PreparedScene, slots: &[Slot]) -> Frame {
+/// The golden picture of some slots of a scene.
+pub(crate) fn drawn(prepared: &PreparedScene, slots: &[Slot]) -> Frame {
     let [columns, lines] = [prepared.width, prepared.height].map(|pixels| pixels as usize);
     beam::render(slots, &prepared.format, columns, lines, || ())
 }

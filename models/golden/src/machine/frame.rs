@@ -47,6 +47,14 @@ impl Frame {
         }
     }
 
+    /// Shows at a pixel what another frame of the same size does, but for its layers.
+    pub fn take(&mut self, index: usize, other: &Frame) {
+        self.depth[index] = other.depth[index];
+        self.id[index] = other.id[index];
+        self.number[index] = other.number[index];
+        self.normal[index] = other.normal[index];
+    }
+
     /// Number of pixels at which an object is seen.
     pub fn covered(&self) -> usize {
         self.id.iter().filter(|&&id| id >= 0).count()
