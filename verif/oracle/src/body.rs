@@ -78,10 +78,8 @@ impl CutBody {
             form,
             planes,
         } = canonical(object);
-        let to_own = times(
-            &frame,
-            &inverse(&placement(&object.place)).expect("checked: no scale is zero"),
-        );
+        let from_scene = inverse(&placement(&object.place)).expect("checked: no scale is zero");
+        let to_own = times(&frame, &from_scene);
         let own = |affine: &Affine| affine.each_ref().map(|v| apply(&to_own, v));
         let (from, along) = (own(&sight.from), own(&sight.along));
         let quick = Lines {
@@ -125,19 +123,12 @@ struct Canonical {
     planes: Vec<Vector>,
 }
 
-/// Twice the canonical quadric: squares of x, y, z, the linear term of y or of z, and the constant.
-struct Family {
-    squares: [i64; 3],
-    linear: [i64; 3],
-    constant: i64,
-}
-
 fn canonical(object: &Object) -> Canonical {
     if let Shape::TetrahedronPatch { corners, weights } = &object.shape {
         return tetrahedron(corners, weights);
     }
     let (radii, form) = match unit_form(&object.shape) {
-        Some((radii, family)) => (radii, Some(matrix_of(&family))),
+        Some((radii, form)) => (radii, Some(form)),
         None => ([1.0; 3], general_form(&object.shape)),
     };
     let radii = radii.map(from_decimal);
@@ -154,25 +145,22 @@ fn canonical(object: &Object) -> Canonical {
     }
 }
 
-/// The radii that make a family's quadric a canonical one.
-fn unit_form(shape: &Shape) -> Option<([f64; 3], Family)> {
-    let of = |squares, linear, constant| Family {
-        squares,
-        linear,
-        constant,
-    };
+/// The radii that make a family's quadric a canonical one, and that.
+fn unit_form(shape: &Shape) -> Option<([f64; 3], Matrix)> {
     let none = [0, 0, 0];
     Some(match *shape {
-        Shape::Ellipsoid { radii } => (radii, of([1, 1, 1], none, -1)),
-        Shape::Sphere { radius } => ([radius; 3], of([1, 1, 1], none, -1)),
-        Shape::EllipticCylinder { radii: [a, c] } => ([a, 1.0, c], of([1, 0, 1], none, -1)),
-        Shape::HyperbolicCylinder { radii: [a, c] } => ([a, 1.0, c], of([1, 0, -1], none, -1)),
-        Shape::ParabolicCylinder { radii: [a, c] } => ([a, 1.0, c], of([1, 0, 0], [0, 0, -1], 0)),
-        Shape::Cone { radii } => (radii, of([1, -1, 1], none, 0)),
-        Shape::HyperboloidOneSheet { radii } => (radii, of([1, -1, 1], none, -1)),
-        Shape::HyperboloidTwoSheets { radii } => (radii, of([1, -1, 1], none, 1)),
-        Shape::EllipticParaboloid { radii } => (radii, of([1, 0, 1], [0, -1, 0], 0)),
-        Shape::HyperbolicParaboloid { radii } => (radii, of([1, 0, -1], [0, -1, 0], 0)),
+        Shape::Ellipsoid { radii } => (radii, twice([1, 1, 1], none, -1)),
+        Shape::Sphere { radius } => ([radius; 3], twice([1, 1, 1], none, -1)),
+        Shape::EllipticCylinder { radii: [a, c] } => ([a, 1.0, c], twice([1, 0, 1], none, -1)),
+        Shape::HyperbolicCylinder { radii: [a, c] } => ([a, 1.0, c], twice([1, 0, -1], none, -1)),
+        Shape::ParabolicCylinder { radii: [a, c] } => {
+            ([a, 1.0, c], twice([1, 0, 0], [0, 0, -1], 0))
+        }
+        Shape::Cone { radii } => (radii, twice([1, -1, 1], none, 0)),
+        Shape::HyperboloidOneSheet { radii } => (radii, twice([1, -1, 1], none, -1)),
+        Shape::HyperboloidTwoSheets { radii } => (radii, twice([1, -1, 1], none, 1)),
+        Shape::EllipticParaboloid { radii } => (radii, twice([1, 0, 1], [0, -1, 0], 0)),
+        Shape::HyperbolicParaboloid { radii } => (radii, twice([1, 0, -1], [0, -1, 0], 0)),
         Shape::Quadric { .. }
         | Shape::Polyhedron
         | Shape::Mesh(_)
@@ -180,14 +168,15 @@ fn unit_form(shape: &Shape) -> Option<([f64; 3], Family)> {
     })
 }
 
-fn matrix_of(family: &Family) -> Matrix {
+/// Twice the canonical quadric: squares of x, y, z, the linear term of y or of z, and the constant.
+fn twice(squares: [i64; 3], linear: [i64; 3], constant: i64) -> Matrix {
     let mut rows: Matrix = Default::default();
-    for (k, (square, linear)) in family.squares.iter().zip(family.linear).enumerate() {
+    for (k, (square, linear)) in squares.into_iter().zip(linear).enumerate() {
         rows[k][k] = integer(2 * square);
         rows[k][3] = integer(linear);
         rows[3][k] = integer(linear);
     }
-    rows[3][3] = integer(2 * family.constant);
+    rows[3][3] = integer(2 * constant);
     rows
 }
 

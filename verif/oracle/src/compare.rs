@@ -206,14 +206,9 @@ pub fn compare(pictures: &Pictures) -> (Comparison, Vec<Mark>) {
         let pixels = (0..found.pixels).map(|index| (index % width, index / width));
         marks.push(pixels.map(|at| judge.pixel(&mut found, at)).collect());
     }
-    let mut merged = marks[0].clone();
-    for (index, mark) in merged.iter_mut().enumerate() {
-        *mark = marks
-            .iter()
-            .map(|marks| marks[index])
-            .max()
-            .expect("the first");
-    }
+    let of = |index: usize| marks.iter().map(|marks| marks[index]).max();
+    let merged = (0..found.pixels).map(|index| of(index).expect("the first"));
+    let mut merged: Vec<Mark> = merged.collect();
     if let Some(painted) = &pictures.painted {
         found.add_colours(&judges, painted, &mut merged);
     }

@@ -117,11 +117,7 @@ pub fn cracks(buffers: &Buffers, rule: &Rule) -> Vec<Crack> {
 /// Goes through the flagged pixels from those that touch an unflagged one of their face.
 fn mark_notches(buffers: &Buffers, found: &mut [Crack]) {
     let index = |c: &Crack| c.y * buffers.width + c.x;
-    let flagged: HashMap<usize, usize> = found
-        .iter()
-        .enumerate()
-        .map(|(k, c)| (index(c), k))
-        .collect();
+    let flagged: HashMap<usize, usize> = found.iter().map(index).zip(0..).collect();
     let alike = |pixel: usize| -> Vec<usize> {
         about(pixel, buffers.width, buffers.height)
             .filter(|&other| other != pixel && buffers.face[other] == buffers.face[pixel])
@@ -134,11 +130,8 @@ fn mark_notches(buffers: &Buffers, found: &mut [Crack]) {
             continue;
         }
         found[k].notch = true;
-        open.extend(
-            alike(index(&found[k]))
-                .iter()
-                .filter_map(|i| flagged.get(i)),
-        );
+        let beside = alike(index(&found[k]));
+        open.extend(beside.iter().filter_map(|i| flagged.get(i)));
     }
 }
 
@@ -217,16 +210,8 @@ mod tests {
             .map(|k| (4 + k / 2, 4 + k.div_ceil(2)))
             .collect();
         let block = vec![(7, 7), (8, 7), (7, 8), (8, 8)];
-        for marked in [
-            line(0, 0),
-            line(1, 0),
-            line(0, 1),
-            line(1, 1),
-            line(1, -1),
-            stairs,
-            block,
-        ] {
-            let mut marked = marked;
+        let lines = [(0, 0), (1, 0), (0, 1), (1, 1), (1, -1)].map(|(u, v)| line(u, v));
+        for mut marked in lines.into_iter().chain([stairs, block]) {
             marked.sort_by_key(|(x, y)| (*y, *x));
             marked.dedup();
             for behind in [(f64::INFINITY, -1), (11.0, 1)] {
@@ -260,15 +245,13 @@ mod tests {
         let mut marked: Vec<(usize, usize)> = wedge.collect();
         marked.push((3, 15));
         let all = cracks(&wall(20, 20, &marked, (f64::INFINITY, -1)), &RULE);
-        let closed: Vec<_> = all
-            .iter()
-            .filter(|c| !c.notch)
-            .map(|c| (c.x, c.y))
-            .collect();
-        assert_eq!(closed, [(3, 15)]);
-        let notches = all.iter().filter(|c| c.notch);
+        let (notches, closed): (Vec<&Crack>, Vec<&Crack>) = all.iter().partition(|c| c.notch);
+        assert_eq!(
+            closed.iter().map(|c| (c.x, c.y)).collect::<Vec<_>>(),
+            [(3, 15)]
+        );
         assert!(
-            notches.clone().count() >= 3 && notches.clone().all(|c| c.x == 10),
+            notches.len() >= 3 && notches.iter().all(|c| c.x == 10),
             "{all:?}"
         );
     }
