@@ -61,48 +61,37 @@ impl CutBody {
         let spread = |middle: &[Interval; 4], [a, b, _]: &[[Interval; 4]; 3]| -> [Interval; 4] {
             std::array::from_fn(|k| middle[k] + a[k] * reach.0 + b[k] * reach.1)
         };
-        let Some(form) = &lines.form else {
-            return Line {
-                from: spread(&from, &lines.from),
-                along: spread(&along, &lines.along),
-                r: Interval::ZERO,
-                s: Interval::ZERO,
-                t: Interval::ZERO,
-                discriminant: Interval::ZERO,
-            };
+        let [r, s, t, discriminant] = match &lines.form {
+            None => [Interval::ZERO; 4],
+            Some(form) if cell.reach_x == 0.0 && cell.reach_y == 0.0 => {
+                let (to_along, to_from) = (product(form, &along), product(form, &from));
+                let r = dot(&along, &to_along);
+                let s = dot(&from, &to_along);
+                let t = dot(&from, &to_from);
+                [r, s, t, s.square() - r * t]
+            }
+            Some(form) => {
+                let ([ux, uy, _], [vx, vy, _]) = (&lines.from, &lines.along);
+                let r = squares(form, &along, vx, vy);
+                let t = squares(form, &from, ux, uy);
+                let s = mixed(form, (&from, ux, uy), (&along, vx, vy));
+                // In perspective T is the same for all lines, in parallel projection R.
+                let (constant, other) = match self.perspective {
+                    true => (t[0], &r),
+                    false => (r[0], &t),
+                };
+                let square = square_of(&s);
+                let discriminant = std::array::from_fn(|k| square[k] - constant * other[k]);
+                [r, s, t, discriminant].map(|of| range(&of, reach))
+            }
         };
-        if cell.reach_x == 0.0 && cell.reach_y == 0.0 {
-            let (to_along, to_from) = (product(form, &along), product(form, &from));
-            let r = dot(&along, &to_along);
-            let s = dot(&from, &to_along);
-            let t = dot(&from, &to_from);
-            return Line {
-                from,
-                along,
-                r,
-                s,
-                t,
-                discriminant: s.square() - r * t,
-            };
-        }
-        let ([ux, uy, _], [vx, vy, _]) = (&lines.from, &lines.along);
-        let r = squares(form, &along, vx, vy);
-        let t = squares(form, &from, ux, uy);
-        let s = mixed(form, (&from, ux, uy), (&along, vx, vy));
-        // In perspective T is the same for all lines, in parallel projection R.
-        let (constant, other) = match self.perspective {
-            true => (t[0], &r),
-            false => (r[0], &t),
-        };
-        let square = square_of(&s);
-        let discriminant: Polynomial = std::array::from_fn(|k| square[k] - constant * other[k]);
         Line {
             from: spread(&from, &lines.from),
             along: spread(&along, &lines.along),
-            r: range(&r, reach),
-            s: range(&s, reach),
-            t: range(&t, reach),
-            discriminant: range(&discriminant, reach),
+            r,
+            s,
+            t,
+            discriminant,
         }
     }
 
