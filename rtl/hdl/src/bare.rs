@@ -45,25 +45,6 @@ impl<B: Ports> Ports for (&'static str, B, &'static str) {
     }
 }
 
-macro_rules! tuples {
-    ($(($($letter:ident $index:tt),*))*) => {$(
-        impl<$($letter: Ports),*> Ports for ($($letter,)*) {
-            type Bare = ($($letter::Bare,)*);
-
-            fn bare(self) -> Self::Bare {
-                ($(self.$index.bare(),)*)
-            }
-        }
-    )*};
-}
-
-tuples! {
-    (A 0, B 1)
-    (A 0, B 1, C 2)
-    (A 0, B 1, C 2, D 3)
-    (A 0, B 1, C 2, D 3, E 4)
-}
-
 /// Ports under the names of the variables that hold their values: `ports!(a, b)` is `(("a", a), ("b", b))`.
 #[macro_export]
 macro_rules! ports {

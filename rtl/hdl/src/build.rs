@@ -61,10 +61,9 @@ pub fn module<I: Ports, O: Ports>(
     let place = Location::caller();
     let index = with_scope(|around| around.module.instances.len());
     open(name);
-    let (labels, outside): (Vec<Label>, Vec<Handle>) = members(&inputs).into_iter().unzip();
-    let mut labels = labels.into_iter();
-    let inside = inputs.rebuilt(&mut |outside| {
-        let label = labels.next().expect("as many labels as members");
+    let mut connected = vec![];
+    let inside = inputs.walked(&Label::default(), &mut |label, outside| {
+        connected.push(outside.net);
         let inside = add(Op::Input, outside.width, outside.signed, place);
         inside.edit(|node| node.name = Some(label.name.clone()));
         declare(label, Direction::In, inside);
@@ -76,7 +75,7 @@ pub fn module<I: Ports, O: Ports>(
     }
     let module = share(close());
     let mut nets = vec![];
-    let result = outputs.rebuilt(&mut |inside| {
+    let result = outputs.walked(&Label::default(), &mut |_, inside| {
         let op = Op::Output(index, nets.len());
         let output = add(op, inside.width, inside.signed, place);
         nets.push(output.net);
@@ -86,7 +85,7 @@ pub fn module<I: Ports, O: Ports>(
         around.module.instances.push(Instance {
             name: at.to_owned(),
             module,
-            inputs: outside.iter().map(|value| value.net).collect(),
+            inputs: connected,
             outputs: nets,
         });
     });

@@ -1,5 +1,6 @@
 //! Groups of values that are ports together.
 
+use crate::bare::Ports;
 use crate::scope::Handle;
 use crate::value::{Bits, Value, delayed, later};
 
@@ -39,20 +40,15 @@ impl Label {
 
 /// Values with names, in an order.
 pub trait Bundle: Sized {
-    /// Calls back with each label, behind that of the group, and value.
-    fn each(&self, group: &Label, found: &mut dyn FnMut(Label, Handle));
-
-    /// The same bundle of other values, of the same widths.
+    /// The same bundle of other values, of the same widths: calls back with each label, behind that of the group, and
+    /// value.
     #[doc(hidden)]
-    fn rebuilt(&self, other: &mut dyn FnMut(Handle) -> Handle) -> Self;
+    fn walked(&self, group: &Label, other: &mut dyn FnMut(Label, Handle) -> Handle) -> Self;
 
     /// The same values, each called after this group and its member.
     fn called(self, group: &str) -> Self {
         let group = Label::default().member(group, "");
-        self.each(&group, &mut |label, value| {
-            Bits(value).named(&label.name);
-        });
-        self
+        self.walked(&group, &mut |label, value| Bits(value).named(&label.name).0)
     }
 
     /// All values one clock later.
@@ -94,8 +90,9 @@ fn all_later<B: Bundle>(bundle: &B, enable: Option<Bits>) -> B {
 /// All members with their labels.
 pub(crate) fn members(bundle: &impl Bundle) -> Vec<(Label, Handle)> {
     let mut found = vec![];
-    bundle.each(&Label::default(), &mut |label, value| {
-        found.push((label, value))
+    bundle.walked(&Label::default(), &mut |label, value| {
+        found.push((label, value));
+        value
     });
     found
 }
@@ -103,73 +100,61 @@ pub(crate) fn members(bundle: &impl Bundle) -> Vec<(Label, Handle)> {
 /// The same bundle of these values, in the order of its members.
 pub(crate) fn replaced<B: Bundle>(bundle: &B, values: Vec<Handle>) -> B {
     let mut values = values.into_iter();
-    bundle.rebuilt(&mut |_| values.next().expect("as many values as members"))
+    bundle.walked(&Label::default(), &mut |_, _| {
+        values.next().expect("as many values as members")
+    })
 }
 
 /// A value is a bundle of one.
 impl<V: Value> Bundle for V {
-    fn each(&self, group: &Label, found: &mut dyn FnMut(Label, Handle)) {
-        found(group.clone(), self.handle());
-    }
-
-    fn rebuilt(&self, other: &mut dyn FnMut(Handle) -> Handle) -> Self {
-        V::of(other(self.handle()))
+    fn walked(&self, group: &Label, other: &mut dyn FnMut(Label, Handle) -> Handle) -> Self {
+        V::of(other(group.clone(), self.handle()))
     }
 }
 
 impl Bundle for () {
-    fn each(&self, _: &Label, _: &mut dyn FnMut(Label, Handle)) {}
-
-    fn rebuilt(&self, _: &mut dyn FnMut(Handle) -> Handle) -> Self {}
+    fn walked(&self, _: &Label, _: &mut dyn FnMut(Label, Handle) -> Handle) -> Self {}
 }
 
 /// A bundle under a name.
 impl<B: Bundle> Bundle for (&'static str, B) {
-    fn each(&self, group: &Label, found: &mut dyn FnMut(Label, Handle)) {
-        self.1.each(&group.member(self.0, ""), found);
-    }
-
-    fn rebuilt(&self, other: &mut dyn FnMut(Handle) -> Handle) -> Self {
-        (self.0, self.1.rebuilt(other))
+    fn walked(&self, group: &Label, other: &mut dyn FnMut(Label, Handle) -> Handle) -> Self {
+        (self.0, self.1.walked(&group.member(self.0, ""), other))
     }
 }
 
 /// A bundle under a name, with its meaning.
 impl<B: Bundle> Bundle for (&'static str, B, &'static str) {
-    fn each(&self, group: &Label, found: &mut dyn FnMut(Label, Handle)) {
-        self.1.each(&group.member(self.0, self.2), found);
-    }
-
-    fn rebuilt(&self, other: &mut dyn FnMut(Handle) -> Handle) -> Self {
-        (self.0, self.1.rebuilt(other), self.2)
+    fn walked(&self, group: &Label, other: &mut dyn FnMut(Label, Handle) -> Handle) -> Self {
+        let value = self.1.walked(&group.member(self.0, self.2), other);
+        (self.0, value, self.2)
     }
 }
 
 /// Members with numbers.
 impl<B: Bundle> Bundle for Vec<B> {
-    fn each(&self, group: &Label, found: &mut dyn FnMut(Label, Handle)) {
-        for (index, one) in self.iter().enumerate() {
-            one.each(&group.numbered(index), found);
-        }
-    }
-
-    fn rebuilt(&self, other: &mut dyn FnMut(Handle) -> Handle) -> Self {
-        self.iter().map(|one| one.rebuilt(other)).collect()
+    fn walked(&self, group: &Label, other: &mut dyn FnMut(Label, Handle) -> Handle) -> Self {
+        let each = self.iter().enumerate();
+        each.map(|(index, one)| one.walked(&group.numbered(index), other))
+            .collect()
     }
 }
 
 macro_rules! tuples {
     ($(($($letter:ident $index:tt),*))*) => {$(
         impl<$($letter: Bundle),*> Bundle for ($($letter,)*) {
-            fn each(&self, group: &Label, found: &mut dyn FnMut(Label, Handle)) {
-                $(self.$index.each(group, found);)*
-            }
-
-            fn rebuilt(&self, other: &mut dyn FnMut(Handle) -> Handle) -> Self {
-                ($(self.$index.rebuilt(other),)*)
+            fn walked(&self, group: &Label, other: &mut dyn FnMut(Label, Handle) -> Handle) -> Self {
+                ($(self.$index.walked(group, other),)*)
             }
         }
 
+        impl<$($letter: Ports),*> Ports for ($($letter,)*) {
+            type Bare = ($($letter::Bare,)*);
+
+            fn bare(self) -> Self::Bare {
+                ($(self.$index.bare(),)*)
+            }
+        }
     )*};
 }
 
@@ -309,13 +294,13 @@ macro_rules! bundle_of_fields {
         impl $crate::Plain for $group {}
 
         impl $crate::Bundle for $group {
-            fn each(&self, group: &$crate::Label, found: &mut dyn FnMut($crate::Label, $crate::Handle)) {
-                $($crate::Bundle::each(&self.$field, &group.member($name, $meaning), found);)*
-            }
-
-            fn rebuilt(&self, other: &mut dyn FnMut($crate::Handle) -> $crate::Handle) -> Self {
+            fn walked(
+                &self,
+                group: &$crate::Label,
+                other: &mut dyn FnMut($crate::Label, $crate::Handle) -> $crate::Handle,
+            ) -> Self {
                 $group {
-                    $($field: $crate::Bundle::rebuilt(&self.$field, other),)*
+                    $($field: $crate::Bundle::walked(&self.$field, &group.member($name, $meaning), other),)*
                 }
             }
         }
