@@ -4,32 +4,33 @@ use crate::support::{requests, run, write, write_split};
 use imogene_contract::{Request, RequestError, Unit};
 use imogene_rtl::emit::{emit, raw};
 
+/// Runs a tool on a unit; it has to succeed, and to say nothing.
+fn accepts(tool: &str, arguments: &[&str], request: &Request) {
+    let output = run(tool, tool, arguments);
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(
+        output.status.success() && said.is_empty(),
+        "{request:?}: {said}"
+    );
+}
+
 #[test]
 fn icarus_accepts_every_unit_without_a_warning() {
     for request in requests() {
         let emitted = emit(&request).unwrap_or_else(|error| panic!("{request:?}: {error}"));
-        let file = write(
-            &format!("icarus-{}-{}", request.unit.name(), request.depth_word),
-            &emitted,
-        );
-        let output = run(
-            "iverilog",
-            "iverilog",
-            &[
-                "-g2005",
-                "-Wall",
-                "-s",
-                &emitted.top,
-                "-o",
-                "/dev/null",
-                file.to_str().unwrap(),
-            ],
-        );
-        let said = String::from_utf8_lossy(&output.stderr);
-        assert!(
-            output.status.success() && said.is_empty(),
-            "{request:?}: {said}"
-        );
+        let name = format!("icarus-{}-{}", request.unit.name(), request.depth_word);
+        let file = write(&name, &emitted);
+        let file = file.to_str().unwrap();
+        let arguments = [
+            "-g2005",
+            "-Wall",
+            "-s",
+            &emitted.top,
+            "-o",
+            "/dev/null",
+            file,
+        ];
+        accepts("iverilog", &arguments, &request);
     }
 }
 
@@ -37,25 +38,12 @@ fn icarus_accepts_every_unit_without_a_warning() {
 fn verilator_accepts_every_unit_without_a_warning() {
     for request in requests() {
         let emitted = emit(&request).unwrap();
-        let directory = write_split(
-            &format!("verilator-{}-{}", request.unit.name(), request.depth_word),
-            &emitted,
-        );
+        let name = format!("verilator-{}-{}", request.unit.name(), request.depth_word);
+        let directory = write_split(&name, &emitted);
         let file = directory.join(format!("{}.v", emitted.top));
-        let arguments = [
-            "--lint-only",
-            "-Wall",
-            "-Wno-fatal",
-            "-y",
-            directory.to_str().unwrap(),
-            file.to_str().unwrap(),
-        ];
-        let output = run("verilator", "verilator", &arguments);
-        let said = String::from_utf8_lossy(&output.stderr);
-        assert!(
-            output.status.success() && said.is_empty(),
-            "{request:?}: {said}"
-        );
+        let [directory, file] = [&directory, &file].map(|path| path.to_str().unwrap());
+        let arguments = ["--lint-only", "-Wall", "-Wno-fatal", "-y", directory, file];
+        accepts("verilator", &arguments, &request);
     }
 }
 
@@ -115,75 +103,28 @@ fn ports_are_listed_as_they_stand() {
 
 #[test]
 fn bad_requests_name_the_value_and_the_range() {
-    for (name, depth_word, option, value, says) in [
-        (
-            "beam",
-            33,
-            "planes",
-            3,
-            "format = 33 is out of range; legal values are 8 to 32",
-        ),
-        (
-            "beam",
-            24,
-            "planes",
-            13,
-            "planes = 13 is out of range; legal values are 0 to 12",
-        ),
-        (
-            "beam",
-            24,
-            "rows-per-stage",
-            0,
-            "rows-per-stage = 0 is out of range; legal values are 1 to 24",
-        ),
-        (
-            "beam",
-            24,
-            "rows-per-stage",
-            25,
-            "rows-per-stage = 25 is out of range",
-        ),
-        (
-            "beam",
-            24,
-            "objects",
-            0,
-            "objects = 0 is out of range; legal values are 1 to 256",
-        ),
-        ("beam", 24, "objects", 257, "objects = 257 is out of range"),
-        (
-            "square_root_rows",
-            24,
-            "digits",
-            25,
-            "digits = 25 is out of range; legal values are 1 to 24",
-        ),
-        (
-            "square_root_linear",
-            24,
-            "corrections",
-            3,
-            "corrections = 3 is out of range; legal values are 0 to 2",
-        ),
-        (
-            "card_decider",
-            24,
-            "objects",
-            200,
-            "objects times cards = 400 is out of range",
-        ),
-        (
-            "beam",
-            24,
-            "corrections",
-            1,
-            "the unit `beam` has no parameter `corrections`",
-        ),
+    let refused = |unit, depth_word, option, value| {
+        let request = Request::given(unit, depth_word, &[(option, Some(value))]);
+        request.unwrap_err().to_string()
+    };
+    for (unit, option, value, legal) in [
+        ("beam", "planes", 13, "0 to 12"),
+        ("beam", "rows-per-stage", 0, "1 to 24"),
+        ("beam", "rows-per-stage", 25, "1 to 24"),
+        ("beam", "objects", 0, "1 to 256"),
+        ("beam", "objects", 257, "1 to 256"),
+        ("square_root_rows", "digits", 25, "1 to 24"),
+        ("square_root_linear", "corrections", 3, "0 to 2"),
     ] {
-        let refused = Request::given(name, depth_word, &[(option, Some(value))]).unwrap_err();
-        assert!(refused.to_string().contains(says), "{refused}");
+        let says = format!("{option} = {value} is out of range; legal values are {legal}");
+        assert_eq!(refused(unit, 24, option, value), says);
     }
+    let format = refused("beam", 33, "planes", 3);
+    assert!(format.contains("format = 33 is out of range; legal values are 8 to 32"));
+    let inputs = refused("card_decider", 24, "objects", 200);
+    assert!(inputs.contains("objects times cards = 400 is out of range"));
+    let foreign = refused("beam", 24, "corrections", 1);
+    assert!(foreign.contains("the unit `beam` has no parameter `corrections`"));
     let unchecked = Request {
         planes: 13,
         ..Request::new(Unit::Beam)

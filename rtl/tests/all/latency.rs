@@ -78,6 +78,12 @@ fn check(request: &Request, held: Values, impulse: Values, output: &str) {
 
 const GO: Values = &[("valid", 1), ("start", 1)];
 const ROOTS: Values = &[("f1_c", 100), ("f2_f", 9), ("gx_c", 2560)];
+const ROOTS_OF_PE: Values = &[("f1_c", 100), ("f2_f", 9)];
+const RADICAND: Values = &[("radicand", 1 << 30)];
+const PICTURE: Values = &[("width", 2), ("height", 2)];
+const DEPTH: Values = &[("input_0_depth", -1)];
+const OTHER_END: Values = &[("intersected_*_other_end", 9)];
+const OWN_DEPTH: Values = &[("intersected_*_depth", -4)];
 
 /// A unit, what its inputs hold, the impulse, and the output that answers.
 type Case = (Unit, Values<'static>, Values<'static>, &'static str);
@@ -88,38 +94,18 @@ const CASES: &[Case] = &[
     (Unit::Pe2, &[("f", 5)], GO, "value"),
     (Unit::ProgrammablePe, &[("f", 5)], GO, "value"),
     (Unit::MemoryPe2, &[], &[("pixel", 1)], "value_valid"),
-    (Unit::SquareRoot, &[], &[("radicand", 1 << 30)], "root"),
-    (
-        Unit::SquareRootNonRestoring,
-        &[],
-        &[("radicand", 1 << 30)],
-        "root",
-    ),
+    (Unit::SquareRoot, &[], RADICAND, "root"),
+    (Unit::SquareRootNonRestoring, &[], RADICAND, "root"),
     (
         Unit::SquareRootIterative,
         &[("radicand", 1)],
         &[("start", 1)],
         "done",
     ),
-    (Unit::SquareRootRows, &[], &[("radicand", 1 << 30)], "root"),
-    (
-        Unit::SquareRootLeading,
-        &[],
-        &[("radicand", 1 << 30)],
-        "root",
-    ),
-    (
-        Unit::SquareRootLinear,
-        &[],
-        &[("radicand", 1 << 30)],
-        "root",
-    ),
-    (
-        Unit::SquareRootQuadratic,
-        &[],
-        &[("radicand", 1 << 30)],
-        "root",
-    ),
+    (Unit::SquareRootRows, &[], RADICAND, "root"),
+    (Unit::SquareRootLeading, &[], RADICAND, "root"),
+    (Unit::SquareRootLinear, &[], RADICAND, "root"),
+    (Unit::SquareRootQuadratic, &[], RADICAND, "root"),
     (Unit::QuadricPe, ROOTS_OF_PE, GO, "near_sum"),
     (Unit::QuadricPe, ROOTS_OF_PE, GO, "root"),
     (Unit::PlaneDepth, &[("c", 5 << 10)], GO, "depth"),
@@ -153,21 +139,11 @@ const CASES: &[Case] = &[
     (Unit::CylinderProcessor, &[], GO, "out_valid"),
     (Unit::QuadricVolume, &[], GO, "out_valid"),
     (Unit::PolyhedralVolume, &[], GO, "out_valid"),
-    (
-        Unit::RasterControl,
-        &[("width", 2), ("height", 2)],
-        &[("go", 1)],
-        "valid",
-    ),
+    (Unit::RasterControl, PICTURE, &[("go", 1)], "valid"),
     (Unit::VisibilityNode, &[], &[("b_depth", -1)], "depth"),
-    (Unit::Decider, &[], &[("input_0_depth", -1)], "depth"),
-    (
-        Unit::VisibilityChain,
-        &[],
-        &[("input_0_depth", -1)],
-        "depth",
-    ),
-    (Unit::CardDecider, &[], &[("input_0_depth", -1)], "depth"),
+    (Unit::Decider, &[], DEPTH, "depth"),
+    (Unit::VisibilityChain, &[], DEPTH, "depth"),
+    (Unit::CardDecider, &[], DEPTH, "depth"),
     (Unit::ShadowStage, &[], &[("flags_in", 1)], "flags"),
     (Unit::TransparencyStage, &[], &[("pixel_red", 1)], "red"),
     (
@@ -176,24 +152,14 @@ const CASES: &[Case] = &[
         &[("pixel_depth", 1)],
         "depth",
     ),
-    (
-        Unit::CsgProduct,
-        &[("intersected_*_other_end", 9)],
-        &[("intersected_*_depth", -4)],
-        "depth",
-    ),
+    (Unit::CsgProduct, OTHER_END, OWN_DEPTH, "depth"),
     (
         Unit::CoefficientStore,
         &[("address", 25), ("data", 3)],
         &[("write", 1)],
         "plane_0_a",
     ),
-    (
-        Unit::Beam,
-        &[("width", 2), ("height", 2)],
-        &[("go", 1)],
-        "valid",
-    ),
+    (Unit::Beam, PICTURE, &[("go", 1)], "valid"),
     (Unit::VideoTiming, &[], &[("enable", 1)], "frame_start"),
     (
         Unit::PixelFifo,
@@ -222,7 +188,6 @@ const CASES: &[Case] = &[
     (Unit::ShadingProcessor, &[], &[("valid", 1)], "out_valid"),
     (Unit::LitSphere, &[], &[("valid", 1)], "out_valid"),
 ];
-const ROOTS_OF_PE: Values = &[("f1_c", 100), ("f2_f", 9)];
 
 #[test]
 fn every_unit() {
@@ -235,15 +200,19 @@ fn every_unit() {
 
 #[test]
 fn root_networks_of_every_depth() {
-    let impulse: Values = &[("radicand", 1 << 30)];
     for rows in [1, 3, 5, 8, 16] {
         let rows = ("rows-per-stage", rows);
         for of in [Unit::SquareRoot, Unit::SquareRootNonRestoring] {
-            check(&unit(of, &[rows]), &[], impulse, "root");
+            check(&unit(of, &[rows]), &[], RADICAND, "root");
         }
         for digits in 1..=16 {
             for of in [Unit::SquareRootRows, Unit::SquareRootLeading] {
-                check(&unit(of, &[rows, ("digits", digits)]), &[], impulse, "root");
+                check(
+                    &unit(of, &[rows, ("digits", digits)]),
+                    &[],
+                    RADICAND,
+                    "root",
+                );
             }
         }
         for output in ["near_sum", "root"] {
@@ -255,7 +224,7 @@ fn root_networks_of_every_depth() {
             check(
                 &unit(of, &[("corrections", corrections)]),
                 &[],
-                impulse,
+                RADICAND,
                 "root",
             );
         }
@@ -305,12 +274,7 @@ fn processors_and_machines_of_every_depth() {
             ("planes", planes),
             ("rows-per-stage", rows),
         ];
-        check(
-            &unit(Unit::Beam, &shape),
-            &[("width", 2), ("height", 2)],
-            &[("go", 1)],
-            "valid",
-        );
+        check(&unit(Unit::Beam, &shape), PICTURE, &[("go", 1)], "valid");
     }
 }
 
@@ -390,19 +354,14 @@ fn solids_of_every_depth() {
     for (intersected, subtracted) in [(1, 0), (1, 1), (2, 2), (3, 1), (5, 3), (8, 8)] {
         let shape = [("intersected", intersected), ("subtracted", subtracted)];
         let solid = unit(Unit::CsgProduct, &shape);
-        check(
-            &solid,
-            &[("intersected_*_other_end", 9)],
-            &[("intersected_*_depth", -4)],
-            "depth",
-        );
+        check(&solid, OTHER_END, OWN_DEPTH, "depth");
         if subtracted == 0 {
             continue;
         }
         // What is taken away is used after the tree of the intersection.
         let skew = u32::next_power_of_two(intersected).trailing_zeros() as usize;
         let impulse: Values = &[("subtracted_0_depth", 3)];
-        let found = measured(&solid, &[("intersected_*_other_end", 9)], impulse, "depth");
+        let found = measured(&solid, OTHER_END, impulse, "depth");
         assert_eq!(found + skew, solid.latency());
     }
 }

@@ -66,8 +66,6 @@ pub fn write(name: &str, emitted: &Emitted) -> PathBuf {
 /// Writes a unit as one file for each module in an empty directory of its own.
 pub fn write_split(name: &str, emitted: &Emitted) -> PathBuf {
     let directory = directory(name);
-    std::fs::remove_dir_all(&directory).unwrap();
-    std::fs::create_dir(&directory).unwrap();
     for (file, text) in emitted.files() {
         std::fs::write(directory.join(file), text).unwrap();
     }
