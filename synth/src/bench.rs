@@ -81,14 +81,15 @@ impl<'a> Bench<'a> {
         let family = self.target.family();
         let resources = yosys::resources(family, &statistics.cells);
         let counted = |count: u64| (family != Family::Gates).then_some(count);
+        let [lut, ff, carry, dsp, bram] = resources.counts().map(counted);
         let mut report = SynthReport {
             unit: self.top.to_owned(),
             target: self.target.name().to_owned(),
-            lut: counted(resources.lut),
-            ff: counted(resources.ff),
-            carry: counted(resources.carry),
-            dsp: counted(resources.dsp),
-            bram: counted(resources.bram),
+            lut,
+            ff,
+            carry,
+            dsp,
+            bram,
             transistors: statistics.transistors,
             cells: statistics.cells,
             ..SynthReport::default()
@@ -138,10 +139,8 @@ impl<'a> Bench<'a> {
 }
 
 fn seed_result(seed: usize, report: RouteReport) -> Result<SeedResult, SynthError> {
-    let fmax_mhz = report.fmax_mhz.ok_or_else(|| SynthError::Report {
-        tool: "nextpnr",
-        problem: "it has no clock".into(),
-    })?;
+    let clock = report.fmax_mhz;
+    let fmax_mhz = clock.ok_or_else(|| SynthError::report("nextpnr", "it has no clock"))?;
     Ok(SeedResult {
         seed,
         fmax_mhz,

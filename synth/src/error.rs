@@ -97,6 +97,14 @@ pub enum SynthError {
 }
 
 impl SynthError {
+    /// What is wrong with the report of a tool.
+    pub fn report(tool: &'static str, problem: impl ToString) -> Self {
+        Self::Report {
+            tool,
+            problem: problem.to_string(),
+        }
+    }
+
     /// What a tool said before it gave up.
     pub(crate) fn tool(tool: &str, said: &str) -> Self {
         Self::Tool {

@@ -19,7 +19,7 @@ pub use estimate::estimated_costs;
 use imogene_rtl::emit::Emitted;
 use imogene_tools::{Kept, read, scratch, write};
 pub use modules::Parts;
-use modules::{Module, closure, is_of, modules, ports};
+use modules::{Module, below, is_of, modules, ports};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, HashMap};
@@ -179,14 +179,13 @@ impl Knowledge {
 impl MachineCost {
     /// The sum of the resources of modules, each as often as it stands in the machine.
     fn of(modules: impl Iterator<Item = (u64, Resources)>, target: Target) -> MachineCost {
-        let mut sum = Resources::default();
+        let mut sum = [0; 5];
         for (times, own) in modules {
-            sum.lut += times * own.lut;
-            sum.ff += times * own.ff;
-            sum.carry += times * own.carry;
-            sum.dsp += times * own.dsp;
-            sum.bram += times * own.bram;
+            for (sum, own) in sum.iter_mut().zip(own.counts()) {
+                *sum += times * own;
+            }
         }
+        let sum = Resources::of(sum);
         // A carry cell of ECP5 takes two logic cells; one of iCE40 lies in the cell of its look-up table.
         let per_carry = match target.family() {
             Family::Ecp5 => 2,
@@ -247,13 +246,7 @@ fn critical(machine: &Emitted) -> Vec<Emitted> {
 
 /// One module of a machine and all below it.
 fn unit(machine: &Emitted, name: &str) -> Emitted {
-    let needed = closure(machine, name);
-    let modules: Vec<(String, String)> = machine
-        .modules
-        .iter()
-        .filter(|(name, _)| needed.contains(name))
-        .cloned()
-        .collect();
+    let modules: Vec<(String, String)> = below(machine, name).cloned().collect();
     let own = modules.iter().find(|(module, _)| module == name);
     Emitted {
         top: name.to_owned(),

@@ -57,4 +57,4 @@ pub use nextpnr::{RouteReport, RoutedClock, parse_report};
 pub use registers::fold as fold_registers;
 pub use report::{CriticalPath, SeedResult, SynthReport};
 pub use target::{TIMING_WEIGHT, Target, UnknownTarget};
-pub use yosys::{CellCounts, Resources, run as run_yosys};
+pub use yosys::{CellCounts, Resources, Statistics, parse_statistics, run as run_yosys};

@@ -94,10 +94,8 @@ struct ReportedPath {
 ///
 /// When it is none.
 pub fn parse_report(text: &str) -> Result<RouteReport, SynthError> {
-    let document: Document = serde_json::from_str(text).map_err(|error| SynthError::Report {
-        tool: "nextpnr",
-        problem: error.to_string(),
-    })?;
+    let document: Document =
+        serde_json::from_str(text).map_err(|error| SynthError::report("nextpnr", error))?;
     let slowest = document.fmax.values().map(|clock| clock.achieved);
     let utilisation = document.utilization.into_iter();
     Ok(RouteReport {

@@ -140,10 +140,8 @@ fn version(tool: &'static str, path: &Path) -> Result<String, SynthError> {
     let said = call(Command::new(path).arg("--version")).map_err(FileError::at(path))?;
     // Yosys answers on standard output, nextpnr on standard error.
     let text = said.all();
-    let version = imogene_tools::version(&text).ok_or_else(|| SynthError::Report {
-        tool,
-        problem: format!("no version in `{}`", text.trim()),
-    })?;
+    let version = imogene_tools::version(&text)
+        .ok_or_else(|| SynthError::report(tool, format!("no version in `{}`", text.trim())))?;
     known.insert(path.to_path_buf(), version.to_owned());
     Ok(version.to_owned())
 }

@@ -26,11 +26,33 @@ pub struct Resources {
     pub bram: u64,
 }
 
+impl Resources {
+    /// All counts, in their order.
+    pub(crate) fn counts(&self) -> [u64; 5] {
+        [self.lut, self.ff, self.carry, self.dsp, self.bram]
+    }
+
+    /// The resources of these counts.
+    pub(crate) fn of([lut, ff, carry, dsp, bram]: [u64; 5]) -> Resources {
+        Resources {
+            lut,
+            ff,
+            carry,
+            dsp,
+            bram,
+        }
+    }
+}
+
 /// Statistics of one Yosys run.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Statistics {
+#[derive(Clone, Debug, PartialEq)]
+pub struct Statistics {
+    /// Cells by type.
     pub cells: CellCounts,
+    /// Transistors in static CMOS gates, where they were asked for.
     pub transistors: Option<u64>,
+    /// Area in square micrometres, where a library of cells says it.
+    pub area: Option<f64>,
 }
 
 /// Runs a script of Yosys in a folder; file names in it are relative to the folder.
@@ -51,11 +73,12 @@ pub fn run(tool: &Tool, folder: &Path, script: &str) -> Result<(), SynthError> {
 }
 
 /// Reads what `stat -json` wrote.
-pub(crate) fn parse_statistics(text: &str) -> Result<Statistics, SynthError> {
-    let bad = |problem: String| SynthError::Report {
-        tool: "yosys",
-        problem,
-    };
+///
+/// # Errors
+///
+/// When it is none, or the transistors do not count every cell.
+pub fn parse_statistics(text: &str) -> Result<Statistics, SynthError> {
+    let bad = |problem: String| SynthError::report("yosys", problem);
     // `tee` may put the heading of the command before the document.
     let start = text
         .find('{')
@@ -82,19 +105,16 @@ pub(crate) fn parse_statistics(text: &str) -> Result<Statistics, SynthError> {
         ),
         other => return Err(bad(format!("{other} transistors"))),
     };
-    Ok(Statistics { cells, transistors })
+    Ok(Statistics {
+        cells,
+        transistors,
+        area: design["area"].as_f64(),
+    })
 }
 
 /// Sums cells into resources; gates have none.
 pub(crate) fn resources(family: Family, cells: &CellCounts) -> Resources {
-    let sum = |names: &dyn Fn(&str) -> bool| -> u64 {
-        let matching = cells.iter().filter(|(name, _)| names(name));
-        matching.map(|(_, count)| count).sum()
-    };
-    let starts = |prefixes: &'static [&'static str]| {
-        move |name: &str| prefixes.iter().any(|prefix| name.starts_with(prefix))
-    };
-    let [lut, ff, carry, dsp, bram]: [&'static [&'static str]; 5] = match family {
+    let kinds: [&[&str]; 5] = match family {
         Family::Ice40 => [
             &["SB_LUT4"],
             &["SB_DFF"],
@@ -126,14 +146,15 @@ pub(crate) fn resources(family: Family, cells: &CellCounts) -> Resources {
         ],
         Family::Gates => return Resources::default(),
     };
-    // By whole name: Gowin's ALU is a carry cell, its ALU54D belongs to a multiplier.
-    let is_carry = |name: &str| carry.contains(&name);
+    let sum = |prefixes: &[&str]| {
+        let is_meant = |name: &str| prefixes.iter().any(|prefix| name.starts_with(prefix));
+        let matching = cells.iter().filter(|(name, _)| is_meant(name));
+        matching.map(|(_, count)| count).sum()
+    };
     Resources {
-        lut: sum(&starts(lut)),
-        ff: sum(&starts(ff)),
-        carry: sum(&is_carry),
-        dsp: sum(&starts(dsp)),
-        bram: sum(&starts(bram)),
+        // By whole name: Gowin's ALU is a carry cell, its ALU54D belongs to a multiplier.
+        carry: kinds[2].iter().filter_map(|name| cells.get(*name)).sum(),
+        ..Resources::of(kinds.map(sum))
     }
 }
 
@@ -149,14 +170,7 @@ mod tests {
 
     fn recorded(family: Family, text: &str) -> [u64; 5] {
         let statistics = parse_statistics(text).expect("a recorded report");
-        let Resources {
-            lut,
-            ff,
-            carry,
-            dsp,
-            bram,
-        } = resources(family, &statistics.cells);
-        [lut, ff, carry, dsp, bram]
+        resources(family, &statistics.cells).counts()
     }
 
     #[test]

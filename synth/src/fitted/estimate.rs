@@ -57,17 +57,11 @@ fn between(kin: &Kin, bits: u64) -> Resources {
         0 => 0.0,
         span => (bits as f64 - *first.0 as f64) / span as f64,
     };
-    let of = |resource: fn(&Resources) -> u64| {
-        let [first, last] = [first.1, last.1].map(|own| resource(own) as f64);
+    let [first, last] = [first.1, last.1].map(Resources::counts);
+    Resources::of(std::array::from_fn(|index| {
+        let [first, last] = [first[index] as f64, last[index] as f64];
         (first + part * (last - first)).round().max(0.0) as u64
-    };
-    Resources {
-        lut: of(|own| own.lut),
-        ff: of(|own| own.ff),
-        carry: of(|own| own.carry),
-        dsp: of(|own| own.dsp),
-        bram: of(|own| own.bram),
-    }
+    }))
 }
 
 #[cfg(test)]

@@ -82,7 +82,7 @@ pub(super) fn modules(machine: &Emitted, parts: Parts) -> Vec<Module> {
             let is_composite = is_composite(machine, parts, name);
             let own = match is_composite {
                 true => text.clone(),
-                false => texts_below(machine, name),
+                false => below(machine, name).map(|(_, text)| &**text).collect(),
             };
             Module {
                 name: name.clone(),
@@ -108,12 +108,14 @@ pub(super) fn modules(machine: &Emitted, parts: Parts) -> Vec<Module> {
     list
 }
 
-fn texts_below(machine: &Emitted, name: &str) -> String {
+/// A module and all below it, with their texts, in the order of the machine.
+pub(super) fn below<'a>(
+    machine: &'a Emitted,
+    name: &str,
+) -> impl Iterator<Item = &'a (String, String)> + use<'a> {
     let needed = closure(machine, name);
     let modules = machine.modules.iter();
-    let texts = modules.filter(|(name, _)| needed.contains(name));
-    let texts: Vec<&str> = texts.map(|(_, text)| &**text).collect();
-    texts.concat()
+    modules.filter(move |(name, _)| needed.contains(name))
 }
 
 /// Bits that a text declares: of ports, wires and registers, with every element of an array.
@@ -175,7 +177,7 @@ fn children(text: &str, names: &BTreeSet<&str>) -> BTreeMap<String, u64> {
 }
 
 /// A module and all below it.
-pub(super) fn closure(machine: &Emitted, name: &str) -> BTreeSet<String> {
+fn closure(machine: &Emitted, name: &str) -> BTreeSet<String> {
     let names: BTreeSet<&str> = machine.modules.iter().map(|(name, _)| &**name).collect();
     let mut needed = BTreeSet::from([name.to_owned()]);
     // A module stands behind those below it.

@@ -3,10 +3,9 @@
 use super::Tile;
 use crate::error::BoardError;
 use imogene_synth::tools::{Tool, YOSYS};
-use imogene_synth::{SynthError, run_yosys};
+use imogene_synth::{SynthError, parse_statistics, run_yosys};
 use imogene_tools::{read, scratch, write};
 use serde::Serialize;
-use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
@@ -74,11 +73,12 @@ impl Library {
             tile.top
         );
         run_yosys(&Tool::find(YOSYS)?, folder.path(), &script)?;
-        let (cells, area) = counted(&read(&path("stat.json"))?)?;
+        let counted = parse_statistics(&read(&path("stat.json"))?)?;
+        let no_area = || SynthError::report("yosys", "no area");
         Ok(Mapped {
             library: self,
-            cells,
-            area,
+            cells: counted.cells,
+            area: counted.area.ok_or_else(no_area)?,
             verilog: read(&path("netlist.v"))?,
         })
     }
@@ -103,21 +103,4 @@ fn osu018(name: &str) -> Result<String, BoardError> {
         });
     }
     Ok(read(&path)?)
-}
-
-/// Cells and their area, as Yosys counts them.
-fn counted(text: &str) -> Result<(BTreeMap<String, u64>, f64), SynthError> {
-    let bad = |problem: &str| SynthError::Report {
-        tool: "yosys",
-        problem: problem.to_owned(),
-    };
-    let start = text.find('{').ok_or_else(|| bad("no JSON document"))?;
-    let document: Value =
-        serde_json::from_str(&text[start..]).map_err(|error| bad(&error.to_string()))?;
-    let design = &document["design"];
-    let cells = design["num_cells_by_type"].as_object();
-    let cells = cells.ok_or_else(|| bad("no cells"))?;
-    let count = |(name, count): (&String, &Value)| Some((name.clone(), count.as_u64()?));
-    let area = design["area"].as_f64().ok_or_else(|| bad("no area"))?;
-    Ok((cells.iter().filter_map(count).collect(), area))
 }
