@@ -11,65 +11,53 @@ use std::path::Path;
 /// The type of a flip-flop of an ECP5.
 pub(crate) const FLIP_FLOP: &str = "TRELLIS_FF";
 
-/// A cell with an output register: its type, the letters its outputs begin with, clocks, enables and resets of the
-/// register, and the parameters that put it in and their value.
+/// A cell with an output register: its type, the sides that the register has, the names that its outputs, clock, enable
+/// and reset begin with, which the side ends, and the same of the parameter that puts it in, and its value.
 struct Kind {
     cell: &'static str,
     is_meant: fn(&Value) -> bool,
-    outputs: &'static [&'static str],
-    clocks: &'static [&'static str],
-    enables: &'static [&'static str],
-    resets: &'static [&'static str],
-    registers: (&'static [&'static str], &'static str),
+    sides: &'static [&'static str],
+    names: [&'static str; 4],
+    parameter: (&'static str, &'static str),
+}
+
+impl Kind {
+    /// A name with each side.
+    fn with_sides(&self, name: &str) -> impl Iterator<Item = String> {
+        self.sides.iter().map(move |side| format!("{name}{side}"))
+    }
+}
+
+/// A block memory with the register on these sides.
+const fn memory(sides: &'static [&'static str], is_meant: fn(&Value) -> bool) -> Kind {
+    Kind {
+        cell: "DP16KD",
+        is_meant,
+        sides,
+        names: ["DO", "CLK", "OCE", "RST"],
+        parameter: ("REGMODE_", "OUTREG"),
+    }
 }
 
 /// A word of 36 bits leaves a block memory on the outputs of both ports, so both have the register. The clock of a
 /// multiplier is that of the flip-flops behind it, for it has none before.
 const KINDS: [Kind; 5] = [
-    Kind {
-        cell: "DP16KD",
-        is_meant: |cell| !is_wide(cell),
-        outputs: &["DOA"],
-        clocks: &["CLKA"],
-        enables: &["OCEA"],
-        resets: &["RSTA"],
-        registers: (&["REGMODE_A"], "OUTREG"),
-    },
-    Kind {
-        cell: "DP16KD",
-        is_meant: |cell| !is_wide(cell),
-        outputs: &["DOB"],
-        clocks: &["CLKB"],
-        enables: &["OCEB"],
-        resets: &["RSTB"],
-        registers: (&["REGMODE_B"], "OUTREG"),
-    },
-    Kind {
-        cell: "DP16KD",
-        is_meant: is_wide,
-        outputs: &["DOA", "DOB"],
-        clocks: &["CLKA", "CLKB"],
-        enables: &["OCEA", "OCEB"],
-        resets: &["RSTA", "RSTB"],
-        registers: (&["REGMODE_A", "REGMODE_B"], "OUTREG"),
-    },
+    memory(&["A"], |cell| !is_wide(cell)),
+    memory(&["B"], |cell| !is_wide(cell)),
+    memory(&["A", "B"], is_wide),
     Kind {
         cell: "PDPW16KD",
         is_meant: |_| true,
-        outputs: &["DO"],
-        clocks: &["CLKR"],
-        enables: &["OCER"],
-        resets: &["RST"],
-        registers: (&["REGMODE"], "OUTREG"),
+        sides: &[""],
+        names: ["DO", "CLKR", "OCER", "RST"],
+        parameter: ("REGMODE", "OUTREG"),
     },
     Kind {
         cell: "MULT18X18D",
         is_meant: |_| true,
-        outputs: &["P"],
-        clocks: &["CLK0"],
-        enables: &["CE0"],
-        resets: &["RST0"],
-        registers: (&["REG_OUTPUT_CLK"], "CLK0"),
+        sides: &[""],
+        names: ["P", "CLK0", "CE0", "RST0"],
+        parameter: ("REG_OUTPUT_CLK", "CLK0"),
     },
 ];
 
@@ -85,14 +73,11 @@ fn is_wide(memory: &Value) -> bool {
 ///
 /// When the file is no such netlist, or cannot be read or written.
 pub fn fold(path: &Path) -> Result<u64, SynthError> {
-    let bad = |problem: String| SynthError::Report {
-        tool: "yosys",
-        problem,
-    };
     let text = imogene_tools::read(path)?;
-    let mut netlist: Value = serde_json::from_str(&text).map_err(|error| bad(error.to_string()))?;
+    let mut netlist: Value =
+        serde_json::from_str(&text).map_err(|error| SynthError::report("yosys", error))?;
     let modules = netlist.get_mut("modules").and_then(Value::as_object_mut);
-    let modules = modules.ok_or_else(|| bad("no modules".into()))?;
+    let modules = modules.ok_or_else(|| SynthError::report("yosys", "no modules"))?;
     let moved = modules.values_mut().map(fold_module).sum();
     if moved > 0 {
         imogene_tools::write(path, &netlist.to_string())?;
@@ -170,25 +155,24 @@ fn register(
     readers: &Readers,
 ) -> Option<Register> {
     let connections = &cell["connections"];
-    let is_reset = |port: &&&str| {
-        let bits = connections.get(**port);
+    let is_reset = |port: String| {
+        let bits = connections.get(port);
         bits.is_some_and(|bits| bits != &json!(["0"]))
     };
-    let (registers, value) = kind.registers;
-    let has_register = registers
-        .iter()
-        .any(|name| cell["parameters"][name] == value);
+    let [output, clock, _, reset] = kind.names;
+    let (parameter, value) = kind.parameter;
+    let mut parameters = kind.with_sides(parameter);
+    let has_register = parameters.any(|name| cell["parameters"][name] == value);
     let is_meant = cell["type"] == kind.cell && (kind.is_meant)(cell);
-    if !is_meant || has_register || kind.resets.iter().any(|port| is_reset(&port)) {
+    if !is_meant || has_register || kind.with_sides(reset).any(is_reset) {
         return None;
     }
     let mut found: Option<Register> = None;
     for (port, net) in cell["connections"].as_object()? {
-        let mut numbers = kind
-            .outputs
-            .iter()
-            .filter_map(|name| port.strip_prefix(name));
-        let is_output = numbers.any(|number| number.parse::<u8>().is_ok());
+        let is_output = kind.with_sides(output).any(|name| {
+            let number = port.strip_prefix(&name);
+            number.is_some_and(|number| number.parse::<u8>().is_ok())
+        });
         let readers = net[0].as_u64().and_then(|net| readers.get(&net));
         let Some(readers) = readers.filter(|_| is_output) else {
             continue;
@@ -206,7 +190,8 @@ fn register(
         }
         register.bits.push((port.clone(), name.clone()));
     }
-    let mut clocks = kind.clocks.iter().filter_map(|port| connections.get(*port));
+    let clocks = kind.with_sides(clock);
+    let mut clocks = clocks.filter_map(|port| connections.get(port));
     found.filter(|found| clocks.all(|clock| *clock == found.control.clock))
 }
 
@@ -236,18 +221,14 @@ fn put(register: Register, name: &str, kind: &Kind, cells: &mut Map<String, Valu
         cells[name]["connections"][port] = removed["connections"]["Q"].clone();
     }
     let cell = &mut cells[name];
-    let (parameters, value) = kind.registers;
-    for parameter in parameters {
+    let (parameter, value) = kind.parameter;
+    for parameter in kind.with_sides(parameter) {
         cell["parameters"][parameter] = value.into();
     }
     let Control { clock, enable } = register.control;
-    for (ports, bits) in [
-        (kind.clocks, clock),
-        (kind.enables, enable),
-        (kind.resets, json!(["0"])),
-    ] {
-        for port in ports {
-            cell["connections"][port] = bits.clone();
+    for (name, bits) in kind.names[1..].iter().zip([clock, enable, json!(["0"])]) {
+        for port in kind.with_sides(name) {
+            cell["connections"][&port] = bits.clone();
             cell["port_directions"][port] = "input".into();
         }
     }
