@@ -5,7 +5,6 @@
 //! would be equal to the first delay registers of the unit, and synthesis would merge the two.
 
 use imogene_rtl::emit::{Direction, Emitted, Port};
-use std::fmt::Write;
 
 /// Name of the harness module.
 pub const TOP: &str = "register_harness";
@@ -69,26 +68,18 @@ pub(crate) fn bits(ports: &[&Port], direction: Direction) -> usize {
 
 fn connections(ports: &[&Port], clock: Option<&str>) -> String {
     let mut used = [0, 0];
-    let mut text = String::new();
-    if let Some(clock) = clock {
-        let _ = write!(text, "        .{}({CLOCK})", identifier(clock));
-    }
+    let clock = clock.map(|clock| format!("        .{}({CLOCK})", identifier(clock)));
+    let mut lines = Vec::from_iter(clock);
     for port in ports {
         let (vector, used) = match port.direction {
             Direction::In => ("inputs", &mut used[0]),
             Direction::Out => ("results", &mut used[1]),
         };
-        let separator = if text.is_empty() { "" } else { ",\n" };
-        let _ = write!(
-            text,
-            "{separator}        .{}({vector}[{}:{}])",
-            identifier(&port.name),
-            *used + port.width - 1,
-            *used
-        );
+        let (name, first) = (identifier(&port.name), *used);
         *used += port.width;
+        lines.push(format!("        .{name}({vector}[{}:{first}])", *used - 1));
     }
-    text + "\n"
+    lines.join(",\n") + "\n"
 }
 
 /// A name as Verilog takes it: escaped unless it is plain.

@@ -53,6 +53,24 @@ pub(crate) struct PlaceAndRoute {
 /// The placer gives paths three times their usual weight: units reach 2.5 % more.
 pub const TIMING_WEIGHT: [&str; 2] = ["--placer-heap-timingweight", "30"];
 
+const ECP5_45K: [&str; 8] = ecp5("--45k");
+const ECP5_85K: [&str; 8] = ecp5("--85k");
+
+/// Device, package and pins of an ECP5.
+const fn ecp5(device: &'static str) -> [&'static str; 8] {
+    let ([weight, most], pins) = (TIMING_WEIGHT, "--lpf-allow-unconstrained");
+    [
+        device,
+        "--package",
+        "CABGA381",
+        "--speed",
+        "6",
+        pins,
+        weight,
+        most,
+    ]
+}
+
 impl Target {
     /// All targets.
     pub const ALL: [Self; 7] = [
@@ -168,32 +186,8 @@ impl Target {
                 &["--up5k", "--package", "sg48", "--pcf-allow-unconstrained"],
                 100,
             ),
-            Self::Ecp5With45k => (
-                &[
-                    "--45k",
-                    "--package",
-                    "CABGA381",
-                    "--speed",
-                    "6",
-                    "--lpf-allow-unconstrained",
-                    TIMING_WEIGHT[0],
-                    TIMING_WEIGHT[1],
-                ],
-                300,
-            ),
-            Self::Ecp5With85k => (
-                &[
-                    "--85k",
-                    "--package",
-                    "CABGA381",
-                    "--speed",
-                    "6",
-                    "--lpf-allow-unconstrained",
-                    TIMING_WEIGHT[0],
-                    TIMING_WEIGHT[1],
-                ],
-                300,
-            ),
+            Self::Ecp5With45k => (&ECP5_45K, 300),
+            Self::Ecp5With85k => (&ECP5_85K, 300),
             Self::Xilinx7 | Self::Gowin | Self::Transistors => return None,
         };
         let logic_cell = match self.family() {
