@@ -6,7 +6,7 @@ use crate::figures::Figures;
 use crate::report::CriticalPath;
 use crate::target::Target;
 use imogene_contract::Unit;
-use imogene_files::text::wrapped_page;
+use imogene_files::text::{counted, wrapped_page};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -155,14 +155,9 @@ fn ratios(table: &Table) -> String {
         found.and_then(|row| row.figures.cells)
     };
     let ratio = |planes: usize| {
-        let (patch, quadric) = (
-            cells("patch_processor", planes)?,
-            cells("quadric_processor", planes)?,
-        );
-        Some(format!(
-            "{:.2} with {planes}",
-            patch as f64 / quadric as f64
-        ))
+        let patch = cells("patch_processor", planes)? as f64;
+        let ratio = patch / cells("quadric_processor", planes)? as f64;
+        Some(format!("{ratio:.2} with {planes}"))
     };
     let list: Vec<String> = rows::PLANES.into_iter().filter_map(ratio).collect();
     format!("{RATIO}{}.\n", list.join(", "))
@@ -186,12 +181,8 @@ fn block_memory(table: &Table) -> String {
     let users: Vec<String> = rows
         .filter(|row| row.figures.bram > Some(0))
         .map(|row| {
-            format!(
-                "`{}` for {}: {}",
-                row.unit,
-                row.target,
-                count(row.figures.bram)
-            )
+            let memories = count(row.figures.bram);
+            format!("`{}` for {}: {memories}", row.unit, row.target)
         })
         .collect();
     if users.is_empty() {
@@ -208,19 +199,16 @@ fn devices(table: &Table, section: Section, target: Target) -> String {
     );
     text += "|---|---|---|---|---|---|---|---|---|---|\n";
     for row in table.section(section, target) {
-        let figures = &row.figures;
+        let own = &row.figures;
+        let counts = [own.lut, own.ff, own.carry, own.dsp, own.cells].map(count);
         let _ = writeln!(
             text,
-            "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |",
+            "| {} | {} | {} | {} | {} | {} |",
             name(row),
             row.latency,
-            count(figures.lut),
-            count(figures.ff),
-            count(figures.carry),
-            count(figures.dsp),
-            count(figures.cells),
-            clock(figures),
-            draws(figures),
+            counts.join(" | "),
+            clock(own),
+            draws(own),
             path(row.slowest_path.as_ref()),
         );
     }
@@ -230,10 +218,7 @@ fn devices(table: &Table, section: Section, target: Target) -> String {
 /// How a row is called in its section.
 fn name(row: &Measured) -> String {
     let (unit, parameters) = (&row.unit, &row.parameters);
-    let counted = |count: usize, what: &str| match count {
-        1 => format!("`{unit}`, 1 {what}"),
-        count => format!("`{unit}`, {count} {what}s"),
-    };
+    let counted = |count: usize, what: &str| format!("`{unit}`, {}", counted(count, what));
     match row.section {
         Section::Units | Section::Transistors => format!("`{unit}`"),
         Section::Planes => match parameters.get("sides") {
@@ -263,18 +248,12 @@ fn draws(figures: &Figures) -> &'static str {
 }
 
 fn path(path: Option<&CriticalPath>) -> String {
-    path.map_or_else(
-        || "-".to_owned(),
-        |path| {
-            format!(
-                "`{}` to `{}`, {:.1} ns in cells, {:.1} ns in wires",
-                register(&path.from),
-                register(&path.to),
-                path.logic_ns,
-                path.routing_ns
-            )
-        },
-    )
+    let text = path.map(|path| {
+        let (from, to) = (register(&path.from), register(&path.to));
+        let (logic, routing) = (path.logic_ns, path.routing_ns);
+        format!("`{from}` to `{to}`, {logic:.1} ns in cells, {routing:.1} ns in wires")
+    });
+    text.unwrap_or_else(|| "-".to_owned())
 }
 
 /// Name of the register of a cell; the tools add to it how the cell was made.
