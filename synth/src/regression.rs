@@ -162,17 +162,19 @@ mod tests {
         }
     }
 
+    fn changes(before: &Figures, now: &Figures) -> Vec<Change> {
+        compare((3, before), (3, now), true, Tolerance::default())
+    }
+
     fn verdicts(now: &Figures) -> Vec<(&'static str, Verdict)> {
-        let changes = compare((3, &figures()), (3, now), true, Tolerance::default());
-        let changes = changes
-            .iter()
-            .map(|change| (change.measure, change.verdict));
+        let changes = changes(&figures(), now).into_iter();
+        let changes = changes.map(|change| (change.measure, change.verdict));
         changes.filter(|(_, verdict)| *verdict != Same).collect()
     }
 
     #[test]
     fn equal_figures_are_the_same() {
-        let changes = compare((3, &figures()), (3, &figures()), true, Tolerance::default());
+        let changes = changes(&figures(), &figures());
         let measures: Vec<_> = changes.iter().map(|change| change.measure).collect();
         let expected = "latency LUT FF carry DSP BRAM cells Fmax";
         assert_eq!(measures.join(" "), expected);
@@ -209,8 +211,7 @@ mod tests {
             cells: None,
             ..figures()
         };
-        let back = compare((3, &without), (3, &figures()), true, Tolerance::default());
-        assert_eq!(worst(&back), Worse);
+        assert_eq!(worst(&changes(&without, &figures())), Worse);
     }
 
     #[test]
@@ -250,10 +251,9 @@ mod tests {
             does_not_fit,
             ..figures()
         };
-        let back = compare((3, &full), (3, &figures()), true, Tolerance::default());
+        let back = changes(&full, &figures());
         assert_eq!(back.last().map(|c| c.verdict), Some(Better));
-        let still = compare((3, &full), (3, &full), true, Tolerance::default());
-        assert_eq!(worst(&still), Same);
+        assert_eq!(worst(&changes(&full, &full)), Same);
     }
 
     #[test]

@@ -4,7 +4,7 @@ use crate::error::PeerError;
 use std::path::{Path, PathBuf};
 
 /// A design of another project, from files of the user.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Peer {
     /// Verilog files in the order they are read, `.v`, or `.sv` for SystemVerilog.
     pub files: Vec<PathBuf>,
@@ -97,9 +97,7 @@ mod tests {
         let with = |path: PathBuf| Peer {
             files: vec![path],
             top: "top".into(),
-            clock: None,
-            include: Vec::new(),
-            parameters: Vec::new(),
+            ..Peer::default()
         };
         let refusal = |peer: Peer| peer.check().expect_err("refused").to_string();
         assert!(refusal(with(folder.path().join("no.v"))).contains("no such file"));

@@ -126,12 +126,10 @@ fn ports_and_clock(peer: &Peer, netlist: &str) -> Result<(Vec<Port>, String), Pe
         .collect::<Result<_, _>>()?;
     let clock = find_clock(peer, &ports)?;
     let data: Vec<&Port> = ports.iter().filter(|port| port.name != clock).collect();
-    for (direction, name) in [(Direction::In, "input"), (Direction::Out, "output")] {
+    for direction in [Direction::In, Direction::Out] {
         if bits(&data, direction) == 0 {
-            return Err(PeerError::NoData {
-                top,
-                direction: name,
-            });
+            let direction = direction.keyword();
+            return Err(PeerError::NoData { top, direction });
         }
     }
     Ok((ports, clock))
@@ -142,10 +140,8 @@ fn parse_port(top: &str, name: &str, port: &Value) -> Result<Port, PeerError> {
         Some("input") => Direction::In,
         Some("output") => Direction::Out,
         _ => {
-            return Err(PeerError::Inout {
-                top: top.to_owned(),
-                port: name.to_owned(),
-            });
+            let (top, port) = (top.to_owned(), name.to_owned());
+            return Err(PeerError::Inout { top, port });
         }
     };
     Ok(Port {
@@ -209,11 +205,9 @@ mod tests {
 
     fn peer(clock: Option<&str>) -> Peer {
         Peer {
-            files: Vec::new(),
             top: "top".into(),
             clock: clock.map(str::to_owned),
-            include: Vec::new(),
-            parameters: Vec::new(),
+            ..Peer::default()
         }
     }
 

@@ -1,16 +1,13 @@
 //! Synthesis with the real tools: only with `IMOGENE_FULL=1`, as `scripts/test --full` sets it, and then a missing tool
 //! fails.
 
+use crate::is_full;
 use imogene_contract::{Request, Unit};
 use imogene_synth::baseline::{CheckOptions, RowCheck, check};
 use imogene_synth::regression::{Tolerance, Verdict};
 use imogene_synth::table::{self, Table};
 use imogene_synth::{Cache, Options, SynthError, SynthReport, Target, synthesise};
 use std::path::{Path, PathBuf};
-
-fn is_full() -> bool {
-    std::env::var_os("IMOGENE_FULL").is_some_and(|value| value == "1")
-}
 
 fn run(unit: Unit, target: Target) -> SynthReport {
     let request = Request::new(unit);

@@ -1,15 +1,12 @@
 //! Peers beside units, with the real tools: only with `IMOGENE_FULL=1`, as `scripts/test --full` sets it, and then a
 //! missing tool fails.
 
+use crate::is_full;
 use imogene_contract::{Request, Unit};
 use imogene_rtl::emit::emit;
-use imogene_synth::peer::{Comparison, Peer, PeerError, compare};
+use imogene_synth::peer::{Comparison, Peer, compare};
 use imogene_synth::{Options, SynthError, Target};
 use std::path::{Path, PathBuf};
-
-fn is_full() -> bool {
-    std::env::var_os("IMOGENE_FULL").is_some_and(|value| value == "1")
-}
 
 fn data(name: &str) -> PathBuf {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data");
@@ -20,9 +17,7 @@ fn root() -> Peer {
     Peer {
         files: vec![data("peer_root.v")],
         top: "peer_root".into(),
-        clock: None,
-        include: Vec::new(),
-        parameters: Vec::new(),
+        ..Peer::default()
     }
 }
 
@@ -32,7 +27,7 @@ fn adder() -> Peer {
         top: "peer_adder".into(),
         clock: Some("core_clk".into()),
         include: vec![data("peer_include")],
-        parameters: Vec::new(),
+        ..Peer::default()
     }
 }
 
@@ -40,11 +35,16 @@ fn run(peer: &Peer, unit: Unit, target: Target, seeds: usize) -> Result<Comparis
     compare(peer, &Request::new(unit), target, &Options { seeds })
 }
 
-fn refusal(peer: &Peer) -> PeerError {
-    match run(peer, Unit::Pe1, Target::Ice40Hx8k, 0) {
-        Err(SynthError::Peer(error)) => error,
+/// The message of a refused peer, which says all of these.
+fn refusal(peer: &Peer, parts: &[&str]) -> String {
+    let message = match run(peer, Unit::Pe1, Target::Ice40Hx8k, 0) {
+        Err(SynthError::Peer(error)) => error.to_string(),
         other => panic!("no refusal: {other:?}"),
+    };
+    for part in parts {
+        assert!(message.contains(part), "{message}");
     }
+    message
 }
 
 #[test]
@@ -112,33 +112,22 @@ fn what_yosys_refuses_is_said_in_one_line() {
     }
     let mut peer = root();
     peer.top = "root_of_all".into();
-    let message = refusal(&peer).to_string();
-    for part in ["root_of_all", "peer_root", "peer_root_row"] {
-        assert!(message.contains(part), "{message}");
-    }
+    refusal(&peer, &["root_of_all", "peer_root", "peer_root_row"]);
     let mut peer = adder();
     peer.clock = None;
-    let message = refusal(&peer).to_string();
-    for part in ["`clk` or `clock`", "input core_clk", "input a (8 bits)"] {
-        assert!(message.contains(part), "{message}");
-    }
+    let ports = ["`clk` or `clock`", "input core_clk", "input a (8 bits)"];
+    refusal(&peer, &ports);
     let mut peer = adder();
     peer.include.clear();
-    let message = refusal(&peer).to_string();
-    assert!(message.contains("peer_width.svh"), "{message}");
+    refusal(&peer, &["peer_width.svh"]);
     let mut peer = root();
     peer.parameters = vec![("DEPTH".into(), "3".into())];
-    let message = refusal(&peer).to_string();
-    assert!(message.contains("DEPTH"), "{message}");
+    refusal(&peer, &["DEPTH"]);
     let folder = tempfile::tempdir().expect("a temporary folder");
     let file = folder.path().join("broken.v");
     std::fs::write(&file, "module broken(input clk").expect("a file");
     let mut peer = root();
     peer.files = vec![file];
-    let message = refusal(&peer).to_string();
-    assert!(
-        message.contains("broken.v:1") && message.contains("syntax error"),
-        "{message}"
-    );
+    let message = refusal(&peer, &["broken.v:1", "syntax error"]);
     assert_eq!(message.lines().count(), 1, "{message}");
 }
