@@ -13,73 +13,58 @@ const CELLS: &str = include_str!("top/ecp5.v");
 
 /// A cell of which there is a model: its type, the parameters that the model takes, those that have to be of a certain
 /// value for it, and the inputs that have to stay at a level.
-struct Model {
-    cell: &'static str,
-    taken: &'static [&'static str],
-    fixed: &'static [(&'static str, &'static [&'static str])],
-    still: &'static [(&'static str, &'static str)],
-}
+type Model = (
+    &'static str,
+    &'static [&'static str],
+    &'static [(&'static str, &'static [&'static str])],
+    &'static [(&'static str, &'static str)],
+);
 
 const FLIP_FLOP: &str = "TRELLIS_FF";
 const MODELLED: [Model; 8] = [
-    Model {
-        cell: "TRELLIS_COMB",
-        taken: &["MODE", "CCU2_INJECT1", "INITVAL"],
-        fixed: &[("MODE", &["LOGIC", "CCU2"])],
-        still: &[],
-    },
-    Model {
-        cell: FLIP_FLOP,
-        taken: &["CLKMUX", "CEMUX", "LSRMUX", "REGSET", "SD"],
-        fixed: &[("SRMODE", &["LSR_OVER_CE"]), ("LSRMODE", &["LSR"])],
-        still: &[],
-    },
-    Model {
-        cell: "DP16KD",
-        taken: &["DATA_WIDTH", "REGMODE", "INITVAL"],
-        fixed: &[
+    (
+        "TRELLIS_COMB",
+        &["MODE", "CCU2_INJECT1", "INITVAL"],
+        &[("MODE", &["LOGIC", "CCU2"])],
+        &[],
+    ),
+    (
+        FLIP_FLOP,
+        &["CLKMUX", "CEMUX", "LSRMUX", "REGSET", "SD"],
+        &[("SRMODE", &["LSR_OVER_CE"]), ("LSRMODE", &["LSR"])],
+        &[],
+    ),
+    (
+        "DP16KD",
+        &["DATA_WIDTH", "REGMODE", "INITVAL"],
+        &[
             ("CSDECODE_A", &["0b000"]),
             ("CSDECODE_B", &["0b000"]),
             ("INIT_DATA", &["STATIC"]),
         ],
-        still: &[("WEB", "0"), ("RSTA", "0"), ("RSTB", "0")],
-    },
-    Model {
-        cell: "MULT18X18D",
-        taken: &["REG_OUTPUT_CLK"],
-        fixed: &[
+        &[("WEB", "0"), ("RSTA", "0"), ("RSTB", "0")],
+    ),
+    (
+        "MULT18X18D",
+        &["REG_OUTPUT_CLK"],
+        &[
             ("REG_INPUTA_CLK", &["NONE"]),
             ("REG_INPUTB_CLK", &["NONE"]),
             ("REG_PIPELINE_CLK", &["NONE"]),
             ("REG_OUTPUT_CLK", &["NONE", "CLK0"]),
             ("MULT_BYPASS", &["DISABLED"]),
         ],
-        still: &[],
-    },
-    Model {
-        cell: "SIOLOGIC",
-        taken: &[],
-        fixed: &[("MODE", &["IDDRX1_ODDRX1"])],
-        still: &[],
-    },
-    Model {
-        cell: "DCCA",
-        taken: &[],
-        fixed: &[],
-        still: &[],
-    },
-    Model {
-        cell: "TRELLIS_IO",
-        taken: &["DATAMUX_ODDR"],
-        fixed: &[("DIR", &["INPUT", "OUTPUT"])],
-        still: &[],
-    },
-    Model {
-        cell: "EHXPLLL",
-        taken: &[],
-        fixed: &[],
-        still: &[],
-    },
+        &[],
+    ),
+    ("SIOLOGIC", &[], &[("MODE", &["IDDRX1_ODDRX1"])], &[]),
+    ("DCCA", &[], &[], &[]),
+    (
+        "TRELLIS_IO",
+        &["DATAMUX_ODDR"],
+        &[("DIR", &["INPUT", "OUTPUT"])],
+        &[],
+    ),
+    ("EHXPLLL", &[], &[], &[]),
 ];
 
 /// Verilog of the netlist that the router wrote to a file of the folder; why there is none where it has a cell without
@@ -94,8 +79,8 @@ pub(crate) fn routed_verilog(
     file: &str,
 ) -> Result<Result<String, String>, BoardError> {
     let path = folder.join(file);
-    let mut netlist: Value =
-        serde_json::from_str(&read(&path)?).map_err(|error| unread(error.to_string()))?;
+    let mut netlist: Value = serde_json::from_str(&read(&path)?)
+        .map_err(|error| SynthError::report("nextpnr-ecp5", error))?;
     let modules = netlist["modules"].as_object_mut();
     for module in modules.into_iter().flat_map(Map::values_mut) {
         let cells = module["cells"].as_object_mut();
@@ -119,19 +104,12 @@ pub(crate) fn routed_models() -> Result<String, BoardError> {
     Ok(format!("{MODELS}{cells}"))
 }
 
-fn unread(problem: String) -> BoardError {
-    BoardError::Synth(SynthError::Report {
-        tool: "nextpnr-ecp5",
-        problem,
-    })
-}
-
 /// Gives the open inputs of a cell their levels, and leaves it the parameters that its model takes.
 fn settle(cell: &mut Value) -> Result<(), String> {
     let kind = text(&cell["type"]);
-    let model = MODELLED.iter().find(|model| model.cell == kind);
-    let model = model.ok_or_else(|| format!("no model of a {kind}"))?;
-    for (name, accepted) in model.fixed {
+    let model = MODELLED.iter().find(|model| model.0 == kind);
+    let &(_, taken, fixed, still) = model.ok_or_else(|| format!("no model of a {kind}"))?;
+    for (name, accepted) in fixed {
         let value = &cell["parameters"][name];
         if !value.is_null() && !accepted.contains(&text(value).as_str()) {
             return Err(format!("no model of a {kind} whose {name} is {value}"));
@@ -148,7 +126,7 @@ fn settle(cell: &mut Value) -> Result<(), String> {
         } else if mux == "INV" && kind != FLIP_FLOP {
             return Err(format!("no model of a {kind} with {port} inverted"));
         }
-        let still = model.still.iter().find(|(name, _)| *name == port);
+        let still = still.iter().find(|(name, _)| *name == port);
         if still.is_some_and(|(_, level)| *net != json!([level])) {
             return Err(format!("no model of a {kind} with a level at {port}"));
         }
@@ -160,7 +138,7 @@ fn settle(cell: &mut Value) -> Result<(), String> {
         cell["type"] = format!("TRELLIS_{}", text(&cell["parameters"]["DIR"])).into();
     }
     if let Some(parameters) = cell["parameters"].as_object_mut() {
-        let is_taken = |name: &String| model.taken.iter().any(|taken| name.starts_with(taken));
+        let is_taken = |name: &String| taken.iter().any(|taken| name.starts_with(taken));
         parameters.retain(|name, _| is_taken(name));
     }
     Ok(())
@@ -213,18 +191,14 @@ mod tests {
             settle(&mut cell).err().unwrap_or_default()
         };
         assert_eq!(memory("WEB", 0, "0b000"), "");
-        assert_eq!(
-            memory("CSA0", 5, "0b000"),
-            "no model of a DP16KD with CSA0 inverted"
-        );
-        assert_eq!(
-            memory("RSTA", 5, "0b000"),
-            "no model of a DP16KD with RSTA inverted"
-        );
-        assert_eq!(
-            memory("WEB", 0, "0b001"),
-            "no model of a DP16KD whose CSDECODE_A is \"0b001\""
-        );
+        for (port, net, mode, problem) in [
+            ("CSA0", 5, "0b000", "with CSA0 inverted"),
+            ("RSTA", 5, "0b000", "with RSTA inverted"),
+            ("WEB", 0, "0b001", "whose CSDECODE_A is \"0b001\""),
+        ] {
+            let wanted = format!("no model of a DP16KD {problem}");
+            assert_eq!(memory(port, net, mode), wanted);
+        }
         let mut other = json!({"type": "ALU54B", "parameters": {}});
         assert_eq!(settle(&mut other).unwrap_err(), "no model of a ALU54B");
     }

@@ -126,7 +126,8 @@ fn output(pin: &str) -> Option<usize> {
     index.parse().ok().filter(|index| *index < 8)
 }
 
-fn rendered(template: &str, values: &Value) -> Result<String, BoardError> {
+/// A template with its values; a line break ends it.
+pub(crate) fn rendered(template: &str, values: &Value) -> Result<String, BoardError> {
     let text = Environment::new().render_str(template, values)?;
     Ok(text.trim_end().to_owned() + "\n")
 }

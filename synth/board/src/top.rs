@@ -3,10 +3,11 @@
 use crate::description::{Board, Family, Video};
 use crate::error::BoardError;
 use crate::pll::{Dividers, Pll};
+use crate::tile::rendered;
 use imogene_contract::{Request, Unit};
 use imogene_golden::machine::zone::beat::Beat;
 use imogene_rtl::emit::{Emitted, emit};
-use minijinja::{Environment, Value, context};
+use minijinja::{Value, context};
 use std::fmt::Write;
 
 /// Words that a sequencer can address.
@@ -48,33 +49,30 @@ pub fn sources(board: &Board, pll: &Pll, display: &Display) -> Result<Sources, B
     for unit in units(board) {
         verilog += &format!("\n{}", emit(&Request::new(*unit))?.bundle());
     }
-    let templates = templates()?;
-    let mut add = |name: &str, values: Value| -> Result<(), BoardError> {
+    let mut add = |template: &str, values: Value| -> Result<(), BoardError> {
         verilog += "\n";
-        verilog += &(templates
-            .get_template(name)?
-            .render(values)?
-            .trim_end()
-            .to_owned()
-            + "\n");
+        verilog += &rendered(template, &values)?;
         Ok(())
     };
-    add("core", core(board, display)?)?;
+    add(include_str!("top/core.v"), core(board, display)?)?;
     let clock = match pll.dividers {
-        Dividers::Ecp5 { .. } => "clock_ecp5",
-        Dividers::Ice40 { .. } => "clock_ice40",
-        Dividers::None => "clock_none",
+        Dividers::Ecp5 { .. } => include_str!("top/clock_ecp5.v"),
+        Dividers::Ice40 { .. } => include_str!("top/clock_ice40.v"),
+        Dividers::None => include_str!("top/clock_none.v"),
     };
     add(clock, clocks(pll, board.clock.pad))?;
     match &board.video {
-        Video::Tmds { .. } => add("top_tmds", context! { about => board.about.clone() })?,
+        Video::Tmds { .. } => add(
+            include_str!("top/top_tmds.v"),
+            context! { about => board.about.clone() },
+        )?,
         Video::Parallel { de, clock, .. } => {
             let names: Vec<String> = board.video.pins().into_iter().map(|pin| pin.0).collect();
             let clock_out = usize::from(clock.is_some());
             let mut data: Vec<String> = names[..names.len() - clock_out].to_vec();
             data.reverse();
             add(
-                "top_parallel",
+                include_str!("top/top_parallel.v"),
                 context! {
                     about => board.about.clone(), bits => board.video.bits(), outputs => names.join(", "),
                     pins_of => data.join(", "), has_de => usize::from(de.is_some()), has_clock => clock.is_some(),
@@ -98,21 +96,6 @@ fn units(board: &Board) -> &'static [Unit] {
         ],
         Video::Parallel { .. } => &[Unit::SceneSequencer],
     }
-}
-
-fn templates() -> Result<Environment<'static>, BoardError> {
-    let mut templates = Environment::new();
-    for (name, text) in [
-        ("core", include_str!("top/core.v")),
-        ("clock_ecp5", include_str!("top/clock_ecp5.v")),
-        ("clock_ice40", include_str!("top/clock_ice40.v")),
-        ("clock_none", include_str!("top/clock_none.v")),
-        ("top_tmds", include_str!("top/top_tmds.v")),
-        ("top_parallel", include_str!("top/top_parallel.v")),
-    ] {
-        templates.add_template(name, text)?;
-    }
-    Ok(templates)
 }
 
 /// Machine and words, for the template.

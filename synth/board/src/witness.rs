@@ -127,9 +127,8 @@ fn declared_once(verilog: &str) -> String {
         };
         let names = line[kind.len()..line.len() - 1].split(", ");
         let is_port = |name: &&str| {
-            name.split(' ')
-                .next()
-                .is_some_and(|name| ports.contains(&name))
+            let mut words = name.split(' ');
+            words.next().is_some_and(|name| ports.contains(&name))
         };
         let (again, own): (Vec<&str>, Vec<&str>) = names.partition(is_port);
         if kind == "reg " {
@@ -139,20 +138,13 @@ fn declared_once(verilog: &str) -> String {
             text += &format!("{kind}{};\n", own.join(", "));
         }
     }
-    let declared = ports.iter().fold(head.to_owned(), |head, port| {
-        match registers.contains(port) {
-            true => head
-                .replace(
-                    &format!("output {port},"),
-                    &format!("output reg {port} = 0,"),
-                )
-                .replace(
-                    &format!("output {port})"),
-                    &format!("output reg {port} = 0)"),
-                ),
-            false => head,
+    let mut declared = head.to_owned();
+    for port in registers {
+        for end in [',', ')'] {
+            let register = format!("output reg {port} = 0{end}");
+            declared = declared.replace(&format!("output {port}{end}"), &register);
         }
-    });
+    }
     text.replacen(head, &declared, 1)
 }
 
