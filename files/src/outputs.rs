@@ -129,17 +129,14 @@ impl Outputs {
                 "it is read by the same command; give another name",
             ));
         }
-        match self
-            .staged
-            .iter()
-            .find(|s| s.identity.as_ref() == Some(identity))
-        {
-            Some(other) => Err(io::Error::other(format!(
+        let mut staged = self.staged.iter();
+        let same = staged.find(|other| other.identity.as_ref() == Some(identity));
+        same.map_or(Ok(()), |other| {
+            Err(io::Error::other(format!(
                 "'{}' of the same command is the same file; give another name",
                 other.path.display()
-            ))),
-            None => Ok(()),
-        }
+            )))
+        })
     }
 
     /// The paths of the set so far, in the order in which they were added.
