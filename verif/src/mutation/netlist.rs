@@ -17,7 +17,8 @@ use crate::subject::Subject;
 use imogene_tools::{scratch, write};
 use std::time::Instant;
 
-/// Makes mutants of a unit's emitted Verilog, the name of its module and the text, kills them, and proves the rest equivalent where that is so.
+/// Makes mutants of a unit's emitted Verilog, the name of its module and the text, kills them, and proves the rest
+/// equivalent where that is so.
 ///
 /// `on_done` is called once for each mutant, from any thread.
 pub fn run(

@@ -124,8 +124,8 @@ impl Ports {
         self.linear(l, self.format.normal_linear);
     }
 
-    /// The words on the ports are preconditioned, modulo their width. `a2 = 2a` and `b2 = 2b` have no unique half modulo
-    /// 2^n, but the halves may be taken in one bit more.
+    /// The words on the ports are preconditioned, modulo their width. `a2 = 2a` and `b2 = 2b` have no unique half
+    /// modulo 2^n, but the halves may be taken in one bit more.
     pub fn quadratic(&mut self, q: &mut Quadratic) {
         let width = self.format.quadratic;
         let mut p = q.preconditioned(width);
