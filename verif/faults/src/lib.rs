@@ -1,10 +1,10 @@
 //! Every small change of a circuit.
 //!
 //! A [`Site`] is where a circuit can be changed: the bits of a net, an operator, the enable of a register, what it
-//! begins with. A design with [`Controls`] has registers that never load beside its own: with their values at power-up
-//! it is the circuit as it was, and with another value in one of them it is a [`Mutant`]. So any engine runs it, and one
-//! compilation serves every mutant of its sites, in every instance. A [`Judge`] proves that a mutant is no mutant at
-//! all: what counts of its outputs is equal for every input, from every state that the circuit comes to.
+//! begins with. A design with [`Controls`] has registers that never load beside its own: with their values at
+//! power-up it is the circuit as it was, and with another value in one of them it is a [`Mutant`]. So any engine runs
+//! it, and one compilation serves every mutant of its sites, in every instance. A [`Judge`] proves that a mutant is no
+//! mutant at all: what counts of its outputs is equal for every input, from every state that the circuit comes to.
 //!
 //! ```
 //! use imogene_faults::{Contract, Controls, Judge, Known, Mutant, Verdict, sites};

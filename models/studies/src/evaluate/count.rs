@@ -103,6 +103,8 @@ impl Counted {
     pub fn is_negative(self) -> bool {
         self.is_below(number(0.0))
     }
+
+    /// Is it zero?
     pub fn is_zero(self) -> bool {
         note(|tally| &mut tally.tests);
         self.value == 0.0
