@@ -148,10 +148,10 @@ fn shaded_surface(
     let valid = valid.delayed_as("valid_late", wait);
     let depth = seen.depth.delayed_as("depth_late", wait);
     let material = material.delayed_as("material_late", wait - 1);
-    let flags = match machine.volumes.planes.len() {
-        0 => all_sources(),
-        _ if !machine.shading.asks_sources() => all_sources(),
-        _ => {
+    let has_shadows = machine.shading.asks_sources() && !machine.volumes.planes.is_empty();
+    let flags = match has_shadows {
+        false => all_sources(),
+        true => {
             let start = machine.volume_start();
             let lit = Lit {
                 depth: seen.depth,
