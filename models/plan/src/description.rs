@@ -1,6 +1,7 @@
 //! Machine descriptions: what a machine with a screen is made of, as a TOML file (`docs/machines.md`).
 
 mod keys;
+mod lit_sphere;
 mod validation;
 
 use imogene_contract::object::ProductSlots;
@@ -11,9 +12,10 @@ use imogene_golden::machine::post_filter::Kernel;
 use imogene_golden::machine::zone::ZoneMachine;
 use imogene_golden::slots::{FittedSlot, Products, Slots};
 use imogene_golden::widths::OwnWidths;
-use imogene_prepare::lit_sphere::most_tables;
 use imogene_scene::{in_plain_words, line_and_column};
 use keys::{Places, key};
+pub use lit_sphere::LitSphere;
+pub(crate) use lit_sphere::SMALLEST_SIDE;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -127,40 +129,6 @@ impl<'de> Deserialize<'de> for Mode {
         }
 
         deserializer.deserialize_any(NameOrNumbers)
-    }
-}
-
-/// Shading by tables of the direction of the normal.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table")]
-pub struct LitSphere {
-    /// Entries along each side of a table: 16, 32, 64 or 128.
-    pub side: u32,
-    /// Materials, each with a table, and with twice as many for each light of the machine.
-    pub materials: usize,
-}
-
-/// Entries along each side of the smallest tables.
-pub(crate) const SMALLEST_SIDE: u32 = 16;
-
-impl LitSphere {
-    /// Bits of a coordinate in a table.
-    pub fn places(&self) -> u32 {
-        self.side.max(1).ilog2()
-    }
-
-    /// Tables of this side at most.
-    pub fn most_tables(&self) -> u32 {
-        most_tables(self.places())
-    }
-
-    /// True if there are tables for its materials and the flags of so many lights.
-    pub fn has_room(&self, lights: usize) -> bool {
-        let tables = self
-            .materials
-            .next_power_of_two()
-            .checked_shl(lights as u32);
-        tables.is_some_and(|tables| tables <= self.most_tables() as usize)
     }
 }
 
