@@ -1,35 +1,13 @@
 //! An object that cannot be drawn costs itself, not the picture.
 
-use crate::common::Place;
+use crate::common::{HEAD, Place, SHEET};
 
-const HEAD: &str = r#"
-format = 1
-title = "t"
-image = { width = 32, height = 24 }
-[camera]
-kind = "perspective"
-eye = [0, 0, 10]
-target = [0, 0, 0]
-field_of_view = 30
-[[materials]]
-name = "m"
-colour = [1, 1, 1]
-"#;
 const BALL: &str = r#"
 [[objects]]
 name = "ball"
 material = "m"
 kind = "sphere"
 radius = 1
-"#;
-/// A mesh of which a corner is behind the viewer.
-const SHEET: &str = r#"
-[[objects]]
-name = "sheet"
-material = "m"
-kind = "mesh"
-vertices = [[0, 0, 0], [1, 0, 0], [0, 0, 20]]
-faces = [[0, 1, 2]]
 "#;
 
 /// A folder with a scene of these objects in it.

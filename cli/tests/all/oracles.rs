@@ -1,33 +1,12 @@
 //! `imogene raytrace`, `cracks` and `repair`.
 
-use crate::common::{Place, json, repository, run, scene};
+use crate::common::{HEAD, Place, SHEET, json, repository, run, scene};
 use serde_json::Value;
 
-/// A scene that cannot be drawn: a mesh of which a corner is behind the viewer.
-const SHEET_BEHIND_THE_VIEWER: &str = r#"
-format = 1
-title = "t"
-image = { width = 32, height = 24 }
-[camera]
-kind = "perspective"
-eye = [0, 0, 10]
-target = [0, 0, 0]
-field_of_view = 30
-[[materials]]
-name = "m"
-colour = [1, 1, 1]
-[[objects]]
-name = "sheet"
-material = "m"
-kind = "mesh"
-vertices = [[0, 0, 0], [1, 0, 0], [0, 0, 20]]
-faces = [[0, 1, 2]]
-"#;
-
-/// A folder with that scene in it.
+/// A folder with a scene in it that cannot be drawn.
 fn place() -> Place {
     let place = Place::new();
-    place.write("sheet.toml", SHEET_BEHIND_THE_VIEWER);
+    place.write("sheet.toml", format!("{HEAD}{SHEET}"));
     place
 }
 

@@ -5,6 +5,30 @@ use serde_json::Value;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
+/// The head of a small scene with a material.
+pub const HEAD: &str = r#"
+format = 1
+title = "t"
+image = { width = 32, height = 24 }
+[camera]
+kind = "perspective"
+eye = [0, 0, 10]
+target = [0, 0, 0]
+field_of_view = 30
+[[materials]]
+name = "m"
+colour = [1, 1, 1]
+"#;
+/// A mesh of which a corner is behind the viewer.
+pub const SHEET: &str = r#"
+[[objects]]
+name = "sheet"
+material = "m"
+kind = "mesh"
+vertices = [[0, 0, 0], [1, 0, 0], [0, 0, 20]]
+faces = [[0, 1, 2]]
+"#;
+
 /// A file or folder of the repository.
 pub fn repository(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(name)
