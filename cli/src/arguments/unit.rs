@@ -3,9 +3,10 @@
 use super::depth_word;
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches, value_parser};
 use imogene_contract::parameters::{PARAMETERS, Parameter};
+use imogene_contract::slots;
+use imogene_contract::slots::FittedSlot;
 use imogene_contract::{MachineWords, Request, RequestError, RootForm};
-use imogene_golden::slots::FittedSlot;
-use imogene_golden::{slots, widths};
+use imogene_golden::widths;
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -138,7 +139,8 @@ pub struct Fitted {
     #[arg(long, value_name = "LIST", value_parser = widths::parse, requires = "slots",
           conflicts_with_all = ["format", "root-form", "planes", "objects"])]
     pub widths: Option<MachineWords>,
-    /// Slots of that machine: the planes of each, with a v for those with half B, such as 3,0,2v.
+    /// Slots of that machine, as a machine description has them: the planes of each, with a v for those with half B,
+    /// and behind it the bits of a shorter root and of shorter planes, such as 3,0,2v:r14:p20.
     #[arg(long, value_name = "LIST", value_parser = slots::parse, requires = "widths")]
     pub slots: Option<Slots>,
 }

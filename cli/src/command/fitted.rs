@@ -3,15 +3,15 @@
 use crate::arguments::Fitted;
 use crate::failure::Failure;
 use crate::output;
+use imogene_contract::slots;
 use imogene_contract::{Request, Unit};
-use imogene_golden::{slots, widths};
+use imogene_golden::widths;
 use imogene_plan::description::MachineDescription;
 use imogene_rtl::emit::Emitted;
 use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
 use imogene_synth::Target;
 use imogene_synth::fitted::{MachineCost, Parts, estimated_costs, machine_costs};
 use imogene_verif::display::request::request_for;
-use imogene_verif::engine::slots_of;
 use std::collections::BTreeSet;
 
 /// The deciding part of the widths and slots asked for, if any are.
@@ -39,7 +39,7 @@ pub fn asked(
     Ok(Some(MachineRequest {
         prefix: prefix.unwrap_or_default().to_owned(),
         command,
-        ..MachineRequest::fitted(words, request.rows_per_stage as usize, slots_of(slots))
+        ..MachineRequest::fitted(words, request.rows_per_stage as usize, slots.clone())
     }))
 }
 

@@ -124,10 +124,11 @@ fn the_lines_that_a_refusal_advises_are_accepted() {
     let stream = format!("{beam}output = \"stream\"\n");
     let few = ["objects = 10 ", "planes = ", "lights = 2 # was 1"];
     let slotted = beam.replace("objects = 1\nplanes = 0", "slots = \"3,0\"");
+    let short = slotted.replace("3,0", "3:r9,0:p24");
     let suns = format!("{beam}suns = 1\n");
     let solid = zone.replace("objects = 1\n", "objects = 4\nproducts = \"2-1\"\n");
     let sphere = format!("{beam}lights = 0\nlit_sphere = {{ side = 128, materials = 1 }}\n");
-    let cases: [(&str, &str, &[&str]); 12] = [
+    let cases: [(&str, &str, &[&str]); 13] = [
         ("orthographic", &sphere, &["objects = ", "lit_sphere = { "]),
         (
             "solids/bracket",
@@ -150,6 +151,12 @@ fn the_lines_that_a_refusal_advises_are_accepted() {
             "teapot",
             &slotted,
             &["slots = \"3,2,", "objects = 10 # was 2", "lights = 2"],
+        ),
+        // What is too short becomes as long as the part of the scene needs; a slot that is added has the longest words.
+        (
+            "teapot",
+            &short,
+            &["slots = \"3:r21,2:p24,2,", "objects = 10 # was 2"],
         ),
         (
             "teapot",

@@ -11,7 +11,7 @@ const DEADLINE: Duration = Duration::from_secs(60);
 
 fn command(out: &Path, more: &str) -> Command {
     let (out, teapot) = (out.display(), scene("teapot.toml"));
-    let options = "--size 96x72 --points quick --no-cost";
+    let options = "--size 48x36 --points quick --no-cost";
     let line = format!("trade {teapot} {options} --out {out} {more}");
     let mut command = Command::new(env!("CARGO_BIN_EXE_imogene"));
     command.args(line.split_whitespace());

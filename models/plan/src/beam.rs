@@ -5,6 +5,7 @@ use super::products::in_slots;
 use super::zone::plan::{self, Part, PlanError};
 use imogene_contract::object::{Kind, ProductSlots};
 use imogene_contract::shading::MOST_MATERIALS;
+use imogene_contract::slots::FittedSlot;
 use imogene_golden::format::Format;
 use imogene_golden::machine::shader::{LIGHT_ADDRESS, ShaderWords};
 use imogene_golden::machine::zone::beat::{Beat, kind};
@@ -17,7 +18,7 @@ use imogene_golden::object::quadric::MAX_PLANES;
 use imogene_golden::object::slot::{ProcessorWords, Slot};
 use imogene_golden::object::unused::empty_slot;
 use imogene_golden::object::volume::{VolumePlane, VolumeWords};
-use imogene_golden::slots::FittedSlot;
+use imogene_golden::slots::{required, required_of_quadric, takes};
 use imogene_prepare::PreparedScene;
 use imogene_prepare::lit_sphere::sphere_words;
 use imogene_prepare::shader::{ShaderError, flat_words, material_numbers, shader_words};
@@ -171,7 +172,10 @@ pub(super) fn members(prepared: &PreparedScene, products: &[ProductSlots]) -> Ve
         let own = in_slots(product, own.split_at(intersected).into());
         members.extend(own.into_iter().map(|(place, slot)| Member {
             place: first + place,
-            needed: FittedSlot::of_words(&slot.words).expect("a quadric processor draws it"),
+            needed: prepared.in_needed(
+                required(&slot.words).expect("a quadric processor draws it"),
+                &slot,
+            ),
             slot,
         }));
         first += product.count();
@@ -213,22 +217,23 @@ fn beam_slot(
     given: Option<&FittedSlot>,
 ) -> Result<(FittedSlot, Slot), DisplayError> {
     let given = given.filter(|given| given.kind != Kind::Quadric);
-    if given.is_some_and(|given| given.takes(&slot.words)) {
-        return Ok(of_own_kind(slot));
+    if given.is_some_and(|given| takes(given, &slot.words)) {
+        return Ok(of_own_kind(prepared, slot));
     }
     match slot
         .words
         .on_quadric_processor(&prepared.format, MAX_PLANES)
     {
         Ok(words) => {
-            let needed = FittedSlot::of(&words);
+            let needed = required_of_quadric(&words);
             let words = ProcessorWords::Quadric(words);
-            Ok((needed, Slot { words, ..slot }))
+            let slot = Slot { words, ..slot };
+            Ok((prepared.in_needed(needed, &slot), slot))
         }
         Err(AsQuadricError::Processor(_) | AsQuadricError::GuardBits { .. })
-            if FittedSlot::of_words(&slot.words).is_some() =>
+            if required(&slot.words).is_some() =>
         {
-            Ok(of_own_kind(slot))
+            Ok(of_own_kind(prepared, slot))
         }
         Err(why) => {
             let name = prepared.objects[slot.object].name().to_owned();
@@ -238,13 +243,14 @@ fn beam_slot(
 }
 
 /// A part and its slot, that of a surface of a quadric for patches.
-fn of_own_kind(slot: Slot) -> (FittedSlot, Slot) {
+fn of_own_kind(prepared: &PreparedScene, slot: Slot) -> (FittedSlot, Slot) {
     let words = match slot.words {
         ProcessorWords::Quadric(words) => ProcessorWords::Patch(words),
         other => other,
     };
-    let own = FittedSlot::of_words(&words).expect("words of a processor that has slots");
-    (own, Slot { words, ..slot })
+    let own = required(&words).expect("words of a processor that has slots");
+    let slot = Slot { words, ..slot };
+    (prepared.in_needed(own, &slot), slot)
 }
 
 /// Words of every volume of the scene, for processors of so many planes.
@@ -261,6 +267,24 @@ pub(super) fn volumes(
     })
 }
 
+/// Every part of a scene: the number of its slot in a beam machine, what that has to have, and its words.
+pub(super) fn placed(
+    prepared: &PreparedScene,
+    machine: &MachineDescription,
+) -> Result<Vec<(usize, FittedSlot, Slot)>, DisplayError> {
+    let in_order = |first: usize, parts: Vec<(FittedSlot, Slot)>| {
+        let parts = parts.into_iter().enumerate();
+        parts.map(move |(place, (needed, part))| (first + place, needed, part))
+    };
+    let (slots, first) = (machine.slots(), machine.slots_alone());
+    let behind = slots.len() - machine.layers;
+    let parts = in_order(0, beam_slots(prepared, &slots)?);
+    let members = members(prepared, &machine.products.0).into_iter();
+    let members = members.map(|member| (first + member.place, member.needed, member.slot));
+    let layers = in_order(behind, layer_slots(prepared, &slots[behind..])?);
+    Ok(parts.chain(members).chain(layers).collect())
+}
+
 /// The words of a whole frame of a beam machine, tables first; processors without an object are emptied.
 pub(super) fn beam_words(
     scene: &FramedScene,
@@ -271,25 +295,14 @@ pub(super) fn beam_words(
     let shading = shading_words(&shader, machine);
     let materials = material_numbers(scene);
     let slots = machine.slots();
-    let parts = beam_slots(prepared, &slots)?;
     let volumes = volumes(prepared, machine.volume_planes)?;
     let format = &prepared.format;
     let shading = shading.into_iter();
     let mut beats: Vec<Beat> = shading
         .map(|(address, word)| Beat::new(kind::SHADING, 0, address, word.into()))
         .collect();
-    let first = machine.slots_alone();
-    let members = members(prepared, &machine.products.0).into_iter();
-    let members = members.map(|member| (first + member.place, member.needed, member.slot));
-    let in_order = |first: usize, parts: Vec<(FittedSlot, Slot)>| {
-        let parts = parts.into_iter().enumerate();
-        parts.map(move |(place, (needed, part))| (first + place, needed, part))
-    };
-    let behind = slots.len() - machine.layers;
-    let layers = in_order(behind, layer_slots(prepared, &slots[behind..])?);
-    let parts = in_order(0, parts);
     let mut is_empty = vec![true; slots.len()];
-    for (place, needed, part) in parts.chain(members).chain(layers) {
+    for (place, needed, part) in placed(prepared, machine)? {
         let weight = u64::from(part.weight.unwrap_or(0)) << MOST_MATERIALS.ilog2();
         let material = weight | u64::from(materials[part.object]);
         beats.push(Beat::new(kind::MATERIAL, 0, place as u16, material));

@@ -5,12 +5,12 @@ mod lit_sphere;
 mod validation;
 
 use imogene_contract::object::ProductSlots;
+use imogene_contract::slots::{FittedSlot, Products, Slots};
 use imogene_contract::video::{Span, VideoMode};
 use imogene_contract::{MachineWords, RootForm, volume};
 use imogene_golden::format::{FittedError, Format};
 use imogene_golden::machine::post_filter::Kernel;
 use imogene_golden::machine::zone::ZoneMachine;
-use imogene_golden::slots::{FittedSlot, Products, Slots};
 use imogene_golden::widths::OwnWidths;
 use imogene_scene::{in_plain_words, line_and_column};
 use keys::{Places, key};

@@ -1,17 +1,19 @@
 //! Has a machine what scenes need? If not, the lines of a description that has.
 
-use super::beam::{DisplayError, beam_slots, beam_words, layer_slots, members, parts, volumes};
+use super::beam::{
+    DisplayError, beam_slots, beam_words, layer_slots, members, parts, placed, volumes,
+};
 use super::description::{
     MachineDescription, MachineKind, Mode, Output, OwnMode, SMALLEST_SIDE, ZoneSize,
 };
 use super::zone::plan::PlanError;
 use imogene_contract::object::{Kind, ProductSlots};
+use imogene_contract::slots::FittedSlot;
+use imogene_contract::slots::Slots;
 use imogene_golden::machine::shader::MOST_LIGHTS;
 use imogene_golden::machine::zone::ID_BITS;
 use imogene_golden::object::quadric::MAX_PLANES;
 use imogene_golden::object::slot::Slot;
-use imogene_golden::slots::FittedSlot;
-use imogene_golden::slots::Slots;
 use imogene_prepare::PreparedScene;
 use imogene_prepare::lit_sphere::shadowed_lights;
 use imogene_prepare::shader::ShaderError;
@@ -72,6 +74,34 @@ pub fn enough(
         }
     }
     Ok(enough)
+}
+
+/// A beam machine with the slots that it has, each in as few bits as hold what the scenes need of it.
+///
+/// # Errors
+///
+/// When it does not show one of them.
+pub fn narrowed(
+    machine: &MachineDescription,
+    scenes: &[(&FramedScene, &PreparedScene)],
+) -> Result<MachineDescription, DisplayError> {
+    let mut slots = machine.slots();
+    let mut needed: Vec<Option<FittedSlot>> = vec![None; slots.len()];
+    for (_, prepared) in scenes {
+        for (place, own, _) in placed(prepared, machine)? {
+            let most = needed[place].map_or(own, |most| most.or(&own));
+            needed[place] = Some(most);
+        }
+    }
+    for (slot, needed) in slots.iter_mut().zip(needed) {
+        if let Some(FittedSlot { root, plane, .. }) = needed {
+            (slot.root, slot.plane) = (root, plane);
+        }
+    }
+    Ok(MachineDescription {
+        slots: Some(Slots(slots)),
+        ..machine.clone()
+    })
 }
 
 /// Checks that there are machines of a kind that show a scene.

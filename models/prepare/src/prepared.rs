@@ -4,6 +4,7 @@ use super::error::PrepareError;
 use super::forms::{LinearForm, QuadraticForm};
 use super::rounding::Anchor;
 use super::solids::PreparedSolids;
+use imogene_contract::slots::FittedSlot;
 use imogene_contract::{MachineWords, RootForm};
 use imogene_golden::format::Format;
 use imogene_golden::machine::beam;
@@ -12,7 +13,7 @@ use imogene_golden::machine::lighting::{Lighting, light};
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
 use imogene_golden::object::slot::{ProcessorWords, Slot};
 use imogene_golden::object::volume::VolumeWords;
-use imogene_golden::slots::FittedSlot;
+use imogene_golden::slots::required_of_quadric;
 use imogene_golden::unit::root::{Method, fast_root, root};
 use imogene_scene::Unseen;
 use num_rational::BigRational;
@@ -128,7 +129,26 @@ impl PreparedScene {
     /// The slots of the quadric processors that it requires.
     pub fn fitted_slots(&self) -> Vec<FittedSlot> {
         let slots = self.quadrics();
-        slots.map(|(_, o)| FittedSlot::of(&o.words)).collect()
+        slots.map(|(_, o)| required_of_quadric(&o.words)).collect()
+    }
+
+    /// The slot with as few bits as are proven to hold every value of the part where it is drawn; those of the format
+    /// where nothing is proven.
+    pub fn in_needed(&self, slot: FittedSlot, part: &Slot) -> FittedSlot {
+        let words = match &part.words {
+            ProcessorWords::Quadric(words) | ProcessorWords::Patch(words) => words,
+            ProcessorWords::Member(member) => member.own(),
+            _ => return slot,
+        };
+        let is_own = |object: &&PreparedQuadric| {
+            let own = &object.words;
+            let forms = (&own.f1, &own.f2, &own.planes, own.screen_box);
+            forms == (&words.f1, &words.f2, &words.planes, words.screen_box)
+        };
+        match self.objects[part.object].quadric().filter(is_own) {
+            Some(object) => object.needed.slot(slot, &self.format.widths()),
+            None => slot,
+        }
     }
 
     /// The bits that its objects of the quadric and the patch processor need, and its shadow and light volumes.
@@ -276,12 +296,17 @@ impl NeededWidths {
 
     /// The narrowest words of a fitted machine that hold what is needed; the others are those of `wide`.
     pub fn narrowed(&self, wide: &MachineWords) -> MachineWords {
-        let least = 4.max(wide.dropped_rows + wide.root_form.least_digits());
+        let least = wide.least_root();
         MachineWords {
             root: self.quadratic.div_ceil(2).max(least).min(wide.root),
             plane: self.plane.clamp(wide.depth, wide.plane),
             ..*wide
         }
+    }
+
+    /// A slot of a machine of these words with as few bits as hold what is needed.
+    pub fn slot(&self, slot: FittedSlot, machine: &MachineWords) -> FittedSlot {
+        slot.in_words(&self.narrowed(machine), machine)
     }
 }
 

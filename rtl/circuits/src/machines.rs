@@ -1,52 +1,19 @@
-//! Whole machines as designs, and the shapes of their parts in the words of a format.
+//! Whole machines as designs.
 //!
 //! What makes no circuit ends in a panic that says why.
 
-use crate::machine::{self, BeamMachine, Beat, Objects, Slot, Volumes, ZoneCore, ZoneMachine};
+use crate::machine::{self, BeamMachine, Beat, Volumes, ZoneCore, ZoneMachine};
 use crate::object::{Network, Widths};
 use crate::video::{Output, OverlayBus};
 use imogene_contract::MachineWords;
 use imogene_contract::tile::TileWords;
-use imogene_contract::words::{NORMAL, NORMAL_PART, depth_sum, quadratic};
 use imogene_hdl::{Bits, Design, Value};
-
-/// Widths of the words of an object.
-pub fn widths(words: &MachineWords) -> Widths {
-    Widths {
-        linear: depth_sum(words.depth) + words.guard_linear,
-        quadratic: quadratic(words.root) + words.guard_quadratic,
-        gradient: words.normal + NORMAL_PART - NORMAL,
-        normal: words.normal,
-        plane: words.plane,
-    }
-}
-
-/// The root of an object.
-pub fn network(words: &MachineWords, rows_per_stage: u32) -> Network {
-    Network {
-        depth: words.depth,
-        digits: words.root,
-        rows: words.root - words.dropped_rows,
-        rows_per_stage,
-        form: words.root_form,
-    }
-}
-
-/// Object processors side by side, for no solids.
-pub fn objects(words: &MachineWords, rows_per_stage: u32, slots: Vec<Slot>) -> Objects {
-    Objects {
-        widths: widths(words),
-        root: network(words, rows_per_stage),
-        slots,
-        products: vec![],
-    }
-}
 
 /// Volume processors, all alike.
 pub fn volumes(words: &MachineWords, rows_per_stage: u32, count: usize, planes: u64) -> Volumes {
     Volumes {
-        widths: widths(words),
-        root: network(words, rows_per_stage),
+        widths: Widths::of(words),
+        root: Network::of(words, rows_per_stage),
         planes: vec![planes; count],
     }
 }

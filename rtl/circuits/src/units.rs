@@ -2,11 +2,11 @@
 
 use crate::arith::*;
 use crate::machine::*;
-use crate::machines::{self, objects};
 use crate::object::*;
 use crate::raster::*;
 use crate::shade::*;
 use crate::video::*;
+use imogene_contract::slots::FittedSlot;
 use imogene_contract::video::{LEAD, VideoMode};
 use imogene_contract::{MachineWords, Request, Unit};
 use imogene_hdl::{Bits, Design, Value};
@@ -33,8 +33,8 @@ pub fn design(p: &Request) -> Design {
         root_form: p.root_form,
         ..MachineWords::of(depth)
     };
-    let widths = machines::widths(&words);
-    let network = machines::network(&words, rows);
+    let widths = Widths::of(&words);
+    let network = Network::of(&words, rows);
     let linear = || Linear::input(widths.linear);
     let quadratic = || Quadratic::input(widths.quadratic);
     let radicand = || Bits::input(widths.quadratic);
@@ -151,8 +151,12 @@ pub fn design(p: &Request) -> Design {
             coefficient_store("top", bus, widths, planes.into())
         }),
         Unit::Beam => alone(|| {
-            let slots = vec![Slot::full(planes as usize); p.objects as usize];
-            let machine = objects(&words, rows, slots);
+            let machine = Objects {
+                words,
+                rows_per_stage: rows,
+                slots: vec![FittedSlot::full(planes); p.objects as usize],
+                products: vec![],
+            };
             beam("top", Zone::input(), Load::input(widths.bus()), &machine)
         }),
         Unit::TransparencyStage => alone(|| transparency_stage("top", surface(), layer())),

@@ -24,6 +24,7 @@ mod record;
 pub mod request;
 mod root_form;
 pub mod shading;
+pub mod slots;
 pub mod tile;
 pub mod unit;
 pub mod video;

@@ -48,6 +48,11 @@ impl MachineWords {
         }
     }
 
+    /// The shortest root that a processor of these words may have.
+    pub fn least_root(&self) -> u32 {
+        LEAST_ROOT.max(self.dropped_rows + self.root_form.least_digits())
+    }
+
     /// The first word that is out of its range; each range stands on the words before it. No word has more than 64
     /// bits.
     pub fn refused(&self) -> Option<WordRange> {

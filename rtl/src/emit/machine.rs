@@ -2,17 +2,17 @@
 
 use super::words::{check_slots, check_words, lines, slots_line};
 use super::{Emitted, Heading, check_prefix, emitted};
-pub use imogene_circuits::machine::Slot;
 use imogene_circuits::machine::{
     BeamMachine, Load, Objects, SHOW_CLOCKS, Zone, ZoneCore, ZoneMachine, beam,
 };
-use imogene_circuits::machines::{self, objects, volumes};
+use imogene_circuits::machines::{self, volumes};
 pub use imogene_circuits::shade::Tables;
 use imogene_circuits::shade::{Lights, Shading};
 pub use imogene_circuits::video::Output;
 pub use imogene_contract::MachineWords;
 use imogene_contract::object::ProductSlots;
 use imogene_contract::request::in_range;
+use imogene_contract::slots::FittedSlot;
 use imogene_contract::words::{MOST_LAYERS, MOST_LIGHTS, MOST_MEMBERS, MOST_OBJECTS, MOST_PLANES};
 use imogene_contract::{RequestError, Unit};
 use imogene_hdl::Design;
@@ -58,11 +58,11 @@ pub struct MachineRequest {
     /// Rows of the root networks between registers.
     pub rows_per_stage: usize,
     /// Object processors, in a beam machine one for each object.
-    pub slots: Vec<Slot>,
+    pub slots: Vec<FittedSlot>,
     /// Products of solids, whose slots are the last, product by product.
     pub products: Vec<ProductSlots>,
     /// Slots of transparent objects, of a beam machine that shades alone; their numbers follow those of `slots`.
-    pub layers: Vec<Slot>,
+    pub layers: Vec<FittedSlot>,
     /// Volume processors, in a beam machine one for each volume; may be none. A deciding beam has none.
     pub volumes: usize,
     /// Planes of each.
@@ -129,7 +129,11 @@ impl Kind {
 
 impl MachineRequest {
     /// The deciding part of a beam machine, fitted to a scene.
-    pub fn fitted(words: MachineWords, rows_per_stage: usize, slots: Vec<Slot>) -> MachineRequest {
+    pub fn fitted(
+        words: MachineWords,
+        rows_per_stage: usize,
+        slots: Vec<FittedSlot>,
+    ) -> MachineRequest {
         MachineRequest {
             kind: Kind::Beam,
             words,
@@ -149,7 +153,7 @@ impl MachineRequest {
 
     fn check(&self) -> Result<(), RequestError> {
         check_words(&self.words, self.rows_per_stage)?;
-        check_slots(&self.slots)?;
+        check_slots(&self.slots, &self.words)?;
         self.check_products()?;
         let is_shaded = self.kind.loader_bits().is_some();
         in_range(
@@ -188,8 +192,10 @@ impl MachineRequest {
 
     fn objects(&self) -> Objects {
         Objects {
+            words: self.words,
+            rows_per_stage: self.rows_per_stage as u32,
+            slots: self.slots.clone(),
             products: self.products.clone(),
-            ..objects(&self.words, self.rows_per_stage as u32, self.slots.clone())
         }
     }
 
@@ -272,7 +278,7 @@ impl MachineRequest {
                     beam(
                         "top",
                         Zone::input(),
-                        Load::input(objects.widths.bus()),
+                        Load::input(objects.widths().bus()),
                         &objects,
                     )
                 })

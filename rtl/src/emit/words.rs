@@ -1,8 +1,7 @@
 //! Words and slots that a machine may have.
 
-use imogene_circuits::machine::Slot;
-use imogene_contract::object::Kind;
 use imogene_contract::request::in_range;
+use imogene_contract::slots::FittedSlot;
 use imogene_contract::words::MOST_OBJECTS;
 use imogene_contract::{MachineWords, RequestError};
 
@@ -48,32 +47,32 @@ pub(super) fn lines(words: &MachineWords, rows_per_stage: usize) -> Vec<String> 
 }
 
 /// Refuses slots that are too many, or have too many planes or sides.
-pub(super) fn check_slots(slots: &[Slot]) -> Result<(), RequestError> {
+pub(super) fn check_slots(slots: &[FittedSlot], words: &MachineWords) -> Result<(), RequestError> {
     in_range("objects", slots.len(), 1, MOST_OBJECTS)?;
     slots.iter().try_for_each(|slot| {
         let [least, most] = slot.kind.planes();
-        in_range("planes", slot.planes, least, most)
+        in_range("planes", slot.planes as usize, least, most)?;
+        match slot.refused(words) {
+            Some((word, bits, least, most)) => in_range(word, bits as usize, least, most),
+            None => Ok(()),
+        }
     })
 }
 
 /// The slots as the header of the Verilog states them.
-pub(super) fn slots_line(slots: &[Slot]) -> String {
+pub(super) fn slots_line(slots: &[FittedSlot]) -> String {
     let (count, first) = (slots.len(), slots[0].planes);
-    if slots.iter().all(|slot| *slot == Slot::full(first)) {
+    if slots.iter().all(|slot| *slot == FittedSlot::full(first)) {
         return format!("{count} object processors of {first} planes");
     }
-    let slot = |slot: &Slot| {
-        let kind = match slot.kind {
-            Kind::Quadric => "",
-            other => other.name(),
-        };
-        let planes = match slot.kind.planes() {
-            [0, 0] => String::new(),
-            _ => slot.planes.to_string(),
-        };
-        let half = if slot.two_volumes { "v" } else { "" };
-        format!(" {kind}{planes}{half}")
+    let each: String = slots.iter().map(|slot| format!(" {slot}")).collect();
+    let has_own = slots
+        .iter()
+        .any(|slot| slot.root.is_some() || slot.plane.is_some());
+    let own = if has_own {
+        ", r and p bits of a shorter root and shorter planes"
+    } else {
+        ""
     };
-    let slots: String = slots.iter().map(slot).collect();
-    format!("slots, by their planes, v with half B:{slots}")
+    format!("slots, by their planes, v with half B{own}:{each}")
 }

@@ -3,10 +3,11 @@
 
 use crate::support::{requests, write};
 use imogene_contract::object::{KINDS, ProductSlots};
+use imogene_contract::slots::FittedSlot;
 use imogene_contract::video::VideoMode;
 use imogene_contract::{Request, Unit};
 use imogene_rtl::emit::machine::{
-    Kind, MachineRequest, MachineWords, Output, Slot, ZoneShape, emit_machine,
+    Kind, MachineRequest, MachineWords, Output, ZoneShape, emit_machine,
 };
 use imogene_rtl::emit::{Emitted, emit};
 use std::path::{Path, PathBuf};
@@ -60,14 +61,14 @@ fn machines() -> [Emitted; 3] {
         zone_bits: 8,
         samples: 2,
     };
-    let quadrics = vec![Slot::full(1); 3];
+    let quadrics = vec![FittedSlot::full(1); 3];
     let product = ProductSlots {
         intersected: 1,
         subtracted: 1,
     };
-    let each = KINDS.map(|(kind, _, [least, _])| Slot {
+    let each = KINDS.map(|(kind, _, [least, _])| FittedSlot {
         kind,
-        ..Slot::full(least as usize)
+        ..FittedSlot::full(least)
     });
     let machines = [
         (

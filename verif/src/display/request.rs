@@ -1,14 +1,14 @@
 //! The hardware of a machine description.
 
-use crate::engine::slots_of;
 use imogene_contract::RequestError;
+use imogene_contract::slots::FittedSlot;
 use imogene_contract::video::VideoMode;
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::ZoneMachine;
 use imogene_plan::description::{MachineDescription, MachineKind, Output as Picture, Smoothing};
 use imogene_plan::pace::Timing;
 use imogene_plan::zone::clocks::ZoneTiming;
-use imogene_rtl::emit::machine::{Kind, MachineRequest, Output, Slot, Tables, ZoneShape};
+use imogene_rtl::emit::machine::{Kind, MachineRequest, Output, Tables, ZoneShape};
 
 /// The request for the machine of a description whose tables of lit-sphere shading hold these words; `command` is
 /// stated in the header of its Verilog.
@@ -37,7 +37,7 @@ pub fn request_for(machine: &MachineDescription, tables: &[u64], command: &str) 
         (MachineKind::Beam, Picture::Stream) => Kind::BeamStream(loader_bits(), width, height),
     };
     let format = machine.format().expect("a description that was checked");
-    let mut slots = slots_of(&machine.slots());
+    let mut slots = machine.slots();
     MachineRequest {
         kind,
         words: format.widths(),
@@ -65,7 +65,7 @@ pub fn core_request(
     format: &Format,
     rows_per_stage: usize,
 ) -> MachineRequest {
-    let slots = vec![Slot::full(machine.planes); machine.slots()];
+    let slots = vec![FittedSlot::full(machine.planes as u32); machine.slots()];
     MachineRequest {
         kind: Kind::ZoneCore(shape(machine)),
         products: machine.products.clone(),

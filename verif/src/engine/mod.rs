@@ -20,9 +20,7 @@ use crate::unit;
 use design::{DesignError, Simulator, with_verilog};
 use imogene_contract::Request;
 use imogene_golden::format::Format;
-use imogene_golden::slots::FittedSlot;
 use imogene_rtl::emit::emit;
-use imogene_rtl::emit::machine::Slot;
 
 /// Name of the engine in process, circuits as machine code, in options and reports.
 pub const BUILT_IN: &str = "built-in";
@@ -59,16 +57,6 @@ impl Engine {
             }
         }
     }
-}
-
-/// The slots of a golden machine, as hardware is asked for.
-pub fn slots_of(slots: &[FittedSlot]) -> Vec<Slot> {
-    let slot = |slot: &FittedSlot| Slot {
-        kind: slot.kind,
-        planes: slot.planes as usize,
-        two_volumes: slot.two_volumes,
-    };
-    slots.iter().map(slot).collect()
 }
 
 /// A signal inside a quadric processor, and how many clocks after the raster flags it belongs to their pixel.

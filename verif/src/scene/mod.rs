@@ -11,20 +11,20 @@ pub mod volumes;
 pub mod zone;
 
 use crate::engine::beam::BeamDesign;
-use crate::engine::{Engine, processor_signals, slots_of};
+use crate::engine::{Engine, processor_signals};
 use crate::report::Report;
 use crate::subject::Inputs;
 use crate::waveform::{PlaceError, WindowStart};
 pub use request::{CosimError, Fault, MAX_OBJECTS, Options};
 
 use band::{Band, Part};
+use imogene_contract::slots::FittedSlot;
 use imogene_contract::{Request, Unit};
 use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::object::load::load_words;
 use imogene_golden::object::quadric::{MAX_PLANES, PlaneWords, QuadricWords};
 use imogene_golden::object::words::Words;
-use imogene_golden::slots::FittedSlot;
 use imogene_prepare::{PreparedObject, PreparedScene};
 use imogene_rtl::emit::machine::MachineRequest;
 use rayon::prelude::*;
@@ -70,7 +70,7 @@ pub fn request(
     slots: &[FittedSlot],
     rows_per_stage: usize,
 ) -> MachineRequest {
-    MachineRequest::fitted(scene.format.widths(), rows_per_stage, slots_of(slots))
+    MachineRequest::fitted(scene.format.widths(), rows_per_stage, slots.to_vec())
 }
 
 /// The unit that draws a scene in one zone, and the clocks in which it is loaded and draws.

@@ -2,9 +2,9 @@
 
 use super::scene;
 use imogene_contract::MachineWords;
+use imogene_contract::slots::FittedSlot;
 use imogene_golden::format::Format;
 use imogene_golden::machine::beam;
-use imogene_golden::slots::FittedSlot;
 use imogene_prepare::Framing;
 use imogene_prepare::{PreparedScene, prepare};
 use imogene_rtl::emit::machine::emit_machine;

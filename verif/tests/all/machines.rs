@@ -1,8 +1,8 @@
 //! Machines with a screen: the pins on every clock, and the pixels of their streams.
 
 use super::root;
+use imogene_contract::slots::{Slots, parse};
 use imogene_golden::machine::overlay::OverlayPlane;
-use imogene_golden::slots::{Slots, parse};
 use imogene_plan::description::{MachineDescription, Output, Smoothing, ZoneSize};
 use imogene_plan::display::{Image, image};
 use imogene_prepare::Framing;

@@ -1,11 +1,11 @@
 //! The deciding part of the zone machine against its golden model, on scenes.
 
 use super::video::Numbers;
+use imogene_contract::slots::Products;
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::ZoneMachine;
 use imogene_golden::machine::zone::beat::Beat;
 use imogene_golden::machine::zone::golden::ZoneMachineModel;
-use imogene_golden::slots::Products;
 use imogene_plan::zone::clocks::clocks;
 use imogene_plan::zone::plan::ZonePlan;
 use imogene_prepare::Framing;

@@ -3,8 +3,9 @@
 use crate::command::emit::{PortEntry, port};
 use imogene_analysis::metrics::Metrics;
 use imogene_contract::MachineWords;
+use imogene_contract::slots;
 use imogene_files::text::counted;
-use imogene_golden::{slots, widths};
+use imogene_golden::widths;
 use imogene_plan::description::{MachineDescription, MachineKind};
 use imogene_rtl::emit::Emitted;
 use imogene_studies::fit::budget::Budget;

@@ -2,8 +2,9 @@
 
 use super::accumulators::plane_bits;
 use imogene_contract::MachineWords;
+use imogene_contract::slots;
 use imogene_golden::format::Format;
-use imogene_golden::{slots, widths};
+use imogene_golden::widths;
 use imogene_prepare::{PreparedScene, prepare};
 use imogene_scene::FramedScene;
 use serde::Serialize;

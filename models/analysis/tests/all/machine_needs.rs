@@ -4,8 +4,9 @@ use imogene_analysis::bounds::{
     CheckReport, Shows, accumulators, check, depth_bound, exact_guards, machine_needs,
 };
 use imogene_contract::MachineWords;
+use imogene_contract::slots;
 use imogene_golden::format::Format;
-use imogene_golden::{slots, widths};
+use imogene_golden::widths;
 use imogene_prepare::Framing;
 use imogene_prepare::error::PrepareError;
 use imogene_prepare::{PreparedQuadric, PreparedScene, prepare};

@@ -5,7 +5,8 @@ use super::frame::{Frame, FrameLayer};
 use crate::format::Format;
 use crate::object::slot::Slot;
 use crate::object::words::Words;
-use crate::slots::FittedSlot;
+use crate::slots;
+use imogene_contract::slots::FittedSlot;
 use rayon::prelude::*;
 
 /// Clocks from `go` to the first pixel: raster control, the longest slot, the decider. Shorter slots get the raster
@@ -13,7 +14,7 @@ use rayon::prelude::*;
 pub fn latency(slots: &[FittedSlot], format: &Format, rows_per_stage: u32) -> u32 {
     let own = slots
         .iter()
-        .map(|slot| slot.latency(format, rows_per_stage));
+        .map(|slot| slots::latency(slot, format, rows_per_stage));
     1 + own.max().unwrap_or(0) + decider::latency(slots.len())
 }
 

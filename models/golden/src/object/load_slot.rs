@@ -5,10 +5,10 @@ use super::first_generation::FirstGenerationWords;
 use super::load::{KIND_WIDTH, List, LoadWord, load_words};
 use super::slot::ProcessorWords;
 use crate::format::Format;
-use crate::slots::FittedSlot;
 use crate::unit::normal::NormalWords;
 use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;
+use imogene_contract::slots::FittedSlot;
 
 /// Bits of the shift of a root.
 const SHIFT: u32 = 5;
@@ -125,6 +125,7 @@ mod tests {
     use crate::object::first_generation::ContourPlane;
     use crate::object::polyhedron::PolyhedronWords;
     use crate::object::quadric::{PlaneWords, QuadricWords, ScreenBox};
+    use crate::slots::required;
     use crate::unit::cut_plane::PlaneKind;
     use crate::unit::depth_interval::Class;
 
@@ -148,7 +149,7 @@ mod tests {
     }
 
     fn bits(words: &ProcessorWords, planes: u32) -> Vec<u64> {
-        let own = FittedSlot::of_words(words).expect("a kind that has slots");
+        let own = required(words).expect("a kind that has slots");
         let slot = FittedSlot { planes, ..own };
         let words = load_slot(words, &Format::BASE, &slot);
         let addresses = words.iter().map(|word| usize::from(word.address));

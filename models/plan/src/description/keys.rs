@@ -34,7 +34,10 @@ fn keys() -> [Key; 22] {
             "1 to 256, or in a beam machine slots in its place".into(),
         ),
         ("planes", up_to(MAX_PLANES)),
-        ("slots", "a text such as \"3,0,2v,patch2,sphere\"".into()),
+        (
+            "slots",
+            "a text such as \"3,0,2v:r14:p20,patch2,sphere\"".into(),
+        ),
         ("products", "a text such as \"2-1,1-3\"".into()),
         ("layers", up_to(MOST_LAYERS as usize)),
         ("volumes", up_to(256)),

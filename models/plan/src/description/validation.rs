@@ -3,14 +3,14 @@
 use super::keys::{SPHERE, key_of, modes};
 use super::{DescriptionError, MachineDescription, MachineKind, Output, Smoothing};
 use imogene_contract::object::Kind;
+use imogene_contract::slots::FittedSlot;
+use imogene_contract::slots::Slots;
 use imogene_contract::video::VideoMode;
 use imogene_contract::words::MOST_LAYERS;
 use imogene_golden::format::Format;
 use imogene_golden::machine::shader::MOST_LIGHTS;
 use imogene_golden::machine::zone::{MAX_PICTURE, SAMPLES};
 use imogene_golden::object::quadric::MAX_PLANES;
-use imogene_golden::slots::FittedSlot;
-use imogene_golden::slots::Slots;
 
 /// Pixels of a zone at most.
 pub(super) const MAX_ZONE_PIXELS: u32 = 1 << 14;
@@ -100,6 +100,18 @@ impl MachineDescription {
         if let Some(other) = other.filter(|_| !format.follows_depth_word()) {
             let accepted = "of the widths g1 and g2 alone, beside slots of other kinds than quadrics and patches";
             return refuse("slots", other.kind.name(), accepted);
+        }
+        let widths = format.widths();
+        let mut each = slots.iter();
+        let refused = each.find_map(|slot| Some((slot, slot.refused(&widths)?)));
+        if let Some((slot, (word, _, least, most))) = refused {
+            let accepted = match most {
+                0 => {
+                    "no bits of its own in a slot of another kind than quadrics and patches".into()
+                }
+                _ => format!("{word} of {least} to {most} bits"),
+            };
+            return refuse("slots", slot, accepted);
         }
         let planes = slots.iter().map(|slot| slot.planes as usize).max();
         let counts = [
@@ -237,7 +249,7 @@ impl MachineDescription {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use imogene_golden::slots::print;
+    use imogene_contract::slots::print;
 
     const BEAM: &str = "machine = \"beam\"\nobjects = 10\nplanes = 3\nmode = \"640x480\"\n";
 
@@ -300,6 +312,12 @@ mod tests {
         assert_eq!((beam.objects, beam.planes), (3, 3));
         assert_eq!(print(&beam.slots()), "3,0v,2");
         assert!(refusal(&slotted.replace("0v", "13")).contains("'13' is no slot"));
+        let own = |slot: &str| refusal(&slotted.replace("0v", slot));
+        assert!(
+            own("0v:r25").contains("slots is 0v:r25; accepted: root of a slot of 4 to 24 bits")
+        );
+        assert!(own("0v:p20").contains("plane word of a slot of 24 to 36 bits"));
+        assert!(own("sphere:r9").contains("slots is sphere:r9; accepted: no bits of its own"));
         assert!(refusal(&format!("{slotted}objects = 4\n")).contains("accepted: 3, as slots has"));
         assert!(refusal(&slotted.replace("beam", "zone")).contains("beam machine alone"));
         let rows = "widths = { root = 16, dropped = 4 }\nrows_per_stage = 13\n";

@@ -2,11 +2,12 @@
 //! synthesis.
 
 use imogene_contract::MachineWords;
-use imogene_golden::slots::FittedSlot;
+use imogene_contract::slots::FittedSlot;
 
 /// Logic cells of ECP5, from the costs of the units at 24 bits and how they grow with their words: adders and registers
 /// in proportion, the root network with the square of its rows.
 pub fn of_slot(widths: &MachineWords, slot: &FittedSlot) -> f64 {
+    let widths = slot.words(widths);
     let [depth, root, plane, normal] =
         [widths.depth, widths.root, widths.plane, widths.normal].map(f64::from);
     let guards = [widths.guard_linear, widths.guard_quadratic].map(f64::from);

@@ -3,22 +3,24 @@
 use super::FitError;
 use super::estimate;
 use super::frames::{Drawn, Frame, Frames};
+use imogene_contract::slots::{FittedSlot, Products, Slots};
 use imogene_contract::video::VideoMode;
 use imogene_contract::{MachineWords, RootForm};
 use imogene_golden::format::Format;
 use imogene_golden::machine::shader::MOST_LIGHTS;
 use imogene_golden::object::slot::ProcessorWords;
-use imogene_golden::slots::{FittedSlot, Products, Slots};
+use imogene_golden::slots::required;
 use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::widths::OwnWidths;
 use imogene_plan::description::{
     LitSphere, MachineDescription, MachineKind, Mode, Output, OwnMode, Smoothing, ZoneSize,
 };
 use imogene_plan::display::DisplayError;
-use imogene_plan::needs::enough;
+use imogene_plan::needs::{enough, narrowed};
 use imogene_plan::zone::clocks::{ZoneTiming, clocks};
 use imogene_plan::zone::plan::ZonePlan;
 use imogene_prepare::PreparedScene;
+use imogene_scene::FramedScene;
 
 /// Object and volume processors of a beam machine at most, if nobody says which machine: more share their processors
 /// zone by zone.
@@ -74,7 +76,7 @@ pub fn machine(
             if beam.machine != MachineKind::Beam {
                 return Err(FitError::TooManyForBeam);
             }
-            of_beam(beam, pace, &frames.all()[0])
+            of_beam(in_own_words(&beam, frames, drawn)?, pace, &frames.all()[0])
         }
         MachineKind::Zone => of_zones(&smallest, frames, drawn, pace, timing),
     }?;
@@ -150,9 +152,9 @@ fn smallest_kind(words: &ProcessorWords) -> FittedSlot {
     match words {
         ProcessorWords::Quadric(words) if words.class == Class::Patch => {
             let words = ProcessorWords::Patch(words.clone());
-            FittedSlot::of_words(&words).unwrap_or(FittedSlot::NONE)
+            required(&words).unwrap_or(FittedSlot::NONE)
         }
-        other => FittedSlot::of_words(other).unwrap_or(FittedSlot::NONE),
+        other => required(other).unwrap_or(FittedSlot::NONE),
     }
 }
 
@@ -174,15 +176,29 @@ fn mode((width, height): (u32, u32)) -> Mode {
     }
 }
 
+/// The machine with what it lacks for the frames.
 fn with_enough(
     machine: &MachineDescription,
     frames: &Frames,
     drawn: &Drawn,
 ) -> Result<MachineDescription, FitError> {
-    let scenes: Vec<_> = pairs(frames, drawn)
+    enough(machine, &scenes(frames, drawn)).map_err(|source| frames.all()[0].refused(source))
+}
+
+/// The beam machine with each slot in as few bits as the frames need of it.
+fn in_own_words(
+    machine: &MachineDescription,
+    frames: &Frames,
+    drawn: &Drawn,
+) -> Result<MachineDescription, FitError> {
+    narrowed(machine, &scenes(frames, drawn)).map_err(|source| frames.all()[0].refused(source))
+}
+
+fn scenes<'a>(frames: &'a Frames, drawn: &'a Drawn) -> Vec<(&'a FramedScene, &'a PreparedScene)> {
+    let pairs = pairs(frames, drawn);
+    pairs
         .map(|(frame, prepared)| (&frame.scene, prepared))
-        .collect();
-    enough(machine, &scenes).map_err(|source| frames.all()[0].refused(source))
+        .collect()
 }
 
 fn pairs<'a>(

@@ -12,7 +12,7 @@ use super::frames::{Drawn, Frames};
 use crate::kit::words::widest;
 use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
-use imogene_golden::slots::FittedSlot;
+use imogene_golden::slots::required_of_quadric;
 use rayon::prelude::*;
 
 /// Depth words that are tried.
@@ -63,7 +63,11 @@ pub fn search(
     let mut found: Vec<Drawn> = found?.into_iter().flatten().collect();
     let cells = |drawn: &Drawn| {
         let slots = drawn.prepared[0].quadrics();
-        let slots = slots.map(|(_, object)| FittedSlot::of(&object.words));
+        let slots = slots.map(|(_, object)| {
+            object
+                .needed
+                .slot(required_of_quadric(&object.words), &drawn.widths)
+        });
         let each = slots.map(|slot| estimate::of_slot(&drawn.widths, &slot));
         // Where there are none, the words alone count.
         each.sum::<f64>() + f64::from(drawn.widths.depth)

@@ -1,7 +1,7 @@
 //! The search for the smallest machine: what is found meets the budget, and one bit less anywhere does not.
 
 use imogene_contract::MachineWords;
-use imogene_golden::slots::FittedSlot;
+use imogene_contract::slots::FittedSlot;
 use imogene_plan::description::{MachineDescription, MachineKind};
 use imogene_plan::zone::clocks::ZoneTiming;
 use imogene_scene::SceneFile;
@@ -144,6 +144,42 @@ fn only_slots_that_need_it_have_half_b() {
         halves.contains(&true) && halves.contains(&false),
         "{halves:?}"
     );
+}
+
+/// At every pixel of every object, in whole numbers: what f2 and the planes come to is in the words of its slot, and a
+/// bit less of the root would be too short for half of the slots.
+#[test]
+fn every_value_of_an_object_is_in_the_words_of_its_slot() {
+    let frames = frames(&["teapot"]).unwrap();
+    let drawn = &found(&frames, &budgets()[1])[0];
+    let slots = beam_slots(&frames, drawn);
+    let own = slots.iter().filter(|slot| slot.root.is_some()).count();
+    assert!(own >= 5, "{slots:?}");
+    let (machine, guards) = (&drawn.widths, drawn.widths.guard_quadratic);
+    let bits = |value: i128| 129 - (value ^ (value >> 127)).leading_zeros();
+    let mut is_tight = 0;
+    for ((_, object), slot) in drawn.prepared[0].quadrics().zip(&slots) {
+        let (words, widths) = (&object.words, slot.words(machine));
+        let window = words.screen_box;
+        let (mut f2, mut plane) = (0, 0);
+        for (x, y) in
+            (window.y0..=window.y1).flat_map(|y| (window.x0..=window.x1).map(move |x| (x, y)))
+        {
+            let (x, y) = (i128::from(x), i128::from(y));
+            let q = &words.f2;
+            let value = q.a * x * x + q.b * y * y + q.c * x * y + q.d * x + q.e * y + q.f;
+            f2 = f2.max(bits(value >> guards));
+            for cut in &words.planes {
+                plane = plane.max(bits(cut.depth.a * x + cut.depth.b * y + cut.depth.c));
+            }
+        }
+        assert!(
+            f2 <= 2 * widths.root && plane <= widths.plane,
+            "{slot}: {f2}, {plane}"
+        );
+        is_tight += usize::from(f2 > 2 * (widths.root - 1));
+    }
+    assert!(2 * is_tight >= slots.len(), "{is_tight} of {slots:?}");
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::layer::{Look, shaded_layer};
 use super::{
-    Lit, MATERIAL, NORMAL, Objects, SHADING, Slot, Volumes, WordBus, all_sources, object_array,
+    Lit, MATERIAL, NORMAL, Objects, SHADING, Volumes, WordBus, all_sources, object_array,
     volume_array,
 };
 use crate::object::Normal;
@@ -12,6 +12,7 @@ use crate::shade::{
     BLEND_LATENCY, Point, Shaded, Shading, ShadingLoad, Surface, transparency_pipeline,
 };
 use crate::video::LEVEL;
+use imogene_contract::slots::FittedSlot;
 use imogene_hdl::{Bits, Bundle, Int, Value, memory, module};
 
 /// Bits of the number of a slot.
@@ -23,7 +24,7 @@ pub struct BeamMachine {
     /// Its objects that are not transparent.
     pub objects: Objects,
     /// Slots of transparent objects, whose numbers follow; the first is the farthest.
-    pub layers: Vec<Slot>,
+    pub layers: Vec<FittedSlot>,
     /// Its shadow and light volumes, as many as they have numbers of planes; there may be none.
     pub volumes: Volumes,
     /// Its shading.
@@ -42,14 +43,13 @@ impl BeamMachine {
     /// after the one before, are not later.
     fn surfaces(&self) -> u32 {
         let layers = (0..).step_by(BLEND_LATENCY as usize).zip(&self.layers);
-        let needed =
-            layers.map(|(late, slot)| slot.clocks(&self.objects.root).saturating_sub(late));
+        let needed = layers.map(|(late, slot)| self.objects.slot_clocks(slot).saturating_sub(late));
         needed.fold(self.decided(), u32::max)
     }
 
     /// Bits of its load bus: those of the widest word.
     pub fn bus(&self) -> u32 {
-        let words = [self.objects.widths.bus(), self.volumes.widths.bus()];
+        let words = [self.objects.widths().bus(), self.volumes.widths.bus()];
         words.into_iter().fold(SHADING, u32::max)
     }
 
@@ -112,7 +112,7 @@ fn blended(
             write: load.material & load.address.low(SLOT).is(own),
             data: load.data.low(MATERIAL + LEVEL),
         };
-        let clocks = slot.clocks(&machine.objects.root);
+        let clocks = machine.objects.slot_clocks(slot);
         let scan = scan.delayed(machine.surfaces() + BLEND_LATENCY * index as u32 - clocks);
         shaded_layer(&at, scan, (objects.of(own), look, words), slot, machine)
     });

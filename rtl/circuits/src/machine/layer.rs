@@ -2,10 +2,11 @@
 
 use super::beam_core::shaded_normal;
 use super::slot::processor;
-use super::{BeamMachine, LoadBus, MATERIAL, Slot, all_sources};
+use super::{BeamMachine, LoadBus, MATERIAL, all_sources};
 use crate::raster::Scan;
 use crate::shade::{Layer, Point, ShadingLoad, Surface};
 use crate::video::LEVEL;
+use imogene_contract::slots::FittedSlot;
 use imogene_hdl::{Bundle, Value, bundle, module};
 
 bundle! {
@@ -22,13 +23,13 @@ pub(super) fn shaded_layer(
     at: &str,
     scan: Scan,
     (bus, look, load): (LoadBus, Look, ShadingLoad),
-    slot: &Slot,
+    slot: &FittedSlot,
     machine: &BeamMachine,
 ) -> Layer {
     let inputs = (scan, ("object", bus), ("look", look), ("load", load));
     module("shaded_layer", at, inputs, |(scan, bus, look, load)| {
-        let (widths, root) = (machine.objects.widths, machine.objects.root);
-        let seen = processor(slot, ["processor", "store"], scan, bus, (widths, root));
+        let words = machine.objects.of_slot(slot);
+        let seen = processor(slot, ["processor", "store"], scan, bus, words);
         let material = look.data.low(MATERIAL).reg_when(look.write);
         let weight = look
             .data
@@ -37,7 +38,7 @@ pub(super) fn shaded_layer(
         let (valid, depth) = (seen.front.out_valid, seen.front.zf);
         let point = Point {
             valid,
-            pixel: scan.pixel.delayed(slot.clocks(&root)),
+            pixel: scan.pixel.delayed(machine.objects.slot_clocks(slot)),
             depth,
             material,
             normal: shaded_normal(seen.normal),

@@ -42,7 +42,6 @@ pub use raster_control::{Raster, Zone, raster_control};
 pub use sample_mean::{Coloured, MEAN_LATENCY, SamplePass, sample_mean};
 pub use shadow_stage::{Volume, shadow_clocks, shadow_stage};
 pub use show_control::{Issued, Window, show_control};
-pub use slot::Slot;
 pub use stream::{Beat, WordBus, stream_slice};
 pub use tile::{TilePins, tile};
 pub use visibility_chain::{card_decider, visibility_chain};

@@ -1,15 +1,16 @@
 //! Object processors side by side, with their words and the decider.
 
-use super::slot::other_processor;
+use super::slot::{other_processor, slot_clocks};
 use super::{
-    Candidate, Extent, Held, LoadBus, Slot, coefficient_hold, coefficient_store, csg_product,
-    decider,
+    Candidate, Extent, Held, LoadBus, coefficient_hold, coefficient_store, csg_product, decider,
 };
 use crate::object::{Network, Normal, Shape, Widths, Words, absent, quadric_processor};
 use crate::raster::Scan;
 use crate::rows::numbered;
 use crate::tree::levels;
+use imogene_contract::MachineWords;
 use imogene_contract::object::{Kind, ProductSlots};
+use imogene_contract::slots::FittedSlot;
 use imogene_contract::words::CAP;
 use imogene_hdl::{Bits, Bundle, Int, Value, bundle, bundles, module};
 
@@ -51,12 +52,12 @@ bundles! {
 /// What object processors side by side are built for.
 #[derive(Clone, Debug)]
 pub struct Objects {
-    /// Bits of the words of an object.
-    pub widths: Widths,
-    /// The root of an object.
-    pub root: Network,
+    /// Bits of the words of an object, in slots that have not fewer of their own.
+    pub words: MachineWords,
+    /// Rows of the root networks between registers.
+    pub rows_per_stage: u32,
     /// Slots, at least one.
-    pub slots: Vec<Slot>,
+    pub slots: Vec<FittedSlot>,
     /// Products of solids, whose slots are the last, product by product.
     pub products: Vec<ProductSlots>,
 }
@@ -90,6 +91,22 @@ impl Objects {
         self.longest() + levels(self.choices())
     }
 
+    /// The longest words of an object.
+    pub fn widths(&self) -> Widths {
+        Widths::of(&self.words)
+    }
+
+    /// Words and root of a slot.
+    pub(super) fn of_slot(&self, slot: &FittedSlot) -> (Widths, Network) {
+        let words = slot.words(&self.words);
+        (Widths::of(&words), Network::of(&words, self.rows_per_stage))
+    }
+
+    /// Clocks from the flags of a pixel to what the processor of a slot sees.
+    pub(super) fn slot_clocks(&self, slot: &FittedSlot) -> u32 {
+        slot_clocks(slot, &self.of_slot(slot).1)
+    }
+
     /// Objects and products that the decider chooses from.
     fn choices(&self) -> usize {
         self.alone() + self.products.len()
@@ -114,7 +131,7 @@ impl Objects {
     fn each_clocks(&self) -> Vec<u32> {
         let slots = self.slots.iter().zip(self.roles());
         slots
-            .map(|(slot, role)| slot.clocks(&self.root) + role.clocks())
+            .map(|(slot, role)| self.slot_clocks(slot) + role.clocks())
             .collect()
     }
 
@@ -130,6 +147,7 @@ impl Objects {
         &self,
         scan: Scan,
         load: Load,
+        id_bits: u32,
         words: impl Fn(usize, LoadBus, Words) -> (Words, Bits),
     ) -> (Bits, Candidate) {
         let (clocks, roles) = (self.each_clocks(), self.roles());
@@ -143,7 +161,8 @@ impl Objects {
         // Other kinds have their store beside their processor.
         let stored = stores.map(|(index, (at, (slot, bus)))| {
             let quadric = (slot.kind == Kind::Quadric).then(|| {
-                let loaded = coefficient_store(&at, bus, self.widths, slot.planes as u64);
+                let (widths, _) = self.of_slot(slot);
+                let loaded = coefficient_store(&at, bus, widths, slot.planes.into());
                 words(index, bus, loaded)
             });
             (index as u64, at, bus, quadric)
@@ -152,18 +171,19 @@ impl Objects {
         let processors = numbered("processors", self.slots.iter().zip(stored));
         let seen = processors.map(|(at, (slot, (index, store, bus, quadric)))| {
             let scan = late[(self.longest() - clocks[index as usize]) as usize];
+            let (widths, root) = self.of_slot(slot);
             let (seen, id) = match quadric {
                 Some((words, id)) => {
                     let shape = Shape {
-                        root: self.root,
+                        root,
                         two_volumes: slot.two_volumes,
                     };
                     (quadric_processor(&at, scan, words, shape), id)
                 }
                 None => {
-                    let words = (self.widths, self.root);
+                    let words = (widths, root);
                     let seen = other_processor(slot, [&at, &store], scan, bus, words);
-                    (seen, Bits::new(index, ID))
+                    (seen, Bits::new(index, id_bits))
                 }
             };
             let face = Candidate {
@@ -248,7 +268,7 @@ pub fn object_array(
             }
             false => (words, Bits::new(index as u64, ID)),
         };
-        let (valid, nearest) = objects.nearest(scan, load, words);
+        let (valid, nearest) = objects.nearest(scan, load, ID, words);
         let Candidate {
             depth, id, normal, ..
         } = nearest;

@@ -10,41 +10,19 @@ use crate::object::{
 use crate::raster::{Linear, Quadratic, Scan};
 use crate::tree::levels;
 use imogene_contract::object::Kind;
+use imogene_contract::slots::FittedSlot;
 use imogene_contract::words;
 use imogene_hdl::{Bits, Int, Plain, Ports, Value, module, net};
 
-/// A place for an object.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Slot {
-    /// Its processor.
-    pub kind: Kind,
-    /// Cut planes, or sides.
-    pub planes: usize,
-    /// It has half B, which objects of the class front need.
-    pub two_volumes: bool,
-}
-
-impl Slot {
-    /// A place for quadrics of every class.
-    pub const fn full(planes: usize) -> Slot {
-        Slot {
-            kind: Kind::Quadric,
-            planes,
-            two_volumes: true,
-        }
-    }
-
-    /// Clocks from the flags of a pixel to what its processor sees.
-    pub(super) fn clocks(&self, root: &Network) -> u32 {
-        let planes = self.planes as u32;
-        match self.kind {
-            Kind::Quadric => root.latency() + 9 + 2 * (planes + u32::from(self.two_volumes)),
-            Kind::Patch => root.latency() + 9,
-            Kind::FirstGeneration => root.latency() + 9,
-            Kind::Polyhedron => levels(self.planes) + 6,
-            Kind::Facet | Kind::CurvedFacet | Kind::Cylinder => 3,
-            Kind::Sphere => 4,
-        }
+/// Clocks from the flags of a pixel to what the processor of a slot sees.
+pub(super) fn slot_clocks(slot: &FittedSlot, root: &Network) -> u32 {
+    match slot.kind {
+        Kind::Quadric => root.latency() + 9 + 2 * (slot.planes + u32::from(slot.two_volumes)),
+        Kind::Patch => root.latency() + 9,
+        Kind::FirstGeneration => root.latency() + 9,
+        Kind::Polyhedron => levels(slot.planes as usize) + 6,
+        Kind::Facet | Kind::CurvedFacet | Kind::Cylinder => 3,
+        Kind::Sphere => 4,
     }
 }
 
@@ -169,7 +147,7 @@ fn facet_store<P: Plain + Copy>(
 
 /// A processor of any kind, with the store of its words.
 pub(super) fn processor(
-    slot: &Slot,
+    slot: &FittedSlot,
     [at, store_at]: [&str; 2],
     scan: Scan,
     bus: LoadBus,
@@ -178,7 +156,7 @@ pub(super) fn processor(
     if slot.kind != Kind::Quadric {
         return other_processor(slot, [at, store_at], scan, bus, (widths, root));
     }
-    let words = coefficient_store(store_at, bus, widths, slot.planes as u64);
+    let words = coefficient_store(store_at, bus, widths, slot.planes.into());
     let shape = Shape {
         root,
         two_volumes: slot.two_volumes,
@@ -188,13 +166,13 @@ pub(super) fn processor(
 
 /// A processor of another kind than of quadrics, with the store of its words.
 pub(super) fn other_processor(
-    slot: &Slot,
+    slot: &FittedSlot,
     [at, store_at]: [&str; 2],
     scan: Scan,
     bus: LoadBus,
     (widths, root): (Widths, Network),
 ) -> Visible {
-    let (kind, planes) = (slot.kind, slot.planes);
+    let (kind, planes) = (slot.kind, slot.planes as usize);
     // Guard bits are those of f1 and f2 alone.
     let (linear, quadratic) = (widths.plane, words::quadratic(root.digits));
     match kind {

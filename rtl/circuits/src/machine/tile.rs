@@ -1,9 +1,9 @@
 //! One solid with its cut planes, small enough for a tile of a shared chip.
 
 use super::tile_raster::{TileScan, tile_raster};
-use crate::machines::{network, widths};
 use crate::object::{
-    Cut, Interval, Roots, absent, cut_plane, depth_interval, plane_depth, quadric_pe,
+    Cut, Interval, Network, Roots, Widths, absent, cut_plane, depth_interval, plane_depth,
+    quadric_pe,
 };
 use crate::raster::{Linear, Quadratic, pe1};
 use crate::rows::numbered;
@@ -70,7 +70,7 @@ pub fn tile(at: &str, words: &TileWords) -> TilePins {
 /// The light of the face that is seen at a pixel of the window, and whether there is one.
 fn seen(scan: TileScan, words: &TileWords) -> (Bits, Bits) {
     let rows = words.widths.root - words.widths.dropped_rows;
-    let (root, widths) = (network(&words.widths, rows), widths(&words.widths));
+    let (root, widths) = (Network::of(&words.widths, rows), Widths::of(&words.widths));
     let [a, b, c, d, e, f] = words.f2;
     let f2 = [2 * a, 2 * b, c, e + b, d + a, f].map(|word| constant(word, widths.quadratic));
     let f = (linear(words.f1, widths.linear), Quadratic::of(f2));

@@ -26,7 +26,7 @@ pub struct ZoneCore {
 impl ZoneCore {
     /// Bits of its load bus: those of the widest word of a processor.
     pub fn bus(&self) -> u32 {
-        self.objects.widths.bus().max(self.volumes.widths.bus())
+        self.objects.widths().bus().max(self.volumes.widths.bus())
     }
 
     /// Clocks from a drawing or lighting command until words of processors are taken again: all have started.
@@ -107,7 +107,7 @@ pub fn zone_core(at: &str, beat: Beat, room: Bits, machine: &ZoneCore, drain: u3
         let words = (pass.take_objects, load.objects());
         let drawn = object_array("objects", draw.scan, words, objects, true);
         // What the volumes are told comes from the buffer, which takes what they answer.
-        let depth = Int::forward(objects.root.depth);
+        let depth = Int::forward(objects.words.depth);
         let flags = Bits::forward(SOURCES);
         let known = Lit {
             depth,
@@ -127,7 +127,7 @@ pub fn zone_core(at: &str, beat: Beat, room: Bits, machine: &ZoneCore, drain: u3
         flags.drive(seen.flags);
         let draw_ends = draw.last.delayed_as("draw_end", clocks + 1);
         pass_ends.drive(draw_ends | lighting.ends | show.is_last);
-        let background = absent(objects.root.depth);
+        let background = absent(objects.words.depth);
         Shown {
             ready: taken,
             started: show.issue,

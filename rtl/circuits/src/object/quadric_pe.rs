@@ -5,8 +5,8 @@ use crate::arith::{
     square_root_quadratic,
 };
 use crate::raster::{Flags, Linear, Quadratic, pe1, pe2};
-use imogene_contract::RootForm;
 use imogene_contract::words::depth_sum;
+use imogene_contract::{MachineWords, RootForm};
 use imogene_hdl::{Bits, Bundle, Value, bundle, module, net};
 
 bundle! {
@@ -35,6 +35,18 @@ pub struct Network {
 }
 
 impl Network {
+    /// That of an object in the words of a machine or of a slot, which may have fewer rows than there are in a stage.
+    pub fn of(words: &MachineWords, rows_per_stage: u32) -> Network {
+        let rows = words.root - words.dropped_rows;
+        Network {
+            depth: words.depth,
+            digits: words.root,
+            rows,
+            rows_per_stage: rows_per_stage.min(rows),
+            form: words.root_form,
+        }
+    }
+
     /// Clocks.
     pub fn latency(&self) -> u32 {
         self.form.latency(self.rows, self.rows_per_stage)

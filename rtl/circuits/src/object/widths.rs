@@ -1,5 +1,8 @@
 //! Widths of an object.
 
+use imogene_contract::MachineWords;
+use imogene_contract::words::{NORMAL, NORMAL_PART, depth_sum, quadratic};
+
 /// Widths of the words of an object.
 #[derive(Clone, Copy, Debug)]
 pub struct Widths {
@@ -16,6 +19,17 @@ pub struct Widths {
 }
 
 impl Widths {
+    /// Those of an object in the words of a machine or of a slot.
+    pub fn of(words: &MachineWords) -> Widths {
+        Widths {
+            linear: depth_sum(words.depth) + words.guard_linear,
+            quadratic: quadratic(words.root) + words.guard_quadratic,
+            gradient: words.normal + NORMAL_PART - NORMAL,
+            normal: words.normal,
+            plane: words.plane,
+        }
+    }
+
     /// Bits of a load bus: those of the widest word, and of a word of the screen box.
     pub fn bus(&self) -> u32 {
         let words = [self.linear, self.quadratic, self.plane, self.gradient];

@@ -1,15 +1,16 @@
 //! Whole machines of words and slots that no format of the catalogue has.
 
-use imogene_circuits::machine::{BeamMachine, Objects, Slot, Volumes};
+use imogene_circuits::machine::{BeamMachine, Objects, Volumes};
 use imogene_circuits::machines::{beam_display, beam_stream};
 use imogene_circuits::object::{Network, Widths};
 use imogene_circuits::shade::{Lights, Shading};
 use imogene_circuits::video::Output;
-use imogene_contract::RootForm;
 use imogene_contract::command_stream::SHADING_WORD;
 use imogene_contract::object;
 use imogene_contract::shading::BACKGROUND;
+use imogene_contract::slots::FittedSlot;
 use imogene_contract::video::{Span, VideoMode};
+use imogene_contract::{MachineWords, RootForm};
 use imogene_hdl::{Design, Port, Simulator};
 
 /// A colour as pixels have it, and as the word of the background, which has red in its low bits.
@@ -18,38 +19,33 @@ const BACKGROUND_WORD: u64 = 0x56_34_12;
 
 /// Guard bits, rows that are left out, slots of different planes and halves, volumes of different planes.
 fn machine() -> BeamMachine {
-    let widths = Widths {
-        linear: 24,
-        quadratic: 35,
-        gradient: 19,
-        normal: 11,
-        plane: 23,
-    };
-    let root = Network {
+    let words = MachineWords {
         depth: 19,
-        digits: 15,
-        rows: 13,
-        rows_per_stage: 4,
-        form: RootForm::Restoring,
+        root: 15,
+        plane: 23,
+        normal: 11,
+        guard_linear: 3,
+        guard_quadratic: 5,
+        dropped_rows: 2,
+        root_form: RootForm::Restoring,
     };
     let slots = [(0, false), (2, true), (3, false)];
     BeamMachine {
         layers: vec![],
         objects: Objects {
             products: vec![],
-            widths,
-            root,
+            words,
+            rows_per_stage: 4,
             slots: slots
-                .map(|(planes, two_volumes)| Slot {
-                    kind: object::Kind::Quadric,
-                    planes,
+                .map(|(planes, two_volumes)| FittedSlot {
                     two_volumes,
+                    ..FittedSlot::of(object::Kind::Quadric, planes)
                 })
                 .to_vec(),
         },
         volumes: Volumes {
-            widths,
-            root,
+            widths: Widths::of(&words),
+            root: Network::of(&words, 4),
             planes: vec![1, 0],
         },
         shading: Shading {

@@ -27,16 +27,15 @@ fn request(kind: Kind) -> MachineRequest {
         kind,
         volumes: 1,
         volume_planes: 4,
-        ..MachineRequest::fitted(MachineWords::of(24), 4, vec![Slot::full(1); 2])
+        ..MachineRequest::fitted(MachineWords::of(24), 4, vec![FittedSlot::full(1); 2])
     }
 }
 
 /// A deciding beam with slots of these planes, some with a second half.
-fn beam(words: MachineWords, slots: &[(usize, bool)]) -> MachineRequest {
-    let slots = slots.iter().map(|&(planes, two_volumes)| Slot {
-        kind: object::Kind::Quadric,
-        planes,
+fn beam(words: MachineWords, slots: &[(u32, bool)]) -> MachineRequest {
+    let slots = slots.iter().map(|&(planes, two_volumes)| FittedSlot {
         two_volumes,
+        ..FittedSlot::of(object::Kind::Quadric, planes)
     });
     MachineRequest::fitted(words, 1, slots.collect())
 }
@@ -67,6 +66,35 @@ fn machines_are_emitted() {
         let has_own = text.contains("guard bits 10 of f1, 3 of f2");
         assert_eq!(has_own, words == OWN, "{top}");
     }
+}
+
+/// Slots of every kind, and quadrics and patches in shorter words, of a machine with a core alone.
+#[test]
+fn slots_of_every_kind_and_own_words_are_emitted() {
+    let of = |words: MachineWords, text: &str| {
+        let slots = imogene_contract::slots::parse(text).unwrap();
+        emit_machine(&MachineRequest::fitted(words, 4, slots))
+    };
+    let others =
+        "2:r5:p18,patch2,polyhedron6,facet3,curved_facet2,sphere,cylinder,first_generation";
+    let emitted = of(MachineWords::of(16), others).unwrap();
+    let text = emitted.bundle();
+    assert!(text.contains(
+        "r and p bits of a shorter root and shorter planes: 2:r5:p18 patch2 polyhedron6"
+    ));
+    // Ten bits of f2, of which the words lie on a longer bus.
+    assert!(text.contains("[9:0] f2_"), "{text}");
+    let short = of(OWN, "2v:r9:p18,patch2:r16,1").unwrap();
+    assert_eq!(
+        short.latency,
+        of(OWN, "2v:r9:p18,patch2:r16,1:r16").unwrap().latency
+    );
+    let refused = |text: &str| of(OWN, text).unwrap_err().to_string();
+    assert!(
+        refused("2:r18").contains("root of a slot = 18 is out of range; legal values are 4 to 17")
+    );
+    assert!(refused("2:p17").contains("legal values are 18 to 29"));
+    assert!(refused("sphere").contains("root beside a slot of another kind"));
 }
 
 /// Equal slots make the machine of the catalogue, module for module.
@@ -115,8 +143,7 @@ fn a_machine_has_the_words_that_were_asked_for() {
 
 #[test]
 fn a_machine_of_different_slots_waits_for_the_longest() {
-    let emitted =
-        |slots: &[(usize, bool)]| emit_machine(&beam(MachineWords::of(16), slots)).unwrap();
+    let emitted = |slots: &[(u32, bool)]| emit_machine(&beam(MachineWords::of(16), slots)).unwrap();
     let fitted = emitted(&[(0, false), (2, true), (3, false)]);
     // Raster control, root, planes, and what is around them, the tree of three inputs.
     assert_eq!(fitted.latency, 1 + (16 + 2 * 2 + 11) + 2);

@@ -3,10 +3,10 @@
 
 use super::refine::assert_same;
 use super::{MACHINE, MACHINES, Truth, scene};
+use imogene_contract::slots::Products;
 use imogene_golden::format::Format;
 use imogene_golden::machine::lighting::ALL_SOURCES;
 use imogene_golden::machine::zone::ZoneMachine;
-use imogene_golden::slots::Products;
 use imogene_plan::zone::plan::{PlanError, ZonePlan};
 use imogene_prepare::{Framing, PreparedScene, prepare};
 use imogene_scene::SceneFile;

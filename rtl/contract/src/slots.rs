@@ -1,0 +1,399 @@
+//! Slots of a fitted machine, and as text: the planes of each, with a `v` for those with half B, as in `3,0,2v`; those
+//! of other kinds by their names, as in `patch2,sphere`; behind it the words that are shorter than those of the
+//! machine, as in `2v:r14:p20`.
+
+use crate::machine_words::{MachineWords, WordRange};
+use crate::object::{KINDS, Kind, ProductSlots};
+use crate::words::{MOST_MEMBERS, MOST_PLANES};
+use serde::{Deserialize, Serialize};
+use std::fmt;
+use thiserror::Error;
+
+/// One object slot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+pub struct FittedSlot {
+    /// Its processor.
+    #[serde(default, skip_serializing_if = "is_quadric")]
+    pub kind: Kind,
+    /// Cut planes or sides, 0 to 12.
+    pub planes: u32,
+    /// With half B, for objects of class front.
+    pub two_volumes: bool,
+    /// Bits of its root, if they are fewer than those of the machine: of quadrics and patches alone.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub root: Option<u32>,
+    /// Bits of the words of its planes, likewise.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub plane: Option<u32>,
+}
+
+fn is_quadric(kind: &Kind) -> bool {
+    *kind == Kind::Quadric
+}
+
+impl FittedSlot {
+    /// A slot of quadrics without planes and half B.
+    pub const NONE: FittedSlot = FittedSlot::of(Kind::Quadric, 0);
+
+    /// A slot of a kind in the words of its machine, without half B.
+    pub const fn of(kind: Kind, planes: u32) -> FittedSlot {
+        FittedSlot {
+            kind,
+            planes,
+            two_volumes: false,
+            root: None,
+            plane: None,
+        }
+    }
+
+    /// A slot for quadrics of every class.
+    pub const fn full(planes: u32) -> FittedSlot {
+        FittedSlot {
+            two_volumes: true,
+            ..FittedSlot::of(Kind::Quadric, planes)
+        }
+    }
+
+    /// A slot for the objects of both, which are of one kind; of two, that of the other.
+    pub fn or(&self, other: &FittedSlot) -> FittedSlot {
+        if self.kind != other.kind {
+            return *other;
+        }
+        FittedSlot {
+            kind: self.kind,
+            planes: self.planes.max(other.planes),
+            two_volumes: self.two_volumes || other.two_volumes,
+            root: longer(self.root, other.root),
+            plane: longer(self.plane, other.plane),
+        }
+    }
+
+    /// Its words in a machine of these.
+    pub fn words(&self, machine: &MachineWords) -> MachineWords {
+        MachineWords {
+            root: self.root.unwrap_or(machine.root),
+            plane: self.plane.unwrap_or(machine.plane),
+            ..*machine
+        }
+    }
+
+    /// The same slot in as few bits of root and planes as these words have, which are no longer than the machine's.
+    pub fn in_words(&self, own: &MachineWords, machine: &MachineWords) -> FittedSlot {
+        let shorter = |own: u32, machine: u32| (own < machine).then_some(own);
+        FittedSlot {
+            root: shorter(own.root, machine.root),
+            plane: shorter(own.plane, machine.plane),
+            ..*self
+        }
+    }
+
+    /// The first of its words that is out of its range in a machine of these: what it is, its bits, the least and the
+    /// most.
+    pub fn refused(&self, machine: &MachineWords) -> Option<WordRange> {
+        if !matches!(self.kind, Kind::Quadric | Kind::Patch) {
+            return self.refused_of_other_kind(machine);
+        }
+        let least = machine.least_root();
+        let words = [
+            ("root of a slot", self.root, least, machine.root),
+            (
+                "plane word of a slot",
+                self.plane,
+                machine.depth,
+                machine.plane,
+            ),
+        ];
+        let given = words
+            .into_iter()
+            .filter_map(|(word, bits, least, most)| Some((word, bits?, least, most)));
+        let mut out = given.filter(|(_, bits, least, most)| !(least..=most).contains(&bits));
+        out.next()
+    }
+
+    /// The same of other kinds than quadrics and patches: their words are those that follow from the depth word.
+    fn refused_of_other_kind(&self, machine: &MachineWords) -> Option<WordRange> {
+        let usual = MachineWords::of(machine.depth);
+        let own = self.root.or(self.plane);
+        if let Some(own) = own {
+            return Some((
+                "own words of a slot of another kind than quadrics and patches",
+                own,
+                0,
+                0,
+            ));
+        }
+        let words = [
+            (
+                "root beside a slot of another kind than quadrics and patches",
+                machine.root,
+                usual.root,
+            ),
+            (
+                "plane word beside a slot of another kind than quadrics and patches",
+                machine.plane,
+                usual.plane,
+            ),
+            (
+                "normal component beside a slot of another kind than quadrics and patches",
+                machine.normal,
+                usual.normal,
+            ),
+            (
+                "dropped digits of the root beside a slot of another kind than quadrics and patches",
+                machine.dropped_rows,
+                0,
+            ),
+        ];
+        let other = words.into_iter().find(|(_, bits, usual)| bits != usual);
+        other.map(|(word, bits, usual)| (word, bits, usual, usual))
+    }
+}
+
+/// The longer of two words, of which that of the machine is the longest.
+fn longer(one: Option<u32>, other: Option<u32>) -> Option<u32> {
+    one.zip(other).map(|(one, other)| one.max(other))
+}
+
+/// Text that names no slots.
+#[derive(Debug, Error, PartialEq, Eq)]
+#[error(
+    "'{0}' is no slot; expected a list such as 3,0,2v: the planes of each slot, 0 to {MOST_PLANES}, with a v for a slot with half B, \
+     patch3, polyhedron6, facet3, curved_facet2, sphere, cylinder or first_generation, \
+     and behind one the bits of a shorter root and of shorter plane words, as in 2v:r14:p20"
+)]
+pub struct SlotsError(String);
+
+/// Reads slots.
+pub fn parse(text: &str) -> Result<Vec<FittedSlot>, SlotsError> {
+    let slot = |text: &str| slot(text).ok_or_else(|| SlotsError(text.to_owned()));
+    text.split(',').map(slot).collect()
+}
+
+fn slot(text: &str) -> Option<FittedSlot> {
+    let mut pieces = text.split(':');
+    let shape = pieces.next().and_then(any_kind)?;
+    pieces.try_fold(shape, |slot, piece| {
+        let bits = |letter: char| piece.strip_prefix(letter)?.parse().ok();
+        match (bits('r'), bits('p')) {
+            (root @ Some(_), _) if slot.root.is_none() => Some(FittedSlot { root, ..slot }),
+            (_, plane @ Some(_)) if slot.plane.is_none() => Some(FittedSlot { plane, ..slot }),
+            _ => None,
+        }
+    })
+}
+
+fn quadric(shape: &str) -> Option<FittedSlot> {
+    let without_half = shape.strip_suffix('v');
+    let planes = without_half.unwrap_or(shape).parse().ok();
+    Some(FittedSlot {
+        two_volumes: without_half.is_some(),
+        ..FittedSlot::of(
+            Kind::Quadric,
+            planes.filter(|&planes| planes <= MOST_PLANES)?,
+        )
+    })
+}
+
+fn any_kind(shape: &str) -> Option<FittedSlot> {
+    let count = shape.trim_start_matches(|letter: char| !letter.is_ascii_digit());
+    let name = &shape[..shape.len() - count.len()];
+    let Some(&(kind, _, [least, most])) = KINDS[1..].iter().find(|row| row.1 == name) else {
+        return quadric(shape);
+    };
+    let planes = match most {
+        0 if count.is_empty() => Some(0),
+        0 => None,
+        _ => count.parse().ok(),
+    };
+    let planes = planes.filter(|planes| (least..=most).contains(planes));
+    Some(FittedSlot::of(kind, planes?))
+}
+
+/// The text that [`parse`] reads back.
+pub fn print(slots: &[FittedSlot]) -> String {
+    slots
+        .iter()
+        .map(FittedSlot::to_string)
+        .collect::<Vec<_>>()
+        .join(",")
+}
+
+impl fmt::Display for FittedSlot {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.kind != Kind::Quadric {
+            f.write_str(self.kind.name())?;
+        }
+        if self.kind.planes() != [0, 0] {
+            write!(f, "{}", self.planes)?;
+        }
+        if self.two_volumes {
+            f.write_str("v")?;
+        }
+        self.root.map_or(Ok(()), |root| write!(f, ":r{root}"))?;
+        self.plane.map_or(Ok(()), |plane| write!(f, ":p{plane}"))
+    }
+}
+
+/// Slots that are written as text.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "String")]
+pub struct Slots(pub Vec<FittedSlot>);
+
+impl TryFrom<String> for Slots {
+    type Error = SlotsError;
+
+    fn try_from(text: String) -> Result<Slots, SlotsError> {
+        parse(&text).map(Slots)
+    }
+}
+
+impl From<Slots> for String {
+    fn from(slots: Slots) -> String {
+        print(&slots.0)
+    }
+}
+
+/// The slots of products, written as the objects that each intersects and those that it takes away: `2-1,1-3`.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "String")]
+pub struct Products(pub Vec<ProductSlots>);
+
+/// Text that names no products.
+#[derive(Debug, Error, PartialEq, Eq)]
+#[error(
+    "'{0}' is no product; expected a list such as 2-1,1-3: objects intersected, 1 to {MOST_MEMBERS}, and objects taken away, \
+     0 to {MOST_MEMBERS}"
+)]
+pub struct ProductsError(String);
+
+fn product(part: &str) -> Result<ProductSlots, ProductsError> {
+    let number = |text: &str, least: usize| {
+        let number = text.parse().ok();
+        number.filter(|number| (least..=MOST_MEMBERS as usize).contains(number))
+    };
+    let (intersected, subtracted) = part.split_once('-').unwrap_or_default();
+    let slots = number(intersected, 1).zip(number(subtracted, 0));
+    let (intersected, subtracted) = slots.ok_or_else(|| ProductsError(part.to_owned()))?;
+    Ok(ProductSlots {
+        intersected,
+        subtracted,
+    })
+}
+
+impl TryFrom<String> for Products {
+    type Error = ProductsError;
+
+    fn try_from(text: String) -> Result<Products, ProductsError> {
+        text.split(',')
+            .map(product)
+            .collect::<Result<_, _>>()
+            .map(Products)
+    }
+}
+
+impl From<Products> for String {
+    fn from(products: Products) -> String {
+        let text =
+            |product: &ProductSlots| format!("{}-{}", product.intersected, product.subtracted);
+        products.0.iter().map(text).collect::<Vec<_>>().join(",")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn products_and_text_are_each_other() {
+        let products = Products::try_from("2-1,1-16".to_owned()).unwrap();
+        assert_eq!(
+            (products.0[1].intersected, products.0[1].subtracted),
+            (1, 16)
+        );
+        assert_eq!(String::from(products), "2-1,1-16");
+        for text in ["", "2", "0-1", "1-17", "1-2-3", "a-1"] {
+            let error = Products::try_from(text.to_owned()).unwrap_err();
+            assert!(error.to_string().contains("2-1,1-3"), "{text}");
+        }
+    }
+
+    #[test]
+    fn the_longer_word_is_for_both() {
+        let slot = |root, plane| FittedSlot {
+            root,
+            plane,
+            ..FittedSlot::full(2)
+        };
+        let (short, long) = (slot(Some(10), Some(20)), slot(Some(12), None));
+        assert_eq!(short.or(&long), slot(Some(12), None));
+        // Slots without words of their own have those of the machine, the longest of all.
+        assert_eq!(FittedSlot::full(2).or(&short), FittedSlot::full(2));
+        let machine = MachineWords {
+            root: 12,
+            dropped_rows: 7,
+            ..MachineWords::of(16)
+        };
+        assert_eq!(
+            short.words(&machine),
+            MachineWords {
+                root: 10,
+                plane: 20,
+                ..machine
+            }
+        );
+        assert_eq!(
+            FittedSlot::full(2).in_words(&short.words(&machine), &machine),
+            short
+        );
+        assert_eq!(
+            FittedSlot::full(2).in_words(&machine, &machine),
+            FittedSlot::full(2)
+        );
+        let refused = |slot: FittedSlot| {
+            slot.refused(&machine)
+                .map(|(_, _, least, most)| (least, most))
+        };
+        assert_eq!(refused(short), None);
+        assert_eq!(refused(slot(Some(7), None)), Some((8, 12)));
+        assert_eq!(refused(slot(Some(13), None)), Some((8, 12)));
+        assert_eq!(refused(slot(None, Some(29))), Some((16, 28)));
+        let sphere = FittedSlot {
+            root: Some(10),
+            ..FittedSlot::of(Kind::Sphere, 0)
+        };
+        assert!(sphere.refused(&machine).is_some());
+    }
+
+    #[test]
+    fn text_and_slots_are_each_other() {
+        let slots = parse("3,0,12v").unwrap();
+        assert_eq!((slots[2].planes, slots[2].two_volumes), (12, true));
+        assert_eq!((slots[0].planes, slots[0].two_volumes), (3, false));
+        assert_eq!(print(&slots), "3,0,12v");
+        let kinds = "3v,patch2,polyhedron6,facet3,curved_facet1,sphere,cylinder,first_generation";
+        let slots: Slots = kinds.to_owned().try_into().unwrap();
+        assert_eq!((slots.0[1].kind, slots.0[1].planes), (Kind::Patch, 2));
+        assert_eq!(String::from(slots), kinds);
+        let short = "3v:r14:p20,patch2:r9,0:p16";
+        let slots: Slots = short.to_owned().try_into().unwrap();
+        assert_eq!((slots.0[0].root, slots.0[0].plane), (Some(14), Some(20)));
+        assert_eq!((slots.0[1].root, slots.0[1].plane), (Some(9), None));
+        assert_eq!(String::from(slots), short);
+        for text in [
+            "sphere1",
+            "facet2",
+            "patch",
+            "patch13",
+            "torus",
+            "polyhedron0",
+        ] {
+            let error = Slots::try_from(text.to_owned()).unwrap_err();
+            assert!(error.to_string().contains("curved_facet2"), "{text}");
+        }
+        for text in [
+            "", "3,", "v", "13", "-1", "2w", "2:", "2:r", "2:x3", "2:r3:r3", "r3",
+        ] {
+            assert!(parse(text).unwrap_err().to_string().contains("3,0,2v"));
+        }
+    }
+}
