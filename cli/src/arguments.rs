@@ -35,7 +35,7 @@ pub use scene::{
 };
 pub use synth::{Peers, Synth};
 pub use trade::{Trade, TradeEngine};
-pub use unit::{Contract, Demo, Emit, Fitted, Package, Processors, Roots, Shape};
+pub use unit::{Contract, Demo, Emit, Fitted, Package, Parameters, Processors, Roots, Shape};
 pub use waves::Waves;
 
 /// Hardware that draws quadrics, proven against a golden model.

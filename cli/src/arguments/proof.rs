@@ -1,6 +1,6 @@
 //! Arguments of the commands that judge the emitted Verilog.
 
-use super::depth_word;
+use super::{Parameters, depth_word};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -26,11 +26,14 @@ pub struct Mutate {
     #[arg(value_delimiter = ',', required = true)]
     pub unit: Vec<String>,
     /// Mutants of what this machine is made of beside its units.
-    #[arg(long, value_name = "FILE.toml", conflicts_with_all = ["format", "netlist", "clocks", "out"])]
+    #[arg(long, value_name = "FILE.toml", conflicts_with_all = ["format", "parameters", "netlist", "clocks", "out"])]
     pub machine: Option<PathBuf>,
     /// Depth words in bits, 8 to 32, with commas between.
     #[arg(long, default_value = "16", value_name = "W,...", value_delimiter = ',', value_parser = depth_word)]
     pub format: Vec<u32>,
+    /// Parameters, of units that have them.
+    #[command(flatten)]
+    pub others: Parameters,
     /// Mutants of the emitted Verilog by Yosys, of each unit at most this many, in the place of every mutant of the
     /// circuit; `all` are ten units.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]

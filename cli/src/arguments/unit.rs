@@ -1,12 +1,13 @@
 //! Arguments of the commands about units: what they are, their Verilog, contracts and packages.
 
 use super::depth_word;
-use clap::{Arg, ArgMatches, Args, Command, FromArgMatches, value_parser};
+use clap::{Arg, ArgGroup, ArgMatches, Args, Command, FromArgMatches, value_parser};
 use imogene_contract::parameters::{PARAMETERS, Parameter};
 use imogene_contract::slots;
 use imogene_contract::slots::FittedSlot;
 use imogene_contract::{MachineWords, Request, RequestError, RootForm};
 use imogene_golden::widths;
+use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -35,58 +36,78 @@ pub struct Demo {
 }
 
 /// Format and parameters of a unit or machine.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Args)]
 pub struct Shape {
-    /// Depth word in bits.
+    /// Depth word in bits, 8 to 32.
+    #[arg(long, default_value_t = 24, value_name = "W", value_parser = depth_word)]
     pub format: u32,
+    /// All others.
+    #[command(flatten)]
+    pub others: Parameters,
+}
+
+impl Shape {
+    /// The unit of this name with these parameters.
+    pub fn request(&self, unit: &str) -> Result<Request, RequestError> {
+        self.others.request(unit, self.format)
+    }
+
+    /// Rows of the root networks of a machine between registers.
+    pub fn rows_per_stage(&self) -> usize {
+        let mut values = self.others.values.iter();
+        let given = values.find(|(option, _)| *option == "rows-per-stage");
+        given.and_then(|(_, value)| *value).unwrap_or(1) as usize
+    }
+}
+
+/// Parameters of a unit or machine beside its depth word.
+#[derive(Clone, Debug)]
+pub struct Parameters {
     /// Form of the root.
     pub root_form: RootForm,
     /// The values that were given, by option.
     values: Vec<(&'static str, Option<u32>)>,
 }
 
-impl Shape {
-    /// The unit of this name with these parameters.
-    pub fn request(&self, unit: &str) -> Result<Request, RequestError> {
-        Request::given(unit, self.format, &self.values)?.with_root_form(self.root_form)
-    }
-
-    /// Rows of the root networks of a machine between registers.
-    pub fn rows_per_stage(&self) -> usize {
-        let mut values = self.values.iter();
-        let given = values.find(|(option, _)| *option == "rows-per-stage");
-        given.and_then(|(_, value)| *value).unwrap_or(1) as usize
+impl Parameters {
+    /// The unit of this name with these parameters and a depth word.
+    pub fn request(&self, unit: &str, format: u32) -> Result<Request, RequestError> {
+        Request::given(unit, format, &self.values)?.with_root_form(self.root_form)
     }
 }
 
-impl FromArgMatches for Shape {
-    fn from_arg_matches(matches: &ArgMatches) -> Result<Shape, clap::Error> {
+impl fmt::Display for Parameters {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if !self.root_form.is_usual() {
+            write!(f, " --root-form {}", self.root_form)?;
+        }
+        let given = self.values.iter();
+        let mut given = given.filter_map(|(option, value)| Some((option, (*value)?)));
+        given.try_for_each(|(option, value)| write!(f, " --{option} {value}"))
+    }
+}
+
+impl FromArgMatches for Parameters {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Parameters, clap::Error> {
         let value = |parameter: &Parameter| {
             let value = matches.get_one(parameter.option).copied();
             (parameter.option, value)
         };
-        Ok(Shape {
-            format: *matches.get_one("format").expect("it has a default"),
+        Ok(Parameters {
             root_form: matches.get_one("root-form").copied().unwrap_or_default(),
             values: PARAMETERS.iter().map(value).collect(),
         })
     }
 
     fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
-        *self = Shape::from_arg_matches(matches)?;
+        *self = Parameters::from_arg_matches(matches)?;
         Ok(())
     }
 }
 
 /// The options are those of the parameters that units have.
-impl Args for Shape {
+impl Args for Parameters {
     fn augment_args(command: Command) -> Command {
-        let format = Arg::new("format")
-            .long("format")
-            .help("Depth word in bits, 8 to 32")
-            .default_value("24")
-            .value_name("W")
-            .value_parser(depth_word);
         let form = Arg::new("root-form")
             .long("root-form")
             .help("How quadric_pe, beam, quadric_volume and the processors of quadrics take their root: restoring, non-restoring, linear0 to linear2, quadratic0 to quadratic2, leading8 [default: restoring]")
@@ -99,14 +120,16 @@ impl Args for Shape {
                 .value_name(parameter.symbol)
                 .value_parser(value_parser!(u32))
         };
+        let options = PARAMETERS.iter().map(|parameter| parameter.option);
+        let group = ArgGroup::new("parameters").multiple(true);
         command
-            .arg(format)
             .arg(form)
             .args(PARAMETERS.iter().map(option))
+            .group(group.arg("root-form").args(options))
     }
 
     fn augment_args_for_update(command: Command) -> Command {
-        Shape::augment_args(command)
+        Parameters::augment_args(command)
     }
 }
 

@@ -105,10 +105,10 @@ fn run_scene(options: &Cosim) -> Result<Report, Failure> {
             options.subject
         )));
     }
-    if !options.shape.root_form.is_usual() {
+    if !options.shape.others.root_form.is_usual() {
         return Err(Failure::Input(format!(
             "--root-form is that of a unit; of a scene's machine give --widths depth={},root_form={}",
-            options.shape.format, options.shape.root_form
+            options.shape.format, options.shape.others.root_form
         )));
     }
     let file = read_scene(path, &options.view)?;

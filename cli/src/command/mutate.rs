@@ -37,7 +37,7 @@ pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
     let mut reports = vec![];
     for format in &options.format {
         for unit in &units {
-            let request = Request::given(unit, *format, &[])?;
+            let request = options.others.request(unit, *format)?;
             let report = match options.netlist {
                 None => of_circuit(&request, &scale)?,
                 Some(_) => of_netlist(&request, &scale)?,
@@ -54,9 +54,10 @@ pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
             Some(mutants) => (format!(" --netlist {mutants}"), table::OF_NETLISTS),
         };
         let command = format!(
-            "imogene mutate {} --format {}{kind} --stimuli {} --clocks {} --out {}",
+            "imogene mutate {} --format {}{}{kind} --stimuli {} --clocks {} --out {}",
             options.unit.join(","),
             output::joined(&options.format, ","),
+            options.others,
             scale.stimuli,
             options.clocks,
             path.display()

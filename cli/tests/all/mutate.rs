@@ -16,6 +16,28 @@ fn mutate_scores_a_unit_and_writes_the_table() {
 }
 
 #[test]
+fn a_unit_has_the_parameters_that_are_given() {
+    let place = Place::new();
+    let mutants = |line: &str| place.json(&format!("mutate decider {line}"))[0]["mutants"].as_u64();
+    let two = mutants("--objects 2 --out two.md");
+    assert!(two < mutants(""), "the default is four objects");
+    let text = place.text("two.md");
+    assert!(
+        text.contains("imogene mutate decider --format 16 --objects 2 --stimuli"),
+        "{text}"
+    );
+    assert!(
+        text.contains("| decider | `--format 16 --objects 2` |"),
+        "{text}"
+    );
+    place
+        .run("mutate pe1 --objects 2")
+        .refused(&["the unit `pe1` has no parameter `objects`"]);
+    let machine = "mutate scenes/cone.toml --machine machines/beam-48x32.toml --objects 2";
+    place.run(machine).refused(&["--machine", "--objects"]);
+}
+
+#[test]
 fn mutants_of_a_netlist_are_as_many_as_asked_for() {
     let reports = json("mutate two_volume_merge --netlist 50");
     assert_eq!(reports[0]["mutants"], 50);

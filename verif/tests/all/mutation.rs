@@ -100,8 +100,8 @@ fn a_unit_that_is_wrong_without_a_mutation_has_no_score() {
     assert!(message.contains("without a mutation differs"), "{message}");
 }
 
-/// Every mutant of these circuits is killed, proven equivalent, or proven forgotten; in the full run of both widths, and
-/// of whole processors.
+/// Every mutant of these circuits is killed, proven equivalent, or proven forgotten; in the full run of both widths,
+/// and of whole processors.
 #[test]
 fn no_mutant_of_an_arithmetic_circuit_survives() {
     let names = [
