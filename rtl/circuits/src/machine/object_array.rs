@@ -62,29 +62,6 @@ pub struct Objects {
     pub products: Vec<ProductSlots>,
 }
 
-/// What the processor of a slot does.
-#[derive(Clone, Copy)]
-enum Role {
-    /// It draws an object that is in no solid.
-    Alone,
-    /// Its object is intersected.
-    Kept(ProductSlots),
-    /// Its object is taken away.
-    TakenAway(ProductSlots),
-}
-
-impl Role {
-    /// Clocks from what a processor sees to what is seen of the object or the product.
-    fn clocks(self) -> u32 {
-        let after = |product: ProductSlots| 2 + levels(1 + product.subtracted);
-        match self {
-            Role::Alone => 0,
-            Role::Kept(product) => levels(product.intersected) + after(product),
-            Role::TakenAway(product) => after(product),
-        }
-    }
-}
-
 impl Objects {
     /// Clocks from the flags of a pixel to what is seen: the longest processor and the decider.
     pub fn clocks(&self) -> u32 {
@@ -118,21 +95,23 @@ impl Objects {
         self.slots.len() - members
     }
 
-    fn roles(&self) -> Vec<Role> {
-        let mut roles = vec![Role::Alone; self.alone()];
-        for &product in &self.products {
-            roles.extend(vec![Role::Kept(product); product.intersected]);
-            roles.extend(vec![Role::TakenAway(product); product.subtracted]);
+    /// Clocks from what the processor of each slot sees to what is seen of its object or product.
+    fn clocks_after(&self) -> Vec<u32> {
+        let mut clocks = vec![0; self.alone()];
+        for product in &self.products {
+            let taken_away = 2 + levels(1 + product.subtracted);
+            let kept = levels(product.intersected) + taken_away;
+            clocks.extend(vec![kept; product.intersected]);
+            clocks.extend(vec![taken_away; product.subtracted]);
         }
-        roles
+        clocks
     }
 
     /// Clocks from the flags of a pixel to what is seen of each slot's object or product.
     fn each_clocks(&self) -> Vec<u32> {
-        let slots = self.slots.iter().zip(self.roles());
-        slots
-            .map(|(slot, role)| self.slot_clocks(slot) + role.clocks())
-            .collect()
+        let slots = self.slots.iter().zip(self.clocks_after());
+        let clocks = slots.map(|(slot, after)| self.slot_clocks(slot) + after);
+        clocks.collect()
     }
 
     fn longest(&self) -> u32 {
@@ -150,7 +129,7 @@ impl Objects {
         id_bits: u32,
         words: impl Fn(usize, LoadBus, Words) -> (Words, Bits),
     ) -> (Bits, Candidate) {
-        let (clocks, roles) = (self.each_clocks(), self.roles());
+        let clocks = self.each_clocks();
         let least = clocks.iter().copied().min().unwrap_or(0);
         let mut late = vec![scan];
         for _ in least..self.longest() {
@@ -171,18 +150,17 @@ impl Objects {
         let processors = numbered("processors", self.slots.iter().zip(stored));
         let seen = processors.map(|(at, (slot, (index, store, bus, quadric)))| {
             let scan = late[(self.longest() - clocks[index as usize]) as usize];
-            let (widths, root) = self.of_slot(slot);
+            let own = self.of_slot(slot);
             let (seen, id) = match quadric {
                 Some((words, id)) => {
                     let shape = Shape {
-                        root,
+                        root: own.1,
                         two_volumes: slot.two_volumes,
                     };
                     (quadric_processor(&at, scan, words, shape), id)
                 }
                 None => {
-                    let words = (widths, root);
-                    let seen = other_processor(slot, [&at, &store], scan, bus, words);
+                    let seen = other_processor(slot, [&at, &store], scan, bus, own);
                     (seen, Bits::new(index, id_bits))
                 }
             };
@@ -192,16 +170,11 @@ impl Objects {
                 number: seen.number,
                 normal: seen.normal,
             };
-            (
-                seen.front.out_valid,
-                Extent {
-                    face,
-                    end: seen.front.zb,
-                },
-            )
+            let end = seen.front.zb;
+            (seen.front.out_valid, Extent { face, end })
         });
         let (valid, extents): (Vec<Bits>, Vec<Extent>) = seen.unzip();
-        let wait = roles[0].clocks() + levels(self.choices());
+        let wait = self.clocks_after()[0] + levels(self.choices());
         let valid = valid[0].delayed_as("valid_late", wait);
         (valid, decider("decider", self.candidates(extents)))
     }
