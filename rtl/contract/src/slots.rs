@@ -103,43 +103,32 @@ impl FittedSlot {
                 machine.plane,
             ),
         ];
-        let given = words
-            .into_iter()
-            .filter_map(|(word, bits, least, most)| Some((word, bits?, least, most)));
-        let mut out = given.filter(|(_, bits, least, most)| !(least..=most).contains(&bits));
-        out.next()
+        words.into_iter().find_map(|(word, bits, least, most)| {
+            let bits = bits.filter(|bits| !(least..=most).contains(bits))?;
+            Some((word, bits, least, most))
+        })
     }
 
     /// The same of other kinds than quadrics and patches: their words are those that follow from the depth word.
     fn refused_of_other_kind(&self, machine: &MachineWords) -> Option<WordRange> {
         let usual = MachineWords::of(machine.depth);
-        let own = self.root.or(self.plane);
-        if let Some(own) = own {
-            return Some((
-                "own words of a slot of another kind than quadrics and patches",
-                own,
-                0,
-                0,
-            ));
+        if let Some(own) = self.root.or(self.plane) {
+            return Some(("own words of another kind of slot", own, 0, 0));
         }
         let words = [
+            ("root beside another kind of slot", machine.root, usual.root),
             (
-                "root beside a slot of another kind than quadrics and patches",
-                machine.root,
-                usual.root,
-            ),
-            (
-                "plane word beside a slot of another kind than quadrics and patches",
+                "plane word beside another kind of slot",
                 machine.plane,
                 usual.plane,
             ),
             (
-                "normal component beside a slot of another kind than quadrics and patches",
+                "normal beside another kind of slot",
                 machine.normal,
                 usual.normal,
             ),
             (
-                "dropped digits of the root beside a slot of another kind than quadrics and patches",
+                "dropped digits beside another kind of slot",
                 machine.dropped_rows,
                 0,
             ),
@@ -185,12 +174,10 @@ fn slot(text: &str) -> Option<FittedSlot> {
 fn quadric(shape: &str) -> Option<FittedSlot> {
     let without_half = shape.strip_suffix('v');
     let planes = without_half.unwrap_or(shape).parse().ok();
+    let planes = planes.filter(|&planes| planes <= MOST_PLANES)?;
     Some(FittedSlot {
         two_volumes: without_half.is_some(),
-        ..FittedSlot::of(
-            Kind::Quadric,
-            planes.filter(|&planes| planes <= MOST_PLANES)?,
-        )
+        ..FittedSlot::of(Kind::Quadric, planes)
     })
 }
 

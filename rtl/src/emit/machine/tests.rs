@@ -94,7 +94,7 @@ fn slots_of_every_kind_and_own_words_are_emitted() {
         refused("2:r18").contains("root of a slot = 18 is out of range; legal values are 4 to 17")
     );
     assert!(refused("2:p17").contains("legal values are 18 to 29"));
-    assert!(refused("sphere").contains("root beside a slot of another kind"));
+    assert!(refused("sphere").contains("root beside another kind of slot"));
 }
 
 /// Equal slots make the machine of the catalogue, module for module.
