@@ -3,8 +3,7 @@
 use super::depth_word;
 use clap::{Arg, ArgGroup, ArgMatches, Args, Command, FromArgMatches, value_parser};
 use imogene_contract::parameters::{PARAMETERS, Parameter};
-use imogene_contract::slots;
-use imogene_contract::slots::FittedSlot;
+use imogene_contract::slots::{self, FittedSlot};
 use imogene_contract::{MachineWords, Request, RequestError, RootForm};
 use imogene_golden::widths;
 use std::fmt;

@@ -72,11 +72,15 @@ pub fn machine(
     }
     let found = match frames.kind {
         MachineKind::Beam => {
-            let beam = with_enough(&smallest, frames, drawn)?;
+            let beam = changed(enough, &smallest, frames, drawn)?;
             if beam.machine != MachineKind::Beam {
                 return Err(FitError::TooManyForBeam);
             }
-            of_beam(in_own_words(&beam, frames, drawn)?, pace, &frames.all()[0])
+            of_beam(
+                changed(narrowed, &beam, frames, drawn)?,
+                pace,
+                &frames.all()[0],
+            )
         }
         MachineKind::Zone => of_zones(&smallest, frames, drawn, pace, timing),
     }?;
@@ -176,29 +180,19 @@ fn mode((width, height): (u32, u32)) -> Mode {
     }
 }
 
-/// The machine with what it lacks for the frames.
-fn with_enough(
+/// The machine as a change makes it for all frames: with what it lacks, or in as few bits as they need.
+fn changed(
+    change: impl Fn(
+        &MachineDescription,
+        &[(&FramedScene, &PreparedScene)],
+    ) -> Result<MachineDescription, DisplayError>,
     machine: &MachineDescription,
     frames: &Frames,
     drawn: &Drawn,
 ) -> Result<MachineDescription, FitError> {
-    enough(machine, &scenes(frames, drawn)).map_err(|source| frames.all()[0].refused(source))
-}
-
-/// The beam machine with each slot in as few bits as the frames need of it.
-fn in_own_words(
-    machine: &MachineDescription,
-    frames: &Frames,
-    drawn: &Drawn,
-) -> Result<MachineDescription, FitError> {
-    narrowed(machine, &scenes(frames, drawn)).map_err(|source| frames.all()[0].refused(source))
-}
-
-fn scenes<'a>(frames: &'a Frames, drawn: &'a Drawn) -> Vec<(&'a FramedScene, &'a PreparedScene)> {
-    let pairs = pairs(frames, drawn);
-    pairs
-        .map(|(frame, prepared)| (&frame.scene, prepared))
-        .collect()
+    let scenes = pairs(frames, drawn).map(|(frame, prepared)| (&frame.scene, prepared));
+    let scenes: Vec<_> = scenes.collect();
+    change(machine, &scenes).map_err(|source| frames.all()[0].refused(source))
 }
 
 fn pairs<'a>(
@@ -261,7 +255,7 @@ fn of_zones(
         zone,
         ..smallest.clone()
     };
-    let base = with_enough(&one, frames, drawn)?;
+    let base = changed(enough, &one, frames, drawn)?;
     let plans: Vec<Vec<ZonePlan>> = SIDES
         .into_iter()
         .map(|side| plans(&base, side, frames, drawn))
