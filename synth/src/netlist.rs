@@ -91,7 +91,8 @@ fn libraries(target: Target) -> Result<&'static [&'static str], SynthError> {
             "ecp5/common_sim.vh",
             "ecp5/ccu2c_sim.vh",
         ]),
-        Family::Xilinx7 | Family::Gowin | Family::Gates => Err(SynthError::NoModels {
+        Family::Gowin => Ok(&["gowin/cells_sim.v"]),
+        Family::Xilinx7 | Family::Gates => Err(SynthError::NoModels {
             target: target.name(),
         }),
     }
@@ -181,7 +182,7 @@ mod tests {
 
     #[test]
     fn a_target_without_models_is_refused() {
-        let error = libraries(Target::Gowin).expect_err("no models");
+        let error = libraries(Target::Xilinx7).expect_err("no models");
         assert!(error.to_string().contains("ice40-hx8k"), "{error}");
     }
 }

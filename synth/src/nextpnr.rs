@@ -37,7 +37,8 @@ pub struct RoutedClock {
 impl RouteReport {
     /// The cells the device has too few of, but for pins.
     pub fn excess(&self) -> Option<String> {
-        let is_pin = |name: &str| name.ends_with("_IO");
+        // What Gowin calls dummies are the halves of pins that a serialiser takes with it.
+        let is_pin = |name: &str| name.ends_with("_IO") || name.ends_with("_DUMMY");
         let mut cells = self.utilisation.iter();
         let (name, (used, available)) =
             cells.find(|(name, (used, available))| used > available && !is_pin(name))?;

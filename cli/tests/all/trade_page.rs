@@ -124,14 +124,14 @@ fn the_filter_keeps_what_it_says() {
     let (widths, rows) = (column(&document, "w"), column(&document, "r"));
     assert_eq!(widths, [20.0, 20.0, 24.0]);
     assert!(rows.iter().all(|r| *r == 1.0));
-    assert!(document.contains("3 of 18 points"));
+    assert!(document.contains("3 of 20 points"));
     // Marks of the others are faint.
     let faint = all(
         "<circle data-point=\"([^\"]*)\"[^>]*class=\"out\"",
         &document,
     );
     let names: BTreeSet<&String> = faint.iter().collect();
-    assert_eq!(names.len(), 18 - 3);
+    assert_eq!(names.len(), 20 - 3);
     assert_eq!(column(&opened("#filter=g2.4"), "w"), [16.0, 16.0]);
 }
 

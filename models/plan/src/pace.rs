@@ -6,7 +6,7 @@ use super::description::{MachineDescription, MachineKind};
 use super::display::zone_plan;
 use super::zone::clocks::{ZoneTiming, clocks};
 use super::zone::refine::Refinement;
-use imogene_contract::shading;
+use imogene_contract::shading::{self, LIT_SPHERE_LATENCY};
 use imogene_golden::machine::accumulator;
 use imogene_prepare::PreparedScene;
 use imogene_scene::FramedScene;
@@ -50,7 +50,11 @@ pub fn clocks_per_frame(
             } else {
                 0
             };
-            Ok(clocks(&plan, &timing.zone).total + shading::LATENCY as u64 + 2 + means)
+            let shading = match machine.lit_sphere {
+                Some(_) => u64::from(LIT_SPHERE_LATENCY),
+                None => shading::LATENCY as u64,
+            };
+            Ok(clocks(&plan, &timing.zone).total + shading + 2 + means)
         }
     }
 }

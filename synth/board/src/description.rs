@@ -84,6 +84,8 @@ pub enum Family {
     Ecp5,
     /// Lattice iCE40.
     Ice40,
+    /// Gowin GW1N and GW2A.
+    Gowin,
 }
 
 /// A part.
@@ -94,7 +96,7 @@ pub struct Part {
     pub family: Family,
     /// Which one, as the place and route program names it.
     pub device: String,
-    /// Its package.
+    /// Its package; of a Gowin the whole number of the part.
     pub package: String,
     /// Its speed grade, where the family has one.
     #[serde(default)]
@@ -131,7 +133,8 @@ pub struct Clock {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(tag = "output", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Video {
-    /// Three DVI channels and their clock, each a pin whose opposite follows from the constraints.
+    /// Three DVI channels and their clock, each a pin whose opposite follows from the constraints, or of a Gowin both
+    /// pins with a comma.
     Tmds {
         /// Pin of the blue channel.
         blue: String,
@@ -141,6 +144,9 @@ pub enum Video {
         red: String,
         /// Pin of the clock channel.
         clock: String,
+        /// The pins are true differential pairs, of a Gowin that has some; of others the part drives both.
+        #[serde(default)]
+        true_pairs: bool,
         /// Properties of the pins.
         #[serde(default)]
         io: String,
@@ -175,7 +181,7 @@ macro_rules! boards {
     };
 }
 
-boards! { "ulx3s-85" "ulx3s-45" "ulx3s-25" "ulx3s-12" "hx8k-evb" "icebreaker" "simulation" "tinytapeout" }
+boards! { "ulx3s-85" "ulx3s-45" "ulx3s-25" "ulx3s-12" "hx8k-evb" "icebreaker" "tang-nano-9k" "tang-nano-20k" "simulation" "tinytapeout" }
 
 impl Board {
     /// The names of all boards.
@@ -230,6 +236,15 @@ impl Board {
             let value = self.clock.hertz.to_string();
             return Err(refused("clock.hertz", value, "1 to 1 000 000 000"));
         }
+        if let Video::Tmds { blue, .. } = &self.video
+            && self.serialises() != blue.contains(',')
+        {
+            let (value, accepted) = (
+                blue.clone(),
+                "both pins of a channel of a Gowin, one of others",
+            );
+            return Err(refused("video.blue", value, accepted));
+        }
         if let Some(bits) = self.video.bits().filter(|bits| !(1..=8).contains(bits)) {
             return Err(refused(
                 "the pins of a colour",
@@ -238,6 +253,26 @@ impl Board {
             ));
         }
         Ok(())
+    }
+
+    /// The name of its bitstream, whose ending tells programs that write it what it is.
+    pub fn bitstream(&self) -> String {
+        let ending = if self.serialises() { "fs" } else { "bit" };
+        format!("{}.{ending}", self.name)
+    }
+
+    /// How its bitstream is read back, in words.
+    pub fn read_back(&self) -> &'static str {
+        match self.serialises() {
+            true => "read back as Verilog",
+            false => "unpacked and packed again to the same",
+        }
+    }
+
+    /// A cell of the part sends the ten bits of a word of DVI; of others it sends pairs.
+    pub(crate) fn serialises(&self) -> bool {
+        let part = self.part.as_ref();
+        part.is_some_and(|part| part.family == Family::Gowin)
     }
 
     /// The clock that pixels are sent with beside their own: five times as fast with two bits an edge, or none.

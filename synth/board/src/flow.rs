@@ -5,7 +5,7 @@ use crate::error::BoardError;
 use crate::netlist::routed_verilog;
 use crate::pll::Pll;
 use crate::top::{Sources, TOP};
-use imogene_synth::tools::{NEXTPNR_ECP5, NEXTPNR_ICE40, Tool, YOSYS};
+use imogene_synth::tools::{NEXTPNR_ECP5, NEXTPNR_GOWIN, NEXTPNR_ICE40, Tool, YOSYS};
 use imogene_synth::{
     RouteReport, SynthError, TIMING_WEIGHT, digest, fold_registers, kept, parse_report, run_yosys,
 };
@@ -58,10 +58,24 @@ impl Part {
         match self.family {
             Family::Ecp5 => NEXTPNR_ECP5,
             Family::Ice40 => NEXTPNR_ICE40,
+            Family::Gowin => NEXTPNR_GOWIN,
         }
     }
 
+    /// The series of a Gowin with the size of its die: `GW1NR-9C` of `GW1N-9C` in `GW1NR-LV9QN88PC6/I5`.
+    pub(crate) fn series(&self) -> String {
+        let before = |text: &str| text.split('-').next().unwrap_or_default().to_owned();
+        self.device
+            .replacen(&before(&self.device), &before(&self.package), 1)
+    }
+
     pub(crate) fn arguments(&self) -> Vec<String> {
+        if self.family == Family::Gowin {
+            let family = format!("family={}", self.device);
+            return ["--device", &self.package, "--vopt", &family]
+                .map(str::to_owned)
+                .to_vec();
+        }
         let mut arguments = vec![
             format!("--{}", self.device),
             "--package".into(),
@@ -84,6 +98,8 @@ impl Part {
             Family::Ecp5 => "synth_ecp5 -nowidelut",
             Family::Ice40 if self.device.starts_with("up") => "synth_ice40 -device u",
             Family::Ice40 => "synth_ice40",
+            // The contents of block memories and the modes of multipliers cannot be read back out of a bitstream.
+            Family::Gowin => "synth_gowin -nobram -nodsp",
         }
     }
 
@@ -96,15 +112,32 @@ impl Part {
                 "read_verilog board.v; setattr -mod -set keep_hierarchy 1 *_processor *_processor_*; {synthesis} -top {TOP}; \
                  setattr -mod -unset keep_hierarchy A:keep_hierarchy; flatten; opt_clean; write_json {NETLIST}"
             ),
-            Family::Ice40 => {
+            Family::Ice40 | Family::Gowin => {
                 format!("read_verilog board.v; {synthesis} -top {TOP} -json {NETLIST}")
             }
+        }
+    }
+
+    /// The file that a bitstream is made of: the text of place and route, of a Gowin the routed netlist.
+    fn text(&self) -> &'static str {
+        match self.family {
+            Family::Ecp5 | Family::Ice40 => TEXT,
+            Family::Gowin => ROUTED,
+        }
+    }
+
+    /// The options of the router for the constraints.
+    fn constrained(&self, kind: &str, file: &str) -> [String; 2] {
+        match self.family {
+            Family::Ecp5 | Family::Ice40 => [format!("--{kind}"), file.to_owned()],
+            Family::Gowin => ["--vopt".to_owned(), format!("{kind}={file}")],
         }
     }
 
     /// The option of the router for its text, and the programs that make a bitstream of the text and the other way.
     pub(crate) fn packers(&self) -> [&'static str; 3] {
         match self.family {
+            Family::Gowin => ["--write", "gowin_pack", "gowin_unpack"],
             Family::Ecp5 => ["--textcfg", "ecppack", "ecpunpack"],
             Family::Ice40 => ["--asc", "icepack", "iceunpack"],
         }
@@ -158,8 +191,8 @@ pub fn route(board: &Board, pll: &Pll, sources: &Sources) -> Result<Built, Board
     let pins = format!("pins.{kind}");
     let script = part.script();
     let mut arguments = part.arguments();
-    let option = format!("--{kind}");
-    let common = ["--json", NETLIST, &option, &pins, "-q", "--report", REPORT];
+    arguments.extend(part.constrained(kind, &pins));
+    let common = ["--json", NETLIST, "-q", "--report", REPORT];
     arguments.extend(common.map(str::to_owned));
     // The clock of the pixels is derived from that of the board; where nothing is derived it is asked for.
     arguments.extend(["--freq".to_owned(), format!("{:.6}", pll.pixel_mhz())]);
@@ -186,10 +219,10 @@ pub fn route(board: &Board, pll: &Pll, sources: &Sources) -> Result<Built, Board
     }
     packed(part, &router, &arguments, folder)?;
     let (seed, report) = placed(part, pll, &router, (&arguments, folder))?;
-    let bitstream = packed_text(part, TEXT, folder)?;
+    let bitstream = packed_text(part, part.text(), folder)?;
     let netlist = match part.family {
         Family::Ecp5 => Some(routed_verilog(&yosys, folder, ROUTED)?),
-        Family::Ice40 => None,
+        Family::Ice40 | Family::Gowin => None,
     };
     let built = Built {
         routed: report_of(report, seed, &[yosys, router], bitstream.len()),
@@ -276,7 +309,10 @@ fn placed_once(
     let report = folder.join(REPORT);
     std::fs::remove_file(&report).map_err(FileError::at(&report))?;
     let mut arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
-    arguments.extend(["--seed", seed, part.packers()[0], TEXT, "--write", ROUTED]);
+    arguments.extend(["--seed", seed, "--write", ROUTED]);
+    if part.text() != ROUTED {
+        arguments.extend([part.packers()[0], part.text()]);
+    }
     let outcome = router.run(&arguments, folder)?;
     // A clock that is not reached ends the router with an error, behind its report.
     let Ok(text) = read(&report) else {
@@ -303,7 +339,10 @@ fn placed_once(
 pub(crate) fn packed_text(part: &Part, text: &str, folder: &Path) -> Result<Vec<u8>, BoardError> {
     let packer = Tool::beside(part.router(), part.packers()[1])?;
     let name = format!("{text}.bit");
-    let outcome = packer.run(&[text, &name], folder)?;
+    let outcome = match part.family {
+        Family::Ecp5 | Family::Ice40 => packer.run(&[text, &name], folder)?,
+        Family::Gowin => packer.run(&["-d", &part.device, "-o", &name, text], folder)?,
+    };
     outcome.map_err(|said| failed(&packer, &said))?;
     let path = folder.join(name);
     Ok(std::fs::read(&path).map_err(FileError::at(&path))?)

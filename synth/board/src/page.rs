@@ -15,7 +15,7 @@ use serde_json::json;
 /// When the report lacks what the page says.
 pub fn page(board: &Board, report: &impl Serialize) -> Result<String, BoardError> {
     let values = context! {
-        name => board.name.clone(), report => Value::from(Serde(report)),
+        name => board.name.clone(), bitstream => board.bitstream(), report => Value::from(Serde(report)),
     };
     let text = Environment::new().render_str(include_str!("page/board.md"), values)?;
     Ok(text + "\n")
@@ -33,14 +33,20 @@ pub fn core_file(board: &Board, pll: &Pll, command: &str) -> Result<Option<Strin
     let (kind, flow) = match part.family {
         Family::Ecp5 => ("lpf", "trellis"),
         Family::Ice40 => ("pcf", "icestorm"),
+        Family::Gowin => ("cst", "apicula"),
     };
-    let mut options = part.arguments();
+    // The flow of a Gowin has its part in keys of its own.
+    let is_gowin = part.family == Family::Gowin;
+    let mut options = match is_gowin {
+        true => vec![],
+        false => part.arguments(),
+    };
     options.extend(["--freq".to_owned(), format!("{:.6}", pll.pixel_mhz())]);
     let synthesis: Vec<&str> = part.synthesis().split(' ').skip(1).collect();
     // JSON is YAML.
     let values = context! {
         name => board.name.clone(), version => env!("CARGO_PKG_VERSION"), about => json!(board.about).to_string(),
-        command, kind, flow, options => json!(options).to_string(), synthesis => json!(synthesis).to_string(),
+        device => is_gowin.then(|| part.package.clone()), command, kind, flow, options => json!(options).to_string(), synthesis => json!(synthesis).to_string(),
     };
     let text = Environment::new().render_str(include_str!("page/board.core"), values)?;
     Ok(Some(text + "\n"))

@@ -38,6 +38,16 @@ pub enum Dividers {
         /// Range of the filter for the phase detector.
         filter: u32,
     },
+    /// Gowin: the fast clock is input / (`input` + 1) x (`feedback` + 1), its oscillator `output` times that; a divider
+    /// makes the fifth part of it for the pixels.
+    Gowin {
+        /// Of the input, less 1.
+        input: i128,
+        /// In the feedback, less 1.
+        feedback: i128,
+        /// Of the output.
+        output: i128,
+    },
     /// No PLL: the clock of the board, as a board that is only simulated has it.
     None,
 }
@@ -65,6 +75,7 @@ impl Pll {
         let candidates = match board.part.as_ref().map(|part| part.family) {
             Some(Family::Ecp5) => ecp5(input, wanted, ratio),
             Some(Family::Ice40) => ice40(input),
+            Some(Family::Gowin) => gowin(board, input, ratio),
             None => vec![(Ratio::from(wanted), Dividers::None)],
         };
         let distance = |pixel: &Hertz| (pixel - wanted).abs();
@@ -132,6 +143,7 @@ impl Dividers {
                 ..
             } => (reference, looped != fast),
             Dividers::Ice40 { divr, .. } => (divr, false),
+            Dividers::Gowin { input, .. } => (input, false),
             Dividers::None => (0, false),
         }
     }
@@ -231,6 +243,49 @@ fn filter(detected: Hertz) -> u32 {
     1 + bounds.iter().filter(|&&bound| detected >= bound).count() as u32
 }
 
+/// Limits of the rPLL in kHz (family data sheets): phase detector, oscillator, output.
+const GOWIN: [(&str, [(i128, i128); 3]); 2] = [
+    (
+        "GW1N",
+        [(3_000, 400_000), (400_000, 1_200_000), (3_125, 600_000)],
+    ),
+    (
+        "GW2A",
+        [(3_000, 500_000), (500_000, 1_250_000), (3_906, 625_000)],
+    ),
+];
+/// What the oscillator can be divided by.
+const GOWIN_OUTPUTS: [i128; 11] = [2, 4, 8, 16, 32, 48, 64, 80, 96, 112, 128];
+
+/// All dividers within the limits of the rPLL of the part.
+fn gowin(board: &Board, input: i128, ratio: i128) -> Vec<(Hertz, Dividers)> {
+    let device = board.part.as_ref().map_or("", |part| &part.device);
+    let mut parts = GOWIN.into_iter();
+    let Some((_, [detector, oscillator, fast])) = parts.find(|(name, _)| device.starts_with(name))
+    else {
+        return vec![];
+    };
+    let keeps = |hertz: Hertz, (least, most): (i128, i128)| within(hertz, least, most);
+    let mut found = Vec::new();
+    for divider in 0..64 {
+        let detected = Ratio::from(input) / (divider + 1);
+        for feedback in (0..64).filter(|_| keeps(detected, detector)) {
+            let made = detected * (feedback + 1);
+            let mut outputs = GOWIN_OUTPUTS.into_iter();
+            let output = outputs.find(|&output| keeps(made * output, oscillator));
+            if let Some(output) = output.filter(|_| keeps(made, fast)) {
+                let dividers = Dividers::Gowin {
+                    input: divider,
+                    feedback,
+                    output,
+                };
+                found.push((made / ratio, dividers));
+            }
+        }
+    }
+    found
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -268,6 +323,19 @@ mod tests {
             }
         }
         assert_eq!(best, nearest);
+    }
+
+    /// 27 MHz / 3 x 14 for the words, the nearest of all: no other quotient up to 64 / 64 is within 0.1 %.
+    #[test]
+    fn the_clock_of_a_tang_nano_is_the_nearest_quotient() {
+        for name in ["tang-nano-9k", "tang-nano-20k"] {
+            let pll = Pll::of(&Board::named(name).expect("a board"), 25_175_000).expect("a clock");
+            assert_eq!(pll.pixel_hertz(), Ratio::from(25_200_000));
+            let quotients = (1..=64).flat_map(|over| (1..=64).map(move |by| Ratio::new(by, over)));
+            let distance = |quotient: Ratio<i128>| (quotient * 27 * MEGA / 5 - 25_175_000).abs();
+            let nearest = quotients.map(distance).min().expect("a quotient");
+            assert_eq!(nearest, Ratio::from(25_000));
+        }
     }
 
     /// The example of icepll's own documentation: 60 MHz of 12 MHz.

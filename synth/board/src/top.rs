@@ -1,6 +1,6 @@
 //! The top level of a board: Verilog, and the constraints of its part.
 
-use crate::description::{Board, Family, Video};
+use crate::description::{Board, Family, Part, Video};
 use crate::error::BoardError;
 use crate::pll::{Dividers, Pll};
 use crate::tile::rendered;
@@ -58,13 +58,17 @@ pub fn sources(board: &Board, pll: &Pll, display: &Display) -> Result<Sources, B
     let clock = match pll.dividers {
         Dividers::Ecp5 { .. } => include_str!("top/clock_ecp5.v"),
         Dividers::Ice40 { .. } => include_str!("top/clock_ice40.v"),
+        Dividers::Gowin { .. } => include_str!("top/clock_gowin.v"),
         Dividers::None => include_str!("top/clock_none.v"),
     };
-    add(clock, clocks(pll, board.clock.pad))?;
+    add(clock, clocks(board, pll))?;
     match &board.video {
-        Video::Tmds { .. } => add(
-            include_str!("top/top_tmds.v"),
-            context! { about => board.about.clone() },
+        Video::Tmds { true_pairs, .. } => add(
+            match board.serialises() {
+                true => include_str!("top/top_oser10.v"),
+                false => include_str!("top/top_tmds.v"),
+            },
+            context! { about => board.about.clone(), true_pairs },
         )?,
         Video::Parallel { de, clock, .. } => {
             let names: Vec<String> = board.video.pins().into_iter().map(|pin| pin.0).collect();
@@ -89,6 +93,7 @@ pub fn sources(board: &Board, pll: &Pll, display: &Display) -> Result<Sources, B
 /// The units that a board has beside its machine.
 fn units(board: &Board) -> &'static [Unit] {
     match board.video {
+        Video::Tmds { .. } if board.serialises() => &[Unit::SceneSequencer, Unit::TmdsEncoder],
         Video::Tmds { .. } => &[
             Unit::SceneSequencer,
             Unit::TmdsEncoder,
@@ -147,12 +152,12 @@ fn core(board: &Board, display: &Display) -> Result<Value, BoardError> {
     Ok(context! {
         heading => display.heading, machine => display.machine.top.clone(), words, places,
         bits => bits + 1, address_bits => places.ilog2(), stays => display.stays,
-        data, address, unit, kind, tmds => matches!(board.video, Video::Tmds { .. }),
+        data, address, unit, kind, tmds => matches!(board.video, Video::Tmds { .. }), pairs => !board.serialises(),
     })
 }
 
 /// Dividers and clocks, for the templates.
-fn clocks(pll: &Pll, pad: bool) -> Value {
+fn clocks(board: &Board, pll: &Pll) -> Value {
     let decimal = |mhz: f64| {
         let text = format!("{mhz:.6}");
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
@@ -177,9 +182,17 @@ fn clocks(pll: &Pll, pad: bool) -> Value {
             divq,
             filter,
         } => (context! { divr, divf, divq, filter }, false, 0),
+        Dividers::Gowin {
+            input,
+            feedback,
+            output,
+        } => {
+            let series = board.part.as_ref().map(Part::series);
+            (context! { input, feedback, output, series }, false, 0)
+        }
         Dividers::None => (context! {}, false, 0),
     };
-    context! { pll => dividers, input_mhz, fast, pixel, apart, phase, pad }
+    context! { pll => dividers, input_mhz, fast, pixel, apart, phase, pad => board.clock.pad }
 }
 
 /// The constraints of the part of a board, and the ending of their file.
@@ -207,6 +220,20 @@ fn constraints(board: &Board, pll: &Pll) -> Option<(&'static str, String)> {
             }
             let _ = writeln!(text, "set_frequency clock {}", pll.input_mhz());
             Some(("pcf", text))
+        }
+        Family::Gowin => {
+            let mut pin = |name: &str, pin: &str, io: &str| {
+                let _ = writeln!(text, "IO_LOC \"{name}\" {pin};");
+                let _ = writeln!(text, "IO_PORT \"{name}\" {io};");
+            };
+            pin("clock", &clock.pin, &clock.io);
+            for (name, sites) in &pins {
+                let opposite = name.replace('_', "_n_");
+                for (name, site) in [name, &opposite].into_iter().zip(sites.split(',')) {
+                    pin(name, site, board.video.io());
+                }
+            }
+            Some(("cst", text))
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The bitstream as a witness: what it unpacks to, and Verilog that is made of it.
 
-use crate::description::Board;
+use crate::description::{Board, Family, Part};
 use crate::error::BoardError;
 use crate::flow::{Built, failed, packed_text};
 use crate::netlist::routed_models;
@@ -8,6 +8,7 @@ use crate::top::{MODELS, Sources, TOP};
 use imogene_synth::tools::Tool;
 use imogene_synth::{Target, cell_models};
 use imogene_tools::{FileError, Program, read, scratch, write};
+use std::path::Path;
 
 const BITSTREAM: &str = "witness.bit";
 const UNPACKED: &str = "unpacked.text";
@@ -21,7 +22,22 @@ const ICEBOX: Program = Program {
 /// Cells that Verilog of a bitstream instantiates.
 const RAM: &str = "SB_RAM40_4K";
 
-/// Unpacks a bitstream, and packs it again: the same bits have to come out. What was unpacked, as text.
+/// Cells that Verilog of a bitstream of a Gowin instantiates beside those of [`MODELS`].
+const GOWIN_CELLS: [&str; 8] = [
+    "LUT4",
+    "MUX2",
+    "DFFE",
+    "DFFSE",
+    "DFFRE",
+    "DFFPE",
+    "DFFCE",
+    "RAM16SDP4",
+];
+/// Reads a bitstream of a Gowin.
+const READER: &str = include_str!("top/gowin_reader.py");
+
+/// Unpacks a bitstream, and packs it again: the same bits have to come out. What was unpacked, as text; of a Gowin it is
+/// Verilog, which no packer reads.
 ///
 /// # Errors
 ///
@@ -30,13 +46,16 @@ const RAM: &str = "SB_RAM40_4K";
 /// # Panics
 ///
 /// When the board has no part.
-pub fn unpack(board: &Board, bitstream: &[u8]) -> Result<String, BoardError> {
+pub fn unpack(board: &Board, sources: &Sources, bitstream: &[u8]) -> Result<String, BoardError> {
     let part = board.part.as_ref().expect("a board with a part");
     let folder = scratch()?;
     let folder = folder.path();
     let path = folder.join(BITSTREAM);
     std::fs::write(&path, bitstream).map_err(FileError::at(&path))?;
     let unpacker = Tool::beside(part.router(), part.packers()[2])?;
+    if part.family == Family::Gowin {
+        return read_gowin(part, sources, &unpacker, folder);
+    }
     let outcome = unpacker.run(&[BITSTREAM, UNPACKED], folder)?;
     outcome.map_err(|said| failed(&unpacker, &said))?;
     let again = packed_text(part, UNPACKED, folder)?;
@@ -52,8 +71,53 @@ pub fn unpack(board: &Board, bitstream: &[u8]) -> Result<String, BoardError> {
     Ok(read(&folder.join(UNPACKED))?)
 }
 
+/// Verilog of a bitstream in the folder, by the library behind its unpacker.
+fn read_gowin(
+    part: &Part,
+    sources: &Sources,
+    unpacker: &Tool,
+    folder: &Path,
+) -> Result<String, BoardError> {
+    let (_, constraints) = sources.constraints.as_ref().expect("constraints of a part");
+    write(&folder.join("pins.cst"), constraints)?;
+    write(&folder.join("reader.py"), READER)?;
+    let python = Tool {
+        path: unpacker.path.with_file_name("python3"),
+        ..unpacker.clone()
+    };
+    let [device, package] = [&part.device, &part.package].map(String::as_str);
+    let arguments = [
+        "reader.py",
+        device,
+        package,
+        BITSTREAM,
+        "pins.cst",
+        UNPACKED,
+    ];
+    let outcome = python.run(&arguments, folder)?;
+    outcome.map_err(|said| failed(unpacker, &said))?;
+    let verilog = read(&folder.join(UNPACKED))?;
+    // No model knows them.
+    for key in ["IDIV_SEL", "FBDIV_SEL", "ODIV_SEL", "DIV_MODE"] {
+        let [wanted, found] = [&sources.verilog, &verilog].map(|text| value(text, key));
+        if wanted != found {
+            return Err(BoardError::Bitstream(format!(
+                "{key} of the clocks is {found} in the bitstream and {wanted} in its sources"
+            )));
+        }
+    }
+    Ok(verilog)
+}
+
+/// The value of the only parameter of a name.
+fn value<'a>(verilog: &'a str, key: &str) -> &'a str {
+    let rest = verilog.split_once(&format!(".{key}("));
+    rest.and_then(|(_, rest)| Some(rest.split_once(')')?.0))
+        .unwrap_or_default()
+}
+
 /// Verilog of a board and the models of its cells for [`simulate`](crate::simulate): of an iCE40 made of what was
-/// unpacked, of an ECP5 the routed netlist.
+/// unpacked, of a Gowin that itself, of an ECP5 the routed netlist.
 ///
 /// # Errors
 ///
@@ -74,6 +138,10 @@ pub fn witness(
         None => (),
     }
     let part = board.part.as_ref().expect("a board with a part");
+    if part.family == Family::Gowin {
+        let models = cell_models(&GOWIN_CELLS, Target::Gowin)? + MODELS;
+        return Ok([unpacked.to_owned(), models]);
+    }
     let folder = scratch()?;
     let folder = folder.path();
     write(&folder.join(UNPACKED), unpacked)?;

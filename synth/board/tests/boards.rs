@@ -2,7 +2,7 @@
 //! `scripts/setup --synth --boards`.
 
 use imogene_board::{Board, BoardError, Dividers, Pll};
-use imogene_synth::tools::{NEXTPNR_ECP5, NEXTPNR_ICE40, Tool};
+use imogene_synth::tools::{NEXTPNR_ECP5, NEXTPNR_GOWIN, NEXTPNR_ICE40, Tool};
 use std::process::Command;
 
 const VGA: u64 = 25_175_000;
@@ -104,4 +104,23 @@ fn clocks_are_those_of_the_tools_or_nearer() {
         "{} and {found}",
         pll.fast_mhz()
     );
+
+    let gowin_pll = Tool::beside(NEXTPNR_GOWIN, "gowin_pll").expect("gowin_pll");
+    for (name, part) in [
+        ("tang-nano-9k", "GW1NR-9 C6/I5"),
+        ("tang-nano-20k", "GW2AR-18 C8/I7"),
+    ] {
+        let pll = Pll::of(&Board::named(name).expect("a board"), VGA).expect("a clock");
+        let Dividers::Gowin {
+            input, feedback, ..
+        } = pll.dividers
+        else {
+            panic!("{:?}", pll.dividers);
+        };
+        let arguments = ["-i", "27", "-o", "125.875", "-d", part];
+        let labels = [".IDIV_SEL(", ".FBDIV_SEL("];
+        let found = labels.map(|label| said(&gowin_pll.path, &arguments, label));
+        let own = [input, feedback].map(|value| format!("{value}),"));
+        assert_eq!(found, own);
+    }
 }

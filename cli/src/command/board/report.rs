@@ -151,8 +151,9 @@ pub(super) fn tell(report: &BoardReport) {
             ));
         }
         output::text(format!(
-            "  bitstream of {}, unpacked and packed again to the same",
-            counted(routed.bytes as u64, "byte")
+            "  bitstream of {}, {}",
+            counted(routed.bytes as u64, "byte"),
+            report.board.read_back()
         ));
     }
     if let Some(bitstream) = &report.bitstream {

@@ -1,5 +1,6 @@
 //! Tables of the direction of the normal in the place of a shading processor (`docs/architecture.md`, section 8.4).
 
+use super::MachineDescription;
 use imogene_prepare::lit_sphere::most_tables;
 use serde::{Deserialize, Serialize};
 
@@ -14,6 +15,18 @@ pub struct LitSphere {
     pub side: u32,
     /// Materials, each with a table, and with twice as many for each light of the machine.
     pub materials: usize,
+}
+
+impl MachineDescription {
+    /// The machine with tables of so many entries along each side in the place of its lights.
+    pub fn lit_by_tables(self, side: u32) -> MachineDescription {
+        MachineDescription {
+            lights: 0,
+            suns: 0,
+            lit_sphere: Some(LitSphere { side, materials: 1 }),
+            ..self
+        }
+    }
 }
 
 impl LitSphere {

@@ -29,7 +29,8 @@ pub struct Frame {
 impl Frame {
     /// What the machine shows.
     fn draw(&self, prepared: &PreparedScene) -> Result<Drawing, FitError> {
-        drawn(&self.scene, prepared).map_err(|source| self.refused(DisplayError::from(source)))
+        drawn(&self.scene, prepared, None)
+            .map_err(|source| self.refused(DisplayError::from(source)))
     }
 
     /// The map of the errors of the picture: red, green and blue of every pixel.

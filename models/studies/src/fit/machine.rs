@@ -13,7 +13,7 @@ use imogene_golden::slots::required;
 use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::widths::OwnWidths;
 use imogene_plan::description::{
-    LitSphere, MachineDescription, MachineKind, Mode, Output, OwnMode, Smoothing, ZoneSize,
+    MachineDescription, MachineKind, Mode, Output, OwnMode, Smoothing, ZoneSize,
 };
 use imogene_plan::display::DisplayError;
 use imogene_plan::needs::{enough, narrowed};
@@ -67,8 +67,7 @@ pub fn machine(
     let size = (size.width, size.height);
     let mut smallest = smallest(&drawn.widths, &drawn.prepared, rows_per_stage, size);
     if let Some(side) = frames.lit_sphere {
-        (smallest.lights, smallest.suns) = (0, 0);
-        smallest.lit_sphere = Some(LitSphere { side, materials: 1 });
+        smallest = smallest.lit_by_tables(side);
     }
     let found = match frames.kind {
         MachineKind::Beam => {

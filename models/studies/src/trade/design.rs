@@ -22,6 +22,9 @@ pub struct Accuracy {
     /// How the root is taken.
     #[serde(default)]
     pub root_form: RootForm,
+    /// Entries along each side of the tables of lit-sphere shading; 0 with a shading processor.
+    #[serde(default)]
+    pub table_side: u32,
     /// A machine of the catalogue instead of one that is as narrow as the scene allows: all other widths follow from
     /// the depth word, and all slots are alike.
     pub catalogue: bool,
@@ -95,6 +98,9 @@ impl Accuracy {
             if number > 1 {
                 name += &format!("-{letter}{number}");
             }
+        }
+        if self.table_side > 0 {
+            name += &format!("-t{}", self.table_side);
         }
         if !self.root_form.is_usual() {
             name += &format!("-{}", self.root_form);
@@ -174,6 +180,13 @@ fn preview(depth: u32, undersampling: u32) -> Accuracy {
     }
 }
 
+fn lit(accuracy: Accuracy, table_side: u32) -> Accuracy {
+    Accuracy {
+        table_side,
+        ..accuracy
+    }
+}
+
 const NO_ZONES: (&[usize], &[u32]) = (&[], &[]);
 
 fn quick() -> Vec<Design> {
@@ -191,6 +204,7 @@ fn quick() -> Vec<Design> {
         points(of(16), true, (&[1], &[16]), &[1, 2]),
         points(supersampled(16, 2), false, (&[2], &[16]), &[1]),
         points(preview(16, 2), true, NO_ZONES, &[1]),
+        points(lit(of(16), 32), true, (&[2], &[16]), &[1]),
     ];
     [beams.concat(), others.concat()].concat()
 }
@@ -272,6 +286,17 @@ fn full() -> Vec<Design> {
         for depth in [8, 10, 12, 14, 16] {
             add(preview(depth, side), true, (&[1, 2], &[16]));
         }
+    }
+    for depth in [12, 14, 16, 18, 20, 24] {
+        add(lit(Accuracy::of_depth(depth), 64), true, shared);
+    }
+    for side in [16, 32, 128] {
+        add(lit(Accuracy::of_depth(16), side), true, (&[1, 4], &[16]));
+    }
+    for depth in [12, 16, 20] {
+        add(lit(supersampled(depth, 2), 64), false, shared);
+        add(lit(preview(depth, 2), 64), true, (&[1, 2], &[16]));
+        add(lit(preview(depth, 4), 32), true, (&[1, 2], &[16]));
     }
     all
 }

@@ -4,7 +4,7 @@ use super::design::{Design, Zones};
 use crate::fit::machine::smallest;
 use imogene_contract::MachineWords;
 use imogene_plan::description::{MachineDescription, MachineKind, Output, ZoneSize};
-use imogene_plan::needs::enough;
+use imogene_plan::needs::{enough, narrowed};
 use imogene_prepare::PreparedScene;
 use imogene_scene::FramedScene;
 
@@ -21,6 +21,10 @@ pub fn machine(
     let beam = MachineDescription {
         output: Output::Stream,
         ..smallest(widths, frames, design.rows_per_stage, size)
+    };
+    let beam = match design.accuracy.table_side {
+        0 => beam,
+        side => beam.lit_by_tables(side),
     };
     let asked = match design.zones {
         Some(Zones { processors, side }) => MachineDescription {
@@ -40,10 +44,16 @@ pub fn machine(
         },
         None => beam,
     };
-    let found = enough(&asked, &[(scene, prepared)]).map_err(|e| e.to_string())?;
+    let scenes = [(scene, prepared)];
+    let found = enough(&asked, &scenes).map_err(|e| e.to_string())?;
     if found.machine != asked.machine {
         return Err("more objects or volumes than a beam machine has processors".into());
     }
+    let has_own = found.machine == MachineKind::Beam && !design.accuracy.catalogue;
+    let found = match has_own {
+        true => narrowed(&found, &scenes).map_err(|e| e.to_string())?,
+        false => found,
+    };
     found.check("its machine").map_err(|e| e.to_string())?;
     Ok(found)
 }

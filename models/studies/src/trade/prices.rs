@@ -159,7 +159,7 @@ fn seeds(points: &[Point]) -> Vec<usize> {
         } = point.design;
         if point.machine.is_some() {
             let samples = accuracy.supersampling;
-            let words = (accuracy.normal, accuracy.catalogue);
+            let words = (accuracy.normal, accuracy.catalogue, accuracy.table_side);
             let root = (accuracy.root_form, rows_per_stage);
             let form = (zones.is_some(), samples, words, root);
             forms.entry(form).or_default().push((point.design, index));

@@ -127,10 +127,14 @@ impl Class {
 
 /// What the machines of a class draw.
 fn in_words(accuracy: &Accuracy) -> String {
-    match (accuracy.undersampling, accuracy.supersampling) {
+    let pixels = match (accuracy.undersampling, accuracy.supersampling) {
         (1, 1) => "every pixel once".into(),
         (1, side) => format!("{} samples of every pixel", side * side),
         (side, _) => format!("one pixel in {}", side * side),
+    };
+    match accuracy.table_side {
+        0 => pixels,
+        _ => format!("{pixels}, shaded by tables"),
     }
 }
 

@@ -291,7 +291,7 @@ fn points_tell_speed_area_and_accuracy() {
     let csv = trade.csv();
     assert_eq!(csv.lines().count(), 1 + trade.points.len());
     let columns = csv.lines().next().unwrap().split(',').count();
-    assert_eq!(columns, 56);
+    assert_eq!(columns, 57);
     let fronts = FRONTS.iter().map(|front| draw(&trade, front).unwrap());
     for plot in fronts {
         for entry in &trade.points {
@@ -375,5 +375,5 @@ fn words_are_as_narrow_as_the_scene_allows() {
     // And it draws what wide words draw.
     let wide = Format::new(20).unwrap();
     let wide = prepare(&scene, wide).unwrap();
-    assert_eq!(drawn(&scene, &wide).unwrap().rgb, measured.rgb);
+    assert_eq!(drawn(&scene, &wide, None).unwrap().rgb, measured.rgb);
 }

@@ -51,19 +51,27 @@ module scene_display (
     );
 endmodule
 {% if tmds %}
-// The words of three DVI channels, their pairs of bits on the fast clock.
+// The words of three DVI channels{{ ", their pairs of bits on the fast clock" if pairs }}.
 module scene_channels (
+{%- if pairs %}
     input  wire pixel_clock, fast_clock,
     output wire [1:0] pair_0, pair_1, pair_2, pair_3
+{%- else %}
+    input  wire pixel_clock,
+    output wire [9:0] blue_word, green_word, red_word
+{%- endif %}
 );
 
     wire hsync, vsync, de;
     wire [7:0] red, green, blue;
+
+{%- if pairs %}
     wire [9:0] red_word, green_word, blue_word;
     // One for each channel, near it.
     reg [3:0] turns = 4'd0;
 
     always @(posedge pixel_clock) turns <= ~turns;
+{%- endif %}
 
     scene_display display (
         .clock(pixel_clock), .hsync(hsync), .vsync(vsync), .de(de), .red(red), .green(green), .blue(blue)
@@ -77,9 +85,11 @@ module scene_channels (
     tmds_encoder red_channel (
         .clock(pixel_clock), .de(de), .level(red), .control(2'd0), .word(red_word)
     );
+{%- if pairs %}
     tmds_serialiser blue_pairs (.clock(fast_clock), .turn(turns[0]), .word(blue_word), .pair(pair_0));
     tmds_serialiser green_pairs (.clock(fast_clock), .turn(turns[1]), .word(green_word), .pair(pair_1));
     tmds_serialiser red_pairs (.clock(fast_clock), .turn(turns[2]), .word(red_word), .pair(pair_2));
     tmds_serialiser clock_pairs (.clock(fast_clock), .turn(turns[3]), .word(10'b0000011111), .pair(pair_3));
+{%- endif %}
 endmodule
 {% endif -%}

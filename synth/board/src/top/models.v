@@ -77,3 +77,84 @@ module ODDRX1F (
 
     assign Q = SCLK ? first : second;
 endmodule
+
+module rPLL #(
+    parameter FCLKIN = "", DEVICE = "", IDIV_SEL = 0, FBDIV_SEL = 0, ODIV_SEL = 8,
+    parameter DYN_IDIV_SEL = "", DYN_FBDIV_SEL = "", DYN_ODIV_SEL = "", DYN_DA_EN = "", DYN_SDIV_SEL = 2,
+    parameter PSDA_SEL = "", DUTYDA_SEL = "", CLKFB_SEL = "", CLKOUT_BYPASS = "", CLKOUTP_BYPASS = "",
+    parameter CLKOUTD_BYPASS = "", CLKOUTD_SRC = "", CLKOUTD3_SRC = "", CLKOUT_FT_DIR = 0, CLKOUTP_FT_DIR = 0,
+    parameter CLKOUT_DLY_STEP = 0, CLKOUTP_DLY_STEP = 0
+) (
+    input  wire CLKIN, CLKFB, RESET, RESET_P,
+    input  wire [5:0] FBDSEL, IDSEL, ODSEL,
+    input  wire [3:0] PSDA, DUTYDA, FDLY,
+    output wire CLKOUT, CLKOUTP, CLKOUTD, CLKOUTD3, LOCK
+);
+    assign CLKOUT = CLKIN;
+    assign {CLKOUTP, CLKOUTD, CLKOUTD3} = 3'd0;
+    assign LOCK = 1'b1;
+endmodule
+
+module CLKDIV #(
+    parameter DIV_MODE = "", GSREN = ""
+) (
+    input  wire HCLKIN, RESETN, CALIB,
+    output wire CLKOUT
+);
+    reg [2:0] place = 3'd0;
+    reg slow = 1'b0;
+
+    always @(posedge HCLKIN) begin
+        place <= place == 3'd4 ? 3'd0 : place + 3'd1;
+        slow <= place < 3'd2;
+    end
+
+    assign CLKOUT = slow;
+endmodule
+
+// A word is taken with the second edge of the fast clock of its period, and D0 is sent first.
+module OSER10 #(
+    parameter GSREN = "", LSREN = ""
+) (
+    input  wire D0, D1, D2, D3, D4, D5, D6, D7, D8, D9, FCLK, PCLK, RESET,
+    output wire Q
+);
+    reg [9:0] word = 10'd0;
+    reg was_high = 1'b0;
+
+    always @(posedge FCLK) begin
+        was_high <= PCLK;
+        word <= PCLK & ~was_high ? {D9, D8, D7, D6, D5, D4, D3, D2, D1, D0} : word >> 2;
+    end
+
+    assign Q = FCLK ? word[0] : word[1];
+endmodule
+
+module ELVDS_OBUF (
+    input  wire I,
+    output wire O, OB
+);
+    assign O = I;
+    assign OB = ~I;
+endmodule
+
+module TLVDS_OBUF (
+    input  wire I,
+    output wire O, OB
+);
+    assign O = I;
+    assign OB = ~I;
+endmodule
+
+// A cell of a Gowin part as an adder: its table says where the carry passes, its four lowest entries what else it is.
+module GOWIN_ADDER #(
+    parameter [15:0] INIT = 16'd0
+) (
+    input  wire A, B, C, D, CIN,
+    output wire SUM, COUT
+);
+    wire passes = INIT[{D, C, B, A}];
+
+    assign SUM = passes ^ CIN;
+    assign COUT = passes ? CIN : INIT[{2'd0, B, A}];
+endmodule

@@ -15,11 +15,12 @@ const columns = [
   ["id", "point", "Name of the point", "id", String],
   ["w", "W", "Bits of the depth word", "design.accuracy.depth", whole],
   ["k", "K", "Bits of the square root", "format.root", whole],
-  ["p", "P", "Bits of the depth of a cut plane", "format.plane", whole],
+  ["plane", "P", "Bits of the depth of a cut plane", "format.plane", whole],
   ["n", "n", "Normal component, bits", "design.accuracy.normal", whole],
   ["g1", "g1", "Guard bits of f1", "design.accuracy.guard_linear", whole],
   ["g2", "g2", "Guard bits of f2", "design.accuracy.guard_quadratic", whole],
   ["d", "d", "Last digits of the root that are not computed", "design.accuracy.dropped_rows", whole],
+  ["t", "t", "Entries along each side of the tables of lit-sphere shading; 0 with a shading processor", "design.accuracy.table_side", whole],
   ["r", "R", "Rows of the root network per register stage", "design.rows_per_stage", whole],
   ["s", "s", "Samples of a pixel along each side", "design.accuracy.supersampling", whole],
   ["p", "p", "Pixels along each side that show one that is drawn", "design.accuracy.undersampling", whole],
@@ -42,7 +43,7 @@ const columns = [
 ].map(([key, heading, title, path, write]) => ({ key, heading, title, path, write }));
 const byKey = new Map(columns.map(column => [column.key, column]));
 // The name tells these; they have no column of their own.
-const inName = ["n", "g1", "g2", "d", "s", "p", "zone", "objects", "routed", "mpps"];
+const inName = ["n", "g1", "g2", "d", "s", "p", "t", "zone", "objects", "routed", "mpps"];
 const ofCost = ["cells"];
 const isKnown = column => data.points.some(point => get(point, column.path) != null);
 const shown = columns.filter(column => !inName.includes(column.key) && (!ofCost.includes(column.key) || isKnown(column)));
