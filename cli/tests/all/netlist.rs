@@ -44,7 +44,7 @@ fn the_units_of_the_quadric_processor_agree_after_synthesis() {
 fn what_cannot_be_run_is_refused_by_name() {
     for (line, part) in [
         ("pe1 --netlist ice40-hx8k", "--engine icarus"),
-        ("pe1 --engine icarus --netlist gowin", "ice40-hx8k"),
+        ("pe1 --engine icarus --netlist xilinx7", "ice40-hx8k"),
         (
             "pe1 --engine icarus --netlist ecp6",
             "there is no target `ecp6`",

@@ -36,8 +36,8 @@ const GOWIN_CELLS: [&str; 8] = [
 /// Reads a bitstream of a Gowin.
 const READER: &str = include_str!("top/gowin_reader.py");
 
-/// Unpacks a bitstream, and packs it again: the same bits have to come out. What was unpacked, as text; of a Gowin it is
-/// Verilog, which no packer reads.
+/// Unpacks a bitstream, and packs it again: the same bits have to come out. What was unpacked, as text; of a Gowin
+/// it is Verilog, which no packer reads.
 ///
 /// # Errors
 ///

@@ -3,7 +3,6 @@
 use super::Machine;
 use super::run::{PinsOutcome, PinsRun};
 use super::stalls::Stalls;
-use super::zone_core::offer;
 use imogene_plan::display::Image;
 
 /// The host: the words of the images, one beat after the other.
@@ -63,7 +62,7 @@ impl<'a> Host<'a> {
         let beat = image.and_then(|image| image.beats.get(self.beat));
         let beat = beat.filter(|_| !self.stalls.stall());
         let is_ready = hardware.is_set("s_tready");
-        offer(hardware, beat);
+        hardware.offer(beat);
         if is_beam {
             hardware.set("s_tlast", i64::from(beat.is_some_and(|beat| beat.last)));
         }

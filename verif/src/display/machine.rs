@@ -5,6 +5,7 @@ use crate::engine::design::{DesignError, Instance};
 use crate::engine::machine::MachineDesign;
 use crate::engine::nets::values;
 use crate::signal::Signal;
+use imogene_golden::machine::zone::beat::Beat;
 use imogene_rtl::emit::machine::MachineRequest;
 
 /// One running machine. Inputs keep their values until set again.
@@ -53,6 +54,17 @@ impl Machine {
     pub fn set(&mut self, port: &str, value: i64) {
         let place = place(&self.design.inputs, port);
         self.given[place] = self.design.inputs[place].bits(value);
+    }
+
+    /// Puts a beat on its command stream, or none.
+    pub fn offer(&mut self, beat: Option<&Beat>) {
+        self.set("s_tvalid", i64::from(beat.is_some()));
+        if let Some(beat) = beat {
+            self.set("s_tdest", beat.kind.into());
+            let user = i64::from(beat.unit) << 16 | i64::from(beat.address);
+            self.set("s_tuser", user);
+            self.set("s_tdata", beat.data as i64);
+        }
     }
 
     /// Place of an output, for [`Machine::at`].

@@ -9,6 +9,5 @@ mod run;
 pub mod stalls;
 pub mod stream;
 mod waves;
-pub mod zone_core;
 
 pub use machine::Machine;

@@ -5,15 +5,17 @@ use imogene_contract::slots::Products;
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::ZoneMachine;
 use imogene_golden::machine::zone::beat::Beat;
-use imogene_golden::machine::zone::golden::ZoneMachineModel;
+use imogene_golden::machine::zone::golden::{ShownPixel, ZoneMachineModel};
 use imogene_plan::zone::clocks::clocks;
 use imogene_plan::zone::plan::ZonePlan;
 use imogene_prepare::Framing;
 use imogene_prepare::prepare;
+use imogene_verif::display::Machine;
 use imogene_verif::display::request::{core_request, zone_timing};
-use imogene_verif::display::zone_core::{CoreRun, run};
+use imogene_verif::display::stalls::Stalls;
 use imogene_verif::engine::Engine;
 use imogene_verif::engine::design::Simulator;
+use imogene_verif::report::Report;
 
 fn plan(scene: &str, (width, height): (u32, u32), machine: ZoneMachine) -> ZonePlan {
     let framed = super::scene(scene).frame(width, height);
@@ -35,19 +37,76 @@ fn machine(objects: usize, volumes: usize, side: u32) -> ZoneMachine {
     }
 }
 
+/// Rows of the root networks between registers.
+const ROWS_PER_STAGE: usize = 4;
+
+/// A stream through hardware and golden model, with random stalls of a seed on both sides: every shown pixel compared.
+/// The report's cycles are those from the first beat to the last pixel.
+fn run(beats: &[Beat], machine: &ZoneMachine, engine: Engine, seed: Option<u64>) -> Report {
+    let mut golden = ZoneMachineModel::new(&Format::BASE, machine);
+    let mut wanted = Vec::new();
+    for beat in beats {
+        golden
+            .beat(beat, |pixel| wanted.push(pixel))
+            .expect("a stream");
+    }
+    let request = core_request(machine, &Format::BASE, ROWS_PER_STAGE);
+    let mut hardware = Machine::start(&request, engine, &[]).expect("a machine");
+    let mut stalls = Stalls::new(seed);
+    let mut report = Report::default();
+    hardware.set("room", 0);
+    hardware.clock();
+    hardware.clocks = 0;
+    let (mut sent, mut seen, mut idle) = (0, 0, 0u64);
+    while seen < wanted.len() && idle < 1 << 20 {
+        let is_ready = hardware.is_set("s_tready");
+        let beat = beats.get(sent).filter(|_| !stalls.stall());
+        hardware.offer(beat);
+        hardware.set("room", i64::from(!stalls.stall()));
+        sent += usize::from(beat.is_some() && is_ready);
+        hardware.clock();
+        idle += 1;
+        if hardware.is_set("valid") {
+            compare(&hardware, &wanted[seen], &mut report);
+            seen += 1;
+            idle = 0;
+        }
+    }
+    let all = wanted.len() as i64;
+    report.compare(hardware.clocks, None, "pixels", Some(seen as i64), all);
+    report.cycles = hardware.clocks;
+    report.pixels = seen as u64;
+    report
+}
+
+fn compare(hardware: &Machine, wanted: &ShownPixel, report: &mut Report) {
+    let mut values = vec![
+        ("x", i64::from(wanted.x)),
+        ("y", i64::from(wanted.y)),
+        ("depth", wanted.depth),
+        ("sample", (wanted.sample.bits() >> 3) as i64),
+        ("pass_ends", wanted.pass_ends.into()),
+        ("frame_ends", wanted.last.into()),
+    ];
+    if wanted.depth != Format::BASE.z_max() {
+        let [nx, ny, nz] = wanted.normal.map(i64::from);
+        values.extend([("id", wanted.id.into()), ("nx", nx), ("ny", ny), ("nz", nz)]);
+        values.push(("source_flags", wanted.flags.into()));
+    }
+    for (port, golden) in values {
+        let pixel = Some((wanted.x.into(), wanted.y.into()));
+        report.compare(hardware.clocks, pixel, port, hardware.get(port), golden);
+    }
+}
+
 fn check(plan: &ZonePlan, engine: Engine, stalls: Option<u64>) {
     let beats: Vec<Beat> = plan.beats().collect();
-    let options = CoreRun {
-        rows_per_stage: 4,
-        engine,
-        stalls,
-    };
-    let report = run(&beats, &Format::BASE, &plan.machine, &options).expect("a machine that runs");
+    let report = run(&beats, &plan.machine, engine, stalls);
     assert_eq!(report.mismatches, 0, "{}", report.first_mismatches[0]);
     assert_eq!(report.pixels, u64::from(plan.width * plan.height));
     if stalls.is_none() {
         // Without stalls a frame takes the clocks of the formula, no more and no fewer.
-        let request = core_request(&plan.machine, &Format::BASE, 4);
+        let request = core_request(&plan.machine, &Format::BASE, ROWS_PER_STAGE);
         let timing = zone_timing(&request).expect("a machine");
         assert_eq!(report.cycles, clocks(plan, &timing).total);
     }

@@ -134,7 +134,7 @@ fn in_words(accuracy: &Accuracy) -> String {
     };
     match accuracy.table_side {
         0 => pixels,
-        _ => format!("{pixels}, shaded by tables"),
+        _ => format!("{pixels}, by tables"),
     }
 }
 

@@ -15,16 +15,9 @@ module EHXPLLL #(
     input  wire CLKI, CLKFB, RST, STDBY, PHASESEL0, PHASESEL1, PHASEDIR, PHASESTEP, PHASELOADREG, PLLWAKESYNC, ENCLKOP,
     output wire CLKOP, CLKOS, CLKOS2, CLKINTFB, LOCK
 );
-    reg [2:0] place = 3'd0;
-    reg slow = 1'b0;
-
-    always @(posedge CLKI) begin
-        place <= place == 3'd4 ? 3'd0 : place + 3'd1;
-        slow <= place < 3'd2;
-    end
+    CLKDIV fifth (.HCLKIN(CLKI), .RESETN(1'b1), .CALIB(1'b0), .CLKOUT(CLKOS));
 
     assign CLKOP = CLKI;
-    assign CLKOS = slow;
     assign CLKOS2 = 1'b0;
     assign CLKINTFB = 1'b0;
     assign LOCK = 1'b1;
@@ -142,8 +135,7 @@ module TLVDS_OBUF (
     input  wire I,
     output wire O, OB
 );
-    assign O = I;
-    assign OB = ~I;
+    ELVDS_OBUF pair (.I(I), .O(O), .OB(OB));
 endmodule
 
 // A cell of a Gowin part as an adder: its table says where the carry passes, its four lowest entries what else it is.
