@@ -25,7 +25,8 @@ pub struct Cosim {
     /// What runs the hardware.
     #[arg(long, value_parser = choice(ENGINES), default_value = "built-in")]
     pub engine: Engine,
-    /// Run what synthesis makes of a unit instead of the emitted Verilog: ice40-hx8k, ice40-up5k, ecp5-45k or ecp5-85k.
+    /// Run what synthesis makes of a unit instead of the emitted Verilog: ice40-hx8k, ice40-up5k, ecp5-45k, ecp5-85k or
+    /// gowin.
     #[arg(long, value_name = "T")]
     pub netlist: Option<String>,
     /// Waveforms.
