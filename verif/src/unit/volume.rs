@@ -110,7 +110,8 @@ impl Surface {
         // Any, or the least and the greatest of a root.
         let radicand = match at & 3 {
             0 => root * root,
-            1 => root * root + 2 * root,
+            // Of the longest words the greatest one has no place in a word.
+            1 => (root * root).saturating_add(2 * root),
             _ => drawn,
         };
         let unit = inputs[self.shift];
