@@ -1,7 +1,7 @@
 //! Random bytes and changed real files through every reader: no panic, no hang, no unbounded memory, and what is
 //! malformed has a place in the file.
 //!
-//! Two million random bytes for each reader, and 500 changed files of the collection; ten million and 20 000 under
+//! Half a million random bytes for each reader, and 300 changed files of the collection; ten million and 20 000 under
 //! `IMOGENE_FULL=1`, or as many files as `IMOGENE_FUZZ_CHANGES` says. `IMOGENE_FUZZ_FILES` names a folder of
 //! further files to change, `IMOGENE_FUZZ_READERS=mmcif,bcif` some of the readers.
 
@@ -321,9 +321,9 @@ fn readers_survive_anything() {
     let changed = match std::env::var("IMOGENE_FUZZ_CHANGES") {
         Ok(number) => number.parse().expect("IMOGENE_FUZZ_CHANGES is a number"),
         Err(_) if is_full => 20_000,
-        Err(_) => 500,
+        Err(_) => 300,
     };
-    let texts = if is_full { 20_000 } else { 4_000 };
+    let texts = if is_full { 20_000 } else { 1_000 };
     let only = std::env::var("IMOGENE_FUZZ_READERS").ok();
     let is_asked = |reader: &&Reader| match &only {
         Some(only) => only.split(',').any(|name| name == reader.name),

@@ -109,7 +109,11 @@ pub fn tile_words(
 }
 
 /// The one object of a scene, if a tile can draw it.
-fn only_solid(prepared: &PreparedScene) -> Result<&QuadricWords, TileError> {
+///
+/// # Errors
+///
+/// When the scene is not of one solid that a tile can draw.
+pub fn only_solid(prepared: &PreparedScene) -> Result<&QuadricWords, TileError> {
     let refused = |what: &str| TileError::Scene(what.to_owned());
     let [object] = &prepared.objects[..] else {
         let count = prepared.objects.len();

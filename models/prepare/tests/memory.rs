@@ -82,7 +82,7 @@ fn the_memory_of_a_whole_scene_is_known_before() {
         .unwrap_or_else(|poisoned| poisoned.into_inner());
     for towards in VIEWS {
         for sticks in [false, true] {
-            let scene = molecule::scene(if sticks { 3000 } else { 9000 }, sticks, towards);
+            let scene = molecule::scene(if sticks { 1000 } else { 3000 }, sticks, towards);
             let what = format!("sticks {sticks}, towards {towards:?}");
             assert_estimate(&what, memory::of_scene(&scene), whole(&scene), 16 << 20);
         }
@@ -95,7 +95,7 @@ fn the_memory_of_what_is_seen_is_known_before() {
         .lock()
         .unwrap_or_else(|poisoned| poisoned.into_inner());
     for towards in VIEWS {
-        let scene = molecule::scene(60_000, false, towards);
+        let scene = molecule::scene(30_000, false, towards);
         let mut stated = 0;
         let taken = most(|| {
             let seen = Seen::of(&scene, (1920, 1080), &Format::BASE, &|| ()).expect("valid");

@@ -16,7 +16,9 @@ const SAMPLES: &str = "pins.bin";
 const DRIVER: &str = include_str!("top/bench.cpp");
 const GATES: &str = include_str!("top/gates.v");
 const OPTIONS: &str = "--cc --exe --build -j 2 -O3 --x-assign fast --x-initial fast -Wno-fatal -Wno-lint -Wno-style \
-    --top-module board_bench --Mdir cpp -CFLAGS -O1 bench.v design.v models.v bench.cpp";
+    --top-module board_bench --Mdir cpp -MAKEFLAGS OPT_SLOW=-O0 bench.v design.v models.v bench.cpp";
+/// Clocks in which a program that is compiled quickly is as soon done as one that runs quickly.
+const QUICK: u64 = 3_000_000;
 
 /// What the pins of a board have shown.
 #[derive(Debug)]
@@ -108,12 +110,19 @@ fn sampled(board: &Board, verilog: &str, models: &str, clocks: u64) -> Result<Te
     let folder = bench(board, verilog, models)?;
     let path = |name: &str| folder.path().join(name);
     write(&path("bench.cpp"), DRIVER)?;
-    VERILATOR.run(OPTIONS.split_whitespace(), folder.path())?;
+    let clocks = clocks * board.fast_ratio();
+    let level = if clocks < QUICK {
+        "OPT_FAST=-O0"
+    } else {
+        "OPT_FAST=-O1"
+    };
+    let options = OPTIONS.split_whitespace().chain(["-MAKEFLAGS", level]);
+    VERILATOR.run(options, folder.path())?;
     let [edges, bytes] = match board.video {
         Video::Tmds { .. } => ["2", "1"],
         Video::Parallel { .. } => ["1", "4"],
     };
-    let count = (clocks * board.fast_ratio()).to_string();
+    let count = clocks.to_string();
     run(
         &path("cpp/Vboard_bench"),
         &[&count, edges, bytes, SAMPLES],

@@ -1,5 +1,5 @@
 //! The emitted text against rust-hdl's own, by Yosys and ABC. Needs the package 'yosys' and fails without it. Every
-//! unit at the base format and at the shortest under `IMOGENE_FULL=1`; small units otherwise.
+//! unit at the base format and at the shortest under `IMOGENE_FULL=1`; small units at the base format otherwise.
 
 use super::{is_full_run, root, verilog};
 use imogene_contract::Unit;
@@ -7,10 +7,9 @@ use imogene_verif::equivalence::table::{Row, markdown};
 use imogene_verif::equivalence::{Text, Verdict, compare};
 
 /// Units that take seconds.
-const SMALL: [Unit; 8] = [
+const SMALL: [Unit; 7] = [
     Unit::Pe1,
     Unit::Pe2,
-    Unit::SquareRoot,
     Unit::CutPlane,
     Unit::PlaneDepth,
     Unit::DepthInterval,
@@ -47,7 +46,9 @@ fn units_of_the_base_format_are_the_circuits_that_rust_hdl_prints() {
 
 #[test]
 fn units_of_short_words_are_the_circuits_that_rust_hdl_prints() {
-    rows(16);
+    if is_full_run() {
+        rows(16);
+    }
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! What rust-hdl prints of the plain kernels against the emitted text of the circuits, by Yosys and ABC. Needs the
-//! package 'yosys' and fails without it.
+//! package 'yosys' and fails without it. The longest words under `IMOGENE_FULL=1` alone.
 
+use super::is_full_run;
 use imogene_circuits::arith::square_root;
 use imogene_circuits::machine::{Candidate, decider, visibility_node};
 use imogene_circuits::object::{Cut, Interval, cut_plane};
@@ -68,14 +69,18 @@ fn assert_roots_are_same<const X: usize, const K: usize, const R: usize, const T
 fn kernels_are_the_circuits_at_any_width() {
     assert_words_are_same::<8>();
     assert_words_are_same::<16>();
-    assert_words_are_same::<24>();
+    if is_full_run() {
+        assert_words_are_same::<24>();
+    }
 }
 
 #[test]
 fn kernels_of_the_root_are_the_circuits_at_any_width() {
     assert_roots_are_same::<16, 8, 9, 10>();
     assert_roots_are_same::<32, 16, 17, 18>();
-    assert_roots_are_same::<48, 24, 25, 26>();
+    if is_full_run() {
+        assert_roots_are_same::<48, 24, 25, 26>();
+    }
 }
 
 /// Each text with one fault.

@@ -17,7 +17,7 @@ use imogene_files::text::counted;
 use imogene_golden::format::Format;
 use imogene_golden::machine::tile::Tile as Golden;
 use imogene_plan::description::MachineDescription;
-use imogene_plan::tile::tile_words;
+use imogene_plan::tile::{TileError, only_solid, tile_words};
 use imogene_studies::picture;
 use serde::Serialize;
 use std::path::PathBuf;
@@ -55,6 +55,7 @@ struct TileReport<'a> {
 
 /// Makes a tile that shows a scene.
 pub fn run(options: &arguments::Board, board: &Board, json: bool) -> Result<(), Failure> {
+    refuse_early(options)?;
     let machine = machine(options, board)?;
     let (mode, _) = mode_of(board, &machine)?;
     let words = words(options, &machine, mode)?;
@@ -103,19 +104,32 @@ pub fn run(options: &arguments::Board, board: &Board, json: bool) -> Result<(), 
     report.verdict()
 }
 
+/// Refuses what no words make a tile of, ahead of the fit, which takes seconds. What the words decide is left to the fit.
+fn refuse_early(options: &arguments::Board) -> Result<(), Failure> {
+    let file = read_scene(&options.scene, &View::default())?;
+    let prepared = frame_in(&file, None, Format::BASE);
+    prepared.map_or(Ok(()), |(_, prepared)| match only_solid(&prepared) {
+        Ok(_) => Ok(()),
+        Err(error) => Err(refusal(options, &error)),
+    })
+}
+
+fn refusal(options: &arguments::Board, error: &TileError) -> Failure {
+    Failure::Input(format!("{}: {error}", options.scene.display()))
+}
+
 /// The words of a scene that is framed for the whole screen.
 fn words(
     options: &arguments::Board,
     machine: &MachineDescription,
     mode: VideoMode,
 ) -> Result<TileWords, Failure> {
-    let named = |problem: String| Failure::Input(format!("{}: {problem}", options.scene.display()));
     let file = read_scene(&options.scene, &View::default())?;
     let mut widths = machine.words();
     widths.normal = NORMAL;
     let format = Format::fitted(&widths)?;
     let (framed, prepared) = frame_in(&file, machine.drawn_size(), format)?;
-    tile_words(&framed, &prepared, mode).map_err(|error| named(error.to_string()))
+    tile_words(&framed, &prepared, mode).map_err(|error| refusal(options, &error))
 }
 
 /// The name of the scene as a part of that of a module.

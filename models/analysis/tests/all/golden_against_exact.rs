@@ -1,7 +1,7 @@
 //! Every scene of the collection: golden picture against exact picture, within the bounds that the check has proven.
 
 use imogene_analysis::bounds::{depth_bound, normal_bound, undecided_pixels};
-use imogene_analysis::exact::render::{DEPTH_FRACTION, ExactPixel};
+use imogene_analysis::exact::render::{DEPTH_FRACTION, ExactPixel, render};
 use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
 use imogene_golden::machine::frame::Frame;
@@ -10,7 +10,9 @@ use imogene_prepare::Framing;
 use imogene_prepare::{PreparedQuadric, PreparedScene, prepare};
 use imogene_scene::{FramedScene, Projection, SceneFile};
 use imogene_testkit::{angle_deg, gradient, scenes_in};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
 
 const SIZE: (u32, u32) = (320, 240);
 
@@ -49,11 +51,22 @@ const KNOWN_DIFFERENCES: [(&str, usize, usize, &str); 5] = [
     ),
 ];
 
+type Exact = Arc<Vec<Option<ExactPixel>>>;
+
+/// The exact picture of a scene in depth words of this length, drawn once for all tests.
+fn exact_picture(file: &Path, scene: &FramedScene, format: &Format) -> Exact {
+    static DRAWN: Mutex<BTreeMap<(PathBuf, u32), Exact>> = Mutex::new(BTreeMap::new());
+    let mut drawn = DRAWN.lock().expect("no test failed before");
+    let place = drawn.entry((file.to_owned(), format.depth));
+    let draw = || render(scene, format, || ()).into();
+    place.or_insert_with(draw).clone()
+}
+
 struct Pictures {
     scene: FramedScene,
     prepared: PreparedScene,
     golden: Frame,
-    exact: Vec<Option<ExactPixel>>,
+    exact: Exact,
     undecided: Vec<bool>,
 }
 
@@ -65,7 +78,7 @@ fn pictures(file: &Path, format: Format) -> Pictures {
     let prepared = prepare(&scene, format).expect("the scenes of the collection fit");
     Pictures {
         golden: prepared.frame(|| ()),
-        exact: imogene_analysis::exact::render::render(&scene, &format, || ()),
+        exact: exact_picture(file, &scene, &format),
         undecided: undecided_pixels(&scene, &prepared),
         scene,
         prepared,
