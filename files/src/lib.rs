@@ -28,7 +28,7 @@
 //! ```
 
 mod litter;
-mod memory;
+pub mod memory;
 mod outputs;
 mod read;
 mod target;

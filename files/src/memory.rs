@@ -42,26 +42,7 @@ pub fn free_memory() -> Option<u64> {
 }
 
 /// The number that follows a name at the beginning of a line.
-fn field(text: &str, name: &str) -> Option<u64> {
+pub fn field(text: &str, name: &str) -> Option<u64> {
     let rest = text.lines().find_map(|line| line.strip_prefix(name))?;
     rest.split_whitespace().next()?.parse().ok()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn fields_are_found_and_words_are_no_numbers() {
-        let text =
-            "VmPeak:\t 9 kB\nVmSize:\t  1234 kB\nMax address space   unlimited  unlimited  bytes\n";
-        assert_eq!(field(text, "VmSize:"), Some(1234));
-        assert_eq!(field(text, "Max address space"), None);
-        assert_eq!(field(text, "Anon"), None);
-    }
-
-    #[test]
-    fn this_machine_has_some_memory() {
-        assert!(free_memory().is_none_or(|bytes| bytes > 1 << 20));
-    }
 }

@@ -6,7 +6,7 @@
 //! makes those that Yosys knows of the emitted Verilog.
 
 pub mod circuit;
-mod contract;
+pub mod contract;
 pub mod machine;
 pub mod netlist;
 mod score;

@@ -26,7 +26,5 @@ pub mod format;
 pub mod machine;
 pub mod object;
 pub mod slots;
-#[cfg(test)]
-mod testing;
 pub mod unit;
 pub mod widths;

@@ -61,7 +61,7 @@ impl Region {
     }
 
     /// A region that is searched wherever it is asked for.
-    pub(super) fn unenclosed(quadric: &Quadric, planes: &[Plane], surface: Surface) -> Region {
+    pub fn unenclosed(quadric: &Quadric, planes: &[Plane], surface: Surface) -> Region {
         Region {
             quadric: normalised(quadric.coefficients()),
             planes: planes
@@ -73,9 +73,9 @@ impl Region {
         }
     }
 
-    /// A cell that holds all of it that is within [`REACH`], if one was found.
-    #[cfg(test)]
-    pub(super) fn enclosure(&self) -> Option<Cell> {
+    /// A cell that holds all of it, but for what is so far from the screen that `f64` is not exact enough, if one was
+    /// found.
+    pub fn enclosure(&self) -> Option<Cell> {
         self.enclosure
     }
 
@@ -198,13 +198,8 @@ impl Region {
         self.range_within(domain, 2, search)
     }
 
-    /// The same along any axis.
-    pub(super) fn range_within(
-        &self,
-        domain: Cell,
-        axis: usize,
-        search: Search,
-    ) -> Option<(f64, f64)> {
+    /// The same along any axis: 0 for columns, 1 for lines, 2 for depths.
+    pub fn range_within(&self, domain: Cell, axis: usize, search: Search) -> Option<(f64, f64)> {
         let low = self.extreme(domain, axis, 1.0, search)?;
         let high = self.extreme(domain, axis, -1.0, search)?;
         Some((low, -high))

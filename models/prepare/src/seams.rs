@@ -45,7 +45,7 @@ impl Place {
 
 /// Coefficients, the first that is not zero positive. Those of framed objects are integers without a common divisor,
 /// so they are the same for both sides of a plane.
-type Key = Vec<BigRational>;
+pub type Key = Vec<BigRational>;
 
 /// The places of objects with these boxes; nothing for an object without a box.
 pub(super) fn places(
@@ -98,7 +98,7 @@ pub(super) fn places(
 }
 
 /// Adds a box to others that lie apart; those that it touches become one with it.
-fn join(boxes: &mut Vec<ScreenBox>, mut added: ScreenBox) {
+pub fn join(boxes: &mut Vec<ScreenBox>, mut added: ScreenBox) {
     while let Some(index) = boxes.iter().position(|b| b.touches(&added)) {
         added = added.around(&boxes.swap_remove(index));
     }
@@ -123,45 +123,10 @@ impl Keys {
     }
 }
 
-fn key<const N: usize>(coefficients: [&BigRational; N]) -> Key {
+/// The coefficients of a plane or a quadric, the same for both of its sides.
+pub fn key<const N: usize>(coefficients: [&BigRational; N]) -> Key {
     let mut signs = coefficients.iter().filter(|value| !value.is_zero());
     let is_opposite = signs.next().is_some_and(|value| value.is_negative());
     let of = |value: &BigRational| if is_opposite { -value } else { value.clone() };
     coefficients.into_iter().map(of).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use imogene_algebra::rational::fraction;
-
-    #[test]
-    fn both_sides_have_the_same_key_and_others_have_not() {
-        let of = |n: [i64; 4]| {
-            let values = n.map(|n| fraction(n, 1));
-            key(values.each_ref())
-        };
-        let one = of([0, -3, 2, 5]);
-        assert_eq!(one, of([0, 3, -2, -5]));
-        assert_ne!(one, of([0, 3, -2, 5]));
-        assert_ne!(one, of([1, 3, -2, -5]));
-        // Nothing leads; it stays as it is.
-        assert_eq!(of([0; 4]), [0; 4].map(|n| fraction(n, 1)));
-    }
-
-    #[test]
-    fn boxes_that_touch_become_one_and_others_stay() {
-        let of = |x0, x1, y0, y1| ScreenBox { x0, x1, y0, y1 };
-        let mut boxes = vec![];
-        for added in [of(0, 9, 0, 9), of(20, 29, 0, 9), of(0, 9, 20, 29)] {
-            join(&mut boxes, added);
-        }
-        assert_eq!(boxes.len(), 3);
-        // Beside the first, and with it beside the second.
-        join(&mut boxes, of(10, 19, 5, 6));
-        boxes.sort_by_key(|b| b.y0);
-        assert_eq!(boxes, [of(0, 29, 0, 9), of(0, 9, 20, 29)]);
-        // One column is between.
-        assert!(!of(0, 9, 0, 9).touches(&of(11, 19, 0, 9)));
-    }
 }

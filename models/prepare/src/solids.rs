@@ -57,7 +57,7 @@ impl Product {
 
 /// More products than can be loaded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct TooMany;
+pub struct TooMany;
 
 /// The normal form of a tree: products whose union it is. Products without points, and those that lie in another, are
 /// left out.
@@ -68,7 +68,7 @@ struct TooMany;
 /// # Errors
 ///
 /// When an operation on the way has far more products than can be loaded.
-fn normal_form(tree: &Tree) -> Result<Vec<Product>, TooMany> {
+pub fn normal_form(tree: &Tree) -> Result<Vec<Product>, TooMany> {
     products(tree, false)
 }
 
@@ -275,7 +275,7 @@ fn twice_met(words: &QuadricWords, context: &Context) -> Option<[i64; 2]> {
 
 /// The words of an object seen from behind: every depth is the complement of what it was, so that the back is in
 /// front. Normals point inwards, as those of a hole do.
-fn seen_from_behind(words: &QuadricWords) -> QuadricWords {
+pub fn seen_from_behind(words: &QuadricWords) -> QuadricWords {
     let plane = |plane: &PlaneWords| {
         let (kind, depth) = match plane.kind {
             PlaneKind::Front => (PlaneKind::Back, complement(&plane.depth)),
@@ -299,6 +299,3 @@ fn seen_from_behind(words: &QuadricWords) -> QuadricWords {
 fn complement(linear: &Linear) -> Linear {
     Linear::new(-linear.a, -linear.b, -linear.c - 1)
 }
-
-#[cfg(test)]
-mod tests;

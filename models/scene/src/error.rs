@@ -107,10 +107,10 @@ impl SceneError {
 }
 
 /// Characters of a line that are shown.
-const SHOWN: usize = 160;
+pub const SHOWN: usize = 160;
 
 /// The part of a line around a column, from 1; a short line is shown whole.
-fn around(line: &str, column: usize) -> String {
+pub fn around(line: &str, column: usize) -> String {
     let count = line.chars().count();
     if count <= SHOWN {
         return line.to_owned();
@@ -164,24 +164,4 @@ pub fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
     let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
     let line = before.matches('\n').count() + 1;
     (line, before[line_start..].chars().count() + 1)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn of_a_long_line_the_part_around_the_column_is_shown() {
-        assert_eq!(around("radius = x", 10), "radius = x");
-        let line = format!("{}ä{}", "a".repeat(500), "b".repeat(500));
-        let shown = around(&line, 501);
-        assert!(
-            shown.starts_with(".. aaa") && shown.ends_with("bbb .."),
-            "{shown}"
-        );
-        assert!(shown.contains("aäb") && shown.chars().count() == SHOWN + 6);
-        assert!(around(&line, 1).starts_with("aaa") && around(&line, 1).ends_with("aaa .."));
-        let end = around(&line, 1001);
-        assert!(end.starts_with(".. bbb") && end.ends_with("bbb"), "{end}");
-    }
 }

@@ -29,7 +29,7 @@
 
 pub mod animation;
 mod camera;
-mod error;
+pub mod error;
 mod file;
 mod flat;
 mod frame;
@@ -81,7 +81,7 @@ pub use molecule::Molecule;
 pub use names::MAX_NESTING;
 pub use object::Object;
 pub use observer::FloatCamera;
-pub use paraboloids::{FramedCylinder, FramedSphere, root};
+pub use paraboloids::{FramedCylinder, FramedSphere, on_unit_circle, root};
 pub use plane::Plane;
 pub use quadric::{FramedQuadric, Quadric};
 pub use range::{CutOff, DepthRange, End, Projection, RangeOrigin, RangeReport};
@@ -90,4 +90,4 @@ pub use shape::{Cut, Mesh, Processor, Shape, Surface};
 pub use solid::{FramedSolid, MAX_LEAVES, Operand, Operation, Solid, Tree};
 pub use source::{FramedSource, SpotCone};
 pub use step::{Axis, Rotation, Scale, Step};
-pub use transform::{Transform, rotation_matrix};
+pub use transform::{Transform, WholeInverse, WholeTransform, rotation_matrix};

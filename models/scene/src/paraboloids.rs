@@ -211,7 +211,7 @@ pub fn root(value: &BigRational) -> BigRational {
 }
 
 /// The direction (x, y) as a rational point of the unit circle: cosine and sine from the tangent of half its angle.
-fn on_unit_circle(x: f64, y: f64) -> [BigRational; 2] {
+pub fn on_unit_circle(x: f64, y: f64) -> [BigRational; 2] {
     // Half the angle to the nearer end of the x axis, so that the tangent is at most 1.
     let t = from_f64_exact(y / (x.hypot(y) + x.abs()));
     let square = &t * &t;
@@ -219,39 +219,4 @@ fn on_unit_circle(x: f64, y: f64) -> [BigRational; 2] {
     let cos = (integer(1) - square) / &below;
     let sin = integer(2) * t / below;
     [if x < 0.0 { -cos } else { cos }, sin]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use imogene_algebra::rational::{fraction, power_of_two};
-
-    #[test]
-    fn directions_are_exactly_of_length_one() {
-        for (x, y) in [
-            (1.0, 0.0),
-            (-3.0, 4.0),
-            (0.0, -2.0),
-            (1e-9, 7.0),
-            (-5.0, 0.0),
-            (0.3, 0.1),
-        ] {
-            let [cos, sin] = on_unit_circle(x, y);
-            assert_eq!(&cos * &cos + &sin * &sin, integer(1));
-            let length = x.hypot(y);
-            assert!((to_f64(&cos) - x / length).abs() < 1e-15);
-            assert!((to_f64(&sin) - y / length).abs() < 1e-15);
-        }
-        assert_eq!(on_unit_circle(-3.0, 4.0), [fraction(-3, 5), fraction(4, 5)]);
-    }
-
-    #[test]
-    fn roots_of_fractions_are_exact() {
-        assert_eq!(root(&fraction(49, 144)), fraction(7, 12));
-        let two = root(&integer(2));
-        let off = (&two * &two - integer(2)).abs();
-        assert!(off > integer(0) && off < power_of_two(62).recip());
-        let tiny = root(&power_of_two(4001).recip());
-        assert!(tiny > power_of_two(2001).recip() && tiny < power_of_two(2000).recip());
-    }
 }

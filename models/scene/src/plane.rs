@@ -57,8 +57,8 @@ impl Plane {
         Self::from_array(whole.coefficients().map(|v| v / &inverse.cofactor_unit))
     }
 
-    /// A positive multiple of the same, by whole numbers alone.
-    pub(super) fn transformed_whole(&self, inverse: &WholeInverse) -> Self {
+    /// A positive multiple of the same, by whole numbers alone, from the inverse of M.
+    pub fn transformed_whole(&self, inverse: &WholeInverse) -> Self {
         let (whole, denominator) = common_denominator(self.coefficients());
         Self::from_array(std::array::from_fn(|column| {
             let terms = whole.iter().zip(&inverse.rows);

@@ -112,14 +112,14 @@ impl Transform {
 /// A transform in whole numbers over one positive denominator. What is transformed with it becomes a positive multiple
 /// without common divisor in the end, so that nothing has to be reduced on the way, which would take most of the time.
 #[derive(Clone, Debug)]
-pub(super) struct WholeTransform {
+pub struct WholeTransform {
     rows: Matrix4<BigInt>,
     unit: BigInt,
 }
 
 impl WholeTransform {
     /// The same transform.
-    pub(super) fn new(transform: &Transform) -> Self {
+    pub fn new(transform: &Transform) -> Self {
         let all = || transform.rows.iter().flatten();
         let unit = all().fold(BigInt::one(), |lcm, v| {
             let divides = v.denom().is_one() || *v.denom() == lcm;
@@ -132,7 +132,7 @@ impl WholeTransform {
     }
 
     /// The steps of a placement, the first applied first, and then `camera`.
-    pub(super) fn of_steps(camera: &Self, steps: &[Step]) -> Self {
+    pub fn of_steps(camera: &Self, steps: &[Step]) -> Self {
         let steps = steps.iter().rev();
         steps.fold(camera.clone(), |then, step| {
             then.after(&Self::new(&Transform::from_step(step)))
@@ -148,7 +148,7 @@ impl WholeTransform {
 
     /// A multiple of the inverse: for `P' = (L P + t) / u` it is `u adj(L)` with the last column `-adj(L) t`, and
     /// `det(L)` in the corner.
-    pub(super) fn inverse(&self) -> WholeInverse {
+    pub fn inverse(&self) -> WholeInverse {
         let part = |k: usize| -> [BigInt; 3] { std::array::from_fn(|c| self.rows[k][c].clone()) };
         let linear = [0, 1, 2].map(part);
         let adjugate = transposed(&cofactors3(&linear));
@@ -171,7 +171,7 @@ impl WholeTransform {
 
 /// A multiple of the inverse of a transform M.
 #[derive(Clone, Debug)]
-pub(super) struct WholeInverse {
+pub struct WholeInverse {
     /// The matrix N that takes points of the new frame to a multiple of those of the old one.
     pub(super) rows: Matrix4<BigInt>,
     /// The sign of that multiple, which is that of the determinant of M.

@@ -16,7 +16,7 @@
 
 mod catalogue;
 pub mod command_stream;
-mod formula;
+pub mod formula;
 mod machine_words;
 pub mod object;
 pub mod parameters;

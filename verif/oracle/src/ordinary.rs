@@ -250,29 +250,3 @@ fn list(values: &[f64]) -> String {
 fn cut(point: [f64; 3], normal: [f64; 3]) -> String {
     format!("{{ point = {}, normal = {} }}", list(&point), list(&normal))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use imogene_scene::SceneFile;
-
-    #[test]
-    fn every_scene_is_read_and_no_two_are_the_same() {
-        let texts: Vec<String> = (0..200).map(|number| scene_text(1, number)).collect();
-        for text in &texts {
-            SceneFile::parse(text, "random").expect("an ordinary scene");
-        }
-        assert_eq!(texts[7], scene_text(1, 7));
-        assert_ne!(texts[7], texts[8]);
-        assert_ne!(texts[7], scene_text(2, 7));
-        for kind in [
-            "hyperbolic_cylinder",
-            "quadric",
-            "polyhedron",
-            "cone",
-            "\"g2\"",
-        ] {
-            assert!(texts.iter().any(|text| text.contains(kind)), "{kind}");
-        }
-    }
-}

@@ -112,37 +112,3 @@ pub fn markdown(processors: &[Processor]) -> String {
     }
     text
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Where the counts are said to be the same, the first numbers of the source's text are those of the hierarchy.
-    #[test]
-    fn same_counts_are_the_same() {
-        for p in processors().unwrap() {
-            if p.difference != same() {
-                continue;
-            }
-            let counted = |word: &str| {
-                let parts = p.source.split([',', ';']);
-                let mut found = parts.filter_map(|part| part.trim().split_once(' '));
-                found
-                    .find(|(_, name)| name.starts_with(word))
-                    .map_or(0, |(number, _)| number.parse().unwrap())
-            };
-            assert_eq!(
-                [
-                    p.census.pe1,
-                    p.census.pe2,
-                    p.census.roots,
-                    p.census.multipliers
-                ],
-                ["PE1", "PE2", "root", "multiplier"].map(counted),
-                "{} {}",
-                p.unit,
-                p.parameters
-            );
-        }
-    }
-}

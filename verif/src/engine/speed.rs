@@ -111,8 +111,12 @@ impl Entrant {
         Ok(all)
     }
 
-    /// Makes one, and lets it do its first clock.
-    fn new(
+    /// Makes one in an engine of so many lanes, and lets it do its first clock.
+    ///
+    /// # Errors
+    ///
+    /// If it cannot be made.
+    pub fn new(
         lanes: usize,
         make: impl FnOnce() -> Result<Subject, DesignError>,
     ) -> Result<Entrant, DesignError> {
@@ -290,42 +294,5 @@ impl Entrant {
         let seconds = started.elapsed().as_secs_f64();
         let sizes = paths.iter().filter_map(|path| path.metadata().ok());
         Ok((clocks, seconds, sizes.map(|file| file.len()).sum()))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use imogene_contract::Unit;
-
-    #[test]
-    fn every_kind_of_work_is_measured_and_the_first_engine_has_ratio_one() {
-        let pe1 = || Ok(subject(&Request::new(Unit::Pe1))?);
-        let engines = [1, LANES].map(|lanes| Entrant::new(lanes, pe1).expect("a legal subject"));
-        for drive in [Drive::Frame, Drive::Random] {
-            let stimuli = stimuli(&engines, drive);
-            check(&measure(&engines, &stimuli, Duration::from_millis(30)).expect("a trace"));
-        }
-    }
-
-    fn check(speeds: &[Speed]) {
-        assert_eq!(speeds.len(), 6);
-        for pair in speeds.chunks(2) {
-            let lanes = (pair[0].lanes, pair[1].lanes);
-            assert_eq!((pair[0].ratio, lanes), (1.0, (1, LANES)));
-            assert!(pair[0].clocks_per_second > 0.0 && pair[1].ratio > 0.0);
-            assert!(pair[0].first_clock_seconds > 0.0);
-            let has_bytes = pair[0].vcd_bytes_per_clock.is_some_and(|bytes| bytes > 1.0);
-            assert_eq!(has_bytes, pair[0].work == Work::Waveforms);
-        }
-    }
-
-    #[test]
-    fn a_frame_begins_each_line_once() {
-        let pe1 = subject(&Request::new(Unit::Pe1)).expect("a legal subject");
-        let frame = frame_stimulus(&pe1);
-        assert_eq!(frame.len(), 640 * LINES);
-        assert_eq!(frame.iter().filter(|i| i[1] == 1).count(), 1);
-        assert_eq!(frame.iter().filter(|i| i[2] == 1).count(), LINES - 1);
     }
 }

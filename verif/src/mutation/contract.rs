@@ -23,7 +23,7 @@ const WORDS: u64 = 9;
 
 /// What a unit may rely on, and what the proofs may: the second differences of a PE2 are even; a margin is at most
 /// half the depths; behind a row of a root stand a remainder and its root.
-pub(super) fn contract(subject: &Subject, design: &Design) -> Contract {
+pub fn contract(subject: &Subject, design: &Design) -> Contract {
     let zero = |signal: &Signal| {
         let last = signal.name.rsplit('_').next().unwrap_or_default();
         let bit = match last {

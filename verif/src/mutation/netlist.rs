@@ -6,11 +6,11 @@
 //! prove equivalent.
 
 mod campaign;
-mod cut;
-mod elaborate;
+pub mod cut;
+pub mod elaborate;
 mod equivalence;
-mod facts;
-mod mutant;
+pub mod facts;
+pub mod mutant;
 
 use super::score::{MutationError, MutationReport, Options};
 use crate::subject::Subject;

@@ -1,12 +1,14 @@
-//! All tests of the crate that need it from outside, as one program.
+//! All tests of the crate, as one program.
 
 mod deciders;
+mod engine;
 mod engines;
 mod equivalence;
 mod exhaustive;
 mod extremes;
 mod faults;
 mod fitted;
+mod formal;
 mod icarus;
 mod kernels;
 mod machines;
@@ -15,10 +17,12 @@ mod patches;
 mod proofs;
 mod roots;
 mod shading_processor;
+mod signal;
 mod tile;
 mod units;
 mod verilator;
 mod video;
+mod waveform;
 mod waveforms;
 mod zone_core;
 

@@ -62,6 +62,3 @@ pub const fn latency(intersected: usize, subtracted: usize) -> u32 {
 const fn levels(inputs: usize) -> usize {
     inputs.next_power_of_two().trailing_zeros() as usize
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,9 +1,9 @@
 //! Golden model of the shading processor (`docs/architecture.md`, section 8): Phong shading of one pixel in integers.
 
-mod curve;
+pub mod curve;
 mod curves;
 mod light;
-mod lit_sphere;
+pub mod lit_sphere;
 mod view;
 mod widths;
 mod words;

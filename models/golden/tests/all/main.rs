@@ -1,6 +1,12 @@
-//! All tests of the crate that need it from outside, as one program.
+//! All tests of the crate, as one program.
 
+mod common;
 mod elementary;
 mod facets;
 mod first_generation;
+mod format;
+mod machine;
+mod object;
 mod paraboloids;
+mod unit;
+mod widths;

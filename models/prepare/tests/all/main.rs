@@ -1,7 +1,10 @@
-//! All tests of the crate that need it from outside, as one program.
+//! All tests of the crate, as one program.
 
+mod enclosure;
+mod extent;
 mod facet_contour;
 mod fields;
+mod forms;
 mod generated_scenes;
 mod generations;
 mod guards;
@@ -9,6 +12,9 @@ mod kind_errors;
 mod light_errors;
 mod refusals;
 mod remedies;
+mod rounding;
+mod seams;
+mod solids;
 mod unused;
 mod volumes;
 mod zones;

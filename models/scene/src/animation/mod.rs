@@ -3,7 +3,7 @@
 //! [`Playback`] says which frames there are and what the scene is in each of them, again as a
 //! [`SceneFile`](crate::SceneFile).
 
-mod moves;
+pub mod moves;
 mod playback;
 mod state;
 

@@ -36,7 +36,7 @@ impl<'a> State<'a> {
             } => {
                 let moves = self.moves.entry(target).or_default();
                 moves.add(part.of_step(step), *frame);
-                if moves.len() > MAX_MOVES {
+                if moves.count() > MAX_MOVES {
                     return Err(target);
                 }
             }

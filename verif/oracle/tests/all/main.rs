@@ -1,8 +1,12 @@
-//! All tests of the crate that need it from outside, as one program.
+//! All tests of the crate, as one program.
 
 mod common;
+mod crack;
 mod cracks;
+mod interval;
 mod ordinary;
 mod repair;
+mod root;
 mod scenes;
 mod tracer;
+mod transform;

@@ -2,12 +2,33 @@
 
 use crate::common::{PERSPECTIVE, read, scene};
 use imogene_golden::format::Format;
+use imogene_oracle::ordinary::scene_text;
 use imogene_oracle::run::{Compared, Outcome, run};
 use imogene_oracle::survey::survey;
 use imogene_scene::{Camera, SceneFile};
 
 fn is_long() -> bool {
     std::env::var_os("IMOGENE_FULL").is_some()
+}
+
+#[test]
+fn every_scene_is_read_and_no_two_are_the_same() {
+    let texts: Vec<String> = (0..200).map(|number| scene_text(1, number)).collect();
+    for text in &texts {
+        SceneFile::parse(text, "random").expect("an ordinary scene");
+    }
+    assert_eq!(texts[7], scene_text(1, 7));
+    assert_ne!(texts[7], texts[8]);
+    assert_ne!(texts[7], scene_text(2, 7));
+    for kind in [
+        "hyperbolic_cylinder",
+        "quadric",
+        "polyhedron",
+        "cone",
+        "\"g2\"",
+    ] {
+        assert!(texts.iter().any(|text| text.contains(kind)), "{kind}");
+    }
 }
 
 /// Of ordinary scenes at most two in a hundred are refused, none fails its check, and no picture differs from the

@@ -1,5 +1,6 @@
-//! All tests of the crate that need it from outside, as one program.
+//! All tests of the crate, as one program.
 
+mod census;
 mod contract;
 mod core;
 mod processors;

@@ -1,4 +1,4 @@
-//! The page of the processors is what the command writes.
+//! The page of the processors is what the command writes, and its counts those of the source.
 
 use imogene_package::processors::{COMMAND, markdown, processors};
 
@@ -8,4 +8,36 @@ fn the_page_is_not_stale() {
     let page = std::fs::read_to_string(path).expect("docs/processor-table.md");
     let made = markdown(&processors().expect("legal requests"));
     assert_eq!(page, made, "run `{COMMAND}`");
+}
+
+/// Where the counts are said to be the same, the first numbers of the source's text are those of the hierarchy.
+#[test]
+fn same_counts_are_the_same() {
+    let mut compared = 0;
+    for p in processors().unwrap() {
+        if p.difference != "the same" {
+            continue;
+        }
+        compared += 1;
+        let counted = |word: &str| {
+            let parts = p.source.split([',', ';']);
+            let mut found = parts.filter_map(|part| part.trim().split_once(' '));
+            found
+                .find(|(_, name)| name.starts_with(word))
+                .map_or(0, |(number, _)| number.parse().unwrap())
+        };
+        assert_eq!(
+            [
+                p.census.pe1,
+                p.census.pe2,
+                p.census.roots,
+                p.census.multipliers
+            ],
+            ["PE1", "PE2", "root", "multiplier"].map(counted),
+            "{} {}",
+            p.unit,
+            p.parameters
+        );
+    }
+    assert!(compared > 0, "no counts are said to be the same");
 }

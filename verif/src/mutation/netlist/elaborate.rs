@@ -7,12 +7,17 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 /// The unit's Verilog in the working folder.
-pub(super) const SOURCE: &str = "unit.v";
+pub const SOURCE: &str = "unit.v";
 /// The elaborated unit.
-pub(super) const NETLIST: &str = "unit.il";
+pub const NETLIST: &str = "unit.il";
 
-/// Elaborates the unit, flat, and lists mutants; returns them and how many were possible.
-pub(super) fn elaborate(
+/// Elaborates the unit, flat, and lists mutants; returns them and how many were possible. The Verilog is in the folder
+/// as [`SOURCE`] already, and `text` is the same.
+///
+/// # Errors
+///
+/// When Yosys is missing or refuses the Verilog, or its list cannot be read.
+pub fn elaborate(
     folder: &Path,
     top: &str,
     text: &str,

@@ -13,21 +13,23 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 /// The netlist with the facts as assumptions.
-pub(super) const ASSUMED: &str = "assumed.il";
+pub const ASSUMED: &str = "assumed.il";
 
 /// Verilog conditions; a wire of the netlist stands in braces.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Facts {
-    inputs: Vec<String>,
-    registers: Vec<String>,
+pub struct Facts {
+    /// Of inputs: the contract.
+    pub inputs: Vec<String>,
+    /// Of registers: what has to be proven.
+    pub registers: Vec<String>,
 }
 
 impl Facts {
-    /// The facts of a unit.
+    /// The facts of a unit, whose netlist has wires of these widths.
     ///
-    /// Root rows: `remainder <= 2 root` behind each row; see [`unrestored`] for rows that do not restore. Second
+    /// Root rows: `remainder <= 2 root` behind each row, where a row that does not restore would have restored. Second
     /// differences of a PE2 are even.
-    fn of(unit: &str, wires: &BTreeMap<String, usize>) -> Facts {
+    pub fn of(unit: &str, wires: &BTreeMap<String, usize>) -> Facts {
         let last = |name: &str| name.rsplit('.').next().unwrap_or_default().to_owned();
         let even = |name: &String| format!("!({{{name}}} & 1)");
         let inputs = ["a2", "b2", "f2_a2", "f2_b2"].map(String::from);
@@ -48,8 +50,8 @@ impl Facts {
         }
     }
 
-    /// Verilog of a module that states the facts, and its connections in the netlist.
-    fn module(&self, keyword: &str, wires: &BTreeMap<String, usize>) -> (String, String) {
+    /// Verilog of a module that states the facts, the registers' after `keyword`, and its connections in the netlist.
+    pub fn module(&self, keyword: &str, wires: &BTreeMap<String, usize>) -> (String, String) {
         let mut ports: Vec<String> = Vec::new();
         let mut body = String::new();
         let kinds = [("assume", &self.inputs), (keyword, &self.registers)];
@@ -118,7 +120,7 @@ fn within<'a>(
 }
 
 /// The bits that the remainder of a stage can have: those of its last row, which has those of the others too.
-fn live(stage: &str, wires: &BTreeMap<String, usize>) -> String {
+pub fn live(stage: &str, wires: &BTreeMap<String, usize>) -> String {
     let rows = within(wires, &format!("{stage}.rows"));
     let rows = rows.filter(|name| name.ends_with(".next_live"));
     let rows: Vec<String> = rows.map(|name| format!("{{{name}}}")).collect();
@@ -133,7 +135,7 @@ fn unrestored(remainder: &str, root: &str, live: &str) -> String {
 }
 
 /// Names and widths of the named wires in the text of a netlist.
-pub(super) fn wires(netlist: &str) -> BTreeMap<String, usize> {
+pub fn wires(netlist: &str) -> BTreeMap<String, usize> {
     let mut found = BTreeMap::new();
     for line in netlist.lines() {
         let mut words = line.split_whitespace();
@@ -152,15 +154,19 @@ pub(super) fn wires(netlist: &str) -> BTreeMap<String, usize> {
 
 /// What became of the facts of the registers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Proof {
+pub enum Proof {
     /// So many are proven, which may be none.
     Proven(usize),
     /// They do not hold, or there was no proof in time.
     Failed,
 }
 
-/// Writes [`ASSUMED`]: the netlist with the facts that hold.
-pub(super) fn assume(folder: &Path, top: &str, unit: &str) -> Result<Proof, ToolError> {
+/// Writes [`ASSUMED`]: the netlist in the folder with the facts that hold.
+///
+/// # Errors
+///
+/// When Yosys is missing or fails, or a file cannot be read or written.
+pub fn assume(folder: &Path, top: &str, unit: &str) -> Result<Proof, ToolError> {
     let netlist = read(&folder.join(NETLIST))?;
     let wires = wires(&netlist);
     let mut facts = Facts::of(unit, &wires);
@@ -185,76 +191,4 @@ pub(super) fn assume(folder: &Path, top: &str, unit: &str) -> Result<Proof, Tool
     let script = format!("{build}write_rtlil {ASSUMED}\n");
     yosys(folder, "assume.ys", &script)?;
     Ok(outcome)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::mutation::netlist::elaborate::{SOURCE, elaborate};
-    use crate::mutation::score::Options;
-    use imogene_contract::Request;
-    use imogene_rtl::emit::emit;
-    use imogene_tools::scratch;
-
-    #[test]
-    fn facts_name_wires_of_the_netlist() {
-        let text = "module \\m\n  wire width 4 input 2 \\a2\n  wire width 5 \\s[0].t.next_remainder\n  \
-                    wire width 4 \\s[0].t.next_root\n  wire width 5 \\s[0].t.rows_0.next_remainder\n  \
-                    wire width 4 \\s[0].t.rows_0.next_root\n  wire width 5 \\s[0].t.rows_0.next_live\n  wire $1\nend\n";
-        let wires = wires(text);
-        assert_eq!(wires.get("a2"), Some(&4));
-        assert_eq!(wires.len(), 6);
-        let facts = Facts::of("square_root", &wires);
-        assert_eq!(facts.inputs, ["!({a2} & 1)"]);
-        assert_eq!(
-            facts.registers,
-            ["{s[0].t.next_remainder} <= 2 * {s[0].t.next_root}"]
-        );
-        let (verilog, connections) = facts.module("assert", &wires);
-        assert!(
-            verilog.contains("assert({64'd0, p1} <= 2 * {64'd0, p2});"),
-            "{verilog}"
-        );
-        assert!(connections.contains("connect \\p2 \\s[0].t.next_root"));
-        assert_eq!(live("s[0].t", &wires), "{s[0].t.rows_0.next_live}");
-    }
-
-    /// What becomes of the facts of a unit that is taken for `named`, and the netlist with them.
-    fn assumed(unit: &str, rows_per_stage: u32, named: &str) -> (Proof, String) {
-        let options = [("rows-per-stage", Some(rows_per_stage))];
-        let request = Request::given(unit, 16, &options).expect("a unit of the catalogue");
-        let emitted = emit(&request).expect("a legal request");
-        let (top, text) = (&emitted.top, &emitted.bundle());
-        let scratch = scratch().expect("a folder");
-        let folder = scratch.path();
-        write(&folder.join(SOURCE), text).expect("a file");
-        elaborate(folder, top, text, &Options::default()).expect("a legal unit");
-        let proof = assume(folder, top, named).expect("yosys runs");
-        (proof, read(&folder.join(ASSUMED)).expect("a netlist"))
-    }
-
-    /// A remainder behind each stage, but the last one of a PE, which nothing reads; two second differences of a PE2.
-    #[test]
-    fn facts_of_roots_are_proven() {
-        let units = [
-            ("square_root", 1, 16),
-            ("square_root", 3, 6),
-            ("square_root_non_restoring", 1, 16),
-            ("square_root_non_restoring", 3, 6),
-            ("quadric_pe", 1, 15 + 2),
-        ];
-        for (unit, rows_per_stage, facts) in units {
-            let (proof, netlist) = assumed(unit, rows_per_stage, unit);
-            assert_eq!(proof, Proof::Proven(facts), "{unit}");
-            assert!(netlist.matches("cell $assume").count() >= facts, "{unit}");
-        }
-    }
-
-    /// What does not hold is not assumed: rows that do not restore are taken for rows that do.
-    #[test]
-    fn facts_that_do_not_hold_are_told() {
-        let (proof, netlist) = assumed("square_root_non_restoring", 1, "square_root");
-        assert_eq!(proof, Proof::Failed);
-        assert!(!netlist.contains("cell $assume"));
-    }
 }

@@ -10,23 +10,27 @@ pub(super) fn selector(mutants: usize) -> Signal {
 
 /// One small change of a netlist.
 #[derive(Clone, Debug)]
-pub(super) struct Mutant {
+pub struct Mutant {
     /// Number, from 1.
-    pub(super) number: usize,
+    pub number: usize,
     /// Cell of the netlist.
-    pub(super) cell: String,
+    pub cell: String,
     /// Port of the cell.
-    pub(super) port: String,
+    pub port: String,
     /// Options of Yosys that make it, without module and control.
-    pub(super) command: String,
+    pub command: String,
     /// What is done to which bit of the port. `inv` inverts it, `const0` and `const1` hold it, `cnot0` and `cnot1`
     /// invert it when another bit of the same port is 0 or 1. Behind it stand the signal on the bit and the line of the
     /// Verilog that the cell comes from, where they are known.
-    pub(super) text: String,
+    pub text: String,
 }
 
 /// The mutants of a list, with the lines of the Verilog `text` they come from.
-pub(super) fn parse(list: &str, text: &str) -> Result<Vec<Mutant>, MutationError> {
+///
+/// # Errors
+///
+/// When a line of the list lacks its mode, cell, port or bit.
+pub fn parse(list: &str, text: &str) -> Result<Vec<Mutant>, MutationError> {
     let lines: Vec<&str> = text.lines().collect();
     list.lines()
         .filter(|line| line.starts_with("mutate "))
@@ -75,33 +79,4 @@ fn one(line: &str, number: usize, lines: &[&str]) -> Option<Mutant> {
 fn first_line(place: &str) -> Option<usize> {
     let (_, range) = place.rsplit_once(':')?;
     range.split(['.', '-']).next()?.parse().ok()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_line_of_yosys_is_understood() {
-        let list = "mutate -mode cnot1 -module pe1 -cell $add$unit.v:2$1 -port B -portbit 18 -ctrlbit 23 -wire kept_b -wirebit 18 \
-                    -src unit.v:1.23-1.29 -src unit.v:2.24-2.43\n";
-        let found = parse(list, "reg b;\n  assign next = a + b;\n").expect("a legal list");
-        let [mutant] = found.as_slice() else {
-            panic!("one mutant, not {}", found.len())
-        };
-        assert_eq!(
-            mutant.command,
-            "-mode cnot1 -cell $add$unit.v:2$1 -port B -portbit 18 -ctrlbit 23"
-        );
-        assert_eq!(
-            mutant.text,
-            "cnot1 of B[18] by [23] (kept_b[18]) at $add$unit.v:2$1, line 2: assign next = a + b;"
-        );
-    }
-
-    #[test]
-    fn a_line_without_a_cell_is_refused() {
-        let outcome = parse("mutate -mode inv -port A -portbit 0", "");
-        assert!(outcome.is_err_and(|error| error.to_string().contains("-port A")));
-    }
 }

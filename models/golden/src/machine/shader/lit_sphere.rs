@@ -56,7 +56,7 @@ impl SphereTables {
     }
 
     /// Red, green, blue of a pixel that shows an object.
-    pub(super) fn colour(&self, words: &ShaderWords, pixel: &Pixel) -> [u8; 3] {
+    pub fn colour(&self, words: &ShaderWords, pixel: &Pixel) -> [u8; 3] {
         let [column, line] = coordinates(words, pixel).map(|at| at * ((1 << self.places) - 1));
         let [across, down] = [column, line].map(|at| at >> 9 & 127);
         let (more, less) = (across.max(down), across.min(down));
@@ -82,7 +82,7 @@ impl SphereTables {
 }
 
 /// The direction of the normal on the map, both coordinates with 16 bits.
-fn coordinates(words: &ShaderWords, pixel: &Pixel) -> [i64; 2] {
+pub fn coordinates(words: &ShaderWords, pixel: &Pixel) -> [i64; 2] {
     let normal = pixel.normal.map(i64::from);
     let is_turned = dot(normal, view::ray(words, view::place(words, pixel))) > 0;
     let [x, y, z] = if is_turned {
@@ -98,64 +98,4 @@ fn coordinates(words: &ShaderWords, pixel: &Pixel) -> [i64; 2] {
         let moved = (((number << places) * part) >> 17) + (1 << 15);
         moved.clamp(0, 0xffff)
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use proptest::prelude::*;
-
-    fn words() -> ShaderWords {
-        ShaderWords {
-            depth: 24,
-            size: [640, 480],
-            distance: 1,
-            ..ShaderWords::default()
-        }
-    }
-
-    proptest! {
-        /// Against the map in real numbers: a normal towards the viewer or away from it has one place.
-        #[test]
-        fn a_direction_has_its_place(normal in any::<[i16; 3]>()) {
-            prop_assume!(normal[2] != 0);
-            let pixel = Pixel { x: 0, y: 0, depth: 0, material: 0, normal, flags: 0 };
-            let found = coordinates(&words(), &pixel);
-            let [x, y, z] = normal.map(f64::from);
-            let side = if z > 0.0 { -1.0 } else { 1.0 };
-            let length = x.abs() + y.abs() + z.abs();
-            for (found, exact) in found.into_iter().zip([x + y, x - y]) {
-                let exact = 32768.0 * (1.0 + side * exact / length);
-                prop_assert!((found as f64 - exact).abs() < 4.0, "{found} {exact}");
-            }
-        }
-    }
-
-    /// Every colour of a table that is of first degree is met exactly, up to its rounding.
-    #[test]
-    fn between_entries_levels_are_of_first_degree() {
-        let mut tables = SphereTables::dark(4, 1, 0);
-        for line in 0..16 {
-            for column in 0..16 {
-                tables.entries[16 * line + column] = [64 * column as u16, 64 * line as u16, 1020];
-            }
-        }
-        for x in (-20_000..20_000i16).step_by(613) {
-            for y in (-20_000..20_000i16).step_by(431) {
-                let pixel = Pixel {
-                    x: 0,
-                    y: 0,
-                    depth: 0,
-                    material: 0,
-                    normal: [x, y, -9000],
-                    flags: 0,
-                };
-                let at = coordinates(&words(), &pixel).map(|at| at as f64 / 65536.0 * 15.0 * 16.0);
-                let [red, green, blue] = tables.colour(&words(), &pixel);
-                assert!((f64::from(red) - at[0]).abs() < 0.65, "{red} {at:?}");
-                assert!((f64::from(green) - at[1]).abs() < 0.65, "{green} {at:?}");
-                assert_eq!(blue, 255);
-            }
-        }
-    }
 }

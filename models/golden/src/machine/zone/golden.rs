@@ -400,6 +400,3 @@ fn refuse(wrong: bool, order: &'static str) -> Result<(), StreamError> {
 fn pair(data: u64) -> [u16; 2] {
     [data & 0xfff, data >> 12 & 0xfff].map(|word| word as u16)
 }
-
-#[cfg(test)]
-mod tests;

@@ -5,7 +5,7 @@
 //! a stream of words and commands ([`beat`]). The golden machine ([`golden`]) is driven by that stream alone.
 
 pub mod beat;
-mod decode;
+pub mod decode;
 pub mod golden;
 pub mod sample;
 

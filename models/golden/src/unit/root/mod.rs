@@ -16,6 +16,3 @@ pub use fast::fast_root;
 pub use method::{Method, RootResult, root};
 pub use polynomial::root_length;
 pub use restoring::{Root, restoring_root};
-
-#[cfg(test)]
-mod tests;

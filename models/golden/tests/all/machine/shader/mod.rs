@@ -1,0 +1,3 @@
+mod curve;
+mod lit_sphere;
+mod words;

@@ -1,0 +1,11 @@
+mod as_quadric;
+mod line;
+mod load;
+mod load_slot;
+mod load_volume;
+mod patch;
+mod polyhedron;
+mod quotient;
+mod range;
+mod volume;
+mod volume_line;

@@ -1,0 +1,10 @@
+mod cut_plane;
+mod depth_interval;
+mod half_spaces;
+mod membership;
+mod normal;
+mod patch_decider;
+mod pe1;
+mod pe2;
+mod quotient;
+mod root;

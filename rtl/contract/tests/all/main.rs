@@ -1,0 +1,7 @@
+//! All tests of the crate, as one program.
+
+mod formula;
+mod request;
+mod root_form;
+mod slots;
+mod video;

@@ -1,0 +1,97 @@
+use imogene_contract::MachineWords;
+use imogene_contract::object::Kind;
+use imogene_contract::slots::{FittedSlot, Products, Slots, parse, print};
+
+#[test]
+fn products_and_text_are_each_other() {
+    let products = Products::try_from("2-1,1-16".to_owned()).unwrap();
+    assert_eq!(
+        (products.0[1].intersected, products.0[1].subtracted),
+        (1, 16)
+    );
+    assert_eq!(String::from(products), "2-1,1-16");
+    for text in ["", "2", "0-1", "1-17", "1-2-3", "a-1"] {
+        let error = Products::try_from(text.to_owned()).unwrap_err();
+        assert!(error.to_string().contains("2-1,1-3"), "{text}");
+    }
+}
+
+#[test]
+fn the_longer_word_is_for_both() {
+    let slot = |root, plane| FittedSlot {
+        root,
+        plane,
+        ..FittedSlot::full(2)
+    };
+    let (short, long) = (slot(Some(10), Some(20)), slot(Some(12), None));
+    assert_eq!(short.or(&long), slot(Some(12), None));
+    // Slots without words of their own have those of the machine, the longest of all.
+    assert_eq!(FittedSlot::full(2).or(&short), FittedSlot::full(2));
+    let machine = MachineWords {
+        root: 12,
+        dropped_rows: 7,
+        ..MachineWords::of(16)
+    };
+    assert_eq!(
+        short.words(&machine),
+        MachineWords {
+            root: 10,
+            plane: 20,
+            ..machine
+        }
+    );
+    assert_eq!(
+        FittedSlot::full(2).in_words(&short.words(&machine), &machine),
+        short
+    );
+    assert_eq!(
+        FittedSlot::full(2).in_words(&machine, &machine),
+        FittedSlot::full(2)
+    );
+    let refused = |slot: FittedSlot| {
+        slot.refused(&machine)
+            .map(|(_, _, least, most)| (least, most))
+    };
+    assert_eq!(refused(short), None);
+    assert_eq!(refused(slot(Some(7), None)), Some((8, 12)));
+    assert_eq!(refused(slot(Some(13), None)), Some((8, 12)));
+    assert_eq!(refused(slot(None, Some(29))), Some((16, 28)));
+    let sphere = FittedSlot {
+        root: Some(10),
+        ..FittedSlot::of(Kind::Sphere, 0)
+    };
+    assert!(sphere.refused(&machine).is_some());
+}
+
+#[test]
+fn text_and_slots_are_each_other() {
+    let slots = parse("3,0,12v").unwrap();
+    assert_eq!((slots[2].planes, slots[2].two_volumes), (12, true));
+    assert_eq!((slots[0].planes, slots[0].two_volumes), (3, false));
+    assert_eq!(print(&slots), "3,0,12v");
+    let kinds = "3v,patch2,polyhedron6,facet3,curved_facet1,sphere,cylinder,first_generation";
+    let slots: Slots = kinds.to_owned().try_into().unwrap();
+    assert_eq!((slots.0[1].kind, slots.0[1].planes), (Kind::Patch, 2));
+    assert_eq!(String::from(slots), kinds);
+    let short = "3v:r14:p20,patch2:r9,0:p16";
+    let slots: Slots = short.to_owned().try_into().unwrap();
+    assert_eq!((slots.0[0].root, slots.0[0].plane), (Some(14), Some(20)));
+    assert_eq!((slots.0[1].root, slots.0[1].plane), (Some(9), None));
+    assert_eq!(String::from(slots), short);
+    for text in [
+        "sphere1",
+        "facet2",
+        "patch",
+        "patch13",
+        "torus",
+        "polyhedron0",
+    ] {
+        let error = Slots::try_from(text.to_owned()).unwrap_err();
+        assert!(error.to_string().contains("curved_facet2"), "{text}");
+    }
+    for text in [
+        "", "3,", "v", "13", "-1", "2w", "2:", "2:r", "2:x3", "2:r3:r3", "r3",
+    ] {
+        assert!(parse(text).unwrap_err().to_string().contains("3,0,2v"));
+    }
+}

@@ -1,0 +1,240 @@
+//! Mutation scores: every mutant of a unit's circuit, and of its netlist, is killed by the unit's stimulus or proven
+//! to change nothing. Those of the netlist need the packages 'yosys', 'verilator' and 'g++' and fail without them: all
+//! units of the published table under `IMOGENE_FULL=1`, the cut plane otherwise.
+
+mod circuit;
+mod netlist;
+
+use super::is_full_run;
+use super::machines::{drawn, small};
+use imogene_contract::Request;
+use imogene_plan::description::MachineDescription;
+use imogene_plan::display::Image;
+use imogene_rtl::emit::{Emitted, design, emit};
+use imogene_verif::mutation::machine::{self as of_machine, Shown};
+use imogene_verif::mutation::{
+    MutationReport, Options, circuit as of_circuit, netlist as of_netlist, table,
+};
+use imogene_verif::subject::Subject;
+use imogene_verif::unit::subject;
+
+fn unit(name: &str) -> (Subject, Emitted) {
+    let request = Request::given(name, 16, &[]).expect("a unit of the catalogue");
+    let subject = subject(&request).expect("its defaults are legal");
+    (subject, emit(&request).expect("a legal request"))
+}
+
+fn score(subject: &Subject, emitted: &Emitted, text: &str, mutants: usize) -> MutationReport {
+    let options = Options {
+        mutants,
+        ..Options::default()
+    };
+    of_netlist::run(subject, (&emitted.top, text), &options, || ())
+        .unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Units on which nothing may survive but a changed clock of a register, which the proofs cannot judge; of the others,
+/// survivors are published with the reason.
+const COMPLETE: [&str; 6] = [
+    "pe1",
+    "pe2",
+    "square_root",
+    "square_root_non_restoring",
+    "quadric_pe",
+    "cut_plane",
+];
+
+#[test]
+fn every_mutant_is_killed_or_equivalent() {
+    let (names, mutants) = if is_full_run() {
+        (table::NETLISTS.to_vec(), 1_000)
+    } else {
+        (vec!["cut_plane"], 150)
+    };
+    for name in names {
+        let (subject, emitted) = unit(name);
+        let report = score(&subject, &emitted, &emitted.bundle(), mutants);
+        assert_eq!(report.mutants, mutants.min(report.candidates), "{name}");
+        let counted = report.killed + report.equivalent + report.surviving.len();
+        assert_eq!(counted, report.mutants, "{name}");
+        let survivors = table::survivors(std::slice::from_ref(&report));
+        println!("{name}: {} %, {survivors}", report.score);
+        let judged = report
+            .surviving
+            .iter()
+            .filter(|o| !o.mutant.contains(" of CLK"));
+        assert!(
+            judged.count() == 0 || !COMPLETE.contains(&name),
+            "{survivors}"
+        );
+        assert!(report.score >= 99.0, "{name}: {survivors}");
+    }
+}
+
+/// A stimulus that tests almost nothing must leave survivors, and none of them may be called equivalent.
+#[test]
+fn a_weak_stimulus_has_a_low_score() {
+    let (mut subject, emitted) = unit("two_volume_merge");
+    let text = &emitted.bundle();
+    let strong = score(&subject, &emitted, text, 60);
+    subject.stimulus = Box::new(|_, clocks| {
+        use proptest::strategy::{Just, Strategy};
+        Just(vec![vec![1, 2, 3, 4, 5, 6, 7, 8]; clocks]).boxed()
+    });
+    let weak = score(&subject, &emitted, text, 60);
+    assert_eq!(weak.equivalent, strong.equivalent);
+    assert!(
+        weak.score < 60.0 && weak.surviving.len() > 20,
+        "{}",
+        weak.score
+    );
+    let page = table::markdown(&[weak], table::OF_NETLISTS, "the test");
+    assert!(page.contains("too weak"), "{page}");
+}
+
+#[test]
+fn a_unit_that_is_wrong_without_a_mutation_has_no_score() {
+    let (subject, emitted) = unit("cut_plane");
+    let wrong = emitted.bundle().replacen("zp == zb", "zp != zb", 1);
+    let options = Options {
+        mutants: 5,
+        ..Options::default()
+    };
+    let outcome = of_netlist::run(&subject, (&emitted.top, &wrong), &options, || ());
+    let message = outcome.expect_err("a wrong unit").to_string();
+    assert!(message.contains("without a mutation differs"), "{message}");
+}
+
+/// Every mutant of these circuits is killed, proven equivalent, or proven forgotten; in the full run of more units, both
+/// widths, and whole processors.
+#[test]
+fn no_mutant_of_an_arithmetic_circuit_survives() {
+    let names = ["pe1", "pe2", "cut_plane", "plane_depth", "normal_unit"];
+    let more = [
+        "two_volume_merge",
+        "depth_interval",
+        "patch_decider",
+        "visibility_node",
+        "decider",
+        "card_decider",
+        "csg_product",
+        "square_root_iterative",
+    ];
+    let processors = [
+        "facet_processor",
+        "sphere_processor",
+        "polyhedral_volume",
+        "tmds_encoder",
+    ];
+    let (widths, more, processors) = match is_full_run() {
+        true => (&[16, 24][..], &more[..], &processors[..]),
+        false => (&[16][..], &[][..], &[][..]),
+    };
+    let processors = processors.iter().map(|&name| (name, 16));
+    let of_widths = names
+        .iter()
+        .chain(more)
+        .flat_map(|&name| widths.iter().map(move |&width| (name, width)));
+    let options = Options {
+        stimuli: 20_000,
+        ..Options::default()
+    };
+    for (name, width) in of_widths.chain(processors) {
+        let request = Request::given(name, width, &[]).expect("a unit of the catalogue");
+        let subject = subject(&request).expect("its defaults are legal");
+        let design = design(&request).expect("a legal request");
+        let report = of_circuit::run(&subject, &design, &options, || ());
+        let report = report.unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(report.mutants as u64, of_circuit::count(&design), "{name}");
+        assert!(report.mutants > 500 && report.killed > 400, "{name}");
+        let survivors = table::survivors(std::slice::from_ref(&report));
+        assert!(report.surviving.is_empty(), "{survivors}");
+    }
+}
+
+/// With one stimulus that never changes most mutants survive, and as many are equivalent as with many.
+#[test]
+fn a_weak_stimulus_leaves_mutants_of_the_circuit() {
+    let request = Request::given("pe2", 8, &[]).expect("a unit of the catalogue");
+    let mut subject = subject(&request).expect("its defaults are legal");
+    let design = design(&request).expect("a legal request");
+    let score = |subject: &Subject| {
+        let report = of_circuit::run(subject, &design, &Options::default(), || ());
+        report.unwrap_or_else(|error| panic!("{error}"))
+    };
+    let strong = score(&subject);
+    subject.stimulus = Box::new(|subject, clocks| {
+        use proptest::strategy::{Just, Strategy};
+        let mut clock = vec![2; subject.inputs.len()];
+        clock[..3].copy_from_slice(&[1, 1, 0]);
+        Just(vec![clock; clocks]).boxed()
+    });
+    let weak = score(&subject);
+    assert!(weak.score < 60.0, "{}", weak.score);
+    // What one stimulus kills no proof may call equivalent.
+    assert!(strong.equivalent > 0);
+    assert_eq!(weak.equivalent, strong.equivalent);
+    assert_eq!(weak.mutants, strong.mutants);
+}
+
+/// A machine of one object and one light, and what it shows.
+fn shown_ellipsoid() -> (MachineDescription, Image) {
+    let machine = MachineDescription {
+        objects: 1,
+        planes: 2,
+        lights: 0,
+        ..small("beam-160x120.toml", 12, 8, 30)
+    };
+    let image = drawn("ellipsoid.toml", &machine);
+    (machine, image)
+}
+
+fn machine_score(machine: &MachineDescription, images: &[Image]) -> Result<MutationReport, String> {
+    let shown = Shown {
+        machine,
+        images,
+        runs: 2,
+    };
+    let design = of_machine::design(machine, images).expect("a legal machine");
+    let report = MutationReport::of("beam", "");
+    let report = of_machine::run(&shown, &design, report, || ());
+    let report = report.map_err(|error| error.to_string())?;
+    assert_eq!(report.mutants as u64, of_machine::count(&design));
+    Ok(report)
+}
+
+/// Most mutants are killed or forgotten, and each has one fate.
+#[test]
+fn the_pins_show_mutants_of_a_machine() {
+    let (machine, image) = shown_ellipsoid();
+    let report = machine_score(&machine, &[image.clone(), image]).expect("a machine that runs");
+    assert!(
+        report.killed > 1_000 && report.forgotten > 100,
+        "{report:?}"
+    );
+    let judged = report.killed + report.equivalent + report.forgotten;
+    assert_eq!(judged + report.surviving.len(), report.mutants);
+    assert!(report.score > 50.0, "{}", report.score);
+}
+
+/// An empty picture shows less.
+#[test]
+fn a_machine_that_shows_nothing_has_a_low_score() {
+    let (machine, image) = shown_ellipsoid();
+    let strong = machine_score(&machine, &[image]).expect("a machine that runs");
+    let weak = machine_score(&machine, &[]).expect("a machine that runs");
+    assert!(
+        weak.killed < strong.killed / 2,
+        "{} of {}",
+        weak.killed,
+        strong.killed
+    );
+}
+
+#[test]
+fn a_machine_that_is_wrong_without_a_mutation_has_no_score() {
+    let (machine, mut image) = shown_ellipsoid();
+    image.picture[0] ^= 1;
+    let message = machine_score(&machine, &[image]).expect_err("a wrong picture");
+    assert!(message.contains("without a mutation differs"), "{message}");
+}
