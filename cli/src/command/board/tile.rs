@@ -104,7 +104,7 @@ pub fn run(options: &arguments::Board, board: &Board, json: bool) -> Result<(), 
     report.verdict()
 }
 
-/// Refuses what no words make a tile of, ahead of the fit, which takes seconds. What the words decide is left to the fit.
+/// Refuses what no words make a tile of, ahead of the fit, which takes seconds. What the words decide is left to it.
 fn refuse_early(options: &arguments::Board) -> Result<(), Failure> {
     let file = read_scene(&options.scene, &View::default())?;
     let prepared = frame_in(&file, None, Format::BASE);

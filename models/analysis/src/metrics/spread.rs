@@ -32,16 +32,16 @@ impl Spread {
         if values.is_empty() {
             return Spread::default();
         }
-        values.sort_unstable_by(f64::total_cmp);
         let count = values.len();
-        // In whole numbers: ceil(0.999 n), counted from 1.
-        let rank = (count * 999).div_ceil(1000);
         let sum: f64 = values.iter().sum();
         let squares: f64 = values.iter().map(|v| v * v).sum();
+        // In whole numbers: ceil(0.999 n), counted from 1.
+        let rank = (count * 999).div_ceil(1000);
+        let (_, quantile, above) = values.select_nth_unstable_by(rank - 1, f64::total_cmp);
         Spread {
             count,
-            max: values[count - 1],
-            quantile_999: values[rank - 1],
+            max: above.iter().copied().fold(*quantile, f64::max),
+            quantile_999: *quantile,
             mean: sum / count as f64,
             rms: (squares / count as f64).sqrt(),
         }

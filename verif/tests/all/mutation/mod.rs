@@ -105,8 +105,8 @@ fn a_unit_that_is_wrong_without_a_mutation_has_no_score() {
     assert!(message.contains("without a mutation differs"), "{message}");
 }
 
-/// Every mutant of these circuits is killed, proven equivalent, or proven forgotten; in the full run of more units, both
-/// widths, and whole processors.
+/// Every mutant of these circuits is killed, proven equivalent, or proven forgotten; in the full run of more units,
+/// both widths, and whole processors.
 #[test]
 fn no_mutant_of_an_arithmetic_circuit_survives() {
     let names = ["pe1", "pe2", "cut_plane", "plane_depth", "normal_unit"];
