@@ -1,7 +1,6 @@
 //! The command line of imogene: argument parsing and printing, no logic.
 
 mod command;
-mod failure;
 mod interruption;
 mod missing;
 mod molecules;
@@ -10,8 +9,8 @@ mod paths;
 mod process;
 mod usage;
 
-use failure::Failure;
 use imogene::arguments::{self, Arguments, Command};
+use imogene::failure::{self, Failure};
 use imogene_files::{Scratch, limit_memory};
 use paths::Paths;
 use serde_json::json;

@@ -3,6 +3,7 @@
 
 use crate::failure::Failure;
 use crate::process;
+use imogene::progress::line;
 use imogene_files::{Identity, Outputs, end_process};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle, WeakProgressBar};
 use serde::Serialize;
@@ -200,44 +201,10 @@ fn tell_now_and_then(bar: WeakProgressBar, what: &'static str) {
             match bar.upgrade().filter(|bar| !bar.is_finished()) {
                 Some(bar) => {
                     let length = bar.length().unwrap_or(0);
-                    complain(progress_line(
-                        what,
-                        bar.position(),
-                        length,
-                        started.elapsed(),
-                    ));
+                    complain(line(what, bar.position(), length, started.elapsed()));
                 }
                 None => return,
             }
         }
     });
-}
-
-/// How far it is, and how long it will still take if it goes on as it did.
-fn progress_line(what: &str, done: u64, length: u64, taken: Duration) -> String {
-    if length == 0 {
-        return format!("{what}: {done}");
-    }
-    let percent = 100 * done.min(length) / length;
-    if done == 0 {
-        return format!("{what}: {percent} %");
-    }
-    let left = taken.as_secs_f64() * length.saturating_sub(done) as f64 / done as f64;
-    format!("{what}: {percent} %, {left:.0} s left")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_line_says_how_far_it_is_and_how_long_it_takes() {
-        let taken = Duration::from_secs(30);
-        let line = |done, length| progress_line("framing", done, length, taken);
-        assert_eq!(line(25, 100), "framing: 25 %, 90 s left");
-        assert_eq!(line(0, 100), "framing: 0 %");
-        assert_eq!(line(100, 100), "framing: 100 %, 0 s left");
-        assert_eq!(line(120, 100), "framing: 100 %, 0 s left");
-        assert_eq!(line(7, 0), "framing: 7");
-    }
 }

@@ -5,8 +5,8 @@
 //! instances. Nothing is optimised across modules, so the sum is somewhat more than a synthesis of the flat machine;
 //! `docs/fit.md` compares the two.
 
-mod estimate;
-mod modules;
+pub mod estimate;
+pub mod modules;
 
 use crate::bench::{Bench, Options};
 use crate::cache::{digest, kept};

@@ -92,15 +92,3 @@ fn identifier(name: &str) -> String {
         format!("\\{name} ")
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_name_that_is_not_plain_is_escaped() {
-        assert_eq!(identifier("a_1$x"), "a_1$x");
-        assert_eq!(identifier("bus.data"), "\\bus.data ");
-        assert_eq!(identifier("1st"), "\\1st ");
-    }
-}

@@ -106,7 +106,7 @@ fn macros(text: &str) -> String {
 }
 
 /// The modules of a file by name, without the attributes before them.
-fn modules(text: &str) -> BTreeMap<String, String> {
+pub fn modules(text: &str) -> BTreeMap<String, String> {
     let mut found = BTreeMap::new();
     let mut current: Option<(String, String)> = None;
     for line in text.lines() {
@@ -131,7 +131,11 @@ fn is_word(c: char) -> bool {
 }
 
 /// The models of the cells in a netlist, and of the cells in those.
-fn used<'a>(
+///
+/// # Errors
+///
+/// When a cell has no model.
+pub fn used<'a>(
     models: &'a BTreeMap<String, String>,
     cells: &[&str],
     target: Target,
@@ -152,37 +156,4 @@ fn used<'a>(
         open.extend(words.filter(|word| models.contains_key(*word)));
     }
     Ok(taken.iter().map(|name| models[*name].as_str()).collect())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const LIBRARY: &str = "(* lib *)\nmodule ADD(output O, input A);\nLUT l(.A(A), .O(O));\nendmodule\nmodule LUT (output O, \
-                           input A);\nendmodule\n\nmodule OTHER(input A);\nendmodule\n";
-
-    #[test]
-    fn a_netlist_gets_the_models_of_its_cells_and_of_theirs() {
-        let models = modules(LIBRARY);
-        assert_eq!(models.len(), 3);
-        let texts = used(&models, &["ADD"], Target::Ice40Hx8k).expect("models of both");
-        assert_eq!(texts.len(), 2);
-        assert!(texts[0].starts_with("module ADD(") && texts[1].starts_with("module LUT ("));
-    }
-
-    #[test]
-    fn a_cell_without_a_model_is_named() {
-        let error = used(&modules(LIBRARY), &["MULT"], Target::Ecp5With45k).expect_err("no model");
-        let message = error.to_string();
-        assert!(
-            message.contains("`MULT`") && message.contains("ecp5-45k"),
-            "{message}"
-        );
-    }
-
-    #[test]
-    fn a_target_without_models_is_refused() {
-        let error = libraries(Target::Xilinx7).expect_err("no models");
-        assert!(error.to_string().contains("ice40-hx8k"), "{error}");
-    }
 }

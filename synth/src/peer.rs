@@ -1,7 +1,7 @@
 //! A design of another project beside a unit: same scripts, same harness, same seeds, in one run.
 
 mod design;
-mod source;
+pub mod source;
 
 use crate::bench::Bench;
 use crate::cache::Cache;
@@ -126,8 +126,8 @@ fn measure(
     })
 }
 
-/// Figures of the peer divided by those of the unit.
-fn ratios(peer: &Figures, unit: &Figures) -> BTreeMap<&'static str, Option<f64>> {
+/// Figures of the peer divided by those of the unit; none where one of them is none or the unit's is 0.
+pub fn ratios(peer: &Figures, unit: &Figures) -> BTreeMap<&'static str, Option<f64>> {
     let float = |count: Option<u64>| count.map(|count| count as f64);
     let counts = peer.counts().into_iter().zip(unit.counts());
     let counts = counts.map(|((name, peer), (_, unit))| (name, float(peer), float(unit)));
@@ -138,24 +138,4 @@ fn ratios(peer: &Figures, unit: &Figures) -> BTreeMap<&'static str, Option<f64>>
             (name, peer.zip(unit).map(|(peer, unit)| peer / unit))
         })
         .collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_ratio_is_peer_over_unit_and_nothing_is_divided_by_nothing() {
-        let figures = |lut, dsp, fmax_mhz| Figures {
-            lut: Some(lut),
-            dsp: Some(dsp),
-            fmax_mhz,
-            ..Figures::default()
-        };
-        let ratios = ratios(&figures(30, 2, Some(50.0)), &figures(20, 0, Some(200.0)));
-        assert_eq!(ratios["LUT"], Some(1.5));
-        assert_eq!(ratios["DSP"], None);
-        assert_eq!(ratios["Fmax"], Some(0.25));
-        assert_eq!(ratios["cells"], None);
-    }
 }

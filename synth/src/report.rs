@@ -80,8 +80,8 @@ impl SynthReport {
     }
 }
 
-/// Median; the lower one of an even number, so that it is always a clock that was reached.
-pub(crate) fn median(seeds: &[SeedResult]) -> Option<f64> {
+/// Median clock in MHz; the lower one of an even number, so that it is always a clock that was reached.
+pub fn median(seeds: &[SeedResult]) -> Option<f64> {
     let mut clocks: Vec<f64> = seeds.iter().map(|run| run.fmax_mhz).collect();
     clocks.sort_by(f64::total_cmp);
     clocks.get(clocks.len().checked_sub(1)? / 2).copied()
@@ -91,28 +91,4 @@ pub(crate) fn median(seeds: &[SeedResult]) -> Option<f64> {
 /// the same after it was written and read.
 pub(crate) fn thousandths(value: f64) -> f64 {
     (value * 1000.0).round() / 1000.0
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn runs(clocks: &[f64]) -> Vec<SeedResult> {
-        let numbered = clocks.iter().enumerate();
-        numbered
-            .map(|(seed, &fmax_mhz)| SeedResult {
-                seed,
-                fmax_mhz,
-                critical_path: None,
-            })
-            .collect()
-    }
-
-    #[test]
-    fn the_median_is_a_clock_that_was_reached() {
-        assert_eq!(median(&runs(&[])), None);
-        assert_eq!(median(&runs(&[80.0])), Some(80.0));
-        assert_eq!(median(&runs(&[90.0, 70.0, 80.0])), Some(80.0));
-        assert_eq!(median(&runs(&[90.0, 70.0])), Some(70.0));
-    }
 }

@@ -2,10 +2,8 @@
 
 mod markdown;
 mod picture;
-mod rows;
-#[cfg(test)]
-mod tests;
-mod transistors;
+pub mod rows;
+pub mod transistors;
 
 use crate::cache::{Cache, digest};
 use crate::error::SynthError;
@@ -97,7 +95,8 @@ pub fn make(
 }
 
 impl Table {
-    fn of(rows: Vec<Measured>) -> Self {
+    /// A table of these rows.
+    pub fn of(rows: Vec<Measured>) -> Self {
         let all: String = rows.iter().map(|row| row.verilog.clone() + "\n").collect();
         Self {
             version: VERSION,

@@ -4,8 +4,8 @@ use super::frame_in;
 use crate::arguments::{Bounds, Size};
 use crate::failure::Failure;
 use crate::{molecules, output};
+use imogene::verdict;
 use imogene_analysis::bounds::headroom::{Headroom, Summary, headroom, summaries};
-use imogene_files::text::counted;
 use imogene_golden::format::Format;
 use imogene_scene::SceneFile;
 use imogene_studies::kit::DrawError;
@@ -57,7 +57,7 @@ fn try_bounds(options: &Bounds, json: bool) -> Result<(), Failure> {
     if json {
         output::json(&trial);
     }
-    verdict(&trial)
+    verdict::of_bounds(options.seed, &trial.formats)
 }
 
 /// The table's head: one column for each bound, with the worst and the mean ratio of an error to it.
@@ -84,28 +84,6 @@ fn trial_line(report: &TrialReport) -> String {
         report.violations,
         output::joined(ratios, " | ")
     )
-}
-
-fn verdict(trial: &Trial) -> Result<(), Failure> {
-    if trial.violations == 0 {
-        return Ok(());
-    }
-    let mut text = format!("beyond the bounds: {}", counted(trial.violations, "error"));
-    for format in &trial.formats {
-        for v in &format.first_violations {
-            text += &format!(
-                "\n  widths {}, case {} of seed {}, pixel {:?}: {} {:e} beyond {:e}",
-                format.widths,
-                v.case,
-                trial.seed,
-                v.pixel,
-                v.term.name(),
-                v.observed,
-                v.bound
-            );
-        }
-    }
-    Err(Failure::Check(text))
 }
 
 /// One scene at one size in one format; the keys are stable.
@@ -177,41 +155,4 @@ fn page(table: &Table) -> Result<String, DrawError> {
         include_str!("bounds.md"),
         Page { table, names },
     )
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use imogene_studies::trial::Violation;
-
-    #[test]
-    fn an_error_beyond_its_bound_fails_the_check_and_is_named() {
-        let format = Format::fitted(&FORMATS[4]).unwrap();
-        let mut report = trial::run(&format, 1, 1, false, |_| ());
-        report.violations = 1;
-        report.first_violations = vec![Violation {
-            term: Term::Depth,
-            case: 17,
-            pixel: (3, 4),
-            observed: 2.5,
-            bound: 2.0,
-        }];
-        let trial = Trial {
-            seed: 9,
-            cases: 1,
-            violations: 1,
-            formats: vec![report],
-        };
-        let Err(Failure::Check(message)) = verdict(&trial) else {
-            panic!("not a failed check");
-        };
-        for part in [
-            "widths depth=20,root=20,plane=32,normal=16,g1=2,g2=4,dropped=0",
-            "case 17 of seed 9",
-            "(3, 4)",
-            "2.5e0 beyond 2e0",
-        ] {
-            assert!(message.contains(part), "no '{part}' in: {message}");
-        }
-    }
 }

@@ -4,6 +4,7 @@ use super::{frame_in, read_scene};
 use crate::arguments::{Shading, View};
 use crate::failure::Failure;
 use crate::output;
+use imogene::verdict;
 use imogene_golden::format::Format;
 use imogene_golden::machine::shader::ShaderWidths;
 use imogene_studies::shading_trial::{
@@ -75,7 +76,7 @@ pub fn run(options: &Shading, json: bool) -> Result<(), Failure> {
         rows.push(row);
     }
     bar.finish_and_clear();
-    let verdict = verdict(&rows[0]);
+    let verdict = verdict::of_levels(&rows[0].errors);
     if json {
         let seed = options.seed;
         output::json(&Table { seed, rows });
@@ -143,38 +144,4 @@ fn line(row: &Row) -> String {
         e.random_error,
         e.error
     )
-}
-
-/// The widths of the hardware have to keep every level within one.
-fn verdict(row: &Row) -> Result<(), Failure> {
-    if row.errors.beyond == 0 {
-        return Ok(());
-    }
-    Err(Failure::Check(format!(
-        "{} levels differ by more than 1 from the formula, by {} at most; the worst case: {:?}",
-        row.errors.beyond, row.errors.greatest, row.errors.worst
-    )))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn an_error_of_two_levels_fails_the_check_and_is_named() {
-        let widths = ShaderWidths::default();
-        let mut row = Row {
-            name: String::new(),
-            widths,
-            multiplier_bits: widths.multiplier_bits(1),
-            multiplier_bits_of_4_lights: widths.multiplier_bits(4),
-            errors: errors(&widths, 4096, 1, |_| {}),
-        };
-        assert!(verdict(&row).is_ok());
-        row.errors.beyond = 3;
-        let Err(Failure::Check(message)) = verdict(&row) else {
-            panic!("not a failed check");
-        };
-        assert!(message.contains("3 levels"), "{message}");
-    }
 }

@@ -1,5 +1,6 @@
-//! All tests of the crate that need it from outside, as one program.
+//! All tests of the crate, as one program.
 
+mod arguments;
 mod bad_input;
 mod bad_machine;
 mod bench;
@@ -14,6 +15,8 @@ mod documents;
 mod emit;
 mod error_bounds;
 mod evaluate;
+mod failure;
+mod film;
 mod first_minute;
 mod fit;
 mod frames;
@@ -30,6 +33,7 @@ mod outputs;
 mod package;
 mod primitives;
 mod processors;
+mod progress;
 mod prove;
 mod roots;
 mod sweep;
@@ -38,3 +42,4 @@ mod trade_page;
 mod trade_parts;
 mod unseen;
 mod unused;
+mod verdict;

@@ -32,7 +32,9 @@ pub struct Boundary {
 pub struct Sample {
     /// Bit k: it is on the positive side of separator k.
     pub sides: u128,
+    /// It belongs to the face.
     pub inside: bool,
+    /// The point.
     pub point: Vector,
 }
 

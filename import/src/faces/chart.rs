@@ -56,6 +56,7 @@ impl Chart {
         }
     }
 
+    /// u and v of a point of the surface.
     pub fn coordinates(&self, p: Vector) -> [f64; 2] {
         let from = minus(p, self.surface.origin);
         let [x, y] = self.e.map(|e| dot(from, e));
@@ -75,6 +76,7 @@ impl Chart {
         self.coordinates(p)[0]
     }
 
+    /// The point of the surface at u and v.
     pub fn point(&self, u: f64, v: f64) -> Vector {
         let Surface { origin, axis, .. } = self.surface;
         if self.surface.is_plane() {

@@ -24,7 +24,8 @@ impl Term {
         (sides ^ self.sides) & self.mask == 0
     }
 
-    pub fn len(&self) -> u32 {
+    /// How many sides it has.
+    pub fn count(&self) -> u32 {
         self.mask.count_ones()
     }
 
@@ -39,7 +40,9 @@ impl Term {
 /// Two samples that have the same sides, one in the face and one not.
 #[derive(Clone, Copy, Debug)]
 pub struct Conflict {
+    /// The one in the face.
     pub inside: Sample,
+    /// The other one.
     pub outside: Sample,
 }
 
@@ -81,7 +84,7 @@ pub fn cover(
     let mut terms = vec![];
     while !open.is_empty() {
         let taken = |term: &Term| open.iter().filter(|side| term.takes(**side)).count();
-        let rank = |term: &Term| (taken(term), Reverse(term.len()));
+        let rank = |term: &Term| (taken(term), Reverse(term.count()));
         let best = candidates.iter().copied().max_by_key(rank);
         let best = best.filter(|term| taken(term) > 0).unwrap_or_else(|| {
             let seed = *open.first().expect("not empty");
@@ -150,51 +153,4 @@ fn nearest_conflict(samples: &[Sample], sides: u128) -> Conflict {
     let apart = |pair: &Conflict| distance(pair.inside.point, pair.outside.point);
     let nearest = pairs.min_by(|p, q| apart(p).total_cmp(&apart(q)));
     nearest.expect("both have these sides")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use proptest::prelude::*;
-
-    fn sample((sides, inside): (u128, bool)) -> Sample {
-        Sample {
-            sides,
-            inside,
-            point: [0.0; 3],
-        }
-    }
-
-    proptest! {
-        /// Whatever the set of pieces: the terms take these and no other, and no term can lose a side.
-        #[test]
-        fn terms_take_what_the_face_has(table in proptest::collection::vec(any::<bool>(), 64)) {
-            let samples: Vec<Sample> =
-                table.iter().enumerate().map(|(k, inside)| sample((k as u128, *inside))).collect();
-            let terms = cover(&samples, &[0; 6], None).unwrap();
-            for s in &samples {
-                prop_assert_eq!(terms.iter().any(|t| t.takes(s.sides)), s.inside);
-            }
-            for term in &terms {
-                for (k, _) in term.literals() {
-                    let shorter = Term { mask: term.mask & !(1 << k), ..*term };
-                    prop_assert!(samples.iter().any(|s| !s.inside && shorter.takes(s.sides)));
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn a_piece_on_both_sides_is_a_conflict() {
-        let samples = [sample((5, true)), sample((5, false)), sample((1, true))];
-        let conflict = cover(&samples, &[0; 3], None).unwrap_err()[0];
-        assert!(conflict.inside.inside && !conflict.outside.inside && conflict.inside.sides == 5);
-    }
-
-    #[test]
-    fn a_whole_surface_needs_no_side() {
-        let terms = cover(&[sample((0, true)), sample((1, true))], &[0], None).unwrap();
-        assert_eq!(terms.len(), 1);
-        assert_eq!(terms[0].len(), 0);
-    }
 }

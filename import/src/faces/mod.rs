@@ -4,16 +4,16 @@
 //! `docs/cad-faces.md` is the user's page.
 
 mod arrangement;
-mod bezier;
+pub mod bezier;
 mod build;
 mod build_edge;
 mod canonical;
 mod cell;
-mod chart;
+pub mod chart;
 mod compile;
 mod conics;
-mod courses;
-mod cover;
+pub mod courses;
+pub mod cover;
 mod curve;
 mod keys;
 mod meetings;
@@ -23,7 +23,7 @@ mod parting;
 mod plain;
 mod plane_face;
 mod planes;
-mod polynomial;
+pub mod polynomial;
 mod report;
 mod rings;
 mod scene;
@@ -33,9 +33,10 @@ mod surface;
 pub mod vector;
 mod volume;
 
+pub use arrangement::Sample;
 pub use cell::{Cell, Compilation, Compiled, Verdict};
 pub use curve::{Arc, Curve, Ellipse, PlaneOf, Polyline};
-pub use planes::Planes;
+pub use planes::{Planes, Separator};
 pub use step::Beside;
 pub use surface::{Form, Implicit, Surface};
 

@@ -85,7 +85,7 @@ impl Parting {
     /// One object has one conic, and so many sides at most.
     fn fits(&self, term: &Term, most: usize) -> bool {
         let own = self.conics(term).len();
-        own <= 1 && term.len() as usize - own <= most
+        own <= 1 && term.count() as usize - own <= most
     }
 }
 

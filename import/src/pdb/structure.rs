@@ -4,7 +4,7 @@ use super::assembly::Assemblies;
 use super::element::{Element, UNKNOWN, of_name, of_symbol};
 use super::words::{Serial, Word, Words};
 
-/// An atom; millions of them are held.
+/// An atom.
 #[derive(Clone, Debug)]
 pub struct Atom {
     /// Place in angstroms.
@@ -26,6 +26,9 @@ pub struct Atom {
     /// name.
     pub part: Word,
 }
+
+// Millions of atoms are held.
+const _: () = assert!(size_of::<Atom>() <= 72);
 
 /// Names of water in the files of the archive and of simulations.
 const WATER: [&str; 13] = [
@@ -106,15 +109,5 @@ impl Structure {
         self.remarks.named_element += usize::from(found.is_some());
         self.remarks.no_element += usize::from(found.is_none());
         found.unwrap_or(&UNKNOWN)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn an_atom_stays_small() {
-        assert!(size_of::<Atom>() <= 72, "{}", size_of::<Atom>());
     }
 }

@@ -2,16 +2,17 @@
 //! (section 4.2).
 
 mod cell;
-mod exact;
+pub mod exact;
 mod form;
 mod grid;
 mod map;
 pub mod random_field;
 mod read;
-mod ruled;
+pub mod ruled;
 mod scene;
 
-pub use cell::Cells;
+pub use cell::{Cells, Piece};
+pub use grid::{Corners, twist};
 pub use random_field::heights_text;
 
 use crate::{Imported, Result};

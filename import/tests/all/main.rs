@@ -1,6 +1,7 @@
-//! All tests of the crate that need it from outside, as one program.
+//! All tests of the crate, as one program.
 
 mod common;
+mod faces;
 mod faces_adjacent;
 mod faces_cracks;
 mod faces_input;

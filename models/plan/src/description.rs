@@ -1,6 +1,6 @@
 //! Machine descriptions: what a machine with a screen is made of, as a TOML file (`docs/machines.md`).
 
-mod keys;
+pub mod keys;
 mod lit_sphere;
 mod validation;
 

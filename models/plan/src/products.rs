@@ -40,7 +40,7 @@ pub(crate) fn in_slots<T: Clone>(
 
 /// The processors and parts of one draw pass after another, until all products are drawn: each pass takes those that
 /// find a product of the machine which is free and large enough, of such the smallest. All are large enough for one.
-pub(crate) fn in_passes(machine: &ZoneMachine, products: &[ZoneProduct]) -> Vec<Vec<(usize, u32)>> {
+pub fn in_passes(machine: &ZoneMachine, products: &[ZoneProduct]) -> Vec<Vec<(usize, u32)>> {
     let mut left: Vec<&ZoneProduct> = products.iter().collect();
     let mut passes = vec![];
     while !left.is_empty() {
@@ -71,50 +71,4 @@ fn places(machine: &ZoneMachine) -> Vec<(usize, ProductSlots)> {
         (own, *slots)
     };
     machine.products.iter().map(place).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Two alone, then products of 2 - 1 and 1 - 3.
-    fn machine() -> ZoneMachine {
-        let products = [(2, 1), (1, 3)].map(|(intersected, subtracted)| ProductSlots {
-            intersected,
-            subtracted,
-        });
-        ZoneMachine {
-            object_processors: 2,
-            products: products.to_vec(),
-            planes: 3,
-            volume_processors: 0,
-            volume_planes: 0,
-            zone_width: 8,
-            zone_height: 8,
-            samples: 1,
-        }
-    }
-
-    fn product(intersected: &[u32], subtracted: &[u32]) -> ZoneProduct {
-        ZoneProduct {
-            intersected: intersected.to_vec(),
-            subtracted: subtracted.to_vec(),
-        }
-    }
-
-    #[test]
-    fn a_product_takes_the_smallest_slots_that_are_free_and_enough() {
-        let products = [
-            // Either would do, the smaller one is taken.
-            product(&[10], &[11]),
-            // Both want the larger one: one has to wait.
-            product(&[12], &[13, 14]),
-            product(&[15], &[16, 17, 18]),
-            product(&[19, 20], &[]),
-        ];
-        let first = vec![(2, 10), (3, 10), (4, 11), (5, 12), (6, 13), (7, 14)];
-        let second = vec![(5, 15), (6, 16), (7, 17), (8, 18), (2, 19), (3, 20)];
-        assert_eq!(in_passes(&machine(), &products), [first, second]);
-        assert!(in_passes(&machine(), &[]).is_empty());
-    }
 }

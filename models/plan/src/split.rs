@@ -8,7 +8,7 @@ mod duplication;
 mod piece;
 
 pub use division::{Division, DivisionError, Piece};
-pub use duplication::Duplication;
+pub use duplication::{Duplication, expected};
 
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::{ALL_SOURCES, Lighting};

@@ -124,7 +124,8 @@ fn places(root_bits: u32) -> impl Iterator<Item = u128> {
     })
 }
 
-fn error(method: Method, root_bits: u32) -> RootError {
+/// The measured error of a member with roots of so many bits.
+pub fn error(method: Method, root_bits: u32) -> RootError {
     let mut found = RootError::default();
     let mut count = 0.0;
     for radicand in places(root_bits) {
@@ -160,10 +161,11 @@ fn steps(method: Method, root_bits: u32) -> Steps {
     found
 }
 
-/// The test sphere of the source's restatement, 4.3: centre (20, -10, 300), radius 100, viewer distance 1000, 720 x 540
-/// pixels.
-const F1: Linear = Linear::new(-100, 50, 1_921_817);
-const F2: Quadratic = Quadratic::new([
+/// The f1, in depth words, of the test sphere of the source's restatement, 4.3: centre (20, -10, 300), radius 100,
+/// viewer distance 1000, 720 x 540 pixels.
+pub const F1: Linear = Linear::new(-100, 50, 1_921_817);
+/// Its f2, in squares of depth words.
+pub const F2: Quadratic = Quadratic::new([
     -41_863_718,
     -41_871_193,
     -9_967,
@@ -174,7 +176,7 @@ const F2: Quadratic = Quadratic::new([
 const COLUMNS: i64 = 720;
 const LINES: i64 = 540;
 /// Depth words per pixel of depth, `Kp = (2^23 - 1) / 1000`.
-const WORDS_PER_PIXEL: f64 = 8_388.607;
+pub const WORDS_PER_PIXEL: f64 = 8_388.607;
 
 /// Front depth in real numbers, in depth words: the near root of the transformed equation of the sphere.
 fn true_depth(column: i64, line: i64) -> f64 {
@@ -187,7 +189,8 @@ fn true_depth(column: i64, line: i64) -> f64 {
     WORDS_PER_PIXEL * (middle - radicand.max(0.0).sqrt())
 }
 
-fn sphere(method: Method) -> DepthError {
+/// The depth error of a member on the test sphere, at the base format.
+pub fn sphere(method: Method) -> DepthError {
     let mut found = DepthError::default();
     for line in 0..LINES {
         for column in 0..COLUMNS {
@@ -221,7 +224,8 @@ fn square_products(bits: u32) -> u32 {
     digits * (digits + 1) / 2
 }
 
-fn cost(method: Method, root_bits: u32) -> Cost {
+/// What a member with roots of so many bits is built of.
+pub fn cost(method: Method, root_bits: u32) -> Cost {
     let corrections_of = |corrections: u32| {
         // The excess, and what it takes from the root.
         let cells = corrections * (2 * root_bits + root_bits + 1);
@@ -256,116 +260,5 @@ fn cost(method: Method, root_bits: u32) -> Cost {
             Method::Iterative => root_bits,
             _ => 1,
         },
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn sphere_words_are_the_rounded_truth() {
-        // Second difference and slope of the real depth's linear part give back the words.
-        let square = 3361.0 / 2000.0;
-        let per_pixel = -WORDS_PER_PIXEL / 50.0 / square;
-        assert_eq!(per_pixel.round() as i128, F1.a);
-        let scale = WORDS_PER_PIXEL * WORDS_PER_PIXEL;
-        let a = scale * (1.0 / 2500.0 / square - 1.0) / square;
-        assert_eq!(a.round() as i128, F2.a);
-    }
-
-    /// The floors weigh most in the lowest octaves, which are searched closely.
-    fn percent(method: Method) -> f64 {
-        let off = |radicand: u128| {
-            let truth = (radicand as f64).sqrt();
-            100.0 * (root(method, radicand, 24).root as f64 - truth).abs() / truth
-        };
-        let lowest = (1u128 << 23..1 << 25).step_by(61).map(off);
-        lowest.fold(error(method, 24).max_percent, f64::max)
-    }
-
-    /// Restatement 4.2: integer versions on 48 bits, from 2^23 on.
-    #[test]
-    fn integer_errors_of_the_specification() {
-        let linear = [6.066, 1.681, 0.507];
-        for (corrections, expected) in (0..).zip(linear) {
-            let off = percent(Method::Linear { corrections }) - expected;
-            assert!(off.abs() < 0.002, "linear + {corrections}: {off}");
-        }
-        let quadratic = [1.364, 0.540, 0.221];
-        for (corrections, expected) in (0..).zip(quadratic) {
-            let off = percent(Method::Quadratic { corrections }) - expected;
-            assert!(off.abs() < 0.003, "quadratic + {corrections}: {off}");
-        }
-        let counts = |method| error(method, 24).max_lsb.round() as i64;
-        assert!((counts(Method::Linear { corrections: 2 }) - 56_078).abs() <= 2);
-        assert!((counts(Method::Quadratic { corrections: 1 }) - 53_930).abs() <= 2);
-        let twelve = error(Method::Leading { kept: 12 }, 24);
-        assert!(twelve.max_percent < 0.0489 && (twelve.mean_percent - 0.016).abs() < 0.002);
-    }
-
-    /// Restatement 4.3, the table of depth errors: method, greatest error in counts, mean in pixels.
-    const SPHERE_TABLE: [(Method, f64, f64); 7] = [
-        (Method::Restoring, 54.0, 0.0048),
-        (Method::Leading { kept: 12 }, 98.0, 0.0038),
-        (Method::Linear { corrections: 0 }, 22_533.0, 0.82),
-        (Method::Linear { corrections: 1 }, 6_150.0, 0.21),
-        (Method::Linear { corrections: 2 }, 1_802.0, 0.063),
-        (Method::Quadratic { corrections: 0 }, 4_413.0, 0.21),
-        (Method::Quadratic { corrections: 1 }, 1_656.0, 0.065),
-    ];
-
-    #[test]
-    fn sphere_depths_of_the_specification() {
-        for (method, counts, mean) in SPHERE_TABLE {
-            let found = sphere(method);
-            assert_eq!(found.pixels, 18_707);
-            let off = [found.max_counts - counts, found.mean_px - mean].map(f64::abs);
-            assert!(off[0] <= 2.0 && off[1] < 0.03 * mean, "{method}: {found:?}");
-        }
-    }
-
-    /// Restatement 4.3, the knob table, which sampled one pixel in nine: every pixel is at least as bad.
-    #[test]
-    fn sphere_knobs_of_the_specification() {
-        let leading = [(6, 0.97, 0.41), (8, 0.24, 0.099), (10, 0.057, 0.022)];
-        let rows = [
-            (8, 7.81, 3.83),
-            (10, 1.95, 0.97),
-            (12, 0.48, 0.24),
-            (16, 0.027, 0.011),
-        ];
-        let leading = leading.map(|(kept, max, mean)| (Method::Leading { kept }, max, mean));
-        let rows = rows.map(|(kept, max, mean)| (Method::Rows { kept }, max, mean));
-        for (method, max, mean) in leading.into_iter().chain(rows) {
-            let found = sphere(method);
-            for (found, expected) in [(found.max_px, max), (found.mean_px, mean)] {
-                let off = (found - expected).abs();
-                assert!(off < 0.05 * expected, "{method}: {found} {expected}");
-            }
-        }
-    }
-
-    #[test]
-    fn cells_of_the_specification() {
-        assert_eq!((row_cells(24), row_cells(8)), (347, 51));
-        assert_eq!([17, 25, 33].map(square_products), [1, 3, 6]);
-    }
-
-    #[test]
-    fn the_table_tells_exact_monotone_and_bounded_apart() {
-        for format in Format::CATALOGUE.map(|depth| Format::new(depth).unwrap()) {
-            for row in table(&format) {
-                if row.exact {
-                    assert!(
-                        row.error.max_lsb <= 1.0 && row.steps.largest == 1,
-                        "{row:?}"
-                    );
-                }
-                let bounded = matches!(row.method, Method::Quadratic { .. });
-                assert!(row.steps.monotone || bounded, "{row:?}");
-                assert_eq!(row.sphere.is_some(), format == Format::BASE);
-            }
-        }
     }
 }

@@ -384,6 +384,3 @@ pub fn emit_machine(request: &MachineRequest) -> Result<Emitted, RequestError> {
     let latency = request.clocks()?.pixel;
     Ok(emitted(&design, &request.prefix, latency, &heading))
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,6 +1,7 @@
-//! All tests of the crate that need it from outside, as one program.
+//! All tests of the crate, as one program.
 
 mod emission;
+mod emit;
 mod latency;
 mod prefix;
 mod reading_path;

@@ -15,7 +15,7 @@
 mod description;
 mod error;
 mod flow;
-mod netlist;
+pub mod netlist;
 mod page;
 mod pll;
 mod screen;
@@ -25,14 +25,14 @@ mod tmds;
 mod top;
 mod witness;
 
-pub use description::{Board, Clock, Family, Part, Tiles, Video};
+pub use description::{Board, BoardMode, Clock, Family, Part, Tiles, Video};
 pub use error::BoardError;
 pub use flow::{Built, ClockReport, Routed, find_tools, route};
 pub use page::{core_file, page};
 pub use pll::{Dividers, Pll};
-pub use screen::{ScreenError, Shown, Tick};
+pub use screen::{Screen, ScreenError, Shown, Tick};
 pub use simulate::{Pins, simulate, simulate_gates};
-pub use tile::{About, Layout, LayoutTexts, Library, Mapped, Tile, cell_delays, lay_out};
-pub use tmds::{Channels, TmdsError};
+pub use tile::{About, Layout, LayoutTexts, Library, Mapped, Tile, cell_delays, lay_out, layout};
+pub use tmds::{Channels, Decoder, TmdsError};
 pub use top::{Display, MODELS, Sources, sources};
-pub use witness::{unpack, witness};
+pub use witness::{declared_once, unpack, with_pad, witness};

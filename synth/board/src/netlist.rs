@@ -104,8 +104,13 @@ pub(crate) fn routed_models() -> Result<String, BoardError> {
     Ok(format!("{MODELS}{cells}"))
 }
 
-/// Gives the open inputs of a cell their levels, and leaves it the parameters that its model takes.
-fn settle(cell: &mut Value) -> Result<(), String> {
+/// Gives the open inputs of a cell their levels, and leaves it the parameters that its model takes. A cell is as
+/// Yosys writes it in JSON.
+///
+/// # Errors
+///
+/// When there is no model of the cell, or it does what its model does not.
+pub fn settle(cell: &mut Value) -> Result<(), String> {
     let kind = text(&cell["type"]);
     let model = MODELLED.iter().find(|model| model.0 == kind);
     let &(_, taken, fixed, still) = model.ok_or_else(|| format!("no model of a {kind}"))?;
@@ -154,52 +159,4 @@ fn level(kind: &str, port: &str, mux: &str) -> &'static str {
 /// A text of the netlist, whose zeros and ones alone have a blank behind them.
 fn text(value: &Value) -> String {
     value.as_str().unwrap_or_default().trim().to_owned()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::settle;
-    use serde_json::json;
-
-    #[test]
-    fn open_inputs_have_the_level_of_the_part() {
-        let mut cell = json!({
-            "type": "TRELLIS_FF",
-            "parameters": {"GSR": "DISABLED", "LSRMUX": "INV", "CEMUX": "1 ", "SD": "0 "},
-            "port_directions": {"CLK": "input", "LSR": "input", "CE": "input", "M": "input", "Q": "output"},
-            "connections": {"CLK": [7], "LSR": [], "CE": [], "M": [8], "Q": []},
-        });
-        settle(&mut cell).unwrap();
-        let wanted = json!({"CLK": [7], "LSR": ["0"], "CE": ["1"], "M": [8], "Q": []});
-        assert_eq!(cell["connections"], wanted);
-        assert_eq!(
-            cell["parameters"],
-            json!({"LSRMUX": "LSR", "CEMUX": "1 ", "SD": "0 "})
-        );
-    }
-
-    #[test]
-    fn what_no_model_does_is_refused() {
-        let memory = |port: &str, net: i32, mode: &str| {
-            let mut cell = json!({
-                "type": "DP16KD",
-                "parameters": {"CSDECODE_A": mode, "WEBMUX": "INV", "RSTAMUX": "INV", "CSA0MUX": "INV"},
-                "port_directions": {"WEB": "input", "RSTA": "input", "CSA0": "input"},
-                "connections": {"WEB": [], "RSTA": [], "CSA0": []},
-            });
-            cell["connections"][port] = if net > 0 { json!([net]) } else { json!([]) };
-            settle(&mut cell).err().unwrap_or_default()
-        };
-        assert_eq!(memory("WEB", 0, "0b000"), "");
-        for (port, net, mode, problem) in [
-            ("CSA0", 5, "0b000", "with CSA0 inverted"),
-            ("RSTA", 5, "0b000", "with RSTA inverted"),
-            ("WEB", 0, "0b001", "whose CSDECODE_A is \"0b001\""),
-        ] {
-            let wanted = format!("no model of a DP16KD {problem}");
-            assert_eq!(memory(port, net, mode), wanted);
-        }
-        let mut other = json!({"type": "ALU54B", "parameters": {}});
-        assert_eq!(settle(&mut other).unwrap_err(), "no model of a ALU54B");
-    }
 }

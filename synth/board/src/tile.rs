@@ -4,7 +4,7 @@ mod cells;
 mod layout;
 
 pub use cells::{Library, Mapped, cell_delays};
-pub use layout::{Layout, LayoutTexts, lay_out};
+pub use layout::{Layout, LayoutTexts, lay_out, layout};
 
 use crate::description::Board;
 use crate::error::BoardError;

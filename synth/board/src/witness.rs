@@ -166,7 +166,7 @@ pub fn witness(
 }
 
 /// The same Verilog with the pin of the clock at the pad of its PLL, which `icebox_vlog` leaves open.
-fn with_pad(verilog: &str) -> String {
+pub fn with_pad(verilog: &str) -> String {
     const PAD: &str = ".PACKAGEPIN(";
     let Some((before, after)) = verilog.split_once(PAD) else {
         return verilog.to_owned();
@@ -177,7 +177,7 @@ fn with_pad(verilog: &str) -> String {
 
 /// The same Verilog without the second declarations of its ports, which a list of ports with directions does not allow;
 /// a port that is a register is one in the list, and starts at 0 as all of them.
-fn declared_once(verilog: &str) -> String {
+pub fn declared_once(verilog: &str) -> String {
     let is_head = |line: &&str| line.starts_with("module ");
     let head = verilog.lines().find(is_head).unwrap_or_default();
     let ports = head.trim_end_matches(");").split(['(', ',']).skip(1);
@@ -214,24 +214,4 @@ fn declared_once(verilog: &str) -> String {
         }
     }
     text.replacen(head, &declared, 1)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{declared_once, with_pad};
-
-    #[test]
-    fn the_pad_of_a_pll_is_the_clock() {
-        let verilog = "SB_PLL40_PAD p (\n  .PACKAGEPIN(n30),\n  .LOCK(n1)\n);\n";
-        assert_eq!(with_pad(verilog), verilog.replace("n30", "clock"));
-    }
-
-    #[test]
-    fn ports_are_declared_once() {
-        let verilog = "module top (input clock, output a, output b, output ab);\nwire n1, clock, n2;\nwire b;\n\
-                       reg n3 = 0, a = 0;\nassign b = n1;\n";
-        let wanted = "module top (input clock, output reg a = 0, output b, output ab);\nwire n1, n2;\nreg n3 = 0;\n\
-                      assign b = n1;\n";
-        assert_eq!(declared_once(verilog), wanted);
-    }
 }

@@ -9,7 +9,7 @@ use imogene_rtl::emit::Emitted;
 use std::collections::BTreeMap;
 
 /// Modules of a kind, by the bits that they declare.
-type Kin = BTreeMap<u64, Resources>;
+pub type Kin = BTreeMap<u64, Resources>;
 
 /// The costs of machines, in their order, from the modules of `known` ones, which are synthesised: each module from the
 /// next smaller and the next larger one of its kind, in proportion of the bits that they declare. A module whose kind
@@ -44,7 +44,7 @@ pub fn estimated_costs(
 
 /// What a module of so many bits takes, from the nearest ones of its kind; beyond all of them on the line through the
 /// last two.
-fn between(kin: &Kin, bits: u64) -> Resources {
+pub fn between(kin: &Kin, bits: u64) -> Resources {
     let below = kin.range(..=bits).next_back();
     let above = kin.range(bits..).next();
     let (first, last) = match (below, above) {
@@ -62,27 +62,4 @@ fn between(kin: &Kin, bits: u64) -> Resources {
         let [first, last] = [first[index] as f64, last[index] as f64];
         (first + part * (last - first)).round().max(0.0) as u64
     }))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn of(lut: u64) -> Resources {
-        Resources {
-            lut,
-            ff: 7,
-            ..Resources::default()
-        }
-    }
-
-    #[test]
-    fn a_module_lies_between_the_nearest_of_its_kind() {
-        let kin = Kin::from([(10, of(100)), (20, of(300)), (40, of(400))]);
-        let luts = [5, 10, 15, 20, 30, 50].map(|bits| between(&kin, bits).lut);
-        assert_eq!(luts, [0, 100, 200, 300, 350, 450]);
-        assert_eq!(between(&kin, 33).ff, 7);
-        // One alone says all that is known.
-        assert_eq!(between(&Kin::from([(10, of(100))]), 99).lut, 100);
-    }
 }

@@ -35,7 +35,8 @@ impl Parts {
 
 /// A module of a machine that is synthesised apart.
 #[derive(Clone, Debug)]
-pub(super) struct Module {
+pub struct Module {
+    /// Name.
     pub name: String,
     /// Of its text, in which the names and widths of its ports and of those below it stand; of a unit, of all texts
     /// below it too.
@@ -49,7 +50,7 @@ pub(super) struct Module {
 }
 
 /// True if a module is one of this kind.
-pub(super) fn is_of(name: &str, kind: &str) -> bool {
+pub fn is_of(name: &str, kind: &str) -> bool {
     kind_of(name) == kind
 }
 
@@ -72,7 +73,7 @@ fn is_composite(machine: &Emitted, parts: Parts, name: &str) -> bool {
 }
 
 /// The modules of a machine that are synthesised apart, the top first.
-pub(super) fn modules(machine: &Emitted, parts: Parts) -> Vec<Module> {
+pub fn modules(machine: &Emitted, parts: Parts) -> Vec<Module> {
     let names: BTreeSet<&str> = machine.modules.iter().map(|(name, _)| &**name).collect();
     let mut list: Vec<Module> = machine
         .modules
@@ -119,7 +120,7 @@ pub(super) fn below<'a>(
 }
 
 /// Bits that a text declares: of ports, wires and registers, with every element of an array.
-fn declared_bits(text: &str) -> u64 {
+pub fn declared_bits(text: &str) -> u64 {
     let (mut bits, mut width) = (0, None);
     for piece in text.split_inclusive([',', ';', '(']) {
         let (body, end) = piece.split_at(piece.len() - 1);
@@ -177,7 +178,7 @@ fn children(text: &str, names: &BTreeSet<&str>) -> BTreeMap<String, u64> {
 }
 
 /// A module and all below it.
-fn closure(machine: &Emitted, name: &str) -> BTreeSet<String> {
+pub fn closure(machine: &Emitted, name: &str) -> BTreeSet<String> {
     let names: BTreeSet<&str> = machine.modules.iter().map(|(name, _)| &**name).collect();
     let mut needed = BTreeSet::from([name.to_owned()]);
     // A module stands behind those below it.
@@ -190,7 +191,7 @@ fn closure(machine: &Emitted, name: &str) -> BTreeSet<String> {
 }
 
 /// The ports that a module declares; several of a kind stand behind one declaration.
-pub(super) fn ports(text: &str) -> Vec<Port> {
+pub fn ports(text: &str) -> Vec<Port> {
     let head = text.split_once("(\n").map_or("", |(_, rest)| rest);
     let (head, _) = head.split_once("\n);").unwrap_or((head, ""));
     let mut list: Vec<Port> = vec![];
@@ -224,61 +225,5 @@ fn port(kind: &[&str]) -> Port {
         },
         width: high.map_or(1, |high| high + 1),
         signed: kind.contains(&"signed"),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use imogene_contract::{Request, Unit};
-    use imogene_rtl::emit::emit;
-
-    #[test]
-    fn instances_are_counted_through_the_hierarchy() {
-        let beam = emit(&Request {
-            planes: 2,
-            objects: 3,
-            ..Request::of(Unit::Beam, 16)
-        })
-        .expect("a machine");
-        let all = modules(&beam, Parts::Units);
-        let of = |name: &str| all.iter().find(|m| m.name == name).map(|m| m.instances);
-        assert_eq!(of("beam"), Some(1));
-        assert_eq!(of("quadric_processor"), Some(3));
-        // Two planes, each with both halves, in three processors.
-        assert_eq!((of("plane_depth"), of("cut_plane")), (Some(6), Some(12)));
-        assert_eq!(of("visibility_node"), Some(2));
-        // The pe1 of the depth stands by itself, that of a plane is part of its unit.
-        assert_eq!((of("pe1_w18"), of("pe1_w28")), (Some(3), None));
-        assert!(closure(&beam, "plane_depth").contains("pe1_w28"));
-        assert!(!closure(&beam, "plane_depth").contains("pe2"));
-    }
-
-    #[test]
-    fn declared_bits_are_counted_with_arrays() {
-        let text = "module cut (\n    input wire clock, valid,\n    input wire [15:0] a, b,\n    \
-                    output reg signed [7:0] c = 8'sd0\n);\n    wire [3:0] row [0:4], last;\n    \
-                    assign c = a, b;\nendmodule\n";
-        assert_eq!(declared_bits(text), 2 + 32 + 8 + 20 + 4);
-    }
-
-    #[test]
-    fn variants_are_of_their_kind() {
-        for name in ["normal_unit", "normal_unit_w12_v2", "normal_unit_3"] {
-            assert!(is_of(name, "normal_unit"), "{name}");
-        }
-        assert!(!is_of("normal_unit_w12", "normal") && !is_of("pe2", "pe"));
-    }
-
-    #[test]
-    fn ports_are_those_of_the_emitter() {
-        let unit = emit(&Request::new(Unit::CutPlane)).expect("a unit");
-        let (_, text) = unit.modules.last().expect("the unit itself");
-        let without_meaning = |port: &Port| Port {
-            meaning: String::new(),
-            ..port.clone()
-        };
-        let expected: Vec<Port> = unit.ports.iter().map(without_meaning).collect();
-        assert_eq!(ports(text), expected);
     }
 }

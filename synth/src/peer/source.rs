@@ -103,13 +103,17 @@ const MODULES: &str = "modules.txt";
 const PORTS: &str = "ports.json";
 
 /// The names in what `ls` prints: a heading, and every module on a line of its own.
-fn modules(listed: &str) -> Vec<String> {
+pub fn modules(listed: &str) -> Vec<String> {
     let names = listed.lines().filter_map(|line| line.strip_prefix("  "));
     names.map(|name| name.trim().to_owned()).collect()
 }
 
-/// Reads the ports of the top module from a netlist of Yosys.
-fn ports_and_clock(peer: &Peer, netlist: &str) -> Result<(Vec<Port>, String), PeerError> {
+/// Reads the ports of the top module from a netlist of Yosys, and which of them is the clock.
+///
+/// # Errors
+///
+/// When it is no netlist of that module, the module has no such clock, no input or no output, or has an inout.
+pub fn ports_and_clock(peer: &Peer, netlist: &str) -> Result<(Vec<Port>, String), PeerError> {
     let refused = |message: String| PeerError::Refused { message };
     let netlist: Value =
         serde_json::from_str(netlist).map_err(|error| refused(format!("its netlist: {error}")))?;
@@ -197,76 +201,4 @@ fn copy_folder(from: &Path, to: &Path) -> Result<(), SynthError> {
         }
     }
     Ok(())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn peer(clock: Option<&str>) -> Peer {
-        Peer {
-            top: "top".into(),
-            clock: clock.map(str::to_owned),
-            ..Peer::default()
-        }
-    }
-
-    fn netlist(ports: &str) -> String {
-        format!("{{\"modules\": {{\"top\": {{\"ports\": {{{ports}}}}}}}}}")
-    }
-
-    const CLOCK: &str = "\"clk\": {\"direction\": \"input\", \"bits\": [2]}";
-    const IN: &str = "\"a\": {\"direction\": \"input\", \"bits\": [3, 4]}";
-    const OUT: &str = "\"s\": {\"direction\": \"output\", \"bits\": [5], \"signed\": 1}";
-
-    fn read(clock: Option<&str>, ports: &[&str]) -> Result<(Vec<Port>, String), PeerError> {
-        ports_and_clock(&peer(clock), &netlist(&ports.join(", ")))
-    }
-
-    #[test]
-    fn ports_are_read_and_the_clock_is_found() {
-        let (ports, clock) = read(None, &[OUT, IN, CLOCK]).expect("a clocked module");
-        assert_eq!(clock, "clk");
-        let ports: Vec<(&str, usize, bool)> = ports
-            .iter()
-            .map(|port| (port.name.as_str(), port.width, port.signed))
-            .collect();
-        // In the order of their bits.
-        assert_eq!(ports, [("clk", 1, false), ("a", 2, false), ("s", 1, true)]);
-    }
-
-    #[test]
-    fn a_clock_that_is_not_there_is_answered_with_the_ports() {
-        for (clock, ports) in [
-            (None, vec![IN, OUT]),
-            (Some("a"), vec![CLOCK, IN, OUT]),
-            (Some("s"), vec![CLOCK, IN, OUT]),
-            (Some("ck"), vec![CLOCK, IN, OUT]),
-        ] {
-            let message = read(clock, &ports).expect_err("no clock").to_string();
-            for part in [
-                clock.unwrap_or("`clk` or `clock`"),
-                "input a (2 bits)",
-                "output s",
-            ] {
-                assert!(message.contains(part), "{message}");
-            }
-        }
-    }
-
-    #[test]
-    fn a_module_without_data_or_with_an_inout_is_refused() {
-        let message = |ports: &[&str]| read(None, ports).expect_err("refused").to_string();
-        assert!(message(&[CLOCK, IN]).contains("no output"));
-        assert!(message(&[CLOCK, OUT]).contains("no input"));
-        let inout = "\"pad\": {\"direction\": \"inout\", \"bits\": [9]}";
-        assert!(message(&[CLOCK, IN, OUT, inout]).contains("`pad`"));
-    }
-
-    #[test]
-    fn modules_are_read_from_their_list() {
-        let listed = "\n2 modules:\n  add\n  other\n";
-        assert_eq!(modules(listed), ["add", "other"]);
-        assert!(modules("").is_empty());
-    }
 }

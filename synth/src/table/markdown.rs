@@ -263,22 +263,3 @@ fn register(cell: &str) -> &str {
     let end = ends.iter().filter_map(|end| name.find(end)).min();
     &name[..end.unwrap_or(name.len())]
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_path_names_registers() {
-        assert_eq!(
-            register("unit.f2.first_step_TRELLIS_FF_Q_4"),
-            "f2.first_step"
-        );
-        assert_eq!(
-            register("unit.f2.line_value_SB_DFFE_Q_44_D_SB_LUT4_O_LC"),
-            "f2.line_value"
-        );
-        assert_eq!(register("inputs_SB_DFFE_Q_DFFLC"), "inputs");
-        assert_eq!(register("plain"), "plain");
-    }
-}

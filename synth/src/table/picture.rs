@@ -169,35 +169,3 @@ fn rows_at(place: i32) -> String {
     let rows = ROWS_PER_STAGE.get(place);
     rows.map_or_else(String::new, ToString::to_string)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::super::tests::invented;
-    use super::*;
-
-    #[test]
-    fn every_figure_has_its_mark_and_every_line_its_name() {
-        let table = invented();
-        let picture = draw(&table).expect("a drawing").expect("a picture");
-        let lines = DEVICES.len() * ROOTS.len();
-        // A mark for each number of rows, and one beside each name in the first panel.
-        let marks = PANELS.len() * lines * ROWS_PER_STAGE.len() + lines;
-        assert_eq!(picture.matches("<circle").count(), marks);
-        for name in [
-            "non-restoring, ice40-hx8k",
-            "restoring, ecp5-45k",
-            "Fmax (MHz)",
-        ] {
-            assert!(picture.contains(name), "{name}");
-        }
-    }
-
-    #[test]
-    fn a_table_without_a_clock_has_no_picture() {
-        let mut table = invented();
-        let mut rows = table.rows.iter_mut();
-        let root = rows.find(|row| row.section == Section::Rows);
-        root.expect("a row of a root").figures.fmax_mhz = None;
-        assert_eq!(draw(&table).expect("no failure"), None);
-    }
-}

@@ -36,7 +36,7 @@ pub struct Row {
 pub(super) const SEEDS: usize = 3;
 
 /// Devices of the table.
-pub(super) const DEVICES: [Target; 2] = [Target::Ecp5With45k, Target::Ice40Hx8k];
+pub const DEVICES: [Target; 2] = [Target::Ecp5With45k, Target::Ice40Hx8k];
 
 /// Cut planes of the object processors.
 pub(super) const PLANES: [usize; 7] = [0, 1, 2, 3, 4, 8, 12];
@@ -58,13 +58,13 @@ const OTHER_PROCESSORS: [Unit; 9] = [
 ];
 
 /// Rows per stage of the root networks; the last is the whole network of the base format.
-pub(super) const ROWS_PER_STAGE: [usize; 4] = [1, 2, 4, 24];
+pub const ROWS_PER_STAGE: [usize; 4] = [1, 2, 4, 24];
 
 /// The root networks that can be cut into stages of any number of rows.
-pub(super) const ROOTS: [Unit; 2] = [Unit::SquareRoot, Unit::SquareRootNonRestoring];
+pub const ROOTS: [Unit; 2] = [Unit::SquareRoot, Unit::SquareRootNonRestoring];
 
 /// Units that have transistors of their own in the source, or are made of such.
-pub(super) const GATES: [Unit; 5] = [
+pub const GATES: [Unit; 5] = [
     Unit::Pe1,
     Unit::Pe2,
     Unit::SquareRoot,
@@ -73,7 +73,7 @@ pub(super) const GATES: [Unit; 5] = [
 ];
 
 /// The units the machine is made of; the other forms of the root have a page of their own.
-pub(super) fn units() -> impl Iterator<Item = Unit> {
+pub fn units() -> impl Iterator<Item = Unit> {
     let is_root_form = |unit: &Unit| unit.name().starts_with("square_root_");
     Unit::ALL
         .into_iter()
@@ -177,7 +177,7 @@ impl Row {
     }
 
     /// How it is synthesised in its harness, placed and routed.
-    pub(crate) fn synthesis(&self) -> String {
+    pub fn synthesis(&self) -> String {
         let target = self.target;
         let routed = target.place_and_route().filter(|_| self.options.seeds > 0);
         let mut parts = vec![target.synthesis(crate::harness::TOP)];

@@ -1,7 +1,7 @@
 //! The register harness is Verilog that fits every unit.
 
 use imogene_contract::{Request, Unit};
-use imogene_rtl::emit::{Direction, Emitted, emit};
+use imogene_rtl::emit::{Direction, Emitted, Port, emit};
 use imogene_synth::harness;
 use std::process::Command;
 
@@ -67,5 +67,24 @@ fn icarus_accepts_it_without_a_warning() {
             "{}: {said}",
             unit.top
         );
+    }
+}
+
+#[test]
+fn a_name_that_is_not_plain_is_escaped() {
+    let port = |name: &str, direction| Port {
+        name: name.into(),
+        meaning: String::new(),
+        direction,
+        width: 1,
+        signed: false,
+    };
+    let ports = [
+        port("a_1$x", Direction::In),
+        port("bus.data", Direction::Out),
+    ];
+    let text = harness::around("1st", &ports, None);
+    for part in [".a_1$x(", ".\\bus.data (", "    \\1st  unit (\n"] {
+        assert!(text.contains(part), "{part}\n{text}");
     }
 }

@@ -1,8 +1,18 @@
-//! All tests of the crate that need it from outside, as one program.
+//! All tests of the crate, as one program.
 
+mod fitted;
 mod full;
 mod harness;
+mod netlist;
+mod nextpnr;
+mod peer;
 mod peers;
+mod registers;
+mod regression;
+mod report;
+mod table;
+mod target;
+mod yosys;
 
 /// Do the tests run that need the tools?
 fn is_full() -> bool {

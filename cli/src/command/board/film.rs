@@ -4,13 +4,10 @@ use crate::arguments::{self, FrameRange, View};
 use crate::command::machine::{frames_of, images_of};
 use crate::command::read_scene;
 use crate::failure::Failure;
+use imogene::film::stays;
 use imogene_golden::machine::zone::beat::Beat;
 use imogene_plan::description::MachineDescription;
-use num_integer::gcd;
 use std::path::Path;
-
-/// The longest stay of an image in the memory, in frames of the screen; one that stays longer is there more than once.
-const LONGEST: u64 = 256;
 
 /// Images one after the other, again and again.
 pub(super) struct Film {
@@ -92,35 +89,5 @@ impl Views {
         let repeated = views.into_iter().zip(counts);
         let views = repeated.flat_map(|(view, count)| std::iter::repeat_n(view, count));
         (views.collect(), stay)
-    }
-}
-
-/// One stay for all images, in frames of the screen, and how often each of them follows itself.
-fn stays(seconds: &[f64], rate: f64) -> (u64, Vec<usize>) {
-    let frames = seconds
-        .iter()
-        .map(|seconds| (seconds * rate).round() as u64);
-    let frames: Vec<u64> = frames.map(|frames| frames.max(1)).collect();
-    let common: u64 = frames.iter().fold(0, |common, frames| gcd(common, *frames));
-    let divides = |stay: &u64| common.is_multiple_of(*stay);
-    let stay = (1..=common.min(LONGEST)).rev().find(divides).unwrap_or(1);
-    let counts = frames.iter().map(|frames| (frames / stay) as usize);
-    (stay, counts.collect())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::stays;
-
-    #[test]
-    fn images_stay_as_long_as_the_scene_says() {
-        let at_60 = |seconds: &[f64]| stays(seconds, 60.0);
-        assert_eq!(at_60(&[0.0]), (1, vec![1]));
-        assert_eq!(at_60(&[0.08, 0.08]), (5, vec![1, 1]));
-        assert_eq!(stays(&[0.1, 0.1], 30.0), (3, vec![1, 1]));
-        assert_eq!(at_60(&[0.1, 0.25, 0.001]), (1, vec![6, 15, 1]));
-        assert_eq!(at_60(&[0.1, 0.25]), (3, vec![2, 5]));
-        // 600 frames are more than the memory can say.
-        assert_eq!(at_60(&[10.0]), (200, vec![3]));
     }
 }

@@ -135,8 +135,8 @@ fn linear_bits(form: &Linear, window: &ScreenBox) -> u32 {
     Range::of_linear(form, window).bits()
 }
 
-/// Least K with `f2 < 2^(2 K - 1)`.
-fn root_bits(greatest: i128) -> u32 {
+/// Root bits of the greatest f2: the least K with `f2 < 2^(2 K - 1)`.
+pub fn root_bits(greatest: i128) -> u32 {
     bits(greatest).div_ceil(2)
 }
 
@@ -208,7 +208,8 @@ fn root_parts(words: &NormalWords, root: i64, format: &Format) -> [[i128; 2]; 3]
     })
 }
 
-fn linear_increments(q: &Linear, screen: &ScreenBox) -> LinearIncrements {
+/// Bits of the registers of pe1 over a scan of a screen.
+pub fn linear_increments(q: &Linear, screen: &ScreenBox) -> LinearIncrements {
     let lines = Range::of_parabola([0, q.b, q.c], screen.y0, screen.y1);
     LinearIncrements {
         a: bits(q.a),
@@ -217,7 +218,8 @@ fn linear_increments(q: &Linear, screen: &ScreenBox) -> LinearIncrements {
     }
 }
 
-fn quadratic_increments(q: &Quadratic, screen: &ScreenBox) -> QuadraticIncrements {
+/// Bits of the registers of pe2 over a scan of a screen.
+pub fn quadratic_increments(q: &Quadratic, screen: &ScreenBox) -> QuadraticIncrements {
     let lines = |factors| Range::of_parabola(factors, screen.y0, screen.y1).bits();
     let increment = Linear::new(2 * q.a, q.c, q.d + q.a);
     QuadraticIncrements {
@@ -228,49 +230,5 @@ fn quadratic_increments(q: &Quadratic, screen: &ScreenBox) -> QuadraticIncrement
         p: lines([0, q.c, q.d + q.a]),
         i: lines([0, 2 * q.b, q.e + q.b]),
         line_value: lines([q.b, q.e, q.f]),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use proptest::prelude::*;
-
-    #[test]
-    fn roots_end_half_a_bit_below_their_word() {
-        // Roots of K = 8 bits end at floor(2^7.5) = 181.
-        assert_eq!(root_bits((1 << 15) - 1), 8);
-        assert_eq!(root_bits(1 << 15), 9);
-        assert_eq!((root_bits(0), root_bits(1)), (1, 1));
-    }
-
-    proptest! {
-        /// The registers of both processors, run over a screen without ever wrapping.
-        #[test]
-        fn increments_are_those_of_the_registers(v in proptest::array::uniform6(-9000i128..9000), width in 1i64..12, height in 1i64..12) {
-            let [a, b, c, d, e, f] = v;
-            let q = Quadratic::new([a, b, c, d, e, f]);
-            let screen = ScreenBox::of([0, width - 1], [0, height - 1]);
-            let words = q.preconditioned(100);
-            let (mut value, mut first, mut down) = (words.f, words.p0, words.i0);
-            let [mut j, mut p, mut i, mut line] = [Range::NONE; 4];
-            for _ in 0..height {
-                (line, p, i) = (line.with(value), p.with(first), i.with(down));
-                let mut step = first;
-                for _ in 0..width {
-                    j = j.with(step);
-                    step += words.a2;
-                }
-                value += down;
-                down += words.b2;
-                first += words.c;
-            }
-            let found = quadratic_increments(&q, &screen);
-            prop_assert_eq!([found.j, found.p, found.i, found.line_value], [j, p, i, line].map(|range| range.bits()));
-            prop_assert_eq!([found.a2, found.b2, found.c], [words.a2, words.b2, words.c].map(bits));
-            let p = Linear::new(a, b, c);
-            let lines: Range = (0..height).map(|y| p.wrapped_at(0, y, 100)).collect();
-            prop_assert_eq!(linear_increments(&p, &screen).line_value, lines.bits());
-        }
     }
 }

@@ -6,10 +6,10 @@
 //! [`normal_bound`] hold at every pixel at which golden and true picture see the same face; the pixels at which they
 //! might not are counted and can be listed ([`Jury`]), whatever processor draws them.
 
-mod accumulators;
+pub mod accumulators;
 mod check;
 mod contour;
-mod depth;
+pub mod depth;
 mod guards;
 pub mod headroom;
 mod jury;
@@ -18,12 +18,12 @@ mod light;
 mod needs;
 mod normal;
 mod object;
-mod outline;
+pub mod outline;
 mod parts;
 mod pixels;
-mod quick;
+pub mod quick;
 mod report;
-mod silhouette;
+pub mod silhouette;
 mod summary;
 mod truth;
 mod verdict;
@@ -45,3 +45,4 @@ pub use quick::{Failing, failing};
 pub use report::ObjectReport;
 pub use silhouette::displacement_at;
 pub use summary::Summary;
+pub use truth::interval;

@@ -38,8 +38,8 @@ fn shade(level: f64) -> [u8; 3] {
 /// Least and greatest depth error, in words of the base format as powers of two, with a class of its own: -4 to 19.
 const CLASSES: std::ops::RangeInclusive<i32> = -4..=19;
 
-/// The class of a depth error in words: its power of two, rounded up.
-fn class(words: f64) -> i32 {
+/// The class of a depth error in words: its power of two, rounded up, -4 to 19.
+pub fn class(words: f64) -> i32 {
     let (first, last) = (*CLASSES.start(), *CLASSES.end());
     (words.abs().log2().ceil() as i32).clamp(first, last)
 }
@@ -83,58 +83,4 @@ pub fn legend() -> Vec<(String, [u8; 3])> {
         (text, class_colour(class))
     });
     named.into_iter().chain(depths).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::pixel::{Back, SameFace};
-    use super::*;
-
-    fn same(depth: f64) -> PixelError {
-        PixelError::Same(SameFace {
-            depth,
-            back: Back::None,
-            angle: 0.0,
-        })
-    }
-
-    #[test]
-    fn classes_are_powers_of_two_of_words() {
-        let wanted = [
-            (0.0, -4),
-            (0.0625, -4),
-            (0.07, -3),
-            (-1.0, 0),
-            (1.01, 1),
-            (1e9, 19),
-        ];
-        for (words, class_of) in wanted {
-            assert_eq!(class(words), class_of, "{words}");
-        }
-    }
-
-    #[test]
-    fn every_kind_of_pixel_has_its_colour() {
-        let pixels = [
-            PixelError::Background,
-            PixelError::Missing,
-            PixelError::Extra,
-            PixelError::Object,
-            PixelError::Face,
-            same(0.0),
-            same(1e9),
-            same(3.0),
-        ];
-        let rgb = map(&pixels, &[7]);
-        let wanted = [
-            BACKGROUND, PRESENCE, PRESENCE, OBJECT, FACE, [0; 3], [255; 3], CRACK,
-        ];
-        assert_eq!(rgb, wanted.concat());
-        // All colours of the legend differ.
-        let mut colours: Vec<[u8; 3]> = legend().into_iter().map(|(_, c)| c).collect();
-        let all = colours.len();
-        colours.sort_unstable();
-        colours.dedup();
-        assert_eq!(colours.len(), all);
-    }
 }

@@ -15,7 +15,7 @@ mod truth;
 
 pub use crack::cracks;
 pub use drawing::{Drawing, ZoneScene};
-pub use pixel::{Golden, PixelError, SameFace, pixel_errors};
+pub use pixel::{Back, Golden, PixelError, SameFace, pixel_errors};
 pub use spread::{Class, Spread, histogram};
 pub use tally::{Metrics, measure};
 pub use truth::Truth;

@@ -117,7 +117,8 @@ impl Sums {
     }
 }
 
-fn first_degree(coefficients: &Linear, width: u32, pixels: u32) -> u64 {
+/// Bits that the value of a pe1 of so many bits changes over so many pixels of a line.
+pub fn first_degree(coefficients: &Linear, width: u32, pixels: u32) -> u64 {
     let mut pe = Pe1::object_start(coefficients, width);
     let mut bits = Bits::default();
     (0..pixels)
@@ -125,7 +126,8 @@ fn first_degree(coefficients: &Linear, width: u32, pixels: u32) -> u64 {
         .sum()
 }
 
-fn second_degree(coefficients: &Quadratic, width: u32, pixels: u32) -> u64 {
+/// Bits that value and increment of a pe2 of so many bits change over so many pixels of a line.
+pub fn second_degree(coefficients: &Quadratic, width: u32, pixels: u32) -> u64 {
     let mut pe = Pe2::object_start(coefficients, width);
     let mut bits = Bits::default();
     let mut value = masked(pe.pixel(), width);
@@ -141,7 +143,7 @@ fn second_degree(coefficients: &Quadratic, width: u32, pixels: u32) -> u64 {
 
 /// What the register stages of a root network hold of one pixel: digits found, remainder and the rest of the radicand
 /// after each stage but the last, whose digits are the root.
-fn root_stages(f2: i64, root: i64, format: &Format, rows_per_stage: u32) -> Vec<u128> {
+pub fn root_stages(f2: i64, root: i64, format: &Format, rows_per_stage: u32) -> Vec<u128> {
     let rows = format.root_rows();
     let dropped = format.dropped_rows;
     let radicand = masked(i128::from(f2), format.quadratic) >> (2 * dropped);
@@ -181,87 +183,5 @@ impl Bits {
             .zip(now)
             .map(|(a, b)| u64::from((a ^ b).count_ones()))
             .sum()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use imogene_golden::object::quadric::ScreenBox;
-    use imogene_golden::unit::depth_interval::Class;
-    use imogene_golden::unit::normal::NormalWords;
-
-    #[test]
-    fn the_sample_is_spread_over_the_screen() {
-        assert_eq!(sample(3), [0, 1, 2]);
-        assert_eq!(sample(240), [15, 45, 75, 105, 135, 165, 195, 225]);
-        assert!(sample(9).iter().all(|line| *line < 9));
-    }
-
-    /// 0, 1, 2, 3: one bit, two bits, one bit.
-    #[test]
-    fn a_counter_toggles_as_counters_do() {
-        assert_eq!(first_degree(&Linear::new(1, 0, 0), 8, 4), 4);
-        // All eight bits from -1 to 0.
-        assert_eq!(first_degree(&Linear::new(1, 0, -1), 8, 2), 8);
-    }
-
-    /// Values 0, 1, 4 and increments 1, 3, 5: bits 1 and 2 of the values, 1 and 2 of the increments.
-    #[test]
-    fn squares_toggle_in_value_and_increment() {
-        let square = Quadratic {
-            a: 1,
-            ..Default::default()
-        };
-        assert_eq!(second_degree(&square, 8, 3), (1 + 2) + (1 + 2));
-    }
-
-    /// 13 = 0b1101 in two rows of one digit: after the first, digit 1, remainder 3 - 1, rest 0b01; the root is 3.
-    #[test]
-    fn the_root_holds_digits_remainder_and_rest() {
-        let format = Format {
-            quadratic: 4,
-            root: 2,
-            ..Format::BASE
-        };
-        assert_eq!(root_stages(13, 3, &format, 1), [1, 2, 1]);
-        assert_eq!(root_stages(13, 3, &format, 2), [0u128; 0]);
-    }
-
-    #[test]
-    fn words_that_never_change_toggle_nothing() {
-        let still = Linear::new(0, 0, 77);
-        let words = QuadricWords {
-            class: Class::Patch,
-            screen_box: ScreenBox::EMPTY,
-            f1: still,
-            f2: Quadratic {
-                f: 1 << 20,
-                ..Default::default()
-            },
-            normal: NormalWords {
-                g: [still; 3],
-                ..Default::default()
-            },
-            planes: vec![],
-        };
-        let counted = |slots: Vec<&QuadricWords>, width, height| {
-            let whole = Part {
-                slots,
-                first: (0, 0),
-                size: (width, height),
-            };
-            count(&[whole], &Format::BASE, 1, height as u32)
-        };
-        let toggles = counted(vec![&words], 16, 12);
-        assert_eq!(toggles.total, 0.0);
-        let moving = QuadricWords {
-            f1: Linear::new(1, 0, 0),
-            ..words.clone()
-        };
-        let toggles = counted(vec![&moving, &moving], 3, 1);
-        // Two slots of 0, 1, 2: three changes of bits in two clocks each; the sums are the same less and more 1024.
-        assert_eq!((toggles.pe1, toggles.pe2, toggles.root), (3.0, 0.0, 0.0));
-        assert_eq!(toggles.depth, toggles.total - 3.0);
     }
 }

@@ -1,9 +1,10 @@
-//! All tests of the crate that need it from outside, as one program.
+//! All tests of the crate, as one program.
 
 mod animation;
 mod bounds;
 mod check;
 mod check_kinds;
+mod exact;
 mod exact_reference;
 mod eye_on_quadric;
 mod glass;

@@ -5,7 +5,7 @@
 //! change no pixel. [`reduce`] visits every pixel of an object and leaves out exactly what changes none of them, or,
 //! asked for less, at most so many. [`precision`] counts the bits that an object needs.
 
-mod blocks;
+pub mod blocks;
 pub mod part;
 pub mod precision;
 pub mod reduce;

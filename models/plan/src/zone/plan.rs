@@ -1,8 +1,7 @@
 //! The host's plan of a frame: zones, their objects and volumes, and the passes that draw, light and show them.
 
 use crate::culling::Planes;
-pub use crate::products::ZoneProduct;
-use crate::products::in_passes;
+pub use crate::products::{ZoneProduct, in_passes};
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::sample::Sample;
 use imogene_golden::machine::zone::{ID_BITS, MAX_PICTURE, ZoneMachine, ZoneMachineError};

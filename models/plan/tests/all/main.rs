@@ -1,4 +1,8 @@
-//! All tests of the crate that need it from outside, as one program.
+//! All tests of the crate, as one program.
 
+mod culling;
+mod description;
+mod products;
 mod split;
+mod tile;
 mod zone_machine;

@@ -8,8 +8,11 @@ use serde::Serialize;
 /// Shares of the places at which a box touches 1, 2 and 4 zones; the rest touches more.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Touched {
+    /// One zone.
     pub one: f64,
+    /// Two.
     pub two: f64,
+    /// Four.
     pub four: f64,
     /// Mean number of zones: the duplication factor.
     pub mean: f64,
@@ -76,36 +79,4 @@ pub fn planned(ball: &Moving) -> Result<f64, EvaluateError> {
             .sum::<usize>();
     }
     Ok(zones as f64 / (side * side) as f64)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn rectangles_follow_the_formula_exactly() {
-        for (size, side) in [(20, 32), (80, 128), (80, 64), (1, 8), (8, 8), (37, 16)] {
-            let found = touched(size, side, Edges::Anywhere);
-            let expected = formula(size as f64, side as f64);
-            assert!((found.mean - expected).abs() < 1e-12, "{size} in {side}");
-        }
-        let Touched {
-            one,
-            two,
-            four,
-            mean,
-        } = touched(20, 32, Edges::Anywhere);
-        // l h / L H, (h L + l H - 2 l h) / L H, (L - l)(H - h) / L H.
-        assert_eq!(
-            [four, two, one],
-            [400.0 / 1024.0, 480.0 / 1024.0, 144.0 / 1024.0]
-        );
-        assert_eq!(mean, one + 2.0 * two + 4.0 * four);
-    }
-
-    #[test]
-    fn a_pixel_is_in_one_zone() {
-        assert_eq!(touched(1, 8, Edges::OnPixels).mean, 1.0);
-        assert_eq!(touched(9, 8, Edges::OnPixels).mean, 4.0);
-    }
 }

@@ -105,7 +105,7 @@ fn software() -> Value {
 }
 
 /// Numbers in a structure, wherever they stand in it, but for its screen box, which the source's machines do not have.
-fn numbers(of: &impl Serialize) -> f64 {
+pub fn numbers(of: &impl Serialize) -> f64 {
     fn leaves(value: &Value) -> usize {
         match value {
             Value::Number(_) => 1,
@@ -146,7 +146,7 @@ fn mesh_of(object: &Object, sides: usize) -> Mesh {
 
 /// Facets of a ball of 80 pixels whose sides are within half a pixel of its outline: around, and those that face the
 /// viewer.
-fn fair_ball() -> Result<[f64; 2], EvaluateError> {
+pub fn fair_ball() -> Result<[f64; 2], EvaluateError> {
     let scene = SceneFile::parse(SOLIDS, "three-solids.toml")?;
     let mut objects = scene.objects.iter();
     let ball = objects.find(|object| matches!(object.shape, Shape::Sphere { .. }));
@@ -271,22 +271,4 @@ fn machine() -> Result<Value, EvaluateError> {
         "facets_around": facets_around,
         "facets_seen": facets_seen,
     }))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_of_nested_structures() {
-        assert_eq!(numbers(&Quadratic::default()), 6.0);
-        let nested = json!({ "a": [1, [2, 3]], "screen_box": { "x": 1 }, "kind": "none" });
-        assert_eq!(numbers(&nested), 3.0);
-    }
-
-    #[test]
-    fn half_of_a_ball_is_seen() {
-        // 20 sides and ten bands: 200 facets.
-        assert_eq!(fair_ball().unwrap(), [20.0, 100.0]);
-    }
 }

@@ -2,19 +2,19 @@
 //! IV).
 //!
 //! The rows stand in `evaluation.toml`: what is printed, and of which counts ours is made. No figure of ours is typed
-//! in. Operations are counted by running the algorithms in numbers that count (`count`, [`work`]); words, beats and
+//! in. Operations are counted by running the algorithms in numbers that count ([`count`], [`work`]); words, beats and
 //! clocks are those of the golden machines; parts of processors come from the hierarchy that is emitted and are handed
 //! in as [`Hardware`]; cells and clock rates come from the table of resources.
 
-mod count;
-mod duplication;
-mod figures;
+pub mod count;
+pub mod duplication;
+pub mod figures;
 mod hardware;
 mod page;
 mod plot;
-mod row;
-mod scenes;
-mod steps;
+pub mod row;
+pub mod scenes;
+pub mod steps;
 mod table;
 pub mod work;
 

@@ -59,6 +59,8 @@ impl Moving {
             ..self.scene.clone()
         }
     }
+
+    /// Its words, where it was prepared.
     pub fn words(&self) -> &imogene_golden::object::quadric::QuadricWords {
         &self.object.words
     }
@@ -93,26 +95,4 @@ pub fn others() -> Result<Vec<ProcessorWords>, EvaluateError> {
         words.extend(slots.into_iter().map(|slot| slot.words));
     }
     Ok(words)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn balls_have_a_box_of_eighty_pixels_wherever_they_are() {
-        let balls = balls().unwrap();
-        assert_eq!(
-            balls.each_ref().map(|ball| ball.words().planes.len()),
-            [0, 3, 4]
-        );
-        for ball in &balls {
-            let scene = ball.at(&[[0, 0], [37, 100]], [300, 200]);
-            for (slot, place) in scene.slots().iter().zip([[0, 0], [37, 100]]) {
-                let window = slot.words.screen_box();
-                assert_eq!([window.x0, window.y0], place);
-                assert_eq!([window.x1, window.y1], place.map(|v| v + 79));
-            }
-        }
-    }
 }

@@ -21,20 +21,3 @@ pub fn of_slot(widths: &MachineWords, slot: &FittedSlot) -> f64 {
     let normals = 3.0 * (8.0 * (normal + 8.0) + 4.0 * normal);
     linear + quadratic + network + interval + planes + normals
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use imogene_golden::format::Format;
-
-    /// Within a quarter of what synthesis says of quadric processors at 24 bits (`docs/resources.md`): 2693 cells
-    /// without planes, 4992 with three, 11783 with twelve.
-    #[test]
-    fn the_base_processor_is_about_as_large_as_synthesis_says() {
-        for (planes, synthesised) in [(0, 2693.0), (3, 4992.0), (12, 11_783.0)] {
-            let slot = FittedSlot::full(planes);
-            let ratio = of_slot(&Format::BASE.widths(), &slot) / synthesised;
-            assert!((0.75..1.25).contains(&ratio), "{planes} planes: {ratio}");
-        }
-    }
-}

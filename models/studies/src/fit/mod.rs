@@ -5,7 +5,7 @@
 //! taken what is proven by bounds and what by comparing every pixel. `docs/fit.md` is the user's page.
 
 pub mod budget;
-mod estimate;
+pub mod estimate;
 pub mod frames;
 pub mod machine;
 pub mod proof;

@@ -179,16 +179,3 @@ pub fn fair_sides(radius: f64) -> usize {
     let half = (1.0 - FAIR_ERROR / radius).acos();
     ((std::f64::consts::PI / half).ceil() as usize).max(3)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// The table of the specification for half a pixel.
-    #[test]
-    fn fair_polygons() {
-        let radii = [10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0];
-        assert_eq!(radii.map(fair_sides), [10, 15, 23, 32, 45, 71, 100]);
-        assert_eq!([0.1, 0.5, 0.6].map(fair_sides), [3, 3, 3]);
-    }
-}

@@ -45,7 +45,7 @@ impl Case {
             depth: draw_depth(depth, random),
             material: 0,
             normal: [0; 3],
-            flags: random.next() as u16 | random.next() as u16,
+            flags: random.bits() as u16 | random.bits() as u16,
         };
         let ray = ray(&words, &pixel);
         let normal = draw_normal(ray, random);
@@ -129,7 +129,7 @@ pub fn sequence(seed: u64, depth: u32, lights: usize, pixels: usize) -> (ShaderW
             pixel.depth = far;
         }
         pixel.material = random.below(5) as u8;
-        pixel.flags |= random.next() as u16;
+        pixel.flags |= random.bits() as u16;
         pixel
     };
     let pixels = (0..pixels).map(&mut pixel).collect();

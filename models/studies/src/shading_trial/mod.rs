@@ -121,16 +121,3 @@ pub fn errors(
     let none = ShadingErrors::default();
     batches.into_iter().fold(none, ShadingErrors::merge)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn no_level_is_off_by_more_than_one() {
-        let errors = errors(&ShaderWidths::default(), 200_000, 1, |_| {});
-        println!("{errors:?}");
-        assert_eq!(errors.beyond, 0, "{errors:?}");
-        assert!(errors.differing > 0 && errors.error < 1.0);
-    }
-}

@@ -9,14 +9,14 @@
 mod contour;
 mod families;
 mod family;
-mod grid;
-mod measure;
+pub mod grid;
+pub mod measure;
 mod naive;
 mod page;
 mod plot;
 mod record;
 mod run;
-mod truth;
+pub mod truth;
 
 pub use families::{UnknownSweep, all, find, names};
 pub use family::{Axis, Sweep};

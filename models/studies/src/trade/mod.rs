@@ -16,7 +16,7 @@ pub mod point;
 mod prices;
 pub mod report;
 pub mod run;
-mod shrink;
+pub mod shrink;
 pub mod speed;
 mod store;
 pub mod view;

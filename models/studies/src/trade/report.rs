@@ -161,7 +161,7 @@ fn class_of(point: &Point) -> Option<usize> {
 
 impl EstimateError {
     /// Of pairs of an estimate and what is known.
-    fn of(pairs: impl Iterator<Item = Option<(f64, f64)>>) -> Option<EstimateError> {
+    pub fn of(pairs: impl Iterator<Item = Option<(f64, f64)>>) -> Option<EstimateError> {
         let percent = |(estimated, known): (f64, f64)| 100.0 * (estimated - known).abs() / known;
         let all: Vec<f64> = pairs.flatten().map(percent).collect();
         let squares: f64 = all.iter().map(|p| p * p).sum();
@@ -174,7 +174,7 @@ impl EstimateError {
 }
 
 /// The places that no other one beats: as good in both, and better in one. Equal places are all on the front.
-fn undominated(places: &[Option<(f64, f64)>]) -> Vec<bool> {
+pub fn undominated(places: &[Option<(f64, f64)>]) -> Vec<bool> {
     let beaten = |a: (f64, f64)| {
         let better = |b: &(f64, f64)| b.0 <= a.0 && b.1 <= a.1 && *b != a;
         places.iter().flatten().any(better)
@@ -254,46 +254,11 @@ fn figure(value: Option<&Value>) -> String {
     }
 }
 
-fn csv_field(text: &str) -> String {
+/// A field of a table, in quotes if it holds a comma, a quote or the end of a line.
+pub fn csv_field(text: &str) -> String {
     if text.contains([',', '"', '\n']) {
         format!("\"{}\"", text.replace('"', "\"\""))
     } else {
         text.to_owned()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_front_is_what_no_other_point_beats() {
-        let places = [
-            (1.0, 5.0),
-            (2.0, 5.0),
-            (2.0, 3.0),
-            (3.0, 4.0),
-            (2.0, 3.0),
-            (9.0, 0.0),
-        ];
-        let mut places: Vec<Option<(f64, f64)>> = places.into_iter().map(Some).collect();
-        places.push(None);
-        let wanted = [true, false, true, false, true, true, false];
-        assert_eq!(undominated(&places), wanted);
-    }
-
-    #[test]
-    fn estimates_are_off_in_percent_of_what_is_known() {
-        let pairs = [Some((101.0, 100.0)), None, Some((49.0, 50.0))];
-        let error = EstimateError::of(pairs.into_iter()).unwrap();
-        assert_eq!((error.points, error.max_percent), (2, 2.0));
-        assert!((error.rms_percent - 2.5f64.sqrt()).abs() < 1e-9);
-        assert_eq!(EstimateError::of([None].into_iter()), None);
-    }
-
-    #[test]
-    fn fields_with_commas_are_quoted() {
-        assert_eq!(csv_field("a"), "a");
-        assert_eq!(csv_field("a,\"b\""), "\"a,\"\"b\"\"\"");
     }
 }

@@ -280,8 +280,8 @@ impl<'a> Subject<'a> {
     }
 }
 
-/// A word of a command line.
-fn quoted(text: &str) -> String {
+/// A word of a command line, in quotes where a shell would not leave it as it is.
+pub fn quoted(text: &str) -> String {
     let plain = |c: char| c.is_alphanumeric() || "/._-+:@%".contains(c);
     if !text.is_empty() && text.chars().all(plain) {
         text.to_owned()
@@ -294,17 +294,4 @@ fn quoted(text: &str) -> String {
 pub fn digest(bytes: impl AsRef<[u8]>) -> String {
     let bytes = Sha256::digest(bytes);
     bytes.iter().map(|byte| format!("{byte:02x}")).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn words_of_a_command_line_survive_a_shell() {
-        assert_eq!(quoted("scenes/teapot.toml"), "scenes/teapot.toml");
-        assert_eq!(quoted("my scene.toml"), "'my scene.toml'");
-        assert_eq!(quoted("it's"), "'it'\\''s'");
-        assert_eq!(quoted(""), "''");
-    }
 }

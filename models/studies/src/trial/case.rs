@@ -21,23 +21,28 @@ use imogene_prepare::rounding::{Anchor, linear_error, quadratic_error};
 const MOST_PIXELS: u64 = 1 << 10;
 
 /// Exact normal: `N_k = g_k -+ K_k s / 2^(shift + 6)`.
-pub(super) struct ExactNormal {
+pub struct ExactNormal {
     /// Linear parts, in last bits.
     pub g: [ExactLinear; 3],
     /// Numerators of the factors.
     pub k: [i128; 3],
+    /// Their denominator.
     pub denominator: i128,
 }
 
 /// One case. Exact expressions are in units of the last guard bit, in coordinates centred on the anchor.
-pub(super) struct Case {
+pub struct Case {
+    /// The widths of the words.
     pub format: Format,
     /// Pixel about which is rounded.
     pub anchor: Anchor,
     /// The box in coordinates centred on the anchor.
     pub reach: ScreenBox,
+    /// Middle of both depths.
     pub f1: ExactLinear,
+    /// Square of half their difference.
     pub f2: ExactQuadratic,
+    /// The normal.
     pub normal: ExactNormal,
     /// What the machine is loaded with.
     pub words: QuadricWords,
@@ -48,6 +53,7 @@ pub(super) struct Case {
 }
 
 impl Case {
+    /// A random case in a format.
     pub fn draw(format: &Format, random: &mut Random) -> Case {
         let (window, anchor, reach) = draw_box(most_pixels(format), random);
         let f1 = draw_linear(format, &reach, random);
@@ -132,7 +138,7 @@ fn most_pixels(format: &Format) -> u64 {
 fn draw_box(most: u64, random: &mut Random) -> (ScreenBox, Anchor, ScreenBox) {
     // All magnitudes of boxes alike.
     let mut side = || {
-        let limit = (most >> (random.next() % 10)).max(1);
+        let limit = (most >> (random.bits() % 10)).max(1);
         random.below(limit) as i64
     };
     let (width, height) = (side(), side());

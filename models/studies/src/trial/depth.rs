@@ -25,7 +25,7 @@ struct Pixel<'a> {
 }
 
 /// Compares every term of the depth error at a place of the box, centred on the anchor.
-pub(super) fn try_pixel(case: &Case, place: (i64, i64), tally: &mut Tally) {
+pub fn try_pixel(case: &Case, place: (i64, i64), tally: &mut Tally) {
     let (x, y) = case.pixel(place);
     let pixel = Pixel {
         case,

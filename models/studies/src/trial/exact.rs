@@ -8,7 +8,7 @@ use num_rational::BigRational;
 
 /// Factors of an expression, numerators over a denominator.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Exact<const N: usize> {
+pub struct Exact<const N: usize> {
     /// In the order of the terms.
     pub factors: [i128; N],
     /// Common denominator, positive.
@@ -16,9 +16,9 @@ pub(super) struct Exact<const N: usize> {
 }
 
 /// `a u + b v + c`.
-pub(super) type ExactLinear = Exact<3>;
+pub type ExactLinear = Exact<3>;
 /// `a u^2 + b v^2 + c u v + d u + e v + f`.
-pub(super) type ExactQuadratic = Exact<6>;
+pub type ExactQuadratic = Exact<6>;
 
 /// floor(n / d + 1/2), for d > 0.
 pub(super) fn rounded(numerator: i128, denominator: i128) -> i128 {
@@ -61,7 +61,7 @@ pub(super) fn at(factors: &[i128; 6], u: i64, v: i64) -> i128 {
 }
 
 /// `numerator / denominator <= bound`, exactly, for numerators from 0 to 2^127 and positive denominators and bounds.
-pub(super) fn at_most(numerator: i128, denominator: i128, bound: f64) -> bool {
+pub fn at_most(numerator: i128, denominator: i128, bound: f64) -> bool {
     // bound = mantissa / 2^shift
     let bits = bound.to_bits();
     let shift = 1075 - (bits >> 52) as i64;
@@ -76,28 +76,5 @@ pub(super) fn at_most(numerator: i128, denominator: i128, bound: f64) -> bool {
             let ratio = BigRational::new(numerator.into(), denominator.into());
             ratio <= from_f64_exact(bound)
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use proptest::prelude::*;
-
-    proptest! {
-        #[test]
-        fn comparisons_with_a_bound_are_exact(n in 0i128..1 << 60, d in 1i128..1 << 50, off in -3i64..=3, far in any::<bool>()) {
-            let near = n as f64 / d as f64;
-            let bound = if far { near * 1.5 } else { f64::from_bits((near.to_bits() as i64 + off).max(0) as u64) };
-            let exact = BigRational::new(n.into(), d.into()) <= from_f64_exact(bound);
-            prop_assert_eq!(at_most(n, d, bound), exact);
-        }
-    }
-
-    #[test]
-    fn bounds_that_are_reached_hold() {
-        assert!(at_most(3, 4, 0.75) && !at_most(3, 4, 0.75f64.next_down()));
-        assert!(at_most(0, 1, 0.0) && !at_most(1, 1 << 100, 0.0));
-        assert!(at_most(1 << 100, 1 << 100, 1.0) && !at_most((1 << 100) + 1, 1 << 100, 1.0));
     }
 }

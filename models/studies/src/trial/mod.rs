@@ -7,14 +7,14 @@
 //! contour and at random pixels. An error and its bound are first computed in `f64`; unless the error is clearly
 //! smaller they are compared in big integers, squares against squares.
 
-mod case;
-mod depth;
-mod exact;
+pub mod case;
+pub mod depth;
+pub mod exact;
 mod normals;
 mod outline;
-pub(super) mod random;
+pub mod random;
 mod shape;
-mod tally;
+pub mod tally;
 
 pub use tally::{Fared, Term, Violation};
 
@@ -181,7 +181,7 @@ fn try_case(format: &Format, seed: u64, number: u64, tally: &mut Tally) {
 }
 
 /// Corners, middle, pixels about the contour, random pixels: the last three are these.
-fn places(case: &Case, random: &mut Random) -> Vec<(i64, i64)> {
+pub fn places(case: &Case, random: &mut Random) -> Vec<(i64, i64)> {
     let reach = &case.reach;
     let mut places = vec![
         (reach.x0, reach.y0),
@@ -243,6 +243,3 @@ fn report(format: &Format, cases: u64, tally: Tally) -> TrialReport {
         terms,
     }
 }
-
-#[cfg(test)]
-mod tests;

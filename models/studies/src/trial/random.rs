@@ -24,17 +24,17 @@ pub(crate) fn in_pieces<T: Send>(
 }
 
 /// The state of a generator.
-pub(crate) struct Random(u64);
+pub struct Random(u64);
 
 impl Random {
     /// The generator of one case: seeds and numbers of cases are spread over all states.
     pub fn of_case(seed: u64, case: u64) -> Random {
         let mut random = Random(seed);
-        Random(random.next() ^ case.wrapping_mul(0x9e37_79b9_7f4a_7c15))
+        Random(random.bits() ^ case.wrapping_mul(0x9e37_79b9_7f4a_7c15))
     }
 
     /// 64 random bits.
-    pub fn next(&mut self) -> u64 {
+    pub fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -44,7 +44,7 @@ impl Random {
 
     /// A number below `limit`, which is at least 1.
     pub fn below(&mut self, limit: u64) -> u64 {
-        ((u128::from(self.next()) * u128::from(limit)) >> 64) as u64
+        ((u128::from(self.bits()) * u128::from(limit)) >> 64) as u64
     }
 
     /// A number between `low` and `high`, both included.
@@ -54,7 +54,7 @@ impl Random {
 
     /// A number in 0 .. 1.
     pub fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1u64 << 53) as f64
+        (self.bits() >> 11) as f64 / (1u64 << 53) as f64
     }
 
     /// A number in -1 .. 1.

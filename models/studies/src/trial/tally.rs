@@ -121,7 +121,7 @@ impl Fared {
 
 /// The count of one run, or part of one.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Tally {
+pub struct Tally {
     /// Compare everything in exact integers.
     pub always_exactly: bool,
     /// The case at hand.

@@ -110,8 +110,12 @@ fn made(tile: &Tile, mapped: &Mapped, folder: &Path) -> Result<(Layout, LayoutTe
     Ok((layout, LayoutTexts { verilog, def }))
 }
 
-/// What the texts of the flow say; or what they do not say.
-fn layout(
+/// What the texts of the flow say: layout, netlist, reports of routing, times, rules and comparison.
+///
+/// # Errors
+///
+/// What they do not say.
+pub fn layout(
     [def, verilog, route, times, rules, comparison]: [&str; 6],
 ) -> Result<Layout, &'static str> {
     let whole = |text: &str, label: &'static str| {
@@ -151,44 +155,4 @@ fn line<'a>(text: &'a str, label: &str) -> Option<&'a str> {
 fn number(text: &str, label: &str) -> Option<f64> {
     let (_, rest) = text.split_once(label)?;
     rest.split_whitespace().next()?.parse().ok()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const DEF: &str =
-        "UNITS DISTANCE MICRONS 100 ;\n\nDIEAREA ( -320 -300 ) ( 52800 38300 ) ;\nNETS 3780 ;\n";
-    const VERILOG: &str =
-        "wire gnd = 1'b0;\nBUFX4 BUFX4_1 ( .A(clk), .Y(a) );\nINVX1 INVX1_1 ( .A(a), .Y(b) );\n";
-    const TIMES: &str =
-        "Path DFFPOSX1_171/CLK to DFFPOSX1_321/D delay 7843.3 ps\nPath A/CLK to B/D delay 70 ps\n";
-
-    #[test]
-    fn reports_of_the_flow_are_read() {
-        let texts =
-            |route, comparison| layout([DEF, VERILOG, route, TIMES, "drc = 17\n", comparison]);
-        let sound = texts("Final: No failed routes!\n", "\nTotal errors = 0\n");
-        let mut expected = Layout {
-            micrometres: [531.2, 386.0],
-            cells: 2,
-            nets: 3780,
-            unrouted: 0,
-            longest_ns: 7.8433,
-            rule_errors: 17,
-            differences: 0,
-        };
-        assert_eq!(sound.as_ref(), Ok(&expected));
-        (expected.unrouted, expected.differences) = (4, 3);
-        let unsound = texts(
-            "Final: Failed net routes: 4\n",
-            "Total errors = 3\nDesign fails",
-        );
-        assert_eq!(unsound, Ok(expected));
-        // A comparison that did not happen is no equal one.
-        assert_eq!(
-            texts("Final: No failed routes!\n", "LVS Done."),
-            Err("Total errors =")
-        );
-    }
 }

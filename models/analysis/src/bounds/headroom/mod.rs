@@ -23,7 +23,7 @@ use serde::Serialize;
 use signs::{TrueSigns, true_signs};
 
 /// Fewest guard bits that are tried: this many bits of f2 dropped leave no picture of any format.
-const FEWEST: i32 = -64;
+pub const FEWEST: i32 = -64;
 
 /// Errors and needs of a scene in a format without guard bits.
 #[derive(Clone, Debug, Serialize)]
@@ -186,8 +186,9 @@ fn count_down(derived: i32, count: &dyn Fn(i32) -> u64) -> (Option<i32>, u64) {
     (last, 0)
 }
 
-/// The least g with `risk < 2^g`, up to a last bit of the risk that is counted as one more.
-fn bits_above(risk: f64) -> i32 {
+/// The guard bits that a risk asks for: the least g with `risk < 2^g`, up to a last bit of the risk that is counted as
+/// one more.
+pub fn bits_above(risk: f64) -> i32 {
     let risk = risk * (1.0 + 1e-9);
     let mut bits = FEWEST;
     while f64::exp2(f64::from(bits)) <= risk {
@@ -251,6 +252,3 @@ fn rounded_with(exact: &QuadraticForm, anchor: Anchor, guards: i32) -> Quadratic
     let unit = if guards < 0 { unit.recip() } else { unit };
     round_quadratic(&exact.scaled(&unit), anchor).expect("prepared words leave room")
 }
-
-#[cfg(test)]
-mod tests;

@@ -9,6 +9,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 const MOST_BITS: u64 = 300;
 
 impl Range {
+    /// One value.
     pub const fn point(value: f64) -> Range {
         Range::new(value, value)
     }
@@ -85,6 +86,7 @@ impl Div for Range {
 pub struct Line([Range; 3]);
 
 impl Line {
+    /// Its values where the coordinates are in these ranges.
     pub fn at(&self, [x, y]: [Range; 2]) -> Range {
         let [a, b, c] = self.0;
         a * x + b * y + c
@@ -96,6 +98,7 @@ impl Line {
 pub struct Conic([Range; 6]);
 
 impl Conic {
+    /// Its values where the coordinates are in these ranges.
     pub fn at(&self, [x, y]: [Range; 2]) -> Range {
         let [a, b, c, d, e, f] = self.0;
         (a * x + c * y + d) * x + (b * y + e) * y + f
@@ -108,16 +111,18 @@ pub fn excess<'a>(all: impl IntoIterator<Item = &'a BigInt>) -> u64 {
     most.saturating_sub(MOST_BITS)
 }
 
+/// The expression with these coefficients over `2^excess`.
 pub fn line(coefficients: &[BigInt; 3], excess: u64) -> Line {
     Line(coefficients.each_ref().map(|c| range(c, excess)))
 }
 
+/// The same of second degree.
 pub fn conic(coefficients: &[BigInt; 6], excess: u64) -> Conic {
     Conic(coefficients.each_ref().map(|c| range(c, excess)))
 }
 
 /// An integer over `2^excess`.
-fn range(value: &BigInt, excess: u64) -> Range {
+pub fn range(value: &BigInt, excess: u64) -> Range {
     let short = value >> excess;
     let near = short.to_f64().expect("of a few hundred bits");
     if excess == 0 && value.abs().bits() <= 53 {
@@ -125,42 +130,4 @@ fn range(value: &BigInt, excess: u64) -> Range {
     }
     // Shifting drops less than one, the conversion less than a unit of the last place.
     Range::new(near.next_down(), (near.next_up() + 1.0).next_up())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use imogene_algebra::rational::from_f64_exact;
-    use num_rational::BigRational;
-    use proptest::prelude::*;
-
-    fn holds(range: Range, value: &BigRational) -> bool {
-        from_f64_exact(range.low) <= *value && *value <= from_f64_exact(range.high)
-    }
-
-    proptest! {
-        /// Every operation holds the exact result, in rationals.
-        #[test]
-        fn ranges_hold_exact_results(a in -1e9f64..1e9, b in -1e9f64..1e9) {
-            let exact = [a, b].map(from_f64_exact);
-            let [p, q] = [a, b].map(Range::point);
-            prop_assert!(holds(p + q, &(&exact[0] + &exact[1])));
-            prop_assert!(holds(p - q, &(&exact[0] - &exact[1])));
-            prop_assert!(holds(p * q, &(&exact[0] * &exact[1])));
-            prop_assume!(b != 0.0);
-            prop_assert!(holds(p / q, &(&exact[0] / &exact[1])));
-            let root = Range::point(a.abs()).root();
-            let square = from_f64_exact(a.abs());
-            prop_assert!(from_f64_exact(root.low).pow(2) <= square && square <= from_f64_exact(root.high).pow(2));
-        }
-
-        #[test]
-        fn long_integers_are_held(digits in proptest::collection::vec(any::<u32>(), 1..40), negative in any::<bool>()) {
-            let value = BigInt::from(num_bigint::BigUint::new(digits));
-            let value = if negative { -value } else { value };
-            let excess = excess([&value]);
-            let exact = BigRational::new(value.clone(), BigInt::from(1) << excess);
-            prop_assert!(holds(range(&value, excess), &exact));
-        }
-    }
 }

@@ -5,7 +5,7 @@
 //! pictures are held against the truth at every pixel, which costs a few dozen operations in `f64`; what it finds is
 //! proven, since ranges are rounded outwards.
 
-mod interval;
+pub mod interval;
 
 use super::depth::Range;
 use super::verdict::{Pixel, Verdict};

@@ -11,14 +11,14 @@ use serde_json::{Value, json};
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scan {
     /// Pixels of the box that do not show the object, and that do.
-    pixels: [u64; 2],
+    pub pixels: [u64; 2],
     /// Weighted operations at each of both.
     costs: [u64; 2],
     /// Of steps from line to line.
     line_cost: u64,
     lines: u64,
     /// Depths, line by line; none where the object is not seen.
-    depths: Vec<Option<f64>>,
+    pub depths: Vec<Option<f64>>,
 }
 
 impl Scan {
@@ -167,11 +167,11 @@ pub fn facet(side: u64, expressions: [[f64; 3]; 7]) -> Scan {
 #[derive(Clone, Debug)]
 pub struct Object {
     /// Linear part of the depth.
-    f1: [f64; 3],
+    pub f1: [f64; 3],
     /// Factors of x^2, y^2, xy, x, y and 1.
-    f2: [f64; 6],
+    pub f2: [f64; 6],
     /// Kind and expression: a depth, or not negative where a perpendicular plane keeps.
-    planes: Vec<(Kind, [f64; 3])>,
+    pub planes: Vec<(Kind, [f64; 3])>,
     /// Linear parts of the normal and factors of the root.
     normal: ([[f64; 3]; 3], [f64; 3]),
 }
@@ -320,54 +320,4 @@ fn face_of_patch(state: &State) -> Option<Counted> {
     }
     state.normal(signed);
     Some(z)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn at([a, b, c]: [f64; 3], x: f64, y: f64) -> f64 {
-        a * x + b * y + c
-    }
-
-    /// Every pixel by direct evaluation and intersection of half-spaces, without differences and without a chain. The
-    /// numbers are whole or quarters and below 2^20, so that differences and values are the same.
-    #[test]
-    fn scans_find_what_direct_evaluation_finds() {
-        let side = 40;
-        let object = ball(side, 4);
-        let solid = solid(side, &object);
-        let patch = patch(side, &object);
-        assert!(patch.pixels.iter().all(|&count| count > 300));
-        for (index, (solid, patch)) in solid.depths.iter().zip(&patch.depths).enumerate() {
-            let (x, y) = ((index as u64 % side) as f64, (index as u64 / side) as f64);
-            let terms = [x * x, y * y, x * y, x, y, 1.0];
-            let f2: f64 = object.f2.iter().zip(terms).map(|(v, t)| v * t).sum();
-            let faces = [-1.0, 1.0].map(|sign| at(object.f1, x, y) + sign * f2.sqrt());
-            let sides = |kind: Kind| {
-                let planes = object.planes.iter().filter(move |(k, _)| *k == kind);
-                planes.map(move |(_, e)| at(*e, x, y))
-            };
-            let open = f2 >= 0.0 && sides(Kind::Perpendicular).all(|v| v >= 0.0);
-            let near = sides(Kind::Front).fold(f64::NEG_INFINITY, f64::max);
-            let far = sides(Kind::Back).fold(f64::INFINITY, f64::min);
-            let (front, back) = (faces[0].max(near), faces[1].min(far));
-            let expected = (open && front <= back).then_some(front);
-            assert_eq!(*solid, expected, "{x} {y}");
-            let face = faces.into_iter().find(|&z| open && near <= z && z <= far);
-            assert_eq!(*patch, face, "{x} {y}");
-        }
-    }
-
-    #[test]
-    fn a_facet_covers_the_pixels_within_its_sides() {
-        let found = facet(20, FACET);
-        // Half of the box with the diagonal.
-        assert_eq!(found.pixels, [190, 210]);
-        for (index, depth) in found.depths.iter().enumerate() {
-            let (x, y) = ((index % 20) as f64, (index / 20) as f64);
-            let expected = (x + y <= 19.0).then(|| at(FACET[3], x, y));
-            assert_eq!(*depth, expected);
-        }
-    }
 }

@@ -221,33 +221,3 @@ fn pierced_ball(_series: usize, _depth: &BigRational) -> SceneFile {
     rod.place = vec![Place::Rotate(turn), Place::Translate([-30.0, 20.0, 8.0])];
     scene("pierced ball", perspective(200.0), vec![ball, rod])
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use imogene_prepare::Framing;
-    use imogene_scene::FramedObject;
-
-    /// The plane, in camera pixels, is where the sweep says it is.
-    #[test]
-    fn the_cap_is_as_thick_as_it_says() {
-        for k in (0..=LAST).step_by(2) {
-            let scene = cap(0, &integer(i64::from(k))).frame(96, 72).expect("valid");
-            let FramedObject::Quadric(ball) = &scene.objects[0] else {
-                panic!("a quadric");
-            };
-            let plane = &ball.planes[0];
-            // The point of contact is the origin.
-            let beyond = plane.value_at(&integer(0), &integer(0), &integer(0));
-            let square = [&plane.a, &plane.b, &plane.c].map(|v| v * v);
-            let length = square.iter().sum::<BigRational>();
-            let thickness = integer(RADIUS) / power_of_two(k);
-            assert_eq!(
-                &beyond * &beyond,
-                &thickness * &thickness * length,
-                "k = {k}"
-            );
-            assert!(beyond > integer(0));
-        }
-    }
-}

@@ -1,0 +1,48 @@
+//! What fails a check by trial, and what is said of it.
+
+use crate::failure::Failure;
+use imogene_files::text::counted;
+use imogene_studies::shading_trial::ShadingErrors;
+use imogene_studies::trial::TrialReport;
+
+/// The widths of the hardware have to keep every level within one.
+///
+/// # Errors
+///
+/// When a level is farther off.
+pub fn of_levels(errors: &ShadingErrors) -> Result<(), Failure> {
+    if errors.beyond == 0 {
+        return Ok(());
+    }
+    Err(Failure::Check(format!(
+        "{} levels differ by more than 1 from the formula, by {} at most; the worst case: {:?}",
+        errors.beyond, errors.greatest, errors.worst
+    )))
+}
+
+/// No error may be beyond its bound in any format; the seed makes the cases again.
+///
+/// # Errors
+///
+/// When one is.
+pub fn of_bounds(seed: u64, formats: &[TrialReport]) -> Result<(), Failure> {
+    let violations: u64 = formats.iter().map(|format| format.violations).sum();
+    if violations == 0 {
+        return Ok(());
+    }
+    let mut text = format!("beyond the bounds: {}", counted(violations, "error"));
+    for format in formats {
+        for v in &format.first_violations {
+            text += &format!(
+                "\n  widths {}, case {} of seed {seed}, pixel {:?}: {} {:e} beyond {:e}",
+                format.widths,
+                v.case,
+                v.pixel,
+                v.term.name(),
+                v.observed,
+                v.bound
+            );
+        }
+    }
+    Err(Failure::Check(text))
+}

@@ -1,0 +1,5 @@
+mod bezier;
+mod courses;
+mod cover;
+mod meetings;
+mod polynomial;

@@ -1,0 +1,3 @@
+mod keys;
+mod lit_sphere;
+mod validation;

@@ -1,0 +1,6 @@
+mod facet;
+mod lighting;
+mod pixel;
+mod quadric;
+mod transform;
+mod zones;

@@ -1,0 +1,4 @@
+mod families;
+mod grid;
+mod measure;
+mod truth;

@@ -1,0 +1,126 @@
+//! The boards, and their clocks against the tools' own: those under `IMOGENE_FULL=1` alone, with the tools of
+//! `scripts/setup --synth --boards`.
+
+use imogene_board::{Board, BoardError, Dividers, Pll};
+use imogene_synth::tools::{NEXTPNR_ECP5, NEXTPNR_GOWIN, NEXTPNR_ICE40, Tool};
+use std::process::Command;
+
+const VGA: u64 = 25_175_000;
+
+#[test]
+fn every_board_has_a_clock_near_to_that_of_its_first_mode() {
+    for name in Board::names() {
+        let board = Board::named(name).expect("a board");
+        assert_eq!(board.name, name);
+        let pll = Pll::of(&board, VGA).expect("a clock");
+        assert!(
+            pll.deviation_percent().abs() < 0.6,
+            "{name}: {}",
+            pll.deviation_percent()
+        );
+        let pins = board.video.pins();
+        let mut sites: Vec<&str> = pins.iter().map(|(_, site)| *site).collect();
+        sites.push(&board.clock.pin);
+        sites.sort_unstable();
+        let count = sites.len();
+        sites.dedup();
+        assert!(
+            board.part.is_none() || sites.len() == count,
+            "{name}: a pin twice"
+        );
+    }
+}
+
+#[test]
+fn a_description_that_is_none_is_refused_by_place_or_key() {
+    let text = include_str!("../../../../boards/hx8k-evb.toml");
+    let refused = |old: &str, new: &str| {
+        let error = Board::parse(&text.replace(old, new), "mine").expect_err(new);
+        error.to_string()
+    };
+    assert!(refused("[clock]", "[clok]").starts_with("boards/mine.toml:"));
+    assert!(refused("100_000_000", "0").contains("clock.hertz is 0; accepted: 1 to"));
+    assert!(refused("\"ice40\"", "\"ice41\"").contains("ice41"));
+    assert!(refused("[\"E3\", \"H5\", \"F3\"]", "[\"E3\"]").contains("as many for each"));
+    let unknown = Board::named("de10").expect_err("no such board");
+    assert!(matches!(unknown, BoardError::Unknown { .. }));
+}
+
+#[test]
+fn a_clock_out_of_reach_is_refused() {
+    let board = Board::named("ulx3s-85").expect("a board");
+    let error = Pll::of(&board, 148_500_000).expect_err("742.5 MHz for the pairs");
+    assert!(error.to_string().contains("148500000"), "{error}");
+}
+
+/// What a program prints behind a label.
+fn said(program: &std::path::Path, arguments: &[&str], label: &str) -> String {
+    let folder = std::env::temp_dir();
+    let output = Command::new(program)
+        .args(arguments)
+        .current_dir(folder)
+        .output();
+    let output = output.expect("the program runs");
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let line = text.lines().find_map(|line| line.split_once(label));
+    let (_, rest) = line.unwrap_or_else(|| panic!("{label}: {text}"));
+    rest.split_whitespace()
+        .next()
+        .unwrap_or_default()
+        .to_owned()
+}
+
+#[test]
+fn clocks_are_those_of_the_tools_or_nearer() {
+    if std::env::var_os("IMOGENE_FULL").is_none_or(|value| value != "1") {
+        return;
+    }
+    let icepll = Tool::beside(NEXTPNR_ICE40, "icepll").expect("icepll");
+    let arguments = ["-i", "100", "-o", "25.175"];
+    let pll = Pll::of(&Board::named("hx8k-evb").expect("a board"), VGA).expect("a clock");
+    let Dividers::Ice40 {
+        divr,
+        divf,
+        divq,
+        filter,
+    } = pll.dividers
+    else {
+        panic!("{:?}", pll.dividers);
+    };
+    let labels = ["DIVR:", "DIVF:", "DIVQ:", "FILTER_RANGE:"];
+    let found = labels.map(|label| said(&icepll.path, &arguments, label));
+    let own = [divr, divf, divq, filter.into()].map(|value: i128| value.to_string());
+    assert_eq!(found, own);
+
+    let ecppll = Tool::beside(NEXTPNR_ECP5, "ecppll").expect("ecppll");
+    let pll = Pll::of(&Board::named("ulx3s-85").expect("a board"), VGA).expect("a clock");
+    let arguments = ["-i", "25", "-o", "125.875"];
+    let found: f64 = said(&ecppll.path, &arguments, "clkout0 frequency:")
+        .parse()
+        .expect("MHz");
+    let from_mode = |mhz: f64| (mhz - 125.875).abs();
+    assert!(
+        from_mode(pll.fast_mhz()) <= from_mode(found),
+        "{} and {found}",
+        pll.fast_mhz()
+    );
+
+    let gowin_pll = Tool::beside(NEXTPNR_GOWIN, "gowin_pll").expect("gowin_pll");
+    for (name, part) in [
+        ("tang-nano-9k", "GW1NR-9 C6/I5"),
+        ("tang-nano-20k", "GW2AR-18 C8/I7"),
+    ] {
+        let pll = Pll::of(&Board::named(name).expect("a board"), VGA).expect("a clock");
+        let Dividers::Gowin {
+            input, feedback, ..
+        } = pll.dividers
+        else {
+            panic!("{:?}", pll.dividers);
+        };
+        let arguments = ["-i", "27", "-o", "125.875", "-d", part];
+        let labels = [".IDIV_SEL(", ".FBDIV_SEL("];
+        let found = labels.map(|label| said(&gowin_pll.path, &arguments, label));
+        let own = [input, feedback].map(|value| format!("{value}),"));
+        assert_eq!(found, own);
+    }
+}
