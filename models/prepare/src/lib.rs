@@ -72,6 +72,8 @@ pub use prepared::{
     ExactForms, Missing, NeededWidths, NeededWord, PreparedObject, PreparedParts, PreparedQuadric,
     PreparedScene, RoundingBounds,
 };
-pub use run::{prepare, prepare_for_roots, prepare_reporting, prepare_with, refused, steps};
+pub use run::{
+    LocatedScene, prepare, prepare_for_roots, prepare_reporting, prepare_with, refused, steps,
+};
 pub use solids::{PreparedSolids, Product};
 pub use unseen::Seen;

@@ -44,6 +44,34 @@ pub fn prepare_with(
     prepare_reporting(scene, format, options, &|| ())
 }
 
+/// Where the objects of a scene are on its screen: exact, and the same in any words, so that preparations of one scene
+/// for many formats share it.
+pub struct LocatedScene(Located);
+
+impl LocatedScene {
+    /// Finds the boxes of all objects.
+    pub fn new(scene: &FramedScene) -> LocatedScene {
+        // The format has no say in it.
+        let context = Context::of(scene, Format::BASE, Options::default());
+        LocatedScene(Located::new(scene, &context, &Known::nothing(scene)))
+    }
+
+    /// [`prepare_with`] of the scene that was located.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`prepare_with`].
+    pub fn prepare(
+        &self,
+        scene: &FramedScene,
+        format: Format,
+        options: Options,
+    ) -> Result<PreparedScene, PrepareError> {
+        let context = Context::of(scene, format, options);
+        prepare_located(scene, &self.0, context, &|| ())
+    }
+}
+
 /// The objects that cannot be prepared for a format, by index, each with its reason; shadows are not looked at.
 pub fn refused(
     scene: &FramedScene,
@@ -70,10 +98,19 @@ pub fn prepare_reporting(
     done: &(impl Fn() + Sync),
 ) -> Result<PreparedScene, PrepareError> {
     let context = Context::of(scene, format, options);
+    let located = Located::new(scene, &context, &Known::nothing(scene));
+    prepare_located(scene, &located, context, done)
+}
+
+fn prepare_located(
+    scene: &FramedScene,
+    located: &Located,
+    context: Context,
+    done: &(impl Fn() + Sync),
+) -> Result<PreparedScene, PrepareError> {
     let known = Known::nothing(scene);
-    let located = Located::new(scene, &context, &known);
     let mut missing = vec![];
-    let mut objects = prepare_objects(scene, &located, &context, &known, &mut missing, done)?;
+    let mut objects = prepare_objects(scene, located, &context, &known, &mut missing, done)?;
     let volumes = prepare_volumes(scene, &mut objects, &context, &known, &mut missing, done)?;
     prepared_scene(scene, context, objects, volumes, missing)
 }

@@ -236,14 +236,21 @@ impl Board {
             let value = self.clock.hertz.to_string();
             return Err(refused("clock.hertz", value, "1 to 1 000 000 000"));
         }
-        if let Video::Tmds { blue, .. } = &self.video
-            && self.serialises() != blue.contains(',')
+        let wanted = if self.serialises() { 2 } else { 1 };
+        let is_wrong = |pin: &str| {
+            let names = pin.split(',');
+            names.filter(|name| !name.trim().is_empty()).count() != wanted
+        };
+        // The simulated board has no part and no pins.
+        let is_checked = self.part.is_some() && matches!(self.video, Video::Tmds { .. });
+        if is_checked
+            && let Some((_, pin)) = self.video.pins().iter().find(|(_, pin)| is_wrong(pin))
         {
-            let (value, accepted) = (
-                blue.clone(),
+            return Err(refused(
+                "the pin of a channel",
+                pin.to_string(),
                 "both pins of a channel of a Gowin, one of others",
-            );
-            return Err(refused("video.blue", value, accepted));
+            ));
         }
         if let Some(bits) = self.video.bits().filter(|bits| !(1..=8).contains(bits)) {
             return Err(refused(

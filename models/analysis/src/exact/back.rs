@@ -9,6 +9,7 @@ use imogene_scene::{FramedScene, Surface};
 use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive, Zero};
 use rayon::prelude::*;
+use std::collections::BTreeSet;
 
 /// The true back of a visible object of the quadric or the patch processor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,8 +71,10 @@ pub fn backs(
     format: &Format,
 ) -> Vec<Option<ExactBack>> {
     let members: Vec<usize> = scene.solids.iter().flat_map(|s| s.tree.objects()).collect();
+    let seen: BTreeSet<u32> = pixels.iter().flatten().map(|pixel| pixel.id).collect();
     let rays = scene.objects.iter().enumerate().map(|(id, object)| {
-        let alone = object.quadric().filter(|_| !members.contains(&id));
+        let is_alone = seen.contains(&(id as u32)) && !members.contains(&id);
+        let alone = object.quadric().filter(|_| is_alone);
         Some(RayObject::new(alone?, scene))
     });
     let rays: Vec<Option<RayObject>> = rays.collect();

@@ -1,9 +1,10 @@
 //! A mesh along one line of sight: flat facets with corners where they truly are, in exact integers.
 
-use super::ray::{Affine, Hit, common_integers, dot, first_degree, is_visible, ray_points};
+use super::ray::{Hit, coprime, dot, first_degree, is_visible, ray_points};
 use super::real::SurdReal;
 use imogene_algebra::rational::{integer, to_f64};
 use imogene_algebra::vector::{self, Vector, cross, minus};
+use imogene_algebra::whole::common_denominator;
 use imogene_golden::object::facet::FACE_FACET;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_scene::{FramedFacet, FramedMesh, FramedScene, Projection};
@@ -44,13 +45,13 @@ impl RayMesh {
                 facet.corners.iter().map(|&k| seen[k].clone()).collect();
             let [p, q, r] = [0, 1, 2].map(|k| &mesh.vertices[facet.corners[k]]);
             let plane = plane_through(p, q, r);
-            let factors = plane.each_ref();
+            let (factors, _) = common_denominator(plane.each_ref());
             let (constant, slope) = &rays;
             Some(RayFacet {
                 index,
                 edges: edges(corners.as_ref()?)?,
                 window: window(corners.as_ref()?),
-                plane: common_integers([dot(&factors, slope), dot(&factors, constant)]),
+                plane: coprime([dot(&factors, slope), dot(&factors, constant)]),
             })
         };
         RayMesh {
@@ -120,7 +121,7 @@ fn on_screen(
 /// The sides, not negative inside; `None` if the corners are in a line.
 fn edges(corners: &[[BigRational; 2]]) -> Option<Vec<[BigInt; 3]>> {
     let n = corners.len();
-    let side = |k: usize| -> Affine {
+    let side = |k: usize| -> Point {
         let ([px, py], [qx, qy]) = (&corners[k], &corners[(k + 1) % n]);
         [py - qy, qx - px, px * qy - qx * py]
     };
@@ -131,7 +132,8 @@ fn edges(corners: &[[BigRational; 2]]) -> Option<Vec<[BigInt; 3]>> {
         return None;
     }
     let inner = |k: usize| {
-        let [form] = common_integers([side(k)]);
+        let (side, _) = common_denominator(side(k).each_ref());
+        let [form] = coprime([side]);
         form.map(|v| if turn.is_negative() { -v } else { v })
     };
     Some((0..n).map(inner).collect())

@@ -5,13 +5,11 @@
 //! half_depth (1 + w)`.
 
 use super::real::SurdReal;
-use imogene_algebra::matrix::Matrix4;
-use imogene_algebra::rational::integer;
+use imogene_algebra::matrix::{Matrix4, symmetric};
+use imogene_algebra::whole::{common_denominator, common_divisor};
 use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
 use imogene_scene::{FramedQuadric, FramedScene, Projection, Surface};
 use num_bigint::BigInt;
-use num_integer::Integer;
-use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use std::cmp::Ordering;
 
@@ -50,29 +48,27 @@ pub struct RayObject {
     pub(crate) planes: Vec<[[BigInt; 3]; 2]>,
 }
 
-/// A point of the ray as a first-degree expression in (x, y): start and direction of homogeneous camera coordinates in
-/// w.
-pub(super) type Affine = [BigRational; 3];
+/// A homogeneous camera coordinate of a point of the ray as a first-degree expression in (x, y).
+pub(super) type Affine = [BigInt; 3];
 
 impl RayObject {
     /// Sets up the rays of a scene's screen.
     pub fn new(object: &FramedQuadric, scene: &FramedScene) -> RayObject {
         let (constant, slope) = ray_points(scene);
-        let matrix = object.quadric.matrix();
-        let form = |u: &[Affine; 4], v: &[Affine; 4]| bilinear(&matrix, u, v);
-        let mixed = form(&constant, &slope);
+        let (coefficients, _) = common_denominator(object.quadric.coefficients());
+        let matrix = symmetric(coefficients.each_ref());
         let along = [
-            form(&slope, &slope),
-            mixed.map(|c| c * integer(2)),
-            form(&constant, &constant),
+            bilinear(&matrix, &slope, &slope),
+            bilinear(&matrix, &constant, &slope).map(|c| c * 2),
+            bilinear(&matrix, &constant, &constant),
         ];
         let planes = object.planes.iter().map(|p| {
-            let factors = p.coefficients();
-            common_integers([dot(&factors, &slope), dot(&factors, &constant)])
+            let (factors, _) = common_denominator(p.coefficients());
+            coprime([dot(&factors, &slope), dot(&factors, &constant)])
         });
         RayObject {
             surface: object.surface,
-            along: common_integers(along),
+            along: coprime(along),
             planes: planes.collect(),
         }
     }
@@ -224,69 +220,63 @@ pub(super) fn ordered_roots(a: &BigInt, b: &BigInt, c: &BigInt) -> Option<[SurdR
 }
 
 /// Homogeneous points of the ray, `constant + w * slope`, each of the four coordinates `a x + b y + c` in pixel column
-/// and line.
+/// and line, with one positive factor that makes all of them whole.
 pub(super) fn ray_points(scene: &FramedScene) -> ([Affine; 4], [Affine; 4]) {
-    let zero = || [integer(0), integer(0), integer(0)];
-    let only = |c: BigRational| [integer(0), integer(0), c];
-    let half = |n: u32| -integer(i64::from(n)) / integer(2);
-    let column = [integer(1), integer(0), half(scene.width)];
-    let line = [integer(0), integer(1), half(scene.height)];
+    let (Projection::Perspective { distance: full }
+    | Projection::Orthographic { half_depth: full }) = &scene.projection;
+    // Of the half of a pixel and of the depth.
+    let unit: BigInt = full.denom() * 2;
+    let middle = |n: u32| full.denom() * -i64::from(n);
+    let zero = || [(); 3].map(|()| BigInt::zero());
+    let only = |c: BigInt| [BigInt::zero(), BigInt::zero(), c];
+    let column = [unit.clone(), BigInt::zero(), middle(scene.width)];
+    let line = [BigInt::zero(), unit.clone(), middle(scene.height)];
+    let depth = || only(full.numer() * 2);
     match &scene.projection {
         // (eye + t direction) / t with 1/t = -w: direction (x, y, D, 0), eye (0, 0, -D, 1).
-        Projection::Perspective { distance } => (
-            [column, line, only(distance.clone()), zero()],
-            [zero(), zero(), only(distance.clone()), only(integer(-1))],
+        Projection::Perspective { .. } => (
+            [column, line, depth(), zero()],
+            [zero(), zero(), depth(), only(-unit)],
         ),
-        Projection::Orthographic { half_depth } => (
-            [column, line, only(half_depth.clone()), only(integer(1))],
-            [zero(), zero(), only(half_depth.clone()), zero()],
+        Projection::Orthographic { .. } => (
+            [column, line, depth(), only(unit)],
+            [zero(), zero(), depth(), zero()],
         ),
     }
 }
 
 /// u' M v as `a x^2 + b y^2 + c xy + d x + e y + f`.
-fn bilinear(matrix: &Matrix4<BigRational>, u: &[Affine; 4], v: &[Affine; 4]) -> [BigRational; 6] {
-    let mut sum: [BigRational; 6] = std::array::from_fn(|_| integer(0));
+fn bilinear(matrix: &Matrix4<BigInt>, u: &[Affine; 4], v: &[Affine; 4]) -> [BigInt; 6] {
+    let mut sum = [(); 6].map(|()| BigInt::zero());
     for (row, p) in matrix.iter().zip(u) {
-        for (factor, q) in row.iter().zip(v) {
-            let product = [
-                &p[0] * &q[0],
-                &p[1] * &q[1],
-                &p[0] * &q[1] + &p[1] * &q[0],
-                &p[0] * &q[2] + &p[2] * &q[0],
-                &p[1] * &q[2] + &p[2] * &q[1],
-                &p[2] * &q[2],
-            ];
-            for (total, term) in sum.iter_mut().zip(product) {
-                *total += term * factor;
-            }
+        let q = dot(row, v);
+        let product = [
+            &p[0] * &q[0],
+            &p[1] * &q[1],
+            &p[0] * &q[1] + &p[1] * &q[0],
+            &p[0] * &q[2] + &p[2] * &q[0],
+            &p[1] * &q[2] + &p[2] * &q[1],
+            &p[2] * &q[2],
+        ];
+        for (total, term) in sum.iter_mut().zip(product) {
+            *total += term;
         }
     }
     sum
 }
 
-pub(super) fn dot(factors: &[&BigRational; 4], point: &[Affine; 4]) -> Affine {
-    std::array::from_fn(|k| factors.iter().zip(point).map(|(f, p)| *f * &p[k]).sum())
+pub(super) fn dot(factors: &[BigInt; 4], point: &[Affine; 4]) -> Affine {
+    std::array::from_fn(|k| factors.iter().zip(point).map(|(f, p)| f * &p[k]).sum())
 }
 
-/// Brings coefficients to integers by one common positive factor.
-pub(super) fn common_integers<const N: usize, const M: usize>(
-    forms: [[BigRational; N]; M],
-) -> [[BigInt; N]; M] {
-    let all = || forms.iter().flatten();
-    let denominator = all().fold(BigInt::one(), |acc, c| acc.lcm(c.denom()));
-    let content = all().fold(BigInt::zero(), |acc, c| {
-        acc.gcd(&(c.numer() * (&denominator / c.denom())))
-    });
-    let content = if content.is_zero() {
-        BigInt::one()
-    } else {
-        content
-    };
-    forms.each_ref().map(|form| {
-        form.each_ref()
-            .map(|c| c.numer() * (&denominator / c.denom()) / &content)
-    })
+/// Divides expressions by what all their coefficients have in common.
+pub(super) fn coprime<const N: usize, const M: usize>(forms: [[BigInt; N]; M]) -> [[BigInt; N]; M] {
+    let each = forms.each_ref().map(|form| common_divisor(form.each_ref()));
+    let divisor = common_divisor(each.each_ref());
+    if divisor.is_zero() || divisor.is_one() {
+        return forms;
+    }
+    forms.map(|form| form.map(|c| c / &divisor))
 }
 
 /// The value of a second-degree expression at a pixel.

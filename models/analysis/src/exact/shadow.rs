@@ -9,7 +9,7 @@
 //! quadratic form in (a, b) that is not positive somewhere in that interval, the visible point itself not counted, is a
 //! solid in the way.
 
-use super::ray::ray_points;
+use super::ray::{first_degree, ray_points};
 use super::render::View;
 use super::surd::Surd;
 use imogene_algebra::matrix::image;
@@ -18,7 +18,6 @@ use imogene_algebra::whole::common_denominator;
 use imogene_golden::machine::lighting::{ALL_SOURCES, Lighting};
 use imogene_scene::{FramedObject, FramedScene, FramedSource, Surface};
 use num_bigint::BigInt;
-use num_rational::BigRational;
 use num_traits::Zero;
 use rayon::prelude::*;
 use std::cmp::Ordering;
@@ -43,12 +42,8 @@ pub fn lighting(scene: &FramedScene, line_done: impl Fn() + Sync) -> Lighting {
                 let Some((_, hit)) = view.visible(x, y) else {
                     return ALL_SOURCES;
                 };
-                let (x, y) = (
-                    BigRational::from_integer(x.into()),
-                    BigRational::from_integer(y.into()),
-                );
-                let at = |p: &[BigRational; 3]| &p[0] * &x + &p[1] * &y + &p[2];
-                let (from, along) = (constant.each_ref().map(at), slope.each_ref().map(at));
+                let [from, along] =
+                    [&constant, &slope].map(|p| p.each_ref().map(|p| first_degree(p, x, y)));
                 let point = homogeneous(&from, &along, &hit.w.as_surd());
                 let reached = sources.iter().enumerate();
                 reached.fold(ALL_SOURCES, |flags, (bit, source)| {
@@ -71,14 +66,10 @@ pub fn lighting(scene: &FramedScene, line_done: impl Fn() + Sync) -> Lighting {
     }
 }
 
-/// `d (from + w along)`, whole, for `w = n / d`, d > 0.
-fn homogeneous(from: &Vector4, along: &Vector4, (n, d): &(Surd, BigInt)) -> Point {
-    let [[a, b, c, e], [s, t, u, v]] = [from, along].map(|p| p.each_ref());
-    let (whole, _) = common_denominator([a, b, c, e, s, t, u, v]);
-    std::array::from_fn(|k| n.times(&whole[k + 4]).plus(&Surd::whole(&whole[k] * d, n)))
+/// `d (from + w along)` for `w = n / d`, d > 0.
+fn homogeneous(from: &Vector, along: &Vector, (n, d): &(Surd, BigInt)) -> Point {
+    std::array::from_fn(|k| n.times(&along[k]).plus(&Surd::whole(&from[k] * d, n)))
 }
-
-type Vector4 = [BigRational; 4];
 
 /// An object that casts a shadow: inside where all are not positive.
 struct Solid {

@@ -13,7 +13,7 @@ use imogene_plan::display::DisplayError;
 use imogene_plan::needs;
 use imogene_prepare::Framing;
 use imogene_prepare::error::PrepareError;
-use imogene_prepare::{PreparedScene, prepare_for_roots};
+use imogene_prepare::{LocatedScene, Options, PreparedScene};
 use imogene_scene::{FramedScene, SceneFile};
 
 /// One frame.
@@ -24,9 +24,14 @@ pub struct Frame {
     pub scene: FramedScene,
     /// What is truly seen.
     pub truth: Truth,
+    located: LocatedScene,
 }
 
 impl Frame {
+    fn prepare(&self, format: Format) -> Result<PreparedScene, PrepareError> {
+        self.located.prepare(&self.scene, format, Options::ROOTS)
+    }
+
     /// What the machine shows.
     fn draw(&self, prepared: &PreparedScene) -> Result<Drawing, FitError> {
         drawn(&self.scene, prepared, None)
@@ -101,6 +106,7 @@ impl Frames {
         let frames = files.iter().zip(scenes).map(|((name, _), scene)| Frame {
             name: name.clone(),
             truth: Truth::new(&scene, &line_done),
+            located: LocatedScene::new(&scene),
             scene,
         });
         let (mut has_bounds, mut is_for_zones, mut processors) = (true, true, 0);
@@ -109,8 +115,9 @@ impl Frames {
             // What this format refuses no other words take: f2 and the planes grow with the depth word.
             let wide = Format::BASE.with_guards(MOST_GUARDS.0, 0);
             let wide = wide.expect("guard bits of f1 within their range");
-            let prepared = prepare_for_roots(&frame.scene, wide);
-            let prepared = prepared.map_err(|source| frame.refused(source))?;
+            let prepared = frame
+                .prepare(wide)
+                .map_err(|source| frame.refused(source))?;
             let zone = needs::check_any(MachineKind::Zone, &frame.scene, &prepared);
             let zone = zone.map_err(|source| frame.refused(source));
             let beam = needs::check_any(MachineKind::Beam, &frame.scene, &prepared);
@@ -177,7 +184,7 @@ impl Frames {
         };
         let mut all = Vec::new();
         for frame in &self.frames {
-            match prepare_for_roots(&frame.scene, format) {
+            match frame.prepare(format) {
                 Ok(prepared) => match needs::check_any(self.kind, &frame.scene, &prepared) {
                     Ok(()) => all.push(prepared),
                     Err(DisplayError::Guards { .. }) => return Ok(None),

@@ -42,6 +42,16 @@ fn a_description_that_is_none_is_refused_by_place_or_key() {
     assert!(refused("100_000_000", "0").contains("clock.hertz is 0; accepted: 1 to"));
     assert!(refused("\"ice40\"", "\"ice41\"").contains("ice41"));
     assert!(refused("[\"E3\", \"H5\", \"F3\"]", "[\"E3\"]").contains("as many for each"));
+    let unpaired = |text: &str, old: &str, new: &str| {
+        let error = Board::parse(&text.replace(old, new), "mine").expect_err(new);
+        let wanted = "both pins of a channel of a Gowin, one of others";
+        assert!(error.to_string().contains(wanted), "{error}");
+    };
+    let nano = include_str!("../../../../boards/tang-nano-9k.toml");
+    unpaired(nano, "\"71,70\"", "\"71\"");
+    unpaired(nano, "\"69,68\"", "\"69,\"");
+    let ulx3s = include_str!("../../../../boards/ulx3s-85.toml");
+    unpaired(ulx3s, "\"A14\"", "\"A14,C14\"");
     let unknown = Board::named("de10").expect_err("no such board");
     assert!(matches!(unknown, BoardError::Unknown { .. }));
 }
