@@ -3,6 +3,5 @@
 
 pub mod arguments;
 pub mod failure;
-pub mod film;
 pub mod progress;
 pub mod verdict;

@@ -5,7 +5,7 @@ mod report;
 mod tile;
 
 use super::fit;
-use crate::arguments::{self, Fit, MACHINE_FILE};
+use crate::arguments::{self, Fit, MACHINE_FILE, Size};
 use crate::failure::Failure;
 use crate::output;
 use film::{Film, views};
@@ -243,15 +243,10 @@ fn machine(options: &arguments::Board, board: &Board) -> Result<MachineDescripti
 }
 
 fn fitted(options: &arguments::Board, board: &Board) -> Result<MachineDescription, Failure> {
-    let name = options.mode.as_ref().unwrap_or(&board.modes[0].name);
-    let size = name.split_once('x').and_then(|(width, height)| {
-        let [width, height] = [width, height].map(|side| side.parse().ok());
-        width.zip(height)
-    });
     let fit = Fit {
         scenes: vec![options.scene.clone()],
         out: options.out.clone(),
-        size: Some(size.ok_or_else(|| unknown_mode(board, name))?),
+        size: Some(screen(options, board)?),
         max_silhouette_errors: Some(CountLimit::Percent(PERCENT)),
         max_face_errors: Some(CountLimit::Percent(PERCENT)),
         // A tile has a light of its own, which the fit does not know.
@@ -266,6 +261,16 @@ fn fitted(options: &arguments::Board, board: &Board) -> Result<MachineDescriptio
         (machine.lights, machine.suns) = (0, 0);
     }
     Ok(machine)
+}
+
+/// Columns and lines of the mode that is asked for, or else the first of the board.
+fn screen(options: &arguments::Board, board: &Board) -> Result<Size, Failure> {
+    let name = options.mode.as_ref().unwrap_or(&board.modes[0].name);
+    let size = name.split_once('x').and_then(|(width, height)| {
+        let [width, height] = [width, height].map(|side| side.parse().ok());
+        width.zip(height)
+    });
+    size.ok_or_else(|| unknown_mode(board, name))
 }
 
 /// The mode of a machine and its frames per second, if it is one of the board; any blanking where there is no

@@ -271,6 +271,29 @@ fn what_a_tile_cannot_draw_is_refused() {
     );
 }
 
+/// Beside its own narrow image, within the wide screen.
+#[test]
+fn a_tile_draws_what_is_on_its_screen() {
+    let place = Place::new();
+    let mut text = std::fs::read_to_string(scene("ellipsoid.toml")).expect("a scene");
+    for (old, new) in [
+        ("width = 480, height = 360", "width = 100, height = 400"),
+        ("eye = [4.13, 3.07, 9.21]", "eye = [-0.44, 3.07, 11.25]"),
+        ("target = [0.02, 0.03, 0.0]", "target = [-4.55, 0.03, 2.04]"),
+        ("view_height = 4.2", "view_height = 12"),
+    ] {
+        assert!(text.contains(old), "{old}");
+        text = text.replace(old, new);
+    }
+    let narrow = place.path("narrow.toml");
+    std::fs::write(&narrow, text).expect("a place to write");
+    let line = format!(
+        "board tinytapeout {} --sources-only --out out",
+        narrow.display()
+    );
+    place.run(&line).ended(0);
+}
+
 /// In the cells of 180 nm with their delays, from unknown states on; the area is that of the shuttle's cells.
 #[test]
 fn the_cells_of_a_tile_show_the_golden_frames() {

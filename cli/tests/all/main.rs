@@ -16,7 +16,6 @@ mod emit;
 mod error_bounds;
 mod evaluate;
 mod failure;
-mod film;
 mod first_minute;
 mod fit;
 mod frames;

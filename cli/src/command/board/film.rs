@@ -4,7 +4,7 @@ use crate::arguments::{self, FrameRange, View};
 use crate::command::machine::{frames_of, images_of};
 use crate::command::read_scene;
 use crate::failure::Failure;
-use imogene::film::stays;
+use imogene_board::stays;
 use imogene_golden::machine::zone::beat::Beat;
 use imogene_plan::description::MachineDescription;
 use std::path::Path;

@@ -1,8 +1,8 @@
 //! A tile of a shared chip that shows a scene.
 
 use super::report::Shown;
-use super::{SLACK, command, machine, mode_of};
-use crate::arguments::{self, MACHINE_FILE, View};
+use super::{SLACK, command, machine, mode_of, screen};
+use crate::arguments::{self, MACHINE_FILE, Size, View};
 use crate::command::{frame_in, read_scene};
 use crate::failure::Failure;
 use crate::output;
@@ -18,6 +18,7 @@ use imogene_golden::format::Format;
 use imogene_golden::machine::tile::Tile as Golden;
 use imogene_plan::description::MachineDescription;
 use imogene_plan::tile::{TileError, only_solid, tile_words};
+use imogene_prepare::{Framing, prepare_for_roots};
 use imogene_studies::picture;
 use serde::Serialize;
 use std::path::PathBuf;
@@ -55,7 +56,9 @@ struct TileReport<'a> {
 
 /// Makes a tile that shows a scene.
 pub fn run(options: &arguments::Board, board: &Board, json: bool) -> Result<(), Failure> {
-    refuse_early(options)?;
+    if options.machine.is_none() {
+        refuse_early(options, screen(options, board)?)?;
+    }
     let machine = machine(options, board)?;
     let (mode, _) = mode_of(board, &machine)?;
     let words = words(options, &machine, mode)?;
@@ -105,13 +108,14 @@ pub fn run(options: &arguments::Board, board: &Board, json: bool) -> Result<(), 
 }
 
 /// Refuses what no words make a tile of, ahead of the fit, which takes seconds. What the words decide is left to it.
-fn refuse_early(options: &arguments::Board) -> Result<(), Failure> {
+fn refuse_early(options: &arguments::Board, (width, height): Size) -> Result<(), Failure> {
     let file = read_scene(&options.scene, &View::default())?;
-    let prepared = frame_in(&file, None, Format::BASE);
-    prepared.map_or(Ok(()), |(_, prepared)| match only_solid(&prepared) {
-        Ok(_) => Ok(()),
-        Err(error) => Err(refusal(options, &error)),
-    })
+    let framed = file.frame(width, height).ok();
+    let prepared = framed.and_then(|framed| prepare_for_roots(&framed, Format::BASE).ok());
+    match prepared.as_ref().map(only_solid) {
+        Some(Err(error)) => Err(refusal(options, &error)),
+        _ => Ok(()),
+    }
 }
 
 fn refusal(options: &arguments::Board, error: &TileError) -> Failure {

@@ -5,6 +5,7 @@ mod description;
 mod netlist;
 mod pll;
 mod screen;
+mod stays;
 mod tile;
 mod tmds;
 mod witness;

@@ -1,4 +1,4 @@
-use imogene::film::stays;
+use imogene_board::stays;
 
 #[test]
 fn images_stay_as_long_as_the_scene_says() {

@@ -1,4 +1,4 @@
-//! How long the images of a film stay on a screen.
+//! How long the images in the memory of a board stay on its screen.
 
 use num_integer::gcd;
 
