@@ -1,7 +1,7 @@
 //! Random bytes and changed real files through every reader: no panic, no hang, no unbounded memory, and what is
 //! malformed has a place in the file.
 //!
-//! Half a million random bytes for each reader, and 300 changed files of the collection; ten million and 20 000 under
+//! Half a million random bytes for each reader, and 300 changed files of the collection; ten million and 5 000 under
 //! `IMOGENE_FULL=1`, or as many files as `IMOGENE_FUZZ_CHANGES` says. `IMOGENE_FUZZ_FILES` names a folder of
 //! further files to change, `IMOGENE_FUZZ_READERS=mmcif,bcif` some of the readers.
 
@@ -320,7 +320,7 @@ fn readers_survive_anything() {
     let is_full = std::env::var("IMOGENE_FULL").is_ok_and(|value| value == "1");
     let changed = match std::env::var("IMOGENE_FUZZ_CHANGES") {
         Ok(number) => number.parse().expect("IMOGENE_FUZZ_CHANGES is a number"),
-        Err(_) if is_full => 20_000,
+        Err(_) if is_full => 5_000,
         Err(_) => 300,
     };
     let texts = if is_full { 20_000 } else { 1_000 };

@@ -1,7 +1,7 @@
 //! The emitted text against rust-hdl's own, by Yosys and ABC. Needs the package 'yosys' and fails without it. Every
-//! unit at the base format and at the shortest under `IMOGENE_FULL=1`; small units at the base format otherwise.
+//! unit at the base format and at the shortest under `IMOGENE_PROOFS=1`; small units at the base format otherwise.
 
-use super::{is_full_run, root, verilog};
+use super::{is_proof_run, root, verilog};
 use imogene_contract::Unit;
 use imogene_verif::equivalence::table::{Row, markdown};
 use imogene_verif::equivalence::{Text, Verdict, compare};
@@ -19,7 +19,7 @@ const SMALL: [Unit; 7] = [
 
 /// The rows of the table at a depth word, of units that are all proven equal where rust-hdl prints them.
 fn rows(depth_word: u32) -> Vec<String> {
-    let units = if is_full_run() {
+    let units = if is_proof_run() {
         &Unit::ALL[..]
     } else {
         &SMALL
@@ -46,7 +46,7 @@ fn units_of_the_base_format_are_the_circuits_that_rust_hdl_prints() {
 
 #[test]
 fn units_of_short_words_are_the_circuits_that_rust_hdl_prints() {
-    if is_full_run() {
+    if is_proof_run() {
         rows(16);
     }
 }

@@ -41,6 +41,11 @@ fn is_full_run() -> bool {
     std::env::var("IMOGENE_FULL").is_ok_and(|value| value == "1")
 }
 
+/// All proofs are made.
+fn is_proof_run() -> bool {
+    std::env::var("IMOGENE_PROOFS").is_ok_and(|value| value == "1")
+}
+
 /// The folder of the repository.
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")

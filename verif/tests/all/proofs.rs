@@ -1,7 +1,7 @@
 //! The formal proofs of the emitted Verilog. By default a part of them with the Yosys and z3 of the system; under
-//! `IMOGENE_FULL=1` all of them and all mutants, with SymbiYosys.
+//! `IMOGENE_PROOFS=1` all of them and all mutants, with SymbiYosys.
 
-use super::is_full_run;
+use super::is_proof_run;
 use imogene_verif::formal::mutants;
 use imogene_verif::formal::runner::{ProofReport, Task, prove_all, select};
 use imogene_verif::formal::toolchain::{Driver, Toolchain};
@@ -26,14 +26,14 @@ const REPRESENTATIVE: [&str; 12] = [
 const MUTATED: [&str; 4] = ["root_lemma-24", "pe1-26", "pe1-integers", "cut_plane-24"];
 
 fn toolchain() -> Toolchain {
-    let tools = if is_full_run() {
+    let tools = if is_proof_run() {
         Toolchain::find()
     } else {
         Toolchain::system()
     };
     let tools = tools.unwrap_or_else(|error| panic!("{error}"));
     assert!(
-        !is_full_run() || tools.driver != Driver::Smtbmc,
+        !is_proof_run() || tools.driver != Driver::Smtbmc,
         "SymbiYosys is missing; `scripts/setup --formal` installs it"
     );
     tools
@@ -56,7 +56,7 @@ fn mutants_of(job: &str) -> Vec<Task> {
 
 #[test]
 fn every_property_is_proved() {
-    let jobs = if is_full_run() {
+    let jobs = if is_proof_run() {
         select("all", true).unwrap()
     } else {
         let one = |name: &&str| select(name, false).unwrap().remove(0);
@@ -73,7 +73,7 @@ fn every_property_is_proved() {
 
 #[test]
 fn every_mutant_is_refuted() {
-    let names = if is_full_run() {
+    let names = if is_proof_run() {
         mutants::jobs()
     } else {
         MUTATED.into()

@@ -50,7 +50,7 @@ fn full() -> bool {
 #[test]
 fn no_bound_is_exceeded_and_the_dominating_ones_are_tight() {
     // The million of the documentation is run by the command line's tests.
-    let cases = if full() { 100_000 } else { 10_000 };
+    let cases = if full() { 20_000 } else { 10_000 };
     for report in tried(cases, 4, false) {
         for t in &report.terms {
             println!(
