@@ -12,6 +12,9 @@ pub struct Shading {
     /// random cases.
     #[arg(conflicts_with_all = ["cases", "seed", "sweep"])]
     pub scenes: Vec<PathBuf>,
+    /// Of lit-sphere shading, take the nearest entry.
+    #[arg(long, requires = "scenes")]
+    pub nearest: bool,
     /// Random cases for each set of widths.
     #[arg(long, default_value_t = 1_000_000, value_name = "N", value_parser = clap::value_parser!(u64).range(4096..))]
     pub cases: u64,

@@ -1,8 +1,9 @@
 //! Arguments of `board`.
 
 use super::FrameRange;
-use super::fit::side;
+use super::fit::tables;
 use clap::Args;
+use imogene_prepare::lit_sphere::SphereForm;
 use std::path::PathBuf;
 
 /// Arguments of `board`.
@@ -31,17 +32,18 @@ pub struct Board {
     #[arg(long, conflicts_with = "machine")]
     pub flat: bool,
     /// Shade a fitted machine by tables of the direction of the normal, of so many entries along each side, in the
-    /// place of the shading processor: fewer cells, with all lights and the viewer infinitely far.
+    /// place of the shading processor: fewer cells, with all lights and the viewer infinitely far. With :nearest the
+    /// nearest entry is the colour, without multipliers.
     #[arg(
         long,
-        value_name = "SIDE",
+        value_name = "SIDE[:nearest]",
         num_args = 0..=1,
         default_missing_value = "64",
         require_equals = true,
-        value_parser = side,
+        value_parser = tables,
         conflicts_with_all = ["machine", "flat"]
     )]
-    pub lit_sphere: Option<u32>,
+    pub lit_sphere: Option<SphereForm>,
     /// Write the sources alone, and run no outside tool.
     #[arg(long)]
     pub sources_only: bool,

@@ -5,6 +5,7 @@ use super::scene::size;
 use super::{Size, parse};
 use clap::Args;
 use imogene_plan::description::MachineKind;
+use imogene_prepare::lit_sphere::SphereForm;
 use imogene_studies::fit::budget::{Budget, CountLimit, DepthLimit};
 use imogene_studies::fit::frames::Frames;
 use imogene_studies::fit::machine::Pace;
@@ -47,10 +48,10 @@ pub struct Fit {
     #[arg(long, value_name = "F", value_parser = at_least_zero)]
     pub min_fps: Option<f64>,
     /// Shade by tables of the direction of the normal, of so many entries along each side, in the place of a shading
-    /// processor: fewer cells, with all lights and the viewer infinitely far (docs/shading.md). The budget of colours
-    /// is that of the words.
-    #[arg(long, value_name = "SIDE", num_args = 0..=1, default_missing_value = "64", require_equals = true, value_parser = side)]
-    pub lit_sphere: Option<u32>,
+    /// processor: fewer cells, with all lights and the viewer infinitely far (docs/shading.md). With :nearest the
+    /// nearest entry is the colour, without multipliers. The budget of colours is that of the words.
+    #[arg(long, value_name = "SIDE[:nearest]", num_args = 0..=1, default_missing_value = "64", require_equals = true, value_parser = tables)]
+    pub lit_sphere: Option<SphereForm>,
     /// Leave out synthesis: no costs, and the machine that should be smallest is taken.
     #[arg(long, conflicts_with_all = ["clock", "min_mhz"])]
     pub no_cost: bool,
@@ -141,8 +142,8 @@ impl Fit {
         if let Some(kind) = self.machine {
             command += &format!(" --machine {}", name(MACHINES, kind));
         }
-        if let Some(side) = self.lit_sphere {
-            command += &format!(" --lit-sphere={side}");
+        if let Some(form) = self.lit_sphere {
+            command += &format!(" --lit-sphere={form}");
         }
         if let Some(frames) = self.min_fps {
             command += &format!(" --min-fps {frames}");
@@ -160,11 +161,12 @@ impl Fit {
     }
 }
 
-/// Entries along each side of a table.
-pub fn side(text: &str) -> Result<u32, String> {
-    let sides = [16, 32, 64, 128];
-    let found = sides.into_iter().find(|side| side.to_string() == text);
-    found.ok_or_else(|| "expected 16, 32, 64 or 128".to_owned())
+/// Entries along each side of a table, and whether the nearest one is the colour.
+pub fn tables(text: &str) -> Result<SphereForm, String> {
+    let forms =
+        (4..=7).flat_map(|places| [false, true].map(|nearest| SphereForm { places, nearest }));
+    let found = forms.into_iter().find(|form| form.to_string() == text);
+    found.ok_or_else(|| "expected 16, 32, 64 or 128, or one of them with :nearest".to_owned())
 }
 
 fn at_least_zero(text: &str) -> Result<f64, String> {

@@ -332,8 +332,8 @@ fn command(options: &arguments::Board) -> String {
     if options.flat {
         command += " --flat";
     }
-    if let Some(side) = options.lit_sphere {
-        command += &format!(" --lit-sphere={side}");
+    if let Some(form) = options.lit_sphere {
+        command += &format!(" --lit-sphere={form}");
     }
     if let Some(range) = &options.animation {
         command += &format!(" --animation {range}");

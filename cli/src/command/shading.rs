@@ -45,7 +45,7 @@ struct Table {
 /// Compares the shading processor with its formula on random cases, or lit-sphere shading with both on scenes.
 pub fn run(options: &Shading, json: bool) -> Result<(), Failure> {
     if !options.scenes.is_empty() {
-        return on_scenes(&options.scenes, json);
+        return on_scenes(&options.scenes, options.nearest, json);
     }
     let widths = ShaderWidths::default();
     let mut sets = vec![("of the hardware".to_string(), widths)];
@@ -92,11 +92,11 @@ struct SphereScene {
     tables: Vec<SphereErrors>,
 }
 
-fn on_scenes(paths: &[PathBuf], json: bool) -> Result<(), Failure> {
+fn on_scenes(paths: &[PathBuf], nearest: bool, json: bool) -> Result<(), Failure> {
     let scene = |path: &PathBuf| {
         let (framed, prepared) =
             frame_in(&read_scene(path, &View::default())?, None, Format::BASE)?;
-        let tables = sphere_errors(&framed, &prepared);
+        let tables = sphere_errors(&framed, &prepared, nearest);
         let tables =
             tables.map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
         Ok(SphereScene {

@@ -45,8 +45,14 @@ fn the_pins_of_a_simulated_board_show_the_golden_picture() {
 #[test]
 fn the_pins_of_a_board_show_colours_from_tables() {
     let place = Place::new();
-    let options = "--lit-sphere=16 --mode 160x120";
     let scene = "shadows/ball-before-ball.toml";
+    let options = "--lit-sphere=16:nearest --mode 160x120";
+    let found = board(&place, "simulation", scene, options);
+    assert_eq!(found["pins"]["differing"], 0);
+    let tables = serde_json::json!({ "side": 16, "materials": 2, "nearest": true });
+    assert_eq!(found["machine"]["lit_sphere"], tables);
+    let place = Place::new();
+    let options = "--lit-sphere=16 --mode 160x120";
     let found = board(&place, "simulation", scene, options);
     assert_eq!(found["pins"]["differing"], 0);
     let tables = serde_json::json!({ "side": 16, "materials": 2 });
@@ -196,8 +202,8 @@ fn what_is_refused_says_what_would_do() {
     }
 }
 
-/// What is in the part, not what was meant: a whole frame out of the bitstreams of an iCE40 and a Gowin, and out of the
-/// routed cells of an ECP5.
+/// What is in the part, not what was meant: a whole frame out of the bitstreams of two iCE40 and a Gowin, and out of
+/// the routed cells of an ECP5.
 #[test]
 fn what_is_in_the_part_shows_the_golden_picture() {
     if !is_full() {
@@ -205,11 +211,17 @@ fn what_is_in_the_part_shows_the_golden_picture() {
     }
     for (name, witness) in [
         ("hx8k-evb", "bitstream"),
+        ("icebreaker", "bitstream"),
         ("tang-nano-9k", "bitstream"),
         ("ulx3s-12", "netlist"),
     ] {
         let place = Place::new();
-        let found = board(&place, name, "ellipsoid.toml", "--flat");
+        // Six multipliers of the part and its tables of colours in the second.
+        let (scene, options) = match name {
+            "icebreaker" => ("boards/egg.toml", "--lit-sphere=32:nearest"),
+            _ => ("ellipsoid.toml", "--flat"),
+        };
+        let found = board(&place, name, scene, options);
         assert_shown(&found["pins"], 2 * 307_200);
         assert_shown(&found[witness], 2 * 307_200);
         let clock = &found["routed"]["clocks"][0];

@@ -78,7 +78,10 @@ fn waveforms_go_from_the_bus_to_the_pins() {
     for (more, wanted) in [
         ("--vcd-from line:6", "accepted: 0,0 to 7,5"),
         ("--vcd-from 6", "frame:2,line:120"),
-        ("--vcd-nets core.shade", "core has objects, shading,"),
+        (
+            "--vcd-nets core.shade",
+            "core has objects, pixel_count, shading,",
+        ),
     ] {
         run(more).refused(&[wanted]);
     }

@@ -108,7 +108,7 @@ pub(super) fn shader(
     machine: &MachineDescription,
 ) -> Result<ShaderWords, ShaderError> {
     if let Some(sphere) = machine.lit_sphere {
-        return sphere_words(scene, format, sphere.places(), machine.lights as u32);
+        return sphere_words(scene, format, sphere.form(), machine.lights as u32);
     }
     match machine.lights {
         0 => flat_words(scene, format),

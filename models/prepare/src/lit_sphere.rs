@@ -7,9 +7,37 @@ use imogene_contract::shading::{MOST_TABLES, TABLE_BITS};
 use imogene_golden::format::Format;
 use imogene_golden::machine::shader::{ShaderWords, SphereTables};
 use imogene_scene::{FramedLight, FramedScene, Material};
+use std::fmt;
 
 /// Towards the viewer, who is infinitely far.
 const VIEWER: Vector = [0.0, 0.0, -1.0];
+
+/// The form of tables.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SphereForm {
+    /// Bits of a coordinate: a table has `2^places` by `2^places` entries.
+    pub places: u32,
+    /// The nearest entry is the colour; otherwise colours stand between entries.
+    pub nearest: bool,
+}
+
+impl SphereForm {
+    /// A full level, in quarters between entries.
+    fn white(&self) -> f64 {
+        match self.nearest {
+            true => 255.0,
+            false => 1020.0,
+        }
+    }
+}
+
+impl fmt::Display for SphereForm {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let side = 1 << self.places;
+        let nearest = if self.nearest { ":nearest" } else { "" };
+        write!(f, "{side}{nearest}")
+    }
+}
 
 /// Tables at most with so many bits of a coordinate.
 pub fn most_tables(places: u32) -> u32 {
@@ -22,8 +50,8 @@ pub fn shadowed_lights(prepared: &PreparedScene) -> usize {
     sources.max().map_or(0, |last| usize::from(last) + 1)
 }
 
-/// The words of a scene for a machine with tables of `2^places` by `2^places` entries, one for every way in which the
-/// first `lights` of the scene can reach a material or be in shadow. A light at a point counts as one in its direction
+/// The words of a scene for a machine with tables, one for every way in which the first `lights` of the scene can reach
+/// a material or be in shadow. A light at a point counts as one in its direction
 /// from the middle of the picture in the screen plane.
 ///
 /// # Errors
@@ -32,12 +60,16 @@ pub fn shadowed_lights(prepared: &PreparedScene) -> usize {
 pub fn sphere_words(
     scene: &FramedScene,
     format: &Format,
-    places: u32,
+    form: SphereForm,
     lights: u32,
 ) -> Result<ShaderWords, ShaderError> {
     let words = shader_words(scene, format, None)?;
     let materials = scene.materials.len() as u32;
-    let mut tables = SphereTables::dark(places, materials.max(1), lights);
+    let places = form.places;
+    let mut tables = SphereTables {
+        nearest: form.nearest,
+        ..SphereTables::dark(places, materials.max(1), lights)
+    };
     let of_one = tables.entries.chunks_exact_mut(1 << (2 * places));
     let looks = scene.materials.iter();
     let looks =
@@ -45,8 +77,9 @@ pub fn sphere_words(
     for ((material, flags), table) in looks.zip(of_one) {
         let reaches = |light: usize| light >= lights as usize || flags >> light & 1 == 1;
         for (place, entry) in table.iter_mut().enumerate() {
-            let normal = direction(place as u32, places);
-            *entry = far_colour(scene, material, normal, reaches).map(quarters);
+            let normal = direction(place as u32, form);
+            let level = |level: f64| (level.clamp(0.0, 1.0) * form.white()).round() as u16;
+            *entry = far_colour(scene, material, normal, reaches).map(level);
         }
     }
     Ok(ShaderWords {
@@ -59,10 +92,16 @@ pub fn sphere_words(
 
 /// The normal of an entry: the octahedral map of the half sphere before the viewer, its axes turned by an eighth, so
 /// that it fills a square.
-fn direction(entry: u32, places: u32) -> Vector {
-    let last = (1u32 << places) - 1;
-    let [sum, difference] =
-        [entry & last, entry >> places].map(|place| 2.0 * f64::from(place) / f64::from(last) - 1.0);
+fn direction(entry: u32, form: SphereForm) -> Vector {
+    let last = (1u32 << form.places) - 1;
+    let [sum, difference] = [entry & last, entry >> form.places].map(|place| {
+        let (place, last) = (f64::from(place), f64::from(last));
+        // Entries stand in the middle of their squares, or at the corners of cells.
+        match form.nearest {
+            true => (2.0 * place + 1.0) / (last + 1.0) - 1.0,
+            false => 2.0 * place / last - 1.0,
+        }
+    });
     let [x, y] = [(sum + difference) / 2.0, (sum - difference) / 2.0];
     unit([x, y, x.abs() + y.abs() - 1.0])
 }
@@ -97,11 +136,6 @@ pub fn far_colour(
         }
     }
     sum
-}
-
-/// A level in quarters, at most white.
-fn quarters(level: f64) -> u16 {
-    (level.clamp(0.0, 1.0) * 1020.0).round() as u16
 }
 
 /// The vector at length one; one without length has no direction, and stays.

@@ -168,18 +168,18 @@ pub fn design(p: &Request) -> Design {
             let (count, suns) = (p.lights.into(), p.suns.into());
             shading_processor("top", point, ShadingLoad::input(), Lights { count, suns })
         }),
-        Unit::LitSphere => alone(|| {
+        Unit::LitSphere | Unit::LitSphereNearest => alone(|| {
             let tables = Tables {
                 places: p.table_places,
                 count: p.tables,
+                nearest: p.unit == Unit::LitSphereNearest,
                 entries: vec![],
             };
-            lit_sphere(
-                "top",
-                SpherePoint::input(depth, NORMAL),
-                ShadingLoad::input(),
-                &tables,
-            )
+            let (point, load) = (SpherePoint::input(depth, NORMAL), ShadingLoad::input());
+            match tables.nearest {
+                true => lit_sphere_nearest("top", point, load, &tables),
+                false => lit_sphere("top", point, load, &tables),
+            }
         }),
         Unit::VideoTiming => alone(|| {
             let mode = &VideoMode::ALL[p.mode as usize];

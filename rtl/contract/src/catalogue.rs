@@ -266,4 +266,8 @@ units! {
         computes "the colour of every pixel from a table of the direction of its normal, one for each material and each way in which lights reach it";
         ties "a normal at a right angle to the line of sight is not turned; half a level is rounded up";
         error "measured in docs/shading.md: lights and viewer count as infinitely far, and between entries colours are of first degree";
+    LitSphereNearest "lit_sphere_nearest" [TABLE_PLACES, TABLES] "12 + B", "one pixel per clock, without a bubble; words change only when the pipeline has drained", "architecture, 8.4";
+        computes "the colour of every pixel from the nearest entry of a table of the direction of its normal";
+        ties "a normal at a right angle to the line of sight is not turned; between two entries stands the later one";
+        error "measured in docs/shading.md: lights and viewer count as infinitely far, and an entry has one colour";
 }

@@ -63,9 +63,9 @@ macro_rules! with_parameters {
             SUNS: "suns" "U" suns, 0 to Some(MOST_LIGHTS), Some(0),
                 "Of its lights, the last ones that are directional alone, 0 to all [default: 0]";
             TABLE_PLACES: "table-places" "B" table_places, 4 to Some(7), Some(6),
-                "Bits of a coordinate in the tables of lit_sphere, 4 to 7: 2^B by 2^B entries [default: 6]";
+                "Bits of a coordinate in the tables of lit_sphere and lit_sphere_nearest, 4 to 7: 2^B by 2^B entries [default: 6]";
             TABLES: "tables" "Z" tables, 1 to Some(MOST_TABLES), Some(1),
-                "Tables of lit_sphere, 1 to 32: at most 2^15 entries in all [default: 1]";
+                "Tables of lit_sphere and lit_sphere_nearest, 1 to 32: at most 2^15 entries in all [default: 1]";
         }
     };
 }

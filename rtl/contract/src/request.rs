@@ -194,7 +194,7 @@ impl Request {
         if self.unit == Unit::ShadingProcessor {
             in_range("suns", self.suns as usize, 0, self.lights)?;
         }
-        if self.unit == Unit::LitSphere {
+        if matches!(self.unit, Unit::LitSphere | Unit::LitSphereNearest) {
             let most = 1 << (TABLE_BITS - 2 * self.table_places);
             in_range("tables", self.tables as usize, 1, most)?;
         }

@@ -4,6 +4,10 @@
 pub const LATENCY: usize = 44;
 /// The same of lit-sphere shading.
 pub const LIT_SPHERE_LATENCY: u32 = 31;
+/// The same of the nearest entry of its tables, which have `2^places` by `2^places`.
+pub const fn nearest_latency(places: u32) -> u32 {
+    12 + places
+}
 /// The same where there are no lights.
 pub const FLAT_LATENCY: u32 = 3;
 /// Bits after the point of a level before it is rounded.
@@ -37,3 +41,7 @@ pub const MOST_TABLES: u32 = 32;
 pub const TABLE_BITS: u32 = 15;
 /// Bits of a level in an entry, of which two are behind the point; red stands in the low ones.
 pub const ENTRY_LEVEL: u32 = 10;
+/// Bits of a level where the nearest entry is taken as it is.
+pub const NEAREST_LEVEL: u32 = 8;
+/// Low bits of a line of sight in perspective that are left out where the nearest entry is taken.
+pub const NEAREST_DROPPED: u32 = 2;

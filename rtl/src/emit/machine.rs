@@ -323,7 +323,12 @@ impl MachineRequest {
             lines.push(format!("{} lights", self.lights));
             lines.extend(self.sphere.iter().map(|tables| {
                 let (side, count) = (1 << tables.places, tables.count);
-                format!("{count} lit-sphere tables of {side} x {side} entries")
+                let nearest = if tables.nearest {
+                    ", the nearest taken"
+                } else {
+                    ""
+                };
+                format!("{count} lit-sphere tables of {side} x {side} entries{nearest}")
             }));
             if self.suns > 0 {
                 lines.push(format!("the last {} directional", self.suns));

@@ -187,6 +187,7 @@ const CASES: &[Case] = &[
     ),
     (Unit::ShadingProcessor, &[], &[("valid", 1)], "out_valid"),
     (Unit::LitSphere, &[], &[("valid", 1)], "out_valid"),
+    (Unit::LitSphereNearest, &[], &[("valid", 1)], "out_valid"),
 ];
 
 #[test]

@@ -21,6 +21,11 @@ const ROUTED: &str = "routed.json";
 /// Seeds of the router, one after the other until every clock is reached.
 const SEEDS: [&str; 4] = ["1", "2", "3", "4"];
 
+/// Keeps registers behind multipliers out of their cells. Yosys 0.70 puts the sum of two products, each with a
+/// register, into one cell of an iCE40 and leaves out the second product, which the pins of the bitstream showed.
+const KEPT_PRODUCTS: &str =
+    "flatten; opt_clean; setattr -set keep 1 t:$mul %co1:+[Y] %co1:+[D] %co1:+[Q] w:* %i";
+
 /// A clock of a routed board, in MHz.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ClockReport {
@@ -92,11 +97,16 @@ impl Part {
         arguments
     }
 
+    /// An iCE40 UltraPlus, alone of its family.
+    pub(crate) fn has_multipliers(&self) -> bool {
+        self.device.starts_with("up")
+    }
+
     pub(crate) fn synthesis(&self) -> &'static str {
         match self.family {
             // Why without wide tables: docs/synthesis.md.
             Family::Ecp5 => "synth_ecp5 -nowidelut",
-            Family::Ice40 if self.device.starts_with("up") => "synth_ice40 -device u",
+            Family::Ice40 if self.has_multipliers() => "synth_ice40 -device u -dsp",
             Family::Ice40 => "synth_ice40",
             // The contents of block memories and the modes of multipliers cannot be read back out of a bitstream.
             Family::Gowin => "synth_gowin -nobram -nodsp",
@@ -113,7 +123,11 @@ impl Part {
                  setattr -mod -unset keep_hierarchy A:keep_hierarchy; flatten; opt_clean; write_json {NETLIST}"
             ),
             Family::Ice40 | Family::Gowin => {
-                format!("read_verilog board.v; {synthesis} -top {TOP} -json {NETLIST}")
+                let products = match self.has_multipliers() {
+                    true => format!("hierarchy -top {TOP}; proc; {KEPT_PRODUCTS}; "),
+                    false => String::new(),
+                };
+                format!("read_verilog board.v; {products}{synthesis} -top {TOP} -json {NETLIST}")
             }
         }
     }

@@ -15,6 +15,7 @@
 mod description;
 mod error;
 mod flow;
+pub mod multipliers;
 pub mod netlist;
 mod page;
 mod pll;

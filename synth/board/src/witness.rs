@@ -3,6 +3,7 @@
 use crate::description::{Board, Family, Part};
 use crate::error::BoardError;
 use crate::flow::{Built, failed, packed_text};
+use crate::multipliers::{CELL, with_multipliers};
 use crate::netlist::routed_models;
 use crate::top::{MODELS, Sources, TOP};
 use imogene_synth::tools::Tool;
@@ -147,21 +148,17 @@ pub fn witness(
     write(&folder.join(UNPACKED), unpacked)?;
     let (_, constraints) = sources.constraints.as_ref().expect("constraints of a part");
     write(&folder.join("pins.pcf"), constraints)?;
-    let arguments = [
-        "-s",
-        "-n",
-        TOP,
-        "-p",
-        "pins.pcf",
-        "-d",
-        &part.package,
-        UNPACKED,
-    ];
+    let arguments = ["-n", TOP, "-p", "pins.pcf", "-d", &part.package, UNPACKED];
     let mut verilog = ICEBOX.run(arguments, folder)?;
+    let mut cells = vec![RAM];
+    if part.has_multipliers() {
+        verilog = with_multipliers(&verilog, unpacked)?;
+        cells.push(CELL);
+    }
     if board.clock.pad {
         verilog = with_pad(&verilog);
     }
-    let models = cell_models(&[RAM], Target::Ice40Hx8k)? + MODELS;
+    let models = cell_models(&cells, Target::Ice40Hx8k)? + MODELS;
     Ok([declared_once(&verilog), models])
 }
 

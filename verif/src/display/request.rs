@@ -52,6 +52,7 @@ pub fn request_for(machine: &MachineDescription, tables: &[u64], command: &str) 
         sphere: machine.lit_sphere.map(|sphere| Tables {
             places: sphere.places(),
             count: (sphere.materials as u32) << machine.lights,
+            nearest: sphere.nearest,
             entries: tables.to_vec(),
         }),
         prefix: String::new(),

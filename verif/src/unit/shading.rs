@@ -2,7 +2,7 @@
 
 use super::description::{Description, behind_valid, bit, late};
 use crate::subject::{Inputs, Subject};
-use imogene_contract::shading::LIT_SPHERE_LATENCY;
+use imogene_contract::shading::{LIT_SPHERE_LATENCY, nearest_latency};
 use imogene_golden::format::Format;
 use imogene_golden::machine::shader::{
     LATENCY, LightWords, Pixel, Shader, ShaderWords, SphereTables,
@@ -35,8 +35,11 @@ pub(super) fn shading_processor(format: Format, lights: usize, suns: usize) -> D
     described(stimulus, words, LATENCY)
 }
 
-pub(super) fn lit_sphere(format: Format, places: u32, count: u32) -> Description {
-    let tables = SphereTables::dark(places, count, 0);
+pub(super) fn lit_sphere(format: Format, places: u32, count: u32, nearest: bool) -> Description {
+    let tables = SphereTables {
+        nearest,
+        ..SphereTables::dark(places, count, 0)
+    };
     let words = ShaderWords {
         sphere: Some(tables.clone()),
         ..ShaderWords::unloaded(format.depth, 0)
@@ -49,17 +52,22 @@ pub(super) fn lit_sphere(format: Format, places: u32, count: u32) -> Description
             view.chain(drawn(&tables, seed).load_words()).collect()
         })
     };
-    described(stimulus, words, LIT_SPHERE_LATENCY)
+    let latency = match nearest {
+        true => nearest_latency(places),
+        false => LIT_SPHERE_LATENCY,
+    };
+    described(stimulus, words, latency)
 }
 
 /// Tables of any entries that are no brighter than white.
 fn drawn(tables: &SphereTables, seed: u64) -> SphereTables {
     let mut state = seed;
+    let white = if tables.nearest { 255 } else { 1020 };
     let mut level = || {
         state = state
             .wrapping_mul(6_364_136_223_846_793_005)
             .wrapping_add(1);
-        (state >> 33) as u16 % 1021
+        (state >> 33) as u16 % (white + 1)
     };
     let entries = tables.entries.iter().map(|_| [(); 3].map(|()| level()));
     SphereTables {

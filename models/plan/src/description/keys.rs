@@ -57,7 +57,8 @@ pub fn keys() -> [Key; 22] {
 
 /// What `lit_sphere` accepts.
 pub(super) const SPHERE: &str = "{ side = 64, materials = 2 } with a side of 16, 32, 64 or 128, and 1 to 32 materials, of side 64 \
-     to 8 and of 128 to 2; half as many for each of the lights, which is 0 where nothing casts a shadow";
+     to 8 and of 128 to 2; half as many for each of the lights, which is 0 where nothing casts a shadow; and if need be \
+     nearest = true";
 
 /// What `mode` accepts.
 pub(super) fn modes() -> String {

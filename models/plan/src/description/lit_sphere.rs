@@ -1,7 +1,7 @@
 //! Tables of the direction of the normal in the place of a shading processor (`docs/architecture.md`, section 8.4).
 
 use super::MachineDescription;
-use imogene_prepare::lit_sphere::most_tables;
+use imogene_prepare::lit_sphere::{SphereForm, most_tables};
 use serde::{Deserialize, Serialize};
 
 /// Entries along each side of the smallest tables.
@@ -15,15 +15,22 @@ pub struct LitSphere {
     pub side: u32,
     /// Materials, each with a table, and with twice as many for each light of the machine.
     pub materials: usize,
+    /// The nearest entry is the colour, and nothing stands between entries.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub nearest: bool,
 }
 
 impl MachineDescription {
-    /// The machine with tables of so many entries along each side in the place of its lights.
-    pub fn lit_by_tables(self, side: u32) -> MachineDescription {
+    /// The machine with tables of this form in the place of its lights.
+    pub fn lit_by_tables(self, form: SphereForm) -> MachineDescription {
         MachineDescription {
             lights: 0,
             suns: 0,
-            lit_sphere: Some(LitSphere { side, materials: 1 }),
+            lit_sphere: Some(LitSphere {
+                side: 1 << form.places,
+                materials: 1,
+                nearest: form.nearest,
+            }),
             ..self
         }
     }
@@ -33,6 +40,14 @@ impl LitSphere {
     /// Bits of a coordinate in a table.
     pub fn places(&self) -> u32 {
         self.side.max(1).ilog2()
+    }
+
+    /// What its tables are like.
+    pub fn form(&self) -> SphereForm {
+        SphereForm {
+            places: self.places(),
+            nearest: self.nearest,
+        }
     }
 
     /// Tables of this side at most.

@@ -162,10 +162,13 @@ impl MachineDescription {
         let Some(sphere) = self.lit_sphere else {
             return Ok(());
         };
-        let text = format!(
-            "{{ side = {}, materials = {} }}",
-            sphere.side, sphere.materials
-        );
+        let nearest = if sphere.nearest {
+            ", nearest = true"
+        } else {
+            ""
+        };
+        let (side, materials) = (sphere.side, sphere.materials);
+        let text = format!("{{ side = {side}, materials = {materials}{nearest} }}");
         let is_side = [16, 32, 64, 128].contains(&sphere.side);
         match is_side && sphere.materials > 0 && sphere.has_room(self.lights) {
             true => Ok(()),

@@ -13,6 +13,7 @@ use imogene_plan::display::DisplayError;
 use imogene_plan::needs;
 use imogene_prepare::Framing;
 use imogene_prepare::error::PrepareError;
+use imogene_prepare::lit_sphere::SphereForm;
 use imogene_prepare::{LocatedScene, Options, PreparedScene};
 use imogene_scene::{FramedScene, SceneFile};
 
@@ -60,8 +61,8 @@ pub struct Frames {
     pub has_bounds: bool,
     /// Which machine they are for.
     pub(super) kind: MachineKind,
-    /// Entries along each side of its tables of lit-sphere shading, in the place of a shading processor.
-    pub lit_sphere: Option<u32>,
+    /// Its tables of lit-sphere shading, in the place of a shading processor.
+    pub lit_sphere: Option<SphereForm>,
 }
 
 /// The frames in words, against their truth.

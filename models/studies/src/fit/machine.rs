@@ -66,8 +66,8 @@ pub fn machine(
     let size = &frames.all()[0].scene;
     let size = (size.width, size.height);
     let mut smallest = smallest(&drawn.widths, &drawn.prepared, rows_per_stage, size);
-    if let Some(side) = frames.lit_sphere {
-        smallest = smallest.lit_by_tables(side);
+    if let Some(form) = frames.lit_sphere {
+        smallest = smallest.lit_by_tables(form);
     }
     let found = match frames.kind {
         MachineKind::Beam => {

@@ -3,26 +3,20 @@
 use imogene_analysis::metrics::Drawing;
 use imogene_contract::MachineWords;
 use imogene_golden::machine::shader::shade_picture;
-use imogene_prepare::lit_sphere::{shadowed_lights, sphere_words};
+use imogene_prepare::lit_sphere::{SphereForm, shadowed_lights, sphere_words};
 use imogene_prepare::shader::{ShaderError, material_numbers, shader_words};
 use imogene_prepare::{NeededWidths, PreparedScene};
 use imogene_scene::FramedScene;
 
-/// What a machine shows of a scene, with the colours of its shading processor, or of tables with so many entries along
-/// each side.
+/// What a machine shows of a scene, with the colours of its shading processor, or of tables of this form.
 pub fn drawn(
     scene: &FramedScene,
     prepared: &PreparedScene,
-    table_side: Option<u32>,
+    tables: Option<SphereForm>,
 ) -> Result<Drawing, ShaderError> {
     let format = &prepared.format;
-    let shader = match table_side {
-        Some(side) => sphere_words(
-            scene,
-            format,
-            side.ilog2(),
-            shadowed_lights(prepared) as u32,
-        )?,
+    let shader = match tables {
+        Some(form) => sphere_words(scene, format, form, shadowed_lights(prepared) as u32)?,
         None => shader_words(scene, format, None)?,
     };
     let materials = material_numbers(scene);

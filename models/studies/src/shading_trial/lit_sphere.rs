@@ -6,7 +6,7 @@ use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::Lighting;
 use imogene_golden::machine::shader::{ShaderWords, shade_picture};
 use imogene_prepare::PreparedScene;
-use imogene_prepare::lit_sphere::{far_colour, shadowed_lights, sphere_words};
+use imogene_prepare::lit_sphere::{SphereForm, far_colour, shadowed_lights, sphere_words};
 use imogene_prepare::shader::{ShaderError, material_numbers, shader_words};
 use imogene_scene::FramedScene;
 use serde::Serialize;
@@ -30,13 +30,16 @@ pub struct LevelErrors {
 pub struct SphereErrors {
     /// Entries along each side.
     pub side: u32,
+    /// The nearest entry is the colour.
+    pub nearest: bool,
     /// Of the table, against the formula with viewer and lights infinitely far.
     pub table: LevelErrors,
     /// Of all, against the shading processor.
     pub all: LevelErrors,
 }
 
-/// The errors of tables of every size on the picture of a scene, with its shadows.
+/// The errors of tables of every size, between entries or of the nearest one, on the picture of a scene, with its
+/// shadows.
 ///
 /// # Errors
 ///
@@ -44,6 +47,7 @@ pub struct SphereErrors {
 pub fn sphere_errors(
     scene: &FramedScene,
     prepared: &PreparedScene,
+    nearest: bool,
 ) -> Result<Vec<SphereErrors>, ShaderError> {
     let (width, height) = (prepared.width as usize, prepared.height as usize);
     let format = &prepared.format;
@@ -56,9 +60,11 @@ pub fn sphere_errors(
     let exact = picture(&shader_words(scene, format, None)?);
     let far = far_picture(&frame, &lighting, scene, format.z_max());
     let errors = |places| {
-        let own = picture(&sphere_words(scene, format, places, lights)?);
+        let form = SphereForm { places, nearest };
+        let own = picture(&sphere_words(scene, format, form, lights)?);
         Ok(SphereErrors {
             side: 1 << places,
+            nearest,
             table: differences(&frame, &own, &far),
             all: differences(&frame, &own, &exact),
         })

@@ -2,6 +2,7 @@
 
 use crate::kit::words::widest;
 use imogene_contract::{MachineWords, RootForm};
+use imogene_prepare::lit_sphere::SphereForm;
 use serde::{Deserialize, Serialize};
 
 /// What decides the pixels of a machine.
@@ -86,6 +87,15 @@ impl Accuracy {
             root_form: self.root_form,
             ..widest(self.depth, self.normal, guards, self.dropped_rows)
         }
+    }
+
+    /// Its tables of lit-sphere shading; none with a shading processor.
+    pub fn tables(&self) -> Option<SphereForm> {
+        let form = |side: u32| SphereForm {
+            places: side.ilog2(),
+            nearest: false,
+        };
+        (self.table_side > 0).then(|| form(self.table_side))
     }
 
     /// A short name, which is that of its files.

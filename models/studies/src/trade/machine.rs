@@ -22,9 +22,9 @@ pub fn machine(
         output: Output::Stream,
         ..smallest(widths, frames, design.rows_per_stage, size)
     };
-    let beam = match design.accuracy.table_side {
-        0 => beam,
-        side => beam.lit_by_tables(side),
+    let beam = match design.accuracy.tables() {
+        None => beam,
+        Some(form) => beam.lit_by_tables(form),
     };
     let asked = match design.zones {
         Some(Zones { processors, side }) => MachineDescription {

@@ -38,8 +38,7 @@ pub struct Measured<'a> {
 pub fn measure<'a>(views: &'a Views, accuracy: &Accuracy) -> Result<Measured<'a>, String> {
     let scene = views.drawn(accuracy)?;
     let (widths, prepared) = prepared(scene, accuracy)?;
-    let tables = (accuracy.table_side > 0).then_some(accuracy.table_side);
-    let mut drawing = drawn(scene, &prepared, tables).map_err(|e| e.to_string())?;
+    let mut drawing = drawn(scene, &prepared, accuracy.tables()).map_err(|e| e.to_string())?;
     if accuracy.undersampling > 1 {
         drawing = drawing.enlarged(accuracy.undersampling as usize);
     }

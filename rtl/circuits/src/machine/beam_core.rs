@@ -1,6 +1,7 @@
 //! The part of a beam machine that draws: from the raster to the colour of every pixel.
 
 use super::layer::{Look, shaded_layer};
+use super::pixel_count::pixel_count;
 use super::{
     Lit, MATERIAL, NORMAL, Objects, SHADING, Volumes, WordBus, all_sources, object_array,
     volume_array,
@@ -163,7 +164,7 @@ fn shaded_surface(
     };
     let point = Point {
         valid,
-        pixel: scan.pixel.delayed(machine.decided()),
+        pixel: pixel_count("pixel_count", scan, machine.decided()),
         depth,
         material,
         normal: shaded_normal(seen.normal).delayed(wait),
@@ -172,7 +173,7 @@ fn shaded_surface(
     (depth, machine.shading.shade("shading", point, shading))
 }
 
-/// A normal in the words of the shading processor, to which its length means nothing.
+/// A normal in at most the words of the shading processor, to which its length means nothing.
 pub(super) fn shaded_normal(normal: Normal) -> Normal {
-    normal.map(|part| part.high(part.width().min(NORMAL)).extend(NORMAL))
+    normal.map(|part| part.high(part.width().min(NORMAL)))
 }

@@ -1,13 +1,14 @@
 //! A transparent object of a beam machine: its processor, its material and its own shading.
 
 use super::beam_core::shaded_normal;
+use super::pixel_count::pixel_count;
 use super::slot::processor;
 use super::{BeamMachine, LoadBus, MATERIAL, all_sources};
 use crate::raster::Scan;
 use crate::shade::{Layer, Point, ShadingLoad, Surface};
 use crate::video::LEVEL;
 use imogene_contract::slots::FittedSlot;
-use imogene_hdl::{Bundle, Value, bundle, module};
+use imogene_hdl::{Value, bundle, module};
 
 bundle! {
     /// The word that says how a transparent object looks.
@@ -38,7 +39,7 @@ pub(super) fn shaded_layer(
         let (valid, depth) = (seen.front.out_valid, seen.front.zf);
         let point = Point {
             valid,
-            pixel: scan.pixel.delayed(machine.objects.slot_clocks(slot)),
+            pixel: pixel_count("pixel_count", scan, machine.objects.slot_clocks(slot)),
             depth,
             material,
             normal: shaded_normal(seen.normal),

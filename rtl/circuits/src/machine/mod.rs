@@ -11,6 +11,7 @@ mod decider;
 mod frame_loader;
 mod layer;
 mod object_array;
+mod pixel_count;
 mod raster_control;
 mod sample_mean;
 mod shadow_stage;

@@ -2,9 +2,10 @@
 
 use super::{
     FlatPoint, Lights, Point, Shaded, ShadingLoad, SpherePoint, Tables, flat_shading, lit_sphere,
-    shading_processor,
+    lit_sphere_nearest, shading_processor,
 };
-use imogene_contract::shading::{FLAT_LATENCY, LATENCY, LIT_SPHERE_LATENCY};
+use imogene_contract::shading::{FLAT_LATENCY, LATENCY, LIT_SPHERE_LATENCY, nearest_latency};
+use imogene_contract::words::NORMAL;
 use imogene_hdl::{Value, join};
 
 /// The form of shading that a machine has.
@@ -20,6 +21,7 @@ impl Shading {
     /// Clocks from a point to its colour.
     pub fn latency(&self) -> u32 {
         match (&self.tables, self.lights.count) {
+            (Some(tables), _) if tables.nearest => nearest_latency(tables.places),
             (Some(_), _) => LIT_SPHERE_LATENCY,
             (None, 0) => FLAT_LATENCY,
             (None, _) => LATENCY as u32,
@@ -41,6 +43,7 @@ impl Shading {
             normal,
             flags,
         } = point;
+        let full = normal.map(|part| part.extend(NORMAL));
         match (&self.tables, self.lights.count as u32) {
             (Some(tables), lights) => {
                 let table = match lights {
@@ -54,6 +57,13 @@ impl Shading {
                     table,
                     normal,
                 };
+                if tables.nearest {
+                    return lit_sphere_nearest(at, point, load, tables);
+                }
+                let point = SpherePoint {
+                    normal: full,
+                    ..point
+                };
                 lit_sphere(at, point, load, tables)
             }
             (None, 0) => {
@@ -64,7 +74,13 @@ impl Shading {
                 };
                 flat_shading(at, point, load)
             }
-            (None, _) => shading_processor(at, point, load, self.lights),
+            (None, _) => {
+                let point = Point {
+                    normal: full,
+                    ..point
+                };
+                shading_processor(at, point, load, self.lights)
+            }
         }
     }
 }

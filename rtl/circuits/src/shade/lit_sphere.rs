@@ -3,13 +3,15 @@
 use super::shading_processor::{Shaded, ShadingLoad};
 use super::sight::line_of_sight;
 use super::words::{Eye, view_store};
-use crate::arith::{reciprocal, shifted_by};
+use crate::arith::{Vector, reciprocal, shifted_by};
 use crate::machine::LoadBus;
 use crate::object::Normal;
 use crate::raster::Pixel;
 use crate::rows::numbered;
 use crate::video::Colour;
-use imogene_contract::shading::{ENTRY_LEVEL, LIT_SPHERE_LATENCY, TABLE_BITS};
+use imogene_contract::shading::{
+    ENTRY_LEVEL, LIT_SPHERE_LATENCY, NEAREST_DROPPED, NEAREST_LEVEL, TABLE_BITS, nearest_latency,
+};
 use imogene_contract::words::far_end;
 use imogene_hdl::{
     Bits, Bundle, Int, Value, bundle, bundles, join, memory, module, net, ports, read_only_memory,
@@ -19,18 +21,20 @@ use imogene_hdl::{
 const BETWEEN: u32 = 7;
 /// Bits of a coordinate of the map before it counts entries.
 const COORDINATE: u32 = 16;
-/// Bits of the length of a normal, the sum of its components without their signs.
+/// Bits of the length of a normal of full words, the sum of its components without their signs.
 const LENGTH: u32 = 17;
 /// Clock of a pixel at which its entries are asked for.
 const ASKED: u32 = 23;
 
-/// The tables of [`lit_sphere`].
+/// The tables of [`lit_sphere`] and of [`lit_sphere_nearest`].
 #[derive(Clone, Debug)]
 pub struct Tables {
     /// Bits of a coordinate: a table has `2^places` by `2^places` entries.
     pub places: u32,
     /// Their number.
     pub count: u32,
+    /// The nearest entry is the colour.
+    pub nearest: bool,
     /// Every entry, the first table first, line by line; none where they are loaded.
     pub entries: Vec<u64>,
 }
@@ -75,17 +79,73 @@ pub fn lit_sphere(at: &str, point: SpherePoint, load: ShadingLoad, tables: &Tabl
             between(&format!("{name}_between"), ends, places)
         });
         let levels: Vec<Bits> = levels.collect();
-        let is_far = point.depth.is(far_end(point.depth.width()) as u64);
-        let is_far = is_far.delayed_as("is_far", LIT_SPHERE_LATENCY - 1);
         let own = Colour::of([levels[0], levels[1], levels[2]]);
-        let [red, green, blue] = is_far.select(view.background, own).parts();
-        Shaded {
-            out_valid: point.valid.delayed_as("valid_late", LIT_SPHERE_LATENCY),
-            red: red.reg(),
-            green: green.reg(),
-            blue: blue.reg(),
-        }
+        shown(point, own, view.background, LIT_SPHERE_LATENCY)
     })
+}
+
+/// The colour of every pixel, one pixel per clock, from the entry of a table in whose square the direction of the
+/// normal is. Column and line are quotients, a row of subtraction for each bit of them, without a multiplier.
+///
+/// Latency 12, and one clock for each bit of a coordinate. Words stay unchanged while pixels are inside. Section 8.4 of
+/// the architecture.
+pub fn lit_sphere_nearest(
+    at: &str,
+    point: SpherePoint,
+    load: ShadingLoad,
+    tables: &Tables,
+) -> Shaded {
+    let inputs = (point, ("load", load));
+    module("lit_sphere_nearest", at, inputs, |(point, load)| {
+        let bus = LoadBus {
+            write: load.valid,
+            address: load.address,
+            data: load.data,
+        };
+        let latency = nearest_latency(tables.places);
+        let view = view_store("view_store", bus);
+        let square = map_square(
+            "map_square",
+            point.pixel,
+            point.normal,
+            view.eye,
+            tables.places,
+        );
+        let table = point.table.delayed_as("table_late", latency - 3);
+        let read = tables.place(table, join([square.line, square.column]));
+        let words = 1 << (tables.number_bits() + 2 * tables.places);
+        let width = 3 * NEAREST_LEVEL;
+        let entry = match tables.entries.is_empty() {
+            true => {
+                let address = load.address.low(tables.number_bits() + 2 * tables.places);
+                let write = (tables.is_written(load), address, load.data.low(width));
+                memory("entries", words, write, read)
+            }
+            false => {
+                let mut entries = tables.entries.clone();
+                entries.resize(words, 0);
+                read_only_memory("entries", width, entries, read)
+            }
+        };
+        let entry = entry.reg().named("entry_read");
+        let level =
+            |channel: u32| entry.slice((channel + 1) * NEAREST_LEVEL - 1, channel * NEAREST_LEVEL);
+        let own = Colour::of([0, 1, 2].map(level));
+        shown(point, own, view.background, latency)
+    })
+}
+
+/// The background where a point is as far as it can be, so many clocks after it. Latency 1 from the colours.
+fn shown(point: SpherePoint, own: Colour, background: Colour, latency: u32) -> Shaded {
+    let is_far = point.depth.is(far_end(point.depth.width()) as u64);
+    let is_far = is_far.delayed_as("is_far", latency - 1);
+    let [red, green, blue] = is_far.select(background, own).parts();
+    Shaded {
+        out_valid: point.valid.delayed_as("valid_late", latency),
+        red: red.reg(),
+        green: green.reg(),
+        blue: blue.reg(),
+    }
 }
 
 bundle! {
@@ -94,6 +154,12 @@ bundle! {
         length: Bits(LENGTH), "sum of the components without their signs, its first bit set";
         sum: Int(LENGTH + 1), "x + y in its unit";
         difference: Int(LENGTH + 1), "x - y in its unit";
+    }
+
+    /// The square of a table in which a direction is.
+    Square(places) {
+        column: Bits(places), "its column";
+        line: Bits(places), "its line";
     }
 
     /// A cell of a table, and the place in it.
@@ -122,47 +188,7 @@ fn facing(at: &str, pixel: Pixel, normal: Normal, eye: Eye) -> Facing {
     let inputs = (pixel, normal, eye);
     module("map_direction", at, inputs, |(pixel, normal, eye)| {
         let ray = line_of_sight(pixel, eye).1;
-        let kept = normal.delayed(2);
-        let [x, y, z] = kept.delayed(3).parts();
-        net! {
-            let product_x = (kept.nx * ray.x).reg();
-            let product_y = (kept.ny * ray.y).reg();
-            let product_z = (kept.nz * ray.z).reg();
-        }
-        let wide = |product: Int| product.extend(product.width() + 2);
-        net! {
-            let flat_sum = (wide(product_x) + wide(product_y)).reg();
-            let deep_part = wide(product_z).reg();
-            let both = (flat_sum + deep_part).reg();
-        }
-        let size = |part: Int| {
-            let wide = part.extend(LENGTH);
-            let size = part.is_negative().select(Int::new(0, LENGTH) - wide, wide);
-            size.bits().low(LENGTH - 1)
-        };
-        let one_more = |part: Int| part.extend(LENGTH + 1);
-        net! {
-            let is_turned = Int::new(0, both.width()).less(both).reg();
-            let size_x = size(x).reg();
-            let size_y = size(y).reg();
-            let size_z = size(z).reg();
-            let is_away = Int::new(0, z.width()).less(z).reg();
-            let is_near = z.is_negative().reg();
-            let plain_sum = (one_more(x) + one_more(y)).reg();
-            let plain_difference = (one_more(x) - one_more(y)).reg();
-        }
-        let turned = |part: Int| is_turned.select(Int::new(0, LENGTH + 1) - part, part).reg();
-        let flat = Bits::new(0, LENGTH - 1);
-        net! {
-            let flat_length = (size_x.extend(LENGTH) + size_y.extend(LENGTH)).reg();
-            let towards = is_turned.select(is_away, is_near).select(size_z, flat).reg();
-            let sum = turned(plain_sum);
-            let difference = turned(plain_difference);
-            let length = (flat_length + towards.extend(LENGTH)).reg();
-            let late_sum = sum.reg();
-            let late_difference = difference.reg();
-        }
-        let words = vec![length, late_sum.bits(), late_difference.bits()];
+        let words = turned(normal, ray).to_vec();
         let full = shifted_by(words, None, &[4, 3, 2, 1, 0]);
         Facing {
             length: full.words[0],
@@ -170,6 +196,106 @@ fn facing(at: &str, pixel: Pixel, normal: Normal, eye: Eye) -> Facing {
             difference: full.words[2].int(),
         }
     })
+}
+
+/// Column and line of a direction in tables of this size: how far its sum and its difference are from the first corner,
+/// in parts of two lengths. Latency 9, and one clock for each of their bits.
+fn map_square(at: &str, pixel: Pixel, normal: Normal, eye: Eye, places: u32) -> Square {
+    let inputs = (pixel, normal, eye);
+    module("map_square", at, inputs, |(pixel, normal, eye)| {
+        let ray = line_of_sight(pixel, eye).1;
+        let ray = ray.map(|part| part.high(part.width() - NEAREST_DROPPED));
+        let along = Int::new(1, ray.z.width());
+        let ray = Vector {
+            z: eye.perspective.select(ray.z, along).reg(),
+            ..ray
+        };
+        let [length, sum, difference] = turned(normal, ray);
+        let none = Bits::new(0, places);
+        let from_corner = |number: Bits| (number + length.extend(number.width())).reg();
+        net! {
+            let column_rest = from_corner(sum);
+            let line_rest = from_corner(difference);
+        }
+        let mut column = join([column_rest, none]);
+        let mut line = join([line_rest, none]);
+        let mut length = length.reg().named("length_late");
+        for row in 0..places {
+            column = map_row(&format!("column_row_{row}"), column, length);
+            line = map_row(&format!("line_row_{row}"), line, length);
+            length = length.reg();
+        }
+        Square {
+            column: column.low(places),
+            line: line.low(places),
+        }
+    })
+}
+
+/// One bit of a quotient: what is left of a number in the high bits, the bits before in the low ones. Latency 1.
+fn map_row(at: &str, number: Bits, length: Bits) -> Bits {
+    let inputs = ports!(number, length);
+    module("map_row", at, inputs, |(number, length)| {
+        let places = number.width() - length.width() - 1;
+        net! {
+            let rest = number.high(length.width() + 1);
+            let digit = !rest.less(length.extend(rest.width()));
+            let smaller = rest - length.extend(rest.width());
+        }
+        let left = digit.select(smaller, rest).low(length.width());
+        let digits = number.low(places - 1);
+        (
+            "further",
+            join([left, Bits::new(0, 1), digits, digit]).reg(),
+        )
+    })
+}
+
+/// Of a normal that is turned towards the viewer: its length, the sum of its components without their signs, of which z
+/// counts where it looks towards the viewer; x + y; and x - y. The line of sight comes 2 clocks later. Latency 8.
+fn turned(normal: Normal, ray: Vector) -> [Bits; 3] {
+    let long = normal.nx.width() + 1;
+    let kept = normal.delayed(2);
+    let [x, y, z] = kept.delayed(3).parts();
+    net! {
+        let product_x = (kept.nx * ray.x).reg();
+        let product_y = (kept.ny * ray.y).reg();
+        let product_z = (kept.nz * ray.z).reg();
+    }
+    let wide = |product: Int| product.extend(product.width() + 2);
+    net! {
+        let flat_sum = (wide(product_x) + wide(product_y)).reg();
+        let deep_part = wide(product_z).reg();
+        let both = (flat_sum + deep_part).reg();
+    }
+    let size = |part: Int| {
+        let wide = part.extend(long);
+        let size = part.is_negative().select(Int::new(0, long) - wide, wide);
+        size.bits().low(long - 1)
+    };
+    let one_more = |part: Int| part.extend(long + 1);
+    net! {
+        let is_turned = Int::new(0, both.width()).less(both).reg();
+        let size_x = size(x).reg();
+        let size_y = size(y).reg();
+        let size_z = size(z).reg();
+        let is_away = Int::new(0, z.width()).less(z).reg();
+        let is_near = z.is_negative().reg();
+        let plain_sum = (one_more(x) + one_more(y)).reg();
+        let plain_difference = (one_more(x) - one_more(y)).reg();
+    }
+    let towards_viewer = |part: Int| is_turned.select(Int::new(0, long + 1) - part, part).reg();
+    let flat = Bits::new(0, long - 1);
+    net! {
+        let flat_length = (size_x.extend(long) + size_y.extend(long)).reg();
+        let towards = is_turned.select(is_away, is_near).select(size_z, flat).reg();
+        let sum = towards_viewer(plain_sum);
+        let difference = towards_viewer(plain_difference);
+        let length = (flat_length + towards.extend(long)).reg();
+        let late_sum = sum.reg();
+        let late_difference = difference.reg();
+    }
+    [length, late_sum.bits(), late_difference.bits()]
 }
 
 /// The cell of a direction in tables of this size. Latency 10.
@@ -303,14 +429,22 @@ impl Tables {
         let half = |first: u32| address.slice(first + places - 1, first + 1);
         let is_own =
             address.bit(0).is(u64::from(bank & 1)) & address.bit(places).is(u64::from(bank >> 1));
-        let used = self.number_bits() + 2 * places;
-        let is_there = match TABLE_BITS - used {
-            0 => load.valid & address.bit(TABLE_BITS),
-            _ => load.valid & address.slice(TABLE_BITS, used).is(1 << (TABLE_BITS - used)),
-        };
         let table = address.slice(TABLE_BITS - 1, 2 * places);
         let place = self.place(table, join([half(places), half(0)]));
-        (is_there & is_own, place, load.data.low(3 * ENTRY_LEVEL))
+        (
+            self.is_written(load) & is_own,
+            place,
+            load.data.low(3 * ENTRY_LEVEL),
+        )
+    }
+
+    /// An entry of a table is loaded.
+    fn is_written(&self, load: ShadingLoad) -> Bits {
+        let used = self.number_bits() + 2 * self.places;
+        match TABLE_BITS - used {
+            0 => load.valid & load.address.bit(TABLE_BITS),
+            free => load.valid & load.address.slice(TABLE_BITS, used).is(1 << free),
+        }
     }
 
     /// The entries of one of the four memories.

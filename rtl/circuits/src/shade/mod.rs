@@ -14,7 +14,7 @@ mod words;
 
 pub use flat_shading::{FlatPoint, flat_shading};
 pub use form::Shading;
-pub use lit_sphere::{SpherePoint, Tables, lit_sphere};
+pub use lit_sphere::{SpherePoint, Tables, lit_sphere, lit_sphere_nearest};
 pub use shading_processor::{Lights, Point, Shaded, ShadingLoad, shading_processor};
 pub use transparency::{BLEND_LATENCY, Layer, Surface, transparency_pipeline, transparency_stage};
 

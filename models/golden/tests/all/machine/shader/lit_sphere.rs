@@ -1,4 +1,4 @@
-use imogene_golden::machine::shader::lit_sphere::{SphereTables, coordinates};
+use imogene_golden::machine::shader::lit_sphere::{SphereTables, coordinates, nearest};
 use imogene_golden::machine::shader::{Pixel, ShaderWords};
 use proptest::prelude::*;
 
@@ -24,6 +24,25 @@ proptest! {
         for (found, exact) in found.into_iter().zip([x + y, x - y]) {
             let exact = 32768.0 * (1.0 + side * exact / length);
             prop_assert!((found as f64 - exact).abs() < 4.0, "{found} {exact}");
+        }
+    }
+}
+
+proptest! {
+    /// Against the map in fractions: half of a coordinate from the corner is in the square of the entry, and the rim is
+    /// in the last one.
+    #[test]
+    fn a_direction_is_in_the_square_of_its_entry(normal in any::<[i16; 3]>(), places in 4u32..8) {
+        let pixel = Pixel { x: 0, y: 0, depth: 0, material: 0, normal, flags: 0 };
+        let found = nearest(&words(), &pixel, places);
+        let side = if normal[2] > 0 { -1 } else { 1 };
+        let [x, y, z] = normal.map(|part| side * i128::from(part));
+        let length = x.abs() + y.abs() + z.abs();
+        for (found, part) in found.into_iter().zip([x + y, x - y]) {
+            let (found, squares) = (found as i128, 1i128 << places);
+            let is_before = squares * (part + length) < 2 * length * (found + 1);
+            prop_assert!(2 * length * found <= squares * (part + length));
+            prop_assert!(is_before || found + 1 == squares, "{found} {part} {length}");
         }
     }
 }
