@@ -3,7 +3,7 @@
 
 use crate::error::BoardError;
 use imogene_tools::read;
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 
 /// The database of the part, beside the programs of IceStorm.
@@ -17,6 +17,18 @@ const ENABLE: &str = "CE";
 
 /// Column and line of a tile.
 type Tile = [u16; 2];
+/// A line of a cell in the database: a port or a parameter, its tile, and the wire or the bit there.
+type Line<'a> = (&'a str, Tile, &'a str);
+
+/// What is known of a part beside its cells.
+struct Tiles<'a> {
+    /// The nets of wires.
+    nets: HashMap<(Tile, &'a str), &'a str>,
+    /// Row and column of each configuration bit.
+    places: HashMap<&'a str, [usize; 2]>,
+    /// The rows of bits.
+    rows: HashMap<Tile, Vec<&'a str>>,
+}
 
 /// Verilog of a bitstream, with a cell for each multiplier whose product something reads.
 ///
@@ -29,24 +41,20 @@ pub(crate) fn with_multipliers(verilog: &str, unpacked: &str) -> Result<String, 
 
 /// The same with the text of the database.
 pub fn added(verilog: &str, unpacked: &str, database: &str) -> String {
-    let nets = nets(verilog);
-    let bits = configuration_bits(database);
-    let tiles = tiles(unpacked);
+    let tiles = Tiles {
+        nets: nets(verilog),
+        places: places(database),
+        rows: rows(unpacked),
+    };
     let heads = database.match_indices(".extra_cell ");
     let cells = heads.filter_map(|(start, _)| {
         let mut lines = database[start..].lines();
-        let head = lines.next()?;
-        let cell: Vec<_> = lines.map_while(port).collect();
-        let place = head.split(' ').nth(1)?;
-        let line = head.split(' ').nth(2)?;
-        head.ends_with(" MAC16").then(|| {
-            instance(
-                &format!("mac16_{place}_{line}"),
-                &cell,
-                &nets,
-                (&bits, &tiles),
-            )
-        })?
+        let head: Vec<&str> = lines.next()?.split(' ').collect();
+        let [_, column, line, _, "MAC16"] = head[..] else {
+            return None;
+        };
+        let cell: Vec<Line> = lines.map_while(cell_line).collect();
+        tiles.instance(&format!("mac16_{column}_{line}"), &cell)
     });
     let cells: String = cells.collect();
     let kept = verilog.lines().filter(|line| !line.starts_with("/* DSP"));
@@ -54,77 +62,60 @@ pub fn added(verilog: &str, unpacked: &str, database: &str) -> String {
     text.replacen("endmodule", &format!("{cells}endmodule"), 1)
 }
 
-/// The cell of a multiplier, if a net has a bit of its product.
-fn instance(
-    name: &str,
-    cell: &[(&str, Tile, &str)],
-    nets: &HashMap<(Tile, &str), &str>,
-    (bits, tiles): (&HashMap<&str, [usize; 2]>, &HashMap<Tile, Vec<&str>>),
-) -> Option<String> {
-    let net = |port: &str| {
-        let (_, tile, wire) = cell.iter().find(|(name, ..)| *name == port)?;
-        nets.get(&(*tile, *wire)).copied()
-    };
-    let product = (0..32).find_map(|bit| net(&format!("O_{bit}")));
-    product?;
-    let bus = |(bus, width): (&str, u32)| {
-        let bit = |bit: u32| match (bus, net(&format!("{bus}_{bit}"))) {
-            (_, Some(net)) => net.to_owned(),
-            ("O", None) => format!("{name}_o_{bit}"),
-            (_, None) => "1'b0".to_owned(),
+impl Tiles<'_> {
+    /// The cell of a multiplier, if a net has a bit of its product.
+    fn instance(&self, name: &str, cell: &[Line]) -> Option<String> {
+        let net = |port: &str| {
+            let (_, tile, wire) = cell.iter().find(|(name, ..)| *name == port)?;
+            self.nets.get(&(*tile, *wire)).copied()
         };
-        let bits: Vec<String> = (0..width).rev().map(bit).collect();
-        format!(".{bus}({{{}}})", bits.join(", "))
-    };
-    let is_single = |port: &&str| !port.contains('_') && !["CI", "CO"].contains(port);
-    let ports = cell.iter().map(|(port, ..)| *port).filter(is_single);
-    let single = ports.map(|port| {
-        let none = if port == ENABLE { "1'b1" } else { "1'b0" };
-        format!(".{port}({})", net(port).unwrap_or(none))
-    });
-    let ports: Vec<String> = BUSES.into_iter().map(bus).chain(single).collect();
-    let set = |(parameter, tile, wire): &(&str, Tile, &str)| {
-        let [row, column] = bits.get(wire)?;
-        let is_set = tiles.get(tile)?.get(*row)?.as_bytes().get(*column)? == &b'1';
-        let (name, place) = match parameter.strip_suffix("_1") {
-            Some(name) => (name, 1),
-            None => (parameter.strip_suffix("_0").unwrap_or(parameter), 0),
+        (0..32).find_map(|bit| net(&format!("O_{bit}")))?;
+        let bus = |(bus, width): (&str, u32)| {
+            let bit = |bit: u32| match (bus, net(&format!("{bus}_{bit}"))) {
+                (_, Some(net)) => net.to_owned(),
+                ("O", None) => format!("{name}_open[{bit}]"),
+                (_, None) => "1'b0".to_owned(),
+            };
+            let bits: Vec<String> = (0..width).rev().map(bit).collect();
+            format!(".{bus}({{{}}})", bits.join(", "))
         };
-        Some((name.to_owned(), u32::from(is_set) << place))
-    };
-    let mut parameters: Vec<(String, u32)> = vec![];
-    for (name, value) in cell.iter().filter_map(set) {
-        match parameters.iter_mut().find(|(other, _)| *other == name) {
-            Some((_, word)) => *word |= value,
-            None => parameters.push((name, value)),
-        }
+        // Bits of buses and parameters have an underscore; no carry goes from cell to cell.
+        let is_single = |port: &&str| !port.contains('_') && !["CI", "CO"].contains(port);
+        let ports = cell.iter().map(|(port, ..)| *port).filter(is_single);
+        let single = ports.map(|port| {
+            let none = if port == ENABLE { "1'b1" } else { "1'b0" };
+            format!(".{port}({})", net(port).unwrap_or(none))
+        });
+        let ports: Vec<String> = BUSES.into_iter().map(bus).chain(single).collect();
+        let (parameters, ports) = (self.parameters(cell), ports.join(", "));
+        Some(format!(
+            "wire [31:0] {name}_open;\n{CELL} #({parameters}) {name} ({ports});\n"
+        ))
     }
-    let parameters = parameters.into_iter().map(|(name, word)| {
-        let width = if name.contains("SELECT") || name.contains("LOWERINPUT") {
-            2
-        } else {
-            1
+
+    /// The parameters of a cell, of one bit or of two, whose names then end with a number in the database.
+    fn parameters(&self, cell: &[Line]) -> String {
+        let bit = |(parameter, tile, wire): &Line| {
+            let [row, column] = self.places.get(wire)?;
+            let row = self.rows.get(tile)?.get(*row)?;
+            let is_set = row.as_bytes().get(*column)? == &b'1';
+            let (name, place) = match parameter.strip_suffix("_1") {
+                Some(name) => (name, 1),
+                None => (parameter.strip_suffix("_0").unwrap_or(parameter), 0),
+            };
+            Some((name.to_owned(), u32::from(is_set) << place))
         };
-        format!(".{name}({width}'d{word})")
-    });
-    let parameters: Vec<String> = parameters.collect();
-    let wires: Vec<String> = (0..32)
-        .filter(|bit| net(&format!("O_{bit}")).is_none())
-        .map(|bit| format!("{name}_o_{bit}"))
-        .collect();
-    let declared = match wires.is_empty() {
-        true => String::new(),
-        false => format!("wire {};\n", wires.join(", ")),
-    };
-    Some(format!(
-        "{declared}{CELL} #({}) {name} ({});\n",
-        parameters.join(", "),
-        ports.join(", ")
-    ))
+        let mut words: BTreeMap<String, u32> = BTreeMap::new();
+        for (name, bit) in cell.iter().filter_map(bit) {
+            *words.entry(name).or_default() |= bit;
+        }
+        let words = words.iter().map(|(name, word)| format!(".{name}({word})"));
+        words.collect::<Vec<_>>().join(", ")
+    }
 }
 
-/// A line of a cell in the database: a port or a parameter, its tile, and the wire or the bit there.
-fn port(line: &str) -> Option<(&str, Tile, &str)> {
+/// Reads a line of a cell.
+fn cell_line(line: &str) -> Option<Line<'_>> {
     let mut words = line.split(' ');
     let name = words.next().filter(|name| !name.is_empty())?;
     let tile = [words.next()?.parse().ok()?, words.next()?.parse().ok()?];
@@ -155,7 +146,7 @@ fn nets(verilog: &str) -> HashMap<(Tile, &str), &str> {
 }
 
 /// Row and column of each configuration bit of a tile of a multiplier.
-fn configuration_bits(database: &str) -> HashMap<&str, [usize; 2]> {
+fn places(database: &str) -> HashMap<&str, [usize; 2]> {
     let start = database.find(".dsp0_tile_bits").unwrap_or(database.len());
     let lines = database[start..].lines().skip(1);
     let lines = lines.take_while(|line| !line.starts_with('.'));
@@ -168,7 +159,7 @@ fn configuration_bits(database: &str) -> HashMap<&str, [usize; 2]> {
 }
 
 /// The rows of bits of each tile that has some of a multiplier.
-fn tiles(unpacked: &str) -> HashMap<Tile, Vec<&str>> {
+fn rows(unpacked: &str) -> HashMap<Tile, Vec<&str>> {
     let heads = [".dsp", ".ipcon_tile"].map(|head| unpacked.match_indices(head));
     let heads = heads.into_iter().flatten();
     heads

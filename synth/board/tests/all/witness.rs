@@ -47,13 +47,13 @@ O_0 0 10 mult/O_0
         "{text}"
     );
     for part in [
-        "SB_MAC16 #(.A_REG(1'd0), .TOPOUTPUT_SELECT(2'd2)) mac16_0_5 (",
+        "SB_MAC16 #(.A_REG(0), .TOPOUTPUT_SELECT(2)) mac16_0_5 (",
         "1'b0, n1}), .B(",
-        "mac16_0_5_o_4, n2, mac16_0_5_o_2",
+        "mac16_0_5_open[4], n2, mac16_0_5_open[2]",
         ".CE(1'b1), .AHOLD(1'b0));\nendmodule",
     ] {
         assert!(text.contains(part), "{part}: {text}");
     }
     let own_tile = unpacked.replace("000\n001", "010\n000");
-    assert!(added(verilog, &own_tile, database).contains(".A_REG(1'd1)"));
+    assert!(added(verilog, &own_tile, database).contains(".A_REG(1)"));
 }
