@@ -4,7 +4,6 @@ use super::shading_processor::{Shaded, ShadingLoad};
 use super::sight::line_of_sight;
 use super::words::{Eye, view_store};
 use crate::arith::{Vector, reciprocal, shifted_by};
-use crate::machine::LoadBus;
 use crate::object::Normal;
 use crate::raster::Pixel;
 use crate::rows::numbered;
@@ -58,12 +57,7 @@ bundles! {
 pub fn lit_sphere(at: &str, point: SpherePoint, load: ShadingLoad, tables: &Tables) -> Shaded {
     let inputs = (point, ("load", load));
     module("lit_sphere", at, inputs, |(point, load)| {
-        let bus = LoadBus {
-            write: load.valid,
-            address: load.address,
-            data: load.data,
-        };
-        let view = view_store("view_store", bus);
+        let view = view_store("view_store", load.bus());
         let facing = facing("facing", point.pixel, point.normal, view.eye);
         let cell = map_cell("map_cell", facing, tables.places);
         let table = point.table.delayed_as("table_late", ASKED);
@@ -97,13 +91,8 @@ pub fn lit_sphere_nearest(
 ) -> Shaded {
     let inputs = (point, ("load", load));
     module("lit_sphere_nearest", at, inputs, |(point, load)| {
-        let bus = LoadBus {
-            write: load.valid,
-            address: load.address,
-            data: load.data,
-        };
         let latency = nearest_latency(tables.places);
-        let view = view_store("view_store", bus);
+        let view = view_store("view_store", load.bus());
         let square = map_square(
             "map_square",
             point.pixel,

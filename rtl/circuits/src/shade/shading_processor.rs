@@ -34,6 +34,17 @@ bundle! {
     }
 }
 
+impl ShadingLoad {
+    /// The same as a bus of words.
+    pub(super) fn bus(self) -> LoadBus {
+        LoadBus {
+            write: self.valid,
+            address: self.address,
+            data: self.data,
+        }
+    }
+}
+
 /// Lights of a shading processor.
 #[derive(Clone, Copy, Debug)]
 pub struct Lights {
@@ -79,12 +90,7 @@ impl Shaded {
 pub fn shading_processor(at: &str, point: Point, load: ShadingLoad, lights: Lights) -> Shaded {
     let inputs = (point, ("load", load));
     module("shading_processor", at, inputs, |(point, load)| {
-        let bus = LoadBus {
-            write: load.valid,
-            address: load.address,
-            data: load.data,
-        };
-        let view = view_store("view_store", bus);
+        let view = view_store("view_store", load.bus());
         let (sight, ray_places) = sight("sight", point.pixel, point.normal, view.eye);
         let depth = &point.depth;
         let width = depth.width();
