@@ -33,7 +33,7 @@ pub struct Board {
     pub flat: bool,
     /// Shade a fitted machine by tables of the direction of the normal, of so many entries along each side, in the
     /// place of the shading processor: fewer cells, with all lights and the viewer infinitely far. With :nearest the
-    /// nearest entry is the colour, without multipliers.
+    /// nearest entry is the colour, with three multipliers.
     #[arg(
         long,
         value_name = "SIDE[:nearest]",

@@ -49,7 +49,7 @@ pub struct Fit {
     pub min_fps: Option<f64>,
     /// Shade by tables of the direction of the normal, of so many entries along each side, in the place of a shading
     /// processor: fewer cells, with all lights and the viewer infinitely far (docs/shading.md). With :nearest the
-    /// nearest entry is the colour, without multipliers. The budget of colours is that of the words.
+    /// nearest entry is the colour, with three multipliers. The budget of colours is that of the words.
     #[arg(long, value_name = "SIDE[:nearest]", num_args = 0..=1, default_missing_value = "64", require_equals = true, value_parser = tables)]
     pub lit_sphere: Option<SphereForm>,
     /// Leave out synthesis: no costs, and the machine that should be smallest is taken.

@@ -6,7 +6,7 @@ use super::description::{MachineDescription, MachineKind};
 use super::display::zone_plan;
 use super::zone::clocks::{ZoneTiming, clocks};
 use super::zone::refine::Refinement;
-use imogene_contract::shading::{self, LIT_SPHERE_LATENCY, nearest_latency};
+use imogene_contract::shading::{self, table_latency};
 use imogene_golden::machine::accumulator;
 use imogene_prepare::PreparedScene;
 use imogene_scene::FramedScene;
@@ -51,8 +51,7 @@ pub fn clocks_per_frame(
                 0
             };
             let shading = match machine.lit_sphere {
-                Some(sphere) if sphere.nearest => u64::from(nearest_latency(sphere.places())),
-                Some(_) => u64::from(LIT_SPHERE_LATENCY),
+                Some(sphere) => u64::from(table_latency(sphere.places(), sphere.nearest)),
                 None => shading::LATENCY as u64,
             };
             Ok(clocks(&plan, &timing.zone).total + shading + 2 + means)

@@ -4,9 +4,13 @@
 pub const LATENCY: usize = 44;
 /// The same of lit-sphere shading.
 pub const LIT_SPHERE_LATENCY: u32 = 31;
-/// The same of the nearest entry of its tables, which have `2^places` by `2^places`.
-pub const fn nearest_latency(places: u32) -> u32 {
-    12 + places
+/// The same of tables of `2^places` by `2^places` entries, between them or of the nearest one.
+pub const fn table_latency(places: u32, nearest: bool) -> u32 {
+    if nearest {
+        12 + places
+    } else {
+        LIT_SPHERE_LATENCY
+    }
 }
 /// The same where there are no lights.
 pub const FLAT_LATENCY: u32 = 3;

@@ -2,7 +2,7 @@
 
 use super::description::{Description, behind_valid, bit, late};
 use crate::subject::{Inputs, Subject};
-use imogene_contract::shading::{LIT_SPHERE_LATENCY, nearest_latency};
+use imogene_contract::shading::table_latency;
 use imogene_golden::format::Format;
 use imogene_golden::machine::shader::{
     LATENCY, LightWords, Pixel, Shader, ShaderWords, SphereTables,
@@ -52,11 +52,7 @@ pub(super) fn lit_sphere(format: Format, places: u32, count: u32, nearest: bool)
             view.chain(drawn(&tables, seed).load_words()).collect()
         })
     };
-    let latency = match nearest {
-        true => nearest_latency(places),
-        false => LIT_SPHERE_LATENCY,
-    };
-    described(stimulus, words, latency)
+    described(stimulus, words, table_latency(places, nearest))
 }
 
 /// Tables of any entries that are no brighter than white.

@@ -4,7 +4,7 @@ use super::{
     FlatPoint, Lights, Point, Shaded, ShadingLoad, SpherePoint, Tables, flat_shading, lit_sphere,
     lit_sphere_nearest, shading_processor,
 };
-use imogene_contract::shading::{FLAT_LATENCY, LATENCY, LIT_SPHERE_LATENCY, nearest_latency};
+use imogene_contract::shading::{FLAT_LATENCY, LATENCY, table_latency};
 use imogene_contract::words::NORMAL;
 use imogene_hdl::{Value, join};
 
@@ -21,8 +21,7 @@ impl Shading {
     /// Clocks from a point to its colour.
     pub fn latency(&self) -> u32 {
         match (&self.tables, self.lights.count) {
-            (Some(tables), _) if tables.nearest => nearest_latency(tables.places),
-            (Some(_), _) => LIT_SPHERE_LATENCY,
+            (Some(tables), _) => table_latency(tables.places, tables.nearest),
             (None, 0) => FLAT_LATENCY,
             (None, _) => LATENCY as u32,
         }

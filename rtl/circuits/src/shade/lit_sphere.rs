@@ -9,7 +9,7 @@ use crate::raster::Pixel;
 use crate::rows::numbered;
 use crate::video::Colour;
 use imogene_contract::shading::{
-    ENTRY_LEVEL, LIT_SPHERE_LATENCY, NEAREST_DROPPED, NEAREST_LEVEL, TABLE_BITS, nearest_latency,
+    ENTRY_LEVEL, LIT_SPHERE_LATENCY, NEAREST_DROPPED, NEAREST_LEVEL, TABLE_BITS, table_latency,
 };
 use imogene_contract::words::far_end;
 use imogene_hdl::{
@@ -91,7 +91,7 @@ pub fn lit_sphere_nearest(
 ) -> Shaded {
     let inputs = (point, ("load", load));
     module("lit_sphere_nearest", at, inputs, |(point, load)| {
-        let latency = nearest_latency(tables.places);
+        let latency = table_latency(tables.places, true);
         let view = view_store("view_store", load.bus());
         let square = map_square(
             "map_square",
