@@ -38,10 +38,10 @@ pub struct MachineCost {
 }
 
 /// Units that can be the slowest; `square_root` stands for the whole network.
-const CRITICAL: [&str; 11] = [
-    "cut_plane",
+const CRITICAL: [&str; 12] = [
     "normal_unit",
-    "depth_interval",
+    "plane_limits",
+    "quadric_cut",
     "square_root",
     "square_root_non_restoring",
     "square_root_linear",
@@ -49,6 +49,7 @@ const CRITICAL: [&str; 11] = [
     "square_root_leading",
     "contour_choice",
     "half_spaces",
+    "half_space_node",
     "shading_processor",
 ];
 

@@ -161,8 +161,8 @@ pub struct Fitted {
     #[arg(long, value_name = "LIST", value_parser = widths::parse, requires = "slots",
           conflicts_with_all = ["format", "root-form", "planes", "objects"])]
     pub widths: Option<MachineWords>,
-    /// Slots of that machine, as a machine description has them: the planes of each, with a v for those with half B,
-    /// and behind it the bits of a shorter root and of shorter planes, such as 3,0,2v:r14:p20.
+    /// Slots of that machine, as a machine description has them: the planes of each, and behind it the bits of a
+    /// shorter root and of shorter planes, such as 3,0,2:r14:p20.
     #[arg(long, value_name = "LIST", value_parser = slots::parse, requires = "widths")]
     pub slots: Option<Slots>,
 }

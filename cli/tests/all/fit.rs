@@ -151,7 +151,7 @@ fn bad_input_is_refused_with_what_would_be_accepted() {
             "emit pe1 --widths depth=20 --slots 1",
             "takes the unit beam",
         ),
-        ("emit beam --widths depth=20 --slots 13", "3,0,2v"),
+        ("emit beam --widths depth=20 --slots 13", "3,0,2:"),
         ("emit beam --widths depth=20", "--slots"),
     ] {
         let refused = run(&format!("{line} --out x")).refused(&[part]);

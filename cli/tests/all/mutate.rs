@@ -5,14 +5,14 @@ use crate::common::{Place, Run, imogene, json};
 #[test]
 fn mutate_scores_a_unit_and_writes_the_table() {
     let place = Place::new();
-    let reports = place.json("mutate two_volume_merge,cut_plane --format 16,24 --out mutation.md");
+    let reports = place.json("mutate visibility_node,cut_plane --format 16,24 --out mutation.md");
     assert_eq!(reports.as_array().unwrap().len(), 4);
     let report = &reports[0];
-    assert_eq!(report["unit"], "two_volume_merge");
+    assert_eq!(report["unit"], "visibility_node");
     assert_eq!(report["mutants"], report["candidates"]);
     assert_eq!(report["score"], 100.0);
     let text = place.text("mutation.md");
-    assert!(text.contains("| two_volume_merge |"), "{text}");
+    assert!(text.contains("| visibility_node |"), "{text}");
 }
 
 #[test]
@@ -39,7 +39,7 @@ fn a_unit_has_the_parameters_that_are_given() {
 
 #[test]
 fn mutants_of_a_netlist_are_as_many_as_asked_for() {
-    let reports = json("mutate two_volume_merge --netlist 50");
+    let reports = json("mutate visibility_node --netlist 50");
     assert_eq!(reports[0]["mutants"], 50);
     assert_eq!(reports[0]["score"], 100.0);
 }

@@ -4,7 +4,7 @@
 //             planes 3
 //             rows per stage 1
 //             objects 4
-// latency:    44 clocks
+// latency:    38 clocks
 // error:      exact in its integer words; imogene check SCENE bounds what the rounding of a scene to those words costs
 // source:     architecture, 7
 // ports:

@@ -1,7 +1,7 @@
 //! Which slots the words of an object stand in.
 
 use crate::format::Format;
-use crate::object::quadric::QuadricWords;
+use crate::object::quadric::{self, QuadricWords};
 use crate::object::slot::ProcessorWords;
 use crate::unit::depth_interval::Class;
 use crate::unit::root::Method;
@@ -27,10 +27,7 @@ pub fn required(words: &ProcessorWords) -> Option<FittedSlot> {
 
 /// What an object requires of a quadric processor.
 pub fn required_of_quadric(words: &QuadricWords) -> FittedSlot {
-    FittedSlot {
-        two_volumes: words.class == Class::Front,
-        ..FittedSlot::of(Kind::Quadric, words.planes.len() as u32)
-    }
+    FittedSlot::quadric(words.planes.len() as u32)
 }
 
 /// True if words are for processors of this kind too: surfaces of quadrics are for both of theirs.
@@ -47,6 +44,5 @@ pub fn takes(slot: &FittedSlot, words: &ProcessorWords) -> bool {
 pub fn latency(slot: &FittedSlot, format: &Format, rows_per_stage: u32) -> u32 {
     let rows = slot.root.unwrap_or(format.root) - format.dropped_rows;
     let root = Method::of(format.root_form).latency(rows, rows_per_stage);
-    let cuts = slot.planes + u32::from(slot.two_volumes);
-    root + 2 * cuts + 9
+    root + quadric::after_root(slot.planes as usize)
 }

@@ -390,7 +390,7 @@ impl MachineDescription {
 
     /// Its object processors.
     pub fn slots(&self) -> Vec<FittedSlot> {
-        let alike = FittedSlot::full(self.planes as u32);
+        let alike = FittedSlot::quadric(self.planes as u32);
         match &self.slots {
             Some(Slots(slots)) => slots.clone(),
             None => vec![alike; self.objects],

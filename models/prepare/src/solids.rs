@@ -266,7 +266,7 @@ fn twice_met(words: &QuadricWords, context: &Context) -> Option<[i64; 2]> {
     let format = &context.format;
     let is_met_twice = |&[x, y]: &[i64; 2]| {
         let probe = words.probe_at(x, y, format);
-        let (a, b) = probe.cut.last().copied().unwrap_or(probe.halves);
+        let (a, b) = probe.halves;
         a.is_present(format) && b.is_present(format)
     };
     let line = |y: i64| (window.x0..=window.x1).map(move |x| [x, y]);

@@ -2,8 +2,9 @@
 //!
 //! What makes no circuit ends in a panic that says why.
 
+use crate::arith::Network;
 use crate::machine::{self, BeamMachine, Beat, Volumes, ZoneCore, ZoneMachine};
-use crate::object::{Network, Widths};
+use crate::object::Widths;
 use crate::video::{Output, OverlayBus};
 use imogene_contract::MachineWords;
 use imogene_contract::tile::TileWords;

@@ -77,18 +77,17 @@ pub fn design(p: &Request) -> Design {
         }),
         Unit::CutPlane => alone(|| cut_plane("top", Cut::input(depth), interval())),
         Unit::DepthInterval => alone(|| depth_interval("top", roots(), Bits::input(2))),
-        Unit::TwoVolumeMerge => alone(|| two_volume_merge("top", interval(), interval())),
+        Unit::QuadricCut => alone(|| {
+            let limits = Limits::input(depth);
+            quadric_cut("top", roots(), Bits::input(2), limits)
+        }),
         Unit::NormalUnit => alone(|| {
             let words = NormalWords::input(widths, planes);
             normal_unit("top", Flags::input(), Face::input(depth), words)
         }),
         Unit::QuadricProcessor => alone(|| {
-            let shape = Shape {
-                root: network,
-                two_volumes: true,
-            };
             let words = Words::input(widths, planes);
-            quadric_processor("top", Scan::input(), words, shape)
+            quadric_processor("top", Scan::input(), words, network)
         }),
         Unit::SphereProcessor => {
             alone(|| sphere_processor("top", Scan::input(), Sphere::input(widths)))
@@ -154,7 +153,7 @@ pub fn design(p: &Request) -> Design {
             let machine = Objects {
                 words,
                 rows_per_stage: rows,
-                slots: vec![FittedSlot::full(planes); p.objects as usize],
+                slots: vec![FittedSlot::quadric(planes); p.objects as usize],
                 products: vec![],
             };
             beam("top", Zone::input(), Load::input(widths.bus()), &machine)

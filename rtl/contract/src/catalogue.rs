@@ -122,9 +122,9 @@ units! {
         computes "the two halves of the depth interval of a quadric object";
         ties "f2 = 0 counts as inside; a near depth at 2^(W-1) - 1 or beyond is absent for a side object; a depth exactly at the near end is kept and gets no cap";
         error EXACT;
-    TwoVolumeMerge "two_volume_merge" [] "2", EVERY_CLOCK, "Nyiri 1994, 2.4.2";
-        computes "the half of a depth interval that lies in front";
-        ties "half A wins at equal front depth";
+    QuadricCut "quadric_cut" [] "5", EVERY_CLOCK, "Nyiri 1994, 2.4.2";
+        computes "what is seen of a quadric of which planes leave what lies between two limits; the limits come two clocks after the roots";
+        ties "a limit at a face keeps it, and the face its number; limits at one depth keep a sheet; f2 = 0 counts as inside";
         error EXACT;
     NormalUnit "normal_unit" [PLANES] "4", PIXELS, "Nyiri 1994, 2.4.2";
         computes "the normal of the visible face of a quadric object";
@@ -134,9 +134,9 @@ units! {
         computes "the first face of a bare surface that every plane keeps, all planes at once";
         ties "a plane keeps a face that lies in it; the near face wins where both are left; f2 = 0 is inside";
         error EXACT;
-    QuadricProcessor "quadric_processor" [PLANES, ROWS] "ceil(W / R) + 2 N + 11", HELD_WORDS, "Nyiri 1994, 2.4.2";
+    QuadricProcessor "quadric_processor" [PLANES, ROWS] "ceil(W / R) + 11 + max(0, ceil(log2 N) - 2)", HELD_WORDS, "Nyiri 1994, 2.4.2";
         computes "depth, face and normal of the visible front of one quadric object cut by planes";
-        ties "those of its parts: f2 = 0 is inside, planes at a face keep it, half A wins at equal front depth; box bounds are inclusive";
+        ties "those of its parts: f2 = 0 is inside, planes at a face keep it; box bounds are inclusive";
         error WORDS;
     PatchProcessor "patch_processor" [FOUR_PLANES, ROWS] "ceil(W / R) + 9", HELD_WORDS, "Nyiri 1994, 2.4.3 and 5.2.1";
         computes "depth, face and normal of the visible face of a bare quadric surface cut by planes";
@@ -146,7 +146,7 @@ units! {
         computes "depth, face and normal of a quadric between two parallel planes, found by contours on the screen";
         ties "a plane exactly at a root of a solid is its face; of a surface it has removed that root; f2 = 0 is inside";
         error INTEGERS;
-    PolyhedronProcessor "polyhedron_processor" [FACES] "ceil(log2 N) + 6", HELD_WORDS, "Nyiri 1994, annex A; Chaillou 1991, IV.2.3";
+    PolyhedronProcessor "polyhedron_processor" [FACES] "ceil(log2 N) + 5", HELD_WORDS, "Nyiri 1994, annex A; Chaillou 1991, IV.2.3";
         computes "front and back depth, faces and normals of a convex solid of planes";
         ties "of planes at equal depth the smallest index wins; an interval of no thickness is there; a plane at the near end is not a face, the end is";
         error INTEGERS;
@@ -216,7 +216,7 @@ units! {
         computes "the coefficient words of one object, loaded over a bus";
         ties NO_TIES;
         error EXACT;
-    Beam "beam" [PLANES, ROWS, OBJECTS] "1 + (ceil(W / R) + 2 N + 11) + ceil(log2 M)", HELD_WORDS, "architecture, 7";
+    Beam "beam" [PLANES, ROWS, OBJECTS] "1 + (ceil(W / R) + 11 + max(0, ceil(log2 N) - 2)) + ceil(log2 M)", HELD_WORDS, "architecture, 7";
         computes "the visible surface of many quadric objects, pixel by pixel";
         ties "at equal depth the smaller slot wins; within an object those of the quadric processor";
         error WORDS;

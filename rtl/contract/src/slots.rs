@@ -1,6 +1,5 @@
-//! Slots of a fitted machine, and as text: the planes of each, with a `v` for those with half B, as in `3,0,2v`; those
-//! of other kinds by their names, as in `patch2,sphere`; behind it the words that are shorter than those of the
-//! machine, as in `2v:r14:p20`.
+//! Slots of a fitted machine, and as text: the planes of each, as in `3,0,2`; those of other kinds by their names, as
+//! in `patch2,sphere`; behind it the words that are shorter than those of the machine, as in `2:r14:p20`.
 
 use crate::machine_words::{MachineWords, WordRange};
 use crate::object::{KINDS, Kind, ProductSlots};
@@ -17,8 +16,6 @@ pub struct FittedSlot {
     pub kind: Kind,
     /// Cut planes or sides, 0 to 12.
     pub planes: u32,
-    /// With half B, for objects of class front.
-    pub two_volumes: bool,
     /// Bits of its root, if they are fewer than those of the machine: of quadrics and patches alone.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub root: Option<u32>,
@@ -32,26 +29,22 @@ fn is_quadric(kind: &Kind) -> bool {
 }
 
 impl FittedSlot {
-    /// A slot of quadrics without planes and half B.
+    /// A slot of quadrics without planes.
     pub const NONE: FittedSlot = FittedSlot::of(Kind::Quadric, 0);
 
-    /// A slot of a kind in the words of its machine, without half B.
+    /// A slot of a kind in the words of its machine.
     pub const fn of(kind: Kind, planes: u32) -> FittedSlot {
         FittedSlot {
             kind,
             planes,
-            two_volumes: false,
             root: None,
             plane: None,
         }
     }
 
-    /// A slot for quadrics of every class.
-    pub const fn full(planes: u32) -> FittedSlot {
-        FittedSlot {
-            two_volumes: true,
-            ..FittedSlot::of(Kind::Quadric, planes)
-        }
+    /// A slot for quadrics.
+    pub const fn quadric(planes: u32) -> FittedSlot {
+        FittedSlot::of(Kind::Quadric, planes)
     }
 
     /// A slot for the objects of both, which are of one kind; of two, that of the other.
@@ -62,7 +55,6 @@ impl FittedSlot {
         FittedSlot {
             kind: self.kind,
             planes: self.planes.max(other.planes),
-            two_volumes: self.two_volumes || other.two_volumes,
             root: longer(self.root, other.root),
             plane: longer(self.plane, other.plane),
         }
@@ -146,9 +138,9 @@ fn longer(one: Option<u32>, other: Option<u32>) -> Option<u32> {
 /// Text that names no slots.
 #[derive(Debug, Error, PartialEq, Eq)]
 #[error(
-    "'{0}' is no slot; expected a list such as 3,0,2v: the planes of each slot, 0 to {MOST_PLANES}, with a v for a slot with half B, \
+    "'{0}' is no slot; expected a list such as 3,0,2: the planes of each slot, 0 to {MOST_PLANES}, \
      patch3, polyhedron6, facet3, curved_facet2, sphere, cylinder or first_generation, \
-     and behind one the bits of a shorter root and of shorter plane words, as in 2v:r14:p20"
+     and behind one the bits of a shorter root and of shorter plane words, as in 2:r14:p20"
 )]
 pub struct SlotsError(String);
 
@@ -171,14 +163,11 @@ fn slot(text: &str) -> Option<FittedSlot> {
     })
 }
 
+/// A `v` behind the planes is read over: it stood for objects of class front, which need nothing of their own.
 fn quadric(shape: &str) -> Option<FittedSlot> {
-    let without_half = shape.strip_suffix('v');
-    let planes = without_half.unwrap_or(shape).parse().ok();
+    let planes = shape.strip_suffix('v').unwrap_or(shape).parse().ok();
     let planes = planes.filter(|&planes| planes <= MOST_PLANES)?;
-    Some(FittedSlot {
-        two_volumes: without_half.is_some(),
-        ..FittedSlot::of(Kind::Quadric, planes)
-    })
+    Some(FittedSlot::quadric(planes))
 }
 
 fn any_kind(shape: &str) -> Option<FittedSlot> {
@@ -212,9 +201,6 @@ impl fmt::Display for FittedSlot {
         }
         if self.kind.planes() != [0, 0] {
             write!(f, "{}", self.planes)?;
-        }
-        if self.two_volumes {
-            f.write_str("v")?;
         }
         self.root.map_or(Ok(()), |root| write!(f, ":r{root}"))?;
         self.plane.map_or(Ok(()), |plane| write!(f, ":p{plane}"))

@@ -62,7 +62,7 @@ pub(super) fn check_slots(slots: &[FittedSlot], words: &MachineWords) -> Result<
 /// The slots as the header of the Verilog states them.
 pub(super) fn slots_line(slots: &[FittedSlot]) -> String {
     let (count, first) = (slots.len(), slots[0].planes);
-    if slots.iter().all(|slot| *slot == FittedSlot::full(first)) {
+    if slots.iter().all(|slot| *slot == FittedSlot::quadric(first)) {
         return format!("{count} object processors of {first} planes");
     }
     let each: String = slots.iter().map(|slot| format!(" {slot}")).collect();
@@ -74,5 +74,5 @@ pub(super) fn slots_line(slots: &[FittedSlot]) -> String {
     } else {
         ""
     };
-    format!("slots, by their planes, v with half B{own}:{each}")
+    format!("slots, by their planes{own}:{each}")
 }

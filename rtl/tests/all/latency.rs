@@ -116,7 +116,12 @@ const CASES: &[Case] = &[
         &[("is_inside", 1)],
         "zf_a",
     ),
-    (Unit::TwoVolumeMerge, &[], &[("zf_b", -1)], "zf"),
+    (
+        Unit::QuadricCut,
+        &[("in_box", 1)],
+        &[("is_inside", 1)],
+        "zf",
+    ),
     (Unit::NormalUnit, &[], &[("number", 15)], "nz"),
     (Unit::NormalUnit, &[("gy_c", 256)], GO, "ny"),
     (

@@ -5,15 +5,14 @@ use imogene_rtl::emit::emit;
 use std::path::Path;
 
 /// The circuits on the way, from the smallest to the machine.
-const FILES: [&str; 13] = [
+const FILES: [&str; 12] = [
     "raster/mod.rs",
     "raster/pe1.rs",
     "raster/pe2.rs",
     "arith/root_rows.rs",
     "arith/square_root.rs",
     "object/quadric_pe.rs",
-    "object/interval.rs",
-    "object/cut_plane.rs",
+    "object/quadric_cut.rs",
     "object/visible.rs",
     "object/quadric_processor.rs",
     "machine/decider.rs",

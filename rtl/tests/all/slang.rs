@@ -61,14 +61,14 @@ fn machines() -> [Emitted; 3] {
         zone_bits: 8,
         samples: 2,
     };
-    let quadrics = vec![FittedSlot::full(1); 3];
+    let quadrics = vec![FittedSlot::quadric(1); 3];
     let product = ProductSlots {
         intersected: 1,
         subtracted: 1,
     };
     let each = KINDS.map(|(kind, _, [least, _])| FittedSlot {
         kind,
-        ..FittedSlot::full(least)
+        ..FittedSlot::quadric(least)
     });
     let machines = [
         (

@@ -41,9 +41,9 @@ fn a_report_is_kept() {
     if !is_full() {
         return;
     }
-    let first = run(Unit::TwoVolumeMerge, Target::Ice40Hx8k);
+    let first = run(Unit::VisibilityNode, Target::Ice40Hx8k);
     // The seconds are measured once: equal ones show that the second report is the first.
-    assert_eq!(run(Unit::TwoVolumeMerge, Target::Ice40Hx8k), first);
+    assert_eq!(run(Unit::VisibilityNode, Target::Ice40Hx8k), first);
 }
 
 /// A file of the documentation.

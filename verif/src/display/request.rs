@@ -66,7 +66,7 @@ pub fn core_request(
     format: &Format,
     rows_per_stage: usize,
 ) -> MachineRequest {
-    let slots = vec![FittedSlot::full(machine.planes as u32); machine.slots()];
+    let slots = vec![FittedSlot::quadric(machine.planes as u32); machine.slots()];
     MachineRequest {
         kind: Kind::ZoneCore(shape(machine)),
         products: machine.products.clone(),

@@ -20,6 +20,8 @@ use crate::unit;
 use design::{DesignError, Simulator, with_verilog};
 use imogene_contract::Request;
 use imogene_golden::format::Format;
+use imogene_golden::object::quadric::after_root;
+use imogene_golden::unit::half_spaces::tree_levels;
 use imogene_rtl::emit::emit;
 
 /// Name of the engine in process, circuits as machine code, in options and reports.
@@ -80,7 +82,7 @@ pub fn processor_signals(
     let root = format.root_latency(rows_per_stage as u32) as usize;
     let mut list = Vec::new();
     let mut add = |name: &str, width: u32, offset: usize, point: &str| {
-        let signed = !["root", "merged_nf", "number"].contains(&name);
+        let signed = !["root", "seen_number", "number"].contains(&name);
         list.push(ProbeSignal {
             signal: Signal::new(name, width, signed),
             offset,
@@ -94,29 +96,21 @@ pub fn processor_signals(
     for name in ["near_sum", "far_sum"] {
         add(name, format.sum, 2 + root, &format!("quadric.{name}"));
     }
-    let (begin, merged) = (5 + root, 7 + root + 2 * planes);
-    let ends = [("zf", "a"), ("zb", "a"), ("zf", "b"), ("zb", "b")];
-    for (end, half) in ends {
-        let [name, point] = ["_", "."].map(|joint| format!("interval{joint}{end}_{half}"));
-        add(&name, w, begin, &point);
-    }
+    // The normal takes four clocks; the limits of the planes meet the roots three clocks before it.
+    let end = root + after_root(planes) as usize;
+    let limits = end - 7 - tree_levels(planes) as usize;
     for i in 0..planes {
-        let (name, point) = (format!("plane_{i}_depth"), format!("planes_{i}.depth"));
-        let met = begin + 2 * i;
-        add(&name, w, met, &point);
-        for (end, half) in ends {
-            let point = format!("cut_{half}_{i}.cut_{end}");
-            add(&format!("cut_{i}_{end}_{half}"), w, met + 2, &point);
-        }
-    }
-    for (end, width) in [("zf", w), ("zb", w), ("nf", 4)] {
-        let [name, point] = ["merged_", "merge."].map(|of| format!("{of}{end}"));
-        add(&name, width, merged, &point);
+        let point = format!("planes_{i}.plane.value");
+        add(&format!("plane_{i}"), format.plane, limits - 1, &point);
     }
     let depths = [("zf", w), ("zb", w), ("number", 4)];
+    for (name, width) in depths {
+        let [name, point] = ["seen_", "cut."].map(|of| format!("{of}{name}"));
+        add(&name, width, end - 4, &point);
+    }
     let normals = ["nx", "ny", "nz"].map(|name| (name, normal));
     for (name, width) in depths.into_iter().chain(normals) {
-        add(name, width, merged + 4, name);
+        add(name, width, end, name);
     }
     list
 }

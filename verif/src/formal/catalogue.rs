@@ -132,12 +132,12 @@ const DEPTH_INTERVAL: Family = Family {
     widths: |w| vec![("W", w), ("S", w + 2)],
     statement: "depth_interval: holds exactly the depths of the object's class, ordered or absent, latency 3",
 };
-const TWO_VOLUME_MERGE: Family = Family {
-    name: "two_volume_merge",
-    unit: Unit::TwoVolumeMerge,
-    properties: property!("two_volume_merge.sv"),
-    statement: "two_volume_merge: the half with the nearer front goes on whole, half A at a tie, latency 2",
-    ..CUT_PLANE
+const QUADRIC_CUT: Family = Family {
+    name: "quadric_cut",
+    unit: Unit::QuadricCut,
+    properties: property!("quadric_cut.sv"),
+    statement: "quadric_cut: the first depth that the object's class holds between the limits, the end of its piece, its face, latency 5",
+    ..DEPTH_INTERVAL
 };
 const VISIBILITY_NODE: Family = Family {
     name: "visibility_node",
@@ -196,12 +196,12 @@ fn depths() -> Vec<Job> {
             method: Method::Induction(4),
             ..CUT_PLANE_ORDER.at(word)
         };
-        let [cut, interval, merge] = [(CUT_PLANE, 2), (DEPTH_INTERVAL, 3), (TWO_VOLUME_MERGE, 2)]
-            .map(|(family, latency)| Job {
+        let [cut, interval, quadric] =
+            [(CUT_PLANE, 2), (DEPTH_INTERVAL, 3), (QUADRIC_CUT, 5)].map(|(family, latency)| Job {
                 method: Method::Induction(latency),
                 ..family.at(word)
             });
-        [cut, order, interval, merge]
+        [cut, order, interval, quadric]
     };
     DEPTH_WORDS.into_iter().flat_map(at).collect()
 }
@@ -248,11 +248,12 @@ fn late(job: Job, latency: usize, definitions: &[(&str, usize)]) -> Job {
 fn valid_path((planes, rows_per_stage): (usize, usize)) -> Job {
     let path = job(
         format!("quadric_processor-n{planes}-r{rows_per_stage}"),
-        "quadric_processor: out_valid is valid, L + 2 N + 11 clocks later; none lost, none made",
+        "quadric_processor: out_valid is valid, as many clocks later as its latency says; none lost, none made",
         property!("valid_path.sv"),
         Unit::QuadricProcessor,
     );
-    let latency = BASE.div_ceil(rows_per_stage) + 2 * planes + 11;
+    let tree = planes.next_power_of_two().ilog2() as usize;
+    let latency = BASE.div_ceil(rows_per_stage) + 11 + tree.saturating_sub(2);
     Job {
         design: Design::Emitted(Request {
             planes: planes as u32,
@@ -268,13 +269,13 @@ fn valid_path((planes, rows_per_stage): (usize, usize)) -> Job {
 fn beam_valid() -> Job {
     let beam = job(
         "beam-m4-n3",
-        "beam: valid is that of its raster control, L + 2 N + 11 + tree clocks later; none lost, none made",
+        "beam: valid is that of its raster control, as many clocks later as its latency says; none lost, none made",
         property!("beam_valid.sv"),
         Unit::Beam,
     );
     Job {
         top: "beam_valid",
-        ..late(beam, BASE + 6 + 11 + 2, &[])
+        ..late(beam, BASE + 11 + 2, &[])
     }
 }
 

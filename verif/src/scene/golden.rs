@@ -46,11 +46,8 @@ impl GoldenMachine {
 
 /// The values of a probe in the order of [`crate::engine::processor_signals`].
 pub(super) fn probe_values(p: &Probe) -> Vec<i64> {
-    let (a, b) = &p.halves;
-    let mut list = vec![p.f2, p.f1, p.root, p.near, p.far, a.zf, a.zb, b.zf, b.zb];
-    for (plane, (a, b)) in p.plane.iter().zip(&p.cut) {
-        list.extend([*plane, a.zf, a.zb, b.zf, b.zb]);
-    }
+    let mut list = vec![p.f2, p.f1, p.root, p.near, p.far];
+    list.extend(&p.plane);
     let [nx, ny, nz] = p.output.normal.map(i64::from);
     list.extend([p.merged.zf, p.merged.zb, p.merged.nf.into()]);
     list.extend([p.output.zf, p.output.zb, p.output.number.into(), nx, ny, nz]);

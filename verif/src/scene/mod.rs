@@ -50,7 +50,7 @@ pub fn slots_for(
     if !(1..=limit as usize).contains(&rows_per_stage) {
         return Err(CosimError::Rows(rows_per_stage, limit));
     }
-    Ok(vec![FittedSlot::full(planes as u32); count])
+    Ok(vec![FittedSlot::quadric(planes as u32); count])
 }
 
 /// The words of a scene of quadric processors alone.

@@ -1,12 +1,12 @@
-//! The units of the depth interval: opening it, cutting it, merging its halves.
+//! The units of the depth interval: opening it, cutting it, and both at once.
 
 use super::description::{Description, any_raster, bit, last_pixel, late, stated};
 use super::words::{Ports, class, plane_kind, read};
 use crate::stimulus::{depth, interval};
 use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
-use imogene_golden::unit::cut_plane::cut;
-use imogene_golden::unit::depth_interval::{Interval, halves};
+use imogene_golden::unit::cut_plane::{PlaneKind, cut};
+use imogene_golden::unit::depth_interval::{Class, Interval, halves};
 use imogene_golden::unit::merge::merge;
 use imogene_golden::unit::pe1::Pe1;
 use imogene_golden::unit::plane_depth::saturate;
@@ -107,16 +107,90 @@ fn cuts(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     proptest::collection::vec(one, clocks).boxed()
 }
 
-pub(super) fn two_volume_merge() -> Description {
-    Description::new(two_halves, || {
-        let mut late = late(LATENCY);
-        move |i: &[i64]| stated(late.push(flat(&merge(interval_of(i), interval_of(&i[4..])))))
+/// The chain of the source over two planes at the limits, and one perpendicular to the screen.
+pub(super) fn quadric_cut(format: Format) -> Description {
+    Description::new(cut_quadrics, move || {
+        // The roots of two clocks before stand beside the limits of this one.
+        let (mut early, mut late) = (late(3), late(3));
+        move |i: &[i64]| {
+            let roots = early.push([i[0], i[1], i[2], i[3], i[4]]);
+            let seen = roots.map(|[near, far, is_inside, in_box, object_class]| {
+                let whole = match bit(in_box) {
+                    true => halves(class(object_class), near, far, !bit(is_inside), &format),
+                    false => [(); 2].map(|()| Interval::absent(&format)).into(),
+                };
+                let planes = [
+                    (PlaneKind::Front, i[5], i[6]),
+                    (PlaneKind::Back, i[7], i[8]),
+                    (PlaneKind::Perpendicular, -i[9], 0),
+                ];
+                let is_surface = class(object_class) == Class::Patch;
+                let left = |half: Interval| {
+                    planes.into_iter().fold(half, |left, (kind, zp, number)| {
+                        cut(left, kind, zp, number as u8, is_surface, &format)
+                    })
+                };
+                let seen = merge(left(whole.0), left(whole.1));
+                [seen.zf, seen.zb, seen.nf.into()]
+            });
+            stated(late.push(seen).flatten())
+        }
     })
 }
 
-fn two_halves(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
-    let half = (interval(subject.inputs[0].width), 0i64..16, 0i64..16);
-    let half = half.prop_map(|((zf, zb), nf, nb)| [zf, nf, zb, nb]);
-    let one = [half.clone(), half].prop_map(|halves| halves.concat());
-    proptest::collection::vec(one, clocks).boxed()
+/// Roots in order, and two clocks later limits about them.
+fn cut_quadrics(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let width = subject.inputs[5].width;
+    let end = (1i64 << (width - 1)) - 1;
+    let numbers = (0i64..16, 0i64..16);
+    let one = (
+        sums(subject, 1),
+        limit(width),
+        limit(width),
+        numbers,
+        0i64..32,
+    );
+    let one = one.prop_map(move |(sums, front, back, numbers, removed)| {
+        let sums = sums[0].clone();
+        let (near, far) = (sums[0].min(sums[1]), sums[0].max(sums[1]));
+        let at = |limit: Limit| match limit {
+            Limit::At(z) => z,
+            Limit::AtRoot(is_far, flipped) => {
+                let z = if is_far { far } else { near }.clamp(-end, end);
+                if flipped < width - 1 {
+                    z ^ (1 << flipped)
+                } else {
+                    z
+                }
+            }
+        };
+        let (front, back) = (at(front), at(back));
+        let roots = vec![near, far, sums[2], sums[3], sums[4]];
+        let removed = i64::from(removed == 0);
+        (roots, vec![front, numbers.0, back, numbers.1, removed])
+    });
+    let later = proptest::collection::vec(one, clocks + 2);
+    let both = later.prop_map(move |list| {
+        let one = |at: usize| [&list[at + 2].0[..], &list[at].1[..]].concat();
+        (0..clocks).map(one).collect::<Vec<Inputs>>()
+    });
+    both.boxed()
+}
+
+/// A depth, or that of a root but for one bit at most.
+#[derive(Clone, Copy, Debug)]
+enum Limit {
+    At(i64),
+    AtRoot(bool, u32),
+}
+
+fn limit(width: u32) -> BoxedStrategy<Limit> {
+    let none = proptest::sample::select(vec![-(1i64 << (width - 1)), (1 << (width - 1)) - 1]);
+    let near_root = (any::<bool>(), 0..2 * width);
+    prop_oneof![
+        2 => depth(width).prop_map(Limit::At),
+        1 => none.prop_map(Limit::At),
+        3 => near_root.prop_map(|(is_far, flipped)| Limit::AtRoot(is_far, flipped)),
+    ]
+    .boxed()
 }

@@ -119,7 +119,7 @@ fn describe(p: &Request) -> Description {
         Unit::DepthInterval => depth::depth_interval(format),
         Unit::PlaneDepth => depth::plane_depth(format),
         Unit::CutPlane => depth::cut_plane(format),
-        Unit::TwoVolumeMerge => depth::two_volume_merge(),
+        Unit::QuadricCut => depth::quadric_cut(format),
         Unit::NormalUnit => normal::normal_unit(planes),
         Unit::QuadricProcessor => object::quadric_processor(format, planes, rows),
         Unit::ProgrammablePe => elementary::programmable_pe(format),

@@ -7,12 +7,13 @@ use imogene_verif::equivalence::table::{Row, markdown};
 use imogene_verif::equivalence::{Text, Verdict, compare};
 
 /// Units that take seconds.
-const SMALL: [Unit; 7] = [
+const SMALL: [Unit; 8] = [
     Unit::Pe1,
     Unit::Pe2,
     Unit::CutPlane,
     Unit::PlaneDepth,
     Unit::DepthInterval,
+    Unit::QuadricCut,
     Unit::Decider,
     Unit::RasterControl,
 ];

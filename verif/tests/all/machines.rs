@@ -145,7 +145,7 @@ fn slots_that_are_not_alike_show_the_golden_picture() {
     let mut machine = small("beam-160x120.toml", 48, 36, 40);
     let alike = drawn("teapot.toml", &machine);
     // As `imogene check` says of the scene in this size, a few with more than they need.
-    machine.slots = Some(Slots(parse("2,2,2,1v,2,0,2v,3,3,3").expect("slots")));
+    machine.slots = Some(Slots(parse("2,2,2,1,2,0,2,3,3,3").expect("slots")));
     let image = drawn("teapot.toml", &machine);
     assert!(image.beats.len() < alike.beats.len());
     run(&machine, &[image], &PinsRun::plain(Engine::BuiltIn));

@@ -15,7 +15,7 @@ const REPRESENTATIVE: [&str; 12] = [
     "pe2-48",
     "pe2-integers",
     "cut_plane-24",
-    "two_volume_merge-24",
+    "quadric_cut-24",
     "raster_control-12",
     "raster_control-integers",
     "quadric_processor-n3-r1",

@@ -160,7 +160,7 @@ fn nets_of_a_scene_are_recorded_by_their_paths() {
         ..Options::plain(4, 2)
     };
     let run = |options: &Options, engine| scene::run(&teapot(48, 36), options, engine, || ());
-    let nets = ["processors_1.quadric", "processors_0.merge.zf"];
+    let nets = ["processors_1.quadric", "processors_0.cut.zf"];
     let (report, _) = run(&options(&nets), Engine::BuiltIn).unwrap();
     assert!(report.passed());
     let waves = Waves::of(&report.trace.unwrap());
@@ -171,12 +171,12 @@ fn nets_of_a_scene_are_recorded_by_their_paths() {
         let probe = waves.changes(&format!("imogene.processor_1.hardware.{probe}"));
         assert!(waves.changes(&format!("{inside}.{net}")) == probe && probe.len() > 9);
     }
-    waves.changes("imogene.beam.inside.processors_0.merge.zf");
+    waves.changes("imogene.beam.inside.processors_0.cut.zf");
 
     let refused = |nets: &[&str], engine| run(&options(nets), engine).unwrap_err().to_string();
     let said = refused(&["processors_1.quadrik"], Engine::BuiltIn);
     assert!(
-        said.starts_with("there is no net or instance 'processors_1.quadrik': processors_1 has quadric, interval,"),
+        said.starts_with("there is no net or instance 'processors_1.quadrik': processors_1 has quadric, planes_0,"),
         "{said}"
     );
     let said = refused(&nets, Engine::Verilog(Simulator::Icarus));

@@ -44,7 +44,7 @@ pub struct QuadricReport {
     pub shows: Shows,
     /// Whether its material mirrors light.
     pub highlights: bool,
-    /// Whether it takes the front-view path, half B of a slot: the viewer is inside the unbounded quadric.
+    /// Whether it is of class front: the viewer is inside the unbounded quadric.
     pub front_view: bool,
     /// Whether it is a prism: the quadric does not depend on the depth.
     pub prism: bool,

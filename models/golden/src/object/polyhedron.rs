@@ -45,10 +45,10 @@ pub struct PolyhedronPixel {
     pub back_normal: [i16; 3],
 }
 
-/// Latency in clocks from the raster flags to the outputs: pe1, saturation, kinds, tree, the two ends, what is
-/// between them, normals.
+/// Latency in clocks from the raster flags to the outputs: pe1, saturation, tree, the two ends, what is between
+/// them, normals.
 pub fn latency(planes: usize) -> u32 {
-    tree_levels(planes) + 6
+    tree_levels(planes) + 5
 }
 
 impl PolyhedronWords {

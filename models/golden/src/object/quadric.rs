@@ -7,6 +7,7 @@ use super::words::{Object, Parts, Words};
 use crate::format::Format;
 use crate::unit::cut_plane::{PlaneKind, cut};
 use crate::unit::depth_interval::{Class, FACE_PLANE, Interval, halves};
+use crate::unit::half_spaces::tree_levels;
 use crate::unit::merge::merge;
 use crate::unit::normal::{NormalWords, select};
 use crate::unit::pe1::Linear;
@@ -103,9 +104,6 @@ impl Words for QuadricWords {
     }
 }
 
-/// Half A and half B.
-type Halves = (Interval, Interval);
-
 /// Every value inside the processor at one pixel, under the names of the hardware; for traces and for finding a fault.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Probe {
@@ -119,12 +117,10 @@ pub struct Probe {
     pub near: i64,
     /// f1 + root.
     pub far: i64,
-    /// Depth interval before the planes, half A and B.
-    pub halves: Halves,
-    /// Saturated value of each plane.
+    /// Value of each plane, not saturated.
     pub plane: Vec<i64>,
-    /// Both halves after each plane.
-    pub cut: Vec<Halves>,
+    /// What the planes leave of half A and half B.
+    pub halves: (Interval, Interval),
     /// After the merge of the halves.
     pub merged: Interval,
     /// Linear parts of the normal.
@@ -135,7 +131,13 @@ pub struct Probe {
 
 /// Latency in clocks from the raster flags to the outputs of a quadric processor.
 pub fn latency(format: &Format, planes: usize, rows_per_stage: u32) -> u32 {
-    format.root_latency(rows_per_stage) + 2 * planes as u32 + 11
+    format.root_latency(rows_per_stage) + after_root(planes)
+}
+
+/// What of the latency is not the root's: the sums, both roots within the depth word, comparisons with the limits of
+/// the planes, which are found in a tree, the choice, the normal. Up to four planes are as fast as the roots.
+pub fn after_root(planes: usize) -> u32 {
+    11 + tree_levels(planes).saturating_sub(2)
 }
 
 impl QuadricWords {
@@ -148,15 +150,14 @@ impl QuadricWords {
             near,
             far,
         } = QuadricDepths::at(&self.f1, &self.f2, x, y, format);
-        let halves = if self.screen_box.contains(x, y) {
+        let whole = if self.screen_box.contains(x, y) {
             halves(self.class, near, far, f2 < 0, format)
         } else {
             (Interval::absent(format), Interval::absent(format))
         };
-        let depth = |plane: &PlaneWords| plane.depth_at(x, y, format);
-        let plane: Vec<i64> = self.planes.iter().map(depth).collect();
-        let cut = self.chain(halves, &plane, format);
-        let (a, b) = cut.last().copied().unwrap_or(halves);
+        let value = |plane: &PlaneWords| plane.depth.wrapped_at(x, y, format.plane) as i64;
+        let plane: Vec<i64> = self.planes.iter().map(value).collect();
+        let (a, b) = self.chain(whole, &plane, format);
         let merged = merge(a, b);
         let g = self.normal.linear_at(x, y, format);
         let normal = || face_normal(merged.nf, g, root, &self.normal, &self.planes, format);
@@ -166,24 +167,28 @@ impl QuadricWords {
             root,
             near,
             far,
-            halves,
             plane,
-            cut,
+            halves: (a, b),
             merged,
             g,
             output: ObjectPixel::of(merged, normal, format),
         }
     }
 
-    fn chain(&self, mut state: Halves, depths: &[i64], format: &Format) -> Vec<Halves> {
+    /// Both halves after all planes.
+    fn chain(
+        &self,
+        whole: (Interval, Interval),
+        values: &[i64],
+        format: &Format,
+    ) -> (Interval, Interval) {
         let patch = self.class == Class::Patch;
-        let planes = self.planes.iter().zip(depths).zip(FACE_PLANE..);
-        let cuts = planes.map(|((plane, &zp), number)| {
+        let planes = self.planes.iter().zip(values).zip(FACE_PLANE..);
+        planes.fold(whole, |(a, b), ((plane, &value), number)| {
+            let zp = saturate(value, format);
             let one = |half| cut(half, plane.kind, zp, number, patch, format);
-            state = (one(state.0), one(state.1));
-            state
-        });
-        cuts.collect()
+            (one(a), one(b))
+        })
     }
 }
 

@@ -36,7 +36,7 @@ pub fn keys() -> [Key; 22] {
         ("planes", up_to(MAX_PLANES)),
         (
             "slots",
-            "a text such as \"3,0,2v:r14:p20,patch2,sphere\"".into(),
+            "a text such as \"3,0,2:r14:p20,patch2,sphere\"".into(),
         ),
         ("products", "a text such as \"2-1,1-3\"".into()),
         ("layers", up_to(MOST_LAYERS as usize)),

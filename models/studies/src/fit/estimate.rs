@@ -12,12 +12,11 @@ pub fn of_slot(widths: &MachineWords, slot: &FittedSlot) -> f64 {
         [widths.depth, widths.root, widths.plane, widths.normal].map(f64::from);
     let guards = [widths.guard_linear, widths.guard_quadratic].map(f64::from);
     let rows = root - f64::from(widths.dropped_rows);
-    let halves = if slot.two_volumes { 2.0 } else { 1.0 };
     let linear = 5.0 * (depth + 2.0 + guards[0]);
     let quadratic = 11.0 * (2.0 * root + guards[1]);
     let network = 1.4 * rows * rows;
-    let interval = 15.0 * depth + 10.0 * depth * (halves - 1.0);
-    let planes = f64::from(slot.planes) * (6.0 * plane + 11.0 * depth * halves);
+    let interval = 15.0 * depth;
+    let planes = f64::from(slot.planes) * (6.0 * plane + 6.0 * depth);
     let normals = 3.0 * (8.0 * (normal + 8.0) + 4.0 * normal);
     linear + quadratic + network + interval + planes + normals
 }

@@ -351,6 +351,6 @@ fn cells(
     machine: &MachineDescription,
     (objects, volumes): (usize, usize),
 ) -> f64 {
-    let of = |planes: usize| estimate::of_slot(widths, &FittedSlot::full(planes as u32));
+    let of = |planes: usize| estimate::of_slot(widths, &FittedSlot::quadric(planes as u32));
     objects as f64 * of(machine.planes) + volumes as f64 * of(machine.volume_planes)
 }

@@ -2,6 +2,7 @@
 
 mod fifteenth;
 mod logarithm;
+mod network;
 mod normalise;
 mod product;
 mod reciprocal;
@@ -19,6 +20,7 @@ mod square_root_quadratic;
 mod vector;
 
 pub use logarithm::{logarithm, logarithm_of_sum, power_of_two};
+pub use network::Network;
 pub(crate) use normalise::shifted_by;
 pub use product::product;
 pub use reciprocal::reciprocal;

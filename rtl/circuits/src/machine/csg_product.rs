@@ -4,7 +4,9 @@ use super::Candidate;
 use super::decider::NEAREST;
 use crate::object::absent;
 use crate::rows::numbered;
-use crate::tree::tree;
+use crate::tree::{levels, tree};
+use imogene_contract::object::ProductSlots;
+use imogene_contract::words::CAP;
 use imogene_hdl::{Bits, Bundle, Int, Value, bundles, module, net};
 
 bundles! {
@@ -14,6 +16,43 @@ bundles! {
         /// The face that can be seen: the front of an intersected object, the back of one taken away.
         face: Candidate(depth, normal, id) as "", "face that can be seen: front where intersected, back where taken away";
         end: Int(depth) as "other_end", "depth of its other end";
+    }
+}
+
+/// Clocks from what each object of a product sees to what is seen of the product.
+pub(super) fn product_clocks(product: &ProductSlots) -> Vec<u32> {
+    let taken_away = 2 + levels(1 + product.subtracted);
+    let kept = levels(product.intersected) + taken_away;
+    let (intersected, subtracted) = (product.intersected, product.subtracted);
+    [vec![kept; intersected], vec![taken_away; subtracted]].concat()
+}
+
+/// What is seen of products, whose objects are those given, product by product.
+pub(super) fn products(mut objects: &[Extent], products: &[ProductSlots]) -> Vec<Candidate> {
+    let one = |(at, product): (String, &ProductSlots)| {
+        let (own, others) = objects.split_at(product.count());
+        let (kept, taken_away) = own.split_at(product.intersected);
+        let taken_away = taken_away.iter().map(Extent::from_behind).collect();
+        objects = others;
+        csg_product(&at, kept.to_vec(), taken_away)
+    };
+    numbered("products", products).map(one).collect()
+}
+
+impl Extent {
+    /// An object that is loaded as it is seen from behind, its depths complemented: the back is in front. What reaches
+    /// the far end has its cap there.
+    fn from_behind(&self) -> Extent {
+        let Extent { face, end } = *self;
+        let complement = |depth: Int| (!depth.bits()).int();
+        let far = absent(face.depth.width());
+        Extent {
+            face: Candidate {
+                depth: face.number.is(CAP).select(far, complement(face.depth)),
+                ..face
+            },
+            end: complement(end),
+        }
     }
 }
 

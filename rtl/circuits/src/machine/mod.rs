@@ -36,6 +36,7 @@ pub use beam_stream::{Streamed, beam_stream};
 pub use coefficient_hold::{Held, HeldPlane, coefficient_hold};
 pub use coefficient_store::{LoadBus, coefficient_store};
 pub use csg_product::{Extent, csg_product};
+use csg_product::{product_clocks, products};
 pub use decider::{Candidate, decider, visibility_node};
 pub use frame_loader::{Loaded, frame_loader};
 pub use object_array::{ID, Load, Objects, Surface, object_array};

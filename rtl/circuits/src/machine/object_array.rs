@@ -2,16 +2,17 @@
 
 use super::slot::{other_processor, slot_clocks};
 use super::{
-    Candidate, Extent, Held, LoadBus, coefficient_hold, coefficient_store, csg_product, decider,
+    Candidate, Extent, Held, LoadBus, coefficient_hold, coefficient_store, decider, product_clocks,
+    products,
 };
-use crate::object::{Network, Normal, Shape, Widths, Words, absent, quadric_processor};
+use crate::arith::Network;
+use crate::object::{Normal, Widths, Words, quadric_processor};
 use crate::raster::Scan;
 use crate::rows::numbered;
 use crate::tree::levels;
 use imogene_contract::MachineWords;
 use imogene_contract::object::{Kind, ProductSlots};
 use imogene_contract::slots::FittedSlot;
-use imogene_contract::words::CAP;
 use imogene_hdl::{Bits, Bundle, Int, Value, bundle, bundles, module};
 
 /// Bits of the id of an object.
@@ -98,12 +99,7 @@ impl Objects {
     /// Clocks from what the processor of each slot sees to what is seen of its object or product.
     fn clocks_after(&self) -> Vec<u32> {
         let mut clocks = vec![0; self.alone()];
-        for product in &self.products {
-            let taken_away = 2 + levels(1 + product.subtracted);
-            let kept = levels(product.intersected) + taken_away;
-            clocks.extend(vec![kept; product.intersected]);
-            clocks.extend(vec![taken_away; product.subtracted]);
-        }
+        clocks.extend(self.products.iter().flat_map(product_clocks));
         clocks
     }
 
@@ -152,13 +148,7 @@ impl Objects {
             let scan = late[(self.longest() - clocks[index as usize]) as usize];
             let own = self.of_slot(slot);
             let (seen, id) = match quadric {
-                Some((words, id)) => {
-                    let shape = Shape {
-                        root: own.1,
-                        two_volumes: slot.two_volumes,
-                    };
-                    (quadric_processor(&at, scan, words, shape), id)
-                }
+                Some((words, id)) => (quadric_processor(&at, scan, words, own.1), id),
                 None => {
                     let seen = other_processor(slot, [&at, &store], scan, bus, own);
                     (seen, Bits::new(index, id_bits))
@@ -181,31 +171,9 @@ impl Objects {
 
     /// What is seen of the objects that are in no solid, and of the products.
     fn candidates(&self, extents: Vec<Extent>) -> Vec<Candidate> {
-        let (alone, mut members) = extents.split_at(self.alone());
-        let mut candidates: Vec<Candidate> = alone.iter().map(|extent| extent.face).collect();
-        for (at, product) in numbered("products", &self.products) {
-            let (own, others) = members.split_at(product.count());
-            let (kept, taken_away) = own.split_at(product.intersected);
-            let taken_away = taken_away.iter().map(seen_from_behind).collect();
-            candidates.push(csg_product(&at, kept.to_vec(), taken_away));
-            members = others;
-        }
-        candidates
-    }
-}
-
-/// An object that is loaded as it is seen from behind, its depths complemented: the back is in front. What reaches the
-/// far end has its cap there.
-fn seen_from_behind(extent: &Extent) -> Extent {
-    let Extent { face, end } = *extent;
-    let complement = |depth: Int| (!depth.bits()).int();
-    let far = absent(face.depth.width());
-    Extent {
-        face: Candidate {
-            depth: face.number.is(CAP).select(far, complement(face.depth)),
-            ..face
-        },
-        end: complement(end),
+        let (alone, members) = extents.split_at(self.alone());
+        let alone = alone.iter().map(|extent| extent.face);
+        alone.chain(products(members, &self.products)).collect()
     }
 }
 

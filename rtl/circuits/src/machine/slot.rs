@@ -1,11 +1,12 @@
 //! Places for objects, and the processors in them that are not of quadrics.
 
 use super::{LoadBus, coefficient_store};
+use crate::arith::Network;
 use crate::object::{
-    Cylinder, Facet, Factors, FirstGeneration, Gradients, HalfSpace, Network, Normal, Patch, Plane,
-    Polyhedron, Quadric, ScreenBox, Shape, Sphere, Visible, Widths, curved_facet_processor,
-    cylinder_processor, facet_processor, first_generation_processor, patch_processor,
-    polyhedron_processor, quadric_processor, sphere_processor,
+    Cylinder, Facet, Factors, FirstGeneration, Gradients, HalfSpace, Normal, Patch, Plane,
+    Polyhedron, Quadric, ScreenBox, Sphere, Visible, Widths, curved_facet_processor,
+    cylinder_processor, facet_processor, first_generation_processor, levels_beyond,
+    patch_processor, polyhedron_processor, quadric_processor, sphere_processor,
 };
 use crate::raster::{Linear, Quadratic, Scan};
 use crate::tree::levels;
@@ -17,10 +18,10 @@ use imogene_hdl::{Bits, Int, Plain, Ports, Value, module, net};
 /// Clocks from the flags of a pixel to what the processor of a slot sees.
 pub(super) fn slot_clocks(slot: &FittedSlot, root: &Network) -> u32 {
     match slot.kind {
-        Kind::Quadric => root.latency() + 9 + 2 * (slot.planes + u32::from(slot.two_volumes)),
+        Kind::Quadric => root.latency() + 11 + levels_beyond(slot.planes as usize),
         Kind::Patch => root.latency() + 9,
         Kind::FirstGeneration => root.latency() + 9,
-        Kind::Polyhedron => levels(slot.planes as usize) + 6,
+        Kind::Polyhedron => levels(slot.planes as usize) + 5,
         Kind::Facet | Kind::CurvedFacet | Kind::Cylinder => 3,
         Kind::Sphere => 4,
     }
@@ -157,11 +158,7 @@ pub(super) fn processor(
         return other_processor(slot, [at, store_at], scan, bus, (widths, root));
     }
     let words = coefficient_store(store_at, bus, widths, slot.planes.into());
-    let shape = Shape {
-        root,
-        two_volumes: slot.two_volumes,
-    };
-    quadric_processor(at, scan, words, shape)
+    quadric_processor(at, scan, words, root)
 }
 
 /// A processor of another kind than of quadrics, with the store of its words.

@@ -1,9 +1,9 @@
 //! One solid with its cut planes, small enough for a tile of a shared chip.
 
 use super::tile_raster::{TileScan, tile_raster};
+use crate::arith::Network;
 use crate::object::{
-    Cut, Interval, Network, Roots, Widths, absent, cut_plane, depth_interval, plane_depth,
-    quadric_pe,
+    Cut, Interval, Roots, Widths, absent, cut_plane, depth_interval, plane_depth, quadric_pe,
 };
 use crate::raster::{Linear, Quadratic, pe1};
 use crate::rows::numbered;

@@ -1,7 +1,8 @@
 //! Shadow and light volumes side by side, with their words and the shadow stage.
 
 use super::{LoadBus, Volume, shadow_clocks, shadow_stage, volume_store};
-use crate::object::{Network, VolumePoint, Widths, quadric_volume};
+use crate::arith::Network;
+use crate::object::{VolumePoint, Widths, quadric_volume};
 use crate::raster::Scan;
 use imogene_hdl::{Bits, Value, bundle, module};
 

@@ -1,9 +1,10 @@
 //! A half-space: what lies on the kept side of a plane.
 
+use super::ends::{absent, end, fits};
 use super::plane_depth::plane_depth;
 use super::widths::Widths;
-use crate::raster::{Flags, Linear};
-use imogene_contract::words::{BACK_PLANE, FRONT_PLANE, PERPENDICULAR};
+use crate::raster::{Flags, Linear, pe1};
+use imogene_contract::words::{BACK_PLANE, FRONT_PLANE, PERPENDICULAR, saturated_near};
 use imogene_hdl::{Bits, Int, Value, bundle, bundles, module, net};
 
 bundle! {
@@ -11,6 +12,17 @@ bundle! {
     PlaneAt(depth) {
         kind: Bits(2), "kind: 0 none, 1 front (keeps z >= zp), 2 back (keeps z <= zp), 3 perpendicular (keeps zp >= 0)";
         zp: Int(depth), "depth zp, clamped to the ends of its word";
+    }
+}
+
+bundle! {
+    /// What some half-spaces leave of the line of sight.
+    Limits(depth) {
+        front: Int(depth), "greatest depth of a front plane; one below the near end where there is none";
+        front_number: Bits(4), "its face";
+        back: Int(depth), "least depth of a back plane; the far end where there is none";
+        back_number: Bits(4), "its face";
+        removed: Bits(1), "a perpendicular plane removes the pixel";
     }
 }
 
@@ -31,6 +43,53 @@ impl HalfSpace {
             kind: self.kind,
             zp: plane_depth(at, flags, self.linear, depth),
         }
+    }
+
+    /// What it leaves with a number of its face, 2 clocks after its flags.
+    pub(super) fn limits(self, at: &str, flags: Flags, depth: u32, number: u64) -> Limits {
+        let limits = plane_limits(at, flags, self, depth);
+        let number = Bits::new(number, 4);
+        Limits {
+            front_number: number,
+            back_number: number,
+            ..limits
+        }
+    }
+}
+
+/// A plane by a PE1, clamped to a depth word as that of [`plane_depth`], as a limit of the side that it has: where it
+/// says nothing, a depth that loses to every plane. Numbers are zero.
+///
+/// Latency 2. Section 2.4.2.
+fn plane_limits(at: &str, flags: Flags, words: HalfSpace, depth: u32) -> Limits {
+    let limits = module(
+        "plane_limits",
+        at,
+        (flags, ("", words)),
+        |(flags, words)| {
+            let plane = pe1("plane", flags, words.linear);
+            let [lowest, last] = [end(saturated_near, depth), absent(depth)];
+            net! {
+                let is_in_word = fits(plane, depth);
+                let saturated = plane.is_negative().select(lowest, last);
+                let clamped = is_in_word.select(plane.low(depth), saturated);
+            }
+            let is = |kind: u64| words.kind.is(kind);
+            (
+                ("front", is(FRONT_PLANE).select(clamped, lowest).reg()),
+                ("back", is(BACK_PLANE).select(clamped, last).reg()),
+                ("removed", (is(PERPENDICULAR) & plane.is_negative()).reg()),
+            )
+        },
+    );
+    let (front, back, removed) = limits;
+    let none = Bits::new(0, 4);
+    Limits {
+        front,
+        front_number: none,
+        back,
+        back_number: none,
+        removed,
     }
 }
 

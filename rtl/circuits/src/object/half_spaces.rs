@@ -1,50 +1,44 @@
 //! Intersection of half-spaces along the line of sight.
 
-use super::{Interval, PlaneAt, end};
+use super::{HalfSpace, Interval, Limits, end};
+use crate::raster::Flags;
 use crate::rows::numbered;
 use crate::tree::tree;
-use imogene_contract::words::{
-    BACK_PLANE, CAP, FIRST_PLANE, FRONT_PLANE, far_end, near_end, saturated_near,
-};
-use imogene_hdl::{Bits, Bundle, Ports, Value, bundle, module, net, ports};
+use imogene_contract::words::{CAP, FIRST_PLANE, far_end, near_end, saturated_near};
+use imogene_hdl::{Bits, Bundle, Ports, Value, module, net, ports};
 
-bundle! {
-    /// What some half-spaces leave of the line of sight.
-    Kept(depth) {
-        front: Int(depth), "greatest depth of a front plane";
-        front_number: Bits(4), "its face";
-        back: Int(depth), "least depth of a back plane";
-        back_number: Bits(4), "its face";
-        removed: Bits(1), "a perpendicular plane removes the pixel";
+impl Limits {
+    /// Those of no plane.
+    pub(super) fn none(depth: u32) -> Limits {
+        let number = Bits::new(0, 4);
+        Limits {
+            front: end(saturated_near, depth),
+            front_number: number,
+            back: end(far_end, depth),
+            back_number: number,
+            removed: Bits::new(0, 1),
+        }
+    }
+
+    /// Those of one plane at least: a tree over the greatest depth of the front planes and the least of the back
+    /// planes. At equal depths the smaller index wins. `2 + ceil(log2 planes)` clocks after the flags.
+    pub(super) fn of(flags: Flags, planes: &[HalfSpace], depth: u32) -> Limits {
+        let planes = numbered("planes", planes).zip(FIRST_PLANE..);
+        let planes = planes.map(|((at, plane), number)| plane.limits(&at, flags, depth, number));
+        tree(planes.collect(), half_space_node, "half_space_register")
     }
 }
 
-/// The interval of depth that all planes keep, `is_there` said two clocks before the result: a tree over the greatest
-/// depth of the front planes and the least of the back planes, then the two ends of the depth word.
+/// The interval of depth that all planes keep, `is_there` said with its limits: the planes, and where none is the two
+/// ends of the depth word. Latency 2.
 ///
 /// The source cuts the whole line in a chain; a chain that begins with the whole line only looks for these two
-/// extremes. At equal depths the smaller index wins. Latency `ceil(log2 planes) + 3`. Annex A.
-pub fn half_spaces(at: &str, planes: Vec<PlaneAt>, is_there: Bits) -> Interval {
-    let inputs = (("plane", planes), ("is_there", is_there));
-    module("half_spaces", at, inputs, |(planes, is_there)| {
-        let width = planes[0].zp.width();
-        let [lowest, low, end] = [saturated_near, near_end, far_end].map(|of| end(of, width));
-        // Where a plane says nothing, a depth that loses to every plane.
-        let own = |((at, plane), number): ((String, PlaneAt), u64)| {
-            let number = Bits::new(number, 4);
-            let front = plane.kind.is(FRONT_PLANE).select(plane.zp, lowest);
-            let back = plane.kind.is(BACK_PLANE).select(plane.zp, end);
-            Kept {
-                front: front.delayed_as(&format!("{at}_front"), 1),
-                front_number: number,
-                back: back.delayed_as(&format!("{at}_back"), 1),
-                back_number: number,
-                removed: plane.removes_all().delayed_as(&format!("{at}_removes"), 1),
-            }
-        };
-        let all = numbered("planes", planes).zip(FIRST_PLANE..);
-        let all = all.map(own).collect();
-        let all = tree(all, half_space_node, "half_space_register");
+/// extremes. Annex A.
+pub fn half_spaces(at: &str, limits: Limits, is_there: Bits) -> Interval {
+    let inputs = (limits, ("is_there", is_there));
+    module("half_spaces", at, inputs, |(all, is_there)| {
+        let width = all.front.width();
+        let [low, end] = [near_end, far_end].map(|of| end(of, width));
         let cap = Bits::new(CAP, 4);
         net! {
             let is_front_face = low.less(all.front);
@@ -69,19 +63,19 @@ pub fn half_spaces(at: &str, planes: Vec<PlaneAt>, is_there: Bits) -> Interval {
 }
 
 /// What two groups of half-spaces leave. Latency 1. Annex A.
-fn half_space_node(at: &str, a: Kept, b: Kept) -> Kept {
+fn half_space_node(at: &str, a: Limits, b: Limits) -> Limits {
     module("half_space_node", at, ports!(a, b), |(a, b)| {
         net! {
             let b_is_deeper = a.front.less(b.front);
             let b_is_nearer = b.back.less(a.back);
         }
-        let kept = Kept {
+        let limits = Limits {
             front: b_is_deeper.select(b.front, a.front),
             front_number: b_is_deeper.select(b.front_number, a.front_number),
             back: b_is_nearer.select(b.back, a.back),
             back_number: b_is_nearer.select(b.back_number, a.back_number),
             removed: a.removed | b.removed,
         };
-        kept.registered()
+        limits.registered()
     })
 }

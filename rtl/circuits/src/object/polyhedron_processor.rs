@@ -1,8 +1,9 @@
 //! Convex polyhedron processor.
 
-use super::{Front, Normal, Plane, ScreenBox, Widths, constant_normal, half_spaces};
+use super::{
+    Front, HalfSpace, Limits, Normal, Plane, ScreenBox, Widths, constant_normal, half_spaces,
+};
 use crate::raster::Scan;
-use crate::rows::numbered;
 use crate::tree::levels;
 use imogene_hdl::{Bits, Bundle, Int, Value, bundles, module, ports};
 
@@ -36,25 +37,24 @@ bundles! {
 /// For every pixel the front and back depth of a convex solid of planes, with faces and normals; the normal of an end
 /// of the depth word is the direction to it.
 ///
-/// A solid without thickness is there. Latency `ceil(log2 planes) + 6`. The words stay unchanged until that many clocks
+/// A solid without thickness is there. Latency `ceil(log2 planes) + 5`. The words stay unchanged until that many clocks
 /// after the last flags of a zone. Annex A.
 pub fn polyhedron_processor(at: &str, scan: Scan, words: Polyhedron, depth: u32) -> BothFaces {
     let inputs = (scan, words);
     module("polyhedron_processor", at, inputs, |(scan, words)| {
-        let planes = numbered("planes", &words.planes);
-        let planes = planes.map(|(at, plane)| plane.half_space.at(&at, scan.flags, depth));
-        let planes = planes.collect();
+        let planes: Vec<HalfSpace> = words.planes.iter().map(|plane| plane.half_space).collect();
+        let limits = Limits::of(scan.flags, &planes, depth);
         let levels = levels(words.planes.len());
         let in_box = words.screen_box.contains(scan.pixel);
-        let in_box = in_box.delayed_as("in_box_late", levels + 3);
-        let kept = half_spaces("half_spaces", planes, in_box);
+        let in_box = in_box.delayed_as("in_box_late", levels + 2);
+        let kept = half_spaces("half_spaces", limits, in_box);
         let normals: Vec<Normal> = words.planes.iter().map(|plane| plane.normal).collect();
         let normal = |at: &str, number: Bits, sign: i64| {
             let width = normals[0].nz.width();
             let end_nz = Int::new(sign * ((1 << (width - 1)) - 1), width);
             plane_normal(at, number, end_nz, &normals)
         };
-        let out_valid = scan.flags.valid.delayed_as("valid_late", levels + 6);
+        let out_valid = scan.flags.valid.delayed_as("valid_late", levels + 5);
         let seen = kept.seen().delayed(1);
         BothFaces {
             front: seen.front(out_valid),

@@ -1,13 +1,9 @@
 //! The two depths of a quadric.
 
-use crate::arith::{
-    square_root, square_root_leading, square_root_linear, square_root_non_restoring,
-    square_root_quadratic,
-};
+use crate::arith::Network;
 use crate::raster::{Flags, Linear, Quadratic, pe1, pe2};
 use imogene_contract::words::depth_sum;
-use imogene_contract::{MachineWords, RootForm};
-use imogene_hdl::{Bits, Bundle, Value, bundle, module, net};
+use imogene_hdl::{Bundle, Value, bundle, module, net};
 
 bundle! {
     /// Both depths, as far as f2 is not negative.
@@ -16,57 +12,6 @@ bundle! {
         far_sum: Int(sum), "f1 + r, modulo its width";
         root: Bits(root), "r = floor(sqrt(f2)), with the sums";
         is_inside: Bits(1), "f2 >= 0; where it is low the sums and the root mean nothing";
-    }
-}
-
-/// Depths and root of a quadric.
-#[derive(Clone, Copy, Debug)]
-pub struct Network {
-    /// Bits of a depth word.
-    pub depth: u32,
-    /// Digits.
-    pub digits: u32,
-    /// Leading digits that are computed; the others are zero.
-    pub rows: u32,
-    /// Rows between registers.
-    pub rows_per_stage: u32,
-    /// How it is taken.
-    pub form: RootForm,
-}
-
-impl Network {
-    /// That of an object in the words of a machine or of a slot, which may have fewer rows than there are in a stage.
-    pub fn of(words: &MachineWords, rows_per_stage: u32) -> Network {
-        let rows = words.root - words.dropped_rows;
-        Network {
-            depth: words.depth,
-            digits: words.root,
-            rows,
-            rows_per_stage: rows_per_stage.min(rows),
-            form: words.root_form,
-        }
-    }
-
-    /// Clocks.
-    pub fn latency(&self) -> u32 {
-        self.form.latency(self.rows, self.rows_per_stage)
-    }
-
-    /// The computed digits of the root. An approximation has no more of them where f2 is not negative, because its
-    /// radicand is below half of what the network takes.
-    fn root(&self, at: &str, radicand: Bits) -> Bits {
-        let rows = self.rows_per_stage;
-        match self.form {
-            RootForm::Restoring => square_root(at, radicand, rows).root,
-            RootForm::NonRestoring => square_root_non_restoring(at, radicand, rows).root,
-            RootForm::Linear(corrections) => {
-                square_root_linear(at, radicand, corrections).low(self.rows)
-            }
-            RootForm::Quadratic(corrections) => {
-                square_root_quadratic(at, radicand, corrections).low(self.rows)
-            }
-            RootForm::Leading(digits) => square_root_leading(at, radicand, digits, rows),
-        }
     }
 }
 

@@ -1,22 +1,11 @@
 //! Quadric object processor, second generation.
 
 use super::{
-    Cut, Interval, Network, PlaneAt, Visible, Words, cut_plane, depth_interval, object_processor,
-    roots, two_volume_merge, visible,
+    HalfSpace, Limits, Network, Visible, Words, object_processor, quadric_cut, roots, visible,
 };
 use crate::raster::Scan;
-use crate::rows::numbered;
-use imogene_contract::words::{FIRST_PLANE, PATCH};
-use imogene_hdl::{Bits, Bundle, Value, net};
-
-/// What an object processor is built for.
-#[derive(Clone, Copy, Debug)]
-pub struct Shape {
-    /// The root.
-    pub root: Network,
-    /// It has half B, which objects of the class front need.
-    pub two_volumes: bool,
-}
+use crate::tree::levels;
+use imogene_hdl::{Bundle, Value};
 
 /// Name of the module, and what numbers of faces it gives.
 const KIND: (&str, &str) = (
@@ -24,45 +13,34 @@ const KIND: (&str, &str) = (
     "visible face: 0 near root, 1 far root, 2 + i plane i, 15 near end",
 );
 
+/// Levels of a tree over planes for which the roots wait: they come when one over four planes is done.
+pub fn levels_beyond(planes: usize) -> u32 {
+    levels(planes).saturating_sub(2)
+}
+
 /// For every pixel the visible front of one quadric object cut by planes: depth, face and normal.
 ///
-/// A quadric PE, the intervals of both halves, a chain of cuts for each, the nearer half, and its normal. Latency
-/// `ceil(rows / rows_per_stage) + 2 planes + 11`, two less without half B. The words stay unchanged until that many
-/// clocks after the last flags of a zone. Section 2.4.2.
-pub fn quadric_processor(at: &str, scan: Scan, words: Words, shape: Shape) -> Visible {
+/// A quadric PE, a tree over the planes beside it, what the planes leave, and its normal. Latency
+/// `ceil(rows / rows_per_stage) + 11`, and one more for each doubling of more than four planes. The words stay
+/// unchanged until that many clocks after the last flags of a zone. Section 2.4.2.
+pub fn quadric_processor(at: &str, scan: Scan, words: Words, network: Network) -> Visible {
     object_processor(KIND, at, (scan, words), |scan, words| {
-        let (quadric, network) = (words.quadric, shape.root);
+        let (quadric, depth) = (words.quadric, network.depth);
         let f = (quadric.f1, quadric.f2);
         let (roots, root, late) = roots(scan, quadric.screen_box, f, network);
-        let start = depth_interval("interval", roots, words.object_class);
-        net! { let surface = words.object_class.is(PATCH); }
-        // A plane is there with the interval it cuts.
-        let mut flags = late.delayed(1);
-        let planes = numbered("planes", &words.planes).zip(FIRST_PLANE..);
-        let planes_at = planes.map(|((at, plane), number)| {
-            flags = flags.delayed(2);
-            let PlaneAt { kind, zp } = plane.half_space.at(&at, flags, network.depth);
-            Cut {
-                kind,
-                surface,
-                number: Bits::new(number, 4),
-                zp,
-            }
-        });
-        let cuts: Vec<Cut> = planes_at.collect();
-        let cut = |row: &str, interval: Interval| {
-            let cuts = numbered(row, &cuts);
-            cuts.fold(interval, |left, (at, cut)| cut_plane(&at, *cut, left))
+        let (levels, wait) = (
+            levels(words.planes.len()),
+            levels_beyond(words.planes.len()),
+        );
+        let half_spaces: Vec<HalfSpace> =
+            words.planes.iter().map(|plane| plane.half_space).collect();
+        let limits = match half_spaces.is_empty() {
+            true => Limits::none(depth),
+            false => Limits::of(late.delayed(2 + wait - levels), &half_spaces, depth),
         };
-        let a = cut("cut_a", start.a);
-        let seen = match shape.two_volumes {
-            true => two_volume_merge("merge", a, cut("cut_b", start.b)),
-            false => a,
-        };
-        let merge = 2 * u32::from(shape.two_volumes);
-        let clocks = 2 * words.planes.len() as u32 + 3 + merge;
-        let root = root.delayed_as("root_late", clocks);
+        let seen = quadric_cut("cut", roots.delayed(wait), words.object_class, limits);
+        let root = root.delayed_as("root_late", 5 + wait);
         let words = (quadric, words.normals());
-        visible(flags.delayed(4 + merge), seen.seen(), root, words)
+        visible(late.delayed(7 + wait), seen, root, words)
     })
 }

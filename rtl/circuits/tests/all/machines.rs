@@ -1,12 +1,12 @@
 //! Whole machines of words and slots that no format of the catalogue has.
 
+use imogene_circuits::arith::Network;
 use imogene_circuits::machine::{BeamMachine, Objects, Volumes};
 use imogene_circuits::machines::{beam_display, beam_stream};
-use imogene_circuits::object::{Network, Widths};
+use imogene_circuits::object::Widths;
 use imogene_circuits::shade::{Lights, Shading};
 use imogene_circuits::video::Output;
 use imogene_contract::command_stream::SHADING_WORD;
-use imogene_contract::object;
 use imogene_contract::shading::BACKGROUND;
 use imogene_contract::slots::FittedSlot;
 use imogene_contract::video::{Span, VideoMode};
@@ -29,19 +29,13 @@ fn machine() -> BeamMachine {
         dropped_rows: 2,
         root_form: RootForm::Restoring,
     };
-    let slots = [(0, false), (2, true), (3, false)];
     BeamMachine {
         layers: vec![],
         objects: Objects {
             products: vec![],
             words,
             rows_per_stage: 4,
-            slots: slots
-                .map(|(planes, two_volumes)| FittedSlot {
-                    two_volumes,
-                    ..FittedSlot::of(object::Kind::Quadric, planes)
-                })
-                .to_vec(),
+            slots: [0, 2, 3].map(FittedSlot::quadric).to_vec(),
         },
         volumes: Volumes {
             widths: Widths::of(&words),

@@ -21,12 +21,12 @@ fn the_longer_word_is_for_both() {
     let slot = |root, plane| FittedSlot {
         root,
         plane,
-        ..FittedSlot::full(2)
+        ..FittedSlot::quadric(2)
     };
     let (short, long) = (slot(Some(10), Some(20)), slot(Some(12), None));
     assert_eq!(short.or(&long), slot(Some(12), None));
     // Slots without words of their own have those of the machine, the longest of all.
-    assert_eq!(FittedSlot::full(2).or(&short), FittedSlot::full(2));
+    assert_eq!(FittedSlot::quadric(2).or(&short), FittedSlot::quadric(2));
     let machine = MachineWords {
         root: 12,
         dropped_rows: 7,
@@ -41,12 +41,12 @@ fn the_longer_word_is_for_both() {
         }
     );
     assert_eq!(
-        FittedSlot::full(2).in_words(&short.words(&machine), &machine),
+        FittedSlot::quadric(2).in_words(&short.words(&machine), &machine),
         short
     );
     assert_eq!(
-        FittedSlot::full(2).in_words(&machine, &machine),
-        FittedSlot::full(2)
+        FittedSlot::quadric(2).in_words(&machine, &machine),
+        FittedSlot::quadric(2)
     );
     let refused = |slot: FittedSlot| {
         slot.refused(&machine)
@@ -65,15 +65,15 @@ fn the_longer_word_is_for_both() {
 
 #[test]
 fn text_and_slots_are_each_other() {
-    let slots = parse("3,0,12v").unwrap();
-    assert_eq!((slots[2].planes, slots[2].two_volumes), (12, true));
-    assert_eq!((slots[0].planes, slots[0].two_volumes), (3, false));
-    assert_eq!(print(&slots), "3,0,12v");
-    let kinds = "3v,patch2,polyhedron6,facet3,curved_facet1,sphere,cylinder,first_generation";
+    let planes = |text: &str| parse(text).map(|slots| print(&slots));
+    assert_eq!(parse("3,0,12").unwrap()[2], FittedSlot::quadric(12));
+    // Files of before have a v behind some.
+    assert_eq!(planes("3,0v,12v").unwrap(), "3,0,12");
+    let kinds = "3,patch2,polyhedron6,facet3,curved_facet1,sphere,cylinder,first_generation";
     let slots: Slots = kinds.to_owned().try_into().unwrap();
     assert_eq!((slots.0[1].kind, slots.0[1].planes), (Kind::Patch, 2));
     assert_eq!(String::from(slots), kinds);
-    let short = "3v:r14:p20,patch2:r9,0:p16";
+    let short = "3:r14:p20,patch2:r9,0:p16";
     let slots: Slots = short.to_owned().try_into().unwrap();
     assert_eq!((slots.0[0].root, slots.0[0].plane), (Some(14), Some(20)));
     assert_eq!((slots.0[1].root, slots.0[1].plane), (Some(9), None));
@@ -92,6 +92,6 @@ fn text_and_slots_are_each_other() {
     for text in [
         "", "3,", "v", "13", "-1", "2w", "2:", "2:r", "2:x3", "2:r3:r3", "r3",
     ] {
-        assert!(parse(text).unwrap_err().to_string().contains("3,0,2v"));
+        assert!(parse(text).unwrap_err().to_string().contains("3,0,2:"));
     }
 }

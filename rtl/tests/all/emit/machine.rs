@@ -3,9 +3,9 @@
 use imogene_circuits::video::Output;
 use imogene_contract::slots::FittedSlot;
 use imogene_contract::video::VideoMode;
-use imogene_contract::{MachineWords, Request, RootForm, Unit, object};
+use imogene_contract::{MachineWords, Request, RootForm, Unit};
+use imogene_rtl::emit::emit;
 use imogene_rtl::emit::machine::{Kind, MachineRequest, ZoneShape, emit_machine};
-use imogene_rtl::emit::{Emitted, emit};
 
 const ZONE: ZoneShape = ZoneShape {
     zone_bits: 8,
@@ -28,16 +28,13 @@ fn request(kind: Kind) -> MachineRequest {
         kind,
         volumes: 1,
         volume_planes: 4,
-        ..MachineRequest::fitted(MachineWords::of(24), 4, vec![FittedSlot::full(1); 2])
+        ..MachineRequest::fitted(MachineWords::of(24), 4, vec![FittedSlot::quadric(1); 2])
     }
 }
 
-/// A deciding beam with slots of these planes, some with a second half.
-fn beam(words: MachineWords, slots: &[(u32, bool)]) -> MachineRequest {
-    let slots = slots.iter().map(|&(planes, two_volumes)| FittedSlot {
-        two_volumes,
-        ..FittedSlot::of(object::Kind::Quadric, planes)
-    });
+/// A deciding beam with slots of these planes.
+fn beam(words: MachineWords, planes: &[u32]) -> MachineRequest {
+    let slots = planes.iter().map(|&planes| FittedSlot::quadric(planes));
     MachineRequest::fitted(words, 1, slots.collect())
 }
 
@@ -85,10 +82,10 @@ fn slots_of_every_kind_and_own_words_are_emitted() {
     ));
     // Ten bits of f2, of which the words lie on a longer bus.
     assert!(text.contains("[9:0] f2_"), "{text}");
-    let short = of(OWN, "2v:r9:p18,patch2:r16,1").unwrap();
+    let short = of(OWN, "2:r9:p18,patch2:r16,1").unwrap();
     assert_eq!(
         short.latency,
-        of(OWN, "2v:r9:p18,patch2:r16,1:r16").unwrap().latency
+        of(OWN, "2:r9:p18,patch2:r16,1:r16").unwrap().latency
     );
     let refused = |text: &str| of(OWN, text).unwrap_err().to_string();
     assert!(
@@ -101,7 +98,7 @@ fn slots_of_every_kind_and_own_words_are_emitted() {
 /// Equal slots make the machine of the catalogue, module for module.
 #[test]
 fn equal_slots_are_the_machine_of_the_catalogue() {
-    let fitted = emit_machine(&beam(MachineWords::of(16), &[(2, true); 3])).unwrap();
+    let fitted = emit_machine(&beam(MachineWords::of(16), &[2; 3])).unwrap();
     let catalogue = emit(&Request {
         planes: 2,
         objects: 3,
@@ -123,35 +120,33 @@ fn a_machine_has_the_words_that_were_asked_for() {
         guard_quadratic: 5,
         ..MachineWords::of(19)
     };
-    let emitted = emit_machine(&beam(words, &[(1, false), (3, true)])).unwrap();
+    let emitted = emit_machine(&beam(words, &[1, 3])).unwrap();
     let width = |name: &str| {
         let port = emitted.ports.iter().find(|port| port.name == name);
         port.unwrap().width
     };
     assert_eq!(["depth", "nx", "load_data"].map(width), [19, 11, 35]);
-    assert_eq!(emitted.latency, 1 + (13 + 2 * 3 + 11) + 1);
+    assert_eq!(emitted.latency, 1 + (13 + 11) + 1);
     let text = emitted.bundle();
     assert!(text.contains("root 15, of which the last 2 digits are zero"));
     let linear = MachineWords {
         root_form: RootForm::Linear(2),
         ..words
     };
-    let emitted = emit_machine(&beam(linear, &[(1, false), (3, true)])).unwrap();
-    assert_eq!(emitted.latency, 1 + (5 + 2 * 3 + 11) + 1);
+    let emitted = emit_machine(&beam(linear, &[1, 3])).unwrap();
+    assert_eq!(emitted.latency, 1 + (5 + 11) + 1);
     let text = emitted.bundle();
     assert!(text.contains("root form linear2") && text.contains("module square_root_linear"));
 }
 
 #[test]
 fn a_machine_of_different_slots_waits_for_the_longest() {
-    let emitted = |slots: &[(u32, bool)]| emit_machine(&beam(MachineWords::of(16), slots)).unwrap();
-    let fitted = emitted(&[(0, false), (2, true), (3, false)]);
-    // Raster control, root, planes, and what is around them, the tree of three inputs.
-    assert_eq!(fitted.latency, 1 + (16 + 2 * 2 + 11) + 2);
-    let text = fitted.bundle();
-    assert!(text.contains("slots, by their planes, v with half B: 0 2v 3"));
-    let merges = |emitted: &Emitted| emitted.modules.iter().any(|(m, _)| m == "two_volume_merge");
-    assert!(merges(&fitted) && !merges(&emitted(&[(0, false), (1, false)])));
+    let emitted = |slots: &[u32]| emit_machine(&beam(MachineWords::of(16), slots)).unwrap();
+    let fitted = emitted(&[0, 9, 3]);
+    // Raster control, root, what is around it, two levels of planes beyond those of four, the tree of three inputs.
+    assert_eq!(fitted.latency, 1 + (16 + 11 + 2) + 2);
+    assert!(fitted.bundle().contains("slots, by their planes: 0 9 3"));
+    assert_eq!(emitted(&[0, 4, 3]).latency, 1 + (16 + 11) + 2);
 }
 
 /// What makes a request a bad one.
@@ -205,6 +200,6 @@ fn numbers_out_of_range_are_refused() {
         guard_quadratic: 5,
         ..MachineWords::of(30)
     };
-    let text = emit_machine(&beam(words, &[(0, false)])).unwrap_err();
+    let text = emit_machine(&beam(words, &[0])).unwrap_err();
     assert!(text.to_string().contains("legal values are 0 to 4"));
 }

@@ -14,13 +14,14 @@ fn instances_are_counted_through_the_hierarchy() {
     let of = |name: &str| all.iter().find(|m| m.name == name).map(|m| m.instances);
     assert_eq!(of("beam"), Some(1));
     assert_eq!(of("quadric_processor"), Some(3));
-    // Two planes, each with both halves, in three processors.
-    assert_eq!((of("plane_depth"), of("cut_plane")), (Some(6), Some(12)));
+    // Two planes, in a tree of one node, in three processors.
+    let nodes = of("half_space_node");
+    assert_eq!((of("plane_limits"), nodes), (Some(6), Some(3)));
     assert_eq!(of("visibility_node"), Some(2));
     // The pe1 of the depth stands by itself, that of a plane is part of its unit.
     assert_eq!((of("pe1_w18"), of("pe1_w28")), (Some(3), None));
-    assert!(closure(&beam, "plane_depth").contains("pe1_w28"));
-    assert!(!closure(&beam, "plane_depth").contains("pe2"));
+    assert!(closure(&beam, "plane_limits").contains("pe1_w28"));
+    assert!(!closure(&beam, "plane_limits").contains("pe2"));
 }
 
 #[test]

@@ -119,7 +119,7 @@ fn beam_slots(frames: &Frames, drawn: &Drawn) -> Vec<FittedSlot> {
 /// The words that are not searched are those that the scene requires: a bit less of the root or the planes and it
 /// cannot be prepared.
 #[test]
-fn the_machine_has_the_planes_and_halves_that_its_objects_have() {
+fn the_machine_has_the_planes_that_its_objects_have() {
     let frames = frames(&["cut-sphere"]).unwrap();
     let drawn = &found(&frames, &budgets()[1])[0];
     let slots = beam_slots(&frames, drawn);
@@ -131,21 +131,7 @@ fn the_machine_has_the_planes_and_halves_that_its_objects_have() {
         .collect();
     let planes: Vec<usize> = slots.iter().map(|s| s.planes as usize).collect();
     assert_eq!(planes, objects);
-    assert!(slots.iter().all(|slot| !slot.two_volumes));
     assert!(drawn.widths.root < drawn.widths.depth && drawn.widths.plane < drawn.widths.depth + 12);
-}
-
-/// The solid that the viewer of the front view is inside of has half B; other slots do not.
-#[test]
-fn only_slots_that_need_it_have_half_b() {
-    let frames = frames(&["front-view"]).unwrap();
-    let drawn = &found(&frames, &budgets()[1])[0];
-    let slots = beam_slots(&frames, drawn);
-    let halves: Vec<bool> = slots.iter().map(|slot| slot.two_volumes).collect();
-    assert!(
-        halves.contains(&true) && halves.contains(&false),
-        "{halves:?}"
-    );
 }
 
 /// At every pixel of every object, in whole numbers: what f2 and the planes come to is in the words of its slot, and a
