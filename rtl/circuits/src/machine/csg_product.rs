@@ -32,7 +32,7 @@ pub(super) fn products(mut objects: &[Extent], products: &[ProductSlots]) -> Vec
     let one = |(at, product): (String, &ProductSlots)| {
         let (own, others) = objects.split_at(product.count());
         let (kept, taken_away) = own.split_at(product.intersected);
-        let taken_away = taken_away.iter().map(Extent::from_behind).collect();
+        let taken_away = taken_away.iter().map(Extent::reversed).collect();
         objects = others;
         csg_product(&at, kept.to_vec(), taken_away)
     };
@@ -42,7 +42,7 @@ pub(super) fn products(mut objects: &[Extent], products: &[ProductSlots]) -> Vec
 impl Extent {
     /// An object that is loaded as it is seen from behind, its depths complemented: the back is in front. What reaches
     /// the far end has its cap there.
-    fn from_behind(&self) -> Extent {
+    fn reversed(&self) -> Extent {
         let Extent { face, end } = *self;
         let complement = |depth: Int| (!depth.bits()).int();
         let far = absent(face.depth.width());
