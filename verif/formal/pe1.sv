@@ -3,8 +3,8 @@
 // The products are written as sums that grow by one word at a time, so that the solver sees additions only:
 //   sum_ax = a x   because it is 0 at the first pixel of a line and grows by a with every further pixel,
 //   sum_by = b y   because it is 0 at the start and grows by b with every further line.
-// These two sentences are proved over the integers in pe1.smt2; reduction modulo 2^N commutes with addition. The sums grow by the
-// words kept in the unit, which are asserted to be the words at the start.
+// These two sentences are proved over the integers in pe1.smt2; reduction modulo 2^N commutes with addition. The words on the
+// ports are those of the start until the next one.
 
 module pe1_properties #(parameter N = 26) (
     input wire clock,
@@ -14,8 +14,6 @@ module pe1_properties #(parameter N = 26) (
     input wire [N-1:0] a,
     input wire [N-1:0] b,
     input wire [N-1:0] c,
-    input wire [N-1:0] kept_a,
-    input wire [N-1:0] kept_b,
     input wire [N-1:0] line_value,
     input wire [N-1:0] value
 );
@@ -34,17 +32,16 @@ module pe1_properties #(parameter N = 26) (
                 sum_by <= 0;
             end else if (line) begin
                 sum_ax <= 0;
-                sum_by <= sum_by + kept_b;
+                sum_by <= sum_by + word_b;
             end else begin
-                sum_ax <= sum_ax + kept_a;
+                sum_ax <= sum_ax + word_a;
             end
         end
     end
 
     always @* begin
         if (started) begin
-            assert (kept_a == word_a);
-            assert (kept_b == word_b);
+            if (!(valid && start)) assume (a == word_a && b == word_b);
             assert (line_value == word_c + sum_by);
             assert (value == line_value + sum_ax);
         end
@@ -53,5 +50,5 @@ endmodule
 
 bind pe1 pe1_properties #(.N(`N)) properties (
     .clock(clock), .valid(valid), .start(start), .line(line), .a(a), .b(b), .c(c),
-    .kept_a(kept_a), .kept_b(kept_b), .line_value(line_value), .value(value)
+    .line_value(line_value), .value(value)
 );

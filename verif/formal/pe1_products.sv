@@ -33,6 +33,7 @@ module pe1_products #(parameter N = 8) (
     end
 
     always @* begin
+        if (started && !(valid && start)) assume (a == word_a && b == word_b);
         if (started) assert (value == word_a * x + word_b * y + word_c);
     end
 endmodule

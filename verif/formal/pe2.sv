@@ -21,9 +21,6 @@ module pe2_properties #(parameter N = 48) (
     input wire [N-1:0] p0,
     input wire [N-1:0] i0,
     input wire [N-1:0] f,
-    input wire [N-1:0] kept_a2,
-    input wire [N-1:0] kept_b2,
-    input wire [N-1:0] kept_c,
     input wire [N-1:0] line_value,
     input wire [N-1:0] line_step,
     input wire [N-1:0] first_step,
@@ -48,11 +45,11 @@ module pe2_properties #(parameter N = 48) (
                 {sum_a2x, sum_cy, sum_b2y, sum_pixels, sum_lines} <= 0;
             end else if (line) begin
                 {sum_a2x, sum_pixels} <= 0;
-                sum_cy <= sum_cy + kept_c;
-                sum_b2y <= sum_b2y + kept_b2;
+                sum_cy <= sum_cy + word_c;
+                sum_b2y <= sum_b2y + word_b2;
                 sum_lines <= sum_lines + line_step;
             end else begin
-                sum_a2x <= sum_a2x + kept_a2;
+                sum_a2x <= sum_a2x + word_a2;
                 sum_pixels <= sum_pixels + pixel_step;
             end
         end
@@ -60,10 +57,8 @@ module pe2_properties #(parameter N = 48) (
 
     always @* begin
         if (started) begin
-            // The words are those of the start; the other registers are differences of the polynomial.
-            assert (kept_a2 == word_a2);
-            assert (kept_b2 == word_b2);
-            assert (kept_c == word_c);
+            // The words on the ports are those of the start; the registers are differences of the polynomial.
+            if (!(valid && start)) assume (a2 == word_a2 && b2 == word_b2 && c == word_c);
             assert (first_step == word_p0 + sum_cy);
             assert (pixel_step == first_step + sum_a2x);
             assert (line_step == word_i0 + sum_b2y);
@@ -76,6 +71,5 @@ endmodule
 bind pe2 pe2_properties #(.N(`N)) properties (
     .clock(clock), .valid(valid), .start(start), .line(line),
     .a2(a2), .b2(b2), .c(c), .p0(p0), .i0(i0), .f(f),
-    .kept_a2(kept_a2), .kept_b2(kept_b2), .kept_c(kept_c),
     .line_value(line_value), .line_step(line_step), .first_step(first_step), .pixel_step(pixel_step), .value(value)
 );

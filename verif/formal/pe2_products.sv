@@ -25,14 +25,12 @@ module pe2_products #(parameter N = 8) (
     reg [N-1:0] x, y;
 
     always @* begin
-        if (valid && start) begin
-            assume (a2 == poly_a + poly_a);
-            assume (b2 == poly_b + poly_b);
-            assume (c == poly_c);
-            assume (p0 == poly_d + poly_a);
-            assume (i0 == poly_e + poly_b);
-            assume (f == poly_f);
-        end
+        assume (a2 == poly_a + poly_a);
+        assume (b2 == poly_b + poly_b);
+        assume (c == poly_c);
+        assume (p0 == poly_d + poly_a);
+        assume (i0 == poly_e + poly_b);
+        assume (f == poly_f);
     end
 
     always @(posedge clock) begin

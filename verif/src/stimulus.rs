@@ -57,6 +57,30 @@ pub fn raster(ports: &[Signal], clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
         .boxed()
 }
 
+/// Clocks with a pixel between two in which words change, where that takes a pause.
+const STRETCH: usize = 24;
+
+/// Words on some ports change with the start of a zone alone, and where a pipeline has to drain first, after a pause of
+/// so many clocks, which this makes.
+pub fn hold(list: &mut [Inputs], words: std::ops::Range<usize>, pause: usize) {
+    let mut held = list[0][words.clone()].to_vec();
+    for (clock, inputs) in list.iter_mut().enumerate() {
+        // The first stretch begins with the first clock.
+        let place = (clock + pause) % (pause + STRETCH);
+        if place < pause {
+            inputs[0] = 0;
+        } else if pause > 0 && place == pause {
+            inputs[..3].copy_from_slice(&[1, 1, 0]);
+        }
+        let may_change = pause == 0 || place == pause;
+        if may_change && inputs[..2] == [1, 1] {
+            held.copy_from_slice(&inputs[words.clone()]);
+        } else {
+            inputs[words.clone()].copy_from_slice(&held);
+        }
+    }
+}
+
 /// Radicands: uniform, of every length, and at the places where the floor root steps.
 pub fn radicand(signal: &Signal) -> BoxedStrategy<i64> {
     let signal = signal.clone();

@@ -8,19 +8,18 @@ module pe1_w26 (
 );
 
     wire first;
-    reg signed [25:0] kept_a = 26'sd0, kept_b = 26'sd0, line_value = 26'sd0, pixel_value = 26'sd0;
+    reg signed [25:0] line_value = 26'sd0, pixel_value = 26'sd0;
     wire signed [25:0] next_line, next_pixel, line_begin;
 
     assign first = start | line;
-    assign next_line = line_value + kept_b;
-    assign next_pixel = pixel_value + kept_a;
+    assign next_line = line_value + b;
+    assign next_pixel = pixel_value + a;
     assign line_begin = start ? c : next_line;
     assign value = pixel_value;
 
     always @(posedge clock) begin
         if (valid) begin
             pixel_value <= first ? line_begin : next_pixel;
-            if (start) begin kept_a <= a; kept_b <= b; end
             if (first) line_value <= line_begin;
         end
     end

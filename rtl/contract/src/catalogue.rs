@@ -9,6 +9,7 @@ use crate::record::Record;
 // What several records state.
 const EVERY_CLOCK: &str = "one result per clock";
 const PIXELS: &str = "one pixel per clock, no bubble between lines or zones";
+const ZONE_WORDS: &str = "one pixel per clock, no bubble between lines or zones; coefficients change only with the start of a zone";
 const HELD_WORDS: &str = "one pixel per clock, no bubble between lines; coefficients change only when the pipeline has drained";
 
 const NO_TIES: &str = "none: nothing is compared";
@@ -58,11 +59,11 @@ macro_rules! units {
 // Unit, name, parameters, latency, throughput, source.
 units! {
     // Elementary processors.
-    Pe1 "pe1" [] "1", PIXELS, "Nyiri 1994, 2.3.2 and B.2.1";
+    Pe1 "pe1" [] "1", ZONE_WORDS, "Nyiri 1994, 2.3.2 and B.2.1";
         computes "value(x, y) = a x + b y + c by additions alone, one pixel per clock";
         ties NO_TIES;
         error MODULO;
-    Pe2 "pe2" [] "1", PIXELS, "Nyiri 1994, 2.3.2 and B.2.1";
+    Pe2 "pe2" [] "1", ZONE_WORDS, "Nyiri 1994, 2.3.2 and B.2.1";
         computes "value(x, y) = a x^2 + b y^2 + c xy + d x + e y + f by additions alone, one pixel per clock";
         ties NO_TIES;
         error MODULO;
@@ -106,11 +107,11 @@ units! {
         error "bound: {C: 1.345, 0.532, 0.219} % of the root besides floors; measured maximum with floors: {C: 1.364, 0.540, 0.221} % at W = 24 and radicands not below 2^23; not monotone: the root steps down by one at some radicands";
 
     // Object processors and their parts.
-    QuadricPe "quadric_pe" [ROWS] "ceil(W / R) + 2", PIXELS, "Nyiri 1994, 2.4.2";
+    QuadricPe "quadric_pe" [ROWS] "ceil(W / R) + 2", HELD_WORDS, "Nyiri 1994, 2.4.2";
         computes "the two depths f1 - r and f1 + r of a quadric, with r = floor(sqrt(f2))";
         ties "f2 = 0 counts as inside, with both depths f1";
         error "exact in f1 and f2 modulo their widths; the root is rounded down";
-    PlaneDepth "plane_depth" [] "2", PIXELS, "Nyiri 1994, 2.4.2";
+    PlaneDepth "plane_depth" [] "2", ZONE_WORDS, "Nyiri 1994, 2.4.2";
         computes "the depth of a plane, clamped to the depth word";
         ties "a value at a bound of the clamp is that bound";
         error "exact after clamping; whoever makes the coefficients proves that the plane fits its words";
@@ -126,7 +127,7 @@ units! {
         computes "what is seen of a quadric of which planes leave what lies between two limits; the limits come two clocks after the roots";
         ties "a limit at a face keeps it, and the face its number; limits at one depth keep a sheet; f2 = 0 counts as inside";
         error EXACT;
-    NormalUnit "normal_unit" [PLANES] "4", PIXELS, "Nyiri 1994, 2.4.2";
+    NormalUnit "normal_unit" [PLANES] "4", HELD_WORDS, "Nyiri 1994, 2.4.2";
         computes "the normal of the visible face of a quadric object";
         ties NO_TIES;
         error "exact in its integer words; against a normal in real numbers: the product K r loses the places shifted out and 6 bits, the result the low 8 of 24 bits, each by a floor";
@@ -150,11 +151,11 @@ units! {
         computes "front and back depth, faces and normals of a convex solid of planes";
         ties "of planes at equal depth the smallest index wins; an interval of no thickness is there; a plane at the near end is not a face, the end is";
         error INTEGERS;
-    FacetProcessor "facet_processor" [SIDES] "3", PIXELS, "Chaillou 1991, IV.2.2";
+    FacetProcessor "facet_processor" [SIDES] "3", HELD_WORDS, "Chaillou 1991, IV.2.2";
         computes "depth and interpolated normal of a flat facet of three or four sides";
         ties "zero is inside";
         error INTEGERS;
-    CurvedFacetProcessor "curved_facet_processor" [CURVED_SIDES] "3", PIXELS, "Chaillou 1991, IV.2.6.1";
+    CurvedFacetProcessor "curved_facet_processor" [CURVED_SIDES] "3", HELD_WORDS, "Chaillou 1991, IV.2.6.1";
         computes "depth and normal of a facet with sides, depth and normal of second degree";
         ties "zero is inside";
         error INTEGERS;

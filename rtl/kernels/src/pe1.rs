@@ -21,8 +21,6 @@ pub struct Pe1<const W: usize> {
     pub c: Signal<In, Signed<W>>,
     /// Value of the pixel.
     pub value: Signal<Out, Signed<W>>,
-    kept_a: DFF<Signed<W>>,
-    kept_b: DFF<Signed<W>>,
     line_value: DFF<Signed<W>>,
     pixel_value: DFF<Signed<W>>,
     next_line: Signal<Local, Signed<W>>,
@@ -31,19 +29,17 @@ pub struct Pe1<const W: usize> {
 impl<const W: usize> Logic for Pe1<W> {
     #[hdl_gen]
     fn update(&mut self) {
-        dff_setup!(self, clock, kept_a, kept_b, line_value, pixel_value);
-        self.next_line.next = self.line_value.q.val() + self.kept_b.q.val();
+        dff_setup!(self, clock, line_value, pixel_value);
+        self.next_line.next = self.line_value.q.val() + self.b.val();
         if self.valid.val() {
             if self.start.val() {
-                self.kept_a.d.next = self.a.val();
-                self.kept_b.d.next = self.b.val();
                 self.line_value.d.next = self.c.val();
                 self.pixel_value.d.next = self.c.val();
             } else if self.line.val() {
                 self.line_value.d.next = self.next_line.val();
                 self.pixel_value.d.next = self.next_line.val();
             } else {
-                self.pixel_value.d.next = self.pixel_value.q.val() + self.kept_a.q.val();
+                self.pixel_value.d.next = self.pixel_value.q.val() + self.a.val();
             }
         }
         self.value.next = self.pixel_value.q.val();

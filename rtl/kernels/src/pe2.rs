@@ -28,9 +28,6 @@ pub struct Pe2<const W: usize> {
     pub f: Signal<In, Signed<W>>,
     /// Value of the pixel.
     pub value: Signal<Out, Signed<W>>,
-    kept_a2: DFF<Signed<W>>,
-    kept_b2: DFF<Signed<W>>,
-    kept_c: DFF<Signed<W>>,
     line_value: DFF<Signed<W>>,
     line_step: DFF<Signed<W>>,
     first_step: DFF<Signed<W>>,
@@ -43,16 +40,12 @@ pub struct Pe2<const W: usize> {
 impl<const W: usize> Logic for Pe2<W> {
     #[hdl_gen]
     fn update(&mut self) {
-        dff_setup!(self, clock, kept_a2, kept_b2, kept_c);
         dff_setup!(self, clock, line_value, line_step, first_step);
         dff_setup!(self, clock, pixel_value, pixel_step);
         self.next_line.next = self.line_value.q.val() + self.line_step.q.val();
-        self.next_first_step.next = self.first_step.q.val() + self.kept_c.q.val();
+        self.next_first_step.next = self.first_step.q.val() + self.c.val();
         if self.valid.val() {
             if self.start.val() {
-                self.kept_a2.d.next = self.a2.val();
-                self.kept_b2.d.next = self.b2.val();
-                self.kept_c.d.next = self.c.val();
                 self.line_value.d.next = self.f.val();
                 self.line_step.d.next = self.i0.val();
                 self.first_step.d.next = self.p0.val();
@@ -60,13 +53,13 @@ impl<const W: usize> Logic for Pe2<W> {
                 self.pixel_step.d.next = self.p0.val();
             } else if self.line.val() {
                 self.line_value.d.next = self.next_line.val();
-                self.line_step.d.next = self.line_step.q.val() + self.kept_b2.q.val();
+                self.line_step.d.next = self.line_step.q.val() + self.b2.val();
                 self.first_step.d.next = self.next_first_step.val();
                 self.pixel_value.d.next = self.next_line.val();
                 self.pixel_step.d.next = self.next_first_step.val();
             } else {
                 self.pixel_value.d.next = self.pixel_value.q.val() + self.pixel_step.q.val();
-                self.pixel_step.d.next = self.pixel_step.q.val() + self.kept_a2.q.val();
+                self.pixel_step.d.next = self.pixel_step.q.val() + self.a2.val();
             }
         }
         self.value.next = self.pixel_value.q.val();

@@ -124,7 +124,7 @@ fn plane_ties(subject: &Subject) -> Vec<Inputs> {
 
 /// One line of `pixels` pixels of a plane.
 fn plane_line(subject: &Subject, a: i64, c: i64, pixels: usize) -> Vec<Inputs> {
-    let mut line = vec![inputs(subject, &[("valid", 1)]); pixels];
+    let mut line = vec![inputs(subject, &[("valid", 1), ("a", a), ("c", c)]); pixels];
     line[0] = inputs(subject, &[("valid", 1), ("start", 1), ("a", a), ("c", c)]);
     line
 }

@@ -1,6 +1,6 @@
 //! The units of the depth interval: opening it, cutting it, and both at once.
 
-use super::description::{Description, any_raster, bit, last_pixel, late, stated};
+use super::description::{Description, bit, last_pixel, late, stated, zones};
 use super::words::{Ports, class, plane_kind, read};
 use crate::stimulus::{depth, interval};
 use crate::subject::{Inputs, Subject};
@@ -66,7 +66,7 @@ fn sums(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
 }
 
 pub(super) fn plane_depth(format: Format) -> Description {
-    Description::new(any_raster, move || {
+    Description::new(zones, move || {
         let words = move |i: &[i64]| read(&i[3..], &format, Ports::line);
         let start = move |i: &[i64]| Pe1::object_start(&words(i), format.plane);
         let depth = move |pe: &mut Pe1| saturate(pe.pixel() as i64, &format);

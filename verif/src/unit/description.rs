@@ -1,11 +1,12 @@
 //! What is stated of a unit, and what golden models have in common.
 
 use crate::signal::{Delay, Signal};
+use crate::stimulus::hold;
 use crate::subject::{Inputs, Maker, Stimulus, Subject};
 use imogene_contract::Request;
 use imogene_hdl::Direction;
 use imogene_rtl::emit::design;
-use proptest::strategy::BoxedStrategy;
+use proptest::strategy::{BoxedStrategy, Strategy};
 
 /// The inputs of a unit.
 pub(super) fn inputs(request: &Request) -> Vec<Signal> {
@@ -99,4 +100,14 @@ pub(super) fn last_pixel<P>(
 /// A stimulus of raster flags on the first three ports and words on the others.
 pub(super) fn any_raster(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     crate::stimulus::raster(&subject.inputs, clocks)
+}
+
+/// The same with words that change with the start of a zone alone.
+pub(super) fn zones(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let words = 3..subject.inputs.len();
+    let held = move |mut list: Vec<Inputs>| {
+        hold(&mut list, words.clone(), 0);
+        list
+    };
+    any_raster(subject, clocks).prop_map(held).boxed()
 }

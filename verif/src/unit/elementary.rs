@@ -1,6 +1,6 @@
 //! The elementary processors: PE1, PE2 and the programmable one.
 
-use super::description::{Description, any_raster, bit, last_pixel};
+use super::description::{Description, any_raster, bit, last_pixel, zones};
 use super::words::{Ports, read};
 use imogene_golden::format::Format;
 use imogene_golden::unit::pe1::Pe1;
@@ -8,7 +8,7 @@ use imogene_golden::unit::pe2::{Pe2, PreconditionedWords};
 use imogene_golden::unit::programmable::{Programmable, ProgrammableWords};
 
 pub(super) fn pe1(format: Format) -> Description {
-    Description::new(any_raster, move || {
+    Description::new(zones, move || {
         let words = move |i: &[i64]| read(&i[3..], &format, Ports::line);
         let start = move |i: &[i64]| Pe1::object_start(&words(i), format.sum);
         let mut last = last_pixel(start, Pe1::line_step, |pe| pe.pixel() as i64);
@@ -27,7 +27,7 @@ pub(super) fn pe2(format: Format) -> Description {
             }
             list
         };
-        any_raster(subject, clocks).prop_map(even).boxed()
+        zones(subject, clocks).prop_map(even).boxed()
     };
     Description::new(stimulus, move || {
         let words = move |i: &[i64]| read(&i[3..], &format, Ports::quadratic);

@@ -2,7 +2,7 @@
 
 use super::description::{Description, bit, late, scan, stated};
 use super::words::{Ports, read};
-use crate::stimulus::{flags, word};
+use crate::stimulus::{flags, hold, word};
 use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
 use imogene_golden::unit::normal::select;
@@ -57,8 +57,7 @@ fn low_bit(width: u32) -> impl Strategy<Value = u32> {
     prop_oneof![1 => 0..width, 2 => 0..3u32]
 }
 
-/// Numbers and roots change every clock; words are held, but for those that are read with the start alone, a clock
-/// after it.
+/// Numbers and roots change every clock; words are held, those of the `g` until they have started anew.
 ///
 /// Half of the stimuli have words where a product decides by its lowest bit: factors and roots of one bit, and a `g`
 /// whose low bits are those of `c` alone, often all of them 0 or 1.
@@ -102,13 +101,7 @@ fn words_held(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
             };
             let mut list: Vec<Inputs> = list.into_iter().map(clock).collect();
             list[0][..3].copy_from_slice(&[1, 1, 0]);
-            for clock in WORDS_LATER..list.len() {
-                let begun = clock - WORDS_LATER;
-                if list[begun][..2] == [1, 1] {
-                    let words = list[begun][port::WORDS..port::FACTORS].to_vec();
-                    list[clock][port::WORDS..port::FACTORS].copy_from_slice(&words);
-                }
-            }
+            hold(&mut list, port::WORDS..port::FACTORS, WORDS_LATER + 1);
             list
         })
         .boxed()

@@ -2,7 +2,7 @@
 
 use super::description::{Description, bit, late, scan, stated};
 use super::words::{Ports, read};
-use crate::stimulus::{each, radicand, raster};
+use crate::stimulus::{each, hold, radicand, raster};
 use crate::subject::{Inputs, Subject};
 use imogene_golden::format::{Format, wrap64};
 use imogene_golden::unit::pe1::Pe1;
@@ -81,12 +81,13 @@ const F1: usize = 3;
 const F2: usize = 6;
 const F2_VALUE: usize = 11;
 
-/// Words change every clock; those of f1 are read again when its processor starts, behind the root.
+/// Words change where the root network has drained: the processor of f1 starts behind it.
 ///
 /// Half of the time f2 begins at or beside a square and goes on in small steps, where the root tells one radicand from
 /// the next.
 fn any_words(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let rows = subject.latency - 2;
+    let words = subject.inputs.len();
     let f2 = &subject.inputs[F2_VALUE];
     let near = (radicand(f2), f2.width - 4..f2.width);
     let near = proptest::collection::vec(proptest::option::of(near), clocks);
@@ -102,12 +103,7 @@ fn any_words(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
                 // Second differences are even: they are twice a coefficient.
                 inputs[F2..F2 + 2].iter_mut().for_each(|step| *step &= !1);
             }
-            for clock in rows..list.len() {
-                if list[clock - rows][..2] == [1, 1] {
-                    let f1 = list[clock - rows][F1..F2].to_vec();
-                    list[clock][F1..F2].copy_from_slice(&f1);
-                }
-            }
+            hold(&mut list, F1..words, rows + 1);
             list
         })
         .boxed()

@@ -58,8 +58,8 @@ fn the_scoreboard_is_the_same() {
 fn an_undefined_bit_is_a_mismatch_without_a_value() {
     let broken = changed(
         "pe1",
-        "= line_value + kept_b;",
-        "= line_value + kept_b + 1'bx;",
+        "= line_value + b;",
+        "= line_value + b + 1'bx;",
         Simulator::Icarus,
     );
     let (report, trace) = random::run(&broken, CLOCKS, 11, true);
@@ -77,8 +77,7 @@ fn an_undefined_bit_is_a_mismatch_without_a_value() {
 #[test]
 fn verilog_that_a_simulator_refuses_is_reported() {
     for simulator in Simulator::ALL {
-        let text =
-            verilog("pe1", 24).replace("= line_value + kept_b;", "= line_value + missing_name;");
+        let text = verilog("pe1", 24).replace("= line_value + b;", "= line_value + missing_name;");
         let outcome = with_verilog(unit("pe1", 24), simulator, "pe1", &text);
         let message = outcome.err().expect("a refusal").to_string();
         assert!(message.contains("missing_name"), "{message}");

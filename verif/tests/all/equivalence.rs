@@ -68,9 +68,9 @@ fn a_changed_text_is_not_equal() {
             "first ? line_begin : next_pixel",
             "start ? line_begin : next_pixel",
         ),
-        ("line_value + kept_b", "line_value - kept_b"),
+        ("line_value + b", "line_value - b"),
         ("pixel_value = 26'sd0", "pixel_value = 26'sd1"),
-        ("if (start) begin", "if (line) begin"),
+        ("start ? c : next_line", "line ? c : next_line"),
         ("value = pixel_value", "value = line_value"),
         ("start | line", "start & line"),
     ];

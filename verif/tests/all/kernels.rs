@@ -98,7 +98,7 @@ fn a_faulty_kernel_is_found() {
         &printed::<Pe1<16>>(),
         &sum,
         &[
-            ("line_value_q + kept_b_q", "line_value_q - kept_b_q"),
+            ("line_value_q + b", "line_value_q - b"),
             ("else if (line)", "else if (start)"),
             ("q = 16'h0", "q = 16'h1"),
         ],

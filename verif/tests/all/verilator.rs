@@ -48,16 +48,16 @@ fn instances_of_one_model_do_not_share_registers() {
     assert_eq!(value, [100]);
     other.clock_words(&[1, 1, 0, 5, 0, 7], &mut value);
     assert_eq!(value, [7]);
-    one.clock_words(&[1, 0, 0, 0, 0, 0], &mut value);
+    one.clock_words(&[1, 0, 0, 3, 0, 0], &mut value);
     assert_eq!(value, [103]);
     let mut moved = std::thread::spawn(move || {
-        other.clock_words(&[1, 0, 0, 0, 0, 0], &mut value);
+        other.clock_words(&[1, 0, 0, 5, 0, 0], &mut value);
         (other, value)
     })
     .join()
     .expect("no panic");
     assert_eq!(moved.1, [12]);
-    moved.0.clock_words(&[1, 0, 0, 0, 0, 0], &mut moved.1);
+    moved.0.clock_words(&[1, 0, 0, 5, 0, 0], &mut moved.1);
     assert_eq!(moved.1, [17]);
 }
 
@@ -66,7 +66,7 @@ fn verilog_that_verilator_refuses_is_reported_and_not_kept() {
     let unit = unit("pe1", 24);
     for _ in 0..2 {
         let broken =
-            verilog("pe1", 24).replace("= line_value + kept_b;", "= line_value + missing_name;");
+            verilog("pe1", 24).replace("= line_value + b;", "= line_value + missing_name;");
         let outcome = compiled(&unit, &broken);
         let message = outcome.err().expect("a refusal").to_string();
         assert!(message.contains("missing_name"), "{message}");

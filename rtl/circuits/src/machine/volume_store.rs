@@ -2,6 +2,7 @@
 
 use super::LoadBus;
 use crate::object::{Bounds, HalfSpace, VolumeWords, Widths};
+use crate::raster::Linear;
 use imogene_contract::volume::{BOX_COLUMNS, CONTROL, MARGIN, PLANE_WORDS, PLANES};
 use imogene_hdl::{Bits, Bundle, Value, bundles, module, net};
 
@@ -17,9 +18,8 @@ bundles! {
     }
 }
 
-/// Keeps the words of a volume; those used at every pixel are taken over at the beginning of a pass, so that the next
-/// volume may be loaded while this one is asked. Elementary processors read f1, f2 and planes at the first pixel only:
-/// these words act as they are loaded.
+/// Keeps the words of a volume; those used after the first pixel are taken over at the beginning of a pass, so that the
+/// next volume may be loaded while this one is asked. What f1, f2 and planes begin with acts as it is loaded.
 pub fn volume_store(
     at: &str,
     take: Bits,
@@ -30,12 +30,16 @@ pub fn volume_store(
     let inputs = (("take", take), bus);
     module("volume_store", at, inputs, |(take, bus)| {
         net! { let is_new = bus.is_new(CONTROL, take); }
+        let linear = |words: Linear| words.with_steps(words.steps().registered_when(take));
         let plane = |index: u64| {
             let plane = bus.half_space(PLANES + PLANE_WORDS * index, widths.plane);
-            let kind = plane.kind.reg_when(take);
-            HalfSpace { kind, ..plane }
+            HalfSpace {
+                kind: plane.kind.reg_when(take),
+                linear: linear(plane.linear),
+            }
         };
         let box_x0 = bus.bits(BOX_COLUMNS, 11, 0);
+        let f2 = bus.quadratic(3, widths.quadratic);
         let bounds = Bounds {
             screen_box: bus.screen_box(BOX_COLUMNS, box_x0).registered_when(take),
             planes: (0..planes).map(plane).collect(),
@@ -43,8 +47,8 @@ pub fn volume_store(
         let control = |high: u32, low: u32| bus.bits(CONTROL, high, low).reg_when(take);
         StoredVolume {
             words: VolumeWords {
-                f1: bus.linear(0, widths.linear),
-                f2: bus.quadratic(3, widths.quadratic),
+                f1: linear(bus.linear(0, widths.linear)),
+                f2: f2.with_steps(f2.steps().registered_when(take)),
                 bounds,
                 object_class: control(1, 0),
                 depth_shift: control(5, 2),

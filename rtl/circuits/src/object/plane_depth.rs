@@ -1,7 +1,7 @@
 //! Depth of a cut plane.
 
 use super::ends::{absent, end, fits};
-use crate::raster::{Flags, Linear, pe1};
+use crate::raster::{Flags, HELD, Linear, pe1};
 use imogene_contract::words::saturated_near;
 use imogene_hdl::{Int, Value, module, net};
 
@@ -9,7 +9,7 @@ use imogene_hdl::{Int, Value, module, net};
 ///
 /// Latency 2. Section 2.4.2.
 pub fn plane_depth(at: &str, flags: Flags, words: Linear, width: u32) -> Int {
-    let inputs = (flags, ("", words, "read with start"));
+    let inputs = (flags, ("", words, HELD));
     module("plane_depth", at, inputs, |(flags, words)| {
         let plane = pe1("plane", flags, words);
         net! {

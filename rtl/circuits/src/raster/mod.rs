@@ -4,15 +4,20 @@ mod memory_pe2;
 mod pe1;
 mod pe2;
 mod programmable_pe;
+mod steps;
 
 pub use memory_pe2::{Commands, LoadWord, Stepped, memory_pe2};
 pub use pe1::pe1;
 pub use pe2::pe2;
 pub use programmable_pe::{Program, Programmed, SplitWords, programmable_pe};
+pub use steps::{SecondSteps, Steps};
 
 use crate::rows::alike;
 pub(crate) use imogene_contract::words::COORDINATE;
 use imogene_hdl::{Bits, Int, bundle, bundles};
+
+/// Meaning of the words of a polynomial.
+pub(crate) const HELD: &str = "unchanged from start to the last pixel of the zone";
 
 bundle! {
     /// Raster flags.

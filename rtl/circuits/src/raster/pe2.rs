@@ -1,32 +1,29 @@
 //! Second-degree elementary processor.
 
-use super::{Flags, Quadratic};
+use super::{Flags, HELD, Quadratic};
 use imogene_hdl::{Int, Value, module, net};
 
 /// `value(x, y) = a x^2 + b y^2 + c xy + d x + e y + f` modulo the width of the words, from preconditioned words, by
 /// additions alone, one pixel per clock.
 ///
-/// Latency 1. A clock without `valid` changes nothing; words are read with `start` alone. Sections 2.3.2 and B.2.1.
+/// Latency 1. A clock without `valid` changes nothing; the words stay as they are from `start` to the last pixel of the
+/// zone. Sections 2.3.2 and B.2.1.
 pub fn pe2(at: &str, flags: Flags, words: Quadratic) -> Int {
-    let inputs = (flags, ("", words, "read with start"));
+    let inputs = (flags, ("", words, HELD));
     module("pe2", at, inputs, |(flags, words)| {
-        let load = flags.valid & flags.start;
         let register = || Int::register(words.f.width());
         net! {
             let first = flags.start | flags.line;
-            let kept_a2 = words.a2.reg_when(load);
-            let kept_b2 = words.b2.reg_when(load);
-            let kept_c = words.c.reg_when(load);
             let line_value = register();
             let line_step = register();
             let first_step = register();
             let pixel_step = register();
             let pixel_value = register();
             let next_pixel = pixel_value + pixel_step;
-            let next_step = pixel_step + kept_a2;
+            let next_step = pixel_step + words.a2;
             let line_begin = flags.start.select(words.f, line_value + line_step);
-            let line_begin_step = flags.start.select(words.i0, line_step + kept_b2);
-            let first_begin_step = flags.start.select(words.p0, first_step + kept_c);
+            let line_begin_step = flags.start.select(words.i0, line_step + words.b2);
+            let first_begin_step = flags.start.select(words.p0, first_step + words.c);
         }
         let load_line = flags.valid & first;
         line_value.load_when(load_line, line_begin);

@@ -30,11 +30,8 @@ impl Facts {
     /// Root rows: `remainder <= 2 root` behind each row, where a row that does not restore would have restored. Second
     /// differences of a PE2 are even.
     pub fn of(unit: &str, wires: &BTreeMap<String, usize>) -> Facts {
-        let last = |name: &str| name.rsplit('.').next().unwrap_or_default().to_owned();
         let even = |name: &String| format!("!({{{name}}} & 1)");
         let inputs = ["a2", "b2", "f2_a2", "f2_b2"].map(String::from);
-        let registers = ["kept_a2", "kept_b2"].map(String::from);
-        let second_differences = wires.keys().filter(|name| registers.contains(&last(name)));
         let rows = stages(wires).map(|stage| {
             let remainder = format!("{{{stage}.next_remainder}}");
             let root = format!("{{{stage}.next_root}}");
@@ -46,7 +43,7 @@ impl Facts {
         let even_inputs = wires.keys().filter(|name| inputs.contains(name)).map(even);
         Facts {
             inputs: even_inputs.collect(),
-            registers: second_differences.map(even).chain(rows).collect(),
+            registers: rows.collect(),
         }
     }
 

@@ -12,6 +12,7 @@ use imogene_golden::unit::pe1::{Linear, Pe1 as GoldenPe1};
 use imogene_golden::unit::pe2::{Pe2 as GoldenPe2, Quadratic};
 use imogene_verif::engine::circuit::Circuit;
 use rayon::prelude::*;
+use std::ops::Range;
 use std::time::Instant;
 
 /// `value` modulo 2^width as two's complement.
@@ -54,20 +55,24 @@ fn zones(columns: i64, lines: i64) -> Vec<RasterClock> {
     list
 }
 
-/// Runs zones with these words, which are read at the start of a zone only: elsewhere their complements stand there.
-/// `golden` is given `start` and `line` of each pixel, `exact` its column and line. Returns the pixels checked.
+/// Runs zones with these words, of which `begins` are read at the start of a zone only: elsewhere their complements
+/// stand there. `golden` is given `start` and `line` of each pixel, `exact` its column and line. Returns the pixels
+/// checked.
 fn check<const N: usize>(
     unit: &mut Circuit,
     clocks: &[RasterClock],
-    words: &[i64],
+    (words, begins): (&[i64], Range<usize>),
     mut golden: impl FnMut(bool, bool) -> i128,
     exact: impl Fn(i64, i64) -> i64,
 ) -> u64 {
     let mut pixels = 0;
     for ([valid, start, line], place) in clocks {
-        let flip = if *valid && *start { 0 } else { -1 };
+        let flip = |word: usize| match begins.contains(&word) && !(*valid && *start) {
+            true => -1,
+            false => 0,
+        };
         let flags = [*valid, *start, *line].map(i64::from).into_iter();
-        let inputs = flags.chain(words.iter().map(|word| word ^ flip));
+        let inputs = flags.chain(words.iter().enumerate().map(|(at, word)| word ^ flip(at)));
         unit.clock(&inputs.collect::<Vec<i64>>());
         let Some((x, y)) = *place else { continue };
         let exact = wrapped(exact(x, y), N);
@@ -98,7 +103,7 @@ fn check_pe1<const N: usize>(a: i64, side: i64) -> u64 {
             pe.pixel()
         };
         let exact = |x, y| a * x + b * y + c;
-        check::<N>(&mut unit, &clocks, &[a, b, c], golden, exact)
+        check::<N>(&mut unit, &clocks, (&[a, b, c], 2..3), golden, exact)
     });
     pixels.sum()
 }
@@ -127,7 +132,7 @@ fn check_pe2<const N: usize>(a2: i64, b2: i64, side: i64) -> u64 {
         };
         let exact = |x, y| a * x * x + b * y * y + c * x * y + d * x + e * y + f;
         let words = [a2, b2, c, i0, p0, f];
-        check::<N>(&mut unit, &clocks, &words, golden, exact)
+        check::<N>(&mut unit, &clocks, (&words, 3..6), golden, exact)
     });
     pixels.sum()
 }

@@ -16,7 +16,7 @@ fn every_mutant_edits_the_design_of_its_job() {
 fn a_text_that_is_not_there_once_is_refused() {
     // A pixel adds b instead of a.
     let mutant = MUTANTS[0];
-    let (good, bad) = ("pixel_value + kept_a", "pixel_value + kept_b");
+    let (good, bad) = ("pixel_value + a", "pixel_value + b");
     assert!(mutant.apply(bad).is_err() && mutant.apply(&format!("{good}; {good}")).is_err());
     let edited = mutant.apply(&format!("x = {good};"));
     assert_eq!(edited.unwrap(), format!("x = {bad};"));

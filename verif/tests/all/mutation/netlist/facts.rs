@@ -42,7 +42,7 @@ fn assumed(unit: &str, rows_per_stage: u32, named: &str) -> (Proof, String) {
     (proof, read(&folder.join(ASSUMED)).expect("a netlist"))
 }
 
-/// A remainder behind each stage, but the last one of a PE, which nothing reads; two second differences of a PE2.
+/// A remainder behind each stage, but the last one of a PE, which nothing reads.
 #[test]
 fn facts_of_roots_are_proven() {
     let units = [
@@ -50,7 +50,7 @@ fn facts_of_roots_are_proven() {
         ("square_root", 3, 6),
         ("square_root_non_restoring", 1, 16),
         ("square_root_non_restoring", 3, 6),
-        ("quadric_pe", 1, 15 + 2),
+        ("quadric_pe", 1, 15),
     ];
     for (unit, rows_per_stage, facts) in units {
         let (proof, netlist) = assumed(unit, rows_per_stage, unit);
