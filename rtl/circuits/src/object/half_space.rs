@@ -47,50 +47,39 @@ impl HalfSpace {
 
     /// What it leaves with a number of its face, 2 clocks after its flags.
     pub(super) fn limits(self, at: &str, flags: Flags, depth: u32, number: u64) -> Limits {
-        let limits = plane_limits(at, flags, self, depth);
+        let (front, back, removed) = plane_limits(at, flags, self, depth);
         let number = Bits::new(number, 4);
         Limits {
+            front,
             front_number: number,
+            back,
             back_number: number,
-            ..limits
+            removed,
         }
     }
 }
 
-/// A plane by a PE1, clamped to a depth word as that of [`plane_depth`], as a limit of the side that it has: where it
-/// says nothing, a depth that loses to every plane. Numbers are zero.
+/// A plane by a PE1, clamped to a depth word as that of [`plane_depth`], as a front limit, a back one, or 1 where it
+/// removes the pixel. Where it is no such plane, a depth that loses to every other.
 ///
 /// Latency 2. Section 2.4.2.
-fn plane_limits(at: &str, flags: Flags, words: HalfSpace, depth: u32) -> Limits {
-    let limits = module(
-        "plane_limits",
-        at,
-        (flags, ("", words)),
-        |(flags, words)| {
-            let plane = pe1("plane", flags, words.linear);
-            let [lowest, last] = [end(saturated_near, depth), absent(depth)];
-            net! {
-                let is_in_word = fits(plane, depth);
-                let saturated = plane.is_negative().select(lowest, last);
-                let clamped = is_in_word.select(plane.low(depth), saturated);
-            }
-            let is = |kind: u64| words.kind.is(kind);
-            (
-                ("front", is(FRONT_PLANE).select(clamped, lowest).reg()),
-                ("back", is(BACK_PLANE).select(clamped, last).reg()),
-                ("removed", (is(PERPENDICULAR) & plane.is_negative()).reg()),
-            )
-        },
-    );
-    let (front, back, removed) = limits;
-    let none = Bits::new(0, 4);
-    Limits {
-        front,
-        front_number: none,
-        back,
-        back_number: none,
-        removed,
-    }
+fn plane_limits(at: &str, flags: Flags, words: HalfSpace, depth: u32) -> (Int, Int, Bits) {
+    let inputs = (flags, ("", words));
+    module("plane_limits", at, inputs, |(flags, words)| {
+        let plane = pe1("plane", flags, words.linear);
+        let [lowest, last] = [end(saturated_near, depth), absent(depth)];
+        net! {
+            let is_in_word = fits(plane, depth);
+            let saturated = plane.is_negative().select(lowest, last);
+            let clamped = is_in_word.select(plane.low(depth), saturated);
+        }
+        let is = |kind: u64| words.kind.is(kind);
+        (
+            ("front", is(FRONT_PLANE).select(clamped, lowest).reg()),
+            ("back", is(BACK_PLANE).select(clamped, last).reg()),
+            ("removed", (is(PERPENDICULAR) & plane.is_negative()).reg()),
+        )
+    })
 }
 
 impl PlaneAt {

@@ -1,8 +1,6 @@
 //! Quadric object processor, second generation.
 
-use super::{
-    HalfSpace, Limits, Network, Visible, Words, object_processor, quadric_cut, roots, visible,
-};
+use super::{Limits, Network, Visible, Words, object_processor, quadric_cut, roots, visible};
 use crate::raster::Scan;
 use crate::tree::levels;
 use imogene_hdl::{Bundle, Value};
@@ -32,12 +30,7 @@ pub fn quadric_processor(at: &str, scan: Scan, words: Words, network: Network) -
             levels(words.planes.len()),
             levels_beyond(words.planes.len()),
         );
-        let half_spaces: Vec<HalfSpace> =
-            words.planes.iter().map(|plane| plane.half_space).collect();
-        let limits = match half_spaces.is_empty() {
-            true => Limits::none(depth),
-            false => Limits::of(late.delayed(2 + wait - levels), &half_spaces, depth),
-        };
+        let limits = Limits::of(late.delayed(2 + wait - levels), &words.planes, depth);
         let seen = quadric_cut("cut", roots.delayed(wait), words.object_class, limits);
         let root = root.delayed_as("root_late", 5 + wait);
         let words = (quadric, words.normals());
