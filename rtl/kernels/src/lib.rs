@@ -8,8 +8,8 @@
 //! ```
 //! let verilog = imogene_kernels::verilog(&mut imogene_kernels::Pe1::<16>::default());
 //! assert!(verilog.contains("input wire signed [15:0] a;"));
-//! // Registers: two increments, the first pixel of the line, and the pixel.
-//! assert_eq!(verilog.matches("posedge clock").count(), 4);
+//! // Registers: the first pixel of the line, and the pixel.
+//! assert_eq!(verilog.matches("posedge clock").count(), 2);
 //! ```
 
 mod cut_plane;
