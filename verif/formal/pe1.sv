@@ -14,12 +14,13 @@ module pe1_properties #(parameter N = 26) (
     input wire [N-1:0] a,
     input wire [N-1:0] b,
     input wire [N-1:0] c,
-    input wire [N-1:0] line_value,
+    input wire [N-1:0] next_line,
     input wire [N-1:0] value
 );
     // The words on the ports at the last start, and the sums of the position since then.
     reg started = 0;
     reg [N-1:0] word_a, word_b, word_c, sum_ax, sum_by;
+    wire [N-1:0] line_value = word_c + sum_by;
 
     always @(posedge clock) begin
         if (valid) begin
@@ -42,7 +43,7 @@ module pe1_properties #(parameter N = 26) (
     always @* begin
         if (started) begin
             if (!(valid && start)) assume (a == word_a && b == word_b);
-            assert (line_value == word_c + sum_by);
+            assert (next_line == line_value + word_b);
             assert (value == line_value + sum_ax);
         end
     end
@@ -50,5 +51,5 @@ endmodule
 
 bind pe1 pe1_properties #(.N(`N)) properties (
     .clock(clock), .valid(valid), .start(start), .line(line), .a(a), .b(b), .c(c),
-    .line_value(line_value), .value(value)
+    .next_line(next_line), .value(value)
 );

@@ -1,14 +1,14 @@
 // Second-degree elementary processor: value = a x^2 + b y^2 + c x y + d x + e y + f modulo 2^N, loaded with a2 = 2a, b2 = 2b, c,
 // p0 = d + a, i0 = e + b and f, whatever the sequence of flags.
 //
-// Every register is its neighbour plus a ghost sum, so that the solver sees additions only:
+// Every register is a word plus ghost sums, so that the solver sees additions only; those of the next line are a line ahead:
 //   sum_a2x    = a2 x    grows by a2 with every pixel of a line      pixel step = first step + sum_a2x
 //   sum_cy     = c y     grows by c with every line                  first step = p0 + sum_cy
 //   sum_b2y    = b2 y    grows by b2 with every line                 line step  = i0 + sum_b2y
 //   sum_pixels           grows by the pixel step with every pixel    value      = line value + sum_pixels
 //   sum_lines            grows by the line step with every line      line value = f + sum_lines
 // The closed forms of the sums, and that they add up to the polynomial, are proved over the integers in pe2.smt2; reduction
-// modulo 2^N commutes with addition. The sums grow by registers of the unit, which are themselves asserted.
+// modulo 2^N commutes with addition. One sum grows by a register of the unit, which is itself asserted.
 
 module pe2_properties #(parameter N = 48) (
     input wire clock,
@@ -21,9 +21,9 @@ module pe2_properties #(parameter N = 48) (
     input wire [N-1:0] p0,
     input wire [N-1:0] i0,
     input wire [N-1:0] f,
-    input wire [N-1:0] line_value,
-    input wire [N-1:0] line_step,
-    input wire [N-1:0] first_step,
+    input wire [N-1:0] next_line,
+    input wire [N-1:0] next_line_step,
+    input wire [N-1:0] next_first_step,
     input wire [N-1:0] pixel_step,
     input wire [N-1:0] value
 );
@@ -31,6 +31,9 @@ module pe2_properties #(parameter N = 48) (
     reg started = 0;
     reg [N-1:0] word_a2, word_b2, word_c, word_p0, word_i0, word_f;
     reg [N-1:0] sum_a2x, sum_cy, sum_b2y, sum_pixels, sum_lines;
+    wire [N-1:0] first_step = word_p0 + sum_cy;
+    wire [N-1:0] line_step = word_i0 + sum_b2y;
+    wire [N-1:0] line_value = word_f + sum_lines;
 
     always @(posedge clock) begin
         if (valid) begin
@@ -59,10 +62,10 @@ module pe2_properties #(parameter N = 48) (
         if (started) begin
             // The words on the ports are those of the start; the registers are differences of the polynomial.
             if (!(valid && start)) assume (a2 == word_a2 && b2 == word_b2 && c == word_c);
-            assert (first_step == word_p0 + sum_cy);
+            assert (next_first_step == first_step + word_c);
             assert (pixel_step == first_step + sum_a2x);
-            assert (line_step == word_i0 + sum_b2y);
-            assert (line_value == word_f + sum_lines);
+            assert (next_line_step == line_step + word_b2);
+            assert (next_line == line_value + line_step);
             assert (value == line_value + sum_pixels);
         end
     end
@@ -71,5 +74,6 @@ endmodule
 bind pe2 pe2_properties #(.N(`N)) properties (
     .clock(clock), .valid(valid), .start(start), .line(line),
     .a2(a2), .b2(b2), .c(c), .p0(p0), .i0(i0), .f(f),
-    .line_value(line_value), .line_step(line_step), .first_step(first_step), .pixel_step(pixel_step), .value(value)
+    .next_line(next_line), .next_line_step(next_line_step), .next_first_step(next_first_step),
+    .pixel_step(pixel_step), .value(value)
 );

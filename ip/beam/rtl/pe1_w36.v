@@ -8,19 +8,18 @@ module pe1_w36 (
 );
 
     wire first;
-    reg signed [35:0] line_value = 36'sd0, pixel_value = 36'sd0;
-    wire signed [35:0] next_line, next_pixel, line_begin;
+    reg signed [35:0] next_line = 36'sd0, pixel_value = 36'sd0;
+    wire signed [35:0] line_begin, next_pixel;
 
     assign first = start | line;
-    assign next_line = line_value + b;
-    assign next_pixel = pixel_value + a;
     assign line_begin = start ? c : next_line;
+    assign next_pixel = pixel_value + a;
     assign value = pixel_value;
 
     always @(posedge clock) begin
         if (valid) begin
             pixel_value <= first ? line_begin : next_pixel;
-            if (first) line_value <= line_begin;
+            if (first) next_line <= line_begin + b;
         end
     end
 endmodule

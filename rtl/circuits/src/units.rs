@@ -76,7 +76,6 @@ pub fn design(p: &Request) -> Design {
             plane_depth("top", Flags::input(), words, depth)
         }),
         Unit::CutPlane => alone(|| cut_plane("top", Cut::input(depth), interval())),
-        Unit::DepthInterval => alone(|| depth_interval("top", roots(), Bits::input(2))),
         Unit::QuadricCut => alone(|| {
             let limits = Limits::input(depth);
             quadric_cut("top", roots(), Bits::input(2), limits)

@@ -119,10 +119,6 @@ units! {
         computes "one half of a depth interval cut by one plane";
         ties "a front plane at zf and a back plane at zb change nothing; a front plane at zb and a back plane at zf keep a sheet; zp = 0 passes a perpendicular plane";
         error EXACT;
-    DepthInterval "depth_interval" [] "3", EVERY_CLOCK, "Nyiri 1994, 2.4.2";
-        computes "the two halves of the depth interval of a quadric object";
-        ties "f2 = 0 counts as inside; a near depth at 2^(W-1) - 1 or beyond is absent for a side object; a depth exactly at the near end is kept and gets no cap";
-        error EXACT;
     QuadricCut "quadric_cut" [] "5", EVERY_CLOCK, "Nyiri 1994, 2.4.2";
         computes "what is seen of a quadric of which planes leave what lies between two limits; the limits come two clocks after the roots";
         ties "a limit at a face keeps it, and the face its number; limits at one depth keep a sheet; f2 = 0 counts as inside";
@@ -259,7 +255,7 @@ units! {
         computes "the addresses of the words of images, which it sends over AXI4-Stream one after the other, each as often as it stays";
         ties NO_TIES;
         error EXACT;
-    ShadingProcessor "shading_processor" [LIGHTS, SUNS] "44", "one pixel per clock, without a bubble; words change only when the pipeline has drained", "Chaillou 1991, III.1.2; Nyiri 1994, 1.2.4";
+    ShadingProcessor "shading_processor" [LIGHTS, SUNS] "51", "one pixel per clock, without a bubble; words change only when the pipeline has drained", "Chaillou 1991, III.1.2; Nyiri 1994, 1.2.4";
         computes "the colour of every pixel by Phong shading under several lights";
         ties "a normal at a right angle to the line of sight is not turned; a light in the plane of the surface adds nothing; half a level is rounded up";
         error "within one level of 8 bits of the formula in real numbers on the same integer words (docs/shading.md)";

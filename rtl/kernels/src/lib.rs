@@ -8,7 +8,7 @@
 //! ```
 //! let verilog = imogene_kernels::verilog(&mut imogene_kernels::Pe1::<16>::default());
 //! assert!(verilog.contains("input wire signed [15:0] a;"));
-//! // Registers: the first pixel of the line, and the pixel.
+//! // Registers: the first pixel of the next line, and the pixel.
 //! assert_eq!(verilog.matches("posedge clock").count(), 2);
 //! ```
 

@@ -21,23 +21,23 @@ pub struct Pe1<const W: usize> {
     pub c: Signal<In, Signed<W>>,
     /// Value of the pixel.
     pub value: Signal<Out, Signed<W>>,
-    line_value: DFF<Signed<W>>,
+    next_line: DFF<Signed<W>>,
     pixel_value: DFF<Signed<W>>,
-    next_line: Signal<Local, Signed<W>>,
+    line_begin: Signal<Local, Signed<W>>,
 }
 
 impl<const W: usize> Logic for Pe1<W> {
     #[hdl_gen]
     fn update(&mut self) {
-        dff_setup!(self, clock, line_value, pixel_value);
-        self.next_line.next = self.line_value.q.val() + self.b.val();
+        dff_setup!(self, clock, next_line, pixel_value);
+        self.line_begin.next = self.next_line.q.val();
+        if self.start.val() {
+            self.line_begin.next = self.c.val();
+        }
         if self.valid.val() {
-            if self.start.val() {
-                self.line_value.d.next = self.c.val();
-                self.pixel_value.d.next = self.c.val();
-            } else if self.line.val() {
-                self.line_value.d.next = self.next_line.val();
-                self.pixel_value.d.next = self.next_line.val();
+            if self.start.val() | self.line.val() {
+                self.next_line.d.next = self.line_begin.val() + self.b.val();
+                self.pixel_value.d.next = self.line_begin.val();
             } else {
                 self.pixel_value.d.next = self.pixel_value.q.val() + self.a.val();
             }

@@ -28,35 +28,36 @@ pub struct Pe2<const W: usize> {
     pub f: Signal<In, Signed<W>>,
     /// Value of the pixel.
     pub value: Signal<Out, Signed<W>>,
-    line_value: DFF<Signed<W>>,
-    line_step: DFF<Signed<W>>,
-    first_step: DFF<Signed<W>>,
+    next_line: DFF<Signed<W>>,
+    next_line_step: DFF<Signed<W>>,
+    next_first_step: DFF<Signed<W>>,
     pixel_step: DFF<Signed<W>>,
     pixel_value: DFF<Signed<W>>,
-    next_line: Signal<Local, Signed<W>>,
-    next_first_step: Signal<Local, Signed<W>>,
+    line_begin: Signal<Local, Signed<W>>,
+    line_step: Signal<Local, Signed<W>>,
+    first_step: Signal<Local, Signed<W>>,
 }
 
 impl<const W: usize> Logic for Pe2<W> {
     #[hdl_gen]
     fn update(&mut self) {
-        dff_setup!(self, clock, line_value, line_step, first_step);
+        dff_setup!(self, clock, next_line, next_line_step, next_first_step);
         dff_setup!(self, clock, pixel_value, pixel_step);
-        self.next_line.next = self.line_value.q.val() + self.line_step.q.val();
-        self.next_first_step.next = self.first_step.q.val() + self.c.val();
+        self.line_begin.next = self.next_line.q.val();
+        self.line_step.next = self.next_line_step.q.val();
+        self.first_step.next = self.next_first_step.q.val();
+        if self.start.val() {
+            self.line_begin.next = self.f.val();
+            self.line_step.next = self.i0.val();
+            self.first_step.next = self.p0.val();
+        }
         if self.valid.val() {
-            if self.start.val() {
-                self.line_value.d.next = self.f.val();
-                self.line_step.d.next = self.i0.val();
-                self.first_step.d.next = self.p0.val();
-                self.pixel_value.d.next = self.f.val();
-                self.pixel_step.d.next = self.p0.val();
-            } else if self.line.val() {
-                self.line_value.d.next = self.next_line.val();
-                self.line_step.d.next = self.line_step.q.val() + self.b2.val();
-                self.first_step.d.next = self.next_first_step.val();
-                self.pixel_value.d.next = self.next_line.val();
-                self.pixel_step.d.next = self.next_first_step.val();
+            if self.start.val() | self.line.val() {
+                self.next_line.d.next = self.line_begin.val() + self.line_step.val();
+                self.next_line_step.d.next = self.line_step.val() + self.b2.val();
+                self.next_first_step.d.next = self.first_step.val() + self.c.val();
+                self.pixel_value.d.next = self.line_begin.val();
+                self.pixel_step.d.next = self.first_step.val();
             } else {
                 self.pixel_value.d.next = self.pixel_value.q.val() + self.pixel_step.q.val();
                 self.pixel_step.d.next = self.pixel_step.q.val() + self.a2.val();

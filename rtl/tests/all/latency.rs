@@ -111,12 +111,6 @@ const CASES: &[Case] = &[
     (Unit::PlaneDepth, &[("c", 5 << 10)], GO, "depth"),
     (Unit::CutPlane, &[], &[("zf", 1)], "cut_zf"),
     (
-        Unit::DepthInterval,
-        &[("in_box", 1)],
-        &[("is_inside", 1)],
-        "zf_a",
-    ),
-    (
         Unit::QuadricCut,
         &[("in_box", 1)],
         &[("is_inside", 1)],

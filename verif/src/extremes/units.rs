@@ -26,7 +26,7 @@ pub const CASES: &[Extreme] = &[
         "Line steps after the last line of a zone go on with the polynomial modulo 2^48: nothing but a start loads anew."),
     driven("17.15", "normal-without-length", Unit::NormalUnit, normal_words,
         "K = 0 and g = 0 on every component, at every root: the normal is (0, 0, 0), an apex; with the greatest negative words the sum wraps as stated and nothing else happens."),
-    driven("17.4", "roots-past-the-depth-word", Unit::DepthInterval, past_the_depth_word,
+    driven("17.4", "roots-past-the-depth-word", Unit::QuadricCut, past_the_depth_word,
         "f1 - r and f1 + r at and beside both ends of the depth word in all four classes: clamped where a solid reaches past an end, absent where all of it lies beyond."),
 ];
 
@@ -206,6 +206,9 @@ fn past_the_depth_word(subject: &Subject) -> Vec<Inputs> {
             ("is_inside", inside),
             ("in_box", 1),
             ("object_class", class),
+            // The limits of no plane.
+            ("front", -(1 << 23)),
+            ("back", (1 << 23) - 1),
         ];
         inputs(subject, &set)
     };

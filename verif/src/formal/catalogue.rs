@@ -125,19 +125,12 @@ const CUT_PLANE_ORDER: Family = Family {
     statement: "two cut planes leave the same depths in either order",
     ..CUT_PLANE
 };
-const DEPTH_INTERVAL: Family = Family {
-    name: "depth_interval",
-    unit: Unit::DepthInterval,
-    properties: property!("depth_interval.sv"),
-    widths: |w| vec![("W", w), ("S", w + 2)],
-    statement: "depth_interval: holds exactly the depths of the object's class, ordered or absent, latency 3",
-};
 const QUADRIC_CUT: Family = Family {
     name: "quadric_cut",
     unit: Unit::QuadricCut,
     properties: property!("quadric_cut.sv"),
     statement: "quadric_cut: the first depth that the object's class holds between the limits, the end of its piece, its face, latency 5",
-    ..DEPTH_INTERVAL
+    widths: |w| vec![("W", w), ("S", w + 2)],
 };
 const VISIBILITY_NODE: Family = Family {
     name: "visibility_node",
@@ -196,12 +189,11 @@ fn depths() -> Vec<Job> {
             method: Method::Induction(4),
             ..CUT_PLANE_ORDER.at(word)
         };
-        let [cut, interval, quadric] =
-            [(CUT_PLANE, 2), (DEPTH_INTERVAL, 3), (QUADRIC_CUT, 5)].map(|(family, latency)| Job {
-                method: Method::Induction(latency),
-                ..family.at(word)
-            });
-        [cut, order, interval, quadric]
+        let [cut, quadric] = [(CUT_PLANE, 2), (QUADRIC_CUT, 5)].map(|(family, latency)| Job {
+            method: Method::Induction(latency),
+            ..family.at(word)
+        });
+        [cut, order, quadric]
     };
     DEPTH_WORDS.into_iter().flat_map(at).collect()
 }

@@ -6,13 +6,12 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 /// Units whose netlists' scores are published, smallest first.
-pub const NETLISTS: [&str; 10] = [
+pub const NETLISTS: [&str; 9] = [
     "pe1",
     "pe2",
     "cut_plane",
     "visibility_node",
     "plane_depth",
-    "depth_interval",
     "quadric_cut",
     "square_root",
     "square_root_non_restoring",

@@ -1,4 +1,4 @@
-//! The units of the depth interval: opening it, cutting it, and both at once.
+//! The units that planes cut with: the depth of a plane, one cut, and all cuts of a quadric.
 
 use super::description::{Description, bit, last_pixel, late, stated, zones};
 use super::words::{Ports, class, plane_kind, read};
@@ -12,8 +12,7 @@ use imogene_golden::unit::pe1::Pe1;
 use imogene_golden::unit::plane_depth::saturate;
 use proptest::prelude::*;
 
-/// Clocks from the roots to an interval, and from an interval to what a unit makes of it.
-const BEGIN: usize = 3;
+/// Clocks from an interval to what a unit makes of it.
 const LATENCY: usize = 2;
 
 fn flat(half: &Interval) -> [i64; 4] {
@@ -27,21 +26,6 @@ fn interval_of(i: &[i64]) -> Interval {
         zb: i[2],
         nb: i[3] as u8,
     }
-}
-
-pub(super) fn depth_interval(format: Format) -> Description {
-    Description::new(sums, move || {
-        let mut late = late(BEGIN);
-        move |i: &[i64]| {
-            let (a, b) = match bit(i[3]) {
-                true => halves(class(i[4]), i[0], i[1], !bit(i[2]), &format),
-                false => [(); 2].map(|()| Interval::absent(&format)).into(),
-            };
-            let found = late.push([flat(&a), flat(&b)]);
-            let [a, b] = [0, 1].map(|half| stated(found.map(|halves| halves[half])));
-            [a, b].concat()
-        }
-    })
 }
 
 /// Near and far sums around the ends of the depth word; half the time ordered, as they are in a machine.

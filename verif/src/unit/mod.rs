@@ -116,7 +116,6 @@ fn describe(p: &Request) -> Description {
         Unit::SquareRootLinear => network(Method::Linear { corrections }),
         Unit::SquareRootQuadratic => network(Method::Quadratic { corrections }),
         Unit::QuadricPe => root::quadric_pe(format, rows),
-        Unit::DepthInterval => depth::depth_interval(format),
         Unit::PlaneDepth => depth::plane_depth(format),
         Unit::CutPlane => depth::cut_plane(format),
         Unit::QuadricCut => depth::quadric_cut(format),

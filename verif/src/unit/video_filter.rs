@@ -180,11 +180,11 @@ fn passes(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
         .prop_map(|(fine, list)| {
             let most = if fine { 16 } else { 4 };
             let mut done = std::collections::BTreeMap::<i64, u32>::new();
-            let mut before = [None; 2];
+            let mut before = [None; 3];
             let each = list.into_iter().map(|(valid, place, again, colour)| {
-                // A pixel comes again after 3 clocks at the earliest.
+                // A pixel comes again after 4 clocks at the earliest.
                 let valid = valid == 1 && !before.contains(&Some(place));
-                before = [before[1], valid.then_some(place)];
+                before = [before[1], before[2], valid.then_some(place)];
                 let passes = done.entry(place).or_default();
                 let first = *passes == most || again;
                 if valid {

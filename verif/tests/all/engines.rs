@@ -24,11 +24,7 @@ fn changed(name: &str, right: &str, wrong: &str, simulator: Simulator) -> Subjec
 #[test]
 fn a_fault_in_the_verilog_is_found_and_shown() {
     let faults = [
-        (
-            "pe1",
-            "line_value <= line_begin;",
-            "line_value <= next_line;",
-        ),
+        ("pe1", "<= line_begin + b;", "<= next_line + b;"),
         ("cut_plane", "zp == zb", "zp != zb"),
     ];
     for simulator in Simulator::ALL {
@@ -46,7 +42,7 @@ fn a_fault_in_the_verilog_is_found_and_shown() {
 #[test]
 fn the_scoreboard_is_the_same() {
     let reports = Simulator::ALL.map(|simulator| {
-        let unit = changed("depth_interval", "", "", simulator);
+        let unit = changed("quadric_cut", "", "", simulator);
         random::run(&unit, CLOCKS, 5, false).0
     });
     assert!(reports[0].passed(), "{:?}", reports[0].first_mismatches);
@@ -58,8 +54,8 @@ fn the_scoreboard_is_the_same() {
 fn an_undefined_bit_is_a_mismatch_without_a_value() {
     let broken = changed(
         "pe1",
-        "= line_value + b;",
-        "= line_value + b + 1'bx;",
+        "= line_begin + b;",
+        "= line_begin + b + 1'bx;",
         Simulator::Icarus,
     );
     let (report, trace) = random::run(&broken, CLOCKS, 11, true);
@@ -77,7 +73,7 @@ fn an_undefined_bit_is_a_mismatch_without_a_value() {
 #[test]
 fn verilog_that_a_simulator_refuses_is_reported() {
     for simulator in Simulator::ALL {
-        let text = verilog("pe1", 24).replace("= line_value + b;", "= line_value + missing_name;");
+        let text = verilog("pe1", 24).replace("= line_begin + b;", "= line_begin + missing_name;");
         let outcome = with_verilog(unit("pe1", 24), simulator, "pe1", &text);
         let message = outcome.err().expect("a refusal").to_string();
         assert!(message.contains("missing_name"), "{message}");

@@ -98,8 +98,8 @@ fn a_faulty_kernel_is_found() {
         &printed::<Pe1<16>>(),
         &sum,
         &[
-            ("line_value_q + b", "line_value_q - b"),
-            ("else if (line)", "else if (start)"),
+            ("line_begin + b", "line_begin - b"),
+            ("start | line", "start & line"),
             ("q = 16'h0", "q = 16'h1"),
         ],
     );

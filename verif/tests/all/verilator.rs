@@ -66,7 +66,7 @@ fn verilog_that_verilator_refuses_is_reported_and_not_kept() {
     let unit = unit("pe1", 24);
     for _ in 0..2 {
         let broken =
-            verilog("pe1", 24).replace("= line_value + b;", "= line_value + missing_name;");
+            verilog("pe1", 24).replace("= line_begin + b;", "= line_begin + missing_name;");
         let outcome = compiled(&unit, &broken);
         let message = outcome.err().expect("a refusal").to_string();
         assert!(message.contains("missing_name"), "{message}");

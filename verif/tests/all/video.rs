@@ -322,7 +322,7 @@ fn means_are_exact() {
     let mut hardware = (unit("accumulator", 24).hardware)();
     for (fine, passes) in [(0, 4), (1, 16)] {
         for sum in 0..=passes * 255 {
-            // Levels as even as they can be, in two places by turns and a pause, so that a place comes again after 3
+            // Levels as even as they can be, in two places by turns and two pauses, so that a place comes again after 4
             // clocks.
             let level = |pass: i64| (sum + pass) / passes;
             let mut means = Vec::new();
@@ -336,6 +336,7 @@ fn means_are_exact() {
                 for (place, value) in [(7, level(pass)), (8, 255 - level(pass))] {
                     take([fine, 1, place, flags[0], flags[1], value, 0, 255]);
                 }
+                take(pause);
                 take(pause);
             }
             (0..3).for_each(|_| take(pause));

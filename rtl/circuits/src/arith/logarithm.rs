@@ -1,10 +1,12 @@
 //! Logarithms to base 2 and powers of two.
 
-use super::normalise::shifted;
+use super::normalise::{NORMALISED, shifted};
 use super::segment_curve::{Curve, segment_curve};
 use imogene_hdl::{Bits, Int, Value, join, module, net};
 
-const LOGARITHM: Curve = Curve {
+/// Latency of a logarithm.
+pub(crate) const LOGARITHM: u32 = NORMALISED + 6;
+const LOG_CURVE: Curve = Curve {
     function: |t| (1.0 + t).log2(),
     length: 1.0 / 32.0,
     fraction: 20,
@@ -22,14 +24,15 @@ const FALL: Curve = Curve {
 
 /// `log2(number)` in 28 bits, 20 of them after the point; 0 has none. The number has 20 bits at least.
 ///
-/// The octave by shifting to the leading one, the 19 bits behind it through a curve of 32 segments. Latency 9.
+/// The octave by shifting to the leading one, the 19 bits behind it through a curve of 32 segments. Latency
+/// [`LOGARITHM`].
 pub fn logarithm(at: &str, number: Bits) -> Int {
     module("logarithm", at, ("number", number), |number| {
         let width = number.width();
         let full = shifted(vec![number], None);
         let [segment, place] =
             [(2, 6), (7, 20)].map(|(high, low)| full.words[0].slice(width - high, width - low));
-        let part = segment_curve("curve", segment, place, &LOGARITHM);
+        let part = segment_curve("curve", segment, place, &LOG_CURVE);
         let octave = Bits::new(u64::from(width) - 1, 6) - full.places;
         let octave = octave.delayed_as("octave", 5);
         net! { let whole = join([octave, Bits::new(0, 20)]).extend(28).int(); }

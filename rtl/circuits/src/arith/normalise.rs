@@ -2,6 +2,8 @@
 
 use imogene_hdl::{Bits, Bundle, Value, bundles};
 
+/// Latency of words that are shifted until one has its first bit set.
+pub(crate) const NORMALISED: u32 = 6;
 /// Bits of a number of places.
 const PLACES: u32 = 6;
 
@@ -15,12 +17,11 @@ bundles! {
 }
 
 /// Shifts words to the left until the first bit of the magnitude is set, or of the first word where there is none.
-/// Latency 3: registers stand behind the shifts by 16, by 4 and by 1; the first behind the shift by 8 where no word is
-/// longer.
+/// Latency [`NORMALISED`]: a register stands behind each shift, of short words more behind the last one.
 pub(super) fn shifted(words: Vec<Bits>, magnitude: Option<Bits>) -> Shifted {
     let width = magnitude.unwrap_or(words[0]).width();
     let shifts = width.next_power_of_two().ilog2();
-    shifted_by(words, magnitude, &[4.min(shifts - 1), 2, 0])
+    shifted_by(words, magnitude, &[5, 4, 3, 2, 1, 0]).delayed(NORMALISED.saturating_sub(shifts))
 }
 
 /// The same with registers behind the shifts by these powers of two: the longer ones are first, each where as many bits

@@ -27,7 +27,7 @@ alike! {
 }
 
 /// Shifts a vector to the left until its longest component fills its word, by `N - 2` places at most; the zero vector
-/// stays. Latency 3.
+/// stays. Latency [`NORMALISED`](super::NORMALISED).
 pub fn vector_normaliser(at: &str, vector: Vector) -> Full {
     module("vector_normaliser", at, vector, |vector| {
         let parts = vector.parts();
@@ -46,8 +46,10 @@ pub fn vector_normaliser(at: &str, vector: Vector) -> Full {
     })
 }
 
-/// The scalar product of two vectors, with two bits more than a product of components. Latency 2: the products, their
-/// sum.
+/// Latency of a scalar product: the products, the sum of two, the sum of all.
+pub(crate) const SCALAR_PRODUCT: u32 = 3;
+
+/// The scalar product of two vectors, with two bits more than a product of components. Latency [`SCALAR_PRODUCT`].
 pub fn scalar_product(at: &str, a: Vector, b: Vector) -> Int {
     module("scalar_product", at, ports!(a, b), |(a, b)| {
         net! {
@@ -56,7 +58,10 @@ pub fn scalar_product(at: &str, a: Vector, b: Vector) -> Int {
             let product_z = (a.z * b.z).reg();
         }
         let wide = |product: Int| product.extend(product.width() + 2);
-        let sum = wide(product_x) + wide(product_y) + wide(product_z);
-        ("product", sum.reg())
+        net! {
+            let kept_z = product_z.reg();
+            let sum_xy = (wide(product_x) + wide(product_y)).reg();
+        }
+        ("product", (sum_xy + wide(kept_z)).reg())
     })
 }

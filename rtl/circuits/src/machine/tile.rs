@@ -2,13 +2,10 @@
 
 use super::tile_raster::{TileScan, tile_raster};
 use crate::arith::Network;
-use crate::object::{
-    Cut, Interval, Roots, Widths, absent, cut_plane, depth_interval, plane_depth, quadric_pe,
-};
+use crate::object::{HalfSpace, Limits, Roots, Widths, absent, quadric_cut, quadric_pe};
 use crate::raster::{Linear, Quadratic, pe1};
-use crate::rows::numbered;
 use imogene_contract::tile::{
-    FACTOR, LIGHT, LIGHT_FRACTION, LIGHT_LINEAR, PIN_BITS, TileLight, TileWords,
+    FACTOR, LIGHT, LIGHT_FRACTION, LIGHT_LINEAR, PIN_BITS, TileLight, TilePlane, TileWords,
 };
 use imogene_contract::words::{FIRST_PLANE, SIDE};
 use imogene_hdl::{Bits, Bundle, Int, Value, bundles, module, net, unregistered};
@@ -83,27 +80,23 @@ fn seen(scan: TileScan, words: &TileWords) -> (Bits, Bits) {
         in_box: late.valid.delay(1),
     };
     let still = pe1("light", late, linear(words.light.linear, LIGHT_LINEAR));
+    let half_space = |plane: &TilePlane| HalfSpace {
+        kind: Bits::new(plane.kind, 2),
+        linear: linear(plane.depth, widths.plane),
+    };
+    let mut planes: Vec<HalfSpace> = words.planes.iter().map(half_space).collect();
+    if let Some(first) = planes.first_mut() {
+        let begin = words.planes[0].depth[2];
+        first.linear.c = drifting(scan, widths.plane, (begin, words.drift));
+    }
     let seen = unregistered(|| {
-        let whole = depth_interval("interval", roots, Bits::new(SIDE, 2)).a;
-        let planes = numbered("planes", &words.planes).zip(FIRST_PLANE..);
-        planes.fold(whole, |left: Interval, ((at, plane), number)| {
-            let mut depth = linear(plane.depth, widths.plane);
-            if number == FIRST_PLANE {
-                depth.c = drifting(scan, depth.c.width(), (plane.depth[2], words.drift));
-            }
-            let cut = Cut {
-                kind: Bits::new(plane.kind, 2),
-                surface: Bits::new(0, 1),
-                number: Bits::new(number, 4),
-                zp: plane_depth(&at, late, depth, root.depth),
-            };
-            cut_plane(&format!("cut_{at}"), cut, left)
-        })
+        let limits = Limits::of(late, &planes, root.depth);
+        quadric_cut("cut", roots, Bits::new(SIDE, 2), limits)
     });
     let on_quadric = lit(depths.root, still, &words.light);
     let planes = words.planes.iter().zip(FIRST_PLANE..);
     let light = planes.fold(on_quadric, |other, (plane, number)| {
-        let is_seen = seen.nf.is(number);
+        let is_seen = seen.number.is(number);
         is_seen.select(Bits::new(plane.light, LIGHT), other)
     });
     (light, !seen.zf.equals(absent(root.depth)))

@@ -43,11 +43,6 @@ impl Clamped {
         }
     }
 
-    /// `root` between the ends and else the end, as in a word of the width of `root`.
-    pub fn source(&self, root: Int) -> Int {
-        ends_or([self.is_low, self.is_far], root)
-    }
-
     /// 1 where it is between the ends.
     pub fn is_visible(&self) -> Bits {
         !(self.is_low | self.is_far)

@@ -34,7 +34,9 @@ const KIND: (&str, &str) = ("cylinder_processor", "visible part: 0 body, 2 front
 pub fn cylinder_processor(at: &str, scan: Scan, words: Cylinder, depth: u32) -> Visible {
     object_processor(KIND, at, (scan, words), |Scan { flags, pixel }, words| {
         let sum = |value: Int| value.high(depth + 2);
-        let component = |at: &str, words: Quadratic| pe2(at, flags, words).high(NORMAL);
+        // Normals are a clock late, when the part is chosen: fewer loads on one register of flags.
+        let late_flags = flags.delayed(1);
+        let component = |at: &str, words: Quadratic| pe2(at, late_flags, words).high(NORMAL);
         let face = |number: u64| Bits::new(number, 4);
         let sides = numbered("sides", words.sides);
         let between = sides.map(|(at, side)| !pe1(&at, flags, side).is_negative());
@@ -53,22 +55,23 @@ pub fn cylinder_processor(at: &str, scan: Scan, words: Cylinder, depth: u32) -> 
             component("normal_z", words.nz),
         ]);
         let body_depth = sum(pe2("body_depth", flags, words.body));
-        let body = (body_depth, face(NEAR_ROOT), body_normal);
+        let body = (body_depth, face(NEAR_ROOT));
         let lid_depth = sum(pe1("lid", flags, words.lid));
-        let lid = (lid_depth, face(FIRST_PLANE), words.lid_normal);
+        let lid = (lid_depth, face(FIRST_PLANE));
         // Both parts are asked before one is chosen, so that one bit alone selects in the last clock.
         let [lid_visible, body_visible] = [("lid_depth", lid_depth), ("body_depth", body_depth)]
             .map(|(name, depth)| Clamped::of(name, depth, NEAR_ROOT).is_visible());
-        let (z, part, normal) = in_front.select(lid, body).registered();
-        let normal = normal.called("kept");
+        let (z, part) = in_front.select(lid, body).registered();
         net! {
             let kept_face = part;
+            let kept_front = in_front.reg();
             let is_present = (kept_there & in_front.select(lid_visible, body_visible)).reg();
         }
+        let normal = kept_front.select(words.lid_normal, body_normal);
         let no_normal = Normal::of([Int::new(0, NORMAL); 3]);
         let nothing = (absent(depth), face(NEAR_ROOT), no_normal);
         let seen = is_present.select((z.low(depth), kept_face, normal), nothing);
         let (z, number, normal) = seen.registered();
-        Seen::face(z, number).with(flags.valid.delayed_as("valid_late", 3), normal)
+        Seen::face(z, number).with(late_flags.valid.delayed_as("valid_late", 2), normal)
     })
 }

@@ -113,15 +113,16 @@ fn processor<P: Plain + Copy>(
             let kept_number = is_present.select(Bits::new(number, 4), Bits::new(0, 4)).reg();
         }
         let seen = Seen::face(kept_depth, kept_number);
-        let component = |at: &str, words: P| pe(at, flags, words).high(NORMAL);
+        // A clock after sides and depth, when it is known whether they are seen: fewer loads on one register of flags.
+        let late_flags = flags.delayed(1);
+        let component = |at: &str, words: P| pe(at, late_flags, words).high(NORMAL);
         let (nx, ny, nz) = normal;
         let normal = Normal::of([
             component("normal_x", nx),
             component("normal_y", ny),
             component("normal_z", nz),
         ]);
-        let normal = normal.delayed(1);
-        let out_valid = flags.valid.delayed_as("valid_late", 3);
+        let out_valid = late_flags.valid.delayed_as("valid_late", 2);
         let no_normal = Normal::of([Int::new(0, NORMAL); 3]);
         seen.with(out_valid, is_present.select(normal, no_normal).registered())
     })

@@ -1,6 +1,6 @@
 //! Intersection of half-spaces along the line of sight.
 
-use super::{Interval, Limits, Plane, end};
+use super::{HalfSpace, Interval, Limits, end};
 use crate::raster::Flags;
 use crate::rows::numbered;
 use crate::tree::tree;
@@ -22,15 +22,12 @@ impl Limits {
 
     /// Those of planes: a tree over the greatest depth of the front planes and the least of the back planes. At equal
     /// depths the smaller index wins. `2 + ceil(log2 planes)` clocks after the flags.
-    pub(super) fn of(flags: Flags, planes: &[Plane], depth: u32) -> Limits {
+    pub(crate) fn of(flags: Flags, planes: &[HalfSpace], depth: u32) -> Limits {
         if planes.is_empty() {
             return Limits::none(depth);
         }
         let planes = numbered("planes", planes).zip(FIRST_PLANE..);
-        let limits = planes.map(|((at, plane), number)| {
-            let half_space = plane.half_space;
-            half_space.limits(&at, flags, depth, number)
-        });
+        let limits = planes.map(|((at, plane), number)| plane.limits(&at, flags, depth, number));
         tree(limits.collect(), half_space_node, "half_space_register")
     }
 }

@@ -1,6 +1,8 @@
 //! Convex polyhedron processor.
 
-use super::{Front, Limits, Normal, Plane, ScreenBox, Widths, constant_normal, half_spaces};
+use super::{
+    Front, HalfSpace, Limits, Normal, Plane, ScreenBox, Widths, constant_normal, half_spaces,
+};
 use crate::raster::Scan;
 use crate::tree::levels;
 use imogene_hdl::{Bits, Bundle, Int, Value, bundles, module, ports};
@@ -40,7 +42,8 @@ bundles! {
 pub fn polyhedron_processor(at: &str, scan: Scan, words: Polyhedron, depth: u32) -> BothFaces {
     let inputs = (scan, words);
     module("polyhedron_processor", at, inputs, |(scan, words)| {
-        let limits = Limits::of(scan.flags, &words.planes, depth);
+        let planes: Vec<HalfSpace> = words.planes.iter().map(|plane| plane.half_space).collect();
+        let limits = Limits::of(scan.flags, &planes, depth);
         let levels = levels(words.planes.len());
         let in_box = words.screen_box.contains(scan.pixel);
         let in_box = in_box.delayed_as("in_box_late", levels + 2);

@@ -1,6 +1,8 @@
 //! Quadric object processor, second generation.
 
-use super::{Limits, Network, Visible, Words, object_processor, quadric_cut, roots, visible};
+use super::{
+    HalfSpace, Limits, Network, Visible, Words, object_processor, quadric_cut, roots, visible,
+};
 use crate::raster::Scan;
 use crate::tree::levels;
 use imogene_hdl::{Bundle, Value};
@@ -30,7 +32,8 @@ pub fn quadric_processor(at: &str, scan: Scan, words: Words, network: Network) -
             levels(words.planes.len()),
             levels_beyond(words.planes.len()),
         );
-        let limits = Limits::of(late.delayed(2 + wait - levels), &words.planes, depth);
+        let planes: Vec<HalfSpace> = words.planes.iter().map(|plane| plane.half_space).collect();
+        let limits = Limits::of(late.delayed(2 + wait - levels), &planes, depth);
         let seen = quadric_cut("cut", roots.delayed(wait), words.object_class, limits);
         let root = root.delayed_as("root_late", 5 + wait);
         let words = (quadric, words.normals());

@@ -10,16 +10,16 @@ use imogene_hdl::{Int, Value, module, net};
 pub fn pe1(at: &str, flags: Flags, words: Linear) -> Int {
     let inputs = (flags, ("", words, HELD));
     module("pe1", at, inputs, |(flags, words)| {
+        let register = || Int::register(words.c.width());
         net! {
             let first = flags.start | flags.line;
-            let line_value = Int::register(words.c.width());
-            let pixel_value = Int::register(words.c.width());
-            let next_line = line_value + words.b;
-            let next_pixel = pixel_value + words.a;
-            // The first pixel of a line takes what the line begins with: one selection behind each sum.
+            // What the next line begins with, ready before it: one selection stands before or behind each sum.
+            let next_line = register();
+            let pixel_value = register();
             let line_begin = flags.start.select(words.c, next_line);
+            let next_pixel = pixel_value + words.a;
         }
-        line_value.load_when(flags.valid & first, line_begin);
+        next_line.load_when(flags.valid & first, line_begin + words.b);
         pixel_value.load_when(flags.valid, first.select(line_begin, next_pixel));
         ("value", pixel_value, "a x + b y + c, modulo its width")
     })

@@ -14,23 +14,24 @@ pub fn pe2(at: &str, flags: Flags, words: Quadratic) -> Int {
         let register = || Int::register(words.f.width());
         net! {
             let first = flags.start | flags.line;
-            let line_value = register();
-            let line_step = register();
-            let first_step = register();
+            // What the next line begins with, as in PE1.
+            let next_line = register();
+            let next_line_step = register();
+            let next_first_step = register();
             let pixel_step = register();
             let pixel_value = register();
+            let line_begin = flags.start.select(words.f, next_line);
+            let line_step = flags.start.select(words.i0, next_line_step);
+            let first_step = flags.start.select(words.p0, next_first_step);
             let next_pixel = pixel_value + pixel_step;
             let next_step = pixel_step + words.a2;
-            let line_begin = flags.start.select(words.f, line_value + line_step);
-            let line_begin_step = flags.start.select(words.i0, line_step + words.b2);
-            let first_begin_step = flags.start.select(words.p0, first_step + words.c);
         }
-        let load_line = flags.valid & first;
-        line_value.load_when(load_line, line_begin);
-        line_step.load_when(load_line, line_begin_step);
-        first_step.load_when(load_line, first_begin_step);
+        let begin_line = flags.valid & first;
+        next_line.load_when(begin_line, line_begin + line_step);
+        next_line_step.load_when(begin_line, line_step + words.b2);
+        next_first_step.load_when(begin_line, first_step + words.c);
         pixel_value.load_when(flags.valid, first.select(line_begin, next_pixel));
-        pixel_step.load_when(flags.valid, first.select(first_begin_step, next_step));
+        pixel_step.load_when(flags.valid, first.select(first_step, next_step));
         let meaning = "a x^2 + b y^2 + c xy + d x + e y + f, modulo its width";
         ("value", pixel_value, meaning)
     })

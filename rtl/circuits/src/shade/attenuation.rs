@@ -1,18 +1,20 @@
 //! Attenuation with the distance from the viewer.
 
 use super::Fog;
-use crate::arith::{logarithm, logarithm_of_sum};
+use super::clocks::LOGARITHMS;
+use crate::arith::{LOGARITHM, logarithm, logarithm_of_sum};
 use imogene_hdl::{Bits, Int, Value, join, module, net, ports};
 
 /// Bits of the sums.
 const SUM: u32 = 32;
 /// Bits of the loss.
-pub(super) const LOSS: u32 = 26;
+pub(super) const LOSS_BITS: u32 = 26;
 
 /// The loss `log2(1 + d / k)`, 21 bits after the point, at most 32 less one unit; 0 if the attenuation is off.
 ///
 /// With `e = log2(d / k)` the loss is `max(e, 0) + log2(1 + 2^-|e|)`. `far` is what is left of the way to the far
-/// end; logarithm and places of the line of sight come 18 clocks later. Latency 28. Section 8.3 of the architecture.
+/// end, a clock after the pixel; logarithm and places of the line of sight come with the logarithms, and the loss 10
+/// clocks after them. Section 8.3 of the architecture.
 pub(super) fn attenuation(
     at: &str,
     fog: Fog,
@@ -24,7 +26,8 @@ pub(super) fn attenuation(
         let (ray_log, ray_places) = ray;
         let wide = |number: Int| number.extend(SUM);
         let zero = Int::new(0, SUM);
-        let far_log = logarithm("logarithm", far).delayed_as("far_late", 9);
+        let far_log =
+            logarithm("logarithm", far).delayed_as("far_late", LOGARITHMS - 1 - LOGARITHM);
         net! {
             let twice_far = wide(far_log) + wide(far_log);
             let wide_offset = wide(fog.offset.slice(29, 1).int());
@@ -40,10 +43,13 @@ pub(super) fn attenuation(
         net! {
             let rise = late.is_negative().select(zero, late).reg();
             let sum = (join([fall, Bits::new(0, 3)]).extend(SUM).int() + rise).reg();
-            let is_less = sum.slice(SUM - 1, LOSS).is(0);
+            let is_less = sum.slice(SUM - 1, LOSS_BITS).is(0);
         }
-        let most = Bits::new((1 << LOSS) - 1, LOSS);
-        let loss = is_less.select(sum.slice(LOSS - 1, 0), most);
-        ("loss", fog.is_on.select(loss, Bits::new(0, LOSS)).reg())
+        let most = Bits::new((1 << LOSS_BITS) - 1, LOSS_BITS);
+        let loss = is_less.select(sum.slice(LOSS_BITS - 1, 0), most);
+        (
+            "loss",
+            fog.is_on.select(loss, Bits::new(0, LOSS_BITS)).reg(),
+        )
     })
 }

@@ -1,6 +1,7 @@
 //! Diffuse and specular factor of one light.
 
-use super::attenuation::LOSS;
+use super::attenuation::LOSS_BITS;
+use super::clocks::{FACTORS, PRODUCTS};
 use super::sent_light::Factors;
 use super::sight::Sight;
 use crate::arith::{Vector, logarithm, power_of_two, product, scalar_product};
@@ -16,8 +17,9 @@ pub(super) const COMPONENT: u32 = 30;
 /// The cosine between normal and light, and the power of the cosine between mirrored light and viewer, with
 /// attenuation; 0 where the light does not reach.
 ///
-/// Of the pixel the flags come at its clock, the vector to the light after 8 clocks, the exponent after 25 and the
-/// attenuation after 29; the factors leave after 38. Section 8.3 of the architecture.
+/// By the [clocks](super::clocks) the flags come with the pixel, the vector to the light with the others, the exponent
+/// with the loss of the highlight, and the attenuation with all loss. Latency [`FACTORS`]. Section 8.3 of the
+/// architecture.
 pub(super) fn light_factors(
     at: &str,
     (source, vector): (Bits, Vector),
@@ -29,7 +31,10 @@ pub(super) fn light_factors(
     let inputs = (ports!(source, vector), sight, ("flags", flags), late);
     module("light_factors", at, inputs, |(own, sight, flags, late)| {
         let ((source, full), (exponent, attenuation)) = (own, late);
-        let reach = flags.right_by(source).bit(0).delayed_as("reach", 12);
+        let reach = flags
+            .right_by(source)
+            .bit(0)
+            .delayed_as("reach", PRODUCTS + 2);
         let high = full.map(|part| part.slice(COMPONENT - 1, 12).int());
         let low = full.map(|part| part.slice(11, 0).extend(18).int());
         let normal_high = scalar_product("normal_high", sight.normal, high);
@@ -56,15 +61,16 @@ pub(super) fn light_factors(
             let cosine = kept_difference.slice(49, 20).int();
             let gate = kept_lit & reach;
         }
-        let diffuse_gate = (gate & kept_is_along).delayed_as("diffuse_gate", 25);
+        let diffuse_gate =
+            (gate & kept_is_along).delayed_as("diffuse_gate", FACTORS - 1 - PRODUCTS - 2);
         let specular_gate = gate.delayed_as("gate_late", 2) & is_positive(cosine);
-        let specular_gate = specular_gate.delayed_as("specular_gate", 23);
+        let specular_gate = specular_gate.delayed_as("specular_gate", FACTORS - 1 - PRODUCTS - 4);
         let wide = |number: Int| number.extend(SUM);
         let light_log = wide(logarithm("light_logarithm", light_square.slice(35, 0)));
         let along_log = wide(logarithm("along_logarithm", kept_magnitude));
         let cosine_log = wide(logarithm("cosine_logarithm", cosine.bits()));
         let (normal_log, ray_log) = (wide(sight.normal_log), wide(sight.ray_log));
-        let most = Bits::new((1 << LOSS) - 1, LOSS);
+        let most = Bits::new((1 << LOSS_BITS) - 1, LOSS_BITS);
         net! {
             let pair = normal_log + light_log;
             let kept_pair = pair.reg();
@@ -74,8 +80,8 @@ pub(super) fn light_factors(
             let kept_four_cut = (kept_four - Int::new(82 << 20, SUM)).delay(2);
             let kept_diffuse = (kept_pair_cut - (along_log + along_log)).reg();
             let kept_specular = (kept_four_cut - (cosine_log + cosine_log)).reg();
-            let is_less = kept_specular.slice(SUM - 1, LOSS).is(0);
-            let specular_loss = is_less.select(kept_specular.slice(LOSS - 1, 0), most);
+            let is_less = kept_specular.slice(SUM - 1, LOSS_BITS).is(0);
+            let specular_loss = is_less.select(kept_specular.slice(LOSS_BITS - 1, 0), most);
         }
         let loss = |sum: Int, loss: Bits| {
             let none = Bits::new(0, loss.width());

@@ -46,7 +46,8 @@ fn light_component(at: &str, depth: Int, place: Int, (base, slope): (Int, Int)) 
         let (depth, place, base, slope) = ports;
         net! {
             let whole_product = product("deep", slope, depth);
-            let kept_rest = (base.extend(COMPONENT) - place).delay(3);
+            let kept_place = place.reg();
+            let kept_rest = (base.extend(COMPONENT) - kept_place).delay(2);
         }
         // What is left of the 31 places when the zeros below the depth are not multiplied.
         let places = depth.width() - 1;

@@ -1,6 +1,7 @@
 //! Colours of pixels.
 
 mod attenuation;
+mod clocks;
 mod flat_shading;
 mod form;
 mod light_factors;

@@ -2,6 +2,7 @@
 
 use super::LEVEL;
 use super::attenuation::attenuation;
+use super::clocks::{FACTORS, HIGHLIGHT};
 use super::light_factors::light_factors;
 use super::light_vector::{light_vector, sun_vector};
 use super::sent_light::{Material, sent_light};
@@ -22,8 +23,8 @@ const SENT: u32 = 36;
 const FRACTION: u32 = shading::LEVEL_FRACTION as u32;
 /// Clock of a pixel at which its exponent is read, and at which its other words are; a register behind the memory
 /// gives them two clocks later.
-const EXPONENT: u32 = 23;
-const SHARES: u32 = 36;
+const EXPONENT: u32 = HIGHLIGHT - 2;
+const SHARES: u32 = FACTORS - 2;
 
 bundle! {
     /// Words for a shading processor.
@@ -86,7 +87,7 @@ impl Shaded {
 /// The colour of every pixel by the formula of Phong, one pixel per clock, from depth, normal, material and the flags
 /// of the sources, with some lights at once.
 ///
-/// Latency 44. Words stay unchanged while pixels are inside. Section 8 of the architecture; Chaillou 1991, III.1.2.
+/// Latency 51. Words stay unchanged while pixels are inside. Section 8 of the architecture; Chaillou 1991, III.1.2.
 pub fn shading_processor(at: &str, point: Point, load: ShadingLoad, lights: Lights) -> Shaded {
     let inputs = (point, ("load", load));
     module("shading_processor", at, inputs, |(point, load)| {

@@ -1,7 +1,8 @@
 //! Line of sight and normal at a pixel.
 
+use super::clocks::LOGARITHMS;
 use super::{Eye, factor};
-use crate::arith::{Vector, logarithm, scalar_product, vector_normaliser};
+use crate::arith::{NORMALISED, Vector, logarithm, scalar_product, vector_normaliser};
 use crate::object::Normal;
 use crate::raster::Pixel;
 use imogene_hdl::{Bits, Bundle, Int, Value, bundle, bundles, join, module, net};
@@ -15,17 +16,17 @@ bundle! {
 }
 
 bundles! {
-    /// What all lights share, so many clocks after the pixel.
+    /// What all lights share, after the [clocks](super::clocks) of their names.
     #[derive(Copy)]
     Sight {
-        place: Middle as "place", "place on the screen, 1 clock";
-        ray: Vector as "ray", "line of sight, 8 clocks";
-        normal: Vector as "normal", "normal, 8 clocks";
-        across: Int as "across", "normal times line of sight, 10 clocks";
-        square: Int as "square", "square of the normal, 10 clocks";
-        turned: Bits as "turned", "the normal looks away from the viewer, 10 clocks";
-        normal_log: Int as "normal_log", "logarithm of the square of the normal, 19 clocks";
-        ray_log: Int as "ray_log", "logarithm of the square of the line of sight, 19 clocks";
+        place: Middle as "place", "place on the screen, 1 clock after the pixel";
+        ray: Vector as "ray", "line of sight, VECTORS";
+        normal: Vector as "normal", "normal, VECTORS";
+        across: Int as "across", "normal times line of sight, PRODUCTS";
+        square: Int as "square", "square of the normal, PRODUCTS";
+        turned: Bits as "turned", "the normal looks away from the viewer, PRODUCTS";
+        normal_log: Int as "normal_log", "logarithm of the square of the normal, LOGARITHMS";
+        ray_log: Int as "ray_log", "logarithm of the square of the line of sight, LOGARITHMS";
     }
 }
 
@@ -53,7 +54,7 @@ pub(super) fn line_of_sight(pixel: Pixel, eye: Eye) -> (Middle, Vector) {
 }
 
 /// Place on the screen, line of sight and normal in full words, and their products; beside them the places that the
-/// line of sight was shifted, 19 clocks after the pixel. Section 8.2 of the architecture.
+/// line of sight was shifted, with the logarithms. Section 8.2 of the architecture.
 pub(super) fn sight(at: &str, pixel: Pixel, normal: Normal, eye: Eye) -> (Sight, Bits) {
     let inputs = (pixel, normal, eye);
     module("sight", at, inputs, |(pixel, normal, eye)| {
@@ -76,7 +77,9 @@ pub(super) fn sight(at: &str, pixel: Pixel, normal: Normal, eye: Eye) -> (Sight,
             normal_log: logarithm("normal_logarithm", normal_square.low(32)),
             ray_log: logarithm("ray_logarithm", ray_square.low(36)),
         };
-        let places = full.places.delayed_as("places_late", 14);
+        let places = full
+            .places
+            .delayed_as("places_late", LOGARITHMS - 2 - NORMALISED);
         (sight, ("ray_places", places))
     })
 }

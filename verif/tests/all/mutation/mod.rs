@@ -112,7 +112,6 @@ fn no_mutant_of_an_arithmetic_circuit_survives() {
     let names = ["pe1", "pe2", "cut_plane", "plane_depth", "normal_unit"];
     let more = [
         "quadric_cut",
-        "depth_interval",
         "patch_decider",
         "visibility_node",
         "decider",

@@ -1,0 +1,16 @@
+//! Clocks after its pixel at which a result of the shading processor is there. Section 8.3 of the architecture.
+
+use crate::arith::{LOGARITHM, NORMALISED, SCALAR_PRODUCT};
+
+/// Line of sight, normal and vectors to the lights in full words.
+pub(super) const VECTORS: u32 = 5 + NORMALISED;
+/// Scalar products.
+pub(super) const PRODUCTS: u32 = VECTORS + SCALAR_PRODUCT;
+/// Logarithms of scalar products.
+pub(super) const LOGARITHMS: u32 = PRODUCTS + LOGARITHM;
+/// What the highlight loses, without its exponent: behind the cosine, its logarithm, a sum and a clamp.
+pub(super) const HIGHLIGHT: u32 = LOGARITHMS + 6;
+/// What is lost in all: exponent times highlight, then attenuation.
+pub(super) const LOSS: u32 = HIGHLIGHT + 4;
+/// Factors of the lights.
+pub(super) const FACTORS: u32 = LOSS + 9;
