@@ -10,8 +10,8 @@ use crate::failure::Failure;
 use crate::output;
 use film::{Film, views};
 use imogene_board::{
-    Board, Display, MODELS, Pll, Sources, Video, core_file, find_tools, page, route, simulate,
-    sources, unpack, witness,
+    Board, Display, MODELS, Pll, Sources, Video, core_file, count, find_tools, page, route,
+    simulate, sources, unpack, witness,
 };
 use imogene_contract::video::VideoMode;
 use imogene_files::{Outputs, WriteError};
@@ -204,9 +204,14 @@ impl Work<'_> {
         Ok(Shown::of(&pins, &golden, clocks))
     }
 
-    /// Places and routes the board, packs its bitstream, and shows what that shows.
+    /// Places and routes the board, packs its bitstream, and shows what that shows; or counts what it takes, where no
+    /// open program places and routes it.
     fn bitstream(&self, report: &mut BoardReport, files: &mut Outputs) -> Result<(), Failure> {
         if self.board.part.is_none() || self.options.no_bitstream {
+            return Ok(());
+        }
+        if !self.board.has_bitstream() {
+            report.synthesised = Some(count(&self.board, &self.sources)?);
             return Ok(());
         }
         let built = route(&self.board, &self.pll, &self.sources)?;

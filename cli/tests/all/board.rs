@@ -149,7 +149,13 @@ fn what_a_board_is_made_of_is_lint_clean() {
     let place = Place::new();
     let scene = scene("ellipsoid.toml");
     let models = repository("synth/board/src/top/models.v");
-    for board in ["ulx3s-12", "icebreaker", "hx8k-evb", "tang-nano-9k"] {
+    for board in [
+        "ulx3s-12",
+        "icebreaker",
+        "hx8k-evb",
+        "tang-nano-9k",
+        "basys3",
+    ] {
         // One machine for all of them.
         let machine = match place.has("ulx3s-12/machine.toml") {
             true => "--machine ulx3s-12/machine.toml",
@@ -229,6 +235,28 @@ fn what_is_in_the_part_shows_the_golden_picture() {
         assert!(achieved > wanted, "{clock}");
         pictures_are_equal(&place, &["pins.png", &format!("{witness}.png")]);
     }
+}
+
+/// No open program places and routes it: Yosys counts what it takes.
+#[test]
+fn a_board_of_sources_alone_is_counted() {
+    if !is_full() {
+        return;
+    }
+    let place = Place::new();
+    let found = board(&place, "basys3", "ellipsoid.toml", "--flat");
+    assert_shown(&found["pins"], 2 * 307_200);
+    assert!(found["routed"].is_null());
+    for kind in ["LUT", "FF", "RAMB36"] {
+        let [used, there] = [0, 1].map(|at| found["synthesised"][kind][at].as_u64());
+        assert!(used > Some(0) && used < there, "{kind}: {used:?}");
+    }
+    let parts = [
+        "does not fit xc7a35t cpg236: it takes",
+        "DSP48 of 90",
+        "--flat",
+    ];
+    refused("cone.toml", "basys3 SCENE --no-simulation", &parts);
 }
 
 /// The shading processor takes more than the part has: that is said, and nothing is written.

@@ -3,6 +3,7 @@
 use crate::error::BoardError;
 use imogene_scene::{in_plain_words, line_and_column};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// A board.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -76,7 +77,7 @@ impl From<BoardMode> for String {
     }
 }
 
-/// Families of parts that bitstreams are made for.
+/// Families of parts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Family {
@@ -86,7 +87,12 @@ pub enum Family {
     Ice40,
     /// Gowin GW1N and GW2A.
     Gowin,
+    /// AMD 7 series, as sources alone: no open program places and routes it here.
+    Xilinx7,
 }
+
+/// Kinds of cells that are counted of a part that is not placed and routed.
+const CELLS: [&str; 4] = ["LUT", "FF", "RAMB36", "DSP48"];
 
 /// A part.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -101,6 +107,9 @@ pub struct Part {
     /// Its speed grade, where the family has one.
     #[serde(default)]
     pub speed: Option<String>,
+    /// How many of a kind of cell it has, where no place and route program tells.
+    #[serde(default)]
+    pub cells: BTreeMap<String, u64>,
 }
 
 /// A place on a shared chip.
@@ -169,6 +178,9 @@ pub enum Video {
         /// Pin of the clock of the pixels, where the connector has one.
         #[serde(default)]
         clock: Option<String>,
+        /// Properties of the pins.
+        #[serde(default)]
+        io: String,
     },
 }
 
@@ -181,7 +193,7 @@ macro_rules! boards {
     };
 }
 
-boards! { "ulx3s-85" "ulx3s-45" "ulx3s-25" "ulx3s-12" "hx8k-evb" "icebreaker" "tang-nano-9k" "tang-nano-20k" "simulation" "tinytapeout" }
+boards! { "ulx3s-85" "ulx3s-45" "ulx3s-25" "ulx3s-12" "basys3" "hx8k-evb" "icebreaker" "tang-nano-9k" "tang-nano-20k" "simulation" "tinytapeout" }
 
 impl Board {
     /// The names of all boards.
@@ -250,6 +262,14 @@ impl Board {
                 "the pin of a channel",
                 pin.to_string(),
                 "both pins of a channel of a Gowin, one of others",
+            ));
+        }
+        let mut cells = self.part.iter().flat_map(|part| part.cells.keys());
+        if let Some(kind) = cells.find(|kind| !CELLS.contains(&kind.as_str())) {
+            return Err(refused(
+                "part.cells",
+                kind.clone(),
+                "LUT, FF, RAMB36, DSP48",
             ));
         }
         if let Some(bits) = self.video.bits().filter(|bits| !(1..=8).contains(bits)) {
@@ -326,6 +346,7 @@ impl Video {
                 blue,
                 de,
                 clock,
+                ..
             } => {
                 let mut pins = vec![
                     ("hsync".to_owned(), hsync.as_str()),
@@ -348,8 +369,7 @@ impl Video {
     /// Properties of its pins.
     pub fn io(&self) -> &str {
         match self {
-            Video::Tmds { io, .. } => io,
-            Video::Parallel { .. } => "",
+            Video::Tmds { io, .. } | Video::Parallel { io, .. } => io,
         }
     }
 }

@@ -7,7 +7,8 @@ use crate::pll::Pll;
 use crate::top::{Sources, TOP};
 use imogene_synth::tools::{NEXTPNR_ECP5, NEXTPNR_GOWIN, NEXTPNR_ICE40, Tool, YOSYS};
 use imogene_synth::{
-    RouteReport, SynthError, TIMING_WEIGHT, digest, fold_registers, kept, parse_report, run_yosys,
+    CellCounts, RouteReport, SynthError, TIMING_WEIGHT, digest, fold_registers, kept, parse_report,
+    parse_statistics, run_yosys,
 };
 use imogene_tools::{FileError, Program, last_lines, read, scratch, write};
 use serde::{Deserialize, Serialize};
@@ -59,12 +60,27 @@ impl Part {
         format!("{} {}", self.device, self.package)
     }
 
-    pub(crate) fn router(&self) -> Program {
-        match self.family {
-            Family::Ecp5 => NEXTPNR_ECP5,
-            Family::Ice40 => NEXTPNR_ICE40,
-            Family::Gowin => NEXTPNR_GOWIN,
-        }
+    /// What leads to a bitstream; none where no open program places and routes.
+    pub(crate) fn tools(&self) -> Option<Tools> {
+        let (router, names) = match self.family {
+            Family::Gowin => (NEXTPNR_GOWIN, ["--write", "gowin_pack", "gowin_unpack"]),
+            Family::Ecp5 => (NEXTPNR_ECP5, ["--textcfg", "ecppack", "ecpunpack"]),
+            Family::Ice40 => (NEXTPNR_ICE40, ["--asc", "icepack", "iceunpack"]),
+            Family::Xilinx7 => return None,
+        };
+        let [option, packer, unpacker] = names;
+        Some(Tools {
+            router,
+            option,
+            packer,
+            unpacker,
+        })
+    }
+
+    /// The number of a 7 series part.
+    pub(crate) fn number(&self) -> String {
+        let speed = self.speed.as_deref().unwrap_or_default();
+        format!("{}{}-{speed}", self.device, self.package)
     }
 
     /// The series of a Gowin with the size of its die: `GW1NR-9C` of `GW1N-9C` in `GW1NR-LV9QN88PC6/I5`.
@@ -110,6 +126,7 @@ impl Part {
             Family::Ice40 => "synth_ice40",
             // The contents of block memories and the modes of multipliers cannot be read back out of a bitstream.
             Family::Gowin => "synth_gowin -nobram -nodsp",
+            Family::Xilinx7 => "synth_xilinx -family xc7 -flatten",
         }
     }
 
@@ -122,7 +139,7 @@ impl Part {
                 "read_verilog board.v; setattr -mod -set keep_hierarchy 1 *_processor *_processor_*; {synthesis} -top {TOP}; \
                  setattr -mod -unset keep_hierarchy A:keep_hierarchy; flatten; opt_clean; write_json {NETLIST}"
             ),
-            Family::Ice40 | Family::Gowin => {
+            _ => {
                 let products = match self.has_multipliers() {
                     true => format!("hierarchy -top {TOP}; proc; {KEPT_PRODUCTS}; "),
                     false => String::new(),
@@ -135,26 +152,58 @@ impl Part {
     /// The file that a bitstream is made of: the text of place and route, of a Gowin the routed netlist.
     fn text(&self) -> &'static str {
         match self.family {
-            Family::Ecp5 | Family::Ice40 => TEXT,
             Family::Gowin => ROUTED,
+            _ => TEXT,
         }
     }
 
     /// The options of the router for the constraints.
     fn constrained(&self, kind: &str, file: &str) -> [String; 2] {
         match self.family {
-            Family::Ecp5 | Family::Ice40 => [format!("--{kind}"), file.to_owned()],
             Family::Gowin => ["--vopt".to_owned(), format!("{kind}={file}")],
+            _ => [format!("--{kind}"), file.to_owned()],
         }
     }
+}
 
-    /// The option of the router for its text, and the programs that make a bitstream of the text and the other way.
-    pub(crate) fn packers(&self) -> [&'static str; 3] {
-        match self.family {
-            Family::Gowin => ["--write", "gowin_pack", "gowin_unpack"],
-            Family::Ecp5 => ["--textcfg", "ecppack", "ecpunpack"],
-            Family::Ice40 => ["--asc", "icepack", "iceunpack"],
-        }
+/// What leads from a netlist to a bitstream, and back.
+pub(crate) struct Tools {
+    /// Place and route.
+    router: Program,
+    /// Its option for the text that a bitstream is made of.
+    option: &'static str,
+    packer: &'static str,
+    unpacker: &'static str,
+}
+
+impl Tools {
+    /// The program that makes a bitstream of a text.
+    fn packer(&self) -> Result<Tool, SynthError> {
+        Tool::beside(self.router, self.packer)
+    }
+
+    /// The program that makes the text of a bitstream.
+    pub(crate) fn unpacker(&self) -> Result<Tool, SynthError> {
+        Tool::beside(self.router, self.unpacker)
+    }
+}
+
+impl Board {
+    /// Its part, and what leads to a bitstream of it.
+    ///
+    /// # Panics
+    ///
+    /// When it is a board without a bitstream.
+    pub(crate) fn routed(&self) -> (&Part, Tools) {
+        let part = self.part.as_ref();
+        let routed = part.and_then(|part| Some((part, part.tools()?)));
+        routed.expect("a board whose part is placed and routed")
+    }
+
+    /// Open programs place and route its part.
+    pub fn has_bitstream(&self) -> bool {
+        let part = self.part.as_ref();
+        part.is_some_and(|part| part.tools().is_some())
     }
 }
 
@@ -167,14 +216,96 @@ pub fn find_tools(board: &Board) -> Result<(), BoardError> {
     let Some(part) = &board.part else {
         return Ok(());
     };
-    let [_, packer, unpacker] = part.packers();
-    for name in [packer, unpacker] {
-        Tool::beside(part.router(), name)?;
+    if let Some(tools) = part.tools() {
+        tools.packer()?;
+        tools.unpacker()?;
+        Tool::find(tools.router)?;
     }
-    for program in [YOSYS, part.router()] {
-        Tool::find(program)?;
-    }
+    Tool::find(YOSYS)?;
     Ok(())
+}
+
+/// Look-up tables of a memory in tables, and of a shift register.
+const TABLES: [(&str, u64); 9] = [
+    ("RAM32M", 4),
+    ("RAM64M", 4),
+    ("RAM32X1D", 2),
+    ("RAM64X1D", 2),
+    ("RAM128X1D", 4),
+    ("RAM128X1S", 2),
+    ("RAM256X1S", 4),
+    ("SRL16E", 1),
+    ("SRLC32E", 1),
+];
+
+/// What of the part of a board its sources take, used and available by kind: of a part that no program places and
+/// routes here, by Yosys.
+///
+/// # Errors
+///
+/// When Yosys is missing or fails, or the part has too little.
+///
+/// # Panics
+///
+/// When the board has no part.
+pub fn count(board: &Board, sources: &Sources) -> Result<BTreeMap<String, (u64, u64)>, BoardError> {
+    let part = board.part.as_ref().expect("a board with a part");
+    let yosys = Tool::find(YOSYS)?;
+    let script = format!(
+        "read_verilog board.v; {} -top {TOP}; tee -q -o {REPORT} stat -json",
+        part.synthesis()
+    );
+    let place = kept(&[&digest(&sources.verilog), &script, &yosys.version]);
+    let cells: CellCounts = match place.load() {
+        Some(cells) => cells,
+        None => {
+            let folder = scratch()?;
+            let folder = folder.path();
+            write(&folder.join("board.v"), &sources.verilog)?;
+            run_yosys(&yosys, folder, &script)?;
+            let cells = parse_statistics(&read(&folder.join(REPORT))?)?.cells;
+            place.store(&cells)?;
+            cells
+        }
+    };
+    let sum = |is_meant: fn(&str) -> u64| -> u64 {
+        let counts = cells.iter().map(|(name, count)| is_meant(name) * count);
+        counts.sum()
+    };
+    let tables = |name: &str| {
+        let known = TABLES.iter().find(|(known, _)| *known == name);
+        let is_table = name.strip_prefix("LUT").is_some_and(|size| size.len() == 1);
+        known.map_or(u64::from(is_table), |&(_, tables)| tables)
+    };
+    let halves = |name: &str| match name {
+        "RAMB36E1" => 2,
+        "RAMB18E1" => 1,
+        _ => 0,
+    };
+    let used = |kind: &str| match kind {
+        "LUT" => sum(tables),
+        "FF" => sum(|name| name.starts_with("FD").into()),
+        "RAMB36" => sum(halves).div_ceil(2),
+        _ => sum(|name| name.starts_with("DSP48").into()),
+    };
+    let kinds = part.cells.iter();
+    let used: BTreeMap<_, _> = kinds
+        .map(|(kind, &there)| (kind.clone(), (used(kind), there)))
+        .collect();
+    let too_few = used.iter().find(|(_, (used, there))| used > there);
+    match too_few {
+        Some((kind, (used, there))) => Err(too_little(part, format!("{used} {kind} of {there}"))),
+        None => Ok(used),
+    }
+}
+
+/// The part has too little of something.
+fn too_little(part: &Part, excess: String) -> BoardError {
+    BoardError::Excess {
+        part: part.name(),
+        excess,
+        remedy: "a smaller machine (--machine), tables of colours in it (--lit-sphere) or plain ones (--flat) may fit",
+    }
 }
 
 /// What place and route made of a board.
@@ -197,10 +328,10 @@ pub struct Built {
 ///
 /// # Panics
 ///
-/// When the board has no part.
+/// When the board has no part that is placed and routed here.
 pub fn route(board: &Board, pll: &Pll, sources: &Sources) -> Result<Built, BoardError> {
-    let part = board.part.as_ref().expect("a board with a part");
-    let (yosys, router) = (Tool::find(YOSYS)?, Tool::find(part.router())?);
+    let (part, tools) = board.routed();
+    let (yosys, router) = (Tool::find(YOSYS)?, Tool::find(tools.router)?);
     let (kind, constraints) = sources.constraints.as_ref().expect("constraints of a part");
     let pins = format!("pins.{kind}");
     let script = part.script();
@@ -232,11 +363,14 @@ pub fn route(board: &Board, pll: &Pll, sources: &Sources) -> Result<Built, Board
         fold_registers(&folder.join(NETLIST))?;
     }
     packed(part, &router, &arguments, folder)?;
+    if part.text() == TEXT {
+        arguments.extend([tools.option, TEXT].map(str::to_owned));
+    }
     let (seed, report) = placed(part, pll, &router, (&arguments, folder))?;
-    let bitstream = packed_text(part, part.text(), folder)?;
+    let bitstream = packed_text(board, part.text(), folder)?;
     let netlist = match part.family {
         Family::Ecp5 => Some(routed_verilog(&yosys, folder, ROUTED)?),
-        Family::Ice40 | Family::Gowin => None,
+        _ => None,
     };
     let built = Built {
         routed: report_of(report, seed, &[yosys, router], bitstream.len()),
@@ -280,14 +414,9 @@ fn packed(
     let outcome = router.run(&arguments, folder)?;
     outcome.map_err(|said| failed(router, &said))?;
     let report = parse_report(&read(&folder.join(REPORT))?)?;
-    match report.excess() {
-        Some(excess) => Err(BoardError::Excess {
-            part: part.name(),
-            excess,
-            remedy: "a smaller machine (--machine), tables of colours in it (--lit-sphere) or plain ones (--flat) may fit",
-        }),
-        None => Ok(()),
-    }
+    report
+        .excess()
+        .map_or(Ok(()), |excess| Err(too_little(part, excess)))
 }
 
 /// Places and routes the design with the first seed that reaches every clock; the seed.
@@ -324,9 +453,6 @@ fn placed_once(
     std::fs::remove_file(&report).map_err(FileError::at(&report))?;
     let mut arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     arguments.extend(["--seed", seed, "--write", ROUTED]);
-    if part.text() != ROUTED {
-        arguments.extend([part.packers()[0], part.text()]);
-    }
     let outcome = router.run(&arguments, folder)?;
     // A clock that is not reached ends the router with an error, behind its report.
     let Ok(text) = read(&report) else {
@@ -350,12 +476,13 @@ fn placed_once(
 }
 
 /// The bitstream of a text in the folder.
-pub(crate) fn packed_text(part: &Part, text: &str, folder: &Path) -> Result<Vec<u8>, BoardError> {
-    let packer = Tool::beside(part.router(), part.packers()[1])?;
+pub(crate) fn packed_text(board: &Board, text: &str, folder: &Path) -> Result<Vec<u8>, BoardError> {
+    let (part, tools) = board.routed();
+    let packer = tools.packer()?;
     let name = format!("{text}.bit");
     let outcome = match part.family {
-        Family::Ecp5 | Family::Ice40 => packer.run(&[text, &name], folder)?,
         Family::Gowin => packer.run(&["-d", &part.device, "-o", &name, text], folder)?,
+        _ => packer.run(&[text, &name], folder)?,
     };
     outcome.map_err(|said| failed(&packer, &said))?;
     let path = folder.join(name);

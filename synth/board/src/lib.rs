@@ -29,7 +29,7 @@ mod witness;
 
 pub use description::{Board, BoardMode, Clock, Family, Part, Tiles, Video};
 pub use error::BoardError;
-pub use flow::{Built, ClockReport, Routed, find_tools, route};
+pub use flow::{Built, ClockReport, Routed, count, find_tools, route};
 pub use page::{core_file, page};
 pub use pll::{Dividers, Pll};
 pub use screen::{Screen, ScreenError, Shown, Tick};

@@ -34,6 +34,7 @@ pub fn core_file(board: &Board, pll: &Pll, command: &str) -> Result<Option<Strin
         Family::Ecp5 => ("lpf", "trellis"),
         Family::Ice40 => ("pcf", "icestorm"),
         Family::Gowin => ("cst", "apicula"),
+        Family::Xilinx7 => ("xdc", "vivado"),
     };
     // The flow of a Gowin has its part in keys of its own.
     let is_gowin = part.family == Family::Gowin;
@@ -41,12 +42,17 @@ pub fn core_file(board: &Board, pll: &Pll, command: &str) -> Result<Option<Strin
         true => vec![],
         false => part.arguments(),
     };
+    let vivado = (part.family == Family::Xilinx7).then(|| part.number());
+    let file_type = match vivado {
+        Some(_) => kind.to_owned(),
+        None => kind.to_uppercase(),
+    };
     options.extend(["--freq".to_owned(), format!("{:.6}", pll.pixel_mhz())]);
     let synthesis: Vec<&str> = part.synthesis().split(' ').skip(1).collect();
     // JSON is YAML.
     let values = context! {
         name => board.name.clone(), version => env!("CARGO_PKG_VERSION"), about => json!(board.about).to_string(),
-        device => is_gowin.then(|| part.package.clone()), command, kind, flow, options => json!(options).to_string(), synthesis => json!(synthesis).to_string(),
+        device => is_gowin.then(|| part.package.clone()), command, kind, file_type, vivado, flow, options => json!(options).to_string(), synthesis => json!(synthesis).to_string(),
     };
     let text = Environment::new().render_str(include_str!("page/board.core"), values)?;
     Ok(Some(text + "\n"))

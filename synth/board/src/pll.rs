@@ -48,6 +48,15 @@ pub enum Dividers {
         /// Of the output.
         output: i128,
     },
+    /// 7 series: input / `reference` x `feedback` / `output`, both in eighths.
+    Xilinx7 {
+        /// Of the input.
+        reference: i128,
+        /// In the feedback, in eighths.
+        feedback: i128,
+        /// Of the output, in eighths.
+        output: i128,
+    },
     /// No PLL: the clock of the board, as a board that is only simulated has it.
     None,
 }
@@ -76,6 +85,7 @@ impl Pll {
             Some(Family::Ecp5) => ecp5(input, wanted, ratio),
             Some(Family::Ice40) => ice40(input),
             Some(Family::Gowin) => gowin(board, input, ratio),
+            Some(Family::Xilinx7) => xilinx7(input, wanted),
             None => vec![(Ratio::from(wanted), Dividers::None)],
         };
         let distance = |pixel: &Hertz| (pixel - wanted).abs();
@@ -143,6 +153,11 @@ impl Dividers {
                 ..
             } => (reference, looped != fast),
             Dividers::Ice40 { divr, .. } => (divr, false),
+            Dividers::Xilinx7 {
+                reference,
+                feedback,
+                output,
+            } => (reference, feedback % 8 > 0 || output % 8 > 0),
             Dividers::Gowin { input, .. } => (input, false),
             Dividers::None => (0, false),
         }
@@ -230,6 +245,35 @@ fn ice40(input: i128) -> Vec<(Hertz, Dividers)> {
                         filter,
                     };
                     found.push((output, dividers));
+                }
+            }
+        }
+    }
+    found
+}
+
+/// All dividers within the limits of the MMCM of the 7 series, speed grade 1 (Artix-7 data sheet): phase detector 10 to
+/// 450 MHz, oscillator 600 to 1200 MHz, output from 4.69 MHz; dividers of feedback and output in eighths, from 2 to 64
+/// and from 2 to 128.
+fn xilinx7(input: i128, wanted: i128) -> Vec<(Hertz, Dividers)> {
+    let mut found = Vec::new();
+    for reference in 1..=106 {
+        let detected = Ratio::from(input) / reference;
+        for feedback in (16..=512).filter(|_| within(detected, 10_000, 450_000)) {
+            let oscillator = detected * feedback / 8;
+            // The divider that would be exact, in eighths, and its neighbours.
+            let exact = oscillator * 8 / wanted;
+            for output in [exact.floor().to_integer(), exact.ceil().to_integer()] {
+                let is_legal =
+                    within(oscillator, 600_000, 1_200_000) && (16..=1024).contains(&output);
+                let made = oscillator * 8 / output.max(1);
+                if is_legal && within(made, 4_690, 800_000) {
+                    let dividers = Dividers::Xilinx7 {
+                        reference,
+                        feedback,
+                        output,
+                    };
+                    found.push((made, dividers));
                 }
             }
         }

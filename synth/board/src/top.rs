@@ -59,6 +59,7 @@ pub fn sources(board: &Board, pll: &Pll, display: &Display) -> Result<Sources, B
         Dividers::Ecp5 { .. } => include_str!("top/clock_ecp5.v"),
         Dividers::Ice40 { .. } => include_str!("top/clock_ice40.v"),
         Dividers::Gowin { .. } => include_str!("top/clock_gowin.v"),
+        Dividers::Xilinx7 { .. } => include_str!("top/clock_xilinx7.v"),
         Dividers::None => include_str!("top/clock_none.v"),
     };
     add(clock, clocks(board, pll))?;
@@ -190,6 +191,16 @@ fn clocks(board: &Board, pll: &Pll) -> Value {
             let series = board.part.as_ref().map(Part::series);
             (context! { input, feedback, output, series }, false, 0)
         }
+        Dividers::Xilinx7 {
+            reference,
+            feedback,
+            output,
+        } => {
+            let eighths = |number: i128| format!("{:.3}", number as f64 / 8.0);
+            let (feedback, output) = (eighths(feedback), eighths(output));
+            let period = format!("{:.3}", 1000.0 / pll.input_mhz());
+            (context! { reference, feedback, output, period }, false, 0)
+        }
         Dividers::None => (context! {}, false, 0),
     };
     context! { pll => dividers, input_mhz, fast, pixel, apart, phase, pad => board.clock.pad }
@@ -234,6 +245,23 @@ fn constraints(board: &Board, pll: &Pll) -> Option<(&'static str, String)> {
                 }
             }
             Some(("cst", text))
+        }
+        Family::Xilinx7 => {
+            let mut pin = |name: &str, pin: &str, io: &str| {
+                let _ = writeln!(
+                    text,
+                    "set_property -dict {{PACKAGE_PIN {pin} {io}}} [get_ports {name}]"
+                );
+            };
+            pin("clock", &clock.pin, &clock.io);
+            for (name, site) in &pins {
+                pin(name, site, board.video.io());
+            }
+            let period = 1000.0 / pll.input_mhz();
+            let _ = writeln!(text, "create_clock -period {period:.3} [get_ports clock]");
+            // The bank of the configuration pins has 3.3 V.
+            text += "set_property CFGBVS VCCO [current_design]\nset_property CONFIG_VOLTAGE 3.3 [current_design]\n";
+            Some(("xdc", text))
         }
     }
 }

@@ -46,20 +46,20 @@ const READER: &str = include_str!("top/gowin_reader.py");
 ///
 /// # Panics
 ///
-/// When the board has no part.
+/// When the board has no part that is placed and routed here.
 pub fn unpack(board: &Board, sources: &Sources, bitstream: &[u8]) -> Result<String, BoardError> {
-    let part = board.part.as_ref().expect("a board with a part");
+    let (part, tools) = board.routed();
     let folder = scratch()?;
     let folder = folder.path();
     let path = folder.join(BITSTREAM);
     std::fs::write(&path, bitstream).map_err(FileError::at(&path))?;
-    let unpacker = Tool::beside(part.router(), part.packers()[2])?;
+    let unpacker = tools.unpacker()?;
     if part.family == Family::Gowin {
         return read_gowin(part, sources, &unpacker, folder);
     }
     let outcome = unpacker.run(&[BITSTREAM, UNPACKED], folder)?;
     outcome.map_err(|said| failed(&unpacker, &said))?;
-    let again = packed_text(part, UNPACKED, folder)?;
+    let again = packed_text(board, UNPACKED, folder)?;
     if again != bitstream {
         let apart = again.iter().zip(bitstream).filter(|(a, b)| a != b);
         return Err(BoardError::Bitstream(format!(

@@ -7,6 +7,7 @@ use imogene_board::{Board, Pins, Routed};
 use imogene_files::text::counted;
 use imogene_plan::description::MachineDescription;
 use serde::Serialize;
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 /// A board and what it shows; the keys are stable.
@@ -26,6 +27,8 @@ pub(super) struct BoardReport<'a> {
     pub(super) frames_per_image: u64,
     /// What the pins show in simulation of the sources.
     pub(super) pins: Option<Shown>,
+    /// What the sources take of a part that is not placed and routed here, used and available.
+    pub(super) synthesised: Option<BTreeMap<String, (u64, u64)>>,
     /// Place and route.
     pub(super) routed: Option<Routed>,
     /// What the pins show in simulation of the Verilog that the bitstream was turned back into.
@@ -105,6 +108,7 @@ impl<'a> BoardReport<'a> {
             images: work.film.pictures.len(),
             frames_per_image: work.film.stay,
             pins: None,
+            synthesised: None,
             routed: None,
             bitstream: None,
             netlist: None,
@@ -140,10 +144,13 @@ pub(super) fn tell(report: &BoardReport) {
     if let Some(pins) = &report.pins {
         pins.tell("pins in simulation");
     }
-    if let Some(routed) = &report.routed {
-        let used = routed.utilisation.iter().filter(|(_, (used, _))| *used > 0);
+    let routed = report.routed.as_ref().map(|routed| &routed.utilisation);
+    if let Some(cells) = routed.or(report.synthesised.as_ref()) {
+        let used = cells.iter().filter(|(_, (used, _))| *used > 0);
         let used = used.map(|(name, (used, all))| format!("{used} of {all} {name}"));
         output::text(format!("  {}", output::joined(used, ", ")));
+    }
+    if let Some(routed) = &report.routed {
         for clock in &routed.clocks {
             output::text(format!(
                 "  {}: {:.1} MHz, {:.3} MHz asked for",

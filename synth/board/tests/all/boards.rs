@@ -42,6 +42,10 @@ fn a_description_that_is_none_is_refused_by_place_or_key() {
     assert!(refused("100_000_000", "0").contains("clock.hertz is 0; accepted: 1 to"));
     assert!(refused("\"ice40\"", "\"ice41\"").contains("ice41"));
     assert!(refused("[\"E3\", \"H5\", \"F3\"]", "[\"E3\"]").contains("as many for each"));
+    let basys3 = include_str!("../../../../boards/basys3.toml");
+    let error = Board::parse(&basys3.replace("DSP48", "DSP"), "mine").expect_err("no such kind");
+    let said = "part.cells is DSP; accepted: LUT, FF, RAMB36, DSP48";
+    assert!(error.to_string().contains(said), "{error}");
     let unpaired = |text: &str, old: &str, new: &str| {
         let error = Board::parse(&text.replace(old, new), "mine").expect_err(new);
         let wanted = "both pins of a channel of a Gowin, one of others";

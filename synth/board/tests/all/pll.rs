@@ -70,3 +70,26 @@ fn dividers_of_the_ice40() {
     };
     assert_eq!(found, expected);
 }
+
+/// 100 MHz x 9 / 35.75: no other dividers within the limits of the MMCM come nearer, all of them one by one.
+#[test]
+fn no_dividers_of_the_7_series_come_nearer() {
+    let wanted = 25_175_000i128;
+    let board = Board::named("basys3").expect("a board");
+    let pll = Pll::of(&board, 25_175_000).expect("a clock");
+    let mut nearest = Ratio::from(wanted);
+    for reference in 1..=10 {
+        // In eighths; the oscillator from 600 to 1200 MHz.
+        for feedback in (48 * reference..=96 * reference).filter(|eighths| *eighths <= 512) {
+            for output in 16..=1024 {
+                let product = 100 * MEGA * feedback;
+                // Much farther than the nearest is no candidate.
+                if (product - wanted * reference * output).abs() < 2_000 * reference * output {
+                    let distance = (Ratio::new(product, reference * output) - wanted).abs();
+                    nearest = nearest.min(distance);
+                }
+            }
+        }
+    }
+    assert_eq!((pll.pixel_hertz() - wanted).abs(), nearest);
+}
