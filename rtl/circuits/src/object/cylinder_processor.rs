@@ -55,22 +55,20 @@ pub fn cylinder_processor(at: &str, scan: Scan, words: Cylinder, depth: u32) -> 
             component("normal_z", words.nz),
         ]);
         let body_depth = sum(pe2("body_depth", flags, words.body));
-        let body = (body_depth, face(NEAR_ROOT));
         let lid_depth = sum(pe1("lid", flags, words.lid));
-        let lid = (lid_depth, face(FIRST_PLANE));
         // Both parts are asked before one is chosen, so that one bit alone selects in the last clock.
         let [lid_visible, body_visible] = [("lid_depth", lid_depth), ("body_depth", body_depth)]
             .map(|(name, depth)| Clamped::of(name, depth, NEAR_ROOT).is_visible());
-        let (z, part) = in_front.select(lid, body).registered();
         net! {
-            let kept_face = part;
+            let kept_depth = in_front.select(lid_depth, body_depth).reg();
             let kept_front = in_front.reg();
+            let kept_face = kept_front.select(face(FIRST_PLANE), face(NEAR_ROOT));
             let is_present = (kept_there & in_front.select(lid_visible, body_visible)).reg();
         }
         let normal = kept_front.select(words.lid_normal, body_normal);
         let no_normal = Normal::of([Int::new(0, NORMAL); 3]);
         let nothing = (absent(depth), face(NEAR_ROOT), no_normal);
-        let seen = is_present.select((z.low(depth), kept_face, normal), nothing);
+        let seen = is_present.select((kept_depth.low(depth), kept_face, normal), nothing);
         let (z, number, normal) = seen.registered();
         Seen::face(z, number).with(late_flags.valid.delayed_as("valid_late", 2), normal)
     })

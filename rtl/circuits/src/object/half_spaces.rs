@@ -41,12 +41,15 @@ pub fn half_spaces(at: &str, limits: Limits, is_there: Bits) -> Interval {
     let inputs = (limits, ("is_there", is_there));
     module("half_spaces", at, inputs, |(all, is_there)| {
         let width = all.front.width();
-        let [low, end] = [near_end, far_end].map(|of| end(of, width));
+        let [low_limit, low, end] = [saturated_near, near_end, far_end].map(|of| end(of, width));
         let cap = Bits::new(CAP, 4);
         net! {
             let is_front_face = low.less(all.front);
             let is_back_face = all.back.less(end);
-            let may_be = (is_there & !all.removed).reg();
+            let is_crossed = all.back.less(all.front);
+            let is_before = all.back.equals(low_limit);
+            let is_beyond = all.front.equals(end);
+            let is_present = (is_there & !(all.removed | is_crossed | is_before | is_beyond)).reg();
         }
         // The depth word ends where no plane does.
         let kept = Interval {
@@ -56,10 +59,6 @@ pub fn half_spaces(at: &str, limits: Limits, is_there: Bits) -> Interval {
             nb: is_back_face.select(all.back_number, cap),
         };
         let kept = ("kept", kept).delayed(1).bare();
-        net! {
-            let ends_behind = !kept.zb.less(kept.zf) & kept.zf.less(end);
-            let is_present = may_be & ends_behind;
-        }
         let nothing = Interval::absent(width);
         is_present.select(kept, nothing).registered()
     })
