@@ -7,8 +7,7 @@ use crate::pll::Pll;
 use crate::top::{Sources, TOP};
 use imogene_synth::tools::{NEXTPNR_ECP5, NEXTPNR_GOWIN, NEXTPNR_ICE40, Tool, YOSYS};
 use imogene_synth::{
-    CellCounts, RouteReport, SynthError, TIMING_WEIGHT, digest, fold_registers, kept, parse_report,
-    parse_statistics, run_yosys,
+    RouteReport, SynthError, TIMING_WEIGHT, digest, fold_registers, kept, parse_report, run_yosys,
 };
 use imogene_tools::{FileError, Program, last_lines, read, scratch, write};
 use serde::{Deserialize, Serialize};
@@ -225,82 +224,8 @@ pub fn find_tools(board: &Board) -> Result<(), BoardError> {
     Ok(())
 }
 
-/// Look-up tables of a memory in tables, and of a shift register.
-const TABLES: [(&str, u64); 9] = [
-    ("RAM32M", 4),
-    ("RAM64M", 4),
-    ("RAM32X1D", 2),
-    ("RAM64X1D", 2),
-    ("RAM128X1D", 4),
-    ("RAM128X1S", 2),
-    ("RAM256X1S", 4),
-    ("SRL16E", 1),
-    ("SRLC32E", 1),
-];
-
-/// What of the part of a board its sources take, used and available by kind: of a part that no program places and
-/// routes here, by Yosys.
-///
-/// # Errors
-///
-/// When Yosys is missing or fails, or the part has too little.
-///
-/// # Panics
-///
-/// When the board has no part.
-pub fn count(board: &Board, sources: &Sources) -> Result<BTreeMap<String, (u64, u64)>, BoardError> {
-    let part = board.part.as_ref().expect("a board with a part");
-    let yosys = Tool::find(YOSYS)?;
-    let script = format!(
-        "read_verilog board.v; {} -top {TOP}; tee -q -o {REPORT} stat -json",
-        part.synthesis()
-    );
-    let place = kept(&[&digest(&sources.verilog), &script, &yosys.version]);
-    let cells: CellCounts = match place.load() {
-        Some(cells) => cells,
-        None => {
-            let folder = scratch()?;
-            let folder = folder.path();
-            write(&folder.join("board.v"), &sources.verilog)?;
-            run_yosys(&yosys, folder, &script)?;
-            let cells = parse_statistics(&read(&folder.join(REPORT))?)?.cells;
-            place.store(&cells)?;
-            cells
-        }
-    };
-    let sum = |is_meant: fn(&str) -> u64| -> u64 {
-        let counts = cells.iter().map(|(name, count)| is_meant(name) * count);
-        counts.sum()
-    };
-    let tables = |name: &str| {
-        let known = TABLES.iter().find(|(known, _)| *known == name);
-        let is_table = name.strip_prefix("LUT").is_some_and(|size| size.len() == 1);
-        known.map_or(u64::from(is_table), |&(_, tables)| tables)
-    };
-    let halves = |name: &str| match name {
-        "RAMB36E1" => 2,
-        "RAMB18E1" => 1,
-        _ => 0,
-    };
-    let used = |kind: &str| match kind {
-        "LUT" => sum(tables),
-        "FF" => sum(|name| name.starts_with("FD").into()),
-        "RAMB36" => sum(halves).div_ceil(2),
-        _ => sum(|name| name.starts_with("DSP48").into()),
-    };
-    let kinds = part.cells.iter();
-    let used: BTreeMap<_, _> = kinds
-        .map(|(kind, &there)| (kind.clone(), (used(kind), there)))
-        .collect();
-    let too_few = used.iter().find(|(_, (used, there))| used > there);
-    match too_few {
-        Some((kind, (used, there))) => Err(too_little(part, format!("{used} {kind} of {there}"))),
-        None => Ok(used),
-    }
-}
-
 /// The part has too little of something.
-fn too_little(part: &Part, excess: String) -> BoardError {
+pub(crate) fn too_little(part: &Part, excess: String) -> BoardError {
     BoardError::Excess {
         part: part.name(),
         excess,

@@ -12,6 +12,7 @@
 //! ```
 #![warn(missing_docs)]
 
+mod count;
 mod description;
 mod error;
 mod flow;
@@ -27,9 +28,10 @@ mod tmds;
 mod top;
 mod witness;
 
+pub use count::count;
 pub use description::{Board, BoardMode, Clock, Family, Part, Tiles, Video};
 pub use error::BoardError;
-pub use flow::{Built, ClockReport, Routed, count, find_tools, route};
+pub use flow::{Built, ClockReport, Routed, find_tools, route};
 pub use page::{core_file, page};
 pub use pll::{Dividers, Pll};
 pub use screen::{Screen, ScreenError, Shown, Tick};

@@ -5,7 +5,7 @@ use super::segment_curve::{Curve, segment_curve};
 use imogene_hdl::{Bits, Int, Value, join, module, net};
 
 /// Latency of a logarithm.
-pub(crate) const LOGARITHM: u32 = NORMALISED + 6;
+pub const LOGARITHM: u32 = NORMALISED + 6;
 const LOG_CURVE: Curve = Curve {
     function: |t| (1.0 + t).log2(),
     length: 1.0 / 32.0,

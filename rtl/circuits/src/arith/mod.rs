@@ -19,10 +19,10 @@ mod square_root_non_restoring;
 mod square_root_quadratic;
 mod vector;
 
-pub(crate) use logarithm::LOGARITHM;
-pub use logarithm::{logarithm, logarithm_of_sum, power_of_two};
+pub use logarithm::{LOGARITHM, logarithm, logarithm_of_sum, power_of_two};
 pub use network::Network;
-pub(crate) use normalise::{NORMALISED, shifted_by};
+pub use normalise::NORMALISED;
+pub(crate) use normalise::shifted_by;
 pub use product::product;
 pub use reciprocal::reciprocal;
 pub use square_root::{Root, square_root, square_root_rows};
@@ -31,8 +31,7 @@ pub use square_root_leading::square_root_leading;
 pub use square_root_linear::square_root_linear;
 pub use square_root_non_restoring::square_root_non_restoring;
 pub use square_root_quadratic::square_root_quadratic;
-pub(crate) use vector::SCALAR_PRODUCT;
-pub use vector::{Full, Vector, scalar_product, vector_normaliser};
+pub use vector::{Full, SCALAR_PRODUCT, Vector, scalar_product, vector_normaliser};
 
 /// What the radicand of every square root carries.
 const RADICAND: &str = "number to take the root of";

@@ -3,7 +3,7 @@
 use imogene_hdl::{Bits, Bundle, Value, bundles};
 
 /// Latency of words that are shifted until one has its first bit set.
-pub(crate) const NORMALISED: u32 = 6;
+pub const NORMALISED: u32 = 6;
 /// Bits of a number of places.
 const PLACES: u32 = 6;
 

@@ -47,7 +47,7 @@ pub fn vector_normaliser(at: &str, vector: Vector) -> Full {
 }
 
 /// Latency of a scalar product: the products, the sum of two, the sum of all.
-pub(crate) const SCALAR_PRODUCT: u32 = 3;
+pub const SCALAR_PRODUCT: u32 = 3;
 
 /// The scalar product of two vectors, with two bits more than a product of components. Latency [`SCALAR_PRODUCT`].
 pub fn scalar_product(at: &str, a: Vector, b: Vector) -> Int {
