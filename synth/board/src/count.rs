@@ -5,23 +5,21 @@ use crate::error::BoardError;
 use crate::flow::too_little;
 use crate::top::{Sources, TOP};
 use imogene_synth::tools::{Tool, YOSYS};
-use imogene_synth::{CellCounts, digest, kept, parse_statistics, run_yosys};
+use imogene_synth::{CellCounts, Family, digest, kept, parse_statistics, resources, run_yosys};
 use imogene_tools::{read, scratch, write};
 use std::collections::BTreeMap;
 
 const REPORT: &str = "cells.json";
 
-/// Look-up tables of a memory in tables, and of a shift register.
-const TABLES: [(&str, u64); 9] = [
-    ("RAM32M", 4),
-    ("RAM64M", 4),
-    ("RAM32X1D", 2),
-    ("RAM64X1D", 2),
-    ("RAM128X1D", 4),
-    ("RAM128X1S", 2),
-    ("RAM256X1S", 4),
-    ("SRL16E", 1),
-    ("SRLC32E", 1),
+/// Look-up tables that memories in them take beside the first.
+const MORE_TABLES: [(&str, u64); 7] = [
+    ("RAM32M", 3),
+    ("RAM64M", 3),
+    ("RAM32X1D", 1),
+    ("RAM64X1D", 1),
+    ("RAM128X1D", 3),
+    ("RAM128X1S", 1),
+    ("RAM256X1S", 3),
 ];
 
 /// What the sources of a board take of its part by Yosys, used and available by kind.
@@ -66,32 +64,16 @@ pub fn count(board: &Board, sources: &Sources) -> Result<BTreeMap<String, (u64, 
 
 /// How many of a kind of cell of a part.
 fn used(cells: &CellCounts, kind: &str) -> u64 {
-    let takes: fn(&str) -> u64 = match kind {
-        "LUT" => tables,
-        "FF" => |name| name.starts_with("FD").into(),
-        "RAMB36" => halves,
-        _ => |name| name.starts_with("DSP48").into(),
-    };
-    let counts = cells.iter().map(|(name, count)| takes(name) * count);
-    let sum: u64 = counts.sum();
+    let sums = resources(Family::Xilinx7, cells);
+    let count = |name: &str| cells.get(name).copied().unwrap_or(0);
     match kind {
-        "RAMB36" => sum.div_ceil(2),
-        _ => sum,
-    }
-}
-
-/// Look-up tables of a cell.
-fn tables(name: &str) -> u64 {
-    let known = TABLES.iter().find(|(known, _)| *known == name);
-    let is_table = name.strip_prefix("LUT").is_some_and(|size| size.len() == 1);
-    known.map_or(u64::from(is_table), |&(_, tables)| tables)
-}
-
-/// Half block memories of a cell.
-fn halves(name: &str) -> u64 {
-    match name {
-        "RAMB36E1" => 2,
-        "RAMB18E1" => 1,
-        _ => 0,
+        "LUT" => {
+            let more = MORE_TABLES.iter().map(|&(name, more)| more * count(name));
+            sums.lut + more.sum::<u64>()
+        }
+        "FF" => sums.ff,
+        // Two halves are one.
+        "RAMB36" => sums.bram - count("RAMB18E1") / 2,
+        _ => sums.dsp,
     }
 }
