@@ -23,10 +23,10 @@ const POLYNOMIAL: Delay = Delay {
     fixed: 9.6,
     bit: 0.335,
 };
-/// Sums of the polynomials of second degree: PE2 of accumulators of 24, 32, 48 and 64 bits, 5.41 to 6.93 ns.
+/// Sums of the polynomials of second degree: PE2 of accumulators of 24, 32, 48 and 64 bits, 4.77 to 6.15 ns.
 const QUADRATIC: Delay = Delay {
-    fixed: 4.5,
-    bit: 0.038,
+    fixed: 3.95,
+    bit: 0.0345,
 };
 /// The normal, and what compares depths: `normal_unit`, `plane_depth` and `decider` of 16 and of 24 bits, 5.1 to 6 ns.
 const COMPARED: Delay = Delay {
@@ -36,8 +36,8 @@ const COMPARED: Delay = Delay {
 /// The shading processor for each of its lights: placed and routed with one, and a sixth longer with a second, as it
 /// was when one with two was last routed.
 const SHADING: Delay = Delay {
-    fixed: 7.8,
-    bit: 1.55,
+    fixed: 7.0,
+    bit: 1.4,
 };
 /// Lit-sphere shading.
 const LIT_SPHERE: f64 = 6.0;
