@@ -133,7 +133,7 @@ fn frames(options: &Fit) -> Result<Frames, Failure> {
             let size = size_of(&file, options.size);
             files.push((
                 name,
-                missing::reduced(file, size, Format::BASE, Options::ROOTS)?,
+                missing::reduced(file, size, Format::BASE, Options::HARDWARE)?,
             ));
         } else {
             let playback = Playback::new(&file)?;

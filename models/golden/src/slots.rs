@@ -20,7 +20,8 @@ pub fn required(words: &ProcessorWords) -> Option<FittedSlot> {
         ProcessorWords::Sphere(_) => (Kind::Sphere, 0),
         ProcessorWords::Cylinder(_) => (Kind::Cylinder, 0),
         ProcessorWords::CurvedFacet(words) => (Kind::CurvedFacet, words.sides.len()),
-        ProcessorWords::Quotient(_) => return None,
+        ProcessorWords::Quotient(words) if words.root.is_some() => return None,
+        ProcessorWords::Quotient(words) => (Kind::Quotient, words.planes.len()),
     };
     Some(FittedSlot::of(kind, planes as u32))
 }

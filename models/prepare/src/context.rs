@@ -19,20 +19,37 @@ pub struct Options {
     /// Pixel about which coefficients are rounded; if not given, the middle of the box of the object, or of all cut
     /// objects that have the expression in common.
     pub anchor: Option<Anchor>,
-    /// Refuse what a quadric or patch processor cannot draw because the eye lies on it, in the place of words for the
-    /// quotient processor.
-    pub roots_only: bool,
+    /// Which objects that the eye lies on have words for the quotient processor; others are refused.
+    pub quotients: Quotients,
     /// Leave out what cannot be drawn, and name it, in the place of refusing the scene.
     pub without_refused: bool,
 }
 
+/// What has words for the quotient processor.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Quotients {
+    /// What the eye lies on, or nearly so.
+    #[default]
+    All,
+    /// What has one depth on every line of sight: the hardware draws no other.
+    OfOneDepth,
+    /// Nothing.
+    Refused,
+}
+
 impl Options {
     /// For machines that have quadric and patch processors alone.
-    pub const ROOTS: Options = Options {
-        anchor: None,
-        roots_only: true,
-        without_refused: false,
-    };
+    pub const ROOTS: Options = Options::with(Quotients::Refused);
+    /// For machines that have the processors that there are in hardware.
+    pub const HARDWARE: Options = Options::with(Quotients::OfOneDepth);
+
+    const fn with(quotients: Quotients) -> Options {
+        Options {
+            anchor: None,
+            quotients,
+            without_refused: false,
+        }
+    }
 }
 
 /// What all objects of a scene share.

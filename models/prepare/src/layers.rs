@@ -6,7 +6,8 @@ use super::prepared::PreparedObject;
 use imogene_contract::words::MOST_LAYERS;
 use imogene_golden::machine::beam;
 use imogene_golden::machine::transparency::order;
-use imogene_golden::object::slot::{ProcessorWords, Slot};
+use imogene_golden::object::slot::Slot;
+use imogene_golden::slots::required;
 use imogene_scene::FramedScene;
 
 /// The slots of the transparent objects, in the order of their blends.
@@ -55,7 +56,7 @@ pub(super) fn layers(
         }
         let mut words = objects[object].words();
         match (words.pop(), words.len()) {
-            (Some(words), 0) if !matches!(words, ProcessorWords::Quotient(_)) => Ok(Some(Slot {
+            (Some(words), 0) if required(&words).is_some() => Ok(Some(Slot {
                 object,
                 words,
                 weight: Some(scene.weight(object)),
@@ -63,7 +64,7 @@ pub(super) fn layers(
             (None, _) => Ok(None),
             _ => {
                 let problem = "is transparent and not drawn by one processor alone; a mesh is opaque, as is what the \
-                               viewer lies on";
+                               viewer nearly lies on";
                 Err(refused(object, problem.to_owned()))
             }
         }

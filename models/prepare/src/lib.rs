@@ -66,7 +66,7 @@ pub mod volume;
 mod witness;
 
 pub use again::{Kept, Reuse, prepare_again};
-pub use context::Options;
+pub use context::{Options, Quotients};
 pub use framing::Framing;
 pub use prepared::{
     ExactForms, Missing, NeededWidths, NeededWord, PreparedObject, PreparedParts, PreparedQuadric,

@@ -5,7 +5,7 @@
 //! denominator share a scale that is free, so each fills half of its word. A quadric that passes the eye so closely
 //! that one of its depths leaves the words of roots is drawn in the same way, with a root in its denominator.
 
-use super::context::Context;
+use super::context::{Context, Quotients};
 use super::error::PrepareError;
 use super::forms::{LinearForm, QuadraticForm};
 use super::ledger::Ledger;
@@ -32,9 +32,9 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
-/// Fitted machines, and those of one type of processor, have none for a quotient.
-fn is_possible(context: &Context) -> bool {
-    context.format.follows_depth_word() && !context.options.roots_only
+/// Is there a processor for a quotient? Its widths follow from the depth word.
+fn is_possible(context: &Context, processors: &[Quotients]) -> bool {
+    context.format.follows_depth_word() && processors.contains(&context.options.quotients)
 }
 
 /// The words of an object whose depth is exactly a quotient; nothing for any other.
@@ -46,7 +46,8 @@ pub(super) fn prepare_on_eye(
 ) -> Result<Option<PreparedParts>, PrepareError> {
     let quadric = &projected.quadric;
     let is_quotient = quadric.eye_value().is_zero() && !quadric.is_free_of_depth();
-    if !is_quotient || !is_possible(context) {
+    let processors = [Quotients::All, Quotients::OfOneDepth];
+    if !is_quotient || !is_possible(context, &processors) {
         return Ok(None);
     }
     prepare(object, projected, place, context).map(Some)
@@ -61,7 +62,8 @@ pub(super) fn prepare_near_eye(
     context: &Context,
 ) -> Result<Option<PreparedParts>, PrepareError> {
     let is_quadric = !object.quadric.is_everywhere() && !projected.quadric.eye_value().is_zero();
-    if !is_quadric || !is_possible(context) || projected.window.is_empty() {
+    let is_empty = projected.window.is_empty();
+    if !is_quadric || !is_possible(context, &[Quotients::All]) || is_empty {
         return Ok(None);
     }
     prepare(object, projected, place, context).map(Some)

@@ -88,6 +88,10 @@ pub fn design(p: &Request) -> Design {
             let words = Words::input(widths, planes);
             quadric_processor("top", Scan::input(), words, network)
         }),
+        Unit::QuotientProcessor => alone(|| {
+            let words = Quotient::input(widths, planes);
+            quotient_processor("top", Scan::input(), words, network)
+        }),
         Unit::SphereProcessor => {
             alone(|| sphere_processor("top", Scan::input(), Sphere::input(widths)))
         }

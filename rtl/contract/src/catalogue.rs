@@ -135,6 +135,10 @@ units! {
         computes "depth, face and normal of the visible front of one quadric object cut by planes";
         ties "those of its parts: f2 = 0 is inside, planes at a face keep it; box bounds are inclusive";
         error WORDS;
+    QuotientProcessor "quotient_processor" [PLANES, ROWS] "13 + max(0, ceil(log2 N) - 2) + ceil(W / R)", HELD_WORDS, "Nyiri 1994, 2.1.1";
+        computes "depth, face and normal of the visible front of a quadric whose depth is a quotient, cut by planes";
+        ties "a solid ends at the rounded-down quotient or begins there; where the denominator is zero a surface is absent and a solid is everywhere or nowhere; planes at a face keep it; box bounds are inclusive";
+        error WORDS;
     PatchProcessor "patch_processor" [FOUR_PLANES, ROWS] "ceil(W / R) + 9", HELD_WORDS, "Nyiri 1994, 2.4.3 and 5.2.1";
         computes "depth, face and normal of the visible face of a bare quadric surface cut by planes";
         ties "a plane keeps a face that lies in it; the near face wins where both are left; f2 = 0 is inside";

@@ -29,10 +29,12 @@ pub enum Kind {
     Cylinder,
     /// Quadrics of the first generation.
     FirstGeneration,
+    /// Quadrics whose depth is a quotient.
+    Quotient,
 }
 
 /// Each kind, its name, and the fewest and the most planes or sides that its processor is built for.
-pub const KINDS: [(Kind, &str, [u32; 2]); 8] = [
+pub const KINDS: [(Kind, &str, [u32; 2]); 9] = [
     (Kind::Quadric, "quadric", [0, MOST_PLANES]),
     (Kind::Patch, "patch", [0, MOST_PLANES]),
     (Kind::Polyhedron, "polyhedron", [1, MOST_PLANES]),
@@ -41,6 +43,7 @@ pub const KINDS: [(Kind, &str, [u32; 2]); 8] = [
     (Kind::Sphere, "sphere", [0, 0]),
     (Kind::Cylinder, "cylinder", [0, 0]),
     (Kind::FirstGeneration, "first_generation", [0, 0]),
+    (Kind::Quotient, "quotient", [0, MOST_PLANES]),
 ];
 
 impl Kind {
@@ -65,6 +68,7 @@ impl Kind {
             Kind::Sphere => [27, 0],
             Kind::Cylinder => [56, 0],
             Kind::FirstGeneration => [52, 0],
+            Kind::Quotient => [26, 7],
         };
         first + each * planes
     }

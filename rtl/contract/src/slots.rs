@@ -139,7 +139,7 @@ fn longer(one: Option<u32>, other: Option<u32>) -> Option<u32> {
 #[derive(Debug, Error, PartialEq, Eq)]
 #[error(
     "'{0}' is no slot; expected a list such as 3,0,2: the planes of each slot, 0 to {MOST_PLANES}, \
-     patch3, polyhedron6, facet3, curved_facet2, sphere, cylinder or first_generation, \
+     patch3, polyhedron6, facet3, curved_facet2, sphere, cylinder, first_generation or quotient2, \
      and behind one the bits of a shorter root and of shorter plane words, as in 2:r14:p20"
 )]
 pub struct SlotsError(String);

@@ -3,7 +3,7 @@
 pub use crate::catalogue::Unit;
 use crate::words::LEAST_DEPTH;
 
-/// The root of an object in the latencies of records; another form of it takes its place.
+/// The root of an object in the latencies of records; another form of it takes its place. Other rows end a sum.
 pub(crate) const OBJECT_ROOT: &str = "ceil(W / R) +";
 
 impl Unit {

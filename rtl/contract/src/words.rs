@@ -53,6 +53,13 @@ pub const fn plane(depth_word: u32) -> u32 {
     depth_word.saturating_add(12)
 }
 
+/// Bits of the denominator of a quotient: those of a plane word, if the numerator then has a bit less than the widest
+/// word.
+pub const fn denominator(plane: u32, depth_word: u32) -> u32 {
+    let most = MOST_BITS - 1 - depth_word;
+    if plane < most { plane } else { most }
+}
+
 /// `ZMAX`: the far end, the background and the mark of an absent object.
 pub const fn far_end(depth_word: u32) -> i64 {
     (1 << (depth_word - 1)) - 1

@@ -274,14 +274,7 @@ impl MachineRequest {
         Ok(match &self.kind {
             Kind::Beam => {
                 let objects = self.objects();
-                Design::of(|| {
-                    beam(
-                        "top",
-                        Zone::input(),
-                        Load::input(objects.widths().bus()),
-                        &objects,
-                    )
-                })
+                Design::of(|| beam("top", Zone::input(), Load::input(objects.bus()), &objects))
             }
             Kind::ZoneCore(zone) => machines::zone_core(&self.core(zone)),
             Kind::ZoneMachine(zone) => machines::zone_machine(&self.zone(zone)),

@@ -78,6 +78,7 @@ fn check(request: &Request, held: Values, impulse: Values, output: &str) {
 
 const GO: Values = &[("valid", 1), ("start", 1)];
 const ROOTS: Values = &[("f1_c", 100), ("f2_f", 9), ("gx_c", 2560)];
+const QUOTIENT: Values = &[("denominator_c", 5), ("numerator_f", 500), ("gx_c", 2560)];
 const ROOTS_OF_PE: Values = &[("f1_c", 100), ("f2_f", 9)];
 const RADICAND: Values = &[("radicand", 1 << 30)];
 const PICTURE: Values = &[("width", 2), ("height", 2)];
@@ -128,6 +129,9 @@ const CASES: &[Case] = &[
     (Unit::QuadricProcessor, ROOTS, GO, "zf"),
     (Unit::QuadricProcessor, ROOTS, GO, "zb"),
     (Unit::QuadricProcessor, ROOTS, GO, "nx"),
+    (Unit::QuotientProcessor, QUOTIENT, GO, "out_valid"),
+    (Unit::QuotientProcessor, QUOTIENT, GO, "zf"),
+    (Unit::QuotientProcessor, QUOTIENT, GO, "nx"),
     (Unit::PatchProcessor, ROOTS, GO, "zf"),
     (Unit::PatchProcessor, ROOTS, GO, "out_valid"),
     (Unit::FirstGenerationProcessor, ROOTS, GO, "out_valid"),
@@ -237,6 +241,7 @@ fn processors_and_machines_of_every_depth() {
         let shape = [("planes", planes), ("rows-per-stage", rows)];
         for output in ["out_valid", "zf", "zb", "nx"] {
             check(&unit(Unit::QuadricProcessor, &shape), ROOTS, GO, output);
+            check(&unit(Unit::QuotientProcessor, &shape), QUOTIENT, GO, output);
         }
         for of in [Unit::PatchProcessor, Unit::QuadricVolume] {
             check(&unit(of, &shape), ROOTS_OF_PE, GO, "out_valid");

@@ -45,7 +45,7 @@ pub(super) const PLANES: [usize; 7] = [0, 1, 2, 3, 4, 8, 12];
 const CUT: [Unit; 2] = [Unit::QuadricProcessor, Unit::PatchProcessor];
 
 /// The object processors beside the quadric processor.
-const OTHER_PROCESSORS: [Unit; 9] = [
+const OTHER_PROCESSORS: [Unit; 10] = [
     Unit::PatchProcessor,
     Unit::FirstGenerationProcessor,
     Unit::PolyhedronProcessor,
@@ -53,6 +53,7 @@ const OTHER_PROCESSORS: [Unit; 9] = [
     Unit::CurvedFacetProcessor,
     Unit::SphereProcessor,
     Unit::CylinderProcessor,
+    Unit::QuotientProcessor,
     Unit::QuadricVolume,
     Unit::PolyhedralVolume,
 ];

@@ -13,7 +13,7 @@ mod units;
 
 use crate::engine::Engine;
 use crate::report::Report;
-use crate::scene::{self, Options};
+use crate::scene::{self, CosimError, Options, slots};
 use crate::subject::{Inputs, Subject};
 use crate::unit::subject;
 use imogene_contract::{Request, Unit};
@@ -138,7 +138,11 @@ impl Extreme {
     fn cosimulate(&self, text: &str) -> Result<(Report, Pictures), String> {
         let (framed, prepared) = self.prepared(text)?;
         let options = Options::plain(1, 2);
-        let outcome = scene::run(&prepared, &options, Engine::BuiltIn, || ());
+        let outcome = match scene::run(&prepared, &options, Engine::BuiltIn, || ()) {
+            // Each processor by itself.
+            Err(CosimError::Processor(_)) => slots::run(&prepared, 1, Engine::BuiltIn, |_| ()),
+            of_machine => of_machine,
+        };
         let (mut report, frame) = outcome.map_err(|e| e.to_string())?;
         report.subject = format!("extremes/{}", self.name);
         report.reproduce = format!("imogene cosim extremes/{}", self.name);

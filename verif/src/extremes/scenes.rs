@@ -20,8 +20,8 @@ macro_rules! scene {
 
 #[rustfmt::skip]
 pub const CASES: &[Extreme] = &[
-    scene!(Modelled, "17.1", "eye-on-quadric", |p| some("pixels of the shell", p.frame.covered()),
-        => "With the eye on the shell the factor of z^2 is zero: the depth is one quotient and no root, by the quotient processor of the golden model."),
+    scene!(Drawn, "17.1", "eye-on-quadric", |p| some("pixels of the shell", p.frame.covered()),
+        => "With the eye on the shell the factor of z^2 is zero: the depth is one quotient and no root."),
     scene!(Modelled, "17.1", "eye-barely-outside", |p| count("covered pixels", p.frame.covered(), p.pixels()),
         => "A hundredth of a pixel from the surface one of two depths leaves every word, and f2 would need 79 bits: the depth is a quotient with a root in its denominator."),
     scene!(Modelled, "17.1", "eye-barely-inside", |p| count("covered pixels", p.frame.covered(), p.pixels()),
@@ -32,8 +32,8 @@ pub const CASES: &[Extreme] = &[
         => "Nothing is drawn, and a note says that the whole object lies behind the viewer."),
     scene!(Drawn, "13.8", "axis-too-nearly-along-the-ray", |p| some("pixels of the rod", p.frame.covered()),
         => "The ends of the cylinder lie beyond the range that is asked for, and f2 would need 54 bits: the range grows by the power of two that it takes."),
-    scene!(Modelled, "17.8", "paraboloid-along-its-axis", |p| some("pixels of the bowl", p.frame.covered()),
-        => "In parallel projection each line of sight meets the paraboloid once: the depth is one quotient and no root, by the quotient processor of the golden model."),
+    scene!(Drawn, "17.8", "paraboloid-along-its-axis", |p| some("pixels of the bowl", p.frame.covered()),
+        => "In parallel projection each line of sight meets the paraboloid once: the depth is one quotient and no root."),
     scene!(Drawn, "17.2", "eye-on-apex", |p| count("covered pixels", p.frame.covered(), 0),
         => "Nothing is drawn: from its apex a cone is seen edge-on everywhere."),
     scene!(Drawn, "17.4", "through-the-near-end", |p| count("pixels of the cap", p.pixels_of_face(15), p.pixels()),

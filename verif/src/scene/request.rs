@@ -104,8 +104,8 @@ pub enum CosimError {
     TracedObject(usize, usize),
     /// There is no hardware of the processor of an object, where each runs by itself.
     #[error(
-        "object '{0}': drawn by the quotient processor, because the viewer lies on its quadric (or looks along an asymptotic direction of it); \
-         there is no hardware of that processor: move the camera by any small amount, or draw the scene with --model golden or exact"
+        "object '{0}': the viewer so nearly lies on its quadric that its depth is a quotient with a root in it, for which there is no hardware; \
+         move the camera, or draw the scene with --model golden or exact"
     )]
     NoHardware(String),
     /// Widths that processors have in a machine alone.

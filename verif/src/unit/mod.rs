@@ -121,6 +121,7 @@ fn describe(p: &Request) -> Description {
         Unit::QuadricCut => depth::quadric_cut(format),
         Unit::NormalUnit => normal::normal_unit(planes),
         Unit::QuadricProcessor => object::quadric_processor(format, planes, rows),
+        Unit::QuotientProcessor => object::quotient_processor(format, planes, rows),
         Unit::ProgrammablePe => elementary::programmable_pe(format),
         Unit::MemoryPe2 => memory::memory_pe2(format),
         Unit::PatchDecider => patch::patch_decider(format),

@@ -14,6 +14,7 @@ use imogene_golden::object::first_generation::{self, FirstGenerationWords};
 use imogene_golden::object::patch;
 use imogene_golden::object::polyhedron::{self, PolyhedronWords};
 use imogene_golden::object::quadric::{self, PlaneWords, QuadricWords};
+use imogene_golden::object::quotient::{self, QuotientWords};
 use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::object::sphere::{self, SphereWords};
 use imogene_golden::object::words::Object;
@@ -142,6 +143,25 @@ pub(super) fn quadric_processor(
         ("plane_", Likely::Depth(0)),
     ];
     let words = ProcessorWords::Quadric(quadric_words(Class::Side, planes));
+    object(format, latency, plan, words)
+}
+
+pub(super) fn quotient_processor(
+    format: Format,
+    planes: usize,
+    rows_per_stage: usize,
+) -> Description {
+    let latency = quotient::latency(&format, planes, rows_per_stage as u32);
+    // About as many units as half a depth word has, over a denominator of a few hundred.
+    let plan = &[
+        ("numerator_", Likely::Bulge),
+        ("denominator_", Likely::Line),
+        ("plane_", Likely::Depth(0)),
+    ];
+    let words = ProcessorWords::Quotient(QuotientWords {
+        planes: vec![PlaneWords::default(); planes],
+        ..QuotientWords::default()
+    });
     object(format, latency, plan, words)
 }
 

@@ -49,6 +49,9 @@ pub fn processor(words: &ProcessorWords, format: &Format) -> Option<Loaded> {
         ProcessorWords::CurvedFacet(f) => (Unit::CurvedFacetProcessor, f.sides.len()),
         ProcessorWords::Sphere(_) => (Unit::SphereProcessor, 0),
         ProcessorWords::Cylinder(_) => (Unit::CylinderProcessor, 0),
+        ProcessorWords::Quotient(q) if q.root.is_none() => {
+            (Unit::QuotientProcessor, q.planes.len())
+        }
         // What a member hands on depends on the others of its product.
         ProcessorWords::Quotient(_) | ProcessorWords::Member(_) => return None,
     };
@@ -127,7 +130,10 @@ impl Ports {
     /// The words on the ports are preconditioned, modulo their width. `a2 = 2a` and `b2 = 2b` have no unique half
     /// modulo 2^n, but the halves may be taken in one bit more.
     pub fn quadratic(&mut self, q: &mut Quadratic) {
-        let width = self.format.quadratic;
+        self.quadratic_of(q, self.format.quadratic);
+    }
+
+    fn quadratic_of(&mut self, q: &mut Quadratic, width: u32) {
         let mut p = q.preconditioned(width);
         let words = [&mut p.a2, &mut p.b2, &mut p.c, &mut p.i0, &mut p.p0];
         for word in words.into_iter().chain([&mut p.f]) {
@@ -260,7 +266,18 @@ impl Ports {
                 self.line(&mut c.disc);
                 self.vector(&mut c.disc_normal);
             }
-            ProcessorWords::Quotient(_) | ProcessorWords::Member(_) => {
+            ProcessorWords::Quotient(q) => {
+                let widths = q.widths(&self.format);
+                self.quadratic_of(&mut q.numerator, widths.numerator);
+                self.linear(&mut q.denominator, widths.denominator);
+                self.normal(&mut q.normal);
+                self.screen_box(&mut q.screen_box);
+                self.number(&mut q.normal.shift, |word| word as u8);
+                self.number(&mut q.solid, |word| word != 0);
+                self.number(&mut q.normal_from, |word| word as i64);
+                self.planes(&mut q.planes);
+            }
+            ProcessorWords::Member(_) => {
                 unreachable!("it has no hardware")
             }
         }

@@ -121,6 +121,7 @@ fn processors_with_0_to_12_planes() {
         for rows_per_stage in [1, 5, 24] {
             let options = [("planes", planes), ("rows-per-stage", rows_per_stage)];
             check_with(Unit::QuadricProcessor, &options);
+            check_with(Unit::QuotientProcessor, &options);
         }
         check(&request("normal_unit", 24, &[("planes", planes)]), 30);
     }
@@ -158,7 +159,8 @@ fn other_processors_with_every_number_of_planes_and_sides() {
 #[test]
 fn both_sides_state_the_same_latency() {
     use imogene_golden::object::{
-        curved_facet, cylinder, facet, first_generation, patch, polyhedron, quadric, sphere, volume,
+        curved_facet, cylinder, facet, first_generation, patch, polyhedron, quadric, quotient,
+        sphere, volume,
     };
     let words = Format::CATALOGUE.into_iter();
     for (depth_word, root_form) in
@@ -171,11 +173,14 @@ fn both_sides_state_the_same_latency() {
         let format = Format::fitted(&words).unwrap();
         for planes in [1, 2, 12] {
             for rows in [1, 3, 7, 16] {
-                let stated = |unit| {
+                let stated = |unit: Unit| {
                     let request = Request {
                         planes: planes as u32,
                         rows_per_stage: rows,
-                        root_form,
+                        root_form: match unit.has_object_root() {
+                            true => root_form,
+                            false => RootForm::default(),
+                        },
                         ..Request::of(unit, depth_word)
                     };
                     request.latency() as u32
@@ -184,6 +189,10 @@ fn both_sides_state_the_same_latency() {
                     (
                         Unit::QuadricProcessor,
                         quadric::latency(&format, planes, rows),
+                    ),
+                    (
+                        Unit::QuotientProcessor,
+                        quotient::latency(&format, planes, rows),
                     ),
                     (Unit::PatchProcessor, patch::latency(&format, rows)),
                     (

@@ -3,6 +3,7 @@
 
 use super::first_generation::FirstGenerationWords;
 use super::load::{KIND_WIDTH, List, LoadWord, load_words};
+use super::quadric::PlaneWords;
 use super::slot::ProcessorWords;
 use crate::format::Format;
 use crate::unit::normal::NormalWords;
@@ -14,7 +15,7 @@ use imogene_contract::slots::FittedSlot;
 const SHIFT: u32 = 5;
 
 /// All words of an object for the slot of its kind, by ascending address; planes and sides that it has not got are
-/// written as those that cut nothing. Nothing for a quotient, which has no slot.
+/// written as those that cut nothing. Of a quotient those of one depth alone: others have no slot.
 pub fn load_slot(words: &ProcessorWords, format: &Format, slot: &FittedSlot) -> Vec<LoadWord> {
     let count = slot.planes as usize;
     let mut list = List(Vec::new());
@@ -32,11 +33,7 @@ pub fn load_slot(words: &ProcessorWords, format: &Format, slot: &FittedSlot) -> 
         ProcessorWords::FirstGeneration(words) => list.first_generation(words, format),
         ProcessorWords::Polyhedron(words) => {
             list.window(&words.screen_box);
-            for plane in padded(&words.planes, count) {
-                list.push(plane.kind as i128, KIND_WIDTH);
-                list.linear(&plane.depth, format.plane);
-                list.vector(plane.normal, format);
-            }
+            list.planes(&words.planes, count, format);
         }
         ProcessorWords::Facet(words) => {
             list.window(&words.screen_box);
@@ -72,7 +69,16 @@ pub fn load_slot(words: &ProcessorWords, format: &Format, slot: &FittedSlot) -> 
             list.linear(&words.disc, format.plane);
             list.vector(words.disc_normal, format);
         }
-        ProcessorWords::Quotient(_) => {}
+        ProcessorWords::Quotient(words) => {
+            let widths = words.widths(format);
+            list.window(&words.screen_box);
+            list.quadratic(&words.numerator, widths.numerator);
+            list.linear(&words.denominator, widths.denominator);
+            list.normal(&words.normal, format);
+            list.push(words.solid.into(), 1);
+            list.push(words.normal_from.into(), format.depth);
+            list.planes(&words.planes, count, format);
+        }
     }
     list.0
 }
@@ -93,10 +99,23 @@ impl List {
     fn quadric(&mut self, f1: &Linear, f2: &Quadratic, normal: &NormalWords, format: &Format) {
         self.linear(f1, format.pe1_width());
         self.quadratic(f2, format.pe2_width());
+        self.normal(normal, format);
+    }
+
+    fn normal(&mut self, normal: &NormalWords, format: &Format) {
         let gradients = normal.g.iter();
         gradients.for_each(|g| self.linear(g, format.normal_linear));
         self.vector(normal.k, format);
         self.push(normal.shift.into(), SHIFT);
+    }
+
+    /// Planes with their normals.
+    fn planes(&mut self, given: &[PlaneWords], count: usize, format: &Format) {
+        for plane in padded(given, count) {
+            self.push(plane.kind as i128, KIND_WIDTH);
+            self.linear(&plane.depth, format.plane);
+            self.vector(plane.normal, format);
+        }
     }
 
     fn first_generation(&mut self, words: &FirstGenerationWords, format: &Format) {

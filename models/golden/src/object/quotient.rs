@@ -14,7 +14,7 @@
 //! Where the denominator is zero the line of sight meets a surface nowhere (or lies in it): a patch is absent there, a
 //! solid everywhere or nowhere. Quotients outside the depth word lie nearer than the near end, or behind the eye.
 
-use super::quadric::{PlaneWords, face_normal};
+use super::quadric::{PlaneWords, after_root, face_normal};
 use super::screen_box::ScreenBox;
 use super::words::Expression::{First, Second};
 use super::words::{Object, ObjectPixel, Parts, Words};
@@ -28,12 +28,14 @@ use crate::unit::normal::NormalWords;
 use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;
 use crate::unit::quotient::{Quotient, restoring_quotient};
+use imogene_contract::words;
 use serde::{Deserialize, Serialize};
 
 /// Widths of the processors of a quotient.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct QuotientWidths {
-    /// Of the denominator: that of a plane, or eight bits more if a root is added to it.
+    /// Of the denominator: that of a plane, or eight bits more if a root is added to it. In hardware, which has no such
+    /// root, the numerator is shorter than the widest word.
     pub denominator: u32,
     /// Of the numerator: every depth word times every denominator.
     pub numerator: u32,
@@ -43,7 +45,10 @@ pub struct QuotientWidths {
 
 /// Widths of the processors in a format.
 pub const fn widths(format: &Format, has_root: bool) -> QuotientWidths {
-    let denominator = format.plane + if has_root { 8 } else { 0 };
+    let denominator = match has_root {
+        true => format.plane + 8,
+        false => words::denominator(format.plane, format.depth),
+    };
     QuotientWidths {
         denominator,
         numerator: format.depth + denominator,
@@ -51,8 +56,14 @@ pub const fn widths(format: &Format, has_root: bool) -> QuotientWidths {
     }
 }
 
+/// Latency in clocks from the raster flags to the outputs of a processor of one depth: a row for each digit, what a
+/// quadric processor has behind its root, and two more for signs and the least word.
+pub fn latency(format: &Format, planes: usize, rows_per_stage: u32) -> u32 {
+    format.depth.div_ceil(rows_per_stage) + 2 + after_root(planes)
+}
+
 /// All coefficient words of one object for one zone.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct QuotientWords {
     /// Where the object can be on the screen.
     pub screen_box: ScreenBox,

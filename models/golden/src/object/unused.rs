@@ -126,6 +126,7 @@ pub fn every_kind() -> Vec<Unused> {
         ),
         of_kind(Kind::Sphere, None),
         of_kind(Kind::Cylinder, None),
+        of_kind(Kind::Quotient, Some(plane)),
         Unused {
             plane_load_words: vec![volume_plane(0)],
             plane_address_step: Some(load_volume::PLANE_WORDS),

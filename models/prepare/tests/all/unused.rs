@@ -42,7 +42,7 @@ fn add_one(words: &mut ProcessorWords) -> &'static str {
         ProcessorWords::CurvedFacet(_) => "curved_facet",
         ProcessorWords::Sphere(_) => "sphere",
         ProcessorWords::Cylinder(_) => "cylinder",
-        ProcessorWords::Quotient(_) => panic!("there is no hardware"),
+        ProcessorWords::Quotient(_) => "quotient",
         ProcessorWords::Member(_) => panic!("no scene of this test has solids"),
     };
     match (words, unused(name).plane) {
@@ -50,6 +50,7 @@ fn add_one(words: &mut ProcessorWords) -> &'static str {
             w.planes.push(p);
         }
         (ProcessorWords::Polyhedron(w), Some(UnusedPlane::Plane(p))) => w.planes.push(p),
+        (ProcessorWords::Quotient(w), Some(UnusedPlane::Plane(p))) => w.planes.push(p),
         (ProcessorWords::Facet(w), Some(UnusedPlane::Side(side))) => w.edges.push(side),
         (ProcessorWords::CurvedFacet(w), Some(UnusedPlane::CurvedSide(q))) => w.sides.push(q),
         (ProcessorWords::FirstGeneration(w), Some(UnusedPlane::Contour(c))) => {
@@ -73,6 +74,7 @@ fn a_plane_that_cuts_nothing_and_an_absent_object_change_no_pixel() {
     let mut kinds = BTreeSet::new();
     for scene in [
         "teapot.toml",
+        "extremes/eye-on-quadric.toml",
         "processors/curved-facet.toml",
         "processors/mesh.toml",
         "processors/paraboloids.toml",

@@ -30,7 +30,7 @@ pub struct Frame {
 
 impl Frame {
     fn prepare(&self, format: Format) -> Result<PreparedScene, PrepareError> {
-        self.located.prepare(&self.scene, format, Options::ROOTS)
+        self.located.prepare(&self.scene, format, Options::HARDWARE)
     }
 
     /// What the machine shows.

@@ -50,7 +50,7 @@ impl BeamMachine {
 
     /// Bits of its load bus: those of the widest word.
     pub fn bus(&self) -> u32 {
-        let words = [self.objects.widths().bus(), self.volumes.widths.bus()];
+        let words = [self.objects.bus(), self.volumes.widths.bus()];
         words.into_iter().fold(SHADING, u32::max)
     }
 

@@ -1,6 +1,6 @@
 //! Object processors side by side, with their words and the decider.
 
-use super::slot::{other_processor, slot_clocks};
+use super::slot::{bus, other_processor, slot_clocks};
 use super::{
     Candidate, Extent, Held, LoadBus, coefficient_hold, coefficient_store, decider, product_clocks,
     products,
@@ -72,6 +72,11 @@ impl Objects {
     /// The longest words of an object.
     pub fn widths(&self) -> Widths {
         Widths::of(&self.words)
+    }
+
+    /// Bits of the load bus: those of the widest word.
+    pub fn bus(&self) -> u32 {
+        bus(&self.slots, &self.widths())
     }
 
     /// Words and root of a slot.

@@ -4,9 +4,10 @@ use super::{LoadBus, coefficient_store};
 use crate::arith::Network;
 use crate::object::{
     Cylinder, Facet, Factors, FirstGeneration, Gradients, HalfSpace, Normal, Patch, Plane,
-    Polyhedron, Quadric, ScreenBox, Sphere, Visible, Widths, curved_facet_processor,
+    Polyhedron, Quadric, Quotient, ScreenBox, Sphere, Visible, Widths, curved_facet_processor,
     cylinder_processor, facet_processor, first_generation_processor, levels_beyond,
-    patch_processor, polyhedron_processor, quadric_processor, sphere_processor,
+    patch_processor, polyhedron_processor, quadric_processor, quotient_processor,
+    quotient_processor_clocks, sphere_processor,
 };
 use crate::raster::{Linear, Quadratic, Scan};
 use crate::tree::levels;
@@ -24,7 +25,19 @@ pub(super) fn slot_clocks(slot: &FittedSlot, root: &Network) -> u32 {
         Kind::Polyhedron => levels(slot.planes as usize) + 5,
         Kind::Facet | Kind::CurvedFacet | Kind::Cylinder => 3,
         Kind::Sphere => 4,
+        Kind::Quotient => {
+            quotient_processor_clocks(root.depth, root.rows_per_stage, slot.planes as usize)
+        }
     }
+}
+
+/// Bits of the load bus of slots in words of these widths.
+pub(super) fn bus(slots: &[FittedSlot], widths: &Widths) -> u32 {
+    let numerator = match slots.iter().any(|slot| slot.kind == Kind::Quotient) {
+        true => widths.numerator(),
+        false => 0,
+    };
+    widths.bus().max(numerator)
 }
 
 /// The words of a store, each at the next address.
@@ -82,20 +95,32 @@ impl Words {
         let screen_box = self.screen_box();
         let f1 = self.linear(widths.linear);
         let f2 = self.quadratic(widths.quadratic);
-        let [gx, gy, gz] = [(); 3].map(|()| self.linear(widths.gradient));
-        let factors = Factors::of(self.numbers(widths.normal));
         Quadric {
             f1,
             f2,
-            gradients: Gradients {
-                gx,
-                gy,
-                gz,
-                factors,
-            },
+            gradients: self.gradients(widths),
             screen_box,
             shift: self.bits(5),
         }
+    }
+
+    fn gradients(&mut self, widths: Widths) -> Gradients {
+        let [gx, gy, gz] = [(); 3].map(|()| self.linear(widths.gradient));
+        let factors = Factors::of(self.numbers(widths.normal));
+        Gradients {
+            gx,
+            gy,
+            gz,
+            factors,
+        }
+    }
+
+    /// Planes with their normals.
+    fn planes(&mut self, count: usize, widths: Widths) -> Vec<Plane> {
+        self.many(count, |words| Plane {
+            half_space: words.half_space(widths.plane),
+            normal: words.normal(widths.normal),
+        })
     }
 
     fn many<T>(&mut self, count: usize, mut one: impl FnMut(&mut Words) -> T) -> Vec<T> {
@@ -196,10 +221,7 @@ pub(super) fn other_processor(
         Kind::Polyhedron => {
             let words = store(kind, store_at, bus, |words| Polyhedron {
                 screen_box: words.screen_box(),
-                planes: words.many(planes, |words| Plane {
-                    half_space: words.half_space(linear),
-                    normal: words.normal(widths.normal),
-                }),
+                planes: words.planes(planes, widths),
             });
             let seen = polyhedron_processor(at, scan, words, root.depth);
             Visible {
@@ -207,6 +229,19 @@ pub(super) fn other_processor(
                 number: seen.number,
                 normal: seen.normal,
             }
+        }
+        Kind::Quotient => {
+            let words = store(kind, store_at, bus, |words| Quotient {
+                screen_box: words.screen_box(),
+                numerator: words.quadratic(widths.numerator()),
+                denominator: words.linear(widths.denominator()),
+                gradients: words.gradients(widths),
+                shift: words.bits(5),
+                is_solid: words.bits(1),
+                normal_from: words.number(widths.depth),
+                planes: words.planes(planes, widths),
+            });
+            quotient_processor(at, scan, words, root)
         }
         Kind::Facet => {
             let side = |words: &mut Words| words.linear(linear);

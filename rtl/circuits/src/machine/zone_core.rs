@@ -26,7 +26,7 @@ pub struct ZoneCore {
 impl ZoneCore {
     /// Bits of its load bus: those of the widest word of a processor.
     pub fn bus(&self) -> u32 {
-        self.objects.widths().bus().max(self.volumes.widths.bus())
+        self.objects.bus().max(self.volumes.widths.bus())
     }
 
     /// Clocks from a drawing or lighting command until words of processors are taken again: all have started.

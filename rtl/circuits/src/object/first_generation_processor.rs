@@ -63,6 +63,7 @@ pub fn first_generation_processor(
         };
         let seen = contour_choice("choice", roots, contours);
         let root = root.delayed_as("root_late", 3);
-        visible(late.delayed(5), seen, root, (quadric, words.normals))
+        let normal = (quadric.gradients, quadric.shift, words.normals);
+        visible(late.delayed(5), seen, root, normal)
     })
 }

@@ -34,6 +34,7 @@ pub fn patch_processor(at: &str, scan: Scan, words: Patch, network: Network) -> 
         let planes = planes.map(|(at, plane)| plane.at(&at, late, network.depth));
         let seen = patch_decider("decider", roots, planes.collect());
         let root = root.delayed_as("root_late", 3);
-        visible(late.delayed(5), seen, root, (quadric, vec![]))
+        let normal = (quadric.gradients, quadric.shift, vec![]);
+        visible(late.delayed(5), seen, root, normal)
     })
 }

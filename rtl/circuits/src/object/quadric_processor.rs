@@ -1,11 +1,12 @@
 //! Quadric object processor, second generation.
 
 use super::{
-    HalfSpace, Limits, Network, Visible, Words, object_processor, quadric_cut, roots, visible,
+    Gradients, HalfSpace, Limits, Network, Plane, Roots, Visible, Words, object_processor,
+    quadric_cut, roots, visible,
 };
-use crate::raster::Scan;
+use crate::raster::{Flags, Scan};
 use crate::tree::levels;
-use imogene_hdl::{Bundle, Value};
+use imogene_hdl::{Bits, Bundle, Value};
 
 /// Name of the module, and what numbers of faces it gives.
 const KIND: (&str, &str) = (
@@ -25,18 +26,30 @@ pub fn levels_beyond(planes: usize) -> u32 {
 /// unchanged until that many clocks after the last flags of a zone. Section 2.4.2.
 pub fn quadric_processor(at: &str, scan: Scan, words: Words, network: Network) -> Visible {
     object_processor(KIND, at, (scan, words), |scan, words| {
-        let (quadric, depth) = (words.quadric, network.depth);
+        let quadric = words.quadric;
         let f = (quadric.f1, quadric.f2);
         let (roots, root, late) = roots(scan, quadric.screen_box, f, network);
-        let (levels, wait) = (
-            levels(words.planes.len()),
-            levels_beyond(words.planes.len()),
-        );
-        let planes: Vec<HalfSpace> = words.planes.iter().map(|plane| plane.half_space).collect();
-        let limits = Limits::of(late.delayed(2 + wait - levels), &planes, depth);
-        let seen = quadric_cut("cut", roots.delayed(wait), words.object_class, limits);
-        let root = root.delayed_as("root_late", 5 + wait);
-        let words = (quadric, words.normals());
-        visible(late.delayed(7 + wait), seen, root, words)
+        let (found, normal) = ((roots, root), (quadric.gradients, quadric.shift));
+        cut_by_planes(late, found, words.object_class, normal, words.planes)
     })
+}
+
+/// What planes leave of a quadric, from the flags of two clocks before its roots and what changes its normal, which
+/// come together. Latency 9 from the roots, and [`levels_beyond`].
+pub(super) fn cut_by_planes(
+    flags: Flags,
+    (roots, root): (Roots, Bits),
+    object_class: Bits,
+    (gradients, shift): (Gradients, Bits),
+    planes: Vec<Plane>,
+) -> Visible {
+    let (levels, wait) = (levels(planes.len()), levels_beyond(planes.len()));
+    let half_spaces: Vec<HalfSpace> = planes.iter().map(|plane| plane.half_space).collect();
+    let normals = planes.iter().map(|plane| plane.normal).collect();
+    let words = (gradients, shift, normals);
+    let start = flags.delayed(2 + wait - levels);
+    let limits = Limits::of(start, &half_spaces, roots.depth());
+    let seen = quadric_cut("cut", roots.delayed(wait), object_class, limits);
+    let root = root.delayed_as("root_late", 5 + wait);
+    visible(flags.delayed(7 + wait), seen, root, words)
 }

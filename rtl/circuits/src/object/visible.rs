@@ -3,7 +3,7 @@
 use super::ends::absent;
 use super::normal::Normal;
 use super::normal_unit::{Face, NormalWords, normal_unit};
-use super::words::Quadric;
+use super::words::Gradients;
 use crate::raster::{Flags, Scan};
 use imogene_hdl::{Bits, Bundle, Int, Ports, Value, bundle, bundles, module};
 
@@ -81,21 +81,20 @@ pub(super) fn object_processor<W: Ports>(
     }
 }
 
-/// What is seen of a quadric with its normal, from the flags and the root beside it; its words, and the normals of the
-/// planes. Latency 4.
+/// What is seen of a quadric with its normal, from the flags and the root beside it; words of the normal, places that
+/// the root is shifted for it, and the normals of the planes. Latency 4.
 pub(super) fn visible(
     flags: Flags,
     seen: Seen,
     root: Bits,
-    (quadric, planes): (Quadric, Vec<Normal>),
+    (gradients, shift, planes): (Gradients, Bits, Vec<Normal>),
 ) -> Visible {
     let face = Face {
         number: seen.number,
         absent: seen.zf.equals(absent(seen.zf.width())),
         root,
-        shift: quadric.shift,
+        shift,
     };
-    let gradients = quadric.gradients;
     let words = NormalWords { gradients, planes };
     let (out_valid, late) = (("out_valid", flags.valid), seen).delayed(4).bare();
     late.with(out_valid, normal_unit("normal", flags, face, words))

@@ -61,10 +61,3 @@ bundles! {
         planes: [Plane(widths); planes] as "plane", "plane #";
     }
 }
-
-impl Words {
-    /// Normals of its planes.
-    pub fn normals(&self) -> Vec<Normal> {
-        self.planes.iter().map(|plane| plane.normal).collect()
-    }
-}

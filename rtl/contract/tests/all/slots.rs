@@ -69,7 +69,8 @@ fn text_and_slots_are_each_other() {
     assert_eq!(parse("3,0,12").unwrap()[2], FittedSlot::quadric(12));
     // Files of before have a v behind some.
     assert_eq!(planes("3,0v,12v").unwrap(), "3,0,12");
-    let kinds = "3,patch2,polyhedron6,facet3,curved_facet1,sphere,cylinder,first_generation";
+    let kinds =
+        "3,patch2,polyhedron6,facet3,curved_facet1,sphere,cylinder,first_generation,quotient2";
     let slots: Slots = kinds.to_owned().try_into().unwrap();
     assert_eq!((slots.0[1].kind, slots.0[1].planes), (Kind::Patch, 2));
     assert_eq!(String::from(slots), kinds);

@@ -73,8 +73,7 @@ fn slots_of_every_kind_and_own_words_are_emitted() {
         let slots = imogene_contract::slots::parse(text).unwrap();
         emit_machine(&MachineRequest::fitted(words, 4, slots))
     };
-    let others =
-        "2:r5:p18,patch2,polyhedron6,facet3,curved_facet2,sphere,cylinder,first_generation";
+    let others = "2:r5:p18,patch2,polyhedron6,facet3,curved_facet2,sphere,cylinder,first_generation,quotient1";
     let emitted = of(MachineWords::of(16), others).unwrap();
     let text = emitted.bundle();
     assert!(text.contains(

@@ -1,12 +1,14 @@
 //! What a unit promises: ports, widths, timing, ties, error.
 //!
-//! Ports are those of the circuit, each with its meaning; the formula of a width follows from the circuit at another
-//! depth word. The rest of a promise is the record of the unit.
+//! Ports are those of the circuit, each with its meaning; the formula of a width follows from the circuit at the least
+//! and the greatest depth words. The rest of a promise is the record of the unit.
 
 mod markdown;
 
 use imogene_contract::parameters::Parameter;
+use imogene_contract::words::MOST_DEPTH;
 use imogene_contract::{Request, RequestError, RootForm};
+use imogene_hdl::Design;
 use imogene_rtl::emit::{Emitted, Port, design, emit};
 use serde::Serialize;
 
@@ -140,25 +142,40 @@ fn parameters(request: &Request) -> Vec<ParameterEntry> {
 
 /// The ports of a unit, and the formulas of their widths.
 fn ports(request: &Request, ports: &[Port]) -> Result<Vec<PortEntry>, RequestError> {
-    let here = i64::from(request.depth_word);
-    let other = if here < 32 { here + 1 } else { here - 1 };
     // The parameters that are at most the depth word change no port.
-    let elsewhere = design(&Request {
-        depth_word: other as u32,
-        rows_per_stage: 1,
-        digits: 1,
-        root_form: RootForm::default(),
-        ..*request
-    })?;
-    let width_elsewhere = |port: &Port| {
-        let mut others = elsewhere.top.ports.iter();
-        let found = others.find(|other| other.name == port.name);
-        found.map_or(1, |other| i64::from(other.width))
+    let at = |depth_word: u32| {
+        design(&Request {
+            depth_word,
+            rows_per_stage: 1,
+            digits: 1,
+            root_form: RootForm::default(),
+            ..*request
+        })
     };
+    let end = |word: u32| Ok([at(word)?, at(word + 1)?]);
+    let (least, most) = (request.unit.least_word(), MOST_DEPTH - 1);
+    let ends: [[Design; 2]; 2] = [end(least)?, end(most)?];
     let formula = |port: &Port| {
-        let width = port.width as i64;
-        let times = (width - width_elsewhere(port)) / (here - other);
-        formula(times, width - times * here)
+        let widths = ends.each_ref().map(|designs| {
+            designs.each_ref().map(|design| {
+                let mut others = design.top.ports.iter();
+                let found = others.find(|other| other.name == port.name);
+                found.map_or(1, |other| i64::from(other.width))
+            })
+        });
+        let [short, long] = widths.map(|[width, next]| next - width);
+        let line =
+            |times: i64, width: i64, word: u32| formula(times, width - times * i64::from(word));
+        let [one, other] = [
+            line(short, widths[0][0], least),
+            line(long, widths[1][0], most),
+        ];
+        // The shorter of two lines is what the widest word leaves, the longer what every word has.
+        match (short - long).signum() {
+            0 => one,
+            1 => format!("min({one}, {other})"),
+            _ => format!("max({one}, {other})"),
+        }
     };
     let entry = |port: &Port| PortEntry {
         name: port.name.clone(),
@@ -182,6 +199,7 @@ fn formula(times: i64, plus: i64) -> String {
         (1, 0) => "W".to_owned(),
         (1, plus) => format!("W + {plus}"),
         (times, 0) => format!("{times}W"),
+        (-1, plus) => format!("{plus} - W"),
         (times, plus) => format!("{times}W + {plus}"),
     }
 }

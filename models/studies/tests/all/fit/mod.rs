@@ -307,7 +307,7 @@ fn what_cannot_be_fitted_is_refused_by_name() {
     let refused = |names: &[&str]| frames(names).err().map(|e| e.to_string()).unwrap();
     let message = refused(&["cut-sphere", "teapot"]);
     assert!(message.contains("teapot: 10 objects"), "{message}");
-    let message = refused(&["extremes/eye-on-quadric"]);
+    let message = refused(&["extremes/eye-barely-inside"]);
     assert!(message.contains("'shell'"), "{message}");
     let frames = frames(&["cut-sphere"]).unwrap();
     let counted = AtomicUsize::new(0);
