@@ -53,7 +53,7 @@ pub struct Fit {
     #[arg(long, value_name = "SIDE[:nearest]", num_args = 0..=1, default_missing_value = "64", require_equals = true, value_parser = tables)]
     pub lit_sphere: Option<SphereForm>,
     /// Leave out synthesis: no costs, and the machine that should be smallest is taken.
-    #[arg(long, conflicts_with_all = ["clock", "min_mhz"])]
+    #[arg(long, conflicts_with_all = ["clock", "min_mhz", "max_cells"])]
     pub no_cost: bool,
     /// Place and route the slowest units as well, for their clock.
     #[arg(long)]
@@ -61,6 +61,10 @@ pub struct Fit {
     /// Clock that the slowest unit must reach on the target.
     #[arg(long, value_name = "MHZ", value_parser = at_least_zero)]
     pub min_mhz: Option<f64>,
+    /// Logic cells of the target that the machine may take; without --machine a zone machine is tried where a beam
+    /// machine takes more.
+    #[arg(long, value_name = "N")]
+    pub max_cells: Option<u64>,
     /// Device of the costs: ice40-hx8k, ice40-up5k, ecp5-45k or ecp5-85k.
     #[arg(long, value_name = "T", default_value = "ecp5-45k")]
     pub target: String,
@@ -156,6 +160,9 @@ impl Fit {
         }
         if self.clock {
             command += " --clock";
+        }
+        if let Some(cells) = self.max_cells {
+            command += &format!(" --max-cells {cells}");
         }
         command + &format!(" --target {} --out {}", self.target, self.out.display())
     }

@@ -12,7 +12,7 @@ use imogene_contract::slots;
 use imogene_files::text::counted;
 use imogene_golden::format::Format;
 use imogene_golden::widths;
-use imogene_plan::description::MachineDescription;
+use imogene_plan::description::{MachineDescription, MachineKind};
 use imogene_plan::display::{Image, check_tables, image};
 use imogene_prepare::Options;
 use imogene_rtl::emit::Emitted;
@@ -44,17 +44,51 @@ struct Choice<'a> {
     cost: Option<MachineCost>,
 }
 
-/// Finds, proves, emits and co-simulates the smallest machine.
+/// Finds, proves, emits and co-simulates the smallest machine; where a beam machine has too many cells, that of a zone
+/// machine.
 pub fn run(options: &Fit, json: bool) -> Result<(), Failure> {
     let started = Instant::now();
     let target = Target::from_name(&options.target)?;
     let budget = options.budget();
-    let frames = frames(options)?;
-    let found = found(&frames, &budget)?;
-    let command = options.command(&frames);
-    let choice = choose(&frames, &found, options, target, json)?;
+    let mut frames = frames(options)?;
+    let mut too_large: Vec<String> = vec![];
+    loop {
+        let found = found(&frames, &budget)?;
+        let choice = choose(&frames, &found, options, target, json)?;
+        let Some(cells) = too_many(&choice, options) else {
+            return finish(options, json, (&frames, choice), target, started);
+        };
+        let tried = choice.machine.description.machine;
+        too_large.push(format!("a {} takes {cells}", contract::kind(tried)));
+        let is_last = options.machine.is_some() || tried == MachineKind::Zone;
+        if is_last || !frames.share_processors() {
+            let (most, target) = (options.max_cells.unwrap_or_default(), target.name());
+            let taken = too_large.join(", ");
+            return Err(Failure::Check(format!(
+                "no machine that meets the budget has at most {most} logic cells of {target}: {taken}"
+            )));
+        }
+    }
+}
+
+/// The cells of a machine, if it has more than it may have.
+fn too_many(choice: &Choice, options: &Fit) -> Option<u64> {
+    let (cost, most) = choice.cost.zip(options.max_cells)?;
+    (cost.cells > most).then_some(cost.cells)
+}
+
+/// Proves, emits and co-simulates a machine, and writes what is told of it.
+fn finish(
+    options: &Fit,
+    json: bool,
+    (frames, choice): (&Frames, Choice),
+    target: Target,
+    started: Instant,
+) -> Result<(), Failure> {
+    let budget = options.budget();
+    let command = options.command(frames);
     let description = &choice.machine.description;
-    let (images, cosim) = show(&choice, &frames, options)?;
+    let (images, cosim) = show(&choice, frames, options)?;
     let emitted = emit_machine(&request_for(description, &images[0].tables, &command))?;
     let base_cost = match choice.cost {
         Some(_) => Some(price(&[machine::base(description)], target, options)?[0]),
@@ -62,8 +96,8 @@ pub fn run(options: &Fit, json: bool) -> Result<(), Failure> {
     };
     let bounds = frames
         .has_bounds
-        .then(|| proof::bounds(&frames, choice.drawn));
-    let limits = proof::proofs(&frames, &budget, choice.drawn, bounds.as_ref());
+        .then(|| proof::bounds(frames, choice.drawn));
+    let limits = proof::proofs(frames, &budget, choice.drawn, bounds.as_ref());
     let (width, height) = (frames.all()[0].truth.width, frames.all()[0].truth.height);
     let saving = choice.cost.zip(base_cost);
     let mut report = FitReport {
@@ -95,7 +129,7 @@ pub fn run(options: &Fit, json: bool) -> Result<(), Failure> {
     report.seconds = started.elapsed().as_secs_f64();
     write(
         &mut report,
-        &frames,
+        frames,
         (choice.drawn, &images),
         &emitted,
         options,

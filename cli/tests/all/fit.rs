@@ -41,6 +41,27 @@ fn a_scene_is_fitted_emitted_and_compared() {
     assert!(contract.contains("how it is known") && contract.contains(command));
 }
 
+/// A beam machine of two objects takes more than is allowed, and processors are shared; synthesis makes it a full run.
+#[test]
+fn a_budget_of_cells_takes_a_zone_machine() {
+    let place = Place::new();
+    let fit = "fit scenes/crossing-cylinders.toml --size 32x24 --max-depth-error 2px --lit-sphere --out fit";
+    let refused = place.run(&format!("{fit} --max-cells 1 --no-cost"));
+    refused.refused(&["--max-cells", "--no-cost"]);
+    if !is_full() {
+        return;
+    }
+    let beam = place.json(&format!("{fit} --machine beam"))["cost"]["cells"].as_u64();
+    let most = beam.unwrap() - 1;
+    let report = place.json(&format!("{fit} --max-cells {most}"));
+    assert_eq!(report["machine"]["machine"], "zone");
+    assert!(report["cost"]["cells"].as_u64() <= Some(most));
+    assert_eq!(report["cosim"][0]["mismatches"], 0);
+    let none = place.run(&format!("{fit} --max-cells 500"));
+    none.ended(1)
+        .says(&["a beam machine takes", "a zone machine takes"]);
+}
+
 /// Shadows, meshes and more objects than a beam machine has processors, without an outside tool.
 #[test]
 fn scenes_of_every_kind_are_fitted_to_the_pins() {

@@ -36,8 +36,7 @@ module quadric_cut (
     reg signed [23:0] near_root_late_1 = 24'sd0, far_root_late_1 = 24'sd0, near_root_late_1_2 = 24'sd0,
         far_root_late_1_2 = 24'sd0, sources_front_root_late_1 = 24'sd0, sources_back_root_late_1 = 24'sd0,
         front_late_1 = 24'sd0, front_late_2 = 24'sd0, back_late_1 = 24'sd0, back_late_2 = 24'sd0;
-    wire [22:0] front_places_word;
-    wire [21:0] front_places;
+    wire [22:0] word;
     reg [3:0] sources_face_late_1 = 4'd0, front_number_late_1 = 4'd0, front_number_late_2 = 4'd0;
 
     assign near_is_outside = ~((near_sum[25:23] == 3'd0) | (near_sum[25:23] == 3'd7));
@@ -52,8 +51,7 @@ module quadric_cut (
     assign is_front = object_class_late_1 == 2'd1;
     assign is_in_front = is_front & is_inside_2;
     assign is_surface = (object_class_late_1 == 2'd2) & is_inside_2;
-    assign front_places_word = front[22:0];
-    assign front_places = front_places_word[22:1];
+    assign word = front[22:0];
     assign is_left = ~order_nothing_left_late_1;
     assign between = (parts_between_late_1_2 & is_left) & ~(order_front_hides_far_late_1 | order_back_hides_near_late_1);
     assign before_2 = (parts_before_late_1_2 & is_left) & ~order_front_hides_near_late_1;
@@ -67,7 +65,7 @@ module quadric_cut (
     assign cut_behind = (between & order_back_hides_far_late_1) | (before_2 & order_back_hides_near_late_1);
     assign front_is_far = ~(parts_between_late_1_2 | near_point);
     assign back_is_far = parts_between_late_1_2 | far_point;
-    wire unused = &{1'b0, back_number, near_sum_late_1[25:24], far_sum_late_1[25:24], front_places_word[0]};
+    wire unused = &{1'b0, back_number, near_sum_late_1[25:24], far_sum_late_1[25:24], word[0]};
 
     always @(posedge clock) begin
         near_is_low_late_1 <= near_is_low;
@@ -93,7 +91,7 @@ module quadric_cut (
         order_front_hides_far_late_1 <= {front[23], far_root_late_1[22:0]} < {far_root_late_1[23], front[22:0]};
         order_back_hides_near_late_1 <= {near_root_late_1[23], back[22:0]} < {back[23], near_root_late_1[22:0]};
         order_back_hides_far_late_1 <= {far_root_late_1[23], back[22:0]} < {back[23], far_root_late_1[22:0]};
-        order_has_front_late_1 <= ~(front[23] & (front_places == 22'd0));
+        order_has_front_late_1 <= ~(front[23] & (word[22:1] == 22'd0));
         order_front_is_last_late_1 <= front == 24'sd8388607;
         order_nothing_left_late_1 <= (removed | ({front[23], back[22:0]} < {back[23], front[22:0]})) | (back == 24'sh800000);
         parts_between_late_1_2 <= parts_between_late_1;

@@ -67,6 +67,14 @@ fn named(scenes: &[String]) -> String {
     }
 }
 
+/// A kind of machines.
+pub const fn kind(machine: MachineKind) -> &'static str {
+    match machine {
+        MachineKind::Beam => "beam machine",
+        MachineKind::Zone => "zone machine",
+    }
+}
+
 /// A machine in one line.
 fn line(machine: &MachineDescription, widths: &str) -> String {
     let processors = match machine.zone {
@@ -87,10 +95,6 @@ fn line(machine: &MachineDescription, widths: &str) -> String {
             counted(machine.volume_planes, "plane")
         ),
     };
-    let kind = match machine.machine {
-        MachineKind::Beam => "beam machine",
-        MachineKind::Zone => "zone machine",
-    };
     let lights = match machine.lit_sphere {
         Some(sphere) => format!(
             "{} of {1} x {1} entries",
@@ -100,6 +104,7 @@ fn line(machine: &MachineDescription, widths: &str) -> String {
         None => counted(machine.lights, "light"),
     };
     let rows = counted(machine.rows_per_stage, "row");
+    let kind = kind(machine.machine);
     format!("{kind}, {widths}, {processors}{volumes}, {lights}, {rows} per stage")
 }
 

@@ -61,6 +61,7 @@ pub struct Frames {
     pub has_bounds: bool,
     /// Which machine they are for.
     pub(super) kind: MachineKind,
+    is_for_zones: bool,
     /// Its tables of lit-sphere shading, in the place of a shading processor.
     pub lit_sphere: Option<SphereForm>,
 }
@@ -140,8 +141,17 @@ impl Frames {
             frames,
             has_bounds,
             kind,
+            is_for_zones,
             lit_sphere: None,
         })
+    }
+
+    /// The same frames for a zone machine; false, and nothing is changed, if it does not show all of them.
+    pub fn share_processors(&mut self) -> bool {
+        if self.is_for_zones {
+            self.kind = MachineKind::Zone;
+        }
+        self.is_for_zones
     }
 
     /// The frames.

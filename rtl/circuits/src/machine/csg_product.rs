@@ -90,7 +90,7 @@ fn candidates(common: Extent, subtracted: &[Extent]) -> Vec<Candidate> {
     let (front, back) = (common.face.depth, common.end);
     let far = absent(front.width());
     net! {
-        let is_there = !back.less(front) & front.less(far);
+        let is_there = !back.less(front) & !front.equals(far);
         let is_sheet = front.equals(back);
         // What has no thickness is covered by an object that ends at it, too.
     }

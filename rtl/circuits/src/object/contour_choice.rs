@@ -1,8 +1,9 @@
 //! Choice of the faces of a quadric by contours on the screen.
 
 use super::clamped::Clamped;
-use super::{Interval, Roots, Seen, absent, end};
-use imogene_contract::words::{FAR_ROOT, FIRST_PLANE, NEAR_ROOT, near_end};
+use super::ends::is_behind_near_end;
+use super::{Interval, Roots, Seen, absent};
+use imogene_contract::words::{FAR_ROOT, FIRST_PLANE, NEAR_ROOT};
 use imogene_hdl::{Bits, Bundle, Ports, Value, bundle, module, net};
 
 bundle! {
@@ -25,25 +26,26 @@ bundle! {
 pub fn contour_choice(at: &str, roots: Roots, contours: Contours) -> Seen {
     module("contour_choice", at, (roots, contours), |(roots, own)| {
         let width = own.front_zp.width();
-        let [low, end] = [end(near_end, width), absent(width)];
+        let end = absent(width);
         let near = Clamped::of("near", roots.near_sum, NEAR_ROOT);
         let far = Clamped::of("far", roots.far_sum, FAR_ROOT);
         net! {
             // No plane passes through the quadric here and one of them has it on its removed side: nothing is left.
             let some_kept = own.front_inside | own.back_inside | own.middle_kept;
             let left = roots.is_inside & roots.in_box & some_kept;
-            let front_cuts = own.front_inside & low.less(own.front_zp);
-            let back_cuts = own.back_inside & own.back_zp.less(end);
+            let front_cuts = own.front_inside & is_behind_near_end(own.front_zp);
+            let back_cuts = own.back_inside & !own.back_zp.equals(end);
             let cut_zf = front_cuts.select(own.front_zp, near.depth).reg();
             let cut_zb = back_cuts.select(own.back_zp, far.depth).reg();
             let cut_face = front_cuts.select(Bits::new(FIRST_PLANE, 4), near.face).reg();
             // Only a plane beyond an end of the depth word can leave nothing where the solid is.
             let is_cut = (left & !(near.is_far | far.is_low)).reg();
-            let is_present = is_cut & !cut_zb.less(cut_zf) & cut_zf.less(end);
+            let is_present = is_cut & !cut_zb.less(cut_zf) & !cut_zf.equals(end);
             let near_left = (left & !own.front_inside & near.is_visible()).reg();
             let far_left = (left & !own.back_inside & far.is_visible()).reg();
-            let near_depth = near.depth.reg();
-            let far_depth = far.depth.reg();
+            // A face that is left lies between the ends of the depth word.
+            let near_depth = roots.near_sum.low(width).reg();
+            let far_depth = roots.far_sum.low(width).reg();
             let is_solid = is_present.reg();
             let is_surface = own.surface.delay(2);
         }

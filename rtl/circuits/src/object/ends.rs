@@ -13,6 +13,13 @@ pub(crate) fn absent(width: u32) -> Int {
     end(far_end, width)
 }
 
+/// 1 where a depth word lies behind the near end, which is one above the least word.
+pub(super) fn is_behind_near_end(depth: Int) -> Bits {
+    let width = depth.width();
+    let places = depth.low(width - 1).bits().high(width - 2);
+    !(depth.is_negative() & places.is(0))
+}
+
 /// Whether a number is before the near end of a depth word of so many bits, and whether it is not before the far end.
 /// The bits say so: a comparison with a constant would take a chain of carries.
 pub(super) fn beyond(name: &str, number: Int, width: u32) -> [Bits; 2] {

@@ -1,5 +1,6 @@
 //! Intersection of half-spaces along the line of sight.
 
+use super::ends::is_behind_near_end;
 use super::{HalfSpace, Interval, Limits, end};
 use crate::raster::Flags;
 use crate::rows::numbered;
@@ -44,8 +45,8 @@ pub fn half_spaces(at: &str, limits: Limits, is_there: Bits) -> Interval {
         let [low_limit, low, end] = [saturated_near, near_end, far_end].map(|of| end(of, width));
         let cap = Bits::new(CAP, 4);
         net! {
-            let is_front_face = low.less(all.front);
-            let is_back_face = all.back.less(end);
+            let is_front_face = is_behind_near_end(all.front);
+            let is_back_face = !all.back.equals(end);
             let is_crossed = all.back.less(all.front);
             let is_before = all.back.equals(low_limit);
             let is_beyond = all.front.equals(end);

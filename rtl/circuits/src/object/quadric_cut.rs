@@ -1,7 +1,7 @@
 //! What planes leave of a quadric.
 
 use super::clamped::Clamped;
-use super::ends::fits;
+use super::ends::{fits, is_behind_near_end};
 use super::{Limits, Roots, Seen, absent, end};
 use imogene_contract::words::{
     CAP, FAR_ROOT, FRONT, NEAR_ROOT, PATCH, PRISM, SIDE, near_end, saturated_near,
@@ -144,13 +144,12 @@ fn ordered(
     let Limits { front, back, .. } = limits;
     // No plane lies before the near end but one at the least word, which the near end follows.
     let lowest = end(saturated_near, width);
-    net! { let front_places = front.low(width - 1).bits().high(width - 2); }
     let order = Order {
         front_hides_near: near_root.less(front),
         front_hides_far: far_root.less(front),
         back_hides_near: back.less(near_root),
         back_hides_far: back.less(far_root),
-        has_front: !(front.is_negative() & front_places.is(0)),
+        has_front: is_behind_near_end(front),
         front_is_last: front.equals(absent(width)),
         nothing_left: limits.removed | back.less(front) | back.equals(lowest),
     };
