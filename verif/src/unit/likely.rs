@@ -284,11 +284,14 @@ fn far_end(depth_word: u32) -> i64 {
     (1 << (depth_word - 1)) - 1
 }
 
-/// A depth, now and then about an end of the depth word, or anywhere between and beyond.
+/// A depth, now and then about an end of the depth word, or one bit away from its least word, or anywhere between and
+/// beyond.
 fn near_an_end(most: i64, far: i64, guard: u32) -> BoxedStrategy<i64> {
     let about = |middle: i64, most: i64| (-most..=most).prop_map(move |v| v + middle);
+    let one_bit = (0..far.ilog2()).prop_map(move |bit| (1 << bit) - far - 1);
     let depth = prop_oneof![
         6 => about(0, most),
+        1 => one_bit,
         1 => about(far, most),
         1 => about(-far, most),
         1 => about(0, 2 * far),
