@@ -8,7 +8,7 @@ use imogene_contract::words::{PATCH, SIDE};
 use imogene_hdl::{Bits, Bundle, Int, Value, bundles, join, net};
 
 bundles! {
-    /// Words of a quadric that the eye lies on, or is seen along an asymptotic direction.
+    /// Words of a quadric that the eye lies on, or that is seen along an asymptotic direction.
     Quotient(widths: Widths, planes: u32) {
         numerator: Quadratic(widths.numerator()) as "numerator", "depth times denominator";
         denominator: Linear(widths.denominator()) as "denominator", "denominator of the depth";
