@@ -1,6 +1,6 @@
 //! `imogene fit` and machines of any widths on the command line.
 
-use crate::common::{Place, is_full, json, repository, run};
+use crate::common::{Place, is_full, json, repository, run, scene};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
@@ -45,7 +45,8 @@ fn a_scene_is_fitted_emitted_and_compared() {
 #[test]
 fn a_budget_of_cells_takes_a_zone_machine() {
     let place = Place::new();
-    let fit = "fit scenes/crossing-cylinders.toml --size 32x24 --max-depth-error 2px --lit-sphere --out fit";
+    let scene = scene("crossing-cylinders.toml");
+    let fit = format!("fit {scene} --size 32x24 --max-depth-error 2px --lit-sphere --out fit");
     let refused = place.run(&format!("{fit} --max-cells 1 --no-cost"));
     refused.refused(&["--max-cells", "--no-cost"]);
     if !is_full() {
