@@ -87,6 +87,24 @@ fn the_bench_that_is_written_finds_every_pixel() {
     }
 }
 
+/// The numerator of a quotient is longer than every other word, and so is the data of a beat.
+#[test]
+fn the_bench_of_a_quotient_has_the_data_of_its_machine() {
+    let place = Place::new();
+    let eye = scene("extremes/eye-on-quadric.toml");
+    place.json(&format!(
+        "fit {eye} --size 32x24 --max-depth-error 2px --no-cost --out fit"
+    ));
+    place.json(&format!(
+        "machine {eye} --machine fit/machine.toml --emit-only --out out"
+    ));
+    let (ended_well, said) = run(&place.path("out"), "bench.v", "beam_display.v");
+    assert!(
+        ended_well && said.contains("of 768 pixels") && said.contains(" 0 differences"),
+        "{said}"
+    );
+}
+
 #[test]
 fn the_bench_that_is_written_sees_what_is_wrong() {
     let place = Place::new();

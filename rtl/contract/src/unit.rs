@@ -3,7 +3,8 @@
 pub use crate::catalogue::Unit;
 use crate::words::LEAST_DEPTH;
 
-/// The root of an object in the latencies of records; another form of it takes its place. Other rows end a sum.
+/// The root of an object in the latencies of records; another form of it takes its place. A latency that
+/// ends with its rows has none.
 pub(crate) const OBJECT_ROOT: &str = "ceil(W / R) +";
 
 impl Unit {

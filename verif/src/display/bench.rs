@@ -2,8 +2,10 @@
 //! description, and a bench that is ready to run.
 
 use super::request::mode;
+use imogene_contract::object::Kind;
 use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_golden::machine::zone::beat::{Beat, kind};
+use imogene_golden::object::quotient;
 use imogene_plan::description::{MachineDescription, MachineKind, Output};
 use imogene_plan::display::Image;
 use minijinja::{Environment, context};
@@ -101,9 +103,14 @@ impl Bench<'_> {
     /// The files, each with its name.
     pub fn files(&self) -> Result<Vec<(&'static str, String)>, BenchError> {
         let format = self.machine.format();
-        let bus = format.expect("a description that was checked").bus();
+        let format = format.expect("a description that was checked");
+        let slots = self.machine.slots();
+        let numerator = match slots.iter().any(|slot| slot.kind == Kind::Quotient) {
+            true => quotient::widths(&format, false).numerator,
+            false => 0,
+        };
         // Bits of a beat's data: those of the widest word, at least the 32 of the shading processor.
-        let data = bus.max(32) as usize;
+        let data = format.bus().max(numerator).max(32) as usize;
         let beat = beat_fields(data);
         let mut words = vec![self.beats(&beat), self.shading(), self.pixels()];
         words.extend(self.overlay.map(overlay));

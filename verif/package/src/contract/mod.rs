@@ -170,7 +170,7 @@ fn ports(request: &Request, ports: &[Port]) -> Result<Vec<PortEntry>, RequestErr
             line(short, widths[0][0], least),
             line(long, widths[1][0], most),
         ];
-        // The shorter of two lines is what the widest word leaves, the longer what every word has.
+        // Cut to what the widest word leaves, or filled up to what every word has.
         match (short - long).signum() {
             0 => one,
             1 => format!("min({one}, {other})"),
