@@ -3,7 +3,6 @@
 use crate::error::SynthError;
 use crate::harness;
 use crate::nextpnr::{self, RouteReport};
-use crate::registers;
 use crate::report::{SeedResult, SynthReport, median};
 use crate::target::{Family, Target};
 use crate::tools::Programs;
@@ -74,9 +73,9 @@ impl<'a> Bench<'a> {
         );
         yosys::run(&self.programs.yosys, self.folder, &script)?;
         let mut statistics = yosys::parse_statistics(&read(&self.folder.join("unit.stat"))?)?;
-        let moved = self.target.fold(&self.folder.join(UNIT_NETLIST))?;
-        if let Some(count) = statistics.cells.get_mut(registers::FLIP_FLOP) {
-            *count -= moved;
+        let folded = self.target.fold(&self.folder.join(UNIT_NETLIST))?;
+        if let Some(folded) = folded.get(self.top) {
+            folded.take_from(&mut statistics.cells);
         }
         let family = self.target.family();
         let resources = yosys::resources(family, &statistics.cells);

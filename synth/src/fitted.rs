@@ -110,6 +110,7 @@ impl Knowledge {
                 digest,
                 target.name(),
                 &target.synthesis_of_part("top"),
+                target.steps(),
                 versions,
             ])
         };
@@ -200,6 +201,9 @@ impl MachineCost {
     }
 }
 
+/// Name of the netlist of a machine in its folder.
+const NETLIST: &str = "machine.json";
+
 /// The own cells of modules of one machine. What holds other parts is read whole, so that everything is below the top;
 /// no other part is, unless its cells are asked for.
 fn synthesise_apart(
@@ -224,11 +228,16 @@ fn synthesise_apart(
     for Module { name, .. } in asked {
         script += &format!("; tee -q -o {name}.stat {} {name}", target.statistics());
     }
+    script += &format!("; write_json {NETLIST}");
     yosys::run(&programs.yosys, folder.path(), &script)?;
+    let folded = target.fold(&folder.path().join(NETLIST))?;
     let read = |module: &Module| {
         let text = read(&folder.path().join(format!("{}.stat", module.name)))?;
-        let statistics = yosys::parse_statistics(&text)?;
-        Ok(yosys::resources(target.family(), &statistics.cells))
+        let mut cells = yosys::parse_statistics(&text)?.cells;
+        if let Some(folded) = folded.get(&module.name) {
+            folded.take_from(&mut cells);
+        }
+        Ok(yosys::resources(target.family(), &cells))
     };
     asked.iter().map(read).collect()
 }

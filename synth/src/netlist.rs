@@ -22,6 +22,7 @@ pub struct Netlist {
 }
 
 const STATISTICS: &str = "netlist.stat";
+const SYNTHESISED: &str = "netlist.json";
 const NETLIST: &str = "netlist.v";
 
 /// Synthesises a unit, without a harness, before place and route.
@@ -37,10 +38,15 @@ pub fn netlist(request: &Request, target: Target) -> Result<Netlist, SynthError>
     let folder = folder.path();
     write(&folder.join("unit.v"), &emitted.bundle())?;
     let script = format!(
-        // Single wires: a vector of which one bit depends on another looks like a loop to a simulator.
-        "read_verilog unit.v; {}; delete t:$scopeinfo; splitnets; write_verilog -noattr {NETLIST}; \
-         tee -q -o {STATISTICS} {}",
+        "read_verilog unit.v; {}; delete t:$scopeinfo; write_json {SYNTHESISED}",
         target.synthesis(&emitted.top),
+    );
+    yosys::run(&yosys, folder, &script)?;
+    target.fold(&folder.join(SYNTHESISED))?;
+    let script = format!(
+        // Single wires: a vector of which one bit depends on another looks like a loop to a simulator.
+        "read_json {SYNTHESISED}; delete =A:blackbox; splitnets; write_verilog -noattr {NETLIST}; \
+         tee -q -o {STATISTICS} {}",
         target.statistics()
     );
     yosys::run(&yosys, folder, &script)?;

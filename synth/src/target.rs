@@ -1,7 +1,8 @@
 //! The targets: a device, its synthesis command and its place and route command.
 
 use crate::error::SynthError;
-use crate::registers;
+use crate::fold::{Folded, fold};
+use std::collections::BTreeMap;
 use std::path::Path;
 use thiserror::Error;
 
@@ -142,18 +143,18 @@ impl Target {
         self.row().1
     }
 
-    /// Puts flip-flops of a netlist in a file into the cells before them, where the family has such cells; how many.
-    pub(crate) fn fold(self, netlist: &Path) -> Result<u64, SynthError> {
+    /// Changes a netlist in a file to one of fewer cells, where the family has such cells; by module, how many fewer.
+    pub(crate) fn fold(self, netlist: &Path) -> Result<BTreeMap<String, Folded>, SynthError> {
         match self.family() {
-            Family::Ecp5 => registers::fold(netlist),
-            _ => Ok(0),
+            Family::Ecp5 => fold(netlist),
+            _ => Ok(BTreeMap::new()),
         }
     }
 
     /// What a result depends on beside tools and their commands.
     pub(crate) fn steps(self) -> &'static str {
         match self.family() {
-            Family::Ecp5 => " output registers",
+            Family::Ecp5 => " output registers, choices in sums",
             _ => "",
         }
     }

@@ -7,7 +7,7 @@ use crate::pll::Pll;
 use crate::top::{Sources, TOP};
 use imogene_synth::tools::{NEXTPNR_ECP5, NEXTPNR_GOWIN, NEXTPNR_ICE40, Tool, YOSYS};
 use imogene_synth::{
-    RouteReport, SynthError, TIMING_WEIGHT, digest, fold_registers, kept, parse_report, run_yosys,
+    RouteReport, SynthError, TIMING_WEIGHT, digest, fold, kept, parse_report, run_yosys,
 };
 use imogene_tools::{FileError, Program, last_lines, read, scratch, write};
 use serde::{Deserialize, Serialize};
@@ -271,7 +271,7 @@ pub fn route(board: &Board, pll: &Pll, sources: &Sources) -> Result<Built, Board
         constraints,
         &script,
         &arguments.join(" "),
-        "output registers, routed netlist or why there is none",
+        "output registers, choices in sums, routed netlist or why there is none",
         &SEEDS.join(" "),
         &yosys.version,
         &router.version,
@@ -285,7 +285,7 @@ pub fn route(board: &Board, pll: &Pll, sources: &Sources) -> Result<Built, Board
     write(&folder.join(&pins), constraints)?;
     run_yosys(&yosys, folder, &script)?;
     if part.family == Family::Ecp5 {
-        fold_registers(&folder.join(NETLIST))?;
+        fold(&folder.join(NETLIST))?;
     }
     packed(part, &router, &arguments, folder)?;
     if part.text() == TEXT {

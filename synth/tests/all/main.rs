@@ -1,13 +1,13 @@
 //! All tests of the crate, as one program.
 
 mod fitted;
+mod fold;
 mod full;
 mod harness;
 mod netlist;
 mod nextpnr;
 mod peer;
 mod peers;
-mod registers;
 mod regression;
 mod report;
 mod table;

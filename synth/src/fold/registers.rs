@@ -3,13 +3,8 @@
 //! Yosys leaves such flip-flops in logic. A block memory then needs 5.8 ns to its word, 1.0 ns with its own register; a
 //! multiplier 3.9 ns and a way to the flip-flop, 3.5 ns with its own. Clock for clock the outputs are the same.
 
-use crate::error::SynthError;
-use serde_json::{Map, Value, json};
-use std::collections::HashMap;
-use std::path::Path;
-
-/// The type of a flip-flop of an ECP5.
-pub(crate) const FLIP_FLOP: &str = "TRELLIS_FF";
+use super::{Cells, FLIP_FLOP, Readers};
+use serde_json::{Value, json};
 
 /// A cell with an output register: its type, the sides that the register has, the names that its outputs, clock, enable
 /// and reset begin with, which the side ends, and the same of the parameter that puts it in, and its value.
@@ -67,71 +62,21 @@ fn is_wide(memory: &Value) -> bool {
     width.is_some_and(|width| u64::from_str_radix(width, 2) == Ok(36))
 }
 
-/// Moves the flip-flops of a netlist in a file, which Yosys wrote as JSON; how many there were.
-///
-/// # Errors
-///
-/// When the file is no such netlist, or cannot be read or written.
-pub fn fold(path: &Path) -> Result<u64, SynthError> {
-    let text = imogene_tools::read(path)?;
-    let mut netlist: Value =
-        serde_json::from_str(&text).map_err(|error| SynthError::report("yosys", error))?;
-    let modules = netlist.get_mut("modules").and_then(Value::as_object_mut);
-    let modules = modules.ok_or_else(|| SynthError::report("yosys", "no modules"))?;
-    let moved = modules.values_mut().map(fold_module).sum();
-    if moved > 0 {
-        imogene_tools::write(path, &netlist.to_string())?;
-    }
-    Ok(moved)
-}
-
-fn fold_module(module: &mut Value) -> u64 {
-    let readers = readers(module);
-    let Some(cells) = module["cells"].as_object_mut() else {
-        return 0;
-    };
+/// Moves the flip-flops of a module; how many there were.
+pub(super) fn fold(cells: &mut Cells, readers: &Readers) -> u64 {
     let has_registers = |cell: &Value| KINDS.iter().any(|kind| cell["type"] == kind.cell);
     let named = cells.iter().filter(|(_, cell)| has_registers(cell));
     let named: Vec<String> = named.map(|(name, _)| name.clone()).collect();
     let mut moved = 0;
     for name in named {
         for kind in &KINDS {
-            if let Some(register) = register(&cells[&name], kind, cells, &readers) {
+            if let Some(register) = register(&cells[&name], kind, cells, readers) {
                 moved += register.bits.len() as u64;
                 put(register, &name, kind, cells);
             }
         }
     }
     moved
-}
-
-/// Cell and port of everything that a net goes to; a port of the module has no cell.
-type Readers = HashMap<u64, Vec<(Option<String>, String)>>;
-
-fn readers(module: &Value) -> Readers {
-    let mut readers = Readers::new();
-    let mut add = |bits: &Value, cell: Option<&str>, port: &str| {
-        for bit in bits
-            .as_array()
-            .into_iter()
-            .flatten()
-            .filter_map(Value::as_u64)
-        {
-            let reader = (cell.map(str::to_owned), port.to_owned());
-            readers.entry(bit).or_default().push(reader);
-        }
-    };
-    for (port, signal) in module["ports"].as_object().into_iter().flatten() {
-        add(&signal["bits"], None, port);
-    }
-    for (name, cell) in module["cells"].as_object().into_iter().flatten() {
-        for (port, bits) in cell["connections"].as_object().into_iter().flatten() {
-            if cell["port_directions"][port] != "output" {
-                add(bits, Some(name), port);
-            }
-        }
-    }
-    readers
 }
 
 /// What flip-flops have in common that become one register: bits of the clock and of the enable.
@@ -148,12 +93,7 @@ struct Register {
 }
 
 /// None unless every output bit that is used goes to a flip-flop alone, and all of these are controlled alike.
-fn register(
-    cell: &Value,
-    kind: &Kind,
-    cells: &Map<String, Value>,
-    readers: &Readers,
-) -> Option<Register> {
+fn register(cell: &Value, kind: &Kind, cells: &Cells, readers: &Readers) -> Option<Register> {
     let connections = &cell["connections"];
     let is_reset = |port: String| {
         let bits = connections.get(port);
@@ -215,7 +155,7 @@ fn control(cell: &Value) -> Option<Control> {
     is_plain.then_some(Control { clock, enable })
 }
 
-fn put(register: Register, name: &str, kind: &Kind, cells: &mut Map<String, Value>) {
+fn put(register: Register, name: &str, kind: &Kind, cells: &mut Cells) {
     for (port, flip_flop) in &register.bits {
         let removed = cells.remove(flip_flop).unwrap_or_default();
         cells[name]["connections"][port] = removed["connections"]["Q"].clone();

@@ -1,17 +1,9 @@
-use imogene_synth::fold_registers;
+use super::fold_module as fold_all;
 use serde_json::{Value, json};
 
 /// Moves the flip-flops of a module; how many there were.
 fn fold_module(module: &mut Value) -> u64 {
-    let folder = imogene_tools::scratch().expect("a folder");
-    let path = folder.path().join("netlist.json");
-    let netlist = json!({ "modules": { "top": *module } }).to_string();
-    imogene_tools::write(&path, &netlist).expect("a file");
-    let moved = fold_registers(&path).expect("a netlist");
-    let folded = imogene_tools::read(&path).expect("a file");
-    let mut folded: Value = serde_json::from_str(&folded).expect("a netlist");
-    *module = folded["modules"]["top"].take();
-    moved
+    fold_all(module).flip_flops
 }
 
 /// A flip-flop from one net to another.
@@ -128,15 +120,5 @@ fn a_cell_is_left_alone_unless_all_its_flip_flops_can_move() {
         assert_eq!(fold_module(&mut module), 1, "{what}");
         assert_eq!(module["cells"]["b"], second, "{what}");
         assert!(module["cells"]["product"]["parameters"]["REG_OUTPUT_CLK"].is_null());
-    }
-}
-
-#[test]
-fn a_file_that_is_no_netlist_is_refused() {
-    let folder = imogene_tools::scratch().expect("a folder");
-    let path = folder.path().join("netlist.json");
-    for text in ["", "{}", "[1]"] {
-        imogene_tools::write(&path, text).expect("a file");
-        assert!(fold_registers(&path).is_err(), "{text}");
     }
 }

@@ -1,0 +1,99 @@
+//! What an ECP5 does in fewer cells than Yosys writes: the netlist is changed between Yosys and nextpnr.
+//!
+//! Clock for clock nothing changes: [registers] are moved into the cells before them, and choices into the
+//! [sums] that they follow or feed.
+
+mod registers;
+mod sums;
+
+use crate::error::SynthError;
+use crate::yosys::CellCounts;
+use serde_json::{Map, Value};
+use std::collections::{BTreeMap, HashMap};
+use std::path::Path;
+
+/// The type of a flip-flop of an ECP5.
+const FLIP_FLOP: &str = "TRELLIS_FF";
+/// The type of a look-up table of an ECP5.
+const TABLE: &str = "LUT4";
+
+/// Cells that a netlist does without.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Folded {
+    /// Flip-flops.
+    pub flip_flops: u64,
+    /// Look-up tables.
+    pub tables: u64,
+}
+
+impl Folded {
+    /// Takes them off the cells that Yosys counted.
+    pub(crate) fn take_from(self, cells: &mut CellCounts) {
+        for (cell, fewer) in [(FLIP_FLOP, self.flip_flops), (TABLE, self.tables)] {
+            if let Some(count) = cells.get_mut(cell) {
+                *count -= fewer;
+            }
+        }
+    }
+}
+
+/// Changes a netlist in a file, which Yosys wrote as JSON; the cells that each of its modules does without.
+///
+/// # Errors
+///
+/// When the file is no such netlist, or cannot be read or written.
+pub fn fold(path: &Path) -> Result<BTreeMap<String, Folded>, SynthError> {
+    let text = imogene_tools::read(path)?;
+    let mut netlist: Value =
+        serde_json::from_str(&text).map_err(|error| SynthError::report("yosys", error))?;
+    let modules = netlist.get_mut("modules").and_then(Value::as_object_mut);
+    let modules = modules.ok_or_else(|| SynthError::report("yosys", "no modules"))?;
+    let named = modules.iter_mut();
+    let folded = named.map(|(name, module)| (name.clone(), fold_module(module)));
+    let folded = folded.collect();
+    imogene_tools::write(path, &netlist.to_string())?;
+    Ok(folded)
+}
+
+fn fold_module(module: &mut Value) -> Folded {
+    let readers = readers(module);
+    let Some(cells) = module["cells"].as_object_mut() else {
+        return Folded::default();
+    };
+    Folded {
+        flip_flops: registers::fold(cells, &readers),
+        tables: sums::fold(cells, &readers),
+    }
+}
+
+/// Cells by name.
+type Cells = Map<String, Value>;
+
+/// Cell and port of everything that a net goes to; a port of the module has no cell.
+type Readers = HashMap<u64, Vec<(Option<String>, String)>>;
+
+fn readers(module: &Value) -> Readers {
+    let mut readers = Readers::new();
+    let mut add = |bits: &Value, cell: Option<&str>, port: &str| {
+        for bit in bits
+            .as_array()
+            .into_iter()
+            .flatten()
+            .filter_map(Value::as_u64)
+        {
+            let reader = (cell.map(str::to_owned), port.to_owned());
+            readers.entry(bit).or_default().push(reader);
+        }
+    };
+    for (port, signal) in module["ports"].as_object().into_iter().flatten() {
+        add(&signal["bits"], None, port);
+    }
+    for (name, cell) in module["cells"].as_object().into_iter().flatten() {
+        for (port, bits) in cell["connections"].as_object().into_iter().flatten() {
+            if cell["port_directions"][port] != "output" {
+                add(bits, Some(name), port);
+            }
+        }
+    }
+    readers
+}
