@@ -2,6 +2,7 @@
 
 use crate::error::SynthError;
 use crate::fold::{Folded, fold};
+use imogene_contract::RootForm;
 use std::collections::BTreeMap;
 use std::path::Path;
 use thiserror::Error;
@@ -136,6 +137,15 @@ impl Target {
     pub fn from_name(name: &str) -> Result<Self, UnknownTarget> {
         let found = Self::ALL.into_iter().find(|target| target.name() == name);
         found.ok_or_else(|| UnknownTarget(name.to_owned()))
+    }
+
+    /// The exact root of fewer cells. On an ECP5 a row of the non-restoring one is a sum and nothing else; elsewhere
+    /// both are as large, and restoring rows need no register for a sign.
+    pub const fn exact_root(self) -> RootForm {
+        match self.family() {
+            Family::Ecp5 => RootForm::NonRestoring,
+            _ => RootForm::Restoring,
+        }
     }
 
     /// Architecture of its device.

@@ -10,7 +10,7 @@ use crate::failure::Failure;
 use crate::output;
 use film::{Film, views};
 use imogene_board::{
-    Board, Display, MODELS, Pll, Sources, Video, core_file, count, find_tools, page, route,
+    Board, Display, Family, MODELS, Pll, Sources, Video, core_file, count, find_tools, page, route,
     simulate, sources, unpack, witness,
 };
 use imogene_contract::video::VideoMode;
@@ -20,6 +20,7 @@ use imogene_rtl::emit::machine::emit_machine;
 use imogene_studies::fit::budget::CountLimit;
 use imogene_studies::kit::preview::Preview;
 use imogene_studies::picture;
+use imogene_synth::Target;
 use imogene_verif::display::request::request_for;
 use report::{BoardReport, Shown, tell};
 
@@ -257,6 +258,7 @@ fn fitted(options: &arguments::Board, board: &Board) -> Result<MachineDescriptio
         // A tile has a light of its own, which the fit does not know.
         max_colour_error: (!options.flat && board.tiles.is_none()).then_some(LEVELS),
         machine: Some(MachineKind::Beam),
+        target: target(board).name().to_owned(),
         lit_sphere: options.lit_sphere,
         no_cost: true,
         ..Fit::default()
@@ -266,6 +268,17 @@ fn fitted(options: &arguments::Board, board: &Board) -> Result<MachineDescriptio
         (machine.lights, machine.suns) = (0, 0);
     }
     Ok(machine)
+}
+
+/// A device of the family of a board's part; of a board without a part any that is made of gates.
+fn target(board: &Board) -> Target {
+    match board.part.as_ref().map(|part| part.family) {
+        Some(Family::Ecp5) => Target::Ecp5With45k,
+        Some(Family::Ice40) => Target::Ice40Hx8k,
+        Some(Family::Gowin) => Target::Gowin,
+        Some(Family::Xilinx7) => Target::Xilinx7,
+        None => Target::Transistors,
+    }
 }
 
 /// Columns and lines of the mode that is asked for, or else the first of the board.

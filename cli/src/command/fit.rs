@@ -250,10 +250,13 @@ fn fitted(frames: &Frames, drawn: &Drawn, rows: u32, options: &Fit) -> Result<Fi
         zone_timing(&request_for(machine, &[], "")).expect("a machine that is within its ranges")
     };
     let machine = machine::machine(frames, drawn, rows, options.pace(), &timing);
-    machine.map_err(|error| match error {
+    let mut machine = machine.map_err(|error| match error {
         error @ FitError::Slow { .. } => Failure::Check(error.to_string()),
         error => error.into(),
-    })
+    })?;
+    // The words are those of any exact root.
+    machine.description.root_form = Target::from_name(&options.target)?.exact_root();
+    Ok(machine)
 }
 
 fn price(
