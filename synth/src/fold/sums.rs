@@ -236,10 +236,13 @@ fn follower(cells: &Cells, readers: &Readers, bit: Bit) -> Result<Option<Choice>
     let Some(Net::Wire(sum)) = bit.net(cells, "S") else {
         return Ok(None);
     };
+    let is_table = |cell: &&Value| cell["type"] == TABLE;
     match readers.get(&sum).map_or(&[][..], Vec::as_slice) {
         [] => Ok(None),
-        [(Some(table), _)] if cells[table]["type"] == TABLE => {
-            let function = Function::of(&cells[table]).ok_or(NoChoice)?;
+        [(Some(table), _)] => {
+            // A choice between two sums is part of the first one by now.
+            let read = cells.get(table).filter(is_table).ok_or(NoChoice)?;
+            let function = Function::of(read).ok_or(NoChoice)?;
             let (chosen, steered) = choice(&function, Net::Wire(sum)).ok_or(NoChoice)?;
             let table = table.clone();
             Ok(Some(Choice {

@@ -59,10 +59,15 @@ fn table(Table { inputs, entries }: &Table, output: u64) -> Value {
 
 /// The cells of a sum of two words, least bit first, the second one inverted or not; its bits are the nets from `SUM`.
 fn sum(terms: &[[Value; 2]], inverted: bool) -> Map<String, Value> {
+    sum_at(0, terms, inverted)
+}
+
+/// The same, so many nets further on.
+fn sum_at(first: u64, terms: &[[Value; 2]], inverted: bool) -> Map<String, Value> {
     let constant = if inverted { "1" } else { "0" };
     let one = |(index, pair): (usize, &[[Value; 2]])| {
         let mut connections = Map::new();
-        let carry = |index: usize| json!([CARRY + index as u64]);
+        let carry = |index: usize| json!([CARRY + first + index as u64]);
         connections.insert(
             "CIN".into(),
             if index == 0 {
@@ -73,7 +78,7 @@ fn sum(terms: &[[Value; 2]], inverted: bool) -> Map<String, Value> {
         );
         connections.insert("COUT".into(), carry(index + 1));
         for (half, [a, b]) in pair.iter().enumerate() {
-            let out = json!(SUM + 2 * index as u64 + half as u64);
+            let out = json!(SUM + first + 2 * index as u64 + half as u64);
             for (port, net) in [
                 ("A", a),
                 ("B", b),
@@ -89,7 +94,7 @@ fn sum(terms: &[[Value; 2]], inverted: bool) -> Map<String, Value> {
         });
         let outputs = ["S0", "S1", "COUT"];
         (
-            format!("sum_{index}"),
+            format!("sum_{first}_{index}"),
             cell("CCU2C", parameters, connections, &outputs),
         )
     };
@@ -345,5 +350,26 @@ fn a_term_of_three_inputs_takes_no_cell() {
     let before = module(cells, &[SUM, SUM + 1, SUM + 2, SUM + 3]);
     let mut after = before.clone();
     assert_eq!(fold_module(&mut after).tables, 1);
+    is_same(&before, &after).expect("the same function");
+}
+
+#[test]
+fn a_choice_between_two_sums_is_part_of_one() {
+    let other = plain().into_iter().map(|[a, b]| [b, a]).collect::<Vec<_>>();
+    let mut cells = sum(&plain(), false);
+    cells.extend(sum_at(50, &other, false));
+    let nets: Vec<u64> = (TABLE..TABLE + 4).collect();
+    for (bit, net) in (0..).zip(&nets) {
+        let made = choice(
+            &json!(INPUT + 8),
+            json!(SUM + 50 + bit),
+            json!(SUM + bit),
+            true,
+        );
+        cells.insert(format!("table_{net}"), table(&made, *net));
+    }
+    let before = module(cells, &nets);
+    let mut after = before.clone();
+    assert_eq!(fold_module(&mut after).tables, 4);
     is_same(&before, &after).expect("the same function");
 }
