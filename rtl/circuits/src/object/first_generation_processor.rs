@@ -45,12 +45,14 @@ pub fn first_generation_processor(
         let quadric = words.quadric;
         let f = (quadric.f1, quadric.f2);
         let (roots, root, late) = roots(scan, quadric.screen_box, f, network);
-        let holds = |value: Int| (!value.is_negative()).reg();
+        let holds = |value: Int| !value.is_negative();
+        // A clock behind the planes, whose depths are clamped: no flag begins all polynomials at once.
+        let later = late.delayed(1);
         net! {
-            let front_inside = holds(pe2("conics_0", late, words.conics[0]));
-            let back_inside = holds(pe2("conics_1", late, words.conics[1]));
-            let front_middle = holds(pe1("polars_0", late, words.polars[0]));
-            let back_middle = holds(pe1("polars_1", late, words.polars[1]));
+            let front_inside = holds(pe2("conics_0", later, words.conics[0]));
+            let back_inside = holds(pe2("conics_1", later, words.conics[1]));
+            let front_middle = holds(pe1("polars_0", later, words.polars[0]));
+            let back_middle = holds(pe1("polars_1", later, words.polars[1]));
         }
         let zp = |at: &str, plane: Linear| plane_depth(at, late, plane, network.depth);
         let contours = Contours {
