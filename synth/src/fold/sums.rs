@@ -255,42 +255,33 @@ fn follower(cells: &Cells, readers: &Readers, bit: Bit) -> Result<Option<Choice>
     }
 }
 
-/// A function that gives a sum, or where a net has a value something else.
+/// What a function gives in place of a sum, and the net that says so, if it is a choice.
 fn choice(function: &Function, sum: Net) -> Option<(Net, (Net, bool))> {
     let wires = function.wires();
     let others: Vec<Net> = wires.into_iter().filter(|wire| *wire != sum).collect();
-    let constants = [false, true].map(Net::Constant);
-    for steering in &others {
-        let rest = others.iter().filter(|wire| *wire != steering);
-        let chosen: Vec<Net> = match rest.copied().collect::<Vec<_>>() {
-            none if none.is_empty() => constants.to_vec(),
-            rest => rest,
+    let (wires, steering) = match others[..] {
+        [steering] => ([false, true].map(Net::Constant), [steering, steering]),
+        [a, b] => ([b, a], [a, b]),
+        _ => return None,
+    };
+    let ways = wires.into_iter().zip(steering);
+    let mut ways = ways.flat_map(|(chosen, net)| [false, true].map(|value| (chosen, (net, value))));
+    ways.find(|(chosen, steered)| is_choice(function, sum, *chosen, *steered))
+}
+
+/// True if a function gives `chosen` where the steering net has its value, and else the sum.
+fn is_choice(function: &Function, sum: Net, chosen: Net, (steering, value): (Net, bool)) -> bool {
+    (0..8).all(|case: u8| {
+        let nets = [sum, steering, chosen].into_iter();
+        let at = |net| match net {
+            Net::Constant(value) => value,
+            wire => nets
+                .clone()
+                .position(|one| one == wire)
+                .is_some_and(|place| case >> place & 1 == 1),
         };
-        for (chosen, value) in chosen
-            .iter()
-            .flat_map(|chosen| [(*chosen, false), (*chosen, true)])
-        {
-            let is_choice = (0..8).all(|case: u8| {
-                let [sum_bit, steer, other] = [0, 1, 2].map(|place| case >> place & 1 == 1);
-                let other = if let Net::Constant(value) = chosen {
-                    value
-                } else {
-                    other
-                };
-                let expected = if steer == value { other } else { sum_bit };
-                let of = |net| match net {
-                    net if net == sum => sum_bit,
-                    net if net == *steering => steer,
-                    _ => other,
-                };
-                function.at(of) == expected
-            });
-            if is_choice && others.len() <= 2 {
-                return Some((chosen, (*steering, value)));
-            }
-        }
-    }
-    None
+        function.at(at) == at(if at(steering) == value { chosen } else { sum })
+    })
 }
 
 /// A bit that gives `chosen` where the steering net has its value, and no carry then.
