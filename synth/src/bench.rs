@@ -74,9 +74,8 @@ impl<'a> Bench<'a> {
         yosys::run(&self.programs.yosys, self.folder, &script)?;
         let mut statistics = yosys::parse_statistics(&read(&self.folder.join("unit.stat"))?)?;
         let folded = self.target.fold(&self.folder.join(UNIT_NETLIST))?;
-        if let Some(folded) = folded.get(self.top) {
-            folded.take_from(&mut statistics.cells);
-        }
+        let own = folded.get(self.top).copied().unwrap_or_default();
+        own.take_from(&mut statistics.cells);
         let family = self.target.family();
         let resources = yosys::resources(family, &statistics.cells);
         let counted = |count: u64| (family != Family::Gates).then_some(count);

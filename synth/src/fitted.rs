@@ -234,9 +234,8 @@ fn synthesise_apart(
     let read = |module: &Module| {
         let text = read(&folder.path().join(format!("{}.stat", module.name)))?;
         let mut cells = yosys::parse_statistics(&text)?.cells;
-        if let Some(folded) = folded.get(&module.name) {
-            folded.take_from(&mut cells);
-        }
+        let own = folded.get(&module.name).copied().unwrap_or_default();
+        own.take_from(&mut cells);
         Ok(yosys::resources(target.family(), &cells))
     };
     asked.iter().map(read).collect()

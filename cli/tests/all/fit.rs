@@ -41,6 +41,19 @@ fn a_scene_is_fitted_emitted_and_compared() {
     assert!(contract.contains("how it is known") && contract.contains(command));
 }
 
+#[test]
+fn the_form_of_the_root_is_that_of_the_target() {
+    for (target, form) in [("ecp5-85k", "non-restoring"), ("ice40-hx8k", "restoring")] {
+        let place = Place::new();
+        let scene = scene("cone.toml");
+        let fit = format!("fit {scene} --size 32x24 --max-depth-error 2px --no-cost --out .");
+        let report = place.json(&format!("{fit} --target {target}"));
+        let chosen = report["machine"]["root_form"].as_str();
+        assert_eq!(chosen.unwrap_or("restoring"), form, "{target}");
+        assert_eq!(report["cosim"][0]["mismatches"], 0, "{target}");
+    }
+}
+
 /// A beam machine of two objects takes more than is allowed, and processors are shared; synthesis makes it a full run.
 #[test]
 fn a_budget_of_cells_takes_a_zone_machine() {

@@ -88,7 +88,9 @@ struct Terms {
 
 impl Terms {
     fn of(cells: &Cells, bit: Bit) -> Option<Terms> {
-        let is_sum = entries(&cells[bit.cell], &bit.port("INIT"))? == ADDS;
+        let cell = &cells[bit.cell];
+        let takes_carries = cell["parameters"][bit.port("INJECT1_")] == "NO";
+        let is_sum = takes_carries && entries(cell, &bit.port("INIT"))? == ADDS;
         let [first, second, control, last] = INPUTS.map(|input| bit.net(cells, input));
         let Some(Net::Constant(inverted)) = control else {
             return None;
@@ -309,23 +311,14 @@ fn fold_before(
         let function = Function::of(&cells[writer])?;
         // The second term is the one that may be inverted.
         let (kept, own) = (inverted && which == 0, inverted && which == 1);
-        let (inputs, entries) = term_of(&function, own, kept)?;
-        Some((
-            writer.clone(),
-            [[terms[1 - which]].as_slice(), &inputs].concat(),
-            entries,
-        ))
+        let ([b, c, d], entries) = term_of(&function, own, kept)?;
+        Some((writer.clone(), [terms[1 - which], b, c, d], entries))
     });
     let Some((writer, inputs, entries)) = moved else {
         return false;
     };
     cells.remove(&writer);
-    put(
-        cells,
-        bit,
-        [inputs[0], inputs[1], inputs[2], inputs[3]],
-        entries,
-    );
+    put(cells, bit, inputs, entries);
     true
 }
 
@@ -349,9 +342,9 @@ fn term_of(function: &Function, own: bool, kept: bool) -> Option<([Net; 3], u16)
             })?,
         _ => return None,
     };
-    let [_, _, last] = inputs;
+    let [first, second, last] = inputs;
     let entries = table(|[a, b, c, d]| {
-        let added = (d || last != one) && term([(inputs[0], b), (inputs[1], c), (inputs[2], d)]);
+        let added = (d || last != one) && term([(first, b), (second, c), (last, d)]);
         (a != kept) != added
     });
     Some((inputs, entries))

@@ -2,7 +2,7 @@
 //! fails.
 
 use crate::is_full;
-use imogene_contract::{Request, Unit};
+use imogene_contract::{Request, RootForm, Unit};
 use imogene_synth::baseline::{CheckOptions, RowCheck, check};
 use imogene_synth::regression::{Tolerance, Verdict};
 use imogene_synth::table::{self, Table};
@@ -26,13 +26,31 @@ fn a_unit_is_synthesised_for_every_target() {
             assert!(report.transistors > Some(1_000), "{report:?}");
             continue;
         }
-        // Four registers of 26 bits, and nothing else that keeps a value.
-        assert_eq!(report.ff, Some(104), "{report:?}");
+        // Two registers of 26 bits, and nothing else that keeps a value.
+        assert_eq!(report.ff, Some(52), "{report:?}");
         assert_eq!(report.dsp, Some(0), "{report:?}");
         assert!(report.lut > Some(26), "{report:?}");
         let is_placed = !matches!(target, Target::Xilinx7 | Target::Gowin);
         assert_eq!(report.fmax_mhz.is_some(), is_placed, "{report:?}");
         assert_eq!(report.logic_cells.is_some(), is_placed, "{report:?}");
+    }
+}
+
+#[test]
+fn the_exact_root_of_a_target_takes_no_more_cells_than_the_other() {
+    if !is_full() {
+        return;
+    }
+    let cells = |target: Target, form| {
+        let request = Request::new(Unit::QuadricPe).with_root_form(form);
+        let request = request.expect("a unit with a root");
+        let report = synthesise(&request, target, &Options { seeds: 0 }, Cache::Use);
+        report.expect("a report").logic_cells.expect("cells")
+    };
+    for target in [Target::Ecp5With45k, Target::Ice40Hx8k] {
+        let all = [RootForm::Restoring, RootForm::NonRestoring].map(|form| cells(target, form));
+        let own = cells(target, target.exact_root());
+        assert!(all.iter().all(|other| own <= *other), "{all:?}");
     }
 }
 
