@@ -293,7 +293,7 @@ fn what_a_machine_cannot_show_is_refused_and_leaves_nothing() {
         (
             "scenes/processors/mesh.toml",
             &zone,
-            "widths = { g1 = 10 } in the machine description",
+            "slots = \"3,3,3,3,facet3\"",
         ),
         (
             "scenes/teapot.toml --overlay docs/images/trace.png",

@@ -31,6 +31,16 @@ pub fn required_of_quadric(words: &QuadricWords) -> FittedSlot {
     FittedSlot::quadric(words.planes.len() as u32)
 }
 
+/// The words for the processor of their own kind: those of a surface of a quadric for that of patches.
+pub fn own_kind(words: ProcessorWords) -> ProcessorWords {
+    match words {
+        ProcessorWords::Quadric(words) if words.class == Class::Patch => {
+            ProcessorWords::Patch(words)
+        }
+        other => other,
+    }
+}
+
 /// True if words are for processors of this kind too: surfaces of quadrics are for both of theirs.
 pub fn takes(slot: &FittedSlot, words: &ProcessorWords) -> bool {
     match words {

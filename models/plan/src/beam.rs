@@ -2,7 +2,7 @@
 
 use super::description::MachineDescription;
 use super::products::in_slots;
-use super::zone::plan::{self, Part, PlanError};
+use super::zone::plan::{self, PlanError};
 use imogene_contract::object::{Kind, ProductSlots};
 use imogene_contract::shading::MOST_MATERIALS;
 use imogene_contract::slots::FittedSlot;
@@ -13,12 +13,11 @@ use imogene_golden::object::as_quadric::AsQuadricError;
 use imogene_golden::object::load::LoadWord;
 use imogene_golden::object::load_slot::load_slot;
 use imogene_golden::object::load_volume::load_volume;
-use imogene_golden::object::paraboloid::plane_guard;
 use imogene_golden::object::quadric::MAX_PLANES;
 use imogene_golden::object::slot::{ProcessorWords, Slot};
 use imogene_golden::object::unused::empty_slot;
 use imogene_golden::object::volume::{VolumePlane, VolumeWords};
-use imogene_golden::slots::{required, required_of_quadric, takes};
+use imogene_golden::slots::{own_kind, required, required_of_quadric, takes};
 use imogene_prepare::PreparedScene;
 use imogene_prepare::lit_sphere::sphere_words;
 use imogene_prepare::shader::{ShaderError, flat_words, material_numbers, shader_words};
@@ -50,18 +49,6 @@ pub enum DisplayError {
         object: String,
         /// Why not.
         why: AsQuadricError,
-    },
-    /// A facet whose depths are not in its words.
-    #[error(
-        "object '{object}': {why}; widths = {{ g1 = {enough} }} in the machine description is enough for every facet"
-    )]
-    Guards {
-        /// Its name.
-        object: String,
-        /// Why not.
-        why: AsQuadricError,
-        /// Guard bits of f1 with which every facet is drawn.
-        enough: u32,
     },
     /// A volume that its processors are not for.
     #[error("volume '{volume}': {why}")]
@@ -129,24 +116,43 @@ pub(super) fn shading_words(shader: &ShaderWords, machine: &MachineDescription) 
     shader.load_words().into_iter().chain(dark).collect()
 }
 
-/// Every part of the scene, for processors of so many planes.
-pub(super) fn parts(prepared: &PreparedScene, planes: usize) -> Result<Vec<Part>, DisplayError> {
-    plan::parts(prepared, planes, |object, why| {
-        refused(&prepared.format, object, why)
-    })
+/// What the slots of a zone machine have to have: one that holds it for every part that is in no solid, and the most
+/// planes of those that are in one, if there are any. A part is of the kind that the machine has, as in [`beam_slots`].
+pub(super) fn zone_slots(
+    prepared: &PreparedScene,
+    slots: &[FittedSlot],
+) -> Result<(Vec<FittedSlot>, Option<u32>), DisplayError> {
+    let name = |slot: &Slot| prepared.objects[slot.object].name().to_owned();
+    if let Some(layer) = prepared.layers.first() {
+        let (object, why) = (name(layer), AsQuadricError::Transparent);
+        return Err(DisplayError::Object { object, why });
+    }
+    let alone = prepared.slots_alone().into_iter().map(|slot| {
+        let given = |given: &&FittedSlot| given.kind != Kind::Quadric && takes(given, &slot.words);
+        let given = slots.iter().find(given);
+        let (needed, _) = beam_slot(prepared, slot, given)?;
+        Ok::<_, DisplayError>(FittedSlot::of(needed.kind, needed.planes))
+    });
+    let members = prepared.solids.slots().into_iter().map(|slot| {
+        let words = slot
+            .words
+            .on_quadric_processor(&prepared.format, MAX_PLANES);
+        let words = words.map_err(|why| refused(name(&slot), why))?;
+        Ok(words.planes.len() as u32)
+    });
+    let members: Vec<u32> = members.collect::<Result<_, DisplayError>>()?;
+    Ok((
+        alone.collect::<Result<_, DisplayError>>()?,
+        members.into_iter().max(),
+    ))
 }
 
 /// Why an object has no words for a processor of quadrics.
-fn refused(format: &Format, object: String, why: AsQuadricError) -> DisplayError {
+fn refused(object: String, why: AsQuadricError) -> DisplayError {
     match why {
         AsQuadricError::Planes { needed, .. } => DisplayError::Planes {
             what: format!("object '{object}'"),
             needed,
-        },
-        AsQuadricError::GuardBits { .. } => DisplayError::Guards {
-            object,
-            why,
-            enough: plane_guard(format),
         },
         why => DisplayError::Object { object, why },
     }
@@ -237,17 +243,14 @@ fn beam_slot(
         }
         Err(why) => {
             let name = prepared.objects[slot.object].name().to_owned();
-            Err(refused(&prepared.format, name, why))
+            Err(refused(name, why))
         }
     }
 }
 
 /// A part and its slot, that of a surface of a quadric for patches.
 fn of_own_kind(prepared: &PreparedScene, slot: Slot) -> (FittedSlot, Slot) {
-    let words = match slot.words {
-        ProcessorWords::Quadric(words) => ProcessorWords::Patch(words),
-        other => other,
-    };
+    let words = own_kind(slot.words);
     let own = required(&words).expect("words of a processor that has slots");
     let slot = Slot { words, ..slot };
     (prepared.in_needed(own, &slot), slot)

@@ -156,7 +156,7 @@ pub struct MachineDescription {
     /// Cut planes of each.
     #[serde(default)]
     pub planes: usize,
-    /// Object processors of a beam machine that are not all alike, in place of `objects` and `planes`.
+    /// Object processors that are not all alike, in place of `objects` and `planes`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub slots: Option<Slots>,
     /// Products of solids; the last object processors are theirs, product by product.
@@ -482,9 +482,8 @@ impl MachineDescription {
             height: 1,
         });
         ZoneMachine {
-            object_processors: self.slots_alone(),
+            slots: self.slots(),
             products: self.products.0.clone(),
-            planes: self.planes,
             volume_processors: self.volumes,
             volume_planes: self.volume_planes,
             zone_width: zone.width,

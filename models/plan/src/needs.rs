@@ -1,7 +1,7 @@
 //! Has a machine what scenes need? If not, the lines of a description that has.
 
 use super::beam::{
-    DisplayError, beam_slots, beam_words, layer_slots, members, parts, placed, volumes,
+    DisplayError, beam_slots, beam_words, layer_slots, members, placed, volumes, zone_slots,
 };
 use super::description::{
     MachineDescription, MachineKind, Mode, Output, OwnMode, SMALLEST_SIDE, ZoneSize,
@@ -120,7 +120,7 @@ pub fn check_any(
             beam_slots(prepared, &[])?;
             layer_slots(prepared, &[])?;
         }
-        MachineKind::Zone => parts(prepared, MAX_PLANES).map(|_| ())?,
+        MachineKind::Zone => zone_slots(prepared, &[]).map(|_| ())?,
     }
     volumes(prepared, MAX_PLANES).map(|_| ())
 }
@@ -151,10 +151,8 @@ fn add(
             (planes.len(), planes.into_iter().max(), volumes.len())
         }
         MachineKind::Zone => {
-            let parts = parts(prepared, MAX_PLANES)?;
-            let planes = parts.iter().map(|part| part.words.planes.len()).max();
-            let objects = add_products(machine, prepared);
-            (objects, planes, volumes.len().min(1))
+            let planes = add_shared(machine, prepared)?;
+            (machine.objects, planes, volumes.len().min(1))
         }
     };
     // A machine without lights shows plain colours, whatever shines in the scene, or has all of it in its tables.
@@ -205,11 +203,45 @@ fn add_tables(
     Ok(())
 }
 
-/// Gives a zone machine a product that is large enough for each of a scene; the object processors that it then needs.
-fn add_products(machine: &mut MachineDescription, prepared: &PreparedScene) -> usize {
-    let has_others = !prepared.slots_alone().is_empty();
-    let alone = machine.slots_alone().max(usize::from(has_others));
-    let products = &mut machine.products.0;
+/// Gives a zone machine the object processors that it lacks for a scene; the most planes of one of the scene's parts.
+fn add_shared(
+    machine: &mut MachineDescription,
+    prepared: &PreparedScene,
+) -> Result<Option<usize>, DisplayError> {
+    let mut alone = machine.slots();
+    let members = alone.split_off(machine.slots_alone());
+    let (needed, of_members) = zone_slots(prepared, &alone)?;
+    let most = |slots: &[FittedSlot]| slots.iter().map(|slot| slot.planes).max();
+    let (planes, of_members) = (
+        most(&needed).max(of_members),
+        most(&members).max(of_members),
+    );
+    add_products(&mut machine.products.0, prepared);
+    let members = machine.slots_of_products();
+    if machine.slots.is_none() && needed.iter().all(|slot| slot.kind == Kind::Quadric) {
+        let fewest = usize::from(!needed.is_empty());
+        machine.objects = alone.len().max(fewest) + members;
+        return Ok(planes.map(|planes| planes as usize));
+    }
+    for needed in needed {
+        let own = alone.iter_mut().filter(|slot| slot.kind == needed.kind);
+        match own.max_by_key(|slot| slot.planes) {
+            Some(slot) => *slot = slot.or(&needed),
+            None => alone.push(needed),
+        }
+    }
+    // Any of these may be given any member.
+    alone.extend(vec![FittedSlot::quadric(of_members.unwrap_or(0)); members]);
+    machine.objects = alone.len();
+    machine.planes = most(&alone).unwrap_or(0) as usize;
+    if alone != machine.slots() {
+        machine.slots = Some(Slots(alone));
+    }
+    Ok(None)
+}
+
+/// Adds to products one that is large enough for each of a scene.
+fn add_products(products: &mut Vec<ProductSlots>, prepared: &PreparedScene) {
     for product in &prepared.solids.products {
         if products.iter().any(|slots| slots.hold(product.size())) {
             continue;
@@ -223,7 +255,6 @@ fn add_products(machine: &mut MachineDescription, prepared: &PreparedScene) -> u
             last.subtracted = last.subtracted.max(subtracted);
         }
     }
-    alone + machine.slots_of_products()
 }
 
 /// Gives the slots of a beam machine what they lack for a scene; the planes or sides of each part.

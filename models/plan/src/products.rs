@@ -64,7 +64,7 @@ pub fn in_passes(machine: &ZoneMachine, products: &[ZoneProduct]) -> Vec<Vec<(us
 
 /// The products of a machine, each with its first processor.
 fn places(machine: &ZoneMachine) -> Vec<(usize, ProductSlots)> {
-    let mut first = machine.object_processors;
+    let mut first = machine.alone();
     let place = |slots: &ProductSlots| {
         let own = first;
         first += slots.count();

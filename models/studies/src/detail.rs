@@ -2,6 +2,7 @@
 //! changes in the picture.
 
 use imogene_analysis::phong::shade;
+use imogene_contract::slots::FittedSlot;
 use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::Lighting;
@@ -103,11 +104,10 @@ pub struct Report {
 }
 
 /// The zone machine whose stream is counted: eight object and four volume processors with all planes there can be.
-pub const fn machine(side: u32) -> ZoneMachine {
+pub fn machine(side: u32) -> ZoneMachine {
     ZoneMachine {
-        object_processors: 8,
-        products: Vec::new(),
-        planes: MAX_PLANES,
+        slots: vec![FittedSlot::quadric(MAX_PLANES as u32); 8],
+        products: vec![],
         volume_processors: 4,
         volume_planes: MAX_PLANES,
         zone_width: side,

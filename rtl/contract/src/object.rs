@@ -73,6 +73,15 @@ impl Kind {
         first + each * planes
     }
 
+    /// Address of the word that tells a processor which is shared that it has an object: the control word of a
+    /// quadric, the columns of the box of every other kind.
+    pub const fn presence(self) -> u64 {
+        match self {
+            Kind::Quadric => CONTROL,
+            _ => self.box_columns(),
+        }
+    }
+
     /// Address of the columns of the screen box.
     pub const fn box_columns(self) -> u64 {
         match self {

@@ -60,6 +60,11 @@ impl FittedSlot {
         }
     }
 
+    /// Is it for what needs the other: of its kind, with as many planes?
+    pub fn holds(&self, needed: &FittedSlot) -> bool {
+        self.kind == needed.kind && self.planes >= needed.planes
+    }
+
     /// Its words in a machine of these.
     pub fn words(&self, machine: &MachineWords) -> MachineWords {
         MachineWords {

@@ -71,6 +71,9 @@ pub fn module<I: Ports, O: Ports>(
     });
     let outputs = body(inside.bare());
     for (label, driver) in members(&outputs) {
+        if label.name.is_empty() {
+            refuse!("an output of {name} without a name");
+        }
         declare(label, Direction::Out, driver);
     }
     let module = share(close());

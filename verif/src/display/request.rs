@@ -1,7 +1,6 @@
 //! The hardware of a machine description.
 
 use imogene_contract::RequestError;
-use imogene_contract::slots::FittedSlot;
 use imogene_contract::video::VideoMode;
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::ZoneMachine;
@@ -66,13 +65,12 @@ pub fn core_request(
     format: &Format,
     rows_per_stage: usize,
 ) -> MachineRequest {
-    let slots = vec![FittedSlot::quadric(machine.planes as u32); machine.slots()];
     MachineRequest {
         kind: Kind::ZoneCore(shape(machine)),
         products: machine.products.clone(),
         volumes: machine.volume_processors,
         volume_planes: machine.volume_planes,
-        ..MachineRequest::fitted(format.widths(), rows_per_stage, slots)
+        ..MachineRequest::fitted(format.widths(), rows_per_stage, machine.slots.clone())
     }
 }
 

@@ -3,6 +3,7 @@
 use super::root;
 use imogene_contract::slots::{Slots, parse};
 use imogene_golden::machine::overlay::OverlayPlane;
+use imogene_golden::widths::OwnWidths;
 use imogene_plan::description::{MachineDescription, Output, Smoothing, ZoneSize};
 use imogene_plan::display::{Image, image};
 use imogene_prepare::Framing;
@@ -152,8 +153,17 @@ fn slots_that_are_not_alike_show_the_golden_picture() {
 }
 
 #[test]
-fn flat_facets_on_the_pins_of_a_machine_with_guard_bits() {
-    let machine = small("zone-guarded.toml", 64, 48, 12);
+fn flat_facets_on_the_pins_of_a_zone_machine() {
+    let machine = small("zone-slots.toml", 64, 48, 12);
+    let guarded = MachineDescription {
+        widths: OwnWidths {
+            g1: Some(10),
+            ..OwnWidths::default()
+        },
+        objects: 2,
+        slots: Some(Slots(parse("4,4").expect("slots"))),
+        ..machine.clone()
+    };
     let stream = MachineDescription {
         output: Output::Stream,
         ..machine.clone()
@@ -162,6 +172,7 @@ fn flat_facets_on_the_pins_of_a_machine_with_guard_bits() {
         ("processors/mesh.toml", &machine, VERILATOR),
         ("processors/mesh.toml", &stream, Engine::BuiltIn),
         ("terrain/hills.toml", &machine, Engine::BuiltIn),
+        ("processors/mesh.toml", &guarded, Engine::BuiltIn),
     ] {
         let image = drawn(scene, machine);
         let is_seen = |id: &i32| *id >= 0;

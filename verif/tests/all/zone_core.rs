@@ -1,7 +1,8 @@
 //! The deciding part of the zone machine against its golden model, on scenes.
 
 use super::video::Numbers;
-use imogene_contract::slots::Products;
+use imogene_contract::object::ProductSlots;
+use imogene_contract::slots::{self, FittedSlot, Products};
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::ZoneMachine;
 use imogene_golden::machine::zone::beat::Beat;
@@ -26,9 +27,8 @@ fn plan(scene: &str, (width, height): (u32, u32), machine: ZoneMachine) -> ZoneP
 
 fn machine(objects: usize, volumes: usize, side: u32) -> ZoneMachine {
     ZoneMachine {
-        object_processors: objects,
+        slots: vec![FittedSlot::quadric(3); objects],
         products: vec![],
-        planes: 3,
         volume_processors: volumes,
         volume_planes: 10,
         zone_width: side,
@@ -133,6 +133,29 @@ fn scenes_with_shadows_in_verilator() {
     }
 }
 
+/// Processors of every kind, of each fewer than there are objects, and shadows on what they draw.
+#[test]
+fn slots_of_other_kinds() {
+    for (scene, slots, volumes) in [
+        ("processors/mesh.toml", "facet4,facet3", 0),
+        ("processors/curved-facet.toml", "curved_facet4", 0),
+        ("processors/first-generation.toml", "0,first_generation", 0),
+        ("processors/paraboloids.toml", "cylinder,sphere,0", 0),
+        ("processors/polyhedron.toml", "polyhedron8", 0),
+        ("extremes/eye-on-quadric.toml", "0,quotient1", 0),
+        ("shadows/robot.toml", "2,patch3,polyhedron6", 3),
+    ] {
+        let slots = slots::parse(slots).expect("slots");
+        let machine = ZoneMachine {
+            slots,
+            ..machine(0, volumes, 16)
+        };
+        let plan = plan(scene, (56, 42), machine);
+        check(&plan, Engine::BuiltIn, None);
+        check(&plan, Engine::BuiltIn, Some(9));
+    }
+}
+
 /// Products in turn in the places of one or of several, also without any other object.
 #[test]
 fn solids() {
@@ -145,8 +168,9 @@ fn solids() {
         (printed, (64, 48), 1, "1-0,3-2,2-1", verilator),
     ] {
         let Products(products) = products.to_owned().try_into().expect("products");
+        let members: usize = products.iter().map(ProductSlots::count).sum();
         let machine = ZoneMachine {
-            planes: 6,
+            slots: vec![FittedSlot::quadric(6); objects + members],
             products,
             ..machine(objects, 0, 16)
         };

@@ -29,10 +29,7 @@ pub fn keys() -> [Key; 22] {
             "rows_per_stage",
             "1 to the digits of the root that are computed".into(),
         ),
-        (
-            "objects",
-            "1 to 256, or in a beam machine slots in its place".into(),
-        ),
+        ("objects", "1 to 256, or slots in its place".into()),
         ("planes", up_to(MAX_PLANES)),
         (
             "slots",

@@ -92,8 +92,14 @@ impl MachineDescription {
         let Some(Slots(slots)) = &self.slots else {
             return Ok(());
         };
-        if self.machine == MachineKind::Zone {
-            return refuse("slots", "given", "slots in a beam machine alone");
+        let is_short = |slot: &&FittedSlot| slot.root.or(slot.plane).is_some();
+        let is_shared = self.machine == MachineKind::Zone;
+        if let Some(short) = slots.iter().find(is_short).filter(|_| is_shared) {
+            return refuse(
+                "slots",
+                short,
+                "no bits of its own in a slot of a zone machine",
+            );
         }
         let is_other = |slot: &&FittedSlot| !matches!(slot.kind, Kind::Quadric | Kind::Patch);
         let other = slots.iter().find(is_other);

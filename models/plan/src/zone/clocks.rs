@@ -114,10 +114,10 @@ impl FrameClocks {
 fn words_of(plan: &ZonePlan, zone: &Zone, pass: &Pass) -> u64 {
     match pass {
         Pass::Draw { parts, .. } => {
-            let beats = |&(_, index): &(usize, u32)| {
-                let all = all_planes(plan.parts[index as usize].words.planes.len());
+            let beats = |&(unit, index): &(usize, u32)| {
+                let all = plan.parts[index as usize].all_planes();
                 let used = (zone.planes_of_part(index) & all).count_ones();
-                beats_of_part(used as usize, plan.machine.planes)
+                beats_of_part(&plan.machine.slots[unit], used as usize)
             };
             parts.iter().map(beats).sum()
         }

@@ -16,7 +16,7 @@ pub const OBJECT_PROCESSORS: [usize; 5] = [1, 2, 4, 8, 16];
 pub struct Growth {
     /// Side of the zones.
     pub side: u32,
-    /// Object processors, those of products not counted.
+    /// Object processors of all kinds, those of products not counted.
     pub object_processors: usize,
     /// Volume processors.
     pub volume_processors: usize,
@@ -31,7 +31,7 @@ pub struct Growth {
 }
 
 /// The frames of a scene on machines that differ from `machine` in the side of their square zones and the number of
-/// their object processors; there are as many volume processors as it has.
+/// their object processors of each kind; there are as many volume processors as it has.
 pub fn growth(
     scene: &PreparedScene,
     machine: &ZoneMachine,
@@ -50,7 +50,7 @@ pub fn growth(
             },
         )?;
         for &number in object_processors {
-            plan.machine.object_processors = number;
+            plan.machine = plan.machine.with_processors(number);
             plan.machine.check()?;
             rows.push(Growth::of(&plan, timing));
         }
@@ -64,7 +64,7 @@ impl Growth {
         let volumes = plan.zones.iter().map(|zone| zone.volumes.len());
         Growth {
             side: plan.machine.zone_width,
-            object_processors: plan.machine.object_processors,
+            object_processors: plan.machine.alone(),
             volume_processors: plan.machine.volume_processors,
             most_parts: parts.clone().max().unwrap_or(0),
             parts: parts.sum::<usize>() as u64,

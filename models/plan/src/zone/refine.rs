@@ -1,14 +1,14 @@
 //! Leaving out of a plan what changes no pixel: objects, planes and volumes that the screen box alone sends to a zone
 //! (source: 1.3.2, 5.5).
 
-use super::plan::{Zone, ZonePlan, ZoneProduct};
+use super::plan::{Part, Zone, ZonePlan, ZoneProduct};
 use crate::culling::part::{Matter, matter};
 use crate::culling::volume::{Seen, matter_of_volume, volume_with_planes};
 use crate::culling::{Planes, all_planes};
 use imogene_golden::machine::zone::sample::Sample;
-use imogene_golden::object::line::for_each_present;
 use imogene_golden::object::member::for_each_seen;
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
+use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::object::volume::{VolumeKind, VolumeWords};
 use imogene_golden::object::volume_line::for_each_inside;
 use imogene_golden::object::words::Words;
@@ -84,9 +84,11 @@ impl<'a> ZoneRefiner<'a> {
         if self.zone.volumes.is_empty() {
             return self.zone;
         }
-        // The backs of what is taken away have no bounds.
-        if self.zone.products.is_empty() {
-            self.bound_volumes();
+        // The backs of what is taken away have no bounds, and what is drawn as no quadric.
+        let parts = self.zone.parts.iter();
+        let quadrics: Option<Vec<_>> = parts.map(|&index| self.part(index).quadric()).collect();
+        if let Some(quadrics) = quadrics.filter(|_| self.zone.products.is_empty()) {
+            self.bound_volumes(&quadrics);
         }
         if refinement == Refinement::Pixels {
             self.try_volumes();
@@ -94,8 +96,17 @@ impl<'a> ZoneRefiner<'a> {
         self.zone
     }
 
-    fn words(&self, index: u32) -> &'a QuadricWords {
-        &self.plan.parts[index as usize].words
+    fn part(&self, index: u32) -> &'a Part {
+        &self.plan.parts[index as usize]
+    }
+
+    fn words(&self, index: u32) -> &'a ProcessorWords {
+        &self.part(index).words
+    }
+
+    /// The words of a part of a product.
+    fn member(&self, index: u32) -> &'a QuadricWords {
+        self.part(index).quadric().expect("solids are of quadrics")
     }
 
     fn volume(&self, index: u32) -> &'a VolumeWords {
@@ -104,7 +115,7 @@ impl<'a> ZoneRefiner<'a> {
 
     /// The pixels of a part in the zone.
     fn pixels_of(&self, index: u32) -> ScreenBox {
-        self.words(index).screen_box.shared(&self.window)
+        self.words(index).screen_box().shared(&self.window)
     }
 
     fn refine_parts(&mut self, refinement: Refinement) {
@@ -114,7 +125,7 @@ impl<'a> ZoneRefiner<'a> {
                 continue;
             };
             left.push(index);
-            if planes != all_planes(self.words(index).planes.len()) {
+            if planes != self.part(index).all_planes() {
                 self.zone.part_planes.insert(index, planes);
             }
         }
@@ -123,8 +134,14 @@ impl<'a> ZoneRefiner<'a> {
 
     /// The planes of a part that matter on a window; nothing if it is at no pixel there.
     fn planes_on(&self, window: &ScreenBox, index: u32, refinement: Refinement) -> Option<Planes> {
-        let window = self.words(index).screen_box.shared(window);
-        match matter(self.words(index), &window, &self.plan.format) {
+        let part = self.part(index);
+        let window = part.words.screen_box().shared(window);
+        let matter = match part.quadric() {
+            Some(words) => matter(words, &window, &self.plan.format),
+            None if window.is_empty() => Matter::Nothing,
+            None => Matter::With(part.all_planes()),
+        };
+        match matter {
             Matter::With(planes)
                 if refinement != Refinement::Pixels || self.is_drawn(index, window) =>
             {
@@ -140,7 +157,7 @@ impl<'a> ZoneRefiner<'a> {
         let mut left = vec![];
         for mut product in std::mem::take(&mut self.zone.products) {
             let boxes = product.intersected.iter();
-            let boxes = boxes.map(|&index| self.words(index).screen_box);
+            let boxes = boxes.map(|&index| *self.words(index).screen_box());
             let window = boxes.fold(self.window, |all, one| all.shared(&one));
             let is_there = |&index: &u32| self.planes_on(&window, index, refinement).is_some();
             if !product.intersected.iter().all(is_there) {
@@ -157,8 +174,8 @@ impl<'a> ZoneRefiner<'a> {
     /// Is the product at any pixel of the window?
     fn is_seen(&self, product: &ZoneProduct, window: &ScreenBox) -> bool {
         let objects = product.parts().map(|index| QuadricWords {
-            screen_box: self.words(index).screen_box.shared(window),
-            ..self.words(index).clone()
+            screen_box: self.member(index).screen_box.shared(window),
+            ..self.member(index).clone()
         });
         let (objects, intersected) = (objects.collect::<Vec<_>>(), product.intersected.len());
         (window.y0..=window.y1).any(|y| {
@@ -172,28 +189,23 @@ impl<'a> ZoneRefiner<'a> {
 
     /// Is the part at any pixel of the window?
     fn is_drawn(&self, index: u32, window: ScreenBox) -> bool {
-        let words = QuadricWords {
-            screen_box: window,
-            ..self.words(index).clone()
-        };
+        let mut words = self.words(index).clone();
+        *words.screen_box_mut() = window;
         (window.y0..=window.y1).any(|y| {
             let mut drawn = false;
-            for_each_present(&words, &self.plan.format, y, |_, _| drawn = true);
+            words.for_each_present(&self.plan.format, y, |_, _| drawn = true);
             drawn
         })
     }
 
-    fn bound_volumes(&mut self) {
-        let seen: Vec<Seen> = self
-            .zone
-            .parts
-            .iter()
-            .map(|&index| {
-                let planes = self.zone.planes_of_part(index);
-                let all = all_planes(self.words(index).planes.len());
-                Seen::new(self.words(index), planes & all, self.pixels_of(index))
-            })
-            .collect();
+    /// `quadrics` are the words of its parts.
+    fn bound_volumes(&mut self, quadrics: &[&QuadricWords]) {
+        let parts = self.zone.parts.iter().zip(quadrics);
+        let seen = parts.map(|(&index, words)| {
+            let planes = self.zone.planes_of_part(index) & self.part(index).all_planes();
+            Seen::new(words, planes, self.pixels_of(index))
+        });
+        let seen: Vec<Seen> = seen.collect();
         let matters = |index: u32| {
             let matter = matter_of_volume(self.volume(index), &seen, &self.plan.format);
             (index, matter)
@@ -282,14 +294,16 @@ impl<'a> ZoneRefiner<'a> {
         for &index in &self.zone.parts {
             let words = self.in_zone(self.words(index));
             for (y, line) in depths.chunks_mut(width).enumerate() {
-                for_each_present(&words, &self.plan.format, y as i64, |x, pixel| {
+                words.for_each_present(&self.plan.format, y as i64, |x, pixel| {
                     let depth = &mut line[x as usize];
                     *depth = pixel.zf.min(*depth);
                 });
             }
         }
         for product in &self.zone.products {
-            let objects = product.parts().map(|index| self.in_zone(self.words(index)));
+            let objects = product
+                .parts()
+                .map(|index| self.in_zone(self.member(index)));
             let (objects, intersected) = (objects.collect::<Vec<_>>(), product.intersected.len());
             for (y, line) in (0..).zip(depths.chunks_mut(width)) {
                 for_each_seen(
@@ -307,7 +321,7 @@ impl<'a> ZoneRefiner<'a> {
         depths
     }
 
-    fn in_zone(&self, words: &QuadricWords) -> QuadricWords {
+    fn in_zone<W: Words + Clone>(&self, words: &W) -> W {
         let zone = &self.zone;
         let [width, height] = [zone.width, zone.height].map(i64::from);
         words.for_zone(zone.x0.into(), zone.y0.into(), width, height)

@@ -3,10 +3,12 @@
 use super::plan::{Pass, Zone, ZonePlan};
 use crate::culling::part::with_planes;
 use crate::culling::volume::volume_with_planes;
-use imogene_golden::machine::zone::beat::{
-    Beat, ID_ADDRESS, OBJECT_PLANES, VOLUME_PLANES, command, kind,
-};
+use imogene_contract::object::Kind;
+use imogene_contract::slots::FittedSlot;
+use imogene_contract::volume;
+use imogene_golden::machine::zone::beat::{Beat, ID_ADDRESS, command, kind};
 use imogene_golden::object::load::{LoadWord, load_words};
+use imogene_golden::object::load_slot::load_slot;
 use imogene_golden::object::load_volume::load_volume;
 use imogene_golden::object::unused;
 
@@ -52,14 +54,28 @@ impl ZonePlan {
         match pass {
             Pass::Draw { parts, .. } => {
                 for &(unit, index) in parts {
-                    let object = self.parts[index as usize].object;
-                    let planes = zone.planes_of_part(index);
-                    let words = zone.moved(&with_planes(&self.parts[index as usize].words, planes));
-                    let list = load_words(&words, &self.format, words.planes.len());
-                    let unused = words.planes.len()..self.machine.planes;
-                    let unused = unused.map(unused::object_plane);
-                    push(beats, kind::OBJECT, unit, list, unused);
-                    let id = u64::from(object);
+                    let part = &self.parts[index as usize];
+                    let slot = &self.machine.slots[unit];
+                    let (list, unused) = match part.quadric() {
+                        Some(words) => {
+                            let words = with_planes(words, zone.planes_of_part(index));
+                            let used = words.planes.len();
+                            let words = load_words(&zone.moved(&words), &self.format, used);
+                            (words, used..slot.planes as usize)
+                        }
+                        None => (
+                            load_slot(&zone.moved(&part.words), &self.format, slot),
+                            0..0,
+                        ),
+                    };
+                    push(
+                        beats,
+                        kind::OBJECT,
+                        unit,
+                        list,
+                        unused.map(unused::object_plane),
+                    );
+                    let id = u64::from(part.object);
                     beats.push(Beat::new(kind::OBJECT, unit as u8, ID_ADDRESS, id));
                 }
             }
@@ -105,15 +121,18 @@ fn command_of(pass: &Pass, zone: &Zone) -> Beat {
     }
 }
 
-/// Beats of the words of a part with `used` planes in a machine of `planes` planes: all but those of unused planes,
-/// which send their kind, and the id.
-pub fn beats_of_part(used: usize, planes: usize) -> u64 {
-    let [first, each] = OBJECT_PLANES.map(usize::from);
-    (first + each * used + (planes - used) + 1) as u64
+/// Beats of the words of a part in a slot, and of its id. Of a quadric with `used` planes those of the others are not
+/// sent, but for their kind; of another kind all are.
+pub fn beats_of_part(slot: &FittedSlot, used: usize) -> u64 {
+    let planes = slot.planes as usize;
+    let words = match slot.kind {
+        Kind::Quadric => slot.kind.words(used) + (planes - used),
+        other => other.words(planes),
+    };
+    (words + 1) as u64
 }
 
 /// Beats of the words of a volume with `used` planes in a machine of `planes` planes of a volume.
 pub fn beats_of_volume(used: usize, planes: usize) -> u64 {
-    let [first, each] = VOLUME_PLANES.map(usize::from);
-    (first + each * used + (planes - used)) as u64
+    (volume::words(used) + (planes - used)) as u64
 }

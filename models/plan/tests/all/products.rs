@@ -1,4 +1,5 @@
 use imogene_contract::object::ProductSlots;
+use imogene_contract::slots::FittedSlot;
 use imogene_golden::machine::zone::ZoneMachine;
 use imogene_plan::zone::plan::{ZoneProduct, in_passes};
 
@@ -9,9 +10,8 @@ fn machine() -> ZoneMachine {
         subtracted,
     });
     ZoneMachine {
-        object_processors: 2,
+        slots: vec![FittedSlot::quadric(3); 9],
         products: products.to_vec(),
-        planes: 3,
         volume_processors: 0,
         volume_planes: 0,
         zone_width: 8,

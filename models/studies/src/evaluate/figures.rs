@@ -240,7 +240,7 @@ fn pipeline(patch: &Moving, hardware: &Hardware) -> Result<Value, EvaluateError>
     let plan = ZonePlan::of(&alone, zone_machine(MACHINE_PROCESSORS))?;
     let frame = frame(patch, hardware)?;
     Ok(json!({
-        "beats": beats_of_part(plan.parts[0].words.planes.len(), MACHINE_PLANES),
+        "beats": beats_of_part(&plan.machine.slots[0], plan.parts[0].quadric().map_or(0, |words| words.planes.len())),
         "drain": hardware.zone_timing.draw_drain,
         "patches": PATCHES,
         "frame": {

@@ -2,6 +2,7 @@
 
 use super::EvaluateError;
 use super::hardware::MACHINE_PLANES;
+use imogene_contract::slots::FittedSlot;
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::ZoneMachine;
 use imogene_golden::object::slot::{ProcessorWords, Slot};
@@ -18,9 +19,8 @@ pub const OBJECT_SIDE: u32 = 80;
 /// A zone machine of so many object processors, with four planes and the source's greater zones.
 pub fn zone_machine(object_processors: usize) -> ZoneMachine {
     ZoneMachine {
-        object_processors,
+        slots: vec![FittedSlot::quadric(MACHINE_PLANES as u32); object_processors],
         products: vec![],
-        planes: MACHINE_PLANES,
         volume_processors: 0,
         volume_planes: 0,
         zone_width: ZONE_SIDE,

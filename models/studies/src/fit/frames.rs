@@ -196,11 +196,11 @@ impl Frames {
         let mut all = Vec::new();
         for frame in &self.frames {
             match frame.prepare(format) {
-                Ok(prepared) => match needs::check_any(self.kind, &frame.scene, &prepared) {
-                    Ok(()) => all.push(prepared),
-                    Err(DisplayError::Guards { .. }) => return Ok(None),
-                    Err(source) => return Err(frame.refused(source)),
-                },
+                Ok(prepared) => {
+                    needs::check_any(self.kind, &frame.scene, &prepared)
+                        .map_err(|source| frame.refused(source))?;
+                    all.push(prepared);
+                }
                 Err(PrepareError::TooLarge { .. } | PrepareError::SteepPlane { .. }) => {
                     return Ok(None);
                 }

@@ -3,14 +3,14 @@
 use super::FitError;
 use super::estimate;
 use super::frames::{Drawn, Frame, Frames};
+use imogene_contract::object::Kind;
 use imogene_contract::slots::{FittedSlot, Products, Slots};
 use imogene_contract::video::VideoMode;
 use imogene_contract::{MachineWords, RootForm};
 use imogene_golden::format::Format;
 use imogene_golden::machine::shader::MOST_LIGHTS;
 use imogene_golden::object::slot::ProcessorWords;
-use imogene_golden::slots::required;
-use imogene_golden::unit::depth_interval::Class;
+use imogene_golden::slots::{own_kind, required};
 use imogene_golden::widths::OwnWidths;
 use imogene_plan::description::{
     MachineDescription, MachineKind, Mode, Output, OwnMode, Smoothing, ZoneSize,
@@ -152,13 +152,7 @@ fn kinds(frames: &[PreparedScene]) -> Vec<FittedSlot> {
 
 /// What a part needs of the smallest processor that draws it: a surface of a patch processor.
 fn smallest_kind(words: &ProcessorWords) -> FittedSlot {
-    match words {
-        ProcessorWords::Quadric(words) if words.class == Class::Patch => {
-            let words = ProcessorWords::Patch(words.clone());
-            required(&words).unwrap_or(FittedSlot::NONE)
-        }
-        other => required(other).unwrap_or(FittedSlot::NONE),
-    }
+    required(&own_kind(words.clone())).unwrap_or(FittedSlot::NONE)
 }
 
 /// The published mode of a size, or one with a short blanking.
@@ -235,7 +229,8 @@ fn screen_clocks(description: &MachineDescription) -> u64 {
     description.video_mode().map_or(0, |mode| mode.clocks())
 }
 
-/// The zone machine of the fewest processors that is fast enough, with the side of its zones at which it is fastest.
+/// The zone machine of the fewest cells that is fast enough, with the side of its zones at which it is fastest: objects
+/// go to processors of quadrics wherever these draw them, or each to the smallest that draws it.
 fn of_zones(
     smallest: &MachineDescription,
     frames: &Frames,
@@ -243,32 +238,36 @@ fn of_zones(
     pace: Option<Pace>,
     timing: &dyn Fn(&MachineDescription) -> ZoneTiming,
 ) -> Result<Fitted, FitError> {
-    let zone = Some(ZoneSize {
-        width: SIDES[0],
-        height: SIDES[0],
+    let sizes = PROCESSORS.into_iter();
+    let sizes = sizes.flat_map(|objects| PROCESSORS.map(|volumes| (objects, volumes)));
+    let sizes: Vec<(usize, usize)> = sizes.collect();
+    let mut tried: Vec<(MachineDescription, Vec<Vec<ZonePlan>>)> = vec![];
+    let own = own_kinds(&drawn.prepared).map(Some);
+    for slots in std::iter::once(None).chain(own) {
+        let one = MachineDescription {
+            machine: MachineKind::Zone,
+            objects: 1,
+            slots,
+            zone: square(SIDES[0]),
+            ..smallest.clone()
+        };
+        let base = changed(enough, &one, frames, drawn)?;
+        // Words that do not follow from the depth word are for quadrics and patches alone.
+        if !tried.is_empty() && base.check("").is_err() {
+            continue;
+        }
+        let plans = SIDES.map(|side| plans(&base, side, frames, drawn));
+        tried.push((base, plans.into_iter().collect::<Result<_, _>>()?));
+    }
+    let machines = tried.iter().flat_map(|(base, plans)| {
+        let sizes = sizes.iter().filter(|of| base.volumes > 0 || of.1 == 1);
+        sizes.map(move |of| (with_processors(base, *of), plans))
     });
-    let one = MachineDescription {
-        machine: MachineKind::Zone,
-        objects: 1,
-        slots: None,
-        zone,
-        ..smallest.clone()
-    };
-    let base = changed(enough, &one, frames, drawn)?;
-    let plans: Vec<Vec<ZonePlan>> = SIDES
-        .into_iter()
-        .map(|side| plans(&base, side, frames, drawn))
-        .collect::<Result<_, _>>()?;
-    let mut sizes: Vec<(usize, usize)> = PROCESSORS
-        .into_iter()
-        .flat_map(|objects| PROCESSORS.map(|volumes| (objects, volumes)))
-        .filter(|(_, volumes)| base.volumes > 0 || *volumes == 1)
-        .collect();
-    let cells = |of: &(usize, usize)| cells(&drawn.widths, &base, *of);
-    sizes.sort_by(|a, b| cells(a).total_cmp(&cells(b)));
+    let mut machines: Vec<_> = machines.collect();
+    machines.sort_by(|(a, _), (b, _)| cells(a).total_cmp(&cells(b)));
     let mut fastest: Option<Fitted> = None;
-    for (objects, volumes) in sizes {
-        let found = with_processors(&base, (objects, volumes), &plans, timing);
+    for (machine, plans) in machines {
+        let found = in_zones(machine, plans, timing);
         let is_enough = pace.is_none_or(|pace| found.clocks as f64 * pace.frames <= pace.mhz * 1e6);
         if is_enough {
             return Ok(found);
@@ -286,6 +285,28 @@ fn of_zones(
     Ok(fastest)
 }
 
+/// Slots of the smallest processors that draw the parts of the frames in no solid, one of each kind; none if these are
+/// quadrics alone.
+fn own_kinds(frames: &[PreparedScene]) -> Option<Slots> {
+    let mut slots: Vec<FittedSlot> = vec![];
+    let parts = frames.iter().flat_map(PreparedScene::slots_alone);
+    for own in parts.map(|part| smallest_kind(&part.words)) {
+        match slots.iter_mut().find(|slot| slot.kind == own.kind) {
+            Some(slot) => *slot = slot.or(&own),
+            None => slots.push(own),
+        }
+    }
+    let others = slots.iter().any(|slot| slot.kind != Kind::Quadric);
+    others.then_some(Slots(slots))
+}
+
+fn square(side: u32) -> Option<ZoneSize> {
+    Some(ZoneSize {
+        width: side,
+        height: side,
+    })
+}
+
 /// The frames in zones of a side.
 fn plans(
     base: &MachineDescription,
@@ -293,12 +314,8 @@ fn plans(
     frames: &Frames,
     drawn: &Drawn,
 ) -> Result<Vec<ZonePlan>, FitError> {
-    let zone = Some(ZoneSize {
-        width: side,
-        height: side,
-    });
     let machine = MachineDescription {
-        zone,
+        zone: square(side),
         ..base.clone()
     }
     .zone_machine();
@@ -309,48 +326,55 @@ fn plans(
     pairs(frames, drawn).map(plan).collect()
 }
 
-/// A machine of so many processors beside those of products, with the side of its zones at which its slowest frame is
-/// fastest.
+/// A machine of so many processors of each kind beside those of products.
 fn with_processors(
     base: &MachineDescription,
     (objects, volumes): (usize, usize),
+) -> MachineDescription {
+    let slots = base.zone_machine().with_processors(objects).slots;
+    MachineDescription {
+        objects: slots.len(),
+        slots: base.slots.is_some().then_some(Slots(slots)),
+        volumes: volumes.min(base.volumes * volumes),
+        ..base.clone()
+    }
+}
+
+/// A machine with the side of its zones at which its slowest frame is fastest.
+fn in_zones(
+    machine: MachineDescription,
     plans: &[Vec<ZonePlan>],
     timing: &dyn Fn(&MachineDescription) -> ZoneTiming,
 ) -> Fitted {
-    let machine = MachineDescription {
-        objects: objects + base.slots_of_products(),
-        volumes: volumes.min(base.volumes * volumes),
-        ..base.clone()
-    };
     let timing = timing(&machine);
-    let slowest = |plans: &[ZonePlan]| {
+    let slowest = |plans: &[ZonePlan], side: u32| {
         let of_frame = |plan: &ZonePlan| {
             let mut plan = plan.clone();
-            plan.machine.object_processors = objects;
-            plan.machine.volume_processors = machine.volumes;
+            let machine = MachineDescription {
+                zone: square(side),
+                ..machine.clone()
+            };
+            plan.machine = machine.zone_machine();
             clocks(&plan, &timing).total
         };
         plans.iter().map(of_frame).max().unwrap_or(0)
     };
     let sides = SIDES.into_iter().zip(plans);
-    let timed = sides.map(|(side, plans)| (slowest(plans), side));
+    let timed = sides.map(|(side, plans)| (slowest(plans, side), side));
     let (clocks, side) = timed.min().expect("there are sides");
-    let zone = Some(ZoneSize {
-        width: side,
-        height: side,
-    });
     Fitted {
         clocks: clocks.max(screen_clocks(&machine)),
-        description: MachineDescription { zone, ..machine },
+        description: MachineDescription {
+            zone: square(side),
+            ..machine
+        },
     }
 }
 
 /// Logic cells of the processors of a zone machine, roughly.
-fn cells(
-    widths: &MachineWords,
-    machine: &MachineDescription,
-    (objects, volumes): (usize, usize),
-) -> f64 {
-    let of = |planes: usize| estimate::of_slot(widths, &FittedSlot::quadric(planes as u32));
-    objects as f64 * of(machine.planes) + volumes as f64 * of(machine.volume_planes)
+fn cells(machine: &MachineDescription) -> f64 {
+    let of = |slot: &FittedSlot| estimate::of_slot(&machine.words(), slot);
+    let objects: f64 = machine.slots().iter().map(of).sum();
+    let volume = of(&FittedSlot::quadric(machine.volume_planes as u32));
+    objects + machine.volumes as f64 * volume
 }

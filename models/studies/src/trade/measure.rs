@@ -96,7 +96,7 @@ impl Measured<'_> {
             .iter()
             .map(|zone| {
                 let parts = zone.all_parts();
-                let parts = parts.map(|part| &plan.parts[part as usize].words);
+                let parts = parts.filter_map(|part| plan.parts[part as usize].quadric());
                 parts.map(|words| words.on(&zone.sample.pixels())).collect()
             })
             .collect();

@@ -3,7 +3,6 @@
 use super::LoadBus;
 use crate::object::{Factors, Normal, Plane, ScreenBox, Words};
 use crate::raster::{SecondSteps, Steps};
-use imogene_contract::command_stream::OBJECT_ID;
 use imogene_contract::object::CONTROL;
 use imogene_hdl::{Bits, Bundle, Value, bundles, module, net};
 
@@ -89,15 +88,12 @@ impl Held {
 pub fn coefficient_hold(at: &str, take: Bits, bus: LoadBus, next: Held) -> (Bits, Held) {
     let inputs = (("take", take), bus, ("next", next));
     module("coefficient_hold", at, inputs, |(take, bus, mut next)| {
-        net! {
-            let next_id = bus.bits(OBJECT_ID, 11, 0);
-            let is_present = bus.is_new(CONTROL, take);
-        }
+        net! { let is_present = bus.is_new(CONTROL, take); }
         // Kept inverted: zero, also that of power-up, is an empty box.
         let nowhere = Bits::new(0, next.screen_box.box_x0.width());
         next.screen_box.box_x0 = is_present.select(!next.screen_box.box_x0, nowhere);
         let mut held = next.registered_when(take);
         held.screen_box.box_x0 = !held.screen_box.box_x0.named("inverted_box_x0");
-        (("id", next_id.reg_when(take)), held)
+        (("id", bus.held_id(take)), held)
     })
 }

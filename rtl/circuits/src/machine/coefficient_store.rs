@@ -4,6 +4,7 @@ use crate::object::{
     Factors, Gradients, HalfSpace, Normal, Plane, Quadric, ScreenBox, Widths, Words,
 };
 use crate::raster::{Linear, Quadratic};
+use imogene_contract::command_stream::OBJECT_ID;
 use imogene_contract::object::{BOX_COLUMNS, CONTROL, PLANE_WORDS, PLANES};
 use imogene_hdl::{Bits, Int, Value, bundle, module, net};
 
@@ -98,6 +99,12 @@ impl LoadBus {
             box_y0: self.bits(columns + 1, 11, 0),
             box_y1: self.bits(columns + 1, 23, 12),
         }
+    }
+
+    /// The id of the object, written to its own address on the bus, as it was taken over.
+    pub fn held_id(self, take: Bits) -> Bits {
+        net! { let next_id = self.bits(OBJECT_ID, 11, 0); }
+        next_id.reg_when(take)
     }
 
     /// 1 from the clock that writes the word of an address until it is taken over.

@@ -2,7 +2,7 @@
 
 use super::beam_core::shaded_normal;
 use super::pixel_count::pixel_count;
-use super::slot::processor;
+use super::slot::{Place, processor};
 use super::{BeamMachine, LoadBus, MATERIAL, all_sources};
 use crate::raster::Scan;
 use crate::shade::{Layer, Point, ShadingLoad, Surface};
@@ -30,7 +30,13 @@ pub(super) fn shaded_layer(
     let inputs = (scan, ("object", bus), ("look", look), ("load", load));
     module("shaded_layer", at, inputs, |(scan, bus, look, load)| {
         let words = machine.objects.of_slot(slot);
-        let seen = processor(slot, ["processor", "store"], scan, bus, words);
+        let place = Place {
+            at: "processor",
+            store: "store",
+            bus,
+            hold: None,
+        };
+        let (seen, _) = processor(slot, place, scan, words);
         let material = look.data.low(MATERIAL).reg_when(look.write);
         let weight = look
             .data

@@ -1,17 +1,13 @@
 //! Object processors side by side, with their words and the decider.
 
-use super::slot::{bus, other_processor, slot_clocks};
-use super::{
-    Candidate, Extent, Held, LoadBus, coefficient_hold, coefficient_store, decider, product_clocks,
-    products,
-};
+use super::slot::{Place, bus, processor, slot_clocks};
+use super::{Candidate, Extent, LoadBus, decider, product_clocks, products};
 use crate::arith::Network;
-use crate::object::{Normal, Widths, Words, quadric_processor};
+use crate::object::{Normal, Widths};
 use crate::raster::Scan;
-use crate::rows::numbered;
 use crate::tree::levels;
 use imogene_contract::MachineWords;
-use imogene_contract::object::{Kind, ProductSlots};
+use imogene_contract::object::ProductSlots;
 use imogene_contract::slots::FittedSlot;
 use imogene_hdl::{Bits, Bundle, Int, Value, bundle, bundles, module};
 
@@ -119,8 +115,8 @@ impl Objects {
         self.each_clocks().into_iter().max().unwrap_or(0)
     }
 
-    /// The nearest of the objects at every pixel, with ids of so many bits. `words` makes the words and the id of a
-    /// slot of quadrics of its bus and the words that are loaded; the id of another one is its place.
+    /// The nearest of the objects at every pixel, with ids of so many bits. Where words are held, `take` says when they
+    /// and the loaded ids are taken over; else the id of an object is its place.
     ///
     /// Processors with fewer stages begin later, so that all answer together.
     pub(super) fn nearest(
@@ -128,7 +124,7 @@ impl Objects {
         scan: Scan,
         load: Load,
         id_bits: u32,
-        words: impl Fn(usize, LoadBus, Words) -> (Words, Bits),
+        take: Option<Bits>,
     ) -> (Bits, Candidate) {
         let clocks = self.each_clocks();
         let least = clocks.iter().copied().min().unwrap_or(0);
@@ -136,38 +132,32 @@ impl Objects {
         for _ in least..self.longest() {
             late.push(late[late.len() - 1].delayed(1));
         }
-        let buses = (0..self.slots.len() as u64).map(|index| load.of(index));
-        let stores = numbered("stores", self.slots.iter().zip(buses)).enumerate();
-        // Other kinds have their store beside their processor.
-        let stored = stores.map(|(index, (at, (slot, bus)))| {
-            let quadric = (slot.kind == Kind::Quadric).then(|| {
-                let (widths, _) = self.of_slot(slot);
-                let loaded = coefficient_store(&at, bus, widths, slot.planes.into());
-                words(index, bus, loaded)
+        let seen = self
+            .slots
+            .iter()
+            .zip(clocks)
+            .enumerate()
+            .map(|(index, (slot, clocks))| {
+                let [at, store, hold] =
+                    ["processors", "stores", "holds"].map(|of| format!("{of}_{index}"));
+                let scan = late[(self.longest() - clocks) as usize];
+                let place = Place {
+                    at: &at,
+                    store: &store,
+                    bus: load.of(index as u64),
+                    hold: take.map(|take| (&*hold, take)),
+                };
+                let (seen, held) = processor(slot, place, scan, self.of_slot(slot));
+                let id = held.unwrap_or(Bits::new(index as u64, id_bits));
+                let face = Candidate {
+                    depth: seen.front.zf,
+                    id,
+                    number: seen.number,
+                    normal: seen.normal,
+                };
+                let end = seen.front.zb;
+                (seen.front.out_valid, Extent { face, end })
             });
-            (index as u64, at, bus, quadric)
-        });
-        let stored: Vec<_> = stored.collect();
-        let processors = numbered("processors", self.slots.iter().zip(stored));
-        let seen = processors.map(|(at, (slot, (index, store, bus, quadric)))| {
-            let scan = late[(self.longest() - clocks[index as usize]) as usize];
-            let own = self.of_slot(slot);
-            let (seen, id) = match quadric {
-                Some((words, id)) => (quadric_processor(&at, scan, words, own.1), id),
-                None => {
-                    let seen = other_processor(slot, [&at, &store], scan, bus, own);
-                    (seen, Bits::new(index, id_bits))
-                }
-            };
-            let face = Candidate {
-                depth: seen.front.zf,
-                id,
-                number: seen.number,
-                normal: seen.normal,
-            };
-            let end = seen.front.zb;
-            (seen.front.out_valid, Extent { face, end })
-        });
         let (valid, extents): (Vec<Bits>, Vec<Extent>) = seen.unzip();
         let wait = self.clocks_after()[0] + levels(self.choices());
         let valid = valid[0].delayed_as("valid_late", wait);
@@ -189,10 +179,6 @@ impl Objects {
 /// pass, the next words may be loaded once all processors have started, and an object that was not loaded since the
 /// last `take` is absent. Otherwise the words act as they are loaded, the id of an object is its slot, and `take` does
 /// nothing.
-///
-/// # Panics
-///
-/// When words are held in a slot of another kind than quadrics.
 pub fn object_array(
     at: &str,
     scan: Scan,
@@ -200,21 +186,9 @@ pub fn object_array(
     objects: &Objects,
     is_held: bool,
 ) -> (Bits, Surface) {
-    assert!(
-        !is_held || objects.slots.iter().all(|slot| slot.kind == Kind::Quadric),
-        "a slot that is no quadric's: accepted are quadrics where the words are held"
-    );
     let inputs = (scan, ("take", take), ("load", load));
     module("object_array", at, inputs, |(scan, take, load)| {
-        let words = |index: usize, bus: LoadBus, words: Words| match is_held {
-            true => {
-                let at = format!("holds_{index}");
-                let (id, held) = coefficient_hold(&at, take, bus, Held::of(&words));
-                (held.in_place(words), id)
-            }
-            false => (words, Bits::new(index as u64, ID)),
-        };
-        let (valid, nearest) = objects.nearest(scan, load, ID, words);
+        let (valid, nearest) = objects.nearest(scan, load, ID, is_held.then_some(take));
         let Candidate {
             depth, id, normal, ..
         } = nearest;

@@ -1,6 +1,6 @@
 //! Places for objects, and the processors in them that are not of quadrics.
 
-use super::{LoadBus, coefficient_store};
+use super::{Held, LoadBus, coefficient_hold, coefficient_store};
 use crate::arith::Network;
 use crate::object::{
     Cylinder, Facet, Factors, FirstGeneration, Gradients, HalfSpace, Normal, Patch, Plane,
@@ -43,6 +43,7 @@ pub(super) fn bus(slots: &[FittedSlot], widths: &Widths) -> u32 {
 /// The words of a store, each at the next address.
 struct Words {
     bus: LoadBus,
+    take: Option<Bits>,
     next: u64,
 }
 
@@ -83,11 +84,19 @@ impl Words {
         }
     }
 
-    /// At power-up it is empty.
+    /// At power-up it is empty, and where words are taken over that were not written.
     fn screen_box(&mut self) -> ScreenBox {
         let columns = self.take(2);
         net! { let inverted_box_x0 = (!self.bus.data.low(12)).reg_when(self.bus.writes(columns)); }
-        self.bus.screen_box(columns, !inverted_box_x0)
+        let box_x0 = match self.take {
+            Some(take) => {
+                let nowhere = Bits::new(0xfff, 12);
+                let is_present = self.bus.is_new(columns, take);
+                is_present.select(!inverted_box_x0, nowhere)
+            }
+            None => !inverted_box_x0,
+        };
+        self.bus.screen_box(columns, box_x0)
     }
 
     /// Words of the quadric of a surface, its screen box before them.
@@ -128,16 +137,60 @@ impl Words {
     }
 }
 
-/// Keeps the words of one object, which act from the clock after they are written until they are written again.
-fn store<B: Ports>(
-    kind: Kind,
-    at: &str,
-    bus: LoadBus,
-    words: impl FnOnce(&mut Words) -> B,
-) -> B::Bare {
-    module(&format!("{}_store", kind.name()), at, bus, |bus| {
-        words(&mut Words { bus, next: 0 })
-    })
+/// A slot among others: the names in it, and how words come to its processor.
+#[derive(Clone, Copy)]
+pub(super) struct Place<'a> {
+    /// Name of its processor.
+    pub at: &'a str,
+    /// Name of the store of its words.
+    pub store: &'a str,
+    /// Its load bus.
+    pub bus: LoadBus,
+    /// Where words are held, the name of what holds them or the id, and when a pass takes over what was written.
+    pub hold: Option<(&'a str, Bits)>,
+}
+
+impl Place<'_> {
+    /// Keeps the words of one object of a kind. They act from the clock after they are written until they are written
+    /// again, held ones from when they are taken over until that is done again.
+    fn words<B: Ports>(self, kind: Kind, words: impl FnOnce(&mut Words) -> B) -> B::Bare {
+        let (at, bus, next) = (self.store, self.bus, 0);
+        let Some((_, take)) = self.hold else {
+            let take = None;
+            let name = format!("{}_store", kind.name());
+            return module(&name, at, bus, |bus| words(&mut Words { bus, take, next }));
+        };
+        let inputs = (("take", take), bus);
+        let name = format!("{}_shared_store", kind.name());
+        module(&name, at, inputs, |(take, bus)| {
+            let written = words(&mut Words {
+                bus,
+                take: Some(take),
+                next,
+            });
+            written.registered_when(take)
+        })
+    }
+
+    /// Those of a quadric, and the id of the object where they are held.
+    fn quadric(self, widths: Widths, planes: u32) -> (crate::object::Words, Option<Bits>) {
+        let words = coefficient_store(self.store, self.bus, widths, planes.into());
+        let Some((at, take)) = self.hold else {
+            return (words, None);
+        };
+        let (id, held) = coefficient_hold(at, take, self.bus, Held::of(&words));
+        (held.in_place(words), Some(id))
+    }
+
+    /// The id of an object of another kind, where words are held.
+    fn id(self) -> Option<Bits> {
+        let (at, take) = self.hold?;
+        let inputs = (("take", take), self.bus);
+        let id = module("object_id", at, inputs, |(take, bus)| {
+            ("id", bus.held_id(take))
+        });
+        Some(id)
+    }
 }
 
 /// Words of a facet.
@@ -149,10 +202,9 @@ type FacetWords<P> = (
 );
 
 /// Words of a facet of polynomials.
-fn facet_store<P: Plain + Copy>(
+fn facet_words<P: Plain + Copy>(
     (kind, sides): (Kind, usize),
-    at: &str,
-    bus: LoadBus,
+    place: Place,
     side: impl Fn(&mut Words) -> P,
     part: impl Fn(&mut Words) -> P,
 ) -> Facet<P> {
@@ -162,7 +214,7 @@ fn facet_store<P: Plain + Copy>(
         let depth = ("depth", side(words));
         (screen_box, sides, depth, ("normal", words.many(3, &part)))
     };
-    let (screen_box, sides, depth, normal) = store(kind, at, bus, words);
+    let (screen_box, sides, depth, normal) = place.words(kind, words);
     Facet {
         screen_box,
         sides,
@@ -171,36 +223,36 @@ fn facet_store<P: Plain + Copy>(
     }
 }
 
-/// A processor of any kind, with the store of its words.
+/// A processor of any kind with the store of its words, and the id of the object where these are held.
 pub(super) fn processor(
     slot: &FittedSlot,
-    [at, store_at]: [&str; 2],
+    place: Place,
     scan: Scan,
-    bus: LoadBus,
     (widths, root): (Widths, Network),
-) -> Visible {
-    if slot.kind != Kind::Quadric {
-        return other_processor(slot, [at, store_at], scan, bus, (widths, root));
+) -> (Visible, Option<Bits>) {
+    if slot.kind == Kind::Quadric {
+        let (words, id) = place.quadric(widths, slot.planes);
+        return (quadric_processor(place.at, scan, words, root), id);
     }
-    let words = coefficient_store(store_at, bus, widths, slot.planes.into());
-    quadric_processor(at, scan, words, root)
+    let id = place.id();
+    (other_processor(slot, place, scan, (widths, root)), id)
 }
 
 /// A processor of another kind than of quadrics, with the store of its words.
-pub(super) fn other_processor(
+fn other_processor(
     slot: &FittedSlot,
-    [at, store_at]: [&str; 2],
+    place: Place,
     scan: Scan,
-    bus: LoadBus,
     (widths, root): (Widths, Network),
 ) -> Visible {
+    let at = place.at;
     let (kind, planes) = (slot.kind, slot.planes as usize);
     // Guard bits are those of f1 and f2 alone.
     let (linear, quadratic) = (widths.plane, words::quadratic(root.digits));
     match kind {
         Kind::Quadric => unreachable!("quadrics have a store of their own"),
         Kind::Patch => {
-            let words = store(kind, store_at, bus, |words| Patch {
+            let words = place.words(kind, |words| Patch {
                 quadric: words.quadric(widths),
                 planes: words.many(planes, |words| words.half_space(linear)),
             });
@@ -208,18 +260,18 @@ pub(super) fn other_processor(
         }
         Kind::FirstGeneration => {
             let pair = |words: &mut Words| [words.linear(linear), words.linear(linear)].to_vec();
-            let words = store(kind, store_at, bus, |words| FirstGeneration {
+            let words = place.words(kind, |words| FirstGeneration {
                 quadric: words.quadric(widths),
                 surface: words.bits(1),
                 depths: pair(words),
                 conics: words.many(2, |words| words.quadratic(quadratic)),
                 polars: pair(words),
-                normals: words.many(2, |words| words.normal(widths.normal)),
+                normals: words.many(1, |words| words.normal(widths.normal)),
             });
             first_generation_processor(at, scan, words, root)
         }
         Kind::Polyhedron => {
-            let words = store(kind, store_at, bus, |words| Polyhedron {
+            let words = place.words(kind, |words| Polyhedron {
                 screen_box: words.screen_box(),
                 planes: words.planes(planes, widths),
             });
@@ -231,7 +283,7 @@ pub(super) fn other_processor(
             }
         }
         Kind::Quotient => {
-            let words = store(kind, store_at, bus, |words| Quotient {
+            let words = place.words(kind, |words| Quotient {
                 screen_box: words.screen_box(),
                 numerator: words.quadratic(widths.numerator()),
                 denominator: words.linear(widths.denominator()),
@@ -246,17 +298,17 @@ pub(super) fn other_processor(
         Kind::Facet => {
             let side = |words: &mut Words| words.linear(linear);
             let part = |words: &mut Words| words.linear(widths.gradient);
-            let facet = facet_store((kind, planes), store_at, bus, side, part);
+            let facet = facet_words((kind, planes), place, side, part);
             facet_processor(at, scan, facet, root.depth)
         }
         Kind::CurvedFacet => {
             let word = |words: &mut Words| words.quadratic(quadratic);
-            let facet = facet_store((kind, planes), store_at, bus, word, word);
+            let facet = facet_words((kind, planes), place, word, word);
             curved_facet_processor(at, scan, facet, root.depth)
         }
         Kind::Sphere => {
             let sum = words::depth_sum(root.depth);
-            let words = store(kind, store_at, bus, |words| Sphere {
+            let words = place.words(kind, |words| Sphere {
                 screen_box: words.screen_box(),
                 outline: words.quadratic(quadratic),
                 front: words.quadratic(quadratic),
@@ -268,7 +320,7 @@ pub(super) fn other_processor(
             sphere_processor(at, scan, words)
         }
         Kind::Cylinder => {
-            let words = store(kind, store_at, bus, |words| Cylinder {
+            let words = place.words(kind, |words| Cylinder {
                 screen_box: words.screen_box(),
                 sides: words.many(4, |words| words.linear(linear)),
                 discs: words.many(2, |words| words.quadratic(quadratic)),

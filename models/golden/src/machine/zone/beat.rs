@@ -1,7 +1,5 @@
 //! Beats of the command stream: all that a zone machine is told.
 
-use crate::object::load;
-use crate::object::load_volume;
 use imogene_contract::command_stream;
 use serde::{Deserialize, Serialize};
 
@@ -49,11 +47,6 @@ pub mod command {
     /// ([`Sample`](crate::machine::zone::sample::Sample)).
     pub const LAST_ZONE: u64 = 4;
 }
-
-/// Address of the first word of an object's plane 0, and words of a plane.
-pub const OBJECT_PLANES: [u8; 2] = [load::FIRST_PLANE, load::PLANE_WORDS];
-/// The same of a volume.
-pub const VOLUME_PLANES: [u8; 2] = [load_volume::FIRST_PLANE, load_volume::PLANE_WORDS];
 
 /// Address of an object processor's id.
 pub const ID_ADDRESS: u16 = command_stream::OBJECT_ID as u16;

@@ -7,10 +7,11 @@ use super::sample::Sample;
 use crate::format::Format;
 use crate::machine::frame::Frame;
 use crate::machine::lighting::{ALL_SOURCES, Lighting};
-use crate::object::line::for_each_present;
 use crate::object::member::for_each_seen;
 use crate::object::quadric::{ObjectPixel, QuadricWords};
+use crate::object::slot::ProcessorWords;
 use crate::object::volume_line::for_each_inside;
+use crate::object::words::Words;
 use imogene_contract::object::ProductSlots;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -114,11 +115,10 @@ pub struct ZoneMachineModel {
 impl ZoneMachineModel {
     /// The machine before the first beat. The size of its zones is in the stream.
     pub fn new(format: &Format, machine: &ZoneMachine) -> ZoneMachineModel {
-        let objects = Registers::of_object(machine.planes);
         let volumes = Registers::of_volume(machine.volume_planes);
         ZoneMachineModel {
             format: *format,
-            objects: vec![objects; machine.slots()],
+            objects: machine.slots.iter().map(Registers::of_object).collect(),
             products: machine.products.clone(),
             volumes: vec![volumes; machine.volume_processors],
             materials: BTreeMap::new(),
@@ -246,7 +246,7 @@ impl ZoneMachineModel {
         if first {
             self.buffer = vec![self.background(); self.pixels()];
         }
-        let mut loaded: Vec<Option<(u16, QuadricWords)>> =
+        let mut loaded: Vec<Option<(u16, ProcessorWords)>> =
             (0..self.objects.len()).map(|i| self.loaded(i)).collect();
         let members: usize = self.products.iter().map(ProductSlots::count).sum();
         let mut members = loaded.split_off(loaded.len() - members).into_iter();
@@ -262,32 +262,38 @@ impl ZoneMachineModel {
     }
 
     /// Id and words of an object, if it was loaded since the last pass.
-    fn loaded(&mut self, index: usize) -> Option<(u16, QuadricWords)> {
+    fn loaded(&mut self, index: usize) -> Option<(u16, ProcessorWords)> {
         let registers = &mut self.objects[index];
         if !registers.take() {
             return None;
         }
         let mut words = registers.object(&self.format);
         let [width, height] = self.size.map(i64::from);
-        words.screen_box = words.screen_box.in_zone(0, 0, width, height);
+        let screen_box = words.screen_box_mut();
+        *screen_box = screen_box.in_zone(0, 0, width, height);
         Some((registers.id(), words))
     }
 
-    fn draw_object(&mut self, id: u16, words: &QuadricWords) {
+    fn draw_object(&mut self, id: u16, words: &ProcessorWords) {
         let lines = self.buffer.chunks_mut(self.size[0].into());
         for (y, line) in (0..).zip(lines) {
-            for_each_present(words, &self.format, y, |x, pixel| {
+            words.for_each_present(&self.format, y, |x, pixel| {
                 line[x as usize].take(id, &pixel);
             });
         }
     }
 
     /// Nothing, if an object is missing that is intersected. The id of a pixel is that of the object whose face it is.
-    fn draw_product(&mut self, intersected: usize, loaded: Vec<Option<(u16, QuadricWords)>>) {
+    fn draw_product(&mut self, intersected: usize, loaded: Vec<Option<(u16, ProcessorWords)>>) {
         if loaded[..intersected].contains(&None) {
             return;
         }
-        let (ids, objects): (Vec<u16>, Vec<QuadricWords>) = loaded.into_iter().flatten().unzip();
+        let quadric = |(id, words)| match words {
+            ProcessorWords::Quadric(words) => (id, words),
+            _ => unreachable!("the slots of products are of quadrics"),
+        };
+        let members = loaded.into_iter().flatten().map(quadric);
+        let (ids, objects): (Vec<u16>, Vec<QuadricWords>) = members.unzip();
         let format = &self.format;
         let lines = self.buffer.chunks_mut(self.size[0].into());
         for (y, line) in (0..).zip(lines) {

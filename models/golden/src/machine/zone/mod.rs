@@ -1,6 +1,6 @@
 //! The zone machine: few processors that draw many objects, zone by zone (`docs/zone-machine.md`).
 //!
-//! K quadric object processors and V volume processors are loaded again and again with the objects and volumes of one
+//! K object processors and V volume processors are loaded again and again with the objects and volumes of one
 //! zone of the screen; a buffer keeps what is seen so far at each pixel of the zone. The host cuts the screen and sends
 //! a stream of words and commands ([`beat`]). The golden machine ([`golden`]) is driven by that stream alone.
 
@@ -11,6 +11,7 @@ pub mod sample;
 
 use crate::object::quadric::MAX_PLANES;
 use imogene_contract::object::ProductSlots;
+use imogene_contract::slots::FittedSlot;
 use thiserror::Error;
 
 /// Bits of an object's id in the zone buffer.
@@ -28,12 +29,11 @@ pub const SAMPLES: [u32; 3] = [1, 2, 4];
 /// What a zone machine is made of.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ZoneMachine {
-    /// K: quadric object processors for objects that are in no solid, at least 1 if there are no products.
-    pub object_processors: usize,
-    /// Products of solids, whose object processors follow, product by product.
+    /// Object processors: K for objects that are in no solid, at least 1 if there are no products, and behind them
+    /// those of products, product by product.
+    pub slots: Vec<FittedSlot>,
+    /// Products of solids.
     pub products: Vec<ProductSlots>,
-    /// N: cut planes of each.
-    pub planes: usize,
     /// V: volume processors with a quadric; none in a machine without shadows and spots.
     pub volume_processors: usize,
     /// M: planes of each.
@@ -67,20 +67,38 @@ pub enum ZoneMachineError {
 }
 
 impl ZoneMachine {
-    /// All its object processors.
-    pub fn slots(&self) -> usize {
-        let members = self.products.iter().map(ProductSlots::count);
-        self.object_processors + members.sum::<usize>()
+    /// K: how many of its object processors are of no product.
+    pub fn alone(&self) -> usize {
+        let members: usize = self.products.iter().map(ProductSlots::count).sum();
+        self.slots.len().saturating_sub(members)
+    }
+
+    /// The same with so many processors of each kind that it has for objects in no solid, with the most planes of one.
+    pub fn with_processors(&self, count: usize) -> ZoneMachine {
+        let (alone, members) = self.slots.split_at(self.alone());
+        let mut kinds: Vec<FittedSlot> = vec![];
+        for slot in alone {
+            match kinds.iter_mut().find(|kind| kind.kind == slot.kind) {
+                Some(kind) => *kind = kind.or(slot),
+                None => kinds.push(*slot),
+            }
+        }
+        let alone = kinds.iter().flat_map(|kind| vec![*kind; count]);
+        ZoneMachine {
+            slots: alone.chain(members.iter().copied()).collect(),
+            ..self.clone()
+        }
     }
 
     /// Is there such a machine?
     pub fn check(&self) -> Result<(), ZoneMachineError> {
         let [columns, lines, side] =
             [self.zone_width, self.zone_height, MAX_ZONE].map(|n| n as usize);
-        let (processors, volumes) = (self.slots(), self.volume_processors);
+        let (processors, volumes) = (self.slots.len(), self.volume_processors);
+        let planes = self.slots.iter().map(|slot| slot.planes as usize).max();
         for (what, value, least, most) in [
             ("object processors", processors, 1, MAX_PROCESSORS),
-            ("planes", self.planes, 0, MAX_PLANES),
+            ("planes", planes.unwrap_or(0), 0, MAX_PLANES),
             ("volume processors", volumes, 0, MAX_PROCESSORS),
             ("planes of a volume", self.volume_planes, 0, MAX_PLANES),
             ("zone width", columns, 1, side),

@@ -66,7 +66,13 @@ fn what_is_refused_names_the_key_and_what_is_accepted() {
     assert!(own("0v:p20").contains("plane word of a slot of 24 to 36 bits"));
     assert!(own("sphere:r9").contains("slots is sphere:r9; accepted: no bits of its own"));
     assert!(refusal(&format!("{slotted}objects = 4\n")).contains("accepted: 3, as slots has"));
-    assert!(refusal(&slotted.replace("beam", "zone")).contains("beam machine alone"));
+    let shared = slotted.replace("beam", "zone") + "zone = { width = 8, height = 8 }\n";
+    let other = MachineDescription::parse(&shared.replace("0v", "facet4"), "m.toml").unwrap();
+    assert_eq!(print(&other.zone_machine().slots), "3,facet4,2");
+    let own = refusal(&shared.replace("0v", "0:r20"));
+    assert!(
+        own.contains("slots is 0:r20; accepted: no bits of its own in a slot of a zone machine")
+    );
     let rows = "widths = { root = 16, dropped = 4 }\nrows_per_stage = 13\n";
     assert!(refusal(&format!("{BEAM}{rows}")).contains("accepted: 1 to 12"));
     let text = format!("{BEAM}depth_word = 30\nwidths = {{ g2 = 5 }}\n");
@@ -85,7 +91,7 @@ fn what_is_refused_names_the_key_and_what_is_accepted() {
     assert!(refusal(&products("8-1,2-0")).contains("products of 10 slots in all"));
     let solids = MachineDescription::parse(&products("2-4,1-2"), "m.toml").unwrap();
     assert_eq!(
-        (solids.slots_alone(), solids.zone_machine().slots()),
+        (solids.slots_alone(), solids.zone_machine().slots.len()),
         (1, 10)
     );
     assert!(MachineDescription::parse(&products("8-1,1-0"), "m.toml").is_ok());

@@ -1,6 +1,7 @@
 //! The count of clocks against a machine that reads the stream beat by beat.
 
-use super::{MACHINE, scene, with_facets};
+use super::{MACHINE, quadrics, scene, with_facets};
+use imogene_contract::slots::FittedSlot;
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::ZoneMachine;
 use imogene_golden::machine::zone::beat::{Beat, command, kind};
@@ -56,11 +57,11 @@ fn the_formula_is_what_the_stream_takes() {
         let prepared = scene(path, (72, 54), with_facets());
         for (side, k, v) in [(4, 1, 1), (8, 16, 8), (32, 4, 2), (100, 2, 3)] {
             let machine = ZoneMachine {
-                object_processors: k,
+                slots: quadrics(k),
                 volume_processors: v,
                 zone_width: side,
                 zone_height: side - 1,
-                ..MACHINE
+                ..MACHINE.clone()
             };
             let plan = ZonePlan::of(&prepared, machine).expect("fits the machine");
             let materials = vec![0; prepared.objects.len()];
@@ -96,9 +97,8 @@ fn the_formula_is_what_the_stream_takes() {
 fn one_zone_of_one_object() {
     let prepared = scene("../../scenes/ellipsoid.toml", (40, 30), Format::BASE);
     let machine = ZoneMachine {
-        object_processors: 1,
+        slots: vec![FittedSlot::quadric(3)],
         products: vec![],
-        planes: 3,
         volume_processors: 0,
         volume_planes: 0,
         zone_width: 40,
@@ -107,7 +107,7 @@ fn one_zone_of_one_object() {
     };
     let plan = ZonePlan::of(&prepared, machine).expect("fits the machine");
     assert_eq!((plan.zones.len(), plan.parts.len()), (1, 1));
-    let used = plan.parts[0].words.planes.len() as u64;
+    let used = plan.parts[0].quadric().expect("a quadric").planes.len() as u64;
     let words = 24 + 1 + 3 + 6 * used;
     let counted = clocks(&plan, &TIMING);
     // Words, three commands, the draw pass, one command, the show pass.

@@ -21,9 +21,7 @@ fn line(words: &ProcessorWords, prepared: &PreparedScene, y: i64) -> Vec<(i64, O
 /// The pixels of each kind of words that are compared.
 fn compare_objects(prepared: &PreparedScene, compared: &mut BTreeMap<&'static str, usize>) {
     for slot in prepared.slots() {
-        let ours = slot
-            .words
-            .on_quadric_processor(&prepared.format, MACHINE.planes);
+        let ours = slot.words.on_quadric_processor(&prepared.format, 12);
         let kind = match &slot.words {
             ProcessorWords::Quadric(_) => "quadric",
             ProcessorWords::Patch(_) => "patch",

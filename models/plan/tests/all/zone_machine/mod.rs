@@ -7,6 +7,7 @@ mod refine;
 mod refusals;
 mod solids;
 
+use imogene_contract::slots::{self, FittedSlot};
 use imogene_golden::format::Format;
 use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
@@ -17,7 +18,7 @@ use imogene_golden::machine::zone::golden::ZoneMachineModel;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::object::slot::Slot;
 use imogene_golden::object::volume::VolumeKind;
-use imogene_plan::zone::plan::ZonePlan;
+use imogene_plan::zone::plan::{Pass, ZonePlan};
 use imogene_prepare::Framing;
 use imogene_prepare::{PreparedScene, prepare};
 use imogene_scene::SceneFile;
@@ -26,16 +27,20 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 /// Twelve planes and ten of a volume: enough for every scene.
-const MACHINE: ZoneMachine = ZoneMachine {
-    object_processors: 4,
-    products: Vec::new(),
-    planes: 12,
+static MACHINE: LazyLock<ZoneMachine> = LazyLock::new(|| ZoneMachine {
+    slots: quadrics(4),
+    products: vec![],
     volume_processors: 2,
     volume_planes: 10,
     zone_width: 32,
     zone_height: 32,
     samples: 1,
-};
+});
+
+/// Processors of quadrics for every scene.
+fn quadrics(count: usize) -> Vec<FittedSlot> {
+    vec![FittedSlot::quadric(12); count]
+}
 
 /// The base format with the guard bits that the depth of a facet needs.
 fn with_facets() -> Format {
@@ -118,9 +123,9 @@ fn assert_same_on_every_machine(prepared: &PreparedScene) -> Truth {
         let machine = ZoneMachine {
             zone_width,
             zone_height,
-            object_processors: k as usize,
+            slots: quadrics(k as usize),
             volume_processors: v as usize,
-            ..MACHINE
+            ..MACHINE.clone()
         };
         truth.assert_is_drawn(&ZonePlan::of(prepared, machine).expect("fits the machine"));
     }
@@ -156,7 +161,7 @@ fn samples_are_the_pixels_of_a_finer_picture() {
                 zone_width: side,
                 zone_height: side + 1,
                 samples,
-                ..MACHINE
+                ..MACHINE.clone()
             };
             truth.assert_is_drawn(&ZonePlan::of(&prepared, machine).expect("fits the machine"));
         }
@@ -172,7 +177,7 @@ fn four_hundred_and_eighty_spheres_are_drawn() {
         Format::BASE,
     );
     let truth = Truth::of(&prepared, &prepared.slots());
-    let plan = ZonePlan::of(&prepared, MACHINE).expect("fits the machine");
+    let plan = ZonePlan::of(&prepared, MACHINE.clone()).expect("fits the machine");
     truth.assert_is_drawn(&plan);
     let mut seen: Vec<i32> = truth.frame.id.clone();
     seen.sort_unstable();
@@ -187,6 +192,109 @@ fn scenes_of_other_processors_are_drawn() {
         let truth = assert_same_on_every_machine(&scene(&path, (83, 61), with_facets()));
         assert!(truth.frame.covered() > 300, "{name}");
     }
+}
+
+/// Slots that are not all alike: of the kinds of a scene, of fewer planes than some of its parts have, and both.
+#[test]
+fn slots_of_every_kind_draw_the_same() {
+    for (path, slots) in [
+        (
+            "../../scenes/processors/polyhedron.toml",
+            ["polyhedron8", "polyhedron6,polyhedron8,0", "0,8"],
+        ),
+        (
+            "../../scenes/processors/patch-processor.toml",
+            ["patch4", "2,patch0,patch12", "12,1"],
+        ),
+        (
+            "../../scenes/processors/tetrahedra.toml",
+            ["patch4,4", "4,patch4,2", "1,4"],
+        ),
+        (
+            "../../scenes/processors/mesh.toml",
+            ["facet4,facet3", "facet3", "3,facet4"],
+        ),
+        (
+            "../../scenes/processors/first-generation.toml",
+            [
+                "first_generation",
+                "1,first_generation,first_generation",
+                "0,first_generation",
+            ],
+        ),
+        (
+            "../../scenes/processors/paraboloids.toml",
+            [
+                "sphere,cylinder,0",
+                "0,cylinder,0,sphere,sphere",
+                "0,cylinder,sphere",
+            ],
+        ),
+        (
+            "../../scenes/processors/curved-facet.toml",
+            [
+                "curved_facet4",
+                "curved_facet4,curved_facet4",
+                "0,curved_facet4",
+            ],
+        ),
+        (
+            "../../scenes/extremes/eye-on-quadric.toml",
+            ["0,quotient2", "quotient12,1", "2,quotient1"],
+        ),
+        (
+            "../../scenes/shadows/robot.toml",
+            ["12,patch12", "3,patch3,polyhedron6", "0,0,2,6"],
+        ),
+    ] {
+        let prepared = scene(path, (83, 61), Format::BASE);
+        let truth = Truth::of(&prepared, &prepared.slots());
+        for slots in slots {
+            let slots = slots::parse(slots).expect("slots");
+            for side in [9, 64] {
+                let machine = ZoneMachine {
+                    slots: slots.clone(),
+                    zone_width: side,
+                    zone_height: side + 1,
+                    ..MACHINE.clone()
+                };
+                let [boxes, _, pixels] = refine::assert_same(&prepared, machine, &truth);
+                assert!(pixels[0] <= boxes[0], "{path}");
+            }
+        }
+    }
+}
+
+/// A part goes to the smallest free slot, and waits behind another part of its object.
+#[test]
+fn parts_of_one_object_keep_their_order() {
+    let prepared = scene("../../scenes/processors/mesh.toml", (83, 61), Format::BASE);
+    let machine = ZoneMachine {
+        slots: slots::parse("facet4,facet3,facet3,0,facet4").expect("slots"),
+        ..MACHINE.clone()
+    };
+    let plan = ZonePlan::of(&prepared, machine).expect("fits the machine");
+    let mut drawn = 0;
+    for zone in &plan.zones {
+        let passes = plan.passes(zone, false).filter_map(|pass| match pass {
+            Pass::Draw { parts, .. } => Some(parts),
+            _ => None,
+        });
+        let mut last = vec![None; prepared.objects.len()];
+        for parts in passes {
+            for pair in parts.windows(2) {
+                let [a, b] = [0, 1].map(|k| plan.parts[pair[k].1 as usize].object);
+                assert!(a != b || pair[0].0 < pair[1].0, "{parts:?}");
+            }
+            for (_, part) in parts {
+                let last = &mut last[plan.parts[part as usize].object as usize];
+                assert!(last.replace(part) < Some(part));
+                drawn += 1;
+            }
+        }
+    }
+    let parts = plan.zones.iter().map(|zone| zone.parts.len());
+    assert_eq!(drawn, parts.sum::<usize>());
 }
 
 #[test]
@@ -240,7 +348,7 @@ fn a_machine_is_used_again() {
         "../testkit/scenes/shadows.toml",
     ] {
         let prepared = scene(path, (72, 54), Format::BASE);
-        let plan = ZonePlan::of(&prepared, MACHINE).expect("fits the machine");
+        let plan = ZonePlan::of(&prepared, MACHINE.clone()).expect("fits the machine");
         let truth = Truth::of(&prepared, &prepared.slots());
         truth.assert_is(&mut model, plan.beats(), path);
     }
@@ -249,7 +357,7 @@ fn a_machine_is_used_again() {
 #[test]
 fn the_last_beat_and_the_last_pixel_say_so() {
     let prepared = scene("../../scenes/teapot.toml", (83, 61), Format::BASE);
-    let plan = ZonePlan::of(&prepared, MACHINE).expect("fits the machine");
+    let plan = ZonePlan::of(&prepared, MACHINE.clone()).expect("fits the machine");
     let objects = prepared.objects.len();
     let materials: Vec<u32> = (0..objects as u32).map(|id| 7 * id % 256).collect();
     let shading = vec![(3, 0xffff_ffff), (700, 5)];
@@ -290,7 +398,7 @@ static PERMUTED: LazyLock<Vec<(ZonePlan, Truth)>> = LazyLock::new(|| {
     let twice = |path: &str| {
         let mut prepared = scene(path, (60, 45), Format::BASE);
         prepared.objects.extend(prepared.objects.clone());
-        let plan = ZonePlan::of(&prepared, MACHINE).expect("fits the machine");
+        let plan = ZonePlan::of(&prepared, MACHINE.clone()).expect("fits the machine");
         let truth = Truth::of(&prepared, &prepared.slots());
         (plan, truth)
     };
@@ -319,7 +427,7 @@ proptest! {
         let (plan, truth) = &PERMUTED[which];
         let mut plan = plan.clone();
         let mut random = seed;
-        plan.machine.object_processors = k;
+        plan.machine.slots = quadrics(k);
         plan.machine.volume_processors = v;
         for zone in &mut plan.zones {
             shuffle(&mut zone.parts, &mut random);

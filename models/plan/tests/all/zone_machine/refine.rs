@@ -1,7 +1,7 @@
 //! A refined plan draws the same picture from less, and the count of its clocks is that of its stream.
 
 use super::clocks::{TIMING, by_beats};
-use super::{MACHINE, MACHINES, Truth, polyhedra_with_shadows, scene, with_facets};
+use super::{MACHINE, MACHINES, Truth, polyhedra_with_shadows, quadrics, scene, with_facets};
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::ZoneMachine;
 use imogene_plan::zone::clocks::clocks;
@@ -69,9 +69,9 @@ fn refined_plans_draw_the_same_pictures() {
             let machine = ZoneMachine {
                 zone_width,
                 zone_height,
-                object_processors: k as usize,
+                slots: quadrics(k as usize),
                 volume_processors: v as usize,
-                ..MACHINE
+                ..MACHINE.clone()
             };
             let counts = assert_same(prepared, machine, &truth);
             for (sum, counts) in sums.iter_mut().zip(counts) {
@@ -95,7 +95,7 @@ fn most_shadows_of_the_robot_stay_out_of_most_zones() {
     let machine = ZoneMachine {
         zone_width: 16,
         zone_height: 16,
-        ..MACHINE
+        ..MACHINE.clone()
     };
     let truth = Truth::of(&prepared, &prepared.slots());
     let [boxes, bounds, pixels] = assert_same(&prepared, machine, &truth);
@@ -114,7 +114,7 @@ fn guard_bits_and_other_depth_words_are_refined() {
         ] {
             let prepared = scene(path, (60, 45), format);
             let truth = Truth::of(&prepared, &prepared.slots());
-            let [boxes, bounds, pixels] = assert_same(&prepared, MACHINE, &truth);
+            let [boxes, bounds, pixels] = assert_same(&prepared, MACHINE.clone(), &truth);
             assert!(bounds[2] <= boxes[2] && pixels[2] <= bounds[2], "{path}");
             assert!(boxes[1] == 0 || bounds[1] < boxes[1], "{path}");
         }

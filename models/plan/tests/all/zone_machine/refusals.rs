@@ -1,6 +1,8 @@
 //! Scenes that a zone machine cannot draw are refused by name.
 
-use super::{MACHINE, scene};
+use super::{MACHINE, quadrics, scene};
+use imogene_contract::object::Kind;
+use imogene_contract::slots::FittedSlot;
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::ZoneMachine;
 use imogene_golden::object::as_quadric::AsQuadricError;
@@ -14,25 +16,35 @@ fn refused(path: &str, machine: ZoneMachine) -> PlanError {
 }
 
 #[test]
-fn processors_without_an_equal_are_named() {
+fn slots_that_would_do_are_named() {
     for (name, what) in [
-        ("first-generation", "first generation"),
-        ("paraboloids", "a paraboloid"),
-        ("curved-facet", "a curved facet"),
+        ("first-generation", "first_generation;"),
+        ("paraboloids", "sphere;"),
+        ("curved-facet", "curved_facet1;"),
     ] {
         let path = format!("../../scenes/processors/{name}.toml");
-        let message = refused(&path, MACHINE).to_string();
+        let message = refused(&path, MACHINE.clone()).to_string();
         assert!(
-            message.starts_with("object '") && message.contains(what),
+            message.starts_with("object '") && message.contains(&format!("a slot such as {what}")),
             "{message}"
         );
-        assert!(message.contains("accepted are quadrics, patches, polyhedra and flat facets"));
+        assert!(message.contains("the machine has 12,12,12,12 for objects in no solid"));
     }
+    let facets = ZoneMachine {
+        slots: vec![FittedSlot::of(Kind::Facet, 4)],
+        ..MACHINE.clone()
+    };
+    let message = refused("../../scenes/teapot.toml", facets).to_string();
+    assert!(
+        message.contains("a slot such as patch2; the machine has facet4"),
+        "{message}"
+    );
 }
 
 #[test]
 fn a_mesh_needs_guard_bits() {
-    let PlanError::Object { why, .. } = refused("../../scenes/processors/mesh.toml", MACHINE)
+    let PlanError::Object { why, .. } =
+        refused("../../scenes/processors/mesh.toml", MACHINE.clone())
     else {
         panic!("an object is refused")
     };
@@ -54,27 +66,33 @@ fn planes_and_processors_must_be_there() {
     let message = |machine| refused(robot, machine).to_string();
     type Change = fn(&mut ZoneMachine);
     let cases: [(Change, &str); 8] = [
-        (|m| m.planes = 0, "the processor has 0"),
+        (
+            |m| m.slots = vec![FittedSlot::NONE; 4],
+            "the processor has 0",
+        ),
         (|m| m.volume_planes = 0, "the processor has 0"),
         (|m| m.volume_processors = 0, "no volume processor"),
         (
-            |m| m.object_processors = 0,
+            |m| m.slots.clear(),
             "0 object processors: accepted are 1 to 256",
         ),
-        (|m| m.object_processors = 257, "257 object processors"),
-        (|m| m.planes = 13, "13 planes: accepted are 0 to 12"),
+        (|m| m.slots = quadrics(257), "257 object processors"),
+        (
+            |m| m.slots[3].planes = 13,
+            "13 planes: accepted are 0 to 12",
+        ),
         (|m| m.zone_width = 0, "0 zone width: accepted are 1 to 4095"),
         (|m| m.zone_height = 4096, "4096 zone height"),
     ];
     for (change, wanted) in cases {
-        let mut machine = MACHINE;
+        let mut machine = MACHINE.clone();
         change(&mut machine);
         let message = message(machine);
         assert!(message.contains(wanted), "{message}");
     }
     let few = ZoneMachine {
         volume_planes: 0,
-        ..MACHINE
+        ..MACHINE.clone()
     };
     assert!(message(few).starts_with("the "));
 }
@@ -82,7 +100,7 @@ fn planes_and_processors_must_be_there() {
 #[test]
 fn ids_and_materials_are_counted() {
     let mut prepared = scene("../../scenes/teapot.toml", SIZE, Format::BASE);
-    let plan = ZonePlan::of(&prepared, MACHINE).expect("fits");
+    let plan = ZonePlan::of(&prepared, MACHINE.clone()).expect("fits");
     let message = plan
         .shaded(vec![], vec![0])
         .expect_err("refused")
@@ -90,7 +108,7 @@ fn ids_and_materials_are_counted() {
     assert!(message.starts_with("1 materials for"), "{message}");
     let one = prepared.objects[0].clone();
     prepared.objects.resize(4097, one);
-    let refusal = ZonePlan::of(&prepared, MACHINE).expect_err("refused");
+    let refusal = ZonePlan::of(&prepared, MACHINE.clone()).expect_err("refused");
     assert_eq!(refusal, PlanError::Objects(4097));
     assert!(refusal.to_string().contains("up to 4096"));
 }

@@ -2,7 +2,8 @@
 //! pass.
 
 use super::refine::assert_same;
-use super::{MACHINE, MACHINES, Truth, scene};
+use super::{MACHINE, MACHINES, Truth, quadrics, scene};
+use imogene_contract::object::ProductSlots;
 use imogene_contract::slots::Products;
 use imogene_golden::format::Format;
 use imogene_golden::machine::lighting::ALL_SOURCES;
@@ -18,7 +19,9 @@ const PRINTED: &str = "../../scenes/solids/printed-example.toml";
 
 fn with_products(machine: ZoneMachine, products: &str) -> ZoneMachine {
     let Products(products) = products.to_owned().try_into().expect("products");
+    let members = products.iter().map(ProductSlots::count).sum();
     ZoneMachine {
+        slots: [machine.slots, quadrics(members)].concat(),
         products,
         ..machine
     }
@@ -66,9 +69,9 @@ fn solids_are_drawn() {
                     zone_width,
                     zone_height,
                     // More would leave no processors for the products.
-                    object_processors: k.min(200) as usize,
+                    slots: quadrics(k.min(200) as usize),
                     volume_processors: v as usize,
-                    ..MACHINE
+                    ..MACHINE.clone()
                 };
                 let machine = with_products(machine, products);
                 let [boxes, bounds, pixels] = assert_same(prepared, machine, &truth);
@@ -90,7 +93,7 @@ fn samples_of_solids_are_the_pixels_of_a_finer_picture() {
         let machine = ZoneMachine {
             zone_width: 7,
             samples,
-            ..with_products(MACHINE, "1-4")
+            ..with_products(MACHINE.clone(), "1-4")
         };
         truth.assert_is_drawn(&ZonePlan::of(&prepared, machine).expect("fits the machine"));
     }
@@ -101,7 +104,7 @@ fn samples_of_solids_are_the_pixels_of_a_finer_picture() {
 fn the_order_of_products_changes_nothing() {
     let prepared = scene(PRINTED, SIZE, Format::BASE);
     let truth = Truth::of(&prepared, &prepared.slots());
-    let machine = with_products(MACHINE, "2-1,2-1,2-1");
+    let machine = with_products(MACHINE.clone(), "2-1,2-1,2-1");
     let mut plan = ZonePlan::of(&prepared, machine).expect("fits the machine");
     let most = plan.zones.iter().map(|zone| zone.products.len()).max();
     assert_eq!(most, Some(4));
@@ -119,7 +122,7 @@ fn passes_are_counted() {
         let machine = ZoneMachine {
             zone_width: 128,
             zone_height: 128,
-            ..with_products(MACHINE, products)
+            ..with_products(MACHINE.clone(), products)
         };
         let plan = ZonePlan::of(&prepared, machine).expect("fits the machine");
         let zone = &plan.zones[0];
@@ -133,7 +136,7 @@ fn passes_are_counted() {
     let small = ZoneMachine {
         zone_width: 8,
         zone_height: 8,
-        ..with_products(MACHINE, "2-1")
+        ..with_products(MACHINE.clone(), "2-1")
     };
     let plan = ZonePlan::of(&prepared, small).expect("fits the machine");
     let sent = plan.zones.iter().map(|zone| zone.all_parts().count());
@@ -146,18 +149,22 @@ fn a_machine_without_the_places_is_refused() {
         let refused = ZonePlan::of(&scene(path, SIZE, Format::BASE), machine);
         refused.expect_err("refused")
     };
-    assert_eq!(refused(BRACKET, MACHINE), PlanError::NoProduct([1, 4]));
-    let small = with_products(MACHINE, "1-3,16-2");
+    assert_eq!(
+        refused(BRACKET, MACHINE.clone()),
+        PlanError::NoProduct([1, 4])
+    );
+    let small = with_products(MACHINE.clone(), "1-3,16-2");
     let message = refused(BRACKET, small).to_string();
     assert!(
         message.contains("intersects 1 objects and takes 4 away")
             && message.contains("products such as \"1-4\""),
         "{message}"
     );
-    let without_others = ZoneMachine {
-        object_processors: 0,
-        ..with_products(MACHINE, "2-4")
+    let none = ZoneMachine {
+        slots: vec![],
+        ..MACHINE.clone()
     };
+    let without_others = with_products(none, "2-4");
     // The ball is in no solid; the other scene has nothing else.
     let none = refused(BRACKET, without_others.clone());
     assert_eq!(none, PlanError::NoObjectProcessor(1));
@@ -165,9 +172,10 @@ fn a_machine_without_the_places_is_refused() {
     let truth = Truth::of(&printed, &printed.slots());
     truth.assert_is_drawn(&ZonePlan::of(&printed, without_others).expect("fits the machine"));
     let many = ZoneMachine {
-        object_processors: 250,
-        ..with_products(MACHINE, "3-4")
+        slots: quadrics(250),
+        ..MACHINE.clone()
     };
+    let many = with_products(many, "3-4");
     let message = refused(PRINTED, many).to_string();
     assert!(message.contains("257 object processors"), "{message}");
 }

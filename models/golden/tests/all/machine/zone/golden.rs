@@ -1,4 +1,5 @@
 use imogene_contract::object::ProductSlots;
+use imogene_contract::slots::FittedSlot;
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::ZoneMachine;
 use imogene_golden::machine::zone::beat::{Beat, command, kind};
@@ -6,12 +7,11 @@ use imogene_golden::machine::zone::golden::{ShownPixel, StreamError, ZoneMachine
 
 fn machine() -> ZoneMachine {
     ZoneMachine {
-        object_processors: 2,
+        slots: vec![FittedSlot::quadric(1); 5],
         products: vec![ProductSlots {
             intersected: 2,
             subtracted: 1,
         }],
-        planes: 1,
         volume_processors: 1,
         volume_planes: 1,
         zone_width: 4,
