@@ -144,7 +144,7 @@ pub enum Command {
     Processors(Processors),
     /// Print the contract of a unit: ports, widths as formulas, latency, ties, error.
     Contract(Contract),
-    /// Write the Verilog of a unit or of a beam machine.
+    /// Write the Verilog of a unit or of a whole machine.
     Emit(Emit),
     /// Write every unit as an IP core: Verilog, contract, self-checking bench, FuseSoC core file.
     Package(Package),
@@ -153,7 +153,7 @@ pub enum Command {
     Machine(Machine),
     /// Make a board that shows a scene: top level, constraints, bitstream, and the picture that its pins show.
     Board(Board),
-    /// Synthesise a unit with the open tools: LUT, FF, DSP, BRAM, Fmax; or make the resource table, or check against
+    /// Synthesise a unit or a whole machine with the open tools: LUT, FF, DSP, BRAM, Fmax; or make the resource table, or check against
     /// it.
     Synth(Synth),
     /// Synthesise the Verilog of another project beside a unit, with the same scripts, harness and seeds.

@@ -35,7 +35,7 @@ impl Paths {
             | Command::Prove(_) => paths,
             Command::Demo(o) => paths.folder("--out", Some(&o.out)),
             Command::Processors(o) => paths.file("--out", &o.out),
-            Command::Emit(o) => paths.folder("--out", Some(&o.out)),
+            Command::Emit(o) => paths.reads(&o.machine).folder("--out", Some(&o.out)),
             Command::Contract(o) => paths.file("--out", &o.out),
             Command::Package(o) => paths.folder("--out", Some(&o.out)),
             Command::Render(o) => {
@@ -88,10 +88,10 @@ impl Paths {
             Command::Sweep(o) => paths.folder("--out", &o.out),
             Command::Evaluate(o) => paths.folder("--out", &o.out),
             Command::Synth(o) if o.check => paths.reads([&o.baseline]),
-            Command::Synth(o) if o.unit.is_none() => {
+            Command::Synth(o) if o.table => {
                 paths.set("--out", [&o.out, &o.out.with_extension("json")])
             }
-            Command::Synth(_) => paths,
+            Command::Synth(o) => paths.reads(&o.machine),
             Command::Peers(o) => paths.reads(&o.rtl),
             Command::Mutate(o) => paths.file("--out", &o.out),
         }

@@ -9,7 +9,7 @@ use crate::report::{SynthReport, thousandths};
 use crate::target::Target;
 use crate::tools::Programs;
 use imogene_contract::Request;
-use imogene_rtl::emit::emit;
+use imogene_rtl::emit::{Emitted, emit};
 use imogene_tools::scratch;
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -25,12 +25,29 @@ pub fn synthesise(
     options: &Options,
     cache: Cache,
 ) -> Result<SynthReport, SynthError> {
-    let emitted = emit(request)?;
+    let report = synthesise_design(&emit(request)?, target, options, cache)?;
+    Ok(SynthReport {
+        parameters: parameters(request),
+        ..report
+    })
+}
+
+/// The same of any design, whose parameters are not known.
+///
+/// # Errors
+///
+/// When a tool is missing or fails, or its report cannot be read.
+pub fn synthesise_design(
+    emitted: &Emitted,
+    target: Target,
+    options: &Options,
+    cache: Cache,
+) -> Result<SynthReport, SynthError> {
     let text = emitted.bundle();
     let programs = Programs::find(target)?;
     let tools = programs.versions();
     let verilog = digest(&text);
-    let harness = harness::verilog(&emitted);
+    let harness = harness::verilog(emitted);
     let entry = kept(&[
         &verilog,
         target.name(),
@@ -49,10 +66,9 @@ pub fn synthesise(
 
     let start = Instant::now();
     let folder = scratch()?;
-    let bench = Bench::of(&programs, target, folder.path(), &emitted, &harness)?;
+    let bench = Bench::of(&programs, target, folder.path(), emitted, &harness)?;
     let report = SynthReport {
         latency: emitted.latency,
-        parameters: parameters(request),
         tools,
         verilog,
         ..bench.report(options)?

@@ -51,7 +51,7 @@ mod yosys;
 pub use cache::{Cache, digest, kept};
 pub use error::SynthError;
 pub use figures::Figures;
-pub use flow::{Options, synthesise};
+pub use flow::{Options, synthesise, synthesise_design};
 pub use fold::{Folded, fold};
 pub use netlist::{Netlist, cell_models, netlist};
 pub use nextpnr::{RouteReport, RoutedClock, parse_report};

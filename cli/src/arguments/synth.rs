@@ -9,8 +9,11 @@ use std::path::PathBuf;
 #[derive(Debug, Args)]
 pub struct Synth {
     /// Unit, as listed by `imogene units`.
-    #[arg(required_unless_present_any = ["table", "check"])]
+    #[arg(required_unless_present_any = ["table", "check", "machine"])]
     pub unit: Option<String>,
+    /// Whole machine in the place of a unit, as those in machines/, placed and routed as one.
+    #[arg(long, value_name = "FILE.toml", conflicts_with_all = ["unit", "table", "check", "widths"])]
+    pub machine: Option<PathBuf>,
     /// Device: ice40-hx8k, ice40-up5k, ecp5-45k, ecp5-85k, xilinx7, gowin, or transistors.
     #[arg(long, value_name = "T", required_unless_present_any = ["table", "check"])]
     pub target: Option<String>,

@@ -136,7 +136,12 @@ impl Args for Parameters {
 #[derive(Debug, Args)]
 pub struct Emit {
     /// Unit, as listed by `imogene units`.
-    pub unit: String,
+    #[arg(required_unless_present = "machine")]
+    pub unit: Option<String>,
+    /// Whole machine in the place of a unit, as those in machines/; with a scene `imogene machine` writes it, with what
+    /// it is loaded with.
+    #[arg(long, value_name = "FILE.toml", conflicts_with_all = ["unit", "widths"])]
+    pub machine: Option<PathBuf>,
     /// Parameters.
     #[command(flatten)]
     pub shape: Shape,

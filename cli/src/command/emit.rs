@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 /// What was emitted; the keys are stable.
 #[derive(Serialize)]
 struct EmitReport {
-    unit: &'static str,
+    unit: String,
     top: String,
     files: Vec<PathBuf>,
     latency: usize,
@@ -33,17 +33,26 @@ pub struct PortEntry {
 
 /// Writes the Verilog of a unit.
 pub fn run(options: &Emit, json: bool) -> Result<(), Failure> {
-    let request = options.shape.request(&options.unit)?;
     let prefix = options.prefix.as_deref();
-    let emitted = match fitted::asked(&options.fitted, &request, prefix)? {
-        Some(machine) => emit_machine(&machine)?,
-        None => emitted(&request, prefix)?,
+    let (unit, emitted) = match (&options.machine, &options.unit) {
+        (Some(file), _) => {
+            let machine = fitted::described(file, prefix)?;
+            (None, emit_machine(&machine)?)
+        }
+        (None, unit) => {
+            let request = options.shape.request(unit.as_deref().unwrap_or_default())?;
+            let emitted = match fitted::asked(&options.fitted, &request, prefix)? {
+                Some(machine) => emit_machine(&machine)?,
+                None => emitted(&request, prefix)?,
+            };
+            (Some(request.unit.name()), emitted)
+        }
     };
     let mut files = output::files();
     add_verilog(&mut files, &emitted, &options.out, options.split)?;
     let files = files.finish()?;
     let report = EmitReport {
-        unit: request.unit.name(),
+        unit: unit.map_or_else(|| emitted.top.clone(), str::to_owned),
         top: emitted.top.clone(),
         files,
         latency: emitted.latency,

@@ -13,6 +13,7 @@ use imogene_synth::Target;
 use imogene_synth::fitted::{MachineCost, Parts, estimated_costs, machine_costs};
 use imogene_verif::display::request::request_for;
 use std::collections::BTreeSet;
+use std::path::Path;
 
 /// The deciding part of the widths and slots asked for, if any are.
 pub fn asked(
@@ -41,6 +42,17 @@ pub fn asked(
         command,
         ..MachineRequest::fitted(words, request.rows_per_stage as usize, slots.clone())
     }))
+}
+
+/// The machine of a description, whatever it is loaded with.
+pub fn described(file: &Path, prefix: Option<&str>) -> Result<MachineRequest, Failure> {
+    let machine = MachineDescription::read(file)?;
+    let named = prefix.map_or(String::new(), |prefix| format!(" --prefix {prefix}"));
+    let command = format!("imogene emit --machine {}{named} --out DIR", file.display());
+    Ok(MachineRequest {
+        prefix: prefix.unwrap_or_default().to_owned(),
+        ..request_for(&machine, &[], &command)
+    })
 }
 
 /// What whole machines cost, estimated from those of `known` ones that have as many rows to a stage.

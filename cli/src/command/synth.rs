@@ -10,7 +10,7 @@ use imogene_files::text::counted;
 use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
 use imogene_synth::fitted::Parts;
 use imogene_synth::table::{self, Table};
-use imogene_synth::{Options, SynthReport, Target, synthesise};
+use imogene_synth::{Options, SynthReport, Target, synthesise, synthesise_design};
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
@@ -19,10 +19,20 @@ pub fn run(options: &Synth, json: bool) -> Result<(), Failure> {
     if options.check {
         return check::run(options, json);
     }
-    match (&options.unit, &options.target) {
-        (Some(unit), Some(target)) => run_unit(unit, target, options, json),
+    match (&options.unit, &options.machine, &options.target) {
+        (_, Some(machine), Some(target)) => run_design(machine, target, options, json),
+        (Some(unit), _, Some(target)) => run_unit(unit, target, options, json),
         _ => run_table(options, json),
     }
+}
+
+/// A whole machine, placed and routed as one.
+fn run_design(file: &Path, target: &str, options: &Synth, json: bool) -> Result<(), Failure> {
+    let (target, seeds) = (Target::from_name(target)?, options.seeds);
+    let machine = emit_machine(&fitted::described(file, None)?)?;
+    let report = synthesise_design(&machine, target, &Options { seeds }, options.cache())?;
+    output::report(json, &report, |_| output::text(describe(&report)));
+    Ok(())
 }
 
 fn run_unit(unit: &str, target: &str, options: &Synth, json: bool) -> Result<(), Failure> {

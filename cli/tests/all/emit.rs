@@ -51,3 +51,38 @@ fn emit_puts_a_prefix_before_modules_and_files() {
         assert_modules(&place, &list);
     }
 }
+
+/// A machine without a scene, from its description alone.
+#[test]
+fn emit_writes_a_whole_machine() {
+    let place = Place::new();
+    let description = "machine = \"zone\"\nslots = \"2,facet3\"\ndecider = \"chain\"\n\
+        zone = { width = 8, height = 8 }\nmode = \"640x480\"\n";
+    place.write("m.toml", description);
+    let report = place.json("emit --machine m.toml --prefix own_ --out out");
+    assert_eq!(report["unit"], "own_zone_display");
+    assert_eq!(report["top"], "own_zone_display");
+    let text = place.text("out/own_zone_display.v");
+    for part in [
+        "imogene emit --machine m.toml --prefix own_ --out DIR",
+        "decider chain",
+        "\nmodule own_visibility_chain (",
+        "\nmodule own_facet_shared_store (",
+    ] {
+        assert!(text.contains(part), "{part}");
+    }
+    for (line, part) in [
+        ("emit --out out", "<UNIT>"),
+        ("emit pe1 --machine m.toml --out out", "cannot be used with"),
+        (
+            "emit --machine none.toml --out out",
+            "none.toml: the machine description cannot be read",
+        ),
+        (
+            "synth --machine none.toml --target gowin",
+            "none.toml: the machine description cannot be read",
+        ),
+    ] {
+        place.run(line).refused(&[part]);
+    }
+}

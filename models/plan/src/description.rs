@@ -7,7 +7,7 @@ mod validation;
 use imogene_contract::object::ProductSlots;
 use imogene_contract::slots::{FittedSlot, Products, Slots};
 use imogene_contract::video::{Span, VideoMode};
-use imogene_contract::{MachineWords, RootForm, volume};
+use imogene_contract::{DeciderForm, MachineWords, RootForm, volume};
 use imogene_golden::format::{FittedError, Format};
 use imogene_golden::machine::post_filter::Kernel;
 use imogene_golden::machine::zone::ZoneMachine;
@@ -162,6 +162,9 @@ pub struct MachineDescription {
     /// Products of solids; the last object processors are theirs, product by product.
     #[serde(default, skip_serializing_if = "has_none")]
     pub products: Products,
+    /// How the nearest object is chosen.
+    #[serde(default, skip_serializing_if = "DeciderForm::is_usual")]
+    pub decider: DeciderForm,
     /// Transparent objects of a beam machine: its last slots, behind those of products, are theirs.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub layers: usize,

@@ -8,7 +8,7 @@ use crate::shade::*;
 use crate::video::*;
 use imogene_contract::slots::FittedSlot;
 use imogene_contract::video::{LEAD, VideoMode};
-use imogene_contract::{MachineWords, Request, Unit};
+use imogene_contract::{DeciderForm, MachineWords, Request, Unit};
 use imogene_hdl::{Bits, Design, Value};
 
 /// So many inputs that are alike.
@@ -158,6 +158,7 @@ pub fn design(p: &Request) -> Design {
                 rows_per_stage: rows,
                 slots: vec![FittedSlot::quadric(planes); p.objects as usize],
                 products: vec![],
+                decider: DeciderForm::Tree,
             };
             beam("top", Zone::input(), Load::input(widths.bus()), &machine)
         }),

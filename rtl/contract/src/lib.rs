@@ -16,6 +16,7 @@
 
 mod catalogue;
 pub mod command_stream;
+mod decider_form;
 pub mod formula;
 mod machine_words;
 pub mod object;
@@ -31,6 +32,7 @@ pub mod video;
 pub mod volume;
 pub mod words;
 
+pub use decider_form::{DeciderForm, DeciderFormError};
 pub use machine_words::MachineWords;
 pub use record::Record;
 pub use request::{Request, RequestError};

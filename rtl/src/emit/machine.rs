@@ -14,7 +14,7 @@ use imogene_contract::object::ProductSlots;
 use imogene_contract::request::in_range;
 use imogene_contract::slots::FittedSlot;
 use imogene_contract::words::{MOST_LAYERS, MOST_LIGHTS, MOST_MEMBERS, MOST_OBJECTS, MOST_PLANES};
-use imogene_contract::{RequestError, Unit};
+use imogene_contract::{DeciderForm, RequestError, Unit};
 use imogene_hdl::Design;
 
 /// Bits of the address of a pixel in a zone, at most.
@@ -61,6 +61,8 @@ pub struct MachineRequest {
     pub slots: Vec<FittedSlot>,
     /// Products of solids, whose slots are the last, product by product.
     pub products: Vec<ProductSlots>,
+    /// How the nearest is chosen.
+    pub decider: DeciderForm,
     /// Slots of transparent objects, of a beam machine that shades alone; their numbers follow those of `slots`.
     pub layers: Vec<FittedSlot>,
     /// Volume processors, in a beam machine one for each volume; may be none. A deciding beam has none.
@@ -140,6 +142,7 @@ impl MachineRequest {
             rows_per_stage,
             slots,
             products: vec![],
+            decider: DeciderForm::Tree,
             layers: vec![],
             volumes: 0,
             volume_planes: 0,
@@ -196,6 +199,7 @@ impl MachineRequest {
             rows_per_stage: self.rows_per_stage as u32,
             slots: self.slots.clone(),
             products: self.products.clone(),
+            decider: self.decider,
         }
     }
 
@@ -299,6 +303,9 @@ impl MachineRequest {
             } = product;
             format!("a product of {intersected} objects less {subtracted}, in the last slots")
         }));
+        if !self.decider.is_usual() {
+            lines.push(format!("decider {}", self.decider));
+        }
         if matches!(self.kind, Kind::Beam) {
             return lines;
         }

@@ -44,6 +44,7 @@ pub fn request_for(machine: &MachineDescription, tables: &[u64], command: &str) 
         layers: slots.split_off(slots.len() - machine.layers),
         slots,
         products: machine.products.0.clone(),
+        decider: machine.decider,
         volumes: machine.volumes,
         volume_planes: machine.volume_planes,
         lights: machine.lights,

@@ -1,6 +1,7 @@
 //! Machines with a screen: the pins on every clock, and the pixels of their streams.
 
 use super::root;
+use imogene_contract::DeciderForm;
 use imogene_contract::slots::{Slots, parse};
 use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_golden::widths::OwnWidths;
@@ -150,6 +151,44 @@ fn slots_that_are_not_alike_show_the_golden_picture() {
     let image = drawn("teapot.toml", &machine);
     assert!(image.beats.len() < alike.beats.len());
     run(&machine, &[image], &PinsRun::plain(Engine::BuiltIn));
+}
+
+/// Chains and cards, also of which the last is not full, of processors of different latencies, with products behind
+/// some: the decider's form changes clocks and no pixel.
+#[test]
+fn deciders_of_every_form() {
+    let beam = small("beam-160x120.toml", 48, 36, 40);
+    let mixed = MachineDescription {
+        objects: 5,
+        planes: 6,
+        slots: Some(Slots(
+            parse("3,patch3,polyhedron6,facet3,3").expect("slots"),
+        )),
+        volumes: 1,
+        volume_planes: 10,
+        ..small("zone-slots.toml", 48, 36, 12)
+    };
+    let solids = small("zone-solids.toml", 48, 36, 12);
+    for (scene, machine) in [
+        ("teapot.toml", &beam),
+        ("shadows/robot.toml", &mixed),
+        ("solids/bracket.toml", &solids),
+    ] {
+        let alike = drawn(scene, machine);
+        for decider in [
+            DeciderForm::Chain,
+            DeciderForm::Cards(4),
+            DeciderForm::Cards(1),
+        ] {
+            let machine = MachineDescription {
+                decider,
+                ..machine.clone()
+            };
+            let image = drawn(scene, &machine);
+            assert!(image.picture == alike.picture);
+            run(&machine, &[image], &PinsRun::plain(Engine::BuiltIn));
+        }
+    }
 }
 
 #[test]

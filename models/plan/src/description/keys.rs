@@ -12,7 +12,7 @@ use toml::de::DeTable;
 pub type Key = (&'static str, String);
 
 /// All keys in their order.
-pub fn keys() -> [Key; 22] {
+pub fn keys() -> [Key; 23] {
     let up_to = |most: usize| format!("0 to {most}");
     let depths = format!("{} to {}", Format::DEPTHS.start(), Format::DEPTHS.end());
     let zone = format!("{{ width = 32, height = 32 }}, of 1 to {MAX_ZONE_PIXELS} pixels");
@@ -36,6 +36,10 @@ pub fn keys() -> [Key; 22] {
             "a text such as \"3,0,2:r14:p20,patch2,sphere\"".into(),
         ),
         ("products", "a text such as \"2-1,1-3\"".into()),
+        (
+            "decider",
+            "\"tree\", \"chain\" or a text such as \"cards4\"".into(),
+        ),
         ("layers", up_to(MOST_LAYERS as usize)),
         ("volumes", up_to(256)),
         ("volume_planes", up_to(MAX_PLANES)),

@@ -6,7 +6,7 @@ use super::frames::{Drawn, Frame, Frames};
 use imogene_contract::object::Kind;
 use imogene_contract::slots::{FittedSlot, Products, Slots};
 use imogene_contract::video::VideoMode;
-use imogene_contract::{MachineWords, RootForm};
+use imogene_contract::{DeciderForm, MachineWords, RootForm};
 use imogene_golden::format::Format;
 use imogene_golden::machine::shader::MOST_LIGHTS;
 use imogene_golden::object::slot::ProcessorWords;
@@ -116,6 +116,7 @@ pub fn smallest(
         planes: 0,
         slots: Some(Slots(kinds(frames))),
         products: Products::default(),
+        decider: DeciderForm::Tree,
         layers: 0,
         volumes: 0,
         volume_planes: 0,

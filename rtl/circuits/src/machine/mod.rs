@@ -47,6 +47,7 @@ pub use show_control::{Issued, Window, show_control};
 pub use stream::{Beat, WordBus, stream_slice};
 pub use tile::{TilePins, tile};
 pub use visibility_chain::{card_decider, visibility_chain};
+use visibility_chain::{decided, decider_clocks, lag};
 pub use volume_array::{Lit, VolumeLoad, Volumes, volume_array};
 pub use volume_store::{StoredVolume, volume_store};
 pub use zone_buffer::{Kept, Steps, zone_buffer};

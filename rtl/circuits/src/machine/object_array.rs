@@ -1,14 +1,13 @@
 //! Object processors side by side, with their words and the decider.
 
 use super::slot::{Place, bus, processor, slot_clocks};
-use super::{Candidate, Extent, LoadBus, decider, product_clocks, products};
+use super::{Candidate, Extent, LoadBus, decided, decider_clocks, lag, product_clocks, products};
 use crate::arith::Network;
 use crate::object::{Normal, Widths};
 use crate::raster::Scan;
-use crate::tree::levels;
-use imogene_contract::MachineWords;
 use imogene_contract::object::ProductSlots;
 use imogene_contract::slots::FittedSlot;
+use imogene_contract::{DeciderForm, MachineWords};
 use imogene_hdl::{Bits, Bundle, Int, Value, bundle, bundles, module};
 
 /// Bits of the id of an object.
@@ -57,12 +56,22 @@ pub struct Objects {
     pub slots: Vec<FittedSlot>,
     /// Products of solids, whose slots are the last, product by product.
     pub products: Vec<ProductSlots>,
+    /// How the nearest is chosen.
+    pub decider: DeciderForm,
 }
 
 impl Objects {
-    /// Clocks from the flags of a pixel to what is seen: the longest processor and the decider.
+    /// Clocks from the flags of a pixel to what is seen: those of the longest processor and the decider.
     pub fn clocks(&self) -> u32 {
-        self.longest() + levels(self.choices())
+        let first = self
+            .starts()
+            .into_iter()
+            .zip(self.waits())
+            .zip(&self.slots)
+            .next();
+        let ((start, (lag, after)), slot) = first.expect("a slot");
+        let seen = start + self.slot_clocks(slot) + after;
+        seen - lag as u32 + decider_clocks(self.decider, self.choices())
     }
 
     /// The longest words of an object.
@@ -97,28 +106,36 @@ impl Objects {
         self.slots.len() - members
     }
 
-    /// Clocks from what the processor of each slot sees to what is seen of its object or product.
-    fn clocks_after(&self) -> Vec<u32> {
-        let mut clocks = vec![0; self.alone()];
-        clocks.extend(self.products.iter().flat_map(product_clocks));
-        clocks
+    /// Clocks that the processor of each slot begins later than it would to answer with the first candidate of the
+    /// decider, and those from what it sees to what is seen of its object or product.
+    fn waits(&self) -> Vec<(i64, u32)> {
+        let lag = |choice| i64::from(lag(self.decider, choice, self.choices()));
+        let alone = (0..self.alone()).map(|choice| (lag(choice), 0));
+        let products = (self.alone()..).zip(&self.products);
+        let members = products.flat_map(|(choice, product)| {
+            product_clocks(product)
+                .into_iter()
+                .map(move |after| (lag(choice), after))
+        });
+        alone.chain(members).collect()
     }
 
-    /// Clocks from the flags of a pixel to what is seen of each slot's object or product.
-    fn each_clocks(&self) -> Vec<u32> {
-        let slots = self.slots.iter().zip(self.clocks_after());
-        let clocks = slots.map(|(slot, after)| self.slot_clocks(slot) + after);
-        clocks.collect()
-    }
-
-    fn longest(&self) -> u32 {
-        self.each_clocks().into_iter().max().unwrap_or(0)
+    /// Clocks from the flags of a pixel until the processor of each slot begins: those with fewer stages begin later,
+    /// so that all answer when the decider takes them.
+    fn starts(&self) -> Vec<u32> {
+        let slots = self.slots.iter().zip(self.waits());
+        let waits =
+            slots.map(|(slot, (lag, after))| lag - i64::from(self.slot_clocks(slot) + after));
+        let waits: Vec<i64> = waits.collect();
+        let least = waits.iter().copied().min().unwrap_or(0);
+        waits
+            .into_iter()
+            .map(|wait| (wait - least) as u32)
+            .collect()
     }
 
     /// The nearest of the objects at every pixel, with ids of so many bits. Where words are held, `take` says when they
     /// and the loaded ids are taken over; else the id of an object is its place.
-    ///
-    /// Processors with fewer stages begin later, so that all answer together.
     pub(super) fn nearest(
         &self,
         scan: Scan,
@@ -126,21 +143,20 @@ impl Objects {
         id_bits: u32,
         take: Option<Bits>,
     ) -> (Bits, Candidate) {
-        let clocks = self.each_clocks();
-        let least = clocks.iter().copied().min().unwrap_or(0);
+        let starts = self.starts();
         let mut late = vec![scan];
-        for _ in least..self.longest() {
+        for _ in 0..starts.iter().copied().max().unwrap_or(0) {
             late.push(late[late.len() - 1].delayed(1));
         }
         let seen = self
             .slots
             .iter()
-            .zip(clocks)
+            .zip(&starts)
             .enumerate()
-            .map(|(index, (slot, clocks))| {
+            .map(|(index, (slot, start))| {
                 let [at, store, hold] =
                     ["processors", "stores", "holds"].map(|of| format!("{of}_{index}"));
-                let scan = late[(self.longest() - clocks) as usize];
+                let scan = late[*start as usize];
                 let place = Place {
                     at: &at,
                     store: &store,
@@ -159,9 +175,12 @@ impl Objects {
                 (seen.front.out_valid, Extent { face, end })
             });
         let (valid, extents): (Vec<Bits>, Vec<Extent>) = seen.unzip();
-        let wait = self.clocks_after()[0] + levels(self.choices());
+        let wait = self.clocks() - starts[0] - self.slot_clocks(&self.slots[0]);
         let valid = valid[0].delayed_as("valid_late", wait);
-        (valid, decider("decider", self.candidates(extents)))
+        (
+            valid,
+            decided("decider", self.candidates(extents), self.decider),
+        )
     }
 
     /// What is seen of the objects that are in no solid, and of the products.

@@ -10,7 +10,7 @@ use imogene_contract::command_stream::SHADING_WORD;
 use imogene_contract::shading::BACKGROUND;
 use imogene_contract::slots::FittedSlot;
 use imogene_contract::video::{Span, VideoMode};
-use imogene_contract::{MachineWords, RootForm};
+use imogene_contract::{DeciderForm, MachineWords, RootForm};
 use imogene_hdl::{Design, Port, Simulator};
 
 /// A colour as pixels have it, and as the word of the background, which has red in its low bits.
@@ -33,6 +33,7 @@ fn machine() -> BeamMachine {
         layers: vec![],
         objects: Objects {
             products: vec![],
+            decider: DeciderForm::Chain,
             words,
             rows_per_stage: 4,
             slots: [0, 2, 3].map(FittedSlot::quadric).to_vec(),

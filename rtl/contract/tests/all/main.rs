@@ -1,5 +1,6 @@
 //! All tests of the crate, as one program.
 
+mod decider_form;
 mod formula;
 mod request;
 mod root_form;
