@@ -153,8 +153,8 @@ pub enum Command {
     Machine(Machine),
     /// Make a board that shows a scene: top level, constraints, bitstream, and the picture that its pins show.
     Board(Board),
-    /// Synthesise a unit or a whole machine with the open tools: LUT, FF, DSP, BRAM, Fmax; or make the resource table, or check against
-    /// it.
+    /// Synthesise a unit or a whole machine with the open tools: LUT, FF, DSP, BRAM, Fmax; or make the resource table,
+    /// or check against it.
     Synth(Synth),
     /// Synthesise the Verilog of another project beside a unit, with the same scripts, harness and seeds.
     Peers(Peers),

@@ -13,7 +13,7 @@ pub const fn table_latency(places: u32, nearest: bool) -> u32 {
     }
 }
 /// The same where there are no lights.
-pub const FLAT_LATENCY: u32 = 3;
+pub const FLAT_LATENCY: u32 = 5;
 /// Bits after the point of a level before it is rounded.
 pub const LEVEL_FRACTION: usize = 21;
 

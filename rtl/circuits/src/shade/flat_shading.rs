@@ -20,18 +20,19 @@ bundles! {
 /// What the shading processor gives without a light: the ambient level of the material of every pixel, rounded, or the
 /// background. One pixel per clock.
 ///
-/// Latency 3. The words and their addresses are those of the shading processor; all but the background and the ambient
+/// Latency 5: a memory gives its word late in a clock, so that a register stands before and one behind it. The words and their addresses are those of the shading processor; all but the background and the ambient
 /// levels mean nothing here.
 pub fn flat_shading(at: &str, point: FlatPoint, load: ShadingLoad) -> Shaded {
     let inputs = (point, ("load", load));
     module("flat_shading", at, inputs, |(point, load)| {
         let view = part(load, 0, LIGHT, 3 * LEVEL);
         let bus = part(load, MATERIAL, MATERIAL_WORDS * MOST_MATERIALS, 32);
+        net! { let material = point.material.reg(); }
         let word = |index: u64, width: u32| {
             let write = bus.write & bus.address.low(2).is(index);
             let (name, entry) = (format!("materials_{index}"), bus.address.slice(9, 2));
             let write = (write, entry, bus.data.low(width));
-            memory(&name, MOST_MATERIALS as usize, write, point.material)
+            memory(&name, MOST_MATERIALS as usize, write, material).reg()
         };
         net! {
             let red_green = word(0, 32);
