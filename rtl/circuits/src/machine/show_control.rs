@@ -2,7 +2,7 @@
 
 use super::COORDINATE;
 use crate::raster::Pixel;
-use imogene_hdl::{Bits, Value, bundle, bundles, module, net, ports};
+use imogene_hdl::{Bits, Bundle, Value, bundle, bundles, module, net, ports};
 
 bundle! {
     /// A rectangle of the screen.
@@ -19,7 +19,7 @@ bundles! {
     #[derive(Copy)]
     Issued {
         issue: Bits as "issue", "a pixel is issued on this clock";
-        valid: Bits as "valid", "one was issued a clock before";
+        valid: Bits as "valid", "one was issued two clocks before";
         pixel: Pixel as "", "its place on the screen";
         is_last: Bits as "is_last", "it is the last of the zone";
     }
@@ -27,7 +27,7 @@ bundles! {
 
 /// Scans a zone left to right, top to bottom, on clocks on which there is `room` behind the shading processor.
 ///
-/// The window stays as it is until the last pixel was issued. Latency 1. `docs/zone-machine.md`.
+/// The window stays as it is until the last pixel was issued. Latency 2. `docs/zone-machine.md`.
 pub fn show_control(at: &str, go: Bits, room: Bits, window: Window) -> Issued {
     let inputs = (ports!(go, room), window);
     module("show_control", at, inputs, |((go, room), window)| {
@@ -49,9 +49,9 @@ pub fn show_control(at: &str, go: Bits, room: Bits, window: Window) -> Issued {
         let place = [window.x0 + column, window.y0 + row];
         Issued {
             issue,
-            valid: issue.reg(),
-            pixel: Pixel::of(place.map(Bits::reg)),
-            is_last: ends.reg(),
+            valid: issue.delay(2),
+            pixel: Pixel::of(place).delayed(2),
+            is_last: ends.delay(2),
         }
     })
 }

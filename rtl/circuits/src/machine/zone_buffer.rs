@@ -10,10 +10,10 @@ bundle! {
     Steps() {
         begin_pass: Bits(1), "the next pixel of every stream is the first of the zone";
         is_first: Bits(1), "of a pass: what the buffer held is forgotten";
-        drawn_soon: Bits(1), "a pixel of a drawing pass comes at the next clock";
-        depth_soon: Bits(1), "a lighting pass wants the depth of its next pixel at the next clock";
-        flags_soon: Bits(1), "a lighting pass wants the flags of its next pixel at the next clock";
-        show_soon: Bits(1), "a showing pass wants all of its next pixel at the next clock";
+        drawn_soon: Bits(1), "a pixel of a drawing pass comes in two clocks";
+        depth_soon: Bits(1), "a lighting pass wants the depth of its next pixel in two clocks";
+        flags_soon: Bits(1), "a lighting pass wants the flags of its next pixel in two clocks";
+        show_soon: Bits(1), "a showing pass wants all of its next pixel in two clocks";
     }
 }
 
@@ -29,7 +29,7 @@ bundles! {
 ///
 /// `drawn` says with its surface that a pixel of a drawing pass is here, `lit` with its flags one of a lighting pass. A
 /// surface replaces the one in the buffer if it is nearer, or at equal depth if its id is smaller, so that the order
-/// of passes does not matter. Latency 1 from a wanted pixel to its values, 2 from a drawn pixel to the buffer.
+/// of passes does not matter. Latency 2 from a wanted pixel to its values, as from a drawn pixel to the buffer.
 /// `docs/zone-machine.md`.
 pub fn zone_buffer(
     at: &str,
@@ -64,7 +64,7 @@ pub fn zone_buffer(
         }
         let words = 1 << places;
         let keep = |name: &str, word: Bits| {
-            memory(name, words, (kept_wins, write_place, word), read_place)
+            memory(name, words, (kept_wins, write_place, word), read_place).reg()
         };
         let old = keep("surfaces", kept_surface);
         let normals = keep("normals", kept_normal);
@@ -81,7 +81,7 @@ pub fn zone_buffer(
             id: old_id,
             normal: Normal::of([0, 1, 2].map(component)),
         };
-        let flags = memory("flags", words, (lit, lit_place, lit_flags), flags_place);
+        let flags = memory("flags", words, (lit, lit_place, lit_flags), flags_place).reg();
         ("seen", Kept { surface, flags })
     })
 }

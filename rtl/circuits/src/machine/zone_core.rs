@@ -10,7 +10,7 @@ use crate::raster::Pixel;
 use imogene_hdl::{Bits, Int, Value, bundle, bundles, module};
 
 /// Clocks of a showing pass besides its pixels.
-pub const SHOW_CLOCKS: u32 = 4;
+pub const SHOW_CLOCKS: u32 = 5;
 
 /// What a zone core is built for.
 #[derive(Clone, Debug)]
@@ -63,7 +63,7 @@ bundles! {
     Shown {
         ready: Bits as "s_tready", "the beat is taken";
         started: Bits as "started", "a pixel is started on this clock";
-        valid: Bits as "valid", "a clock later: it is on the ports below";
+        valid: Bits as "valid", "two clocks later: it is on the ports below";
         pixel: Pixel as "", "its place on the screen";
         surface: Surface as "", "its surface, at the far end the background";
         flags: Bits as "source_flags", "sources that reach it";
@@ -117,7 +117,7 @@ pub fn zone_core(at: &str, beat: Beat, room: Bits, machine: &ZoneCore, drain: u3
         let steps = Steps {
             begin_pass: pass.begin_pass,
             is_first: pass.is_first,
-            drawn_soon: draw.scan.flags.valid.delayed_as("drawn_soon", clocks - 1),
+            drawn_soon: draw.scan.flags.valid.delayed_as("drawn_soon", clocks - 2),
             depth_soon: lighting.depth_soon,
             flags_soon: lighting.flags_soon,
             show_soon: show.issue,
@@ -175,7 +175,7 @@ fn lighting(
             ends: light.last,
         };
     }
-    let soon = |name: &str, clocks: u32| light.scan.flags.valid.delayed_as(name, clocks - 1);
+    let soon = |name: &str, clocks: u32| light.scan.flags.valid.delayed_as(name, clocks - 2);
     Lighting {
         depth_soon: soon("depth_soon", volumes.depth_offset()),
         flags_soon: soon("flags_soon", volumes.flags_offset()),

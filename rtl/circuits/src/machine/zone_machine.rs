@@ -70,7 +70,7 @@ pub fn zone_machine(
             last: shown.last,
             m_tready: ready,
         };
-        let queued = pixel_fifo("queue", queue, QUEUE, machine.drain());
+        let queued = pixel_fifo("queue", queue, QUEUE, machine.drain() + 1);
         room.drive(match machine.samples {
             1 => queued.room,
             // Samples before the last pass stay with their sums and want no room.
