@@ -290,6 +290,28 @@ fn the_beam_machine_with_volumes() {
     run(&machine, &[image], &PinsRun::plain(VERILATOR));
 }
 
+/// Polyhedra are drawn in fewer clocks than a volume takes to want their depth.
+#[test]
+fn short_processors_wait_for_volumes() {
+    let path = root().join("scenes/processors/polyhedron.toml");
+    let text = std::fs::read_to_string(path).expect("a scene");
+    let shaded = text.replace("[[lights]]\n", "[[lights]]\nshadows = true\n");
+    let machine = MachineDescription {
+        objects: 3,
+        planes: 8,
+        slots: Some(Slots(
+            parse("polyhedron6,polyhedron8,polyhedron8").expect("slots"),
+        )),
+        volumes: 22,
+        volume_planes: 8,
+        lights: 2,
+        ..small("beam-160x120.toml", 48, 36, 60)
+    };
+    let image = drawn_text(&shaded, &machine);
+    assert!(image.lighting.flags.iter().any(|&flags| flags != u16::MAX));
+    run(&machine, &[image], &PinsRun::plain(Engine::BuiltIn));
+}
+
 #[test]
 fn the_zone_machine_shows_whole_frames() {
     let mut machine = small("zone-160x120.toml", 48, 36, 12);

@@ -54,16 +54,25 @@ impl BeamMachine {
         words.into_iter().fold(SHADING, u32::max)
     }
 
+    /// Clocks from a pixel to its nearest surface: not before volumes want its depth.
+    fn nearest(&self) -> u32 {
+        let clocks = self.objects.clocks();
+        match self.volumes.planes.is_empty() {
+            true => clocks,
+            false => clocks.max(self.volumes.depth_offset()),
+        }
+    }
+
     /// Clocks by which the flags of the raster reach the volumes later, for the visible depth to meet them.
     fn volume_start(&self) -> u32 {
-        self.objects.clocks() - self.volumes.depth_offset()
+        self.nearest() - self.volumes.depth_offset()
     }
 
     /// Clocks from a pixel to what the shading processor is told of it.
     fn decided(&self) -> u32 {
         if self.volumes.planes.is_empty() {
             // The material is read.
-            return self.objects.clocks() + 1;
+            return self.nearest() + 1;
         }
         self.volume_start() + self.volumes.clocks()
     }
@@ -141,11 +150,18 @@ fn shaded_surface(
     machine: &BeamMachine,
 ) -> (Int, Shaded) {
     let words = (take, load.objects());
-    let (valid, seen) = object_array("objects", scan, words, &machine.objects, false);
+    let start = machine.nearest() - machine.objects.clocks();
+    let (valid, seen) = object_array(
+        "objects",
+        scan.delayed(start),
+        words,
+        &machine.objects,
+        false,
+    );
     let own_material = load.data.low(MATERIAL);
     let write = (load.material, load.address.low(SLOT), own_material);
     let material = memory("materials", 1 << SLOT, write, seen.id.low(SLOT));
-    let wait = machine.decided() - machine.objects.clocks();
+    let wait = machine.decided() - machine.nearest();
     let valid = valid.delayed_as("valid_late", wait);
     let depth = seen.depth.delayed_as("depth_late", wait);
     let material = material.delayed_as("material_late", wait - 1);
