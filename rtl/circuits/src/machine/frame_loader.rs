@@ -18,8 +18,8 @@ bundles! {
 /// machine in the vertical blanking, one per clock. Commands are ignored.
 ///
 /// After the last word `s_tready` is low until all words are copied. A `retrace` before the last word changes nothing:
-/// the frame before is drawn again, and no picture mixes two frames. n words are at work n + 6 clocks after `retrace`:
-/// a register stands between the memory and all processors.
+/// the frame before is drawn again, and no picture mixes two frames. n words are at work n + 7 clocks after `retrace`:
+/// registers stand between the memory and all processors, and before each of them.
 /// Chaillou 1991, IV.4.5: the loading memory M2 and its automaton.
 pub fn frame_loader(at: &str, beat: Beat, last: Bits, retrace: Bits, places: u32) -> Loaded {
     let inputs = (("s", beat), ("s_tlast", last), ("retrace", retrace));
@@ -44,7 +44,7 @@ pub fn frame_loader(at: &str, beat: Beat, last: Bits, retrace: Bits, places: u32
             let filled_place = address(filled);
             let copied_place = address(copied);
             let written_place = join([beat.tdest, beat.tuser]);
-            let take_late = ends.delay(4);
+            let take_late = ends.delay(5);
         }
         let next_filled = is_kept.select(filled + count(1), count(0));
         filled.load_when(is_kept | refuses | ends, next_filled);

@@ -134,12 +134,12 @@ impl Objects {
             .collect()
     }
 
-    /// The nearest of the objects at every pixel, with ids of so many bits. Where words are held, `take` says when they
-    /// and the loaded ids are taken over; else the id of an object is its place.
+    /// The nearest of the objects at every pixel, each loaded by its bus, with ids of so many bits. Where words are held,
+    /// `take` says when they and the loaded ids are taken over; else the id of an object is its place.
     pub(super) fn nearest(
         &self,
         scan: Scan,
-        load: Load,
+        buses: impl Fn(u64) -> LoadBus,
         id_bits: u32,
         take: Option<Bits>,
     ) -> (Bits, Candidate) {
@@ -160,7 +160,7 @@ impl Objects {
                 let place = Place {
                     at: &at,
                     store: &store,
-                    bus: load.of(index as u64),
+                    bus: buses(index as u64),
                     hold: take.map(|take| (&*hold, take)),
                 };
                 let (seen, held) = processor(slot, place, scan, self.of_slot(slot));
@@ -207,7 +207,9 @@ pub fn object_array(
 ) -> (Bits, Surface) {
     let inputs = (scan, ("take", take), ("load", load));
     module("object_array", at, inputs, |(scan, take, load)| {
-        let (valid, nearest) = objects.nearest(scan, load, ID, is_held.then_some(take));
+        // The bus reaches every slot through a register of its own.
+        let buses = |slot| load.of(slot).registered();
+        let (valid, nearest) = objects.nearest(scan, buses, ID, is_held.then_some(take));
         let Candidate {
             depth, id, normal, ..
         } = nearest;

@@ -4,7 +4,7 @@ use super::{LoadBus, Volume, shadow_clocks, shadow_stage, volume_store};
 use crate::arith::Network;
 use crate::object::{VolumePoint, Widths, quadric_volume};
 use crate::raster::Scan;
-use imogene_hdl::{Bits, Value, bundle, module};
+use imogene_hdl::{Bits, Bundle, Value, bundle, module};
 
 bundle! {
     /// The load bus of volumes.
@@ -71,6 +71,7 @@ pub fn volume_array(
                 address: load.address,
                 data: load.data,
             };
+            let bus = bus.registered();
             let words = (volumes.root.depth, volumes.widths);
             let stored = volume_store(&format!("stores_{index}"), take, bus, words, *planes);
             let point = VolumePoint {

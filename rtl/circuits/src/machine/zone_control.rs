@@ -9,7 +9,7 @@ use imogene_hdl::{Bits, Bundle, Value, bundle, bundles, module, net};
 bundle! {
     /// The pass over a zone.
     Pass() {
-        begin_pass: Bits(1), "a pass begins: counters to zero, words are taken over";
+        begin_pass: Bits(1), "a pass begins, when all words have reached their stores: counters to zero, words are taken over";
         take_objects: Bits(1), "a drawing pass begins";
         take_volumes: Bits(1), "a lighting pass begins";
         go: Bits(1), "one clock later: the raster of a drawing or lighting pass starts";
@@ -74,7 +74,7 @@ pub fn zone_control(at: &str, beat: Beat, pass_ends: Bits, waits: Waits) -> Cont
             let lights = obeyed(LIGHT);
             let shows = obeyed(SHOW);
             let scans = draws | lights;
-            let begins = (scans | shows).reg();
+            let begins = (scans | shows).delay(2);
         }
         is_drawing.load_when(draws | pass_ends, draws);
         is_lighting.load_when(lights | pass_ends, lights);

@@ -10,7 +10,7 @@ use crate::raster::Pixel;
 use imogene_hdl::{Bits, Int, Value, bundle, bundles, module};
 
 /// Clocks of a showing pass besides its pixels.
-pub const SHOW_CLOCKS: u32 = 5;
+pub const SHOW_CLOCKS: u32 = 6;
 
 /// What a zone core is built for.
 #[derive(Clone, Debug)]
@@ -31,19 +31,19 @@ impl ZoneCore {
 
     /// Clocks from a drawing or lighting command until words of processors are taken again: all have started.
     pub fn settle_clocks(&self) -> u32 {
-        self.objects.clocks().max(self.volumes.clocks()) + 3
+        self.objects.clocks().max(self.volumes.clocks()) + 4
     }
 
     /// Clocks of a drawing pass besides its pixels.
     pub fn draw_clocks(&self) -> u32 {
-        self.objects.clocks() + 4
+        self.objects.clocks() + 5
     }
 
     /// Clocks of a lighting pass besides its pixels.
     pub fn light_clocks(&self) -> u32 {
         match self.volumes.planes.len() {
-            0 => 3,
-            _ => self.volumes.clocks() + 3,
+            0 => 4,
+            _ => self.volumes.clocks() + 4,
         }
     }
 }
