@@ -6,14 +6,14 @@ use super::description::{MachineDescription, MachineKind};
 use super::display::zone_plan;
 use super::zone::clocks::{ZoneTiming, clocks};
 use super::zone::refine::Refinement;
-use imogene_contract::shading::{self, table_latency};
+use imogene_contract::shading::{FLAT_LATENCY, LATENCY, table_latency};
 use imogene_golden::machine::accumulator;
 use imogene_prepare::PreparedScene;
 use imogene_scene::FramedScene;
 
 /// Clocks of a beam machine from the last pixel of a frame that is issued to the copying of the next words, and from
 /// there to the first pixel, beside those of the pipeline and the words themselves.
-const TURN: u64 = 7;
+const TURN: u64 = 9;
 
 /// What the hardware of a machine takes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -50,10 +50,12 @@ pub fn clocks_per_frame(
             } else {
                 0
             };
-            let shading = match machine.lit_sphere {
-                Some(sphere) => u64::from(table_latency(sphere.places(), sphere.nearest)),
-                None => shading::LATENCY as u64,
+            let shading = match (machine.lit_sphere, machine.lights) {
+                (Some(sphere), _) => table_latency(sphere.places(), sphere.nearest),
+                (None, 0) => FLAT_LATENCY,
+                (None, _) => LATENCY as u32,
             };
+            let shading = u64::from(shading);
             Ok(clocks(&plan, &timing.zone).total + shading + 2 + means)
         }
     }

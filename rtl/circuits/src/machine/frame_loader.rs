@@ -40,7 +40,9 @@ pub fn frame_loader(at: &str, beat: Beat, last: Bits, retrace: Bits, places: u32
             let refuses = comes & is_full & last;
             let begins = retrace & is_whole & !is_copying;
             let next_copied = copied + count(1);
-            let ends = is_copying & next_copied.equals(filled);
+            // Filled before it is copied, and so known a clock later.
+            let last_copied = (filled - count(1)).reg();
+            let ends = is_copying & copied.equals(last_copied);
             let filled_place = address(filled);
             let copied_place = address(copied);
             let written_place = join([beat.tdest, beat.tuser]);

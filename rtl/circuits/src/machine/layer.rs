@@ -31,12 +31,13 @@ pub(super) fn shaded_layer(
     module("shaded_layer", at, inputs, |(scan, bus, look, load)| {
         let words = machine.objects.of_slot(slot);
         let place = Place {
-            at: "processor",
-            store: "store",
+            at: "processor".into(),
+            store: "store".into(),
             bus,
             hold: None,
         };
-        let (seen, _) = processor(slot, place, scan, words);
+        let stored = place.stored(slot, words.0);
+        let (seen, _) = processor(slot, (&place, stored), scan, words);
         let material = look.data.low(MATERIAL).reg_when(look.write);
         let weight = look
             .data

@@ -134,8 +134,8 @@ impl Objects {
             .collect()
     }
 
-    /// The nearest of the objects at every pixel, each loaded by its bus, with ids of so many bits. Where words are held,
-    /// `take` says when they and the loaded ids are taken over; else the id of an object is its place.
+    /// The nearest of the objects at every pixel, each loaded by its bus, with ids of so many bits. Where words are
+    /// held, `take` says when they and the loaded ids are taken over; else the id of an object is its place.
     pub(super) fn nearest(
         &self,
         scan: Scan,
@@ -148,32 +148,36 @@ impl Objects {
         for _ in 0..starts.iter().copied().max().unwrap_or(0) {
             late.push(late[late.len() - 1].delayed(1));
         }
-        let seen = self
-            .slots
-            .iter()
-            .zip(&starts)
-            .enumerate()
-            .map(|(index, (slot, start))| {
-                let [at, store, hold] =
-                    ["processors", "stores", "holds"].map(|of| format!("{of}_{index}"));
-                let scan = late[*start as usize];
-                let place = Place {
-                    at: &at,
-                    store: &store,
-                    bus: buses(index as u64),
-                    hold: take.map(|take| (&*hold, take)),
-                };
-                let (seen, held) = processor(slot, place, scan, self.of_slot(slot));
-                let id = held.unwrap_or(Bits::new(index as u64, id_bits));
-                let face = Candidate {
-                    depth: seen.front.zf,
-                    id,
-                    number: seen.number,
-                    normal: seen.normal,
-                };
-                let end = seen.front.zb;
-                (seen.front.out_valid, Extent { face, end })
-            });
+        let place = |index: usize| {
+            let name = |of| format!("{of}_{index}");
+            Place {
+                at: name("processors"),
+                store: name("stores"),
+                bus: buses(index as u64),
+                hold: take.map(|take| (name("holds"), take)),
+            }
+        };
+        // All stores, then all processors: equal modules stand one after the other.
+        let slots = self.slots.iter().enumerate().map(|(index, slot)| {
+            let (place, words) = (place(index), self.of_slot(slot));
+            let stored = place.stored(slot, words.0);
+            (slot, place, stored, words)
+        });
+        let slots: Vec<_> = slots.collect();
+        let slots = slots.into_iter().zip(&starts).enumerate();
+        let seen = slots.map(|(index, ((slot, place, stored, words), start))| {
+            let scan = late[*start as usize];
+            let (seen, held) = processor(slot, (&place, stored), scan, words);
+            let id = held.unwrap_or(Bits::new(index as u64, id_bits));
+            let face = Candidate {
+                depth: seen.front.zf,
+                id,
+                number: seen.number,
+                normal: seen.normal,
+            };
+            let end = seen.front.zb;
+            (seen.front.out_valid, Extent { face, end })
+        });
         let (valid, extents): (Vec<Bits>, Vec<Extent>) = seen.unzip();
         let wait = self.clocks() - starts[0] - self.slot_clocks(&self.slots[0]);
         let valid = valid[0].delayed_as("valid_late", wait);

@@ -27,19 +27,22 @@ bundles! {
 
 /// Scans a zone left to right, top to bottom, on clocks on which there is `room` behind the shading processor.
 ///
-/// The window stays as it is until the last pixel was issued. Latency 2. `docs/zone-machine.md`.
+/// The window stands a clock before `go`, and stays as it is until the last pixel was issued. Latency 2.
+/// `docs/zone-machine.md`.
 pub fn show_control(at: &str, go: Bits, room: Bits, window: Window) -> Issued {
     let inputs = (ports!(go, room), window);
     module("show_control", at, inputs, |((go, room), window)| {
         let word = |value: u64| Bits::new(value, COORDINATE);
-        let is = |place: Bits, count: Bits| place.equals(count - word(1));
+        let last = |count: Bits| (count - word(1)).reg();
         net! {
             let running = Bits::register(1);
             let column = Bits::register(COORDINATE);
             let row = Bits::register(COORDINATE);
             let issue = running & room;
-            let line_ends = is(column, window.width);
-            let zone_ends = line_ends & is(row, window.height);
+            let last_column = last(window.width);
+            let last_row = last(window.height);
+            let line_ends = column.equals(last_column);
+            let zone_ends = line_ends & row.equals(last_row);
         }
         let ends = issue & zone_ends;
         running.load_when(go | ends, go);

@@ -138,23 +138,25 @@ impl Words {
 }
 
 /// A slot among others: the names in it, and how words come to its processor.
-#[derive(Clone, Copy)]
-pub(super) struct Place<'a> {
+pub(super) struct Place {
     /// Name of its processor.
-    pub at: &'a str,
+    pub at: String,
     /// Name of the store of its words.
-    pub store: &'a str,
+    pub store: String,
     /// Its load bus.
     pub bus: LoadBus,
     /// Where words are held, the name of what holds them or the id, and when a pass takes over what was written.
-    pub hold: Option<(&'a str, Bits)>,
+    pub hold: Option<(String, Bits)>,
 }
 
-impl Place<'_> {
+/// Words of a quadric, and the id of the object where they are held.
+pub(super) type Stored = (crate::object::Words, Option<Bits>);
+
+impl Place {
     /// Keeps the words of one object of a kind. They act from the clock after they are written until they are written
     /// again, held ones from when they are taken over until that is done again.
-    fn words<B: Ports>(self, kind: Kind, words: impl FnOnce(&mut Words) -> B) -> B::Bare {
-        let (at, bus, next) = (self.store, self.bus, 0);
+    fn words<B: Ports>(&self, kind: Kind, words: impl FnOnce(&mut Words) -> B) -> B::Bare {
+        let (at, bus, next) = (&self.store, self.bus, 0);
         let Some((_, take)) = self.hold else {
             let take = None;
             let name = format!("{}_store", kind.name());
@@ -172,20 +174,23 @@ impl Place<'_> {
         })
     }
 
-    /// Those of a quadric, and the id of the object where they are held.
-    fn quadric(self, widths: Widths, planes: u32) -> (crate::object::Words, Option<Bits>) {
-        let words = coefficient_store(self.store, self.bus, widths, planes.into());
-        let Some((at, take)) = self.hold else {
-            return (words, None);
+    /// Those of a quadric, which has its store apart.
+    pub(super) fn stored(&self, slot: &FittedSlot, widths: Widths) -> Option<Stored> {
+        if slot.kind != Kind::Quadric {
+            return None;
+        }
+        let words = coefficient_store(&self.store, self.bus, widths, slot.planes.into());
+        let Some((at, take)) = &self.hold else {
+            return Some((words, None));
         };
-        let (id, held) = coefficient_hold(at, take, self.bus, Held::of(&words));
-        (held.in_place(words), Some(id))
+        let (id, held) = coefficient_hold(at, *take, self.bus, Held::of(&words));
+        Some((held.in_place(words), Some(id)))
     }
 
     /// The id of an object of another kind, where words are held.
-    fn id(self) -> Option<Bits> {
-        let (at, take) = self.hold?;
-        let inputs = (("take", take), self.bus);
+    fn id(&self) -> Option<Bits> {
+        let (at, take) = self.hold.as_ref()?;
+        let inputs = (("take", *take), self.bus);
         let id = module("object_id", at, inputs, |(take, bus)| {
             ("id", bus.held_id(take))
         });
@@ -204,7 +209,7 @@ type FacetWords<P> = (
 /// Words of a facet of polynomials.
 fn facet_words<P: Plain + Copy>(
     (kind, sides): (Kind, usize),
-    place: Place,
+    place: &Place,
     side: impl Fn(&mut Words) -> P,
     part: impl Fn(&mut Words) -> P,
 ) -> Facet<P> {
@@ -223,16 +228,16 @@ fn facet_words<P: Plain + Copy>(
     }
 }
 
-/// A processor of any kind with the store of its words, and the id of the object where these are held.
+/// A processor of any kind, where it is not of quadrics with the store of its words; and the id of the object where
+/// these are held.
 pub(super) fn processor(
     slot: &FittedSlot,
-    place: Place,
+    (place, stored): (&Place, Option<Stored>),
     scan: Scan,
     (widths, root): (Widths, Network),
 ) -> (Visible, Option<Bits>) {
-    if slot.kind == Kind::Quadric {
-        let (words, id) = place.quadric(widths, slot.planes);
-        return (quadric_processor(place.at, scan, words, root), id);
+    if let Some((words, id)) = stored {
+        return (quadric_processor(&place.at, scan, words, root), id);
     }
     let id = place.id();
     (other_processor(slot, place, scan, (widths, root)), id)
@@ -241,11 +246,11 @@ pub(super) fn processor(
 /// A processor of another kind than of quadrics, with the store of its words.
 fn other_processor(
     slot: &FittedSlot,
-    place: Place,
+    place: &Place,
     scan: Scan,
     (widths, root): (Widths, Network),
 ) -> Visible {
-    let at = place.at;
+    let at = &place.at;
     let (kind, planes) = (slot.kind, slot.planes as usize);
     // Guard bits are those of f1 and f2 alone.
     let (linear, quadratic) = (widths.plane, words::quadratic(root.digits));

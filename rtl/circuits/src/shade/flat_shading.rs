@@ -20,8 +20,9 @@ bundles! {
 /// What the shading processor gives without a light: the ambient level of the material of every pixel, rounded, or the
 /// background. One pixel per clock.
 ///
-/// Latency 5: a memory gives its word late in a clock, so that a register stands before and one behind it. The words and their addresses are those of the shading processor; all but the background and the ambient
-/// levels mean nothing here.
+/// Latency 5: a memory gives its word late in a clock, so that a register stands before and one behind it. The words
+/// and their addresses are those of the shading processor; all but the background and the ambient levels mean nothing
+/// here.
 pub fn flat_shading(at: &str, point: FlatPoint, load: ShadingLoad) -> Shaded {
     let inputs = (point, ("load", load));
     module("flat_shading", at, inputs, |(point, load)| {
