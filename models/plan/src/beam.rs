@@ -129,9 +129,16 @@ pub(super) fn zone_slots(
     }
     let alone = prepared.slots_alone().into_iter().map(|slot| {
         let given = |given: &&FittedSlot| given.kind != Kind::Quadric && takes(given, &slot.words);
-        let given = slots.iter().find(given);
-        let (needed, _) = beam_slot(prepared, slot, given)?;
-        Ok::<_, DisplayError>(FittedSlot::of(needed.kind, needed.planes))
+        let needed = |given| {
+            let (needed, _) = beam_slot(prepared, slot.clone(), given)?;
+            Ok::<_, DisplayError>(FittedSlot::of(needed.kind, needed.planes))
+        };
+        let (own, other) = (needed(slots.iter().find(given))?, needed(None)?);
+        let is_there = |needed: &FittedSlot| slots.iter().any(|slot| slot.holds(needed));
+        Ok::<_, DisplayError>(match is_there(&other) && !is_there(&own) {
+            true => other,
+            false => own,
+        })
     });
     let members = prepared.solids.slots().into_iter().map(|slot| {
         let words = slot

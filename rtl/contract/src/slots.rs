@@ -135,6 +135,18 @@ impl FittedSlot {
     }
 }
 
+/// One slot of each kind of these, in their order, that is for the objects of all of its kind.
+pub fn one_of_each(slots: impl IntoIterator<Item = FittedSlot>) -> Vec<FittedSlot> {
+    let mut kinds: Vec<FittedSlot> = vec![];
+    for slot in slots {
+        match kinds.iter_mut().find(|kind| kind.kind == slot.kind) {
+            Some(kind) => *kind = kind.or(&slot),
+            None => kinds.push(slot),
+        }
+    }
+    kinds
+}
+
 /// The longer of two words, of which that of the machine is the longest.
 fn longer(one: Option<u32>, other: Option<u32>) -> Option<u32> {
     one.zip(other).map(|(one, other)| one.max(other))

@@ -192,7 +192,7 @@ fn deciders_of_every_form() {
 }
 
 #[test]
-fn flat_facets_on_the_pins_of_a_zone_machine() {
+fn facets_and_patches_on_the_pins_of_a_zone_machine() {
     let machine = small("zone-slots.toml", 64, 48, 12);
     let guarded = MachineDescription {
         widths: OwnWidths {
@@ -201,6 +201,11 @@ fn flat_facets_on_the_pins_of_a_zone_machine() {
         },
         objects: 2,
         slots: Some(Slots(parse("4,4").expect("slots"))),
+        ..machine.clone()
+    };
+    let short = MachineDescription {
+        objects: 2,
+        slots: Some(Slots(parse("patch0,4").expect("slots"))),
         ..machine.clone()
     };
     let stream = MachineDescription {
@@ -212,6 +217,7 @@ fn flat_facets_on_the_pins_of_a_zone_machine() {
         ("processors/mesh.toml", &stream, Engine::BuiltIn),
         ("terrain/hills.toml", &machine, Engine::BuiltIn),
         ("processors/mesh.toml", &guarded, Engine::BuiltIn),
+        ("processors/patch-processor.toml", &short, Engine::BuiltIn),
     ] {
         let image = drawn(scene, machine);
         let is_seen = |id: &i32| *id >= 0;

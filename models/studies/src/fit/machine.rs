@@ -4,7 +4,7 @@ use super::FitError;
 use super::estimate;
 use super::frames::{Drawn, Frame, Frames};
 use imogene_contract::object::Kind;
-use imogene_contract::slots::{FittedSlot, Products, Slots};
+use imogene_contract::slots::{FittedSlot, Products, Slots, one_of_each};
 use imogene_contract::video::VideoMode;
 use imogene_contract::{DeciderForm, MachineWords, RootForm};
 use imogene_golden::format::Format;
@@ -289,14 +289,8 @@ fn of_zones(
 /// Slots of the smallest processors that draw the parts of the frames in no solid, one of each kind; none if these are
 /// quadrics alone.
 fn own_kinds(frames: &[PreparedScene]) -> Option<Slots> {
-    let mut slots: Vec<FittedSlot> = vec![];
     let parts = frames.iter().flat_map(PreparedScene::slots_alone);
-    for own in parts.map(|part| smallest_kind(&part.words)) {
-        match slots.iter_mut().find(|slot| slot.kind == own.kind) {
-            Some(slot) => *slot = slot.or(&own),
-            None => slots.push(own),
-        }
-    }
+    let slots = one_of_each(parts.map(|part| smallest_kind(&part.words)));
     let others = slots.iter().any(|slot| slot.kind != Kind::Quadric);
     others.then_some(Slots(slots))
 }

@@ -11,7 +11,7 @@ pub mod sample;
 
 use crate::object::quadric::MAX_PLANES;
 use imogene_contract::object::ProductSlots;
-use imogene_contract::slots::FittedSlot;
+use imogene_contract::slots::{FittedSlot, one_of_each};
 use thiserror::Error;
 
 /// Bits of an object's id in the zone buffer.
@@ -76,14 +76,8 @@ impl ZoneMachine {
     /// The same with so many processors of each kind that it has for objects in no solid, with the most planes of one.
     pub fn with_processors(&self, count: usize) -> ZoneMachine {
         let (alone, members) = self.slots.split_at(self.alone());
-        let mut kinds: Vec<FittedSlot> = vec![];
-        for slot in alone {
-            match kinds.iter_mut().find(|kind| kind.kind == slot.kind) {
-                Some(kind) => *kind = kind.or(slot),
-                None => kinds.push(*slot),
-            }
-        }
-        let alone = kinds.iter().flat_map(|kind| vec![*kind; count]);
+        let kinds = one_of_each(alone.iter().copied());
+        let alone = kinds.into_iter().flat_map(|kind| vec![kind; count]);
         ZoneMachine {
             slots: alone.chain(members.iter().copied()).collect(),
             ..self.clone()
