@@ -11,6 +11,9 @@ use proptest::prelude::*;
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
+/// Points of a face.
+const POINTS: usize = 2500;
+
 /// A point of an axis, or the centre of a sphere.
 const ORIGIN: Vector = [0.3, -0.7, 1.1];
 
@@ -56,10 +59,13 @@ fn shipped(name: &str) -> String {
 fn shipped_parts_agree_with_the_winding_of_their_loops() {
     let mut kinds = BTreeMap::new();
     for name in "flange bracket ball-joint fillet volumes curved-plate".split(' ') {
-        compare(&part(&shipped(name), 0.0), 5000, &mut kinds);
+        compare(&part(&shipped(name), 0.0), POINTS, &mut kinds);
     }
     assert_eq!(kinds.len(), 4);
-    assert!(kinds.values().all(|points| *points >= 10_000), "{kinds:?}");
+    assert!(
+        kinds.values().all(|points| *points >= 2 * POINTS),
+        "{kinds:?}"
+    );
 }
 
 #[test]
@@ -70,7 +76,7 @@ fn approximated_borders_are_off_by_no_more_than_they_say() {
             let verdict = cells(&part, name).0;
             assert!(matches!(verdict, Verdict::Approximated(off) if off <= asked));
         }
-        compare(&part, 5000, &mut BTreeMap::new());
+        compare(&part, POINTS, &mut BTreeMap::new());
     }
 }
 

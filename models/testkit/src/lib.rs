@@ -242,6 +242,11 @@ pub fn file_prepared(
     Some((framed, prepared))
 }
 
+/// True in the long run, `scripts/test --full`.
+pub fn is_full() -> bool {
+    std::env::var("IMOGENE_FULL").is_ok_and(|value| value == "1")
+}
+
 /// The rows of a table, a line each, with their cells between bars.
 pub fn rows(table: &str) -> impl Iterator<Item = Vec<&str>> {
     let lines = table.trim().lines();

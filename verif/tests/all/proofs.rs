@@ -12,7 +12,7 @@ const REPRESENTATIVE: [&str; 12] = [
     "root-integers",
     "pe1-26",
     "pe1-integers",
-    "pe2-48",
+    "pe2-32",
     "pe2-integers",
     "cut_plane-24",
     "quadric_cut-24",

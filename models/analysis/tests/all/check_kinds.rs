@@ -11,7 +11,7 @@ use imogene_prepare::Framing;
 use imogene_prepare::forms::QuadraticForm;
 use imogene_prepare::{PreparedScene, prepare};
 use imogene_scene::{FramedScene, SceneFile};
-use imogene_testkit::Random;
+use imogene_testkit::{Random, is_full};
 use num_traits::Signed;
 
 const SIZE: (u32, u32) = (44, 33);
@@ -283,7 +283,7 @@ fn the_apex_of_a_cone_that_is_looked_into_does_not_fail_the_check() {
 fn a_spot_at_an_apex_is_as_wide_as_stated() {
     let mut random = Random(0x5907);
     let (mut differing, mut spots) = (0, 0);
-    for _ in 0..30 {
+    for _ in 0..if is_full() { 30 } else { 15 } {
         let (x, z) = (random.signed() * 2.0, 3.0 + random.signed());
         let camera = format!(
             "kind = \"perspective\"\neye = [{x:.3}, 7, {z:.3}]\ntarget = [0, 0, 0]\nviewer_distance = 7\nview_height = 3\n"
@@ -327,7 +327,7 @@ fn a_spot_at_an_apex_is_as_wide_as_stated() {
     }
     println!("{spots} spots, {differing} points differ");
     assert!(
-        spots > 20 && differing > 20,
+        spots > 10 && differing > 10,
         "{spots} spots, {differing} points differ"
     );
 }

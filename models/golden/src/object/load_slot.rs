@@ -1,137 +1,144 @@
 //! The load bus of processors of every kind: the words of an object as addresses and bits
 //! ([`imogene_contract::object`]).
 
-use super::first_generation::FirstGenerationWords;
-use super::load::{KIND_WIDTH, List, LoadWord, load_words};
-use super::quadric::PlaneWords;
+use super::load::{Bus, LoadWord};
+use super::polyhedron::PolyhedronWords;
+use super::quadric::{PlaneWords, QuadricWords};
+use super::quotient::QuotientWords;
 use super::slot::ProcessorWords;
 use crate::format::Format;
-use crate::unit::normal::NormalWords;
+use crate::unit::depth_interval::Class;
 use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;
+use imogene_contract::object::Kind;
 use imogene_contract::slots::FittedSlot;
-
-/// Bits of the shift of a root.
-const SHIFT: u32 = 5;
 
 /// All words of an object for the slot of its kind, by ascending address; planes and sides that it has not got are
 /// written as those that cut nothing. Of a quotient those of one depth alone: others have no slot.
 pub fn load_slot(words: &ProcessorWords, format: &Format, slot: &FittedSlot) -> Vec<LoadWord> {
-    let count = slot.planes as usize;
-    let mut list = List(Vec::new());
-    match words {
-        ProcessorWords::Quadric(words) => return load_words(words, format, count),
-        ProcessorWords::Member(words) => return load_words(words.own(), format, count),
-        ProcessorWords::Patch(words) => {
-            list.window(&words.screen_box);
-            list.quadric(&words.f1, &words.f2, &words.normal, format);
-            for plane in padded(&words.planes, count) {
-                list.push(plane.kind as i128, KIND_WIDTH);
-                list.linear(&plane.depth, format.plane);
+    let mut words = words.clone();
+    words.take_planes(slot.planes as usize);
+    let mut bus = Bus::sending(format);
+    bus.object(&mut words);
+    bus.words
+}
+
+/// The object whose words a slot holds, one for each address.
+pub fn held(words: &[u64], format: &Format, slot: &FittedSlot) -> ProcessorWords {
+    let mut object = blank(slot.kind);
+    object.take_planes(slot.planes as usize);
+    Bus::receiving(format, words).object(&mut object);
+    object
+}
+
+fn blank(kind: Kind) -> ProcessorWords {
+    match kind {
+        Kind::Quadric => ProcessorWords::Quadric(QuadricWords::default()),
+        Kind::Patch => ProcessorWords::Patch(QuadricWords {
+            class: Class::Patch,
+            ..QuadricWords::default()
+        }),
+        Kind::Polyhedron => ProcessorWords::Polyhedron(PolyhedronWords::default()),
+        Kind::Facet => ProcessorWords::Facet(Default::default()),
+        Kind::CurvedFacet => ProcessorWords::CurvedFacet(Default::default()),
+        Kind::Sphere => ProcessorWords::Sphere(Default::default()),
+        Kind::Cylinder => ProcessorWords::Cylinder(Default::default()),
+        Kind::FirstGeneration => ProcessorWords::FirstGeneration(Default::default()),
+        Kind::Quotient => ProcessorWords::Quotient(QuotientWords::default()),
+    }
+}
+
+impl ProcessorWords {
+    /// Gets planes or sides that cut nothing until there are so many.
+    fn take_planes(&mut self, count: usize) {
+        match self {
+            Self::Quadric(QuadricWords { planes, .. })
+            | Self::Patch(QuadricWords { planes, .. })
+            | Self::Polyhedron(PolyhedronWords { planes, .. })
+            | Self::Quotient(QuotientWords { planes, .. }) => {
+                planes.resize(count.max(planes.len()), PlaneWords::default());
+            }
+            Self::Facet(words) => {
+                let count = count.max(words.edges.len());
+                words.edges.resize(count, Linear::default());
+            }
+            Self::CurvedFacet(words) => {
+                let count = count.max(words.sides.len());
+                words.sides.resize(count, Quadratic::default());
+            }
+            Self::Member(words) => {
+                let planes = &mut words.own_mut().planes;
+                planes.resize(count.max(planes.len()), PlaneWords::default());
+            }
+            Self::Sphere(_) | Self::Cylinder(_) | Self::FirstGeneration(_) => {}
+        }
+    }
+}
+
+impl Bus<'_> {
+    fn object(&mut self, words: &mut ProcessorWords) {
+        match words {
+            ProcessorWords::Quadric(words) => self.quadric(words),
+            ProcessorWords::Member(words) => self.quadric(words.own_mut()),
+            // The class and the normals of planes are not among the words.
+            ProcessorWords::Patch(words) => {
+                self.window(&mut words.screen_box);
+                self.depths(&mut words.f1, &mut words.f2);
+                self.normal(&mut words.normal);
+                for plane in &mut words.planes {
+                    self.plane(&mut plane.kind, &mut plane.depth);
+                }
+            }
+            ProcessorWords::FirstGeneration(words) => {
+                self.window(&mut words.screen_box);
+                self.depths(&mut words.f1, &mut words.f2);
+                self.normal(&mut words.normal);
+                self.flag(&mut words.patch);
+                let [front, back] = [&mut words.front, &mut words.back];
+                self.planes_of([&mut front.depth, &mut back.depth]);
+                self.conics([&mut front.conic, &mut back.conic]);
+                self.planes_of([&mut front.polar, &mut back.polar]);
+                self.vector(&mut front.normal);
+            }
+            ProcessorWords::Polyhedron(words) => {
+                self.window(&mut words.screen_box);
+                self.planes(&mut words.planes);
+            }
+            ProcessorWords::Facet(words) => {
+                self.window(&mut words.screen_box);
+                self.planes_of(words.edges.iter_mut().chain([&mut words.depth]));
+                self.gradients(&mut words.normal);
+            }
+            ProcessorWords::CurvedFacet(words) => {
+                self.window(&mut words.screen_box);
+                let sides = words.sides.iter_mut();
+                self.conics(sides.chain([&mut words.depth]).chain(&mut words.normal));
+            }
+            ProcessorWords::Sphere(words) => {
+                self.window(&mut words.screen_box);
+                self.conics([&mut words.contour, &mut words.front]);
+                words.sum = self.number(words.sum.into(), self.format.sum) as i64;
+                self.gradients(&mut words.normal);
+                self.conics([&mut words.normal_z]);
+            }
+            ProcessorWords::Cylinder(words) => {
+                self.window(&mut words.screen_box);
+                self.planes_of(&mut words.sides);
+                let discs = words.discs.iter_mut();
+                self.conics(discs.chain([&mut words.body]).chain(&mut words.normal));
+                self.planes_of([&mut words.disc]);
+                self.vector(&mut words.disc_normal);
+            }
+            ProcessorWords::Quotient(words) => {
+                self.window(&mut words.screen_box);
+                let widths = words.widths(self.format);
+                self.quadratic(&mut words.numerator, widths.numerator);
+                self.linear(&mut words.denominator, widths.denominator);
+                self.normal(&mut words.normal);
+                self.flag(&mut words.solid);
+                words.normal_from = self.number(words.normal_from.into(), self.format.depth) as i64;
+                self.planes(&mut words.planes);
             }
         }
-        ProcessorWords::FirstGeneration(words) => list.first_generation(words, format),
-        ProcessorWords::Polyhedron(words) => {
-            list.window(&words.screen_box);
-            list.planes(&words.planes, count, format);
-        }
-        ProcessorWords::Facet(words) => {
-            list.window(&words.screen_box);
-            let sides: Vec<Linear> = padded(&words.edges, count);
-            sides
-                .iter()
-                .for_each(|side| list.linear(side, format.plane));
-            list.linear(&words.depth, format.plane);
-            let normal = words.normal.iter();
-            normal.for_each(|n| list.linear(n, format.normal_linear));
-        }
-        ProcessorWords::CurvedFacet(words) => {
-            list.window(&words.screen_box);
-            let sides: Vec<Quadratic> = padded(&words.sides, count);
-            let all = sides.iter().chain([&words.depth]).chain(&words.normal);
-            all.for_each(|word| list.quadratic(word, format.quadratic));
-        }
-        ProcessorWords::Sphere(words) => {
-            list.window(&words.screen_box);
-            list.quadratic(&words.contour, format.quadratic);
-            list.quadratic(&words.front, format.quadratic);
-            list.push(words.sum.into(), format.sum);
-            let normal = words.normal.iter();
-            normal.for_each(|n| list.linear(n, format.normal_linear));
-            list.quadratic(&words.normal_z, format.quadratic);
-        }
-        ProcessorWords::Cylinder(words) => {
-            list.window(&words.screen_box);
-            let sides = words.sides.iter();
-            sides.for_each(|side| list.linear(side, format.plane));
-            let all = words.discs.iter().chain([&words.body]).chain(&words.normal);
-            all.for_each(|word| list.quadratic(word, format.quadratic));
-            list.linear(&words.disc, format.plane);
-            list.vector(words.disc_normal, format);
-        }
-        ProcessorWords::Quotient(words) => {
-            let widths = words.widths(format);
-            list.window(&words.screen_box);
-            list.quadratic(&words.numerator, widths.numerator);
-            list.linear(&words.denominator, widths.denominator);
-            list.normal(&words.normal, format);
-            list.push(words.solid.into(), 1);
-            list.push(words.normal_from.into(), format.depth);
-            list.planes(&words.planes, count, format);
-        }
-    }
-    list.0
-}
-
-fn padded<T: Clone + Default>(given: &[T], count: usize) -> Vec<T> {
-    let mut all = given.to_vec();
-    all.resize(count.max(given.len()), T::default());
-    all
-}
-
-impl List {
-    fn vector(&mut self, parts: [i16; 3], format: &Format) {
-        parts
-            .iter()
-            .for_each(|part| self.push((*part).into(), format.normal));
-    }
-
-    fn quadric(&mut self, f1: &Linear, f2: &Quadratic, normal: &NormalWords, format: &Format) {
-        self.linear(f1, format.pe1_width());
-        self.quadratic(f2, format.pe2_width());
-        self.normal(normal, format);
-    }
-
-    fn normal(&mut self, normal: &NormalWords, format: &Format) {
-        let gradients = normal.g.iter();
-        gradients.for_each(|g| self.linear(g, format.normal_linear));
-        self.vector(normal.k, format);
-        self.push(normal.shift.into(), SHIFT);
-    }
-
-    /// Planes with their normals.
-    fn planes(&mut self, given: &[PlaneWords], count: usize, format: &Format) {
-        for plane in padded(given, count) {
-            self.push(plane.kind as i128, KIND_WIDTH);
-            self.linear(&plane.depth, format.plane);
-            self.vector(plane.normal, format);
-        }
-    }
-
-    fn first_generation(&mut self, words: &FirstGenerationWords, format: &Format) {
-        self.window(&words.screen_box);
-        self.quadric(&words.f1, &words.f2, &words.normal, format);
-        self.push(words.patch.into(), 1);
-        let planes = [&words.front, &words.back];
-        planes
-            .iter()
-            .for_each(|p| self.linear(&p.depth, format.plane));
-        planes
-            .iter()
-            .for_each(|p| self.quadratic(&p.conic, format.quadratic));
-        planes
-            .iter()
-            .for_each(|p| self.linear(&p.polar, format.plane));
-        self.vector(words.front.normal, format);
     }
 }

@@ -28,6 +28,11 @@ impl MemberWords {
     pub fn own(&self) -> &QuadricWords {
         &self.objects[self.place]
     }
+
+    /// The same, to be changed.
+    pub fn own_mut(&mut self) -> &mut QuadricWords {
+        &mut self.objects[self.place]
+    }
 }
 
 /// Where an object ends along the line of sight.

@@ -29,10 +29,11 @@ pub const MAX_SHIFT: u8 = 8;
 pub const SOURCES: u8 = 16;
 
 /// What being inside means.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum VolumeKind {
     /// Inside, the source does not reach the point.
+    #[default]
     Shadow,
     /// Only inside does the source, a spot, reach the point.
     Light,
@@ -86,7 +87,7 @@ impl VolumeQuadric {
 }
 
 /// All coefficient words of a volume for one zone.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct VolumeWords {
     /// Shadow or light.
     pub kind: VolumeKind,

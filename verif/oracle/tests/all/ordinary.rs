@@ -35,7 +35,7 @@ fn every_scene_is_read_and_no_two_are_the_same() {
 /// traced one where nothing was announced.
 #[test]
 fn ordinary_scenes_draw() {
-    let scenes = if is_long() { 1000 } else { 200 };
+    let scenes = if is_long() { 1000 } else { 100 };
     for seed in [1, 2] {
         let found = survey(seed, scenes, Format::BASE, || ());
         assert!(found.pixels > 2000 * scenes as usize);

@@ -76,15 +76,15 @@ fn every_mutant_is_killed_or_equivalent() {
 fn a_weak_stimulus_has_a_low_score() {
     let (mut subject, emitted) = unit("quadric_cut");
     let text = &emitted.bundle();
-    let strong = score(&subject, &emitted, text, 60);
+    let strong = score(&subject, &emitted, text, 30);
     subject.stimulus = Box::new(|_, clocks| {
         use proptest::strategy::{Just, Strategy};
         Just(vec![vec![1, 2, 1, 1, 0, 3, 2, 4, 3, 0]; clocks]).boxed()
     });
-    let weak = score(&subject, &emitted, text, 60);
+    let weak = score(&subject, &emitted, text, 30);
     assert_eq!(weak.equivalent, strong.equivalent);
     assert!(
-        weak.score < 60.0 && weak.surviving.len() > 20,
+        weak.score < 60.0 && weak.surviving.len() > 10,
         "{}",
         weak.score
     );
@@ -202,7 +202,7 @@ fn machine_score(machine: &MachineDescription, images: &[Image]) -> Result<Mutat
     Ok(report)
 }
 
-/// Most mutants are killed or forgotten, and each has one fate.
+/// Most mutants are killed or forgotten, and each has one fate. An empty picture kills fewer.
 #[test]
 fn the_pins_show_mutants_of_a_machine() {
     let (machine, image) = shown_ellipsoid();
@@ -214,20 +214,8 @@ fn the_pins_show_mutants_of_a_machine() {
     let judged = report.killed + report.equivalent + report.forgotten;
     assert_eq!(judged + report.surviving.len(), report.mutants);
     assert!(report.score > 50.0, "{}", report.score);
-}
-
-/// An empty picture shows less.
-#[test]
-fn a_machine_that_shows_nothing_has_a_low_score() {
-    let (machine, image) = shown_ellipsoid();
-    let strong = machine_score(&machine, &[image]).expect("a machine that runs");
     let weak = machine_score(&machine, &[]).expect("a machine that runs");
-    assert!(
-        weak.killed < strong.killed / 2,
-        "{} of {}",
-        weak.killed,
-        strong.killed
-    );
+    assert!(weak.killed < report.killed / 2, "{}", weak.killed);
 }
 
 #[test]
