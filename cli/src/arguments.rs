@@ -22,13 +22,14 @@ pub use accuracy::{Bounds, Evaluate, Shading, Sweep};
 pub use board::Board;
 use clap::{Parser, Subcommand};
 pub use cosim::{Cosim, Speed};
-pub use fit::{Fit, MACHINE_FILE};
+pub use fit::{Fit, MACHINE_FILE, lit_sphere};
 pub use frames::FrameRange;
 pub use help::{GROUPS, Group, command};
 pub use import::{Deviation, Import, Terrain, kind_name};
 pub use look::LookOptions;
 pub use machine::Machine;
 pub use oracle::{Cracks, Raytrace, Repair};
+pub use parse::option;
 pub use proof::{Mutate, Prove};
 pub use scene::{
     Check, Detail, Model, New, Primitives, Render, Scene, SceneWords, Size, Split, View,
@@ -84,9 +85,8 @@ pub fn bytes(text: &str) -> Result<u64, String> {
         _ => None,
     };
     let number: Option<u64> = digits.parse().ok().filter(|number| *number > 0);
-    let bytes = number
-        .zip(shift)
-        .and_then(|(number, shift)| number.checked_mul(1 << shift));
+    let parts = number.zip(shift);
+    let bytes = parts.and_then(|(number, shift)| number.checked_mul(1 << shift));
     bytes.ok_or_else(|| "a number of bytes is expected, such as 512M or 2G".to_owned())
 }
 

@@ -4,6 +4,7 @@ use imogene_files::WriteError;
 use std::error::Error;
 use std::fmt;
 use std::io::ErrorKind;
+use std::path::Path;
 
 /// Characters of a word, of a line and of a message that refuses an input: what a file or a path says is shortened.
 const WORD: usize = 200;
@@ -27,6 +28,11 @@ impl Failure {
     /// Bad input, from any error.
     pub fn input(error: impl fmt::Display) -> Failure {
         Failure::Input(error.to_string())
+    }
+
+    /// Something is wrong with a file.
+    pub fn at(path: &Path, problem: impl fmt::Display) -> Failure {
+        Failure::Input(format!("{}: {problem}", path.display()))
     }
 
     /// The process exit code.

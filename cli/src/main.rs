@@ -1,7 +1,6 @@
 //! The command line of imogene: argument parsing and printing, no logic.
 
 mod command;
-mod interruption;
 mod missing;
 mod molecules;
 mod output;
@@ -19,7 +18,7 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     let (json, outcome) = match usage::parse() {
         Ok(arguments) => {
-            interruption::watch(&arguments.command);
+            process::watch_signals(&arguments.command);
             // Without it temporary files are where they always are.
             let _scratch = Scratch::of_process();
             (
@@ -62,23 +61,23 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
     match &arguments.command {
         Command::Demo(options) => command::demo::run(options, json),
         Command::New(options) => command::new::run(options, json),
-        Command::Units => command::units::run(json),
-        Command::Processors(options) => command::processors::run(options, json),
-        Command::Roots(options) => command::roots::run(options, json),
+        Command::Units => command::units::units(json),
+        Command::Processors(options) => command::units::processors(options, json),
+        Command::Roots(options) => command::units::roots(options, json),
         Command::Emit(options) => command::emit::run(options, json),
-        Command::Contract(options) => command::contract::run(options, json),
+        Command::Contract(options) => command::units::contract(options, json),
         Command::Package(options) => command::package::run(options, json),
         Command::Render(options) => command::render::run(options, json),
         Command::Prepare(options) => command::prepare::run(options, json),
         Command::Cosim(options) => command::cosim::run(options, json),
         Command::Import(options) => command::import::run(options, json),
-        Command::Terrain(options) => command::terrain::run(options, json),
+        Command::Terrain(options) => command::import::terrain(options, json),
         Command::Machine(options) => command::machine::run(options, json),
         Command::Board(options) => command::board::run(options, json),
         Command::Raytrace(options) => command::raytrace::run(options, json),
         Command::Cracks(options) => command::cracks::run(options, json),
         Command::Repair(options) => command::repair::run(options, json),
-        Command::Speed(options) => command::speed::run(options, json),
+        Command::Speed(options) => command::cosim::speed(options, json),
         Command::Check(options) => command::check::run(options, json),
         Command::Detail(options) => command::detail::run(options, json),
         Command::Primitives(options) => command::primitives::run(options, json),

@@ -64,10 +64,8 @@ pub fn tell(place: &str, framed: &FramedScene, prepared: &PreparedScene) -> Resu
 pub fn incomplete(path: &Path, what: Option<&str>) -> Result<(), Failure> {
     let Some(what) = what else { return Ok(()) };
     if policy() == Policy::Strict {
-        return Err(Failure::Input(format!(
-            "{}: {what}; without --strict the rest is drawn",
-            path.display()
-        )));
+        let problem = format!("{what}; without --strict the rest is drawn");
+        return Err(Failure::at(path, problem));
     }
     output::warning(format_args!("{}: {what}", path.display()));
     MISSING.fetch_add(1, Ordering::Relaxed);
@@ -97,12 +95,10 @@ pub fn reduced(
     if policy() == Policy::Strict || list.len() == framed.objects.len() {
         return Err(Failure::input(first));
     }
-    let names: Vec<&str> = list
-        .iter()
-        .map(|(index, _)| framed.objects[*index].name())
-        .collect();
+    let names = list.iter().map(|(index, _)| framed.objects[*index].name());
+    let names: Vec<&str> = names.collect();
     file.objects
-        .retain(|object| !names.contains(&object.name.as_str()));
+        .retain(|object| !names.contains(&&*object.name));
     for (_, reason) in &list {
         output::warning(format_args!("left out: {reason}"));
     }

@@ -59,7 +59,7 @@ pub fn read_scene(path: &Path) -> Result<SceneFile, Failure> {
         };
         pdb::add(&mut scene, molecule, &bytes, format, &name)?;
     }
-    let named = |error| Failure::input(format!("{}: {error}", path.display()));
-    scene.validate().map_err(named)?;
+    let valid = scene.validate();
+    valid.map_err(|error| Failure::at(path, error))?;
     Ok(scene)
 }

@@ -4,7 +4,8 @@
 use crate::failure::Failure;
 use crate::process;
 use imogene::progress::line;
-use imogene_files::{Identity, Outputs, end_process};
+use imogene_files::{Identity, Outputs, WriteError, end_process};
+use imogene_studies::picture;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle, WeakProgressBar};
 use serde::Serialize;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal, Stdout, Write};
@@ -155,6 +156,16 @@ pub fn spare(inputs: Vec<Identity>) {
 /// The files of a command, which appear together when the set is finished.
 pub fn files() -> Outputs {
     Outputs::sparing(INPUTS.get().cloned().unwrap_or_default())
+}
+
+/// Adds an 8-bit RGB picture.
+pub fn add_picture(
+    files: &mut Outputs,
+    path: &Path,
+    [width, height]: [usize; 2],
+    rgb: &[u8],
+) -> Result<(), WriteError> {
+    files.add(path, |out| picture::png(out, width, height, rgb))
 }
 
 /// Writes the only file of a command.

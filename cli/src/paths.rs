@@ -3,22 +3,33 @@
 use crate::arguments::Command;
 use crate::failure::Failure;
 use crate::{output, process};
+use Kind::{File, Folder, OneOf};
 use imogene_files::{Identity, Target, check_folder};
+use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
 /// What a command reads and writes.
 #[derive(Default)]
 pub struct Paths {
     inputs: Vec<PathBuf>,
-    files: Vec<OutputFile>,
-    folders: Vec<(&'static str, PathBuf)>,
+    outputs: Vec<Output>,
 }
 
-struct OutputFile {
+struct Output {
     option: &'static str,
     path: PathBuf,
-    /// The option writes this file and no other: it may be standard output.
-    alone: bool,
+    kind: Kind,
+}
+
+/// What an option writes.
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    /// This file and no other: it may be standard output.
+    File,
+    /// This file among several.
+    OneOf,
+    /// Files in this folder.
+    Folder,
 }
 
 impl Paths {
@@ -33,67 +44,77 @@ impl Paths {
             | Command::Speed(_)
             | Command::Shading(_)
             | Command::Prove(_) => paths,
-            Command::Demo(o) => paths.folder("--out", Some(&o.out)),
-            Command::Processors(o) => paths.file("--out", &o.out),
-            Command::Emit(o) => paths.reads(&o.machine).folder("--out", Some(&o.out)),
-            Command::Contract(o) => paths.file("--out", &o.out),
-            Command::Package(o) => paths.folder("--out", Some(&o.out)),
+            Command::Demo(o) => paths.writes(Folder, "--out", Some(&o.out)),
+            Command::Processors(o) => paths.writes(File, "--out", &o.out),
+            Command::Emit(o) => paths
+                .reads(&o.machine)
+                .writes(Folder, "--out", Some(&o.out)),
+            Command::Contract(o) => paths.writes(File, "--out", &o.out),
+            Command::Package(o) => paths.writes(Folder, "--out", Some(&o.out)),
             Command::Render(o) => {
                 let paths = paths.reads([&o.scene.scene]);
                 match o.frames {
-                    Some(_) => paths.folder("--output", Some(&o.output())),
+                    Some(_) => paths.writes(Folder, "--output", Some(&o.output())),
                     None => paths
-                        .file("--output", Some(&o.output()))
-                        .file("--depth", &o.depth)
-                        .file("--ids", &o.ids)
-                        .file("--normals", &o.normals),
+                        .writes(File, "--output", Some(&o.output()))
+                        .writes(File, "--depth", &o.depth)
+                        .writes(File, "--ids", &o.ids)
+                        .writes(File, "--normals", &o.normals),
                 }
             }
             Command::Prepare(o) => paths.reads([&o.scene]),
             Command::Cosim(o) => {
                 let paths = paths.reads([&PathBuf::from(&o.subject)]);
-                paths.set("--vcd", &o.waves.files())
+                paths.writes(OneOf, "--vcd", &o.waves.files())
             }
-            Command::Import(o) => paths.reads([&o.file]).file("--output", Some(&o.output)),
-            Command::Terrain(o) => paths.file("--output", Some(&o.output)),
+            Command::Import(o) => paths
+                .reads([&o.file])
+                .writes(File, "--output", Some(&o.output)),
+            Command::Terrain(o) => paths.writes(File, "--output", Some(&o.output)),
             Command::Machine(o) => paths
                 .reads(&o.scenes)
                 .reads([&o.machine])
                 .reads(&o.overlay)
-                .set("--vcd", &o.waves.files())
-                .folder("--out", Some(&o.out)),
-            Command::Board(o) => paths
-                .reads([&o.scene])
-                .reads(&o.machine)
-                .folder("--out", Some(&o.out)),
+                .writes(OneOf, "--vcd", &o.waves.files())
+                .writes(Folder, "--out", Some(&o.out)),
+            Command::Board(o) => {
+                paths
+                    .reads([&o.scene])
+                    .reads(&o.machine)
+                    .writes(Folder, "--out", Some(&o.out))
+            }
             Command::Raytrace(o) => paths
                 .reads(&o.scenes)
-                .file("--output", &o.output)
-                .file("--table", &o.table)
-                .folder("--out", &o.out),
+                .writes(File, "--output", &o.output)
+                .writes(File, "--table", &o.table)
+                .writes(Folder, "--out", &o.out),
             Command::Cracks(o) => paths
                 .reads([&o.scene.scene])
-                .file("--output", &o.output)
-                .file("--plot", &o.plot),
+                .writes(File, "--output", &o.output)
+                .writes(File, "--plot", &o.plot),
             Command::Repair(o) => paths
                 .reads([&o.scene.scene])
-                .file("--output", &o.output)
-                .file("--map", &o.map),
-            Command::Check(o) => paths.reads([&o.scene.scene]).file("--map", &o.map),
-            Command::Detail(o) => paths.reads([&o.scene.scene]).folder("--out", &o.out),
-            Command::Primitives(o) => paths.folder("--out", &o.out),
-            Command::Trade(o) => paths.reads([&o.scene]).folder("--out", Some(&o.out)),
-            Command::Fit(o) => paths.reads(&o.scenes).folder("--out", Some(&o.out)),
+                .writes(File, "--output", &o.output)
+                .writes(File, "--map", &o.map),
+            Command::Check(o) => paths.reads([&o.scene.scene]).writes(File, "--map", &o.map),
+            Command::Detail(o) => paths
+                .reads([&o.scene.scene])
+                .writes(Folder, "--out", &o.out),
+            Command::Primitives(o) => paths.writes(Folder, "--out", &o.out),
+            Command::Trade(o) => paths
+                .reads([&o.scene])
+                .writes(Folder, "--out", Some(&o.out)),
+            Command::Fit(o) => paths.reads(&o.scenes).writes(Folder, "--out", Some(&o.out)),
             Command::Bounds(o) => paths.reads(&o.scenes),
-            Command::Sweep(o) => paths.folder("--out", &o.out),
-            Command::Evaluate(o) => paths.folder("--out", &o.out),
+            Command::Sweep(o) => paths.writes(Folder, "--out", &o.out),
+            Command::Evaluate(o) => paths.writes(Folder, "--out", &o.out),
             Command::Synth(o) if o.check => paths.reads([&o.baseline]),
             Command::Synth(o) if o.table => {
-                paths.set("--out", [&o.out, &o.out.with_extension("json")])
+                paths.writes(OneOf, "--out", [&o.out, &o.out.with_extension("json")])
             }
             Command::Synth(o) => paths.reads(&o.machine),
             Command::Peers(o) => paths.reads(&o.rtl),
-            Command::Mutate(o) => paths.file("--out", &o.out),
+            Command::Mutate(o) => paths.writes(File, "--out", &o.out),
         }
     }
 
@@ -102,36 +123,17 @@ impl Paths {
         self
     }
 
-    fn file<'a>(self, option: &'static str, path: impl IntoIterator<Item = &'a PathBuf>) -> Paths {
-        self.output_files(option, path, true)
-    }
-
-    /// Several files of one option.
-    fn set<'a>(self, option: &'static str, paths: impl IntoIterator<Item = &'a PathBuf>) -> Paths {
-        self.output_files(option, paths, false)
-    }
-
-    fn output_files<'a>(
+    fn writes<'a>(
         mut self,
+        kind: Kind,
         option: &'static str,
         paths: impl IntoIterator<Item = &'a PathBuf>,
-        alone: bool,
     ) -> Paths {
-        self.files.extend(paths.into_iter().map(|path| OutputFile {
+        self.outputs.extend(paths.into_iter().map(|path| Output {
             option,
             path: path.clone(),
-            alone,
+            kind,
         }));
-        self
-    }
-
-    fn folder<'a>(
-        mut self,
-        option: &'static str,
-        path: impl IntoIterator<Item = &'a PathBuf>,
-    ) -> Paths {
-        self.folders
-            .extend(path.into_iter().map(|path| (option, path.clone())));
         self
     }
 
@@ -142,8 +144,8 @@ impl Paths {
             matches!(identity, Identity::Node(..)).then_some((path, identity))
         });
         let inputs: Vec<(&PathBuf, Identity)> = inputs.collect();
-        let mut known: Vec<(&OutputFile, Identity)> = vec![];
-        for file in &self.files {
+        let mut known: Vec<(&Output, Identity)> = vec![];
+        for file in &self.outputs {
             let Some(identity) = file.check(json)? else {
                 continue;
             };
@@ -158,32 +160,36 @@ impl Paths {
             }
             known.push((file, identity));
         }
-        for (option, path) in &self.folders {
-            check_output_folder(option, path)?;
-        }
         output::spare(inputs.into_iter().map(|(_, identity)| identity).collect());
         Ok(())
     }
 }
 
-impl OutputFile {
+impl Output {
+    /// The file that is written, if it is known.
     fn check(&self, json: bool) -> Result<Option<Identity>, Failure> {
         let refuse = |error: std::io::Error| self.refuse(error.to_string());
+        if self.kind == Folder {
+            if self.path == Path::new("-") {
+                return Err(self.refuse(
+                    "several files are written, and standard output takes one; give a folder",
+                ));
+            }
+            return check_folder(&self.path).map(|()| None).map_err(refuse);
+        }
         let target = Target::of(&self.path).map_err(refuse)?;
         if target == Target::Standard {
             if process::was_standard_output_closed() {
-                return Err(self.refuse("standard output is closed".into()));
+                return Err(self.refuse("standard output is closed"));
             }
-            if !self.alone {
+            if self.kind != File {
                 return Err(self.refuse(
-                    "several files are written, and standard output takes one; give a file name"
-                        .into(),
+                    "several files are written, and standard output takes one; give a file name",
                 ));
             }
             if json {
                 return Err(self.refuse(
-                    "standard output takes either the file or the document of --json; give a file name, or leave --json out"
-                        .into(),
+                    "standard output takes either the file or the document of --json; give a file name, or leave --json out",
                 ));
             }
             output::leave_standard_output();
@@ -192,7 +198,7 @@ impl OutputFile {
         target.identity().map_err(refuse)
     }
 
-    fn collision(&self, other: &OutputFile) -> String {
+    fn collision(&self, other: &Output) -> String {
         if self.option == other.option {
             return "another file goes beside it, which would have this name; give another".into();
         }
@@ -200,22 +206,8 @@ impl OutputFile {
         format!("{option} {path} is the same file; give each its own name")
     }
 
-    fn refuse(&self, problem: String) -> Failure {
-        refuse(self.option, &self.path, &problem)
+    fn refuse(&self, problem: impl Display) -> Failure {
+        let (path, option) = (self.path.display(), self.option);
+        Failure::Input(format!("cannot write '{path}' ({option}): {problem}"))
     }
-}
-
-fn refuse(option: &str, path: &Path, problem: &str) -> Failure {
-    Failure::Input(format!(
-        "cannot write '{}' ({option}): {problem}",
-        path.display()
-    ))
-}
-
-fn check_output_folder(option: &str, path: &Path) -> Result<(), Failure> {
-    if path == Path::new("-") {
-        let problem = "several files are written, and standard output takes one; give a folder";
-        return Err(refuse(option, path, problem));
-    }
-    check_folder(path).map_err(|error| refuse(option, path, &error.to_string()))
 }

@@ -1,6 +1,6 @@
 //! Arguments of `fit`.
 
-use super::parse::{Choices, choice, name};
+use super::parse::{Choices, choice, name, option};
 use super::scene::size;
 use super::{Size, parse};
 use clap::Args;
@@ -117,14 +117,11 @@ impl Fit {
 
     /// The command line that shows the scenes on the machine.
     pub fn command(&self, frames: &Frames) -> String {
-        let scenes = self.scenes.iter().map(|path| path.display().to_string());
-        let scenes: Vec<String> = scenes.collect();
-        let animation = match frames.all().len() > scenes.len() {
+        let animation = match frames.all.len() > self.scenes.len() {
             true => " --animation",
             false => "",
         };
-        let machine = self.out.join(MACHINE_FILE);
-        let scenes = scenes.join(" ");
+        let (scenes, machine) = (self.scenes(), self.out.join(MACHINE_FILE));
         format!(
             "imogene machine {scenes}{animation} --machine {} --out DIR",
             machine.display()
@@ -133,38 +130,29 @@ impl Fit {
 
     /// The command line that does the same.
     pub fn reproduce(&self, budget: &Budget) -> String {
-        let scenes: Vec<String> = self
-            .scenes
-            .iter()
-            .map(|s| s.display().to_string())
-            .collect();
-        let mut command = format!("imogene fit {}", scenes.join(" "));
-        if let Some((width, height)) = self.size {
-            command += &format!(" --size {width}x{height}");
-        }
-        command += &budget.options();
-        if let Some(kind) = self.machine {
-            command += &format!(" --machine {}", name(MACHINES, kind));
-        }
-        if let Some(form) = self.lit_sphere {
-            command += &format!(" --lit-sphere={form}");
-        }
-        if let Some(frames) = self.min_fps {
-            command += &format!(" --min-fps {frames}");
-        }
-        if self.no_cost {
-            command += " --no-cost";
-        }
-        if let Some(mhz) = self.min_mhz {
-            command += &format!(" --min-mhz {mhz}");
-        }
-        if self.clock {
-            command += " --clock";
-        }
-        if let Some(cells) = self.max_cells {
-            command += &format!(" --max-cells {cells}");
-        }
-        command + &format!(" --target {} --out {}", self.target, self.out.display())
+        let size = self.size.map(|(width, height)| format!("{width}x{height}"));
+        let machine = self.machine.map(|kind| name(MACHINES, kind));
+        let flag = |is_given: bool, flag: &str| if is_given { flag } else { "" }.to_owned();
+        [
+            format!("imogene fit {}", self.scenes()),
+            option("size", size),
+            budget.options(),
+            option("machine", machine),
+            lit_sphere(self.lit_sphere),
+            option("min-fps", self.min_fps),
+            flag(self.no_cost, " --no-cost"),
+            option("min-mhz", self.min_mhz),
+            flag(self.clock, " --clock"),
+            option("max-cells", self.max_cells),
+            option("target", Some(&self.target)),
+            option("out", Some(self.out.display())),
+        ]
+        .concat()
+    }
+
+    fn scenes(&self) -> String {
+        let scenes = self.scenes.iter().map(|path| path.display().to_string());
+        scenes.collect::<Vec<_>>().join(" ")
     }
 }
 
@@ -174,6 +162,11 @@ pub fn tables(text: &str) -> Result<SphereForm, String> {
         (4..=7).flat_map(|places| [false, true].map(|nearest| SphereForm { places, nearest }));
     let found = forms.into_iter().find(|form| form.to_string() == text);
     found.ok_or_else(|| "expected 16, 32, 64 or 128, or one of them with :nearest".to_owned())
+}
+
+/// The option of such tables, with a blank before it; nothing without any.
+pub fn lit_sphere(tables: Option<SphereForm>) -> String {
+    tables.map_or(String::new(), |form| format!(" --lit-sphere={form}"))
 }
 
 fn at_least_zero(text: &str) -> Result<f64, String> {

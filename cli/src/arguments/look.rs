@@ -53,11 +53,7 @@ impl LookOptions {
 }
 
 fn angles(text: &str) -> Result<[f64; 3], String> {
-    let numbers: Option<Vec<f64>> = text
-        .split(',')
-        .map(|part| part.trim().parse().ok())
-        .collect();
-    match numbers.as_deref() {
+    match parse::list::<f64>(text).as_deref() {
         Some(&[x, y]) => Ok([x, y, 0.0]),
         Some(&[x, y, z]) => Ok([x, y, z]),
         _ => Err("two or three angles in degrees such as 20,-35 are expected".to_owned()),

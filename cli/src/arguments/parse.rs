@@ -1,6 +1,7 @@
 //! Values as they are written on the command line.
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use std::fmt::Display;
 use std::str::FromStr;
 
 /// Values, their names, and what the help says of each; nothing of a name from before, which is understood still.
@@ -23,6 +24,17 @@ pub fn choice<T: Copy + Send + Sync>(table: Choices<T>) -> impl TypedValueParser
 pub fn name<T: PartialEq>(table: Choices<T>, value: T) -> &'static str {
     let row = table.iter().find(|row| row.0 == value);
     row.expect("a value of the table").1
+}
+
+/// An option as it is written on the command line, with a blank before it; nothing without a value.
+pub fn option(name: &str, value: Option<impl Display>) -> String {
+    value.map_or(String::new(), |value| format!(" --{name} {value}"))
+}
+
+/// Values with commas between.
+pub fn list<T: FromStr>(text: &str) -> Option<Vec<T>> {
+    let values = text.split(',').map(|part| part.trim().parse().ok());
+    values.collect()
 }
 
 /// A value that is accepted, or what would be.

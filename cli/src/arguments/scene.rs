@@ -6,10 +6,12 @@ use imogene_contract::MachineWords;
 use imogene_golden::format::{FittedError, Format};
 use imogene_golden::widths;
 use imogene_plan::split::Division;
+use serde::Serialize;
 use std::path::PathBuf;
 
 /// Which model draws.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Model {
     /// The exact reference in big integers.
     Exact,

@@ -45,8 +45,7 @@ impl Waves {
     /// The files that may be written.
     pub fn files(&self) -> Vec<PathBuf> {
         let files = self.vcd.iter();
-        files
-            .flat_map(|path| [path.clone(), save_path(path)])
-            .collect()
+        let files = files.flat_map(|path| [path.clone(), save_path(path)]);
+        files.collect()
     }
 }

@@ -5,7 +5,7 @@ mod report;
 mod tile;
 
 use super::fit;
-use crate::arguments::{self, Fit, MACHINE_FILE, Size};
+use crate::arguments::{self, Fit, MACHINE_FILE, Size, lit_sphere, option};
 use crate::failure::Failure;
 use crate::output;
 use film::{Film, views};
@@ -19,7 +19,6 @@ use imogene_plan::description::{MachineDescription, MachineKind, Mode, Output};
 use imogene_rtl::emit::machine::emit_machine;
 use imogene_studies::fit::budget::CountLimit;
 use imogene_studies::kit::preview::Preview;
-use imogene_studies::picture;
 use imogene_synth::Target;
 use imogene_verif::display::request::request_for;
 use report::{BoardReport, Shown, tell};
@@ -43,9 +42,7 @@ pub fn run(options: &arguments::Board, json: bool) -> Result<(), Failure> {
     }
     let machine = machine(options, &board)?;
     let (mode, rate) = mode_of(&board, &machine)?;
-    let film = Film::of(views, options, &machine, rate, |picture| {
-        seen(&board, picture)
-    })?;
+    let film = Film::of(views, options, &board, &machine, rate)?;
     let pll = Pll::of(&board, hertz(&mode, rate))?;
     let command = command(options);
     let emitted = emit_machine(&request_for(&machine, &film.tables, &command))?;
@@ -145,19 +142,17 @@ impl Work<'_> {
         pictures: &[impl AsRef<[u8]>],
         files: &mut Outputs,
     ) -> Result<(), Failure> {
-        let [width, height] = [self.mode.line, self.mode.frame].map(|span| span.active as usize);
+        let size = [self.mode.line, self.mode.frame].map(|span| span.active as usize);
         let path = self.options.out.join(format!("{name}.png"));
         if let [picture] = pictures {
-            files.add(&path, |out| {
-                picture::png(out, width, height, picture.as_ref())
-            })?;
-            return Ok(());
+            return Ok(output::add_picture(files, &path, size, picture.as_ref())?);
         }
         let failed = |error| Failure::from(WriteError::at(&path)(error));
-        let size = (width as u32, height as u32);
+        let [width, height] = size.map(|side| side as u32);
         let file = files.open(&path)?;
         let seconds = self.film.stay as f64 / self.film.rate;
-        let mut preview = Preview::new(file, size, pictures.len() as u32).map_err(failed)?;
+        let mut preview =
+            Preview::new(file, (width, height), pictures.len() as u32).map_err(failed)?;
         for picture in pictures {
             preview.frame(picture.as_ref(), seconds).map_err(failed)?;
         }
@@ -169,8 +164,8 @@ impl Work<'_> {
         if self.options.no_simulation {
             return Ok(None);
         }
-        self.shown("pins", &self.sources.verilog, MODELS, files)
-            .map(Some)
+        let shown = self.shown("pins", &self.sources.verilog, MODELS, files)?;
+        Ok(Some(shown))
     }
 
     fn shown(
@@ -184,13 +179,9 @@ impl Work<'_> {
         let frames = self.options.frames.map_or(self.film.frames(), u64::from);
         let clocks = (1 + frames) * self.mode.clocks() + SLACK;
         let pins = simulate((&self.board, &self.mode), verilog, models, clocks)?;
-        let firsts = pins
-            .shown
-            .pictures
-            .iter()
-            .skip(1)
-            .step_by(self.film.stay as usize);
-        self.add_pictures(name, &firsts.collect::<Vec<_>>(), files)?;
+        let shown = pins.shown.pictures.iter().skip(1);
+        let firsts: Vec<_> = shown.step_by(self.film.stay as usize).collect();
+        self.add_pictures(name, &firsts, files)?;
         if self.options.samples {
             let out = |name: &str| self.options.out.join(name);
             let samples = pins.samples();
@@ -240,10 +231,8 @@ fn machine(options: &arguments::Board, board: &Board) -> Result<MachineDescripti
     };
     let machine = MachineDescription::read(path)?;
     if machine.machine != MachineKind::Beam || machine.output != Output::Pins {
-        return Err(Failure::Input(format!(
-            "{}: a board takes a beam machine with the pins of a screen: machine = \"beam\", output = \"pins\"",
-            path.display()
-        )));
+        let problem = "a board takes a beam machine with the pins of a screen: machine = \"beam\", output = \"pins\"";
+        return Err(Failure::at(path, problem));
     }
     Ok(machine)
 }
@@ -328,36 +317,21 @@ fn hertz(mode: &VideoMode, rate: u32) -> u64 {
     }
 }
 
-/// A picture in the bits that the pins of a board have.
-fn seen(board: &Board, picture: &[u8]) -> Vec<u8> {
-    let bits = board.video.bits().unwrap_or(8);
-    let mask = 0xff << (8 - bits);
-    picture.iter().map(|level| level & mask as u8).collect()
-}
-
 fn command(options: &arguments::Board) -> String {
-    let mut command = format!(
-        "imogene board {} {}",
-        options.board,
-        options.scene.display()
-    );
-    if let Some(machine) = &options.machine {
-        command += &format!(" --machine {}", machine.display());
-    }
-    if let Some(mode) = &options.mode {
-        command += &format!(" --mode {mode}");
-    }
-    if options.flat {
-        command += " --flat";
-    }
-    if let Some(form) = options.lit_sphere {
-        command += &format!(" --lit-sphere={form}");
-    }
-    if let Some(range) = &options.animation {
-        command += &format!(" --animation {range}");
-    }
-    if let Some(frames) = options.frames {
-        command += &format!(" --frames {frames}");
-    }
-    command + " --out DIR"
+    let machine = options.machine.as_ref().map(|path| path.display());
+    [
+        format!(
+            "imogene board {} {}",
+            options.board,
+            options.scene.display()
+        ),
+        option("machine", machine),
+        option("mode", options.mode.as_ref()),
+        if options.flat { " --flat" } else { "" }.to_owned(),
+        lit_sphere(options.lit_sphere),
+        option("animation", options.animation),
+        option("frames", options.frames),
+        option("out", Some("DIR")),
+    ]
+    .concat()
 }

@@ -128,10 +128,8 @@ fn show_headroom(options: &Bounds, json: bool) -> Result<(), Failure> {
 fn row(path: &Path, file: &SceneFile, size: Size, format: u32) -> Result<Row, Failure> {
     let (_, prepared) = frame_in(file, Some(size), Format::new(format)?)?;
     if prepared.quadrics().next().is_none() {
-        return Err(Failure::Input(format!(
-            "{}: no object is drawn by a quadric or patch processor, the ones whose roundings are bounded",
-            path.display()
-        )));
+        let problem = "no object is drawn by a quadric or patch processor, the ones whose roundings are bounded";
+        return Err(Failure::at(path, problem));
     }
     Ok(Row {
         scene: path.to_path_buf(),

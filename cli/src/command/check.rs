@@ -19,12 +19,13 @@ struct Output {
 
 /// Shows what a scene needs and how exact its picture is.
 pub fn run(options: &Check, json: bool) -> Result<(), Failure> {
-    let map = options.map.as_deref().map(Map::of).transpose()?;
+    let map = options.map.as_deref();
+    let is_picture = map.map(is_picture).transpose()?;
     let (framed, prepared) = load_scene(&options.scene)?;
     let report = check(&framed, &prepared);
     let files: Vec<PathBuf> = options.map.iter().cloned().collect();
-    if let Some(map) = map {
-        map.write(&report, prepared.width as usize)?;
+    if let Some((path, is_picture)) = map.zip(is_picture) {
+        write_map(path, is_picture, &report.marks(), prepared.width as usize)?;
     }
     let output = Output { report, files };
     output::told(json, &output, include_str!("check.txt"))?;
@@ -45,41 +46,31 @@ fn verdict(report: &CheckReport) -> Result<(), Failure> {
     Err(Failure::Check(format!("{why}; see the objects' problems")))
 }
 
-/// A file of the open pixels.
-struct Map<'a> {
-    path: &'a Path,
-    is_picture: bool,
+/// Whether a map is a picture, or else an array.
+fn is_picture(path: &Path) -> Result<bool, Failure> {
+    match path.extension().and_then(|e| e.to_str()) {
+        Some("png") => Ok(true),
+        Some("npy") => Ok(false),
+        _ => Err(Failure::Input(format!(
+            "--map '{}': neither a picture nor an array; give a name that ends in .png or .npy",
+            path.display()
+        ))),
+    }
 }
 
-impl Map<'_> {
-    fn of(path: &Path) -> Result<Map<'_>, Failure> {
-        let extension = path.extension().and_then(|e| e.to_str());
-        match extension {
-            Some("png") | Some("npy") => Ok(Map {
-                path,
-                is_picture: extension == Some("png"),
-            }),
-            _ => Err(Failure::Input(format!(
-                "--map '{}': neither a picture nor an array; give a name that ends in .png or .npy",
-                path.display()
-            ))),
+/// Writes a file of the open pixels.
+fn write_map(path: &Path, is_picture: bool, marks: &[u8], width: usize) -> Result<(), Failure> {
+    let mut files = output::files();
+    files.add(path, |out| {
+        if !is_picture {
+            return picture::marks(out, width, marks);
         }
-    }
-
-    fn write(&self, report: &CheckReport, width: usize) -> Result<(), Failure> {
-        let marks = report.marks();
-        let mut files = output::files();
-        files.add(self.path, |out| {
-            if !self.is_picture {
-                return picture::marks(out, width, &marks);
-            }
-            let colours = marks.iter().map(|&m| COLOURS[usize::from(m)]);
-            let rgb: Vec<u8> = colours.flatten().collect();
-            picture::png(out, width, marks.len() / width, &rgb)
-        })?;
-        files.finish()?;
-        Ok(())
-    }
+        let colours = marks.iter().map(|&m| COLOURS[usize::from(m)]);
+        let rgb: Vec<u8> = colours.flatten().collect();
+        picture::png(out, width, marks.len() / width, &rgb)
+    })?;
+    files.finish()?;
+    Ok(())
 }
 
 /// Of the marks of a map: decided, object or face open, light open, both.

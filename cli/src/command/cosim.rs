@@ -1,19 +1,23 @@
-//! `imogene cosim`.
+//! `imogene cosim` and `imogene speed`.
 
 use super::render::golden_frame;
-use super::{beam, describe, extremes, frame_in, read_scene, threads, verdict};
-use crate::arguments::Cosim;
+use super::{describe, extremes, frame_in, read_scene, run_beam, run_slots, threads, verdict};
+use crate::arguments::{Cosim, Speed, option};
 use crate::failure::Failure;
-use crate::output;
+use crate::{molecules, output};
 use imogene_contract::Unit;
+use imogene_golden::format::Format;
 use imogene_prepare::PreparedScene;
 use imogene_synth::{Target, netlist};
 use imogene_verif::engine::Engine;
 use imogene_verif::engine::design::with_verilog;
+use imogene_verif::engine::speed::{self, Drive, Entrant, FRAME, measure};
 use imogene_verif::report::Report;
 use imogene_verif::scene::{self, slots, volumes};
 use imogene_verif::{random, unit};
+use serde_json::json;
 use std::path::Path;
+use std::time::Duration;
 
 pub fn run(options: &Cosim, json: bool) -> Result<(), Failure> {
     if extremes::is_meant(&options.subject) {
@@ -85,9 +89,7 @@ fn run_unit(options: &Cosim) -> Result<Report, Failure> {
         "imogene cosim {} --engine {} {} --clocks {} --seed {}",
         options.subject, report.engine, subject.options, options.clocks, options.seed
     );
-    if let Some(target) = &report.netlist {
-        report.reproduce += &format!(" --netlist {target}");
-    }
+    report.reproduce += &option("netlist", options.netlist.as_ref());
     Ok(report)
 }
 
@@ -116,9 +118,9 @@ fn run_scene(options: &Cosim) -> Result<Report, Failure> {
     let (_, prepared) = frame_in(&file, options.size, format?)?;
     prepared.refuse_composed()?;
     let mut report = if slots::is_for_beam(&prepared) {
-        run_beam(options, &prepared)?
+        run_whole(options, &prepared)?
     } else {
-        run_slots(options, &prepared)?
+        run_alone(options, &prepared)?
     };
     run_volumes(options, &prepared, &mut report)?;
     report.engine = options.engine.name().into();
@@ -133,14 +135,12 @@ fn run_scene(options: &Cosim) -> Result<Report, Failure> {
         options.shape.rows_per_stage()
     );
     report.reproduce += &options.view.options();
-    if let Some(fault) = options.inject_fault {
-        report.reproduce += &format!(" --inject-fault {fault}");
-    }
+    report.reproduce += &option("inject-fault", options.inject_fault);
     Ok(report)
 }
 
 /// A scene of quadric processors: the beam machine.
-fn run_beam(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failure> {
+fn run_whole(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failure> {
     let run_options = scene::Options {
         rows_per_stage: options.shape.rows_per_stage(),
         threads: threads(),
@@ -148,11 +148,11 @@ fn run_beam(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failure
         traced: options.trace_object,
         fault: options.inject_fault,
     };
-    Ok(beam::run(prepared, &run_options, options.engine)?.0)
+    Ok(run_beam(prepared, &run_options, options.engine)?.0)
 }
 
 /// A scene with processors that a beam machine does not have: each processor by itself.
-fn run_slots(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failure> {
+fn run_alone(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failure> {
     for (option, given) in [
         ("--vcd", options.waves.vcd.is_some()),
         ("--inject-fault", options.inject_fault.is_some()),
@@ -163,11 +163,7 @@ fn run_slots(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failur
             )));
         }
     }
-    let rows = options.shape.rows_per_stage();
-    let outcome = output::during(slots::pixels(prepared), "processors in simulation", |bar| {
-        slots::run(prepared, rows, options.engine, |n| bar.inc(n))
-    });
-    outcome.map(|(report, _)| report).map_err(Failure::from)
+    Ok(run_slots(prepared, options.shape.rows_per_stage(), options.engine)?.0)
 }
 
 /// The shadow and light volumes of a scene, on the depths of its golden frame, into the report of the rest.
@@ -188,5 +184,40 @@ fn run_volumes(
     let seconds = report.seconds + part.seconds;
     report.absorb(part);
     report.timed(seconds);
+    Ok(())
+}
+
+/// Measures how fast the engines run a unit, or the machine of a scene, side by side.
+pub fn speed(options: &Speed, json: bool) -> Result<(), Failure> {
+    let path = Path::new(&options.unit);
+    let is_scene = Unit::from_name(&options.unit).is_err() && path.extension().is_some();
+    let (request, clocks) = if is_scene {
+        let file = molecules::read_scene(path)?;
+        let format = Format::new(options.shape.format)?;
+        let (_, prepared) = frame_in(&file, None, format)?;
+        prepared.refuse_composed()?;
+        let (request, clocks) = scene::unit(&prepared, options.shape.rows_per_stage())?;
+        (request, Some(clocks))
+    } else {
+        (options.shape.request(&options.unit)?, None)
+    };
+    let engines = Entrant::all(&request)?;
+    let drive = match options.random {
+        true => Drive::Random,
+        false => Drive::Frame,
+    };
+    let stimuli = clocks.map_or_else(|| speed::stimuli(&engines, drive), |clocks| vec![clocks]);
+    let seconds = Duration::from_secs(options.seconds.into());
+    let speeds = measure(&engines, &stimuli, seconds)?;
+    let page = output::page(
+        include_str!("speed.txt"),
+        json!({
+            "unit": options.unit,
+            "parameters": engines[0].options(),
+            "frame": FRAME,
+            "speeds": speeds,
+        }),
+    )?;
+    output::report(json, &speeds, |_| output::text(page));
     Ok(())
 }

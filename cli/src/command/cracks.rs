@@ -12,7 +12,6 @@ use imogene_oracle::plot::plot;
 use imogene_oracle::trace::Tracer;
 use imogene_prepare::PreparedScene;
 use imogene_scene::DepthRange;
-use imogene_studies::picture;
 use serde::Serialize;
 use std::path::PathBuf;
 
@@ -59,9 +58,7 @@ pub fn run(options: &Cracks, json: bool) -> Result<(), Failure> {
     if let Some(path) = &options.output {
         let flagged = found.iter().map(|c| c.y * frame.width + c.x);
         let rgb = paint::pixels(&frame, z_max, flagged, paint::FORBIDDEN, true);
-        files.add(path, |out| {
-            picture::png(out, frame.width, frame.height, &rgb)
-        })?;
+        output::add_picture(&mut files, path, [frame.width, frame.height], &rgb)?;
     }
     let scores = options.inject.map_or(vec![], |count| {
         scores(options, count, &prepared, &framed.range, rule)
@@ -112,10 +109,8 @@ fn scores(
 ) -> Vec<ScoreRow> {
     let breakable = Breakable::new(prepared);
     let sorts = [Sort::Points, Sort::Lines, Sort::Joints];
-    let all = sorts
-        .into_iter()
-        .flat_map(|sort| POWERS.map(move |power| (sort, power)));
-    all.map(|(sort, power)| {
+    let all = sorts.map(|sort| POWERS.map(move |power| (sort, power)));
+    let score = |(sort, power)| {
         let rule = Rule {
             min_distance: rule.min_distance * 2f64.powi(power),
             ..rule
@@ -126,6 +121,6 @@ fn scores(
             precision: score.precision(),
             score,
         }
-    })
-    .collect()
+    };
+    all.into_iter().flatten().map(score).collect()
 }

@@ -1,7 +1,7 @@
 //! `imogene demo`.
 
 use super::machine::{add_verilog, write_pictures};
-use super::{beam, describe, frame_in, threads, verdict};
+use super::{describe, frame_in, run_beam, threads, verdict};
 use crate::arguments::{Demo, Size};
 use crate::failure::Failure;
 use crate::output;
@@ -51,24 +51,16 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
     let command = format!("imogene demo --out {}", options.out.display());
     // Written first: an unwritable folder is found before the long work.
     let mut files = output::files();
-    add_verilog(
-        &request_for(&machine, &[], &command),
-        &options.out,
-        &mut files,
-    )?;
+    let request = request_for(&machine, &[], &command);
+    add_verilog(&request, &options.out, &mut files)?;
 
     let golden = image.picture.clone();
     let pins = PinsRun::plain(Engine::BuiltIn);
     let outcome = output::during(2, "frames on the pins", |bar| {
         run_pins(&machine, &[image], &pins, || bar.inc(1))
     })?;
-    write_pictures(
-        &machine,
-        Some(&golden),
-        Some(&outcome),
-        &options.out,
-        &mut files,
-    )?;
+    let pictures = (Some(&golden[..]), Some(&outcome));
+    write_pictures(&machine, pictures, &options.out, &mut files)?;
     let pictures_identical = outcome.picture == golden;
     let mut report = outcome.report;
     let mut inside = inside(&file, machine.format()?)?;
@@ -114,7 +106,7 @@ fn inside(file: &SceneFile, format: Format) -> Result<Report, Failure> {
         traced: TRACED,
         ..scene::Options::plain(1, threads())
     };
-    Ok(beam::run(&prepared, &options, Engine::BuiltIn)?.0)
+    Ok(run_beam(&prepared, &options, Engine::BuiltIn)?.0)
 }
 
 fn tell(summary: &Summary) {

@@ -10,7 +10,6 @@ use imogene_plan::culling::reduce::ReducedObject;
 use imogene_plan::culling::zones::{Touches, beside, map};
 use imogene_prepare::PreparedScene;
 use imogene_studies::detail::{Changed, Report, WorkSaved, ZoneStream};
-use imogene_studies::picture;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -110,10 +109,10 @@ fn write_maps(
     let size = (prepared.width as usize, prepared.height as usize);
     let mut files = output::files();
     let mut write = |name: &str, width: usize, rgb: &[u8]| {
-        files.add(&out.join(name), |out| picture::png(out, width, size.1, rgb))
+        output::add_picture(&mut files, &out.join(name), [width, size.1], rgb)
     };
     write("picture.png", size.0, &report.picture)?;
-    let mut pair = |name: &str, before: Vec<u64>, after: Vec<u64>| {
+    let mut pair = |name: &str, (before, after): (Vec<u64>, Vec<u64>)| {
         let most = before.iter().copied().max().unwrap_or(0);
         let one = |counts: &[u64]| {
             let screen = (prepared.width, prepared.height);
@@ -122,18 +121,14 @@ fn write_maps(
         let (width, rgb) = beside(&one(&before), &one(&after), size, GAP);
         write(name, width, &rgb)
     };
-    let zones = &report.touches.zones;
-    pair(
-        "objects.png",
-        zones.iter().map(|zone| zone.boxes).collect(),
-        zones.iter().map(|zone| zone.bounds).collect(),
-    )?;
+    let zones = report.touches.zones.iter();
+    let objects = zones.map(|zone| (zone.boxes, zone.bounds));
+    pair("objects.png", objects.unzip())?;
     if !prepared.volumes.is_empty() && report.streams.is_ok() {
-        let volumes = &report.volumes_of_zones;
+        let volumes = report.volumes_of_zones.iter();
         pair(
             "volumes.png",
-            volumes.iter().map(|zone| zone[0]).collect(),
-            volumes.iter().map(|zone| zone[1]).collect(),
+            volumes.map(|zone| (zone[0], zone[1])).unzip(),
         )?;
     }
     Ok(files.finish()?)

@@ -43,10 +43,12 @@ fn hardware() -> Result<Hardware, Failure> {
     let parts = list.into_iter().map(|p| Parts {
         unit: p.unit.into(),
         parameters: p.parameters,
-        pe1: p.census.pe1,
-        pe2: p.census.pe2,
-        roots: p.census.roots,
-        multipliers: p.census.multipliers,
+        counts: [
+            p.census.pe1,
+            p.census.pe2,
+            p.census.roots,
+            p.census.multipliers,
+        ],
     });
     let machine = zone_machine(MACHINE_PROCESSORS);
     let request = core_request(&machine, &Format::BASE, 1);
@@ -61,25 +63,18 @@ fn defect(error: EvaluateError) -> Failure {
 }
 
 fn write(folder: &Path, evaluation: &Evaluation, markdown: &str) -> Result<Vec<PathBuf>, Failure> {
-    let figures = output::json_text(evaluation);
-    let texts = [
-        (
-            "index.html",
-            page(evaluation, env!("CARGO_PKG_VERSION")).map_err(defect)?,
-        ),
-        ("evaluation.json", figures + "\n"),
-        ("evaluation.md", markdown.to_owned()),
-        (
-            "images/duplication.svg",
-            duplication_plot().map_err(defect)?,
-        ),
-        (
-            "images/operations.svg",
-            operations_plot(evaluation).map_err(defect)?,
-        ),
-    ];
+    let index = page(evaluation, env!("CARGO_PKG_VERSION")).map_err(defect)?;
+    let figures = output::json_text(evaluation) + "\n";
+    let duplication = duplication_plot().map_err(defect)?;
+    let operations = operations_plot(evaluation).map_err(defect)?;
     let mut files = output::files();
-    for (name, text) in &texts {
+    for (name, text) in [
+        ("index.html", &*index),
+        ("evaluation.json", &*figures),
+        ("evaluation.md", markdown),
+        ("images/duplication.svg", &*duplication),
+        ("images/operations.svg", &*operations),
+    ] {
         files.add_text(&folder.join(name), text)?;
     }
     Ok(files.finish()?)

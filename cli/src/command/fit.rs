@@ -2,7 +2,7 @@
 
 mod contract;
 
-use super::fitted::costs_of;
+use super::fitted::costs;
 use super::size_of;
 use crate::arguments::{Fit, MACHINE_FILE};
 use crate::failure::Failure;
@@ -19,12 +19,11 @@ use imogene_rtl::emit::Emitted;
 use imogene_rtl::emit::machine::emit_machine;
 use imogene_scene::SceneFile;
 use imogene_scene::animation::Playback;
-use imogene_studies::fit::budget::{Budget, Item};
+use imogene_studies::fit::budget::Budget;
 use imogene_studies::fit::frames::{Drawn, Frames};
 use imogene_studies::fit::machine::{self, Fitted};
 use imogene_studies::fit::search::{Outcome, search};
 use imogene_studies::fit::{FitError, proof};
-use imogene_studies::picture;
 use imogene_synth::Target;
 use imogene_synth::fitted::{MachineCost, Parts};
 use imogene_verif::display::pins::{PinsRun, run as run_pins};
@@ -94,16 +93,15 @@ fn finish(
         Some(_) => Some(price(&[machine::base(description)], target, options)?[0]),
         None => None,
     };
-    let bounds = frames
-        .has_bounds
-        .then(|| proof::bounds(frames, choice.drawn));
+    let has_bounds = frames.has_bounds;
+    let bounds = has_bounds.then(|| proof::bounds(frames, choice.drawn));
     let limits = proof::proofs(frames, &budget, choice.drawn, bounds.as_ref());
-    let (width, height) = (frames.all()[0].truth.width, frames.all()[0].truth.height);
+    let truth = &frames.all[0].truth;
     let saving = choice.cost.zip(base_cost);
     let mut report = FitReport {
-        scenes: frames.all().iter().map(|f| f.name.clone()).collect(),
-        width,
-        height,
+        scenes: frames.all.iter().map(|f| f.name.clone()).collect(),
+        width: truth.width,
+        height: truth.height,
         unit: emitted.top.clone(),
         machine: description,
         format: choice.drawn.widths,
@@ -127,13 +125,8 @@ fn finish(
         seconds: 0.0,
     };
     report.seconds = started.elapsed().as_secs_f64();
-    write(
-        &mut report,
-        frames,
-        (choice.drawn, &images),
-        &emitted,
-        options,
-    )?;
+    let drawn = (choice.drawn, &images[..]);
+    write(&mut report, frames, drawn, &emitted, options)?;
     let summary = contract::summary(&report)?;
     output::report(json, &report, |_| output::text(summary));
     verdict(&report)
@@ -154,7 +147,7 @@ fn found(frames: &Frames, budget: &Budget) -> Result<Vec<Drawn>, Failure> {
     });
     match outcome? {
         Outcome::Fits(found) => Ok(found),
-        Outcome::Unreachable { items, nearest } => Err(unreachable(&items, &nearest)),
+        Outcome::Unreachable(nearest) => Err(unreachable(&nearest)),
     }
 }
 
@@ -165,10 +158,8 @@ fn frames(options: &Fit) -> Result<Frames, Failure> {
         let name = path.display().to_string();
         if file.images.is_empty() {
             let size = size_of(&file, options.size);
-            files.push((
-                name,
-                missing::reduced(file, size, Format::BASE, Options::HARDWARE)?,
-            ));
+            let file = missing::reduced(file, size, Format::BASE, Options::HARDWARE)?;
+            files.push((name, file));
         } else {
             let playback = Playback::new(&file)?;
             files.extend(playback.scenes(&name)?);
@@ -182,9 +173,9 @@ fn frames(options: &Fit) -> Result<Frames, Failure> {
 }
 
 /// The message of a budget that no machine meets.
-fn unreachable(items: &[Item], nearest: &Drawn) -> Failure {
+fn unreachable(nearest: &Drawn) -> Failure {
     let mut text = String::from("no machine meets the budget; out of reach:");
-    for item in items.iter().filter(|item| !item.holds()) {
+    for item in nearest.items.iter().filter(|item| !item.holds()) {
         text += &format!("\n  {item}");
     }
     text += &format!(
@@ -206,21 +197,21 @@ fn choose<'a>(
         Some(_) => &ROWS,
         None => &ROWS[..1],
     };
-    let candidates = found
-        .iter()
-        .take(if options.no_cost { 1 } else { SYNTHESISED })
-        .flat_map(|drawn| rows.iter().map(move |&rows| (drawn, rows)))
-        .filter(|(drawn, rows)| *rows <= drawn.widths.root - drawn.widths.dropped_rows);
-    let candidates: Vec<(&Drawn, Fitted)> = candidates
-        .map(|(drawn, rows)| Ok((drawn, fitted(frames, drawn, rows, options)?)))
-        .collect::<Result<_, Failure>>()?;
+    let synthesised = if options.no_cost { 1 } else { SYNTHESISED };
+    let mut candidates: Vec<(&Drawn, Fitted)> = vec![];
+    for drawn in found.iter().take(synthesised) {
+        let most = drawn.widths.root - drawn.widths.dropped_rows;
+        for &rows in rows.iter().filter(|rows| **rows <= most) {
+            candidates.push((drawn, fitted(frames, drawn, rows, options)?));
+        }
+    }
     if options.no_cost {
-        let (drawn, machine) = candidates.into_iter().next().expect("a machine was found");
-        let cost = None;
+        let first = candidates.into_iter().next();
+        let (drawn, machine) = first.expect("a machine was found");
         return Ok(Choice {
             drawn,
             machine,
-            cost,
+            cost: None,
         });
     }
     if !json {
@@ -228,20 +219,16 @@ fn choose<'a>(
             output::text(contract::found(drawn, &machine.description));
         }
     }
-    let machines: Vec<MachineDescription> = candidates
-        .iter()
-        .map(|(_, machine)| machine.description.clone())
-        .collect();
+    let machines = candidates.iter().map(|(_, machine)| &machine.description);
+    let machines: Vec<MachineDescription> = machines.cloned().collect();
     let costs = price(&machines, target, options)?;
     let priced = candidates.into_iter().zip(costs);
-    let priced: Vec<Choice> = priced
-        .map(|((drawn, machine), cost)| Choice {
-            drawn,
-            machine,
-            cost: Some(cost),
-        })
-        .collect();
-    cheapest(priced, options.min_mhz, target)
+    let priced = priced.map(|((drawn, machine), cost)| Choice {
+        drawn,
+        machine,
+        cost: Some(cost),
+    });
+    cheapest(priced.collect(), options.min_mhz, target)
 }
 
 /// The machine of these words.
@@ -264,16 +251,8 @@ fn price(
     target: Target,
     options: &Fit,
 ) -> Result<Vec<MachineCost>, Failure> {
-    let emitted = machines
-        .iter()
-        .map(|machine| emit_machine(&request_for(machine, &[], "")));
-    let emitted: Vec<Emitted> = emitted.collect::<Result<_, _>>()?;
-    costs_of(
-        &emitted,
-        Parts::Cores,
-        target,
-        options.clock || options.min_mhz.is_some(),
-    )
+    let with_clock = options.clock || options.min_mhz.is_some();
+    costs(machines, Parts::Cores, target, with_clock)
 }
 
 fn cheapest(
@@ -315,11 +294,11 @@ fn show(
     options: &Fit,
 ) -> Result<(Vec<Image>, Vec<Report>), Failure> {
     let machine = &choice.machine.description;
-    let scenes = frames.all().iter().zip(&choice.drawn.prepared);
+    let scenes = frames.all.iter().zip(&choice.drawn.prepared);
     let images = scenes.map(|(frame, prepared)| image(&frame.scene, prepared, machine));
     let images: Vec<Image> = images.collect::<Result<_, _>>()?;
     check_tables(&images)
-        .map_err(|error| Failure::Input(format!("{}: {error}", frames.all()[error.image].name)))?;
+        .map_err(|error| Failure::Input(format!("{}: {error}", frames.all[error.image].name)))?;
     let Some(engine) = options.engine else {
         return Ok((images, vec![]));
     };
@@ -340,25 +319,22 @@ fn write(
     options: &Fit,
 ) -> Result<(), Failure> {
     let mut files = output::files();
-    let description = format!(
-        "# Made by: {}\n{}",
-        report.reproduce,
-        report.machine.to_toml()
-    );
+    let machine = report.machine.to_toml();
+    let description = format!("# Made by: {}\n{machine}", report.reproduce);
     files.add_text(&options.out.join(MACHINE_FILE), &description)?;
     let verilog = options.out.join(format!("{}.v", emitted.top));
     files.add_text(&verilog, &emitted.bundle())?;
-    let each = frames.all().iter().zip(&drawn.prepared).zip(images);
+    let each = frames.all.iter().zip(&drawn.prepared).zip(images);
     for (index, ((frame, prepared), image)) in each.enumerate() {
-        let number = match frames.all().len() {
+        let number = match frames.all.len() {
             1 => String::new(),
             _ => format!("-{index}"),
         };
         let errors = frame.errors(prepared)?;
         for (name, picture) in [("golden", &image.picture), ("errors", &errors)] {
             let path = options.out.join(format!("{name}{number}.png"));
-            let (width, height) = (frame.truth.width, frame.truth.height);
-            files.add(&path, |out| picture::png(out, width, height, picture))?;
+            let size = [frame.truth.width, frame.truth.height];
+            output::add_picture(&mut files, &path, size, picture)?;
         }
     }
     let page = contract::page(report, emitted)?;

@@ -1,6 +1,6 @@
 //! Hardware of any widths, for the commands that need it.
 
-use crate::arguments::Fitted;
+use crate::arguments::{Fitted, option};
 use crate::failure::Failure;
 use crate::output;
 use imogene_contract::slots;
@@ -30,7 +30,7 @@ pub fn asked(
             request.unit.name()
         )));
     }
-    let named = prefix.map_or(String::new(), |prefix| format!(" --prefix {prefix}"));
+    let named = option("prefix", prefix);
     let command = format!(
         "imogene emit beam --widths {} --slots {} --rows-per-stage {}{named} --out DIR",
         widths::print(&words),
@@ -47,7 +47,7 @@ pub fn asked(
 /// The machine of a description, whatever it is loaded with.
 pub fn described(file: &Path, prefix: Option<&str>) -> Result<MachineRequest, Failure> {
     let machine = MachineDescription::read(file)?;
-    let named = prefix.map_or(String::new(), |prefix| format!(" --prefix {prefix}"));
+    let named = option("prefix", prefix);
     let command = format!("imogene emit --machine {}{named} --out DIR", file.display());
     Ok(MachineRequest {
         prefix: prefix.unwrap_or_default().to_owned(),
@@ -61,15 +61,13 @@ pub fn estimates(
     machines: &[MachineDescription],
     target: Target,
 ) -> Result<Vec<MachineCost>, Failure> {
-    let emitted = |machines: &[MachineDescription], rows: u32| {
-        let alike = machines.iter().filter(|m| m.rows_per_stage == rows);
-        let emitted = alike.map(|m| emit_machine(&request_for(m, &[], "")).map_err(Failure::from));
-        emitted.collect::<Result<Vec<Emitted>, Failure>>()
+    let alike = |machines: &[MachineDescription], rows: u32| {
+        emitted(machines.iter().filter(|m| m.rows_per_stage == rows))
     };
     let rows: BTreeSet<u32> = machines.iter().map(|m| m.rows_per_stage).collect();
     let mut costs = vec![MachineCost::default(); machines.len()];
     for rows in rows {
-        let (known, wanted) = (emitted(known, rows)?, emitted(machines, rows)?);
+        let (known, wanted) = (alike(known, rows)?, alike(machines, rows)?);
         let found = estimated_costs(&known, &wanted, Parts::Units, target, &|_, _| ())?;
         let places = costs.iter_mut().zip(machines);
         let places = places.filter(|(_, m)| m.rows_per_stage == rows);
@@ -80,21 +78,25 @@ pub fn estimates(
     Ok(costs)
 }
 
-/// What whole machines cost on a target as sums of their units, in their order; with the clock of their slowest unit
-/// if it is asked for.
+fn emitted<'a>(
+    machines: impl Iterator<Item = &'a MachineDescription>,
+) -> Result<Vec<Emitted>, Failure> {
+    let emitted = machines.map(|machine| emit_machine(&request_for(machine, &[], "")));
+    Ok(emitted.collect::<Result<_, _>>()?)
+}
+
+/// What whole machines cost on a target as sums of such parts, in their order; with the clock of their slowest unit if
+/// it is asked for.
 pub fn costs(
     machines: &[MachineDescription],
+    parts: Parts,
     target: Target,
     with_clock: bool,
 ) -> Result<Vec<MachineCost>, Failure> {
-    let emitted = machines
-        .iter()
-        .map(|m| emit_machine(&request_for(m, &[], "")));
-    let emitted: Vec<Emitted> = emitted.collect::<Result<_, _>>()?;
-    costs_of(&emitted, Parts::Units, target, with_clock)
+    costs_of(&emitted(machines.iter())?, parts, target, with_clock)
 }
 
-/// The same of emitted machines, as sums of such parts.
+/// The same of emitted machines.
 pub fn costs_of(
     emitted: &[Emitted],
     parts: Parts,

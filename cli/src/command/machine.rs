@@ -4,7 +4,7 @@ mod files;
 mod report;
 
 use super::{frame_in, read_scene, verdict};
-use crate::arguments::{FrameRange, Machine, View};
+use crate::arguments::{FrameRange, Machine, View, option};
 use crate::failure::Failure;
 use crate::output;
 use files::{Scene, add_bench, grow, zone_timing_of};
@@ -31,25 +31,17 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
     let machine = MachineDescription::read(&options.machine)?;
     let overlay = overlay_of(&machine, options)?;
     let views = views(options)?;
-    let scenes = views
-        .iter()
-        .map(|(path, view)| prepared(path, view, &machine));
-    let scenes = scenes.collect::<Result<Vec<_>, _>>()?;
+    let scenes = all_prepared(&views, &machine)?;
     let images = images(&scenes, &machine, &options.machine, options.refine)?;
     let command = command_of(options);
     let request = request_for(&machine, &images[0].tables, &command);
     let mut files = output::files();
     let top = add_verilog(&request, &options.out, &mut files)?;
     let timing = zone_timing_of(&request, &machine)?;
-    let mut growths = vec![];
+    let mut growth = vec![];
     if options.growth {
-        growths = grow(
-            &scenes[0].prepared,
-            &machine,
-            timing,
-            &options.out,
-            &mut files,
-        )?;
+        let scene = &scenes[0].prepared;
+        growth = grow(scene, &machine, timing, &options.out, &mut files)?;
     }
     let mut outcome = match options.emit_only {
         true => None,
@@ -58,26 +50,16 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
     if let Some((outcome, path)) = outcome.as_mut().zip(options.waves.vcd.as_ref()) {
         add_waves(outcome, path, options, &mut files)?;
     }
-    let golden = images.last().map(|image| match &overlay {
+    let overlay = overlay.as_ref();
+    let golden = images.last().map(|image| match overlay {
         Some(plane) => plane.over(&image.picture),
         None => image.picture.clone(),
     });
-    write_pictures(
-        &machine,
-        golden.as_deref(),
-        outcome.as_ref(),
-        &options.out,
-        &mut files,
-    )?;
+    let pictures = (golden.as_deref(), outcome.as_ref());
+    write_pictures(&machine, pictures, &options.out, &mut files)?;
     if options.emit_only {
-        add_bench(
-            &machine,
-            &top,
-            &scenes,
-            &images,
-            overlay.as_ref(),
-            (&options.out, &mut files),
-        )?;
+        let place = (options.out.as_path(), &mut files);
+        add_bench(&machine, &top, &scenes, &images, overlay, place)?;
     }
     let mode = machine.video_mode().map_or((0, 0), |mode| {
         (mode.clocks(), mode.line.active * mode.frame.active)
@@ -99,7 +81,7 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
         equal: outcome
             .as_ref()
             .map(|o| golden.as_ref() == Some(&o.picture)),
-        growth: growths,
+        growth,
         report: outcome.map(|o| Report {
             reproduce: command,
             ..o.report
@@ -121,10 +103,7 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
 fn views(options: &Machine) -> Result<Vec<(&Path, View)>, Failure> {
     let mut views = vec![];
     for path in &options.scenes {
-        let as_written = View {
-            camera: options.camera.clone(),
-            frame: None,
-        };
+        let as_written = as_written(options);
         let Some(range) = options.animation else {
             views.push((path.as_path(), as_written));
             continue;
@@ -141,10 +120,10 @@ pub fn frames_of(
     as_written: &View,
     range: FrameRange,
 ) -> Result<Vec<(View, f64)>, Failure> {
-    let named = |error: String| Failure::Input(format!("{}: {error}", path.display()));
     let file = read_scene(path, as_written)?;
-    let playback = Playback::new(&file).map_err(|e| named(e.to_string()))?;
-    let frames = range.of("--animation", playback.count()).map_err(named)?;
+    let playback = Playback::new(&file).map_err(|error| Failure::at(path, error))?;
+    let frames = range.of("--animation", playback.count());
+    let frames = frames.map_err(|error| Failure::at(path, error))?;
     let frame = |number: usize| {
         let view = View {
             frame: Some(number as u32),
@@ -161,11 +140,18 @@ pub fn images_of(
     machine: &MachineDescription,
     path: &Path,
 ) -> Result<Vec<Image>, Failure> {
+    let scenes = all_prepared(views, machine)?;
+    images(&scenes, machine, path, Refinement::Box)
+}
+
+fn all_prepared(
+    views: &[(&Path, View)],
+    machine: &MachineDescription,
+) -> Result<Vec<Scene>, Failure> {
     let scenes = views
         .iter()
         .map(|(path, view)| prepared(path, view, machine));
-    let scenes = scenes.collect::<Result<Vec<_>, _>>()?;
-    images(&scenes, machine, path, Refinement::Box)
+    scenes.collect()
 }
 
 fn prepared(path: &Path, view: &View, machine: &MachineDescription) -> Result<Scene, Failure> {
@@ -216,21 +202,24 @@ fn overlay_of(
         return Ok(None);
     };
     if !machine.overlay {
-        return Err(Failure::Input(format!(
-            "{}: the machine has no overlay plane; --overlay wants a description with overlay = true",
-            options.machine.display()
-        )));
+        let problem =
+            "the machine has no overlay plane; --overlay wants a description with overlay = true";
+        return Err(Failure::at(&options.machine, problem));
     }
-    let (width, height, pixels) = read_mask(path)?;
-    let screen = machine
-        .video_mode()
-        .map(|mode| (mode.line.active as usize, mode.frame.active as usize));
+    let (width, height, pixels) = read_mask(path).map_err(|problem| {
+        let file = path.display();
+        Failure::Input(format!(
+            "cannot read '{file}': {problem}; accepted is a PNG picture"
+        ))
+    })?;
+    let screen = machine.video_mode();
+    let screen = screen.map(|mode| (mode.line.active as usize, mode.frame.active as usize));
     if screen != Some((width, height)) {
         let (columns, lines) = screen.unwrap_or_default();
-        return Err(Failure::Input(format!(
-            "{}: {width} x {height} pixels; the screen has {columns} x {lines}, and so many are accepted",
-            path.display()
-        )));
+        let problem = format!(
+            "{width} x {height} pixels; the screen has {columns} x {lines}, and so many are accepted"
+        );
+        return Err(Failure::at(path, problem));
     }
     Ok(Some(OverlayPlane::new(&pixels, [255; 3])))
 }
@@ -242,19 +231,22 @@ fn command_of(options: &Machine) -> String {
         Refinement::Bounds => " --refine bounds",
         Refinement::Pixels => " --refine pixels",
     };
-    let view = View {
-        camera: options.camera.clone(),
-        frame: None,
-    };
-    let frames = options.animation.map_or(String::new(), |range| {
-        format!(" --animation {range}").trim_end().to_owned()
-    });
+    let frames = option("animation", options.animation);
     format!(
-        "imogene machine {}{}{frames} --machine {}{refine} --out DIR",
+        "imogene machine {}{}{} --machine {}{refine} --out DIR",
         output::joined(scenes, " "),
-        view.options(),
+        as_written(options).options(),
+        frames.trim_end(),
         options.machine.display()
     )
+}
+
+/// A scene as it is written, through the camera that is asked for.
+fn as_written(options: &Machine) -> View {
+    View {
+        camera: options.camera.clone(),
+        frame: None,
+    }
 }
 
 /// Adds the waveforms; says so if the run did not come to where they begin.
@@ -291,10 +283,9 @@ fn show(
         waveforms: waveforms.as_ref(),
         stops: None,
     };
-    let outcome = output::during(
-        images.len() as u64 + u64::from(options.frames),
-        "frames on the pins",
-        |bar| run_pins(machine, images, &run, || bar.inc(1)),
-    );
-    outcome.map_err(Failure::from)
+    let steps = images.len() as u64 + u64::from(options.frames);
+    let outcome = output::during(steps, "frames on the pins", |bar| {
+        run_pins(machine, images, &run, || bar.inc(1))
+    });
+    Ok(outcome?)
 }

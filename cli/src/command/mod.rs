@@ -1,10 +1,8 @@
-//! The commands, one per file.
+//! The commands.
 
-mod beam;
 pub mod board;
 pub mod bounds;
 pub mod check;
-pub mod contract;
 pub mod cosim;
 pub mod cracks;
 pub mod demo;
@@ -22,17 +20,13 @@ pub mod package;
 pub mod peers;
 pub mod prepare;
 pub mod primitives;
-pub mod processors;
 pub mod prove;
 pub mod raytrace;
 pub mod render;
 pub mod repair;
-pub mod roots;
 pub mod shading;
-pub mod speed;
 pub mod sweep;
 pub mod synth;
-pub mod terrain;
 pub mod trade;
 pub mod units;
 
@@ -42,10 +36,13 @@ use crate::{missing, molecules, output};
 use imogene_files::text::counted;
 use imogene_files::{free_memory, memory_limit};
 use imogene_golden::format::Format;
+use imogene_golden::machine::frame::Frame;
 use imogene_prepare::{Framing, PreparedScene, Seen, memory, prepare_reporting, steps};
 use imogene_scene::animation::Playback;
 use imogene_scene::{FramedScene, Look, SceneFile};
+use imogene_verif::engine::Engine;
 use imogene_verif::report::Report;
+use imogene_verif::scene::{self, Options, slots};
 use std::path::Path;
 
 /// A scene file in the camera frame and prepared for a format.
@@ -73,24 +70,24 @@ fn load_seen(file: SceneFile, scene: &Scene) -> Result<(FramedScene, PreparedSce
 /// A scene file with the camera and the frame that are asked for.
 fn read_scene(path: &Path, view: &View) -> Result<SceneFile, Failure> {
     let mut file = molecules::read_scene(path)?;
-    let named = |problem: String| Failure::input(format!("{}: {problem}", path.display()));
     if let Some(name) = &view.camera {
         let found = file.look_through(name);
-        found.map_err(|error| named(error.to_string()))?;
+        found.map_err(|error| Failure::at(path, error))?;
     }
     let Some(frame) = view.frame else {
         return Ok(file);
     };
-    let playback = Playback::new(&file).map_err(|error| named(error.to_string()))?;
+    let playback = Playback::new(&file).map_err(|error| Failure::at(path, error))?;
     let count = playback.count();
     if frame as usize > count {
-        return Err(named(format!(
-            "--frame {frame}: the animation has {}; a number from 1 to {count} is possible",
-            counted(count, "frame")
-        )));
+        let frames = counted(count, "frame");
+        let problem = format!(
+            "--frame {frame}: the animation has {frames}; a number from 1 to {count} is possible"
+        );
+        return Err(Failure::at(path, problem));
     }
     let found = playback.scene(frame as usize - 1);
-    found.map_err(|error| named(error.to_string()))
+    found.map_err(|error| Failure::at(path, error))
 }
 
 /// The scene as it is looked at; with a warning of what is endless and does not fit into a picture.
@@ -152,6 +149,31 @@ fn prepared(framed: FramedScene, format: Format) -> Result<(FramedScene, Prepare
     let prepared = prepared?;
     missing::tell("", &framed, &prepared)?;
     Ok((framed, prepared))
+}
+
+/// The report of a scene and the frame that the hardware drew.
+fn run_beam(
+    prepared: &PreparedScene,
+    options: &Options,
+    engine: Engine,
+) -> Result<(Report, Frame), Failure> {
+    let pixels = u64::from(prepared.width) * u64::from(prepared.height);
+    let outcome = output::during(pixels, "hardware in simulation", |bar| {
+        scene::run(prepared, options, engine, || bar.inc(1))
+    });
+    Ok(outcome?)
+}
+
+/// The same with processors that a beam machine does not have, each by itself.
+fn run_slots(
+    prepared: &PreparedScene,
+    rows_per_stage: usize,
+    engine: Engine,
+) -> Result<(Report, Frame), Failure> {
+    let outcome = output::during(slots::pixels(prepared), "processors in simulation", |bar| {
+        slots::run(prepared, rows_per_stage, engine, |n| bar.inc(n))
+    });
+    Ok(outcome?)
 }
 
 /// Threads for independent work.

@@ -23,11 +23,7 @@ pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
         (true, Some(_)) => table::NETLISTS.to_vec(),
         (false, _) => named.collect(),
     };
-    let stimuli = if options.netlist.is_some() {
-        150
-    } else {
-        20_000
-    };
+    let stimuli = options.netlist.map_or(20_000, |_| 150);
     let scale = Options {
         mutants: options.netlist.unwrap_or_default() as usize,
         stimuli: options.stimuli.unwrap_or(stimuli),
@@ -89,13 +85,8 @@ fn of_machine(path: &Path, options: &Mutate, json: bool) -> Result<(), Failure> 
     let report = output::during(mutants::count(&design), "mutants", |bar| {
         mutants::run(&shown, &design, report, || bar.inc(1))
     })?;
-    if !json {
-        output::text(describe(&report));
-    }
-    let reports = vec![report];
-    if json {
-        output::json(&reports);
-    }
+    let reports = [report];
+    output::report(json, &reports, |[report]| output::text(describe(report)));
     verdict(&reports)
 }
 

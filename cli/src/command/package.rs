@@ -18,15 +18,11 @@ struct PackageReport {
 }
 
 pub fn run(options: &Package, json: bool) -> Result<(), Failure> {
-    let units: Result<Vec<Unit>, Failure> = options
-        .units
-        .iter()
-        .map(|name| Unit::from_name(name).map_err(Failure::from))
-        .collect();
-    let units = match units?.as_slice() {
-        [] => Unit::ALL.to_vec(),
-        named => named.to_vec(),
-    };
+    let units = options.units.iter().map(|name| Unit::from_name(name));
+    let mut units = units.collect::<Result<Vec<Unit>, _>>()?;
+    if units.is_empty() {
+        units = Unit::ALL.to_vec();
+    }
     let texts = package(&units, options.clocks)?;
     let mut report = PackageReport {
         cores: units.len(),

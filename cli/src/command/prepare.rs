@@ -102,72 +102,64 @@ fn parts(framed: &FramedObject, o: &PreparedObject) -> Value {
 }
 
 fn describe_parts(framed: &FramedObject, o: &PreparedParts) {
-    output::text(format!(
-        "\n{} ({} of processor {})",
+    let heading = format!(
+        "{} ({} of processor {})",
         o.name,
         o.words.len(),
         framed.processor()
-    ));
-    describe_box(&o.screen_box);
-    for words in &o.words {
-        output::text(format!("  {}", json!(words)));
-    }
-    describe_notes(&o.notes);
+    );
+    let words = o.words.iter().map(|words| format!("  {}", json!(words)));
+    tell(&heading, &o.screen_box, words.collect(), &o.notes);
 }
 
 fn describe_volume(v: &PreparedVolume) {
     let w = &v.words;
-    output::text(format!("\n{}", v.name));
-    describe_box(&w.screen_box);
+    let mut lines = vec![];
     if let Some(q) = &w.quadric {
-        output::text(format!("  margin {}, {:?}", w.margin, q.class));
-        describe_quadric(&q.f1, &q.f2);
+        lines.push(format!("  margin {}, {:?}", w.margin, q.class));
+        lines.extend(quadric(&q.f1, &q.f2));
     }
     for (index, plane) in w.planes.iter().enumerate() {
-        describe_plane("plane", index, plane.kind, &plane.depth);
+        lines.push(plane_line("plane", index, plane.kind, &plane.depth));
     }
-    describe_notes(&v.notes);
-}
-
-fn describe_notes(notes: &[String]) {
-    for note in notes {
-        output::text(format!("  note: {note}"));
-    }
-}
-
-fn describe_box(b: &ScreenBox) {
-    if b.is_empty() {
-        output::text("  box  empty");
-    } else {
-        output::text(format!(
-            "  box  columns {}..{}, lines {}..{}",
-            b.x0, b.x1, b.y0, b.y1
-        ));
-    }
-}
-
-fn describe_quadric(f1: &Linear, f2: &Quadratic) {
-    output::text(format!("  f1   {} {} {}", f1.a, f1.b, f1.c));
-    output::text(format!(
-        "  f2   {} {} {} {} {} {}",
-        f2.a, f2.b, f2.c, f2.d, f2.e, f2.f
-    ));
-}
-
-fn describe_plane(what: &str, index: usize, kind: PlaneKind, d: &Linear) {
-    output::text(format!("  {what} {index} {kind:?} {} {} {}", d.a, d.b, d.c));
+    tell(&v.name, &w.screen_box, lines, &v.notes);
 }
 
 fn describe(framed: &FramedObject, o: &PreparedQuadric) {
     let w = &o.words;
-    match framed.processor() {
-        "quadric" => output::text(format!("\n{} ({:?})", o.name, w.class)),
-        other => output::text(format!("\n{} ({:?}, processor {other})", o.name, w.class)),
-    }
-    describe_box(&w.screen_box);
-    describe_quadric(&w.f1, &w.f2);
+    let heading = match framed.processor() {
+        "quadric" => format!("{} ({:?})", o.name, w.class),
+        other => format!("{} ({:?}, processor {other})", o.name, w.class),
+    };
+    let mut lines = quadric(&w.f1, &w.f2).to_vec();
     for (index, plane) in w.planes.iter().enumerate() {
-        describe_plane("cut", index, plane.kind, &plane.depth);
+        lines.push(plane_line("cut", index, plane.kind, &plane.depth));
     }
-    describe_notes(&o.notes);
+    tell(&heading, &w.screen_box, lines, &o.notes);
+}
+
+fn tell(heading: &str, b: &ScreenBox, lines: Vec<String>, notes: &[String]) {
+    output::text(format!("\n{heading}"));
+    match b.is_empty() {
+        true => output::text("  box  empty"),
+        false => output::text(format!(
+            "  box  columns {}..{}, lines {}..{}",
+            b.x0, b.x1, b.y0, b.y1
+        )),
+    }
+    lines.iter().for_each(output::text);
+    let notes = notes.iter().map(|note| format!("  note: {note}"));
+    notes.for_each(output::text);
+}
+
+fn quadric(f1: &Linear, f2: &Quadratic) -> [String; 2] {
+    let Quadratic { a, b, c, d, e, f } = f2;
+    [
+        format!("  f1   {} {} {}", f1.a, f1.b, f1.c),
+        format!("  f2   {a} {b} {c} {d} {e} {f}"),
+    ]
+}
+
+fn plane_line(what: &str, index: usize, kind: PlaneKind, d: &Linear) -> String {
+    format!("  {what} {index} {kind:?} {} {} {}", d.a, d.b, d.c)
 }

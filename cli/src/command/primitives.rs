@@ -1,20 +1,20 @@
 //! `imogene primitives`.
 
 mod hardware;
-mod page;
 
 use crate::arguments::Primitives;
 use crate::failure::Failure;
 use crate::output;
+use hardware::{Hardware, TARGET};
 use imogene_analysis::metrics::PixelError;
 use imogene_golden::format::Format;
 use imogene_scene::SceneFile;
-use imogene_studies::picture;
-use imogene_studies::primitives::errors::{bulge, errors, pixel_errors};
-use imogene_studies::primitives::sheet::sheet;
-use imogene_studies::primitives::speed::{Speed, facets, measure, work};
-use imogene_studies::primitives::{Drawn, Subject, Variant};
-use page::{Comparison, Row};
+use imogene_studies::kit::DrawError;
+use imogene_studies::kit::page::text;
+use imogene_studies::primitives::errors::{Bulge, Errors, bulge, errors, pixel_errors};
+use imogene_studies::primitives::speed::{FacetWork, Speed, facets, measure, work};
+use imogene_studies::primitives::{Drawn, Subject, Variant, sheet};
+use serde::Serialize;
 use std::path::Path;
 use std::time::Duration;
 
@@ -41,10 +41,8 @@ pub fn run(options: &Primitives, json: bool) -> Result<(), Failure> {
         bar.inc(1);
     }
     bar.finish_and_clear();
-    let variants: Result<Vec<Row>, Failure> = drawn
-        .iter()
-        .map(|(one, pixels)| row(&subject, one, pixels, &format))
-        .collect();
+    let rows = drawn.iter();
+    let rows = rows.map(|(one, pixels)| row(&subject, one, pixels, &format));
     let comparison = Comparison {
         scene: subject.framed.title.clone(),
         width,
@@ -52,16 +50,16 @@ pub fn run(options: &Primitives, json: bool) -> Result<(), Failure> {
         depth_word: format.depth,
         words_per_pixel: subject.truth.words_per_pixel,
         radii_px: subject.radii.clone(),
-        variants: variants?,
+        variants: rows.collect::<Result<_, _>>()?,
         speed: speed(&drawn, &format),
     };
-    let text = page::markdown(&comparison)?;
+    let text = markdown(&comparison)?;
     if let Some(folder) = &options.out {
         write(folder, &comparison, &text, &subject, &drawn)?;
     }
     output::report(json, &comparison, |comparison| {
         output::text(text.trim_end());
-        output::text(format!("\n{}", page::speed(&comparison.speed)));
+        output::text(format!("\n{}", told(&comparison.speed)));
     });
     Ok(())
 }
@@ -99,18 +97,76 @@ fn write(
     subject: &Subject,
     drawn: &[(Drawn, Vec<PixelError>)],
 ) -> Result<(), Failure> {
-    let panels: Vec<(&Drawn, &[PixelError])> = drawn
-        .iter()
-        .map(|(one, pixels)| (one, pixels.as_slice()))
-        .collect();
+    let panels = drawn.iter().map(|(one, pixels)| (one, pixels.as_slice()));
+    let panels: Vec<(&Drawn, &[PixelError])> = panels.collect();
     let sheet = sheet(&panels, subject.truth.words_per_pixel);
     let figures = output::json_text(comparison) + "\n";
     let mut files = output::files();
-    files.add(&folder.join("comparison.png"), |out| {
-        picture::png(out, sheet.width, sheet.height, &sheet.rgb)
-    })?;
+    let (path, size) = (folder.join("comparison.png"), [sheet.width, sheet.height]);
+    output::add_picture(&mut files, &path, size, &sheet.rgb)?;
     files.add_text(&folder.join("comparison.json"), &figures)?;
     files.add_text(&folder.join("comparison.md"), text)?;
     files.finish()?;
     Ok(())
+}
+
+/// All that is measured; the keys are stable.
+#[derive(Serialize)]
+struct Comparison {
+    scene: String,
+    width: u32,
+    height: u32,
+    depth_word: u32,
+    words_per_pixel: f64,
+    radii_px: Vec<f64>,
+    variants: Vec<Row>,
+    speed: Speed,
+}
+
+/// One variant; the keys are stable.
+#[derive(Serialize)]
+struct Row {
+    variant: String,
+    /// Sides around of each object that is a mesh.
+    sides: Vec<Option<usize>>,
+    /// Faces of the meshes, those turned away as well.
+    faces: usize,
+    errors: Errors,
+    /// Of each sphere.
+    bulges: Vec<Bulge>,
+    hardware: Hardware,
+    /// Of the facets, if there are some.
+    facet_work: Option<FacetWork>,
+}
+
+#[derive(Serialize)]
+struct Page<'a> {
+    #[serde(flatten)]
+    comparison: &'a Comparison,
+    target: &'static str,
+}
+
+/// The page: what is drawn, then a table for each question.
+fn markdown(comparison: &Comparison) -> Result<String, DrawError> {
+    let page = Page {
+        comparison,
+        target: TARGET,
+    };
+    text(
+        "cannot tell of it",
+        include_str!("primitives/comparison.md"),
+        page,
+    )
+}
+
+/// The timing, which depends on the machine.
+fn told(speed: &Speed) -> String {
+    format!(
+        "Facets of 20 sides around on one thread: {:.1} million pixels a second by contour following, {:.1} by the model of the facet processor, {:.1} times as many; one facet \
+         processor that visits the screen boxes is faster from {:.0} MHz on",
+        speed.contour_pixels_per_second / 1e6,
+        speed.processor_model_pixels_per_second / 1e6,
+        speed.ratio,
+        speed.break_even_mhz
+    )
 }

@@ -14,7 +14,6 @@ use imogene_oracle::run::{Outcome, run as trace};
 use imogene_oracle::survey::{Finding, survey};
 use imogene_oracle::table::{Row, table};
 use imogene_prepare::Options;
-use imogene_studies::picture;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -45,9 +44,7 @@ pub fn run(options: &Raytrace, json: bool) -> Result<(), Failure> {
             && let Some(file) = picture_of(path, options)
         {
             let rgb = paint::comparison(&frame, format.z_max(), &marks);
-            files.add(&file, |out| {
-                picture::png(out, frame.width, frame.height, &rgb)
-            })?;
+            output::add_picture(&mut files, &file, [frame.width, frame.height], &rgb)?;
         }
         if !json {
             tell(&row);

@@ -19,7 +19,7 @@ use imogene_scene::{Absent, FramedScene, RangeReport};
 use imogene_studies::picture;
 use imogene_studies::zones::zones;
 use models::draw;
-pub use models::{golden_frame, golden_lighting};
+pub use models::{exact_frame, golden_frame, golden_lighting};
 use serde::Serialize;
 use std::io::Write;
 use std::path::PathBuf;
@@ -28,7 +28,7 @@ use std::time::Instant;
 /// What was drawn; the keys are stable.
 #[derive(Serialize)]
 struct RenderReport {
-    model: &'static str,
+    model: Model,
     width: u32,
     height: u32,
     prepare_seconds: f64,
@@ -46,34 +46,31 @@ struct RenderReport {
     files: Vec<PathBuf>,
 }
 
-impl RenderReport {
-    fn of(
-        model: &'static str,
-        (framed, prepared): (&FramedScene, &PreparedScene),
-        frame: &Frame,
-        [prepare_seconds, seconds]: [f64; 2],
-        files: Vec<PathBuf>,
-    ) -> RenderReport {
-        let (width, height) = (prepared.width, prepared.height);
-        RenderReport {
-            model,
-            width,
-            height,
-            prepare_seconds,
-            seconds,
-            pixels_per_second: f64::from(width) * f64::from(height) / seconds.max(1e-9),
-            covered_pixels: frame.covered(),
-            volumes: prepared.volumes.len(),
-            absent: Absent::of(&framed.objects),
-            range: framed.range.report(prepared.format.z_max()),
-            split: None,
-            files,
-        }
-    }
-
-    fn tell(&self, json: bool) -> Result<(), Failure> {
-        output::told(json, self, include_str!("render/picture.txt"))
-    }
+/// Writes what was drawn, and tells of it.
+fn finish(
+    options: &Render,
+    (framed, prepared): (&FramedScene, &PreparedScene),
+    (frame, rgb): (&Frame, &[u8]),
+    [prepare_seconds, seconds]: [f64; 2],
+    split: Option<split::SplitReport>,
+    json: bool,
+) -> Result<(), Failure> {
+    let (width, height) = (prepared.width, prepared.height);
+    let report = RenderReport {
+        model: options.model,
+        width,
+        height,
+        prepare_seconds,
+        seconds,
+        pixels_per_second: f64::from(width) * f64::from(height) / seconds.max(1e-9),
+        covered_pixels: frame.covered(),
+        volumes: prepared.volumes.len(),
+        absent: Absent::of(&framed.objects),
+        range: framed.range.report(prepared.format.z_max()),
+        split,
+        files: write(options, frame, rgb)?,
+    };
+    output::told(json, &report, include_str!("render/picture.txt"))
 }
 
 pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
@@ -106,15 +103,12 @@ pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
         None => phong::shade(&frame, &lighting, &framed, &prepared.format),
     };
     let seconds = [prepare_seconds, started.elapsed().as_secs_f64()];
-    let files = write(options, &frame, &rgb)?;
-    let (model, failing) = match options.model {
-        Model::Golden => ("golden", failing(&framed, &prepared)),
-        Model::Exact => ("exact", vec![]),
-        Model::Rtl => ("rtl", vec![]),
-    };
-    let report = RenderReport::of(model, (&framed, &prepared), &frame, seconds, files);
-    report.tell(json)?;
-    drawn_as_it_is(&failing)
+    let scene = (&framed, &prepared);
+    finish(options, scene, (&frame, &rgb), seconds, None, json)?;
+    match options.model {
+        Model::Golden => drawn_as_it_is(&failing(&framed, &prepared)),
+        Model::Exact | Model::Rtl => Ok(()),
+    }
 }
 
 /// Warns of each object that the golden picture may not show as it is, and fails if there is any.
@@ -151,9 +145,8 @@ fn zoned(
     let lighting = golden_lighting(&frame, prepared);
     let seconds = [prepare_seconds, started.elapsed().as_secs_f64()];
     let rgb = phong::shade(&frame, &lighting, framed, &prepared.format);
-    let files = write(options, &frame, &rgb)?;
-    let report = RenderReport::of("golden", (framed, prepared), &frame, seconds, files);
-    report.tell(json)
+    let scene = (framed, prepared);
+    finish(options, scene, (&frame, &rgb), seconds, None, json)
 }
 
 /// The picture that workers draw piece by piece.
@@ -170,17 +163,14 @@ fn divided(
     let seconds = [prepare_seconds, started.elapsed().as_secs_f64()];
     let frame = &divided.frame;
     let rgb = phong::shade(frame, &divided.lighting, framed, &prepared.format);
-    let files = write(options, frame, &rgb)?;
-    let mut report = RenderReport::of("golden", (framed, prepared), frame, seconds, files);
-    report.split = Some(split);
-    report.tell(json)
+    let scene = (framed, prepared);
+    finish(options, scene, (frame, &rgb), seconds, Some(split), json)
 }
 
 fn write(options: &Render, frame: &Frame, rgb: &[u8]) -> Result<Vec<PathBuf>, Failure> {
     let mut files = output::files();
-    files.add(&options.output(), |out| {
-        picture::png(out, frame.width, frame.height, rgb)
-    })?;
+    let size = [frame.width, frame.height];
+    output::add_picture(&mut files, &options.output(), size, rgb)?;
     type Writer = fn(&mut dyn Write, &Frame) -> std::io::Result<()>;
     let arrays: [(&Option<PathBuf>, Writer); 3] = [
         (&options.depth, picture::depth),

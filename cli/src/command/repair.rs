@@ -1,17 +1,16 @@
 //! `imogene repair`.
 
-use super::{load_scene, render::golden_lighting};
+use super::load_scene;
+use super::render::{exact_frame, golden_lighting};
 use crate::arguments::Repair;
 use crate::failure::Failure;
 use crate::output;
-use imogene_analysis::exact::render::{render, to_frame};
 use imogene_analysis::phong;
 use imogene_files::text::counted;
 use imogene_oracle::paint;
 use imogene_oracle::repair::{RepairReport, Repaired, differing_faces, repair};
 use imogene_prepare::PreparedScene;
 use imogene_scene::FramedScene;
-use imogene_studies::picture;
 use serde::Serialize;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -68,14 +67,10 @@ pub fn run(options: &Repair, json: bool) -> Result<(), Failure> {
 }
 
 fn compare(framed: &FramedScene, prepared: &PreparedScene, repaired: &Repaired) -> Exact {
-    let bar = output::progress(u64::from(prepared.height), "exact reference");
     let started = Instant::now();
-    let pixels = render(framed, &prepared.format, || bar.inc(1));
-    let exact = to_frame(&pixels, framed, &prepared.format);
-    let seconds = started.elapsed().as_secs_f64();
-    bar.finish_and_clear();
+    let exact = exact_frame(framed, prepared);
     Exact {
-        seconds,
+        seconds: started.elapsed().as_secs_f64(),
         differing_before: differing_faces(&repaired.first, &exact),
         differing_after: differing_faces(&repaired.frame, &exact),
     }
@@ -89,19 +84,16 @@ fn write(
 ) -> Result<Vec<PathBuf>, Failure> {
     let mut files = output::files();
     let frame = &repaired.frame;
+    let size = [frame.width, frame.height];
     if let Some(path) = &options.output {
         let lighting = golden_lighting(frame, prepared);
         let rgb = phong::shade(frame, &lighting, framed, &prepared.format);
-        files.add(path, |out| {
-            picture::png(out, frame.width, frame.height, &rgb)
-        })?;
+        output::add_picture(&mut files, path, size, &rgb)?;
     }
     if let Some(path) = &options.map {
         let open = (0..repaired.open.len()).filter(|&i| repaired.open[i]);
         let rgb = paint::pixels(frame, prepared.format.z_max(), open, paint::ALLOWED, false);
-        files.add(path, |out| {
-            picture::png(out, frame.width, frame.height, &rgb)
-        })?;
+        output::add_picture(&mut files, path, size, &rgb)?;
     }
     Ok(files.finish()?)
 }

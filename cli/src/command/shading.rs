@@ -97,12 +97,10 @@ fn on_scenes(paths: &[PathBuf], nearest: bool, json: bool) -> Result<(), Failure
         let (framed, prepared) =
             frame_in(&read_scene(path, &View::default())?, None, Format::BASE)?;
         let tables = sphere_errors(&framed, &prepared, nearest);
-        let tables =
-            tables.map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
         Ok(SphereScene {
             scene: path.clone(),
             materials: framed.materials.len(),
-            tables,
+            tables: tables.map_err(|error| Failure::at(path, error))?,
         })
     };
     let scenes: Vec<SphereScene> = paths.iter().map(scene).collect::<Result<_, Failure>>()?;
@@ -110,18 +108,12 @@ fn on_scenes(paths: &[PathBuf], nearest: bool, json: bool) -> Result<(), Failure
         let mut lines = vec![SPHERE_HEAD.to_owned()];
         for scene in scenes {
             let row = |errors: &SphereErrors| {
-                let figures = |errors: &LevelErrors| {
-                    format!(
-                        "{:.2} | {} | {}",
-                        errors.mean, errors.most_of_1000, errors.greatest
-                    )
+                let figures = |e: &LevelErrors| {
+                    format!("{:.2} | {} | {}", e.mean, e.most_of_1000, e.greatest)
                 };
                 let (side, name) = (errors.side, scene.scene.display());
-                format!(
-                    "| {name} | {side} | {} | {} |",
-                    figures(&errors.table),
-                    figures(&errors.all)
-                )
+                let [table, all] = [&errors.table, &errors.all].map(figures);
+                format!("| {name} | {side} | {table} | {all} |")
             };
             lines.extend(scene.tables.iter().map(row));
         }

@@ -42,7 +42,7 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Sweep>, Failure> {
     let named: Result<Vec<&Sweep>, _> = names.iter().map(|name| sweep::find(name)).collect();
     let named = named?;
     let wanted = |sweep: &&Sweep| named.is_empty() || named.iter().any(|n| n.name == sweep.name);
-    Ok(sweep::all().iter().filter(wanted).collect())
+    Ok(sweep::ALL.iter().filter(wanted).collect())
 }
 
 fn page(sweeps: &[SweepResult], pictures: Option<&str>) -> Result<String, Failure> {

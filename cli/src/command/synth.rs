@@ -58,13 +58,8 @@ fn run_machine(machine: &MachineRequest, target: Target, json: bool) -> Result<(
     let counts = [own.lut, own.ff, own.carry, own.dsp, own.bram, cost.cells];
     let mut lines = vec![format!("beam for {}, the sum of its units", target.name())];
     lines.extend(resources(counts.map(Some)));
-    let clock = |fmax: f64| {
-        line(
-            "Fmax",
-            format!("{fmax:.1} MHz, of its slowest unit, one seed"),
-        )
-    };
-    lines.extend(cost.fmax_mhz.map(clock));
+    let clock = |fmax: f64| format!("{fmax:.1} MHz, of its slowest unit, one seed");
+    lines.extend(cost.fmax_mhz.map(|fmax| line("Fmax", clock(fmax))));
     output::text(lines.join("\n"));
     Ok(())
 }
@@ -72,10 +67,8 @@ fn run_machine(machine: &MachineRequest, target: Target, json: bool) -> Result<(
 fn run_table(options: &Synth, json: bool) -> Result<(), Failure> {
     let figures = options.out.with_extension("json");
     if figures == options.out {
-        let out = options.out.display();
-        return Err(Failure::Input(format!(
-            "{out}: the page needs another ending than .json, which its figures have"
-        )));
+        let problem = "the page needs another ending than .json, which its figures have";
+        return Err(Failure::at(&options.out, problem));
     }
     let rows = table::rows();
     let bar = output::progress(rows.len() as u64, "synthesis");
@@ -132,27 +125,19 @@ fn describe(report: &SynthReport) -> String {
     let count = |value: Option<u64>| value.map(|value| value.to_string());
     line("transistors", count(report.transistors));
     line("does not fit", report.does_not_fit.clone());
-    line(
-        "Fmax",
-        report.fmax_mhz.map(|fmax| {
-            format!(
-                "{fmax:.1} MHz, median of {}",
-                counted(report.seeds.len(), "seed")
-            )
-        }),
-    );
+    let seeds = counted(report.seeds.len(), "seed");
+    let clock = |fmax: f64| format!("{fmax:.1} MHz, median of {seeds}");
+    line("Fmax", report.fmax_mhz.map(clock));
     let path = report
         .median_seed()
         .and_then(|run| run.critical_path.as_ref());
-    line(
-        "slowest path",
-        path.map(|path| {
-            format!(
-                "{} -> {} ({:.2} ns logic, {:.2} ns routing)",
-                path.from, path.to, path.logic_ns, path.routing_ns
-            )
-        }),
-    );
+    let path = path.map(|path| {
+        format!(
+            "{} -> {} ({:.2} ns logic, {:.2} ns routing)",
+            path.from, path.to, path.logic_ns, path.routing_ns
+        )
+    });
+    line("slowest path", path);
     let tools = report.tools.iter();
     let tools = tools.map(|(tool, version)| format!("{tool} {version}"));
     line("tools", Some(output::joined(tools, ", ")));

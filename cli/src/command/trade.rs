@@ -21,7 +21,7 @@ use imogene_studies::trade::report::{self, FRONTS};
 use imogene_studies::trade::run::{self, Request};
 use imogene_studies::trade::speed;
 use imogene_synth::Target;
-use imogene_synth::fitted::MachineCost;
+use imogene_synth::fitted::{MachineCost, Parts};
 use imogene_verif::display::request::{request_for, timing};
 use serde_json::json;
 use std::path::{Path, PathBuf};
@@ -82,10 +82,11 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
         tell(&trade, seconds);
         output::wrote(&files);
     });
-    let refusals: Option<Vec<&String>> = (trade.points.iter())
-        .map(|entry| entry.point.refused.as_ref())
-        .collect();
-    match refusals {
+    let refusals = trade
+        .points
+        .iter()
+        .map(|entry| entry.point.refused.as_ref());
+    match refusals.collect::<Option<Vec<&String>>>() {
         Some(refusals) => Err(Failure::Check(format!(
             "no machine of the design space draws {}; {} says: {}",
             options.scene.display(),
@@ -113,8 +114,8 @@ fn costs(
     }
     let costs = match pricing {
         Pricing::Estimated(known) => fitted::estimates(known, machines, target),
-        Pricing::Synthesised => fitted::costs(machines, target, false),
-        Pricing::Routed => fitted::costs(machines, target, true),
+        Pricing::Synthesised => fitted::costs(machines, Parts::Units, target, false),
+        Pricing::Routed => fitted::costs(machines, Parts::Units, target, true),
     };
     let costs = costs.map_err(|failure| failure.message().unwrap_or_default())?;
     let cost = |c: &MachineCost| Cost {
@@ -131,10 +132,9 @@ fn costs(
 
 /// What tells this program from any other: results of another one are measured again.
 fn own_digest() -> Result<String, Failure> {
-    let bytes = std::env::current_exe()
-        .and_then(std::fs::read)
-        .map_err(|error| Failure::Input(format!("cannot read the program itself: {error}")))?;
-    Ok(run::digest(&bytes))
+    let unread = |error| Failure::Input(format!("cannot read the program itself: {error}"));
+    let bytes = std::env::current_exe().and_then(std::fs::read);
+    Ok(run::digest(bytes.map_err(unread)?))
 }
 
 fn write(trade: &report::Trade, folder: &Path, points: Space) -> Result<Vec<PathBuf>, Failure> {
@@ -150,9 +150,11 @@ fn write(trade: &report::Trade, folder: &Path, points: Space) -> Result<Vec<Path
     put("index.html", page(trade, folder)?)?;
     if points == Space::Roots {
         let sheet = sheet(trade, folder)?;
-        files.add(&folder.join("plots/pictures.png"), |out| {
-            picture::png(out, sheet.width, sheet.height, &sheet.rgb)
-        })?;
+        let (path, size) = (
+            folder.join("plots/pictures.png"),
+            [sheet.width, sheet.height],
+        );
+        output::add_picture(&mut files, &path, size, &sheet.rgb)?;
     }
     Ok(files.finish()?)
 }
@@ -164,8 +166,8 @@ const BAND: usize = 6;
 fn sheet(trade: &report::Trade, folder: &Path) -> Result<Sheet, Failure> {
     let read = |file: &String| {
         let path = folder.join(file);
-        let unread = |problem| Failure::Input(format!("{}: {problem}", path.display()));
-        picture::read_png(&path).map(|(_, rgb)| rgb).map_err(unread)
+        let picture = picture::read_png(&path).map(|(_, rgb)| rgb);
+        picture.map_err(|problem| Failure::at(&path, problem))
     };
     let points = trade.points.iter().map(|entry| &entry.point);
     let depth = |point: &Point| point.design.accuracy.depth;

@@ -1,9 +1,14 @@
-//! `imogene units`.
+//! What there is: `imogene units`, `processors`, `contract` and `roots`.
 
+use crate::arguments::{Contract, Processors, Roots};
 use crate::failure::Failure;
 use crate::output;
 use imogene_contract::Unit;
 use imogene_contract::parameters::PARAMETERS;
+use imogene_golden::format::Format;
+use imogene_package::{contract, processors};
+use imogene_studies::kit::page::text;
+use imogene_studies::root_errors::table;
 use serde::Serialize;
 use serde_json::json;
 
@@ -22,7 +27,7 @@ struct ParameterEntry {
     range: String,
 }
 
-pub fn run(json: bool) -> Result<(), Failure> {
+pub fn units(json: bool) -> Result<(), Failure> {
     let units: Vec<UnitEntry> = Unit::ALL.into_iter().map(entry).collect();
     let symbols = PARAMETERS.iter();
     let symbols = symbols.map(|p| format!("{} --{}", p.symbol, p.option));
@@ -50,4 +55,47 @@ fn entry(unit: Unit) -> UnitEntry {
         latency: record.latency,
         source: record.source,
     }
+}
+
+/// Lists the object processors with their parts, or writes the list to a file.
+pub fn processors(options: &Processors, json: bool) -> Result<(), Failure> {
+    let list = processors::processors()?;
+    if let Some(path) = &options.out {
+        output::write_text(path, &processors::markdown(&list))?;
+    }
+    let page = output::page(
+        include_str!("processors.txt"),
+        json!({ "processors": list }),
+    )?;
+    output::report(json, &list, |_| output::text(page));
+    Ok(())
+}
+
+/// Prints the contract of a unit, or writes it to a file.
+pub fn contract(options: &Contract, json: bool) -> Result<(), Failure> {
+    let request = options.shape.request(&options.unit)?;
+    let contract = contract::contract(&request)?;
+    let text = match json {
+        true => contract.json(),
+        false => contract.markdown(),
+    };
+    match &options.out {
+        Some(path) => output::write_text(path, &text),
+        None => {
+            output::text(text.trim_end());
+            Ok(())
+        }
+    }
+}
+
+/// Prints the measured table of the family of square root networks, as Markdown or JSON.
+pub fn roots(options: &Roots, json: bool) -> Result<(), Failure> {
+    let rows = table(&Format::new(options.format)?);
+    let page = text(
+        "no table",
+        include_str!("roots.md"),
+        json!({ "rows": rows }),
+    )?;
+    output::report(json, &rows, |_| output::text(page.trim_end()));
+    Ok(())
 }

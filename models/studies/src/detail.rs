@@ -8,6 +8,7 @@ use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::Lighting;
 use imogene_golden::machine::zone::ZoneMachine;
 use imogene_golden::object::quadric::MAX_PLANES;
+use imogene_golden::object::slot::Slot;
 use imogene_plan::culling::reduce::{Fate, Reduced, ReducedObject};
 use imogene_plan::culling::zones::{Touches, ZoneTouches};
 use imogene_plan::zone::clocks::{ZoneTiming, clocks};
@@ -34,9 +35,8 @@ pub struct WorkSaved {
 
 impl WorkSaved {
     fn add(&mut self, object: &ReducedObject) {
-        let objects = [object.processors[0] > 0, object.processors[1] > 0].map(u64::from);
-        for (when, objects) in objects.into_iter().enumerate() {
-            self.objects[when] += objects;
+        for when in [0, 1] {
+            self.objects[when] += u64::from(object.processors[when] > 0);
             self.processors[when] += object.processors[when];
             self.object_pixels[when] += object.visited[when];
             self.planes[when] += object.planes[when];
@@ -125,7 +125,7 @@ struct Drawn {
 fn draw(
     scene: &PreparedScene,
     framed: &FramedScene,
-    slots: &[imogene_golden::object::slot::Slot],
+    slots: &[Slot],
     reduced: Option<&Reduced>,
 ) -> Drawn {
     let (width, height) = (scene.width as usize, scene.height as usize);
@@ -226,15 +226,14 @@ fn streams(scene: &PreparedScene, side: u32) -> Result<Streams, PlanError> {
 
 fn stream(plan: &ZonePlan, refinement: Refinement) -> ZoneStream {
     let counted = clocks(plan, &ZoneTiming::default());
-    let parts = plan
-        .zones
-        .iter()
-        .map(|zone| zone.all_parts().count() as u64);
-    let volumes = plan.zones.iter().map(|zone| zone.volumes.len() as u64);
+    let zones = plan.zones.iter();
     ZoneStream {
         refinement,
-        parts: parts.sum(),
-        volumes: volumes.sum(),
+        parts: zones
+            .clone()
+            .map(|zone| zone.all_parts().count() as u64)
+            .sum(),
+        volumes: zones.map(|zone| zone.volumes.len() as u64).sum(),
         draw_passes: counted.draw_passes,
         light_passes: counted.light_passes,
         pass_pixels: counted.draw + counted.light + counted.show,

@@ -4,7 +4,7 @@ use crate::arguments::{self, FrameRange, View};
 use crate::command::machine::{frames_of, images_of};
 use crate::command::read_scene;
 use crate::failure::Failure;
-use imogene_board::stays;
+use imogene_board::{Board, stays};
 use imogene_golden::machine::zone::beat::Beat;
 use imogene_plan::description::MachineDescription;
 use std::path::Path;
@@ -28,27 +28,31 @@ pub(super) struct Film {
 impl Film {
     /// What a machine shows of a scene.
     pub(super) fn of(
-        views: Views,
+        views: Vec<(View, f64)>,
         options: &arguments::Board,
+        board: &Board,
         machine: &MachineDescription,
         rate: u32,
-        seen: impl Fn(&[u8]) -> Vec<u8>,
     ) -> Result<Film, Failure> {
         let scene = options.scene.as_path();
         let rate = rate.into();
-        let (views, stay) = views.at(rate);
-        let views: Vec<(&Path, View)> = views.into_iter().map(|view| (scene, view)).collect();
+        let (views, seconds): (Vec<View>, Vec<f64>) = views.into_iter().unzip();
+        let (stay, counts) = stays(&seconds, rate);
+        let repeated = views.into_iter().zip(counts);
+        let views = repeated.flat_map(|(view, count)| std::iter::repeat_n((scene, view), count));
+        let views: Vec<(&Path, View)> = views.collect();
         let described = options.machine.as_deref().unwrap_or(scene);
         let images = images_of(&views, machine, described)?;
         let black = vec![0; images[0].picture.len()];
+        let words = images.iter().flat_map(|image| image.beats.clone());
         Ok(Film {
             black,
             tables: images[0].tables.clone(),
-            words: images
+            words: words.collect(),
+            pictures: images
                 .iter()
-                .flat_map(|image| image.beats.clone())
+                .map(|image| seen(board, &image.picture))
                 .collect(),
-            pictures: images.iter().map(|image| seen(&image.picture)).collect(),
             stay,
             rate,
         })
@@ -68,26 +72,19 @@ impl Film {
     }
 }
 
-/// The views of a scene, each for so many seconds.
-pub(super) struct Views(Vec<(View, f64)>);
-
-/// The frames of an animated scene, or the scene as it is written.
-pub(super) fn views(scene: &Path, range: Option<FrameRange>) -> Result<Views, Failure> {
+/// The frames of an animated scene, or the scene as it is written, each for so many seconds.
+pub(super) fn views(scene: &Path, range: Option<FrameRange>) -> Result<Vec<(View, f64)>, Failure> {
     let as_written = View::default();
     let is_still = range.is_none() && read_scene(scene, &as_written)?.images.is_empty();
     if is_still {
-        return Ok(Views(vec![(as_written, 0.0)]));
+        return Ok(vec![(as_written, 0.0)]);
     }
-    frames_of(scene, &as_written, range.unwrap_or_default()).map(Views)
+    frames_of(scene, &as_written, range.unwrap_or_default())
 }
 
-impl Views {
-    /// What is in the memory at a rate of the screen, and for how many of its frames each view stays.
-    fn at(self, rate: f64) -> (Vec<View>, u64) {
-        let (views, seconds): (Vec<View>, Vec<f64>) = self.0.into_iter().unzip();
-        let (stay, counts) = stays(&seconds, rate);
-        let repeated = views.into_iter().zip(counts);
-        let views = repeated.flat_map(|(view, count)| std::iter::repeat_n(view, count));
-        (views.collect(), stay)
-    }
+/// A picture in the bits that the pins of a board have.
+fn seen(board: &Board, picture: &[u8]) -> Vec<u8> {
+    let bits = board.video.bits().unwrap_or(8);
+    let mask = 0xff << (8 - bits);
+    picture.iter().map(|level| level & mask as u8).collect()
 }

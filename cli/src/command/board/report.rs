@@ -60,9 +60,8 @@ impl Shown {
     pub(super) fn of(pins: &Pins, golden: &[impl AsRef<[u8]>], clocks: u64) -> Shown {
         let (shown, channels) = (&pins.shown, pins.channels);
         let frames = shown.pictures.iter().zip(golden);
-        let missing = golden[frames.len()..]
-            .iter()
-            .map(|golden| golden.as_ref().len() / 3);
+        let missing = golden[frames.len()..].iter();
+        let missing: usize = missing.map(|golden| golden.as_ref().len() / 3).sum();
         let differing = |(picture, golden): (&Vec<u8>, &_)| {
             let golden = AsRef::<[u8]>::as_ref(golden).chunks_exact(3);
             let pixels = picture.chunks_exact(3).zip(golden);
@@ -73,7 +72,7 @@ impl Shown {
             clocks_per_frame: shown.clocks,
             frames: frames.len(),
             pixels: frames.clone().map(|(picture, _)| picture.len() / 3).sum(),
-            differing: missing.sum::<usize>() + frames.map(differing).sum::<usize>(),
+            differing: missing + frames.map(differing).sum::<usize>(),
             words: channels.map(|channels| channels.words),
             disparity: channels.map(|channels| channels.disparity),
             transitions: channels.map(|channels| channels.transitions),
@@ -119,8 +118,9 @@ impl<'a> BoardReport<'a> {
 
     /// Fails where pins do not show the golden picture.
     pub(super) fn verdict(&self) -> Result<(), Failure> {
-        let shown = [&self.pins, &self.bitstream, &self.netlist].into_iter();
-        let shown = shown.flatten();
+        let shown = [&self.pins, &self.bitstream, &self.netlist]
+            .into_iter()
+            .flatten();
         match shown.map(|shown| shown.differing).sum::<usize>() {
             0 => Ok(()),
             count => Err(Failure::Check(format!(

@@ -17,9 +17,8 @@ use imogene_files::text::counted;
 use imogene_golden::format::Format;
 use imogene_golden::machine::tile::Tile as Golden;
 use imogene_plan::description::MachineDescription;
-use imogene_plan::tile::{TileError, only_solid, tile_words};
+use imogene_plan::tile::{only_solid, tile_words};
 use imogene_prepare::{Framing, prepare_for_roots};
-use imogene_studies::picture;
 use serde::Serialize;
 use std::path::PathBuf;
 
@@ -72,11 +71,12 @@ pub fn run(options: &arguments::Board, board: &Board, json: bool) -> Result<(), 
         frames: usize::from(frames),
     };
     let tile = Tile::new(board, &words, &about)?;
+    let mut golden = Golden::new(&words)?;
     let work = Work {
         options,
         board,
         mode,
-        golden: golden(&words, frames)?,
+        golden: (0..frames).map(|_| golden.frame()).collect(),
         tile,
     };
     let mut files = output::files();
@@ -113,13 +113,9 @@ fn refuse_early(options: &arguments::Board, (width, height): Size) -> Result<(),
     let framed = file.frame(width, height).ok();
     let prepared = framed.and_then(|framed| prepare_for_roots(&framed, Format::BASE).ok());
     match prepared.as_ref().map(only_solid) {
-        Some(Err(error)) => Err(refusal(options, &error)),
+        Some(Err(error)) => Err(Failure::at(&options.scene, error)),
         _ => Ok(()),
     }
-}
-
-fn refusal(options: &arguments::Board, error: &TileError) -> Failure {
-    Failure::Input(format!("{}: {error}", options.scene.display()))
 }
 
 /// The words of a scene that is framed for the whole screen.
@@ -133,26 +129,17 @@ fn words(
     widths.normal = NORMAL;
     let format = Format::fitted(&widths)?;
     let (framed, prepared) = frame_in(&file, machine.drawn_size(), format)?;
-    tile_words(&framed, &prepared, mode).map_err(|error| refusal(options, &error))
+    tile_words(&framed, &prepared, mode).map_err(|error| Failure::at(&options.scene, error))
 }
 
 /// The name of the scene as a part of that of a module.
 fn name_of(options: &arguments::Board) -> String {
     let stem = options.scene.file_stem().unwrap_or_default();
-    let plain = |c: char| {
-        if c.is_ascii_alphanumeric() {
-            c.to_ascii_lowercase()
-        } else {
-            '_'
-        }
+    let plain = |c: char| match c.is_ascii_alphanumeric() {
+        true => c.to_ascii_lowercase(),
+        false => '_',
     };
     stem.to_string_lossy().chars().map(plain).collect()
-}
-
-/// The first frames, in the bits of the pins.
-fn golden(words: &TileWords, frames: u16) -> Result<Vec<Vec<u8>>, Failure> {
-    let mut tile = Golden::new(words)?;
-    Ok((0..frames).map(|_| tile.frame()).collect())
 }
 
 /// A tile on its way.
@@ -161,6 +148,7 @@ struct Work<'a> {
     board: &'a Board,
     mode: VideoMode,
     tile: Tile,
+    /// The first frames, in the bits of the pins.
     golden: Vec<Vec<u8>>,
 }
 
@@ -187,13 +175,10 @@ impl Work<'_> {
 
     /// A picture of levels as the pins have them.
     fn add_picture(&self, name: &str, levels: &[u8], files: &mut Outputs) -> Result<(), Failure> {
-        let [width, height] = [self.mode.line, self.mode.frame].map(|span| span.active as usize);
+        let size = [self.mode.line, self.mode.frame].map(|span| span.active as usize);
         let most = (1 << PIN_BITS) - 1;
         let pixels: Vec<u8> = levels.iter().map(|level| level * (255 / most)).collect();
-        files.add(&self.out(name), |out| {
-            picture::png(out, width, height, &pixels)
-        })?;
-        Ok(())
+        Ok(output::add_picture(files, &self.out(name), size, &pixels)?)
     }
 
     fn check(&self, report: &mut TileReport, files: &mut Outputs) -> Result<(), Failure> {
@@ -210,8 +195,8 @@ impl Work<'_> {
         }
         let cells = Library::Sky130.map(tile)?;
         let tiles = board.tiles.as_ref().expect("a board of tiles");
-        report.percent_of_tiles =
-            Some(100.0 * cells.area / tiles.micrometres.iter().product::<f64>());
+        let area = tiles.micrometres.iter().product::<f64>();
+        report.percent_of_tiles = Some(100.0 * cells.area / area);
         report.cells = Some(cells);
         let gates = Library::Osu018.map(tile)?;
         files.add_text(&self.out("gates.v"), &gates.verilog)?;
@@ -250,10 +235,8 @@ impl Work<'_> {
         };
         let golden: Vec<Vec<u8>> = self.golden.iter().map(golden).collect();
         for (number, picture) in pins.shown.pictures.iter().take(golden.len()).enumerate() {
-            let levels: Vec<u8> = picture
-                .iter()
-                .map(|level| level >> (8 - PIN_BITS))
-                .collect();
+            let levels = picture.iter().map(|level| level >> (8 - PIN_BITS));
+            let levels: Vec<u8> = levels.collect();
             self.add_picture(&format!("{name}{number}.png"), &levels, files)?;
         }
         Ok(Shown::of(pins, &golden, clocks))
@@ -263,14 +246,10 @@ impl Work<'_> {
 impl TileReport<'_> {
     /// Fails where pins do not show the golden frames, or the layout is none.
     fn verdict(&self) -> Result<(), Failure> {
-        let shown = [&self.pins, &self.gate_pins, &self.layout_pins]
-            .into_iter()
-            .flatten();
-        let differing: usize = shown.map(|shown| shown.differing).sum();
-        let unsound = self
-            .layout
-            .as_ref()
-            .map_or(0, |layout| layout.unrouted + layout.differences);
+        let shown = [&self.pins, &self.gate_pins, &self.layout_pins].into_iter();
+        let differing: usize = shown.flatten().map(|shown| shown.differing).sum();
+        let of = |layout: &Layout| layout.unrouted + layout.differences;
+        let unsound = self.layout.as_ref().map_or(0, of);
         let percent = self.percent_of_tiles.unwrap_or(0.0);
         match (differing, unsound) {
             (0, 0) if percent > FULL => Err(Failure::Check(format!(

@@ -1,6 +1,7 @@
 //! The files of a run.
 
 use crate::failure::Failure;
+use crate::output;
 use imogene_files::Outputs;
 use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_plan::description::MachineDescription;
@@ -11,7 +12,6 @@ use imogene_prepare::PreparedScene;
 use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
 use imogene_scene::FramedScene;
 use imogene_studies::growth_plot::plot;
-use imogene_studies::picture;
 use imogene_verif::display::bench::{Bench, BenchFrame};
 use imogene_verif::display::pins::PinsOutcome;
 use imogene_verif::display::request::zone_timing;
@@ -90,8 +90,7 @@ pub(super) fn grow(
         Failure::Input("--growth counts the passes of a zone machine; a beam machine has one clock for each pixel whatever the scene".into())
     })?;
     let shape = machine.zone_machine();
-    let rows = growth(scene, &shape, &timing, &ZONE_SIDES, &OBJECT_PROCESSORS);
-    let rows = rows?;
+    let rows = growth(scene, &shape, &timing, &ZONE_SIDES, &OBJECT_PROCESSORS)?;
     let title = format!(
         "clocks of a frame of {} x {} pixels",
         scene.width / machine.supersampling,
@@ -104,26 +103,17 @@ pub(super) fn grow(
 
 pub fn write_pictures(
     machine: &MachineDescription,
-    golden: Option<&[u8]>,
-    outcome: Option<&PinsOutcome>,
+    (golden, outcome): (Option<&[u8]>, Option<&PinsOutcome>),
     out: &Path,
     files: &mut Outputs,
 ) -> Result<(), Failure> {
     let Some((mode, golden)) = machine.video_mode().zip(golden) else {
         return Ok(());
     };
-    let size = (mode.line.active as usize, mode.frame.active as usize);
-    let mut write = |name: &str, picture: &[u8]| {
-        files.add(&out.join(name), |out| {
-            picture::png(out, size.0, size.1, picture)
-        })?;
-        Ok::<(), Failure>(())
-    };
-    write("golden.png", golden)?;
-    match outcome {
-        Some(outcome) if outcome.picture.len() == golden.len() => {
-            write("pins.png", &outcome.picture)
-        }
-        _ => Ok(()),
+    let size = [mode.line, mode.frame].map(|span| span.active as usize);
+    output::add_picture(files, &out.join("golden.png"), size, golden)?;
+    if let Some(shown) = outcome.filter(|outcome| outcome.picture.len() == golden.len()) {
+        output::add_picture(files, &out.join("pins.png"), size, &shown.picture)?;
     }
+    Ok(())
 }

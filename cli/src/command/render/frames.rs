@@ -10,7 +10,6 @@ use imogene_files::{Outputs, WriteError};
 use imogene_golden::machine::beam;
 use imogene_prepare::Reuse;
 use imogene_prepare::animator::{Animator, PreparedFrame};
-use imogene_studies::picture;
 use imogene_studies::preview::Preview;
 use serde::Serialize;
 use std::path::PathBuf;
@@ -20,7 +19,7 @@ use std::time::Instant;
 #[derive(Serialize)]
 struct FramesReport {
     scene: PathBuf,
-    model: &'static str,
+    model: Model,
     width: u32,
     height: u32,
     seconds: f64,
@@ -59,15 +58,14 @@ pub fn run(options: &Render, range: FrameRange, json: bool) -> Result<(), Failur
         ));
     }
     let started = Instant::now();
-    let path = options.scene.scene.display();
-    let named = |error: String| Failure::Input(format!("{path}: {error}"));
+    let path = &options.scene.scene;
     let file = read_scene(&options.scene.scene, &options.scene.view)?;
     let size = size_of(&file, options.scene.size);
     let format = options.scene.format()?;
-    let animator = Animator::new(&file, size, format).map_err(|e| named(e.to_string()))?;
+    let animator = Animator::new(&file, size, format).map_err(|error| Failure::at(path, error))?;
     let animator = animator.with_options(missing::options());
     let range = range.of("--frames", animator.playback().count());
-    let range = range.map_err(named)?;
+    let range = range.map_err(|error| Failure::at(path, error))?;
     let preview_path = options.output().join("animation.png");
     let count = range.clone().count();
     let failed = |error| Failure::from(WriteError::at(&preview_path)(error));
@@ -80,7 +78,7 @@ pub fn run(options: &Render, range: FrameRange, json: bool) -> Result<(), Failur
     preview.finish().map_err(failed)?;
     let report = FramesReport {
         scene: options.scene.scene.clone(),
-        model: model_name(options),
+        model: options.model,
         width: size.0,
         height: size.1,
         seconds: started.elapsed().as_secs_f64(),
@@ -98,14 +96,6 @@ pub fn run(options: &Render, range: FrameRange, json: bool) -> Result<(), Failur
     Ok(())
 }
 
-fn model_name(options: &Render) -> &'static str {
-    if options.model == Model::Exact {
-        "exact"
-    } else {
-        "golden"
-    }
-}
-
 fn draw(
     options: &Render,
     mut animator: Animator,
@@ -120,8 +110,10 @@ fn draw(
         let frame = animator.prepare(number - 1, &|| ());
         let frame = frame.map_err(|error| {
             bar.finish_and_clear();
-            let path = options.scene.scene.display();
-            Failure::Input(format!("{path}: frame {number}: {error}"))
+            Failure::at(
+                &options.scene.scene,
+                format_args!("frame {number}: {error}"),
+            )
         })?;
         bar.suspend(|| {
             missing::tell(&format!("frame {number}: "), &frame.framed, &frame.prepared)
@@ -131,10 +123,8 @@ fn draw(
         let started = Instant::now();
         let (rgb, covered_pixels) = picture_of(options, &frame);
         let draw_seconds = started.elapsed().as_secs_f64();
-        let (width, height) = (frame.prepared.width, frame.prepared.height);
-        files.add(&file, |out| {
-            picture::png(out, width as usize, height as usize, &rgb)
-        })?;
+        let size = [frame.prepared.width, frame.prepared.height].map(|side| side as usize);
+        output::add_picture(files, &file, size, &rgb)?;
         show(&rgb, frame.frame.duration)?;
         reports.push(FrameReport {
             frame: number,

@@ -1,7 +1,7 @@
 //! Frames by each of the models, and what lights them.
 
 use crate::arguments::{Model, Render, Scene};
-use crate::command::{beam, threads, verdict};
+use crate::command::{run_beam, run_slots, threads, verdict};
 use crate::failure::Failure;
 use crate::output;
 use imogene_analysis::exact;
@@ -11,7 +11,6 @@ use imogene_golden::machine::lighting::Lighting;
 use imogene_prepare::PreparedScene;
 use imogene_scene::{FramedScene, FramedSource};
 use imogene_verif::engine::Engine;
-use imogene_verif::report::Report;
 use imogene_verif::scene::{self, slots};
 
 /// The frame by the model that is asked for, and what lights it.
@@ -72,9 +71,9 @@ fn hardware_frame(options: &Render, prepared: &PreparedScene) -> Result<Frame, F
     let (mut report, frame) = match slots::is_for_beam(prepared) {
         true => {
             let run = scene::Options::plain(options.rows_per_stage, threads());
-            beam::run(prepared, &run, Engine::BuiltIn)?
+            run_beam(prepared, &run, Engine::BuiltIn)?
         }
-        false => slots_frame(options, prepared)?,
+        false => run_slots(prepared, options.rows_per_stage, Engine::BuiltIn)?,
     };
     report.subject = options.scene.scene.display().to_string();
     report.reproduce = reproduce(options);
@@ -93,13 +92,4 @@ fn reproduce(options: &Render) -> String {
         None => format!("imogene cosim {scene}{words}{view}"),
         Some(_) => format!("imogene render {scene}{words}{view} --model rtl, with the same look"),
     }
-}
-
-/// The frame of processors that run by themselves.
-fn slots_frame(options: &Render, prepared: &PreparedScene) -> Result<(Report, Frame), Failure> {
-    let drawn = output::during(slots::pixels(prepared), "processors in simulation", |bar| {
-        let rows = options.rows_per_stage;
-        slots::run(prepared, rows, Engine::BuiltIn, |n| bar.inc(n))
-    });
-    drawn.map_err(Failure::from)
 }

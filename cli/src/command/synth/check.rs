@@ -34,10 +34,9 @@ pub fn run(options: &Synth, json: bool) -> Result<(), Failure> {
 
 /// The rows asked for; what has no baseline is refused if it is named, and told if it is not.
 fn select(options: &Synth, baseline: &Table) -> Result<Vec<Row>, Failure> {
-    let unit = options.unit.as_deref().map(Unit::from_name).transpose();
-    let unit = unit?;
-    let target = options.target.as_deref().map(Target::from_name).transpose();
-    let target = target?;
+    let unit = options.unit.as_deref().map(Unit::from_name).transpose()?;
+    let target = options.target.as_deref().map(Target::from_name);
+    let target = target.transpose()?;
     let file = options.baseline.display();
     let missing = |unit: &Unit| !baseline.has(*unit);
     if let Some(unit) = unit.filter(missing) {
@@ -46,10 +45,8 @@ fn select(options: &Synth, baseline: &Table) -> Result<Vec<Row>, Failure> {
             unit.name()
         )));
     }
-    let without: Vec<&str> = (Unit::ALL.iter())
-        .filter(|unit| missing(unit))
-        .map(|unit| unit.name())
-        .collect();
+    let without = Unit::ALL.into_iter().filter(missing).map(Unit::name);
+    let without: Vec<&str> = without.collect();
     if options.unit.is_none() && !without.is_empty() {
         // On standard error, since standard output is one JSON document with --json.
         eprintln!("not checked, no baseline in {file}: {}", without.join(", "));
@@ -80,10 +77,9 @@ fn name(check: &RowCheck) -> String {
 
 /// A row: every figure, with its baseline where they differ.
 fn describe(check: &RowCheck) -> String {
-    let verilog = if check.is_same_verilog {
-        ""
-    } else {
-        ", other Verilog"
+    let verilog = match check.is_same_verilog {
+        true => "",
+        false => ", other Verilog",
     };
     format!(
         "{}: {}{verilog}\n  {}",
@@ -115,10 +111,7 @@ fn figure(change: &Change) -> String {
 }
 
 fn summary(checks: &[RowCheck]) -> String {
-    let count = |verdict| {
-        let of_it = checks.iter().filter(|check| check.verdict == verdict);
-        of_it.count()
-    };
+    let count = |verdict| checks.iter().filter(|c| c.verdict == verdict).count();
     format!(
         "{}: {} as the baseline, {} better, {} within the tolerance, {} worse",
         counted(checks.len(), "row"),

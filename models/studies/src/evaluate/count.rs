@@ -39,11 +39,6 @@ thread_local! {
     static DONE: Cell<Tally> = Cell::default();
 }
 
-/// What was done so far on this thread.
-pub fn done() -> Tally {
-    DONE.get()
-}
-
 /// What a piece of work costs.
 pub fn cost(work: impl FnOnce()) -> Tally {
     let before = DONE.take();

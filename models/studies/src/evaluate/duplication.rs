@@ -31,15 +31,12 @@ pub enum Edges {
 pub fn touched(size: u64, side: u64, edges: Edges) -> Touched {
     // In half pixels. A rectangle whose edges are on odd half pixels has no edge on an edge of a zone, and its places
     // stand for all others.
-    let first = |place: u64| match edges {
-        Edges::Anywhere => 2 * place + 1,
-        Edges::OnPixels => 2 * place,
+    let (first, last) = match edges {
+        Edges::Anywhere => (1, 2 * size + 1),
+        Edges::OnPixels => (0, 2 * size - 1),
     };
-    let last = |place: u64| match edges {
-        Edges::Anywhere => first(place) + 2 * size,
-        Edges::OnPixels => first(place) + 2 * size - 1,
-    };
-    let along = |place: u64| last(place) / (2 * side) - first(place) / (2 * side) + 1;
+    let zone = |half_pixels: u64| half_pixels / (2 * side);
+    let along = |place: u64| zone(2 * place + last) - zone(2 * place + first) + 1;
     let mut counts = [0u64; 3];
     let mut sum = 0;
     for x in 0..side {
@@ -72,11 +69,8 @@ pub fn planned(ball: &Moving) -> Result<f64, EvaluateError> {
     let mut zones = 0;
     for place in (0..side).flat_map(|x| (0..side).map(move |y| [x, y])) {
         let plan = ZonePlan::of(&ball.at(&[place], [3 * ZONE_SIDE; 2]), zone_machine(1))?;
-        zones += plan
-            .zones
-            .iter()
-            .map(|zone| zone.parts.len())
-            .sum::<usize>();
+        let parts = plan.zones.iter().map(|zone| zone.parts.len());
+        zones += parts.sum::<usize>();
     }
     Ok(zones as f64 / (side * side) as f64)
 }

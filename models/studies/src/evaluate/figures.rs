@@ -3,7 +3,7 @@
 use super::EvaluateError;
 use super::duplication::{Edges, planned, touched};
 use super::hardware::{
-    DEVICE, Figures, GATES, Hardware, MACHINE_PLANES, MACHINE_PROCESSORS, PLAIN_DEVICE, Resources,
+    DEVICE, GATES, Hardware, MACHINE_PLANES, MACHINE_PROCESSORS, PLAIN_DEVICE, Resources,
 };
 use super::scenes::{Moving, OBJECT_SIDE, balls, others, zone_machine};
 use super::steps;
@@ -56,17 +56,14 @@ pub fn counts(hardware: &Hardware) -> Result<Environment<'static>, EvaluateError
     Ok(names)
 }
 
-/// A figure of the resource table.
-type Figure = (&'static str, fn(&Figures) -> Option<f64>);
-
 /// The table of resources, as functions of a unit.
 fn resources(names: &mut Environment) -> Result<(), EvaluateError> {
     let table = Arc::new(Resources::compiled_in()?);
-    let figures: [(&str, &str, Figure); 4] = [
-        ("cells", DEVICE, ("cells", |f| f.cells)),
-        ("transistors", GATES, ("transistors", |f| f.transistors)),
-        ("fmax", DEVICE, ("clock", |f| f.fmax_mhz)),
-        ("flip_flops", DEVICE, ("flip-flops", |f| f.ff)),
+    let figures = [
+        ("cells", DEVICE, ["cells", "cells"]),
+        ("transistors", GATES, ["transistors", "transistors"]),
+        ("fmax", DEVICE, ["clock", "fmax_mhz"]),
+        ("flip_flops", DEVICE, ["flip-flops", "ff"]),
     ];
     for (name, usual, figure) in figures {
         let table = Arc::clone(&table);
@@ -154,12 +151,9 @@ pub fn fair_ball() -> Result<[f64; 2], EvaluateError> {
     let mesh = mesh_of(ball.expect("the scene has a ball"), sides);
     // Seen along z, a facet faces the viewer if the normals of its corners do so on the whole.
     let towards = |face: &Vec<usize>| face.iter().map(|&corner| mesh.normals[corner][2]).sum();
-    let seen = mesh
-        .faces
-        .iter()
-        .map(towards)
-        .filter(|&sum: &f64| sum > 0.0);
-    Ok([sides as f64, seen.count() as f64])
+    let seen = mesh.faces.iter().map(towards);
+    let seen = seen.filter(|&sum: &f64| sum > 0.0).count();
+    Ok([sides as f64, seen as f64])
 }
 
 /// Mean of the reals of a mesh with 20 sides over those of the quadric, and the reals of a facet.
@@ -204,22 +198,20 @@ fn storage(patch: &Moving) -> Result<Value, EvaluateError> {
         counts.entry(found.0).or_insert(json!(found.1));
     }
     let pixel = f64::from(format.depth + ID_BITS + 3 * format.normal) + f64::from(SOURCES);
-    Ok(json!({
+    let others = json!({
         "file_ratio": file_ratio,
         "facet_reals": facet_reals,
         "quadric_reals": quadric_reals(3),
-        "facet_words": counts["facet_words"],
-        "facet_bits": counts["facet_bits"],
-        "sphere_words": counts["sphere_words"],
-        "cylinder_words": counts["cylinder_words"],
-        "patch_bits": patch_bits(&load_words(patch.words(), &format, MACHINE_PLANES)),
-        "depth_of_quadric_words": load_words(patch.words(), &format, 0).iter().take(9).count(),
+        "patch_bits": patch_bits(&load_words(&patch.object.words, &format, MACHINE_PLANES)),
+        "depth_of_quadric_words": load_words(&patch.object.words, &format, 0).iter().take(9).count(),
         "pixel_bits": pixel,
         "depth_bits": format.depth,
         "id_bits": ID_BITS,
         "normal_bits": format.normal,
         "sources": SOURCES,
-    }))
+    });
+    counts.extend(others.as_object().cloned().unwrap_or_default());
+    Ok(Value::Object(counts))
 }
 
 /// Clocks of a frame of many patches, spread evenly over the screen by the golden ratio and the plastic number.

@@ -3,6 +3,7 @@
 use super::EvaluateError;
 use imogene_plan::zone::clocks::ZoneTiming;
 use serde::Deserialize;
+use serde_json::Value;
 use std::collections::BTreeMap;
 
 /// The parts of a processor as it is emitted.
@@ -12,14 +13,8 @@ pub struct Parts {
     pub unit: String,
     /// Its parameters besides the format, such as `4 planes`.
     pub parameters: String,
-    /// First-degree elementary processors.
-    pub pe1: usize,
-    /// Second-degree elementary processors.
-    pub pe2: usize,
-    /// Square root networks.
-    pub roots: usize,
-    /// Multipliers.
-    pub multipliers: usize,
+    /// Elementary processors of the first and of the second degree, square root networks, multipliers.
+    pub counts: [usize; 4],
 }
 
 /// What the counts need of the hardware.
@@ -56,17 +51,7 @@ struct Line {
     unit: String,
     parameters: BTreeMap<String, usize>,
     target: String,
-    figures: Figures,
-}
-
-/// Figures of a unit.
-#[derive(Clone, Copy, Debug, Deserialize)]
-pub struct Figures {
-    pub ff: Option<f64>,
-    pub cells: Option<f64>,
-    pub transistors: Option<f64>,
-    /// Clock.
-    pub fmax_mhz: Option<f64>,
+    figures: BTreeMap<String, Value>,
 }
 
 impl Resources {
@@ -75,10 +60,11 @@ impl Resources {
         serde_json::from_str(TABLE).map_err(|error| format!("docs/resources.json: {error}").into())
     }
 
-    /// A figure of a unit on a device, in the table of all units or of those with so many planes.
+    /// A figure, as it is called and by its key, of a unit on a device, in the table of all units or of those with so
+    /// many planes.
     pub fn figure(
         &self,
-        (what, figure): (&'static str, fn(&Figures) -> Option<f64>),
+        [what, key]: [&str; 2],
         unit: &str,
         target: &str,
         planes: Option<usize>,
@@ -95,6 +81,7 @@ impl Resources {
         let missing = |figure: &str| format!("no {figure} of `{unit}` for {target}");
         let line = self.rows.iter().find(is_wanted);
         let line = line.ok_or_else(|| missing("row"))?;
-        figure(&line.figures).ok_or_else(|| missing(what).into())
+        let figure = line.figures.get(key).and_then(Value::as_f64);
+        figure.ok_or_else(|| missing(what).into())
     }
 }

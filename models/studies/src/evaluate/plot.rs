@@ -62,38 +62,28 @@ fn draw_duplication(area: &Area) -> Outcome {
     series_labels(&mut chart)
 }
 
-/// Rows of the second picture: group, name, what the picture calls it.
-const OBJECTS: [[&str; 3]; 6] = [
-    ["quadric", "facet, expressions, with matrices", "facet"],
-    ["quadric", "patch, four planes, with matrices", "patch"],
-    ["quadric", "quadric, three planes, with matrices", "quadric"],
-    [
-        "zones",
-        "facet of 20 x 20 in zones of 32, mean",
-        "facet, zones",
-    ],
-    [
-        "zones",
-        "patch of 20 x 20 in zones of 32, mean",
-        "patch, zones",
-    ],
-    [
-        "zones",
-        "quadric of 20 x 20 in zones of 32, mean",
-        "quadric, zones",
-    ],
+/// Kinds of objects, each with the row of what it takes with its matrices.
+const OBJECTS: [[&str; 2]; 3] = [
+    ["facet", "facet, expressions, with matrices"],
+    ["patch", "patch, four planes, with matrices"],
+    ["quadric", "quadric, three planes, with matrices"],
 ];
 
 /// What a bar is of, and its heights: the source's and ours.
-type Bar = (&'static str, [f64; 2]);
+type Bar = (String, [f64; 2]);
 
 /// Operations of an object with its matrices, and for its zones: what the source should print, and ours.
 pub fn operations_plot(evaluation: &Evaluation) -> Result<String, EvaluateError> {
-    let bar = |[group, name, label]: [&'static str; 3]| {
+    let bar = |label: String, group: &str, name: &str| {
         let row = evaluation.row(group, name)?;
         Some((label, [row.reference()?, row.ours]))
     };
-    let bars: Vec<Bar> = OBJECTS.into_iter().filter_map(bar).collect();
+    let whole = OBJECTS.map(|[kind, name]| bar(kind.to_owned(), "quadric", name));
+    let in_zones = OBJECTS.map(|[kind, _]| {
+        let name = format!("{kind} of 20 x 20 in zones of 32, mean");
+        bar(format!("{kind}, zones"), "zones", &name)
+    });
+    let bars: Vec<Bar> = whole.into_iter().chain(in_zones).flatten().collect();
     let what = "the plot of the operations cannot be made";
     Ok(svg(what, SIZE, |area| draw_operations(area, &bars))?)
 }
@@ -107,7 +97,9 @@ fn draw_operations(area: &Area, bars: &[Bar]) -> Outcome {
         .y_label_area_size(58)
         .build_cartesian_2d((0..bars.len() - 1).into_segmented(), 0.0..1.35 * most)?;
     let label = |place: &SegmentValue<usize>| match place {
-        SegmentValue::CenterOf(index) => bars.get(*index).map_or("", |bar| bar.0).to_owned(),
+        SegmentValue::CenterOf(index) => {
+            bars.get(*index).map_or(String::new(), |bar| bar.0.clone())
+        }
         _ => String::new(),
     };
     chart

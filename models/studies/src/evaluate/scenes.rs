@@ -2,6 +2,7 @@
 
 use super::EvaluateError;
 use super::hardware::MACHINE_PLANES;
+use crate::detail;
 use imogene_contract::slots::FittedSlot;
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::ZoneMachine;
@@ -20,12 +21,9 @@ pub const OBJECT_SIDE: u32 = 80;
 pub fn zone_machine(object_processors: usize) -> ZoneMachine {
     ZoneMachine {
         slots: vec![FittedSlot::quadric(MACHINE_PLANES as u32); object_processors],
-        products: vec![],
         volume_processors: 0,
         volume_planes: 0,
-        zone_width: ZONE_SIDE,
-        zone_height: ZONE_SIDE,
-        samples: 1,
+        ..detail::machine(ZONE_SIDE)
     }
 }
 
@@ -41,7 +39,8 @@ fn prepared(text: &str, name: &str, size: (u32, u32)) -> Result<PreparedScene, E
 #[derive(Clone, Debug)]
 pub struct Moving {
     scene: PreparedScene,
-    object: PreparedQuadric,
+    /// The object where it was prepared.
+    pub object: PreparedQuadric,
 }
 
 impl Moving {
@@ -59,30 +58,23 @@ impl Moving {
             ..self.scene.clone()
         }
     }
-
-    /// Its words, where it was prepared.
-    pub fn words(&self) -> &imogene_golden::object::quadric::QuadricWords {
-        &self.object.words
-    }
 }
 
 /// The ball, the solid of three planes and the patch of four.
 pub fn balls() -> Result<[Moving; 3], EvaluateError> {
     let scene = prepared(BALLS, "balls.toml", (OBJECT_SIDE, OBJECT_SIDE))?;
     let object = |index: usize| {
-        let object = scene.objects[index]
-            .quadric()
-            .expect("a quadric or a patch");
+        let object = scene.objects[index].quadric();
         Moving {
             scene: PreparedScene {
                 objects: vec![],
                 volumes: vec![],
                 ..scene.clone()
             },
-            object: object.clone(),
+            object: object.expect("a quadric or a patch").clone(),
         }
     };
-    Ok([object(0), object(1), object(2)])
+    Ok([0, 1, 2].map(object))
 }
 
 /// Words of the other processors: a facet, a sphere and a cylinder.

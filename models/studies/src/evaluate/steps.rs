@@ -129,7 +129,7 @@ const STEPS: &[Step] = &[
         done(quadric::plane(numbers(PLANE), number(8388.0), number(16e6)))
     }),
     ("plane_words", || {
-        done(quadric::plane_words(numbers(POINT), number(8388.0)))
+        done(numbers(POINT).map(|v| v.scaled(number(8388.0))));
     }),
     ("plane_normal", || {
         done(quadric::constant_normal(numbers(POINT)))
@@ -232,12 +232,7 @@ fn lit_corners(source: fn([Counted; 3]) -> Place, viewer: fn([Counted; 3]) -> Pl
     let point = numbers([0.0; 3]);
     for _ in 0..3 {
         let normal = numbers([0.1, 0.2, 0.9]);
-        light(
-            point,
-            normal,
-            &source(direction),
-            &viewer(direction),
-            &colours,
-        );
+        let (source, viewer) = (source(direction), viewer(direction));
+        light(point, normal, &source, &viewer, &colours);
     }
 }

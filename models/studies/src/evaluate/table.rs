@@ -140,20 +140,12 @@ impl<'a> Sums<'a> {
             Amount::Number(value) => Ok(*value),
             Amount::Sum(sum) => self.value(sum),
         });
-        let (section, unit) = (
-            of(&line.section, &usual.section),
-            of(&line.unit, &usual.unit),
-        );
-        let names = [&*line.name, &*section, &*unit];
-        Ok(Row {
-            why: self.text(&of(&line.why, &usual.why))?,
-            ..Row::new(
-                names,
-                printed,
-                self.value(&line.ours)?,
-                corrected.transpose()?,
-            )
-        })
+        let section = of(&line.section, &usual.section);
+        let names = [&*line.name, &*section, &*of(&line.unit, &usual.unit)];
+        let ours = self.value(&line.ours)?;
+        let mut row = Row::new(names, printed, ours, corrected.transpose()?);
+        row.why = self.text(&of(&line.why, &usual.why))?;
+        Ok(row)
     }
 }
 
@@ -171,18 +163,15 @@ impl Processor {
         let own = |p: &&Parts| p.unit == self.unit && p.parameters == self.parameters;
         let missing = || format!("no parts of `{}` for {}", self.unit, self.parameters);
         let parts = all.iter().find(own).ok_or_else(missing)?;
-        let ours = [parts.pe1, parts.pe2, parts.roots, parts.multipliers];
+        let ours = parts.counts;
         let row = |what: &str, unit: &str, printed: Printed, ours: f64, corrected: Option<f64>| {
             let name = format!("{}: {what}", self.name);
-            let row = Row::new([&*name, &*self.section, unit], printed, ours, corrected);
-            let why = match row.reference() == Some(ours) {
-                true => "counted in the emitted hierarchy",
-                false => &self.why,
+            let mut row = Row::new([&*name, &*self.section, unit], printed, ours, corrected);
+            row.why = match row.reference() == Some(ours) {
+                true => "counted in the emitted hierarchy".into(),
+                false => self.why.clone(),
             };
-            Row {
-                why: why.into(),
-                ..row
-            }
+            row
         };
         let kinds = ["PE1", "PE2", "roots", "multipliers"];
         let counts = kinds.iter().zip(self.counts.into_iter().zip(ours));

@@ -127,13 +127,12 @@ impl Item {
 
 impl fmt::Display for Item {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Item {
-            limit,
-            unit,
-            allowed,
-            measured,
-        } = self;
-        write!(f, "{limit}: {measured:.4} {unit} of {allowed} allowed")
+        let (measured, unit) = (self.measured, self.unit);
+        write!(
+            f,
+            "{}: {measured:.4} {unit} of {} allowed",
+            self.limit, self.allowed
+        )
     }
 }
 

@@ -55,7 +55,8 @@ impl Frame {
 
 /// All frames of an animation, or the one of a picture.
 pub struct Frames {
-    frames: Vec<Frame>,
+    /// The frames.
+    pub all: Vec<Frame>,
     /// Every object is of the quadric or the patch processor: their errors have bounds, and their words are free, while
     /// those of others follow from the depth word.
     pub has_bounds: bool,
@@ -117,9 +118,8 @@ impl Frames {
             // What this format refuses no other words take: f2 and the planes grow with the depth word.
             let wide = Format::BASE.with_guards(MOST_GUARDS.0, 0);
             let wide = wide.expect("guard bits of f1 within their range");
-            let prepared = frame
-                .prepare(wide)
-                .map_err(|source| frame.refused(source))?;
+            let prepared = frame.prepare(wide);
+            let prepared = prepared.map_err(|source| frame.refused(source))?;
             let zone = needs::check_any(MachineKind::Zone, &frame.scene, &prepared);
             let zone = zone.map_err(|source| frame.refused(source));
             let beam = needs::check_any(MachineKind::Beam, &frame.scene, &prepared);
@@ -138,7 +138,7 @@ impl Frames {
             false => MachineKind::Beam,
         });
         Ok(Frames {
-            frames,
+            all: frames,
             has_bounds,
             kind,
             is_for_zones,
@@ -152,11 +152,6 @@ impl Frames {
             self.kind = MachineKind::Zone;
         }
         self.is_for_zones
-    }
-
-    /// The frames.
-    pub fn all(&self) -> &[Frame] {
-        &self.frames
     }
 
     /// Draws all frames in the narrowest widths, up to these, that take them; `None` if these are too few for a frame.
@@ -175,7 +170,7 @@ impl Frames {
         };
         let mut metrics = Vec::new();
         let mut items = Vec::new();
-        for (frame, prepared) in self.frames.iter().zip(&prepared) {
+        for (frame, prepared) in self.all.iter().zip(&prepared) {
             let (found, _) = measure(&frame.truth, &frame.draw(prepared)?);
             items.push(budget.judge(&found, frame.truth.pixels.len()));
             metrics.push(found);
@@ -194,7 +189,7 @@ impl Frames {
             return Ok(None);
         };
         let mut all = Vec::new();
-        for frame in &self.frames {
+        for frame in &self.all {
             match frame.prepare(format) {
                 Ok(prepared) => {
                     needs::check_any(self.kind, &frame.scene, &prepared)
@@ -212,19 +207,16 @@ impl Frames {
 }
 
 fn check(name: &str, scene: &FramedScene, expected: usize) -> Result<(), FitError> {
-    let name = || name.to_owned();
-    let count = scene.objects.len();
-    if count == 0 {
-        return Err(FitError::Empty { scene: name() });
-    }
-    if count != expected {
-        return Err(FitError::Objects {
-            scene: name(),
+    let (scene, count) = (name.to_owned(), scene.objects.len());
+    match count {
+        0 => Err(FitError::Empty { scene }),
+        _ if count == expected => Ok(()),
+        _ => Err(FitError::Objects {
+            scene,
             count,
             expected,
-        });
+        }),
     }
-    Ok(())
 }
 
 /// Widths that follow from the depth word, with the guard bits of others.

@@ -63,7 +63,7 @@ pub fn machine(
     pace: Option<Pace>,
     timing: &dyn Fn(&MachineDescription) -> ZoneTiming,
 ) -> Result<Fitted, FitError> {
-    let size = &frames.all()[0].scene;
+    let size = &frames.all[0].scene;
     let size = (size.width, size.height);
     let mut smallest = smallest(&drawn.widths, &drawn.prepared, rows_per_stage, size);
     if let Some(form) = frames.lit_sphere {
@@ -75,14 +75,18 @@ pub fn machine(
             if beam.machine != MachineKind::Beam {
                 return Err(FitError::TooManyForBeam);
             }
-            of_beam(
-                changed(narrowed, &beam, frames, drawn)?,
-                pace,
-                &frames.all()[0],
-            )
+            let description = changed(narrowed, &beam, frames, drawn)?;
+            let clocks = screen_clocks(&description);
+            if let Some(pace) = pace {
+                pace.check(clocks, &frames.all[0])?;
+            }
+            Fitted {
+                description,
+                clocks,
+            }
         }
-        MachineKind::Zone => of_zones(&smallest, frames, drawn, pace, timing),
-    }?;
+        MachineKind::Zone => of_zones(&smallest, frames, drawn, pace, timing)?,
+    };
     found.description.check("the fitted machine")?;
     Ok(found)
 }
@@ -186,29 +190,14 @@ fn changed(
 ) -> Result<MachineDescription, FitError> {
     let scenes = pairs(frames, drawn).map(|(frame, prepared)| (&frame.scene, prepared));
     let scenes: Vec<_> = scenes.collect();
-    change(machine, &scenes).map_err(|source| frames.all()[0].refused(source))
+    change(machine, &scenes).map_err(|source| frames.all[0].refused(source))
 }
 
 fn pairs<'a>(
     frames: &'a Frames,
     drawn: &'a Drawn,
 ) -> impl Iterator<Item = (&'a Frame, &'a PreparedScene)> {
-    frames.all().iter().zip(&drawn.prepared)
-}
-
-fn of_beam(
-    description: MachineDescription,
-    pace: Option<Pace>,
-    frame: &Frame,
-) -> Result<Fitted, FitError> {
-    let clocks = screen_clocks(&description);
-    if let Some(pace) = pace {
-        pace.check(clocks, frame)?;
-    }
-    Ok(Fitted {
-        description,
-        clocks,
-    })
+    frames.all.iter().zip(&drawn.prepared)
 }
 
 impl Pace {
@@ -249,8 +238,7 @@ fn of_zones(
             machine: MachineKind::Zone,
             objects: 1,
             slots,
-            zone: square(SIDES[0]),
-            ..smallest.clone()
+            ..with_side(smallest, SIDES[0])
         };
         let base = changed(enough, &one, frames, drawn)?;
         // Words that do not follow from the depth word are for quadrics and patches alone.
@@ -273,16 +261,14 @@ fn of_zones(
         if is_enough {
             return Ok(found);
         }
-        if fastest
-            .as_ref()
-            .is_none_or(|fastest| found.clocks < fastest.clocks)
-        {
+        let is_faster = |fastest: &Fitted| found.clocks < fastest.clocks;
+        if fastest.as_ref().is_none_or(is_faster) {
             fastest = Some(found);
         }
     }
     let fastest = fastest.expect("a machine was tried");
     let pace = pace.expect("without a pace the first machine does");
-    pace.check(fastest.clocks, &frames.all()[0])?;
+    pace.check(fastest.clocks, &frames.all[0])?;
     Ok(fastest)
 }
 
@@ -295,11 +281,15 @@ fn own_kinds(frames: &[PreparedScene]) -> Option<Slots> {
     others.then_some(Slots(slots))
 }
 
-fn square(side: u32) -> Option<ZoneSize> {
-    Some(ZoneSize {
-        width: side,
-        height: side,
-    })
+/// A machine with zones of this side.
+pub(crate) fn with_side(machine: &MachineDescription, side: u32) -> MachineDescription {
+    MachineDescription {
+        zone: Some(ZoneSize {
+            width: side,
+            height: side,
+        }),
+        ..machine.clone()
+    }
 }
 
 /// The frames in zones of a side.
@@ -309,11 +299,7 @@ fn plans(
     frames: &Frames,
     drawn: &Drawn,
 ) -> Result<Vec<ZonePlan>, FitError> {
-    let machine = MachineDescription {
-        zone: square(side),
-        ..base.clone()
-    }
-    .zone_machine();
+    let machine = with_side(base, side).zone_machine();
     let plan = |(frame, prepared): (&Frame, &PreparedScene)| {
         let plan = ZonePlan::of(prepared, machine.clone());
         plan.map_err(|source| frame.refused(DisplayError::Plan(source)))
@@ -345,11 +331,7 @@ fn in_zones(
     let slowest = |plans: &[ZonePlan], side: u32| {
         let of_frame = |plan: &ZonePlan| {
             let mut plan = plan.clone();
-            let machine = MachineDescription {
-                zone: square(side),
-                ..machine.clone()
-            };
-            plan.machine = machine.zone_machine();
+            plan.machine = with_side(&machine, side).zone_machine();
             clocks(&plan, &timing).total
         };
         plans.iter().map(of_frame).max().unwrap_or(0)
@@ -359,10 +341,7 @@ fn in_zones(
     let (clocks, side) = timed.min().expect("there are sides");
     Fitted {
         clocks: clocks.max(screen_clocks(&machine)),
-        description: MachineDescription {
-            zone: square(side),
-            ..machine
-        },
+        description: with_side(&machine, side),
     }
 }
 

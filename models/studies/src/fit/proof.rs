@@ -2,7 +2,7 @@
 
 use super::budget::{Budget, DepthLimit, Item};
 use super::frames::{Drawn, Frames};
-use imogene_analysis::bounds::{CheckReport, check};
+use imogene_analysis::bounds::check;
 use imogene_golden::format::Format;
 use serde::Serialize;
 
@@ -43,14 +43,11 @@ pub struct Proven {
 
 /// The bounds of all frames.
 pub fn bounds(frames: &Frames, drawn: &Drawn) -> Bounds {
-    let scenes = frames.all().iter().zip(&drawn.prepared);
+    let scenes = frames.all.iter().zip(&drawn.prepared);
     let mut most = Bounds::default();
     for (frame, prepared) in scenes {
-        let CheckReport {
-            bounds,
-            undecided_pixels,
-            ..
-        } = check(&frame.scene, prepared);
+        let report = check(&frame.scene, prepared);
+        let (bounds, undecided_pixels) = (report.bounds, report.undecided_pixels);
         // A word of this format, in words of the base format.
         let word = Format::BASE.z_max() as f64 / prepared.format.z_max() as f64;
         most.depth_lsb = most.depth_lsb.max(bounds.depth_lsb * word);
@@ -68,7 +65,7 @@ pub fn proofs(
     drawn: &Drawn,
     bounds: Option<&Bounds>,
 ) -> Vec<Proven> {
-    let words_per_pixel = frames.all().iter().map(|f| f.truth.words_per_pixel);
+    let words_per_pixel = frames.all.iter().map(|f| f.truth.words_per_pixel);
     let words_per_pixel = words_per_pixel.fold(f64::INFINITY, f64::min);
     let of = |item: &Item| {
         let bound = bounds.and_then(|bounds| match item.limit {

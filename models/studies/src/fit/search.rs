@@ -6,7 +6,7 @@
 //! not fall evenly the result may be a bit more than the least, but never less than what the budget asks for.
 
 use super::FitError;
-use super::budget::{Budget, Item};
+use super::budget::Budget;
 use super::estimate;
 use super::frames::{Drawn, Frames};
 use crate::kit::words::widest;
@@ -28,13 +28,8 @@ const NORMALS: (u32, u32) = (10, 16);
 pub enum Outcome {
     /// Machines that meet the budget, the one that should be smallest first.
     Fits(Vec<Drawn>),
-    /// None does; the limits with what the most exact machine reaches.
-    Unreachable {
-        /// Every limit of the budget.
-        items: Vec<Item>,
-        /// The most exact machine.
-        nearest: Box<Drawn>,
-    },
+    /// None does; the most exact machine, with what it reaches of every limit.
+    Unreachable(Box<Drawn>),
 }
 
 /// Searches; `tried` is called once for each set of words that was drawn, from any thread.
@@ -56,17 +51,15 @@ pub fn search(
         return search.unreachable();
     };
     let last = (least + MORE_DEPTHS).min(DEPTHS.1);
-    let found: Result<Vec<Option<Drawn>>, FitError> = (least..=last)
-        .into_par_iter()
-        .map(|depth| search.fewest(depth))
-        .collect();
-    let mut found: Vec<Drawn> = found?.into_iter().flatten().collect();
+    let found = (least..=last).into_par_iter();
+    let found = found.map(|depth| search.fewest(depth));
+    let found = found.collect::<Result<Vec<Option<Drawn>>, FitError>>()?;
+    let mut found: Vec<Drawn> = found.into_iter().flatten().collect();
     let cells = |drawn: &Drawn| {
         let slots = drawn.prepared[0].quadrics();
         let slots = slots.map(|(_, object)| {
-            object
-                .needed
-                .slot(required_of_quadric(&object.words), &drawn.widths)
+            let required = required_of_quadric(&object.words);
+            object.needed.slot(required, &drawn.widths)
         });
         let each = slots.map(|slot| estimate::of_slot(&drawn.widths, &slot));
         // Where there are none, the words alone count.
@@ -166,9 +159,6 @@ impl<T: Fn() + Sync> Search<'_, T> {
             }
         }
         let (_, drawn) = nearest.expect("the words of the base format were drawn");
-        Ok(Outcome::Unreachable {
-            items: drawn.items.clone(),
-            nearest: Box::new(drawn),
-        })
+        Ok(Outcome::Unreachable(Box::new(drawn)))
     }
 }

@@ -7,18 +7,7 @@ use imogene_golden::machine::frame::Frame;
 use npyz::WriterBuilder;
 use std::fs::File;
 use std::io::{self, BufReader, Write};
-use std::path::{Path, PathBuf};
-use thiserror::Error;
-
-/// A picture that could not be read.
-#[derive(Debug, Error)]
-#[error("cannot read '{}': {problem}; accepted is a PNG picture", path.display())]
-pub struct ReadError {
-    /// The file.
-    pub path: PathBuf,
-    /// Why.
-    pub problem: String,
-}
+use std::path::Path;
 
 /// A PNG file whose head is read.
 fn opened(path: &Path, how: png::Transformations) -> Result<png::Reader<BufReader<File>>, String> {
@@ -42,15 +31,8 @@ pub fn read_png(path: &Path) -> Result<(png::OutputInfo, Vec<u8>), String> {
 }
 
 /// Width, height and, line by line, which pixels of a PNG picture of at most 4096 x 4096 are not black; those that are
-/// less than half opaque count as black.
-pub fn read_mask(path: &Path) -> Result<(usize, usize, Vec<bool>), ReadError> {
-    mask(path).map_err(|problem| ReadError {
-        path: path.to_path_buf(),
-        problem,
-    })
-}
-
-fn mask(path: &Path) -> Result<(usize, usize, Vec<bool>), String> {
+/// less than half opaque count as black; or why it cannot be read.
+pub fn read_mask(path: &Path) -> Result<(usize, usize, Vec<bool>), String> {
     let reader = opened(path, png::Transformations::normalize_to_color8())?;
     let (width, height) = (reader.info().width, reader.info().height);
     if width.max(height) > MAX_MASK_SIDE {
@@ -93,40 +75,39 @@ pub fn png(out: &mut dyn Write, width: usize, height: usize, rgb: &[u8]) -> io::
 
 /// Depth words, int64 of shape (height, width); the background is the format's `z_max`.
 pub fn depth(out: &mut dyn Write, frame: &Frame) -> io::Result<()> {
-    npy(out, &shape(frame, None), frame.depth.iter().copied())
+    npy(
+        out,
+        &[frame.height, frame.width],
+        frame.depth.iter().copied(),
+    )
 }
 
 /// Object indices, int32 of shape (height, width); the background is -1.
 pub fn ids(out: &mut dyn Write, frame: &Frame) -> io::Result<()> {
-    npy(out, &shape(frame, None), frame.id.iter().copied())
+    npy(out, &[frame.height, frame.width], frame.id.iter().copied())
 }
 
 /// Normal components, int16 of shape (height, width, 3), camera frame (x right, y down, z away).
 pub fn normals(out: &mut dyn Write, frame: &Frame) -> io::Result<()> {
     let components = frame.normal.iter().flatten().copied();
-    npy(out, &shape(frame, Some(3)), components)
+    npy(out, &[frame.height, frame.width, 3], components)
 }
 
 /// Marks of pixels, uint8 of shape (height, width).
 pub fn marks(out: &mut dyn Write, width: usize, marks: &[u8]) -> io::Result<()> {
     let height = marks.len() / width.max(1);
-    npy(out, &[height as u64, width as u64], marks.iter().copied())
-}
-
-fn shape(frame: &Frame, components: Option<u64>) -> Vec<u64> {
-    let mut shape = vec![frame.height as u64, frame.width as u64];
-    shape.extend(components);
-    shape
+    npy(out, &[height, width], marks.iter().copied())
 }
 
 fn npy<T: npyz::Serialize + npyz::AutoSerialize>(
     out: &mut dyn Write,
-    shape: &[u64],
+    shape: &[usize],
     values: impl Iterator<Item = T>,
 ) -> io::Result<()> {
+    let shape: Vec<u64> = shape.iter().map(|side| *side as u64).collect();
     let mut writer = npyz::WriteOptions::new()
         .default_dtype()
-        .shape(shape)
+        .shape(&shape)
         .writer(out)
         .begin_nd()?;
     writer.extend(values)?;

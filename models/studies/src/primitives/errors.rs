@@ -1,8 +1,7 @@
 //! A drawn frame against the truth: outline, depth, normals.
 
 use super::Subject;
-use imogene_analysis::metrics;
-use imogene_analysis::metrics::{Golden, PixelError, SameFace};
+use imogene_analysis::metrics::{self, Golden, PixelError, SameFace};
 use imogene_golden::machine::frame::Frame;
 use serde::Serialize;
 
@@ -61,25 +60,17 @@ pub fn pixel_errors(subject: &Subject, frame: &Frame) -> Vec<PixelError> {
 
 /// Sums up the pixels of a picture.
 pub fn errors(subject: &Subject, pixels: &[PixelError]) -> Errors {
-    let truth = &subject.truth;
-    summed(
-        pixels.iter().copied(),
-        truth.covered(),
-        truth.words_per_pixel,
-    )
+    summed(subject, pixels, subject.truth.covered())
 }
 
-fn summed(
-    pixels: impl Iterator<Item = PixelError>,
-    covered: usize,
-    words_per_pixel: f64,
-) -> Errors {
+fn summed(subject: &Subject, pixels: &[PixelError], covered: usize) -> Errors {
+    let words_per_pixel = subject.truth.words_per_pixel;
     let mut sum = Errors {
         covered,
         ..Errors::default()
     };
     let (mut squares, mut angles) = (0.0, 0.0);
-    for pixel in pixels {
+    for pixel in pixels.iter().copied() {
         match pixel {
             PixelError::Background => (),
             PixelError::Missing | PixelError::Extra => sum.presence_differs += 1,
@@ -115,11 +106,7 @@ pub fn bulge(subject: &Subject, pixels: &[PixelError], object: usize) -> Option<
             least = least.min(depth * percent);
         }
     }
-    let sum = summed(
-        own.iter().copied(),
-        own.len(),
-        subject.truth.words_per_pixel,
-    );
+    let sum = summed(subject, &own, own.len());
     (subject.spheres[object] && sum.same > 0).then_some(Bulge {
         radius_px,
         most_percent: most,

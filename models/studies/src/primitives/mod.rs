@@ -2,12 +2,13 @@
 //! quadrics (sources: Nyiri, 4.1.2 and 5; Chaillou, IV.2.4).
 
 pub mod errors;
-pub mod sheet;
 pub mod speed;
 pub mod tessellate;
 
+use crate::kit::sheet::Sheet;
 use imogene_algebra::rational::to_f64;
-use imogene_analysis::metrics::Truth;
+use imogene_analysis::metrics::map::colour;
+use imogene_analysis::metrics::{PixelError, Truth};
 use imogene_analysis::phong::shade;
 use imogene_golden::format::Format;
 use imogene_golden::machine::beam;
@@ -178,4 +179,17 @@ pub fn fair_sides(radius: f64) -> usize {
     }
     let half = (1.0 - FAIR_ERROR / radius).acos();
     ((std::f64::consts::PI / half).ceil() as usize).max(3)
+}
+
+/// The pictures of the variants in one row, the maps of their errors in the row below.
+pub fn sheet(variants: &[(&Drawn, &[PixelError])], words_per_pixel: f64) -> Sheet {
+    let frames = variants.iter().map(|(drawn, _)| &drawn.frame);
+    let size = frames.map(|frame| (frame.width, frame.height)).next();
+    let pair = |(drawn, pixels): &(&Drawn, &[PixelError])| {
+        let map = pixels.iter();
+        let map = map.flat_map(|pixel| colour(pixel, words_per_pixel));
+        [drawn.rgb.clone(), map.collect()]
+    };
+    let pairs: Vec<[Vec<u8>; 2]> = variants.iter().map(pair).collect();
+    Sheet::of(&pairs, size.unwrap_or_default(), variants.len())
 }

@@ -22,14 +22,12 @@ pub struct FacetWork {
 }
 
 /// The facets among the processors of a machine.
-pub fn facets(slots: &[Slot]) -> Vec<&FacetWords> {
-    let slots = slots.iter();
-    slots
-        .filter_map(|slot| match &slot.words {
-            ProcessorWords::Facet(words) => Some(words),
-            _ => None,
-        })
-        .collect()
+pub fn facets<'a>(slots: &'a [Slot]) -> Vec<&'a FacetWords> {
+    let facet = |slot: &'a Slot| match &slot.words {
+        ProcessorWords::Facet(words) => Some(words),
+        _ => None,
+    };
+    slots.iter().filter_map(facet).collect()
 }
 
 /// Counts the work of facets on a screen of so many pixels.

@@ -75,13 +75,13 @@ impl Case {
                     let v = i64::from(case.pixel.normal[k]) + step(random);
                     case.pixel.normal[k] = v.clamp(-32768, 32767) as i16;
                 }
-                2 | 3 => {
-                    light.base[k] =
-                        bounded(i64::from(light.base[k]) + (step(random) << random.below(16)))
-                }
-                4 => {
-                    light.slope[k] =
-                        bounded(i64::from(light.slope[k]) + (step(random) << random.below(16)))
+                kind @ 2..=4 => {
+                    let words = if kind == 4 {
+                        &mut light.slope
+                    } else {
+                        &mut light.base
+                    };
+                    words[k] = bounded(i64::from(words[k]) + (step(random) << random.below(16)));
                 }
                 5 => {
                     let v = i64::from(case.words.materials[0].exponent) + step(random) / 16;
@@ -199,8 +199,9 @@ fn scaled(v: Vector, length: f64) -> Vector {
     }
 }
 
-/// A vector turned by a small random part.
-fn near(v: Vector, part: f64, random: &mut Random) -> Vector {
+/// A vector turned by a random part of at most `most`, all magnitudes down to `most / 2^bits` alike.
+fn near(v: Vector, (most, bits): (f64, u32), random: &mut Random) -> Vector {
+    let part = random.magnitude(most, bits);
     let other = scaled(direction(random), part);
     let v = scaled(v, 1.0);
     std::array::from_fn(|k| v[k] + other[k])
@@ -213,21 +214,20 @@ fn draw_normal(ray: Vector, random: &mut Random) -> Vector {
         0 => {
             let along = dot(d, ray) / dot(ray, ray);
             let across = std::array::from_fn(|k| d[k] - along * ray[k]);
-            let part = random.magnitude(0.1, 20);
-            near(across, part, random)
+            near(across, (0.1, 20), random)
         }
-        1 => {
-            let part = random.magnitude(1.0, 20);
-            near(ray, part, random)
-        }
+        1 => near(ray, (1.0, 20), random),
         _ => d,
     };
-    let length = if random.one_in(4) {
-        random.magnitude(32767.0, 15)
-    } else {
-        32767.0
-    };
-    scaled(normal, length)
+    scaled(normal, draw_length(32767.0, 15, random))
+}
+
+/// The greatest length, or a random one in one case of four.
+fn draw_length(most: f64, bits: u32, random: &mut Random) -> f64 {
+    match random.one_in(4) {
+        true => random.magnitude(most, bits),
+        false => most,
+    }
 }
 
 fn draw_light(ray: Vector, normal: Vector, random: &mut Random) -> LightWords {
@@ -241,19 +241,11 @@ fn draw_light(ray: Vector, normal: Vector, random: &mut Random) -> LightWords {
         1 => {
             let along = dot(d, normal) / square;
             let across = std::array::from_fn(|k| d[k] - along * normal[k]);
-            let part = random.magnitude(0.1, 24);
-            near(across, part, random)
+            near(across, (0.1, 24), random)
         }
-        _ => {
-            let part = random.magnitude(0.7, 16);
-            near(mirrored, part, random)
-        }
+        _ => near(mirrored, (0.7, 16), random),
     };
-    let length = if random.one_in(4) {
-        random.magnitude(1.3e8, 27)
-    } else {
-        1.3e8
-    };
+    let length = draw_length(1.3e8, 27, random);
     let bright = if random.one_in(3) { 81_600 } else { 8_160 };
     LightWords {
         base: scaled(vector, length).map(|v| bounded(v as i64)),

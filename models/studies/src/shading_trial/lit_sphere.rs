@@ -95,16 +95,11 @@ fn far_picture(frame: &Frame, lighting: &Lighting, scene: &FramedScene, z_max: i
 }
 
 fn differences(frame: &Frame, own: &[u8], other: &[u8]) -> LevelErrors {
-    let pixels = own
-        .chunks_exact(3)
-        .zip(other.chunks_exact(3))
-        .zip(&frame.id);
-    let shown = pixels.filter(|(_, id)| **id >= 0);
+    let pixels = own.chunks_exact(3).zip(other.chunks_exact(3));
+    let shown = pixels.zip(&frame.id).filter(|(_, id)| **id >= 0);
     let greatest = shown.map(|((own, other), _)| {
-        let levels = own
-            .iter()
-            .zip(other)
-            .map(|(own, other)| own.abs_diff(*other));
+        let levels = own.iter().zip(other);
+        let levels = levels.map(|(own, other)| own.abs_diff(*other));
         levels.max().unwrap_or(0)
     });
     let mut all: Vec<u8> = greatest.collect();

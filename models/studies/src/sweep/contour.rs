@@ -42,49 +42,41 @@ enum Along {
     Column,
 }
 
+impl Along {
+    /// What belongs to columns and to lines as what is along and across, or the other way round.
+    fn turned<T>(self, [first, second]: [T; 2]) -> [T; 2] {
+        match self {
+            Along::Line => [first, second],
+            Along::Column => [second, first],
+        }
+    }
+}
+
 /// Where the computed contour crosses a line or a column of the screen box.
 fn crossings(object: &PreparedQuadric, number: i64, along: Along) -> Vec<Crossing> {
     let window = object.words.screen_box;
-    let (first, last) = match along {
-        Along::Line => (window.x0, window.x1),
-        Along::Column => (window.y0, window.y1),
-    };
+    let sides = [[window.x0, window.x1], [window.y0, window.y1]];
+    let [[first, last], _] = along.turned(sides);
     // About the middle, so that no digits are lost.
     let middle = (first + last) / 2;
-    let q = &object.words.f2;
-    let (square, linear, constant, across) = match along {
-        Along::Line => {
-            let local = q.from_zone(middle, number);
-            (local.a, local.d, local.f, local.e)
-        }
-        Along::Column => {
-            let local = q.from_zone(number, middle);
-            (local.b, local.e, local.f, local.d)
-        }
-    };
-    let [a, b, c, across, mixed] = [square, linear, constant, across, q.c].map(|v| v as f64);
+    let [x, y] = along.turned([middle, number]);
+    let q = object.words.f2.from_zone(x, y);
+    let [square, _] = along.turned([q.a, q.b]);
+    let [linear, across] = along.turned([q.d, q.e]);
+    let [a, b, c, across, mixed] = [square, linear, q.f, across, q.c].map(|v| v as f64);
     let root = (b * b - 4.0 * a * c).sqrt();
     // The root that does not cancel, and the other from the product of both.
     let steady = -0.5 * (b + root.copysign(b));
-    let found = [steady / a, c / steady].map(|u| {
-        let place = middle as f64 + u;
-        Crossing {
-            at: match along {
-                Along::Line => [place, number as f64],
-                Along::Column => [number as f64, place],
-            },
-            slope: (2.0 * a * u + b).hypot(mixed * u + across),
-        }
+    let found = [steady / a, c / steady].map(|u| Crossing {
+        at: along.turned([middle as f64 + u, number as f64]),
+        slope: (2.0 * a * u + b).hypot(mixed * u + across),
     });
     let inside = |p: &Crossing| {
-        let [x, y] = p.at;
-        (window.x0 as f64..=window.x1 as f64).contains(&x)
-            && (window.y0 as f64..=window.y1 as f64).contains(&y)
+        let mut places = sides.iter().zip(p.at);
+        places.all(|([first, last], at)| (*first as f64..=*last as f64).contains(&at))
     };
-    found
-        .into_iter()
-        .filter(|p| p.slope > 0.0 && inside(p))
-        .collect()
+    let crossed = |p: &Crossing| p.slope > 0.0 && inside(p);
+    found.into_iter().filter(crossed).collect()
 }
 
 /// True if no plane removes the contour, whose depth is f1, at a place of the screen.

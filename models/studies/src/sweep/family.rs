@@ -1,9 +1,15 @@
-//! What a sweep is: a family of scenes with a parameter, its grid of values, and the scenes that the values make.
+//! What a sweep is: a family of scenes with a parameter, its grid of values, and the scenes that the values make; and
+//! its run: every step is prepared, or refused, drawn and measured.
 
 use super::grid::number;
+use super::measure::{Figures, measure};
+use super::naive;
+use super::record::{Record, SweepResult, gives_out};
 use imogene_golden::format::Format;
+use imogene_prepare::{Framing, prepare_for_roots};
 use imogene_scene::SceneFile;
 use num_rational::BigRational;
+use rayon::prelude::*;
 use serde::Serialize;
 
 /// One family of scenes with a parameter that goes to its extreme.
@@ -72,12 +78,12 @@ impl Axis {
 }
 
 /// One scene of a sweep.
-pub(super) struct Step {
-    pub series: usize,
-    pub parameter: String,
-    pub scene: SceneFile,
+struct Step {
+    series: usize,
+    parameter: String,
+    scene: SceneFile,
     /// The format, or why there is none.
-    pub format: Result<Format, String>,
+    format: Result<Format, String>,
 }
 
 impl Sweep {
@@ -87,7 +93,7 @@ impl Sweep {
     }
 
     /// Every step, series by series.
-    pub(super) fn steps(&self, format: Format) -> Vec<Step> {
+    fn steps(&self, format: Format) -> Vec<Step> {
         let values = (self.values)();
         let of = |series: usize| {
             values.iter().filter_map(move |parameter| {
@@ -114,4 +120,66 @@ impl Sweep {
         let scene = |step: Step| (self.series[step.series], step.parameter, step.scene);
         steps.map(scene).collect()
     }
+
+    /// Runs every step; `done` is called once for each, from any thread.
+    pub fn run(&self, format: Format, done: impl Fn() + Sync) -> SweepResult {
+        self.run_some(format, |_| true, done)
+    }
+
+    /// Runs the steps whose parameter is wanted.
+    pub fn run_some(
+        &self,
+        format: Format,
+        wanted: impl Fn(&str) -> bool,
+        done: impl Fn() + Sync,
+    ) -> SweepResult {
+        let mut steps = self.steps(format);
+        steps.retain(|step| wanted(&step.parameter));
+        let record = |step: &Step| {
+            let record = self.record(step);
+            done();
+            record
+        };
+        let records: Vec<Record> = steps.par_iter().map(record).collect();
+        SweepResult {
+            name: self.name,
+            title: self.title,
+            about: self.about,
+            axis: self.axis,
+            depth_word: (!self.has_own_formats()).then_some(format.depth),
+            series: self.series,
+            gives_out: gives_out(self.series, &records),
+            violations: records.iter().flat_map(violations).collect(),
+            records,
+        }
+    }
+
+    fn record(&self, step: &Step) -> Record {
+        let drawn = draw(step);
+        let with_naive = matches!(self.rule, Rule::Naive);
+        Record {
+            series: self.series[step.series],
+            parameter: step.parameter.clone(),
+            value: step.parameter.parse().expect("parameters are decimals"),
+            refused: drawn.as_ref().err().cloned(),
+            figures: drawn.ok(),
+            naive: with_naive.then(|| naive::compare(&step.scene)),
+        }
+    }
+}
+
+/// The figures, or the refusal.
+fn draw(step: &Step) -> Result<Figures, String> {
+    let format = step.format.clone()?;
+    let image = step.scene.image;
+    let framed = step.scene.frame(image.width, image.height);
+    let framed = framed.map_err(|error| error.to_string())?;
+    let prepared = prepare_for_roots(&framed, format).map_err(|error| error.to_string())?;
+    Ok(measure(&framed, &prepared))
+}
+
+fn violations(record: &Record) -> Vec<String> {
+    let found = record.figures.iter().flat_map(|f| &f.violations);
+    let placed = found.map(|v| format!("{}, {}: {v}", record.series, record.parameter));
+    placed.collect()
 }

@@ -137,61 +137,30 @@ pub fn measure(scene: &FramedScene, prepared: &PreparedScene) -> Figures {
         if let Some(off) = displaced(words, &prepared.format) {
             let most = figures.observed.silhouette_px.unwrap_or(0.0);
             figures.observed.silhouette_px = Some(most.max(off));
-            figures.silhouette(&words.name, off, bounds.silhouette_px);
+            let (ratio, bound) = (&mut figures.ratios.silhouette, bounds.silhouette_px);
+            hold(ratio, &mut figures.violations, [off, bound, 0.0], || {
+                format!(
+                    "the silhouette of '{}' is displaced by {off:.3e} pixels, proven were {bound:.3e}",
+                    words.name
+                )
+            });
         }
     }
     figures
 }
 
-impl Figures {
-    /// Holds an error, known to `spare`, against its bound: a violation if it is greater, else its part of the bound.
-    fn hold(
-        &mut self,
-        (off, bound, spare): (f64, f64, f64),
-        ratio: fn(&mut Ratios) -> &mut f64,
-        violation: impl FnOnce() -> String,
-    ) {
-        if off > bound + spare {
-            self.violations.push(violation());
-        }
-        if bound > 0.0 {
-            let ratio = ratio(&mut self.ratios);
-            *ratio = ratio.max(off / bound);
-        }
+/// Holds an error, known to `spare`, against its bound: a violation if it is greater, else its part of the bound.
+fn hold(
+    ratio: &mut f64,
+    violations: &mut Vec<String>,
+    [off, bound, spare]: [f64; 3],
+    violation: impl FnOnce() -> String,
+) {
+    if off > bound + spare {
+        violations.push(violation());
     }
-
-    fn silhouette(&mut self, name: &str, off: f64, bound: f64) {
-        self.hold((off, bound, 0.0), |ratios| &mut ratios.silhouette, || {
-            format!("the silhouette of '{name}' is displaced by {off:.3e} pixels, proven were {bound:.3e}")
-        });
-    }
-
-    fn depth(&mut self, [x, y]: [usize; 2], off: f64, bound: f64) {
-        self.observed.depth_words = self.observed.depth_words.max(off);
-        // Without what the exact depth itself can be off.
-        let certain = (off - CUT).max(0.0);
-        self.hold(
-            (certain, bound, 0.0),
-            |ratios| &mut ratios.depth,
-            || format!("depth off by {off:.3} words at pixel ({x}, {y}), proven were {bound:.3}"),
-        );
-    }
-
-    fn normal(&mut self, [x, y]: [usize; 2], off: f64, bound: f64) {
-        if bound >= 180.0 {
-            return;
-        }
-        self.observed.normals += 1;
-        self.observed.normal_deg = self.observed.normal_deg.max(off);
-        self.hold(
-            (off, bound, ANGLE_MARGIN),
-            |ratios| &mut ratios.normal,
-            || {
-                format!(
-                    "normal off by {off:.4} degrees at pixel ({x}, {y}), proven were {bound:.4}"
-                )
-            },
-        );
+    if bound > 0.0 {
+        *ratio = ratio.max(off / bound);
     }
 }
 
@@ -232,17 +201,37 @@ fn compare_faces(
     index: usize,
     exact: &TruePixel,
 ) {
-    figures.observed.compared += 1;
-    let at = [index % golden.width, index / golden.width];
-    let [x, y] = at.map(|v| v as i64);
+    let Figures {
+        observed,
+        ratios,
+        violations,
+        ..
+    } = figures;
+    observed.compared += 1;
+    let [x, y] = [index % golden.width, index / golden.width].map(|v| v as i64);
     let object = prepared.objects[exact.id].quadric().expect("a quadric");
     let f2 = object.words.f2_at(x, y, &prepared.format);
     let off = (i128::from(golden.depth[index]) << DEPTH_BITS) - exact.depth;
     let off = off.unsigned_abs() as f64 / (1u64 << DEPTH_BITS) as f64;
-    figures.depth(at, off, depth_bound(object, exact.number, f2));
+    let bound = depth_bound(object, exact.number, f2);
+    observed.depth_words = observed.depth_words.max(off);
+    // Without what the exact depth itself can be off.
+    let certain = (off - CUT).max(0.0);
+    hold(&mut ratios.depth, violations, [certain, bound, 0.0], || {
+        format!("depth off by {off:.3} words at pixel ({x}, {y}), proven were {bound:.3}")
+    });
     let normal = golden.normal[index];
+    let bound = normal_bound(object, exact.number, f2, normal);
+    if bound >= 180.0 {
+        return;
+    }
     let angle = degrees_between(normal.map(f64::from), exact.normal);
-    figures.normal(at, angle, normal_bound(object, exact.number, f2, normal));
+    observed.normals += 1;
+    observed.normal_deg = observed.normal_deg.max(angle);
+    let held = [angle, bound, ANGLE_MARGIN];
+    hold(&mut ratios.normal, violations, held, || {
+        format!("normal off by {angle:.4} degrees at pixel ({x}, {y}), proven were {bound:.4}")
+    });
 }
 
 fn degrees_between(u: Vector, v: Vector) -> f64 {

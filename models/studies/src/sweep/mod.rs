@@ -12,15 +12,12 @@ mod family;
 pub mod grid;
 pub mod measure;
 mod naive;
-mod page;
 mod plot;
 mod record;
-mod run;
 pub mod truth;
 
-pub use families::{UnknownSweep, all, find, names};
+pub use families::{ALL, UnknownSweep, find, names};
 pub use family::{Axis, Sweep};
 pub use measure::{Bounds, Figures, Observed, Ratios};
-pub use page::section;
 pub use plot::plot;
-pub use record::{GivesOut, Notice, Record, SweepResult};
+pub use record::{GivesOut, Notice, Record, SweepResult, section};

@@ -200,15 +200,15 @@ fn draw_panel(area: &Area<'_>, panel: &Panel, result: &SweepResult) -> Outcome {
         .y_label_area_size(56)
         .build_cartesian_2d(left..right, low..top)?;
     let decades = |span: f64| span as usize + 2;
+    let columns = match result.axis.logarithmic {
+        true => decades(right - left),
+        false => 10,
+    };
     chart
         .configure_mesh()
         .light_line_style(TRANSPARENT)
         .bold_line_style(GREY)
-        .x_labels(if result.axis.logarithmic {
-            decades(right - left)
-        } else {
-            10
-        })
+        .x_labels(columns)
         .y_labels(decades(top - low).min(14))
         .x_label_formatter(&|place| places.label(*place))
         .y_label_formatter(&|place| power_label(*place))
@@ -216,15 +216,10 @@ fn draw_panel(area: &Area<'_>, panel: &Panel, result: &SweepResult) -> Outcome {
         .label_style((FONT, 13))
         .axis_desc_style((FONT, 14))
         .draw()?;
-    for Line {
-        colour,
-        kind,
-        points,
-    } in &lines
-    {
-        let points = || points.iter().copied();
+    for line in &lines {
+        let (colour, points) = (line.colour, || line.points.iter().copied());
         let dashed = |style| DashedLineSeries::new(points(), 4, 3, style);
-        match kind {
+        match line.kind {
             Kind::Bound => {
                 chart.draw_series(LineSeries::new(points(), colour.stroke_width(2)))?;
                 chart.draw_series(points().map(|p| Circle::new(p, 2, colour.filled())))?;
@@ -249,10 +244,8 @@ fn draw_panel(area: &Area<'_>, panel: &Panel, result: &SweepResult) -> Outcome {
         let records = result.of_series(name);
         let noticed = |by| {
             let of = move |r: &&&Record| r.notice().is_some_and(|n| n.0 == by);
-            records
-                .iter()
-                .filter(of)
-                .map(|r| (places.at(r.value), height))
+            let found = records.iter().filter(of);
+            found.map(|r| (places.at(r.value), height))
         };
         let crosses = noticed(Notice::Refused);
         chart.draw_series(crosses.map(|p| Cross::new(p, 4, colour.stroke_width(2))))?;

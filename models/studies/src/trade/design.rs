@@ -91,11 +91,10 @@ impl Accuracy {
 
     /// Its tables of lit-sphere shading; none with a shading processor.
     pub fn tables(&self) -> Option<SphereForm> {
-        let form = |side: u32| SphereForm {
-            places: side.ilog2(),
+        (self.table_side > 0).then(|| SphereForm {
+            places: self.table_side.ilog2(),
             nearest: false,
-        };
-        (self.table_side > 0).then(|| form(self.table_side))
+        })
     }
 
     /// A short name, which is that of its files.
@@ -167,34 +166,34 @@ fn points(
     forms.flat_map(of_form).collect()
 }
 
-fn guarded(depth: u32, (guard_linear, guard_quadratic): (u32, u32), dropped_rows: u32) -> Accuracy {
-    Accuracy {
-        guard_linear,
-        guard_quadratic,
-        dropped_rows,
-        ..Accuracy::of_depth(depth)
-    }
+/// A fitted machine of a depth word that is changed.
+fn changed(depth: u32, change: impl FnOnce(&mut Accuracy)) -> Accuracy {
+    let mut accuracy = Accuracy::of_depth(depth);
+    change(&mut accuracy);
+    accuracy
 }
 
-fn supersampled(depth: u32, supersampling: u32) -> Accuracy {
-    Accuracy {
-        supersampling,
-        ..Accuracy::of_depth(depth)
-    }
+fn guarded(depth: u32, guards: (u32, u32), dropped_rows: u32) -> Accuracy {
+    changed(depth, |a| {
+        (a.guard_linear, a.guard_quadratic) = guards;
+        a.dropped_rows = dropped_rows;
+    })
 }
 
-fn preview(depth: u32, undersampling: u32) -> Accuracy {
-    Accuracy {
-        undersampling,
-        ..Accuracy::of_depth(depth)
-    }
+fn supersampled(depth: u32, samples: u32, table_side: u32) -> Accuracy {
+    changed(depth, |a| {
+        (a.supersampling, a.table_side) = (samples, table_side)
+    })
 }
 
-fn lit(accuracy: Accuracy, table_side: u32) -> Accuracy {
-    Accuracy {
-        table_side,
-        ..accuracy
-    }
+fn preview(depth: u32, side: u32, table_side: u32) -> Accuracy {
+    changed(depth, |a| {
+        (a.undersampling, a.table_side) = (side, table_side)
+    })
+}
+
+fn lit(depth: u32, table_side: u32) -> Accuracy {
+    changed(depth, |a| a.table_side = table_side)
 }
 
 const NO_ZONES: (&[usize], &[u32]) = (&[], &[]);
@@ -212,9 +211,9 @@ fn quick() -> Vec<Design> {
     let beams = beams.map(|accuracy| points(accuracy, true, NO_ZONES, &[1, 2]));
     let others = [
         points(of(16), true, (&[1], &[16]), &[1, 2]),
-        points(supersampled(16, 2), false, (&[2], &[16]), &[1]),
-        points(preview(16, 2), true, NO_ZONES, &[1]),
-        points(lit(of(16), 32), true, (&[2], &[16]), &[1]),
+        points(supersampled(16, 2, 0), false, (&[2], &[16]), &[1]),
+        points(preview(16, 2, 0), true, NO_ZONES, &[1]),
+        points(lit(16, 32), true, (&[2], &[16]), &[1]),
     ];
     [beams.concat(), others.concat()].concat()
 }
@@ -226,10 +225,7 @@ fn roots() -> Vec<Design> {
     let forms = exact.into_iter().chain(corrected).chain(leading);
     let forms: Vec<RootForm> = forms.collect();
     let of = |depth| {
-        let of_form = move |&root_form: &RootForm| Accuracy {
-            root_form,
-            ..Accuracy::of_depth(depth)
-        };
+        let of_form = move |&form: &RootForm| changed(depth, |a| a.root_form = form);
         forms.iter().map(of_form)
     };
     let accuracies = [24, 16].into_iter().flat_map(of);
@@ -266,47 +262,31 @@ fn full() -> Vec<Design> {
         }
     }
     for depth in [12, 16, 20, 24] {
-        let normal = 10;
-        add(
-            Accuracy {
-                normal,
-                ..Accuracy::of_depth(depth)
-            },
-            true,
-            NO_ZONES,
-        );
+        add(changed(depth, |a| a.normal = 10), true, NO_ZONES);
     }
     for depth in [16, 20, 24] {
-        let catalogue = true;
-        add(
-            Accuracy {
-                catalogue,
-                ..Accuracy::of_depth(depth)
-            },
-            true,
-            NO_ZONES,
-        );
+        add(changed(depth, |a| a.catalogue = true), true, NO_ZONES);
     }
     for samples in [2, 4] {
         for depth in [12, 14, 16, 20, 24] {
-            add(supersampled(depth, samples), false, shared);
+            add(supersampled(depth, samples, 0), false, shared);
         }
     }
     for side in [2, 4] {
         for depth in [8, 10, 12, 14, 16] {
-            add(preview(depth, side), true, (&[1, 2], &[16]));
+            add(preview(depth, side, 0), true, (&[1, 2], &[16]));
         }
     }
     for depth in [12, 14, 16, 18, 20, 24] {
-        add(lit(Accuracy::of_depth(depth), 64), true, shared);
+        add(lit(depth, 64), true, shared);
     }
     for side in [16, 32, 128] {
-        add(lit(Accuracy::of_depth(16), side), true, (&[1, 4], &[16]));
+        add(lit(16, side), true, (&[1, 4], &[16]));
     }
     for depth in [12, 16, 20] {
-        add(lit(supersampled(depth, 2), 64), false, shared);
-        add(lit(preview(depth, 2), 64), true, (&[1, 2], &[16]));
-        add(lit(preview(depth, 4), 32), true, (&[1, 2], &[16]));
+        add(supersampled(depth, 2, 64), false, shared);
+        add(preview(depth, 2, 64), true, (&[1, 2], &[16]));
+        add(preview(depth, 4, 32), true, (&[1, 2], &[16]));
     }
     all
 }

@@ -1,8 +1,8 @@
 //! One point: the scene prepared for it, drawn, and compared with the truth.
 
-use super::design::{Accuracy, Design};
-use super::machine::machine;
+use super::design::{Accuracy, Design, Zones};
 use super::view::Views;
+use crate::fit::machine::{smallest, with_side};
 use crate::kit::words::{drawn, narrowest};
 use imogene_analysis::metrics::toggles::{Part, Toggles, count};
 use imogene_analysis::metrics::{Metrics, measure as compare};
@@ -10,8 +10,9 @@ use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::QuadricWords;
 use imogene_golden::object::words::Words;
-use imogene_plan::description::{MachineDescription, MachineKind};
+use imogene_plan::description::{MachineDescription, MachineKind, Output};
 use imogene_plan::display::mean_of_samples;
+use imogene_plan::needs::{enough, narrowed};
 use imogene_plan::pace::{Timing, clocks_per_frame};
 use imogene_plan::zone::plan::ZonePlan;
 use imogene_prepare::{PreparedScene, prepare_for_roots};
@@ -64,9 +65,46 @@ fn first_samples(rgb: &[u8], columns: usize, samples: usize) -> Vec<u8> {
 }
 
 impl Measured<'_> {
-    /// The machine of a point of these pixels; or why there is none.
+    /// The smallest machine of these words and of the form of a point that shows the scene, and streams its pictures as
+    /// fast as they are taken; or why there is none.
     pub fn machine(&self, design: &Design) -> Result<MachineDescription, String> {
-        machine(design, &self.widths, self.scene, &self.prepared)
+        let samples = design.accuracy.supersampling;
+        let size = (self.scene.width / samples, self.scene.height / samples);
+        let frames = std::slice::from_ref(&self.prepared);
+        let beam = MachineDescription {
+            output: Output::Stream,
+            ..smallest(&self.widths, frames, design.rows_per_stage, size)
+        };
+        let beam = match design.accuracy.tables() {
+            None => beam,
+            Some(form) => beam.lit_by_tables(form),
+        };
+        let asked = match design.zones {
+            Some(Zones { processors, side }) => MachineDescription {
+                machine: MachineKind::Zone,
+                objects: processors,
+                slots: None,
+                supersampling: samples,
+                ..with_side(&beam, side)
+            },
+            None if design.accuracy.catalogue => MachineDescription {
+                slots: None,
+                ..beam
+            },
+            None => beam,
+        };
+        let scenes = [(self.scene, &self.prepared)];
+        let found = enough(&asked, &scenes).map_err(|e| e.to_string())?;
+        if found.machine != asked.machine {
+            return Err("more objects or volumes than a beam machine has processors".into());
+        }
+        let has_own = found.machine == MachineKind::Beam && !design.accuracy.catalogue;
+        let found = match has_own {
+            true => narrowed(&found, &scenes).map_err(|e| e.to_string())?,
+            false => found,
+        };
+        found.check("its machine").map_err(|e| e.to_string())?;
+        Ok(found)
     }
 
     /// Clocks from frame to frame, every frame with new words.
@@ -81,25 +119,21 @@ impl Measured<'_> {
         let height = self.prepared.height;
         if machine.machine == MachineKind::Beam {
             let slots = self.prepared.quadrics().map(|(_, object)| &object.words);
-            let size = (self.prepared.width as usize, height as usize);
             let whole = Part {
                 slots: slots.collect(),
                 first: (0, 0),
-                size,
+                size: (self.prepared.width as usize, height as usize),
             };
             return Ok(count(&[whole], format, rows, height));
         }
         let plan = ZonePlan::of(&self.prepared, machine.zone_machine());
         let plan = plan.map_err(|e| e.to_string())?;
-        let words: Vec<Vec<QuadricWords>> = plan
-            .zones
-            .iter()
-            .map(|zone| {
-                let parts = zone.all_parts();
-                let parts = parts.filter_map(|part| plan.parts[part as usize].quadric());
-                parts.map(|words| words.on(&zone.sample.pixels())).collect()
-            })
-            .collect();
+        let words = plan.zones.iter().map(|zone| {
+            let parts = zone.all_parts();
+            let parts = parts.filter_map(|part| plan.parts[part as usize].quadric());
+            parts.map(|words| words.on(&zone.sample.pixels())).collect()
+        });
+        let words: Vec<Vec<QuadricWords>> = words.collect();
         let zones = plan.zones.iter().zip(&words).map(|(zone, words)| Part {
             slots: words.iter().collect(),
             first: (zone.x0 as usize, zone.y0 as usize),
@@ -115,15 +149,12 @@ fn prepared(
     scene: &FramedScene,
     accuracy: &Accuracy,
 ) -> Result<(MachineWords, PreparedScene), String> {
-    let wide = match accuracy.catalogue {
-        true => Format::new(accuracy.depth)
-            .map_err(|e| e.to_string())?
-            .widths(),
-        false => accuracy.widest(),
-    };
     if accuracy.catalogue {
-        return Ok((wide, in_format(scene, &wide)?));
+        let format = Format::new(accuracy.depth).map_err(|e| e.to_string())?;
+        let words = format.widths();
+        return Ok((words, in_format(scene, &words)?));
     }
+    let wide = accuracy.widest();
     let in_widths = |widths: &MachineWords| match in_format(scene, widths) {
         Err(problem) if *widths == wide => Err(problem),
         prepared => Ok(prepared.ok().map(|prepared| vec![prepared])),

@@ -1,14 +1,13 @@
 //! Speed, area and accuracy of the machines that can draw a scene: every point of a design space measured against the
 //! truth.
 //!
-//! [`design`] says what points there are, [`machine`](mod@machine) what is built for one, [`measure`](mod@measure)
-//! draws it and compares it, [`clock`] estimates its clock, [`run`](mod@run) does all of them and keeps each in a file
-//! of its own, [`report`] sums them up, [`speed`], [`plot`] and [`page`] show them.
+//! [`design`] says what points there are, [`measure`](mod@measure) draws one, compares it and says what is built for
+//! it, [`clock`] estimates its clock, [`run`](mod@run) does all of them and keeps each in a file of its own, [`report`]
+//! sums them up, [`speed`], [`plot`] and [`page`] show them.
 //! `docs/trade.md` is the user's page.
 
 pub mod clock;
 pub mod design;
-pub mod machine;
 pub mod measure;
 pub mod page;
 pub mod plot;

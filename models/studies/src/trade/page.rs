@@ -23,7 +23,12 @@ const SCRIPT: &str = include_str!("page/page.js");
 pub fn page(trade: &Trade, folder: &Path) -> Result<String, TradeError> {
     let plots = FRONTS.iter().map(|front| draw(trade, front));
     let plots = plots.collect::<Result<Vec<String>, TradeError>>()?;
-    let source = Pictures::new(trade, folder)?;
+    let size = (trade.width, trade.height);
+    let source = Pictures {
+        folder,
+        size,
+        reducer: Reducer::new(&read(folder, &trade.truth, size)?),
+    };
     let data = json!({
         "measure": trade.measure,
         "target": trade.target,
@@ -92,15 +97,6 @@ struct Pictures<'a> {
 }
 
 impl Pictures<'_> {
-    fn new<'a>(trade: &Trade, folder: &'a Path) -> Result<Pictures<'a>, TradeError> {
-        let size = (trade.width, trade.height);
-        Ok(Pictures {
-            folder,
-            size,
-            reducer: Reducer::new(&read(folder, &trade.truth, size)?),
-        })
-    }
-
     /// A picture as PNG; a map as it is, for it has few colours.
     fn png(&self, name: &str, is_map: bool) -> Result<Vec<u8>, TradeError> {
         let rgb = read(self.folder, name, self.size)?;

@@ -128,11 +128,8 @@ fn draw_dots(area: &Area, trade: &Trade, front: &Front, dots: &[Dot]) -> Outcome
 
 /// The front as a line, from the smallest machine on.
 fn steps(front: &Front, dots: &[Dot]) -> Vec<(f64, f64)> {
-    let on = dots
-        .iter()
-        .filter(|d| d.entry.pareto.contains(&front.name))
-        .map(|d| (d.x, d.y));
-    let mut on: Vec<(f64, f64)> = on.collect();
+    let on = dots.iter().filter(|d| d.entry.pareto.contains(&front.name));
+    let mut on: Vec<(f64, f64)> = on.map(|d| (d.x, d.y)).collect();
     on.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.total_cmp(&a.1)));
     on
 }

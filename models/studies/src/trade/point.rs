@@ -93,10 +93,3 @@ pub struct Point {
     /// The command that writes the Verilog of the machine.
     pub emit: Option<String>,
 }
-
-impl Point {
-    /// True if the picture has no silhouette error.
-    pub fn is_silhouette_exact(&self) -> bool {
-        self.errors.as_ref().is_some_and(|e| e.silhouette == 0)
-    }
-}

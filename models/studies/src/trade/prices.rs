@@ -34,14 +34,16 @@ impl Prices<'_> {
             let now = points.iter().enumerate();
             let now = now.map(|(index, point)| self.priced(point, known.contains(&index)));
             let trade = assemble(empty.clone(), now.collect());
-            let front = trade.points.iter().enumerate();
-            let front = front.filter(|(_, entry)| entry.pareto.contains(&"speed"));
-            let wanted: BTreeSet<usize> = front.map(|(index, _)| index).collect();
             // Seeds have a cost, but no clock.
-            let wanted: Vec<usize> = wanted
-                .into_iter()
-                .filter(|&index| !known.contains(&index) || self.lacks_clock(&points[index]))
-                .collect();
+            let is_open = |index| !known.contains(&index) || self.lacks_clock(&points[index]);
+            let wanted = trade
+                .points
+                .iter()
+                .enumerate()
+                .filter_map(|(index, entry)| {
+                    (entry.pareto.contains(&"speed") && is_open(index)).then_some(index)
+                });
+            let wanted: Vec<usize> = wanted.collect();
             let before = points.clone();
             self.find(&mut points, &wanted, on_front)?;
             if known.is_superset(&wanted.iter().copied().collect()) && before == points {
@@ -71,20 +73,17 @@ impl Prices<'_> {
 
     /// Estimates what is not known yet from the synthesised points.
     fn estimate(&self, points: &mut [Point], seeds: &[usize]) -> Result<(), TradeError> {
-        let machines = seeds
-            .iter()
-            .filter(|&&index| points[index].cost_synthesised.is_some());
-        let machines = machines.filter_map(|&index| points[index].machine.clone());
-        let machines: Vec<MachineDescription> = machines.collect();
+        let known = seeds.iter().map(|&index| &points[index]);
+        let known = known.filter(|point| point.cost_synthesised.is_some());
+        let machines: Vec<_> = known.filter_map(|point| point.machine.clone()).collect();
         let lacks = |(index, point): (usize, &Point)| {
             let is_asked = !seeds.contains(&index) && point.cost_estimated.is_none();
             (point.machine.is_some() && is_asked).then_some(index)
         };
         let wanted: Vec<usize> = points.iter().enumerate().filter_map(lacks).collect();
         if machines.is_empty() {
-            let refused = seeds
-                .iter()
-                .find_map(|&index| points[index].cost_refused.clone());
+            let mut refused = seeds.iter().map(|&index| &points[index].cost_refused);
+            let refused = refused.find_map(Option::clone);
             for index in wanted {
                 points[index].cost_refused.clone_from(&refused);
             }
@@ -99,19 +98,14 @@ impl Prices<'_> {
         wanted: &[usize],
         pricing: Pricing,
     ) -> Result<(), TradeError> {
-        let wanted: Vec<usize> = wanted
-            .iter()
-            .copied()
-            .filter(|&index| points[index].machine.is_some())
-            .collect();
+        let wanted = wanted.iter().copied();
+        let wanted: Vec<usize> = wanted.filter(|&at| points[at].machine.is_some()).collect();
         let together = match pricing {
             Pricing::Estimated(_) => wanted.len().max(1),
             _ => TOGETHER,
         };
         for wanted in wanted.chunks(together) {
-            let machines = wanted
-                .iter()
-                .filter_map(|&index| points[index].machine.clone());
+            let machines = wanted.iter().filter_map(|&at| points[at].machine.clone());
             let machines: Vec<MachineDescription> = machines.collect();
             let costs = (self.request.costs)(&machines, pricing);
             for (at, &index) in wanted.iter().enumerate() {
@@ -152,16 +146,12 @@ impl Prices<'_> {
 fn seeds(points: &[Point]) -> Vec<usize> {
     let mut forms: BTreeMap<_, Vec<(Design, usize)>> = BTreeMap::new();
     for (index, point) in points.iter().enumerate() {
-        let Design {
-            accuracy,
-            zones,
-            rows_per_stage,
-        } = point.design;
         if point.machine.is_some() {
+            let accuracy = point.design.accuracy;
             let samples = accuracy.supersampling;
             let words = (accuracy.normal, accuracy.catalogue, accuracy.table_side);
-            let root = (accuracy.root_form, rows_per_stage);
-            let form = (zones.is_some(), samples, words, root);
+            let root = (accuracy.root_form, point.design.rows_per_stage);
+            let form = (point.design.zones.is_some(), samples, words, root);
             forms.entry(form).or_default().push((point.design, index));
         }
     }

@@ -119,23 +119,21 @@ pub(super) fn assemble(empty: Trade, points: Vec<Point>) -> Trade {
     let entry = |(index, point): (usize, Point)| {
         let on = fronts.iter().filter(|(_, front)| front[index]);
         Entry {
-            silhouette_exact: point.is_silhouette_exact(),
+            silhouette_exact: point.errors.as_ref().is_some_and(|e| e.silhouette == 0),
             class: class_of(&point),
             pareto: on.map(|(name, _)| *name).collect(),
             point,
         }
     };
+    let clocks = |point: &Point| Some((point.mhz_estimated?, point.cost?.fmax_mhz?));
+    let areas = |point: &Point| {
+        let [estimated, known] = [point.cost_estimated?, point.cost_synthesised?];
+        Some((estimated.cells as f64, known.cells as f64))
+    };
     let mut trade = Trade {
         measure,
-        clock_error: EstimateError::of(
-            points
-                .iter()
-                .map(|point| Some((point.mhz_estimated?, point.cost?.fmax_mhz?))),
-        ),
-        area_error: EstimateError::of(points.iter().map(|point| {
-            let [estimated, known] = [point.cost_estimated?, point.cost_synthesised?];
-            Some((estimated.cells as f64, known.cells as f64))
-        })),
+        clock_error: EstimateError::of(points.iter().map(clocks)),
+        area_error: EstimateError::of(points.iter().map(areas)),
         classes: CLASSES.to_vec(),
         points: points.into_iter().enumerate().map(entry).collect(),
         ..empty

@@ -194,25 +194,17 @@ impl<'a> Subject<'a> {
             }
         }
         for design in group {
-            let point = match &measured {
-                Ok(measured) => self.point(design, measured, &files),
-                Err(problem) => Err(problem.clone()),
-            };
-            let point = match point {
-                Ok(point) => point,
-                Err(problem) => Point {
-                    id: design.name(),
-                    design: *design,
-                    refused: Some(problem),
-                    ..Point::default()
-                },
-            };
+            let measured = measured.as_ref().map_err(String::clone);
+            let point = measured.and_then(|measured| self.point(design, measured, &files));
+            let point = point.unwrap_or_else(|problem| Point {
+                id: design.name(),
+                design: *design,
+                refused: Some(problem),
+                ..Point::default()
+            });
             if let Some((file, machine)) = point.machine_file.as_ref().zip(point.machine.as_ref()) {
-                let text = format!(
-                    "# The machine of the point {}\n{}",
-                    point.id,
-                    machine.to_toml()
-                );
+                let (id, machine) = (&point.id, machine.to_toml());
+                let text = format!("# The machine of the point {id}\n{machine}");
                 let path = self.request.out.join(file);
                 write_whole(&path, |out| out.write_all(text.as_bytes()))?;
             }
@@ -232,12 +224,10 @@ impl<'a> Subject<'a> {
         let is_beam = machine.machine == MachineKind::Beam;
         let id = design.name();
         Ok(Point {
-            unit: if is_beam {
-                "beam_stream"
-            } else {
-                "zone_machine"
-            }
-            .into(),
+            unit: match is_beam {
+                true => "beam_stream".into(),
+                false => "zone_machine".into(),
+            },
             design: *design,
             format: Some(measured.widths),
             latency: is_beam.then_some(timing.latency),

@@ -50,9 +50,8 @@ pub fn draw(trade: &Trade) -> Result<String, TradeError> {
     let mut dots: Vec<Dot> = trade.points.iter().filter_map(|e| dot(trade, e)).collect();
     // The front is drawn last, on top of the others.
     dots.sort_by_key(|dot| dot.is_on_front());
-    let classes: Vec<Class> = (0..trade.classes.len())
-        .filter_map(|class| Class::of(trade, class))
-        .collect();
+    let classes = (0..trade.classes.len()).filter_map(|class| Class::of(trade, class));
+    let classes: Vec<Class> = classes.collect();
     let text = svg("cannot draw a plot", SIZE, |area| {
         chart(area, trade, &dots, &classes)
     })?;
@@ -99,9 +98,8 @@ impl Class {
         let own = front.clone().filter(|e| e.class == Some(class));
         let speed = |e: &&Entry| e.point.frames_per_second.unwrap_or_default();
         let fastest = own.max_by(|a, b| speed(a).total_cmp(&speed(b)))?;
-        let mut front: Vec<(f64, f64)> = front
-            .filter_map(|entry| Some(dot(trade, entry)?.place))
-            .collect();
+        let front = front.filter_map(|entry| Some(dot(trade, entry)?.place));
+        let mut front: Vec<(f64, f64)> = front.collect();
         front.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
         Some(Class {
             class,

@@ -41,17 +41,14 @@ impl Store<'_> {
     pub fn take(&self, id: &str) -> Option<Point> {
         let bytes = std::fs::read(self.path(id)).ok()?;
         let kept: Kept = serde_json::from_slice(&bytes).ok()?;
-        let pictures = [
-            &kept.point.picture,
-            &kept.point.map,
-            &kept.point.machine_file,
-        ];
-        let has_pictures = pictures
-            .into_iter()
-            .flatten()
-            .all(|name| self.folder.join(name).is_file());
-        (kept.key == self.key && kept.point.id == id && has_pictures).then_some(kept.point)
+        let point = kept.point;
+        let files = [&point.picture, &point.map, &point.machine_file].into_iter();
+        let is_there = |name: &String| self.folder.join(name).is_file();
+        let is_whole = files.flatten().all(is_there);
+        (kept.key == self.key && point.id == id && is_whole).then_some(point)
     }
+
+    /// Writes the file of a point.
     pub fn keep(&self, point: &Point) -> Result<(), WriteError> {
         let kept = Kept {
             key: self.key.clone(),

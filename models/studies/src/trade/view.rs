@@ -37,11 +37,9 @@ impl Views {
     /// When the scene cannot be framed.
     pub fn new(file: &SceneFile, (width, height): (u32, u32)) -> Result<Views, SceneError> {
         let view = |quarters: u32| {
-            let is_whole =
-                (width * quarters).is_multiple_of(4) && (height * quarters).is_multiple_of(4);
-            let size = (width * quarters / 4, height * quarters / 4);
-            let scene = match is_whole {
-                true => Some(file.frame(size.0, size.1)?),
+            let (width, height) = (width * quarters, height * quarters);
+            let scene = match width.is_multiple_of(4) && height.is_multiple_of(4) {
+                true => Some(file.frame(width / 4, height / 4)?),
                 false => None,
             };
             Ok(View {
@@ -49,11 +47,9 @@ impl Views {
                 truth: OnceLock::new(),
             })
         };
+        let views = SIZES.into_iter().map(view);
         Ok(Views {
-            views: SIZES
-                .into_iter()
-                .map(view)
-                .collect::<Result<_, SceneError>>()?,
+            views: views.collect::<Result<_, SceneError>>()?,
             ideal: OnceLock::new(),
         })
     }

@@ -3,7 +3,7 @@
 //! Any first-degree f1 and second-degree f2 are the two parts of the depth of a quadric, `z^2 - 2 f1 z + f1^2 - f2 =
 //! 0`; so the expressions are drawn themselves, at the scales and in the positions where errors are greatest.
 
-use super::exact::{ExactLinear, ExactQuadratic};
+use super::exact::{ExactLinear, ExactQuadratic, rounded};
 use super::random::Random;
 use super::shape::{draw_linear, draw_quadratic};
 use imogene_algebra::rational::to_f64_up;
@@ -11,8 +11,6 @@ use imogene_golden::format::Format;
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
 use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::unit::normal::NormalWords;
-use imogene_golden::unit::pe1::Linear;
-use imogene_golden::unit::pe2::Quadratic;
 use imogene_prepare::RoundingBounds;
 use imogene_prepare::forms::{LinearForm, QuadraticForm};
 use imogene_prepare::rounding::{Anchor, linear_error, quadratic_error};
@@ -60,16 +58,15 @@ impl Case {
         let (f2, on_silhouette) = draw_quadratic(format, &reach, random);
         let root_bits = root_bits(&f2, &reach, format);
         let (normal, shift) = draw_normal(format, root_bits, &reach, random);
+        let placed = |exact: &ExactLinear| exact.words().from_zone(-anchor.x, -anchor.y);
         let words = QuadricWords {
             class: Class::Side,
             screen_box: window,
-            f1: placed_linear(&f1, anchor),
-            f2: placed_quadratic(&f2, anchor),
+            f1: placed(&f1),
+            f2: f2.words().from_zone(-anchor.x, -anchor.y),
             normal: NormalWords {
-                g: normal.g.each_ref().map(|g| placed_linear(g, anchor)),
-                k: normal
-                    .k
-                    .map(|k| super::exact::rounded(k, normal.denominator) as i16),
+                g: normal.g.each_ref().map(placed),
+                k: normal.k.map(|k| rounded(k, normal.denominator) as i16),
                 shift,
             },
             planes: vec![],
@@ -104,15 +101,11 @@ fn stated(
 ) -> RoundingBounds {
     let unit = |guards: u32| 0.5f64.powi(guards as i32);
     let linear = |exact: &ExactLinear| {
-        let [a, b, c] = exact.rounded();
         let form = LinearForm::of_array(exact.form());
-        to_f64_up(&linear_error(&Linear::new(a, b, c), &form, 0, reach))
+        to_f64_up(&linear_error(&exact.words(), &form, 0, reach))
     };
-    let (words, form) = (
-        Quadratic::new(f2.rounded()),
-        QuadraticForm::of_array(f2.form()),
-    );
-    let f2 = to_f64_up(&quadratic_error(&words, &form, 0, reach));
+    let form = QuadraticForm::of_array(f2.form());
+    let f2 = to_f64_up(&quadratic_error(&f2.words(), &form, 0, reach));
     RoundingBounds {
         f1: linear(f1) * unit(format.guard_linear),
         f2: f2 * unit(format.guard_quadratic),
@@ -189,13 +182,4 @@ fn draw_normal(
     let k = [(); 3].map(|()| part(size * factor_limit));
     let normal = ExactNormal { g, k, denominator };
     (normal, shift as u8)
-}
-
-fn placed_linear(exact: &ExactLinear, anchor: Anchor) -> Linear {
-    let [a, b, c] = exact.rounded();
-    Linear::new(a, b, c).from_zone(-anchor.x, -anchor.y)
-}
-
-fn placed_quadratic(exact: &ExactQuadratic, anchor: Anchor) -> Quadratic {
-    Quadratic::new(exact.rounded()).from_zone(-anchor.x, -anchor.y)
 }

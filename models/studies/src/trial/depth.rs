@@ -15,25 +15,40 @@ use std::cmp::Ordering;
 /// Everything known of a pixel.
 struct Pixel<'a> {
     case: &'a Case,
-    place: (i64, i64),
+    /// Its place on the screen.
+    at: (i64, i64),
     /// Computed values with their guard bits.
     q1: i128,
     q2: i128,
     /// Exact numerators, in the same units.
     n1: i128,
     n2: i128,
+    /// Computed minus exact, as numerators.
+    r1: i128,
+    r2: i128,
+    /// Denominators of the exact values in output units.
+    d1: i128,
+    d2: i128,
 }
 
 /// Compares every term of the depth error at a place of the box, centred on the anchor.
 pub fn try_pixel(case: &Case, place: (i64, i64), tally: &mut Tally) {
     let (x, y) = case.pixel(place);
+    let (f1, f2, format) = (&case.f1, &case.f2, &case.format);
+    let q1 = case.words.f1.wrapped_at(x, y, format.pe1_width());
+    let q2 = case.words.f2.wrapped_at(x, y, format.pe2_width());
+    let [n1, n2] = [f1.at(place.0, place.1), f2.at(place.0, place.1)];
     let pixel = Pixel {
         case,
-        place,
-        q1: case.words.f1.wrapped_at(x, y, case.format.pe1_width()),
-        q2: case.words.f2.wrapped_at(x, y, case.format.pe2_width()),
-        n1: case.f1.at(place.0, place.1),
-        n2: case.f2.at(place.0, place.1),
+        at: (x, y),
+        q1,
+        q2,
+        n1,
+        n2,
+        r1: q1 * f1.denominator - n1,
+        r2: q2 * f2.denominator - n2,
+        d1: f1.denominator << format.guard_linear,
+        d2: f2.denominator << format.guard_quadratic,
     };
     tally.pixels += 1;
     pixel.coefficients(tally);
@@ -64,38 +79,14 @@ pub(super) fn try_beforehand(case: &Case, tally: &mut Tally) {
 }
 
 impl Pixel<'_> {
-    fn at(&self) -> (i64, i64) {
-        self.case.pixel(self.place)
-    }
-
-    /// Denominators of the exact values in output units.
-    fn denominators(&self) -> (i128, i128) {
-        let format = &self.case.format;
-        (
-            self.case.f1.denominator << format.guard_linear,
-            self.case.f2.denominator << format.guard_quadratic,
-        )
-    }
-
-    /// Computed minus exact, as numerators.
-    fn residuals(&self) -> (i128, i128) {
-        let (f1, f2) = (&self.case.f1, &self.case.f2);
-        (
-            self.q1 * f1.denominator - self.n1,
-            self.q2 * f2.denominator - self.n2,
-        )
-    }
-
     fn coefficients(&self, tally: &mut Tally) {
-        let (r1, r2) = self.residuals();
-        let (d1, d2) = self.denominators();
         let bounds = &self.case.bounds;
         for (term, r, d, bound) in [
-            (Term::Linear, r1, d1, bounds.f1),
-            (Term::QuadraticValue, r2, d2, bounds.f2),
+            (Term::Linear, self.r1, self.d1, bounds.f1),
+            (Term::QuadraticValue, self.r2, self.d2, bounds.f2),
         ] {
             let observed = (r as f64 / d as f64).abs();
-            tally.compare(term, self.at(), (observed, bound), || {
+            tally.compare(term, self.at, (observed, bound), || {
                 at_most(r.abs(), d, bound)
             });
         }
@@ -104,27 +95,24 @@ impl Pixel<'_> {
     fn depth(&self, tally: &mut Tally) {
         let format = &self.case.format;
         let bounds = &self.case.bounds;
-        let (f1, f2) = (
-            format.drop_linear(self.q1 as i64),
-            format.drop_quadratic(self.q2 as i64),
-        );
+        let f1 = format.drop_linear(self.q1 as i64);
+        let f2 = format.drop_quadratic(self.q2 as i64);
         let root = format.root_of(f2);
         let stated = depth_terms(bounds, f2);
 
-        let (r1, r2) = self.residuals();
-        let (d1, d2) = self.denominators();
-        let linear = r1 as f64 / d1 as f64;
+        let linear = self.r1 as f64 / self.d1 as f64;
         let dropped = self.q1 - (i128::from(f1) << format.guard_linear);
         let truncation = dropped as f64 / (1u64 << format.guard_linear) as f64;
         // Differences of roots as quotients, so that nothing cancels.
         let unit = (1u64 << format.guard_quadratic) as f64;
         let computed_root = (self.q2 as f64 / unit).sqrt();
-        let true_root = (self.n2 as f64 / d2 as f64).sqrt();
-        let quadratic = quotient(r2 as f64 / d2 as f64, computed_root + true_root);
+        let true_root = (self.n2 as f64 / self.d2 as f64).sqrt();
+        let off = self.r2 as f64 / self.d2 as f64;
+        let quadratic = quotient(off, computed_root + true_root);
         let above = self.q2 - (i128::from(root).pow(2) << format.guard_quadratic);
         let floor = quotient(above as f64 / unit, computed_root + root as f64);
 
-        let at = self.at();
+        let at = self.at;
         tally.compare(
             Term::Truncation,
             at,
@@ -156,18 +144,14 @@ impl Pixel<'_> {
 
     /// `|sqrt(q2) - sqrt(f2)| <= bound`, exactly.
     fn roots_within(&self, bound: f64) -> bool {
-        let (_, d2) = self.denominators();
-        let computed = root_plus(self.q2, 1 << self.case.format.guard_quadratic, 0.0);
-        let exact = root_plus(self.n2, d2, 0.0);
-        let raised = |n: i128, d: i128| root_plus(n, d, bound);
-        computed <= raised(self.n2, d2)
-            && exact <= raised(self.q2, 1 << self.case.format.guard_quadratic)
+        let computed = |added| root_plus(self.q2, 1 << self.case.format.guard_quadratic, added);
+        let exact = |added| root_plus(self.n2, self.d2, added);
+        computed(0.0) <= exact(bound) && exact(0.0) <= computed(bound)
     }
 
     /// `|depth - (f1 + sign sqrt(f2))| <= bound`, exactly.
     fn depth_within(&self, depth: i64, sign: i32, bound: f64) -> bool {
-        let (d1, d2) = self.denominators();
-        let [n1, n2, d1, d2] = [self.n1, self.n2, d1, d2].map(BigInt::from);
+        let [n1, n2, d1, d2] = [self.n1, self.n2, self.d1, self.d2].map(BigInt::from);
         // f1 + sign sqrt(f2) = (n1 d2 + sign sqrt(n2 d2 d1^2)) / (d1 d2)
         let exact = SurdReal::new(&n1 * &d2, sign, n2 * &d2 * &d1 * &d1, d1 * d2);
         let bound = from_f64_exact(bound);

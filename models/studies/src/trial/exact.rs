@@ -4,6 +4,8 @@
 //! Denominators are at most 2^20, values at most 2^63 and coordinates at most 2^10, so numerators stay below 2^84.
 
 use imogene_algebra::rational::from_f64_exact;
+use imogene_golden::unit::pe1::Linear;
+use imogene_golden::unit::pe2::Quadratic;
 use num_rational::BigRational;
 
 /// Factors of an expression, numerators over a denominator.
@@ -39,6 +41,12 @@ impl<const N: usize> Exact<N> {
 }
 
 impl ExactLinear {
+    /// The words that it is rounded to.
+    pub fn words(&self) -> Linear {
+        let [a, b, c] = self.rounded();
+        Linear::new(a, b, c)
+    }
+
     /// Numerator of the value at a point.
     pub fn at(&self, u: i64, v: i64) -> i128 {
         let [a, b, c] = self.factors;
@@ -47,6 +55,11 @@ impl ExactLinear {
 }
 
 impl ExactQuadratic {
+    /// The words that it is rounded to.
+    pub fn words(&self) -> Quadratic {
+        Quadratic::new(self.rounded())
+    }
+
     /// Numerator of the value at a point.
     pub fn at(&self, u: i64, v: i64) -> i128 {
         at(&self.factors, u, v)

@@ -15,7 +15,7 @@ use std::sync::LazyLock;
 /// Every sweep in the base format, run once for all tests.
 static RESULTS: LazyLock<Vec<SweepResult>> = LazyLock::new(|| {
     let run = |sweep: &sweep::Sweep| sweep.run(Format::BASE, || ());
-    sweep::all().iter().map(run).collect()
+    sweep::ALL.iter().map(run).collect()
 });
 
 fn result(name: &str) -> &'static SweepResult {
@@ -87,7 +87,7 @@ fn no_bound_is_exceeded_and_every_wrong_pixel_was_announced() {
 fn the_rules_hold_in_the_shortest_and_the_longest_word() {
     for depth in [16, 32] {
         let format = Format::new(depth).expect("in the catalogue");
-        for sweep in sweep::all().iter().filter(|s| !s.has_own_formats()) {
+        for sweep in sweep::ALL.iter().filter(|s| !s.has_own_formats()) {
             let few = |parameter: &str| ["10", "1", "0.01", "100", "0.0001"].contains(&parameter);
             hold_the_rules(&sweep.run_some(format, few, || ()));
         }

@@ -87,12 +87,8 @@ fn steps(
     middle_is_right: bool,
     slopes: &[Option<Counted>; 3],
 ) -> Vec<Counted> {
-    let left = if middle_is_right {
-        vec![slopes[1]]
-    } else {
-        vec![slopes[0], slopes[2]]
-    };
-    let sides = left.into_iter().flatten();
+    let left: &[usize] = if middle_is_right { &[1] } else { &[0, 2] };
+    let sides = left.iter().filter_map(|&side| slopes[side]);
     sides.map(|slope| down + slope * across).collect()
 }
 
@@ -191,13 +187,8 @@ pub fn contour_words(
     let depth = depth.chain(contour.depth_steps.iter().copied());
     words.extend(depth.map(|v| v.scaled(depth_scale)));
     for w in quantities {
-        let changes = followed(contour, w);
-        words.extend(
-            [w[0]]
-                .into_iter()
-                .chain(changes)
-                .map(|v| v.scaled(quantity_scale)),
-        );
+        let values = w.into_iter().take(1).chain(followed(contour, w));
+        words.extend(values.map(|v| v.scaled(quantity_scale)));
     }
     words
 }

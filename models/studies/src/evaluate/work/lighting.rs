@@ -48,11 +48,7 @@ pub fn power(base: Counted, exponent: u32) -> Counted {
 }
 
 fn clamped(value: Counted) -> Counted {
-    if value.is_negative() {
-        number(0.0)
-    } else {
-        value
-    }
+    value.or_greater(number(0.0))
 }
 
 /// `ka Ia + kd I (N.L) + ks I (O.R)^n` for red, green and blue, `R = 2 (N.L) N - L`; a negative cosine is 0.

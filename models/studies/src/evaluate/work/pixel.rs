@@ -4,7 +4,7 @@
 //! The kind of a plane and the class of the quadric are the same at all pixels, so no test of them is counted.
 
 use super::quadric::Kind;
-use crate::evaluate::count::{Counted, done, number, numbers};
+use crate::evaluate::count::{Counted, cost, number, numbers};
 use serde_json::{Value, json};
 
 /// What a scan came to.
@@ -70,43 +70,37 @@ impl Linear {
 
 /// Second-degree ones: two additions a pixel, three a line.
 struct Quadratic {
-    a2: Counted,
+    /// From pixel to pixel.
+    step: Linear,
     b2: Counted,
-    c: Counted,
-    line_first: Counted,
     line_step: Counted,
     line: Counted,
-    step: Counted,
     value: Counted,
 }
 
 impl Quadratic {
     /// Of a x^2 + b y^2 + c xy + d x + e y + f; the differences are formed in the preparation.
     fn new([a, b, c, d, e, f]: [f64; 6]) -> Quadratic {
-        let [a2, b2, c, first, line_step, value] = numbers([2.0 * a, 2.0 * b, c, d + a, e + b, f]);
+        let [b2, line_step, line] = numbers([2.0 * b, e + b, f]);
         Quadratic {
-            a2,
+            step: Linear::new([2.0 * a, c, d + a]),
             b2,
-            c,
-            line_first: first,
             line_step,
-            line: value,
-            step: first,
-            value,
+            line,
+            value: line,
         }
     }
 
     fn pixel_step(&mut self) {
-        self.value = self.value + self.step;
-        self.step = self.step + self.a2;
+        self.value = self.value + self.step.value;
+        self.step.pixel_step();
     }
 
     fn line_step(&mut self) {
         self.line = self.line + self.line_step;
         self.line_step = self.line_step + self.b2;
-        self.line_first = self.line_first + self.c;
         self.value = self.line;
-        self.step = self.line_first;
+        self.step.line_step();
     }
 }
 
@@ -120,16 +114,14 @@ fn scan<S>(
     let mut found = Scan::default();
     for _ in 0..side {
         for _ in 0..side {
-            let before = done().weighted();
-            let depth = pixel(&mut state);
+            let mut depth = None;
+            let done = cost(|| depth = pixel(&mut state)).weighted();
             let inside = usize::from(depth.is_some());
             found.pixels[inside] += 1;
-            found.costs[inside] += done().weighted() - before;
+            found.costs[inside] += done;
             found.depths.push(depth);
         }
-        let before = done().weighted();
-        line(&mut state);
-        found.line_cost += done().weighted() - before;
+        found.line_cost += cost(|| line(&mut state)).weighted();
         found.lines += 1;
     }
     found

@@ -94,9 +94,8 @@ pub fn greatest_normal(
         let most = corners.into_iter().reduce(Counted::or_greater);
         most.expect("four") + (normal.k[k] * root).size()
     };
-    component(0)
-        .or_greater(component(1))
-        .or_greater(component(2))
+    let most = [0, 1, 2].map(component).into_iter();
+    most.reduce(Counted::or_greater).expect("three")
 }
 
 /// Words of the depth with the scale Kp.
@@ -114,9 +113,8 @@ pub fn normal_words(normal: &Normal, greatest: Counted, over_depth_scale: Counte
     let scale = full / greatest;
     let root_scale = scale * over_depth_scale;
     let linear = normal.g.into_iter().flatten().map(|v| v.scaled(scale));
-    linear
-        .chain(normal.k.map(|v| v.scaled(root_scale)))
-        .collect()
+    let of_root = normal.k.map(|v| v.scaled(root_scale));
+    linear.chain(of_root).collect()
 }
 
 /// How a plane lies to the viewer.
@@ -149,11 +147,6 @@ pub fn plane(
     } else {
         (Kind::Back, depth)
     }
-}
-
-/// Words of a plane's expression.
-pub fn plane_words(expression: [Counted; 3], scale: Counted) -> [Counted; 3] {
-    expression.map(|v| v.scaled(scale))
 }
 
 /// Words of a constant normal.

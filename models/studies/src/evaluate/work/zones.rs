@@ -3,9 +3,6 @@
 use super::facet::{Line, value};
 use crate::evaluate::count::{Counted, number};
 
-/// First and last zone, across and down.
-pub type Span = [Counted; 4];
-
 /// The box of points of the screen: least and greatest column, least and greatest line.
 pub fn box_of(points: &[[Counted; 2]]) -> [Counted; 4] {
     let (first, others) = points.split_first().expect("points");
@@ -20,8 +17,8 @@ pub fn box_of(points: &[[Counted; 2]]) -> [Counted; 4] {
     found
 }
 
-/// The zones of a box; `over_side` is one over the side of a zone.
-pub fn zones(window: [Counted; 4], over_side: Counted) -> Span {
+/// The zones of a box, first and last, across and down; `over_side` is one over the side of a zone.
+pub fn zones(window: [Counted; 4], over_side: Counted) -> [Counted; 4] {
     window.map(|v| (v * over_side).floor())
 }
 

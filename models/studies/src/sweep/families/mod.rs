@@ -6,8 +6,8 @@ mod views;
 use super::family::Sweep;
 use thiserror::Error;
 
-/// In the order of the documentation.
-const ALL: &[Sweep] = &[
+/// Every sweep, in the order of the documentation.
+pub const ALL: &[Sweep] = &[
     views::CYLINDER_AXIS,
     views::EYE_DISTANCE,
     shapes::STEEP_PLANE,
@@ -28,18 +28,13 @@ pub struct UnknownSweep {
     pub name: String,
 }
 
-/// Every sweep, in the order of the documentation.
-pub fn all() -> &'static [Sweep] {
-    ALL
-}
-
 /// Their names.
 pub fn names() -> Vec<&'static str> {
-    all().iter().map(|sweep| sweep.name).collect()
+    ALL.iter().map(|sweep| sweep.name).collect()
 }
 
 /// The sweep of a name.
 pub fn find(name: &str) -> Result<&'static Sweep, UnknownSweep> {
-    let found = all().iter().find(|sweep| sweep.name == name);
+    let found = ALL.iter().find(|sweep| sweep.name == name);
     found.ok_or_else(|| UnknownSweep { name: name.into() })
 }

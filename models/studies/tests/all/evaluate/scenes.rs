@@ -5,7 +5,7 @@ use imogene_studies::evaluate::scenes::balls;
 fn balls_have_a_box_of_eighty_pixels_wherever_they_are() {
     let balls = balls().unwrap();
     assert_eq!(
-        balls.each_ref().map(|ball| ball.words().planes.len()),
+        balls.each_ref().map(|ball| ball.object.words.planes.len()),
         [0, 3, 4]
     );
     for ball in &balls {

@@ -28,16 +28,10 @@ fn evaluation() -> Evaluation {
     let table = include_str!("../../../src/evaluate/evaluation.toml");
     let table: Table = toml::from_str(table).unwrap();
     let all = table.groups.into_iter().flat_map(|group| group.processors);
-    let parts = all.map(|processor| {
-        let [pe1, pe2, roots, multipliers] = processor.counts;
-        Parts {
-            unit: processor.unit,
-            parameters: processor.parameters,
-            pe1,
-            pe2,
-            roots,
-            multipliers,
-        }
+    let parts = all.map(|processor| Parts {
+        unit: processor.unit,
+        parameters: processor.parameters,
+        counts: processor.counts,
     });
     let hardware = Hardware {
         processors: parts.collect(),

@@ -33,7 +33,7 @@ fn frames(names: &[&str]) -> Result<Frames, FitError> {
 fn found(frames: &Frames, budget: &Budget) -> Vec<Drawn> {
     match search(frames, budget, || ()).unwrap() {
         Outcome::Fits(found) => found,
-        Outcome::Unreachable { items, .. } => panic!("out of reach: {items:?}"),
+        Outcome::Unreachable(nearest) => panic!("out of reach: {:?}", nearest.items),
     }
 }
 
@@ -123,7 +123,7 @@ fn the_machine_has_the_planes_that_its_objects_have() {
     let frames = frames(&["cut-sphere"]).unwrap();
     let drawn = &found(&frames, &budgets()[1])[0];
     let slots = beam_slots(&frames, drawn);
-    let objects: Vec<usize> = frames.all()[0]
+    let objects: Vec<usize> = frames.all[0]
         .scene
         .objects
         .iter()
@@ -230,8 +230,9 @@ fn an_unreachable_budget_is_told_with_the_nearest_machine() {
     };
     match search(&frames, &budget, || ()).unwrap() {
         Outcome::Fits(_) => panic!("normals of integers are not exact"),
-        Outcome::Unreachable { items, nearest } => {
-            let broken: Vec<&str> = items
+        Outcome::Unreachable(nearest) => {
+            let broken: Vec<&str> = nearest
+                .items
                 .iter()
                 .filter(|i| !i.holds())
                 .map(|i| i.limit)
