@@ -182,7 +182,7 @@ fn cylinders(mut ends: [(&Atom, &Object); 2], eye: [f64; 3], names: &mut Names) 
             point: [0.0, y, 0.0],
             normal: normal.map(|v| side * v + 0.0),
         };
-        let shape = Shape::EllipticCylinder { radii: [STICK; 2] };
+        let shape = Shape::EllipticCylinder([STICK; 2]);
         Object {
             place: placed(along, length, low.place),
             cuts: vec![cut(from, -1.0), cut(to, 1.0)],

@@ -42,23 +42,7 @@ pub enum DisplayError {
         /// Its planes.
         needed: usize,
     },
-    /// An object that its processors do not draw.
-    #[error("object '{object}': {why}")]
-    Object {
-        /// Its name.
-        object: String,
-        /// Why not.
-        why: AsQuadricError,
-    },
-    /// A volume that its processors are not for.
-    #[error("volume '{volume}': {why}")]
-    Volume {
-        /// Its name.
-        volume: String,
-        /// Why not.
-        why: AsQuadricError,
-    },
-    /// The zones cannot be planned.
+    /// The zones cannot be planned, or an object is not for the processors of the machine.
     #[error(transparent)]
     Plan(#[from] PlanError),
     /// The shading processor cannot be loaded.
@@ -125,7 +109,7 @@ pub(super) fn zone_slots(
     let name = |slot: &Slot| prepared.objects[slot.object].name().to_owned();
     if let Some(layer) = prepared.layers.first() {
         let (object, why) = (name(layer), AsQuadricError::Transparent);
-        return Err(DisplayError::Object { object, why });
+        return Err(PlanError::Object { object, why }.into());
     }
     let alone = prepared.slots_alone().into_iter().map(|slot| {
         let given = |given: &&FittedSlot| given.kind != Kind::Quadric && takes(given, &slot.words);
@@ -140,11 +124,10 @@ pub(super) fn zone_slots(
             false => own,
         })
     });
-    let members = prepared.solids.slots().into_iter().map(|slot| {
-        let words = slot
-            .words
-            .on_quadric_processor(&prepared.format, MAX_PLANES);
-        let words = words.map_err(|why| refused(name(&slot), why))?;
+    let members = prepared.solids.slots.iter().map(|slot| {
+        let words = &slot.words;
+        let words = words.on_quadric_processor(&prepared.format, MAX_PLANES);
+        let words = words.map_err(|why| refused(name(slot), why))?;
         Ok(words.planes.len() as u32)
     });
     let members: Vec<u32> = members.collect::<Result<_, DisplayError>>()?;
@@ -161,65 +144,42 @@ fn refused(object: String, why: AsQuadricError) -> DisplayError {
             what: format!("object '{object}'"),
             needed,
         },
-        why => DisplayError::Object { object, why },
+        why => PlanError::Object { object, why }.into(),
     }
 }
 
-/// A part of a solid in a slot of a beam machine.
-pub(super) struct Member {
-    /// Index among the slots of products.
-    pub place: usize,
-    /// What its slot has to have.
-    pub needed: FittedSlot,
-    /// Its words.
-    pub slot: Slot,
-}
+/// A part of a scene in a beam machine: the number of its slot, what that has to have, and its words.
+type Placed = (usize, FittedSlot, Slot);
 
-/// The parts of the solids in the slots of products that are large enough for them.
-pub(super) fn members(prepared: &PreparedScene, products: &[ProductSlots]) -> Vec<Member> {
-    let mut slots = prepared.solids.slots().into_iter();
+/// The parts of the solids in the slots of products that are large enough for them, numbered among those.
+pub(super) fn members(prepared: &PreparedScene, products: &[ProductSlots]) -> Vec<Placed> {
+    let mut slots = prepared.solids.slots.iter();
     let (mut members, mut first) = (vec![], 0);
     for (own, product) in prepared.solids.products.iter().zip(products) {
         let [intersected, subtracted] = own.size();
-        let own: Vec<Slot> = slots.by_ref().take(intersected + subtracted).collect();
+        let own: Vec<Slot> = slots
+            .by_ref()
+            .take(intersected + subtracted)
+            .cloned()
+            .collect();
         let own = in_slots(product, own.split_at(intersected).into());
-        members.extend(own.into_iter().map(|(place, slot)| Member {
-            place: first + place,
-            needed: prepared.in_needed(
-                required(&slot.words).expect("a quadric processor draws it"),
-                &slot,
-            ),
-            slot,
+        members.extend(own.into_iter().map(|(place, slot)| {
+            let needed = required(&slot.words).expect("a quadric processor draws it");
+            (first + place, prepared.in_needed(needed, &slot), slot)
         }));
         first += product.count();
     }
     members
 }
 
-/// Every part of the scene that is in no solid and not transparent, with what its slot in a beam machine has to have:
-/// of the kind that the machine has, if that is for it, else of quadrics, and where no processor of quadrics draws it,
-/// of its own kind.
+/// Parts of the scene, each with what its slot in a beam machine has to have: of the kind that the machine has, if that
+/// is for it, else of quadrics, and where no processor of quadrics draws it, of its own kind.
 pub(super) fn beam_slots(
     prepared: &PreparedScene,
+    parts: &[Slot],
     slots: &[FittedSlot],
 ) -> Result<Vec<(FittedSlot, Slot)>, DisplayError> {
-    beam_parts(prepared, prepared.slots_alone(), slots)
-}
-
-/// The same of every transparent object, for the slots of such.
-pub(super) fn layer_slots(
-    prepared: &PreparedScene,
-    slots: &[FittedSlot],
-) -> Result<Vec<(FittedSlot, Slot)>, DisplayError> {
-    beam_parts(prepared, prepared.layers.clone(), slots)
-}
-
-fn beam_parts(
-    prepared: &PreparedScene,
-    parts: Vec<Slot>,
-    slots: &[FittedSlot],
-) -> Result<Vec<(FittedSlot, Slot)>, DisplayError> {
-    let parts = parts.into_iter().enumerate();
+    let parts = parts.iter().cloned().enumerate();
     let parts = parts.map(|(place, slot)| beam_slot(prepared, slot, slots.get(place)));
     parts.collect()
 }
@@ -233,10 +193,8 @@ fn beam_slot(
     if given.is_some_and(|given| takes(given, &slot.words)) {
         return Ok(of_own_kind(prepared, slot));
     }
-    match slot
-        .words
-        .on_quadric_processor(&prepared.format, MAX_PLANES)
-    {
+    let words = &slot.words;
+    match words.on_quadric_processor(&prepared.format, MAX_PLANES) {
         Ok(words) => {
             let needed = required_of_quadric(&words);
             let words = ProcessorWords::Quadric(words);
@@ -244,7 +202,7 @@ fn beam_slot(
             Ok((prepared.in_needed(needed, &slot), slot))
         }
         Err(AsQuadricError::Processor(_) | AsQuadricError::GuardBits { .. })
-            if required(&slot.words).is_some() =>
+            if required(words).is_some() =>
         {
             Ok(of_own_kind(prepared, slot))
         }
@@ -273,25 +231,27 @@ pub(super) fn volumes(
             what: volume,
             needed,
         },
-        why => DisplayError::Volume { volume, why },
+        why => PlanError::Volume { volume, why }.into(),
     })
 }
 
-/// Every part of a scene: the number of its slot in a beam machine, what that has to have, and its words.
+/// Every part of a scene.
 pub(super) fn placed(
     prepared: &PreparedScene,
     machine: &MachineDescription,
-) -> Result<Vec<(usize, FittedSlot, Slot)>, DisplayError> {
+) -> Result<Vec<Placed>, DisplayError> {
     let in_order = |first: usize, parts: Vec<(FittedSlot, Slot)>| {
         let parts = parts.into_iter().enumerate();
         parts.map(move |(place, (needed, part))| (first + place, needed, part))
     };
     let (slots, first) = (machine.slots(), machine.slots_alone());
     let behind = slots.len() - machine.layers;
-    let parts = in_order(0, beam_slots(prepared, &slots)?);
+    let alone = beam_slots(prepared, &prepared.slots_alone(), &slots)?;
+    let parts = in_order(0, alone);
     let members = members(prepared, &machine.products.0).into_iter();
-    let members = members.map(|member| (first + member.place, member.needed, member.slot));
-    let layers = in_order(behind, layer_slots(prepared, &slots[behind..])?);
+    let members = members.map(|(place, needed, slot)| (first + place, needed, slot));
+    let layers = beam_slots(prepared, &prepared.layers, &slots[behind..])?;
+    let layers = in_order(behind, layers);
     Ok(parts.chain(members).chain(layers).collect())
 }
 
@@ -322,12 +282,10 @@ pub(super) fn beam_words(
             *is_empty = false;
         }
     }
-    let empty = (0..)
-        .zip(&slots)
-        .zip(is_empty)
-        .filter(|(_, is_empty)| *is_empty);
-    for ((place, slot), _) in empty {
-        beats.push(load(kind::OBJECT, place)(&empty_slot(slot.kind)));
+    for ((place, slot), is_empty) in (0..).zip(&slots).zip(is_empty) {
+        if is_empty {
+            beats.push(load(kind::OBJECT, place)(&empty_slot(slot.kind)));
+        }
     }
     for (place, words) in volumes.iter().enumerate() {
         let (mut words, planes) = (words.clone(), machine.volume_planes);
@@ -341,7 +299,6 @@ pub(super) fn beam_words(
     Ok(beats)
 }
 
-/// The beats of a processor's words.
 fn load(kind: u8, place: usize) -> impl Fn(&LoadWord) -> Beat {
     move |word| Beat::new(kind, place as u8, word.address.into(), word.bits)
 }

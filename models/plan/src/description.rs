@@ -12,14 +12,11 @@ use imogene_golden::format::{FittedError, Format};
 use imogene_golden::machine::post_filter::Kernel;
 use imogene_golden::machine::zone::ZoneMachine;
 use imogene_golden::widths::OwnWidths;
-use imogene_scene::{in_plain_words, line_and_column};
+use imogene_scene::{in_plain_words, line_and_column, text_or_table};
 use keys::{Places, key};
 pub use lit_sphere::LitSphere;
 pub(crate) use lit_sphere::SMALLEST_SIDE;
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
-use std::fmt;
 use std::path::Path;
 use thiserror::Error;
 use toml::de::DeTable;
@@ -107,28 +104,10 @@ pub enum Mode {
     Own(OwnMode),
 }
 
-/// By hand, so that what is wrong in a table is told, and not that it is no mode.
 impl<'de> Deserialize<'de> for Mode {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Mode, D::Error> {
-        struct NameOrNumbers;
-
-        impl<'de> Visitor<'de> for NameOrNumbers {
-            type Value = Mode;
-
-            fn expecting(&self, to: &mut fmt::Formatter) -> fmt::Result {
-                to.write_str("the name of a mode or a table of its numbers")
-            }
-
-            fn visit_str<E: serde::de::Error>(self, name: &str) -> Result<Mode, E> {
-                Ok(Mode::Named(name.to_owned()))
-            }
-
-            fn visit_map<M: MapAccess<'de>>(self, map: M) -> Result<Mode, M::Error> {
-                OwnMode::deserialize(MapAccessDeserializer::new(map)).map(Mode::Own)
-            }
-        }
-
-        deserializer.deserialize_any(NameOrNumbers)
+    fn deserialize<D: Deserializer<'de>>(input: D) -> Result<Mode, D::Error> {
+        let wanted = "the name of a mode or a table of its numbers";
+        text_or_table(input, wanted, Mode::Named, Mode::Own)
     }
 }
 
@@ -139,7 +118,7 @@ pub struct MachineDescription {
     /// Which machine.
     pub machine: MachineKind,
     /// Depth word.
-    #[serde(default = "base_depth_word")]
+    #[serde(default = "number::<_, 24>")]
     pub depth_word: u32,
     /// Widths that do not follow from it.
     #[serde(default, skip_serializing_if = "OwnWidths::is_none")]
@@ -148,7 +127,7 @@ pub struct MachineDescription {
     #[serde(default, skip_serializing_if = "RootForm::is_usual")]
     pub root_form: RootForm,
     /// Rows of the root networks between registers.
-    #[serde(default = "one")]
+    #[serde(default = "number::<_, 1>")]
     pub rows_per_stage: u32,
     /// Object processors; in a beam machine one for each part of an object.
     #[serde(default)]
@@ -160,25 +139,25 @@ pub struct MachineDescription {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub slots: Option<Slots>,
     /// Products of solids; the last object processors are theirs, product by product.
-    #[serde(default, skip_serializing_if = "has_none")]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub products: Products,
     /// How the nearest object is chosen.
     #[serde(default, skip_serializing_if = "DeciderForm::is_usual")]
     pub decider: DeciderForm,
     /// Transparent objects of a beam machine: its last slots, behind those of products, are theirs.
-    #[serde(default, skip_serializing_if = "is_zero")]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub layers: usize,
     /// Volume processors; in a beam machine one for each volume.
     #[serde(default)]
     pub volumes: usize,
     /// Planes of each.
-    #[serde(default = "volume_planes")]
+    #[serde(default = "number::<_, 4>")]
     pub volume_planes: usize,
     /// Lights of the shading processor; with tables those whose flags number them.
-    #[serde(default = "one_light")]
+    #[serde(default = "number::<_, 1>")]
     pub lights: usize,
     /// Of these, the last ones that are directional alone.
-    #[serde(default, skip_serializing_if = "is_zero")]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub suns: usize,
     /// Shading by tables in the place of a shading processor.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -195,7 +174,7 @@ pub struct MachineDescription {
     #[serde(default)]
     pub output: Output,
     /// Samples of a pixel along each side, in a zone machine: the mean of 1, 2 x 2 or 4 x 4 is shown.
-    #[serde(default = "one")]
+    #[serde(default = "number::<_, 1>")]
     pub supersampling: u32,
     /// Smoothing.
     #[serde(default)]
@@ -205,28 +184,12 @@ pub struct MachineDescription {
     pub overlay: bool,
 }
 
-fn has_none(products: &Products) -> bool {
-    products.0.is_empty()
+fn number<T: From<u8>, const N: u8>() -> T {
+    N.into()
 }
 
-fn is_zero(layers: &usize) -> bool {
-    *layers == 0
-}
-
-fn base_depth_word() -> u32 {
-    24
-}
-
-fn one() -> u32 {
-    1
-}
-
-fn one_light() -> usize {
-    1
-}
-
-fn volume_planes() -> usize {
-    4
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
 }
 
 /// Why a description is refused.
@@ -278,6 +241,11 @@ pub enum DescriptionError {
     },
 }
 
+fn most_planes(slots: &[FittedSlot]) -> usize {
+    let planes = slots.iter().map(|slot| slot.planes as usize);
+    planes.max().unwrap_or(0)
+}
+
 /// A key that has to be given, and is not.
 fn missing(name: &str, file: &str) -> Option<DescriptionError> {
     let (key, accepted) = key(name)?;
@@ -304,15 +272,12 @@ fn unread(
     let around = || key(places?.around(start)?);
     let named = said.strip_prefix("missing field `");
     let named = named.and_then(|rest| rest.strip_suffix('`'));
-    let whole = named
-        .filter(|_| start == 0)
-        .and_then(|name| missing(name, file));
-    if let Some(missing) = whole {
+    let of_file = named.filter(|_| start == 0);
+    if let Some(missing) = of_file.and_then(|name| missing(name, file)) {
         return missing;
     }
-    let is_of_type = ["invalid", "missing", "expected"]
-        .iter()
-        .any(|word| said.starts_with(word));
+    let mut of_types = ["invalid", "missing", "expected"].into_iter();
+    let is_of_type = of_types.any(|word| said.starts_with(word));
     DescriptionError::Syntax {
         file: file.into(),
         line,
@@ -346,10 +311,6 @@ impl MachineDescription {
     }
 
     /// The same of a text; `file` is the name that messages give it.
-    ///
-    /// # Errors
-    ///
-    /// As [`Self::read`].
     pub fn parse(text: &str, file: &str) -> Result<MachineDescription, DescriptionError> {
         let table = DeTable::parse(text).map_err(|error| unread(&error, text, file, None))?;
         let places = Places::of(table.get_ref());
@@ -383,11 +344,7 @@ impl MachineDescription {
             self.objects = slots.len();
         }
         if self.planes == 0 {
-            self.planes = slots
-                .iter()
-                .map(|slot| slot.planes as usize)
-                .max()
-                .unwrap_or(0);
+            self.planes = most_planes(slots);
         }
     }
 
@@ -402,9 +359,8 @@ impl MachineDescription {
 
     /// How many of its object processors are of no product and of no transparent object.
     pub fn slots_alone(&self) -> usize {
-        self.slots()
-            .len()
-            .saturating_sub(self.slots_of_products() + self.layers)
+        let others = self.slots_of_products() + self.layers;
+        self.slots().len().saturating_sub(others)
     }
 
     /// How many are of products.
@@ -439,15 +395,14 @@ impl MachineDescription {
     /// The numbers of the video mode; none if it is not a mode.
     pub fn video_mode(&self) -> Option<VideoMode> {
         match &self.mode {
-            Mode::Named(name) => VideoMode::ALL
-                .into_iter()
-                .find(|m| *name == format!("{}x{}", m.line.active, m.frame.active)),
+            Mode::Named(name) => {
+                let mut modes = VideoMode::ALL.into_iter();
+                modes.find(|m| *name == format!("{}x{}", m.line.active, m.frame.active))
+            }
             Mode::Own(own) => {
                 let span = |[active, front, sync, back]: [u64; 4]| {
-                    let total = active
-                        .checked_add(front)?
-                        .checked_add(sync)?
-                        .checked_add(back)?;
+                    let shown = active.checked_add(front)?;
+                    let total = shown.checked_add(sync)?.checked_add(back)?;
                     let is_mode = (1..4096).contains(&active) && sync >= 1 && total <= 8192;
                     is_mode.then_some(Span {
                         active,

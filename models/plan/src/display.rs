@@ -73,10 +73,6 @@ pub fn image(
 }
 
 /// The same picture; the host of a zone machine leaves out of each zone what the refinement finds.
-///
-/// # Errors
-///
-/// As [`image`].
 pub fn refined_image(
     scene: &FramedScene,
     prepared: &PreparedScene,
@@ -98,10 +94,11 @@ pub fn refined_image(
             (beats, frame, lighting, Some(plan))
         }
         MachineKind::Beam => {
-            let parts = beam_slots(prepared, &machine.slots())?;
+            let parts = beam_slots(prepared, &prepared.slots_alone(), &machine.slots())?;
             let alone = parts.into_iter().map(|(_, slot)| slot);
             let layers = prepared.layers.iter().cloned();
-            let slots: Vec<Slot> = alone.chain(prepared.solids.slots()).chain(layers).collect();
+            let members = prepared.solids.slots.iter().cloned();
+            let slots: Vec<Slot> = alone.chain(members).chain(layers).collect();
             let frame = beam::render(&slots, &prepared.format, width, height, || ());
             let lighting = prepared.light(&frame, || ());
             (beam_words(scene, prepared, machine)?, frame, lighting, None)
@@ -149,7 +146,6 @@ fn check_size(scene: &FramedScene, machine: &MachineDescription) -> Result<(), D
     }
 }
 
-/// The picture on the pins.
 fn finished(
     frame: &Frame,
     lighting: &Lighting,
@@ -162,10 +158,8 @@ fn finished(
     if machine.smoothing == Smoothing::None {
         return picture;
     }
-    let pixels: Vec<[u8; 3]> = picture
-        .chunks_exact(3)
-        .map(|p| [p[0], p[1], p[2]])
-        .collect();
+    let pixels = picture.chunks_exact(3).map(|p| [p[0], p[1], p[2]]);
+    let pixels: Vec<[u8; 3]> = pixels.collect();
     let width = frame.width / machine.supersampling as usize;
     let lines: Vec<Vec<[u8; 3]>> = pixels.chunks(width).map(<[_]>::to_vec).collect();
     let kernel = machine.smoothing.kernel();

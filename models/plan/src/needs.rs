@@ -1,22 +1,19 @@
 //! Has a machine what scenes need? If not, the lines of a description that has.
 
-use super::beam::{
-    DisplayError, beam_slots, beam_words, layer_slots, members, placed, volumes, zone_slots,
-};
+use super::beam::{DisplayError, beam_slots, beam_words, members, placed, volumes, zone_slots};
 use super::description::{
     MachineDescription, MachineKind, Mode, Output, OwnMode, SMALLEST_SIDE, ZoneSize,
 };
 use super::zone::plan::PlanError;
 use imogene_contract::object::{Kind, ProductSlots};
-use imogene_contract::slots::FittedSlot;
-use imogene_contract::slots::Slots;
+use imogene_contract::slots::{FittedSlot, Slots};
 use imogene_golden::machine::shader::MOST_LIGHTS;
 use imogene_golden::machine::zone::ID_BITS;
 use imogene_golden::object::quadric::MAX_PLANES;
 use imogene_golden::object::slot::Slot;
-use imogene_prepare::PreparedScene;
 use imogene_prepare::lit_sphere::shadowed_lights;
 use imogene_prepare::shader::ShaderError;
+use imogene_prepare::{PreparedScene, Product};
 use imogene_scene::FramedScene;
 
 /// A product before it has slots.
@@ -117,8 +114,8 @@ pub fn check_any(
     check_counts(framed, prepared)?;
     match kind {
         MachineKind::Beam => {
-            beam_slots(prepared, &[])?;
-            layer_slots(prepared, &[])?;
+            beam_slots(prepared, &prepared.slots_alone(), &[])?;
+            beam_slots(prepared, &prepared.layers, &[])?;
         }
         MachineKind::Zone => zone_slots(prepared, &[]).map(|_| ())?,
     }
@@ -212,10 +209,8 @@ fn add_shared(
     let members = alone.split_off(machine.slots_alone());
     let (needed, of_members) = zone_slots(prepared, &alone)?;
     let most = |slots: &[FittedSlot]| slots.iter().map(|slot| slot.planes).max();
-    let (planes, of_members) = (
-        most(&needed).max(of_members),
-        most(&members).max(of_members),
-    );
+    let planes = most(&needed).max(of_members);
+    let of_members = most(&members).max(of_members);
     add_products(&mut machine.products.0, prepared);
     let members = machine.slots_of_products();
     if machine.slots.is_none() && needed.iter().all(|slot| slot.kind == Kind::Quadric) {
@@ -262,7 +257,11 @@ fn add_slots(
     machine: &mut MachineDescription,
     prepared: &PreparedScene,
 ) -> Result<Vec<usize>, DisplayError> {
-    let needed = of_slots(beam_slots(prepared, &machine.slots())?);
+    let of_slots = |parts: &[Slot], slots: &[FittedSlot]| {
+        let parts = beam_slots(prepared, parts, slots)?.into_iter();
+        Ok::<Vec<FittedSlot>, DisplayError>(parts.map(|(slot, _)| slot).collect())
+    };
+    let needed = of_slots(&prepared.slots_alone(), &machine.slots())?;
     let is_plain = machine.products.0.is_empty() && machine.layers == 0;
     let is_plain = is_plain && prepared.solids.products.is_empty() && prepared.layers.is_empty();
     let are_quadrics = needed.iter().all(|slot| slot.kind == Kind::Quadric);
@@ -274,7 +273,7 @@ fn add_slots(
     let mut members = slots.split_off(machine.slots_alone());
     add_each(&mut slots, &needed);
     enlarge(&mut machine.products.0, &mut members, prepared);
-    let needed = of_slots(layer_slots(prepared, &layers)?);
+    let needed = of_slots(&prepared.layers, &layers)?;
     add_each(&mut layers, &needed);
     if slots.len() + members.len() == 0 {
         slots.push(FittedSlot::NONE);
@@ -288,11 +287,6 @@ fn add_slots(
     Ok(planes)
 }
 
-fn of_slots(parts: Vec<(FittedSlot, Slot)>) -> Vec<FittedSlot> {
-    parts.into_iter().map(|(slot, _)| slot).collect()
-}
-
-/// Gives slots what they lack.
 fn add_each(slots: &mut Vec<FittedSlot>, needed: &[FittedSlot]) {
     slots.resize(slots.len().max(needed.len()), FittedSlot::NONE);
     for (slot, needed) in slots.iter_mut().zip(needed) {
@@ -306,27 +300,21 @@ fn enlarge(
     slots: &mut Vec<FittedSlot>,
     prepared: &PreparedScene,
 ) {
-    let needed = prepared
-        .solids
-        .products
-        .iter()
-        .map(|product| product.size());
+    let needed = prepared.solids.products.iter().map(Product::size);
     let needed: Vec<[usize; 2]> = needed.collect();
     let mut given = std::mem::take(slots).into_iter();
     products.resize(products.len().max(needed.len()), NO_SLOTS);
     for (place, product) in products.iter_mut().enumerate() {
-        let sizes = needed.get(place).copied().unwrap_or_default();
-        for (size, needed) in [&mut product.intersected, &mut product.subtracted]
-            .into_iter()
-            .zip(sizes)
-        {
+        let needed = needed.get(place).copied().unwrap_or_default();
+        let sizes = [&mut product.intersected, &mut product.subtracted];
+        for (size, needed) in sizes.into_iter().zip(needed) {
             slots.extend(given.by_ref().take(*size));
             slots.extend(vec![FittedSlot::NONE; needed.saturating_sub(*size)]);
             *size = needed.max(*size);
         }
     }
-    for member in members(prepared, products) {
-        slots[member.place] = slots[member.place].or(&member.needed);
+    for (place, needed, _) in members(prepared, products) {
+        slots[place] = slots[place].or(&needed);
     }
 }
 
@@ -341,10 +329,8 @@ fn make_room(
     if machine.loader_words() < words {
         machine.loader_words = Some(words);
     }
-    let Some(mode) = machine
-        .video_mode()
-        .filter(|_| machine.output == Output::Pins)
-    else {
+    let mode = machine.video_mode();
+    let Some(mode) = mode.filter(|_| machine.output == Output::Pins) else {
         return Ok(());
     };
     let (line, frame) = (mode.line, mode.frame);

@@ -13,7 +13,6 @@ pub use duplication::{Duplication, expected};
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::{ALL_SOURCES, Lighting};
 use imogene_golden::object::slot::Slot;
-use imogene_golden::object::volume::VolumeWords;
 use imogene_prepare::PreparedScene;
 use piece::DrawnPiece;
 pub use piece::Work;
@@ -56,7 +55,7 @@ impl Divided {
         piece_done: impl Fn() + Sync,
     ) -> Divided {
         let slots = scene.slots();
-        let volumes: Vec<&VolumeWords> = scene.volumes.iter().map(|v| &v.words).collect();
+        let volumes = scene.volume_words();
         let pieces = division.pieces(scene.width, scene.height);
         let number = workers.max(1);
         let one = |worker: usize| {

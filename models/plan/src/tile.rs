@@ -201,11 +201,8 @@ fn has_root(words: &QuadricWords, x: i64, y: i64, format: &Format) -> bool {
 /// along the line of sight stays.
 fn drift(quadric: &QuadricWords, object: &Drawn, screen: u64) -> (i64, [i64; 2]) {
     let moves = |kind| matches!(kind, PlaneKind::Front | PlaneKind::Back);
-    if !quadric
-        .planes
-        .first()
-        .is_some_and(|plane| moves(plane.kind))
-    {
+    let first = quadric.planes.first();
+    if !first.is_some_and(|plane| moves(plane.kind)) {
         return (0, [0; 2]);
     }
     let left = object.seen.x0;
@@ -246,13 +243,11 @@ fn widths(
     Format::fitted(&words).map(|_| words)
 }
 
-/// Bits of a two's complement number.
 fn bits(number: i128) -> u32 {
     let magnitude = if number < 0 { !number } else { number };
     129 - magnitude.leading_zeros()
 }
 
-/// The light and the colours of an object.
 struct Shading {
     /// Towards the source.
     towards: [f64; 3],

@@ -13,7 +13,8 @@ use thiserror::Error;
 
 /// Prepares the frames of an animation.
 pub struct Animator<'a> {
-    playback: Playback<'a>,
+    /// The frames.
+    pub playback: Playback<'a>,
     size: (u32, u32),
     format: Format,
     options: Options,
@@ -76,27 +77,17 @@ impl<'a> Animator<'a> {
         file: &'a SceneFile,
         size: (u32, u32),
         format: Format,
+        options: Options,
     ) -> Result<Animator<'a>, FrameProblem> {
         file.validate()?;
         Ok(Animator {
             playback: Playback::new(file)?,
             size,
             format,
-            options: Options::default(),
+            options,
             before: None,
             kept: Kept::default(),
         })
-    }
-
-    /// The same animation, its frames prepared in another way.
-    pub fn with_options(mut self, options: Options) -> Animator<'a> {
-        self.options = options;
-        self
-    }
-
-    /// The frames.
-    pub fn playback(&self) -> &Playback<'a> {
-        &self.playback
     }
 
     /// Prepares a frame, counted from 0; any order is possible, neighbours have the most in common. `done` is called

@@ -124,12 +124,10 @@ impl Context {
 
     /// Refuses an object that neither a quadric nor a patch processor draws: fitted machines have those alone.
     pub fn refuse_fitted(&self, object: &str) -> Result<(), PrepareError> {
-        if self.format.follows_depth_word() {
-            return Ok(());
+        match self.format.follows_depth_word() {
+            true => Ok(()),
+            false => Err(PrepareError::NotFitted(object.to_owned())),
         }
-        Err(PrepareError::NotFitted {
-            object: object.to_owned(),
-        })
     }
 
     /// Records what is left out, or refuses the scene.

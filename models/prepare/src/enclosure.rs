@@ -8,8 +8,8 @@
 //! then off by little, and its constant is lowered by more than that. The pair of planes and the factor are chosen in
 //! floating point, where a bad choice only makes the box larger.
 
-use super::cell::Cell;
 use super::extent::Extent;
+use super::screen_box::Cell;
 use imogene_algebra::matrix::SYMMETRIC;
 use num_bigint::BigInt;
 use num_traits::FromPrimitive;
@@ -33,16 +33,11 @@ pub(super) fn around(quadric: &[f64; 10], planes: &[[f64; 4]]) -> Option<Cell> {
     let cut = pairs.flat_map(|pair| POWERS.map(move |power| (Some(pair), power)));
     let uncut = planes.is_empty().then_some((None, 0));
     let choices = uncut.into_iter().chain(cut).filter_map(|(pair, power)| {
-        let closed = closed_about(quadric, pair.map(|pair| pair.map(|k| &planes[k])), power);
-        Some((size(&closed)?, pair, power))
+        let pair = pair.map(|pair| pair.map(|k| &planes[k]));
+        Some((size(&closed_about(quadric, pair, power))?, pair, power))
     });
     let (_, pair, power) = choices.min_by(|(a, ..), (b, ..)| a.total_cmp(b))?;
-    Extent::of_whole(closed(
-        quadric,
-        pair.map(|pair| pair.map(|k| &planes[k])),
-        power,
-    )?)?
-    .cell()
+    Extent::of_whole(closed(quadric, pair, power)?)?.cell()
 }
 
 /// `q - 2^power p s` in floating point.
@@ -65,10 +60,8 @@ fn closed(quadric: &[f64; 10], pair: Option<[&[f64; 4]; 2]>, power: i32) -> Opti
     // Twice as many bits, so that the doubled product needs no half; bits below its last are not lost, either.
     let shift = power - POWERS.start;
     let fixed = |value: f64, bits: i32| BigInt::from_f64((value * f64::from(bits).exp2()).trunc());
-    let mut whole: Vec<BigInt> = quadric
-        .iter()
-        .map(|v| fixed(*v, 2 * BITS))
-        .collect::<Option<_>>()?;
+    let whole = quadric.iter().map(|v| fixed(*v, 2 * BITS));
+    let mut whole: Vec<BigInt> = whole.collect::<Option<_>>()?;
     whole[9] -= fixed(spare, 2 * BITS)?;
     if let Some(pair) = pair {
         let [p, s] = pair.map(|plane| plane.map(|v| fixed(v, BITS).unwrap_or_default()));

@@ -1,5 +1,6 @@
 //! Why a scene cannot be prepared for a format.
 
+use imogene_contract::words::{MOST_MEMBERS, MOST_OBJECTS};
 use imogene_golden::object::quadric::ScreenBox;
 use thiserror::Error;
 
@@ -64,24 +65,18 @@ pub enum PrepareError {
     /// The factor of z^2 is zero: depth is no square root. The quotient processor draws it, unless the machine has
     /// none.
     #[error(
-        "object '{object}': the viewer lies exactly on this quadric, whose depth is then a quotient and no square \
+        "object '{0}': the viewer lies exactly on this quadric, whose depth is then a quotient and no square \
          root; this kind of machine has processors of square roots alone"
     )]
-    ViewerOnSurface {
-        /// Name of the object.
-        object: String,
-    },
+    ViewerOnSurface(String),
     /// Orthographic view along an asymptotic direction: depth is no square root. The quotient processor draws it,
     /// unless the machine has none.
     #[error(
-        "object '{object}': the orthographic viewing direction is an asymptotic direction of this quadric (a line of \
+        "object '{0}': the orthographic viewing direction is an asymptotic direction of this quadric (a line of \
          sight meets it once), so its depth is a quotient and no square root; this kind of machine has processors of \
          square roots alone"
     )]
-    AsymptoticView {
-        /// Name of the object.
-        object: String,
-    },
+    AsymptoticView(String),
     /// An accumulator would leave its width on the object's screen box.
     #[error("object '{object}': {}", excess.on("the object's"))]
     TooLarge {
@@ -92,13 +87,10 @@ pub enum PrepareError {
     },
     /// A fitted machine has quadric processors alone.
     #[error(
-        "object '{object}': drawn by a processor whose widths all follow from the depth word; \
+        "object '{0}': drawn by a processor whose widths all follow from the depth word; \
          give --format, or draw it by the processor \"quadric\" or \"patch\""
     )]
-    NotFitted {
-        /// Name of the object.
-        object: String,
-    },
+    NotFitted(String),
     /// The two-plane algorithm of the first generation does not apply.
     #[error(
         "object '{object}': not for the processor \"first_generation\": {problem}; \
@@ -136,27 +128,20 @@ pub enum PrepareError {
     },
     /// A solid whose trees multiply out to too much.
     #[error(
-        "solid '{solid}': as a union of products it needs more than {most} processors; fewer unions that are \
+        "solid '{0}': as a union of products it needs more than {MOST_OBJECTS} processors; fewer unions that are \
          intersected or taken away would do, or several solids"
     )]
-    Products {
-        /// Name of the solid.
-        solid: String,
-        /// Most processors of all solids.
-        most: usize,
-    },
+    Products(String),
     /// A product of a solid with too many objects.
     #[error(
-        "solid '{solid}': one of its products intersects {} objects and takes {} away; at most {most} each are possible; \
-         several solids beside each other, each with a part of the holes, would do", size[0], size[1]
+        "solid '{solid}': one of its products intersects {} objects and takes {} away; at most {MOST_MEMBERS} each are \
+         possible; several solids beside each other, each with a part of the holes, would do", size[0], size[1]
     )]
     Product {
         /// Name of the solid.
         solid: String,
         /// Objects intersected, and taken away.
         size: [usize; 2],
-        /// Most of each.
-        most: usize,
     },
     /// An object that cannot be a part of a solid as it is seen.
     #[error("solid '{solid}': object '{object}' {problem}")]
@@ -178,22 +163,16 @@ pub enum PrepareError {
     },
     /// Transparent objects that have no order.
     #[error(
-        "the transparent objects {objects}: each is farther than the next somewhere, and the last than the first, so \
+        "the transparent objects {0}: each is farther than the next somewhere, and the last than the first, so \
          that they cannot be blended in one order; cut them, move them apart, or make one of them opaque"
     )]
-    NoOrder {
-        /// Their names.
-        objects: String,
-    },
+    NoOrder(String),
     /// A scene with solids or transparent objects where each object is looked at by itself.
     #[error(
-        "object '{object}' belongs to a solid or is transparent, and this command looks at each object by itself; \
+        "object '{0}' belongs to a solid or is transparent, and this command looks at each object by itself; \
          `imogene machine`, `imogene fit` and `imogene render` take the scene"
     )]
-    Composed {
-        /// Name of the object.
-        object: String,
-    },
+    Composed(String),
     /// A solid casts no shadow.
     #[error(
         "solid '{solid}': lights[{light}] has shadows, and that of object '{object}' would not be the solid's; give the \
@@ -220,13 +199,10 @@ pub enum PrepareError {
     },
     /// The depth of a volume's quadric is no square root.
     #[error(
-        "{volume}: the viewer lies exactly on its surface (or looks along an asymptotic direction of it), so its depth \
+        "{0}: the viewer lies exactly on its surface (or looks along an asymptotic direction of it), so its depth \
          is no square root; leave the volume out: {WITHOUT}"
     )]
-    ViewerOnVolume {
-        /// The volume.
-        volume: String,
-    },
+    ViewerOnVolume(String),
     /// An accumulator of a volume would leave its width on the volume's screen box.
     #[error("{volume}: {}; the volume may be left out: {WITHOUT}", excess.on("its"))]
     VolumeTooLarge {

@@ -3,7 +3,7 @@
 //! A plane touches a quadric of matrix Q iff its coefficients p satisfy `p' adj(Q) p = 0`. For the planes `x = v` that
 //! is an equation of second degree in v, whose roots are the least and the greatest x of the quadric.
 
-use super::cell::Cell;
+use super::screen_box::Cell;
 use imogene_algebra::matrix::{Matrix4, cofactor, symmetric};
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_scene::Quadric;
@@ -103,12 +103,10 @@ impl Extent {
 
     /// A cell around the quadric; `None` if it reaches so far that `f64` does not hold all integers and their halves.
     pub fn cell(&self) -> Option<Cell> {
-        let around: [(f64, f64); 3] = std::array::from_fn(|axis| self.integers_around(axis));
-        let is_held = |(low, high): &(f64, f64)| low.abs().max(high.abs()) < FARTHEST;
-        around
-            .iter()
-            .all(is_held)
-            .then(|| Cell::between(around.map(|(low, _)| low), around.map(|(_, high)| high)))
+        let around = [0, 1, 2].map(|axis| self.integers_around(axis));
+        let (low, high) = (around.map(|(low, _)| low), around.map(|(_, high)| high));
+        let is_held = low.iter().chain(&high).all(|v| v.abs() < FARTHEST);
+        is_held.then(|| Cell::between(low, high))
     }
 }
 

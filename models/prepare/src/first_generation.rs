@@ -69,13 +69,10 @@ pub(super) fn prepare_first_generation(
         needed,
         available,
     });
+    ledger.needed.splice(0..0, known);
     Ok(PreparedParts {
-        depth_bound: None,
-        name: name.clone(),
-        words: vec![ProcessorWords::FirstGeneration(words)],
-        screen_box: prepared.words.screen_box,
-        needed: known.into_iter().chain(ledger.needed).collect(),
         notes: prepared.notes,
+        ..ledger.finish(ProcessorWords::FirstGeneration(words))
     })
 }
 

@@ -38,11 +38,6 @@ pub struct QuadraticForm {
 }
 
 impl LinearForm {
-    /// The expression `a x + b y + c`.
-    pub fn new(a: BigRational, b: BigRational, c: BigRational) -> LinearForm {
-        LinearForm { a, b, c }
-    }
-
     /// The expression that is zero everywhere.
     pub fn zero() -> LinearForm {
         LinearForm::of_array(std::array::from_fn(|_| BigRational::zero()))

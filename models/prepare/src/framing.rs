@@ -19,10 +19,6 @@ pub trait Framing: Borrow<SceneFile> {
     }
 
     /// The same; `done` is called about once for each of [`Framing::frame_steps`], from any thread.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Framing::frame`].
     fn frame_reporting(
         &self,
         width: u32,
@@ -39,10 +35,6 @@ pub trait Framing: Borrow<SceneFile> {
     /// other object stays its id. What is drawn of the others is bit for bit the same.
     ///
     /// A scene with shadows or spots keeps all its objects: what is hidden may cast a shadow.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Framing::frame`].
     fn frame_seen(
         &self,
         width: u32,

@@ -37,11 +37,8 @@ pub(super) fn layers(
             format!("is one of {count} transparent objects; at most {MOST_LAYERS} are possible");
         return Err(refused(first, problem));
     }
-    if let Some(light) = scene
-        .sources
-        .iter()
-        .position(|s| s.shadows || s.cone.is_some())
-    {
+    let mut sources = scene.sources.iter();
+    if let Some(light) = sources.position(|s| s.shadows || s.cone.is_some()) {
         let problem = format!(
             "is transparent, and lights[{light}] is a spot or has shadows; with transparent objects a light reaches \
              everything: `shadows = false`, and no spots"
@@ -83,19 +80,10 @@ fn sorted(
     let frame = beam::render(&slots, &context.format, width, height, || ());
     let depths: Vec<Vec<i64>> = frame.layers.into_iter().map(|layer| layer.depth).collect();
     let order = order(&depths, context.format.z_max()).map_err(|none| {
-        let names = none
-            .circle
-            .iter()
-            .map(|&index| objects[slots[index].object].name());
-        PrepareError::NoOrder {
-            objects: names
-                .map(|name| format!("'{name}'"))
-                .collect::<Vec<_>>()
-                .join(", "),
-        }
+        let circle = none.circle.iter();
+        let names = circle.map(|&index| format!("'{}'", objects[slots[index].object].name()));
+        PrepareError::NoOrder(names.collect::<Vec<_>>().join(", "))
     })?;
-    Ok(order
-        .into_iter()
-        .map(|index| slots[index].clone())
-        .collect())
+    let order = order.into_iter();
+    Ok(order.map(|index| slots[index].clone()).collect())
 }

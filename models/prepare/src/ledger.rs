@@ -52,11 +52,6 @@ impl<'a> Ledger<'a> {
         }
     }
 
-    /// Name of the object.
-    pub fn object(&self) -> &'a str {
-        self.object
-    }
-
     /// The range over the whole box.
     pub fn on_box(&self) -> impl Fn(&QuadraticForm) -> (BigRational, BigRational) + use<> {
         let window = self.window;
@@ -80,7 +75,7 @@ impl<'a> Ledger<'a> {
         };
         let scaled = exact.scaled(&power_of_two(guard)).raised(&half);
         let rounded = round_quadratic(&scaled, self.anchor)
-            .map_err(|u| too_large(self.object, word, &u.value.abs(), width, &self.window))?;
+            .map_err(|value| self.refusal(word, &value.abs(), width))?;
         let (least, greatest) = range(&scaled);
         let off = quadratic_error(&rounded, &scaled, 0, &self.window);
         self.prove(word, &(least.abs().max(greatest.abs()) + off), width)?;
@@ -122,7 +117,7 @@ impl<'a> Ledger<'a> {
             let scale = &limit / &greatest * fraction(64 - k, 64);
             let scaled = whole.scaled(&scale);
             let words = round_quadratic(&scaled, self.anchor)
-                .map_err(|u| too_large(self.object, word, &u.value.abs(), width, &self.window))?;
+                .map_err(|value| self.refusal(word, &value.abs(), width))?;
             let off = quadratic_error(&words, &scaled, 0, &self.window);
             if scaled.max_abs_on(&self.window) + &off > limit {
                 continue;
@@ -137,7 +132,7 @@ impl<'a> Ledger<'a> {
         }
         // Rounding alone fills the word: the box is too large for it.
         let Some((wrong, words)) = best else {
-            return Err(too_large(self.object, word, &greatest, width, &self.window));
+            return Err(self.refusal(word, &greatest, width));
         };
         self.prove(
             word,
@@ -176,6 +171,11 @@ impl<'a> Ledger<'a> {
         }
     }
 
+    /// The refusal of an object one of whose values leaves its word.
+    pub fn refusal(&self, word: &str, magnitude: &BigRational, width: u32) -> PrepareError {
+        too_large(self.object, word, magnitude, width, &self.window)
+    }
+
     /// Records what a value needs, or refuses the object.
     pub fn prove(
         &mut self,
@@ -185,7 +185,7 @@ impl<'a> Ledger<'a> {
     ) -> Result<(), PrepareError> {
         let needed = signed_bits(magnitude);
         if needed > width {
-            return Err(too_large(self.object, word, magnitude, width, &self.window));
+            return Err(self.refusal(word, magnitude, width));
         }
         self.needed.push(NeededWord {
             word: word.to_owned(),

@@ -30,16 +30,13 @@
 
 mod again;
 pub mod animator;
-mod cell;
 mod context;
-mod curved_facet;
 mod enclosure;
 pub mod error;
 pub mod extent;
 mod first_generation;
 pub mod forms;
 mod framing;
-mod known;
 mod layers;
 mod ledger;
 pub mod lit_sphere;
@@ -50,7 +47,6 @@ mod object;
 mod paraboloids;
 pub mod perspective;
 mod planes;
-mod polyhedron;
 mod prepared;
 mod projected;
 mod quotient;

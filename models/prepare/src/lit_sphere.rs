@@ -53,10 +53,6 @@ pub fn shadowed_lights(prepared: &PreparedScene) -> usize {
 /// The words of a scene for a machine with tables, one for every way in which the first `lights` of the scene can reach
 /// a material or be in shadow. A light at a point counts as one in its direction
 /// from the middle of the picture in the screen plane.
-///
-/// # Errors
-///
-/// As [`shader_words`].
 pub fn sphere_words(
     scene: &FramedScene,
     format: &Format,

@@ -1,14 +1,14 @@
 //! A scene's objects: first where each is on the screen, since objects that share a plane or a quadric have to know of
 //! each other, then the words of each.
 
+use super::again::Known;
 use super::context::Context;
 use super::error::PrepareError;
-use super::known::Known;
 use super::object;
 use super::prepared::{PreparedObject, PreparedParts, PreparedQuadric};
 use super::projected::Projected;
 use super::seams::{self, Place, cut};
-use super::{curved_facet, first_generation, mesh, paraboloids, polyhedron, quotient};
+use super::{first_generation, mesh, paraboloids, planes, quotient};
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_scene::{FramedObject, FramedQuadric, FramedScene};
 use rayon::prelude::*;
@@ -64,7 +64,7 @@ impl Located {
         };
         match object {
             FramedObject::Polyhedron(_) => {
-                polyhedron::prepare_polyhedron(quadric, projected, place, context).map(parts)
+                planes::prepare_polyhedron(quadric, projected, place, context).map(parts)
             }
             FramedObject::Patch(_) => {
                 prepare_cut(quadric, projected, place, context, PreparedObject::Patch)
@@ -93,7 +93,7 @@ fn prepare_parts(object: &FramedObject, context: &Context) -> Result<PreparedPar
         FramedObject::Sphere(sphere) => paraboloids::prepare_sphere(sphere, false, context),
         FramedObject::Cylinder(cylinder) => paraboloids::prepare_cylinder(cylinder, context),
         FramedObject::CurvedSphere(sphere) => paraboloids::prepare_sphere(sphere, true, context),
-        FramedObject::CurvedFacet(q) => curved_facet::prepare_curved_facet(q, context),
+        FramedObject::CurvedFacet(q) => paraboloids::prepare_curved_facet(q, context),
     }
 }
 
@@ -105,13 +105,13 @@ fn prepare_cut(
     context: &Context,
     by_its_own: fn(Box<PreparedQuadric>) -> PreparedObject,
 ) -> Result<PreparedObject, PrepareError> {
-    if let Some(parts) = quotient::prepare_on_eye(object, projected, place, context)? {
-        return Ok(PreparedObject::Parts(Box::new(parts)));
+    let as_quotient = || quotient::prepare(object, projected, place, context).map(parts);
+    if quotient::is_on_eye(projected, context) {
+        return as_quotient();
     }
     match object::prepare_quadric(object, projected, place, context) {
-        Err(problem @ PrepareError::TooLarge { .. }) => {
-            let near = quotient::prepare_near_eye(object, projected, place, context)?;
-            near.map(parts).ok_or(problem)
+        Err(PrepareError::TooLarge { .. }) if quotient::is_near_eye(object, projected, context) => {
+            as_quotient()
         }
         prepared => prepared.map(|prepared| by_its_own(Box::new(prepared))),
     }

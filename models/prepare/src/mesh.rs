@@ -11,6 +11,7 @@ use imogene_golden::object::paraboloid::plane_guard;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::unit::normal::LINEAR_WIDTH;
+use imogene_golden::unit::pe1::Linear;
 use imogene_scene::{FramedFacet, FramedMesh};
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
@@ -43,14 +44,10 @@ pub(super) fn prepare_mesh(
     for facet in &mesh.facets {
         let corners = corners(mesh, facet, &places)?;
         let found = triangles_or_whole(&corners, facet, mesh, context, &mut needed)?;
-        match found {
-            None => edge_on.push(facet.face),
-            Some(words) => {
-                for one in words {
-                    parts.screen_box = parts.screen_box.around(&one.screen_box);
-                    parts.words.push(ProcessorWords::Facet(one));
-                }
-            }
+        edge_on.extend(found.is_none().then_some(facet.face));
+        for one in found.into_iter().flatten() {
+            parts.screen_box = parts.screen_box.around(&one.screen_box);
+            parts.words.push(ProcessorWords::Facet(one));
         }
     }
     parts.needed = most(needed);
@@ -62,11 +59,9 @@ pub(super) fn prepare_mesh(
             list.join(", ")
         ));
     }
-    if parts.words.is_empty() {
-        parts
-            .notes
-            .push("no face is on the screen: nothing to draw".into());
-    }
+    let is_unseen = parts.words.is_empty();
+    let note = is_unseen.then(|| "no face is on the screen: nothing to draw".into());
+    parts.notes.extend(note);
     Ok(parts)
 }
 
@@ -172,43 +167,32 @@ fn words(
         ledger.prove(&label("a side"), &greatest, format.plane)?;
     }
     // Depth and normal count inside alone, where they lie between their values in the corners.
-    let greatest = |form: LinearForm| {
+    let greatest = |words: &Linear| {
+        let form = LinearForm::of_words(words);
         let at = |c: &Corner| form.at(&fraction(c.x, 1 << SUBPIXEL), &fraction(c.y, 1 << SUBPIXEL));
-        corners
-            .iter()
-            .map(|c| at(c).abs())
-            .max()
-            .expect("there are corners")
+        let values = corners.iter().map(|c| at(c).abs());
+        values.max().expect("there are corners")
     };
     // The depth keeps S bits above its guard bits.
     debug_assert_eq!(format.plane - plane_guard(format), format.sum);
-    ledger.prove(
-        &label("the depth"),
-        &greatest(LinearForm::of_words(&words.depth)),
-        format.plane,
-    )?;
+    ledger.prove(&label("the depth"), &greatest(&words.depth), format.plane)?;
     for normal in &words.normal {
-        let most = greatest(LinearForm::of_words(normal));
-        ledger.prove(&label("the normal"), &most, LINEAR_WIDTH)?;
+        ledger.prove(&label("the normal"), &greatest(normal), LINEAR_WIDTH)?;
     }
     needed.extend(ledger.needed.into_iter().map(|one| NeededWord {
         word: one.word.split(" of face").next().unwrap_or_default().into(),
         ..one
     }));
     // As the registers hold them: all sums are modulo the width.
+    let edges = words.edges.iter();
     Ok(Some(Some(FacetWords {
-        edges: words
-            .edges
-            .iter()
-            .map(|e| e.wrapped(format.plane))
-            .collect(),
+        edges: edges.map(|e| e.wrapped(format.plane)).collect(),
         depth: words.depth.wrapped(format.plane),
         normal: words.normal.map(|n| n.wrapped(LINEAR_WIDTH)),
         ..words
     })))
 }
 
-/// The pixels between the corners.
 fn facet_box(corners: &[Corner], context: &Context) -> ScreenBox {
     let bound = |of: fn(&Corner) -> i64| {
         let all = corners.iter().map(of);

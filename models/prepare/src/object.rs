@@ -10,11 +10,11 @@ use super::prepared::{ExactForms, NeededWidths, PreparedQuadric, RoundingBounds}
 use super::projected::{Projected, unseen_note};
 use super::range::remedy;
 use super::rounding::{
-    Anchor, Unrepresentable, linear_error, quadratic_error, round_contour, round_linear,
-    round_quadratic,
+    Anchor, linear_error, quadratic_error, round_contour, round_linear, round_quadratic,
 };
 use super::seams::Place;
 use imogene_algebra::rational::{integer, power_of_two, to_f64, to_f64_up};
+use imogene_algebra::whole::greatest;
 use imogene_golden::format::{Format, word_max};
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
 use imogene_golden::unit::depth_interval::Class;
@@ -39,7 +39,8 @@ pub(super) fn prepare_quadric(
     let class = classify(object, quadric, context)?;
     let edge_on = class == Class::Prism && object.surface == Surface::Patch;
     if window.is_empty() || edge_on {
-        return Ok(unseen(object, class, edge_on, context));
+        let note = unseen_note(object, edge_on, context);
+        return Ok(absent(&object.name, class, note));
     }
     let at = (window, &place.quadric);
     let words = depth_words(&object.name, quadric, class, at, context);
@@ -81,9 +82,9 @@ fn classify(
         return if quadric.is_free_of_depth() {
             Ok(Class::Prism)
         } else if context.perspective {
-            Err(PrepareError::ViewerOnSurface { object: name() })
+            Err(PrepareError::ViewerOnSurface(name()))
         } else {
-            Err(PrepareError::AsymptoticView { object: name() })
+            Err(PrepareError::AsymptoticView(name()))
         };
     }
     Ok(match object.surface {
@@ -91,16 +92,6 @@ fn classify(
         Surface::Solid if eye.is_positive() => Class::Side,
         Surface::Solid => Class::Front,
     })
-}
-
-/// An object of which nothing is on the screen.
-fn unseen(
-    object: &FramedQuadric,
-    class: Class,
-    edge_on: bool,
-    context: &Context,
-) -> PreparedQuadric {
-    absent(&object.name, class, unseen_note(object, edge_on, context))
 }
 
 /// An object that is nowhere on the screen.
@@ -150,38 +141,33 @@ pub(super) fn depth_words(
         notes: vec![],
     };
     if class == Class::Prism {
-        prepared
-            .notes
-            .push("does not depend on the depth (seen end-on)".into());
-        let contour = context
-            .to_pixels_quadratic(&quadric.depth_free_part())
-            .scaled(&-BigRational::one());
+        let contour = context.to_pixels_quadratic(&quadric.depth_free_part());
+        let contour = contour.scaled(&integer(-1));
         prepared.exact.f2 = contour_scaled(contour, shared, context.format.quadratic);
     } else {
-        if class == Class::Front {
-            prepared
-                .notes
-                .push("the viewer is inside the unbounded quadric (front view)".into());
-        }
         prepared.exact.f1 = context.to_pixels_linear(&quadric.f1()).scaled(scale);
-        prepared.exact.f2 = context
-            .to_pixels_quadratic(&quadric.f2())
-            .scaled(&(scale * scale));
+        let f2 = context.to_pixels_quadratic(&quadric.f2());
+        prepared.exact.f2 = f2.scaled(&(scale * scale));
     }
-    round(&mut prepared, &context.format)
-        .map_err(|(word, value, bits)| refusal(word, &value, bits))?;
+    let note = match class {
+        Class::Prism => Some("does not depend on the depth (seen end-on)"),
+        Class::Front => Some("the viewer is inside the unbounded quadric (front view)"),
+        Class::Side | Class::Patch => None,
+    };
+    prepared.notes.extend(note.map(String::from));
+    round(&mut prepared, &refusal, &context.format)?;
     let root_max = prove_widths(&mut prepared, &refusal, context)?;
     Ok((prepared, root_max))
 }
 
-/// Rounds f1 and f2 to words with the format's guard bits, and bounds what the rounding changes on the box; fails with
-/// the word, the value and the width available.
+/// Rounds f1 and f2 to words with the format's guard bits, and bounds what the rounding changes on the box.
 fn round(
     prepared: &mut PreparedQuadric,
+    refusal: &dyn Fn(&str, &BigRational, u32) -> PrepareError,
     format: &Format,
-) -> Result<(), (&'static str, BigRational, u32)> {
+) -> Result<(), PrepareError> {
     let unrepresentable = |word, guards: u32, bits| {
-        move |u: Unrepresentable| (word, u.value.abs() / power_of_two(guards), bits)
+        move |value: BigRational| refusal(word, &(value.abs() / power_of_two(guards)), bits)
     };
     let (g1, g2) = (format.guard_linear, format.guard_quadratic);
     let (exact, window, anchor) = (&prepared.exact, &prepared.words.screen_box, prepared.anchor);
@@ -221,12 +207,14 @@ fn prove_widths(
         return Err(refusal("f2", &magnitude, context.format.quadratic));
     }
     let root_max: BigInt = greatest.max(BigRational::zero()).ceil().to_integer().sqrt() + 1;
-    prepared.bounds.greatest_root = to_f64_up(&BigRational::from_integer(root_max.clone()));
-    // An exact root is rounded down.
-    let root_max = match context.format.root_form.is_exact() {
-        true => root_max,
-        false => root_max + most_above(&prepared.bounds),
+    let bounds = &mut prepared.bounds;
+    bounds.greatest_root = to_f64_up(&BigRational::from_integer(root_max.clone()));
+    let above = match context.format.root_form.is_exact() {
+        // It is rounded down.
+        true => 0,
+        false => bounds.root_error(bounds.greatest_root).ceil() as i64,
     };
+    let root_max = root_max + above;
     let f1 = LinearForm::of_words(&prepared.words.f1).scaled(&unit(context.format.guard_linear));
     let root = BigRational::from_integer(root_max.clone());
     let sum = sum(&f1.max_abs_on(&window), &root);
@@ -235,11 +223,6 @@ fn prove_widths(
         return Err(refusal("f1 + sqrt(f2)", &sum, context.format.sum));
     }
     Ok(root_max)
-}
-
-/// Most that the network's root is above the true one.
-fn most_above(bounds: &RoundingBounds) -> BigInt {
-    BigInt::from(bounds.root_error(bounds.greatest_root).ceil() as i64)
 }
 
 fn normal_words(
@@ -270,24 +253,18 @@ pub(super) fn normals(
     let anchor = context.anchor_of(window);
     let mut words = NormalWords::default();
     let root = BigRational::from_integer(root_max.clone()) / &context.depth_scale;
-    let greatest = parts
-        .iter()
-        .map(|(g, k)| sum(&g.max_abs_on(window), &times(&k.abs(), &root)))
-        .max()
-        .expect("three components");
-    if greatest.is_zero() {
+    let reached =
+        |(g, k): &(LinearForm, BigRational)| sum(&g.max_abs_on(window), &times(&k.abs(), &root));
+    let most_reached = greatest(parts.each_ref().map(reached).each_ref());
+    if most_reached.is_zero() {
         return (words, 0.0);
     }
     let shift = (root_max.bits() as u32).saturating_sub(context.format.normal - 1);
     let fraction = shift + context.format.product_fraction();
     let factor_unit = BigRational::from_integer(BigInt::one() << fraction) / &context.depth_scale;
-    let k_max = parts
-        .iter()
-        .map(|(_, k)| k.abs())
-        .max()
-        .expect("three components");
+    let k_max = greatest(parts.each_ref().map(|(_, k)| k));
     let most = (1 << (context.format.normal_linear - 2)) - 1;
-    let mut scale = times(&integer(most), &inverse(&greatest));
+    let mut scale = times(&integer(most), &inverse(&most_reached));
     let k_limit = integer(context.format.greatest_normal().into());
     let k_most = times(&k_max, &factor_unit);
     if times(&scale, &k_most) > k_limit {
@@ -306,17 +283,14 @@ pub(super) fn normals(
             .to_i16()
             .expect("scaled to its word")
     });
-    let errors = words.g.iter().zip(&linear);
-    let greatest = errors
-        .map(|(word, exact)| linear_error(word, exact, 0, window))
-        .max();
-    (words, to_f64_up(&greatest.expect("three components")))
+    let error = |k: usize| linear_error(&words.g[k], &linear[k], 0, window);
+    let off = greatest([0, 1, 2].map(error).each_ref());
+    (words, to_f64_up(&off))
 }
 
 /// A contour has a free scale: the greatest magnitude fills half the word.
 fn contour_scaled(form: QuadraticForm, window: &ScreenBox, width: u32) -> QuadraticForm {
-    let (least, greatest) = form.range_on(window);
-    let magnitude = least.abs().max(greatest.abs());
+    let magnitude = form.max_abs_on(window);
     if magnitude.is_zero() {
         return form;
     }

@@ -94,7 +94,7 @@ impl ScreenQuadric {
 
     /// e x + f y + i, half the factor of z.
     pub fn polar(&self) -> LinearForm {
-        LinearForm::new(self.q.e.clone(), self.q.f.clone(), self.q.i.clone())
+        LinearForm::of_array([self.q.e.clone(), self.q.f.clone(), self.q.i.clone()])
     }
 
     /// The terms without z.
@@ -142,13 +142,13 @@ impl ScreenQuadric {
             BigRational::new_raw(value * m + part * n, unit.clone())
         };
         let form = |a: &BigRational, b: &BigRational, c: &BigRational| {
-            LinearForm::new(a.clone(), b.clone(), c.clone())
+            LinearForm::of_array([a.clone(), b.clone(), c.clone()])
         };
         [
             (form(&q.a, &q.d, &q.g), q.e.clone()),
             (form(&q.d, &q.b, &q.h), q.f.clone()),
             (
-                LinearForm::new(moved(&e, &g), moved(&f, &h), moved(&i, &j)),
+                LinearForm::of_array([moved(&e, &g), moved(&f, &h), moved(&i, &j)]),
                 moved(&c, &i),
             ),
         ]

@@ -1,22 +1,27 @@
 //! Cut planes: depth or half-plane form, and the proof that it fits (source: 2.4.2, 2.4.4; the threshold of B.4
-//! replaced by a proof).
+//! replaced by a proof); and polyhedra, which are planes alone.
 
 use super::context::Context;
-use super::error::Steep;
+use super::error::{PrepareError, Steep};
 use super::forms::{LinearForm, inverse, times};
+use super::ledger::Ledger;
+use super::prepared::{NeededWord, PreparedParts};
+use super::projected::{Projected, unseen_note};
 use super::rounding::{linear_error, round_half_plane, round_linear};
+use super::seams::Place;
 use imogene_algebra::rational::{floor, from_f64_exact, integer, round_half_up, to_f64, to_f64_up};
 use imogene_algebra::whole::{greatest, primitive_scale};
 use imogene_golden::format::word_max;
+use imogene_golden::object::polyhedron::PolyhedronWords;
 use imogene_golden::object::quadric::{PlaneWords, ScreenBox};
+use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::pe1::Linear;
-use imogene_scene::Plane;
+use imogene_scene::{FramedQuadric, Plane};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
-/// A prepared plane with what is known of it.
 pub(super) struct PreparedPlane {
     pub words: PlaneWords,
     pub exact: LinearForm,
@@ -34,6 +39,48 @@ impl PreparedPlane {
     }
 }
 
+/// The words of a polyhedron.
+pub(super) fn prepare_polyhedron(
+    object: &FramedQuadric,
+    projected: &Projected,
+    place: &Place,
+    context: &Context,
+) -> Result<PreparedParts, PrepareError> {
+    context.refuse_fitted(&object.name)?;
+    let window = &projected.window;
+    if window.is_empty() {
+        let note = unseen_note(object, false, context);
+        return Ok(PreparedParts::unseen(&object.name, note));
+    }
+    let mut words = PolyhedronWords {
+        screen_box: *window,
+        planes: vec![],
+    };
+    let mut ledger = Ledger::new(&object.name, *window, context);
+    let (mut notes, mut bound) = (vec![], 0f64);
+    for (index, plane) in projected.prepare_planes(object, place, context).enumerate() {
+        let plane = plane?;
+        notes.extend(plane.note(index));
+        if plane.words.kind != PlaneKind::Perpendicular {
+            bound = bound.max(plane.bound);
+        }
+        words.planes.push(PlaneWords {
+            depth: plane.words.depth.wrapped(context.format.plane),
+            ..plane.words
+        });
+        ledger.needed.push(NeededWord {
+            word: format!("plane {index}"),
+            needed: plane.needed,
+            available: context.format.plane,
+        });
+    }
+    Ok(PreparedParts {
+        depth_bound: Some(bound),
+        notes,
+        ..ledger.finish(ProcessorWords::Polyhedron(words))
+    })
+}
+
 /// Prepares a plane, before perspective and after it, that has to decide between two depths (pixels), which are asked
 /// for only if the plane is steep. It is proven on a window, and rounded and scaled for the box around all objects that
 /// have it.
@@ -45,11 +92,11 @@ pub(super) fn prepare_plane(
 ) -> Result<PreparedPlane, Steep> {
     let normal = constant_normal(original, context.format.greatest_normal());
     // The half-plane value; kept where it is not negative.
-    let value = context.to_pixels_linear(&LinearForm::new(
+    let value = context.to_pixels_linear(&LinearForm::of_array([
         -&projected.a,
         -&projected.b,
         -&projected.d,
-    ));
+    ]));
     if projected.c.is_zero() {
         let at = (window, shared);
         return Ok(perpendicular(value, normal, at, context, false));
@@ -162,7 +209,7 @@ fn on_its_only_line(form: LinearForm, window: &ScreenBox) -> LinearForm {
     };
     drop_slope(&mut a, window.x0, window.x1);
     drop_slope(&mut b, window.y0, window.y1);
-    LinearForm::new(a, b, c)
+    LinearForm::of_array([a, b, c])
 }
 
 /// A plane whose depth does not fit the plane word is so steep that it crosses the object's depths between two pixels
@@ -178,7 +225,7 @@ fn perpendicular_if_proven(
     let full = to_f64(&context.full_depth);
     let middle = from_f64_exact(0.5 * (near + far));
     let reach = from_f64_exact(0.5 * (far - near) + 1e-6 * full);
-    let form = LinearForm::new(value.a.clone(), value.b.clone(), &value.c - gamma * middle);
+    let form = LinearForm::of_array([value.a.clone(), value.b.clone(), &value.c - gamma * middle]);
     let strip = gamma.abs() * reach;
     for y in window.y0..=window.y1 {
         let line = integer(y);

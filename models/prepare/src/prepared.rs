@@ -61,7 +61,7 @@ impl PreparedScene {
     /// those of the solids, then those of transparent objects.
     pub fn slots(&self) -> Vec<Slot> {
         let mut slots = self.slots_alone();
-        slots.extend(self.solids.slots());
+        slots.extend(self.solids.slots.iter().cloned());
         slots.extend(self.layers.iter().cloned());
         slots
     }
@@ -103,11 +103,9 @@ impl PreparedScene {
     }
 
     fn refuse_one_of(&self, objects: &BTreeSet<usize>) -> Result<(), PrepareError> {
-        objects.first().map_or(Ok(()), |&object| {
-            Err(PrepareError::Composed {
-                object: self.objects[object].name().to_owned(),
-            })
-        })
+        let name = |&object: &usize| self.objects[object].name().to_owned();
+        let first = objects.first().map(name);
+        first.map_or(Ok(()), |name| Err(PrepareError::Composed(name)))
     }
 
     /// The words of its volumes.
@@ -352,25 +350,24 @@ pub struct NeededWord {
 }
 
 impl PreparedObject {
+    fn parts(&self) -> (&str, &[String], &ScreenBox) {
+        match self {
+            Self::Quadric(own) | Self::Patch(own) => (&own.name, &own.notes, &own.words.screen_box),
+            Self::Parts(parts) => (&parts.name, &parts.notes, &parts.screen_box),
+            Self::Unseen(unseen) => (&unseen.name, &[], &ScreenBox::EMPTY),
+        }
+    }
+
     /// Name in the scene.
     pub fn name(&self) -> &str {
-        match self {
-            Self::Quadric(object) | Self::Patch(object) => &object.name,
-            Self::Parts(parts) => &parts.name,
-            Self::Unseen(unseen) => &unseen.name,
-        }
+        self.parts().0
     }
 
     /// What a person should know.
     pub fn notes(&self) -> &[String] {
-        match self {
-            Self::Quadric(object) | Self::Patch(object) => &object.notes,
-            Self::Parts(parts) => &parts.notes,
-            Self::Unseen(_) => &[],
-        }
+        self.parts().1
     }
 
-    /// Adds what a person should know.
     pub(super) fn add_note(&mut self, note: &str) {
         let notes = match self {
             Self::Quadric(object) | Self::Patch(object) => &mut object.notes,
@@ -382,11 +379,7 @@ impl PreparedObject {
 
     /// Where the object can be on the screen.
     pub fn screen_box(&self) -> &ScreenBox {
-        match self {
-            Self::Quadric(object) | Self::Patch(object) => &object.words.screen_box,
-            Self::Parts(parts) => &parts.screen_box,
-            Self::Unseen(_) => &ScreenBox::EMPTY,
-        }
+        self.parts().2
     }
 
     /// The words and bounds of an object of the quadric or the patch processor.
@@ -414,7 +407,6 @@ impl PreparedObject {
 }
 
 impl PreparedParts {
-    /// An object of which nothing is drawn.
     pub(super) fn unseen(name: &str, note: &str) -> PreparedParts {
         PreparedParts {
             name: name.to_owned(),

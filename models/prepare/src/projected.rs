@@ -1,19 +1,17 @@
 //! A cut quadric on the screen: its expressions, its box, and why nothing of it may be there.
 
-use super::cell::Cell;
 use super::context::Context;
 use super::error::PrepareError;
 use super::extent::Extent;
 use super::perspective::{ScreenQuadric, on_screen};
 use super::planes::{PreparedPlane, prepare_plane};
-use super::screen_box::Region;
+use super::screen_box::{Cell, Region, Search, screen_domain};
 use super::seams::Place;
 use imogene_algebra::rational::to_f64;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_scene::{FramedQuadric, Plane};
 use num_traits::Zero;
 
-/// A cut quadric after perspective, and its box on the screen.
 pub(super) struct Projected {
     pub quadric: ScreenQuadric,
     pub planes: Vec<Plane>,
@@ -33,6 +31,15 @@ impl Projected {
         }
     }
 
+    /// Least and greatest depth, in pixels, at which the object can be met on the screen; those of the depth word if it
+    /// cannot.
+    pub fn depths(&self, context: &Context) -> (f64, f64) {
+        let full = to_f64(&context.full_depth);
+        let domain = screen_domain(context.width, context.height, full);
+        let range = self.region.range_within(domain, 2, Search::FINE);
+        range.unwrap_or((-full, full))
+    }
+
     /// Every plane of the object, in the order of the file.
     pub fn prepare_planes<'a>(
         &'a self,
@@ -40,11 +47,7 @@ impl Projected {
         place: &'a Place,
         context: &'a Context,
     ) -> impl Iterator<Item = Result<PreparedPlane, PrepareError>> + 'a {
-        let depths = || {
-            let full = to_f64(&context.full_depth);
-            let range = self.region.depth_range(context.width, context.height, full);
-            range.unwrap_or((-full, full))
-        };
+        let depths = || self.depths(context);
         let planes = object.planes.iter().zip(&self.planes).zip(&place.planes);
         let planes = planes.enumerate();
         planes.map(move |(index, ((original, projected), shared))| {

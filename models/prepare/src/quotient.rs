@@ -9,14 +9,13 @@ use super::context::{Context, Quotients};
 use super::error::PrepareError;
 use super::forms::{LinearForm, QuadraticForm};
 use super::ledger::Ledger;
-use super::object::{normals, too_large};
-use super::perspective::ScreenQuadric;
+use super::object::normals;
 use super::prepared::PreparedParts;
 use super::projected::{Projected, unseen_note};
 use super::rounding::{linear_error, quadratic_error, round_linear, round_quadratic};
 use super::seams::Place;
 use imogene_algebra::rational::{
-    floor, from_f64_exact, integer, power_of_two, round_half_up, to_f64, to_f64_up,
+    floor, from_f64_exact, integer, power_of_two, round_half_up, to_f64_up,
 };
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::ScreenBox;
@@ -25,8 +24,6 @@ use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR};
 use imogene_golden::unit::normal::NormalWords;
-use imogene_golden::unit::pe1::Linear;
-use imogene_golden::unit::pe2::Quadratic;
 use imogene_scene::{FramedQuadric, Surface};
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -37,65 +34,38 @@ fn is_possible(context: &Context, processors: &[Quotients]) -> bool {
     context.format.follows_depth_word() && processors.contains(&context.options.quotients)
 }
 
-/// The words of an object whose depth is exactly a quotient; nothing for any other.
-pub(super) fn prepare_on_eye(
-    object: &FramedQuadric,
-    projected: &Projected,
-    place: &Place,
-    context: &Context,
-) -> Result<Option<PreparedParts>, PrepareError> {
+/// Is the depth of an object exactly a quotient that a processor draws?
+pub(super) fn is_on_eye(projected: &Projected, context: &Context) -> bool {
     let quadric = &projected.quadric;
     let is_quotient = quadric.eye_value().is_zero() && !quadric.is_free_of_depth();
-    let processors = [Quotients::All, Quotients::OfOneDepth];
-    if !is_quotient || !is_possible(context, &processors) {
-        return Ok(None);
-    }
-    prepare(object, projected, place, context).map(Some)
+    is_quotient && is_possible(context, &[Quotients::All, Quotients::OfOneDepth])
 }
 
-/// The words of an object one of whose depths leaves the words of roots: one that the eye nearly lies on. Nothing
-/// where there is no quotient processor.
-pub(super) fn prepare_near_eye(
+/// Would a processor draw an object one of whose depths leaves the words of roots: one that the eye nearly lies on?
+pub(super) fn is_near_eye(
     object: &FramedQuadric,
     projected: &Projected,
-    place: &Place,
     context: &Context,
-) -> Result<Option<PreparedParts>, PrepareError> {
+) -> bool {
     let is_quadric = !object.quadric.is_everywhere() && !projected.quadric.eye_value().is_zero();
-    let is_empty = projected.window.is_empty();
-    if !is_quadric || !is_possible(context, &[Quotients::All]) || is_empty {
-        return Ok(None);
-    }
-    prepare(object, projected, place, context).map(Some)
+    is_quadric && is_possible(context, &[Quotients::All]) && !projected.window.is_empty()
 }
 
-fn prepare(
+/// The words of an object whose depth is a quotient, or nearly so.
+pub(super) fn prepare(
     object: &FramedQuadric,
     projected: &Projected,
     place: &Place,
     context: &Context,
 ) -> Result<PreparedParts, PrepareError> {
-    let Projected {
-        quadric, window, ..
-    } = projected;
+    let window = &projected.window;
     if window.is_empty() {
         let note = unseen_note(object, false, context);
         return Ok(PreparedParts::unseen(&object.name, note));
     }
     let mut ledger = Ledger::new(&object.name, *window, context);
-    let at = (window, &place.quadric);
-    let depth = Depth::new(quadric, at, &mut ledger, context)?;
-    let (normal, normal_from) = normal(projected, context);
-    let mut words = QuotientWords {
-        screen_box: *window,
-        solid: object.surface == Surface::Solid,
-        numerator: depth.numerator,
-        denominator: depth.denominator,
-        root: depth.root.clone(),
-        normal,
-        normal_from,
-        planes: vec![],
-    };
+    let solid = object.surface == Surface::Solid;
+    let (mut words, off) = depth_words(projected, solid, &place.quadric, &mut ledger, context)?;
     let (mut notes, mut of_cuts) = (vec![], 0f64);
     for (index, plane) in projected.prepare_planes(object, place, context).enumerate() {
         let plane = plane?;
@@ -107,7 +77,7 @@ fn prepare(
         }
         words.planes.push(plane.words);
     }
-    let (bound, unbounded) = depth.bound(&words, &context.format);
+    let (bound, unbounded) = off.bound(&words, &context.format);
     notes.insert(0, note(&words, bound, of_cuts, unbounded));
     Ok(PreparedParts {
         notes,
@@ -116,78 +86,83 @@ fn prepare(
     })
 }
 
-/// The words of the depth, and how far rounding carries them on the box.
-struct Depth {
-    numerator: Quadratic,
-    denominator: Linear,
-    root: Option<QuotientRoot>,
-    off_numerator: f64,
-    off_denominator: f64,
-    off_discriminant: f64,
+/// How far rounding carries the words of the depth on the box.
+struct Off {
+    numerator: f64,
+    denominator: f64,
+    discriminant: f64,
 }
 
-impl Depth {
-    fn new(
-        quadric: &ScreenQuadric,
-        (window, shared): (&ScreenBox, &ScreenBox),
-        ledger: &mut Ledger,
-        context: &Context,
-    ) -> Result<Depth, PrepareError> {
-        let leading = quadric.eye_value() * integer(2);
-        let widths = widths(&context.format, !leading.is_zero());
-        let t = context.to_pixels_quadratic(&quadric.depth_free_part());
-        let t = t.scaled(&-&context.depth_scale);
-        let b = context
-            .to_pixels_linear(&quadric.polar())
-            .scaled(&integer(2));
-        // 4 (B^2 - C T) is f2 times the square of 2 C.
-        let discriminant = (!leading.is_zero()).then(|| {
-            let f2 = context.to_pixels_quadratic(&quadric.f2());
-            f2.scaled(&(&leading * &leading))
-        });
-        let scale = scale(&t, &b, discriminant.as_ref(), shared, &widths);
-        let (t, b) = (t.scaled(&scale), b.scaled(&scale));
-        let anchor = context.anchor_of(shared);
-        let mut quadratic = |word: &str, exact: &QuadraticForm, width: u32| {
-            let rounded = round_quadratic(exact, anchor)
-                .map_err(|u| too_large(ledger.object(), word, &u.value.abs(), width, window))?;
-            let greatest = QuadraticForm::of_words(&rounded).max_abs_on(window);
-            ledger.prove(word, &greatest, width)?;
-            let off = to_f64_up(&quadratic_error(&rounded, exact, 0, window));
-            Ok((rounded.wrapped(width), off))
-        };
-        let (numerator, off_numerator) = quadratic("numerator", &t, widths.numerator)?;
-        let root = match discriminant {
-            None => None,
-            Some(exact) => {
-                let exact = exact.scaled(&(&scale * &scale));
-                Some(quadratic("discriminant", &exact, widths.discriminant)?)
-            }
-        };
-        let denominator = round_linear(&b, anchor).map_err(|u| {
-            let (object, width) = (ledger.object(), widths.denominator);
-            too_large(object, "denominator", &u.value.abs(), width, window)
-        })?;
-        let greatest = LinearForm::of_words(&denominator).max_abs_on(window);
-        ledger.prove("denominator", &greatest, widths.denominator)?;
-        let off_discriminant = root.as_ref().map_or(0.0, |(_, off)| *off);
-        Ok(Depth {
-            off_numerator,
-            off_denominator: to_f64_up(&linear_error(&denominator, &b, 0, window)),
-            off_discriminant,
-            numerator,
-            denominator: denominator.wrapped(widths.denominator),
-            root: root.map(|(discriminant, _)| {
-                let (leading, fraction) = leading_word(&(leading * scale / &context.depth_scale));
-                QuotientRoot {
-                    discriminant,
-                    leading,
-                    fraction,
-                }
-            }),
-        })
-    }
+/// The words of an object without its planes, scaled for the box of all that share its quadric.
+fn depth_words(
+    projected: &Projected,
+    solid: bool,
+    shared: &ScreenBox,
+    ledger: &mut Ledger,
+    context: &Context,
+) -> Result<(QuotientWords, Off), PrepareError> {
+    let Projected {
+        quadric, window, ..
+    } = projected;
+    let leading = quadric.eye_value() * integer(2);
+    let widths = widths(&context.format, !leading.is_zero());
+    let t = context.to_pixels_quadratic(&quadric.depth_free_part());
+    let t = t.scaled(&-&context.depth_scale);
+    let b = context
+        .to_pixels_linear(&quadric.polar())
+        .scaled(&integer(2));
+    // 4 (B^2 - C T) is f2 times the square of 2 C.
+    let discriminant = (!leading.is_zero()).then(|| {
+        let f2 = context.to_pixels_quadratic(&quadric.f2());
+        f2.scaled(&(&leading * &leading))
+    });
+    let scale = scale(&t, &b, discriminant.as_ref(), shared, &widths);
+    let (t, b) = (t.scaled(&scale), b.scaled(&scale));
+    let anchor = context.anchor_of(shared);
+    let mut quadratic = |word: &str, exact: &QuadraticForm, width: u32| {
+        let rounded = round_quadratic(exact, anchor)
+            .map_err(|value| ledger.refusal(word, &value.abs(), width))?;
+        let greatest = QuadraticForm::of_words(&rounded).max_abs_on(window);
+        ledger.prove(word, &greatest, width)?;
+        let off = to_f64_up(&quadratic_error(&rounded, exact, 0, window));
+        Ok((rounded.wrapped(width), off))
+    };
+    let (numerator, off_numerator) = quadratic("numerator", &t, widths.numerator)?;
+    let discriminant = discriminant.map(|exact| exact.scaled(&(&scale * &scale)));
+    let root = discriminant.map(|d| quadratic("discriminant", &d, widths.discriminant));
+    let root = root.transpose()?;
+    let denominator = round_linear(&b, anchor)
+        .map_err(|value| ledger.refusal("denominator", &value.abs(), widths.denominator))?;
+    let greatest = LinearForm::of_words(&denominator).max_abs_on(window);
+    ledger.prove("denominator", &greatest, widths.denominator)?;
+    let off = Off {
+        numerator: off_numerator,
+        denominator: to_f64_up(&linear_error(&denominator, &b, 0, window)),
+        discriminant: root.as_ref().map_or(0.0, |(_, off)| *off),
+    };
+    let root = root.map(|(discriminant, _)| {
+        let (leading, fraction) = leading_word(&(leading * scale / &context.depth_scale));
+        QuotientRoot {
+            discriminant,
+            leading,
+            fraction,
+        }
+    });
+    let (normal, normal_from) = normal(projected, context);
+    let words = QuotientWords {
+        screen_box: *window,
+        solid,
+        numerator,
+        denominator: denominator.wrapped(widths.denominator),
+        root,
+        normal,
+        normal_from,
+        planes: vec![],
+    };
+    Ok((words, off))
+}
 
+impl Off {
     /// Greatest distance of a drawn depth of the surface from the true one, in depth words, and the pixels at which
     /// there is no bound because rounding can change the sign of the denominator.
     fn bound(&self, words: &QuotientWords, format: &Format) -> (f64, usize) {
@@ -229,17 +204,17 @@ impl Depth {
         let Some(root) = &words.root else {
             let m = words.denominator.wrapped_at(x, y, widths.denominator);
             let m = m.unsigned_abs() as f64;
-            return ratio(self.off_numerator, m, self.off_denominator);
+            return ratio(self.numerator, m, self.denominator);
         };
         let depths = words.depths_at(x, y, format)?;
         let d = root.discriminant.wrapped_at(x, y, widths.discriminant) as f64;
-        let low = (d - self.off_discriminant).max(0.0).sqrt();
-        let high = (d + 1.0 + self.off_discriminant).sqrt();
+        let low = (d - self.discriminant).max(0.0).sqrt();
+        let high = (d + 1.0 + self.discriminant).sqrt();
         let off_root = (high - d.sqrt()).max(d.sqrt() - low) + 1.0;
-        let off = self.off_denominator + off_root;
+        let off = self.denominator + off_root;
         let m = depths.denominator.unsigned_abs() as f64;
         if depth == depths.inner {
-            return ratio(2.0 * self.off_numerator, m, off);
+            return ratio(2.0 * self.numerator, m, off);
         }
         let off = off * f64::exp2(f64::from(root.fraction));
         ratio(off, root.leading.unsigned_abs() as f64, 0.5)
@@ -286,7 +261,6 @@ fn leading_word(value: &BigRational) -> (i64, u32) {
     (word, fraction)
 }
 
-/// What is known of the depths that are drawn.
 fn note(words: &QuotientWords, bound: f64, of_cuts: f64, unbounded: usize) -> String {
     let cuts = match of_cuts {
         0.0 => String::new(),
@@ -309,15 +283,10 @@ fn note(words: &QuotientWords, bound: f64, of_cuts: f64, unbounded: usize) -> St
 
 /// The normal's words, and the depth from which they count.
 fn normal(projected: &Projected, context: &Context) -> (NormalWords, i64) {
-    let full = to_f64(&context.full_depth);
     let Projected {
-        quadric,
-        region,
-        window,
-        ..
+        quadric, window, ..
     } = projected;
-    let range = region.depth_range(context.width, context.height, full);
-    let (near, far) = range.unwrap_or((-full, full));
+    let (near, far) = projected.depths(context);
     let word = |depth: f64| {
         let word = floor(&(from_f64_exact(depth) * &context.depth_scale)).to_i64();
         let word = word.unwrap_or(context.format.z_low());
@@ -329,7 +298,7 @@ fn normal(projected: &Projected, context: &Context) -> (NormalWords, i64) {
     let reach = BigInt::from(to - from);
     let start = integer(from) / &context.depth_scale;
     let parts = quadric.normal().map(|(linear, k)| {
-        let constant = LinearForm::new(integer(0), integer(0), &k * &start);
+        let constant = LinearForm::of_array([integer(0), integer(0), &k * &start]);
         (context.to_pixels_linear(&linear).plus(&constant), -k)
     });
     let (words, _) = normals(&parts, &reach, window, context);

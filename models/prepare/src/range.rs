@@ -137,20 +137,14 @@ impl<'a> Depths<'a> {
             level
         });
         let levels: Vec<Option<i32>> = levels.collect();
-        let ends = self.ends(
-            levels
-                .iter()
-                .flatten()
-                .copied()
-                .chain(others.into_iter().flatten()),
-        );
-        let seen = match suggested.origin {
-            RangeOrigin::Hand => 0,
-            _ => self.seen(ends),
-        };
-        let level = match suggested.origin {
-            RangeOrigin::Hand => 0,
-            _ => self.widened(seen, done),
+        let others = others.into_iter().flatten();
+        let ends = self.ends(levels.iter().flatten().copied().chain(others));
+        let (seen, level) = match suggested.origin {
+            RangeOrigin::Hand => (0, 0),
+            _ => {
+                let seen = self.seen(ends);
+                (seen, self.widened(seen, done))
+            }
         };
         let mut range = suggested.scaled(level);
         range.cut = self.cut(&levels, level);

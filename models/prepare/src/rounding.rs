@@ -63,32 +63,23 @@ impl Anchor {
     }
 }
 
-/// A coefficient beyond 127 bits: no word can hold it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Unrepresentable {
-    /// The exact coefficient.
-    pub value: BigRational,
+/// The word of a coefficient; that itself if it is beyond 95 bits: no word can hold it, and room is left so that moving
+/// the expression to another origin cannot overflow.
+fn word(value: &BigRational) -> Result<i128, BigRational> {
+    let word = round_half_up(value).to_i128();
+    let word = word.filter(|v| v.unsigned_abs() < 1 << 95);
+    word.ok_or_else(|| value.clone())
 }
 
-fn word(value: &BigRational) -> Result<i128, Unrepresentable> {
-    // Room is left so that moving the expression to another origin cannot overflow.
-    round_half_up(value)
-        .to_i128()
-        .filter(|v| v.unsigned_abs() < 1 << 95)
-        .ok_or_else(|| Unrepresentable {
-            value: value.clone(),
-        })
-}
-
-/// Rounds about the anchor and moves to the screen origin.
-pub fn round_linear(form: &LinearForm, anchor: Anchor) -> Result<Linear, Unrepresentable> {
+/// Rounds about the anchor and moves to the screen origin; the error is a coefficient that no word can hold.
+pub fn round_linear(form: &LinearForm, anchor: Anchor) -> Result<Linear, BigRational> {
     let centred = form.about(&integer(anchor.x), &integer(anchor.y));
     let rounded = Linear::new(word(&centred.a)?, word(&centred.b)?, word(&centred.c)?);
     Ok(rounded.from_zone(-anchor.x, -anchor.y))
 }
 
-/// Rounds about the anchor and moves to the screen origin.
-pub fn round_quadratic(form: &QuadraticForm, anchor: Anchor) -> Result<Quadratic, Unrepresentable> {
+/// The same for an expression of second degree.
+pub fn round_quadratic(form: &QuadraticForm, anchor: Anchor) -> Result<Quadratic, BigRational> {
     let centred = form.about(&integer(anchor.x), &integer(anchor.y));
     let [a, b, c, d, e, f] = centred.factors().map(word);
     let (a, b, c, d, e, f) = (a?, b?, c?, d?, e?, f?);
@@ -97,7 +88,7 @@ pub fn round_quadratic(form: &QuadraticForm, anchor: Anchor) -> Result<Quadratic
 
 /// Rounds an expression of which the sign alone counts: that of the other side has exactly opposite words, also where a
 /// factor lies between two words.
-pub fn round_half_plane(form: &LinearForm, anchor: Anchor) -> Result<Linear, Unrepresentable> {
+pub fn round_half_plane(form: &LinearForm, anchor: Anchor) -> Result<Linear, BigRational> {
     if !leads_downwards([&form.a, &form.b, &form.c]) {
         return round_linear(form, anchor);
     }
@@ -106,7 +97,7 @@ pub fn round_half_plane(form: &LinearForm, anchor: Anchor) -> Result<Linear, Unr
 }
 
 /// The same for an expression of second degree.
-pub fn round_contour(form: &QuadraticForm, anchor: Anchor) -> Result<Quadratic, Unrepresentable> {
+pub fn round_contour(form: &QuadraticForm, anchor: Anchor) -> Result<Quadratic, BigRational> {
     if !leads_downwards(form.factors()) {
         return round_quadratic(form, anchor);
     }
@@ -132,8 +123,7 @@ pub fn linear_error(
     residual.max_abs_on(window)
 }
 
-/// Greatest distance on the box, exactly, of the expression in words of `guards` guard bits from the one they were
-/// rounded from.
+/// The same for an expression of second degree.
 pub fn quadratic_error(
     words: &Quadratic,
     exact: &QuadraticForm,

@@ -1,8 +1,8 @@
 //! The preparation of a scene.
 
+use super::again::Known;
 use super::context::{Context, Options};
 use super::error::PrepareError;
-use super::known::Known;
 use super::layers::layers;
 use super::located::Located;
 use super::object;
@@ -11,7 +11,7 @@ use super::solids::PreparedSolids;
 use super::volume::{self, Volumes, prepare_volumes};
 use imogene_golden::format::Format;
 use imogene_golden::unit::depth_interval::Class;
-use imogene_scene::{CutOff, End, FramedScene};
+use imogene_scene::{CutOff, End, FramedObject, FramedScene};
 use rayon::prelude::*;
 
 /// The note on an object of which something lies before the range of the depth word.
@@ -57,10 +57,6 @@ impl LocatedScene {
     }
 
     /// [`prepare_with`] of the scene that was located.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`prepare_with`].
     pub fn prepare(
         &self,
         scene: &FramedScene,
@@ -138,17 +134,15 @@ pub(super) fn prepare_objects(
             prepared
         })
         .collect();
+    let mut left_out = |object: &FramedObject, reason: Box<PrepareError>| {
+        context.leave_out(missing, false, *reason)?;
+        let note = "left out: it cannot be drawn";
+        let absent = object::absent(object.name(), Class::default(), note);
+        Ok(PreparedObject::Quadric(Box::new(absent)))
+    };
     let named = objects.into_iter().zip(&scene.objects);
-    named
-        .map(|(prepared, object)| {
-            prepared.or_else(|reason| {
-                context.leave_out(missing, false, *reason)?;
-                let note = "left out: it cannot be drawn";
-                let absent = object::absent(object.name(), Class::default(), note);
-                Ok(PreparedObject::Quadric(Box::new(absent)))
-            })
-        })
-        .collect()
+    let named = named.map(|(prepared, object)| prepared.or_else(|why| left_out(object, why)));
+    named.collect()
 }
 
 pub(super) fn prepared_scene(

@@ -5,7 +5,6 @@
 //! a margin for floating-point rounding) and tight to a fraction of a pixel as long as the node budget lasts; if it
 //! runs out the box is only larger.
 
-pub use super::cell::Cell;
 use super::enclosure::{REACH, around};
 use super::forms::unreduced;
 use imogene_algebra::rational::to_f64;
@@ -16,6 +15,58 @@ use num_rational::BigRational;
 use num_traits::Zero;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
+
+/// An axis-parallel cell: centre and half extent along x, y, z.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cell {
+    /// Centre.
+    pub centre: [f64; 3],
+    /// Half extent.
+    pub half: [f64; 3],
+}
+
+impl Cell {
+    /// The cell between two corners.
+    pub fn between(low: [f64; 3], high: [f64; 3]) -> Cell {
+        Cell {
+            centre: std::array::from_fn(|k| 0.5 * (low[k] + high[k])),
+            half: std::array::from_fn(|k| 0.5 * (high[k] - low[k])),
+        }
+    }
+
+    /// Its extent along each axis, in units of that axis.
+    pub(super) fn relative_size(&self, units: &[f64; 3]) -> impl Iterator<Item = f64> {
+        std::array::from_fn::<f64, 3, _>(|k| 2.0 * self.half[k] / units[k]).into_iter()
+    }
+
+    /// Does it hold a point, not nearer to a side than the rounding of a few halvings.
+    pub(super) fn holds(&self, point: &[f64; 3]) -> bool {
+        (0..3).all(|k| (point[k] - self.centre[k]).abs() < self.half[k] * (1.0 - 1e-9))
+    }
+
+    pub(super) fn meets(&self, other: &Cell) -> bool {
+        (0..3).all(|k| (self.centre[k] - other.centre[k]).abs() <= self.half[k] + other.half[k])
+    }
+
+    pub(super) fn is_within(&self, other: &Cell) -> bool {
+        (0..3).all(|k| (self.centre[k] - other.centre[k]).abs() + self.half[k] < other.half[k])
+    }
+
+    /// Halves along the axis on which it is widest in these units.
+    pub(super) fn halves(&self, units: &[f64; 3]) -> [Cell; 2] {
+        let (axis, _) = self
+            .relative_size(units)
+            .enumerate()
+            .max_by(|(_, a), (_, b)| a.total_cmp(b))
+            .expect("three axes");
+        [-0.5, 0.5].map(|side| {
+            let mut cell = *self;
+            cell.half[axis] *= 0.5;
+            cell.centre[axis] += side * self.half[axis];
+            cell
+        })
+    }
+}
 
 /// How far a search goes before it settles for a larger box.
 #[derive(Clone, Copy, Debug)]
@@ -48,8 +99,9 @@ pub struct Region {
     quadric: [f64; 10],
     planes: Vec<[f64; 4]>,
     surface: Surface,
-    /// All of it that is within [`REACH`] lies in this cell.
-    enclosure: Option<Cell>,
+    /// A cell that holds all of it, but for what is so far from the screen that `f64` is not exact enough, if one was
+    /// found.
+    pub enclosure: Option<Cell>,
 }
 
 impl Region {
@@ -71,12 +123,6 @@ impl Region {
             surface,
             enclosure: None,
         }
-    }
-
-    /// A cell that holds all of it, but for what is so far from the screen that `f64` is not exact enough, if one was
-    /// found.
-    pub fn enclosure(&self) -> Option<Cell> {
-        self.enclosure
     }
 
     /// False only if no point of the region lies in the cell.
@@ -187,18 +233,8 @@ impl Region {
         open.pop().map(|entry| entry.key)
     }
 
-    /// Least and greatest depth within `-depth .. depth` at which the region can be met on the screen, if it can be
-    /// met at all.
-    pub fn depth_range(&self, width: u32, height: u32, depth: f64) -> Option<(f64, f64)> {
-        self.depth_range_within(screen_domain(width, height, depth), Search::FINE)
-    }
-
-    /// Least and greatest depth at which the region can be met in the domain, if it can be met at all.
-    pub fn depth_range_within(&self, domain: Cell, search: Search) -> Option<(f64, f64)> {
-        self.range_within(domain, 2, search)
-    }
-
-    /// The same along any axis: 0 for columns, 1 for lines, 2 for depths.
+    /// Least and greatest coordinate at which the region can be met in the domain, if it can be met at all: along axis
+    /// 0 columns, 1 lines, 2 depths.
     pub fn range_within(&self, domain: Cell, axis: usize, search: Search) -> Option<(f64, f64)> {
         let low = self.extreme(domain, axis, 1.0, search)?;
         let high = self.extreme(domain, axis, -1.0, search)?;

@@ -47,7 +47,6 @@ impl Place {
 /// so they are the same for both sides of a plane.
 pub type Key = Vec<BigRational>;
 
-/// The places of objects with these boxes; nothing for an object without a box.
 pub(super) fn places(
     objects: &[FramedObject],
     windows: &[Option<ScreenBox>],
@@ -75,26 +74,19 @@ pub(super) fn places(
         let mut boxes = shared[key].iter();
         *boxes.find(|b| b.touches(window)).expect("joined above")
     };
-    type Of<'a> = (
-        &'a Option<Box<Keys>>,
-        (&'a FramedObject, &'a Option<ScreenBox>),
-    );
-    let place = |(keys, (object, window)): Of| {
-        let window = (*window)?;
-        let Some(keys) = keys else {
-            return Some(Box::new(Place::alone(window, cut(object)?.planes.len())));
-        };
-        Some(Box::new(Place {
-            window,
-            quadric: keys
-                .quadric
-                .as_ref()
-                .map_or(window, |key| around(key, &window)),
-            planes: keys.planes.iter().map(|key| around(key, &window)).collect(),
+    let place = |index: usize| {
+        let window = windows[index]?;
+        let around = |key| around(key, &window);
+        Some(Box::new(match &keys[index] {
+            None => Place::alone(window, cut(&objects[index])?.planes.len()),
+            Some(keys) => Place {
+                window,
+                quadric: keys.quadric.as_ref().map_or(window, around),
+                planes: keys.planes.iter().map(around).collect(),
+            },
         }))
     };
-    let each = keys.iter().zip(objects.iter().zip(windows));
-    each.map(place).collect()
+    (0..objects.len()).map(place).collect()
 }
 
 /// Adds a box to others that lie apart; those that it touches become one with it.

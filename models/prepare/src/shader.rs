@@ -69,6 +69,8 @@ pub fn shader_words(
             }
         }
     };
+    let materials = scene.materials.iter();
+    let materials = materials.map(|m| material(m, scene.ambient));
     Ok(ShaderWords {
         depth: format.depth,
         size: [scene.width as u16, scene.height as u16],
@@ -79,21 +81,13 @@ pub fn shader_words(
         offset_when_on: 0,
         background: scene.background,
         lights: lights.into_iter().map(light).collect(),
-        materials: scene
-            .materials
-            .iter()
-            .map(|m| material(m, scene.ambient))
-            .collect(),
+        materials: materials.collect(),
         sphere: None,
     })
 }
 
 /// The words of a scene for a machine without lights: every object has the colour of its material, which stands in the
 /// place of the ambient light.
-///
-/// # Errors
-///
-/// As [`shader_words`].
 pub fn flat_words(scene: &FramedScene, format: &Format) -> Result<ShaderWords, ShaderError> {
     let words = shader_words(scene, format, None)?;
     let plain = |m: &Material| MaterialWords {
@@ -132,7 +126,6 @@ fn check(scene: &FramedScene, attenuation: Option<f64>) -> Result<(), ShaderErro
     }
 }
 
-/// How lines of sight are formed.
 struct View {
     perspective: bool,
     shift: u8,

@@ -55,25 +55,18 @@ impl Product {
     }
 }
 
-/// More products than can be loaded.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct TooMany;
-
 /// The normal form of a tree: products whose union it is. Products without points, and those that lie in another, are
 /// left out.
 ///
 /// It is what the rules of the source come to, of which each carries a difference or an intersection over a union, with
 /// `X - Y` for `X` and not `Y`.
-///
-/// # Errors
-///
-/// When an operation on the way has far more products than can be loaded.
-pub fn normal_form(tree: &Tree) -> Result<Vec<Product>, TooMany> {
+/// Nothing if an operation on the way has far more products than can be loaded.
+pub fn normal_form(tree: &Tree) -> Option<Vec<Product>> {
     products(tree, false)
 }
 
 /// Products of a tree or of its complement.
-fn products(tree: &Tree, complement: bool) -> Result<Vec<Product>, TooMany> {
+fn products(tree: &Tree, complement: bool) -> Option<Vec<Product>> {
     match tree {
         Tree::Object(object) => {
             let mut product = Product::default();
@@ -82,7 +75,7 @@ fn products(tree: &Tree, complement: bool) -> Result<Vec<Product>, TooMany> {
                 false => &mut product.intersected,
             };
             side.insert(*object);
-            Ok(vec![product])
+            Some(vec![product])
         }
         Tree::Union(parts) if complement => intersection(parts, |_| true),
         Tree::Union(parts) => union(parts, |_| false),
@@ -95,27 +88,24 @@ fn products(tree: &Tree, complement: bool) -> Result<Vec<Product>, TooMany> {
 }
 
 /// Products of the union of parts, of those by their place that are asked for the complement.
-fn union(parts: &[Tree], complement: impl Fn(usize) -> bool) -> Result<Vec<Product>, TooMany> {
+fn union(parts: &[Tree], complement: impl Fn(usize) -> bool) -> Option<Vec<Product>> {
     let each = parts.iter().enumerate();
     let each = each.map(|(place, part)| products(part, complement(place)));
-    Ok(pruned(each.collect::<Result<Vec<_>, _>>()?.concat()))
+    Some(pruned(each.collect::<Option<Vec<_>>>()?.concat()))
 }
 
 /// The same of their intersection.
-fn intersection(
-    parts: &[Tree],
-    complement: impl Fn(usize) -> bool,
-) -> Result<Vec<Product>, TooMany> {
+fn intersection(parts: &[Tree], complement: impl Fn(usize) -> bool) -> Option<Vec<Product>> {
     let mut all = vec![Product::default()];
     for (place, part) in parts.iter().enumerate() {
         let own = products(part, complement(place))?;
         if all.len() * own.len() > 16 * MOST_LOADED {
-            return Err(TooMany);
+            return None;
         }
         let pairs = all.iter().flat_map(|a| own.iter().map(|b| a.and(b)));
         all = pruned(pairs.collect());
     }
-    Ok(all)
+    Some(all)
 }
 
 fn pruned(list: Vec<Product>) -> Vec<Product> {
@@ -132,17 +122,12 @@ pub struct PreparedSolids {
     pub products: Vec<Product>,
     /// The objects that are not seen by themselves.
     pub members: BTreeSet<usize>,
-    /// Processors of the members, product by product.
-    slots: Vec<Slot>,
+    /// Processors of the members, product by product: those of the objects intersected, then those of the objects
+    /// taken away.
+    pub slots: Vec<Slot>,
 }
 
 impl PreparedSolids {
-    /// Processors of the members: of each product those of the objects intersected, then those of the objects taken
-    /// away.
-    pub fn slots(&self) -> Vec<Slot> {
-        self.slots.clone()
-    }
-
     pub(super) fn of(
         scene: &FramedScene,
         objects: &[PreparedObject],
@@ -151,7 +136,8 @@ impl PreparedSolids {
         let mut solids = PreparedSolids::default();
         for solid in &scene.solids {
             refuse_shadows(scene, solid)?;
-            let products = normal_form(&solid.tree).map_err(|TooMany| too_many(solid))?;
+            let too_many = || PrepareError::Products(solid.name.clone());
+            let products = normal_form(&solid.tree).ok_or_else(too_many)?;
             for product in products {
                 refuse_size(solid, &product)?;
                 let members = product.intersected.iter().chain(&product.subtracted);
@@ -164,7 +150,7 @@ impl PreparedSolids {
             }
             solids.members.extend(solid.tree.objects());
             if solids.slots.len() > MOST_LOADED {
-                return Err(too_many(solid));
+                return Err(too_many());
             }
         }
         Ok(solids)
@@ -193,19 +179,11 @@ impl PreparedSolids {
     }
 }
 
-fn too_many(solid: &FramedSolid) -> PrepareError {
-    PrepareError::Products {
-        solid: solid.name.clone(),
-        most: MOST_LOADED,
-    }
-}
-
 fn refuse_size(solid: &FramedSolid, product: &Product) -> Result<(), PrepareError> {
     match product.size().into_iter().max() {
         Some(size) if size > MOST_MEMBERS as usize => Err(PrepareError::Product {
             solid: solid.name.clone(),
             size: product.size(),
-            most: MOST_MEMBERS as usize,
         }),
         _ => Ok(()),
     }
@@ -216,20 +194,16 @@ fn refuse_shadows(scene: &FramedScene, solid: &FramedSolid) -> Result<(), Prepar
     let Some(light) = scene.sources.iter().position(|source| source.shadows) else {
         return Ok(());
     };
-    let mut members = solid
-        .tree
-        .objects()
-        .into_iter()
-        .map(|id| &scene.objects[id]);
-    members
-        .find(|object| object.caster().is_some())
-        .map_or(Ok(()), |object| {
-            Err(PrepareError::SolidShadow {
-                solid: solid.name.clone(),
-                object: object.name().to_owned(),
-                light,
-            })
-        })
+    let members = solid.tree.objects().into_iter();
+    let mut members = members.map(|id| &scene.objects[id]);
+    match members.find(|object| object.caster().is_some()) {
+        Some(object) => Err(PrepareError::SolidShadow {
+            solid: solid.name.clone(),
+            object: object.name().to_owned(),
+            light,
+        }),
+        None => Ok(()),
+    }
 }
 
 /// The words of a member for a quadric processor.

@@ -71,7 +71,6 @@ fn placed(object: &Object, point: [f64; 3]) -> [f64; 3] {
     })
 }
 
-/// A point after a rotation.
 pub(super) fn turned(rotation: &Rotation, point: [f64; 3]) -> [f64; 3] {
     rotation_matrix(rotation).map(|row| (0..3).map(|k| row[k] * point[k]).sum())
 }

@@ -3,7 +3,7 @@
 //! The window may be given as on a photographic camera, by focal length or field of view.
 
 use super::group::Node;
-use super::keys::{numbers, refuse_keys, require, upwards};
+use super::keys::{is_default, numbers, refuse_keys, require, upwards};
 use super::step::Step;
 use imogene_algebra::rational::{from_decimal, integer, to_f64};
 use serde::{Deserialize, Serialize};
@@ -120,7 +120,6 @@ impl Camera {
     }
 }
 
-/// The keys of `[camera]` as they stand in the file.
 #[derive(Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct CameraKeys {
@@ -140,7 +139,7 @@ struct CameraKeys {
     far: Option<f64>,
     #[serde(
         default,
-        skip_serializing_if = "is_whole",
+        skip_serializing_if = "is_default",
         deserialize_with = "numbers"
     )]
     sample_at: [f64; 2],
@@ -148,10 +147,6 @@ struct CameraKeys {
     group: Option<String>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     place: Vec<Step>,
-}
-
-fn is_whole(sample_at: &[f64; 2]) -> bool {
-    *sample_at == [0.0; 2]
 }
 
 #[derive(Default, Serialize, Deserialize)]

@@ -68,7 +68,6 @@ pub enum SceneError {
 }
 
 impl SceneError {
-    /// A value that cannot be used at `place`.
     pub(super) fn value(
         place: impl Into<String>,
         problem: impl Into<String>,

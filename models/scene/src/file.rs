@@ -4,7 +4,7 @@ use super::camera::Camera;
 use super::error::{SceneError, line_and_column};
 use super::group::Group;
 use super::image::KeyImage;
-use super::keys::{numbers, white};
+use super::keys::{number, numbers, white};
 use super::light::Light;
 use super::molecule::Molecule;
 use super::object::Object;
@@ -106,11 +106,11 @@ pub struct Material {
     #[serde(default = "default_specular")]
     pub specular: f64,
     /// Sharpness of the highlight, 1 to 200.
-    #[serde(default = "default_exponent")]
+    #[serde(default = "number::<_, 30>")]
     pub exponent: u32,
     /// Part of what is seen that is the surface and not what lies behind it, 0 to 1; with less than 1 it is
     /// transparent.
-    #[serde(default = "opaque", skip_serializing_if = "is_opaque")]
+    #[serde(default = "number::<_, 1>", skip_serializing_if = "is_opaque")]
     pub opacity: f64,
 }
 
@@ -119,10 +119,6 @@ impl Material {
     pub fn is_transparent(&self) -> bool {
         !is_opaque(&self.opacity)
     }
-}
-
-fn opaque() -> f64 {
-    1.0
 }
 
 fn is_opaque(opacity: &f64) -> bool {
@@ -260,8 +256,4 @@ fn default_diffuse() -> f64 {
 
 fn default_specular() -> f64 {
     0.3
-}
-
-fn default_exponent() -> u32 {
-    30
 }

@@ -13,7 +13,6 @@ use super::step::Step;
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-/// The groups of a scene by their names.
 pub(super) struct Groups<'a>(HashMap<&'a str, &'a Group>);
 
 impl<'a> Groups<'a> {
@@ -64,7 +63,7 @@ impl SceneFile {
         check_camera_name(self, "camera", name)?;
         self.active_camera = Some(name.to_owned());
         for image in &mut self.images {
-            let stays = |action: &Action| !matches!(action, Action::ActiveCamera(_));
+            let stays = |action: &Action| !matches!(action, Action::ActiveCamera { .. });
             image.actions.retain(stays);
         }
         Ok(())

@@ -20,12 +20,11 @@ use super::object::Object;
 use super::observer::Sight;
 use super::paraboloids::{FramedCylinder, FramedSphere};
 use super::plane::Plane;
-use super::quadric::{FramedQuadric, Quadric};
+use super::quadric::{FramedQuadric, Quadric, implicit};
 use super::range::{DepthRange, Projection};
 use super::shape::{Processor, Shape};
 use super::solid::FramedSolid;
 use super::source::FramedSource;
-use super::tetrahedron::implicit;
 use super::transform::{Transform, WholeTransform};
 use imogene_algebra::rational::{from_decimal, integer, to_f64};
 use imogene_algebra::vector::normalised;
@@ -253,7 +252,7 @@ fn framed_object(
         (Shape::Sphere { radius }, Some(Processor::CurvedFacet)) => {
             FramedObject::CurvedSphere(ball(*radius))
         }
-        (Shape::EllipticCylinder { radii }, Some(Processor::Paraboloid)) => {
+        (Shape::EllipticCylinder(radii), Some(Processor::Paraboloid)) => {
             let ends = [&object.cuts[0], &object.cuts[1]].map(|cut| from_decimal(cut.point[1]));
             let cylinder = FramedCylinder::new(name, material, *radii, ends, &to_camera())?;
             FramedObject::Cylinder(Box::new(cylinder))

@@ -22,15 +22,17 @@ pub struct Group {
 }
 
 /// What a light or a camera has beside its kind: a name to be spoken of, a group, and a place.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Node {
     /// Unique among objects, groups, lights and cameras.
     pub name: Option<String>,
     /// Name of the group it belongs to.
     pub group: Option<String>,
     /// Whether a light shines; a camera is always visible.
+    #[serde(skip_serializing_if = "is_yes")]
     pub visible: bool,
     /// Steps applied to its points and directions, the first applied first.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub place: Vec<Step>,
 }
 

@@ -1,6 +1,6 @@
 //! Key images of an animation: what each changes, and how long it is shown (source: animator, images and actions).
 
-use super::keys::{Three, is_yes, require, yes};
+use super::keys::{Three, is_default, is_yes, number, require, yes};
 use super::step::{Rotation, Scale, Step, StepKeys};
 use serde::{Deserialize, Serialize};
 
@@ -20,7 +20,7 @@ pub struct KeyImage {
     #[serde(default = "frame_duration")]
     pub duration: f64,
     /// Frames over which its actions are spread in equal parts.
-    #[serde(default = "one")]
+    #[serde(default = "number::<_, 1>")]
     pub steps: u32,
     /// `false`: no frames of the sequence; other images may still start from it.
     #[serde(default = "yes", skip_serializing_if = "is_yes")]
@@ -34,15 +34,17 @@ pub struct KeyImage {
 
 /// One change that an image makes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "ActionKeys", into = "ActionKeys")]
+#[serde(try_from = "ActionKeys", untagged)]
 pub enum Action {
     /// Moves an object, a group, a light or a camera.
     Move {
         /// Its name.
         target: String,
         /// By what.
+        #[serde(flatten)]
         step: Step,
         /// In which frame.
+        #[serde(skip_serializing_if = "is_default")]
         frame: MoveFrame,
     },
     /// Shows or hides an object, a group or a light.
@@ -67,10 +69,10 @@ pub enum Action {
         focal: f64,
     },
     /// Makes a camera the one that is looked through.
-    ActiveCamera(
+    ActiveCamera {
         /// Its name.
-        String,
-    ),
+        active_camera: String,
+    },
 }
 
 /// The frame that a move is given in.
@@ -88,12 +90,7 @@ fn frame_duration() -> f64 {
     FRAME_DURATION
 }
 
-fn one() -> u32 {
-    1
-}
-
-/// The keys of an action as they stand in the file.
-#[derive(Default, Serialize, Deserialize)]
+#[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct ActionKeys {
     target: Option<String>,
@@ -213,35 +210,7 @@ impl TryFrom<ActionKeys> for Action {
             let focal = require(keys.focal, "an action with `camera`", wanted)?;
             return Ok(Self::Focal { camera, focal });
         }
-        let name = keys.active_camera.expect("one of the forms is there");
-        Ok(Self::ActiveCamera(name))
-    }
-}
-
-impl From<Action> for ActionKeys {
-    fn from(action: Action) -> Self {
-        let mut keys = Self::default();
-        match action {
-            Action::Move {
-                target,
-                step,
-                frame,
-            } => {
-                let step = StepKeys::from(step);
-                keys.target = Some(target);
-                (keys.translate, keys.rotate, keys.scale) =
-                    (step.translate, step.rotate, step.scale);
-                keys.frame = (frame == MoveFrame::Own).then_some(frame);
-            }
-            Action::Show { target, show } => (keys.target, keys.show) = (Some(target), Some(show)),
-            Action::Intensity { light, intensity } => {
-                (keys.light, keys.intensity) = (Some(light), Some(intensity));
-            }
-            Action::Focal { camera, focal } => {
-                (keys.camera, keys.focal) = (Some(camera), Some(focal));
-            }
-            Action::ActiveCamera(name) => keys.active_camera = Some(name),
-        }
-        keys
+        let active_camera = keys.active_camera.expect("one of the forms is there");
+        Ok(Self::ActiveCamera { active_camera })
     }
 }

@@ -5,7 +5,7 @@ use super::error::SceneError;
 use super::file::SceneFile;
 use super::image::{Action, KeyImage};
 use super::limits::*;
-use super::names::{Class, Names, check_camera_name, known};
+use super::names::{Names, check_camera_name, known};
 use super::step::Step;
 use std::collections::HashMap;
 
@@ -18,7 +18,6 @@ pub const SHORTEST_FRAME: f64 = 0.001;
 /// Seconds that a frame is shown at most.
 pub const LONGEST_FRAME: f64 = 60.0;
 
-/// Refuses images that cannot be played.
 pub(super) fn check_images(file: &SceneFile, names: &Names) -> Checked {
     check_count("images", file.images.len(), "images", MAX_IMAGES)?;
     let mut index_of = HashMap::new();
@@ -65,43 +64,40 @@ fn check_action(
 ) -> Checked {
     match action {
         Action::Move { target, step, .. } => {
-            let all = [Class::Object, Class::Group, Class::Light, Class::Camera];
+            let all = ["object", "group", "light", "camera"];
             check_target(&format!("{place}.target"), target, &all, names)?;
             check_step(place, step)?;
             check_parts(place, step, steps)
         }
         Action::Show { target, .. } => {
-            let seen = [Class::Object, Class::Group, Class::Light];
-            check_target(&format!("{place}.target"), target, &seen, names)
+            let seen = &["object", "group", "light"];
+            check_target(&format!("{place}.target"), target, seen, names)
         }
         Action::Intensity { light, intensity } => {
-            check_target(&format!("{place}.light"), light, &[Class::Light], names)?;
+            check_target(&format!("{place}.light"), light, &["light"], names)?;
             check_share(&format!("{place}.intensity"), *intensity, MAX_INTENSITY)
         }
         Action::Focal { camera, focal } => check_focal(place, camera, *focal, file),
-        Action::ActiveCamera(name) => {
-            check_camera_name(file, &format!("{place}.active_camera"), name)
+        Action::ActiveCamera { active_camera } => {
+            check_camera_name(file, &format!("{place}.active_camera"), active_camera)
         }
     }
 }
 
 /// Refuses a name that is not of one of the classes.
-fn check_target(place: &str, name: &str, classes: &[Class], names: &Names) -> Checked {
-    let words: Vec<_> = classes.iter().map(|class| class.word()).collect();
+fn check_target(place: &str, name: &str, classes: &[&str], names: &Names) -> Checked {
+    let words = classes.join(" or ");
     let (problem, accepted) = match names.get(name) {
         Some(class) if classes.contains(class) => return Ok(()),
-        Some(class) => {
-            let words = words.join(" or ");
-            (
-                format!("`{name}` is {}", with_article(class.word())),
-                format!("the name of {} is needed", with_article(&words)),
-            )
-        }
+        Some(class) => (
+            format!("`{name}` is {}", with_article(class)),
+            format!("the name of {} is needed", with_article(&words)),
+        ),
         None => {
             let fitting = names.iter().filter(|(_, class)| classes.contains(class));
             let mut fitting: Vec<&str> = fitting.map(|(name, _)| *name).collect();
             fitting.sort_unstable();
-            let what = format!("{} with this name", words.join(" or "));
+            let what = format!("{words} with this name");
             let problem = format!("nothing of this scene has the name `{name}`");
             (problem, known(fitting.into_iter(), &what))
         }

@@ -1,8 +1,10 @@
 //! What the keys of all tables of a scene file have in common: switches, arrays of a fixed length, and the messages on
 //! keys that a kind needs or has not.
 
-use serde::de::{self, Deserializer, SeqAccess};
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{self, Deserializer, MapAccess, SeqAccess, Visitor};
+use std::fmt;
 
 /// Default of a switch that is on unless the author turns it off.
 pub(crate) fn yes() -> bool {
@@ -14,9 +16,14 @@ pub(crate) fn is_yes(value: &bool) -> bool {
     *value
 }
 
-/// A switch left off is not written.
-pub(crate) fn is_no(value: &bool) -> bool {
-    !*value
+/// Default of a number that is whole.
+pub(crate) fn number<T: From<u8>, const N: u8>() -> T {
+    N.into()
+}
+
+/// What is as it would be without its key is not written.
+pub(crate) fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
 }
 
 pub(crate) fn white() -> [f64; 3] {
@@ -53,7 +60,7 @@ pub(crate) fn fixed<const N: usize>(
 }
 
 /// Three numbers that may be left out.
-#[derive(Clone, Copy, Serialize, Deserialize)]
+#[derive(Clone, Copy, Deserialize)]
 pub(crate) struct Three(#[serde(deserialize_with = "numbers")] pub [f64; 3]);
 
 /// Reads an array of exactly `N` numbers; the array type alone would let a surplus number pass unseen.
@@ -83,4 +90,33 @@ pub(crate) fn three_of<'de, A: SeqAccess<'de>>(
 fn miscounted<E: de::Error>(values: &[f64], wanted: &str) -> E {
     let count = values.len();
     E::custom(format!("{count} numbers found; {wanted} would be accepted"))
+}
+
+/// Reads a text or a table, so that what is wrong in a table is told, and not that it is no text; `wanted` says what
+/// both are.
+pub fn text_or_table<'de, D: Deserializer<'de>, T: Deserialize<'de>, V>(
+    input: D,
+    wanted: &'static str,
+    text: fn(String) -> V,
+    table: fn(T) -> V,
+) -> Result<V, D::Error> {
+    struct Either<T, V>(&'static str, fn(String) -> V, fn(T) -> V);
+
+    impl<'de, T: Deserialize<'de>, V> Visitor<'de> for Either<T, V> {
+        type Value = V;
+
+        fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+            f.write_str(self.0)
+        }
+
+        fn visit_str<E: de::Error>(self, text: &str) -> Result<V, E> {
+            Ok(self.1(text.to_owned()))
+        }
+
+        fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<V, A::Error> {
+            T::deserialize(MapAccessDeserializer::new(map)).map(self.2)
+        }
+    }
+
+    input.deserialize_any(Either(wanted, text, table))
 }

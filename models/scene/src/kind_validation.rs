@@ -51,10 +51,13 @@ pub(super) fn check_kind(place: &str, object: &Object, camera: &Camera) -> Check
 /// Refuses the processor that was asked for unless it would do.
 fn require_processor(does: bool, at: (&str, &Object), problem: &str, accepted: &str) -> Checked {
     let (place, object) = at;
-    let name = object.processor.map_or("", Processor::name);
     unless(does, || {
-        let problem = format!("\"{name}\" {problem}");
-        (format!("{place}, processor"), problem, accepted)
+        let name = toml::Value::try_from(object.processor).expect("a processor that was asked for");
+        (
+            format!("{place}, processor"),
+            format!("{name} {problem}"),
+            accepted,
+        )
     })
 }
 
@@ -212,7 +215,7 @@ fn check_paraboloid(place: &str, object: &Object) -> Checked {
             let round = keeps_spheres(&placed);
             require_round(place, round, "sphere is no longer a sphere")
         }
-        Shape::EllipticCylinder { radii } => {
+        Shape::EllipticCylinder(radii) => {
             check_discs(place, object)?;
             let round = makes_circular_cylinder(&placed, radii);
             require_round(place, round, "cylinder is not a right circular cylinder")

@@ -56,7 +56,6 @@ mod shape;
 mod solid;
 mod source;
 mod step;
-mod tetrahedron;
 mod transform;
 mod validation;
 
@@ -70,6 +69,7 @@ pub use framed::{Absence, Absent, FramedObject, Unseen};
 pub use group::{Group, Node};
 pub use image::{Action, FRAME_DURATION, KeyImage, MoveFrame};
 pub use image_validation::{LONGEST_FRAME, MAX_FRAMES, MAX_IMAGES, SHORTEST_FRAME};
+pub use keys::text_or_table;
 pub use light::{Aim, Beam, Light};
 pub use limits::{
     LARGEST_HALF_ANGLE, MAX_CUTS, MAX_IMAGE_SIDE, MAX_INTENSITY, MAX_LIGHTS, MAX_MAGNITUDE,

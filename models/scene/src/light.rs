@@ -1,28 +1,33 @@
 //! Light sources, and their keys in the file.
 
 use super::group::Node;
-use super::keys::{Three, is_no, is_yes, numbers, refuse_keys, require, white, yes};
+use super::keys::{Three, number, numbers, refuse_keys, require, white, yes};
 use super::step::Step;
 use serde::{Deserialize, Serialize};
+use std::ops::Not;
 
 /// A light source.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "LightKeys", into = "LightKeys")]
+#[serde(try_from = "LightKeys")]
 pub struct Light {
     /// From where, and whereto.
+    #[serde(flatten)]
     pub beam: Beam,
     /// 0 to 1 for each of red, green, blue.
     pub colour: [f64; 3],
     /// Factor of the colour.
     pub intensity: f64,
     /// Whether objects in its way keep its light off others.
+    #[serde(skip_serializing_if = "Not::not")]
     pub shadows: bool,
     /// Name, group and place.
+    #[serde(flatten)]
     pub node: Node,
 }
 
 /// From where a light comes, and whereto.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
 pub enum Beam {
     /// Parallel light.
     Directional {
@@ -39,6 +44,7 @@ pub enum Beam {
         /// Where the source stands: the apex of the cone.
         position: [f64; 3],
         /// The axis of the cone.
+        #[serde(flatten)]
         aim: Aim,
         /// Angle in degrees between the axis and the cone.
         half_angle: f64,
@@ -46,7 +52,8 @@ pub enum Beam {
 }
 
 /// What a spot is directed at.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Aim {
     /// A point on the axis.
     Target([f64; 3]),
@@ -67,8 +74,7 @@ impl Light {
     }
 }
 
-/// The keys of an entry of `[[lights]]` as they stand in the file.
-#[derive(Default, Serialize, Deserialize)]
+#[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct LightKeys {
     kind: LightKind,
@@ -79,29 +85,24 @@ struct LightKeys {
     half_angle: Option<f64>,
     #[serde(default = "white", deserialize_with = "numbers")]
     colour: [f64; 3],
-    #[serde(default = "full")]
+    #[serde(default = "number::<_, 1>")]
     intensity: f64,
-    #[serde(default, skip_serializing_if = "is_no")]
+    #[serde(default)]
     shadows: bool,
     name: Option<String>,
     group: Option<String>,
-    #[serde(default = "yes", skip_serializing_if = "is_yes")]
+    #[serde(default = "yes")]
     visible: bool,
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(default)]
     place: Vec<Step>,
 }
 
-#[derive(Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, PartialEq, Deserialize)]
 #[serde(rename_all = "snake_case")]
 enum LightKind {
     Directional,
     Point,
-    #[default]
     Spot,
-}
-
-fn full() -> f64 {
-    1.0
 }
 
 impl LightKeys {
@@ -173,40 +174,5 @@ impl TryFrom<LightKeys> for Light {
                 place: keys.place,
             },
         })
-    }
-}
-
-impl From<Light> for LightKeys {
-    fn from(light: Light) -> Self {
-        let mut keys = LightKeys {
-            colour: light.colour,
-            intensity: light.intensity,
-            shadows: light.shadows,
-            name: light.node.name,
-            group: light.node.group,
-            visible: light.node.visible,
-            place: light.node.place,
-            ..LightKeys::default()
-        };
-        match light.beam {
-            Beam::Directional { from } => {
-                (keys.kind, keys.from) = (LightKind::Directional, Some(Three(from)));
-            }
-            Beam::Point { position } => {
-                (keys.kind, keys.position) = (LightKind::Point, Some(Three(position)));
-            }
-            Beam::Spot {
-                position,
-                aim,
-                half_angle,
-            } => {
-                (keys.position, keys.half_angle) = (Some(Three(position)), Some(half_angle));
-                match aim {
-                    Aim::Target(point) => keys.target = Some(Three(point)),
-                    Aim::Towards(direction) => keys.towards = Some(Three(direction)),
-                }
-            }
-        }
-        keys
     }
 }

@@ -170,7 +170,6 @@ impl SceneFile {
     }
 }
 
-/// The directions of a picture in which the scene is seen turned.
 fn turned(axes: Axes, degrees: [f64; 3]) -> Axes {
     let about = [Axis::X, Axis::Y, Axis::Z].into_iter().zip(degrees);
     about.fold(axes, |axes, (axis, degrees)| {
@@ -178,7 +177,6 @@ fn turned(axes: Axes, degrees: [f64; 3]) -> Axes {
     })
 }
 
-/// Where a camera stands and looks.
 struct Pose {
     axes: Axes,
     target: Vector,

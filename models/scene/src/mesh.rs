@@ -40,7 +40,6 @@ pub struct FramedFacet {
     pub normal: [i16; 3],
 }
 
-/// What a face is.
 pub(super) enum Face {
     /// A triangle, or a quadrangle that is plane and convex, from this corner on.
     Flat(usize),

@@ -1,6 +1,7 @@
 //! The checks of names: who is called what, who belongs to whom, and that nothing goes round in circles.
 
 use super::camera::Camera;
+use super::error::SceneError;
 use super::file::SceneFile;
 use super::flat::Groups;
 use super::limits::{Checked, check_name, check_new, unless};
@@ -9,50 +10,33 @@ use std::collections::HashMap;
 /// Most groups above a member.
 pub const MAX_NESTING: usize = 64;
 
-/// What has a name that actions and members use.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Class {
-    Object,
-    Group,
-    Light,
-    Camera,
-}
-
-impl Class {
-    pub const fn word(self) -> &'static str {
-        match self {
-            Self::Object => "object",
-            Self::Group => "group",
-            Self::Light => "light",
-            Self::Camera => "camera",
-        }
-    }
-}
-
-/// Names by class.
-pub(super) type Names<'a> = HashMap<&'a str, Class>;
+/// What has a name that actions and members use: an object, a group, a light or a camera; as messages say it.
+pub(super) type Names<'a> = HashMap<&'a str, &'static str>;
 
 /// The names of everything an action can change; refused are those that are empty or taken.
-pub(super) fn check_names(file: &SceneFile) -> Result<Names<'_>, super::error::SceneError> {
-    let objects = file.objects.iter().map(|o| Some(&o.name)).enumerate();
-    let groups = file.groups.iter().map(|g| Some(&g.name)).enumerate();
+pub(super) fn check_names(file: &SceneFile) -> Result<Names<'_>, SceneError> {
     let lights = file.lights.iter().map(|l| l.node.name.as_ref());
     let cameras = file.all_cameras().map(|c| c.node.name.as_ref());
-    let all = objects
-        .map(|(index, name)| (Class::Object, index, name))
-        .chain(groups.map(|(index, name)| (Class::Group, index, name)))
-        .chain((0..).zip(lights).map(|(i, name)| (Class::Light, i, name)))
-        .chain((0..).zip(cameras).map(|(i, name)| (Class::Camera, i, name)));
+    let all: [(_, Vec<_>); 4] = [
+        (
+            "object",
+            file.objects.iter().map(|o| Some(&o.name)).collect(),
+        ),
+        ("group", file.groups.iter().map(|g| Some(&g.name)).collect()),
+        ("light", lights.collect()),
+        ("camera", cameras.collect()),
+    ];
     let mut names = Names::new();
-    for (class, index, name) in all {
-        let Some(name) = name else {
-            continue;
-        };
-        let word = class.word();
-        check_name(&format!("{word}s[{index}].name"), name)?;
-        let earlier = names.insert(name.as_str(), class).map(Class::word);
-        let place = || format!("{word} `{name}`");
-        earlier.map_or(Ok(()), |earlier| check_new(false, &place(), earlier))?;
+    for (word, list) in all {
+        for (index, name) in list.into_iter().enumerate() {
+            let Some(name) = name else {
+                continue;
+            };
+            check_name(&format!("{word}s[{index}].name"), name)?;
+            if let Some(earlier) = names.insert(name, word) {
+                check_new(false, &format!("{word} `{name}`"), earlier)?;
+            }
+        }
     }
     Ok(names)
 }
@@ -79,7 +63,6 @@ pub(super) fn check_members(file: &SceneFile) -> Checked {
     }
 }
 
-/// A camera in a message.
 pub(super) fn place_of(camera: &Camera) -> String {
     let name = camera.node.name.as_ref();
     name.map_or("camera".to_owned(), |name| format!("camera `{name}`"))
@@ -98,7 +81,6 @@ fn check_group(file: &SceneFile, group: &Option<String>, place: impl Fn() -> Str
     })
 }
 
-/// Refuses a name that no camera has.
 pub(super) fn check_camera_name(file: &SceneFile, place: &str, name: &str) -> Checked {
     let cameras = || file.all_cameras();
     let names = || cameras().filter_map(|camera| camera.node.name.as_deref());

@@ -42,7 +42,6 @@ impl Object {
     }
 }
 
-/// The keys of an entry of `[[objects]]` as they stand in the file.
 #[derive(Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct ObjectKeys {
@@ -87,27 +86,22 @@ impl ObjectKeys {
         let others = present.into_iter().filter(|(key, _)| !keys.contains(key));
         refuse_keys(others, &owner, wanted)?;
         let radii = self.radii.take();
-        let two = |radii| fixed::<2>(radii, &owner, wanted);
-        let three =
-            |radii, shape: fn([f64; 3]) -> Shape| fixed::<3>(radii, &owner, wanted).map(shape);
         Ok(match self.kind {
             Kind::Sphere => Shape::Sphere {
                 radius: require(self.radius, &owner, wanted)?,
             },
-            Kind::EllipticCylinder => Shape::EllipticCylinder { radii: two(radii)? },
-            Kind::HyperbolicCylinder => Shape::HyperbolicCylinder { radii: two(radii)? },
-            Kind::ParabolicCylinder => Shape::ParabolicCylinder { radii: two(radii)? },
-            Kind::Ellipsoid => three(radii, |radii| Shape::Ellipsoid { radii })?,
-            Kind::Cone => three(radii, |radii| Shape::Cone { radii })?,
-            Kind::HyperboloidOneSheet => {
-                three(radii, |radii| Shape::HyperboloidOneSheet { radii })?
-            }
+            Kind::EllipticCylinder => Shape::EllipticCylinder(fixed(radii, &owner, wanted)?),
+            Kind::HyperbolicCylinder => Shape::HyperbolicCylinder(fixed(radii, &owner, wanted)?),
+            Kind::ParabolicCylinder => Shape::ParabolicCylinder(fixed(radii, &owner, wanted)?),
+            Kind::Ellipsoid => Shape::Ellipsoid(fixed(radii, &owner, wanted)?),
+            Kind::Cone => Shape::Cone(fixed(radii, &owner, wanted)?),
+            Kind::HyperboloidOneSheet => Shape::HyperboloidOneSheet(fixed(radii, &owner, wanted)?),
             Kind::HyperboloidTwoSheets => {
-                three(radii, |radii| Shape::HyperboloidTwoSheets { radii })?
+                Shape::HyperboloidTwoSheets(fixed(radii, &owner, wanted)?)
             }
-            Kind::EllipticParaboloid => three(radii, |radii| Shape::EllipticParaboloid { radii })?,
+            Kind::EllipticParaboloid => Shape::EllipticParaboloid(fixed(radii, &owner, wanted)?),
             Kind::HyperbolicParaboloid => {
-                three(radii, |radii| Shape::HyperbolicParaboloid { radii })?
+                Shape::HyperbolicParaboloid(fixed(radii, &owner, wanted)?)
             }
             Kind::Quadric => Shape::Quadric {
                 coefficients: fixed(self.coefficients.take(), &owner, wanted)?,

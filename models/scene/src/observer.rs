@@ -9,7 +9,6 @@ use imogene_algebra::rational::{from_decimal, to_f64};
 use imogene_algebra::vector::{cross, minus, normalised};
 use num_rational::BigRational;
 
-/// Where an observer stands in the scene, and where it looks.
 pub(super) struct Sight {
     pub eye: [BigRational; 3],
     pub target: [BigRational; 3],

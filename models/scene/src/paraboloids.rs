@@ -60,7 +60,6 @@ pub struct FramedCylinder {
     pub length: BigRational,
 }
 
-/// True if a placement turns a sphere into a sphere.
 pub(super) fn keeps_spheres(place: &Transform) -> bool {
     let [x, y, z] = place.columns();
     alike(&x, &y) && alike(&x, &z) && across(&x, &y) && across(&x, &z) && across(&y, &z)

@@ -2,9 +2,8 @@
 
 use super::plane::Plane;
 use super::shape::{Shape, Surface};
-use super::tetrahedron::implicit;
 use super::transform::{Transform, WholeInverse, WholeTransform};
-use imogene_algebra::matrix::{Matrix4, SYMMETRIC, product, symmetric};
+use imogene_algebra::matrix::{Matrix4, SYMMETRIC, product, symmetric, transposed};
 use imogene_algebra::rational::{from_decimal, integer};
 use imogene_algebra::whole::{common_denominator, primitive};
 use num_bigint::BigInt;
@@ -60,7 +59,12 @@ impl Quadric {
             Shape::TetrahedronPatch {
                 ref corners,
                 ref weights,
-            } => return Some(Self::from_matrix(&implicit(corners, weights)?.0)),
+            } => {
+                let (matrix, _) = implicit(corners, weights)?;
+                return Some(Self::from_array(
+                    SYMMETRIC.map(|[i, j]| matrix[i][j].clone()),
+                ));
+            }
             Shape::Quadric { coefficients } => {
                 return Some(Self::from_array(coefficients.map(from_decimal)));
             }
@@ -68,15 +72,15 @@ impl Quadric {
                 let square = from_decimal(radius).pow(2);
                 return Some(Self::diagonal([1, 1, 1].map(integer), -square));
             }
-            Shape::Ellipsoid { radii } => (radii, [1, 1, 1], -1),
-            Shape::EllipticCylinder { radii } => (between(radii), [1, 0, 1], -1),
-            Shape::HyperbolicCylinder { radii } => (between(radii), [1, 0, -1], -1),
-            Shape::ParabolicCylinder { radii } => (between(radii), [1, 0, 0], 0),
-            Shape::Cone { radii } => (radii, [1, -1, 1], 0),
-            Shape::HyperboloidOneSheet { radii } => (radii, [1, -1, 1], -1),
-            Shape::HyperboloidTwoSheets { radii } => (radii, [1, -1, 1], 1),
-            Shape::EllipticParaboloid { radii } => (radii, [1, 0, 1], 0),
-            Shape::HyperbolicParaboloid { radii } => (radii, [1, 0, -1], 0),
+            Shape::Ellipsoid(radii) => (radii, [1, 1, 1], -1),
+            Shape::EllipticCylinder(radii) => (between(radii), [1, 0, 1], -1),
+            Shape::HyperbolicCylinder(radii) => (between(radii), [1, 0, -1], -1),
+            Shape::ParabolicCylinder(radii) => (between(radii), [1, 0, 0], 0),
+            Shape::Cone(radii) => (radii, [1, -1, 1], 0),
+            Shape::HyperboloidOneSheet(radii) => (radii, [1, -1, 1], -1),
+            Shape::HyperboloidTwoSheets(radii) => (radii, [1, -1, 1], 1),
+            Shape::EllipticParaboloid(radii) => (radii, [1, 0, 1], 0),
+            Shape::HyperbolicParaboloid(radii) => (radii, [1, 0, -1], 0),
         };
         let radii = radii.map(from_decimal);
         let squares = std::array::from_fn(|k| integer(signs[k]) / radii[k].pow(2));
@@ -125,11 +129,6 @@ impl Quadric {
         }))
     }
 
-    /// The quadric of a symmetric matrix.
-    fn from_matrix(matrix: &Matrix4<BigRational>) -> Self {
-        Self::from_array(SYMMETRIC.map(|[i, j]| matrix[i][j].clone()))
-    }
-
     /// The coefficients a to j.
     pub fn coefficients(&self) -> [&BigRational; 10] {
         let [a, b, c, d, e] = [&self.a, &self.b, &self.c, &self.d, &self.e];
@@ -168,6 +167,32 @@ impl Quadric {
             j,
         }
     }
+}
+
+/// The matrix of the quadric and the four planes of a tetrahedron, in the coordinates of its corners; `None` if the
+/// corners lie in one plane.
+///
+/// With the barycentric coordinates b as affine functions of the point, F = b' W b for the symmetric W of the weights:
+/// a pair stands in it twice, which is the factor 2 of its Bernstein polynomial. Plane i keeps b_i >= 0, so it is the
+/// face opposite corner i.
+pub(super) fn implicit(
+    corners: &[[f64; 3]; 4],
+    weights: &[f64; 10],
+) -> Option<(Matrix4<BigRational>, Matrix4<BigRational>)> {
+    let corners = corners.map(|[x, y, z]| [x, y, z, 1.0].map(from_decimal));
+    let points = Transform {
+        rows: transposed(&corners),
+    };
+    let determinant = points.determinant();
+    if determinant.is_zero() {
+        return None;
+    }
+    // Row i of the inverse is b_i: column i of the cofactors over the determinant.
+    let coordinates = transposed(&points.cofactors()).map(|row| row.map(|v| v / &determinant));
+    let [w00, w11, w22, w33, w01, w02, w03, w12, w13, w23] = &weights.map(from_decimal);
+    let weights = symmetric([w00, w11, w22, w01, w02, w12, w03, w13, w23, w33]);
+    let matrix = product(&product(&transposed(&coordinates), &weights), &coordinates);
+    Some((matrix, coordinates.map(|plane| plane.map(|v| -v))))
 }
 
 /// A quadric bounded by planes, in the camera frame.

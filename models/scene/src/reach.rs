@@ -78,7 +78,7 @@ impl Body {
                 Body::Points(mesh.vertices.iter().map(|v| place(*v, 1.0)).collect())
             }
             Shape::Sphere { radius } if object.cuts.is_empty() => ball([*radius; 3]),
-            Shape::Ellipsoid { radii } if object.cuts.is_empty() => ball(*radii),
+            Shape::Ellipsoid(radii) if object.cuts.is_empty() => ball(*radii),
             _ => Body::Cut(Box::new(CutBody::of(object, &moved, size))),
         }
     }

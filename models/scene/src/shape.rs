@@ -30,19 +30,6 @@ pub enum Processor {
     CurvedFacet,
 }
 
-impl Processor {
-    /// Its word in a scene file.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Quadric => "quadric",
-            Self::Patch => "patch",
-            Self::FirstGeneration => "first_generation",
-            Self::Paraboloid => "paraboloid",
-            Self::CurvedFacet => "curved_facet",
-        }
-    }
-}
-
 /// Flat facets with common corners.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
@@ -55,61 +42,34 @@ pub struct Mesh {
 }
 
 /// What an object is. The quadrics are in canonical position, inside where the expression is negative or zero (thesis
-/// Table 2.1).
+/// Table 2.1); their families have the half axes A, B and C, or A and C.
 ///
 /// Axes of revolution, of two-sheetedness and of rulings of the cylinders all lie along the local y axis.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
     /// `x^2/A^2 + y^2/B^2 + z^2/C^2 - 1`
-    Ellipsoid {
-        /// A, B, C.
-        radii: [f64; 3],
-    },
+    Ellipsoid([f64; 3]),
     /// `x^2 + y^2 + z^2 - R^2`
     Sphere {
         /// R.
         radius: f64,
     },
     /// `x^2/A^2 + z^2/C^2 - 1`
-    EllipticCylinder {
-        /// A, C.
-        radii: [f64; 2],
-    },
+    EllipticCylinder([f64; 2]),
     /// `x^2/A^2 - z^2/C^2 - 1`, the part that contains the y axis.
-    HyperbolicCylinder {
-        /// A, C.
-        radii: [f64; 2],
-    },
+    HyperbolicCylinder([f64; 2]),
     /// `x^2/A^2 - z/C`, open towards +z.
-    ParabolicCylinder {
-        /// A, C.
-        radii: [f64; 2],
-    },
+    ParabolicCylinder([f64; 2]),
     /// `x^2/A^2 - y^2/B^2 + z^2/C^2`, both halves, apex at the origin.
-    Cone {
-        /// A, B, C.
-        radii: [f64; 3],
-    },
+    Cone([f64; 3]),
     /// `x^2/A^2 - y^2/B^2 + z^2/C^2 - 1`, the part that contains the y axis.
-    HyperboloidOneSheet {
-        /// A, B, C.
-        radii: [f64; 3],
-    },
+    HyperboloidOneSheet([f64; 3]),
     /// `x^2/A^2 - y^2/B^2 + z^2/C^2 + 1`, tips at y = -B and y = B.
-    HyperboloidTwoSheets {
-        /// A, B, C.
-        radii: [f64; 3],
-    },
+    HyperboloidTwoSheets([f64; 3]),
     /// `x^2/A^2 + z^2/C^2 - y/B`, open towards +y.
-    EllipticParaboloid {
-        /// A, B, C.
-        radii: [f64; 3],
-    },
+    EllipticParaboloid([f64; 3]),
     /// `x^2/A^2 - z^2/C^2 - y/B`, the part above the saddle.
-    HyperbolicParaboloid {
-        /// A, B, C.
-        radii: [f64; 3],
-    },
+    HyperbolicParaboloid([f64; 3]),
     /// `a x^2 + b y^2 + c z^2 + 2d xy + 2e xz + 2f yz + 2g x + 2h y + 2i z + j`
     Quadric {
         /// a to j.
@@ -133,15 +93,15 @@ impl Shape {
     /// The half axes of a family that has two or three.
     pub(crate) fn radii(&self) -> Option<&[f64]> {
         match self {
-            Shape::EllipticCylinder { radii }
-            | Shape::HyperbolicCylinder { radii }
-            | Shape::ParabolicCylinder { radii } => Some(radii),
-            Shape::Ellipsoid { radii }
-            | Shape::Cone { radii }
-            | Shape::HyperboloidOneSheet { radii }
-            | Shape::HyperboloidTwoSheets { radii }
-            | Shape::EllipticParaboloid { radii }
-            | Shape::HyperbolicParaboloid { radii } => Some(radii),
+            Shape::EllipticCylinder(radii)
+            | Shape::HyperbolicCylinder(radii)
+            | Shape::ParabolicCylinder(radii) => Some(radii),
+            Shape::Ellipsoid(radii)
+            | Shape::Cone(radii)
+            | Shape::HyperboloidOneSheet(radii)
+            | Shape::HyperboloidTwoSheets(radii)
+            | Shape::EllipticParaboloid(radii)
+            | Shape::HyperbolicParaboloid(radii) => Some(radii),
             _ => None,
         }
     }
@@ -178,7 +138,6 @@ pub struct Cut {
     pub normal: [f64; 3],
 }
 
-/// The word of a shape in the file.
 #[derive(Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum Kind {

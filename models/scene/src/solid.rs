@@ -2,14 +2,12 @@
 
 use super::error::SceneError;
 use super::file::SceneFile;
-use super::limits::{Checked, check_name, check_new, unless};
+use super::keys::text_or_table;
+use super::limits::{Checked, check_count, check_name, check_new, unless};
 use super::names::known;
 use super::shape::{Processor, Shape, Surface};
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{self, Deserializer, MapAccess, Visitor};
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 use std::collections::HashSet;
-use std::fmt;
 
 /// Most objects that the tree of a solid names.
 pub const MAX_LEAVES: usize = 64;
@@ -47,26 +45,9 @@ pub enum Operand {
 }
 
 impl<'de> Deserialize<'de> for Operand {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Operand, D::Error> {
-        struct Either;
-
-        impl<'de> Visitor<'de> for Either {
-            type Value = Operand;
-
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("the name of an object, or { union = [..] }, { intersection = [..] } or { difference = [..] }")
-            }
-
-            fn visit_str<E: de::Error>(self, name: &str) -> Result<Operand, E> {
-                Ok(Operand::Object(name.to_owned()))
-            }
-
-            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Operand, A::Error> {
-                Operation::deserialize(MapAccessDeserializer::new(map)).map(Operand::Operation)
-            }
-        }
-
-        deserializer.deserialize_any(Either)
+    fn deserialize<D: Deserializer<'de>>(input: D) -> Result<Operand, D::Error> {
+        let wanted = "the name of an object, or { union = [..] }, { intersection = [..] } or { difference = [..] }";
+        text_or_table(input, wanted, Operand::Object, Operand::Operation)
     }
 }
 
@@ -169,17 +150,9 @@ impl SceneFile {
             check_new(names.insert(&solid.name), &place, "solid")?;
             check_operation(&place, &solid.of)?;
             let named = solid.of.names();
-            unless(named.len() <= MAX_LEAVES, || {
-                let problem = format!("{} objects are named in it", named.len());
-                (
-                    place.clone(),
-                    problem,
-                    format!("at most {MAX_LEAVES} are possible"),
-                )
-            })?;
-            named
-                .iter()
-                .try_for_each(|name| self.check_member(&place, name))?;
+            check_count(&place, named.len(), "objects are named in it", MAX_LEAVES)?;
+            let mut named = named.into_iter();
+            named.try_for_each(|name| self.check_member(&place, name))?;
         }
         Ok(())
     }
@@ -188,15 +161,9 @@ impl SceneFile {
     fn check_member(&self, place: &str, name: &str) -> Checked {
         let place = format!("{place}, object `{name}`");
         let Some(object) = self.objects.iter().find(|object| object.name == name) else {
-            let accepted = known(
-                self.objects.iter().map(|o| o.name.as_str()),
-                "`[[objects]]`",
-            );
-            return Err(SceneError::value(
-                place,
-                "there is no such object",
-                accepted,
-            ));
+            let names = self.objects.iter().map(|o| o.name.as_str());
+            let (problem, accepted) = ("there is no such object", known(names, "`[[objects]]`"));
+            return Err(SceneError::value(place, problem, accepted));
         };
         let is_volume = object.mode == Surface::Solid
             && !matches!(
@@ -221,11 +188,9 @@ fn check_operation(place: &str, operation: &Operation) -> Checked {
         let accepted = "a union, an intersection or a difference has two operands at least";
         (place, "an operation has too few operands", accepted)
     })?;
-    operation
-        .operands()
-        .iter()
-        .try_for_each(|operand| match operand {
-            Operand::Operation(operation) => check_operation(place, operation),
-            Operand::Object(_) => Ok(()),
-        })
+    let mut operands = operation.operands().iter();
+    operands.try_for_each(|operand| match operand {
+        Operand::Operation(operation) => check_operation(place, operation),
+        Operand::Object(_) => Ok(()),
+    })
 }

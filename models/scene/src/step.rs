@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 /// One step of a placement.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "StepKeys", into = "StepKeys")]
+#[serde(try_from = "StepKeys", rename_all = "snake_case")]
 pub enum Step {
     /// Displacement in scene units.
     Translate([f64; 3]),
@@ -61,8 +61,7 @@ impl Scale {
     }
 }
 
-/// The key of a step as it stands in the file.
-#[derive(Default, Serialize, Deserialize)]
+#[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct StepKeys {
     pub translate: Option<Three>,
@@ -86,18 +85,6 @@ impl TryFrom<StepKeys> for Step {
                     .into(),
             ),
         }
-    }
-}
-
-impl From<Step> for StepKeys {
-    fn from(step: Step) -> Self {
-        let mut keys = Self::default();
-        match step {
-            Step::Translate(offset) => keys.translate = Some(Three(offset)),
-            Step::Rotate(rotation) => keys.rotate = Some(rotation),
-            Step::Scale(scale) => keys.scale = Some(scale),
-        }
-        keys
     }
 }
 

@@ -149,18 +149,16 @@ fn canonical(object: &Object) -> Canonical {
 fn unit_form(shape: &Shape) -> Option<([f64; 3], Matrix)> {
     let none = [0, 0, 0];
     Some(match *shape {
-        Shape::Ellipsoid { radii } => (radii, twice([1, 1, 1], none, -1)),
+        Shape::Ellipsoid(radii) => (radii, twice([1, 1, 1], none, -1)),
         Shape::Sphere { radius } => ([radius; 3], twice([1, 1, 1], none, -1)),
-        Shape::EllipticCylinder { radii: [a, c] } => ([a, 1.0, c], twice([1, 0, 1], none, -1)),
-        Shape::HyperbolicCylinder { radii: [a, c] } => ([a, 1.0, c], twice([1, 0, -1], none, -1)),
-        Shape::ParabolicCylinder { radii: [a, c] } => {
-            ([a, 1.0, c], twice([1, 0, 0], [0, 0, -1], 0))
-        }
-        Shape::Cone { radii } => (radii, twice([1, -1, 1], none, 0)),
-        Shape::HyperboloidOneSheet { radii } => (radii, twice([1, -1, 1], none, -1)),
-        Shape::HyperboloidTwoSheets { radii } => (radii, twice([1, -1, 1], none, 1)),
-        Shape::EllipticParaboloid { radii } => (radii, twice([1, 0, 1], [0, -1, 0], 0)),
-        Shape::HyperbolicParaboloid { radii } => (radii, twice([1, 0, -1], [0, -1, 0], 0)),
+        Shape::EllipticCylinder([a, c]) => ([a, 1.0, c], twice([1, 0, 1], none, -1)),
+        Shape::HyperbolicCylinder([a, c]) => ([a, 1.0, c], twice([1, 0, -1], none, -1)),
+        Shape::ParabolicCylinder([a, c]) => ([a, 1.0, c], twice([1, 0, 0], [0, 0, -1], 0)),
+        Shape::Cone(radii) => (radii, twice([1, -1, 1], none, 0)),
+        Shape::HyperboloidOneSheet(radii) => (radii, twice([1, -1, 1], none, -1)),
+        Shape::HyperboloidTwoSheets(radii) => (radii, twice([1, -1, 1], none, 1)),
+        Shape::EllipticParaboloid(radii) => (radii, twice([1, 0, 1], [0, -1, 0], 0)),
+        Shape::HyperbolicParaboloid(radii) => (radii, twice([1, 0, -1], [0, -1, 0], 0)),
         Shape::Quadric { .. }
         | Shape::Polyhedron
         | Shape::Mesh(_)

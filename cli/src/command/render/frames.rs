@@ -62,9 +62,9 @@ pub fn run(options: &Render, range: FrameRange, json: bool) -> Result<(), Failur
     let file = read_scene(&options.scene.scene, &options.scene.view)?;
     let size = size_of(&file, options.scene.size);
     let format = options.scene.format()?;
-    let animator = Animator::new(&file, size, format).map_err(|error| Failure::at(path, error))?;
-    let animator = animator.with_options(missing::options());
-    let range = range.of("--frames", animator.playback().count());
+    let animator = Animator::new(&file, size, format, missing::options());
+    let animator = animator.map_err(|error| Failure::at(path, error))?;
+    let range = range.of("--frames", animator.playback.count());
     let range = range.map_err(|error| Failure::at(path, error))?;
     let preview_path = options.output().join("animation.png");
     let count = range.clone().count();

@@ -5,6 +5,8 @@ pub use super::surface::Matter;
 use super::surface::{Planes, Surface, keep};
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
+use imogene_golden::object::slot::ProcessorWords;
+use imogene_golden::object::words::Words;
 
 /// What of an object matters on a window of its own pixels, by bounds alone: [`Matter::Nothing`] and idle planes are
 /// certain, the rest is what could not be excluded.
@@ -22,4 +24,21 @@ pub fn with_planes(words: &QuadricWords, planes: Planes) -> QuadricWords {
     let mut left = words.clone();
     keep(&mut left.planes, planes);
     left
+}
+
+/// The same words in a smaller box.
+pub(crate) fn in_box(words: &ProcessorWords, screen_box: ScreenBox) -> ProcessorWords {
+    let mut words = words.clone();
+    *words.screen_box_mut() = screen_box;
+    words
+}
+
+/// Is a part at any pixel of its box?
+pub(crate) fn is_drawn(words: &ProcessorWords, format: &Format) -> bool {
+    let window = words.screen_box();
+    (window.y0..=window.y1).any(|y| {
+        let mut drawn = false;
+        words.for_each_present(format, y, |_, _| drawn = true);
+        drawn
+    })
 }

@@ -2,6 +2,7 @@
 //! that are nowhere; and, if some pixels may change, without what only so many show (source: Claux, III.3.2.1.3;
 //! Coquillart, 3.4).
 
+use super::part::in_box;
 use super::precision::Bits;
 use imogene_golden::format::Format;
 use imogene_golden::machine::frame::Frame;
@@ -191,13 +192,6 @@ impl ReducedObject {
     }
 }
 
-/// The same words in a smaller box.
-fn in_box(words: &ProcessorWords, screen_box: ScreenBox) -> ProcessorWords {
-    let mut words = words.clone();
-    *words.screen_box_mut() = screen_box;
-    words
-}
-
 /// The planes that can be left out; those of other processors are part of what they are.
 fn planes_of(words: &ProcessorWords) -> &[PlaneWords] {
     match words {
@@ -218,7 +212,6 @@ fn without_plane(words: &ProcessorWords, plane: usize) -> ProcessorWords {
     words
 }
 
-/// The search for planes that can be left out.
 struct PlaneSearch<'a> {
     words: ProcessorWords,
     faces: Vec<u8>,
@@ -265,8 +258,7 @@ impl<'a> PlaneSearch<'a> {
             words,
             faces,
             changed,
-            drawn: self.drawn,
-            format: self.format,
+            ..*self
         }
     }
 }

@@ -152,12 +152,10 @@ pub(super) fn difference(p: &Linear, q: &Linear, window: &ScreenBox) -> Range {
 /// The radicand on a window, guard bits dropped; `None` if its register could wrap.
 pub(super) fn radicand(f2: &Quadratic, window: &ScreenBox, format: &Format) -> Option<Range> {
     let range = Range::of_quadratic(f2, window);
-    range
-        .fits(format.pe2_width())
-        .then_some(range.dropped(format.guard_quadratic))
+    let fits = range.fits(format.pe2_width());
+    fits.then_some(range.dropped(format.guard_quadratic))
 }
 
-/// An object on a window.
 pub(super) struct Surface<'a> {
     words: &'a QuadricWords,
     format: &'a Format,

@@ -57,7 +57,6 @@ pub fn volume_with_planes(words: &VolumeWords, planes: Planes) -> VolumeWords {
     left
 }
 
-/// A volume and an object on a window.
 struct Near<'a> {
     volume: &'a VolumeWords,
     format: &'a Format,

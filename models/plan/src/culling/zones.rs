@@ -1,6 +1,6 @@
 //! The zones that each object of a scene touches: by its screen box, by bounds, and in truth.
 
-use super::part::{Matter, matter};
+use super::part::{Matter, is_drawn, matter};
 use crate::split::{Division, Piece};
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::{MAX_PLANES, QuadricWords, ScreenBox};
@@ -55,10 +55,9 @@ impl ZoneTouches {
             height: side,
         };
         let pieces = division.pieces(width, height);
-        let found: Vec<Vec<(usize, Touches)>> = slots
-            .par_iter()
-            .map(|slot| touched(&slot.words, format, &pieces))
-            .collect();
+        let found = slots.par_iter();
+        let found = found.map(|slot| touched(&slot.words, format, &pieces));
+        let found: Vec<Vec<(usize, Touches)>> = found.collect();
         let mut touches = ZoneTouches {
             objects: vec![Touches::default(); objects],
             zones: vec![Touches::default(); pieces.len()],
@@ -74,15 +73,14 @@ impl ZoneTouches {
     }
 }
 
-/// The zones that a processor's box touches.
 fn touched(words: &ProcessorWords, format: &Format, pieces: &[Piece]) -> Vec<(usize, Touches)> {
     // As a quadric object it has bounds, if there is an equal one.
     let quadric = match words {
         ProcessorWords::Quadric(words) | ProcessorWords::Patch(words) => Some(Cow::Borrowed(words)),
-        other => other
-            .on_quadric_processor(format, MAX_PLANES)
-            .ok()
-            .map(Cow::Owned),
+        other => {
+            let words = other.on_quadric_processor(format, MAX_PLANES);
+            words.ok().map(Cow::Owned)
+        }
     };
     let mut found = vec![];
     for (index, piece) in pieces.iter().enumerate() {
@@ -93,7 +91,7 @@ fn touched(words: &ProcessorWords, format: &Format, pieces: &[Piece]) -> Vec<(us
         let excluded = quadric.as_ref().is_some_and(|words: &Cow<QuadricWords>| {
             matter(words, &window, format) == Matter::Nothing
         });
-        let drawn = !excluded && is_drawn(words, piece, format);
+        let drawn = !excluded && is_drawn(&piece.words(words), format);
         let touches = Touches {
             boxes: 1,
             bounds: u64::from(!excluded),
@@ -108,16 +106,6 @@ fn touched(words: &ProcessorWords, format: &Format, pieces: &[Piece]) -> Vec<(us
 pub fn window_of(piece: &Piece) -> ScreenBox {
     let [x0, y0, width, height] = [piece.x0, piece.y0, piece.width, piece.height].map(i64::from);
     ScreenBox::of([x0, x0 + width - 1], [y0, y0 + height - 1])
-}
-
-fn is_drawn(words: &ProcessorWords, piece: &Piece, format: &Format) -> bool {
-    let words = piece.words(words);
-    let window = words.screen_box();
-    (window.y0..=window.y1).any(|y| {
-        let mut drawn = false;
-        words.for_each_present(format, y, |_, _| drawn = true);
-        drawn
-    })
 }
 
 /// A picture of zones, each in a colour for its count: black for none, then from blue over green and yellow to red for

@@ -56,12 +56,10 @@ pub fn keys() -> [Key; 23] {
     ]
 }
 
-/// What `lit_sphere` accepts.
 pub(super) const SPHERE: &str = "{ side = 64, materials = 2 } with a side of 16, 32, 64 or 128, and 1 to 32 materials, of side 64 \
      to 8 and of 128 to 2; half as many for each of the lights, which is 0 where nothing casts a shadow; and if need be \
      nearest = true";
 
-/// What `mode` accepts.
 pub(super) fn modes() -> String {
     let names = VideoMode::ALL.map(|m| format!("\"{}x{}\"", m.line.active, m.frame.active));
     format!(
@@ -71,7 +69,6 @@ pub(super) fn modes() -> String {
     )
 }
 
-/// A key of this name.
 pub(super) fn key(name: &str) -> Option<Key> {
     keys().into_iter().find(|(own, _)| *own == name)
 }
@@ -101,7 +98,6 @@ impl Places {
         Places(places)
     }
 
-    /// Where the value of a key begins.
     pub(super) fn value(&self, key: &str) -> Option<usize> {
         let place = self.0.iter().find(|(name, ..)| name == key);
         place.map(|(_, _, value)| *value)

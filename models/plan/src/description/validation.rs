@@ -1,10 +1,9 @@
 //! What a machine description may say.
 
 use super::keys::{SPHERE, key_of, modes};
-use super::{DescriptionError, MachineDescription, MachineKind, Output, Smoothing};
+use super::{DescriptionError, MachineDescription, MachineKind, Output, Smoothing, most_planes};
 use imogene_contract::object::Kind;
-use imogene_contract::slots::FittedSlot;
-use imogene_contract::slots::Slots;
+use imogene_contract::slots::{FittedSlot, Slots};
 use imogene_contract::video::VideoMode;
 use imogene_contract::words::MOST_LAYERS;
 use imogene_golden::format::Format;
@@ -74,18 +73,13 @@ impl MachineDescription {
     }
 
     fn check_counts(&self, rows: usize) -> Checked {
-        let counts = [
-            ("rows_per_stage", self.rows_per_stage as usize, 1, rows),
-            ("objects", self.objects, 1, 256),
-            ("planes", self.planes, 0, MAX_PLANES),
-            ("volumes", self.volumes, 0, 256),
-            ("volume_planes", self.volume_planes, 0, MAX_PLANES),
-            ("lights", self.lights, 0, MOST_LIGHTS),
-            ("suns", self.suns, 0, self.lights.min(MOST_LIGHTS)),
-        ];
-        counts
-            .into_iter()
-            .try_for_each(|(key, value, least, most)| range(key, value, least, most))
+        range("rows_per_stage", self.rows_per_stage as usize, 1, rows)?;
+        range("objects", self.objects, 1, 256)?;
+        range("planes", self.planes, 0, MAX_PLANES)?;
+        range("volumes", self.volumes, 0, 256)?;
+        range("volume_planes", self.volume_planes, 0, MAX_PLANES)?;
+        range("lights", self.lights, 0, MOST_LIGHTS)?;
+        range("suns", self.suns, 0, self.lights.min(MOST_LIGHTS))
     }
 
     fn check_slots(&self, format: &Format) -> Checked {
@@ -119,12 +113,7 @@ impl MachineDescription {
             };
             return refuse("slots", slot, accepted);
         }
-        let planes = slots.iter().map(|slot| slot.planes as usize).max();
-        let counts = [
-            ("objects", self.objects, slots.len()),
-            ("planes", self.planes, planes.unwrap_or(0)),
-        ];
-        let counted = |(key, value, counted)| match value == counted {
+        let counted = |key, value, counted| match value == counted {
             true => Ok(()),
             false => refuse(
                 key,
@@ -132,7 +121,8 @@ impl MachineDescription {
                 format!("{counted}, as slots has, or none given"),
             ),
         };
-        counts.into_iter().try_for_each(counted)
+        counted("objects", self.objects, slots.len())?;
+        counted("planes", self.planes, most_planes(slots))
     }
 
     fn check_products(&self) -> Checked {

@@ -94,43 +94,23 @@ impl DrawnPiece {
     }
 
     fn apply_volume(&mut self, words: &VolumeWords, format: &Format) {
-        let window = self.piece.part_of(&words.screen_box);
-        let inside = self.inside(words, window, format);
-        // Outside of a light is dark, also outside its box.
-        if words.kind == VolumeKind::Light {
-            for (at, flags) in self.flags.iter_mut().enumerate() {
-                let (x, y) = (at % self.frame.width, at / self.frame.width);
-                if !window.contains(x as i64, y as i64) {
-                    *flags = words.after(*flags, false);
-                }
-            }
-        }
-        for (at, inside) in inside {
-            self.flags[at] = words.after(self.flags[at], inside);
-        }
-    }
-
-    /// The pixels of the volume's box, and whether the visible point there is inside.
-    fn inside(
-        &mut self,
-        words: &VolumeWords,
-        window: ScreenBox,
-        format: &Format,
-    ) -> Vec<(usize, bool)> {
-        if window.is_empty() {
-            return vec![];
-        }
         let own = self.piece.words(words);
-        let mut found = Vec::with_capacity(window.pixels() as usize);
-        for y in window.y0..=window.y1 {
-            for x in window.x0..=window.x1 {
+        let window = own.screen_box;
+        let told = match words.kind {
+            VolumeKind::Shadow => window,
+            // Outside of a light is dark, also outside its box.
+            VolumeKind::Light => ScreenBox::of_screen(self.piece.width, self.piece.height),
+        };
+        for y in told.y0..=told.y1 {
+            for x in told.x0..=told.x1 {
                 let at = y as usize * self.frame.width + x as usize;
-                found.push((at, own.holds(x, y, self.frame.depth[at], format)));
+                let is_inside =
+                    window.contains(x, y) && own.holds(x, y, self.frame.depth[at], format);
+                self.flags[at] = words.after(self.flags[at], is_inside);
             }
         }
-        self.work.volume_loads += 1;
+        self.work.volume_loads += u64::from(!window.is_empty());
         self.work.volume_pixels += window.pixels();
-        found
     }
 
     /// Copies the piece to its place on the screen.

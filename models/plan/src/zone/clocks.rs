@@ -56,11 +56,6 @@ pub struct FrameClocks {
     pub bytes: u64,
 }
 
-/// Commands before a pass: the pass itself, and origin and size before the first one of a zone.
-const fn commands(first_of_zone: bool) -> u64 {
-    if first_of_zone { 3 } else { 1 }
-}
-
 /// The clocks of a frame.
 pub fn clocks(plan: &ZonePlan, timing: &ZoneTiming) -> FrameClocks {
     let set_up = (plan.shading.len() + plan.materials.len()) as u64;
@@ -79,7 +74,8 @@ pub fn clocks(plan: &ZonePlan, timing: &ZoneTiming) -> FrameClocks {
             if words > 0 {
                 clocks.waiting += (settling + words).saturating_sub(running);
             }
-            let commands = commands(index == 0);
+            // The pass itself, and origin and size before the first one of a zone.
+            let commands = if index == 0 { 3 } else { 1 };
             clocks.commands += commands * u64::from(timing.command);
             clocks.beats += words + commands;
             running = clocks.add_pass(&pass, zone, timing);

@@ -41,14 +41,12 @@ pub fn growth(
 ) -> Result<Vec<Growth>, PlanError> {
     let mut rows = vec![];
     for &side in sides {
-        let mut plan = ZonePlan::of(
-            scene,
-            ZoneMachine {
-                zone_width: side,
-                zone_height: side,
-                ..machine.clone()
-            },
-        )?;
+        let machine = ZoneMachine {
+            zone_width: side,
+            zone_height: side,
+            ..machine.clone()
+        };
+        let mut plan = ZonePlan::of(scene, machine)?;
         for &number in object_processors {
             plan.machine = plan.machine.with_processors(number);
             plan.machine.check()?;

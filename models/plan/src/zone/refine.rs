@@ -2,12 +2,12 @@
 //! (source: 1.3.2, 5.5).
 
 use super::plan::{Part, Zone, ZonePlan, ZoneProduct};
-use crate::culling::part::{Matter, matter};
+use crate::culling::part::{Matter, in_box, is_drawn, matter};
 use crate::culling::volume::{Seen, matter_of_volume, volume_with_planes};
 use crate::culling::{Planes, all_planes};
 use imogene_golden::machine::zone::sample::Sample;
 use imogene_golden::object::member::for_each_seen;
-use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
+use imogene_golden::object::quadric::{ObjectPixel, QuadricWords, ScreenBox};
 use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::object::volume::{VolumeKind, VolumeWords};
 use imogene_golden::object::volume_line::for_each_inside;
@@ -60,7 +60,6 @@ impl ZonePlan {
     }
 }
 
-/// A zone while it is refined.
 struct ZoneRefiner<'a> {
     plan: &'a ZonePlan,
     zone: Zone,
@@ -104,18 +103,12 @@ impl<'a> ZoneRefiner<'a> {
         &self.part(index).words
     }
 
-    /// The words of a part of a product.
     fn member(&self, index: u32) -> &'a QuadricWords {
         self.part(index).quadric().expect("solids are of quadrics")
     }
 
     fn volume(&self, index: u32) -> &'a VolumeWords {
         &self.plan.volumes[index as usize]
-    }
-
-    /// The pixels of a part in the zone.
-    fn pixels_of(&self, index: u32) -> ScreenBox {
-        self.words(index).screen_box().shared(&self.window)
     }
 
     fn refine_parts(&mut self, refinement: Refinement) {
@@ -141,14 +134,12 @@ impl<'a> ZoneRefiner<'a> {
             None if window.is_empty() => Matter::Nothing,
             None => Matter::With(part.all_planes()),
         };
-        match matter {
-            Matter::With(planes)
-                if refinement != Refinement::Pixels || self.is_drawn(index, window) =>
-            {
-                Some(planes)
-            }
-            _ => None,
-        }
+        let Matter::With(planes) = matter else {
+            return None;
+        };
+        let is_there = refinement != Refinement::Pixels
+            || is_drawn(&in_box(&part.words, window), &self.plan.format);
+        is_there.then_some(planes)
     }
 
     /// Leaves out products that are nowhere, and what the others take away nowhere. The back of an object counts, so
@@ -187,30 +178,17 @@ impl<'a> ZoneRefiner<'a> {
         })
     }
 
-    /// Is the part at any pixel of the window?
-    fn is_drawn(&self, index: u32, window: ScreenBox) -> bool {
-        let mut words = self.words(index).clone();
-        *words.screen_box_mut() = window;
-        (window.y0..=window.y1).any(|y| {
-            let mut drawn = false;
-            words.for_each_present(&self.plan.format, y, |_, _| drawn = true);
-            drawn
-        })
-    }
-
     /// `quadrics` are the words of its parts.
     fn bound_volumes(&mut self, quadrics: &[&QuadricWords]) {
         let parts = self.zone.parts.iter().zip(quadrics);
         let seen = parts.map(|(&index, words)| {
             let planes = self.zone.planes_of_part(index) & self.part(index).all_planes();
-            Seen::new(words, planes, self.pixels_of(index))
+            Seen::new(words, planes, words.screen_box.shared(&self.window))
         });
         let seen: Vec<Seen> = seen.collect();
-        let matters = |index: u32| {
-            let matter = matter_of_volume(self.volume(index), &seen, &self.plan.format);
-            (index, matter)
-        };
-        let matters: Vec<(u32, Matter)> = self.zone.volumes.iter().map(|&v| matters(v)).collect();
+        let matter = |index: u32| matter_of_volume(self.volume(index), &seen, &self.plan.format);
+        let volumes = self.zone.volumes.iter();
+        let matters: Vec<(u32, Matter)> = volumes.map(|&v| (v, matter(v))).collect();
         self.keep(&matters);
     }
 
@@ -282,57 +260,44 @@ impl<'a> ZoneRefiner<'a> {
         let inside = self.inside(index, depths);
         let dark = self.volume(index).kind == VolumeKind::Shadow;
         let points = inside.into_iter().zip(is_surface);
-        points
-            .map(|(inside, &surface)| surface && inside == dark)
-            .collect()
+        let points = points.map(|(inside, &surface)| surface && inside == dark);
+        points.collect()
     }
 
     /// Visible depths of the zone, line by line.
     fn depths(&self) -> Vec<i64> {
-        let (width, height) = (self.zone.width as usize, self.zone.height as usize);
-        let mut depths = vec![self.plan.format.z_max(); width * height];
-        for &index in &self.zone.parts {
-            let words = self.in_zone(self.words(index));
-            for (y, line) in depths.chunks_mut(width).enumerate() {
-                words.for_each_present(&self.plan.format, y as i64, |x, pixel| {
-                    let depth = &mut line[x as usize];
-                    *depth = pixel.zf.min(*depth);
-                });
+        let (zone, format) = (&self.zone, &self.plan.format);
+        let (width, height) = (zone.width as usize, zone.height as usize);
+        let mut depths = vec![format.z_max(); width * height];
+        let mut show = |x: i64, y: i64, pixel: ObjectPixel| {
+            let depth = &mut depths[y as usize * width + x as usize];
+            *depth = pixel.zf.min(*depth);
+        };
+        for &index in &zone.parts {
+            let words = zone.in_zone(self.words(index));
+            for y in 0..height as i64 {
+                words.for_each_present(format, y, |x, pixel| show(x, y, pixel));
             }
         }
-        for product in &self.zone.products {
+        for product in &zone.products {
             let objects = product
                 .parts()
-                .map(|index| self.in_zone(self.member(index)));
+                .map(|index| zone.in_zone(self.member(index)));
             let (objects, intersected) = (objects.collect::<Vec<_>>(), product.intersected.len());
-            for (y, line) in (0..).zip(depths.chunks_mut(width)) {
-                for_each_seen(
-                    &objects,
-                    intersected,
-                    &self.plan.format,
-                    y,
-                    |x, _, pixel| {
-                        let depth = &mut line[x as usize];
-                        *depth = pixel.zf.min(*depth);
-                    },
-                );
+            for y in 0..height as i64 {
+                for_each_seen(&objects, intersected, format, y, |x, _, pixel| {
+                    show(x, y, pixel)
+                });
             }
         }
         depths
     }
 
-    fn in_zone<W: Words + Clone>(&self, words: &W) -> W {
-        let zone = &self.zone;
-        let [width, height] = [zone.width, zone.height].map(i64::from);
-        words.for_zone(zone.x0.into(), zone.y0.into(), width, height)
-    }
-
     /// The visible points of the zone inside a volume.
     fn inside(&self, index: u32, depths: &[i64]) -> Vec<bool> {
         let zone = &self.zone;
-        let [x0, y0, width, height] = [zone.x0, zone.y0, zone.width, zone.height].map(i64::from);
         let words = volume_with_planes(self.volume(index), zone.planes_of_volume(index));
-        let words = words.for_zone(x0, y0, width, height);
+        let words = zone.in_zone(&words);
         let width = zone.width as usize;
         let mut inside = vec![false; depths.len()];
         let lines = inside.chunks_mut(width).zip(depths.chunks(width));
@@ -353,9 +318,7 @@ impl Zone {
 
     /// The same of a volume.
     pub fn planes_of_volume(&self, index: u32) -> Planes {
-        self.volume_planes
-            .get(&index)
-            .copied()
-            .unwrap_or(Planes::MAX)
+        let planes = self.volume_planes.get(&index);
+        planes.copied().unwrap_or(Planes::MAX)
     }
 }

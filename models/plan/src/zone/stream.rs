@@ -22,7 +22,6 @@ impl ZonePlan {
             .chain(zones.flat_map(move |(index, zone)| self.zone_beats(zone, index == last)))
     }
 
-    /// Shading words and materials.
     fn set_up(&self) -> impl Iterator<Item = Beat> + '_ {
         let word =
             |&(address, data): &(u16, u32)| Beat::new(kind::SHADING, 0, address, data.into());
@@ -63,18 +62,13 @@ impl ZonePlan {
                             let words = load_words(&zone.moved(&words), &self.format, used);
                             (words, used..slot.planes as usize)
                         }
-                        None => (
-                            load_slot(&zone.moved(&part.words), &self.format, slot),
-                            0..0,
-                        ),
+                        None => {
+                            let words = zone.moved(&part.words);
+                            (load_slot(&words, &self.format, slot), 0..0)
+                        }
                     };
-                    push(
-                        beats,
-                        kind::OBJECT,
-                        unit,
-                        list,
-                        unused.map(unused::object_plane),
-                    );
+                    let unused = unused.map(unused::object_plane);
+                    push(beats, kind::OBJECT, unit, list, unused);
                     let id = u64::from(part.object);
                     beats.push(Beat::new(kind::OBJECT, unit as u8, ID_ADDRESS, id));
                 }

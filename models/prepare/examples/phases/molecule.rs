@@ -105,7 +105,7 @@ fn stick(k: usize, from: [f64; 3], to: [f64; 3]) -> Vec<Object> {
         normal: [0.0, side, 0.0],
     };
     let piece = |name: String, from: f64, to: f64, material: usize| {
-        let shape = Shape::EllipticCylinder { radii: [STICK; 2] };
+        let shape = Shape::EllipticCylinder([STICK; 2]);
         object(
             name,
             shape,

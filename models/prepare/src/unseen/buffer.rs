@@ -21,11 +21,8 @@ impl Buffer {
     pub fn of(placed: &[Option<Placed>], view: &View) -> Buffer {
         let (width, height) = (view.width as usize, view.height as usize);
         let mut bands: Vec<Vec<&Placed>> = vec![vec![]; height.div_ceil(TILE)];
-        let drawn = placed
-            .iter()
-            .flatten()
-            .filter(|placed| placed.span != Span::Beside);
-        for placed in drawn.filter(|placed| !placed.window.is_empty()) {
+        let is_drawn = |placed: &&Placed| placed.span != Span::Beside && !placed.window.is_empty();
+        for placed in placed.iter().flatten().filter(is_drawn) {
             let lines = placed.window.y0 as usize / TILE..=placed.window.y1 as usize / TILE;
             bands[lines].iter_mut().for_each(|band| band.push(placed));
         }
@@ -36,12 +33,9 @@ impl Buffer {
             }
             farthest_of_tiles(lines, width)
         };
-        let tiles = depth
-            .par_chunks_mut(width * TILE)
-            .enumerate()
-            .flat_map_iter(draw);
+        let lines = depth.par_chunks_mut(width * TILE).enumerate();
         Buffer {
-            tiles: tiles.collect(),
+            tiles: lines.flat_map_iter(draw).collect(),
             width,
             depth,
         }
@@ -62,11 +56,10 @@ impl Buffer {
         }
         (window.y0..=window.y1).all(|y| {
             let line = &self.depth[y as usize * self.width..];
+            let is_behind = |x: i64, nearest| line[x as usize] < nearest;
             placed
                 .outline
-                .may_cover(y, window, &placed.errors, |x, nearest| {
-                    line[x as usize] < nearest
-                })
+                .may_cover(y, window, &placed.errors, is_behind)
         })
     }
 
@@ -85,12 +78,11 @@ fn cover(placed: &Placed, top: i64, lines: &mut [f64], width: usize) {
     let last = top + (lines.len() / width) as i64 - 1;
     for y in window.y0.max(top)..=window.y1.min(last) {
         let line = &mut lines[(y - top) as usize * width..][..width];
-        placed
-            .outline
-            .covered(y, window, &placed.errors, |x, depth| {
-                let pixel = &mut line[x as usize];
-                *pixel = pixel.min(depth);
-            });
+        let outline = &placed.outline;
+        outline.covered(y, window, &placed.errors, |x, depth| {
+            let pixel = &mut line[x as usize];
+            *pixel = pixel.min(depth);
+        });
     }
 }
 

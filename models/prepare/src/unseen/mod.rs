@@ -83,10 +83,8 @@ impl<'a> Seen<'a> {
     /// Bytes of memory that framing and preparing it will take at most.
     pub fn memory(&self) -> u64 {
         let objects = self.scene.objects.iter().zip(&self.absent);
-        memory::of_objects(
-            &self.scene,
-            objects.map(|(object, absent)| (object, absent.is_some())),
-        )
+        let objects = objects.map(|(object, absent)| (object, absent.is_some()));
+        memory::of_objects(&self.scene, objects)
     }
 
     /// The scene in the camera frame; `done` as in [`Seen::of`].
@@ -115,15 +113,11 @@ impl<'a> Seen<'a> {
             };
             let is_framed = |framed: &FramedScene| !framed.objects[index].is_unseen();
             let is_known = before.as_ref().is_some_and(is_framed);
-            Ok(absent[index]
-                .or(is_known.then_some(Absence::Hidden))
-                .map(unseen))
+            let why = absent[index].or(is_known.then_some(Absence::Hidden));
+            Ok(why.map(unseen))
         })?;
-        for (index, known) in before
-            .into_iter()
-            .flat_map(|framed| framed.objects)
-            .enumerate()
-        {
+        let known = before.into_iter().flat_map(|framed| framed.objects);
+        for (index, known) in known.enumerate() {
             if absent[index].is_none() && !known.is_unseen() {
                 framed.objects[index] = known;
             }
@@ -138,7 +132,6 @@ fn has_volumes(light: &Light) -> bool {
     light.shadows || matches!(light.beam, Beam::Spot { .. })
 }
 
-/// The objects of a flat scene as balls, as far as they are any.
 struct Balls {
     balls: Vec<Option<Ball>>,
     camera: FloatCamera,
@@ -146,7 +139,6 @@ struct Balls {
     size: (u32, u32),
 }
 
-/// What is known of the level of a ball.
 struct Levels {
     /// It lies between these, if the ball has one at all; `None` if it surely has none.
     ends: Option<[i32; 2]>,
@@ -215,24 +207,18 @@ impl Balls {
                 let left_out = FramedObject::Unseen(nobody.clone());
                 Ok((!is_exact[index]).then_some(left_out))
             })?;
-            let left_out = || {
-                estimates
-                    .iter()
-                    .zip(&is_exact)
-                    .filter(|(_, exact)| !**exact)
-            };
-            let certain = left_out().filter_map(|(levels, _)| {
+            let left_out = estimates.iter().zip(&is_exact);
+            let certain = left_out.filter_map(|(levels, is_exact)| {
                 let levels = levels.as_ref()?;
-                levels.ends.filter(|_| levels.is_certain)
+                levels.ends.filter(|_| levels.is_certain && !is_exact)
             });
             let certain = certain.reduce(|[a, b], [c, d]| [a.min(c), b.max(d)]);
             let choice = Depths::new(&framed, &witnesses).choose(certain, done);
             let own = self.view(&suggested.scaled(choice.seen), &RANGE_FORMAT);
             let agrees = |levels: &Levels, ball: &Ball| {
                 let is_usual = levels.ends.is_none_or(|[low, high]| {
-                    let within = choice
-                        .ends
-                        .is_some_and(|[first, last]| low >= first && high <= last);
+                    let ends = choice.ends;
+                    let within = ends.is_some_and(|[first, last]| low >= first && high <= last);
                     let is_whole = match self.is_perspective {
                         true => low >= choice.level,
                         false => high <= choice.level,
@@ -259,7 +245,6 @@ impl Balls {
         }
     }
 
-    /// Which objects are nowhere in the picture, and why.
     fn absent(&self, range: &DepthRange, format: &Format) -> Vec<Option<Absence>> {
         let view = self.view(range, format);
         let placed = self.balls.par_iter();

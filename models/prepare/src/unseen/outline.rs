@@ -208,10 +208,8 @@ impl Outline {
     fn reach(&self, window: &ScreenBox) -> [f64; 2] {
         let far =
             |low: i64, high: i64, at: f64| (at - low as f64).abs().max((high as f64 - at).abs());
-        [
-            far(window.x0, window.x1, self.at[0]),
-            far(window.y0, window.y1, self.at[1]),
-        ]
+        let ScreenBox { x0, x1, y0, y1 } = *window;
+        [far(x0, x1, self.at[0]), far(y0, y1, self.at[1])]
     }
 
     /// Greatest magnitudes on a box.
@@ -229,16 +227,11 @@ impl Outline {
 
     /// Nothing that is drawn of the ball on the box is nearer.
     pub fn nearest(&self, window: &ScreenBox, errors: &WordErrors) -> f64 {
-        let at = |x: i64, y: i64| {
-            self.f1[1] * (x as f64 - self.at[0]) + self.f1[2] * (y as f64 - self.at[1])
+        let along = |axis: usize, ends: [i64; 2]| {
+            let [one, other] = ends.map(|n| self.f1[1 + axis] * (n as f64 - self.at[axis]));
+            one.min(other)
         };
-        let corners = [
-            at(window.x0, window.y0),
-            at(window.x1, window.y0),
-            at(window.x0, window.y1),
-            at(window.x1, window.y1),
-        ];
-        let least = corners.into_iter().fold(f64::INFINITY, f64::min);
+        let least = along(0, [window.x0, window.x1]) + along(1, [window.y0, window.y1]);
         self.f1[0] + least - self.outer.greatest().sqrt() - self.f1_spare - errors.depth()
     }
 

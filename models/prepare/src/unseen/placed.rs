@@ -6,7 +6,6 @@ use super::view::View;
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::ScreenBox;
 
-/// A ball on the screen.
 pub(super) struct Placed {
     pub outline: Outline,
     pub span: Span,

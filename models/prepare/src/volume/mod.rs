@@ -8,15 +8,14 @@ mod words;
 
 pub use shadow::{ShadowPart, SourceInside, shadow_parts};
 
-use super::cell::Cell;
+use super::again::{Bounds, Known};
 use super::context::Context;
 use super::error::PrepareError;
 use super::extent::Extent;
-use super::known::{Bounds, Known};
 use super::perspective::{ScreenQuadric, on_screen};
 pub use super::prepared::{Beginning, PreparedVolume};
 use super::prepared::{Missing, PreparedObject};
-use super::screen_box::{Region, Search, screen_domain};
+use super::screen_box::{Cell, Region, Search, screen_domain};
 use imogene_algebra::rational::to_f64;
 use imogene_golden::object::volume::VolumeKind;
 use imogene_scene::{FramedObject, FramedQuadric, FramedScene, Surface};
@@ -35,7 +34,6 @@ pub fn pairs(scene: &FramedScene) -> Vec<(usize, usize)> {
         .collect()
 }
 
-/// The shadow of one object from one source.
 #[derive(Clone, Debug)]
 pub(super) struct Shadow {
     pub source: usize,
@@ -97,11 +95,7 @@ pub(super) fn prepare_volumes(
         .par_iter()
         .filter_map(|&(source, object)| {
             let framed = scene.objects[object].caster()?;
-            let caster = Caster {
-                framed,
-                object,
-                prepared: &prepared[object],
-            };
+            let own = &prepared[object];
             let casts = why_no_shadow(framed, context).is_none();
             let found = casts.then(|| {
                 let point = &scene.sources[source].point;
@@ -109,7 +103,7 @@ pub(super) fn prepare_volumes(
                 let reused = kept.is_some();
                 let volumes = match kept {
                     Some(volumes) => Ok(volumes),
-                    None => shadow(scene, source, &caster, &receivers, context),
+                    None => shadow(scene, (source, object), own, &receivers, context),
                 };
                 volumes.map(|volumes| Shadow {
                     source,
@@ -171,24 +165,18 @@ fn why_no_shadow(object: &FramedQuadric, context: &Context) -> Option<&'static s
     (!outside).then_some("casts no shadow: the viewer is inside this patch")
 }
 
-/// An object that casts a shadow.
-struct Caster<'a> {
-    framed: &'a FramedQuadric,
-    object: usize,
-    prepared: &'a PreparedObject,
-}
-
 fn shadow(
     scene: &FramedScene,
-    source: usize,
-    caster: &Caster,
+    (source, object): (usize, usize),
+    prepared: &PreparedObject,
     receivers: &Cell,
     context: &Context,
 ) -> Result<Vec<PreparedVolume>, PrepareError> {
-    let framed = caster.framed;
+    let name = prepared.name();
+    let framed = scene.objects[object].caster().expect("it casts a shadow");
     let parts = shadow_parts(framed, &scene.sources[source].point).map_err(|SourceInside| {
         PrepareError::SourceInside {
-            object: framed.name.clone(),
+            object: name.to_owned(),
             source_index: source,
         }
     })?;
@@ -197,16 +185,15 @@ fn shadow(
     for (index, part) in parts.iter().enumerate() {
         let shape = Shape {
             name: format!(
-                "the shadow of object '{}' from lights[{source}], part {} of {count}",
-                framed.name,
+                "the shadow of object '{name}' from lights[{source}], part {} of {count}",
                 index + 1
             ),
             kind: VolumeKind::Shadow,
             source: source as u8,
             quadric: &part.quadric,
             planes: &part.planes,
-            caster: Some((caster.object, part.beginning)),
-            face_error: face_error(part.beginning, caster.prepared),
+            caster: Some((object, part.beginning)),
+            face_error: face_error(part.beginning, prepared),
         };
         let volume = volume_words(&shape, receivers, context)?;
         if !volume.words.screen_box.is_empty() {
@@ -322,7 +309,5 @@ fn depths(object: &FramedObject, domain: Cell, context: &Context) -> Option<(f64
         }
     }
     let region = Region::new(&quadric.q, &planes, object.surface);
-    region
-        .depth_range_within(domain, Search::COARSE)
-        .map(clamped)
+    region.range_within(domain, 2, Search::COARSE).map(clamped)
 }

@@ -70,7 +70,6 @@ pub fn shadow_parts(
     Ok(parts)
 }
 
-/// What all rays from the source share.
 struct Rays {
     q: Matrix4<BigInt>,
     /// s'Qs.

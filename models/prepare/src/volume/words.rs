@@ -1,14 +1,13 @@
 //! From a volume in the camera frame to words, with the proofs that objects have.
 
-use crate::cell::Cell;
 use crate::context::Context;
 use crate::error::PrepareError;
 use crate::forms::LinearForm;
-use crate::object::depth_words;
+use crate::object::{depth_words, too_large};
 use crate::perspective::{ScreenQuadric, project_plane};
 use crate::planes::{PreparedPlane, prepare_plane, signed_bits};
 use crate::prepared::{Beginning, ExactForms, NeededWidths, PreparedVolume, RoundingBounds};
-use crate::screen_box::{Region, Search};
+use crate::screen_box::{Cell, Region, Search};
 use imogene_algebra::rational::power_of_two;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::object::volume::{
@@ -39,11 +38,9 @@ pub(super) fn volume_words(
     context: &Context,
 ) -> Result<PreparedVolume, PrepareError> {
     let quadric = ScreenQuadric::new(shape.quadric, &context.inverse_distance);
-    let planes: Vec<Plane> = shape
-        .planes
-        .iter()
-        .map(|plane| project_plane(plane, &context.inverse_distance))
-        .collect();
+    let planes = shape.planes.iter();
+    let planes = planes.map(|plane| project_plane(plane, &context.inverse_distance));
+    let planes: Vec<Plane> = planes.collect();
     let region = Region::new(&quadric.q, &planes, Surface::Solid);
     let window = region.box_within(*receivers, context.width, context.height, Search::COARSE);
     if window.is_empty() {
@@ -84,9 +81,8 @@ fn with_quadric(
     window: &ScreenBox,
     context: &Context,
 ) -> Result<PreparedVolume, PrepareError> {
-    let class = class_of(quadric).ok_or_else(|| PrepareError::ViewerOnVolume {
-        volume: shape.name.clone(),
-    })?;
+    let refusal = || PrepareError::ViewerOnVolume(shape.name.clone());
+    let class = class_of(quadric).ok_or_else(refusal)?;
     let (shift, core) = finest(|shift| {
         let coarse = Context {
             depth_scale: &context.depth_scale / power_of_two(u32::from(shift)),
@@ -126,12 +122,10 @@ fn finest<T>(words: impl Fn(u8) -> Result<T, PrepareError>) -> Result<(u8, T), P
 }
 
 fn unit_note(shift: u8) -> Vec<String> {
-    if shift == 0 {
-        return vec![];
-    }
-    vec![format!(
+    let note = format!(
         "passes near the viewer: the depths of its quadric are in units of 2^{shift} depth words"
-    )]
+    );
+    (shift > 0).then_some(note).into_iter().collect()
 }
 
 fn empty(shape: &Shape) -> PreparedVolume {
@@ -156,12 +150,10 @@ fn empty(shape: &Shape) -> PreparedVolume {
 /// How the unbounded quadric lies to the viewer; `None` if its depth is no square root.
 fn class_of(quadric: &ScreenQuadric) -> Option<Class> {
     let eye = quadric.eye_value();
-    if eye.is_zero() {
-        quadric.is_free_of_depth().then_some(Class::Prism)
-    } else if eye.is_positive() {
-        Some(Class::Side)
-    } else {
-        Some(Class::Front)
+    match eye.is_positive() {
+        _ if eye.is_zero() => quadric.is_free_of_depth().then_some(Class::Prism),
+        true => Some(Class::Side),
+        false => Some(Class::Front),
     }
 }
 
@@ -217,13 +209,8 @@ fn prove_planes(prepared: &mut PreparedVolume, context: &Context) -> Result<(), 
         let magnitude = LinearForm::of_words(&plane.depth).max_abs_on(&window);
         prepared.needed.plane = prepared.needed.plane.max(signed_bits(&magnitude));
         if prepared.needed.plane > context.format.plane {
-            return Err(crate::object::too_large(
-                &prepared.name,
-                "a plane",
-                &magnitude,
-                context.format.plane,
-                &window,
-            ));
+            let (name, most) = (&prepared.name, context.format.plane);
+            return Err(too_large(name, "a plane", &magnitude, most, &window));
         }
     }
     Ok(())

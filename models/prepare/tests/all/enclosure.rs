@@ -34,7 +34,7 @@ proptest! {
     #[test]
     fn holds_all_of_a_stick_and_little_more((quadric, planes) in stick()) {
         let region = Region::new(&quadric, &planes, Surface::Solid);
-        let around = region.enclosure().expect("two planes close a cylinder");
+        let around = region.enclosure.expect("two planes close a cylinder");
         let open = Region::unenclosed(&quadric, &planes, Surface::Solid);
         let all = Cell::between([-400.0; 3], [400.0; 3]);
         for axis in 0..3 {

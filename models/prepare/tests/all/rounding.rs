@@ -37,7 +37,7 @@ fn two_sides_of_a_line_or_a_contour_have_opposite_words() {
     let halves = |n: [i64; 6]| n.map(|n| fraction(n, 2));
     let [a, b, c, d, e, f] = halves([-1, 3, 5, -7, 9, 1]);
     let anchor = Anchor { x: 1, y: 2 };
-    let linear = LinearForm::new(a.clone(), b.clone(), c.clone());
+    let linear = LinearForm::of_array([a.clone(), b.clone(), c.clone()]);
     let opposite = linear.scaled(&integer(-1));
     let sides = [&linear, &opposite];
     let [one, other] = sides.map(|form| round_half_plane(form, anchor).unwrap());
@@ -63,7 +63,7 @@ proptest! {
         let anchor = Anchor::middle_of(&window);
         let unit = power_of_two(guards);
         let [a, b, c, dd, e, f] = n.map(|n| fraction(n, d));
-        let linear = LinearForm::new(a.clone(), b.clone(), c.clone());
+        let linear = LinearForm::of_array([a.clone(), b.clone(), c.clone()]);
         let quadratic = QuadraticForm { a, b, c, d: dd, e, f };
         let l = round_linear(&linear.scaled(&unit), anchor).unwrap();
         let q = round_quadratic(&quadratic.scaled(&unit), anchor).unwrap();

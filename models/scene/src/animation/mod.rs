@@ -5,7 +5,5 @@
 
 pub mod moves;
 mod playback;
-mod state;
 
-pub use playback::{FrameOf, Playback, PlaybackError};
-pub use state::MAX_MOVES;
+pub use playback::{FrameOf, MAX_MOVES, Playback, PlaybackError};

@@ -14,7 +14,7 @@ use std::f64::consts::TAU;
 pub fn to_mesh(object: &mut Object, sides: usize) {
     object.shape = Shape::Mesh(match &object.shape {
         Shape::Sphere { radius } => sphere(*radius, sides),
-        Shape::EllipticCylinder { radii } => {
+        Shape::EllipticCylinder(radii) => {
             let ends = object.cuts.iter().map(|cut| cut.point[1]);
             let low = ends.clone().fold(f64::INFINITY, f64::min);
             cylinder(*radii, [low, ends.fold(low, f64::max)], sides)

@@ -5,7 +5,7 @@ use imogene_analysis::phong;
 use imogene_golden::format::Format;
 use imogene_prepare::Framing;
 use imogene_prepare::animator::{Animator, PreparedFrame};
-use imogene_prepare::{PreparedScene, Reuse, prepare};
+use imogene_prepare::{Options, PreparedScene, Reuse, prepare};
 use imogene_scene::{FramedScene, SceneFile};
 use proptest::prelude::*;
 
@@ -20,9 +20,9 @@ fn picture(framed: &FramedScene, prepared: &PreparedScene) -> Vec<u8> {
 /// Prepares these frames one after the other, compares each with a preparation of its scene alone, and says how much
 /// was taken over.
 fn compare(file: &SceneFile, order: &[usize]) -> Vec<Result<Reuse, String>> {
-    let mut animator = Animator::new(file, SIZE, Format::BASE).expect("frames");
+    let mut animator = Animator::new(file, SIZE, Format::BASE, Options::default()).expect("frames");
     let one = |&index: &usize| {
-        let scene = animator.playback().scene(index).expect("few steps");
+        let scene = animator.playback.scene(index).expect("few steps");
         let alone = scene.frame(SIZE.0, SIZE.1).map_err(|e| e.to_string());
         let alone = alone.and_then(|framed| {
             let prepared = prepare(&framed, Format::BASE).map_err(|e| e.to_string())?;

@@ -172,7 +172,7 @@ fn canonical_quadrics() {
     let two = [2.0, 5.0];
     let cases: [(Shape, [[f64; 3]; 3]); 11] = [
         (
-            Shape::Ellipsoid { radii: three },
+            Shape::Ellipsoid(three),
             [[0.0, 2.9, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 5.1]],
         ),
         (
@@ -180,35 +180,35 @@ fn canonical_quadrics() {
             [[0.1, 0.0, 0.0], [0.0, 0.0, -0.7], [0.5, 0.5, 0.0]],
         ),
         (
-            Shape::EllipticCylinder { radii: two },
+            Shape::EllipticCylinder(two),
             [[1.9, 99.0, 0.0], [0.0, -7.0, 5.0], [2.1, 0.0, 0.0]],
         ),
         (
-            Shape::HyperbolicCylinder { radii: two },
+            Shape::HyperbolicCylinder(two),
             [[0.0, 9.0, 99.0], [2.0, 1.0, 0.0], [2.1, 0.0, 0.0]],
         ),
         (
-            Shape::ParabolicCylinder { radii: two },
+            Shape::ParabolicCylinder(two),
             [[0.0, 9.0, 1.0], [2.0, -9.0, 5.0], [0.0, 0.0, -1.0]],
         ),
         (
-            Shape::Cone { radii: three },
+            Shape::Cone(three),
             [[0.0, -3.0, 0.0], [2.0, 3.0, 0.0], [0.0, 2.9, 5.0]],
         ),
         (
-            Shape::HyperboloidOneSheet { radii: three },
+            Shape::HyperboloidOneSheet(three),
             [[0.0, 9.0, 0.0], [0.0, 0.0, 5.0], [2.1, 0.0, 0.0]],
         ),
         (
-            Shape::HyperboloidTwoSheets { radii: three },
+            Shape::HyperboloidTwoSheets(three),
             [[0.0, -3.1, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 0.0]],
         ),
         (
-            Shape::EllipticParaboloid { radii: three },
+            Shape::EllipticParaboloid(three),
             [[0.0, 1.0, 0.0], [2.0, 3.0, 0.0], [0.0, -1.0, 0.0]],
         ),
         (
-            Shape::HyperbolicParaboloid { radii: three },
+            Shape::HyperbolicParaboloid(three),
             [[0.0, 1.0, 9.0], [0.0, -3.0, 5.0], [2.0, 2.9, 0.0]],
         ),
         (

@@ -175,9 +175,7 @@ fn lune(thickness: &BigRational) -> Vec<Object> {
 
 fn leaf(thickness: &BigRational) -> Vec<Object> {
     let half = decimal(&(thickness * fraction(1, 2)));
-    let shape = Shape::Ellipsoid {
-        radii: [30.0, 30.0, half],
-    };
+    let shape = Shape::Ellipsoid([30.0, 30.0, half]);
     vec![solid("leaf", shape, vec![])]
 }
 
@@ -212,7 +210,7 @@ fn pierced_ball(_series: usize, _depth: &BigRational) -> SceneFile {
     let cuts = vec![cut([6.0, 0.0, 12.0], [0.5, 0.25, 1.0])];
     let ball = moved("ball", Shape::Sphere { radius: 24.0 }, cuts, BESIDE);
     let ends = [(-40.0, -1.0), (0.0, 1.0)].map(|(y, out)| cut([0.0, y, 0.0], [0.0, out, 0.0]));
-    let shape = Shape::EllipticCylinder { radii: [7.0, 5.0] };
+    let shape = Shape::EllipticCylinder([7.0, 5.0]);
     let mut rod = solid("rod", shape, ends.to_vec());
     let turn = Rotation {
         axis: Turn::Z,

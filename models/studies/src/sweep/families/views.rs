@@ -130,9 +130,7 @@ fn ellipsoid(_series: usize, offset: &BigRational) -> SceneFile {
     let [x, y, z] = [offset, &-offset, offset].map(decimal);
     let eye = [x, y, decimal(&(offset + integer(200)))];
     let camera = looking(eye, [x, y, z], 200.0, f64::from(SCREEN.1), 100.0);
-    let shape = Shape::Ellipsoid {
-        radii: [30.0, 20.0, 25.0],
-    };
+    let shape = Shape::Ellipsoid([30.0, 20.0, 25.0]);
     let aside = decimal(&(offset + fraction(5, 2)));
     let object = moved("ellipsoid", shape, vec![], [aside, y, z]);
     scene("ellipsoid", camera, vec![object])

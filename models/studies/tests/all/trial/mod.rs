@@ -89,7 +89,7 @@ fn exact_forms(case: &Case) -> (LinearForm, QuadraticForm) {
         .factors
         .map(|n| of(n, case.f2.denominator, case.format.guard_quadratic));
     let [a, b, c] = linear;
-    let centred = LinearForm::new(a, b, c);
+    let centred = LinearForm::of_array([a, b, c]);
     let [a, b, c, d, e, f] = quadratic;
     let centred2 = QuadraticForm { a, b, c, d, e, f };
     let (x, y) = (integer(-case.anchor.x), integer(-case.anchor.y));

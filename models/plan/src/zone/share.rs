@@ -1,0 +1,148 @@
+//! Which slot of the machine draws a part of a scene, and in which pass over a zone.
+
+use super::plan::{PlanError, Zone, ZonePlan};
+use crate::culling::{Planes, all_planes};
+use crate::products::in_passes;
+use imogene_contract::object::Kind;
+use imogene_contract::slots::{self, FittedSlot};
+use imogene_golden::machine::zone::ZoneMachine;
+use imogene_golden::object::as_quadric::AsQuadricError;
+use imogene_golden::object::quadric::{MAX_PLANES, QuadricWords};
+use imogene_golden::object::slot::{ProcessorWords, Slot};
+use imogene_golden::slots::{own_kind, required};
+use imogene_prepare::PreparedScene;
+
+/// What one object processor draws.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// Index of its object in the scene, the id of its pixels; the parts of a mesh have the same.
+    pub object: u16,
+    /// Words for the whole screen, those of the kind of its slots.
+    pub words: ProcessorWords,
+}
+
+impl Part {
+    fn of(slot: &Slot, words: ProcessorWords) -> Part {
+        Part {
+            object: slot.object as u16,
+            words,
+        }
+    }
+
+    /// The words of a quadric processor; none of a part for another kind.
+    pub fn quadric(&self) -> Option<&QuadricWords> {
+        match &self.words {
+            ProcessorWords::Quadric(words) => Some(words),
+            _ => None,
+        }
+    }
+
+    /// All its planes: of another kind than quadrics every one is always sent.
+    pub(super) fn all_planes(&self) -> Planes {
+        let words = self.quadric();
+        words.map_or(Planes::MAX, |words| all_planes(words.planes.len()))
+    }
+}
+
+/// Object and words of every part of a scene. A part that is in no solid is of its own kind where the machine has a
+/// slot for that, and else a quadric's.
+pub(super) fn parts(scene: &PreparedScene, machine: &ZoneMachine) -> Result<Vec<Part>, PlanError> {
+    if let Some(layer) = scene.layers.first() {
+        let why = AsQuadricError::Transparent;
+        return Err(refused(scene, layer, why));
+    }
+    let (alone_slots, members) = machine.slots.split_at(machine.alone());
+    let alone = scene.slots_alone().into_iter();
+    let alone = alone.map(|slot| part_of(scene, slot, alone_slots));
+    // Any of the slots may be given any of the members.
+    let planes = members.iter().map(|slot| slot.planes).min().unwrap_or(0);
+    let members = scene.solids.slots.iter().map(|slot| {
+        let words = &slot.words;
+        let words = words.on_quadric_processor(&scene.format, planes as usize);
+        let words = words.map_err(|why| refused(scene, slot, why))?;
+        Ok(Part::of(slot, ProcessorWords::Quadric(words)))
+    });
+    alone.chain(members).collect()
+}
+
+fn refused(scene: &PreparedScene, slot: &Slot, why: AsQuadricError) -> PlanError {
+    PlanError::Object {
+        object: scene.objects[slot.object].name().to_owned(),
+        why,
+    }
+}
+
+/// A part that is in no solid, for one of the slots of a machine.
+fn part_of(scene: &PreparedScene, slot: Slot, slots: &[FittedSlot]) -> Result<Part, PlanError> {
+    let own = own_kind(slot.words.clone());
+    let needed = required(&own);
+    let has_own = |needed: &FittedSlot| slots.iter().any(|slot| slot.holds(needed));
+    let other = needed.filter(|needed| needed.kind != Kind::Quadric);
+    if other.is_some_and(|needed| has_own(&needed)) {
+        return Ok(Part::of(&slot, own));
+    }
+    let quadrics = slots.iter().filter(|slot| slot.kind == Kind::Quadric);
+    let planes = quadrics.map(|slot| slot.planes as usize).max();
+    let most = planes.unwrap_or(MAX_PLANES);
+    let words = slot.words.on_quadric_processor(&scene.format, most);
+    let no_slot = |needed| PlanError::NoSlot {
+        object: scene.objects[slot.object].name().to_owned(),
+        needed,
+        slots: slots::print(slots),
+    };
+    match (words, needed) {
+        (Ok(words), _) if planes.is_some() => Ok(Part::of(&slot, ProcessorWords::Quadric(words))),
+        (Ok(_), needed) => Err(no_slot(needed.unwrap_or(FittedSlot::NONE))),
+        (Err(AsQuadricError::Processor(_)), Some(needed)) => Err(no_slot(needed)),
+        (Err(why), _) => Err(refused(scene, &slot, why)),
+    }
+}
+
+impl ZonePlan {
+    /// The processors and parts of one draw pass after another, until all parts that are in no solid are drawn: each
+    /// part goes to the free slot that is for it and has the fewest planes. Parts of one object keep their order, in
+    /// the slots of a pass too, because of two that are equally deep the first is seen.
+    fn shared_out(&self, parts: &[u32]) -> Vec<Vec<(usize, u32)>> {
+        let slots = &self.machine.slots[..self.machine.alone()];
+        let mut left = parts.to_vec();
+        let mut passes = vec![];
+        while !left.is_empty() {
+            let mut pass: Vec<(usize, u32)> = vec![];
+            let (mut free, mut waits) = (vec![true; slots.len()], None);
+            left.retain(|&index| {
+                let part = &self.parts[index as usize];
+                let after = match pass.last() {
+                    _ if waits == Some(part.object) => return true,
+                    Some(&(slot, last)) if self.parts[last as usize].object == part.object => {
+                        slot + 1
+                    }
+                    _ => 0,
+                };
+                let needed = required(&part.words).expect("a kind that has slots");
+                let places = (after..slots.len())
+                    .filter(|&place| free[place] && slots[place].holds(&needed));
+                let Some(place) = places.min_by_key(|&place| slots[place].planes) else {
+                    waits = Some(part.object);
+                    return true;
+                };
+                free[place] = false;
+                pass.push((place, index));
+                false
+            });
+            passes.push(pass);
+        }
+        passes
+    }
+
+    /// Processors and parts of each draw pass over a zone. Objects go in their order, products as there is a place.
+    pub(super) fn draws(&self, zone: &Zone) -> Vec<Vec<(usize, u32)>> {
+        // Without objects that are in no solid there may be no processor for them.
+        let mut draws = self.shared_out(&zone.parts);
+        let products = in_passes(&self.machine, &zone.products);
+        draws.resize(draws.len().max(products.len()), vec![]);
+        for (draw, members) in draws.iter_mut().zip(products) {
+            draw.extend(members);
+        }
+        draws
+    }
+}
