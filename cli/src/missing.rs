@@ -36,11 +36,7 @@ pub fn options() -> Options {
 }
 
 /// Warns of everything that a prepared scene lacks, and of what an end of its depth cuts off; `place` says in which
-/// frame, if in any.
-///
-/// # Errors
-///
-/// If nothing is left to draw.
+/// frame, if in any. Fails if nothing is left to draw.
 pub fn tell(place: &str, framed: &FramedScene, prepared: &PreparedScene) -> Result<(), Failure> {
     let objects = prepared.missing.iter().filter(|missing| !missing.is_volume);
     if let Some(first) = prepared.missing.first()
@@ -56,11 +52,8 @@ pub fn tell(place: &str, framed: &FramedScene, prepared: &PreparedScene) -> Resu
     Ok(())
 }
 
-/// Warns of what a scene lacks of the file that it was made from; `what` is the key of the scene.
-///
-/// # Errors
-///
-/// With `--strict`.
+/// Warns of what a scene lacks of the file that it was made from; `what` is the key of the scene. Fails with
+/// `--strict`.
 pub fn incomplete(path: &Path, what: Option<&str>) -> Result<(), Failure> {
     let Some(what) = what else { return Ok(()) };
     if policy() == Policy::Strict {
@@ -73,11 +66,7 @@ pub fn incomplete(path: &Path, what: Option<&str>) -> Result<(), Failure> {
 }
 
 /// A scene without the objects that machines cannot draw, each named, for commands that measure machines on what is
-/// left.
-///
-/// # Errors
-///
-/// With `--strict`, and if nothing is left.
+/// left. Fails with `--strict`, and if nothing is left.
 pub fn reduced(
     mut file: SceneFile,
     (width, height): (u32, u32),

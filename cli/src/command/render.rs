@@ -2,20 +2,19 @@
 
 mod frames;
 mod models;
-mod samples;
-mod split;
 
-use super::{frame_in, load_seen, looked, read_scene};
+use super::{frame_in, load_seen, looked, read_scene, threads};
 use crate::arguments::{Model, Render};
 use crate::failure::Failure;
 use crate::output;
 use imogene_analysis::bounds::{Failing, failing};
 use imogene_analysis::metrics::Drawing;
 use imogene_analysis::phong;
+use imogene_golden::machine::accumulator::{Accumulator, PassPixel};
 use imogene_golden::machine::frame::Frame;
-use imogene_plan::split::Division;
+use imogene_plan::split::{Divided, Division, Duplication, Work, Worker};
 use imogene_prepare::PreparedScene;
-use imogene_scene::{Absent, FramedScene, RangeReport};
+use imogene_scene::{Absent, FramedScene, RangeReport, SceneFile};
 use imogene_studies::picture;
 use imogene_studies::zones::zones;
 use models::draw;
@@ -42,7 +41,7 @@ struct RenderReport {
     /// The range of the depth word.
     range: RangeReport,
     #[serde(skip_serializing_if = "Option::is_none")]
-    split: Option<split::SplitReport>,
+    split: Option<SplitReport>,
     files: Vec<PathBuf>,
 }
 
@@ -52,7 +51,7 @@ fn finish(
     (framed, prepared): (&FramedScene, &PreparedScene),
     (frame, rgb): (&Frame, &[u8]),
     [prepare_seconds, seconds]: [f64; 2],
-    split: Option<split::SplitReport>,
+    split: Option<SplitReport>,
     json: bool,
 ) -> Result<(), Failure> {
     let (width, height) = (prepared.width, prepared.height);
@@ -99,7 +98,7 @@ pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
     let started = Instant::now();
     let (frame, lighting) = draw(options, &framed, &prepared)?;
     let rgb = match again {
-        Some((count, file)) => samples::colours(options, &file, count)?,
+        Some((count, file)) => sampled(options, &file, count)?,
         None => phong::shade(&frame, &lighting, &framed, &prepared.format),
     };
     let seconds = [prepare_seconds, started.elapsed().as_secs_f64()];
@@ -159,7 +158,7 @@ fn divided(
     json: bool,
 ) -> Result<(), Failure> {
     let started = Instant::now();
-    let (divided, split) = split::draw(options, division, prepared)?;
+    let (divided, split) = draw_divided(options, division, prepared)?;
     let seconds = [prepare_seconds, started.elapsed().as_secs_f64()];
     let frame = &divided.frame;
     let rgb = phong::shade(frame, &divided.lighting, framed, &prepared.format);
@@ -183,4 +182,86 @@ fn write(options: &Render, frame: &Frame, rgb: &[u8]) -> Result<Vec<PathBuf>, Fa
         }
     }
     Ok(files.finish()?)
+}
+
+/// The machine's own supersampling: the mean colours of `count` passes, whose places make a square grid about that of
+/// the plain picture.
+fn sampled(options: &Render, file: &SceneFile, count: u32) -> Result<Vec<u8>, Failure> {
+    let side = count.isqrt();
+    let place = |k: u32| (f64::from(k) + 0.5) / f64::from(side) - 0.5;
+    let mut sums: Option<Accumulator> = None;
+    let mut mean = vec![];
+    for pass in 0..count {
+        let mut file = file.flattened().into_owned();
+        let sample_at = &mut file.camera.sample_at;
+        sample_at[0] += place(pass % side);
+        sample_at[1] += place(pass / side);
+        let (framed, prepared) = load_seen(file, &options.scene)?;
+        let (frame, lighting) = draw(options, &framed, &prepared)?;
+        let rgb = phong::shade(&frame, &lighting, &framed, &prepared.format);
+        let sums = sums.get_or_insert_with(|| Accumulator::new(rgb.len() / 3));
+        for (address, colour) in rgb.chunks_exact(3).enumerate() {
+            let pixel = PassPixel {
+                address,
+                first: pass == 0,
+                last: pass + 1 == count,
+                colour: [colour[0], colour[1], colour[2]],
+            };
+            mean.extend(sums.add(&pixel, count).into_iter().flatten());
+        }
+    }
+    Ok(mean)
+}
+
+/// How the work was divided; the keys are stable.
+#[derive(Serialize)]
+struct SplitReport {
+    split: Division,
+    pieces: usize,
+    work: Work,
+    /// Mean load of a worker over the greatest, in pixels visited: 1 is even.
+    balance: f64,
+    /// The same if the pieces were taken from a common queue.
+    balance_of_queue: f64,
+    /// Mean seconds of a worker over the greatest.
+    balance_of_seconds: f64,
+    duplication: Duplication,
+    workers: Vec<Worker>,
+}
+
+fn draw_divided(
+    options: &Render,
+    division: Division,
+    prepared: &PreparedScene,
+) -> Result<(Divided, SplitReport), Failure> {
+    if options.model != Model::Golden {
+        return Err(Failure::Input(
+            "a divided picture is drawn by the golden model; give --model golden, or leave --split out".into(),
+        ));
+    }
+    prepared.refuse_transparent()?;
+    let workers = options.split.workers.map_or_else(threads, usize::from);
+    let pieces = division.pieces(prepared.width, prepared.height).len();
+    let divided = output::during(pieces as u64, "pieces of the screen", |bar| {
+        Divided::draw(prepared, division, workers, || bar.inc(1))
+    });
+    let report = SplitReport::of(&divided, division);
+    Ok((divided, report))
+}
+
+impl SplitReport {
+    fn of(divided: &Divided, division: Division) -> SplitReport {
+        let seconds = divided.workers.iter().map(|worker| worker.seconds);
+        let most = seconds.clone().fold(1e-9, f64::max);
+        SplitReport {
+            split: division,
+            pieces: divided.pieces.len(),
+            work: divided.work(),
+            balance: divided.balance(),
+            balance_of_queue: divided.balance_of_queue(),
+            balance_of_seconds: seconds.sum::<f64>() / divided.workers.len() as f64 / most,
+            duplication: divided.duplication,
+            workers: divided.workers.clone(),
+        }
+    }
 }

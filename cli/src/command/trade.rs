@@ -1,7 +1,5 @@
 //! `imogene trade`.
 
-mod parts;
-
 use super::{fitted, size_of};
 use crate::arguments::{Trade, TradeEngine};
 use crate::failure::Failure;
@@ -22,9 +20,11 @@ use imogene_studies::trade::run::{self, Request};
 use imogene_studies::trade::speed;
 use imogene_synth::Target;
 use imogene_synth::fitted::{MachineCost, Parts};
+use imogene_tools::{call, find, own_folders};
 use imogene_verif::display::request::{request_for, timing};
 use serde_json::json;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 use std::time::Instant;
 
 /// Measures the points of the design space and shows them.
@@ -62,7 +62,7 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
     }
     if options.engine == TradeEngine::Hq {
         run::check(&asked)?;
-        parts::run(options)?;
+        run_in_parts(options)?;
     }
     let trade = run::run(&asked)?;
     bar.finish_and_clear();
@@ -199,4 +199,56 @@ fn tell(trade: &report::Trade, seconds: f64) {
     if let Some(problem) = points.find_map(|e| e.point.cost_refused.as_ref()) {
         output::text(format!("  no cost of some points: {problem}"));
     }
+}
+
+/// What submits the jobs: HyperQueue's own Python interface.
+const DRIVER: &str = include_str!("trade/hyperqueue.py");
+/// Parts of each worker: what is lost with a part is measured again.
+const PARTS: usize = 4;
+
+/// Runs all parts of the points, each by this program as a job of a HyperQueue server.
+fn run_in_parts(options: &Trade) -> Result<(), Failure> {
+    let program = std::env::current_exe()?;
+    let mut command = vec![
+        program.display().to_string(),
+        "trade".into(),
+        options.scene.display().to_string(),
+        "--out".into(),
+        options.out.display().to_string(),
+        "--target".into(),
+        options.target.clone(),
+        "--points".into(),
+        options.points().into(),
+    ];
+    if let Some((width, height)) = options.size {
+        command.extend(["--size".into(), format!("{width}x{height}")]);
+    }
+    let request = json!({
+        "command": command,
+        "parts": PARTS * usize::from(options.workers),
+        "workers": options.workers,
+        "server": options.server,
+    });
+    let said = call(Command::new(python()).args(["-c", DRIVER, &request.to_string()]))
+        .map_err(|error| Failure::Input(format!("cannot run Python: {error}; {HOW}")))?;
+    if said.succeeded() {
+        return Ok(());
+    }
+    let said = said.errors;
+    if said.contains("No module named 'hyperqueue'") {
+        return Err(Failure::Input(format!(
+            "HyperQueue is not installed; {HOW}"
+        )));
+    }
+    let last = said.trim().lines().last().unwrap_or("it says nothing");
+    Err(Failure::Input(format!(
+        "the points in parts: {last}; run the command again, it goes on where it stopped"
+    )))
+}
+
+const HOW: &str = "scripts/setup --parts installs it in target/tools";
+
+/// The Python of the folder of tools, which `IMOGENE_TOOLS` may name, or the system's.
+fn python() -> PathBuf {
+    find(&own_folders(), &["python"]).unwrap_or_else(|| "python3".into())
 }

@@ -37,24 +37,15 @@ pub fn touched(size: u64, side: u64, edges: Edges) -> Touched {
     };
     let zone = |half_pixels: u64| half_pixels / (2 * side);
     let along = |place: u64| zone(2 * place + last) - zone(2 * place + first) + 1;
-    let mut counts = [0u64; 3];
-    let mut sum = 0;
-    for x in 0..side {
-        for y in 0..side {
-            let zones = along(x) * along(y);
-            sum += zones;
-            if let Some(place) = [1, 2, 4].iter().position(|&n| n == zones) {
-                counts[place] += 1;
-            }
-        }
-    }
+    let along: Vec<u64> = (0..side).map(along).collect();
+    let zones = along.iter().flat_map(|x| along.iter().map(move |y| x * y));
     let places = (side * side) as f64;
-    let [one, two, four] = counts.map(|count| count as f64 / places);
+    let share = |wanted: u64| zones.clone().filter(|n| *n == wanted).count() as f64 / places;
     Touched {
-        one,
-        two,
-        four,
-        mean: sum as f64 / places,
+        one: share(1),
+        two: share(2),
+        four: share(4),
+        mean: zones.clone().sum::<u64>() as f64 / places,
     }
 }
 

@@ -254,18 +254,16 @@ fn of_zones(
     });
     let mut machines: Vec<_> = machines.collect();
     machines.sort_by(|(a, _), (b, _)| cells(a).total_cmp(&cells(b)));
-    let mut fastest: Option<Fitted> = None;
+    let mut slower: Vec<Fitted> = vec![];
     for (machine, plans) in machines {
         let found = in_zones(machine, plans, timing);
         let is_enough = pace.is_none_or(|pace| found.clocks as f64 * pace.frames <= pace.mhz * 1e6);
         if is_enough {
             return Ok(found);
         }
-        let is_faster = |fastest: &Fitted| found.clocks < fastest.clocks;
-        if fastest.as_ref().is_none_or(is_faster) {
-            fastest = Some(found);
-        }
+        slower.push(found);
     }
+    let fastest = slower.into_iter().min_by_key(|found| found.clocks);
     let fastest = fastest.expect("a machine was tried");
     let pace = pace.expect("without a pace the first machine does");
     pace.check(fastest.clocks, &frames.all[0])?;
