@@ -2,10 +2,11 @@
 
 use crate::cache::Cache;
 use crate::error::SynthError;
-use crate::figures::Figures;
-use crate::flow::{synthesise, tools};
+use crate::flow::synthesise;
 use crate::regression::{Change, Tolerance, Verdict, compare, worst};
+use crate::report::Figures;
 use crate::table::{Measured, Row, Table};
+use crate::tools::Programs;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -69,8 +70,8 @@ pub fn check(
 fn comparable<'a>(row: &Row, baseline: &'a Table) -> Result<&'a Measured, SynthError> {
     let known = baseline
         .find(row)
-        .ok_or_else(|| SynthError::NoBaseline { row: row.name() })?;
-    let here = tools(row.target)?;
+        .ok_or_else(|| SynthError::NoBaseline(row.name()))?;
+    let here = Programs::find(row.target)?.versions();
     let synthesis = row.synthesis();
     if known.tools == here && known.synthesis == synthesis {
         return Ok(known);
@@ -89,15 +90,12 @@ fn comparable<'a>(row: &Row, baseline: &'a Table) -> Result<&'a Measured, SynthE
 }
 
 fn check_row(row: &Row, known: &Measured, options: &CheckOptions) -> Result<RowCheck, SynthError> {
-    let mut flow = row.options;
-    if !options.clock {
-        flow.seeds = 0;
-    }
-    let report = synthesise(&row.request, row.target, &flow, options.cache)?;
+    let seeds = if options.clock { row.seeds } else { 0 };
+    let report = synthesise(&row.request, row.target, seeds, options.cache)?;
     let changes = compare(
         (known.latency, &known.figures),
         (report.latency, &Figures::from(&report)),
-        flow.seeds > 0,
+        seeds > 0,
         options.tolerance,
     );
     Ok(RowCheck {

@@ -16,19 +16,6 @@ use std::path::Path;
 const UNIT_NETLIST: &str = "unit.json";
 const HARNESS_NETLIST: &str = "harness.json";
 
-/// How a synthesis is made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Options {
-    /// Seeds of place and route, from 1; with 0 the clock is not measured.
-    pub seeds: usize,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self { seeds: 3 }
-    }
-}
-
 /// A folder with a design and its harness, and how Yosys reads them.
 pub(crate) struct Bench<'a> {
     pub programs: &'a Programs,
@@ -63,8 +50,8 @@ impl<'a> Bench<'a> {
         })
     }
 
-    /// Resources of the design alone, and its clock in its harness.
-    pub fn report(&self, options: &Options) -> Result<SynthReport, SynthError> {
+    /// Resources of the design alone, and its clock in its harness with so many seeds; with none it is not measured.
+    pub fn report(&self, seeds: usize) -> Result<SynthReport, SynthError> {
         let script = format!(
             "{}; {}; delete t:$scopeinfo; write_json {UNIT_NETLIST}; tee -q -o unit.stat {}",
             self.read,
@@ -92,13 +79,13 @@ impl<'a> Bench<'a> {
             cells: statistics.cells,
             ..SynthReport::default()
         };
-        self.clock(options, &mut report)?;
+        self.clock(seeds, &mut report)?;
         Ok(report)
     }
 
     /// Packs the design alone, and places and routes it in its harness with every seed; nothing where the target has
     /// neither.
-    fn clock(&self, options: &Options, report: &mut SynthReport) -> Result<(), SynthError> {
+    fn clock(&self, seeds: usize, report: &mut SynthReport) -> Result<(), SynthError> {
         let (Some(router), Some(device)) = (&self.programs.router, self.target.place_and_route())
         else {
             return Ok(());
@@ -107,7 +94,7 @@ impl<'a> Bench<'a> {
         let packed = run(UNIT_NETLIST, None)?;
         let logic_cells = packed.utilisation.get(device.logic_cell);
         report.logic_cells = logic_cells.map(|cells| cells.0);
-        if options.seeds == 0 {
+        if seeds == 0 {
             return Ok(());
         }
         report.goal_mhz = Some(device.goal_mhz);
@@ -116,7 +103,7 @@ impl<'a> Bench<'a> {
         if report.does_not_fit.is_some() {
             return Ok(());
         }
-        let seeds = (1..=options.seeds).into_par_iter();
+        let seeds = (1..=seeds).into_par_iter();
         report.seeds = seeds
             .map(|seed| seed_result(seed, run(HARNESS_NETLIST, Some(seed))?))
             .collect::<Result<_, _>>()?;

@@ -12,66 +12,38 @@ pub enum SynthError {
     Emit(#[from] RequestError),
     /// A target whose cells have no simulation models here.
     #[error(
-        "the netlist for `{target}` cannot be simulated; targets with models of their cells: ice40-hx8k, ice40-up5k, ecp5-45k, ecp5-85k"
+        "the netlist for `{0}` cannot be simulated; targets with models of their cells: ice40-hx8k, ice40-up5k, ecp5-45k, ecp5-85k"
     )]
-    NoModels {
-        /// The target.
-        target: &'static str,
-    },
-    /// A cell without a simulation model.
+    NoModels(&'static str),
+    /// A target with a cell without a simulation model.
     #[error(
-        "the netlist for `{target}` has the cell `{cell}`, of which Yosys has no simulation model; ice40-hx8k has models of all its cells"
+        "the netlist for `{0}` has the cell `{1}`, of which Yosys has no simulation model; ice40-hx8k has models of all its cells"
     )]
-    NoModel {
-        /// The cell.
-        cell: String,
-        /// The target.
-        target: &'static str,
-    },
-    /// A tool is not installed.
+    NoModel(&'static str, String),
+    /// A tool that is not installed, and the package that contains it.
     #[error(
-        "`{tool}` is not installed (Python package {package}); `scripts/setup --synth` installs it, or set {} to the folder \
+        "`{0}` is not installed (Python package {1}); `scripts/setup --synth` installs it, or set {variable} to the folder \
          that holds it",
-        imogene_tools::FOLDER_VARIABLE
+        variable = imogene_tools::FOLDER_VARIABLE
     )]
-    MissingTool {
-        /// Program looked for.
-        tool: &'static str,
-        /// Package that contains it.
-        package: &'static str,
-    },
+    MissingTool(&'static str, &'static str),
     /// A tool ran and failed.
     #[error("{tool} failed: {message}")]
     Tool {
         /// Program.
-        tool: String,
+        tool: &'static str,
         /// Last lines of what it said.
         message: String,
     },
-    /// The report of a tool is not as expected.
-    #[error("the report of {tool} cannot be read: {problem}")]
-    Report {
-        /// Program.
-        tool: &'static str,
-        /// What is wrong.
-        problem: String,
-    },
-    /// The file of a baseline is none.
-    #[error("baseline {path}: {problem}")]
-    Baseline {
-        /// The file.
-        path: String,
-        /// What is wrong.
-        problem: String,
-    },
+    /// The report of a tool is not as expected, and why.
+    #[error("the report of {0} cannot be read: {1}")]
+    Report(&'static str, String),
+    /// The file of a baseline is none, and why.
+    #[error("baseline {0}: {1}")]
+    Baseline(String, String),
     /// A row has no baseline.
-    #[error(
-        "the baseline has no figures of {row}; `imogene synth --table` measures every row again"
-    )]
-    NoBaseline {
-        /// The row.
-        row: String,
-    },
+    #[error("the baseline has no figures of {0}; `imogene synth --table` measures every row again")]
+    NoBaseline(String),
     /// Figures of other tools are not comparable.
     #[error(
         "the baseline of {row} was measured with {baseline}, and here is {here}; `scripts/setup --synth` installs the tools of the \
@@ -99,56 +71,31 @@ pub enum SynthError {
 impl SynthError {
     /// What is wrong with the report of a tool.
     pub fn report(tool: &'static str, problem: impl ToString) -> Self {
-        Self::Report {
-            tool,
-            problem: problem.to_string(),
-        }
+        Self::Report(tool, problem.to_string())
     }
 
     /// What a tool said before it gave up.
-    pub(crate) fn tool(tool: &str, said: &str) -> Self {
-        Self::Tool {
-            tool: tool.to_owned(),
-            message: last_lines(said),
-        }
+    pub fn tool(tool: &'static str, said: &str) -> Self {
+        let message = last_lines(said);
+        Self::Tool { tool, message }
     }
 }
 
 /// Why a peer cannot be measured.
 #[derive(Debug, Error, PartialEq, Eq)]
 pub enum PeerError {
-    /// A file is not there.
-    #[error("{path}: there is no such {kind}")]
-    Missing {
-        /// The path.
-        path: String,
-        /// File or folder.
-        kind: &'static str,
-    },
+    /// A path at which there is no file or no folder.
+    #[error("{0}: there is no such {1}")]
+    Missing(String, &'static str),
     /// A file is no Verilog by its name.
-    #[error("{path}: a file of Verilog ends in .v, one of SystemVerilog in .sv")]
-    Ending {
-        /// The path.
-        path: String,
-    },
-    /// A name or value cannot stand in a command of Yosys.
-    #[error("`{text}` is no {what}: {accepted}")]
-    Word {
-        /// The text.
-        text: String,
-        /// What it should be.
-        what: &'static str,
-        /// What is accepted.
-        accepted: &'static str,
-    },
-    /// No module has the name of the top.
-    #[error("there is no module `{top}`; the files hold {}", list(modules))]
-    Top {
-        /// The name.
-        top: String,
-        /// The modules that there are.
-        modules: Vec<String>,
-    },
+    #[error("{0}: a file of Verilog ends in .v, one of SystemVerilog in .sv")]
+    Ending(String),
+    /// A name or value cannot stand in a command of Yosys: what it should be, and what is accepted.
+    #[error("`{0}` is no {1}: {2}")]
+    Word(String, &'static str, &'static str),
+    /// No module has the name of the top, but these are there.
+    #[error("there is no module `{0}`; the files hold {modules}", modules = list(.1))]
+    Top(String, Vec<String>),
     /// No port is the clock.
     #[error(
         "`{top}` has no clock port {wanted} of one bit; `--clock PORT` names it; the ports are {}",
@@ -162,28 +109,15 @@ pub enum PeerError {
         /// The ports that there are.
         ports: Vec<String>,
     },
-    /// A port that no register can stand at.
-    #[error("port `{port}` of `{top}` is an inout; a register harness needs inputs and outputs")]
-    Inout {
-        /// The top module.
-        top: String,
-        /// The port.
-        port: String,
-    },
-    /// A design without data.
-    #[error("`{top}` has no {direction} beside its clock: there is nothing to measure")]
-    NoData {
-        /// The top module.
-        top: String,
-        /// Input or output.
-        direction: &'static str,
-    },
+    /// A port, and its top module, that no register can stand at.
+    #[error("port `{0}` of `{1}` is an inout; a register harness needs inputs and outputs")]
+    Inout(String, String),
+    /// A design without input or output.
+    #[error("`{0}` has no {1} beside its clock: there is nothing to measure")]
+    NoData(String, &'static str),
     /// Yosys does not take the files.
-    #[error("Yosys refuses the peer: {message}")]
-    Refused {
-        /// Its error.
-        message: String,
-    },
+    #[error("Yosys refuses the peer: {0}")]
+    Refused(String),
 }
 
 fn list(names: &[String]) -> String {

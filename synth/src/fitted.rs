@@ -8,7 +8,7 @@
 pub mod estimate;
 pub mod modules;
 
-use crate::bench::{Bench, Options};
+use crate::bench::Bench;
 use crate::cache::{digest, kept};
 use crate::error::SynthError;
 use crate::harness;
@@ -119,16 +119,14 @@ impl Knowledge {
         let mut missing: Vec<(&Emitted, Vec<Module>)> = Vec::new();
         let mut wanted = std::collections::HashSet::new();
         for machine in machines {
-            let mut of_machine = Vec::new();
-            for module in modules(machine, parts) {
-                if !wanted.insert(module.digest.clone()) {
-                    continue;
-                }
-                match key(OWN_CELLS, &module.digest).load::<Own>() {
-                    Some(kept) => drop(own.insert(module.digest, kept.resources)),
-                    None => of_machine.push(module),
-                }
-            }
+            let mut of_machine = modules(machine, parts);
+            of_machine.retain(|module| {
+                let is_new = wanted.insert(module.digest.clone());
+                let kept = key(OWN_CELLS, &module.digest);
+                let kept: Option<Own> = is_new.then(|| kept.load()).flatten();
+                own.extend(kept.map(|kept| (module.digest.clone(), kept.resources)));
+                is_new && kept.is_none()
+            });
             if !of_machine.is_empty() {
                 missing.push((machine, of_machine));
             }
@@ -139,10 +137,10 @@ impl Knowledge {
             .par_iter()
             .map(|(machine, batch)| {
                 let resources = synthesise_apart(machine, parts, batch, &programs, target)?;
-                let mut results = Vec::new();
-                for (module, resources) in batch.iter().zip(resources) {
-                    key(OWN_CELLS, &module.digest).store(&Own { resources })?;
-                    results.push((module.digest.clone(), resources));
+                let digests = batch.iter().map(|module| module.digest.clone());
+                let results: Vec<(String, Resources)> = digests.zip(resources).collect();
+                for &(ref digest, resources) in &results {
+                    key(OWN_CELLS, digest).store(&Own { resources })?;
                 }
                 let before = finished.fetch_add(batch.len(), std::sync::atomic::Ordering::Relaxed);
                 done(before + batch.len(), count);
@@ -298,7 +296,7 @@ fn clocks(
         let folder = scratch()?;
         let harness = harness::verilog(&unit);
         let bench = Bench::of(programs, target, folder.path(), &unit, &harness)?;
-        let clock = bench.report(&Options { seeds: 1 })?.fmax_mhz;
+        let clock = bench.report(1)?.fmax_mhz;
         kept.store(&clock)?;
         Ok(clock.map(|clock| (digest, clock)))
     };

@@ -1,7 +1,6 @@
 //! One synthesis from request to report.
 
 use crate::bench::Bench;
-pub use crate::bench::Options;
 use crate::cache::{Cache, digest, kept};
 use crate::error::SynthError;
 use crate::harness;
@@ -14,7 +13,8 @@ use imogene_tools::scratch;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
-/// Synthesises a unit for a target.
+/// Synthesises a unit for a target, and places and routes it with so many seeds, from 1; with none the clock is not
+/// measured.
 ///
 /// # Errors
 ///
@@ -22,10 +22,10 @@ use std::time::Instant;
 pub fn synthesise(
     request: &Request,
     target: Target,
-    options: &Options,
+    seeds: usize,
     cache: Cache,
 ) -> Result<SynthReport, SynthError> {
-    let report = synthesise_design(&emit(request)?, target, options, cache)?;
+    let report = synthesise_design(&emit(request)?, target, seeds, cache)?;
     Ok(SynthReport {
         parameters: parameters(request),
         ..report
@@ -40,7 +40,7 @@ pub fn synthesise(
 pub fn synthesise_design(
     emitted: &Emitted,
     target: Target,
-    options: &Options,
+    seeds: usize,
     cache: Cache,
 ) -> Result<SynthReport, SynthError> {
     let text = emitted.bundle();
@@ -53,7 +53,7 @@ pub fn synthesise_design(
         target.name(),
         &target.synthesis(harness::TOP),
         &format!(
-            "{options:?} {:?} {tools:?}{}",
+            "Options {{ seeds: {seeds} }} {:?} {tools:?}{}",
             target.place_and_route(),
             target.steps()
         ),
@@ -71,17 +71,12 @@ pub fn synthesise_design(
         latency: emitted.latency,
         tools,
         verilog,
-        ..bench.report(options)?
+        ..bench.report(seeds)?
     };
     let seconds = thousandths(start.elapsed().as_secs_f64());
     let report = SynthReport { seconds, ..report };
     entry.store(&report)?;
     Ok(report)
-}
-
-/// Versions of the tools of a target.
-pub(crate) fn tools(target: Target) -> Result<BTreeMap<String, String>, SynthError> {
-    Ok(Programs::find(target)?.versions())
 }
 
 /// Depth word and parameters of a request, by option of the command line.

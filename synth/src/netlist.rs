@@ -98,9 +98,7 @@ fn libraries(target: Target) -> Result<&'static [&'static str], SynthError> {
             "ecp5/ccu2c_sim.vh",
         ]),
         Family::Gowin => Ok(&["gowin/cells_sim.v"]),
-        Family::Xilinx7 | Family::Gates => Err(SynthError::NoModels {
-            target: target.name(),
-        }),
+        Family::Xilinx7 | Family::Gates => Err(SynthError::NoModels(target.name())),
     }
 }
 
@@ -152,12 +150,9 @@ pub fn used<'a>(
         if !taken.insert(name) {
             continue;
         }
-        let (_, text) = models
-            .get_key_value(name)
-            .ok_or_else(|| SynthError::NoModel {
-                cell: name.to_owned(),
-                target: target.name(),
-            })?;
+        let text = models
+            .get(name)
+            .ok_or_else(|| SynthError::NoModel(target.name(), name.to_owned()))?;
         let words = text.split(|c| !is_word(c));
         open.extend(words.filter(|word| models.contains_key(*word)));
     }

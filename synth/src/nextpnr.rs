@@ -64,8 +64,7 @@ pub(crate) fn run(
         Some(seed) => arguments.extend(["--seed", seed]),
         None => arguments.push("--pack-only"),
     }
-    let outcome = tool.run(&arguments, folder)?;
-    outcome.map_err(|said| SynthError::tool(tool.name, &said))?;
+    tool.run(&arguments, folder)?;
     parse_report(&read(&folder.join(name))?)
 }
 

@@ -7,10 +7,9 @@ use crate::bench::Bench;
 use crate::cache::Cache;
 pub use crate::error::PeerError;
 use crate::error::SynthError;
-use crate::figures::Figures;
-use crate::flow::{Options, synthesise};
+use crate::flow::synthesise;
 use crate::harness;
-use crate::report::SeedResult;
+use crate::report::{Figures, SeedResult};
 use crate::target::Target;
 use crate::tools::Programs;
 pub use design::Peer;
@@ -66,12 +65,12 @@ pub fn compare(
     peer: &Peer,
     request: &Request,
     target: Target,
-    options: &Options,
+    seeds: usize,
 ) -> Result<Comparison, SynthError> {
     peer.check()?;
     let programs = Programs::find(target)?;
-    let measured = measure(peer, &programs, target, options)?;
-    let report = synthesise(request, target, options, Cache::Use)?;
+    let measured = measure(peer, &programs, target, seeds)?;
+    let report = synthesise(request, target, seeds, Cache::Use)?;
     let unit = Measured {
         top: report.unit.clone(),
         parameters: report
@@ -87,7 +86,7 @@ pub fn compare(
     };
     Ok(Comparison {
         target: target.name().to_owned(),
-        seeds: options.seeds,
+        seeds,
         tools: programs.versions(),
         ratios: ratios(&measured.figures, &unit.figures),
         peer: measured,
@@ -99,7 +98,7 @@ fn measure(
     peer: &Peer,
     programs: &Programs,
     target: Target,
-    options: &Options,
+    seeds: usize,
 ) -> Result<Measured, SynthError> {
     let folder = scratch()?;
     let source = Source::new(peer, folder.path())?;
@@ -114,7 +113,7 @@ fn measure(
         read: &source.read,
         read_with_harness: &format!("{}; read_verilog harness.v", source.read),
     };
-    let report = bench.report(options)?;
+    let report = bench.report(seeds)?;
     Ok(Measured {
         top: peer.top.clone(),
         parameters: peer.parameters.iter().cloned().collect(),

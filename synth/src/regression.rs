@@ -1,6 +1,6 @@
 //! Figures against those of a baseline, with a tolerance.
 
-use crate::figures::Figures;
+use crate::report::Figures;
 use serde::Serialize;
 
 /// How much worse a figure may be, in percent of the baseline.

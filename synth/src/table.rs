@@ -7,10 +7,10 @@ pub mod transistors;
 
 use crate::cache::{Cache, digest};
 use crate::error::SynthError;
-use crate::figures::Figures;
-use crate::flow::{parameters, synthesise, tools};
-use crate::report::{CriticalPath, SynthReport};
+use crate::flow::{parameters, synthesise};
+use crate::report::{CriticalPath, Figures, SynthReport};
 use crate::target::Target;
+use crate::tools::Programs;
 use imogene_contract::Unit;
 use imogene_rtl::emit::emit;
 use rayon::prelude::*;
@@ -84,7 +84,7 @@ pub fn make(
         let measured = match kept {
             Some(measured) => measured.clone(),
             None => {
-                let report = synthesise(&row.request, row.target, &row.options, cache)?;
+                let report = synthesise(&row.request, row.target, row.seeds, cache)?;
                 Measured::of(row, report)
             }
         };
@@ -111,10 +111,7 @@ impl Table {
     ///
     /// When there is none, or it is no table of this version.
     pub fn read(path: &Path) -> Result<Self, SynthError> {
-        let bad = |problem: String| SynthError::Baseline {
-            path: path.display().to_string(),
-            problem,
-        };
+        let bad = |problem: String| SynthError::Baseline(path.display().to_string(), problem);
         let text =
             imogene_files::read_text(path, MAX_BYTES).map_err(|error| match error.kind() {
                 std::io::ErrorKind::NotFound => {
@@ -138,20 +135,6 @@ impl Table {
         text.expect("a table has no unserialisable keys") + "\n"
     }
 
-    /// The page that shows it, as Markdown.
-    pub fn markdown(&self) -> String {
-        markdown::write(self)
-    }
-
-    /// The networks over their rows per stage as an SVG picture; `None` without a clock of each.
-    ///
-    /// # Errors
-    ///
-    /// When it cannot be drawn.
-    pub fn picture(&self) -> Result<Option<String>, SynthError> {
-        picture::draw(self)
-    }
-
     /// What it has of a row.
     pub fn find(&self, row: &Row) -> Option<&Measured> {
         self.rows.iter().find(|known| known.is_of(row))
@@ -164,7 +147,7 @@ impl Table {
 
     /// What it has of a row, if today's Verilog and tools would give the same.
     fn current(&self, row: &Row) -> Result<Option<&Measured>, SynthError> {
-        let (verilog, tools) = (verilog(row)?, tools(row.target)?);
+        let (verilog, tools) = (verilog(row)?, Programs::find(row.target)?.versions());
         let known = self.find(row).filter(|known| known.verilog == verilog);
         Ok(known.filter(|known| known.tools == tools && known.synthesis == row.synthesis()))
     }
@@ -208,7 +191,7 @@ impl Measured {
         let median = report.median_seed();
         Self {
             section: row.section,
-            seeds: row.options.seeds,
+            seeds: row.seeds,
             synthesis: row.synthesis(),
             figures: Figures::from(&report),
             slowest_path: median.and_then(|run| run.critical_path.clone()),
@@ -225,7 +208,7 @@ impl Measured {
         self.section == row.section
             && self.unit == row.request.unit.name()
             && self.target == row.target.name()
-            && self.seeds == row.options.seeds
+            && self.seeds == row.seeds
             && self.parameters == parameters(&row.request)
     }
 }

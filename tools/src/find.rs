@@ -44,13 +44,9 @@ pub fn search_folders() -> Vec<PathBuf> {
 
 /// The first program of these names; in one folder the earlier name comes first.
 pub fn find(folders: &[PathBuf], names: &[&str]) -> Option<PathBuf> {
-    let candidates = |folder: &PathBuf| {
-        names
-            .iter()
-            .map(|name| folder.join(name))
-            .collect::<Vec<_>>()
-    };
-    let mut paths = folders.iter().flat_map(candidates);
+    let mut paths = folders
+        .iter()
+        .flat_map(|folder| names.iter().map(|name| folder.join(name)));
     paths.find(|path| path.is_file())
 }
 

@@ -4,7 +4,7 @@
 //! use imogene_tools::{Kept, Program, ToolError, find, scratch};
 //!
 //! let folder = scratch()?;
-//! let program = Program { name: "no-such-program", package: "its-package" };
+//! let program = Program::new("no-such-program", "its-package");
 //! assert_eq!(find(&[folder.path().to_owned()], &[program.name]), None);
 //! let wrong = program.run(["--version"], folder.path()).unwrap_err();
 //! assert!(wrong.to_string().contains("install the package 'its-package'"));

@@ -19,22 +19,18 @@ pub struct Program {
     pub package: &'static str,
 }
 
-const fn program(name: &'static str, package: &'static str) -> Program {
-    Program { name, package }
-}
-
 /// Verilator.
-pub const VERILATOR: Program = program("verilator", "verilator");
+pub const VERILATOR: Program = Program::new("verilator", "verilator");
 /// The compiler of Icarus Verilog.
-pub const ICARUS: Program = program("iverilog", "iverilog");
+pub const ICARUS: Program = Program::new("iverilog", "iverilog");
 /// The run time of Icarus Verilog.
-pub const VVP: Program = program("vvp", "iverilog");
+pub const VVP: Program = Program::new("vvp", "iverilog");
 /// The C++ compiler.
-pub const COMPILER: Program = program("g++", "g++");
+pub const COMPILER: Program = Program::new("g++", "g++");
 /// Yosys.
-pub const YOSYS: Program = program("yosys", "yosys");
+pub const YOSYS: Program = Program::new("yosys", "yosys");
 /// The logic synthesis and verification program that comes with Yosys.
-pub const YOSYS_ABC: Program = program("yosys-abc", "yosys");
+pub const YOSYS_ABC: Program = Program::new("yosys-abc", "yosys");
 
 /// Why a program did not do its work.
 #[derive(Debug, Error)]
@@ -102,6 +98,11 @@ pub fn last_lines(text: &str) -> String {
 }
 
 impl Program {
+    /// The program of a name, and its package.
+    pub const fn new(name: &'static str, package: &'static str) -> Program {
+        Program { name, package }
+    }
+
     /// Runs the program in a folder; returns what it printed.
     ///
     /// # Errors

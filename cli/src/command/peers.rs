@@ -4,8 +4,8 @@ use crate::arguments::Peers;
 use crate::failure::Failure;
 use crate::output;
 use imogene_files::text::counted;
+use imogene_synth::Target;
 use imogene_synth::peer::{Comparison, Measured, Peer, compare};
-use imogene_synth::{Options, Target};
 
 /// Measures a design of another project beside a unit.
 pub fn run(options: &Peers, json: bool) -> Result<(), Failure> {
@@ -19,8 +19,7 @@ pub fn run(options: &Peers, json: bool) -> Result<(), Failure> {
         include: options.include.clone(),
         parameters: options.parameter.clone(),
     };
-    let seeds = options.seeds;
-    let comparison = compare(&peer, &request, target, &Options { seeds })?;
+    let comparison = compare(&peer, &request, target, options.seeds)?;
     output::report(json, &comparison, |_| output::text(describe(&comparison)));
     Ok(())
 }

@@ -132,7 +132,7 @@ fn one(path: &Path, options: &Raytrace, format: &Format) -> Result<(Row, Drawn),
         Err(refusal) if options.scenes.len() == 1 => return Err(refusal),
         Err(refusal) => {
             let reason = refusal.message().unwrap_or_default();
-            return Ok((Row::refused(named, width, height, reason), None));
+            return Ok((Row::new(named, (width, height), Err(reason)), None));
         }
     };
     let bar = output::progress(1, "tracing");
@@ -145,9 +145,9 @@ fn one(path: &Path, options: &Raytrace, format: &Format) -> Result<(Row, Drawn),
         Outcome::Refused(reason) if options.scenes.len() == 1 => {
             return Err(Failure::Input(reason));
         }
-        Outcome::Refused(reason) => (Row::refused(named, width, height, reason), None),
+        Outcome::Refused(reason) => (Row::new(named, (width, height), Err(reason)), None),
         Outcome::Compared(found) => (
-            Row::compared(named, width, height, &found),
+            Row::new(named, (width, height), Ok(&found)),
             Some((found.golden, found.marks)),
         ),
     })

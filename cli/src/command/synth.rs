@@ -10,7 +10,7 @@ use imogene_files::text::counted;
 use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
 use imogene_synth::fitted::Parts;
 use imogene_synth::table::{self, Table};
-use imogene_synth::{Options, SynthReport, Target, synthesise, synthesise_design};
+use imogene_synth::{SynthReport, Target, synthesise, synthesise_design};
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
@@ -30,7 +30,7 @@ pub fn run(options: &Synth, json: bool) -> Result<(), Failure> {
 fn run_design(file: &Path, target: &str, options: &Synth, json: bool) -> Result<(), Failure> {
     let (target, seeds) = (Target::from_name(target)?, options.seeds);
     let machine = emit_machine(&fitted::described(file, None)?)?;
-    let report = synthesise_design(&machine, target, &Options { seeds }, options.cache())?;
+    let report = synthesise_design(&machine, target, seeds, options.cache())?;
     output::report(json, &report, |_| output::text(describe(&report)));
     Ok(())
 }
@@ -42,7 +42,7 @@ fn run_unit(unit: &str, target: &str, options: &Synth, json: bool) -> Result<(),
     if let Some(machine) = fitted::asked(&options.fitted, &request, None)? {
         return run_machine(&machine, target, json);
     }
-    let report = synthesise(&request, target, &Options { seeds }, options.cache())?;
+    let report = synthesise(&request, target, seeds, options.cache())?;
     output::report(json, &report, |_| output::text(describe(&report)));
     Ok(())
 }

@@ -14,36 +14,24 @@ use rayon::prelude::*;
 /// nothing there. Transparent objects are blended over it in the order of their depths.
 pub fn shade(frame: &Frame, lighting: &Lighting, scene: &FramedScene, format: &Format) -> Vec<u8> {
     let scale = scene.projection.full_depth() / format.z_max() as f64;
-    let at = |index: usize, object: usize, depth: i64, normal: [i16; 3], flags: u16| -> Vector {
+    let pixel = |index: usize| -> [u8; 3] {
         let [x, y] = scene.pixel_centre(index % frame.width, index / frame.width);
         let [u, v] = scene.sample_at;
-        let point = scene
-            .projection
-            .antecedent([x + u, y + v], depth as f64 * scale);
-        let material = &scene.materials[scene.objects[object].material()];
-        let normal = scene.upright(normal.map(f64::from));
-        colour(scene, material, point, normal, flags).map(|v| v.clamp(0.0, 1.0))
-    };
-    let pixel = |index: usize| -> [u8; 3] {
-        let surface = frame.depth[index];
+        let at = |object: usize, depth: i64, normal: [i16; 3], flags: u16| -> Vector {
+            let depth = depth as f64 * scale;
+            let point = scene.projection.antecedent([x + u, y + v], depth);
+            let material = &scene.materials[scene.objects[object].material()];
+            let normal = scene.upright(normal.map(f64::from));
+            colour(scene, material, point, normal, flags).map(|v| v.clamp(0.0, 1.0))
+        };
+        let (normal, flags) = (frame.normal[index], lighting.flags[index]);
         let mut seen = match usize::try_from(frame.id[index]) {
-            Ok(id) => at(
-                index,
-                id,
-                surface,
-                frame.normal[index],
-                lighting.flags[index],
-            ),
+            Ok(id) => at(id, frame.depth[index], normal, flags),
             Err(_) => scene.background.map(|v| f64::from(v) / 255.0),
         };
         for layer in before(frame, index) {
-            let front = at(
-                index,
-                layer.object,
-                layer.depth[index],
-                layer.normal[index],
-                ALL_SOURCES,
-            );
+            let (depth, normal) = (layer.depth[index], layer.normal[index]);
+            let front = at(layer.object, depth, normal, ALL_SOURCES);
             let weight = f64::from(layer.weight) / 255.0;
             seen = std::array::from_fn(|k| weight * front[k] + (1.0 - weight) * seen[k]);
         }

@@ -208,10 +208,7 @@ impl Board {
     /// When there is none; the error lists the names.
     pub fn named(name: &str) -> Result<Board, BoardError> {
         let found = BOARDS.iter().find(|(known, _)| *known == name);
-        let (name, text) = found.ok_or_else(|| BoardError::Unknown {
-            name: name.to_owned(),
-            known: Board::names(),
-        })?;
+        let (name, text) = found.ok_or_else(|| BoardError::Unknown(name.to_owned()))?;
         Board::parse(text, name)
     }
 
@@ -225,28 +222,21 @@ impl Board {
         let mut board: Board = toml::from_str(text).map_err(|error| {
             let start = error.span().map_or(0, |span| span.start);
             let (line, column) = line_and_column(text, start);
-            BoardError::Syntax {
-                file: file.clone(),
-                line,
-                column,
-                problem: in_plain_words(error.message()),
-            }
+            let problem = in_plain_words(error.message());
+            BoardError::Description(format!("{file}:{line}:{column}: {problem}"))
         })?;
         board.name = name.to_owned();
-        board.check(file)?;
+        board.check(&file)?;
         Ok(board)
     }
 
-    fn check(&self, file: String) -> Result<(), BoardError> {
-        let refused = |key, value: String, accepted| BoardError::Value {
-            file,
-            key,
-            value,
-            accepted,
+    fn check(&self, file: &str) -> Result<(), BoardError> {
+        let refused = |key: &str, value: &dyn std::fmt::Display, accepted: &str| {
+            let problem = format!("{file}: {key} is {value}; accepted: {accepted}");
+            Err(BoardError::Description(problem))
         };
         if self.clock.hertz == 0 || self.clock.hertz > 1_000_000_000 {
-            let value = self.clock.hertz.to_string();
-            return Err(refused("clock.hertz", value, "1 to 1 000 000 000"));
+            return refused("clock.hertz", &self.clock.hertz, "1 to 1 000 000 000");
         }
         let wanted = if self.serialises() { 2 } else { 1 };
         let is_wrong = |pin: &str| {
@@ -258,26 +248,15 @@ impl Board {
         if is_checked
             && let Some((_, pin)) = self.video.pins().iter().find(|(_, pin)| is_wrong(pin))
         {
-            return Err(refused(
-                "the pin of a channel",
-                pin.to_string(),
-                "both pins of a channel of a Gowin, one of others",
-            ));
+            let accepted = "both pins of a channel of a Gowin, one of others";
+            return refused("the pin of a channel", pin, accepted);
         }
         let mut cells = self.part.iter().flat_map(|part| part.cells.keys());
         if let Some(kind) = cells.find(|kind| !CELLS.contains(&kind.as_str())) {
-            return Err(refused(
-                "part.cells",
-                kind.clone(),
-                "LUT, FF, RAMB36, DSP48",
-            ));
+            return refused("part.cells", kind, &CELLS.join(", "));
         }
         if let Some(bits) = self.video.bits().filter(|bits| !(1..=8).contains(bits)) {
-            return Err(refused(
-                "the pins of a colour",
-                bits.to_string(),
-                "1 to 8, as many for each",
-            ));
+            return refused("the pins of a colour", &bits, "1 to 8, as many for each");
         }
         Ok(())
     }

@@ -1,5 +1,6 @@
 //! Why a board is not made.
 
+use crate::description::Board;
 use crate::screen::ScreenError;
 use crate::tmds::TmdsError;
 use imogene_contract::RequestError;
@@ -11,99 +12,29 @@ use thiserror::Error;
 #[derive(Debug, Error)]
 pub enum BoardError {
     /// No board has the name.
-    #[error("there is no board `{name}`; the boards are {}", .known.join(", "))]
-    Unknown {
-        /// The name.
-        name: String,
-        /// Those that there are.
-        known: Vec<&'static str>,
-    },
-    /// The description of a board is none.
-    #[error("{file}:{line}:{column}: {problem}")]
-    Syntax {
-        /// The file.
-        file: String,
-        /// Line, from 1.
-        line: usize,
-        /// Column, from 1.
-        column: usize,
-        /// What the parser says.
-        problem: String,
-    },
-    /// A value of a description that nothing can be made of.
-    #[error("{file}: {key} is {value}; accepted: {accepted}")]
-    Value {
-        /// The file.
-        file: String,
-        /// The key.
-        key: &'static str,
-        /// Its value.
-        value: String,
-        /// What would be accepted.
-        accepted: &'static str,
-    },
-    /// No dividers give the clock.
-    #[error(
-        "no dividers of the PLL make {pixel} Hz for the pixels out of the {input} Hz of the board"
-    )]
-    NoClock {
-        /// Clock of the board.
-        input: u64,
-        /// Clock that is asked for.
-        pixel: u64,
-    },
-    /// The design does not fit the part.
-    #[error("the design does not fit {part}: it takes {excess}; {remedy}")]
-    Excess {
-        /// The part.
-        part: String,
-        /// The first resource that runs out: how many of how many.
-        excess: String,
-        /// What may fit.
-        remedy: &'static str,
-    },
-    /// A clock is not reached.
-    #[error("the clock {clock} reaches {achieved:.2} MHz on {part}, {wanted:.2} MHz are asked for")]
-    Slow {
-        /// The part.
-        part: String,
-        /// The clock.
-        clock: String,
-        /// What it reaches, in MHz.
-        achieved: f64,
-        /// What is asked for.
-        wanted: f64,
-    },
-    /// A path between two clocks that is longer than the edges it goes between.
-    #[error(
-        "a path from {from} to {to} takes {length:.2} ns on {part}, {most:.2} ns are between their edges"
-    )]
-    Crossing {
-        /// The part.
-        part: String,
-        /// The clock that it comes from.
-        from: String,
-        /// The clock that it goes to.
-        to: String,
-        /// Its length in ns.
-        length: f64,
-        /// What it may take, in ns.
-        most: f64,
-    },
+    #[error("there is no board `{0}`; the boards are {known}", known = Board::names().join(", "))]
+    Unknown(String),
+    /// The description of a board is none, or has a value that nothing can be made of.
+    #[error("{0}")]
+    Description(String),
+    /// No dividers give the clock that is asked for.
+    #[error("no dividers of the PLL make {0} Hz for the pixels out of the {1} Hz of the board")]
+    NoClock(u64, u64),
+    /// The design does not fit the part: the first resource that runs out, how many of how many, and what may fit.
+    #[error("the design does not fit {0}: it takes {1}; {2}")]
+    Excess(String, String, &'static str),
+    /// A clock is not reached, or a path between two clocks is longer than the edges it goes between.
+    #[error("{0}")]
+    Slow(String),
     /// A cell of a routed part without a model.
     #[error("the routed cells cannot be simulated: {0}; --no-simulation makes the bitstream alone")]
     NoModel(String),
     /// A design that does not turn out the same behind the bitstream.
     #[error("{0}")]
     Bitstream(String),
-    /// A library of cells is missing.
-    #[error("{} is missing; install the package {package} (scripts/setup --silicon does)", .path.display())]
-    Library {
-        /// Its file.
-        path: std::path::PathBuf,
-        /// Its package.
-        package: &'static str,
-    },
+    /// The file of a library of cells, and its package, that is missing.
+    #[error("{path} is missing; install the package {1} (scripts/setup --silicon does)", path = .0.display())]
+    Library(std::path::PathBuf, &'static str),
     /// A layout whose reports cannot be read.
     #[error("the reports of qflow do not say this of the layout: {0}")]
     Layout(String),

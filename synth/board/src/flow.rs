@@ -9,7 +9,7 @@ use imogene_synth::tools::{NEXTPNR_ECP5, NEXTPNR_GOWIN, NEXTPNR_ICE40, Tool, YOS
 use imogene_synth::{
     RouteReport, SynthError, TIMING_WEIGHT, digest, fold, kept, parse_report, run_yosys,
 };
-use imogene_tools::{FileError, Program, last_lines, read, scratch, write};
+use imogene_tools::{FileError, Program, read, scratch, write};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -171,17 +171,13 @@ pub(crate) struct Tools {
     router: Program,
     /// Its option for the text that a bitstream is made of.
     option: &'static str,
+    /// The program beside it that makes a bitstream of a text.
     packer: &'static str,
+    /// The one that makes the text of a bitstream.
     unpacker: &'static str,
 }
 
 impl Tools {
-    /// The program that makes a bitstream of a text.
-    fn packer(&self) -> Result<Tool, SynthError> {
-        Tool::beside(self.router, self.packer)
-    }
-
-    /// The program that makes the text of a bitstream.
     pub(crate) fn unpacker(&self) -> Result<Tool, SynthError> {
         Tool::beside(self.router, self.unpacker)
     }
@@ -216,7 +212,7 @@ pub fn find_tools(board: &Board) -> Result<(), BoardError> {
         return Ok(());
     };
     if let Some(tools) = part.tools() {
-        tools.packer()?;
+        Tool::beside(tools.router, tools.packer)?;
         tools.unpacker()?;
         Tool::find(tools.router)?;
     }
@@ -226,11 +222,8 @@ pub fn find_tools(board: &Board) -> Result<(), BoardError> {
 
 /// The part has too little of something.
 pub(crate) fn too_little(part: &Part, excess: String) -> BoardError {
-    BoardError::Excess {
-        part: part.name(),
-        excess,
-        remedy: "a smaller machine (--machine), tables of colours in it (--lit-sphere) or plain ones (--flat) may fit",
-    }
+    let remedy = "a smaller machine (--machine), tables of colours in it (--lit-sphere) or plain ones (--flat) may fit";
+    BoardError::Excess(part.name(), excess, remedy)
 }
 
 /// What place and route made of a board.
@@ -334,10 +327,7 @@ fn packed(
     arguments: &[String],
     folder: &Path,
 ) -> Result<(), BoardError> {
-    let mut arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
-    arguments.push("--pack-only");
-    let outcome = router.run(&arguments, folder)?;
-    outcome.map_err(|said| failed(router, &said))?;
+    router.run(&[arguments, &["--pack-only".to_owned()]].concat(), folder)?;
     let report = parse_report(&read(&folder.join(REPORT))?)?;
     report
         .excess()
@@ -362,7 +352,7 @@ fn placed(
             .and_then(|report| cross_in_time(part, pll, &report).map(|()| report));
         match routed {
             Ok(report) => return Ok((seed, report)),
-            Err(BoardError::Slow { .. } | BoardError::Crossing { .. }) if seeds.len() > 0 => (),
+            Err(BoardError::Slow(_)) if seeds.len() > 0 => (),
             Err(error) => return Err(error),
         }
     }
@@ -376,12 +366,12 @@ fn placed_once(
 ) -> Result<RouteReport, BoardError> {
     let report = folder.join(REPORT);
     std::fs::remove_file(&report).map_err(FileError::at(&report))?;
-    let mut arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
-    arguments.extend(["--seed", seed, "--write", ROUTED]);
-    let outcome = router.run(&arguments, folder)?;
+    let own = ["--seed", seed, "--write", ROUTED].map(str::to_owned);
+    let outcome = router.run(&[arguments, &own].concat(), folder);
     // A clock that is not reached ends the router with an error, behind its report.
     let Ok(text) = read(&report) else {
-        return Err(failed(router, &outcome.err().unwrap_or_default()));
+        outcome?;
+        return Err(SynthError::tool(router.name, "").into());
     };
     let report = parse_report(&text)?;
     let slow = report
@@ -389,27 +379,26 @@ fn placed_once(
         .iter()
         .find(|(_, clock)| clock.achieved < clock.constraint);
     if let Some((name, clock)) = slow {
-        return Err(BoardError::Slow {
-            part: part.name(),
-            clock: name.clone(),
-            achieved: clock.achieved,
-            wanted: clock.constraint,
-        });
+        return Err(BoardError::Slow(format!(
+            "the clock {name} reaches {:.2} MHz on {}, {:.2} MHz are asked for",
+            clock.achieved,
+            part.name(),
+            clock.constraint
+        )));
     }
-    outcome.map_err(|said| failed(router, &said))?;
+    outcome?;
     Ok(report)
 }
 
 /// The bitstream of a text in the folder.
 pub(crate) fn packed_text(board: &Board, text: &str, folder: &Path) -> Result<Vec<u8>, BoardError> {
     let (part, tools) = board.routed();
-    let packer = tools.packer()?;
+    let packer = Tool::beside(tools.router, tools.packer)?;
     let name = format!("{text}.bit");
-    let outcome = match part.family {
+    match part.family {
         Family::Gowin => packer.run(&["-d", &part.device, "-o", &name, text], folder)?,
         _ => packer.run(&[text, &name], folder)?,
-    };
-    outcome.map_err(|said| failed(&packer, &said))?;
+    }
     let path = folder.join(name);
     Ok(std::fs::read(&path).map_err(FileError::at(&path))?)
 }
@@ -420,20 +409,9 @@ fn cross_in_time(part: &Part, pll: &Pll, report: &RouteReport) -> Result<(), Boa
     let most = 2000.0 / pll.fast_mhz();
     let late = report.crossings.iter().find(|(_, length)| **length > most);
     late.map_or(Ok(()), |((from, to), length)| {
-        Err(BoardError::Crossing {
-            part: part.name(),
-            from: from.clone(),
-            to: to.clone(),
-            length: *length,
-            most,
-        })
-    })
-}
-
-/// What a tool said before it gave up.
-pub(crate) fn failed(tool: &Tool, said: &str) -> BoardError {
-    BoardError::Synth(SynthError::Tool {
-        tool: tool.name.to_owned(),
-        message: last_lines(said),
+        Err(BoardError::Slow(format!(
+            "a path from {from} to {to} takes {length:.2} ns on {}, {most:.2} ns are between their edges",
+            part.name()
+        )))
     })
 }

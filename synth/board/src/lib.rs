@@ -7,7 +7,7 @@
 //! let board = Board::named("ulx3s-85")?;
 //! let pll = Pll::of(&board, 25_175_000)?;
 //! // 25 MHz / 7 x 141 / 20, 0.014 % above the clock of the mode.
-//! assert_eq!(pll.pixel_hertz(), Ratio::new(176_250_000, 7));
+//! assert_eq!(pll.pixel_hertz, Ratio::new(176_250_000, 7));
 //! # Ok::<(), imogene_board::BoardError>(())
 //! ```
 #![warn(missing_docs)]

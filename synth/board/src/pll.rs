@@ -4,6 +4,7 @@ use crate::description::{Board, Family};
 use crate::error::BoardError;
 use num_rational::Ratio;
 use num_traits::{Signed, ToPrimitive};
+use serde::Serialize;
 
 /// A frequency in Hz.
 type Hertz = Ratio<i128>;
@@ -11,7 +12,8 @@ type Hertz = Ratio<i128>;
 const MEGA: i128 = 1_000_000;
 
 /// The dividers of a PLL.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(untagged)]
 pub enum Dividers {
     /// ECP5: the oscillator runs at input / `reference` x `feedback` x `looped`, the fast clock at its `fast`th part,
     /// the pixels at its `pixel`th.
@@ -67,7 +69,8 @@ pub struct Pll {
     input: i128,
     wanted: i128,
     ratio: i128,
-    pixel: Hertz,
+    /// The clock of the pixels in Hz, exactly.
+    pub pixel_hertz: Hertz,
     /// Its dividers.
     pub dividers: Dividers,
 }
@@ -78,8 +81,8 @@ impl Pll {
     /// # Errors
     ///
     /// When no dividers keep to the limits of the part.
-    pub fn of(board: &Board, pixel_hertz: u64) -> Result<Pll, BoardError> {
-        let (input, wanted) = (i128::from(board.clock.hertz), i128::from(pixel_hertz));
+    pub fn of(board: &Board, wanted_hertz: u64) -> Result<Pll, BoardError> {
+        let (input, wanted) = (i128::from(board.clock.hertz), i128::from(wanted_hertz));
         let ratio = i128::from(board.fast_ratio());
         let candidates = match board.part.as_ref().map(|part| part.family) {
             Some(Family::Ecp5) => ecp5(input, wanted, ratio),
@@ -92,42 +95,30 @@ impl Pll {
         let best = candidates
             .into_iter()
             .min_by_key(|(pixel, dividers)| (distance(pixel), dividers.rank()));
-        let (pixel, dividers) = best.ok_or(BoardError::NoClock {
-            input: board.clock.hertz,
-            pixel: pixel_hertz,
-        })?;
+        let (pixel_hertz, dividers) =
+            best.ok_or(BoardError::NoClock(wanted_hertz, board.clock.hertz))?;
         Ok(Pll {
             input,
             wanted,
             ratio,
-            pixel,
+            pixel_hertz,
             dividers,
         })
     }
 
-    /// The clock of the pixels in Hz, exactly.
-    pub fn pixel_hertz(&self) -> Hertz {
-        self.pixel
-    }
-
-    /// The clock of the pairs of bits in Hz, exactly.
-    pub fn fast_hertz(&self) -> Hertz {
-        self.pixel * self.ratio
-    }
-
     /// The clock of the pixels in MHz.
     pub fn pixel_mhz(&self) -> f64 {
-        mhz(self.pixel)
+        mhz(self.pixel_hertz)
     }
 
     /// The clock of the pairs of bits in MHz.
     pub fn fast_mhz(&self) -> f64 {
-        mhz(self.fast_hertz())
+        mhz(self.pixel_hertz * self.ratio)
     }
 
     /// How far the pixels are from the clock of their mode, in percent.
     pub fn deviation_percent(&self) -> f64 {
-        let part: Hertz = (self.pixel - self.wanted) / self.wanted;
+        let part: Hertz = (self.pixel_hertz - self.wanted) / self.wanted;
         100.0 * part.to_f64().unwrap_or(f64::NAN)
     }
 

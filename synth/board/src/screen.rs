@@ -19,30 +19,16 @@ pub struct Tick {
 /// Pins that show no picture of the mode.
 #[derive(Debug, Error, PartialEq, Eq)]
 pub enum ScreenError {
-    /// Too little.
-    #[error("the pins show no whole frame between two synchronisations in {ticks} clocks")]
-    NoFrame {
-        /// Clocks seen.
-        ticks: usize,
-    },
-    /// A synchronisation that is not where the mode has it.
-    #[error("{pin} is {found} at clock {at} of a frame, against the mode")]
-    Sync {
-        /// Which pin.
-        pin: &'static str,
-        /// Its level.
-        found: bool,
-        /// The clock, from the beginning of the vertical synchronisation.
-        at: usize,
-    },
-    /// A colour in the blanking.
-    #[error("the pins show the colour {colour:?} at clock {at} of a frame, which is blank")]
-    Colour {
-        /// The clock, from the beginning of the vertical synchronisation.
-        at: usize,
-        /// The colour.
-        colour: [u8; 3],
-    },
+    /// Too little in so many clocks.
+    #[error("the pins show no whole frame between two synchronisations in {0} clocks")]
+    NoFrame(usize),
+    /// A synchronisation that is not where the mode has it: pin, level, and the clock from the beginning of the
+    /// vertical synchronisation.
+    #[error("{0} is {1} at clock {2} of a frame, against the mode")]
+    Sync(&'static str, bool, usize),
+    /// A colour in the blanking, at a clock counted likewise.
+    #[error("the pins show the colour {0:?} at clock {1} of a frame, which is blank")]
+    Colour([u8; 3], usize),
 }
 
 /// What a screen shows.
@@ -57,7 +43,9 @@ pub struct Shown {
 /// A screen: it finds a frame by the beginning of the vertical synchronisation alone, and every pin has to be as the
 /// mode has it from there to the end of the shown part.
 pub struct Screen<'a> {
-    layout: Layout<'a>,
+    mode: &'a VideoMode,
+    /// The end of the last pixel, counted from the beginning of the vertical synchronisation.
+    end: usize,
     ticks: usize,
     /// The vertical synchronisation in the clock before.
     was_in_vsync: bool,
@@ -70,8 +58,11 @@ pub struct Screen<'a> {
 impl<'a> Screen<'a> {
     /// A screen that is given a mode.
     pub fn new(mode: &'a VideoMode) -> Screen<'a> {
+        let lines = mode.frame.sync + mode.frame.back + mode.frame.active;
         Screen {
-            layout: Layout::of(mode),
+            mode,
+            // From the beginning of a horizontal synchronisation to that of the blanking of the last line.
+            end: (lines * mode.line.total() - mode.line.front) as usize,
             ticks: 0,
             was_in_vsync: true,
             starts: [None; 2],
@@ -86,7 +77,7 @@ impl<'a> Screen<'a> {
     ///
     /// When the pins are not as the mode has them.
     pub fn see(&mut self, tick: &Tick) -> Result<(), ScreenError> {
-        let is_in_vsync = tick.vsync == self.layout.mode.vsync_high;
+        let is_in_vsync = tick.vsync == self.mode.vsync_high;
         if is_in_vsync && !self.was_in_vsync {
             self.starts = [self.starts[1], Some(self.ticks)];
             self.picture.clear();
@@ -100,13 +91,13 @@ impl<'a> Screen<'a> {
     }
 
     fn place(&mut self, tick: &Tick, at: usize) -> Result<(), ScreenError> {
-        if at >= self.layout.end {
+        if at >= self.end {
             return Ok(());
         }
-        if self.layout.check(tick, at)? {
+        if self.check(tick, at)? {
             self.picture.extend(tick.colour);
         }
-        if at + 1 == self.layout.end {
+        if at + 1 == self.end {
             self.shown.pictures.push(std::mem::take(&mut self.picture));
         }
         Ok(())
@@ -119,30 +110,12 @@ impl<'a> Screen<'a> {
     /// When there was no whole frame.
     pub fn shown(mut self) -> Result<Shown, ScreenError> {
         if self.shown.pictures.is_empty() {
-            return Err(ScreenError::NoFrame { ticks: self.ticks });
+            return Err(ScreenError::NoFrame(self.ticks));
         }
         if let [Some(before), Some(last)] = self.starts {
             self.shown.clocks = last - before;
         }
         Ok(self.shown)
-    }
-}
-
-/// Where everything is in a frame, counted from the beginning of the vertical synchronisation.
-struct Layout<'a> {
-    mode: &'a VideoMode,
-    /// The end of the last pixel.
-    end: usize,
-}
-
-impl Layout<'_> {
-    fn of(mode: &VideoMode) -> Layout<'_> {
-        let lines = mode.frame.sync + mode.frame.back + mode.frame.active;
-        Layout {
-            mode,
-            // From the beginning of a horizontal synchronisation to that of the blanking of the last line.
-            end: (lines * mode.line.total() - mode.line.front) as usize,
-        }
     }
 
     /// Checks a clock; whether a pixel is shown in it.
@@ -162,12 +135,11 @@ impl Layout<'_> {
         ];
         for (pin, found, wanted) in levels {
             if found != wanted {
-                return Err(ScreenError::Sync { pin, found, at });
+                return Err(ScreenError::Sync(pin, found, at));
             }
         }
         if !is_shown && tick.colour != [0; 3] {
-            let colour = tick.colour;
-            return Err(ScreenError::Colour { at, colour });
+            return Err(ScreenError::Colour(tick.colour, at));
         }
         Ok(is_shown)
     }

@@ -49,7 +49,28 @@ pub fn simulate(
     models: &str,
     clocks: u64,
 ) -> Result<Pins, BoardError> {
-    seen(board, mode, sampled(board, verilog, models, clocks)?)
+    let folder = bench(board, verilog, models)?;
+    write(&folder.path().join("bench.cpp"), DRIVER)?;
+    let clocks = clocks * board.fast_ratio();
+    let level = if clocks < QUICK {
+        "OPT_FAST=-O0"
+    } else {
+        "OPT_FAST=-O1"
+    };
+    let options = OPTIONS.split_whitespace().chain(["-MAKEFLAGS", level]);
+    VERILATOR.run(options, folder.path())?;
+    // The levels of all pins: after both edges of the fast clock, or once a pixel.
+    let [edges, bytes] = match board.video {
+        Video::Tmds { .. } => ["2", "1"],
+        Video::Parallel { .. } => ["1", "4"],
+    };
+    let arguments = [&clocks.to_string(), edges, bytes, SAMPLES];
+    run(
+        &folder.path().join("cpp/Vboard_bench"),
+        &arguments,
+        folder.path(),
+    )?;
+    seen(board, mode, folder)
 }
 
 /// Simulates a board of gates with the delays of their models for so many clocks, from unknown states on.
@@ -103,32 +124,6 @@ fn seen(board: &Board, mode: &VideoMode, folder: TempDir) -> Result<Pins, BoardE
         shown: screen.shown()?,
         folder,
     })
-}
-
-/// A folder with the levels of all pins: after both edges of the fast clock, or once a pixel.
-fn sampled(board: &Board, verilog: &str, models: &str, clocks: u64) -> Result<TempDir, BoardError> {
-    let folder = bench(board, verilog, models)?;
-    let path = |name: &str| folder.path().join(name);
-    write(&path("bench.cpp"), DRIVER)?;
-    let clocks = clocks * board.fast_ratio();
-    let level = if clocks < QUICK {
-        "OPT_FAST=-O0"
-    } else {
-        "OPT_FAST=-O1"
-    };
-    let options = OPTIONS.split_whitespace().chain(["-MAKEFLAGS", level]);
-    VERILATOR.run(options, folder.path())?;
-    let [edges, bytes] = match board.video {
-        Video::Tmds { .. } => ["2", "1"],
-        Video::Parallel { .. } => ["1", "4"],
-    };
-    let count = clocks.to_string();
-    run(
-        &path("cpp/Vboard_bench"),
-        &[&count, edges, bytes, SAMPLES],
-        folder.path(),
-    )?;
-    Ok(folder)
 }
 
 /// A folder with a board, the models of its cells, and its pins side by side.

@@ -11,6 +11,7 @@ use crate::error::BoardError;
 use imogene_contract::tile::TileWords;
 use imogene_contract::video::Span;
 use imogene_rtl::emit::emit_tile;
+use minijinja::value::Serde;
 use minijinja::{Environment, Value, context};
 
 /// The texts of a project, by their places in it.
@@ -82,12 +83,7 @@ impl Tile {
 /// All that the templates ask for.
 fn values(board: &Board, words: &TileWords, about: &About, top: &str) -> Value {
     let tiles = board.tiles.as_ref().expect("a board of tiles");
-    let pins: Vec<(String, String)> = board
-        .video
-        .pins()
-        .into_iter()
-        .map(|(name, pin)| (name, pin.to_owned()))
-        .collect();
+    let pins = board.video.pins();
     let index = |name: &str| {
         let found = pins.iter().find(|(own, _)| own == name);
         found.and_then(|(_, pin)| output(pin))
@@ -108,7 +104,7 @@ fn values(board: &Board, words: &TileWords, about: &About, top: &str) -> Value {
     };
     let hertz = board.clock.hertz;
     context! {
-        top, names, outputs, colours, hertz, pins => &pins,
+        top, names, outputs, colours, hertz, pins => Value::from(Serde(&pins)),
         prefix => format!("{}_", about.name), title => &about.title, command => &about.command,
         frames => about.frames, tiles => &tiles.size, planes => words.planes.len(),
         width => words.window[0], height => words.window[1],

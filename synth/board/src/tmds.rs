@@ -17,46 +17,18 @@ pub enum TmdsError {
     NoClock,
     /// The clock channel is not five ones and five zeros.
     #[error(
-        "the clock channel is {found:010b} in word {word}, bit 0 first; five ones and five zeros are sent"
+        "the clock channel is {1:010b} in word {0}, bit 0 first; five ones and five zeros are sent"
     )]
-    Clock {
-        /// Which word.
-        word: usize,
-        /// What was found.
-        found: u16,
-    },
-    /// A word that no level and no pair of control bits makes.
-    #[error("the {channel} channel has {found:010b} in word {word}, which means nothing")]
-    Word {
-        /// Which channel.
-        channel: &'static str,
-        /// Which word.
-        word: usize,
-        /// What was found.
-        found: u16,
-    },
+    Clock(usize, u16),
+    /// A word of a channel that no level and no pair of control bits makes.
+    #[error("the {0} channel has {2:010b} in word {1}, which means nothing")]
+    Word(&'static str, usize, u16),
     /// A word of a level that would not balance ones and zeros.
-    #[error(
-        "the {channel} channel has {found:010b} in word {word}; {wanted:010b} balances ones and zeros"
-    )]
-    Balance {
-        /// Which channel.
-        channel: &'static str,
-        /// Which word.
-        word: usize,
-        /// What was found.
-        found: u16,
-        /// What would be sent.
-        wanted: u16,
-    },
+    #[error("the {0} channel has {2:010b} in word {1}; {3:010b} balances ones and zeros")]
+    Balance(&'static str, usize, u16, u16),
     /// Channels that do not show a pixel in the same clock, or control bits where there are none.
-    #[error("the channels disagree in word {word}: {what}")]
-    Apart {
-        /// Which word.
-        word: usize,
-        /// What is apart.
-        what: &'static str,
-    },
+    #[error("the channels disagree in word {0}: {1}")]
+    Apart(usize, &'static str),
 }
 
 /// What was found on the channels.
@@ -77,11 +49,14 @@ pub struct Channels {
 /// ones and zeros.
 #[derive(Default)]
 pub struct Decoder {
-    receiver: Receiver,
     before: Option<u8>,
     /// Samples of the word that has begun; none before the clock rises.
     word: Option<Vec<u8>>,
     count: usize,
+    senders: [TmdsEncoder; 3],
+    sync: u8,
+    is_started: bool,
+    found: Channels,
 }
 
 impl Decoder {
@@ -106,12 +81,12 @@ impl Decoder {
         let word = self.count;
         let clock = bits(samples, 3);
         if clock != 0b00000_11111 {
-            return Err(TmdsError::Clock { word, found: clock });
+            return Err(TmdsError::Clock(word, clock));
         }
         let words = [0, 1, 2].map(|channel| bits(samples, channel));
         samples.clear();
         self.count += 1;
-        self.receiver.take(word, words)
+        self.take(word, words)
     }
 
     /// What was found, after all samples.
@@ -121,28 +96,11 @@ impl Decoder {
     /// When no word began.
     pub fn found(self) -> Result<Channels, TmdsError> {
         match self.word {
-            Some(_) => Ok(self.receiver.found),
+            Some(_) => Ok(self.found),
             None => Err(TmdsError::NoClock),
         }
     }
-}
 
-fn bits(samples: &[u8], channel: u32) -> u16 {
-    let each = samples.iter().enumerate();
-    each.fold(0, |word, (place, sample)| {
-        word | u16::from(sample >> channel & 1) << place
-    })
-}
-
-#[derive(Default)]
-struct Receiver {
-    senders: [TmdsEncoder; 3],
-    sync: u8,
-    is_started: bool,
-    found: Channels,
-}
-
-impl Receiver {
     fn take(&mut self, word: usize, words: [u16; 3]) -> Result<Option<Tick>, TmdsError> {
         if !self.is_started {
             // Before the first word the registers of the encoders are empty.
@@ -164,12 +122,10 @@ impl Receiver {
                 None
             }
             [Sent::Control(_), Sent::Control(_), Sent::Control(_)] => {
-                let what = "control bits on green or red";
-                return Err(TmdsError::Apart { word, what });
+                return Err(TmdsError::Apart(word, "control bits on green or red"));
             }
             _ => {
-                let what = "some show a pixel and some do not";
-                return Err(TmdsError::Apart { word, what });
+                return Err(TmdsError::Apart(word, "some show a pixel and some do not"));
             }
         };
         Ok(Some(Tick {
@@ -183,19 +139,10 @@ impl Receiver {
     /// What a word of a channel means.
     fn one(&mut self, channel: usize, word: usize, found: u16) -> Result<Sent, TmdsError> {
         let (name, sender) = (NAMES[channel], &mut self.senders[channel]);
-        let sent = meaning(found).ok_or(TmdsError::Word {
-            channel: name,
-            word,
-            found,
-        })?;
+        let sent = meaning(found).ok_or(TmdsError::Word(name, word, found))?;
         let wanted = sender.word(sent);
         if wanted != found {
-            return Err(TmdsError::Balance {
-                channel: name,
-                word,
-                found,
-                wanted,
-            });
+            return Err(TmdsError::Balance(name, word, found, wanted));
         }
         self.found.disparity = self.found.disparity.max(sender.disparity.abs());
         if let Sent::Level(_) = sent {
@@ -203,4 +150,11 @@ impl Receiver {
         }
         Ok(sent)
     }
+}
+
+fn bits(samples: &[u8], channel: u32) -> u16 {
+    let each = samples.iter().enumerate();
+    each.fold(0, |word, (place, sample)| {
+        word | u16::from(sample >> channel & 1) << place
+    })
 }

@@ -7,8 +7,8 @@ use crate::tile::rendered;
 use imogene_contract::{Request, Unit};
 use imogene_golden::machine::zone::beat::Beat;
 use imogene_rtl::emit::{Emitted, emit};
+use minijinja::value::Serde;
 use minijinja::{Value, context};
-use std::fmt::Write;
 
 /// Words that a sequencer can address.
 const MOST_WORDS: usize = 1 << 12;
@@ -108,11 +108,11 @@ fn units(board: &Board) -> &'static [Unit] {
 fn core(board: &Board, display: &Display) -> Result<Value, BoardError> {
     let count = display.words.len();
     if count > MOST_WORDS {
-        return Err(BoardError::Excess {
-            part: board.name.clone(),
-            excess: format!("{count} words of images of {MOST_WORDS}"),
-            remedy: "a scene of fewer objects, or fewer frames of an animation (--animation FIRST..LAST), may fit",
-        });
+        return Err(BoardError::Excess(
+            board.name.clone(),
+            format!("{count} words of images of {MOST_WORDS}"),
+            "a scene of fewer objects, or fewer frames of an animation (--animation FIRST..LAST), may fit",
+        ));
     }
     let mut ports = display.machine.ports.iter();
     let data = ports
@@ -163,105 +163,48 @@ fn clocks(board: &Board, pll: &Pll) -> Value {
         let text = format!("{mhz:.6}");
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
     };
-    let (input_mhz, fast, pixel) = (pll.input_mhz(), pll.fast_mhz(), pll.pixel_mhz());
-    let [input_mhz, fast, pixel] = [input_mhz, fast, pixel].map(decimal);
-    let (dividers, apart, phase) = match pll.dividers {
-        Dividers::Ecp5 {
-            reference,
-            feedback,
-            looped,
-            fast,
-            pixel,
-        } => (
-            context! { reference, feedback, looped, fast, pixel },
-            looped != fast,
-            fast / 2,
-        ),
-        Dividers::Ice40 {
-            divr,
-            divf,
-            divq,
-            filter,
-        } => (context! { divr, divf, divq, filter }, false, 0),
-        Dividers::Gowin {
-            input,
-            feedback,
-            output,
-        } => {
-            let series = board.part.as_ref().map(Part::series);
-            (context! { input, feedback, output, series }, false, 0)
-        }
-        Dividers::Xilinx7 {
-            reference,
-            feedback,
-            output,
-        } => {
-            let eighths = |number: i128| format!("{:.3}", number as f64 / 8.0);
-            let (feedback, output) = (eighths(feedback), eighths(output));
-            let period = format!("{:.3}", 1000.0 / pll.input_mhz());
-            (context! { reference, feedback, output, period }, false, 0)
-        }
-        Dividers::None => (context! {}, false, 0),
-    };
-    context! { pll => dividers, input_mhz, fast, pixel, apart, phase, pad => board.clock.pad }
+    context! {
+        pll => Value::from(Serde(pll.dividers)), pad => board.clock.pad, series => board.part.as_ref().map(Part::series),
+        input_mhz => decimal(pll.input_mhz()), fast => decimal(pll.fast_mhz()), pixel => decimal(pll.pixel_mhz()),
+        period => format!("{:.3}", 1000.0 / pll.input_mhz()),
+    }
 }
 
 /// The constraints of the part of a board, and the ending of their file.
 fn constraints(board: &Board, pll: &Pll) -> Option<(&'static str, String)> {
     let family = board.part.as_ref()?.family;
-    let (mut text, clock) = (String::new(), &board.clock);
-    let pins = board.video.pins();
-    match family {
+    let line = |name: &str, pin: &str, io: &str| match family {
         Family::Ecp5 => {
-            let mut pin = |name: &str, pin: &str, io: &str| {
-                let _ = writeln!(text, "LOCATE COMP \"{name}\" SITE \"{pin}\";");
-                let _ = writeln!(text, "IOBUF PORT \"{name}\" {io};");
-            };
-            pin("clock", &clock.pin, &clock.io);
-            for (name, site) in &pins {
-                pin(name, site, board.video.io());
-            }
-            let _ = writeln!(text, "FREQUENCY PORT \"clock\" {} MHZ;", pll.input_mhz());
-            Some(("lpf", text))
+            format!("LOCATE COMP \"{name}\" SITE \"{pin}\";\nIOBUF PORT \"{name}\" {io};\n")
         }
-        Family::Ice40 => {
-            let _ = writeln!(text, "set_io clock {}", clock.pin);
-            for (name, pin) in &pins {
-                let _ = writeln!(text, "set_io {name} {pin}");
-            }
-            let _ = writeln!(text, "set_frequency clock {}", pll.input_mhz());
-            Some(("pcf", text))
-        }
-        Family::Gowin => {
-            let mut pin = |name: &str, pin: &str, io: &str| {
-                let _ = writeln!(text, "IO_LOC \"{name}\" {pin};");
-                let _ = writeln!(text, "IO_PORT \"{name}\" {io};");
-            };
-            pin("clock", &clock.pin, &clock.io);
-            for (name, sites) in &pins {
-                let opposite = name.replace('_', "_n_");
-                for (name, site) in [name, &opposite].into_iter().zip(sites.split(',')) {
-                    pin(name, site, board.video.io());
-                }
-            }
-            Some(("cst", text))
-        }
+        Family::Ice40 => format!("set_io {name} {pin}\n"),
+        Family::Gowin => format!("IO_LOC \"{name}\" {pin};\nIO_PORT \"{name}\" {io};\n"),
         Family::Xilinx7 => {
-            let mut pin = |name: &str, pin: &str, io: &str| {
-                let _ = writeln!(
-                    text,
-                    "set_property -dict {{PACKAGE_PIN {pin} {io}}} [get_ports {name}]"
-                );
-            };
-            pin("clock", &clock.pin, &clock.io);
-            for (name, site) in &pins {
-                pin(name, site, board.video.io());
-            }
-            let period = 1000.0 / pll.input_mhz();
-            let _ = writeln!(text, "create_clock -period {period:.3} [get_ports clock]");
-            // The bank of the configuration pins has 3.3 V.
-            text += "set_property CFGBVS VCCO [current_design]\nset_property CONFIG_VOLTAGE 3.3 [current_design]\n";
-            Some(("xdc", text))
+            format!("set_property -dict {{PACKAGE_PIN {pin} {io}}} [get_ports {name}]\n")
+        }
+    };
+    let mut text = line("clock", &board.clock.pin, &board.clock.io);
+    for (name, pins) in board.video.pins() {
+        // Of a Gowin both pins of a channel.
+        let opposite = name.replace('_', "_n_");
+        for (name, pin) in [name, opposite].iter().zip(pins.split(',')) {
+            text += &line(name, pin, board.video.io());
         }
     }
+    let mhz = pll.input_mhz();
+    let (ending, clock) = match family {
+        Family::Ecp5 => ("lpf", format!("FREQUENCY PORT \"clock\" {mhz} MHZ;\n")),
+        Family::Ice40 => ("pcf", format!("set_frequency clock {mhz}\n")),
+        Family::Gowin => ("cst", String::new()),
+        // The bank of the configuration pins has 3.3 V.
+        Family::Xilinx7 => (
+            "xdc",
+            format!(
+                "create_clock -period {:.3} [get_ports clock]\n\
+                 set_property CFGBVS VCCO [current_design]\nset_property CONFIG_VOLTAGE 3.3 [current_design]\n",
+                1000.0 / mhz
+            ),
+        ),
+    };
+    Some((ending, text + &clock))
 }

@@ -80,11 +80,7 @@ pub(super) fn fold(cells: &mut Cells, readers: &Readers) -> u64 {
 }
 
 /// What flip-flops have in common that become one register: bits of the clock and of the enable.
-#[derive(Clone, PartialEq)]
-struct Control {
-    clock: Value,
-    enable: Value,
-}
+type Control = [Value; 2];
 
 /// The register that can stand behind a cell: what controls it, and the output port and flip-flop of each of its bits.
 struct Register {
@@ -132,7 +128,7 @@ fn register(cell: &Value, kind: &Kind, cells: &Cells, readers: &Readers) -> Opti
     }
     let clocks = kind.with_sides(clock);
     let mut clocks = clocks.filter_map(|port| connections.get(port));
-    found.filter(|found| clocks.all(|clock| *clock == found.control.clock))
+    found.filter(|found| clocks.all(|clock| *clock == found.control[0]))
 }
 
 /// What controls a flip-flop on a rising edge that starts at 0 and has no reset.
@@ -152,7 +148,7 @@ fn control(cell: &Value) -> Option<Control> {
         _ => return None,
     };
     let clock = cell["connections"]["CLK"].clone();
-    is_plain.then_some(Control { clock, enable })
+    is_plain.then_some([clock, enable])
 }
 
 fn put(register: Register, name: &str, kind: &Kind, cells: &mut Cells) {
@@ -165,7 +161,7 @@ fn put(register: Register, name: &str, kind: &Kind, cells: &mut Cells) {
     for parameter in kind.with_sides(parameter) {
         cell["parameters"][parameter] = value.into();
     }
-    let Control { clock, enable } = register.control;
+    let [clock, enable] = register.control;
     for (name, bits) in kind.names[1..].iter().zip([clock, enable, json!(["0"])]) {
         for port in kind.with_sides(name) {
             cell["connections"][&port] = bits.clone();

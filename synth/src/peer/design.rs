@@ -26,16 +26,14 @@ impl Peer {
     /// When a file or folder is missing, or a name, a value or an ending is not legal.
     pub fn check(&self) -> Result<(), PeerError> {
         for file in &self.files {
-            let path = file.display().to_string();
             if !file.is_file() {
-                return Err(PeerError::Missing { path, kind: "file" });
+                return Err(missing(file, "file"));
             }
             is_system_verilog(file)?;
             check_file_name(file)?;
         }
         if let Some(folder) = self.include.iter().find(|folder| !folder.is_dir()) {
-            let (path, kind) = (folder.display().to_string(), "folder");
-            return Err(PeerError::Missing { path, kind });
+            return Err(missing(folder, "folder"));
         }
         check_word(&self.top, "module", is_name)?;
         for (name, value) in &self.parameters {
@@ -46,13 +44,15 @@ impl Peer {
     }
 }
 
+fn missing(path: &Path, kind: &'static str) -> PeerError {
+    PeerError::Missing(path.display().to_string(), kind)
+}
+
 pub(super) fn is_system_verilog(file: &Path) -> Result<bool, PeerError> {
     match file.extension().and_then(|ending| ending.to_str()) {
         Some("v") => Ok(false),
         Some("sv") => Ok(true),
-        _ => Err(PeerError::Ending {
-            path: file.display().to_string(),
-        }),
+        _ => Err(PeerError::Ending(file.display().to_string())),
     }
 }
 
@@ -79,9 +79,5 @@ fn check_word(text: &str, what: &'static str, is_legal: fn(char) -> bool) -> Res
     } else {
         "letters, digits, _ $"
     };
-    Err(PeerError::Word {
-        text: text.to_owned(),
-        what,
-        accepted,
-    })
+    Err(PeerError::Word(text.to_owned(), what, accepted))
 }

@@ -88,13 +88,11 @@ impl<'a> Source<'a> {
         let is_read = !modules.is_empty();
         let top = self.peer.top.clone();
         if is_read && !modules.contains(&top) {
-            return PeerError::Top { top, modules };
+            return PeerError::Top(top, modules);
         }
         let mut lines = message.lines().rev();
         let line = lines.find(|line| line.contains("ERROR"));
-        PeerError::Refused {
-            message: line.unwrap_or(message).to_owned(),
-        }
+        PeerError::Refused(line.unwrap_or(message).to_owned())
     }
 }
 
@@ -114,13 +112,12 @@ pub fn modules(listed: &str) -> Vec<String> {
 ///
 /// When it is no netlist of that module, the module has no such clock, no input or no output, or has an inout.
 pub fn ports_and_clock(peer: &Peer, netlist: &str) -> Result<(Vec<Port>, String), PeerError> {
-    let refused = |message: String| PeerError::Refused { message };
-    let netlist: Value =
-        serde_json::from_str(netlist).map_err(|error| refused(format!("its netlist: {error}")))?;
+    let netlist: Value = serde_json::from_str(netlist)
+        .map_err(|error| PeerError::Refused(format!("its netlist: {error}")))?;
     let top = peer.top.clone();
     let ports = netlist["modules"][&peer.top]["ports"]
         .as_object()
-        .ok_or_else(|| refused(format!("its netlist has no ports of `{top}`")))?;
+        .ok_or_else(|| PeerError::Refused(format!("its netlist has no ports of `{top}`")))?;
     // Yosys numbers bits in the order of the ports, which the keys of the document have lost.
     let mut ports: Vec<(&String, &Value)> = ports.iter().collect();
     ports.sort_by_key(|(_, port)| port["bits"][0].as_u64());
@@ -132,8 +129,7 @@ pub fn ports_and_clock(peer: &Peer, netlist: &str) -> Result<(Vec<Port>, String)
     let data: Vec<&Port> = ports.iter().filter(|port| port.name != clock).collect();
     for direction in [Direction::In, Direction::Out] {
         if bits(&data, direction) == 0 {
-            let direction = direction.keyword();
-            return Err(PeerError::NoData { top, direction });
+            return Err(PeerError::NoData(top, direction.keyword()));
         }
     }
     Ok((ports, clock))
@@ -143,10 +139,7 @@ fn parse_port(top: &str, name: &str, port: &Value) -> Result<Port, PeerError> {
     let direction = match port["direction"].as_str() {
         Some("input") => Direction::In,
         Some("output") => Direction::Out,
-        _ => {
-            let (top, port) = (top.to_owned(), name.to_owned());
-            return Err(PeerError::Inout { top, port });
-        }
+        _ => return Err(PeerError::Inout(name.to_owned(), top.to_owned())),
     };
     Ok(Port {
         meaning: String::new(),

@@ -2,8 +2,7 @@
 
 use super::rows::{self, Section};
 use super::{Measured, Table};
-use crate::figures::Figures;
-use crate::report::CriticalPath;
+use crate::report::{CriticalPath, Figures};
 use crate::target::Target;
 use imogene_contract::Unit;
 use imogene_files::text::{counted, wrapped_page};
@@ -53,30 +52,32 @@ const fn title(section: Section) -> &'static str {
     }
 }
 
-/// The whole page.
-pub fn write(table: &Table) -> String {
-    let mut text = heading(table);
-    text += &opening(Section::Units, UNITS);
-    text += &block_memory(table);
-    text += &without_figures(table);
-    for target in rows::DEVICES {
-        text += &devices(table, Section::Units, target);
+impl Table {
+    /// The page that shows it, as Markdown.
+    pub fn markdown(&self) -> String {
+        let mut text = heading(self);
+        text += &opening(Section::Units, UNITS);
+        text += &block_memory(self);
+        text += &without_figures(self);
+        for target in rows::DEVICES {
+            text += &devices(self, Section::Units, target);
+        }
+        text += &reading(self);
+        text += &opening(Section::Planes, PLANES);
+        text += &devices(self, Section::Planes, Target::Ecp5With45k);
+        text += &ratios(self);
+        text += &opening(Section::Rows, ROWS);
+        for target in rows::DEVICES {
+            text += &devices(self, Section::Rows, target);
+        }
+        let _ = write!(
+            text,
+            "\n![Cells, clock and latency of both root networks over the rows of a stage]({PICTURE})\n"
+        );
+        text += &opening(Section::Transistors, "");
+        text += &super::transistors::write(self);
+        wrapped_page(&text)
     }
-    text += &reading(table);
-    text += &opening(Section::Planes, PLANES);
-    text += &devices(table, Section::Planes, Target::Ecp5With45k);
-    text += &ratios(table);
-    text += &opening(Section::Rows, ROWS);
-    for target in rows::DEVICES {
-        text += &devices(table, Section::Rows, target);
-    }
-    let _ = write!(
-        text,
-        "\n![Cells, clock and latency of both root networks over the rows of a stage]({PICTURE})\n"
-    );
-    text += &opening(Section::Transistors, "");
-    text += &super::transistors::write(table);
-    wrapped_page(&text)
 }
 
 fn opening(section: Section, text: &str) -> String {

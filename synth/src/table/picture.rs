@@ -36,16 +36,22 @@ const PANELS: [Panel; 4] = [
     },
 ];
 
-/// Draws all panels; `None` if a network lacks a figure.
-pub fn draw(table: &Table) -> Result<Option<String>, SynthError> {
-    let panels: Option<Vec<Vec<Line>>> = PANELS.iter().map(|panel| lines(table, panel)).collect();
-    let Some(panels) = panels else {
-        return Ok(None);
-    };
-    let mut text = String::new();
-    let drawn = draw_panels(&mut text, &panels);
-    drawn.map_err(|error| SynthError::Picture(error.to_string()))?;
-    Ok(Some(text))
+impl Table {
+    /// The networks over their rows per stage as an SVG picture; `None` without a clock of each.
+    ///
+    /// # Errors
+    ///
+    /// When it cannot be drawn.
+    pub fn picture(&self) -> Result<Option<String>, SynthError> {
+        let panels: Option<Vec<_>> = PANELS.iter().map(|panel| lines(self, panel)).collect();
+        let Some(panels) = panels else {
+            return Ok(None);
+        };
+        let mut text = String::new();
+        let drawn = draw_panels(&mut text, &panels);
+        drawn.map_err(|error| SynthError::Picture(error.to_string()))?;
+        Ok(Some(text))
+    }
 }
 
 type Drawn = Result<(), Box<dyn std::error::Error>>;

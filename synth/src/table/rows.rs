@@ -1,6 +1,5 @@
 //! The rows of the resource table and its figures.
 
-use crate::bench::Options;
 use crate::target::Target;
 use imogene_contract::{Request, Unit};
 use serde::{Deserialize, Serialize};
@@ -28,8 +27,8 @@ pub struct Row {
     pub request: Request,
     /// Target.
     pub target: Target,
-    /// Options.
-    pub options: Options,
+    /// Seeds of place and route; with none the clock is not measured.
+    pub seeds: usize,
 }
 
 /// Seeds of a clock in the table.
@@ -86,30 +85,35 @@ pub fn rows() -> Vec<Row> {
     let units = DEVICES
         .into_iter()
         .flat_map(|target| units().map(move |unit| unit_row(unit, target)));
-    let over_planes = |unit| PLANES.map(move |planes| planes_row(unit, planes as u32));
-    let sides = [3, 4].map(|sides| {
-        let unit = Request::new(Unit::FacetProcessor);
-        row(
-            Section::Planes,
-            Request { sides, ..unit },
-            Target::Ecp5With45k,
-            0,
-        )
+    // A plane adds a stage of its own beside the others: it costs cells, and the clock is that of the units table.
+    let cells = |section, target| move |request| row(section, request, target, 0);
+    let over_planes = |unit| {
+        let planes = PLANES.map(|planes| planes as u32).into_iter();
+        planes.map(move |planes| Request {
+            planes,
+            ..Request::new(unit)
+        })
+    };
+    let sides = [3, 4].map(|sides| Request {
+        sides,
+        ..Request::new(Unit::FacetProcessor)
     });
     let planes = CUT.into_iter().flat_map(over_planes).chain(sides);
-
-    let roots = DEVICES.into_iter().flat_map(|target| {
-        let rows = move |unit| ROWS_PER_STAGE.map(|rows| root_row(unit, rows as u32, target));
-        ROOTS.into_iter().flat_map(rows)
-    });
-    let transistors = GATES.map(|unit| {
-        row(
-            Section::Transistors,
-            Request::new(unit),
-            Target::Transistors,
-            0,
-        )
-    });
+    let planes = planes.map(cells(Section::Planes, Target::Ecp5With45k));
+    let rooted = |unit, target| {
+        ROWS_PER_STAGE.map(|rows| {
+            let request = Request {
+                rows_per_stage: rows as u32,
+                ..Request::new(unit)
+            };
+            row(Section::Rows, request, target, SEEDS)
+        })
+    };
+    let roots = DEVICES
+        .into_iter()
+        .flat_map(|target| ROOTS.into_iter().flat_map(move |unit| rooted(unit, target)));
+    let transistors = GATES.map(Request::new).into_iter();
+    let transistors = transistors.map(cells(Section::Transistors, Target::Transistors));
     units
         .chain(planes)
         .chain(roots)
@@ -122,17 +126,8 @@ fn row(section: Section, request: Request, target: Target, seeds: usize) -> Row 
         section,
         request,
         target,
-        options: Options { seeds },
+        seeds,
     }
-}
-
-fn planes_row(unit: Unit, planes: u32) -> Row {
-    let request = Request {
-        planes,
-        ..Request::new(unit)
-    };
-    // A plane adds a stage of its own beside the others: it costs cells, and the clock is that of the units table.
-    row(Section::Planes, request, Target::Ecp5With45k, 0)
 }
 
 fn unit_row(unit: Unit, target: Target) -> Row {
@@ -142,14 +137,6 @@ fn unit_row(unit: Unit, target: Target) -> Row {
         unit == Unit::Beam || target == Target::Ice40Hx8k && OTHER_PROCESSORS.contains(&unit);
     let seeds = if is_too_long { 0 } else { SEEDS };
     row(Section::Units, Request::new(unit), target, seeds)
-}
-
-fn root_row(unit: Unit, rows_per_stage: u32, target: Target) -> Row {
-    let request = Request {
-        rows_per_stage,
-        ..Request::new(unit)
-    };
-    row(Section::Rows, request, target, SEEDS)
 }
 
 /// The rows of a unit and of a target, or of all of them.
@@ -180,7 +167,7 @@ impl Row {
     /// How it is synthesised in its harness, placed and routed.
     pub fn synthesis(&self) -> String {
         let target = self.target;
-        let routed = target.place_and_route().filter(|_| self.options.seeds > 0);
+        let routed = target.place_and_route().filter(|_| self.seeds > 0);
         let mut parts = vec![target.synthesis(crate::harness::TOP)];
         parts.push(target.steps().trim().to_owned());
         parts.extend(routed.map(|route| route.arguments.join(" ")));

@@ -6,12 +6,12 @@ use imogene_contract::{Request, RootForm, Unit};
 use imogene_synth::baseline::{CheckOptions, RowCheck, check};
 use imogene_synth::regression::{Tolerance, Verdict};
 use imogene_synth::table::{self, Table};
-use imogene_synth::{Cache, Options, SynthError, SynthReport, Target, synthesise};
+use imogene_synth::{Cache, SynthError, SynthReport, Target, synthesise};
 use std::path::{Path, PathBuf};
 
 fn run(unit: Unit, target: Target) -> SynthReport {
     let request = Request::new(unit);
-    synthesise(&request, target, &Options { seeds: 1 }, Cache::Use)
+    synthesise(&request, target, 1, Cache::Use)
         .unwrap_or_else(|error| panic!("{} for {}: {error}", unit.name(), target.name()))
 }
 
@@ -44,7 +44,7 @@ fn the_exact_root_of_a_target_takes_no_more_cells_than_the_other() {
     let cells = |target: Target, form| {
         let request = Request::new(Unit::QuadricPe).with_root_form(form);
         let request = request.expect("a unit with a root");
-        let report = synthesise(&request, target, &Options { seeds: 0 }, Cache::Use);
+        let report = synthesise(&request, target, 0, Cache::Use);
         report.expect("a report").logic_cells.expect("cells")
     };
     for target in [Target::Ecp5With45k, Target::Ice40Hx8k] {
@@ -116,7 +116,7 @@ fn small_rows_hold_the_written_baseline() {
 fn few_rows() -> Vec<table::Row> {
     let mut rows = table::select(Some(Unit::CutPlane), None);
     for row in &mut rows {
-        row.options.seeds = 0;
+        row.seeds = 0;
     }
     rows
 }

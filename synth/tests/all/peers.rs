@@ -5,7 +5,7 @@ use crate::is_full;
 use imogene_contract::{Request, Unit};
 use imogene_rtl::emit::emit;
 use imogene_synth::peer::{Comparison, Peer, compare};
-use imogene_synth::{Options, SynthError, Target};
+use imogene_synth::{SynthError, Target};
 use std::path::{Path, PathBuf};
 
 fn data(name: &str) -> PathBuf {
@@ -32,7 +32,7 @@ fn adder() -> Peer {
 }
 
 fn run(peer: &Peer, unit: Unit, target: Target, seeds: usize) -> Result<Comparison, SynthError> {
-    compare(peer, &Request::new(unit), target, &Options { seeds })
+    compare(peer, &Request::new(unit), target, seeds)
 }
 
 /// The message of a refused peer, which says all of these.

@@ -3,10 +3,7 @@ use std::path::Path;
 
 #[test]
 fn a_missing_program_names_its_package() {
-    let program = Program {
-        name: "imogene-no-such-program",
-        package: "some-package",
-    };
+    let program = Program::new("imogene-no-such-program", "some-package");
     let outcome = program.run(["--version"], Path::new("."));
     let message = outcome.expect_err("there is no such program").to_string();
     assert!(message.contains("imogene-no-such-program"), "{message}");

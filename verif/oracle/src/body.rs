@@ -88,12 +88,14 @@ impl CutBody {
             form: form.as_ref().map(|m| m.each_ref().map(about_all)),
             planes: planes.iter().map(about_all).collect(),
         };
-        let [from, along] = whole_lines(from, along);
+        // Beginning and direction have one common factor, which leaves the parameter as it is.
+        let ([x, y, start], [u, v, ahead]) = (&from, &along);
+        let [x, y, start, u, v, ahead] = whole([x, y, start, u, v, ahead]);
         let exact = Lines {
-            from,
-            along,
-            form: form.map(whole_form),
-            planes: planes.into_iter().map(whole_vector).collect(),
+            from: [x, y, start],
+            along: [u, v, ahead],
+            form: form.map(|form| whole(form.each_ref())),
+            planes: planes.iter().flat_map(|plane| whole([plane])).collect(),
         };
         CutBody {
             frame: to_own.each_ref().map(about_all),
@@ -127,10 +129,7 @@ fn canonical(object: &Object) -> Canonical {
     if let Shape::TetrahedronPatch { corners, weights } = &object.shape {
         return tetrahedron(corners, weights);
     }
-    let (radii, form) = match unit_form(&object.shape) {
-        Some((radii, form)) => (radii, Some(form)),
-        None => ([1.0; 3], general_form(&object.shape)),
-    };
+    let (radii, form) = form(&object.shape);
     let radii = radii.map(from_decimal);
     let plane = |cut: &imogene_scene::Cut| {
         let [normal, point] = [cut.normal, cut.point].map(|v| v.map(from_decimal));
@@ -145,25 +144,31 @@ fn canonical(object: &Object) -> Canonical {
     }
 }
 
-/// The radii that make a family's quadric a canonical one, and that.
-fn unit_form(shape: &Shape) -> Option<([f64; 3], Matrix)> {
+/// The radii that make a family's quadric a canonical one, and that; the matrix of written coefficients; nothing for a
+/// polyhedron.
+fn form(shape: &Shape) -> ([f64; 3], Option<Matrix>) {
     let none = [0, 0, 0];
-    Some(match *shape {
+    let (radii, form) = match *shape {
         Shape::Ellipsoid(radii) => (radii, twice([1, 1, 1], none, -1)),
         Shape::Sphere { radius } => ([radius; 3], twice([1, 1, 1], none, -1)),
-        Shape::EllipticCylinder([a, c]) => ([a, 1.0, c], twice([1, 0, 1], none, -1)),
-        Shape::HyperbolicCylinder([a, c]) => ([a, 1.0, c], twice([1, 0, -1], none, -1)),
+        Shape::EllipticCylinder ([a, c]) => ([a, 1.0, c], twice([1, 0, 1], none, -1)),
+        Shape::HyperbolicCylinder ([a, c]) => ([a, 1.0, c], twice([1, 0, -1], none, -1)),
         Shape::ParabolicCylinder([a, c]) => ([a, 1.0, c], twice([1, 0, 0], [0, 0, -1], 0)),
         Shape::Cone(radii) => (radii, twice([1, -1, 1], none, 0)),
         Shape::HyperboloidOneSheet(radii) => (radii, twice([1, -1, 1], none, -1)),
         Shape::HyperboloidTwoSheets(radii) => (radii, twice([1, -1, 1], none, 1)),
         Shape::EllipticParaboloid(radii) => (radii, twice([1, 0, 1], [0, -1, 0], 0)),
         Shape::HyperbolicParaboloid(radii) => (radii, twice([1, 0, -1], [0, -1, 0], 0)),
-        Shape::Quadric { .. }
-        | Shape::Polyhedron
-        | Shape::Mesh(_)
-        | Shape::TetrahedronPatch { .. } => return None,
-    })
+        Shape::Quadric { coefficients } => {
+            let [a, b, c, d, e, f, g, h, i, j] = &coefficients.map(from_decimal);
+            let rows = [[a, d, e, g], [d, b, f, h], [e, f, c, i], [g, h, i, j]];
+            ([1.0; 3], rows.map(|row| row.map(BigRational::clone)))
+        }
+        Shape::Polyhedron | Shape::Mesh(_) | Shape::TetrahedronPatch { .. } => {
+            return ([1.0; 3], None);
+        }
+    };
+    (radii, Some(form))
 }
 
 /// Twice the canonical quadric: squares of x, y, z, the linear term of y or of z, and the constant.
@@ -176,21 +181,6 @@ fn twice(squares: [i64; 3], linear: [i64; 3], constant: i64) -> Matrix {
     }
     rows[3][3] = integer(2 * constant);
     rows
-}
-
-/// The matrix of written coefficients; nothing for a polyhedron.
-fn general_form(shape: &Shape) -> Option<Matrix> {
-    let Shape::Quadric { coefficients } = shape else {
-        return None;
-    };
-    let [a, b, c, d, e, f, g, h, i, j] = coefficients.map(from_decimal);
-    let rows = [
-        [&a, &d, &e, &g],
-        [&d, &b, &f, &h],
-        [&e, &f, &c, &i],
-        [&g, &h, &i, &j],
-    ];
-    Some(rows.map(|row| row.map(BigRational::clone)))
 }
 
 /// The barycentric frame: the corners are the unit vectors.
@@ -219,34 +209,13 @@ fn tetrahedron(corners: &[[f64; 3]; 4], weights: &[f64; 10]) -> Canonical {
     }
 }
 
-/// Numbers times the least common multiple of their denominators.
-fn whole<'a>(values: impl Iterator<Item = &'a BigRational> + Clone) -> Vec<BigInt> {
-    let unit = values
-        .clone()
-        .fold(BigInt::one(), |lcm, v| lcm.lcm(v.denom()));
-    let divisor = values.clone().fold(BigInt::zero(), |gcd, v| {
-        gcd.gcd(&(v.numer() * (&unit / v.denom())))
-    });
+/// Vectors times one factor, which makes all their numbers whole and leaves them no common divisor.
+fn whole<const N: usize>(vectors: [&Vector; N]) -> [Whole; N] {
+    let all = || vectors.iter().copied().flatten();
+    let unit = all().fold(BigInt::one(), |lcm, v| lcm.lcm(v.denom()));
+    let scaled = |v: &BigRational| v.numer() * (&unit / v.denom());
+    let divisor = all().fold(BigInt::zero(), |gcd, v| gcd.gcd(&scaled(v)));
     // All may be zero.
     let divisor = divisor.max(BigInt::one());
-    values
-        .map(|v| v.numer() * (&unit / v.denom()) / &divisor)
-        .collect()
-}
-
-/// Beginning and direction with one common factor, which leaves the parameter as it is.
-fn whole_lines(from: Affine, along: Affine) -> [[Whole; 3]; 2] {
-    let all = whole(from.iter().chain(&along).flatten());
-    let vector = |start: usize| -> Whole { std::array::from_fn(|k| all[start + k].clone()) };
-    [0, 12].map(|start| [0, 4, 8].map(|offset| vector(start + offset)))
-}
-
-fn whole_form(form: Matrix) -> [Whole; 4] {
-    let all = whole(form.iter().flatten());
-    std::array::from_fn(|row| std::array::from_fn(|k| all[4 * row + k].clone()))
-}
-
-fn whole_vector(vector: Vector) -> Whole {
-    let all = whole(vector.iter());
-    std::array::from_fn(|k| all[k].clone())
+    vectors.map(|vector| vector.each_ref().map(|v| scaled(v) / &divisor))
 }

@@ -20,28 +20,20 @@ const GUARDED: f64 = 2.0;
 /// The bounds of a prepared scene.
 pub struct Bounds {
     objects: Vec<Bound>,
-    normals: Vec<Normals>,
     format: Format,
+    /// The greatest depth word.
+    pub z_max: f64,
 }
 
 enum Bound {
-    /// Proven at each pixel from its f2.
-    Proven(Box<PreparedQuadric>),
-    /// The same at every pixel of a face: of number 0, and of any other.
-    Level([f64; 2]),
+    /// Proven at each pixel from its f2; the normals as well, if these are the words that are drawn.
+    Proven(Box<PreparedQuadric>, bool),
+    /// The same at every pixel of a face: of number 0, and of any other; and whether the normals are those of planes,
+    /// rounded.
+    Level([f64; 2], bool),
     /// By the facet that is seen, its slope in depth words for a pixel across and a pixel down: a corner is up to a
     /// 32nd of a pixel off.
     Facets(Vec<(u32, f64)>),
-}
-
-/// What is known of the normals of an object.
-enum Normals {
-    /// Proven at each pixel, as the depth.
-    Proven,
-    /// Those of planes, rounded.
-    Planes,
-    /// They belong to corners of facets, or to another surface than the true one.
-    Unknown,
 }
 
 impl Bounds {
@@ -55,40 +47,29 @@ impl Bounds {
         let scale = to_f64(&prepared.depth_scale);
         let of = |(id, object): (usize, &FramedObject)| -> Bound {
             if let Some(quadric) = quadrics[id].clone() {
-                return Bound::Proven(Box::new(quadric));
+                return Bound::Proven(Box::new(quadric), prepared.objects[id].quadric().is_some());
             }
+            let level = |of| Bound::Level(of, matches!(object, FramedObject::Polyhedron(_)));
             let round = |radius| PARABOLOID * to_f64(radius) * scale + GUARDED;
             match object {
                 FramedObject::Mesh(_) => Bound::Facets(facets(id, bodies, &prepared.format)),
                 FramedObject::Sphere(s) | FramedObject::CurvedSphere(s) => {
-                    Bound::Level([round(&s.radius); 2])
+                    level([round(&s.radius); 2])
                 }
-                FramedObject::Cylinder(c) => {
-                    Bound::Level([round(&(&c.radius / &c.level)), GUARDED])
-                }
-                FramedObject::Unseen(_) => Bound::Level([0.0; 2]),
+                FramedObject::Cylinder(c) => level([round(&(&c.radius / &c.level)), GUARDED]),
+                FramedObject::Unseen(_) => level([0.0; 2]),
                 // Polyhedra and quotients state their own.
                 _ => match &prepared.objects[id] {
-                    PreparedObject::Parts(p) => Bound::Level([p.depth_bound.unwrap_or(GUARDED); 2]),
+                    PreparedObject::Parts(p) => level([p.depth_bound.unwrap_or(GUARDED); 2]),
                     _ => unreachable!("prepared for its processor"),
                 },
             }
         };
         Ok(Bounds {
             objects: scene.objects.iter().enumerate().map(of).collect(),
-            normals: scene
-                .objects
-                .iter()
-                .zip(&prepared.objects)
-                .map(normals)
-                .collect(),
             format: prepared.format,
+            z_max: prepared.format.z_max() as f64,
         })
-    }
-
-    /// The greatest depth word.
-    pub fn z_max(&self) -> f64 {
-        self.format.z_max() as f64
     }
 
     /// Whether an object is drawn by facet processors.
@@ -99,11 +80,11 @@ impl Bounds {
     /// The bound at a pixel, in depth words.
     pub fn at(&self, object: u32, number: u8, part: u32, (x, y): (i64, i64)) -> f64 {
         match &self.objects[object as usize] {
-            Bound::Proven(quadric) => {
+            Bound::Proven(quadric, _) => {
                 let f2 = quadric.words.f2_at(x, y, &self.format);
                 depth_bound(quadric, number, f2)
             }
-            Bound::Level(of) => of[usize::from(number != 0)],
+            Bound::Level(of, _) => of[usize::from(number != 0)],
             Bound::Facets(facets) => {
                 slope_of(facets, part).map_or(f64::INFINITY, |slope| slope / 32.0 + GUARDED)
             }
@@ -118,13 +99,13 @@ impl Bounds {
         (x, y): (i64, i64),
         golden: [i16; 3],
     ) -> Option<f64> {
-        let object = object as usize;
-        let degrees = match (&self.normals[object], &self.objects[object]) {
-            (Normals::Proven, Bound::Proven(quadric)) => {
+        let degrees = match &self.objects[object as usize] {
+            Bound::Proven(quadric, true) => {
                 let f2 = quadric.words.f2_at(x, y, &self.format);
                 normal_bound(quadric, number, f2, golden)
             }
-            (Normals::Planes, _) => constant_normal_bound(golden),
+            Bound::Level(_, true) => constant_normal_bound(golden),
+            // Normals of corners of facets, or of another surface than the true one.
             _ => return None,
         };
         Some(degrees.to_radians())
@@ -139,14 +120,6 @@ impl Bounds {
             }
             _ => None,
         }
-    }
-}
-
-fn normals((framed, prepared): (&FramedObject, &PreparedObject)) -> Normals {
-    match (framed, prepared.quadric()) {
-        (_, Some(_)) => Normals::Proven,
-        (FramedObject::Polyhedron(_), None) => Normals::Planes,
-        _ => Normals::Unknown,
     }
 }
 
@@ -183,9 +156,9 @@ fn facets(id: usize, bodies: &[(u32, Body)], format: &Format) -> Vec<(u32, f64)>
     let mut bounds: Vec<(u32, f64)> = vec![];
     for (_, body) in bodies.iter().filter(|(object, _)| *object as usize == id) {
         let Body::Facet(facet) = body else { continue };
-        if bounds.last().is_none_or(|(part, _)| *part != facet.part()) {
+        if bounds.last().is_none_or(|(part, _)| *part != facet.part) {
             let slope: f64 = facet.depth_slope().iter().sum();
-            bounds.push((facet.part(), slope * z_max));
+            bounds.push((facet.part, slope * z_max));
         }
     }
     bounds

@@ -214,7 +214,7 @@ fn screen_axes(view: [f64; 3], up: [f64; 3]) -> [[BigRational; 3]; 3] {
     duals.map(|dual| dual.map(|v| v / &volume))
 }
 
-fn cross<T: Sub<Output = T>>(u: &[T; 3], v: &[T; 3]) -> [T; 3]
+pub(crate) fn cross<T: Sub<Output = T>>(u: &[T; 3], v: &[T; 3]) -> [T; 3]
 where
     for<'a> &'a T: Mul<Output = T>,
 {

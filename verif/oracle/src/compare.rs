@@ -197,7 +197,6 @@ pub fn compare(pictures: &Pictures) -> (Comparison, Vec<Mark>) {
         tracer,
         bounds,
         pair,
-        z_max: bounds.z_max(),
     });
     let judges: Vec<Judge> = judges.collect();
     let width = first.traced.width;
@@ -220,8 +219,6 @@ struct Judge<'a> {
     tracer: &'a Tracer,
     bounds: &'a Bounds,
     pair: &'a Pair<'a>,
-    /// The greatest depth word.
-    z_max: f64,
 }
 
 impl Judge<'_> {
@@ -308,7 +305,7 @@ impl Judge<'_> {
 
     /// The depth of a traced pixel in depth words.
     fn depth(&self, p: &TracedPixel) -> f64 {
-        p.depth.middle() * self.z_max
+        p.depth.middle() * self.bounds.z_max
     }
 
     fn bound(&self, p: &TracedPixel, (x, y): (usize, usize)) -> f64 {
@@ -320,7 +317,8 @@ impl Judge<'_> {
     /// floating point, and what the entries of rotations, which the preparation computes by other formulas, may differ
     /// by: some units in the last place of the depth range.
     fn slack(&self, pixel: &TracedPixel) -> f64 {
-        0.5 * pixel.depth.width() * self.z_max + 16.0 * f64::EPSILON * self.z_max
+        let z_max = self.bounds.z_max;
+        0.5 * pixel.depth.width() * z_max + 16.0 * f64::EPSILON * z_max
     }
 
     /// Whether the golden picture shows a face that is at the pixel, at its own depth, and no farther from the traced
@@ -376,7 +374,7 @@ impl Judge<'_> {
         Seen {
             object: seen.map_or(-1, |pixel| i64::from(pixel.object)),
             number: seen.map_or(0, |pixel| pixel.number),
-            depth: seen.map_or(self.z_max, |pixel| self.depth(&pixel)),
+            depth: seen.map_or(self.bounds.z_max, |pixel| self.depth(&pixel)),
         }
     }
 }

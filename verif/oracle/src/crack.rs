@@ -23,7 +23,7 @@ use serde::Serialize;
 use std::collections::HashMap;
 
 /// Directions to one of each two opposite neighbours.
-const DIRECTIONS: [(i64, i64); 4] = [(1, 0), (0, 1), (1, 1), (1, -1)];
+pub(crate) const DIRECTIONS: [(i64, i64); 4] = [(1, 0), (0, 1), (1, 1), (1, -1)];
 
 /// What counts as a crack.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -138,13 +138,8 @@ fn mark_notches(buffers: &Buffers, found: &mut [Crack]) {
 fn crack_at(buffers: &Buffers, rule: &Rule, x: usize, y: usize) -> Option<Crack> {
     let own = y * buffers.width + x;
     // The pixel on one side, so many steps away, if it is nearer and shows another face.
-    let side = |(u, v): (i64, i64), steps: i64| -> Option<i32> {
-        let column = usize::try_from(x as i64 + u * steps).ok()?;
-        let line = usize::try_from(y as i64 + v * steps).ok()?;
-        if column >= buffers.width || line >= buffers.height {
-            return None;
-        }
-        let index = line * buffers.width + column;
+    let side = |direction, steps: i64| -> Option<i32> {
+        let index = stepped((x, y), direction, steps, (buffers.width, buffers.height))?;
         let nearer = buffers.distance[own] - buffers.distance[index] >= rule.min_distance;
         (nearer && buffers.face[index] != buffers.face[own]).then_some(buffers.face[index].0)
     };
@@ -168,4 +163,16 @@ fn crack_at(buffers: &Buffers, rule: &Rule, x: usize, y: usize) -> Option<Crack>
         }
     }
     None
+}
+
+/// The pixel so many steps away from another, if it is in the picture.
+pub(crate) fn stepped(
+    (x, y): (usize, usize),
+    (u, v): (i64, i64),
+    steps: i64,
+    (width, height): (usize, usize),
+) -> Option<usize> {
+    let column = x.checked_add_signed((u * steps) as isize)?;
+    let line = y.checked_add_signed((v * steps) as isize)?;
+    (column < width && line < height).then_some(line * width + column)
 }

@@ -1,7 +1,7 @@
 //! Meshes along lines of sight: a triangle is met where the three volumes that a line makes with its sides have one
 //! sign.
 
-use crate::camera::{Sight, point};
+use crate::camera::{Sight, cross, point};
 use crate::interval::Interval;
 use crate::root::Real;
 use crate::transform::{Matrix, Vector, apply};
@@ -33,8 +33,8 @@ pub fn triangles(mesh: &Mesh, place: &Matrix, sight: &Sight) -> Vec<Triangle> {
 /// A flat facet of a mesh, or a half of it.
 #[derive(Clone, Debug)]
 pub struct Triangle {
-    /// The facet it is a part of, as its processor counts.
-    part: u32,
+    /// The facet it is a part of, counted through the mesh as its processor counts.
+    pub part: u32,
     /// Volume of the line with each side.
     sides: [Both; 3],
     /// The plane at the beginning of the line, and along it.
@@ -84,11 +84,6 @@ impl Triangle {
             slope: Both::new(along(&sight.along)),
             perspective: sight.perspective,
         }
-    }
-
-    /// The facet it is a part of, counted through the mesh.
-    pub fn part(&self) -> u32 {
-        self.part
     }
 
     /// Change of the depth from a pixel to the next column and to the next line, in shares of the greatest depth word.
@@ -153,18 +148,8 @@ impl Triangle {
         Some(corners)
     }
 
-    /// The hit at a pixel, in half pixels from the middle of the picture.
+    /// The hit at a pixel, in half pixels from the middle of the picture; sides belong to the triangle.
     pub fn solve(&self, x: i64, y: i64, ends: &Ends) -> Option<Solved> {
-        let t = Real::Fraction(self.met(x, y)?);
-        ends.hold(&t).then_some(Solved {
-            t,
-            number: FACE_FACET,
-            part: self.part,
-        })
-    }
-
-    /// The parameter at which the line meets the triangle; sides belong to it.
-    fn met(&self, x: i64, y: i64) -> Option<BigRational> {
         let volumes = self.sides.each_ref().map(|s| s.at(x, y));
         let above = volumes.iter().any(BigRational::is_positive);
         let below = volumes.iter().any(BigRational::is_negative);
@@ -173,7 +158,12 @@ impl Triangle {
         if above == below || slope.is_zero() {
             return None;
         }
-        Some(-self.start.at(x, y) / slope)
+        let t = Real::Fraction(-self.start.at(x, y) / slope);
+        ends.hold(&t).then_some(Solved {
+            t,
+            number: FACE_FACET,
+            part: self.part,
+        })
     }
 
     /// What a cell shows of it.
@@ -226,12 +216,8 @@ fn determinant([a, b, c, d]: [&Vector; 4]) -> BigRational {
 
 /// The plane through three points with homogeneous coordinate 1.
 fn plane_through(a: &Vector, b: &Vector, c: &Vector) -> Vector {
-    let edge = |k: usize| [&b[k] - &a[k], &c[k] - &a[k]];
-    let part = |i: usize, j: usize| {
-        let ([u, v], [w, z]) = (edge(i), edge(j));
-        &u * &z - &w * &v
-    };
-    let normal = [part(1, 2), part(2, 0), part(0, 1)];
+    let [u, v] = [b, c].map(|end| [0, 1, 2].map(|k| &end[k] - &a[k]));
+    let normal = cross(&u, &v);
     let constant = -dot(&normal, &a[..3]);
     let [x, y, z] = normal;
     [x, y, z, constant]

@@ -6,7 +6,7 @@
 //! eight about a crack show an object.
 
 use crate::compare::about;
-use crate::crack::{Buffers, Rule, cracks};
+use crate::crack::{Buffers, DIRECTIONS, Rule, cracks, stepped};
 use crate::run::drawn;
 use imogene_golden::machine::frame::Frame;
 use imogene_prepare::PreparedScene;
@@ -108,12 +108,8 @@ impl Breakable {
             let line: Vec<usize> = match sort {
                 Sort::Points | Sort::Joints => vec![y * w + x],
                 Sort::Lines => {
-                    let (u, v) = [(1, 0), (0, 1), (1, 1), (1, -1)][next(&mut random, 4)];
-                    let at = |k: i64| {
-                        let column = usize::try_from(x as i64 + u * k).ok().filter(|c| *c < w)?;
-                        let line = usize::try_from(y as i64 + v * k).ok().filter(|l| *l < h)?;
-                        Some(line * w + column)
-                    };
+                    let direction = DIRECTIONS[next(&mut random, DIRECTIONS.len())];
+                    let at = |k| stepped((x, y), direction, k, (w, h));
                     (0..24).filter_map(at).collect()
                 }
             };

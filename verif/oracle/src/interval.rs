@@ -61,7 +61,10 @@ impl Interval {
     }
 
     /// Out over the results for both ends of two intervals.
-    fn over_corners(all: [f64; 4]) -> Interval {
+    fn over_corners(self, other: Interval, of: fn(f64, f64) -> f64) -> Interval {
+        let of_both = |own: f64| [of(own, other.lo), of(own, other.hi)];
+        let ([a, b], [c, d]) = (of_both(self.lo), of_both(self.hi));
+        let all = [a, b, c, d];
         // `min` and `max` would skip a number that is none.
         if all.iter().any(|v| v.is_nan()) {
             return Interval::WHOLE;
@@ -180,12 +183,7 @@ impl Mul for Interval {
         if self.is_zero() || other.is_zero() {
             return Interval::ZERO;
         }
-        Interval::over_corners([
-            self.lo * other.lo,
-            self.lo * other.hi,
-            self.hi * other.lo,
-            self.hi * other.hi,
-        ])
+        self.over_corners(other, f64::mul)
     }
 }
 
@@ -198,12 +196,7 @@ impl Div for Interval {
         if self.is_zero() {
             return Interval::ZERO;
         }
-        Interval::over_corners([
-            self.lo / other.lo,
-            self.lo / other.hi,
-            self.hi / other.lo,
-            self.hi / other.hi,
-        ])
+        self.over_corners(other, f64::div)
     }
 }
 

@@ -21,10 +21,8 @@ const SORTS: [(Sort, &str, RGBColor); 3] = [
 
 /// A picture that could not be drawn.
 #[derive(Debug, Error)]
-#[error("the plot of the cracks cannot be drawn: {problem}")]
-pub struct PlotError {
-    problem: String,
-}
+#[error("the plot of the cracks cannot be drawn: {0}")]
+pub struct PlotError(String);
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Outcome = Result<(), Box<dyn std::error::Error>>;
@@ -42,9 +40,7 @@ const PANELS: [Panel; 3] = [
 pub fn plot(scores: &[Score]) -> Result<String, PlotError> {
     let mut text = String::new();
     let drawn = draw(scores, &mut text);
-    drawn.map_err(|problem| PlotError {
-        problem: problem.to_string(),
-    })?;
+    drawn.map_err(|problem| PlotError(problem.to_string()))?;
     Ok(text)
 }
 
@@ -56,8 +52,7 @@ fn draw(scores: &[Score], text: &mut String) -> Outcome {
     for (part, panel) in parts.iter().zip(&PANELS) {
         draw_panel(part, panel, scores)?;
     }
-    area.present()?;
-    Ok(())
+    Ok(area.present()?)
 }
 
 fn draw_panel(area: &Area, (title, share): &Panel, scores: &[Score]) -> Outcome {

@@ -84,7 +84,7 @@ pub fn trace(scene: &SceneFile, framed: &FramedScene, progress: &(impl Fn(u64) +
     let tracer = Tracer::new(scene, &framed.range, framed.width, framed.height);
     let steps = tracer.steps();
     let mut all = vec![tracer.draw(|| progress(steps))];
-    all.extend(tracer.glass().iter().map(|id| tracer.draw_alone(*id)));
+    all.extend(tracer.glass.iter().map(|id| tracer.draw_alone(*id)));
     (tracer, all)
 }
 
@@ -105,13 +105,13 @@ pub fn pictures<'a>(
         jury: Jury::of_words(prepared),
         golden: drawn(prepared, &prepared.slots()),
     });
-    let glass = traced.zip(tracer.glass());
+    let glass = traced.zip(&tracer.glass);
     let glass = glass.map(|(traced, &object)| alone(prepared, object as usize, traced));
     let pairs: Vec<Pair> = opaque.into_iter().chain(glass).collect();
     let golden = &pairs[0].golden;
-    let colours = Colours::new(scene, tracer.sight());
+    let colours = Colours::new(scene, &tracer.sight);
     Ok(Pictures {
-        bounds: Bounds::new(framed, prepared, tracer.bodies())?,
+        bounds: Bounds::new(framed, prepared, &tracer.bodies)?,
         painted: colours.and_then(|colours| painted(colours, golden, framed, &prepared.format)),
         tracer,
         pairs,

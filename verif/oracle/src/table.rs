@@ -25,27 +25,15 @@ pub struct Row {
 }
 
 impl Row {
-    /// A scene without golden picture.
-    pub fn refused(scene: String, width: u32, height: u32, reason: String) -> Row {
+    /// A scene that was compared, or that has no golden picture, for this reason.
+    pub fn new(scene: String, size: (u32, u32), found: Result<&Compared, String>) -> Row {
         Row {
             scene,
-            width,
-            height,
-            trace_seconds: 0.0,
-            refused: Some(reason),
-            comparison: None,
-        }
-    }
-
-    /// A scene that was compared.
-    pub fn compared(scene: String, width: u32, height: u32, found: &Compared) -> Row {
-        Row {
-            scene,
-            width,
-            height,
-            trace_seconds: found.trace_seconds,
-            refused: None,
-            comparison: Some(found.comparison.clone()),
+            width: size.0,
+            height: size.1,
+            trace_seconds: found.as_ref().map_or(0.0, |found| found.trace_seconds),
+            comparison: found.as_ref().ok().map(|found| found.comparison.clone()),
+            refused: found.err(),
         }
     }
 

@@ -12,7 +12,6 @@ use crate::verdict::{Ends, Solved, Verdict};
 use imogene_scene::{DepthRange, Material, Object, SceneFile};
 use num_traits::Signed;
 use rayon::prelude::*;
-use std::cmp::Ordering;
 
 /// Side of the cells that are drawn side by side, in pixels.
 const LARGEST: u32 = 64;
@@ -51,10 +50,12 @@ pub struct Traced {
 /// A scene, ready to be traced.
 #[derive(Debug)]
 pub struct Tracer {
-    sight: Sight,
-    bodies: Vec<(u32, Body)>,
+    /// The lines of sight.
+    pub sight: Sight,
+    /// Bodies: objects, and facets of meshes.
+    pub bodies: Vec<(u32, Body)>,
     /// Objects that something is seen through, in ascending order.
-    glass: Vec<u32>,
+    pub glass: Vec<u32>,
     solids: Vec<SolidBody>,
     ends: Ends,
 }
@@ -89,16 +90,6 @@ impl Tracer {
                 .collect(),
             sight,
         }
-    }
-
-    /// Bodies: objects, and facets of meshes.
-    pub fn bodies(&self) -> &[(u32, Body)] {
-        &self.bodies
-    }
-
-    /// Objects that something is seen through, in ascending order.
-    pub fn glass(&self) -> &[u32] {
-        &self.glass
     }
 
     /// Draws the picture of all that nothing is seen through; `done` is called once for each of [`Tracer::steps`], from
@@ -173,7 +164,7 @@ impl Tracer {
         let place = self.sight.place(x, y);
         let own = self.bodies.iter().filter(|(id, _)| *id == object);
         let near = own.filter_map(|(_, body)| match body {
-            Body::Facet(facet) => Some((facet.part(), facet.near(place, 2.0 * reach)?)),
+            Body::Facet(facet) => Some((facet.part, facet.near(place, 2.0 * reach)?)),
             Body::Cut(_) => None,
         });
         near.map(|(part, t)| (part, self.sight.depth(t))).collect()
@@ -183,16 +174,6 @@ impl Tracer {
     fn is_member(&self, index: u32) -> bool {
         let (object, _) = self.bodies[index as usize];
         self.solids.iter().any(|solid| solid.has(object))
-    }
-
-    /// Coordinates of a pixel's centre in half pixels.
-    pub fn place(&self, x: u32, y: u32) -> (i64, i64) {
-        self.sight.place(x, y)
-    }
-
-    /// The lines of sight.
-    pub fn sight(&self) -> &Sight {
-        &self.sight
     }
 
     /// The parameters at which a line of sight is within `reach` of what is seen, which is a share of the depth, and
@@ -207,7 +188,7 @@ impl Tracer {
         let mut bodies = self.bodies.iter();
         let (_, body) = bodies.find(|(object, _)| *object == seen.object)?;
         let true_t = self.sight.parameter(seen.depth);
-        let normal = body.normal(self.place(x, y), seen.number, true_t)?;
+        let normal = body.normal(self.sight.place(x, y), seen.number, true_t)?;
         Some((self.sight.parameter(seen.depth.widened(reach)), normal))
     }
 
@@ -285,7 +266,6 @@ impl Tracer {
     /// A pixel in exact arithmetic.
     fn solve(&self, x: u32, y: u32, list: &[u32]) -> Option<TracedPixel> {
         let (x, y) = self.sight.place(x, y);
-        let mut nearest: Option<(u32, Solved)> = None;
         let (members, alone): (Vec<u32>, Vec<u32>) =
             list.iter().partition(|&&index| self.is_member(index));
         let alone = alone.iter().filter_map(|&index| {
@@ -301,20 +281,13 @@ impl Tracer {
             .collect();
         let solids = self.solids.iter();
         let solids = solids.filter_map(|solid| solid.solve(&members, (x, y), &self.ends));
-        for (object, found) in alone.chain(solids) {
-            let nearer = |(_, best): &(u32, Solved)| found.t.compare(&best.t) == Ordering::Less;
-            // The lists are in the order of the scene: of two equal depths the first object is seen.
-            if nearest.as_ref().is_none_or(nearer) {
-                nearest = Some((object, found));
-            }
-        }
-        let (object, found) = nearest?;
-        let depth = self.closely(&found);
-        Some(TracedPixel {
+        // The lists are in the order of the scene: of two equal depths the first object is seen.
+        let nearest = alone.chain(solids).min_by(|a, b| a.1.t.compare(&b.1.t));
+        nearest.map(|(object, found)| TracedPixel {
             object,
             number: found.number,
             part: found.part,
-            depth,
+            depth: self.closely(&found),
         })
     }
 

@@ -100,7 +100,7 @@ impl<'a> BoardReport<'a> {
         BoardReport {
             board: &work.board,
             machine,
-            pixel_hertz: work.pll.pixel_hertz().to_string(),
+            pixel_hertz: work.pll.pixel_hertz.to_string(),
             pixel_deviation_percent: work.pll.deviation_percent(),
             fast_mhz: work.pll.fast_mhz(),
             words: work.film.words.len(),

@@ -93,20 +93,20 @@ pub fn accumulators(
     }
     let screen = ScreenBox::of([0, i64::from(width) - 1], [0, i64::from(height) - 1]);
     let f2 = Range::of_quadratic(&words.f2, window).dropped(format.guard_quadratic);
-    let depths = has_depth(words.class).then(|| Depths::of(object, format));
+    let depths = has_depth(words.class).then(|| depths(object, format));
     let depths = depths.filter(|_| f2.high >= 0);
     Some(Accumulators {
         f1: Range::of_linear(&words.f1, window)
             .dropped(format.guard_linear)
             .bits(),
         f2: f2.bits(),
-        f1_minus_r: depths.map(|d| d.near.bits()),
-        f1_plus_r: depths.map(|d| d.far.bits()),
+        f1_minus_r: depths.map(|d| d[0].bits()),
+        f1_plus_r: depths.map(|d| d[1].bits()),
         root: depths.map(|_| root_bits(f2.high)),
         planes: plane_bits(words),
         normal_linear: has_depth(words.class)
             .then(|| words.normal.g.map(|g| linear_bits(&g, window))),
-        normal_sum: depths.map(|d| d.normal.map(|range| range.bits())),
+        normal_sum: depths.map(|[_, _, normal @ ..]| normal.map(|range| range.bits())),
         increments: Increments {
             f1: linear_increments(&words.f1, &screen),
             f2: quadratic_increments(&words.f2, &screen),
@@ -140,63 +140,46 @@ pub fn root_bits(greatest: i128) -> u32 {
     bits(greatest).div_ceil(2)
 }
 
-/// What is known of pixels with a root only.
-#[derive(Clone, Copy)]
-struct Depths {
-    near: Range,
-    far: Range,
-    normal: [Range; 3],
+/// At pixels with a root only: f1 - r, f1 + r, and each component of the normal on either face.
+type Depths = [Range; 5];
+
+/// At every pixel of the box.
+fn depths(object: &PreparedQuadric, format: &Format) -> Depths {
+    let window = object.words.screen_box;
+    let line = |y| {
+        let columns = window.x0..=window.x1;
+        columns.fold([Range::NONE; 5], |found, x| {
+            with_pixel(found, object, format, (x, y))
+        })
+    };
+    let lines = (window.y0..window.y1 + 1).into_par_iter().map(line);
+    let merged = |one: Depths, other: Depths| std::array::from_fn(|k| one[k].merged(other[k]));
+    lines.reduce(|| [Range::NONE; 5], merged)
 }
 
-impl Depths {
-    const NONE: Depths = Depths {
-        near: Range::NONE,
-        far: Range::NONE,
-        normal: [Range::NONE; 3],
-    };
-
-    /// At every pixel of the box.
-    fn of(object: &PreparedQuadric, format: &Format) -> Depths {
-        let window = object.words.screen_box;
-        (window.y0..window.y1 + 1)
-            .into_par_iter()
-            .map(|y| {
-                let columns = window.x0..=window.x1;
-                columns.fold(Depths::NONE, |found, x| found.with(object, format, (x, y)))
-            })
-            .reduce(|| Depths::NONE, Depths::merged)
+fn with_pixel(
+    found: Depths,
+    object: &PreparedQuadric,
+    format: &Format,
+    (x, y): (i64, i64),
+) -> Depths {
+    let words = &object.words;
+    let f2 = words.f2_at(x, y, format);
+    if f2 < 0 {
+        return found;
     }
-
-    fn with(self, object: &PreparedQuadric, format: &Format, (x, y): (i64, i64)) -> Depths {
-        let words = &object.words;
-        let f2 = words.f2_at(x, y, format);
-        if f2 < 0 {
-            return self;
-        }
-        let f1 = i128::from(words.f1_at(x, y, format));
-        let root = format.root_of(f2);
-        let change = root_parts(&words.normal, root, format);
-        let normal = std::array::from_fn(|k| {
-            // As loaded, not as the register holds it: what is asked is how long that would have to be.
-            let g = &words.normal.g[k];
-            let g = g.a * i128::from(x) + g.b * i128::from(y) + g.c;
-            let [minus, plus] = change[k];
-            self.normal[k].with(g + minus).with(g + plus)
-        });
-        Depths {
-            near: self.near.with(f1 - i128::from(root)),
-            far: self.far.with(f1 + i128::from(root)),
-            normal,
-        }
-    }
-
-    fn merged(self, other: Depths) -> Depths {
-        Depths {
-            near: self.near.merged(other.near),
-            far: self.far.merged(other.far),
-            normal: std::array::from_fn(|k| self.normal[k].merged(other.normal[k])),
-        }
-    }
+    let f1 = i128::from(words.f1_at(x, y, format));
+    let root = format.root_of(f2);
+    let [near, far, normal @ ..] = found;
+    let parts = root_parts(&words.normal, root, format);
+    // As loaded, not as the register holds it: what is asked is how long that would have to be.
+    let linear = |g: &Linear| g.a * i128::from(x) + g.b * i128::from(y) + g.c;
+    let [u, v, w] = std::array::from_fn(|k| {
+        let g = linear(&words.normal.g[k]);
+        normal[k].with(g + parts[k][0]).with(g + parts[k][1])
+    });
+    let root = i128::from(root);
+    [near.with(f1 - root), far.with(f1 + root), u, v, w]
 }
 
 /// What the normal unit adds to each linear part on the near and on the far face.

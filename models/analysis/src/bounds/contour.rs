@@ -56,16 +56,14 @@ pub(super) struct Displacement {
     pub singular: Option<(i64, i64)>,
 }
 
-impl Displacement {
-    /// Of an object without contour.
-    pub const NONE: Displacement = Displacement {
-        pixels: 0.0,
-        singular: None,
-    };
-}
-
 /// Bounds the displacement of the contour on the object's screen box.
 pub(super) fn displacement(object: &PreparedQuadric, format: &Format) -> Displacement {
+    if object.words.screen_box.is_empty() {
+        return Displacement {
+            pixels: 0.0,
+            singular: None,
+        };
+    }
     let contour = Contour::new(object, format);
     let trimmed = contour.search(true);
     if trimmed.pixels <= SPARE - 0.5 {

@@ -67,18 +67,12 @@ impl Range {
 
     /// Whether the one is smaller than the other, where that is certain.
     pub fn is_before(&self, other: &Range) -> Option<bool> {
-        match self.below(other) {
-            true => Some(true),
-            false => other.below(self).then_some(false),
-        }
+        certain(self.below(other), other.below(self))
     }
 
     /// Whether the number is not negative, where that is certain.
     pub fn not_negative(&self) -> Option<bool> {
-        match self.low >= 0.0 {
-            true => Some(true),
-            false => (self.high < 0.0).then_some(false),
-        }
+        certain(self.low >= 0.0, self.high < 0.0)
     }
 
     /// The range of the greater of two numbers.
@@ -90,6 +84,19 @@ impl Range {
     pub fn min(&self, other: &Range) -> Range {
         Range::new(self.low.min(other.low), self.high.min(other.high))
     }
+}
+
+/// What is known of a statement that is certainly true, certainly false, or neither.
+pub(super) fn certain(is: bool, is_not: bool) -> Option<bool> {
+    (is || is_not).then_some(is)
+}
+
+/// What is known of two statements together.
+pub(super) fn both(one: Option<bool>, other: Option<bool>) -> Option<bool> {
+    certain(
+        (one, other) == (Some(true), Some(true)),
+        one == Some(false) || other == Some(false),
+    )
 }
 
 /// Where `sqrt(f2)` lies if the computed value is `f2`; a negative true f2 counts as zero.

@@ -104,12 +104,7 @@ impl<'a> Jury<'a> {
 
     /// The same for one pixel.
     pub fn is_undecided(&self, x: i64, y: i64) -> bool {
-        !self.contest(x, y).is_decided()
-    }
-
-    /// Who is seen at a pixel.
-    pub(super) fn contest(&self, x: i64, y: i64) -> Contest {
-        self.contests(y, x..=x).remove(0)
+        !self.contests(y, x..=x)[0].is_decided()
     }
 
     /// The pixels at which an outline is adrift and not hidden behind something else.
@@ -263,20 +258,16 @@ impl Compared {
     /// The object is absent or shows one face in both pictures, or the pixel is open.
     pub fn verdict(&self) -> Verdict {
         match (self.golden, self.truth) {
-            (None, True::Absent) => Verdict::Absent,
-            (Some((number, z)), True::Face(face, depth)) if number == face => {
+            (None, None) => Verdict::Absent,
+            (Some((number, z)), Some((face, depth))) if number == face => {
                 let z = z as f64;
                 Verdict::Face(face, Range::new(depth.low.min(z), depth.high.max(z)))
             }
             (golden, truth) => {
                 let golden = golden.map_or(f64::INFINITY, |(_, z)| z as f64);
-                let (truth, silhouette) = match truth {
-                    True::Absent => (f64::INFINITY, true),
-                    True::Face(_, depth) => (depth.low, golden.is_infinite()),
-                };
                 Verdict::Undecided {
-                    nearest: golden.min(truth),
-                    silhouette,
+                    nearest: golden.min(truth.map_or(f64::INFINITY, |(_, depth)| depth.low)),
+                    silhouette: truth.is_none() || golden.is_infinite(),
                 }
             }
         }
@@ -284,13 +275,9 @@ impl Compared {
 
     /// How far the golden depth is from the true one at most, where both pictures show one face.
     pub fn depth_error(&self) -> Option<f64> {
-        match (self.golden, self.truth) {
-            (Some((number, z)), True::Face(face, depth)) if number == face => {
-                let z = z as f64;
-                Some((z - depth.low).max(depth.high - z))
-            }
-            _ => None,
-        }
+        let ((number, z), (face, depth)) = self.golden.zip(self.truth)?;
+        let z = z as f64;
+        (number == face).then(|| (z - depth.low).max(depth.high - z))
     }
 
     /// Whether the golden picture shows it.

@@ -5,9 +5,9 @@
 //! face is never in a shadow that begins at it, and always in one that it bounds from behind, which is what the
 //! margin is proven for.
 
-use super::depth::{Range, face_ranges};
+use super::depth::{Range, both, certain, face_ranges};
 use super::jury::Jury;
-use super::verdict::Seen;
+use super::verdict::{Contest, Seen};
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::QuadricWords;
 use imogene_golden::object::volume::VolumeKind;
@@ -26,12 +26,12 @@ pub(super) fn undecided(prepared: &PreparedScene, jury: &Jury) -> Vec<bool> {
     let volumes: Vec<Volume> = prepared.volumes.iter().map(Volume::new).collect();
     let line = |y: i64| {
         let contests = jury.line(y).into_iter().zip(0..);
-        let open = |contest: super::verdict::Contest, x| {
+        let open = |contest: Contest, x| {
             let seen = contest.winner.filter(|_| contest.is_decided())?;
             Some(is_open(&volumes, &seen, &prepared.format, (x, y)))
         };
-        let line: Vec<bool> = contests.map(|(c, x)| open(c, x).unwrap_or(false)).collect();
-        line
+        let line = contests.map(|(c, x)| open(c, x).unwrap_or(false));
+        line.collect::<Vec<bool>>()
     };
     let lines = (0..i64::from(prepared.height)).into_par_iter();
     lines.flat_map_iter(line).collect()
@@ -148,18 +148,6 @@ impl Volume<'_> {
     /// Whether a point is behind where the volume begins, the margin kept.
     fn is_behind(&self, point: &Range, start: &Range) -> Option<bool> {
         let margin = f64::from(self.prepared.words.margin);
-        if start.high < point.low - margin {
-            Some(true)
-        } else {
-            (point.high < start.low).then_some(false)
-        }
-    }
-}
-
-fn both(one: Option<bool>, other: Option<bool>) -> Option<bool> {
-    match (one, other) {
-        (Some(false), _) | (_, Some(false)) => Some(false),
-        (Some(true), Some(true)) => Some(true),
-        _ => None,
+        certain(start.high < point.low - margin, point.below(start))
     }
 }

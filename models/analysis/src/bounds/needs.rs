@@ -75,13 +75,12 @@ impl Search<'_> {
     fn keeps(&self, widths: &MachineWords) -> Result<(), String> {
         let format = Format::fitted(widths).map_err(|e| e.to_string())?;
         let other = prepare(self.scene, format).map_err(|e| e.to_string())?;
+        let scaled =
+            |name| format!("{name}: its words are scaled to their widths and would be others");
         let objects = self.prepared.objects.iter().zip(&other.objects);
         for (mine, others) in objects {
             if mine.words() != others.words() {
-                return Err(format!(
-                    "object '{}': its words are scaled to their widths and would be others",
-                    mine.name()
-                ));
+                return Err(scaled(format!("object '{}'", mine.name())));
             }
         }
         // The preparation proves the exact depth of a plane, not what its rounded words reach.
@@ -95,10 +94,7 @@ impl Search<'_> {
         }
         for (mine, others) in self.prepared.volumes.iter().zip(&other.volumes) {
             if mine.words != others.words {
-                return Err(format!(
-                    "{}: its words are scaled to their widths and would be others",
-                    mine.name
-                ));
+                return Err(scaled(mine.name.clone()));
             }
         }
         Ok(())

@@ -51,11 +51,6 @@ pub fn quadric_sine(
     f2: i64,
     normal: [i16; 3],
 ) -> f64 {
-    let length = length(normal.map(f64::from));
-    quadric_error(words, bounds, f2) / (length * DROPPED) * (1.0 + FLOAT_MARGIN)
-}
-
-fn quadric_error(words: &NormalWords, bounds: &RoundingBounds, f2: i64) -> f64 {
     let unit = f64::from(1u32 << words.shift);
     let root = bounds.root_of(f2);
     let shifted = (root >> words.shift) as f64;
@@ -67,7 +62,8 @@ fn quadric_error(words: &NormalWords, bounds: &RoundingBounds, f2: i64) -> f64 {
             + (shifted + truncated) / (2.0 * product)
             + DROPPED
     };
-    length(words.k.map(component))
+    let error = length(words.k.map(component));
+    error / (length(normal.map(f64::from)) * DROPPED) * (1.0 + FLOAT_MARGIN)
 }
 
 fn degrees(sine: f64) -> f64 {

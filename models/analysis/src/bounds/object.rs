@@ -109,11 +109,7 @@ pub(super) fn review(
     let mut found = lines(&window)
         .map(|y| pass_line(object, format, y))
         .reduce(Findings::default, Findings::merged);
-    let silhouette = if window.is_empty() {
-        Displacement::NONE
-    } else {
-        displacement(object, format)
-    };
+    let silhouette = displacement(object, format);
     let size = (prepared.width, prepared.height);
     let adrift = match silhouette.pixels {
         // No outline can be a pixel away, whatever its pixels show.
@@ -175,12 +171,7 @@ pub(super) fn quantile_999(angles: &mut [f32]) -> f64 {
 }
 
 fn lines(window: &ScreenBox) -> impl ParallelIterator<Item = i64> + use<> {
-    let lines = if window.is_empty() {
-        0..0
-    } else {
-        window.y0..window.y1 + 1
-    };
-    lines.into_par_iter()
+    (window.y0..window.y1 + 1).into_par_iter()
 }
 
 fn pass_line(object: &PreparedQuadric, format: &Format, y: i64) -> Findings {

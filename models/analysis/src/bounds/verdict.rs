@@ -4,7 +4,7 @@
 //! Where the ranges are apart, true and computed picture agree on presence and face; where they overlap the pixel
 //! is *undecided*.
 
-use super::depth::{Range, face_ranges};
+use super::depth::{Range, both, certain, face_ranges};
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::PlaneWords;
 use imogene_golden::unit::cut_plane::PlaneKind;
@@ -27,7 +27,7 @@ pub(super) enum Verdict {
 }
 
 /// The number of a face, and the range of its depth.
-type Bounded = (u8, Range);
+pub(super) type Bounded = (u8, Range);
 
 /// The values of one object at one pixel, each with the range in which true and computed one lie.
 pub(super) struct Pixel {
@@ -37,8 +37,10 @@ pub(super) struct Pixel {
     pub near: Range,
     pub far: Range,
     pub planes: Vec<(PlaneKind, Range)>,
-    /// The near end, and the far end, at which nothing is drawn any more.
-    pub ends: [f64; 2],
+    /// The near end.
+    pub near_end: f64,
+    /// The far end, at which nothing is drawn any more.
+    pub far_end: f64,
 }
 
 /// Decides a pixel of the object's screen box; outside the box the object is proven absent.
@@ -65,7 +67,8 @@ pub(super) fn decide(object: &PreparedQuadric, format: &Format, x: i64, y: i64) 
         near,
         far,
         planes: planes.map(plane).collect(),
-        ends: [format.z_low() as f64, format.z_max() as f64],
+        near_end: format.z_low() as f64,
+        far_end: format.z_max() as f64,
     }
     .decide()
 }
@@ -103,45 +106,35 @@ impl Pixel {
 
     /// Whether all perpendicular planes keep the pixel.
     fn half_planes(&self) -> Option<bool> {
-        let mut all = Some(true);
-        for (_, value) in self.planes_of(PlaneKind::Perpendicular) {
-            if value.high < 0.0 {
-                return Some(false);
-            }
-            if value.low < 0.0 {
-                all = None;
-            }
-        }
-        all
+        let planes = self.planes_of(PlaneKind::Perpendicular);
+        planes.fold(Some(true), |all, (_, value)| {
+            both(all, value.not_negative())
+        })
     }
 
     /// The near end and the front planes: the ray is kept behind the farthest of them.
     fn entries(&self) -> Vec<Bounded> {
         let planes = self.planes_of(PlaneKind::Front);
         let planes = planes.map(|(i, depth)| (FACE_PLANE + i as u8, depth));
-        let near_end = (FACE_NEAR_END, Range::point(self.ends[0]));
+        let near_end = (FACE_NEAR_END, Range::point(self.near_end));
         std::iter::once(near_end).chain(planes).collect()
     }
 
     /// The ray is kept before the nearest back plane.
     fn exit(&self) -> Range {
-        self.planes_of(PlaneKind::Back).fold(
-            Range::new(f64::INFINITY, f64::INFINITY),
-            |exit, (_, depth)| exit.min(&depth),
-        )
-    }
-
-    fn far_end(&self) -> f64 {
-        self.ends[1]
+        let planes = self.planes_of(PlaneKind::Back);
+        planes.fold(Range::point(f64::INFINITY), |exit, (_, depth)| {
+            exit.min(&depth)
+        })
     }
 
     /// The solid between the farthest of `entries` and `exit`.
     fn convex(&self, entries: &[Bounded], exit: Range) -> Verdict {
         let entry = farthest(entries);
-        if exit.below(&entry) || entry.low >= self.far_end() {
+        if exit.below(&entry) || entry.low >= self.far_end {
             return Verdict::Absent;
         }
-        let behind_all = entry.not_above(&exit) && entry.high < self.far_end();
+        let behind_all = entry.not_above(&exit) && entry.high < self.far_end;
         match winner(entries) {
             Some((number, depth)) if behind_all => Verdict::Face(number, depth),
             _ => self.undecided(entry.low),
@@ -211,11 +204,9 @@ impl Pixel {
     fn keeps_face(&self, face: Range) -> Option<bool> {
         let entry = farthest(&self.entries());
         let exit = self.exit();
-        if face.below(&entry) || exit.below(&face) || face.low >= self.far_end() {
-            return Some(false);
-        }
-        let kept = entry.not_above(&face) && face.not_above(&exit) && face.high < self.far_end();
-        kept.then_some(true)
+        let kept = entry.not_above(&face) && face.not_above(&exit) && face.high < self.far_end;
+        let gone = face.below(&entry) || exit.below(&face) || face.low >= self.far_end;
+        certain(kept, gone)
     }
 }
 

@@ -61,31 +61,15 @@ impl RayMesh {
 
     /// The first visible point of the mesh at a pixel; edges belong to their facets.
     pub fn first_hit(&self, x: i64, y: i64) -> Option<Hit> {
-        let mut nearest: Option<Hit> = None;
-        for facet in &self.facets {
-            if let Some(hit) = facet.hit(x, y)
-                && nearest.as_ref().is_none_or(|best| hit.w < best.w)
-            {
-                nearest = Some(hit);
-            }
-        }
-        nearest
+        let hits = self.facets.iter().filter_map(|facet| facet.hit(x, y));
+        // The first of equal ones.
+        hits.min_by(|one, other| one.w.cmp(&other.w))
     }
 }
 
 impl RayFacet {
     /// The visible point of this facet alone.
     pub fn hit(&self, x: i64, y: i64) -> Option<Hit> {
-        let hit = |w| Hit {
-            w,
-            number: FACE_FACET,
-            is_back: false,
-            part: self.index,
-        };
-        self.met(x, y).map(hit)
-    }
-
-    fn met(&self, x: i64, y: i64) -> Option<SurdReal> {
         let inside = self.window.contains(x, y)
             && self
                 .edges
@@ -99,7 +83,10 @@ impl RayFacet {
             return None;
         }
         let w = SurdReal::ratio(-constant, slope);
-        is_visible(&w).then_some(w)
+        is_visible(&w).then(|| Hit {
+            part: self.index,
+            ..Hit::new(w, FACE_FACET)
+        })
     }
 }
 

@@ -10,5 +10,4 @@ pub mod ray;
 pub mod real;
 pub mod render;
 pub mod shadow;
-mod solid;
 pub mod surd;

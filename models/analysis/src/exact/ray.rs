@@ -5,6 +5,7 @@
 //! half_depth (1 + w)`.
 
 use super::real::SurdReal;
+use super::surd::order;
 use imogene_algebra::matrix::{Matrix4, symmetric};
 use imogene_algebra::whole::{common_denominator, common_divisor};
 use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
@@ -80,52 +81,33 @@ impl RayObject {
 
     /// The first visible point of the object at a pixel.
     pub fn first_hit(&self, x: i64, y: i64) -> Option<Hit> {
-        let [a, b, c] = self.polynomial(x, y);
         match self.surface {
-            Surface::Solid => self.solid_hit(&a, &b, &c, x, y),
-            Surface::Patch => self.patch_hit(&a, &b, &c, x, y),
+            Surface::Solid => self.solid_hit(x, y),
+            Surface::Patch => {
+                let kept = |w: &SurdReal| is_visible(w) && self.planes_keep(w, x, y);
+                first_of(&self.polynomial(x, y), kept)
+            }
         }
-    }
-
-    /// A patch: the first root that all planes keep. A surface that a line of sight meets once, such as a non-planar
-    /// facet, has a near face alone.
-    fn patch_hit(&self, a: &BigInt, b: &BigInt, c: &BigInt, x: i64, y: i64) -> Option<Hit> {
-        if a.is_zero() && !b.is_zero() {
-            let w = SurdReal::ratio(-c, b.clone());
-            let there = is_visible(&w) && self.planes_keep(&w, x, y);
-            return there.then_some(Hit::new(w, FACE_NEAR));
-        }
-        ordered_roots(a, b, c)?
-            .into_iter()
-            .zip([FACE_NEAR, FACE_FAR])
-            .find(|(w, _)| is_visible(w) && self.planes_keep(w, x, y))
-            .map(|(w, number)| Hit::new(w, number))
     }
 
     pub(super) fn planes_keep(&self, w: &SurdReal, x: i64, y: i64) -> bool {
         self.planes.iter().all(|plane| {
             let [slope, constant] = plane.each_ref().map(|p| first_degree(p, x, y));
-            match slope.is_zero() {
-                true => !constant.is_positive(),
-                // slope * w + constant <= 0
-                false => {
-                    let order = w.cmp_ratio(&(-&constant * slope.signum()), &slope.abs());
-                    if slope.is_positive() {
-                        order != Ordering::Greater
-                    } else {
-                        order != Ordering::Less
-                    }
-                }
+            if slope.is_zero() {
+                return !constant.is_positive();
             }
+            // slope * w + constant <= 0
+            w.cmp_ratio(&(-&constant * slope.signum()), &slope.abs()) != order(&slope)
         })
     }
 
     /// A solid: the planes leave an interval of the ray; the solid begins at its start if that is inside the quadric,
     /// else where the ray next enters the quadric.
-    fn solid_hit(&self, a: &BigInt, b: &BigInt, c: &BigInt, x: i64, y: i64) -> Option<Hit> {
+    fn solid_hit(&self, x: i64, y: i64) -> Option<Hit> {
         let [low, high] = self.kept_interval(x, y)?;
         let (start, end) = (&low.w, &high.w);
-        if at_ratio(a, b, c, start) <= Ordering::Equal {
+        let polynomial = self.polynomial(x, y);
+        if at_ratio(&polynomial, start) <= Ordering::Equal {
             let w = SurdReal::ratio(start.0.clone(), start.1.clone());
             return Some(Hit::new(w, low.number));
         }
@@ -134,17 +116,7 @@ impl RayObject {
                 && w.cmp_ratio(&end.0, &end.1) != Ordering::Greater
                 && w.signum() == Ordering::Less
         };
-        if a.is_zero() && !b.is_zero() {
-            // A line of sight that meets the quadric once enters it there.
-            let w = SurdReal::ratio(-c, b.clone());
-            return kept(&w).then_some(Hit::new(w, FACE_NEAR));
-        }
-        let roots = ordered_roots(a, b, c)?;
-        roots
-            .into_iter()
-            .zip([FACE_NEAR, FACE_FAR])
-            .find(|(w, _)| kept(w))
-            .map(|(w, number)| Hit::new(w, number))
+        first_of(&polynomial, kept)
     }
 
     /// The part of the ray that the planes, the near and the far end leave: a start and an end, each with the face that
@@ -199,9 +171,21 @@ fn less(a: &Ratio, b: &Ratio) -> bool {
 }
 
 /// Sign of `a w^2 + b w + c` at a rational.
-fn at_ratio(a: &BigInt, b: &BigInt, c: &BigInt, w: &Ratio) -> Ordering {
+fn at_ratio([a, b, c]: &[BigInt; 3], w: &Ratio) -> Ordering {
     let value = (a * &w.0 + b * &w.1) * &w.0 + c * &w.1 * &w.1;
     value.cmp(&BigInt::zero())
+}
+
+/// The first root of `a w^2 + b w + c` that is kept. What a line of sight meets once, such as a non-planar facet, has a
+/// near face alone, and is entered there.
+fn first_of([a, b, c]: &[BigInt; 3], kept: impl Fn(&SurdReal) -> bool) -> Option<Hit> {
+    let roots = match a.is_zero() && !b.is_zero() {
+        true => vec![SurdReal::ratio(-c, b.clone())],
+        false => ordered_roots(a, b, c)?.to_vec(),
+    };
+    let mut faces = roots.into_iter().zip([FACE_NEAR, FACE_FAR]);
+    let (w, number) = faces.find(|(w, _)| kept(w))?;
+    Some(Hit::new(w, number))
 }
 
 /// The real roots of `a w^2 + b w + c` in ascending order; none if there are no two (or one double).

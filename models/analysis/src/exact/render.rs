@@ -2,20 +2,20 @@
 
 use super::facet::{MeshNormals, RayMesh};
 use super::ray::{Hit, RayObject};
-use super::solid::{Interval, first_point};
+use super::real::SurdReal;
 use imogene_algebra::rational::to_f64;
 use imogene_algebra::vector::length;
 use imogene_algebra::whole::greatest;
 use imogene_golden::format::Format;
 use imogene_golden::machine::frame::{Frame, FrameLayer};
-use imogene_golden::unit::depth_interval::{FACE_NEAR_END, FACE_PLANE};
+use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
 use imogene_golden::unit::normal::NEAR_END_NORMAL;
-use imogene_scene::{FramedObject, FramedQuadric, FramedScene, FramedSolid};
+use imogene_scene::{FramedObject, FramedQuadric, FramedScene, FramedSolid, Tree};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 use rayon::prelude::*;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Fraction bits of an exact depth in depth words.
 pub const DEPTH_FRACTION: u32 = 20;
@@ -39,24 +39,21 @@ pub struct ExactPixel {
 pub(super) enum Rays {
     Cut(Box<RayObject>),
     Mesh(RayMesh),
-    /// Nowhere to be seen.
-    Unseen,
 }
 
 impl Rays {
-    pub(super) fn new(object: &FramedObject, scene: &FramedScene) -> Rays {
-        match (object, object.cut_quadric()) {
-            (FramedObject::Mesh(mesh), _) => Rays::Mesh(RayMesh::new(mesh, scene)),
-            (_, Some(cut)) => Rays::Cut(Box::new(RayObject::new(&cut, scene))),
-            (_, None) => Rays::Unseen,
-        }
+    /// None if it is nowhere to be seen.
+    pub(super) fn new(object: &FramedObject, scene: &FramedScene) -> Option<Rays> {
+        Some(match object {
+            FramedObject::Mesh(mesh) => Rays::Mesh(RayMesh::new(mesh, scene)),
+            _ => Rays::Cut(Box::new(RayObject::new(&object.cut_quadric()?, scene))),
+        })
     }
 
     fn first_hit(&self, x: i64, y: i64) -> Option<Hit> {
         match self {
             Rays::Cut(object) => object.first_hit(x, y),
             Rays::Mesh(mesh) => mesh.first_hit(x, y),
-            Rays::Unseen => None,
         }
     }
 
@@ -131,7 +128,7 @@ fn pixels(
 
 /// All that can be seen along the rays of a screen.
 pub(super) struct View<'a> {
-    objects: Vec<Rays>,
+    objects: Vec<Option<Rays>>,
     solids: &'a [FramedSolid],
     /// Objects of each solid.
     members: Vec<BTreeSet<usize>>,
@@ -158,18 +155,51 @@ impl View<'_> {
     /// one.
     pub(super) fn visible(&self, x: i64, y: i64) -> Option<(u32, Hit)> {
         let alone = self.alone.iter();
-        let alone = alone.filter_map(|&id| Some((id, self.objects[id].first_hit(x, y)?)));
+        let alone = alone.filter_map(|&id| Some((id, self.objects[id].as_ref()?.first_hit(x, y)?)));
         let solids = self.solids.iter().zip(&self.members);
         let solids = solids.filter_map(|(solid, members)| {
             let met = members
                 .iter()
-                .filter_map(|&id| Some((id, self.objects[id].interval(x, y)?)));
+                .filter_map(|&id| Some((id, self.objects[id].as_ref()?.interval(x, y)?)));
             first_point(&solid.tree, &met.collect())
         });
         let all = alone.chain(solids);
         let nearest = all.reduce(|best, hit| if hit.1.w < best.1.w { hit } else { best });
         nearest.map(|(id, hit)| (id as u32, hit))
     }
+}
+
+/// An object where a line of sight enters it and where it leaves it.
+type Interval = [Hit; 2];
+
+/// The first point of a solid behind which the line is within, with its object: the nearest face behind which the tree
+/// contains the line. Of two faces there a front goes first, then the smaller index.
+fn first_point(tree: &Tree, met: &BTreeMap<usize, Interval>) -> Option<(usize, Hit)> {
+    let is_within = |w: &SurdReal| {
+        let inside = |object: usize| {
+            met.get(&object)
+                .is_some_and(|[front, back]| front.w <= *w && *w < back.w)
+        };
+        tree.contains(&inside)
+    };
+    let front = |(&id, [front, _]): (&usize, &Interval)| (id, front.clone());
+    let back = |(&id, [_, back]): (&usize, &Interval)| {
+        let turned = Hit {
+            is_back: true,
+            number: match back.number {
+                // Seen from behind, the far root is the near one.
+                FACE_NEAR => FACE_FAR,
+                FACE_FAR => FACE_NEAR,
+                number => number,
+            },
+            ..back.clone()
+        };
+        (id, turned)
+    };
+    let faces = met.iter().map(front).chain(met.iter().map(back));
+    let seen = faces.filter(|(_, hit)| is_within(&hit.w));
+    // Of equal ones the first stays.
+    seen.reduce(|best, face| if face.1.w < best.1.w { face } else { best })
 }
 
 /// The exact picture rounded to a frame, for shading and comparison: depths floored, normals in full 16-bit words.
@@ -192,7 +222,7 @@ pub fn to_frame(pixels: &[Option<ExactPixel>], scene: &FramedScene, format: &For
 /// A transparent object by itself.
 fn layer(id: usize, scene: &FramedScene, format: &Format) -> FrameLayer {
     let object = Rays::new(&scene.objects[id], scene);
-    let hit = |x, y| Some((id as u32, object.first_hit(x, y)?));
+    let hit = |x, y| Some((id as u32, object.as_ref()?.first_hit(x, y)?));
     let pixels = pixels(scene, format, |_| true, hit, || ());
     let directions = directions(&pixels, scene, format);
     let depth = |pixel: &Option<ExactPixel>| {
@@ -218,14 +248,17 @@ pub fn directions(
     let width = scene.width as usize;
     let full = scene.projection.full_depth();
     let unit = (1i64 << DEPTH_FRACTION) as f64 * format.z_max() as f64;
-    let normals: Vec<Normals> = scene.objects.iter().map(Normals::new).collect();
+    let normals: Vec<Option<Normals>> = scene.objects.iter().map(Normals::new).collect();
     let direction = |(index, pixel): (usize, &Option<ExactPixel>)| {
         let Some(pixel) = pixel else { return [0.0; 3] };
         let depth = pixel.depth as f64 / unit * full;
         let point = scene
             .projection
             .antecedent(scene.pixel_centre(index % width, index / width), depth);
-        let direction = normals[pixel.id as usize].at(pixel, point);
+        let normals = normals[pixel.id as usize].as_ref();
+        let direction = normals
+            .expect("no pixel shows what is unseen")
+            .at(pixel, point);
         match pixel.is_back {
             true => direction.map(|part| -part),
             false => direction,
@@ -238,23 +271,20 @@ pub fn directions(
 enum Normals<'a> {
     Cut(Box<Gradient>),
     Mesh(MeshNormals<'a>),
-    Unseen,
 }
 
 impl Normals<'_> {
-    fn new(object: &FramedObject) -> Normals<'_> {
-        match (object, object.cut_quadric()) {
-            (FramedObject::Mesh(mesh), _) => Normals::Mesh(MeshNormals::new(mesh)),
-            (_, Some(cut)) => Normals::Cut(Box::new(Gradient::new(&cut))),
-            (_, None) => Normals::Unseen,
-        }
+    fn new(object: &FramedObject) -> Option<Normals<'_>> {
+        Some(match object {
+            FramedObject::Mesh(mesh) => Normals::Mesh(MeshNormals::new(mesh)),
+            _ => Normals::Cut(Box::new(Gradient::new(&object.cut_quadric()?))),
+        })
     }
 
     fn at(&self, pixel: &ExactPixel, point: [f64; 3]) -> [f64; 3] {
         match self {
             Normals::Cut(gradient) => gradient.direction(pixel.number, point),
             Normals::Mesh(mesh) => mesh.at(pixel.part as usize, point),
-            Normals::Unseen => unreachable!("no pixel shows it"),
         }
     }
 }

@@ -9,6 +9,7 @@ use imogene_golden::object::slot::Slot;
 use imogene_golden::object::words::Words;
 use imogene_prepare::PreparedScene;
 use imogene_scene::FramedScene;
+use std::ops::Range;
 
 /// A golden picture with all that was decided at every pixel.
 #[derive(Clone, Debug, PartialEq)]
@@ -75,10 +76,7 @@ impl Drawing {
         let (mut backs, mut rgb) = (vec![], vec![]);
         for at in 0..columns * lines {
             let from = at / columns / side * frame.width + at % columns / side;
-            large.depth[at] = frame.depth[from];
-            large.id[at] = frame.id[from];
-            large.number[at] = frame.number[from];
-            large.normal[at] = frame.normal[from];
+            copy(&mut large, at..at + 1, frame, from..from + 1);
             backs.push(self.backs[from]);
             rgb.extend(&self.rgb[3 * from..3 * from + 3]);
         }
@@ -117,27 +115,24 @@ impl Drawing {
 fn paste(zone: &ZoneScene, frame: &mut Frame, backs: &mut [i64]) {
     let ((x0, y0), (columns, lines)) = (zone.first, zone.size);
     let corner = (x0 as i64, y0 as i64);
-    let slots: Vec<Slot> = zone
-        .prepared
-        .slots()
-        .iter()
-        .map(|slot| Slot {
-            object: slot.object,
-            weight: slot.weight,
-            words: slot
-                .words
-                .for_zone(corner.0, corner.1, columns as i64, lines as i64),
-        })
-        .collect();
+    let mut slots = zone.prepared.slots();
+    for Slot { words, .. } in &mut slots {
+        *words = words.for_zone(corner.0, corner.1, columns as i64, lines as i64);
+    }
     let (part, part_backs) =
         beam::render_with_backs(&slots, &zone.prepared.format, columns, lines, || ());
     for line in 0..lines {
         let (from, to) = (line * columns, (y0 + line) * frame.width + x0);
         let (from, to) = (from..from + columns, to..to + columns);
-        frame.depth[to.clone()].copy_from_slice(&part.depth[from.clone()]);
-        frame.id[to.clone()].copy_from_slice(&part.id[from.clone()]);
-        frame.number[to.clone()].copy_from_slice(&part.number[from.clone()]);
-        frame.normal[to.clone()].copy_from_slice(&part.normal[from.clone()]);
+        copy(frame, to.clone(), &part, from.clone());
         backs[to].copy_from_slice(&part_backs[from]);
     }
+}
+
+/// Puts some pixels of a picture in a place of another.
+fn copy(frame: &mut Frame, to: Range<usize>, part: &Frame, from: Range<usize>) {
+    frame.depth[to.clone()].copy_from_slice(&part.depth[from.clone()]);
+    frame.id[to.clone()].copy_from_slice(&part.id[from.clone()]);
+    frame.number[to.clone()].copy_from_slice(&part.number[from.clone()]);
+    frame.normal[to].copy_from_slice(&part.normal[from]);
 }

@@ -35,17 +35,16 @@ fn shade(level: f64) -> [u8; 3] {
     [level * level, level, level.sqrt()].map(|v| (v * 255.0).round() as u8)
 }
 
-/// Least and greatest depth error, in words of the base format as powers of two, with a class of its own: -4 to 19.
-const CLASSES: std::ops::RangeInclusive<i32> = -4..=19;
+/// Least and greatest depth error, in words of the base format as powers of two, with a class of its own.
+const CLASSES: [i32; 2] = [-4, 19];
 
 /// The class of a depth error in words: its power of two, rounded up, -4 to 19.
 pub fn class(words: f64) -> i32 {
-    let (first, last) = (*CLASSES.start(), *CLASSES.end());
-    (words.abs().log2().ceil() as i32).clamp(first, last)
+    (words.abs().log2().ceil() as i32).clamp(CLASSES[0], CLASSES[1])
 }
 
 fn class_colour(class: i32) -> [u8; 3] {
-    let (first, last) = (*CLASSES.start(), *CLASSES.end());
+    let [first, last] = CLASSES;
     shade(f64::from(class - first) / f64::from(last - first))
 }
 

@@ -24,6 +24,16 @@ pub enum PixelError {
     Same(SameFace),
 }
 
+impl PixelError {
+    /// The errors where it shows the right face.
+    pub(super) fn same(&self) -> Option<&SameFace> {
+        match self {
+            PixelError::Same(same) => Some(same),
+            _ => None,
+        }
+    }
+}
+
 /// The errors at a pixel that shows the right face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SameFace {

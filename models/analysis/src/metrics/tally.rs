@@ -62,6 +62,23 @@ pub fn measure(truth: &Truth, drawing: &Drawing) -> (Metrics, Vec<u8>) {
     let extra = count(|p| matches!(p, PixelError::Extra));
     let wrong_object = count(|p| matches!(p, PixelError::Object));
     let wrong_face = count(|p| matches!(p, PixelError::Face));
+    let same = || pixels.iter().filter_map(PixelError::same);
+    let back = |s: &SameFace| match s.back {
+        Back::Error(words) => Some(words.abs()),
+        Back::None | Back::Differs => None,
+    };
+    let depths: Vec<f64> = same().map(|s| s.depth.abs()).collect();
+    let depth_histogram = histogram(&depths);
+    let depth_words = Spread::of(depths);
+    let back_words = Spread::of(same().filter_map(back).collect());
+    let colour = |wanted: fn(&PixelError) -> bool| {
+        let indices = pixels.iter().enumerate().filter(|(_, p)| wanted(p));
+        Spread::of(
+            indices
+                .map(|(index, _)| difference(truth, drawing, index))
+                .collect(),
+        )
+    };
     let metrics = Metrics {
         covered: truth.covered(),
         missing,
@@ -71,29 +88,6 @@ pub fn measure(truth: &Truth, drawing: &Drawing) -> (Metrics, Vec<u8>) {
         wrong_face,
         visible_part: wrong_object + wrong_face,
         cracks: cracks.len(),
-        ..Metrics::default()
-    };
-    let metrics = with_faces(metrics, truth, &pixels);
-    let metrics = with_colours(metrics, truth, drawing, &pixels);
-    (metrics, map(&pixels, &cracks))
-}
-
-fn with_faces(metrics: Metrics, truth: &Truth, pixels: &[PixelError]) -> Metrics {
-    let same = || {
-        pixels.iter().filter_map(|pixel| match pixel {
-            PixelError::Same(same) => Some(same),
-            _ => None,
-        })
-    };
-    let depths: Vec<f64> = same().map(|s| s.depth.abs()).collect();
-    let back = |s: &SameFace| match s.back {
-        Back::Error(words) => Some(words.abs()),
-        Back::None | Back::Differs => None,
-    };
-    let depth_histogram = histogram(&depths);
-    let depth_words = Spread::of(depths);
-    let back_words = Spread::of(same().filter_map(back).collect());
-    Metrics {
         depth_words,
         depth_px: depth_words.divided(truth.words_per_pixel),
         depth_histogram,
@@ -101,30 +95,17 @@ fn with_faces(metrics: Metrics, truth: &Truth, pixels: &[PixelError]) -> Metrics
         back_px: back_words.divided(truth.words_per_pixel),
         back_differs: same().filter(|s| s.back == Back::Differs).count(),
         normal_deg: Spread::of(same().map(|s| s.angle).collect()),
-        ..metrics
-    }
+        colour: colour(|p| !matches!(p, PixelError::Background)),
+        colour_same_face: colour(|p| p.same().is_some()),
+    };
+    (metrics, map(&pixels, &cracks))
 }
 
-fn with_colours(
-    metrics: Metrics,
-    truth: &Truth,
-    drawing: &Drawing,
-    pixels: &[PixelError],
-) -> Metrics {
-    let difference = |index: usize| {
-        let channels = 3 * index..3 * index + 3;
-        let pairs = truth.rgb[channels.clone()]
-            .iter()
-            .zip(&drawing.rgb[channels]);
-        f64::from(pairs.map(|(a, b)| a.abs_diff(*b)).max().unwrap_or(0))
-    };
-    let of = |wanted: fn(&PixelError) -> bool| {
-        let indices = pixels.iter().enumerate().filter(|(_, p)| wanted(p));
-        Spread::of(indices.map(|(index, _)| difference(index)).collect())
-    };
-    Metrics {
-        colour: of(|p| !matches!(p, PixelError::Background)),
-        colour_same_face: of(|p| matches!(p, PixelError::Same(_))),
-        ..metrics
-    }
+/// The greatest difference of a channel of a pixel.
+fn difference(truth: &Truth, drawing: &Drawing, index: usize) -> f64 {
+    let channels = 3 * index..3 * index + 3;
+    let pairs = truth.rgb[channels.clone()]
+        .iter()
+        .zip(&drawing.rgb[channels]);
+    f64::from(pairs.map(|(a, b)| a.abs_diff(*b)).max().unwrap_or(0))
 }

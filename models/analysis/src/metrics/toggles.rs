@@ -54,7 +54,7 @@ pub struct Part<'a> {
 /// Counts the slots of a machine on the sample of lines of a screen of so many lines, which its parts cover.
 pub fn count(parts: &[Part], format: &Format, rows_per_stage: u32, height: u32) -> Toggles {
     let lines = sample(height);
-    let mut sums = Sums::default();
+    let mut sums = [0; 4];
     // A line of n pixels has n - 1 changes.
     let mut changes = 0;
     for part in parts {
@@ -66,55 +66,50 @@ pub fn count(parts: &[Part], format: &Format, rows_per_stage: u32, height: u32) 
             changes += width - 1;
             for words in &part.slots {
                 let zone = words.for_zone(x as i64, i64::from(*line), width as i64, 1);
-                sums.count_line(&zone, format, rows_per_stage, width as u32);
+                let line = count_line(&zone, format, rows_per_stage, width as u32);
+                sums.iter_mut()
+                    .zip(line)
+                    .for_each(|(sum, bits)| *sum += bits);
             }
         }
     }
     let per_pixel = |bits: u64| bits as f64 / changes.max(1) as f64;
+    let [pe1, pe2, root, depth] = sums;
     Toggles {
-        pe1: per_pixel(sums.pe1),
-        pe2: per_pixel(sums.pe2),
-        root: per_pixel(sums.root),
-        depth: per_pixel(sums.depth),
-        total: per_pixel(sums.pe1 + sums.pe2 + sums.root + sums.depth),
+        pe1: per_pixel(pe1),
+        pe2: per_pixel(pe2),
+        root: per_pixel(root),
+        depth: per_pixel(depth),
+        total: per_pixel(pe1 + pe2 + root + depth),
         lines,
     }
 }
 
-#[derive(Default)]
-struct Sums {
-    pe1: u64,
-    pe2: u64,
-    root: u64,
-    depth: u64,
-}
-
-impl Sums {
-    fn count_line(&mut self, words: &QuadricWords, format: &Format, rows: u32, width: u32) {
-        self.pe1 += first_degree(&words.f1, format.pe1_width(), width);
-        for plane in &words.planes {
-            self.pe1 += first_degree(&plane.depth, format.plane, width);
-        }
-        for g in &words.normal.g {
-            self.pe1 += first_degree(g, format.normal_linear, width);
-        }
-        self.pe2 += second_degree(&words.f2, format.pe2_width(), width);
-        let mut stages = Bits::default();
-        let mut depths = Bits::default();
-        for x in 0..width {
-            let probe = words.probe_at(x.into(), 0, format);
-            self.root += stages.change(root_stages(probe.f2, probe.root, format, rows));
-            let output = probe.output;
-            let own = [
-                (probe.root, format.root),
-                (probe.near, format.sum),
-                (probe.far, format.sum),
-                (output.zf, format.depth),
-                (output.zb, format.depth),
-            ];
-            self.depth += depths.change(own.map(|(v, width)| masked(i128::from(v), width)).into());
-        }
+/// Bits that change on a line: in pe1, in pe2, in the root, in depths.
+fn count_line(words: &QuadricWords, format: &Format, rows: u32, width: u32) -> [u64; 4] {
+    let mut pe1 = first_degree(&words.f1, format.pe1_width(), width);
+    for plane in &words.planes {
+        pe1 += first_degree(&plane.depth, format.plane, width);
     }
+    for g in &words.normal.g {
+        pe1 += first_degree(g, format.normal_linear, width);
+    }
+    let (mut root, mut depth) = (0, 0);
+    let (mut stages, mut depths) = (Bits::default(), Bits::default());
+    for x in 0..width {
+        let probe = words.probe_at(x.into(), 0, format);
+        root += stages.change(root_stages(probe.f2, probe.root, format, rows));
+        let own = [
+            (probe.root, format.root),
+            (probe.near, format.sum),
+            (probe.far, format.sum),
+            (probe.output.zf, format.depth),
+            (probe.output.zb, format.depth),
+        ];
+        depth += depths.change(own.map(|(v, width)| masked(i128::from(v), width)).into());
+    }
+    let pe2 = second_degree(&words.f2, format.pe2_width(), width);
+    [pe1, pe2, root, depth]
 }
 
 /// Bits that the value of a pe1 of so many bits changes over so many pixels of a line.

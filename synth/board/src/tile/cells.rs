@@ -97,10 +97,7 @@ pub fn cell_delays() -> Result<String, BoardError> {
 fn osu018(name: &str) -> Result<String, BoardError> {
     let path = PathBuf::from(OSU018).join(name);
     if !path.exists() {
-        return Err(BoardError::Library {
-            path,
-            package: OSU018_PACKAGE,
-        });
+        return Err(BoardError::Library(path, OSU018_PACKAGE));
     }
     Ok(read(&path)?)
 }

@@ -10,10 +10,7 @@ use std::path::Path;
 
 /// The flow: placement by graywolf, routing by qrouter, times by vesta, layout and extraction by magic, comparison by
 /// netgen.
-const QFLOW: Program = Program {
-    name: "qflow",
-    package: "qflow",
-};
+const QFLOW: Program = Program::new("qflow", "qflow");
 /// The cells, as the flow calls them.
 const TECHNOLOGY: &str = "osu018";
 /// The steps, and those of them that fail where they find errors: their logs count these.

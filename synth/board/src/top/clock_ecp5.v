@@ -1,3 +1,4 @@
+{% set apart = pll.looped != pll.fast -%}
 // {{ input_mhz }} MHz / {{ pll.reference }} x {{ pll.feedback }} x {{ pll.looped }} in the oscillator, {{ fast }} MHz and
 // {{ pixel }} MHz out of it.
 module board_clock (
@@ -13,10 +14,10 @@ module board_clock (
         .PLLRST_ENA("DISABLED"), .INTFB_WAKE("DISABLED"), .STDBY_ENABLE("DISABLED"), .DPHASE_SOURCE("DISABLED"),
         .OUTDIVIDER_MUXA("DIVA"), .OUTDIVIDER_MUXB("DIVB"), .OUTDIVIDER_MUXC("DIVC"), .OUTDIVIDER_MUXD("DIVD"),
         .CLKI_DIV({{ pll.reference }}), .CLKFB_DIV({{ pll.feedback }}),
-        .CLKOP_ENABLE("ENABLED"), .CLKOP_DIV({{ pll.fast }}), .CLKOP_CPHASE({{ phase }}), .CLKOP_FPHASE(0),
-        .CLKOS_ENABLE("ENABLED"), .CLKOS_DIV({{ pll.pixel }}), .CLKOS_CPHASE({{ phase }}), .CLKOS_FPHASE(0),
+        .CLKOP_ENABLE("ENABLED"), .CLKOP_DIV({{ pll.fast }}), .CLKOP_CPHASE({{ pll.fast // 2 }}), .CLKOP_FPHASE(0),
+        .CLKOS_ENABLE("ENABLED"), .CLKOS_DIV({{ pll.pixel }}), .CLKOS_CPHASE({{ pll.fast // 2 }}), .CLKOS_FPHASE(0),
 {%- if apart %}
-        .CLKOS2_ENABLE("ENABLED"), .CLKOS2_DIV({{ pll.looped }}), .CLKOS2_CPHASE({{ phase }}), .CLKOS2_FPHASE(0),
+        .CLKOS2_ENABLE("ENABLED"), .CLKOS2_DIV({{ pll.looped }}), .CLKOS2_CPHASE({{ pll.fast // 2 }}), .CLKOS2_FPHASE(0),
         .FEEDBK_PATH("CLKOS2")
 {%- else %}
         .FEEDBK_PATH("CLKOP")

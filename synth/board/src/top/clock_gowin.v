@@ -8,7 +8,7 @@ module board_clock (
     wire unused_lock, unused_phase, unused_divided, unused_third;
 
     rPLL #(
-        .FCLKIN("{{ input_mhz }}"), .DEVICE("{{ pll.series }}"), .IDIV_SEL({{ pll.input }}), .FBDIV_SEL({{ pll.feedback }}),
+        .FCLKIN("{{ input_mhz }}"), .DEVICE("{{ series }}"), .IDIV_SEL({{ pll.input }}), .FBDIV_SEL({{ pll.feedback }}),
         .ODIV_SEL({{ pll.output }}), .DYN_IDIV_SEL("false"), .DYN_FBDIV_SEL("false"), .DYN_ODIV_SEL("false"),
         .DYN_DA_EN("false"), .DYN_SDIV_SEL(2), .PSDA_SEL("0000"), .DUTYDA_SEL("1000"), .CLKFB_SEL("internal"),
         .CLKOUT_BYPASS("false"), .CLKOUTP_BYPASS("false"), .CLKOUTD_BYPASS("false"), .CLKOUTD_SRC("CLKOUT"),

@@ -1,4 +1,4 @@
-// {{ input_mhz }} MHz / {{ pll.reference }} x {{ pll.feedback }} / {{ pll.output }}: {{ pixel }} MHz.
+// {{ input_mhz }} MHz / {{ pll.reference }} x {{ "%.3f"|format(pll.feedback / 8) }} / {{ "%.3f"|format(pll.output / 8) }}: {{ pixel }} MHz.
 module board_clock (
     input  wire clock,
     output wire pixel_clock
@@ -7,8 +7,8 @@ module board_clock (
     wire fed_back, made;
 
     MMCME2_BASE #(
-        .CLKIN1_PERIOD({{ pll.period }}), .DIVCLK_DIVIDE({{ pll.reference }}), .CLKFBOUT_MULT_F({{ pll.feedback }}),
-        .CLKOUT0_DIVIDE_F({{ pll.output }})
+        .CLKIN1_PERIOD({{ period }}), .DIVCLK_DIVIDE({{ pll.reference }}), .CLKFBOUT_MULT_F({{ "%.3f"|format(pll.feedback / 8) }}),
+        .CLKOUT0_DIVIDE_F({{ "%.3f"|format(pll.output / 8) }})
     ) mmcm (
         .CLKIN1(clock), .CLKFBIN(fed_back), .CLKFBOUT(fed_back), .CLKOUT0(made), .RST(1'b0), .PWRDWN(1'b0)
     );

@@ -13,7 +13,7 @@ fn within(hertz: Ratio<i128>, least: i128, most: i128) -> bool {
 fn the_clock_of_the_ulx3s_is_exact() {
     let board = Board::named("ulx3s-85").expect("a board");
     let pll = Pll::of(&board, 25_175_000).expect("a clock");
-    assert_eq!(pll.pixel_hertz() * 140, Ratio::from(25 * MEGA * 141));
+    assert_eq!(pll.pixel_hertz * 140, Ratio::from(25 * MEGA * 141));
     assert!((pll.deviation_percent() - 0.0142).abs() < 1e-4);
     // 74.25 MHz: 371.25 MHz for the pairs.
     let pll = Pll::of(&board, 74_250_000).expect("a clock");
@@ -40,7 +40,7 @@ fn no_dividers_of_the_ecp5_come_nearer() {
             }
         }
     }
-    assert_eq!(Some((pll.pixel_hertz() - wanted).abs()), nearest);
+    assert_eq!(Some((pll.pixel_hertz - wanted).abs()), nearest);
 }
 
 /// 27 MHz / 3 x 14 for the words, the nearest of all: no other quotient up to 64 / 64 is within 0.1 %.
@@ -48,7 +48,7 @@ fn no_dividers_of_the_ecp5_come_nearer() {
 fn the_clock_of_a_tang_nano_is_the_nearest_quotient() {
     for name in ["tang-nano-9k", "tang-nano-20k"] {
         let pll = Pll::of(&Board::named(name).expect("a board"), 25_175_000).expect("a clock");
-        assert_eq!(pll.pixel_hertz(), Ratio::from(25_200_000));
+        assert_eq!(pll.pixel_hertz, Ratio::from(25_200_000));
         let quotients = (1..=64).flat_map(|over| (1..=64).map(move |by| Ratio::new(by, over)));
         let distance = |quotient: Ratio<i128>| (quotient * 27 * MEGA / 5 - 25_175_000).abs();
         let nearest = quotients.map(distance).min().expect("a quotient");
@@ -91,5 +91,5 @@ fn no_dividers_of_the_7_series_come_nearer() {
             }
         }
     }
-    assert_eq!((pll.pixel_hertz() - wanted).abs(), nearest);
+    assert_eq!((pll.pixel_hertz - wanted).abs(), nearest);
 }

@@ -32,7 +32,7 @@ fn measured(row: &Row, index: usize) -> Measured {
         unit: row.request.unit.name().to_owned(),
         parameters: parameters(&row.request),
         target: row.target.name().to_owned(),
-        seeds: row.options.seeds,
+        seeds: row.seeds,
         tools: BTreeMap::from([("yosys".to_owned(), "0.1".to_owned())]),
         synthesis: row.synthesis(),
         latency: row.request.latency(),
@@ -44,7 +44,7 @@ fn measured(row: &Row, index: usize) -> Measured {
             bram: count(0),
             cells: count(4_000),
             transistors: (row.target == Target::Transistors).then_some(50_000 + index as u64),
-            fmax_mhz: (row.options.seeds > 0).then_some(100.5 + index as f64),
+            fmax_mhz: (row.seeds > 0).then_some(100.5 + index as f64),
             does_not_fit: None,
         },
         slowest_path: None,
@@ -119,7 +119,7 @@ fn a_row_is_found_by_all_that_it_is() {
     let known = invented();
     let mut row = rows()[0];
     assert_eq!(known.find(&row), Some(&known.rows[0]));
-    row.options.seeds += 1;
+    row.seeds += 1;
     assert_eq!(known.find(&row), None);
     row = rows()[0];
     row.request.depth_word = 16;

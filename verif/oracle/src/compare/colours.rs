@@ -22,9 +22,9 @@ impl Judge<'_> {
             .bounds
             .normal(seen.object, seen.number, place, normal)?;
         let reach = self.bound(seen, at) + self.slack(seen);
-        let (t, normal) = self
-            .tracer
-            .normal(at.0 as u32, at.1 as u32, seen, reach / self.z_max)?;
+        let (t, normal) =
+            self.tracer
+                .normal(at.0 as u32, at.1 as u32, seen, reach / self.bounds.z_max)?;
         Some(Layer {
             depth: self.depth(seen),
             reach,
@@ -66,7 +66,7 @@ fn levels(judges: &[Judge], colours: &Colours, at: (usize, usize)) -> Option<Lev
         .filter(before)
         .map(|layer| &layer.surface)
         .collect();
-    let (x, y) = judges[0].tracer.place(at.0 as u32, at.1 as u32);
+    let (x, y) = judges[0].tracer.sight.place(at.0 as u32, at.1 as u32);
     colours.seen((x, y), behind.map(|layer| &layer.surface), &before)
 }
 

@@ -160,7 +160,7 @@ fn the_picture_is_that_of_every_object_at_every_pixel() {
         for line in 0..48u32 {
             for column in 0..64u32 {
                 let mut nearest: Option<(u32, Solved)> = None;
-                for (index, (object, _)) in tracer.bodies().iter().enumerate() {
+                for (index, (object, _)) in tracer.bodies.iter().enumerate() {
                     let Some(found) = rays.solve(index, column, line) else {
                         continue;
                     };

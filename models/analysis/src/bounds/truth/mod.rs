@@ -8,7 +8,7 @@
 pub mod interval;
 
 use super::depth::Range;
-use super::verdict::{Pixel, Verdict};
+use super::verdict::{Bounded, Pixel, Verdict};
 use crate::exact::facet::{RayFacet, RayMesh};
 use crate::exact::ray::{Hit, RayObject};
 use crate::exact::render::DEPTH_FRACTION;
@@ -22,12 +22,8 @@ use interval::{Conic, Line, conic, excess, line};
 use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive, Zero};
 
-/// What is truly seen.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum True {
-    Absent,
-    Face(u8, Range),
-}
+/// The face that is truly seen, if there is one.
+pub(super) type True = Option<Bounded>;
 
 /// An object along the lines of sight of a picture.
 pub(super) struct Truth {
@@ -91,12 +87,11 @@ fn depth(w: Range, full: i64) -> Range {
 
 /// The same of an exact hit.
 fn exact(hit: Option<Hit>, full: i64) -> True {
-    let Some(hit) = hit else { return True::Absent };
-    let full = BigInt::from(full);
+    let (hit, full) = (hit?, BigInt::from(full));
     let fixed = hit.w.fixed(&full, &full, DEPTH_FRACTION);
     let at = fixed.to_f64().expect("a depth word");
     let unit = Range::point((-f64::from(DEPTH_FRACTION)).exp2());
-    True::Face(hit.number, Range::new(at - 2.0, at + 2.0) * unit)
+    Some((hit.number, Range::new(at - 2.0, at + 2.0) * unit))
 }
 
 /// A quadric with planes, or planes alone: `a w^2 + b w + c` and the planes' `slope w + constant`.
@@ -170,8 +165,8 @@ impl CutShape {
 
     fn at(&self, x: i64, y: i64, full: i64) -> True {
         match self.pixel(at(x, y), full).map(|pixel| pixel.decide()) {
-            Some(Verdict::Absent) => True::Absent,
-            Some(Verdict::Face(number, depth)) => True::Face(number, depth),
+            Some(Verdict::Absent) => None,
+            Some(Verdict::Face(number, depth)) => Some((number, depth)),
             Some(Verdict::Undecided { .. }) | None => exact(self.ray.first_hit(x, y), full),
         }
     }
@@ -187,7 +182,8 @@ impl CutShape {
             near: depth(near, full),
             far: depth(far, full),
             planes: planes?,
-            ends: [-full as f64, full as f64],
+            near_end: -full as f64,
+            far_end: full as f64,
         })
     }
 
@@ -199,7 +195,11 @@ impl CutShape {
         if self.a.0 == 0 {
             if self.b_is_zero {
                 // The quadric does not depend on the depth; as a surface it is seen edge-on.
-                let inside = if is_patch { Some(false) } else { inside(c) };
+                let inside = if is_patch {
+                    Some(false)
+                } else {
+                    (-c).not_negative()
+                };
                 return Some((Class::Prism, inside, everywhere));
             }
             let sign = b.sign()?;
@@ -239,15 +239,6 @@ impl CutShape {
             }
             None => [-sign, sign].map(|s| (towards(s) - b) / double),
         }
-    }
-}
-
-/// Whether a value is certainly not positive.
-fn inside(value: Range) -> Option<bool> {
-    match value {
-        Range { high, .. } if high <= 0.0 => Some(true),
-        Range { low, .. } if low > 0.0 => Some(false),
-        _ => None,
     }
 }
 
@@ -305,17 +296,15 @@ impl MeshShape {
 
     fn line(&self, y: i64, columns: std::ops::RangeInclusive<i64>, full: i64) -> Vec<True> {
         let (first, last) = (*columns.start(), *columns.end());
-        let mut seen = vec![True::Absent; (last - first + 1).max(0) as usize];
+        let mut seen = vec![None; (last - first + 1).max(0) as usize];
         for &index in &self.by_line[y as usize] {
             let facet = &self.facets[index];
             let window = &facet.ray.window;
             for x in window.x0.max(first)..=window.x1.min(last) {
-                if let True::Face(number, found) = facet.at(x, y, full) {
-                    let nearest = &mut seen[(x - first) as usize];
-                    *nearest = match *nearest {
-                        True::Face(_, before) => True::Face(number, before.min(&found)),
-                        True::Absent => True::Face(number, found),
-                    };
+                let nearest: &mut True = &mut seen[(x - first) as usize];
+                if let Some((number, found)) = facet.at(x, y, full) {
+                    let least = nearest.map_or(found, |(_, before)| before.min(&found));
+                    *nearest = Some((number, least));
                 }
             }
         }
@@ -326,25 +315,19 @@ impl MeshShape {
 impl FacetShape {
     fn at(&self, x: i64, y: i64, full: i64) -> True {
         let place = at(x, y);
-        let edges = self.edges.iter().map(|edge| edge.at(place));
-        let least = edges.fold(f64::INFINITY, |least, edge| {
-            if edge.high < 0.0 {
-                f64::NEG_INFINITY
-            } else {
-                least.min(edge.low)
-            }
-        });
-        if least == f64::NEG_INFINITY {
-            return True::Absent;
+        let edges = || self.edges.iter().map(|edge| edge.at(place));
+        if edges().any(|edge| edge.high < 0.0) {
+            return None;
         }
+        let is_inside = edges().all(|edge| edge.low >= 0.0);
         let [slope, constant] = self.plane.map(|form| form.at(place));
         let w = -constant / slope;
         let is_drawn = w.low >= -2.0 && w.high < 0.0;
-        if least >= 0.0 && is_drawn {
-            return True::Face(FACE_FACET, depth(w, full));
+        if is_inside && is_drawn {
+            return Some((FACE_FACET, depth(w, full)));
         }
         if w.high < -2.0 || w.low >= 0.0 {
-            return True::Absent;
+            return None;
         }
         exact(self.ray.hit(x, y), full)
     }

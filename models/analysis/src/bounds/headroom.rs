@@ -8,19 +8,20 @@
 //! any more. The least g for which this holds at every pixel is *derived*; it is sufficient. Counting down from it
 //! until errors appear gives the least that is *confirmed*.
 
-mod depths;
-mod signs;
-
-use depths::DepthErrors;
-use imogene_algebra::rational::power_of_two;
+use crate::exact::ray::second_degree;
+use imogene_algebra::rational::{integer, power_of_two, to_f64};
+use imogene_algebra::whole::common_denominator;
+use imogene_golden::format::Format;
 use imogene_golden::object::quadric::ScreenBox;
+use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::unit::pe2::Quadratic;
-use imogene_prepare::forms::QuadraticForm;
+use imogene_prepare::forms::{LinearForm, QuadraticForm};
 use imogene_prepare::rounding::{Anchor, round_quadratic};
 use imogene_prepare::{PreparedQuadric, PreparedScene};
+use num_bigint::{BigInt, Sign};
+use num_traits::{Signed, ToPrimitive};
 use rayon::prelude::*;
 use serde::Serialize;
-use signs::{TrueSigns, true_signs};
 
 /// Fewest guard bits that are tried: this many bits of f2 dropped leave no picture of any format.
 pub const FEWEST: i32 = -64;
@@ -145,13 +146,13 @@ pub fn headroom(prepared: &PreparedScene) -> Headroom {
     let (confirmed, errors_with_one_less) = count_down(derived, &count);
     let depths = objects
         .iter()
-        .map(|o| depths::errors(o.object, &o.signs.present, &prepared.format))
+        .map(|o| depth_errors(o.object, &o.signs.present, &prepared.format))
         .fold(DepthErrors::default(), DepthErrors::merged);
     Headroom {
         width: prepared.width,
         height: prepared.height,
         depth_word: prepared.format.depth,
-        pixels: objects.iter().map(|o| o.window.pixels()).sum(),
+        pixels: objects.iter().map(|o| o.window().pixels()).sum(),
         silhouette_errors: count(0),
         ties,
         depth_max_lsb: depths.most,
@@ -200,37 +201,32 @@ pub fn bits_above(risk: f64) -> i32 {
 /// One object with its true signs.
 struct Subject<'a> {
     object: &'a PreparedQuadric,
-    window: ScreenBox,
-    anchor: Anchor,
     signs: TrueSigns,
 }
 
 impl Subject<'_> {
     fn new(object: &PreparedQuadric) -> Subject<'_> {
-        let window = object.words.screen_box;
-        let anchor = object.anchor;
-        let signs = true_signs(&object.exact.f2, &window, |x, y| {
-            anchor.quadratic_bound(&ScreenBox::of([x, x], [y, y]))
-        });
+        let bound = |x, y| {
+            object
+                .anchor
+                .quadratic_bound(&ScreenBox::of([x, x], [y, y]))
+        };
         Subject {
             object,
-            window,
-            anchor,
-            signs,
+            signs: true_signs(&object.exact.f2, &object.words.screen_box, bound),
         }
+    }
+
+    fn window(&self) -> &ScreenBox {
+        &self.object.words.screen_box
     }
 
     /// Pixels at which f2 rounded with this many guard bits has the wrong sign.
     fn errors(&self, guards: i32) -> u64 {
-        let rounded = rounded_with(&self.object.exact.f2, self.anchor, guards);
-        let window = &self.window;
-        let width = (window.x1 - window.x0 + 1) as usize;
-        self.signs
-            .present
-            .par_chunks(width)
-            .enumerate()
-            .map(|(row, line)| {
-                let y = window.y0 + row as i64;
+        let rounded = rounded_with(&self.object.exact.f2, self.object.anchor, guards);
+        let window = self.window();
+        lines(window, &self.signs.present)
+            .map(|(y, line)| {
                 let at = |x: i64| rounded.wrapped_at(x, y, 127);
                 let mut value = at(window.x0);
                 let mut step = at(window.x0 + 1) - value;
@@ -246,9 +242,204 @@ impl Subject<'_> {
     }
 }
 
+/// The lines of a box with what is known of their pixels.
+fn lines<'a>(
+    window: &ScreenBox,
+    present: &'a [bool],
+) -> impl IndexedParallelIterator<Item = (i64, &'a [bool])> + use<'a> {
+    let (width, first) = ((window.x1 - window.x0 + 1) as usize, window.y0);
+    let lines = present.par_chunks(width).enumerate();
+    lines.map(move |(row, line)| (first + row as i64, line))
+}
+
 /// f2 rounded with guard bits; below zero, with that many bits dropped.
 fn rounded_with(exact: &QuadraticForm, anchor: Anchor, guards: i32) -> Quadratic {
     let unit = power_of_two(guards.unsigned_abs());
     let unit = if guards < 0 { unit.recip() } else { unit };
     round_quadratic(&exact.scaled(&unit), anchor).expect("prepared words leave room")
+}
+
+/// What is true of f2 on a box; no format and no rounding has a part in it but the scale.
+struct TrueSigns {
+    /// For each pixel, row by row: f2 >= 0.
+    pub present: Vec<bool>,
+    /// Pixels at which f2 is zero.
+    pub ties: u64,
+    /// Greatest ratio over the pixels, where f2 is not zero, of the error that rounding can have there to the magnitude
+    /// of f2.
+    pub risk: f64,
+}
+
+/// Evaluates the exact expression at every pixel. `reach` gives the greatest rounding error of any such expression at a
+/// pixel, in last bits.
+fn true_signs(
+    exact: &QuadraticForm,
+    window: &ScreenBox,
+    reach: impl Fn(i64, i64) -> f64 + Sync,
+) -> TrueSigns {
+    let (form, denominator) = common_denominator(exact.factors());
+    let unit = denominator.to_f64().expect("a finite or infinite float");
+    let line = |y: i64| {
+        let mut line = TrueSigns {
+            present: vec![],
+            ties: 0,
+            risk: 0.0,
+        };
+        // Forward differences along the line.
+        let at = |x: i64| second_degree(&form, x, y);
+        let mut value = at(window.x0);
+        let mut step = at(window.x0 + 1) - &value;
+        let second: BigInt = &form[0] * 2;
+        for x in window.x0..=window.x1 {
+            line.present.push(!value.is_negative());
+            if value.sign() == Sign::NoSign {
+                line.ties += 1;
+            } else {
+                let size = magnitude(&value, &denominator, unit);
+                line.risk = line.risk.max(reach(x, y) / size);
+            }
+            value += &step;
+            step += &second;
+        }
+        line
+    };
+    let lines: Vec<TrueSigns> = (window.y0..=window.y1).into_par_iter().map(line).collect();
+    TrueSigns {
+        ties: lines.iter().map(|l| l.ties).sum(),
+        risk: lines.iter().map(|l| l.risk).fold(0.0, f64::max),
+        present: lines.into_iter().flat_map(|l| l.present).collect(),
+    }
+}
+
+/// |value / denominator|, also where one of them is beyond `f64`.
+fn magnitude(value: &BigInt, denominator: &BigInt, unit: f64) -> f64 {
+    let float = value.to_f64().expect("a finite or infinite float").abs();
+    if float.is_finite() && unit.is_finite() {
+        return float / unit;
+    }
+    // Leading bits only.
+    let (n, d) = (value.bits() as i64, denominator.bits() as i64);
+    let lead = |v: &BigInt, bits: i64| (v.abs() >> (bits - 60).max(0)).to_f64().expect("60 bits");
+    let power = (n - 60).max(0) - (d - 60).max(0);
+    lead(value, n) / lead(denominator, d) * f64::exp2(power as f64)
+}
+
+/// Depth errors in depth words.
+#[derive(Clone, Copy, Debug, Default)]
+struct DepthErrors {
+    /// The greatest.
+    pub most: f64,
+    /// Sum of squares.
+    pub squares: f64,
+    /// How many.
+    pub count: u64,
+}
+
+impl DepthErrors {
+    fn add(&mut self, error: f64) {
+        self.most = self.most.max(error.abs());
+        self.squares += error * error;
+        self.count += 1;
+    }
+
+    /// Those of both.
+    pub fn merged(self, other: DepthErrors) -> DepthErrors {
+        DepthErrors {
+            most: self.most.max(other.most),
+            squares: self.squares + other.squares,
+            count: self.count + other.count,
+        }
+    }
+
+    /// Root of the mean square.
+    pub fn rms(&self) -> f64 {
+        (self.squares / self.count.max(1) as f64).sqrt()
+    }
+}
+
+/// What the rounding of the coefficients adds, from the exact residuals, in coordinates about the anchor.
+struct Residuals {
+    anchor: Anchor,
+    f1: [f64; 3],
+    f2: [f64; 6],
+}
+
+impl Residuals {
+    fn of(object: &PreparedQuadric) -> Residuals {
+        let (words, exact, anchor) = (&object.words, &object.exact, object.anchor);
+        let (x, y) = (integer(anchor.x), integer(anchor.y));
+        let f1 = LinearForm::of_words(&words.f1)
+            .minus(&exact.f1)
+            .about(&x, &y);
+        let f2 = QuadraticForm::of_words(&words.f2)
+            .minus(&exact.f2)
+            .about(&x, &y);
+        Residuals {
+            anchor,
+            f1: [&f1.a, &f1.b, &f1.c].map(to_f64),
+            f2: [&f2.a, &f2.b, &f2.c, &f2.d, &f2.e, &f2.f].map(to_f64),
+        }
+    }
+
+    fn at(&self, x: i64, y: i64) -> (f64, f64) {
+        let (u, v) = ((x - self.anchor.x) as f64, (y - self.anchor.y) as f64);
+        let [a, b, c] = self.f1;
+        let linear = a * u + b * v + c;
+        let [a, b, c, d, e, f] = self.f2;
+        (linear, (a * u + c * v + d) * u + (b * v + e) * v + f)
+    }
+}
+
+/// Errors of both roots within the depth range, at the pixels where computed and true f2 are not negative; `present`
+/// says where the true one is.
+fn depth_errors(object: &PreparedQuadric, present: &[bool], format: &Format) -> DepthErrors {
+    if object.words.class == Class::Prism {
+        return DepthErrors::default();
+    }
+    let window: ScreenBox = object.words.screen_box;
+    let residuals = Residuals::of(object);
+    let lines: Vec<DepthErrors> = lines(&window, present)
+        .map(|(y, line)| {
+            let mut found = DepthErrors::default();
+            for (x, _) in (window.x0..).zip(line).filter(|(_, present)| **present) {
+                add_pixel(object, &residuals, format, (x, y), &mut found);
+            }
+            found
+        })
+        .collect();
+    // Added in order, so that the sum is the same in every run.
+    lines
+        .into_iter()
+        .fold(DepthErrors::default(), DepthErrors::merged)
+}
+
+fn add_pixel(
+    object: &PreparedQuadric,
+    residuals: &Residuals,
+    format: &Format,
+    (x, y): (i64, i64),
+    found: &mut DepthErrors,
+) {
+    let f1 = object.words.f1_at(x, y, format);
+    let f2 = object.words.f2_at(x, y, format);
+    if f2 < 0 {
+        return;
+    }
+    let root = format.root_of(f2);
+    let (linear, quadratic) = residuals.at(x, y);
+    let true_root = (f2 as f64 - quadratic).max(0.0).sqrt();
+    // true root - root, without cancellation
+    let below = (f2 - root * root) as f64 - quadratic;
+    let root_error = if below == 0.0 {
+        0.0
+    } else {
+        below / (true_root + root as f64)
+    };
+    let visible = |depth: i64| depth >= format.z_low() && depth < format.z_max();
+    if visible(f1 - root) {
+        found.add(linear + root_error);
+    }
+    if visible(f1 + root) {
+        found.add(linear - root_error);
+    }
 }
