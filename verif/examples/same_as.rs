@@ -4,8 +4,7 @@
 
 use imogene_contract::{Request, Unit};
 use imogene_rtl::emit::{design, emit};
-use imogene_verif::equivalence::table::memory_bits;
-use imogene_verif::equivalence::{Text, Verdict, compare};
+use imogene_verif::equivalence::{Text, Verdict, compare, memory_bits};
 use std::fs::{read_dir, read_to_string};
 use std::path::Path;
 

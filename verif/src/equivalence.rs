@@ -5,11 +5,10 @@
 //! the output is never 1, or gives a clock at which it is. So the two circuits give equal outputs for every sequence of
 //! inputs of any length.
 
-pub mod table;
-
 use crate::engine::design::DesignError;
-use imogene_contract::Request;
-use imogene_rtl::emit::{emit, raw};
+use imogene_contract::{Request, Unit};
+use imogene_hdl::{Levels, Module};
+use imogene_rtl::emit::{design, emit, raw};
 use imogene_tools::{ToolError, YOSYS_ABC, scratch, write, yosys};
 
 /// What was found.
@@ -33,7 +32,7 @@ pub struct Text<'a> {
 }
 
 /// Compares the emitted text of a unit with rust-hdl's own.
-pub fn unit(request: &Request) -> Result<Verdict, DesignError> {
+fn compare_unit(request: &Request) -> Result<Verdict, DesignError> {
     let printed = raw(request)?;
     let emitted = emit(request)?;
     let theirs = Text {
@@ -78,4 +77,54 @@ pub fn compare(one: Text, other: Text) -> Result<Verdict, ToolError> {
         }
         _ => Verdict::Open,
     })
+}
+
+/// A unit and what was found of it.
+pub struct Row {
+    /// Unit.
+    pub unit: Unit,
+    /// Bits of its registers.
+    pub bits: u32,
+    /// What was found; nothing of a unit with a memory, which has too many bits.
+    pub verdict: Option<Verdict>,
+}
+
+impl Row {
+    /// Compares a unit at a depth word.
+    pub fn of(unit: Unit, depth_word: u32) -> Result<Row, DesignError> {
+        let request = Request::of(unit, depth_word);
+        let design = design(&request)?;
+        Ok(Row {
+            unit,
+            bits: Levels::of(&design)
+                .flops
+                .iter()
+                .map(|flop| flop.width)
+                .sum(),
+            verdict: match memory_bits(&design.top) {
+                0 => Some(compare_unit(&request)?),
+                _ => None,
+            },
+        })
+    }
+
+    /// The row of the table of all units.
+    pub fn markdown(&self) -> String {
+        let verdict = match self.verdict {
+            Some(Verdict::Equal) => "equal",
+            Some(Verdict::Differs(_)) => "differs",
+            Some(Verdict::Open) => "open",
+            None => "has a memory",
+        };
+        format!("| {} | {} | {verdict} |", self.unit.name(), self.bits)
+    }
+}
+
+/// Bits of all block memories in a module. Each is a register to a proof.
+pub fn memory_bits(module: &Module) -> u32 {
+    let own = module.memories.iter();
+    let own = own.map(|memory| memory.words as u32 * memory.width);
+    let inner = module.instances.iter();
+    let inner = inner.map(|instance| memory_bits(&instance.module));
+    own.chain(inner).sum()
 }

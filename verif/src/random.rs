@@ -1,7 +1,8 @@
-//! Random co-simulation of a unit over many stimuli, from one seed.
+//! Random co-simulation of a unit over many stimuli, from one seed, and random stalls of a stream.
 
 use crate::subject::{Inputs, LANES, Outcome, Subject};
 use crate::waveform::Trace;
+use proptest::prelude::Rng;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 use rayon::prelude::*;
 use std::ops::Range;
@@ -12,6 +13,22 @@ pub(crate) fn generator(seed: u64) -> TestRng {
     let mut bytes = [0u8; 32];
     bytes[..8].copy_from_slice(&seed.to_le_bytes());
     TestRng::from_seed(RngAlgorithm::ChaCha, &bytes)
+}
+
+/// Stalls of a stream: one clock in three, or never.
+pub struct Stalls(Option<TestRng>);
+
+impl Stalls {
+    /// Stalls of a seed; without one there are none.
+    pub fn new(seed: Option<u64>) -> Stalls {
+        Stalls(seed.map(generator))
+    }
+
+    /// Does the stream stall on the next clock?
+    pub fn stall(&mut self) -> bool {
+        let random = self.0.as_mut();
+        random.is_some_and(|random| random.next_u32().is_multiple_of(3))
+    }
 }
 
 /// Clocks of one stimulus: long enough for every pipeline to fill, short enough that a run sees many coefficient sets.

@@ -9,29 +9,14 @@ use crate::line::Two;
 /// Vector registers.
 pub(crate) const REGISTERS: usize = 16;
 
-/// A general register that holds an address: that of the block, of the spilled words, of what is given, of the
-/// constants; in the order in which a function takes them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Base {
-    Block = 7,
-    Spilled = 6,
-    Given = 2,
-    Constants = 1,
-    /// The inputs of each lane.
-    FirstRow = 8,
-    SecondRow = 9,
-    ThirdRow = 10,
-    FourthRow = 11,
-}
-
-impl Base {
-    pub(crate) const ROWS: [Base; 4] = [
-        Base::FirstRow,
-        Base::SecondRow,
-        Base::ThirdRow,
-        Base::FourthRow,
-    ];
-}
+/// A general register that holds an address; these are in the order in which a function takes them.
+pub(crate) type Base = u8;
+pub(crate) const BLOCK: Base = 7;
+pub(crate) const SPILLED: Base = 6;
+pub(crate) const GIVEN: Base = 2;
+pub(crate) const CONSTANTS: Base = 1;
+/// The inputs of the first lane; those of the others are in the registers behind it.
+pub(crate) const ROWS: Base = 8;
 
 /// Where a word is read: a vector register, or so many bytes behind an address.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,23 +26,41 @@ pub(crate) enum Operand {
 }
 
 /// An instruction: its table of codes, the prefix that it implies, the wide form of its operands (W), its code.
-struct Code(u8, u8, u8, u8);
+pub(crate) struct Code(u8, u8, u8, u8);
 
 const LOAD: Code = Code(1, 2, 0, 0x6f);
 const STORE: Code = Code(1, 2, 0, 0x7f);
 const LOAD_WORD: Code = Code(1, 2, 0, 0x7e);
-const LOAD_HIGH: Code = Code(1, 1, 0, 0x16);
+/// A word beside the one that is there.
+pub(crate) const LOAD_HIGH: Code = Code(1, 1, 0, 0x16);
 const STORE_WORD: Code = Code(1, 1, 0, 0xd6);
 const SHIFT: Code = Code(1, 1, 0, 0x73);
+/// The way of a shift.
+pub(crate) const LEFT: u8 = 6;
+pub(crate) const RIGHT: u8 = 2;
 /// The top bit of each lane, in a general register (rax).
 const TOP_BITS: Code = Code(1, 1, 0, 0x50);
 const SELECT: Code = Code(3, 1, 0, 0x4b);
-const SPREAD: Code = Code(2, 1, 0, 0x59);
-const PAIR: Code = Code(1, 1, 0, 0x6c);
+/// A word in every lane.
+pub(crate) const SPREAD: Code = Code(2, 1, 0, 0x59);
+/// Two words side by side.
+pub(crate) const PAIR: Code = Code(1, 1, 0, 0x6c);
 const HALVES: Code = Code(3, 1, 0, 0x38);
-const BLEND: Code = Code(3, 1, 0, 0x02);
-const TO_MASK: Code = Code(2, 2, 1, 0x39);
-const SELECT_BY_MASK: Code = Code(2, 1, 1, 0x64);
+/// The words of a vector with another in the lanes that a byte behind it names by its pairs of bits.
+pub(crate) const BLEND: Code = Code(3, 1, 0, 0x02);
+/// The top bits of a vector in a mask.
+pub(crate) const TO_MASK: Code = Code(2, 2, 1, 0x39);
+/// The second operand where the mask has a one, else the first.
+pub(crate) const SELECT_BY_MASK: Code = Code(2, 1, 1, 0x64);
+
+/// An index of a memory (rax), from the spilled words.
+pub(crate) const LOAD_INDEX: [u8; 3] = [0x48, 0x8b, 0x86];
+/// A word of the spilled words (rdx, for an edge gives nothing), from there and to there.
+pub(crate) const LOAD_SCALAR: [u8; 3] = [0x48, 0x8b, 0x96];
+pub(crate) const STORE_SCALAR: [u8; 3] = [0x48, 0x89, 0x96];
+/// The word of the block at the index, from there and to there.
+pub(crate) const READ: [u8; 4] = [0x48, 0x8b, 0x94, 0xc7];
+pub(crate) const WRITE: [u8; 4] = [0x48, 0x89, 0x94, 0xc7];
 
 /// Masks of AVX-512 but for the first, which means none.
 pub(crate) const MASKS: usize = 7;
@@ -88,12 +91,12 @@ pub(crate) struct Assembler {
 }
 
 impl Assembler {
-    fn vex(&mut self, code: Code, is_wide: bool, reg: u8, first: u8, second: Operand) {
+    pub(crate) fn vex(&mut self, code: Code, is_wide: bool, reg: u8, first: u8, second: Operand) {
         let Code(table, prefix, w, code) = code;
         let beyond = |register: u8| (!register >> 3) & 1;
         let beyond_second = match second {
             Operand::Register(register) => beyond(register),
-            Operand::Memory(base, _) => beyond(base as u8),
+            Operand::Memory(base, _) => beyond(base),
         };
         let last = w << 7 | (!first & 15) << 3 | u8::from(is_wide) << 2 | prefix;
         match beyond_second == 1 && table == 1 && w == 0 {
@@ -106,8 +109,7 @@ impl Assembler {
         match second {
             Operand::Memory(base, bytes) if i8::try_from(bytes).is_ok() => {
                 let reg = (reg & 7) << 3;
-                self.bytes
-                    .extend([0x40 | reg | base as u8 & 7, bytes as u8]);
+                self.bytes.extend([0x40 | reg | base & 7, bytes as u8]);
             }
             _ => self.operand(reg, second),
         }
@@ -118,13 +120,13 @@ impl Assembler {
         match second {
             Operand::Register(register) => self.bytes.push(0xc0 | reg | register & 7),
             Operand::Memory(base, bytes) => {
-                self.bytes.push(0x80 | reg | base as u8 & 7);
+                self.bytes.push(0x80 | reg | base & 7);
                 self.bytes.extend(bytes.to_le_bytes());
             }
         }
     }
 
-    fn evex(&mut self, code: Code, reg: u8, first: u8, second: Operand, mask: u8) {
+    pub(crate) fn evex(&mut self, code: Code, reg: u8, first: u8, second: Operand, mask: u8) {
         let Code(table, prefix, w, code) = code;
         let beyond = |register: u8| (!register >> 3) & 1;
         let beyond_second = match second {
@@ -146,13 +148,8 @@ impl Assembler {
         self.vector(code(how), to, a, b);
     }
 
-    pub(crate) fn left(&mut self, to: u8, a: u8, count: u32) {
-        self.vector(SHIFT, 6, to, Operand::Register(a));
-        self.bytes.push(count as u8);
-    }
-
-    pub(crate) fn right(&mut self, to: u8, a: u8, count: u32) {
-        self.vector(SHIFT, 2, to, Operand::Register(a));
+    pub(crate) fn shift(&mut self, way: u8, to: u8, a: u8, count: u32) {
+        self.vector(SHIFT, way, to, Operand::Register(a));
         self.bytes.push(count as u8);
     }
 
@@ -162,36 +159,10 @@ impl Assembler {
         self.bytes.push(which << 4);
     }
 
-    /// The top bits of a vector in a mask.
-    pub(crate) fn mask_of(&mut self, mask: u8, which: u8) {
-        self.evex(TO_MASK, mask, 0, Operand::Register(which), 0);
-    }
-
-    /// The first operand where the mask has a one, else `or`.
-    pub(crate) fn select_by_mask(&mut self, to: u8, mask: u8, then: Operand, or: u8) {
-        self.evex(SELECT_BY_MASK, to, or, then, mask);
-    }
-
-    /// A word in every lane.
-    pub(crate) fn spread(&mut self, to: u8, from: u8) {
-        self.vex(SPREAD, true, to, 0, Operand::Register(from));
-    }
-
-    /// Two words side by side.
-    pub(crate) fn pair(&mut self, to: u8, a: u8, b: Operand) {
-        self.vex(PAIR, false, to, a, b);
-    }
-
     /// Two pairs side by side.
     pub(crate) fn halves(&mut self, to: u8, low: u8, high: u8) {
         self.vex(HALVES, true, to, low, Operand::Register(high));
         self.bytes.push(1);
-    }
-
-    /// The words of a vector with another in the first lane.
-    pub(crate) fn patch(&mut self, to: u8, others: u8, first: u8) {
-        self.vex(BLEND, true, to, others, Operand::Register(first));
-        self.bytes.push(0b11);
     }
 
     /// A whole vector.
@@ -212,11 +183,6 @@ impl Assembler {
         }
     }
 
-    /// A word beside the one that is there.
-    pub(crate) fn load_high(&mut self, to: u8, from: Operand) {
-        self.vex(LOAD_HIGH, false, to, to, from);
-    }
-
     /// The words of the lanes alone.
     pub(crate) fn store_words(&mut self, lanes: Lanes, from: u8, to: Operand) {
         match lanes {
@@ -225,32 +191,8 @@ impl Assembler {
         }
     }
 
-    /// An index of a memory, from so many bytes behind the spilled words (rax).
-    pub(crate) fn load_index(&mut self, at: i32) {
-        self.general([0x48, 0x8b, 0x86], at);
-    }
-
-    /// A word of the spilled words (rdx, for an edge gives nothing).
-    pub(crate) fn load_scalar(&mut self, at: i32) {
-        self.general([0x48, 0x8b, 0x96], at);
-    }
-
-    /// A word to the spilled words (rdx).
-    pub(crate) fn store_scalar(&mut self, at: i32) {
-        self.general([0x48, 0x89, 0x96], at);
-    }
-
-    /// The word of the block at the index.
-    pub(crate) fn read(&mut self, at: i32) {
-        self.general([0x48, 0x8b, 0x94, 0xc7], at);
-    }
-
-    /// The word to the block at the index.
-    pub(crate) fn write(&mut self, at: i32) {
-        self.general([0x48, 0x89, 0x94, 0xc7], at);
-    }
-
-    fn general<const N: usize>(&mut self, code: [u8; N], bytes: i32) {
+    /// An instruction of general registers, with so many bytes behind an address.
+    pub(crate) fn general<const N: usize>(&mut self, code: [u8; N], bytes: i32) {
         self.bytes.extend(code);
         self.bytes.extend(bytes.to_le_bytes());
     }

@@ -223,17 +223,16 @@ impl<'d> Body<'d> {
     }
 
     /// The net of this name behind the names of the instances around it.
-    pub(crate) fn find(&mut self, path: &str) -> Place {
+    pub(crate) fn find(&mut self, path: &str) -> Option<Place> {
         let mut scope = 0;
         let mut names: Vec<&str> = path.split('.').collect();
-        let last = names.pop().expect("a name");
+        let last = names.pop()?;
         for name in names {
             let mut instances = self.scopes[scope].module.instances.iter();
-            let index = instances.position(|instance| instance.name == name);
-            scope = self.part(scope, index.expect("a path that was found"));
+            let index = instances.position(|instance| instance.name == name)?;
+            scope = self.part(scope, index);
         }
-        let net = named(self.scopes[scope].module, last);
-        (scope, net.expect("a path that was found"))
+        Some((scope, named(self.scopes[scope].module, last)?))
     }
 }
 
@@ -244,7 +243,7 @@ pub(crate) fn input_index(module: &Module, net: Net) -> usize {
 }
 
 /// The port of this name, or the net.
-pub(crate) fn named(module: &Module, name: &str) -> Option<Net> {
+fn named(module: &Module, name: &str) -> Option<Net> {
     let port = module.ports.iter().find(|port| port.name == name);
     port.map(|port| port.net).or_else(|| {
         let mut nets = module.nets().rev();

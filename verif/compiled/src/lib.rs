@@ -20,16 +20,14 @@
 //!     });
 //! });
 //! let program = Arc::new(Program::new(&design, &[]));
-//! let (enable, value) = (program.port("enable"), program.port("value"));
 //! let mut counter = Simulation::new(&program);
-//! counter.set(enable, 1);
+//! counter.set_all([1]);
 //! (0..20).for_each(|_| counter.clock());
-//! assert_eq!(counter.get(value), 4);
+//! assert_eq!(counter.outputs(), [4]);
 //! ```
 
 mod assemble;
 mod body;
-mod code;
 mod edge;
 mod interpret;
 mod layout;
@@ -41,11 +39,10 @@ mod registers;
 mod word;
 mod words;
 
-pub use program::{Port, Program};
+pub use program::Program;
 
-use code::Task;
 use interpret::Work;
-use program::Place;
+use program::Task;
 use std::sync::Arc;
 use word::kept;
 use words::Words;
@@ -69,32 +66,17 @@ impl Simulation {
         Simulation {
             words: program.power_up(),
             spilled: program.spilled(),
-            rows: vec![0; program.lanes() * program.inputs()],
-            given: program.given().map(|count| vec![0; count]),
+            rows: vec![0; program.lanes() * program.inputs],
+            given: program.given.map(|count| vec![0; count * program.lanes()]),
             is_read: [false; 2],
             program: program.clone(),
         }
     }
 
-    /// Gives an input its word, in every lane; bits beyond its width count nothing.
-    ///
-    /// # Panics
-    ///
-    /// If it is no input.
-    pub fn set(&mut self, port: Port, value: u64) {
-        let Place::Input(place) = port.place else {
-            panic!("{port:?} is no input");
-        };
-        for row in self.rows.chunks_exact_mut(self.program.inputs()) {
-            row[place] = value as i64;
-        }
-        self.is_read = [false; 2];
-    }
-
     /// Gives all inputs their words, in the order of the ports and in every lane; bits beyond a width count nothing.
     pub fn set_all(&mut self, words: impl IntoIterator<Item = u64>) {
         self.set_lane(0, words);
-        let inputs = self.program.inputs();
+        let inputs = self.program.inputs;
         for lane in 1..self.program.lanes() {
             self.rows.copy_within(..inputs, lane * inputs);
         }
@@ -102,7 +84,7 @@ impl Simulation {
 
     /// Gives all inputs of one lane their words, likewise.
     pub fn set_lane(&mut self, lane: usize, words: impl IntoIterator<Item = u64>) {
-        let inputs = self.program.inputs();
+        let inputs = self.program.inputs;
         let row = &mut self.rows[lane * inputs..][..inputs];
         row.iter_mut()
             .zip(words)
@@ -112,12 +94,9 @@ impl Simulation {
 
     /// Gives a register of a lane another word, as a particle might. Registers are counted through the design: those of
     /// the instances in a module, then its own. Bits beyond its width count nothing.
-    ///
-    /// # Panics
-    ///
-    /// If there is no such register.
+    /// Panics if there is no such register.
     pub fn upset(&mut self, lane: usize, register: usize, word: u64) {
-        let register = self.program.register(register);
+        let register = &self.program.registers[register];
         self.words[register.place + lane] = kept(word, register.width);
         self.is_read = [false; 2];
     }
@@ -137,25 +116,6 @@ impl Simulation {
         self.given(Task::Points)
     }
 
-    /// The word of a port in this clock, in the first lane.
-    pub fn get(&mut self, port: Port) -> u64 {
-        self.get_lane(0, port)
-    }
-
-    /// The word of a port in this clock, in a lane.
-    pub fn get_lane(&mut self, lane: usize, port: Port) -> u64 {
-        let lanes = self.program.lanes();
-        let (task, index) = match port.place {
-            Place::Input(place) => {
-                let row = lane * self.program.inputs();
-                return self.rows[row + place] as u64 & (u64::MAX >> (64 - port.width));
-            }
-            Place::Output(index) => (Task::Outputs, index),
-            Place::Point(index) => (Task::Points, index),
-        };
-        self.given(task)[index * lanes + lane]
-    }
-
     fn given(&mut self, task: Task) -> &[u64] {
         let which = usize::from(task == Task::Points);
         if !self.is_read[which] {
@@ -173,10 +133,7 @@ impl Simulation {
 
     /// The rising edge with inputs that are read where they lie, a row for each lane; further lanes take those of the
     /// first. Gives the outputs after it, as [`Simulation::outputs`] does from then on. What was set stays as it was.
-    ///
-    /// # Panics
-    ///
-    /// If a row has not as many words as there are inputs.
+    /// Panics if a row has not as many words as there are inputs.
     pub fn step(&mut self, rows: &[&[i64]]) -> &[u64] {
         let row = |lane: usize| *rows.get(lane).unwrap_or(&rows[0]);
         let rows = std::array::from_fn(row);
@@ -189,7 +146,7 @@ impl Simulation {
 
     /// With these inputs, or those that were set.
     fn run(&mut self, task: Task, rows: Option<&[&[i64]; 4]>) {
-        let inputs = self.program.inputs();
+        let inputs = self.program.inputs;
         let last = self.program.lanes() - 1;
         let own = |lane: usize| &self.rows[lane.min(last) * inputs..][..inputs];
         let mut work = Work {
@@ -200,6 +157,8 @@ impl Simulation {
                 None => &std::array::from_fn(own),
             },
         };
+        let is_whole = |row: &&[i64]| row.len() == inputs;
+        assert!(work.rows.iter().all(is_whole), "a word for each input");
         self.program.run(task, &mut work, &mut self.spilled);
     }
 }

@@ -1,8 +1,8 @@
 //! Machine code in memory.
 
 use crate::assemble::Assembler;
-use crate::code::{Function, TASKS};
 use crate::interpret::Work;
+use crate::program::{Function, TASKS};
 use crate::registers::{self, Constants};
 use crate::words::Words;
 use memmap2::{Mmap, MmapMut};
@@ -13,11 +13,12 @@ type Entry = unsafe extern "sysv64" fn(*mut u64, *mut u64, *mut u64, *const u64,
 
 /// Functions as machine code.
 pub(crate) struct Machine {
-    code: Mmap,
+    pub(crate) code: Mmap,
     /// Where each function begins.
     begins: Vec<usize>,
     constants: Words,
-    spilled: usize,
+    /// Vectors that must be there for what is spilled.
+    pub(crate) spilled: usize,
 }
 
 impl Machine {
@@ -47,21 +48,15 @@ impl Machine {
         }
         let mut code = MmapMut::map_anon(bytes.len()).ok()?;
         code.copy_from_slice(&bytes);
+        let constants = constants.words.as_flattened();
+        let mut words = Words::new(constants.len());
+        words.copy_from_slice(constants);
         Some(Machine {
             code: code.make_exec().ok()?,
             begins,
-            constants: Words::of_constants(&constants.words),
+            constants: words,
             spilled,
         })
-    }
-
-    pub(crate) fn bytes(&self) -> &[u8] {
-        &self.code
-    }
-
-    /// Vectors that must be there for what is spilled.
-    pub(crate) fn spilled(&self) -> usize {
-        self.spilled
     }
 
     /// Runs a function; words, spilled vectors, inputs and what is given are as many as it was written for.

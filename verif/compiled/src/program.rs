@@ -1,39 +1,30 @@
-//! A design as machine code, and where its ports are.
+//! A design as machine code, and its functions.
 
-use crate::body;
-use crate::code::{Code, Task};
-use crate::interpret::Work;
+use crate::body::Body;
+use crate::interpret::{self, Work};
 use crate::layout::{Lanes, Layout, Register};
+use crate::line::{Line, Step};
+use crate::machine::Machine;
 use crate::words::Words;
 use imogene_hdl::{Design, Direction, Module};
 use std::collections::HashMap;
-
-/// A port of the top module or a point inside.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Port {
-    pub(crate) place: Place,
-    pub(crate) width: u32,
-}
-
-/// Where the word of a port is: by its place among those of its kind.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Place {
-    Input(usize),
-    Output(usize),
-    Point(usize),
-}
+use std::sync::Arc;
 
 /// A design as machine code. Its instances share it, on any thread.
 pub struct Program {
-    code: Code,
+    functions: Vec<Function>,
+    /// If the processor has AVX2.
+    machine: Option<Machine>,
     lanes: Lanes,
     size: usize,
-    registers: Vec<Register>,
+    /// By their numbers in the design.
+    pub(crate) registers: Vec<Register>,
     /// Words of memories at power-up, beside zeros.
     contents: Vec<(usize, u64)>,
-    ports: HashMap<String, Port>,
-    inputs: usize,
-    given: [usize; 2],
+    /// How many inputs each lane has.
+    pub(crate) inputs: usize,
+    /// How many outputs and points there are.
+    pub(crate) given: [usize; 2],
 }
 
 impl Program {
@@ -41,10 +32,7 @@ impl Program {
     /// of the instances around it, as in `processors_0.quadric.near_sum`.
     ///
     /// Without AVX2 the steps of the code are interpreted.
-    ///
-    /// # Panics
-    ///
-    /// With the name of a value in a loop without a register, or with a point that the design does not have.
+    /// Panics with the name of a value in a loop without a register, or with a point that the design does not have.
     pub fn new(design: &Design, points: &[String]) -> Program {
         Program::of(design, points, Lanes::One)
     }
@@ -56,53 +44,30 @@ impl Program {
 
     fn of(design: &Design, points: &[String], lanes: Lanes) -> Program {
         let layout = Layout::of(design, lanes);
-        let mut ports = HashMap::new();
-        let mut add = |names: &[String], place: fn(usize) -> Place| {
-            for (index, name) in names.iter().enumerate() {
-                let width = width(&design.top, name);
-                let width = width.unwrap_or_else(|| panic!("no point `{name}`"));
-                let place = place(index);
-                ports.entry(name.clone()).or_insert(Port { place, width });
-            }
-        };
-        let [inputs, outputs] = [Direction::In, Direction::Out].map(|direction| {
-            let ports = design.top.ports_of(direction);
-            ports.map(|port| port.name.clone()).collect::<Vec<_>>()
-        });
-        add(&inputs, Place::Input);
-        add(&outputs, Place::Output);
-        add(points, Place::Point);
+        let outputs = design.top.ports_of(Direction::Out);
+        let outputs: Vec<String> = outputs.map(|port| port.name.clone()).collect();
+        let functions = functions(design, &layout, lanes, [&outputs, points]);
         Program {
-            inputs: inputs.len(),
+            inputs: design.top.ports_of(Direction::In).count(),
             given: [outputs.len(), points.len()],
-            code: Code::of(design, &layout, lanes, [&outputs, points]),
+            machine: Machine::of(&functions),
+            functions,
             lanes,
             size: layout.size,
             registers: layout.registers(&design.top, lanes),
             contents: layout.contents(&design.top, lanes),
-            ports,
         }
     }
 
     /// The same program without machine code: its steps are interpreted, one by one.
     pub fn interpreted(mut self) -> Program {
-        self.code.interpret();
+        self.machine = None;
         self
-    }
-
-    /// The port or the point of this name.
-    ///
-    /// # Panics
-    ///
-    /// If there is none.
-    pub fn port(&self, name: &str) -> Port {
-        let found = self.ports.get(name);
-        *found.unwrap_or_else(|| panic!("no port `{name}`"))
     }
 
     /// The machine code, for a disassembler; none without AVX2.
     pub fn machine_code(&self) -> Option<&[u8]> {
-        self.code.bytes()
+        self.machine.as_ref().map(|machine| &machine.code[..])
     }
 
     /// How many runs lie side by side: 1 or 4.
@@ -126,44 +91,77 @@ impl Program {
 
     /// Room for what does not fit into registers.
     pub(crate) fn spilled(&self) -> Words {
-        Words::new(4 * self.code.spilled())
+        let machine = self.machine.as_ref();
+        Words::new(4 * machine.map_or(0, |machine| machine.spilled))
     }
 
-    /// A register, by its number in the design.
-    pub(crate) fn register(&self, index: usize) -> &Register {
-        &self.registers[index]
-    }
-
-    /// How many inputs each lane has.
-    pub(crate) fn inputs(&self) -> usize {
-        self.inputs
-    }
-
-    /// How many words outputs and points give.
-    pub(crate) fn given(&self) -> [usize; 2] {
-        self.given.map(|count| count * self.lanes())
-    }
-
-    /// Does a task for an instance, whose words are those of [`Program::power_up`], with the room for spilled words.
-    ///
-    /// # Panics
-    ///
-    /// If a row of inputs has not as many words as there are.
-    pub(crate) fn run(&self, task: Task, work: &mut Work<'_>, spilled: &mut Words) {
-        let is_whole = |row: &&[i64]| row.len() == self.inputs;
-        assert!(work.rows.iter().all(is_whole), "a word for each input");
-        self.code.run(task, work, spilled);
+    /// Does a task with the words of an instance; only the other tasks than the clock give words.
+    pub(crate) fn run(&self, task: Task, work: &mut Work<'_>, spilled: &mut [u64]) {
+        let function = self.functions.len() - TASKS + task as usize;
+        match &self.machine {
+            Some(machine) => machine.run(function, work, spilled),
+            None => interpret::run(&self.functions, function, 0, work),
+        }
     }
 }
 
-/// The width of a net, by its path.
-fn width(top: &Module, path: &str) -> Option<u32> {
-    let mut module = top;
-    let mut names: Vec<&str> = path.split('.').collect();
-    let last = names.pop()?;
-    for name in names {
-        let mut parts = module.instances.iter();
-        module = &parts.find(|instance| instance.name == name)?.module;
+/// What a program is asked for: the rising edge, or what outputs or points give.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Task {
+    Clock,
+    Outputs,
+    Points,
+}
+
+pub(crate) const TASKS: usize = 3;
+
+/// What is done in which lanes.
+pub(crate) struct Function {
+    pub(crate) line: Line,
+    pub(crate) lanes: Lanes,
+}
+
+/// The functions of a design with these outputs and points, those of the tasks last.
+fn functions(
+    design: &Design,
+    layout: &Layout,
+    lanes: Lanes,
+    read: [&[String]; 2],
+) -> Vec<Function> {
+    let modules = design.top.all();
+    let called = modules.iter().filter(|module| layout.is_called(module));
+    let called: Vec<&Arc<Module>> = called.collect();
+    let number: HashMap<*const Module, usize> = called
+        .iter()
+        .enumerate()
+        .map(|(index, module)| (Arc::as_ptr(module), index))
+        .collect();
+    let clock = |module, lanes| {
+        let mut body = Body::new(layout, module, lanes);
+        body.update(&|part: &Arc<Module>| number[&Arc::as_ptr(part)]);
+        Function {
+            line: body.to,
+            lanes,
+        }
+    };
+    let of_parts = called.iter().map(|module| clock(module, Lanes::Four));
+    let mut functions: Vec<Function> = of_parts.collect();
+    functions.push(clock(&design.top, lanes));
+    functions.extend(read.map(|paths| Function {
+        line: reading(&design.top, layout, lanes, paths),
+        lanes,
+    }));
+    functions
+}
+
+/// What reads the nets at these paths.
+fn reading(top: &Arc<Module>, layout: &Layout, lanes: Lanes, paths: &[String]) -> Line {
+    let mut body = Body::new(layout, top, lanes);
+    for (index, path) in paths.iter().enumerate() {
+        let place = body.find(path);
+        let place = place.unwrap_or_else(|| panic!("no point `{path}`"));
+        let value = body.zeros(place);
+        body.to.add(Step::Give(value, index));
     }
-    Some(module.node(body::named(module, last)?).width)
+    body.to
 }

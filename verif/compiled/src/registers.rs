@@ -1,6 +1,10 @@
 //! The steps of a line in registers: straight-line code, so what is wanted last leaves first (Belady's rule).
 
-use crate::assemble::{Assembler, Base, MASKS, Operand, REGISTERS};
+use crate::assemble::{
+    Assembler, BLEND, BLOCK, CONSTANTS, GIVEN, LEFT, LOAD_HIGH, LOAD_INDEX, LOAD_SCALAR, MASKS,
+    Operand, PAIR, READ, REGISTERS, RIGHT, ROWS, SELECT_BY_MASK, SPILLED, SPREAD, STORE_SCALAR,
+    TO_MASK, WRITE,
+};
 use crate::layout::Lanes;
 use crate::line::{Line, Step, Value};
 use std::collections::{BTreeMap, HashMap};
@@ -38,8 +42,8 @@ impl Constants {
     }
 }
 
-fn input_at(lane: usize, input: usize) -> Operand {
-    Operand::Memory(Base::ROWS[lane], 8 * input as i32)
+fn input_at(lane: u8, input: usize) -> Operand {
+    Operand::Memory(ROWS + lane, 8 * input as i32)
 }
 
 /// Writes the instructions of a line; gives how many vectors it spills to. `begins` are the functions that it may call.
@@ -131,7 +135,8 @@ impl Writer<'_> {
             Step::Gather([a, b, c, d]) if [b, c, d] == [a; 3] => {
                 let from = self.fetch(a);
                 let into = self.result(index, step);
-                self.to.spread(into, from);
+                let from = Operand::Register(from);
+                self.to.vex(SPREAD, true, into, 0, from);
             }
             Step::Gather([a, b, c, d]) => {
                 self.keep(step);
@@ -139,8 +144,8 @@ impl Writer<'_> {
                 let [b, d] = [b, d].map(|value| self.operand(value));
                 // Into what nothing lies in, since the pairs are there before all is read.
                 let [pair, into] = [self.take(), self.take()];
-                self.to.pair(pair, a, b);
-                self.to.pair(into, c, d);
+                self.to.vex(PAIR, false, pair, a, b);
+                self.to.vex(PAIR, false, into, c, d);
                 self.to.halves(into, pair, into);
                 self.release(index, step);
                 self.hold(into, value);
@@ -152,7 +157,8 @@ impl Writer<'_> {
                 let [pair, into] = [self.take(), self.take()];
                 for (to, lane) in [(pair, 0), (into, 2)] {
                     self.to.load_words(Lanes::One, to, input_at(lane, input));
-                    self.to.load_high(to, input_at(lane + 1, input));
+                    self.to
+                        .vex(LOAD_HIGH, false, to, to, input_at(lane + 1, input));
                 }
                 self.to.halves(into, pair, into);
                 self.hold(into, value);
@@ -161,7 +167,9 @@ impl Writer<'_> {
                 self.keep(step);
                 let (others, first) = (self.fetch(others), self.fetch(first));
                 let into = self.result(index, step);
-                self.to.patch(into, others, first);
+                self.to
+                    .vex(BLEND, true, into, others, Operand::Register(first));
+                self.to.bytes.push(0b11);
             }
             Step::Load(place) | Step::LoadFour(place) => {
                 self.home[index] = Some(Home::State(place));
@@ -179,12 +187,14 @@ impl Writer<'_> {
                 self.to.two(how, into, from, other);
             }
             Step::Left(a, count) | Step::Right(a, count) => {
+                let way = if matches!(step, Step::Left(..)) {
+                    LEFT
+                } else {
+                    RIGHT
+                };
                 let from = self.fetch(a);
                 let into = self.result(index, step);
-                match step {
-                    Step::Left(..) => self.to.left(into, from, count),
-                    _ => self.to.right(into, from, count),
-                }
+                self.to.shift(way, into, from, count);
             }
             Step::Select(which, then, or) => {
                 self.keep(step);
@@ -193,7 +203,7 @@ impl Writer<'_> {
                 let (or, then) = (self.fetch(or), self.operand(then));
                 let into = self.result(index, step);
                 match mask {
-                    Some(mask) => self.to.select_by_mask(into, mask, then, or),
+                    Some(mask) => self.to.evex(SELECT_BY_MASK, into, or, then, mask),
                     None => self.to.select(into, which, then, or),
                 }
             }
@@ -205,9 +215,9 @@ impl Writer<'_> {
                     self.to.store(from, self.spill_at(slot));
                 }
                 for lane in 0..self.to.lanes.count() {
-                    self.to.load_index(self.bytes(0, lane));
-                    self.to.load_scalar(self.bytes(1, lane));
-                    self.to.write(8 * (place + lane) as i32);
+                    self.to.general(LOAD_INDEX, self.bytes(0, lane));
+                    self.to.general(LOAD_SCALAR, self.bytes(1, lane));
+                    self.to.general(WRITE, 8 * (place + lane) as i32);
                 }
                 self.release(index, step);
             }
@@ -215,7 +225,7 @@ impl Writer<'_> {
             Step::Give(value, place) => {
                 let from = self.fetch(value);
                 let bytes = 8 * place * self.to.lanes.count();
-                let to = Operand::Memory(Base::Given, bytes as i32);
+                let to = Operand::Memory(GIVEN, bytes as i32);
                 self.to.store_words(self.lanes[index], from, to);
                 self.release(index, step);
             }
@@ -291,7 +301,8 @@ impl Writer<'_> {
             taken => taken as u8 + 1,
         };
         let register = self.fetch(which);
-        self.to.mask_of(mask, register);
+        self.to
+            .evex(TO_MASK, mask, 0, Operand::Register(register), 0);
         self.masks.insert(0, (which, mask));
         mask
     }
@@ -306,13 +317,13 @@ impl Writer<'_> {
     }
 
     fn spill_at(&self, slot: usize) -> Operand {
-        Operand::Memory(Base::Spilled, self.bytes(slot, 0))
+        Operand::Memory(SPILLED, self.bytes(slot, 0))
     }
 
     fn place(&self, home: Home) -> Operand {
         match home {
-            Home::Constant(index) => Operand::Memory(Base::Constants, 32 * index as i32),
-            Home::State(place) => Operand::Memory(Base::Block, 8 * place as i32),
+            Home::Constant(index) => Operand::Memory(CONSTANTS, 32 * index as i32),
+            Home::State(place) => Operand::Memory(BLOCK, 8 * place as i32),
             Home::Input(input) => input_at(0, input),
             Home::Spilled(slot) => self.spill_at(slot),
         }
@@ -372,7 +383,9 @@ impl Writer<'_> {
             let others = (0..REGISTERS).filter(|register| !self.is_busy[*register]);
             let last = others.max_by_key(|register| self.next_use(*register));
             let register = last.expect("a step reads less than there is");
-            self.evict(register);
+            let value = self.held[register].take().expect("it holds a value").0 as usize;
+            self.register[value] = None;
+            self.spill(register, value);
             register
         });
         self.is_busy[register] = true;
@@ -387,12 +400,6 @@ impl Writer<'_> {
             Some(_) => next + CHEAPER,
             None => next,
         }
-    }
-
-    fn evict(&mut self, register: usize) {
-        let value = self.held[register].take().expect("it holds a value").0 as usize;
-        self.register[value] = None;
-        self.spill(register, value);
     }
 
     /// Gives the value in a register a home if it has none.
@@ -441,9 +448,9 @@ impl Writer<'_> {
         let from = self.fetch(at);
         self.to.store(from, self.spill_at(0));
         for lane in 0..self.to.lanes.count() {
-            self.to.load_index(self.bytes(0, lane));
-            self.to.read(8 * (place + lane) as i32);
-            self.to.store_scalar(self.bytes(1, lane));
+            self.to.general(LOAD_INDEX, self.bytes(0, lane));
+            self.to.general(READ, 8 * (place + lane) as i32);
+            self.to.general(STORE_SCALAR, self.bytes(1, lane));
         }
         let into = self.result(index, step);
         let from = self.spill_at(1);
@@ -473,7 +480,7 @@ impl Writer<'_> {
                 self.home[loaded.0 as usize] = None;
             }
         }
-        let to = Operand::Memory(Base::Block, 8 * place as i32);
+        let to = Operand::Memory(BLOCK, 8 * place as i32);
         self.to.store_words(self.lanes[index], from, to);
         self.home[value.0 as usize].get_or_insert(Home::State(place));
         self.release(index, step);

@@ -20,13 +20,6 @@ impl Words {
         }
     }
 
-    /// One for each lane, side by side.
-    pub(crate) fn of_constants(constants: &[[u64; 4]]) -> Words {
-        let mut words = Words::new(4 * constants.len());
-        words.copy_from_slice(constants.as_flattened());
-        words
-    }
-
     fn range(&self) -> Range<usize> {
         self.begin..self.begin + self.words.len() - MORE
     }

@@ -1,7 +1,6 @@
 //! A design in which registers that never load decide what is changed.
 
-use crate::exchange::{add, exchange_name, exchanged, operation};
-use crate::sites::{Site, SiteKind};
+use crate::sites::{Site, SiteKind, add, exchange_name, exchanged, operation};
 use imogene_hdl::{Binary, Design, Module, Net, Node, Op, Register};
 use std::collections::HashMap;
 use std::fmt;

@@ -8,7 +8,6 @@ use crate::controls::Upset;
 use crate::frame::{Begin, End, Frame, Word, constant, upset};
 use crate::gates::{Bit, Gates, NO};
 use crate::held::Held;
-use crate::idle::Idle;
 use crate::known::zero_inputs;
 use imogene_hdl::Levels;
 use std::collections::HashMap;
@@ -74,7 +73,7 @@ pub(crate) fn keeps_nothing(
 impl Unrolled {
     /// So many clocks; nothing if that is too large. `fix` fixes inputs of a clock, by its number and the clocks
     /// before.
-    fn new(
+    pub(crate) fn new(
         levels: &Levels,
         gates: &Gates,
         begin: &Begin,
@@ -101,16 +100,6 @@ impl Unrolled {
         })
     }
 
-    /// Over its latency, from any clock on.
-    pub(crate) fn of(
-        levels: &Levels,
-        gates: &Gates,
-        begin: &Begin,
-        latency: usize,
-    ) -> Option<Unrolled> {
-        Unrolled::new(levels, gates, begin, latency + 1, |_, _, _| ())
-    }
-
     /// Over its latency, from the clock on with which the work begins, while inputs are held. Before it, as long,
     /// nothing was under way.
     pub(crate) fn from_start(
@@ -131,21 +120,6 @@ impl Unrolled {
             }
             if let Some((start, _)) = before.get(latency) {
                 held.hold(levels, start, begin);
-            }
-        })
-    }
-
-    /// From rest and the clock on with which the work begins, over its latency.
-    pub(crate) fn from_rest(
-        levels: &Levels,
-        gates: &Gates,
-        rest: &Begin,
-        idle: &Idle,
-        latency: usize,
-    ) -> Option<Unrolled> {
-        Unrolled::new(levels, gates, rest, latency, |index, begin, _| {
-            if index == 0 {
-                idle.fix(levels, 0, begin);
             }
         })
     }

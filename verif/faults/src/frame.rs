@@ -60,17 +60,11 @@ impl Begin {
     }
 
     /// What follows a clock, with any inputs.
-    pub(crate) fn after(self, end: &End, levels: &Levels, gates: &mut Gates) -> Begin {
-        let mut begin = self.with_state(end, levels);
-        begin.with_inputs(levels, gates);
-        begin
-    }
-
-    /// The same inputs in the state behind a clock.
-    pub(crate) fn with_state(mut self, end: &End, levels: &Levels) -> Begin {
+    pub(crate) fn after(mut self, end: &End, levels: &Levels, gates: &mut Gates) -> Begin {
         for (flop, word) in levels.flops.iter().zip(&end.registers) {
             self.words[flop.output as usize] = word.clone();
         }
+        self.with_inputs(levels, gates);
         self
     }
 

@@ -10,10 +10,10 @@ use crate::controls::{Controls, Upset};
 use crate::flow::{State, Unrolled, keeps_nothing};
 use crate::frame::{Begin, End, Frame, Word, constant, upset};
 use crate::gates::{Bit, Gates, NO};
+use crate::idle::Rest;
 use crate::known::Known;
 use crate::phases::Compared;
-use crate::rest::Rest;
-use crate::solve::{CONFLICTS, can_be};
+use crate::solve::{Answer, CONFLICTS, ask};
 use imogene_hdl::Levels;
 use std::collections::{HashMap, HashSet};
 use std::sync::OnceLock;
@@ -34,16 +34,9 @@ pub enum Verdict {
 
 /// Judges the mutants of a design with controls.
 pub struct Judge {
-    levels: Levels,
-    gates: Gates,
-    begin: Begin,
-    good: Frame,
-    /// Bits that are 1.
-    assumed: Vec<Bit>,
+    of: Compared,
     /// Which state each input gate is, if it is one.
     state: HashMap<usize, State>,
-    /// Those that are no controls.
-    registers: Vec<usize>,
     known: Known,
     keeps_nothing: bool,
     /// A clock of the work, where inputs are held and registers hold them.
@@ -76,13 +69,15 @@ impl Judge {
         let state = State::of(&levels, &begin);
         let keeps_nothing = keeps_nothing(&gates, &good.end, &state, known.latency);
         Judge {
-            levels,
-            gates: gates.frozen(),
-            begin,
-            good,
-            assumed,
+            of: Compared {
+                levels,
+                gates: gates.frozen(),
+                begin,
+                good,
+                assumed,
+                registers,
+            },
             state,
-            registers,
             known: known.clone(),
             keeps_nothing,
             work,
@@ -99,8 +94,8 @@ impl Judge {
         if self.work.is_none() {
             return self.by_clocks(upsets, few) == Verdict::Equivalent;
         }
-        let mut gates = self.gates.clone();
-        let bad = self.with(&self.good, upsets, &mut gates);
+        let mut gates = self.of.gates.clone();
+        let bad = self.with(&self.of.good, upsets, &mut gates);
         self.known.always_holds && self.of_a_clock(&bad, &mut gates, few) == Verdict::Equivalent
     }
 
@@ -113,7 +108,7 @@ impl Judge {
     pub fn judge(&self, upsets: &[Upset]) -> Verdict {
         let verdict = self.by_clocks(upsets, CONFLICTS);
         let phases = self.known.phases.as_ref();
-        match phases.is_some_and(|phases| phases.are_same(&self.compared(), upsets)) {
+        match phases.is_some_and(|phases| phases.are_same(&self.of, upsets)) {
             true => Verdict::Equivalent,
             false => verdict,
         }
@@ -121,8 +116,8 @@ impl Judge {
 
     /// The same without a look at the phases of the work.
     fn by_clocks(&self, upsets: &[Upset], conflicts: u64) -> Verdict {
-        let mut gates = self.gates.clone();
-        let bad = self.with(&self.good, upsets, &mut gates);
+        let mut gates = self.of.gates.clone();
+        let bad = self.with(&self.of.good, upsets, &mut gates);
         let of_a_clock = self.of_a_clock(&bad, &mut gates, conflicts);
         if of_a_clock == Verdict::Equivalent && self.known.always_holds {
             return Verdict::Equivalent;
@@ -143,16 +138,16 @@ impl Judge {
     /// Bits of words, where the mutant can differ for words of no more bits alone: what all of these show decides. The
     /// circuit has one input, and each result comes from one word of it.
     pub fn short(&self, upsets: &[Upset]) -> Option<u32> {
-        let [input] = self.levels.inputs() else {
+        let [input] = self.of.levels.inputs() else {
             return None;
         };
-        let mut gates = self.gates.clone();
-        let bad = self.with(&self.good, upsets, &mut gates);
+        let mut gates = self.of.gates.clone();
+        let bad = self.with(&self.of.good, upsets, &mut gates);
         if !self.forgets(&bad, &gates) {
             return None;
         }
         let flow = self.flow()?;
-        let (all, ends) = flow.with(&self.levels, upsets, &[]);
+        let (all, ends) = flow.with(&self.of.levels, upsets, &[]);
         let later = (1..=self.known.latency).flat_map(|clock| flow.begin(clock).at(input.place));
         let later: Vec<usize> = later.map(|bit| bit.gate()).collect();
         let depends = all.depending(&later);
@@ -161,33 +156,28 @@ impl Judge {
             return None;
         }
         let pairs = self.pairs(&bad, &gates);
-        let word = self.begin.at(input.place);
+        let word = self.of.begin.at(input.place);
         SHORT.into_iter().find(|bits| {
             let beyond = word.iter().skip(*bits as usize);
             let is_long = beyond.fold(NO, |any, bit| gates.or(any, *bit));
-            let assumed = [&self.assumed[..], &[is_long]].concat();
+            let assumed = [&self.of.assumed[..], &[is_long]].concat();
             equality(pairs.clone(), &assumed, &mut gates, CONFLICTS) == Verdict::Equivalent
         })
     }
 
-    fn compared(&self) -> Compared<'_> {
-        Compared {
-            levels: &self.levels,
-            gates: &self.gates,
-            begin: &self.begin,
-            good: &self.good,
-            assumed: &self.assumed,
-            registers: &self.registers,
-        }
-    }
-
     fn with(&self, good: &Frame, upsets: &[Upset], gates: &mut Gates) -> End {
-        good.with(&self.levels, upset(&self.levels, upsets), gates)
+        good.with(&self.of.levels, upset(&self.of.levels, upsets), gates)
     }
 
     /// The circuit over its latency.
     fn flow(&self) -> Option<&Unrolled> {
-        let make = || Unrolled::of(&self.levels, &self.gates, &self.begin, self.known.latency);
+        let Compared {
+            levels,
+            gates,
+            begin,
+            ..
+        } = &self.of;
+        let make = || Unrolled::new(levels, gates, begin, self.known.latency + 1, |_, _, _| ());
         self.flow.get_or_init(make).as_ref()
     }
 
@@ -196,10 +186,10 @@ impl Judge {
         let Some(flow) = self.flow() else {
             return false;
         };
-        let (mut gates, ends) = flow.with(&self.levels, upsets, &[]);
+        let (mut gates, ends) = flow.with(&self.of.levels, upsets, &[]);
         let last = ends.last().expect("there is a first clock");
         let pairs = zip(&last[0].outputs, &last[1].outputs);
-        let zeros = flow.zeros(&self.known.zeros, &self.levels);
+        let zeros = flow.zeros(&self.known.zeros, &self.of.levels);
         equality(pairs, &zeros, &mut gates, conflicts) == Verdict::Equivalent
     }
 
@@ -209,29 +199,28 @@ impl Judge {
         let Some(work) = &self.work else {
             return false;
         };
-        let mut gates = self.gates.clone();
+        let mut gates = self.of.gates.clone();
         let bad = self.with(work, upsets, &mut gates);
-        let pairs = state_pairs(&self.registers, &work.end, &bad);
+        let pairs = state_pairs(&self.of.registers, &work.end, &bad);
         let pairs = pairs.chain(zip(&work.end.outputs, &bad.outputs)).collect();
-        if equality(pairs, &self.assumed, &mut gates, CONFLICTS) != Verdict::Equivalent {
+        if equality(pairs, &self.of.assumed, &mut gates, CONFLICTS) != Verdict::Equivalent {
             return false;
         }
         let start = self.start.get_or_init(|| {
-            let (gates, begin) = (&self.gates, &self.begin);
-            Unrolled::from_start(
-                &self.levels,
+            let Compared {
+                levels,
                 gates,
                 begin,
-                &self.known.held,
-                self.known.latency,
-            )
+                ..
+            } = &self.of;
+            Unrolled::from_start(levels, gates, begin, &self.known.held, self.known.latency)
         });
         let Some(start) = start else { return false };
-        let (mut gates, ends) = start.with(&self.levels, upsets, &[]);
+        let (mut gates, ends) = start.with(&self.of.levels, upsets, &[]);
         let [good, bad] = ends.last().expect("there is a first clock");
-        let state = state_pairs(&self.registers, good, bad);
+        let state = state_pairs(&self.of.registers, good, bad);
         let pairs = self.results(&ends).chain(state).collect();
-        let zeros = start.zeros(&self.known.zeros, &self.levels);
+        let zeros = start.zeros(&self.known.zeros, &self.of.levels);
         equality(pairs, &zeros, &mut gates, CONFLICTS / 10) == Verdict::Equivalent
     }
 
@@ -239,9 +228,9 @@ impl Judge {
     fn is_same_from_rest(&self, upsets: &[Upset]) -> bool {
         let rest = self
             .rest
-            .get_or_init(|| Rest::of(&self.compared(), &self.known.idle, self.known.latency));
+            .get_or_init(|| Rest::of(&self.of, &self.known.idle, self.known.latency));
         rest.as_ref()
-            .is_some_and(|rest| rest.is_same(&self.levels, upsets))
+            .is_some_and(|rest| rest.is_same(&self.of.levels, upsets))
     }
 
     /// The outputs from the beginning of the work on: before the first result nothing counts but the first output,
@@ -259,12 +248,12 @@ impl Judge {
     /// What is known by outputs and next states of one clock.
     fn of_a_clock(&self, bad: &End, gates: &mut Gates, conflicts: u64) -> Verdict {
         let pairs = self.pairs(bad, gates);
-        equality(pairs, &self.assumed, gates, conflicts)
+        equality(pairs, &self.of.assumed, gates, conflicts)
     }
 
     /// Outputs of circuit and mutant, and next states of all bits that either of them reads for an output.
     fn pairs(&self, bad: &End, gates: &Gates) -> Vec<(Bit, Bit)> {
-        let good = &self.good.end;
+        let good = &self.of.good.end;
         let mut pairs: Vec<(Bit, Bit)> = zip(&good.outputs, &bad.outputs);
         let mut is_seen = vec![false; gates.len()];
         let mut is_taken = HashSet::new();
@@ -317,10 +306,10 @@ pub(crate) fn equality(
     let differ = pairs.into_iter().filter(|(good, bad)| good != bad);
     let differ: Vec<Bit> = differ.map(|(good, bad)| gates.xor(good, bad)).collect();
     let any = differ.into_iter().fold(NO, |any, bit| gates.or(any, bit));
-    match can_be(gates, any, assumed, conflicts) {
-        Some(false) => Verdict::Equivalent,
-        Some(true) => Verdict::Differs,
-        None => Verdict::Undecided,
+    match ask(gates, any, assumed, conflicts, &[]) {
+        Answer::Never => Verdict::Equivalent,
+        Answer::When(_) => Verdict::Differs,
+        Answer::Unknown => Verdict::Undecided,
     }
 }
 

@@ -7,7 +7,7 @@ use crate::gates::{Bit, Gates, NO, YES};
 use crate::held::Held;
 use crate::idle::Idle;
 use crate::phases::Phases;
-use crate::solve::{CONFLICTS, can_be};
+use crate::solve::{Answer, CONFLICTS, ask};
 use imogene_hdl::{Design, Direction, Levels, PortRecord};
 
 /// Bits, at most, of a register that holds control, not data: a flag, a state, a count of steps.
@@ -233,7 +233,7 @@ impl Known {
             let pairs = self.remainders.iter().copied().filter(|pair| {
                 let words = pair.map(|index| &end.registers[index]);
                 let holds = self.is_remainder(&mut gates, *pair, words);
-                can_be(&gates, !holds, &assumed, CONFLICTS) == Some(false)
+                matches!(ask(&gates, !holds, &assumed, CONFLICTS, &[]), Answer::Never)
             });
             let kept: Vec<[usize; 2]> = pairs.collect();
             if kept.len() < self.remainders.len() {
@@ -243,7 +243,8 @@ impl Known {
             self.always_holds = self.holds_at_power_up(levels);
             if !self.always_holds {
                 let state = State::of(levels, &begin);
-                let hold_in_some_state = can_be(&gates, YES, &assumed, CONFLICTS) == Some(true);
+                let some_state = ask(&gates, YES, &assumed, CONFLICTS, &[]);
+                let hold_in_some_state = matches!(some_state, Answer::When(_));
                 if !hold_in_some_state || !keeps_nothing(&gates, &end, &state, self.latency) {
                     self.remainders.clear();
                 }

@@ -26,7 +26,6 @@
 
 mod alone;
 mod controls;
-mod exchange;
 mod facts;
 mod flow;
 mod frame;
@@ -36,7 +35,6 @@ mod idle;
 mod judge;
 mod known;
 mod phases;
-mod rest;
 mod sites;
 mod solve;
 

@@ -29,14 +29,15 @@ pub(crate) struct Phases {
 }
 
 /// What is compared.
-pub(crate) struct Compared<'a> {
-    pub(crate) levels: &'a Levels,
-    pub(crate) gates: &'a Gates,
-    pub(crate) begin: &'a Begin,
-    pub(crate) good: &'a Frame,
-    pub(crate) assumed: &'a [Bit],
+pub(crate) struct Compared {
+    pub(crate) levels: Levels,
+    pub(crate) gates: Gates,
+    pub(crate) begin: Begin,
+    pub(crate) good: Frame,
+    /// Bits that are 1.
+    pub(crate) assumed: Vec<Bit>,
     /// Those that are no controls.
-    pub(crate) registers: &'a [usize],
+    pub(crate) registers: Vec<usize>,
 }
 
 /// What a clock could break.
@@ -135,11 +136,11 @@ impl Phases {
 
     /// What a clock may break before which all is alike that has to be; nothing if the solver gives up.
     fn broken(&self, of: &Compared, upsets: &[Upset], alike: &Alike) -> Option<Vec<Goal>> {
-        let levels = of.levels;
+        let levels = &of.levels;
         let mut gates = of.gates.clone();
         let before = |index: usize| of.begin.at(levels.flops[of.registers[index]].output);
         let phases_before = self.phases(&mut gates, before);
-        let mut assumed = of.assumed.to_vec();
+        let mut assumed = of.assumed.clone();
         let mut others: Vec<(u32, Word)> = upset(levels, upsets).collect();
         for (index, phases) in alike.iter().enumerate() {
             let Some(phases) = phases else { continue };

@@ -39,16 +39,8 @@ pub(crate) enum Answer {
     Unknown,
 }
 
-/// Can a bit be 1 where others are 1? Unknown if the solver gave up, after so many conflicts.
-pub(crate) fn can_be(gates: &Gates, wanted: Bit, assumed: &[Bit], conflicts: u64) -> Option<bool> {
-    match ask(gates, wanted, assumed, conflicts, &[]) {
-        Answer::Never => Some(false),
-        Answer::When(_) => Some(true),
-        Answer::Unknown => None,
-    }
-}
-
-/// The same, and the values of some other bits in a case in which it can.
+/// Can a bit be 1 where others are 1, and what are some other bits in a case in which it can? Unknown after so many
+/// conflicts.
 pub(crate) fn ask(
     gates: &Gates,
     wanted: Bit,

@@ -18,11 +18,7 @@ pub struct Census {
     pub multipliers: usize,
 }
 
-/// Counts the parts of a unit as it is emitted.
-///
-/// # Errors
-///
-/// When a parameter is out of its legal range.
+/// Counts the parts of a unit as it is emitted; refuses a parameter out of its legal range.
 pub fn census(request: &Request) -> Result<Census, RequestError> {
     let mut parts = Census::default();
     count(&design(request)?.top, &mut parts);

@@ -18,10 +18,6 @@ pub type File = (String, String);
 ///
 /// `clocks` are those of random stimulus in the vectors of a bench; with 0 the benches and the target `sim` are left
 /// out.
-///
-/// # Errors
-///
-/// A defect of this workspace, if any.
 pub fn package(units: &[Unit], clocks: usize) -> Result<Vec<File>, RequestError> {
     let mut files = vec![("README.md".to_owned(), readme(units, clocks))];
     for &unit in units {
@@ -31,10 +27,6 @@ pub fn package(units: &[Unit], clocks: usize) -> Result<Vec<File>, RequestError>
 }
 
 /// The files of one core.
-///
-/// # Errors
-///
-/// As for [`package`].
 pub fn core(unit: Unit, clocks: usize) -> Result<Vec<File>, RequestError> {
     let request = Request::new(unit);
     let emitted = emit(&request)?;

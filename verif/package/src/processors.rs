@@ -54,10 +54,6 @@ fn same() -> String {
 }
 
 /// Every processor, in the base format, one row of the root network per stage.
-///
-/// # Errors
-///
-/// A defect of this workspace, if any.
 pub fn processors() -> Result<Vec<Processor>, RequestError> {
     let rows: Rows = toml::from_str(include_str!("processors.toml")).expect("rows of this crate");
     rows.row.into_iter().map(processor).collect()

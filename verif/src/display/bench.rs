@@ -195,7 +195,7 @@ impl Bench<'_> {
         let frames: Vec<Value> = frames.map(|(number, each)| frame(number, each)).collect();
         json!({
             "top": self.top,
-            "verilog": self.verilog(),
+            "verilog": format!("{}.v", self.top),
             "bench": BENCH,
             "run": self.run(),
             "width": mode.line.active,
@@ -208,14 +208,10 @@ impl Bench<'_> {
         })
     }
 
-    fn verilog(&self) -> String {
-        format!("{}.v", self.top)
-    }
-
     fn run(&self) -> String {
         format!(
-            "iverilog -g2005 -s bench -o bench.vvp {BENCH} {} && vvp -n bench.vvp",
-            self.verilog()
+            "iverilog -g2005 -s bench -o bench.vvp {BENCH} {}.v && vvp -n bench.vvp",
+            self.top
         )
     }
 

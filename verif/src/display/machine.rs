@@ -1,12 +1,10 @@
 //! A machine in any engine, seen through its ports.
 
-use crate::engine::Engine;
-use crate::engine::design::{DesignError, Instance};
+use crate::engine::design::Instance;
 use crate::engine::machine::MachineDesign;
 use crate::engine::nets::values;
 use crate::signal::Signal;
 use imogene_golden::machine::zone::beat::Beat;
-use imogene_rtl::emit::machine::MachineRequest;
 
 /// One running machine. Inputs keep their values until set again.
 pub struct Machine {
@@ -20,20 +18,6 @@ pub struct Machine {
 }
 
 impl Machine {
-    /// Builds, and if the engine wants it compiles, a machine, with nets inside that will be asked for, by their paths.
-    pub fn start(
-        request: &MachineRequest,
-        engine: Engine,
-        nets: &[String],
-    ) -> Result<Machine, DesignError> {
-        Ok(Machine::of(MachineDesign::compile(
-            engine,
-            request,
-            &[],
-            nets,
-        )?))
-    }
-
     /// An instance of a design.
     pub fn of(design: MachineDesign) -> Machine {
         let (inputs, outputs) = (&design.inputs, &design.outputs);
@@ -46,11 +30,7 @@ impl Machine {
         }
     }
 
-    /// Sets an input.
-    ///
-    /// # Panics
-    ///
-    /// When there is no such port.
+    /// Sets an input. Panics when there is no such port.
     pub fn set(&mut self, port: &str, value: i64) {
         let place = place(&self.design.inputs, port);
         self.given[place] = self.design.inputs[place].bits(value);
@@ -67,11 +47,7 @@ impl Machine {
         }
     }
 
-    /// Place of an output, for [`Machine::at`].
-    ///
-    /// # Panics
-    ///
-    /// When there is no such port.
+    /// Place of an output, for [`Machine::at`]. Panics when there is no such port.
     pub fn output(&self, port: &str) -> usize {
         place(&self.design.outputs, port)
     }
@@ -81,11 +57,7 @@ impl Machine {
         self.found[place].map(|bits| self.design.outputs[place].value(bits))
     }
 
-    /// An output by its name.
-    ///
-    /// # Panics
-    ///
-    /// When there is no such port.
+    /// An output by its name. Panics when there is no such port.
     pub fn get(&self, port: &str) -> Option<i64> {
         self.at(self.output(port))
     }

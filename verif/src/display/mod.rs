@@ -1,12 +1,10 @@
 //! Co-simulation of machines with everything between the object processors and the picture.
 
 pub mod bench;
-mod host;
 mod machine;
 pub mod pins;
 pub mod request;
 mod run;
-pub mod stalls;
 pub mod stream;
 mod waves;
 

@@ -1,8 +1,8 @@
 //! A machine with its screen against golden pictures: the pins on every clock.
 
 use super::Machine;
-use super::host::Host;
 use super::request::{mode, request_for};
+use super::run::Host;
 use super::stream;
 use super::waves::{Spot, Waves};
 use crate::engine::design::DesignError;

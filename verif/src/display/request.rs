@@ -10,11 +10,7 @@ use imogene_plan::zone::clocks::ZoneTiming;
 use imogene_rtl::emit::machine::{Kind, MachineRequest, Output, Tables, ZoneShape};
 
 /// The request for the machine of a description whose tables of lit-sphere shading hold these words; `command` is
-/// stated in the header of its Verilog.
-///
-/// # Panics
-///
-/// When the description was not checked.
+/// stated in the header of its Verilog. Panics when the description was not checked.
 pub fn request_for(machine: &MachineDescription, tables: &[u64], command: &str) -> MachineRequest {
     let mode = mode(machine);
     let output = Output {

@@ -1,11 +1,10 @@
 //! A machine without a screen: its pixels over AXI4-Stream against golden pictures, with a receiver that may stall.
 
 use super::Machine;
-use super::host::Host;
 use super::request::mode;
-use super::run::{PinsOutcome, PinsRun};
-use super::stalls::Stalls;
+use super::run::{Host, PinsOutcome, PinsRun};
 use super::waves::Spot;
+use crate::random::Stalls;
 use crate::report::place;
 use imogene_plan::description::{MachineDescription, MachineKind};
 use imogene_plan::display::Image;

@@ -19,10 +19,7 @@ pub struct Compiled {
 
 impl Compiled {
     /// Compiles a design, with the points inside that will be asked for.
-    ///
-    /// # Panics
-    ///
-    /// With a point that the design does not have.
+    /// Panics with a point that the design does not have.
     pub fn of(design: &Design, points: &[String]) -> Arc<Compiled> {
         Compiled::with(design, Program::new(design, points))
     }
@@ -78,11 +75,7 @@ impl Circuit {
         }
     }
 
-    /// The one module that a function builds.
-    ///
-    /// # Panics
-    ///
-    /// If the circuit is refused.
+    /// The one module that a function builds. Panics if the circuit is refused.
     pub fn of<T>(build: impl FnOnce() -> T) -> Circuit {
         Circuit::new(&Compiled::of(&Design::of(build), &[]))
     }
@@ -107,11 +100,7 @@ impl Circuit {
         self.design.outputs[index].value(self.simulation.outputs()[index])
     }
 
-    /// The value of the output of this name.
-    ///
-    /// # Panics
-    ///
-    /// If there is none.
+    /// The value of the output of this name. Panics if there is none.
     pub fn value(&mut self, name: &str) -> i64 {
         let mut outputs = self.design.outputs.iter();
         let found = outputs.position(|signal| signal.name == name);

@@ -5,7 +5,6 @@
 //! the same stimulus and the same scoreboard in every engine. [`design`] is what the simulators of Verilog have in
 //! common.
 
-pub mod beam;
 pub mod circuit;
 pub mod design;
 pub mod icarus;

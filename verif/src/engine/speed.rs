@@ -84,10 +84,6 @@ pub struct Entrant {
 impl Entrant {
     /// A unit in every engine: built-in alone and in lanes, levelised, in Icarus Verilog and in Verilator, whose C++ is
     /// compiled for the processor that this runs on.
-    ///
-    /// # Errors
-    ///
-    /// If a simulator is missing.
     pub fn all(request: &Request) -> Result<Vec<Entrant>, DesignError> {
         let verilog = |simulator: Simulator| {
             let (subject, emitted) = (subject(request)?, emit(request)?);
@@ -103,7 +99,7 @@ impl Entrant {
         let mut all = vec![
             Entrant::new(1, built_in)?,
             Entrant::new(LANES, built_in)?,
-            Entrant::new(1, || Ok(levelised(request)?))?,
+            Entrant::new(1, || Ok(levelised(request, false)?))?,
         ];
         for simulator in Simulator::ALL {
             all.push(Entrant::new(1, || verilog(simulator))?);
@@ -112,10 +108,6 @@ impl Entrant {
     }
 
     /// Makes one in an engine of so many lanes, and lets it do its first clock.
-    ///
-    /// # Errors
-    ///
-    /// If it cannot be made.
     pub fn new(
         lanes: usize,
         make: impl FnOnce() -> Result<Subject, DesignError>,

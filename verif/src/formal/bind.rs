@@ -1,16 +1,12 @@
 //! `bind` statements of SystemVerilog, resolved in the text: Yosys reads them but does not act on them.
 
-use super::error::FormalError;
+use super::FormalError;
 
 /// Puts every instance that `properties` binds into the module of `design` it is bound to, and returns the design
 /// followed by the properties without their `bind` statements.
 ///
 /// A statement begins at the start of a line and ends with a line `);`, as in `bind pe1 pe1_properties properties (\n
-/// ...\n);`.
-///
-/// # Errors
-///
-/// When a module is not in the design exactly once, or a statement does not end.
+/// ...\n);`. Fails when a module is not in the design exactly once, or a statement does not end.
 pub fn resolve(job: &str, design: &str, properties: &str) -> Result<String, FormalError> {
     let mut design = design.to_owned();
     let mut kept = String::new();

@@ -1,6 +1,6 @@
 //! The list of proofs.
 
-use super::job::{Design, Job, Method, decider_inputs};
+use super::job::{Design, Job, Method, decider_inputs, stage_words};
 use imogene_contract::words::DEPTH_WORDS;
 use imogene_contract::{Request, Unit};
 
@@ -14,13 +14,8 @@ macro_rules! property {
     };
 }
 
-mod root;
-
 /// The format whose proofs run without `--full`.
 const BASE: usize = 24;
-
-/// Widths and counts under the names that the properties give them.
-type Definitions = Vec<(&'static str, usize)>;
 
 /// A job bound to an emitted unit of the base format, by induction from one clock to the next.
 fn job(
@@ -67,7 +62,7 @@ fn integers(name: &str, statement: &'static str, text: &'static str) -> Job {
 
 /// All proofs, those for `--full` included; the longest first.
 pub fn jobs() -> Vec<Job> {
-    let mut jobs = root::jobs();
+    let mut jobs = roots();
     jobs.extend(elementary());
     jobs.extend(depths());
     jobs.extend(raster());
@@ -76,74 +71,31 @@ pub fn jobs() -> Vec<Job> {
     jobs
 }
 
-/// A proof at every depth word. Its jobs are named after the first width.
-struct Family {
-    name: &'static str,
-    unit: Unit,
-    properties: &'static str,
-    widths: fn(usize) -> Definitions,
-    statement: &'static str,
-}
-
-impl Family {
-    fn at(&self, depth_word: u32) -> Job {
-        let widths = (self.widths)(depth_word as usize);
-        let name = format!("{}-{}", self.name, widths[0].1);
-        let job = job(name, self.statement, self.properties, self.unit);
-        Job {
-            design: Design::Emitted(Request::of(self.unit, depth_word)),
-            full: depth_word as usize != BASE,
-            ..with(job, &widths)
-        }
+/// A job at a depth word, by induction over so many clocks; it is named after the first width.
+fn at(word: u32, unit: Unit, clocks: usize, widths: &[(&str, usize)], job: Job) -> Job {
+    Job {
+        name: format!("{}-{}", job.name, widths[0].1),
+        method: Method::Induction(clocks),
+        design: Design::Emitted(Request::of(unit, word)),
+        full: word as usize != BASE,
+        ..with(job, widths)
     }
 }
 
-const PE1: Family = Family {
-    name: "pe1",
-    unit: Unit::Pe1,
-    properties: property!("pe1.sv"),
-    widths: |w| vec![("N", w + 2)],
-    statement: "pe1: value = c + ghost sum of b per line + ghost sum of a per pixel, modulo 2^N",
-};
-const PE2: Family = Family {
-    name: "pe2",
-    unit: Unit::Pe2,
-    properties: property!("pe2.sv"),
-    widths: |w| vec![("N", 2 * w)],
-    statement: "pe2: every register is its difference of the polynomial, in ghost sums, modulo 2^N",
-};
-const CUT_PLANE: Family = Family {
-    name: "cut_plane",
-    unit: Unit::CutPlane,
-    properties: property!("cut_plane.sv"),
-    widths: |w| vec![("W", w)],
-    statement: "cut_plane: holds exactly the depths that the half holds and the plane keeps, ordered or absent, latency 2",
-};
-const CUT_PLANE_ORDER: Family = Family {
-    name: "cut_plane_order",
-    properties: property!("cut_plane_order.sv"),
-    statement: "two cut planes leave the same depths in either order",
-    ..CUT_PLANE
-};
-const QUADRIC_CUT: Family = Family {
-    name: "quadric_cut",
-    unit: Unit::QuadricCut,
-    properties: property!("quadric_cut.sv"),
-    statement: "quadric_cut: the first depth that the object's class holds between the limits, the end of its piece, its face, latency 5",
-    widths: |w| vec![("W", w), ("S", w + 2)],
-};
-const VISIBILITY_NODE: Family = Family {
-    name: "visibility_node",
-    unit: Unit::VisibilityNode,
-    properties: property!("visibility_node.sv"),
-    statement: "visibility_node: the input with the smaller {depth, id} goes on whole, latency 1",
-    ..CUT_PLANE
-};
-
 fn elementary() -> Vec<Job> {
-    let families = [PE2, PE1].into_iter();
-    let jobs = families.flat_map(|family| DEPTH_WORDS.map(|word| family.at(word)));
-    let mut jobs: Vec<Job> = jobs.collect();
+    let pe2 = |word: u32| {
+        let statement =
+            "pe2: every register is its difference of the polynomial, in ghost sums, modulo 2^N";
+        let pe2 = job("pe2", statement, property!("pe2.sv"), Unit::Pe2);
+        at(word, Unit::Pe2, 1, &[("N", 2 * word as usize)], pe2)
+    };
+    let pe1 = |word: u32| {
+        let statement =
+            "pe1: value = c + ghost sum of b per line + ghost sum of a per pixel, modulo 2^N";
+        let pe1 = job("pe1", statement, property!("pe1.sv"), Unit::Pe1);
+        at(word, Unit::Pe1, 1, &[("N", word as usize + 2)], pe1)
+    };
+    let mut jobs = [DEPTH_WORDS.map(pe2), DEPTH_WORDS.map(pe1)].concat();
     let pe1 = job(
         "pe1-products",
         "pe1 against a x + b y + c with multipliers, narrowed",
@@ -183,19 +135,26 @@ fn products(job: Job, unit: Unit, width: usize, clocks: usize) -> Job {
 }
 
 fn depths() -> Vec<Job> {
-    let at = |word: u32| {
+    let cut = "cut_plane: holds exactly the depths that the half holds and the plane keeps, ordered or absent, latency 2";
+    let order = "two cut planes leave the same depths in either order";
+    let quadric = "quadric_cut: the first depth that the object's class holds between the limits, the end of its piece, its face, latency 5";
+    let of_word = |word: u32| {
+        let widths = [("W", word as usize), ("S", word as usize + 2)];
+        let cut = job("cut_plane", cut, property!("cut_plane.sv"), Unit::CutPlane);
+        let properties = property!("cut_plane_order.sv");
         let order = Job {
             top: "cut_plane_order",
-            method: Method::Induction(4),
-            ..CUT_PLANE_ORDER.at(word)
+            ..job("cut_plane_order", order, properties, Unit::CutPlane)
         };
-        let [cut, quadric] = [(CUT_PLANE, 2), (QUADRIC_CUT, 5)].map(|(family, latency)| Job {
-            method: Method::Induction(latency),
-            ..family.at(word)
-        });
-        [cut, order, quadric]
+        let properties = property!("quadric_cut.sv");
+        let quadric = job("quadric_cut", quadric, properties, Unit::QuadricCut);
+        [
+            at(word, Unit::CutPlane, 2, &widths[..1], cut),
+            at(word, Unit::CutPlane, 4, &widths[..1], order),
+            at(word, Unit::QuadricCut, 5, &widths, quadric),
+        ]
     };
-    DEPTH_WORDS.into_iter().flat_map(at).collect()
+    DEPTH_WORDS.into_iter().flat_map(of_word).collect()
 }
 
 fn raster() -> Vec<Job> {
@@ -285,7 +244,19 @@ fn tmds_encoder() -> Job {
 }
 
 fn decision() -> Vec<Job> {
-    let nodes = DEPTH_WORDS.map(|word| VISIBILITY_NODE.at(word));
+    let node = |word: u32| {
+        let statement =
+            "visibility_node: the input with the smaller {depth, id} goes on whole, latency 1";
+        let properties = property!("visibility_node.sv");
+        let node = job(
+            "visibility_node",
+            statement,
+            properties,
+            Unit::VisibilityNode,
+        );
+        at(word, Unit::VisibilityNode, 1, &[("W", word as usize)], node)
+    };
+    let nodes = DEPTH_WORDS.map(node);
     nodes.into_iter().chain([4, 2, 3, 5].map(decider)).collect()
 }
 
@@ -305,5 +276,91 @@ fn decider(inputs: usize) -> Job {
         words: decider_inputs,
         full: inputs != 4,
         ..late(decider, latency, &[("W", BASE), ("M", inputs)])
+    }
+}
+
+const REFERENCE_ROWS: &str = concat!(
+    property!("root_reference.sv"),
+    "\n",
+    property!("square_root_rows.sv")
+);
+
+const NON_RESTORING_ROWS: &str = concat!(
+    property!("root_reference.sv"),
+    "\n",
+    property!("non_restoring_rows.sv")
+);
+
+/// The whole networks first: they take longest.
+fn roots() -> Vec<Job> {
+    let mut jobs = Vec::new();
+    let statement = "square_root, whole: after its latency square + remainder = radicand and remainder <= 2 root, square in ghost sums";
+    for (word, rows) in [(16, 1), (24, 1)] {
+        let name = format!("square_root-{word}-r{rows}");
+        let mut whole = network(name, statement, property!("square_root.sv"), word, rows);
+        whole.full = true;
+        jobs.push(whole);
+    }
+    let statement = "square_root: every register stage is its rows of the reference, in every state that occurs; latency";
+    for (word, rows) in [(24, 1), (32, 1), (16, 1), (20, 1), (28, 1), (24, 2)] {
+        let name = format!("square_root_rows-{word}-r{rows}");
+        let mut stages = network(name, statement, REFERENCE_ROWS, word, rows);
+        stages.full = (word, rows) != (BASE, 1);
+        jobs.push(stages);
+    }
+    jobs.push(non_restoring());
+    jobs.extend([8, 16, 24, 32, 64].map(lemma));
+    jobs.push(integers(
+        "root-integers",
+        "the ghost square is root^2, and root^2 <= x < (root + 1)^2 follows",
+        property!("root.smt2"),
+    ));
+    jobs
+}
+
+fn lemma(k: usize) -> Job {
+    let lemma = job(
+        format!("root_lemma-{k}"),
+        "reference row: remainder + square = prefix and remainder <= 2 root pass through, and the digit is right",
+        property!("root_lemma.sv"),
+        Unit::SquareRoot,
+    );
+    Job {
+        design: Design::Text(property!("root_reference.sv")),
+        method: Method::Bounded(1),
+        top: "root_lemma",
+        ..with(lemma, &[("K", k)])
+    }
+}
+
+fn network(
+    name: String,
+    statement: &'static str,
+    properties: &'static str,
+    depth_word: usize,
+    rows_per_stage: usize,
+) -> Job {
+    Job {
+        design: Design::Emitted(Request {
+            rows_per_stage: rows_per_stage as u32,
+            ..Request::of(Unit::SquareRoot, depth_word as u32)
+        }),
+        words: stage_words,
+        widths: format!(
+            "K = {depth_word}, F = {}, R = {rows_per_stage}",
+            2 * depth_word
+        ),
+        ..job(name, statement, properties, Unit::SquareRoot)
+    }
+}
+
+fn non_restoring() -> Job {
+    let statement = "square_root_non_restoring: every register stage, restored, is its rows of the reference; latency";
+    let name = format!("non_restoring_rows-{BASE}-r1");
+    Job {
+        design: Design::Emitted(Request::new(Unit::SquareRootNonRestoring)),
+        top: Unit::SquareRootNonRestoring.name(),
+        full: true,
+        ..network(name, statement, NON_RESTORING_ROWS, BASE, 1)
     }
 }

@@ -1,6 +1,6 @@
 //! The programs that prove a text: SymbiYosys, Yosys with its SMT driver, or z3 alone.
 
-use super::error::FormalError;
+use super::FormalError;
 use super::job::{Job, Method};
 use super::toolchain::{Driver, Toolchain};
 use imogene_tools::{FileError, Said, call, last_lines, write};

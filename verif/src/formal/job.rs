@@ -1,7 +1,7 @@
 //! A proof: what it states, of which design, and how it is proved.
 
+use super::FormalError;
 use super::bind;
-use super::error::FormalError;
 use super::mutants::Mutant;
 use imogene_contract::Request;
 use imogene_rtl::emit::emit;

@@ -1,7 +1,7 @@
 //! Edits of the designs that the proofs must refute: each breaks what a property states, so a proof that does not
 //! notice it proves nothing.
 
-use super::error::FormalError;
+use super::FormalError;
 
 /// A search and replace on the text of a design.
 #[derive(Clone, Copy, Debug)]
@@ -18,10 +18,7 @@ pub struct Mutant {
 
 impl Mutant {
     /// The design with the edit.
-    ///
-    /// # Errors
-    ///
-    /// When the text searched for is not there exactly once: the mutant would not be the one its name says.
+    /// Fails when the text searched for is not there exactly once: the mutant would not be the one its name says.
     pub fn apply(&self, design: &str) -> Result<String, FormalError> {
         match design.matches(self.from).count() {
             1 => Ok(design.replacen(self.from, self.to, 1)),

@@ -1,9 +1,9 @@
 //! Runs proofs, each in a temporary folder of its own, two at a time.
 
+use super::FormalError;
 use super::catalogue;
 use super::driver::Run;
 pub use super::driver::Verdict;
-use super::error::FormalError;
 use super::job::{Job, Method};
 use super::mutants::Mutant;
 use super::toolchain::Toolchain;

@@ -1,6 +1,6 @@
 //! The programs of the proofs: where they are and which version they are.
 
-use super::error::FormalError;
+use super::FormalError;
 use imogene_tools::{FileError, call, find, path_folders, search_folders, version};
 use serde::Serialize;
 use std::ffi::OsString;

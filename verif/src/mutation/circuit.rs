@@ -4,13 +4,13 @@
 //! Sites are compiled in groups into one program of the built-in engine; a mutant is an upset of it. What no stimulus
 //! kills goes to the solver.
 
-use super::contract::contract_of_states;
+use super::contract::{contract, counts_with, states};
 use super::score::{Fate, Kill, MutationError, MutationReport, Options};
 use super::vectors::{Vectors, vectors};
 use crate::subject::Subject;
 use imogene_compiled::{Program, Simulation};
 use imogene_faults::{
-    CONFLICTS, Controls, Judge, Key, Known, Mutant, Site, Upset, Verdict, power_up, sites,
+    CONFLICTS, Contract, Controls, Judge, Key, Known, Mutant, Site, Upset, Verdict, power_up, sites,
 };
 use imogene_hdl::Design;
 use rayon::prelude::*;
@@ -34,12 +34,6 @@ const PIECE: usize = 1 << 16;
 /// Stimuli between two looks at what is left.
 const BATCH: usize = 600;
 
-const DIFFERS: &str = "It differs in some state; no stimulus came to one whose outputs show it";
-
-fn undecided() -> String {
-    format!("Undecided: no stimulus found a difference, and no proof within {CONFLICTS} conflicts")
-}
-
 /// How many mutants a circuit has.
 pub fn count(design: &Design) -> u64 {
     let all = [sites(design), power_up(design)].concat();
@@ -58,9 +52,13 @@ pub fn run(
 ) -> Result<MutationReport, MutationError> {
     let started = Instant::now();
     let options = &options.reaching(subject);
-    let contract = contract_of_states(subject, design, options);
+    let contract = Contract {
+        seen: states(subject, design, options),
+        counts_with: counts_with(subject, options),
+        ..contract(subject, design)
+    };
     let known = Known::new(design, &contract);
-    let mut report = MutationReport::new(subject);
+    let mut report = MutationReport::of(&subject.name, &subject.options);
     let campaign = Campaign {
         subject,
         clocks: options.clocks,
@@ -228,8 +226,10 @@ impl<F: Fn() + Sync> Campaign<'_, F> {
 /// What is known of a mutant that no stimulus killed.
 fn reason(verdict: Verdict) -> String {
     match verdict {
-        Verdict::Undecided => undecided(),
-        _ => DIFFERS.to_owned(),
+        Verdict::Undecided => format!(
+            "Undecided: no stimulus found a difference, and no proof within {CONFLICTS} conflicts"
+        ),
+        _ => "It differs in some state; no stimulus came to one whose outputs show it".into(),
     }
 }
 

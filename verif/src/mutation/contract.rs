@@ -52,19 +52,6 @@ pub fn contract(subject: &Subject, design: &Design) -> Contract {
     }
 }
 
-/// The same with states that the circuit comes to, and where its outputs count.
-pub(super) fn contract_of_states(
-    subject: &Subject,
-    design: &Design,
-    options: &Options,
-) -> Contract {
-    Contract {
-        seen: states(subject, design, options),
-        counts_with: counts_with(subject, options),
-        ..contract(subject, design)
-    }
-}
-
 /// The second differences that a PE2 with a memory is loaded with are even.
 fn zeros_beside(subject: &Subject) -> Vec<((String, u64), (String, u32))> {
     let name = |port: &str| port.to_owned();
@@ -76,7 +63,7 @@ fn zeros_beside(subject: &Subject) -> Vec<((String, u64), (String, u32))> {
 }
 
 /// States that the circuit comes to.
-fn states(subject: &Subject, design: &Design, options: &Options) -> Vec<Vec<u64>> {
+pub(super) fn states(subject: &Subject, design: &Design, options: &Options) -> Vec<Vec<u64>> {
     let seeds = (0..SEEN.min(options.stimuli)).into_par_iter();
     let states = seeds.flat_map_iter(|seed| {
         let mut simulator = Simulator::new(design);
@@ -97,7 +84,7 @@ fn states(subject: &Subject, design: &Design, options: &Options) -> Vec<Vec<u64>
 }
 
 /// Outputs that the golden model states only beside a flag of 1, and the flag: an output called `valid`, or ending so.
-fn counts_with(subject: &Subject, options: &Options) -> Vec<(String, String)> {
+pub(super) fn counts_with(subject: &Subject, options: &Options) -> Vec<(String, String)> {
     let names: Vec<&String> = subject.outputs.iter().map(|signal| &signal.name).collect();
     let Some(flag) = names.iter().position(|name| name.ends_with("valid")) else {
         return vec![];
@@ -143,6 +130,7 @@ fn beginning(subject: &Subject) -> Beginning {
         let named = inputs.filter(|name| names.contains(name));
         named.map(str::to_owned).collect()
     };
+    let own = |name: &str, word: u64| (name.to_owned(), word);
     match &subject.name[..] {
         // All words, then a picture, and the clocks of its first line.
         "memory_pe2" => {
@@ -153,24 +141,18 @@ fn beginning(subject: &Subject) -> Beginning {
                 "line_start",
                 "pixel",
             ];
-            let loads = (0..WORDS).map(|word| clock(&[("load_valid", 1), ("load_address", word)]));
-            let starts = ["picture_start", "line_start"].map(|name| clock(&[(name, 1)]));
+            let loads =
+                (0..WORDS).map(|word| vec![own("load_valid", 1), own("load_address", word)]);
+            let starts = ["picture_start", "line_start"].map(|name| vec![own(name, 1)]);
             let line = std::iter::repeat_n(vec![], 15);
             (named(&quiet), loads.chain(starts).chain(line).collect())
         }
         // Two clocks of blanking.
-        "tmds_encoder" => (vec![], vec![clock(&[("de", 0)]); 2]),
+        "tmds_encoder" => (vec![], vec![vec![own("de", 0)]; 2]),
         _ => {
             let quiet = named(&BEGINS);
             let begins = quiet.iter().map(|name| (name.clone(), 1)).collect();
             (quiet, vec![begins])
         }
     }
-}
-
-fn clock(words: &[(&str, u64)]) -> Vec<(String, u64)> {
-    let words = words.iter();
-    words
-        .map(|(name, word)| ((*name).to_owned(), *word))
-        .collect()
 }

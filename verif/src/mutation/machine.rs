@@ -67,7 +67,7 @@ pub fn run(
     on_done: impl Fn() + Sync,
 ) -> Result<MutationReport, MutationError> {
     let started = Instant::now();
-    let campaign = Campaign::new(shown, design, &report.unit)?;
+    let ends = shown.ends(design, &report.unit)?;
     let own = Own::of(design);
     let around = Around::of(design);
     let of_sites = own.modules.par_iter().zip(&own.sites);
@@ -76,54 +76,36 @@ pub fn run(
         let known = Known::new(&module_alone, &around.contract(module));
         let groups = sites.chunks(GROUP).map(|sites| {
             let controls = Controls::new(design, sites);
-            let judge = Alone::new(&module_alone, &known, sites);
-            Group::new(&controls, Some(judge)).fates(&campaign, &on_done)
+            let alone = alone_judge(&module_alone, &known, sites);
+            Group::new(&controls, Some(alone)).fates(shown, &ends, &on_done)
         });
         groups.collect::<Vec<_>>()
     });
     let of_sites = of_sites.collect::<Result<Vec<_>, _>>()?;
     let controls = Controls::new(design, &own.power_up);
-    let of_power_up = Group::new(&controls, None).fates(&campaign, &on_done)?;
+    let of_power_up = Group::new(&controls, None).fates(shown, &ends, &on_done)?;
     for (fate, mutant) in of_sites.into_iter().flatten().chain(of_power_up) {
         report.count(fate, 0, || mutant.clone());
     }
     Ok(report.ended(started))
 }
 
-/// All mutants of one machine.
-struct Campaign<'a> {
-    shown: &'a Shown<'a>,
-    /// The clock with which each run is given up: what takes much longer than the machine itself hangs.
-    ends: Vec<u64>,
-}
-
-impl Campaign<'_> {
-    /// Of a machine that shows the golden pictures as it is.
-    fn new<'a>(
-        shown: &'a Shown<'a>,
-        design: &Design,
-        name: &str,
-    ) -> Result<Campaign<'a>, MutationError> {
+impl Shown<'_> {
+    /// The clock with which each run of a machine that shows the golden pictures as it is is given up: what takes much
+    /// longer than the machine itself hangs.
+    fn ends(&self, design: &Design, name: &str) -> Result<Vec<u64>, MutationError> {
         let bare = Compiled::of(design, &[]);
-        let ends = (0..shown.runs).map(|run| {
-            let report = shown.report(design, &bare, run, u64::MAX)?;
+        let ends = (0..self.runs).map(|run| {
+            let report = self.report(design, &bare, run, u64::MAX)?;
+            let (stimulus, clock) = (run as usize, report.cycles as usize);
             match report.mismatches {
                 0 => Ok(2 * report.cycles),
-                _ => Err(MutationError::Baseline(
-                    name.to_owned(),
-                    run as usize,
-                    report.cycles as usize,
-                )),
+                _ => Err(MutationError::Baseline(name.to_owned(), stimulus, clock)),
             }
         });
-        Ok(Campaign {
-            shown,
-            ends: ends.collect::<Result<_, _>>()?,
-        })
+        ends.collect()
     }
-}
 
-impl Shown<'_> {
     /// What comes of a run, which goes on to the first difference or to the clock with which it is given up.
     fn report(
         &self,
@@ -199,26 +181,13 @@ fn collect(module: &Arc<Module>, found: &mut Vec<Arc<Module>>) {
     }
 }
 
-/// Mutants of a module alone, in the order in which each instance of the module has them.
-struct Alone {
-    judge: Judge,
-    mutants: Vec<Mutant>,
-}
+/// The judge of a module alone, and its mutants in the order in which each instance of the module has them.
+type Alone = (Judge, Vec<Mutant>);
 
-impl Alone {
-    fn new(alone: &Design, known: &Known, sites: &[Site]) -> Alone {
-        let sites = sites.iter().map(|site| Site { module: 0, ..*site });
-        let controls = Controls::new(alone, &sites.collect::<Vec<_>>());
-        Alone {
-            judge: Judge::new(&controls, known),
-            mutants: controls.mutants(),
-        }
-    }
-
-    fn judge(&self, place: usize) -> Verdict {
-        let mutant = &self.mutants[place % self.mutants.len()];
-        self.judge.judge(&mutant.upsets)
-    }
+fn alone_judge(alone: &Design, known: &Known, sites: &[Site]) -> Alone {
+    let sites = sites.iter().map(|site| Site { module: 0, ..*site });
+    let controls = Controls::new(alone, &sites.collect::<Vec<_>>());
+    (Judge::new(&controls, known), controls.mutants())
 }
 
 /// Mutants of one compilation.
@@ -243,37 +212,39 @@ impl Group<'_> {
     /// What became of each mutant, with its description.
     fn fates(
         &self,
-        campaign: &Campaign,
+        shown: &Shown,
+        ends: &[u64],
         on_done: &(impl Fn() + Sync),
     ) -> Result<Vec<(Fate, String)>, MutationError> {
         let mutants = self.mutants.par_iter().enumerate();
         let fates = mutants.map(|(place, mutant)| {
-            let fate = self.fate(place, campaign)?;
+            let fate = self.fate(place, shown, ends)?;
             on_done();
             Ok((fate, self.controls.describe(mutant)))
         });
         fates.collect()
     }
 
-    fn fate(&self, place: usize, campaign: &Campaign) -> Result<Fate, MutationError> {
+    fn fate(&self, place: usize, shown: &Shown, ends: &[u64]) -> Result<Fate, MutationError> {
         let mutant = self.compiled.upset(&self.mutants[place].upsets);
         let killed = |run: u64| {
-            let (design, end) = (&self.controls.design, campaign.ends[run as usize]);
-            let report = campaign.shown.report(design, &mutant, run, end)?;
+            let (design, end) = (&self.controls.design, ends[run as usize]);
+            let report = shown.report(design, &mutant, run, end)?;
             let kill = (run as usize, report.cycles as usize);
             Ok::<_, MutationError>((report.mismatches > 0).then_some(Fate::Killed(kill)))
         };
         if let Some(fate) = killed(0)? {
             return Ok(fate);
         }
-        let reason = match self.alone.as_ref().map(|alone| alone.judge(place)) {
+        let judge = |(judge, mutants): &Alone| judge.judge(&mutants[place % mutants.len()].upsets);
+        let reason = match self.alone.as_ref().map(judge) {
             None if is_forgotten(&self.compiled, &mutant) => return Ok(Fate::Forgotten),
             None => "It begins otherwise, and no run shows it",
             Some(Verdict::Equivalent) => return Ok(Fate::Equivalent),
             Some(Verdict::Differs) => "Its module can differ, and no run shows it",
             Some(Verdict::Undecided) => "Undecided: no run shows it, and the solver gave up",
         };
-        for run in 1..campaign.shown.runs {
+        for run in 1..shown.runs {
             if let Some(fate) = killed(run)? {
                 return Ok(fate);
             }

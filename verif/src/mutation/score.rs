@@ -122,12 +122,7 @@ pub struct MutationReport {
 }
 
 impl MutationReport {
-    /// Of a unit before its first mutant.
-    pub(super) fn new(subject: &Subject) -> MutationReport {
-        MutationReport::of(&subject.name, &subject.options)
-    }
-
-    /// Of something with a name, with the options that give it.
+    /// Of something with a name, with the options that give it, before its first mutant.
     pub fn of(unit: &str, options: &str) -> MutationReport {
         MutationReport {
             unit: unit.to_owned(),

@@ -1,10 +1,9 @@
 //! One band of the screen: load, scan, compare.
 
+use super::Options;
 use super::golden::{GoldenMachine, probe_values};
-use super::request::Options;
 use crate::engine::ProbeSignal;
-use crate::engine::beam::{Beam, Outputs};
-use crate::engine::machine::MachineDesign;
+use crate::engine::machine::{Beam, MachineDesign, Outputs};
 use crate::report::Report;
 use crate::signal::Delay;
 use crate::waveform::{Group, Sample, Trace};

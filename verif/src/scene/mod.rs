@@ -5,18 +5,16 @@
 
 mod band;
 pub(crate) mod golden;
-mod request;
 pub mod slots;
 pub mod volumes;
 pub mod zone;
 
-use crate::engine::beam::BeamDesign;
+use crate::engine::design::DesignError;
+use crate::engine::machine::{BeamDesign, MachineDesign};
 use crate::engine::{Engine, processor_signals};
 use crate::report::Report;
 use crate::subject::Inputs;
-use crate::waveform::{PlaceError, WindowStart};
-pub use request::{CosimError, Fault, MAX_OBJECTS, Options};
-
+use crate::waveform::{PlaceError, WaveformRequest, WindowStart};
 use band::{Band, Part};
 use imogene_contract::slots::FittedSlot;
 use imogene_contract::{Request, Unit};
@@ -28,8 +26,120 @@ use imogene_golden::object::words::Words;
 use imogene_prepare::{PreparedObject, PreparedScene};
 use imogene_rtl::emit::machine::MachineRequest;
 use rayon::prelude::*;
-use request::middle_line;
+use std::fmt;
+use std::str::FromStr;
 use std::time::Instant;
+use thiserror::Error;
+
+/// Most objects of a beam machine.
+pub const MAX_OBJECTS: usize = 256;
+
+/// A wrong bit in one coefficient word of the hardware, to see that the co-simulation finds it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fault {
+    /// Slot.
+    pub object: u8,
+    /// Load address.
+    pub address: u8,
+    /// Bit of the word.
+    pub bit: u8,
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}:{}", self.object, self.address, self.bit)
+    }
+}
+
+impl FromStr for Fault {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Fault, String> {
+        let numbers: Option<Vec<u8>> = text.split(':').map(|part| part.parse().ok()).collect();
+        match numbers.as_deref() {
+            Some(&[object, address, bit]) => Ok(Fault {
+                object,
+                address,
+                bit,
+            }),
+            _ => Err("expected OBJECT:ADDRESS:BIT, three numbers below 256, such as 0:2:5".into()),
+        }
+    }
+}
+
+/// How to run.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// Rows of the root network per register stage.
+    pub rows_per_stage: usize,
+    /// Threads, each with an engine of its own.
+    pub threads: usize,
+    /// Waveforms of the band in which the window begins.
+    pub trace: Option<WaveformRequest>,
+    /// Slot whose inside they show.
+    pub traced: usize,
+    /// Fault put into the hardware.
+    pub fault: Option<Fault>,
+}
+
+impl Options {
+    /// A run without waveforms and faults.
+    pub fn plain(rows_per_stage: usize, threads: usize) -> Options {
+        Options {
+            rows_per_stage,
+            threads,
+            trace: None,
+            traced: 0,
+            fault: None,
+        }
+    }
+}
+
+/// Why a scene cannot be co-simulated.
+#[derive(Debug, Error)]
+pub enum CosimError {
+    /// More objects than slots, or none.
+    #[error("the scene has {0} objects; a beam machine takes 1 to {MAX_OBJECTS}")]
+    Objects(usize),
+    /// More planes than a processor can have.
+    #[error("an object has {0} cut planes; a quadric processor takes at most {MAX_PLANES}")]
+    Planes(usize),
+    /// An object of a processor that the machine does not have.
+    #[error(
+        "object '{0}' is not drawn by a quadric processor, and a beam machine has no other; each of its processors runs by itself"
+    )]
+    Processor(String),
+    /// Rows per stage out of range, and the rows of the network.
+    #[error("rows-per-stage is {0}; accepted: 1 to {1}")]
+    Rows(usize, u32),
+    /// A slot, address or bit that does not exist; the slots of the machine, and the words of a slot.
+    #[error(
+        "fault {0} names no coefficient bit of this machine; accepted: OBJECT below {1}, ADDRESS below {2}, BIT below the width of that word"
+    )]
+    Fault(Fault, usize, usize),
+    /// The machine cannot be compiled.
+    #[error(transparent)]
+    Design(#[from] DesignError),
+    /// A place to trace from that the picture does not have.
+    #[error(transparent)]
+    TracedPlace(#[from] PlaceError),
+    /// A slot to trace that does not exist, and the last one.
+    #[error("there is no object {0} to trace; accepted: 0 to {1}")]
+    TracedObject(usize, usize),
+    /// There is no hardware of the processor of an object, where each runs by itself.
+    #[error(
+        "object '{0}': the viewer so nearly lies on its quadric that its depth is a quotient with a root in it, for which there is no hardware; \
+         move the camera, or draw the scene with --model golden or exact"
+    )]
+    NoHardware(String),
+    /// Widths that processors have in a machine alone.
+    #[error(
+        "only a beam machine takes --guards and --widths, and it draws 1 to 256 quadrics; \
+         give --format, or render with --model golden or exact; \
+         a zone machine draws facets with guard bits (imogene machine)"
+    )]
+    OwnWords,
+}
 
 /// The slots that a scene needs, with so many rows of the root network between registers: all have the same chain, and
 /// planes that an object does not use are of kind none.
@@ -62,15 +172,6 @@ fn quadric_words(scene: &PreparedScene) -> Result<Vec<&QuadricWords>, CosimError
         }
     }
     scene.objects.iter().map(words).collect()
-}
-
-/// The request for the machine that draws a scene in these slots.
-pub fn request(
-    scene: &PreparedScene,
-    slots: &[FittedSlot],
-    rows_per_stage: usize,
-) -> MachineRequest {
-    MachineRequest::fitted(scene.format.widths(), rows_per_stage, slots.to_vec())
 }
 
 /// The unit that draws a scene in one zone, and the clocks in which it is loaded and draws.
@@ -116,7 +217,8 @@ pub fn run(
     check_window(options, scene)?;
     let inside = processor_signals(&scene.format, planes, rows);
     let nets = options.trace.as_ref().map_or(&[][..], |trace| &trace.nets);
-    let design = BeamDesign::compile(engine, &request(scene, &slots, rows), inside, nets)?;
+    let request = MachineRequest::fitted(scene.format.widths(), rows, slots.clone());
+    let design = BeamDesign::compile(engine, &request, inside, nets)?;
     run_on(&design, &slots, scene, options, pixel_done)
 }
 
@@ -128,20 +230,26 @@ pub fn run_on(
     options: &Options,
     pixel_done: impl Fn() + Sync,
 ) -> Result<(Report, Frame), CosimError> {
-    let words = quadric_words(scene)?;
+    let started = Instant::now();
+    let words = quadric_words(scene)?.into_iter().zip(slots);
+    let words: Vec<QuadricWords> = words
+        .map(|(words, slot)| with_planes(words, slot))
+        .collect();
     let latency = beam::latency(slots, &scene.format, options.rows_per_stage as u32);
-    let words = words.iter().zip(slots);
-    let bands = Bands {
-        scene,
-        design,
-        words: words
-            .map(|(words, slot)| with_planes(words, slot))
-            .collect(),
-        latency: latency as usize,
-        options,
+    let bands = bands(scene, &design.machine, &words, latency as usize, options);
+    let run = |band: &Band| band::run(band, &mut design.machine(), &pixel_done);
+    let parts: Vec<Part> = bands.par_iter().map(run).collect();
+    let mut report = Report {
+        engine: design.engine.name().into(),
+        ..Report::default()
     };
-    let (mut report, frame) = bands.run(pixel_done);
-    report.engine = design.engine.name().into();
+    let mut frame = Frame::background(scene.width as usize, 0, scene.format.z_max());
+    for (part, lines, trace) in parts {
+        report.absorb(part);
+        append(&mut frame, lines);
+        report.trace = report.trace.or(trace.filter(|trace| !trace.is_empty()));
+    }
+    report.timed(started.elapsed().as_secs_f64());
     Ok((report, frame))
 }
 
@@ -153,73 +261,55 @@ fn with_planes(words: &QuadricWords, slot: &FittedSlot) -> QuadricWords {
     words
 }
 
-/// A machine over the whole screen, cut into bands.
-struct Bands<'a> {
+/// The screen in a band for each thread, or fewer: each with a line at least, and long enough for the waveforms asked for.
+/// `words` are those of each slot, with as many planes as the slot has; the first pixel comes `latency` clocks after `go`.
+fn bands<'a>(
     scene: &'a PreparedScene,
-    design: &'a BeamDesign,
-    /// The words of each slot, with as many planes as the slot has.
-    words: Vec<QuadricWords>,
-    /// Clocks from `go` to the first pixel.
+    machine: &'a MachineDesign,
+    words: &[QuadricWords],
     latency: usize,
     options: &'a Options,
-}
-
-impl Bands<'_> {
-    /// Runs every band on a machine of its own; the report counts the clocks of all bands, each with its latency.
-    fn run(&self, pixel_done: impl Fn() + Sync) -> (Report, Frame) {
-        let started = Instant::now();
-        let bands = self.cut(self.options.threads);
-        let run = |band: &Band| band::run(band, &mut self.design.machine(), &pixel_done);
-        let parts: Vec<Part> = bands.par_iter().map(run).collect();
-        let mut report = Report::default();
-        let width = self.scene.width as usize;
-        let mut frame = Frame::background(width, 0, self.scene.format.z_max());
-        for (part, lines, trace) in parts {
-            report.absorb(part);
-            append(&mut frame, lines);
-            report.trace = report.trace.or(trace.filter(|trace| !trace.is_empty()));
+) -> Vec<Band<'a>> {
+    let (width, height) = (scene.width as usize, scene.height as usize);
+    let most = options.threads;
+    let long = options.trace.as_ref().map_or(most, |request| {
+        let clocks = request.clocks.max(1) as usize;
+        (width * height / clocks).max(most)
+    });
+    let begin = options.trace.as_ref().map(|request| match request.from {
+        // The middle line of the object.
+        WindowStart::Usual => {
+            let b = &words[options.traced].screen_box;
+            Some((0, ((b.y0 + b.y1) / 2).max(0) as usize))
         }
-        report.timed(started.elapsed().as_secs_f64());
-        (report, frame)
-    }
-
-    /// The screen in so many bands, or fewer: each with a line at least, and long enough for the waveforms asked for.
-    fn cut(&self, most: usize) -> Vec<Band<'_>> {
-        let Bands { scene, options, .. } = *self;
-        let (width, height) = (scene.width as usize, scene.height as usize);
-        let long = options.trace.as_ref().map_or(most, |request| {
-            let clocks = request.clocks.max(1) as usize;
-            (width * height / clocks).max(options.threads)
-        });
-        let parts = split(height, most.min(long));
-        let begin = options.trace.as_ref().map(|request| match request.from {
-            WindowStart::Usual => Some((0, middle_line(&self.words[options.traced]))),
-            WindowStart::At(place) => Some((place.column, place.line)),
-            WindowStart::Mismatch => None,
-        });
-        let trace = |first: usize, lines: usize| {
-            let begin = begin?;
-            // The last band has what begins behind the picture.
-            let is_within =
-                |(_, line): (usize, usize)| (first..first + lines).contains(&line.min(height - 1));
-            begin.is_none_or(is_within).then_some(begin)
-        };
-        let band = |(first, lines): (usize, usize)| {
-            let zone =
-                |words: &QuadricWords| words.for_zone(0, first as i64, width as i64, lines as i64);
-            Band {
-                scene,
-                machine: &self.design.machine,
-                latency: self.latency,
-                objects: self.words.iter().map(zone).collect(),
-                first_line: first,
-                lines,
-                options,
-                trace: trace(first, lines),
-            }
-        };
-        parts.into_iter().map(band).collect()
-    }
+        WindowStart::At(place) => Some((place.column, place.line)),
+        WindowStart::Mismatch => None,
+    });
+    let trace = |first: usize, lines: usize| {
+        let begin = begin?;
+        // The last band has what begins behind the picture.
+        let is_within =
+            |(_, line): (usize, usize)| (first..first + lines).contains(&line.min(height - 1));
+        begin.is_none_or(is_within).then_some(begin)
+    };
+    let band = |(first, lines): (usize, usize)| {
+        let zone =
+            |words: &QuadricWords| words.for_zone(0, first as i64, width as i64, lines as i64);
+        Band {
+            scene,
+            machine,
+            latency,
+            objects: words.iter().map(zone).collect(),
+            first_line: first,
+            lines,
+            options,
+            trace: trace(first, lines),
+        }
+    };
+    split(height, most.min(long))
+        .into_iter()
+        .map(band)
+        .collect()
 }
 
 fn check_window(options: &Options, scene: &PreparedScene) -> Result<(), CosimError> {

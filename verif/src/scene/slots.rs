@@ -5,7 +5,7 @@
 //! golden model, from the words that the preparation made; what all of them draw together is compared with the frame of
 //! the golden machine.
 
-use super::request::CosimError;
+use super::CosimError;
 use super::zone::Zone;
 use crate::engine::Engine;
 use crate::report::{Report, place};

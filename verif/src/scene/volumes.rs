@@ -1,14 +1,14 @@
 //! Co-simulation of the shadow and light volumes of a scene: each on the zone of its screen box, on the depths that are
 //! seen, its answers into the flags of the light sources.
 
-use super::request::CosimError;
+use super::CosimError;
 use super::zone::Zone;
 use crate::engine::Engine;
 use crate::report::{Report, place};
 use crate::subject::{Inputs, Subject};
 use crate::unit::words::volume;
 use imogene_golden::machine::frame::Frame;
-use imogene_golden::machine::lighting::{ALL_SOURCES, Lighting};
+use imogene_golden::machine::lighting::ALL_SOURCES;
 use imogene_golden::object::volume::{FROM_DEPTH, VolumeKind, VolumeWords};
 use imogene_golden::object::words::Words;
 use imogene_prepare::PreparedScene;
@@ -41,7 +41,11 @@ pub fn run(
         report.absorb(part);
         job.apply(&inside, &mut flags);
     }
-    compare_flags(&flags, &scene.light(frame, || ()), frame, &mut report);
+    let golden = scene.light(frame, || ());
+    for (at, (&found, &wanted)) in flags.iter().zip(&golden.flags).enumerate() {
+        let (pixel, found) = (place(at, frame.width), Some(found.into()));
+        report.compare(0, pixel, "source flags", found, wanted.into());
+    }
     report.timed(started.elapsed().as_secs_f64());
     Ok(report)
 }
@@ -105,13 +109,5 @@ impl Job<'_> {
         for (flag, is_inside) in flags.iter_mut().zip(is_inside) {
             *flag = self.of.after(*flag, is_inside);
         }
-    }
-}
-
-/// Counts where hardware and golden machine do not agree on which sources reach a point.
-fn compare_flags(hardware: &[u16], golden: &Lighting, frame: &Frame, report: &mut Report) {
-    for (at, (&found, &wanted)) in hardware.iter().zip(&golden.flags).enumerate() {
-        let (pixel, found) = (place(at, frame.width), Some(found.into()));
-        report.compare(0, pixel, "source flags", found, wanted.into());
     }
 }

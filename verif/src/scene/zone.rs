@@ -1,6 +1,6 @@
 //! Processors that run by themselves on the zone of their screen box.
 
-use super::request::CosimError;
+use super::CosimError;
 use crate::engine::Engine;
 use crate::report::Report;
 use crate::subject::{Inputs, Subject};
@@ -30,7 +30,16 @@ impl<T: Sync> Job<T> {
         pixel_done: impl Fn(u64) + Sync,
         run: impl Fn(&Job<T>, &Subject) -> (Report, D) + Sync,
     ) -> Result<Vec<(Report, D)>, CosimError> {
-        let subjects = subjects(jobs, rows_per_stage, engine)?;
+        let mut subjects: HashMap<Request, Subject> = HashMap::new();
+        for Job { loaded, .. } in jobs {
+            if let Entry::Vacant(place) = subjects.entry(loaded.request) {
+                let request = Request {
+                    rows_per_stage: rows_per_stage as u32,
+                    ..loaded.request
+                };
+                place.insert(engine.unit(&request)?);
+            }
+        }
         let one = |job: &Job<T>| {
             let part = run(job, &subjects[&job.loaded.request]);
             pixel_done(part.0.pixels);
@@ -56,26 +65,6 @@ impl<T: Sync> Job<T> {
             }
         })
     }
-}
-
-/// The descriptions of all processors of a scene, one for all of the same parameters.
-fn subjects<T>(
-    jobs: &[Job<T>],
-    rows_per_stage: usize,
-    engine: Engine,
-) -> Result<HashMap<Request, Subject>, CosimError> {
-    let mut list = HashMap::new();
-    for Job { loaded, .. } in jobs {
-        let Entry::Vacant(place) = list.entry(loaded.request) else {
-            continue;
-        };
-        let request = Request {
-            rows_per_stage: rows_per_stage as u32,
-            ..loaded.request
-        };
-        place.insert(engine.unit(&request)?);
-    }
-    Ok(list)
 }
 
 /// Pixels that a processor draws.

@@ -1,11 +1,15 @@
-//! The elementary processors: PE1, PE2 and the programmable one.
+//! The elementary processors: PE1, PE2, the programmable one and the one with a coefficient memory.
 
 use super::description::{Description, any_raster, bit, last_pixel, zones};
 use super::words::{Ports, read};
+use crate::stimulus::{each, word};
+use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
+use imogene_golden::unit::interlaced::MemoryPe2;
 use imogene_golden::unit::pe1::Pe1;
-use imogene_golden::unit::pe2::{Pe2, PreconditionedWords};
+use imogene_golden::unit::pe2::{Pe2, PreconditionedWords, Quadratic};
 use imogene_golden::unit::programmable::{Programmable, ProgrammableWords};
+use proptest::prelude::*;
 
 pub(super) fn pe1(format: Format) -> Description {
     Description::new(zones, move || {
@@ -19,7 +23,6 @@ pub(super) fn pe1(format: Format) -> Description {
 pub(super) fn pe2(format: Format) -> Description {
     // Second differences are even: they are twice a coefficient.
     let stimulus = |subject: &_, clocks| {
-        use proptest::strategy::Strategy;
         let even = |mut list: Vec<Vec<i64>>| {
             for inputs in &mut list {
                 inputs[3] &= !1;
@@ -76,5 +79,226 @@ fn words_of(i: &[i64]) -> ProgrammableWords {
             f,
         },
         used: [0, 1, 2, 3].map(|lane| i[4] >> lane & 1 == 1),
+    }
+}
+
+/// Where the ports stand.
+mod port {
+    pub const LOAD: usize = 0;
+    pub const ADDRESS: usize = 1;
+    pub const DATA: usize = 2;
+    pub const FIELD: usize = 3;
+    pub const PICTURE: usize = 4;
+    pub const ODD: usize = 5;
+    pub const LINE: usize = 6;
+    pub const PIXEL: usize = 7;
+    pub const COUNT: usize = 8;
+}
+
+/// Words of the polynomial; the copies of the last three follow them.
+const WORDS: usize = 6;
+
+pub(super) fn memory_pe2(format: Format) -> Description {
+    let width = format.quadratic;
+    Description::new(pictures, move || {
+        let mut golden = Clocked {
+            width,
+            words: [0; WORDS],
+            pe: None,
+            is_known: false,
+            busy: 0,
+        };
+        move |i: &[i64]| golden.clock(i)
+    })
+}
+
+/// The golden processor, whose commands take their clocks one by one.
+struct Clocked {
+    width: u32,
+    words: [i128; WORDS],
+    pe: Option<MemoryPe2>,
+    /// Did a line begin since the words were loaded? What the registers hold before is not stated.
+    is_known: bool,
+    busy: u64,
+}
+
+impl Clocked {
+    fn clock(&mut self, i: &[i64]) -> Vec<Option<i64>> {
+        let mut value = None;
+        if self.busy > 0 {
+            self.busy -= 1;
+        } else {
+            if bit(i[port::LOAD]) && i[port::ADDRESS] < WORDS as i64 {
+                self.words[i[port::ADDRESS] as usize] = i[port::DATA].into();
+                // What was drawn of the words before is over.
+                self.pe = None;
+                self.is_known = false;
+            }
+            value = self.obey(i);
+        }
+        vec![
+            Some(i64::from(self.busy == 0)),
+            Some(i64::from(value.is_some())),
+            value.flatten(),
+        ]
+    }
+
+    /// Is there a pixel, and what is stated of it?
+    fn obey(&mut self, i: &[i64]) -> Option<Option<i64>> {
+        if bit(i[port::FIELD]) {
+            let pe = match self.pe.take() {
+                Some(pe) if pe.memory_words() > WORDS => pe,
+                _ => MemoryPe2::interlaced(&self.polynomial(), self.width),
+            };
+            self.pe = Some(pe);
+            self.run(|pe| pe.field_start(i[port::ODD] as u32));
+        } else if bit(i[port::PICTURE]) {
+            self.pe = Some(MemoryPe2::progressive(&self.polynomial(), self.width));
+        } else if bit(i[port::LINE]) {
+            self.run(MemoryPe2::line_start);
+            self.is_known |= self.pe.is_some();
+        } else if bit(i[port::PIXEL]) {
+            let value = self.pe.as_mut().map(|pe| pe.pixel() as i64);
+            return Some(value.filter(|_| self.is_known));
+        }
+        None
+    }
+
+    /// Runs a command and is busy for all of its clocks but this one.
+    fn run(&mut self, command: impl FnOnce(&mut MemoryPe2)) {
+        if let Some(pe) = &mut self.pe {
+            let before = pe.clocks();
+            command(pe);
+            self.busy = pe.clocks() - before - 1;
+        }
+    }
+
+    /// The polynomial of the words, which are those of the polynomial moved by (-1, -1).
+    fn polynomial(&self) -> Quadratic {
+        let [a2, b2, c, e_less_b, d_less_a, f] = self.words;
+        let (a, b) = (a2 / 2, b2 / 2);
+        Quadratic::new([a, b, c, d_less_a + a, e_less_b + b, f]).from_zone(1, 1)
+    }
+}
+
+/// A command on a clock.
+fn command(at: usize) -> Inputs {
+    let mut inputs = vec![0; port::COUNT];
+    inputs[at] = 1;
+    inputs
+}
+
+/// A picture: its words, its shape, and how it is drawn.
+#[derive(Clone, Debug)]
+struct Picture {
+    words: Vec<i64>,
+    /// Progressive, or two fields in this order.
+    fields: Option<[bool; 2]>,
+    width: usize,
+    height: usize,
+    /// Clocks of rest after a command that takes time.
+    pause: usize,
+    /// Pixels between the start of a field and its first line.
+    early: usize,
+    /// By how much the order of the words is turned when they are loaded.
+    turn: usize,
+}
+
+/// Loaded pictures one after the other; the raster waits for `ready` and now and then a clock longer. While the
+/// processor is busy anything is asked of it.
+fn pictures(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let words = proptest::collection::vec(word(&subject.inputs[port::DATA]), WORDS);
+    let shape = (any::<[bool; 2]>(), 1usize..9, 1usize..4, 0usize..3);
+    let odd = (0usize..3, 0usize..9);
+    let picture = (words, shape, odd);
+    let picture =
+        picture.prop_map(
+            |(words, (kind, width, height, pause), (early, turn))| Picture {
+                words,
+                fields: kind[0].then_some([kind[1], !kind[1]]),
+                width,
+                height,
+                pause,
+                early,
+                turn,
+            },
+        );
+    let noise = each(subject.inputs.iter().map(word).collect(), clocks);
+    // A picture takes thirty clocks at least.
+    let pictures = proptest::collection::vec(picture, clocks / 30 + 1);
+    (pictures, noise)
+        .prop_map(move |(pictures, noise)| {
+            let mut drawn = Drawn::default();
+            pictures.iter().for_each(|picture| drawn.picture(picture));
+            let Drawn { list, is_busy } = drawn;
+            let each = list.into_iter().zip(is_busy).zip(noise);
+            each.map(|((inputs, is_busy), noise)| if is_busy { noise } else { inputs })
+                .collect()
+        })
+        .boxed()
+}
+
+/// The clocks of pictures, and in which the processor is busy.
+#[derive(Default)]
+struct Drawn {
+    list: Vec<Inputs>,
+    is_busy: Vec<bool>,
+}
+
+impl Drawn {
+    fn picture(&mut self, picture: &Picture) {
+        let starts = picture
+            .fields
+            .map_or(vec![None], |fields| fields.map(Some).to_vec());
+        self.load(picture);
+        for field in starts {
+            let at = if field.is_some() {
+                port::FIELD
+            } else {
+                port::PICTURE
+            };
+            let mut start = command(at);
+            start[port::ODD] = field.unwrap_or_default().into();
+            let restore = if field.is_some() { 6 } else { 1 };
+            self.command(start, restore, picture.pause);
+            for _ in 0..picture.early {
+                self.command(command(port::PIXEL), 1, 0);
+            }
+            for line in 0..picture.height {
+                let is_long = match field {
+                    None => false,
+                    Some(is_odd) => is_odd || line > 0,
+                };
+                let clocks = if is_long { 27 } else { 15 };
+                self.command(command(port::LINE), clocks, picture.pause);
+                for _ in 0..picture.width {
+                    self.command(command(port::PIXEL), 1, 0);
+                }
+            }
+        }
+    }
+
+    fn load(&mut self, picture: &Picture) {
+        let words = &picture.words;
+        let kept = [3, 4, 5];
+        let all = (0..WORDS).chain(kept).enumerate();
+        for (address, word) in all.cycle().skip(picture.turn).take(WORDS + kept.len()) {
+            let mut inputs = command(port::LOAD);
+            inputs[port::ADDRESS] = address as i64;
+            // Second differences are even: they are twice a coefficient.
+            let mask = if word < 2 { !1 } else { !0 };
+            inputs[port::DATA] = words[word] & mask;
+            self.command(inputs, 1, 0);
+        }
+    }
+
+    /// A command that takes so many clocks, and clocks of rest behind it.
+    fn command(&mut self, inputs: Inputs, clocks: usize, pause: usize) {
+        let rest = vec![0; port::COUNT];
+        self.list.push(inputs);
+        self.list.resize(self.list.len() + clocks - 1 + pause, rest);
+        self.is_busy.push(false);
+        self.is_busy.resize(self.is_busy.len() + clocks - 1, true);
+        self.is_busy.resize(self.is_busy.len() + pause, false);
     }
 }

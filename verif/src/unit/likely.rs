@@ -1,6 +1,6 @@
 //! Stimuli of a zone: a raster anywhere on the screen, and words that are likely to decide something on it.
 
-use super::zone::WORDS;
+use super::description::WORDS;
 use crate::signal::Signal;
 use crate::stimulus::word;
 use crate::subject::{Inputs, Subject};

@@ -1,10 +1,9 @@
 //! The coefficient store and the beam machine, fed over the load bus.
 
 use super::decision::flat;
-use super::description::{Description, behind_valid, bit, inputs, late};
+use super::description::{Description, WORDS, behind_valid, bit, inputs, late};
 use super::object::{plausible, quadric_words};
 use super::words::Ports;
-use super::zone::WORDS;
 use crate::scene::golden::GoldenMachine;
 use crate::signal::Signal;
 use crate::stimulus::{each, word};

@@ -5,23 +5,14 @@ mod decision;
 mod depth;
 mod description;
 mod elementary;
-mod lighting;
 mod likely;
 mod machine;
-mod memory;
 mod normal;
 mod object;
-mod patch;
-mod raster;
 mod root;
 mod shading;
-mod solid;
-mod transparency;
-mod video_filter;
-mod video_stream;
-mod volume;
+mod video;
 pub mod words;
-mod zone;
 
 use crate::engine::circuit::{Circuit, Compiled, Levelised};
 use crate::engine::design::driven;
@@ -76,17 +67,8 @@ pub fn subject(request: &Request) -> Result<Subject, RequestError> {
     })
 }
 
-/// The same in the simulator of `imogene-hdl`.
-pub fn levelised(request: &Request) -> Result<Subject, RequestError> {
-    simulated(request, false)
-}
-
-/// The same, where memories upset what is read while it is written.
-pub fn with_upset_collisions(request: &Request) -> Result<Subject, RequestError> {
-    simulated(request, true)
-}
-
-fn simulated(request: &Request, upsets_collisions: bool) -> Result<Subject, RequestError> {
+/// The same in the simulator of `imogene-hdl`, where memories may upset what is read while it is written.
+pub fn levelised(request: &Request, upsets_collisions: bool) -> Result<Subject, RequestError> {
     let design = Levelised {
         design: design(request)?,
         upsets_collisions,
@@ -120,42 +102,42 @@ fn describe(p: &Request) -> Description {
         Unit::CutPlane => depth::cut_plane(format),
         Unit::QuadricCut => depth::quadric_cut(format),
         Unit::NormalUnit => normal::normal_unit(planes),
-        Unit::QuadricProcessor => object::quadric_processor(format, planes, rows),
-        Unit::QuotientProcessor => object::quotient_processor(format, planes, rows),
         Unit::ProgrammablePe => elementary::programmable_pe(format),
-        Unit::MemoryPe2 => memory::memory_pe2(format),
-        Unit::PatchDecider => patch::patch_decider(format),
-        Unit::PatchProcessor => object::patch_processor(format, planes, rows),
-        Unit::FirstGenerationProcessor => object::first_generation_processor(format, rows),
+        Unit::MemoryPe2 => elementary::memory_pe2(format),
+        Unit::PatchDecider => depth::patch_decider(format),
+        Unit::QuadricProcessor
+        | Unit::QuotientProcessor
+        | Unit::PatchProcessor
+        | Unit::FirstGenerationProcessor
+        | Unit::FacetProcessor
+        | Unit::CurvedFacetProcessor
+        | Unit::SphereProcessor
+        | Unit::CylinderProcessor => object::object_processor(p, format),
         Unit::PolyhedronProcessor => object::polyhedron_processor(format, planes),
-        Unit::FacetProcessor => object::facet_processor(format, n(p.sides)),
-        Unit::CurvedFacetProcessor => object::curved_facet_processor(format, n(p.sides)),
-        Unit::SphereProcessor => object::sphere_processor(format),
-        Unit::CylinderProcessor => object::cylinder_processor(format),
-        Unit::QuadricVolume => volume::quadric_volume(format, planes, rows),
-        Unit::PolyhedralVolume => volume::polyhedral_volume(format, planes),
-        Unit::RasterControl => raster::raster_control(),
+        Unit::QuadricVolume => object::quadric_volume(format, planes, rows),
+        Unit::PolyhedralVolume => object::polyhedral_volume(format, planes),
+        Unit::RasterControl => video::raster_control(),
         Unit::CoefficientStore => machine::coefficient_store(format, planes),
         Unit::Beam => machine::beam(format, objects, planes, rows),
-        Unit::VideoTiming => raster::video_timing(n(p.mode)),
+        Unit::VideoTiming => video::video_timing(n(p.mode)),
         Unit::TmdsEncoder => board::tmds_encoder(),
         Unit::TmdsSerialiser => board::tmds_serialiser(),
         Unit::SceneSequencer => board::scene_sequencer(),
-        Unit::PixelFifo => video_stream::pixel_fifo(),
-        Unit::FrameStore => video_stream::frame_store(),
-        Unit::PostFilter => video_filter::post_filter(),
-        Unit::Overlay => video_filter::overlay(),
-        Unit::Accumulator => video_filter::accumulator(),
+        Unit::PixelFifo => video::pixel_fifo(),
+        Unit::FrameStore => video::frame_store(),
+        Unit::PostFilter => video::post_filter(),
+        Unit::Overlay => video::overlay(),
+        Unit::Accumulator => video::accumulator(),
         Unit::ShadingProcessor => shading::shading_processor(format, n(p.lights), n(p.suns)),
         Unit::LitSphere => shading::lit_sphere(format, p.table_places, p.tables, false),
         Unit::LitSphereNearest => shading::lit_sphere(format, p.table_places, p.tables, true),
         Unit::VisibilityNode => decision::visibility_node(),
         Unit::VisibilityChain => decision::visibility_chain(objects),
         Unit::CardDecider => decision::card_decider(objects, n(p.cards)),
-        Unit::ShadowStage => lighting::shadow_stage(objects),
-        Unit::TransparencyStage => transparency::transparency_stage(),
-        Unit::TransparencyPipeline => transparency::transparency_pipeline(n(p.layers)),
-        Unit::CsgProduct => solid::csg_product(format, n(p.intersected), n(p.subtracted)),
+        Unit::ShadowStage => decision::shadow_stage(objects),
+        Unit::TransparencyStage => decision::transparency_stage(),
+        Unit::TransparencyPipeline => decision::transparency_pipeline(n(p.layers)),
+        Unit::CsgProduct => decision::csg_product(format, n(p.intersected), n(p.subtracted)),
         Unit::Decider => decision::decider(objects),
     }
 }

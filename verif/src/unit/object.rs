@@ -1,11 +1,13 @@
-//! The object processors, each tried on zones that reach every branch.
+//! The object processors and the shadow and light volumes, each tried on zones that reach every branch.
 
-use super::description::Description;
-use super::likely::{Likely, even_differences, planned};
+use super::description::{Description, WORDS, zone};
+use super::likely::Likely::{self, Any, Bulge, Conic, Depth, Line, UpTo};
+use super::likely::{even_differences, held, planes_any_kind, planned, words};
 use super::words::Ports;
-use super::zone::zone;
 use crate::signal::Signal;
-use crate::stimulus::word;
+use crate::stimulus::{depth, word};
+use crate::subject::{Inputs, Subject};
+use imogene_contract::{Request, Unit};
 use imogene_golden::format::Format;
 use imogene_golden::object::curved_facet::{self, CurvedFacetWords};
 use imogene_golden::object::cylinder::{self, CylinderWords};
@@ -15,69 +17,18 @@ use imogene_golden::object::patch;
 use imogene_golden::object::polyhedron::{self, PolyhedronWords};
 use imogene_golden::object::quadric::{self, PlaneWords, QuadricWords};
 use imogene_golden::object::quotient::{self, QuotientWords};
+use imogene_golden::object::screen_box::ScreenBox;
 use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::object::sphere::{self, SphereWords};
+use imogene_golden::object::volume::{
+    FROM_DEPTH, VolumeKind, VolumePlane, VolumeQuadric, VolumeWords, polyhedral_latency,
+    quadric_latency,
+};
 use imogene_golden::object::words::Object;
 use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;
 use proptest::prelude::*;
-
-/// Depths, face and normal behind `out_valid`, so many clocks after the flags; its words have the shape of these, and
-/// are likely what the plan says.
-fn object(
-    format: Format,
-    latency: u32,
-    plan: &'static [(&str, Likely)],
-    words: ProcessorWords,
-) -> Description {
-    let pixel = |words: &ProcessorWords, [x, y]: [i64; 2], format: &Format, _: &[i64]| {
-        let p = words.at(x, y, format);
-        let [nx, ny, nz] = p.normal.map(i64::from);
-        [p.zf, p.zb, p.number.into(), nx, ny, nz]
-    };
-    let plan = planned(plan);
-    zone(plan, format, [0, latency], words, Ports::processor, pixel)
-}
-
-pub(super) fn facet_processor(format: Format, sides: usize) -> Description {
-    let plan = &[("side_", Likely::Line), ("depth_", Likely::Depth(10))];
-    let words = FacetWords {
-        edges: vec![Linear::default(); sides],
-        ..FacetWords::default()
-    };
-    object(format, facet::LATENCY, plan, ProcessorWords::Facet(words))
-}
-
-pub(super) fn curved_facet_processor(format: Format, sides: usize) -> Description {
-    let plan = &[("side_", Likely::Conic), ("depth_", Likely::Bulge)];
-    let words = ProcessorWords::CurvedFacet(CurvedFacetWords {
-        sides: vec![Quadratic::default(); sides],
-        ..CurvedFacetWords::default()
-    });
-    object(format, curved_facet::LATENCY, plan, words)
-}
-
-pub(super) fn sphere_processor(format: Format) -> Description {
-    let plan = &[
-        ("outline_", Likely::Conic),
-        ("front_", Likely::Bulge),
-        ("depth_sum", Likely::Depth(1)),
-    ];
-    let words = ProcessorWords::Sphere(SphereWords::default());
-    object(format, sphere::LATENCY, plan, words)
-}
-
-pub(super) fn cylinder_processor(format: Format) -> Description {
-    let plan = &[
-        ("side_", Likely::Line),
-        ("disc_", Likely::Conic),
-        ("body_", Likely::Bulge),
-        ("lid_", Likely::Depth(10)),
-    ];
-    let words = ProcessorWords::Cylinder(CylinderWords::default());
-    object(format, cylinder::LATENCY, plan, words)
-}
 
 /// Of a quadric with so many planes.
 pub(super) fn quadric_words(class: Class, planes: usize) -> QuadricWords {
@@ -88,29 +39,106 @@ pub(super) fn quadric_words(class: Class, planes: usize) -> QuadricWords {
     }
 }
 
-pub(super) fn patch_processor(format: Format, planes: usize, rows_per_stage: usize) -> Description {
-    let plan = &[
-        ("f1_", Likely::Depth(0)),
-        ("f2_", Likely::Conic),
-        ("plane_0_kind", Likely::Any),
-        ("plane_", Likely::Depth(0)),
-    ];
-    let latency = patch::latency(&format, rows_per_stage as u32);
-    let words = ProcessorWords::Patch(quadric_words(Class::Patch, planes));
-    object(format, latency, plan, words)
-}
-
-pub(super) fn first_generation_processor(format: Format, rows_per_stage: usize) -> Description {
-    let plan = &[
-        ("f1_", Likely::Depth(0)),
-        ("f2_", Likely::Conic),
-        ("depth_", Likely::Depth(0)),
-        ("conic_", Likely::Conic),
-        ("polar_", Likely::Line),
-    ];
-    let latency = first_generation::latency(&format, rows_per_stage as u32);
-    let words = ProcessorWords::FirstGeneration(FirstGenerationWords::default());
-    object(format, latency, plan, words)
+/// Depths, face and normal behind `out_valid`, as many clocks after the flags as the processor takes. Its words have the
+/// shape of these, and are likely what the plan says.
+pub(super) fn object_processor(request: &Request, format: Format) -> Description {
+    use ProcessorWords as Words;
+    let [planes, sides] = [request.planes, request.sides].map(|count| count as usize);
+    let rows = request.rows_per_stage;
+    let (latency, words, plan): (u32, Words, &'static [(&str, Likely)]) = match request.unit {
+        Unit::FacetProcessor => {
+            let words = FacetWords {
+                edges: vec![Linear::default(); sides],
+                ..FacetWords::default()
+            };
+            let plan = &[("side_", Line), ("depth_", Depth(10))];
+            (facet::LATENCY, Words::Facet(words), plan)
+        }
+        Unit::CurvedFacetProcessor => {
+            let words = CurvedFacetWords {
+                sides: vec![Quadratic::default(); sides],
+                ..CurvedFacetWords::default()
+            };
+            let plan = &[("side_", Conic), ("depth_", Bulge)];
+            (curved_facet::LATENCY, Words::CurvedFacet(words), plan)
+        }
+        Unit::SphereProcessor => {
+            let words = Words::Sphere(SphereWords::default());
+            let plan = &[
+                ("outline_", Conic),
+                ("front_", Bulge),
+                ("depth_sum", Depth(1)),
+            ];
+            (sphere::LATENCY, words, plan)
+        }
+        Unit::CylinderProcessor => {
+            let words = Words::Cylinder(CylinderWords::default());
+            let plan = &[
+                ("side_", Line),
+                ("disc_", Conic),
+                ("body_", Bulge),
+                ("lid_", Depth(10)),
+            ];
+            (cylinder::LATENCY, words, plan)
+        }
+        Unit::PatchProcessor => {
+            let words = Words::Patch(quadric_words(Class::Patch, planes));
+            let plan = &[
+                ("f1_", Depth(0)),
+                ("f2_", Conic),
+                ("plane_0_kind", Any),
+                ("plane_", Depth(0)),
+            ];
+            (patch::latency(&format, rows), words, plan)
+        }
+        Unit::FirstGenerationProcessor => {
+            let words = Words::FirstGeneration(FirstGenerationWords::default());
+            let plan = &[
+                ("f1_", Depth(0)),
+                ("f2_", Conic),
+                ("depth_", Depth(0)),
+                ("conic_", Conic),
+                ("polar_", Line),
+            ];
+            (first_generation::latency(&format, rows), words, plan)
+        }
+        Unit::QuadricProcessor => {
+            let words = Words::Quadric(quadric_words(Class::Side, planes));
+            let plan = &[("f1_", Depth(0)), ("f2_", Conic), ("plane_", Depth(0))];
+            (quadric::latency(&format, planes, rows), words, plan)
+        }
+        Unit::QuotientProcessor => {
+            let words = QuotientWords {
+                planes: vec![PlaneWords::default(); planes],
+                ..QuotientWords::default()
+            };
+            // About as many units as half a depth word has, over a denominator of a few hundred.
+            let plan = &[
+                ("numerator_", Bulge),
+                ("denominator_", Line),
+                ("plane_", Depth(0)),
+            ];
+            (
+                quotient::latency(&format, planes, rows),
+                Words::Quotient(words),
+                plan,
+            )
+        }
+        other => unreachable!("{other:?} hands on no single face"),
+    };
+    let pixel = |words: &Words, [x, y]: [i64; 2], format: &Format, _: &[i64]| {
+        let p = words.at(x, y, format);
+        let [nx, ny, nz] = p.normal.map(i64::from);
+        [p.zf, p.zb, p.number.into(), nx, ny, nz]
+    };
+    zone(
+        planned(plan),
+        format,
+        [0, latency],
+        words,
+        Ports::processor,
+        pixel,
+    )
 }
 
 pub(super) fn polyhedron_processor(format: Format, planes: usize) -> Description {
@@ -122,47 +150,13 @@ pub(super) fn polyhedron_processor(format: Format, planes: usize) -> Description
         let (nf, nb) = (p.interval.nf.into(), p.interval.nb.into());
         [p.interval.zf, p.interval.zb, nf, fx, fy, fz, nb, bx, by, bz]
     };
-    let plan = planned(&[("plane_", Likely::Depth(0))]);
+    let plan = planned(&[("plane_", Depth(0))]);
     let clocks = [0, polyhedron::latency(planes)];
     let words = PolyhedronWords {
         planes: vec![PlaneWords::default(); planes],
         ..PolyhedronWords::default()
     };
     zone(plan, format, clocks, words, Ports::polyhedron, pixel)
-}
-
-pub(super) fn quadric_processor(
-    format: Format,
-    planes: usize,
-    rows_per_stage: usize,
-) -> Description {
-    let latency = quadric::latency(&format, planes, rows_per_stage as u32);
-    let plan = &[
-        ("f1_", Likely::Depth(0)),
-        ("f2_", Likely::Conic),
-        ("plane_", Likely::Depth(0)),
-    ];
-    let words = ProcessorWords::Quadric(quadric_words(Class::Side, planes));
-    object(format, latency, plan, words)
-}
-
-pub(super) fn quotient_processor(
-    format: Format,
-    planes: usize,
-    rows_per_stage: usize,
-) -> Description {
-    let latency = quotient::latency(&format, planes, rows_per_stage as u32);
-    // About as many units as half a depth word has, over a denominator of a few hundred.
-    let plan = &[
-        ("numerator_", Likely::Bulge),
-        ("denominator_", Likely::Line),
-        ("plane_", Likely::Depth(0)),
-    ];
-    let words = ProcessorWords::Quotient(QuotientWords {
-        planes: vec![PlaneWords::default(); planes],
-        ..QuotientWords::default()
-    });
-    object(format, latency, plan, words)
 }
 
 /// Words of an object about the middle of a small zone: depths of a few thousand units, planes through them.
@@ -186,4 +180,115 @@ pub(super) fn plausible(ports: &[Signal]) -> BoxedStrategy<Vec<i64>> {
     };
     let words: Vec<_> = ports.iter().map(one).collect();
     even_differences(ports, words.boxed())
+}
+
+/// The visible depth comes in before the words.
+const DEPTH: usize = WORDS;
+
+/// Whether the visible point is inside.
+fn volume(format: Format, planes: usize, clocks: [u32; 2], has_quadric: bool) -> Description {
+    // Shadow or light, and whose: the flags behind the processor are told, not the processor.
+    let words = VolumeWords {
+        kind: VolumeKind::Shadow,
+        source: 0,
+        screen_box: ScreenBox::EMPTY,
+        margin: 0,
+        quadric: has_quadric.then_some(VolumeQuadric::EVERYWHERE),
+        planes: vec![VolumePlane::default(); planes],
+    };
+    let read = |ports: &mut Ports, words: &mut VolumeWords| {
+        ports.number(&mut 0, |depth| depth);
+        ports.volume(words);
+    };
+    let pixel = |words: &VolumeWords, [x, y]: [i64; 2], format: &Format, i: &[i64]| {
+        [words.holds(x, y, i[DEPTH], format).into()]
+    };
+    zone(points, format, clocks, words, read, pixel)
+}
+
+pub(super) fn quadric_volume(format: Format, planes: usize, rows_per_stage: usize) -> Description {
+    let latency = quadric_latency(&format, rows_per_stage as u32);
+    volume(format, planes, [latency - FROM_DEPTH, latency], true)
+}
+
+pub(super) fn polyhedral_volume(format: Format, planes: usize) -> Description {
+    volume(format, planes, [0, polyhedral_latency()], false)
+}
+
+/// Words held over a zone, and a visible depth that changes every clock: at the parts of the volume, at the ends, or
+/// anything.
+fn points(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let width = subject.inputs[DEPTH].width;
+    let plan = [
+        ("f1_", Depth(0)),
+        ("f2_", Conic),
+        ("plane_", Depth(0)),
+        ("depth_shift", UpTo(8)),
+        ("margin", UpTo((1 << (width - 1)) - 1)),
+    ];
+    let words = planes_any_kind(words(&subject.inputs, width, &plan), subject);
+    let near = 12_000i64.min((1 << (width - 1)) - 1);
+    let point = prop_oneof![3 => -near..near, 2 => -12i64..12, 1 => depth(width)];
+    let surface = Surface::of(subject);
+    (
+        held(&subject.inputs, words, clocks),
+        proptest::collection::vec(point, clocks),
+        proptest::option::of((any::<bool>(), any::<i64>())),
+    )
+        .prop_map(move |(mut list, points, flat)| {
+            for (inputs, point) in list.iter_mut().zip(points) {
+                // The golden model takes no more than half the depth word.
+                inputs[DEPTH + 1] &= (1 << (width - 1)) - 1;
+                inputs[DEPTH] = point;
+                if let (Some((is_far, at)), Some(surface)) = (flat, &surface) {
+                    surface.flatten(inputs, is_far, at, width);
+                }
+            }
+            list
+        })
+        .boxed()
+}
+
+/// Where the words of a quadric stand among the inputs.
+struct Surface {
+    /// The first word of the linear part, and the last one of the quadratic part, which follows it.
+    linear: usize,
+    constant: usize,
+    shift: usize,
+}
+
+impl Surface {
+    /// Nothing if the volume has none.
+    fn of(subject: &Subject) -> Option<Surface> {
+        let ports = &subject.inputs;
+        let place = |name| ports.iter().position(|signal| signal.name == name);
+        Some(Surface {
+            linear: place("f1_a")?,
+            constant: place("f2_f")?,
+            shift: place("depth_shift")?,
+        })
+    }
+
+    /// Makes both depths of the quadric constant, of any root, and puts one of them near the visible point: the lowest
+    /// digit of the root decides.
+    fn flatten(&self, inputs: &mut Inputs, is_far: bool, at: i64, width: u32) {
+        let drawn = inputs[self.constant];
+        let drawn = if drawn < 0 { !drawn } else { drawn };
+        let root = drawn.isqrt();
+        // Any, or the least and the greatest of a root.
+        let radicand = match at & 3 {
+            0 => root * root,
+            // Of the longest words the greatest one has no place in a word.
+            1 => (root * root).saturating_add(2 * root),
+            _ => drawn,
+        };
+        let unit = inputs[self.shift];
+        let end = 1i64 << (width - 1);
+        let depth = ((at >> 2).rem_euclid(2 * end) - end) >> unit;
+        inputs[self.linear..=self.constant].fill(0);
+        inputs[self.constant] = radicand;
+        inputs[self.linear + 2] = if is_far { depth - root } else { depth + root };
+        let point = (depth << unit) + inputs[DEPTH].rem_euclid(5 << unit) - (2 << unit);
+        inputs[DEPTH] = point.clamp(-end, end - 1);
+    }
 }

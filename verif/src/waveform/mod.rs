@@ -2,10 +2,9 @@
 
 mod file;
 mod request;
-mod save;
 
+pub use file::save_path;
 pub use request::{Place, PlaceError, WaveformRequest, WindowStart};
-pub use save::save_path;
 
 use crate::signal::Signal;
 use imogene_files::{Outputs, WriteError};

@@ -50,15 +50,6 @@ pub enum PlaceError {
 }
 
 impl Place {
-    /// The pixel of the first frame.
-    pub fn pixel(column: usize, line: usize) -> Place {
-        Place {
-            frame: None,
-            column,
-            line,
-        }
-    }
-
     /// Refuses a pixel that a picture of this size does not have.
     pub fn check(&self, width: usize, height: usize) -> Result<(), PlaceError> {
         match self.column < width && self.line < height {

@@ -5,7 +5,7 @@ use imogene_contract::{Request, Unit};
 use imogene_verif::engine::design::{Simulator, with_verilog};
 use imogene_verif::random;
 use imogene_verif::subject::Subject;
-use imogene_verif::unit::{levelised, subject, with_upset_collisions};
+use imogene_verif::unit::{levelised, subject};
 
 const CLOCKS: usize = 2_000;
 
@@ -87,7 +87,7 @@ fn compiled_units_are_the_levelised_ones() {
         for depth_word in [24, unit.least_word(), 31] {
             let request = Request::of(unit, depth_word);
             let compiled = subject(&request).expect("a unit in its legal range");
-            let levelised = levelised(&request).expect("a unit in its legal range");
+            let levelised = levelised(&request, false).expect("a unit in its legal range");
             let [mut here, mut there] = [&compiled, &levelised].map(|unit| (unit.hardware)());
             let stimulus = compiled.seeded_stimulus(CLOCKS, 7);
             for (clock, inputs) in stimulus.iter().enumerate() {
@@ -107,7 +107,7 @@ fn compiled_units_are_the_levelised_ones() {
 fn no_unit_uses_what_it_reads_while_it_writes_it() {
     for unit in Unit::ALL {
         let request = Request::of(unit, unit.least_word());
-        let upset = with_upset_collisions(&request).expect("a unit in its legal range");
+        let upset = levelised(&request, true).expect("a unit in its legal range");
         let (report, _) = random::run(&upset, 5 * CLOCKS, 3, false);
         let name = unit.name();
         assert!(report.passed(), "{name}: {:?}", report.first_mismatches);

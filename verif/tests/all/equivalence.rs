@@ -3,8 +3,7 @@
 
 use super::{is_proof_run, root, verilog};
 use imogene_contract::Unit;
-use imogene_verif::equivalence::table::{Row, markdown};
-use imogene_verif::equivalence::{Text, Verdict, compare};
+use imogene_verif::equivalence::{Row, Text, Verdict, compare};
 
 /// Units that take seconds.
 const SMALL: [Unit; 7] = [
@@ -26,12 +25,11 @@ fn rows(depth_word: u32) -> Vec<String> {
     };
     let row = |&unit: &Unit| {
         let row = Row::of(unit, depth_word).unwrap_or_else(|error| panic!("{error}"));
-        let text = markdown(std::slice::from_ref(&row));
-        let line = text.lines().last().expect("a row");
+        let line = row.markdown();
         println!("{depth_word}: {line}");
         let is_equal = row.verdict.is_none_or(|verdict| verdict == Verdict::Equal);
         assert!(is_equal && row.bits > 0, "{}", unit.name());
-        line.to_owned()
+        line
     };
     units.iter().map(row).collect()
 }

@@ -244,6 +244,14 @@ fn clocks(vcd: &Path) -> Vec<u64> {
 
 /// The window of a trace begins at the pixel asked for, counted from the first line of its band, or shows a mismatch
 /// alone, in whichever band it is.
+fn at_pixel(column: usize, line: usize) -> WindowStart {
+    WindowStart::At(Place {
+        frame: None,
+        column,
+        line,
+    })
+}
+
 #[test]
 fn a_window_begins_at_a_pixel_or_shows_a_mismatch_alone() {
     let folder = tempfile::tempdir().unwrap();
@@ -258,7 +266,7 @@ fn a_window_begins_at_a_pixel_or_shows_a_mismatch_alone() {
         run_scene(&scene, &options, Engine::BuiltIn, || ()).map(|(report, _)| report)
     };
     // Lines 18 to 35 are the second band.
-    let report = run(WindowStart::At(Place::pixel(5, 20)), 60, None).unwrap();
+    let report = run(at_pixel(5, 20), 60, None).unwrap();
     report.trace.unwrap().write(&path).unwrap();
     assert_eq!(
         clocks(&path),
@@ -276,7 +284,7 @@ fn a_window_begins_at_a_pixel_or_shows_a_mismatch_alone() {
         "{first}: {held:?}"
     );
 
-    let refused = run(WindowStart::At(Place::pixel(48, 0)), 60, None).unwrap_err();
+    let refused = run(at_pixel(48, 0), 60, None).unwrap_err();
     assert_eq!(
         refused.to_string(),
         "there is no pixel 48,0 to trace from; accepted: 0,0 to 47,35"

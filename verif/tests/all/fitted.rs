@@ -7,12 +7,12 @@ use imogene_golden::format::Format;
 use imogene_golden::machine::beam;
 use imogene_prepare::Framing;
 use imogene_prepare::{PreparedScene, prepare};
-use imogene_rtl::emit::machine::emit_machine;
+use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
 use imogene_verif::engine::Engine;
-use imogene_verif::engine::beam::BeamDesign;
 use imogene_verif::engine::design::Simulator;
+use imogene_verif::engine::machine::BeamDesign;
 use imogene_verif::report::Report;
-use imogene_verif::scene::{Fault, Options, request, run_on};
+use imogene_verif::scene::{Fault, Options, run_on};
 
 const SIZE: (u32, u32) = (64, 48);
 
@@ -58,7 +58,7 @@ fn prepared(index: usize) -> (PreparedScene, Vec<FittedSlot>, u32) {
 fn run(index: usize, fault: Option<Fault>) -> Report {
     let (prepared, slots, rows) = prepared(index);
     let engine = Engine::Verilog(Simulator::Verilator);
-    let request = request(&prepared, &slots, rows as usize);
+    let request = MachineRequest::fitted(prepared.format.widths(), rows as usize, slots.clone());
     let design = BeamDesign::compile(engine, &request, vec![], &[]).unwrap();
     let options = Options {
         fault,
@@ -72,7 +72,9 @@ fn run(index: usize, fault: Option<Fault>) -> Report {
 fn machines_of_any_words_are_the_golden_machine() {
     for (index, words) in MACHINES.iter().enumerate() {
         let (prepared, slots, rows) = prepared(index);
-        let emitted = emit_machine(&request(&prepared, &slots, rows as usize)).unwrap();
+        let request =
+            MachineRequest::fitted(prepared.format.widths(), rows as usize, slots.clone());
+        let emitted = emit_machine(&request).unwrap();
         let latency = beam::latency(&slots, &prepared.format, rows);
         assert_eq!(emitted.latency as u32, latency);
         let report = run(index, None);

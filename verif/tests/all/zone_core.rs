@@ -13,9 +13,10 @@ use imogene_prepare::Framing;
 use imogene_prepare::prepare;
 use imogene_verif::display::Machine;
 use imogene_verif::display::request::{core_request, zone_timing};
-use imogene_verif::display::stalls::Stalls;
 use imogene_verif::engine::Engine;
 use imogene_verif::engine::design::Simulator;
+use imogene_verif::engine::machine::MachineDesign;
+use imogene_verif::random::Stalls;
 use imogene_verif::report::Report;
 
 fn plan(scene: &str, (width, height): (u32, u32), machine: ZoneMachine) -> ZonePlan {
@@ -51,7 +52,8 @@ fn run(beats: &[Beat], machine: &ZoneMachine, engine: Engine, seed: Option<u64>)
             .expect("a stream");
     }
     let request = core_request(machine, &Format::BASE, ROWS_PER_STAGE);
-    let mut hardware = Machine::start(&request, engine, &[]).expect("a machine");
+    let mut hardware =
+        Machine::of(MachineDesign::compile(engine, &request, &[], &[]).expect("a machine"));
     let mut stalls = Stalls::new(seed);
     let mut report = Report::default();
     hardware.set("room", 0);

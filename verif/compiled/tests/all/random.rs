@@ -249,7 +249,8 @@ proptest! {
             Run::new("one lane", Program::new(&design, &paths)),
             Run::new("four lanes", Program::in_lanes(&design, &paths)),
         ];
-        let points = paths.iter().filter_map(|path| Some((lanes[0].point(path)?, path)));
+        let points = paths.iter().enumerate();
+        let points = points.filter_map(|(index, path)| Some((lanes[0].point(path)?, index)));
         let points: Vec<_> = points.collect();
         let inputs: Vec<_> = design.top.ports_of(Direction::In).collect();
         for words in stimulus {
@@ -264,10 +265,10 @@ proptest! {
                 for (lane, words) in words.iter().enumerate().take(run.program.lanes()) {
                     run.simulation.set_lane(lane, *words);
                 }
-                for (there, path) in &points {
-                    let here = run.program.port(path);
-                    for (lane, simulator) in lanes.iter_mut().enumerate().take(run.program.lanes()) {
-                        let word = run.simulation.get_lane(lane, here);
+                let (count, found) = (run.program.lanes(), run.simulation.points());
+                for (there, index) in &points {
+                    for (lane, simulator) in lanes.iter_mut().enumerate().take(count) {
+                        let (word, path) = (found[index * count + lane], &paths[*index]);
                         prop_assert_eq!(word, simulator.get(*there), "{}, lane {}: {}", run.what, lane, path);
                     }
                 }

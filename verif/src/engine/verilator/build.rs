@@ -1,6 +1,7 @@
 //! From sources to a library: Verilator, the C++ compiler, and the cache.
 
-use super::shim::{CLASS, Sources, WRAPPER};
+use super::{CLASS, WRAPPER, sources};
+use crate::engine::design::Source;
 use imogene_tools::{COMPILER, FileError, ToolError, VERILATOR, digest, made, write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock};
@@ -65,29 +66,25 @@ fn build_folder() -> Option<PathBuf> {
         .map(Path::to_path_buf)
 }
 
-/// The library of these sources, compiled with more options than ours unless it is kept.
-pub(super) fn library(sources: &Sources, more: &str) -> Result<PathBuf, ToolError> {
+/// The library of a design, compiled with more options than ours unless it is kept.
+pub(super) fn library(source: &Source, more: &str) -> Result<PathBuf, ToolError> {
+    let [verilog, shim] = &sources(source);
     let tools = tools()?;
     let compiler = compiler_options(tools, more);
     let options = format!("{VERILATOR_OPTIONS}\n{}", compiler.join(" "));
-    let name = digest([&*sources.verilog, &sources.shim, &tools.versions, &options]);
+    let name = digest([&**verilog, shim, &tools.versions, &options]);
     let cache = cache_folder();
     let path = cache.join(format!("{name}.so"));
     made(&path, |folder| {
         let run_time = run_time(&cache, tools, &compiler, &options)?;
-        write(&folder.join("design.v"), &sources.verilog)?;
-        write(&folder.join("shim.cpp"), &sources.shim)?;
-        verilate(folder)?;
+        write(&folder.join("design.v"), verilog)?;
+        write(&folder.join("shim.cpp"), shim)?;
+        let placing = format!("--prefix {CLASS} --top-module {WRAPPER} --Mdir cpp design.v");
+        let options = VERILATOR_OPTIONS.split(' ').chain(placing.split(' '));
+        VERILATOR.run(options, folder)?;
         link(folder, &compiler, &run_time)
     })?;
     Ok(path)
-}
-
-fn verilate(folder: &Path) -> Result<(), ToolError> {
-    let placing = format!("--prefix {CLASS} --top-module {WRAPPER} --Mdir cpp design.v");
-    let options = VERILATOR_OPTIONS.split(' ').chain(placing.split(' '));
-    VERILATOR.run(options, folder)?;
-    Ok(())
 }
 
 /// The compiler's options, with more, those of the user and the folders of Verilator's run time.

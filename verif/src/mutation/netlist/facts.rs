@@ -6,7 +6,7 @@
 //! There one state in which all hold is enough: it keeps nothing, so that its results are the same from any state, and
 //! nothing is stated of a result before.
 
-use super::elaborate::NETLIST;
+use super::mutant::NETLIST;
 use imogene_tools::{ToolError, read, write, yosys};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -159,10 +159,6 @@ pub enum Proof {
 }
 
 /// Writes [`ASSUMED`]: the netlist in the folder with the facts that hold.
-///
-/// # Errors
-///
-/// When Yosys is missing or fails, or a file cannot be read or written.
 pub fn assume(folder: &Path, top: &str, unit: &str) -> Result<Proof, ToolError> {
     let netlist = read(&folder.join(NETLIST))?;
     let wires = wires(&netlist);

@@ -2,8 +2,8 @@ use imogene_contract::Request;
 use imogene_rtl::emit::emit;
 use imogene_tools::{read, scratch, write};
 use imogene_verif::mutation::Options;
-use imogene_verif::mutation::netlist::elaborate::{SOURCE, elaborate};
 use imogene_verif::mutation::netlist::facts::{ASSUMED, Facts, Proof, assume, live, wires};
+use imogene_verif::mutation::netlist::mutant::{SOURCE, elaborate};
 
 #[test]
 fn facts_name_wires_of_the_netlist() {

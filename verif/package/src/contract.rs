@@ -3,14 +3,13 @@
 //! Ports are those of the circuit, each with its meaning; the formula of a width follows from the circuit at the least
 //! and the greatest depth words. The rest of a promise is the record of the unit.
 
-mod markdown;
-
 use imogene_contract::parameters::Parameter;
 use imogene_contract::words::MOST_DEPTH;
 use imogene_contract::{Request, RequestError, RootForm};
 use imogene_hdl::Design;
 use imogene_rtl::emit::{Emitted, Port, design, emit};
 use serde::Serialize;
+use std::fmt::Write;
 
 /// What every unit does about reset.
 pub const RESET: &str = "none: registers start from their initial values at configuration; outputs mean something under valid only, or where there is none after the latency has passed";
@@ -81,20 +80,12 @@ pub struct Latency {
     pub clocks: usize,
 }
 
-/// The contract of a unit.
-///
-/// # Errors
-///
-/// When a parameter is out of its range.
+/// The contract of a unit; refuses a parameter out of its range.
 pub fn contract(request: &Request) -> Result<Contract, RequestError> {
     of_emitted(request, &emit(request)?)
 }
 
 /// The contract of a unit that was already emitted.
-///
-/// # Errors
-///
-/// As for [`contract`].
 pub fn of_emitted(request: &Request, emitted: &Emitted) -> Result<Contract, RequestError> {
     let record = request.unit.record();
     Ok(Contract {
@@ -120,6 +111,49 @@ impl Contract {
     pub fn json(&self) -> String {
         let text = serde_json::to_string_pretty(self).expect("every key is a string");
         text + "\n"
+    }
+
+    /// The contract as a Markdown page.
+    pub fn markdown(&self) -> String {
+        let mut text = format!("# {}\n\nComputes {}.\n\n", self.unit, self.computes);
+        let clocks = if self.latency.clocks == 1 {
+            "clock"
+        } else {
+            "clocks"
+        };
+        let latency = format!(
+            "{} {clocks}, `{}`",
+            self.latency.clocks, self.latency.formula
+        );
+        text += "| | |\n|---|---|\n";
+        for (what, value) in [
+            ("source", self.source),
+            ("latency", &latency),
+            ("throughput", self.throughput),
+            ("reset", self.reset),
+            ("ties", self.ties),
+            ("error", &self.error),
+            ("made by", &format!("`{}`", self.command)),
+        ] {
+            let _ = writeln!(text, "| {what} | {value} |");
+        }
+        text += "\n## Parameters\n\n| parameter | option | legal | here |\n|---|---|---|---|\n";
+        for p in &self.parameters {
+            let _ = writeln!(
+                text,
+                "| `{}` | `--{}` | {} | {} |",
+                p.symbol, p.option, p.range, p.value
+            );
+        }
+        text += "\n## Ports\n\n| port | direction | width | formula | format | meaning |\n|---|---|---|---|---|---|\n";
+        for p in &self.ports {
+            let _ = writeln!(
+                text,
+                "| `{}` | {} | {} | `{}` | {} | {} |",
+                p.name, p.direction, p.width, p.formula, p.format, p.meaning
+            );
+        }
+        text
     }
 }
 
