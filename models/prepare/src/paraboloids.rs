@@ -1,5 +1,5 @@
-//! Spheres and cylinders by paraboloids, and surfaces with one depth of second degree as non-planar facets: orthographic
-//! views.
+//! Spheres and cylinders by paraboloids, and surfaces with one depth of second degree as non-planar facets:
+//! orthographic views.
 
 use super::context::Context;
 use super::error::PrepareError;

@@ -151,8 +151,8 @@ fn form(shape: &Shape) -> ([f64; 3], Option<Matrix>) {
     let (radii, form) = match *shape {
         Shape::Ellipsoid(radii) => (radii, twice([1, 1, 1], none, -1)),
         Shape::Sphere { radius } => ([radius; 3], twice([1, 1, 1], none, -1)),
-        Shape::EllipticCylinder ([a, c]) => ([a, 1.0, c], twice([1, 0, 1], none, -1)),
-        Shape::HyperbolicCylinder ([a, c]) => ([a, 1.0, c], twice([1, 0, -1], none, -1)),
+        Shape::EllipticCylinder([a, c]) => ([a, 1.0, c], twice([1, 0, 1], none, -1)),
+        Shape::HyperbolicCylinder([a, c]) => ([a, 1.0, c], twice([1, 0, -1], none, -1)),
         Shape::ParabolicCylinder([a, c]) => ([a, 1.0, c], twice([1, 0, 0], [0, 0, -1], 0)),
         Shape::Cone(radii) => (radii, twice([1, -1, 1], none, 0)),
         Shape::HyperboloidOneSheet(radii) => (radii, twice([1, -1, 1], none, -1)),
