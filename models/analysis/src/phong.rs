@@ -1,7 +1,7 @@
 //! Phong shading of a decided frame, in software (source: 1.2.4).
 //!
-//! `I = ka Ia C + sum_j Ij (kd C (N.L_j) + ks (R_j.V)^n)` with unit vectors in the camera frame, at the point before
-//! perspective. Surfaces are two-sided: the normal is turned towards the viewer.
+//! `I = ka Ia C + F sum_j Ij (kd C (N.L_j) + ks (R_j.V)^n)` with unit vectors in the camera frame, at the point before
+//! perspective, and `F = k / (d + k)` where light is halved at a distance k from the eye, else 1. Surfaces are two-sided: the normal is turned towards the viewer.
 
 use imogene_algebra::vector::{Vector, dot, length};
 use imogene_golden::format::Format;
@@ -59,7 +59,9 @@ fn colour(
     normal: Vector,
     flags: u16,
 ) -> Vector {
-    let viewer = unit(scene.projection.towards_viewer(point));
+    let to_eye = scene.projection.towards_viewer(point);
+    let part = (scene.attenuation).map_or(1.0, |half| half / (length(to_eye) + half));
+    let viewer = unit(to_eye);
     let normal = facing(unit(normal), viewer);
     let mut sum: Vector =
         std::array::from_fn(|k| material.ambient * scene.ambient[k] * material.colour[k]);
@@ -77,7 +79,8 @@ fn colour(
             .max(0.0)
             .powi(material.exponent as i32);
         for k in 0..3 {
-            sum[k] += intensity[k]
+            sum[k] += part
+                * intensity[k]
                 * (material.diffuse * material.colour[k] * lambert + material.specular * highlight);
         }
     }

@@ -83,7 +83,7 @@ pub(super) fn shader(
     }
     match machine.lights {
         0 => flat_words(scene, format),
-        _ => shader_words(scene, format, None),
+        _ => shader_words(scene, format),
     }
 }
 

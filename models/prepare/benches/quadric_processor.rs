@@ -61,6 +61,7 @@ fn scene() -> FramedScene {
         lights: vec![],
         sources: vec![],
         ambient: [1.0; 3],
+        attenuation: None,
         background: [0; 3],
     }
 }

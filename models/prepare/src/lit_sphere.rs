@@ -59,7 +59,10 @@ pub fn sphere_words(
     form: SphereForm,
     lights: u32,
 ) -> Result<ShaderWords, ShaderError> {
-    let words = shader_words(scene, format, None)?;
+    if scene.attenuation.is_some() {
+        return Err(ShaderError::NoDistance);
+    }
+    let words = shader_words(scene, format)?;
     let materials = scene.materials.len() as u32;
     let places = form.places;
     let mut tables = SphereTables {

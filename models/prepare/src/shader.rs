@@ -22,9 +22,9 @@ pub enum ShaderError {
     /// A picture beyond the coordinates of 12 bits.
     #[error("a picture of {0} by {1} pixels: the shading processor takes at most 4096 by 4096")]
     Picture(u32, u32),
-    /// Attenuation along parallel lines of sight.
+    /// Attenuation in tables of colours.
     #[error(
-        "attenuation: the viewer of an orthographic picture is at no distance; a perspective camera is needed"
+        "attenuation: the viewer of a table of colours is infinitely far; take it out of the scene, or draw with a shading processor"
     )]
     NoDistance,
     /// Not a distance.
@@ -42,17 +42,13 @@ const MOST_DISTANCE: f64 = 131_071.0;
 const SHORTEST: f64 = 1e-3;
 const LONGEST: f64 = 1e12;
 
-/// The words of a scene; `attenuation` is the distance `k` of `k / (d + k)` in pixels.
+/// The words of a scene.
 ///
 /// # Errors
 ///
-/// When the scene has more lights, materials or pixels than the processor, or the attenuation has no meaning.
-pub fn shader_words(
-    scene: &FramedScene,
-    format: &Format,
-    attenuation: Option<f64>,
-) -> Result<ShaderWords, ShaderError> {
-    check(scene, attenuation)?;
+/// When the scene has more lights, materials or pixels than the processor, or its attenuation is beyond the words.
+pub fn shader_words(scene: &FramedScene, format: &Format) -> Result<ShaderWords, ShaderError> {
+    check(scene)?;
     let view = View::new(&scene.projection);
     // A depth word counts 1 / ZMAX of the way, the hardware 1 / 2^(W-1).
     let full = (f64::from(format.depth) - 1.0).exp2();
@@ -77,7 +73,7 @@ pub fn shader_words(
         perspective: view.perspective,
         view_shift: view.shift,
         distance: view.distance,
-        attenuation: attenuation.map(|k| view.attenuation(k, stretch)),
+        attenuation: scene.attenuation.map(|k| view.attenuation(k, stretch)),
         offset_when_on: 0,
         background: scene.background,
         lights: lights.into_iter().map(light).collect(),
@@ -89,12 +85,13 @@ pub fn shader_words(
 /// The words of a scene for a machine without lights: every object has the colour of its material, which stands in the
 /// place of the ambient light.
 pub fn flat_words(scene: &FramedScene, format: &Format) -> Result<ShaderWords, ShaderError> {
-    let words = shader_words(scene, format, None)?;
+    let words = shader_words(scene, format)?;
     let plain = |m: &Material| MaterialWords {
         ambient: m.colour.map(|level| (level * 65280.0).round() as u16),
         ..MaterialWords::default()
     };
     Ok(ShaderWords {
+        attenuation: None,
         lights: vec![],
         materials: scene.materials.iter().map(plain).collect(),
         ..words
@@ -107,7 +104,7 @@ pub fn material_numbers(scene: &FramedScene) -> Vec<u8> {
     objects.map(|object| object.material() as u8).collect()
 }
 
-fn check(scene: &FramedScene, attenuation: Option<f64>) -> Result<(), ShaderError> {
+fn check(scene: &FramedScene) -> Result<(), ShaderError> {
     let (lights, materials) = (scene.lights.len(), scene.materials.len());
     if lights > MOST_LIGHTS {
         return Err(ShaderError::Lights(lights));
@@ -118,11 +115,9 @@ fn check(scene: &FramedScene, attenuation: Option<f64>) -> Result<(), ShaderErro
     if scene.width.max(scene.height) > 4096 {
         return Err(ShaderError::Picture(scene.width, scene.height));
     }
-    match (attenuation, &scene.projection) {
-        (None, _) => Ok(()),
-        (Some(k), _) if !(SHORTEST..=LONGEST).contains(&k) => Err(ShaderError::Attenuation(k)),
-        (Some(_), Projection::Orthographic { .. }) => Err(ShaderError::NoDistance),
-        (Some(_), Projection::Perspective { .. }) => Ok(()),
+    match scene.attenuation {
+        Some(k) if !(SHORTEST..=LONGEST).contains(&k) => Err(ShaderError::Attenuation(k)),
+        _ => Ok(()),
     }
 }
 

@@ -32,6 +32,9 @@ pub struct SceneFile {
     /// Ambient light `I_a`, 0 to 1 for each of red, green, blue.
     #[serde(default = "white", deserialize_with = "numbers")]
     pub ambient: [f64; 3],
+    /// Distance `k` from the eye, in scene units, at which half of what the sources send is seen: `k / (d + k)` of it at
+    /// a distance d. All of it if there is none.
+    pub attenuation: Option<f64>,
     /// Name of the observer who is looked through; the first if there is none.
     pub active_camera: Option<String>,
     /// Size of the picture unless the user asks for another.
@@ -139,6 +142,7 @@ impl SceneFile {
             title: title.to_owned(),
             background: [0.0; 3],
             ambient: white(),
+            attenuation: None,
             image: ImageSize::default(),
             camera,
             cameras: vec![],

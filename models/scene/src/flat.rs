@@ -113,6 +113,7 @@ impl SceneFile {
             format: self.format,
             background: self.background,
             ambient: self.ambient,
+            attenuation: self.attenuation,
             image: self.image,
             materials: self.materials.clone(),
             solids: self.solids.clone(),

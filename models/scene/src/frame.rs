@@ -59,6 +59,8 @@ pub struct FramedScene {
     pub sources: Vec<FramedSource>,
     /// Ambient light, 0 to 1 for each of red, green, blue.
     pub ambient: [f64; 3],
+    /// Distance from the eye, in pixels, at which half of what the sources send is seen.
+    pub attenuation: Option<f64>,
     /// Colour of a pixel without object, 8 bits for each of red, green, blue.
     pub background: [u8; 3],
 }
@@ -106,6 +108,13 @@ impl SceneFile {
             _ => moved(sample_at, &projection).after(&upright),
         };
         let (lights, sources) = (self.lights.iter(), self.lights.iter());
+        let attenuation = match &projection {
+            Projection::Perspective { distance } => {
+                let pixels_per_unit = to_f64(&(distance / (integer(2) * &range.near)));
+                self.attenuation.map(|half| half * pixels_per_unit)
+            }
+            Projection::Orthographic { .. } => None,
+        };
         Ok(FramedScene {
             title: self.title.clone(),
             width,
@@ -119,6 +128,7 @@ impl SceneFile {
             lights: lights.map(|light| framed_light(light, &upright)).collect(),
             sources: sources.map(|l| FramedSource::new(l, &camera)).collect(),
             ambient: self.ambient,
+            attenuation,
             background: self.background.map(|value| (value * 255.0).round() as u8),
         })
     }

@@ -38,6 +38,7 @@ impl SceneFile {
         check_colour("ambient", self.ambient)?;
         check_image_size(self.image.width, self.image.height)?;
         self.all_cameras().try_for_each(check_camera)?;
+        self.check_attenuation()?;
         check_count("lights", self.lights.len(), "lights", MAX_LIGHTS)?;
         for (index, light) in self.lights.iter().enumerate() {
             check_light(&format!("lights[{index}]"), light)?;
@@ -55,6 +56,19 @@ impl SceneFile {
             check_images(self, &names)?;
         }
         Ok(())
+    }
+
+    fn check_attenuation(&self) -> Checked {
+        let Some(half) = self.attenuation else {
+            return Ok(());
+        };
+        check_length("attenuation", half)?;
+        let is_central = |camera: &Camera| matches!(camera.lens, Lens::Perspective { .. });
+        unless(self.all_cameras().all(is_central), || {
+            let problem = "a parallel view has no distance from an eye".to_owned();
+            let accepted = "take it out, or make every camera a perspective one";
+            ("attenuation", problem, accepted)
+        })
     }
 
     fn check_materials(&self) -> Checked {

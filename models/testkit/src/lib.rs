@@ -108,6 +108,7 @@ pub fn scene_of(
         lights: vec![],
         sources: vec![],
         ambient: [1.0; 3],
+        attenuation: None,
         background: [0; 3],
     }
 }

@@ -1,6 +1,7 @@
 //! Colours of surfaces and of what is seen through them, in intervals.
 //!
-//! Every source adds `I (diffuse colour (N.L) + specular (R.V)^n)` where N, turned to the viewer, is on its side;
+//! Every source adds `I (diffuse colour (N.L) + specular (R.V)^n)` where N, turned to the viewer, is on its side, of
+//! which `k / (d + k)` is seen from a distance d where light is halved at k;
 //! transparent objects are blended over it from the farthest to the nearest, `t I1 + (1 - t) I2`. An interval holds
 //! the colours of all normals that are as near to the true one as the golden normal, at all depths that are as near to
 //! the true one as the golden depth: whether a source is on this side of a surface may then remain open, and both are
@@ -39,6 +40,8 @@ pub struct Colours {
     from: [Direction; 3],
     along: [Direction; 3],
     ambient: [f64; 3],
+    /// Distance from the eye at which light is halved.
+    half: Option<f64>,
     background: Levels,
     sources: Vec<Source>,
     /// Of the objects.
@@ -82,6 +85,7 @@ impl Colours {
             from: quick(&sight.from),
             along: quick(&sight.along),
             ambient: scene.ambient,
+            half: scene.attenuation,
             background: scene
                 .background
                 .map(|v| Interval::point(255.0 * v).widened(0.5)),
@@ -119,7 +123,14 @@ impl Colours {
         let [x, y] = [x, y].map(|v| Interval::point(v as f64));
         let on = |[a, b, c]: &[Direction; 3]| each(|k| a[k] * x + b[k] * y + c[k]);
         let (from, along) = (on(&self.from), on(&self.along));
-        let place = each(|k| from[k] + surface.t * along[k]);
+        let way = along.map(|v| surface.t * v);
+        let place = each(|k| from[k] + way[k]);
+        let part = self
+            .half
+            .map(Interval::point)
+            .map_or(Interval::point(1.0), |half| {
+                half / (sum(way.iter().map(|v| v.square())).sqrt() + half)
+            });
         let viewer = unit(along.map(|v| -v)).map(|v| v.widened(VIEW));
         let normal = surface.normal.map(|v| v.widened(surface.off));
         let (normal, facing) = match dot(&normal, &viewer) {
@@ -147,7 +158,7 @@ impl Colours {
                 let sent = diffuse * lambert.clamped(0.0, 1.0) + specular;
                 let least = if lambert.lo > 0.0 { sent.lo } else { 0.0 };
                 let sent = Interval { lo: least, ..sent };
-                *sum = *sum + Interval::point(source.colour[k]) * sent;
+                *sum = *sum + part * Interval::point(source.colour[k]) * sent;
             }
         }
         let reach = SHADED + WORDS * self.sources.len() as f64;

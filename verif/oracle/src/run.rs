@@ -145,7 +145,7 @@ fn painted(
     scene: &FramedScene,
     format: &Format,
 ) -> Option<Painted> {
-    let words = shader_words(scene, format, None).ok()?;
+    let words = shader_words(scene, format).ok()?;
     let lighting = Lighting::full(golden);
     Some(Painted {
         golden: shade_picture(golden, &lighting, &material_numbers(scene), &words),

@@ -23,7 +23,7 @@ fn pictures(file: &SceneFile) -> [Vec<u8>; 2] {
     let scene = file.frame(SIZE.0, SIZE.1).expect("valid size");
     let prepared = prepare(&scene, F).expect("prepared");
     let frame = prepared.frame(|| ());
-    let words = shader_words(&scene, &F, None).expect("words");
+    let words = shader_words(&scene, &F).expect("words");
     let golden = shade_picture(
         &frame,
         &Lighting::full(&frame),

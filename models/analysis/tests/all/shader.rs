@@ -5,6 +5,7 @@ use imogene_golden::format::Format;
 use imogene_golden::machine::beam::render;
 use imogene_golden::machine::shader::shade_picture;
 use imogene_prepare::Framing;
+use imogene_prepare::lit_sphere::{SphereForm, sphere_words};
 use imogene_prepare::prepare;
 use imogene_prepare::shader::{ShaderError, material_numbers, shader_words};
 use imogene_scene::{FramedScene, Projection};
@@ -22,13 +23,14 @@ fn pictures_are_those_of_the_formula_to_one_level() {
         "teapot.toml",
         "hyperbolic-paraboloid.toml",
         "shadows/robot.toml",
+        "light/colonnade.toml",
     ] {
         for depth_word in [16, 24, 32] {
             let scene = framed(name);
             let prepared = prepare(&scene, Format::new(depth_word).unwrap()).unwrap();
             let frame = render(&prepared.slots(), &prepared.format, 192, 144, || {});
             let lighting = prepared.light(&frame, || {});
-            let words = shader_words(&scene, &prepared.format, None).unwrap();
+            let words = shader_words(&scene, &prepared.format).unwrap();
             let drawn = shade_picture(&frame, &lighting, &material_numbers(&scene), &words);
             let exact = shade(&frame, &lighting, &scene, &prepared.format);
             let differ = drawn.iter().zip(&exact).filter(|(a, b)| a != b).count();
@@ -61,8 +63,9 @@ fn light_is_halved_at_the_distance_of_the_attenuation() {
         normal: [0, 0, -32767],
         flags: u16::MAX,
     };
-    let level = |attenuation| {
-        let words = shader_words(&scene, &format, attenuation).unwrap();
+    let mut level = |attenuation| {
+        scene.attenuation = attenuation;
+        let words = shader_words(&scene, &format).unwrap();
         let shader = imogene_golden::machine::shader::Shader::new(&words);
         shader.levels(&pixel).unwrap()[0] as f64
     };
@@ -78,28 +81,30 @@ fn light_is_halved_at_the_distance_of_the_attenuation() {
 fn what_the_processor_cannot_hold_is_refused() {
     let mut scene = framed("orthographic.toml");
     let format = Format::BASE;
-    assert_eq!(
-        shader_words(&scene, &format, Some(100.0)),
-        Err(ShaderError::NoDistance)
-    );
-    assert_eq!(
-        shader_words(&scene, &format, Some(0.0)),
-        Err(ShaderError::Attenuation(0.0))
-    );
+    scene.attenuation = Some(1e-4);
+    let refused = shader_words(&scene, &format);
+    assert_eq!(refused, Err(ShaderError::Attenuation(1e-4)));
+    let form = SphereForm {
+        places: 4,
+        nearest: false,
+    };
+    let refused = sphere_words(&scene, &format, form, 0);
+    assert_eq!(refused, Err(ShaderError::NoDistance));
+    scene.attenuation = None;
     scene.lights = vec![scene.lights[0]; 17];
-    let error = shader_words(&scene, &format, None).unwrap_err();
+    let error = shader_words(&scene, &format).unwrap_err();
     assert_eq!(error, ShaderError::Lights(17));
     assert!(error.to_string().contains("at most 16"));
     scene.lights.truncate(16);
     scene.width = 5000;
     assert!(matches!(
-        shader_words(&scene, &format, None),
+        shader_words(&scene, &format),
         Err(ShaderError::Picture(5000, 144))
     ));
     scene.width = 192;
     scene.materials = vec![scene.materials[0].clone(); 257];
     assert_eq!(
-        shader_words(&scene, &format, None),
+        shader_words(&scene, &format),
         Err(ShaderError::Materials(257))
     );
 }

@@ -17,7 +17,7 @@ pub fn drawn(
     let format = &prepared.format;
     let shader = match tables {
         Some(form) => sphere_words(scene, format, form, shadowed_lights(prepared) as u32)?,
-        None => shader_words(scene, format, None)?,
+        None => shader_words(scene, format)?,
     };
     let materials = material_numbers(scene);
     Ok(Drawing::shaded_by(prepared, |frame, lighting| {

@@ -57,7 +57,7 @@ pub fn sphere_errors(
     let lighting = prepared.light(&frame, || ());
     let lights = shadowed_lights(prepared) as u32;
     let picture = |words: &ShaderWords| shade_picture(&frame, &lighting, &materials, words);
-    let exact = picture(&shader_words(scene, format, None)?);
+    let exact = picture(&shader_words(scene, format)?);
     let far = far_picture(&frame, &lighting, scene, format.z_max());
     let errors = |places| {
         let form = SphereForm { places, nearest };

@@ -127,7 +127,7 @@ fn with_fault(words: &(FramedScene, PreparedScene), golden: &Frame, fault: Fault
     let (framed, prepared) = words;
     let mut frame = golden.clone();
     fault(&mut frame);
-    let shading = shader_words(framed, &prepared.format, None).expect("words");
+    let shading = shader_words(framed, &prepared.format).expect("words");
     let lighting = Lighting::full(&frame);
     shade_picture(&frame, &lighting, &material_numbers(framed), &shading)
 }
