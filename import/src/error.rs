@@ -37,12 +37,32 @@ impl ImportError {
 /// What comes of reading a file.
 pub type Result<T, E = ImportError> = std::result::Result<T, E>;
 
-/// The text of a file, or where it stops being text.
-pub(crate) fn decoded<'a>(bytes: &'a [u8], file: &str, accepted: &str) -> Result<&'a str> {
-    std::str::from_utf8(bytes).map_err(|error| {
-        let place = Place::of(bytes, error.valid_up_to(), b'\n');
-        ImportError::new(file, Some(place), "this byte is no UTF-8 text", accepted)
-    })
+/// A file that is text.
+#[derive(Clone, Copy)]
+pub(crate) struct Source<'a> {
+    pub file: &'a str,
+    pub text: &'a str,
+}
+
+impl<'a> Source<'a> {
+    /// The text of a file, or where it stops being text.
+    pub fn of(bytes: &'a [u8], file: &'a str, accepted: &str) -> Result<Source<'a>> {
+        let text = std::str::from_utf8(bytes).map_err(|error| {
+            let place = Place::of(bytes, error.valid_up_to(), b'\n');
+            ImportError::new(file, Some(place), "this byte is no UTF-8 text", accepted)
+        })?;
+        Ok(Source { file, text })
+    }
+
+    pub fn error_at(
+        &self,
+        at: usize,
+        problem: impl ToString,
+        accepted: impl ToString,
+    ) -> ImportError {
+        let place = Place::of(self.text.as_bytes(), at, b'\n');
+        ImportError::new(self.file, Some(place), problem, accepted)
+    }
 }
 
 /// A refusal of a file as a whole.

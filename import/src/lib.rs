@@ -20,16 +20,14 @@
 //! # Ok::<(), imogene_import::ImportError>(())
 //! ```
 
-mod compressed;
 mod error;
 pub mod faces;
 mod kind;
 pub mod pdb;
 pub mod terrain;
 
-pub use compressed::{is_compressed, unpack};
 pub use error::{ImportError, Place, Result};
-pub use kind::{Kind, is_scene, kinds};
+pub use kind::{Kind, is_compressed, is_scene, kinds, unpack};
 
 use imogene_scene::{Material, Object, SceneFile, Shape, Surface};
 use std::collections::HashMap;

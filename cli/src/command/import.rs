@@ -229,7 +229,7 @@ pub fn terrain(options: &Terrain, json: bool) -> Result<(), Failure> {
         relief: options.relief,
         seed: options.seed,
     };
-    let made = field(&asked)?;
+    let made = field(&asked).map_err(Failure::Input)?;
     let text = heights_text(&made, &asked, distance);
     output::write_text(&options.output, &text)?;
     let heights = || made.heights.iter().copied();

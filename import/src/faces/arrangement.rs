@@ -5,9 +5,9 @@
 //! slab the separators keep their order, so that each piece of a slab is one strip between two of them. Every connected
 //! region of the surface is open and thus has a strip in some slab: no region is without a sample, whatever its shape.
 
+use super::cell::Separator;
 use super::chart::{Chart, nearest_turn};
 use super::curve::Curve;
-use super::planes::Separator;
 use super::surface::{Form, Surface};
 use super::vector::{Vector, between, dot, positive_angle};
 use std::f64::consts::TAU;
@@ -42,34 +42,20 @@ pub struct Sample {
 const CONTRADICTION: &str =
     "its loops contradict each other: the face has to be on the left of every edge";
 
-/// The angles over which a curve runs on a cylinder or cone, where a plane has one point at every angle.
-#[derive(Clone, Copy, Debug)]
-struct Span {
-    from: f64,
-    /// Negative if it runs backwards.
-    sweep: f64,
-}
+/// The angles over which a curve runs on a cylinder or cone, where a plane has one point at every angle: the first, and
+/// how far from there, less than 0 if it runs backwards.
+type Span = [f64; 2];
 
-impl Span {
-    /// The span of a curve that is given by points; others know their extent themselves.
-    fn of(chart: &Chart, curve: &Curve) -> Option<Span> {
-        if !matches!(chart.surface.form, Form::Cylinder(_) | Form::Cone(_))
-            || !matches!(curve, Curve::Points(_))
-        {
-            return None;
-        }
-        let points = curve.sampled(1).into_iter();
-        let angles: Vec<f64> = points.map(|p| chart.u_of(p)).collect();
-        let turn = |pair: &[f64]| nearest_turn(pair[1] - pair[0], 0.0);
-        Some(Span {
-            from: angles[0],
-            sweep: angles.windows(2).map(turn).sum(),
-        })
-    }
-
-    fn has(self, u: f64) -> bool {
-        positive_angle((u - self.from) * self.sweep.signum()) < self.sweep.abs()
-    }
+/// The span of a curve that is given by points; others know their extent themselves.
+fn span(chart: &Chart, curve: &Curve) -> Option<Span> {
+    let Curve::Points(_) = curve else {
+        return None;
+    };
+    let is_upright = matches!(chart.surface.form, Form::Cylinder(_) | Form::Cone(_));
+    let points = curve.sampled(1).into_iter();
+    let angles: Vec<f64> = points.map(|p| chart.u_of(p)).collect();
+    let turn = |pair: &[f64]| nearest_turn(pair[1] - pair[0], 0.0);
+    is_upright.then(|| [angles[0], angles.windows(2).map(turn).sum()])
 }
 
 pub struct Division<'a> {
@@ -81,6 +67,7 @@ pub struct Division<'a> {
 }
 
 /// A crossing of the line u.
+#[derive(Default)]
 struct Crossing {
     w: f64,
     /// Number of edges here, and whether the face is above by the direction of the first.
@@ -93,7 +80,7 @@ impl Division<'_> {
     pub fn samples(&self) -> Result<Vec<Sample>, &'static str> {
         let chart = Chart::free(self.surface, self.separators);
         let curves = self.boundaries.iter().map(|own| &own.curve);
-        let spans: Vec<Option<Span>> = curves.map(|curve| Span::of(&chart, curve)).collect();
+        let spans: Vec<Option<Span>> = curves.map(|curve| span(&chart, curve)).collect();
         let line = |u| (u, self.crossings(&chart, u, &spans));
         let lines: Vec<_> = self.middles(&chart).into_iter().map(line).collect();
         let pole = self.pole(&lines)?;
@@ -140,16 +127,16 @@ impl Division<'_> {
                 }
                 let mut crossing = Crossing {
                     w,
-                    edges: 0,
-                    inside_above: false,
+                    ..Crossing::default()
                 };
                 let p = chart.point(u, w);
                 // The other nappe of a cone has no edge.
                 let is_there = !self.surface.is_cone() || w > 0.0;
                 let edges = self.boundaries.iter().zip(spans);
                 for (own, span) in edges.filter(|(own, _)| is_there && own.separator == index) {
-                    if let Some(span) = span {
-                        crossing.edges += usize::from(span.has(u));
+                    if let Some([from, sweep]) = span {
+                        let way = positive_angle((u - from) * sweep.signum());
+                        crossing.edges += usize::from(way < sweep.abs());
                     } else if let Some(course) = own.curve.direction_at(p, 1e-6 * self.size) {
                         let east = dot(course, chart.eastwards(p)) > 0.0;
                         crossing.edges += 1;

@@ -1,13 +1,15 @@
 //! From the words of a face list to a model; every refusal names its line and column.
 
-use super::build_edge::{EdgeBuilder, Vertices};
-use super::keys::{EdgeKeys, FORMAT_VERSION, FaceKeys, ListKeys, Name, Source, SurfaceKeys};
-use super::model::{Edge, EdgeUse, Face, Model, Solid};
+use super::curve::{Curve, Ellipse};
+use super::keys::{EdgeKeys, FORMAT_VERSION, FaceKeys, ListKeys, Name, SurfaceKeys};
+use super::model::{COINCIDENT, Edge, EdgeUse, Face, Model, Solid};
 use super::surface::{Form, Surface};
-use crate::Result;
-use crate::error::unusable;
+use super::vector::{Vector, across, distance, frame, hull, length, minus, reach, unit};
+use crate::error::{Source, unusable};
+use crate::{ImportError, Result};
 use imogene_scene::Material;
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
+use std::fmt::Display;
 use toml::Spanned;
 
 /// Most faces, and most edges, of a list.
@@ -27,7 +29,7 @@ pub fn build(source: Source) -> Result<Model> {
         let accepted = format!("this program reads `format = {FORMAT_VERSION}`");
         return Err(source.error(&keys.format, problem, accepted));
     }
-    let vertices = Vertices::of(&source, &keys.vertices)?;
+    let vertices = Vertices::of(source, &keys.vertices)?;
     let edges = edges(&source, &keys, &vertices)?;
     let faces = faces(&source, &keys.faces, &edges)?;
     let materials = materials(&source, &keys.materials)?;
@@ -47,12 +49,16 @@ pub fn build(source: Source) -> Result<Model> {
     ))
 }
 
-/// Refuses a list of too many parts, of which one beyond the last possible has a name.
-fn few(source: &Source, extra: Option<&Name>, what: &str, count: usize) -> Result<()> {
+/// Refuses too many parts by their names.
+fn few<'k>(
+    source: &Source,
+    mut names: impl ExactSizeIterator<Item = &'k Name>,
+    what: &str,
+) -> Result<()> {
+    let problem = format!("{} {what}", names.len());
     let accepted = format!("at most {MAX_PARTS} are possible; a larger assembly is several lists");
-    extra.map_or(Ok(()), |name| {
-        Err(source.error(name, format!("{count} {what}"), accepted))
-    })
+    let extra = names.nth(MAX_PARTS);
+    extra.map_or(Ok(()), |name| Err(source.error(name, problem, accepted)))
 }
 
 /// Refuses an empty name and one that is taken.
@@ -70,24 +76,17 @@ fn unique(source: &Source, names: &mut HashSet<String>, name: &Name, what: &str)
 }
 
 fn edges(source: &Source, keys: &ListKeys, vertices: &Vertices) -> Result<Vec<Edge>> {
-    let extra = keys.edges.get(MAX_PARTS).map(|key| &key.name);
-    few(source, extra, "edges", keys.edges.len())?;
+    few(source, keys.edges.iter().map(|key| &key.name), "edges")?;
     let mut names = HashSet::new();
     let edge = |keys: &EdgeKeys| {
         unique(source, &mut names, &keys.name, "edge")?;
-        let builder = EdgeBuilder {
-            source,
-            keys,
-            vertices,
-        };
-        builder.edge()
+        keys.edge(vertices)
     };
     keys.edges.iter().map(edge).collect()
 }
 
 fn faces(source: &Source, keys: &[FaceKeys], edges: &[Edge]) -> Result<Vec<Face>> {
-    let extra = keys.get(MAX_PARTS).map(|key| &key.name);
-    few(source, extra, "faces", keys.len())?;
+    few(source, keys.iter().map(|key| &key.name), "faces")?;
     let edge_names = edges.iter().map(|edge| edge.name.as_str());
     let by_name: HashMap<&str, usize> = edge_names.zip(0..).collect();
     let mut names = HashSet::new();
@@ -302,4 +301,194 @@ fn size(source: &Source, key: &str, value: &Spanned<f64>) -> Result<f64> {
         return Err(source.error(value, problem, "0.1 to 89.9 degrees are possible"));
     }
     Ok(number.to_radians())
+}
+
+/// Share of the size of the curve by which an end may miss its circle: the digits of a list written with six decimals.
+pub const MISSED: f64 = 1e-5;
+const MAX_POINTS: usize = 2000;
+
+/// Kinds of edges with the keys that they have.
+const EDGE_KINDS: [(&str, &[&str]); 4] = [
+    ("line", &[]),
+    ("circle", &["centre", "axis", "radius"]),
+    ("ellipse", &["centre", "axis", "x", "radii"]),
+    ("points", &["points"]),
+];
+
+/// Names and places of the vertices of a list.
+pub struct Vertices<'a> {
+    source: Source<'a>,
+    index: HashMap<String, usize>,
+    points: Vec<Vector>,
+    /// Size of the box around them, for tolerances.
+    size: f64,
+}
+
+impl<'a> Vertices<'a> {
+    pub fn of(
+        source: Source<'a>,
+        keys: &BTreeMap<String, Spanned<Vector>>,
+    ) -> Result<Vertices<'a>> {
+        let points = keys.values().map(|p| source.point(p));
+        let points: Vec<Vector> = points.collect::<Result<_>>()?;
+        Ok(Vertices {
+            source,
+            index: keys.keys().cloned().zip(0..).collect(),
+            size: hull(&points).map_or(0.0, |[low, high]| distance(low, high)),
+            points,
+        })
+    }
+
+    fn find(&self, name: &Spanned<String>) -> Result<usize> {
+        self.index.get(name.as_ref()).copied().ok_or_else(|| {
+            let problem = format!("`{}` is not a vertex of this list", name.as_ref());
+            let accepted = "the name of an entry of `[vertices]` is needed";
+            self.source.error(name, problem, accepted)
+        })
+    }
+}
+
+fn needed<T>(value: &Option<T>) -> &T {
+    value.as_ref().expect("keys of the kind are checked")
+}
+
+impl EdgeKeys {
+    pub fn edge(&self, all: &Vertices) -> Result<Edge> {
+        let source = &all.source;
+        let vertices = self.vertices(all)?;
+        let kind = self.kind.as_ref();
+        let Some((kind, allowed)) = EDGE_KINDS.iter().find(|(name, _)| name == kind) else {
+            let problem = format!("`{kind}` is not a kind of edge");
+            let accepted = "line, circle, ellipse and points are possible";
+            return Err(source.error(&self.kind, problem, accepted));
+        };
+        for (key, is) in self.given() {
+            if is && !allowed.contains(&key) {
+                let problem = format!("`{key}` is no key of kind \"{kind}\"");
+                return Err(self.error(source, problem, "only the keys of its kind are possible"));
+            }
+            if !is && allowed.contains(&key) {
+                let problem = format!("kind \"{kind}\" needs `{key}`");
+                return Err(self.error(source, problem, "this key is needed"));
+            }
+        }
+        let ends = vertices.map(|ends| ends.map(|index| all.points[index]));
+        let one_vertex = vertices.is_some_and(|[a, b]| a == b);
+        let curve = match *kind {
+            "line" => self.line(ends, all)?,
+            "points" => self.points(ends, source)?,
+            _ => {
+                let ellipse = self.ellipse(ends, source)?;
+                let missed = MISSED * ellipse.radii[0].max(ellipse.radii[1]);
+                let arc = ellipse.arc(ends, one_vertex, [missed, 1e-7 * all.size]);
+                arc.map_err(|(problem, accepted)| self.error(source, problem, accepted))?
+            }
+        };
+        Ok(Edge {
+            name: self.name.as_ref().clone(),
+            vertices,
+            curve,
+            off: 0.0,
+        })
+    }
+
+    fn error(&self, source: &Source, problem: impl Display, accepted: &str) -> ImportError {
+        let name = &self.name;
+        let problem = format!("edge `{}`: {problem}", name.as_ref());
+        source.error(name, problem, accepted)
+    }
+
+    fn vertices(&self, all: &Vertices) -> Result<Option<[usize; 2]>> {
+        let find = |name| all.find(name);
+        match (&self.start, &self.end) {
+            (None, None) => Ok(None),
+            (Some(start), Some(end)) => Ok(Some([find(start)?, find(end)?])),
+            _ => {
+                let accepted = "both are needed, or none for a closed edge";
+                Err(self.error(&all.source, "it has one of `start` and `end`", accepted))
+            }
+        }
+    }
+
+    fn line(&self, ends: Option<[Vector; 2]>, all: &Vertices) -> Result<Curve> {
+        let source = &all.source;
+        let Some([from, to]) = ends else {
+            return Err(self.error(
+                source,
+                "a line has two ends",
+                "`start` and `end` are needed",
+            ));
+        };
+        if distance(from, to) <= COINCIDENT * all.size {
+            let accepted = "two vertices at different places are needed";
+            return Err(self.error(source, "the line has no length", accepted));
+        }
+        Ok(Curve::Line { from, to })
+    }
+
+    /// A circle begins at its first end, wherever its frame does; an ellipse has its own frame.
+    fn ellipse(&self, ends: Option<[Vector; 2]>, source: &Source) -> Result<Ellipse> {
+        let centre = source.point(needed(&self.centre))?;
+        let normal = source.direction(needed(&self.axis))?;
+        let (x, radii) = if let Some(radius) = &self.radius {
+            let radii = [*radius.as_ref(); 2];
+            source.lengths(radius, &radii[..1])?;
+            let x = match ends {
+                Some([from, _]) => across(minus(from, centre), normal),
+                None => frame(normal, 0.0)[0],
+            };
+            if length(x) <= COINCIDENT * radii[0] {
+                let accepted = "a vertex on the circle is needed";
+                return Err(self.error(source, "the start is the centre", accepted));
+            }
+            (x, radii)
+        } else {
+            let x = across(source.direction(needed(&self.x))?, normal);
+            if length(x) < 1e-9 {
+                return Err(self.error(
+                    source,
+                    "`x` is along `axis`",
+                    "a direction across it is needed",
+                ));
+            }
+            let radii = needed(&self.radii);
+            source.lengths(radii, radii.as_ref())?;
+            (x, *radii.as_ref())
+        };
+        Ok(Ellipse {
+            centre,
+            normal,
+            x: unit(x),
+            radii,
+        })
+    }
+
+    fn points(&self, ends: Option<[Vector; 2]>, source: &Source) -> Result<Curve> {
+        let list = needed(&self.points);
+        source.checked(list, list.as_ref().as_flattened())?;
+        let mut points = list.as_ref().clone();
+        if let Some([from, to]) = ends {
+            points.insert(0, from);
+            points.push(to);
+        }
+        let closed = ends.is_none();
+        let least = if closed { 3 } else { 2 };
+        if !(least..=MAX_POINTS).contains(&points.len()) {
+            return Err(self.error(
+                source,
+                format!("{} points", points.len()),
+                "at least three for a closed edge, with the ends at least two otherwise, and at most 2000 are possible",
+            ));
+        }
+        let size = reach(points.iter().copied(), points[0]);
+        for k in 0..points.len() - usize::from(!closed) {
+            if distance(points[k], points[(k + 1) % points.len()]) <= 1e-9 * size.max(1e-9) {
+                let problem = format!("{:?} follows itself", points[k]);
+                let accepted =
+                    "different points are needed, and a closed edge does not repeat its first";
+                return Err(self.error(source, problem, accepted));
+            }
+        }
+        Ok(Curve::through(points, closed, COINCIDENT * size))
+    }
 }

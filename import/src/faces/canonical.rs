@@ -162,7 +162,7 @@ fn cone(places: &[Place], middle: Vector) -> Option<Surface> {
 
 /// All normals of a surface that is turned about an axis meet it: six equations without a right side for the line.
 fn torus(places: &[Place], middle: Vector) -> Option<Surface> {
-    let size = size(places, middle);
+    let size = reach(places.iter().map(|(p, _)| *p), middle);
     let mut sum = Matrix6::zeros();
     for (p, n) in places {
         let moment = cross(times(1.0 / size, minus(*p, middle)), *n);
@@ -185,11 +185,6 @@ fn torus(places: &[Place], middle: Vector) -> Option<Surface> {
     let ([major, height], minor) = circle(&places.iter().map(profile).collect::<Vec<_>>())?;
     let centre = along(foot, height, axis);
     (major > 1e-6 * size).then(|| Surface::new(centre, axis, Form::Torus(major, minor)))
-}
-
-/// How far places are from a point at most.
-fn size(places: &[Place], from: Vector) -> f64 {
-    reach(places.iter().map(|(p, _)| *p), from)
 }
 
 fn numbers(surface: &Surface) -> Vec<f64> {
@@ -232,7 +227,7 @@ fn improved(surface: Surface, places: &[Place]) -> Surface {
     let Some(mut now) = off(&best) else {
         return best;
     };
-    let size = size(places, places[0].0);
+    let size = reach(places.iter().map(|(p, _)| *p), places[0].0);
     for _ in 0..STEPS {
         let plain = numbers(&best);
         let step = 1e-6;

@@ -1,8 +1,9 @@
-//! What faces become: cells, parts of one quadric or of one plane, each bounded by the AND of cut planes.
+//! What faces become: cells, parts of one quadric or of one plane, each bounded by the AND of cut planes. Each plane of
+//! a part has one description that all faces use.
 
-use super::planes::Planes;
+use super::curve::PlaneOf;
 use super::surface::Implicit;
-use super::vector::Vector;
+use super::vector::{Vector, cross, dot, length, minus};
 
 /// What became of a face.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,4 +54,83 @@ pub enum Compilation {
     Volume(Cell),
     /// Each face by itself, in the order of the solid.
     Faces(Vec<Compiled>),
+}
+
+/// Something whose sign divides a surface in two.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Separator {
+    /// The sign of `normal . p - offset`: a unit normal, and the offset.
+    Plane((Vector, f64)),
+    /// The sign of a quadric; divides planes alone.
+    Quadric(Implicit),
+}
+
+impl Separator {
+    /// Whether a point is on the positive side.
+    pub fn is_positive(&self, p: Vector) -> bool {
+        match self {
+            Self::Plane((normal, offset)) => dot(*normal, p) > *offset,
+            Self::Quadric(implicit) => implicit.value(p) > 0.0,
+        }
+    }
+}
+
+/// All planes of a part.
+#[derive(Debug)]
+pub struct Planes {
+    all: Vec<PlaneOf>,
+    tolerance: f64,
+}
+
+impl Planes {
+    /// None yet; two planes within `tolerance` (a length) over a part of size 1 / 1e-9 of it are one.
+    pub fn new(tolerance: f64) -> Planes {
+        Planes {
+            all: vec![],
+            tolerance,
+        }
+    }
+
+    /// The index of the plane through a point; an earlier description of the same plane is used again.
+    pub fn find_or_add(&mut self, point: Vector, normal: Vector) -> usize {
+        let normal = clean(normal);
+        let same = |(other, along): &PlaneOf| {
+            length(cross(*along, normal)) <= 1e-9
+                && dot(minus(point, *other), *along).abs() <= self.tolerance
+        };
+        self.all.iter().position(same).unwrap_or_else(|| {
+            self.all.push((point, normal));
+            self.all.len() - 1
+        })
+    }
+
+    /// A point and the unit normal of a plane; a face on the other side has the opposite one.
+    pub fn get(&self, index: usize) -> PlaneOf {
+        self.all[index]
+    }
+
+    /// Whether a point is on the side of a plane's normal.
+    pub fn is_positive(&self, index: usize, p: Vector) -> bool {
+        let (point, normal) = self.all[index];
+        dot(minus(p, point), normal) > 0.0
+    }
+
+    /// A plane as a separator.
+    pub fn separator(&self, index: usize) -> Separator {
+        let (point, normal) = self.all[index];
+        Separator::Plane((normal, dot(normal, point)))
+    }
+}
+
+/// A direction without the dust that sines leave beside 0 and 1.
+pub fn clean(normal: Vector) -> Vector {
+    normal.map(|value| {
+        let nearest = value.round();
+        if (value - nearest).abs() <= 1e-15 {
+            // Without the sign of a zero.
+            nearest + 0.0
+        } else {
+            value
+        }
+    })
 }

@@ -1,6 +1,6 @@
 //! Two numbers (u, v) for each point of a surface: planes cut out the lines u = constant.
 
-use super::planes::{Planes, Separator};
+use super::cell::{Planes, Separator};
 use super::polynomial::{harmonic, quadratic};
 use super::surface::{Form, Surface};
 use super::vector::*;

@@ -1,15 +1,14 @@
 //! From a face to cells: what all faces need, and faces on quadrics and tori.
 
-use super::cell::{Cell, Compiled, Made, Verdict};
+use super::cell::{Cell, Compiled, Made, Planes, Verdict};
 use super::chart::Chart;
 use super::courses::Courses;
 use super::cover::Term;
 use super::curve::{Curve, PlaneOf, arc_through};
 use super::model::{COINCIDENT, EdgeUse, Face, Model};
 use super::parting::{AUXILIARY, EDGE, Parting, terms};
-use super::planes::Planes;
 use super::rings::{MOST, Rings};
-use super::slabs::{Band, Slabs};
+use super::slabs::{self, Band};
 use super::surface::Surface;
 use super::vector::*;
 use imogene_scene::MAX_CUTS;
@@ -120,24 +119,6 @@ impl<'a> Task<'a> {
             )
         })
     }
-
-    /// Cells between lines u = constant.
-    pub fn slabs(
-        &self,
-        parting: &Parting,
-        bands: &[Band],
-        flat: Option<usize>,
-        planes: &mut Planes,
-    ) -> Made<Vec<Cell>> {
-        let slabs = Slabs {
-            surface: &self.face().surface,
-            parting,
-            bands,
-            flat,
-            size: self.model.size(),
-        };
-        slabs.cells(planes)
-    }
 }
 
 pub fn quadric_face(task: Task, planes: &mut Planes) -> Made<Compiled> {
@@ -155,7 +136,7 @@ pub fn quadric_face(task: Task, planes: &mut Planes) -> Made<Compiled> {
     };
     let cells = match terms(task, &mut parting, planes, MAX_CUTS, &[]) {
         Ok(terms) => Ok(terms.iter().map(|term| cell(&parting, term)).collect()),
-        Err(_) => task.slabs(&border, &Band::whole(surface), None, planes),
+        Err(_) => slabs::cells(task, &border, &Band::whole(surface), None, planes),
     };
     task.compiled(cells, deviation)
 }
@@ -170,7 +151,7 @@ pub fn torus_face(task: Task, planes: &mut Planes) -> Made<Compiled> {
     let off = task.deviation()?;
     let parting = task.parting(planes)?;
     let bands = rings.bands(&Chart::of(surface, None));
-    let cells = task.slabs(&parting, &bands, None, planes);
+    let cells = slabs::cells(task, &parting, &bands, None, planes);
     task.compiled(cells, off.max(rings.deviation))
 }
 

@@ -1,8 +1,8 @@
 //! What edges become: one planar piece each, or several for an edge that is in no plane.
 
+use super::cell::Planes;
 use super::curve::{Curve, Polyline, common_plane};
 use super::model::Model;
-use super::planes::Planes;
 use super::rings::chords;
 use super::surface::{Form, Surface};
 use super::vector::*;

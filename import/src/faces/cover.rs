@@ -51,18 +51,15 @@ const MAX_CONFLICTS: usize = 8;
 /// Most patterns from which a term is grown.
 const MAX_SEEDS: usize = 400;
 
-/// Whether a term is one object.
-pub type Fits<'a> = &'a dyn Fn(&Term) -> bool;
-
 /// Terms that take every piece of the face and no other. `ranks` has one number for each separator: those of the lower
 /// rank are dropped first.
 ///
-/// With `fits` a term that does not fit is not taken where others do: those others keep planes of a low rank and drop
-/// edges, and so are parts of the term.
+/// With `fits`, which says whether a term is one object, a term that does not fit is not taken where others do: those
+/// others keep planes of a low rank and drop edges, and so are parts of the term.
 pub fn cover(
     samples: &[Sample],
     ranks: &[u8],
-    fits: Option<Fits>,
+    fits: Option<&dyn Fn(&Term) -> bool>,
 ) -> Result<Vec<Term>, Vec<Conflict>> {
     let kept: BTreeSet<u128> = sides(samples, true);
     let lost: Vec<u128> = sides(samples, false).into_iter().collect();

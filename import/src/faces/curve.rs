@@ -59,18 +59,6 @@ pub struct Polyline {
     pub slack: f64,
 }
 
-/// What an arc has to keep to, scene units.
-#[derive(Clone, Copy, Debug)]
-pub struct Tolerance {
-    /// An end may miss the ellipse by so much.
-    pub missed: f64,
-    /// Least length of an arc.
-    pub shortest: f64,
-}
-
-/// What is wrong with an arc, and what would be accepted.
-pub type Problem = (String, &'static str);
-
 impl Ellipse {
     fn y(&self) -> Vector {
         cross(self.normal, self.x)
@@ -92,18 +80,20 @@ impl Ellipse {
         (b.atan2(a), off, dot(from, self.normal).abs())
     }
 
-    /// The part from the first end to the second; the whole without ends, or if both are one vertex.
+    /// The part from the first end to the second; the whole without ends, or if both are one vertex. An end may miss
+    /// the ellipse by `missed`, and an arc is longer than `shortest`, scene units. An error is what is wrong, and what
+    /// would be accepted.
     pub fn arc(
         self,
         ends: Option<[Vector; 2]>,
         one_vertex: bool,
-        tolerance: Tolerance,
-    ) -> Result<Curve, Problem> {
+        [missed, shortest]: [f64; 2],
+    ) -> Result<Curve, (String, &'static str)> {
         let mut angles = vec![];
         for p in ends.into_iter().flatten() {
             let (angle, off, above) = self.angle(p);
             let off = off.max(above);
-            if off > tolerance.missed {
+            if off > missed {
                 let problem = format!("an end is {off:e} off the curve");
                 return Err((problem, "vertices on the curve are needed"));
             }
@@ -114,7 +104,7 @@ impl Ellipse {
             [from, _] => (from, TAU),
             _ => (0.0, TAU),
         };
-        if sweep * self.radii[0].min(self.radii[1]) <= tolerance.shortest {
+        if sweep * self.radii[0].min(self.radii[1]) <= shortest {
             let accepted =
                 "two vertices at different places, counter-clockwise about `axis`, are needed";
             return Err(("the arc has no length".into(), accepted));
@@ -161,12 +151,6 @@ impl Polyline {
     fn segments(&self) -> impl Iterator<Item = [Vector; 2]> {
         let count = self.points.len() - usize::from(!self.closed);
         (0..count).map(|k| [self.points[k], self.points[(k + 1) % self.points.len()]])
-    }
-
-    /// All points, the first once more at the end of a closed curve.
-    fn all(&self) -> Vec<Vector> {
-        let again = self.points[..1].iter().filter(|_| self.closed);
-        self.points.iter().chain(again).copied().collect()
     }
 
     /// Each segment in so many steps, its end not among them; the end of the whole if it has one.
@@ -256,7 +240,10 @@ impl Curve {
                 let place = |k| arc.ellipse.at(arc.start + arc.sweep * k / all);
                 steps.map(place).collect()
             }
-            Self::Points(line) => line.all(),
+            Self::Points(line) => {
+                let again = line.points[..1].iter().filter(|_| line.closed);
+                line.points.iter().chain(again).copied().collect()
+            }
         }
     }
 

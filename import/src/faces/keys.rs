@@ -1,7 +1,8 @@
 //! The words of a face list. `docs/cad-faces.md` is its user's page.
 
 use super::vector::{Vector, length, unit};
-use crate::{ImportError, Place, Result};
+use crate::error::Source;
+use crate::{ImportError, Result};
 use imogene_scene::Material;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -134,23 +135,7 @@ impl SurfaceKeys {
 /// Largest coordinate and radius, scene units: beyond it double precision has no micrometres left in a metre.
 pub const MAX_NUMBER: f64 = 1e9;
 
-#[derive(Clone, Copy)]
-pub struct Source<'a> {
-    pub file: &'a str,
-    pub text: &'a str,
-}
-
 impl Source<'_> {
-    pub fn error_at(
-        &self,
-        at: usize,
-        problem: impl ToString,
-        accepted: impl ToString,
-    ) -> ImportError {
-        let place = Place::of(self.text.as_bytes(), at, b'\n');
-        ImportError::new(self.file, Some(place), problem, accepted)
-    }
-
     pub fn error<T>(
         &self,
         value: &Spanned<T>,

@@ -1,7 +1,7 @@
 //! Where separators turn and meet on a surface, by the coordinate u of its chart.
 
+use super::cell::Separator;
 use super::chart::Chart;
-use super::planes::Separator;
 use super::polynomial::{harmonic, quadratic, roots_between};
 use super::surface::{Form, Implicit, Surface};
 use super::vector::{Vector, along, cross, dot, length, minus, plus, positive_angle, times};

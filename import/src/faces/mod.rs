@@ -6,23 +6,19 @@
 mod arrangement;
 pub mod bezier;
 mod build;
-mod build_edge;
 mod canonical;
 mod cell;
 pub mod chart;
 mod compile;
-mod conics;
+mod correct;
 pub mod courses;
 pub mod cover;
 mod curve;
 mod keys;
 mod meetings;
 pub mod model;
-mod orient;
 mod parting;
-mod plain;
 mod plane_face;
-mod planes;
 pub mod polynomial;
 mod report;
 mod rings;
@@ -34,18 +30,16 @@ pub mod vector;
 mod volume;
 
 pub use arrangement::Sample;
-pub use cell::{Cell, Compilation, Compiled, Verdict};
+pub use cell::{Cell, Compilation, Compiled, Planes, Separator, Verdict};
 pub use curve::{Arc, Curve, Ellipse, PlaneOf, Polyline};
-pub use planes::{Planes, Separator};
 pub use step::Beside;
 pub use surface::{Form, Implicit, Surface};
 
-use crate::error::{decoded, unusable};
+use crate::error::{Source, unusable};
 use crate::{Imported, Result};
 use compile::{Task, quadric_face, torus_face};
 use courses::Courses;
 use imogene_files::text::counted;
-use keys::Source;
 use model::Model;
 use step21::with_article;
 
@@ -131,8 +125,8 @@ fn imported(part: &Part, file: &str, missing: &[String]) -> Result<Imported> {
 
 /// Reads a face list and compiles each of its solids.
 pub fn compile(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Part> {
-    let text = decoded(bytes, file, "a face list is a TOML text in UTF-8")?;
-    let model = build::build(Source { file, text })?;
+    let source = Source::of(bytes, file, "a face list is a TOML text in UTF-8")?;
+    let model = build::build(source)?;
     Ok(compile_model(model, options))
 }
 
@@ -143,8 +137,8 @@ pub fn compile_step(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<P
 }
 
 fn compile_model(mut model: Model, options: &FaceOptions) -> Part {
-    plain::plain(&mut model);
-    orient::orient(&mut model);
+    correct::plain(&mut model);
+    correct::orient(&mut model);
     let size = model.size();
     let [asked, bands] = [DEFAULT_DEVIATION, DEFAULT_BANDS]
         .map(|share| options.max_deviation.unwrap_or(share * size));

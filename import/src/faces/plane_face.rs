@@ -1,16 +1,14 @@
 //! Faces in a plane: solids without thickness, two opposite cut planes with one more quadric at most, which are drawn
 //! exactly.
 
-use super::cell::{Cell, Compiled, Made};
+use super::cell::{Cell, Compiled, Made, Planes, Separator};
 use super::compile::Task;
-use super::conics::Conic;
 use super::courses::MAX_PIECES;
 use super::cover::Term;
 use super::curve::{Curve, PlaneOf};
 use super::model::EdgeUse;
-use super::parting::{EDGE, Parting, terms};
-use super::planes::{Planes, Separator};
-use super::slabs::Band;
+use super::parting::{Conic, EDGE, Parting, terms};
+use super::slabs::{self, Band};
 use super::vector::{Vector, along, cross, distance, dot, minus, unit};
 use imogene_scene::MAX_CUTS;
 
@@ -31,12 +29,12 @@ pub fn plane_face(task: Task, planes: &mut Planes) -> Made<Compiled> {
         return task.compiled(Ok(cells.collect()), border.deviation);
     }
     let bands = Band::whole(surface);
-    if let Ok(cells) = task.slabs(&border.parting, &bands, Some(flat), planes) {
+    if let Ok(cells) = slabs::cells(task, &border.parting, &bands, Some(flat), planes) {
         return task.compiled(Ok(cells), border.deviation);
     }
     // A polygon can always be taken apart.
     let polygon = self::border(task, false, planes)?;
-    let cells = task.slabs(&polygon.parting, &bands, Some(flat), planes);
+    let cells = slabs::cells(task, &polygon.parting, &bands, Some(flat), planes);
     task.compiled(cells, polygon.deviation)
 }
 

@@ -1,8 +1,7 @@
 //! The scene of a compiled part.
 
-use super::cell::{Cell, Compilation};
+use super::cell::{Cell, Compilation, Planes};
 use super::model::Model;
-use super::planes::Planes;
 use super::surface::Implicit;
 use super::vector::{Vector, along, cross, opposite, unit};
 use imogene_golden::format::Format;

@@ -3,13 +3,12 @@
 //! The form is not guessed but proven: on every surface of the solid the pieces that the AND of all half-spaces keeps
 //! are the faces.
 
-use super::arrangement::{Boundary, Division};
-use super::cell::Cell;
+use super::cell::{Cell, Planes, Separator};
 use super::compile::Task;
 use super::courses::Courses;
 use super::curve::Curve;
 use super::model::{COINCIDENT, Model, border};
-use super::planes::{Planes, Separator};
+use super::parting::{EDGE, Parting};
 use super::surface::Surface;
 use super::vector::{Vector, distance, dot, minus};
 use imogene_scene::MAX_CUTS;
@@ -99,36 +98,27 @@ fn proven(model: &Model, faces: &[usize], body: &Body, planes: &Planes) -> bool 
 /// The same on one surface: that of cut number `cut`, or of the quadric.
 fn keeps(model: &Model, faces: &[usize], body: &Body, cut: Option<usize>, planes: &Planes) -> bool {
     let surface = &model.faces[faces[0]].surface;
-    let mut separators = vec![];
+    let mut parting = Parting::default();
     let mut wanted: u128 = 0;
     for (index, (plane, positive)) in body.cell.cuts.iter().enumerate() {
         if Some(index) != cut {
-            wanted |= u128::from(*positive) << separators.len();
-            separators.push(planes.separator(*plane));
+            let separator = parting.push(planes.separator(*plane), Some(*plane), EDGE);
+            wanted |= u128::from(*positive) << separator;
         }
     }
     let quadric = body.cell.quadric.filter(|_| cut.is_some());
-    separators.extend(quadric.map(Separator::Quadric));
+    if let Some(quadric) = quadric {
+        parting.quadric(quadric);
+    }
     let loops = faces.iter().flat_map(|face| &model.faces[*face].loops);
-    let mut boundaries = vec![];
     for edge_use in border(loops.flatten().copied()) {
         let curve = model.edges[edge_use.edge].curve.clone();
-        let Some(separator) = carrier(model, &curve, &separators, body) else {
+        let Some(separator) = carrier(model, &curve, &parting.separators, body) else {
             return false;
         };
-        boundaries.push(Boundary {
-            separator,
-            curve,
-            forward: edge_use.forward,
-        });
+        parting.border(separator, curve, edge_use.forward);
     }
-    let division = Division {
-        surface,
-        separators: &separators,
-        boundaries: &boundaries,
-        size: model.size(),
-    };
-    let samples = division.samples();
+    let samples = parting.samples(surface, model.size());
     samples.is_ok_and(|all| all.iter().all(|own| (own.sides == wanted) == own.inside))
 }
 

@@ -1,7 +1,7 @@
 //! Assemblies: the molecules of a file as copies of its chains, moved by operators.
 
 use super::lines::Columns;
-use super::words::{Word, Words, listed};
+use super::structure::{Word, Words, listed};
 use crate::error::{ImportError, Result, unusable};
 use crate::short;
 use indexmap::IndexSet;

@@ -1,13 +1,12 @@
-//! Which atoms of a file are drawn: models, chains, residues, alternate locations, hydrogens, water, copies.
+//! Which atoms of a file are drawn: models, chains, residues, alternate locations, hydrogens, water, copies. Of the
+//! alternate locations of an atom one is drawn, and those of a residue belong together.
 
-use super::alternates::locate;
 use super::assembly::Moved;
-use super::options::{ModelChoice, Options, Residues};
-use super::structure::{Atom, Structure, is_water};
-use super::words::{Word, Words, listed};
+use super::options::{Alternates, ModelChoice, Options, Residues};
+use super::structure::{Atom, Structure, Word, Words, is_water, listed};
 use crate::error::{ImportError, Result, unusable};
 use serde::Serialize;
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 /// Most atoms of a picture.
 const MOST_ATOMS: usize = 50_000_000;
@@ -45,7 +44,7 @@ pub fn choose(
 ) -> Result<(Vec<Chosen>, LeftOut)> {
     let mut left_out = LeftOut::default();
     let wanted = models(structure, file, options.model)?;
-    let mut selection = Selection::new(structure, &wanted, options, file)?;
+    let selection = Selection::new(structure, &wanted, options, file)?;
     let assembly = options.assembly.as_deref();
     let parts = assembly.map(|name| structure.assemblies.find(name, file));
     let parts = parts.transpose()?;
@@ -58,9 +57,13 @@ pub fn choose(
         }
         let words = &mut structure.words;
         let mut atoms = model.atoms;
-        selection.apply(&mut atoms, words, &mut left_out);
+        left_out.other_chains += keep(&mut atoms, |atom| selection.has_chain(atom));
+        left_out.other_residues += keep(&mut atoms, |atom| selection.has_residue(atom));
         left_out.alternate_locations += locate(&mut atoms, &options.alternates, words);
-        keep(&mut atoms, options, words, &mut left_out);
+        let is_water = |atom: &Atom| is_water(words.text(atom.residue));
+        left_out.water += keep(&mut atoms, |atom| options.water || !is_water(atom));
+        let is_hydrogen = |atom: &Atom| atom.element.is_hydrogen();
+        left_out.hydrogens += keep(&mut atoms, |atom| options.hydrogens || !is_hydrogen(atom));
         let (atoms, copies) = match &parts {
             Some(parts) => copied(&atoms, parts, words, file)?,
             None => {
@@ -117,14 +120,11 @@ fn models(structure: &Structure, file: &str, choice: ModelChoice) -> Result<Vec<
     }
 }
 
-fn keep(atoms: &mut Vec<Atom>, options: &Options, words: &Words, left_out: &mut LeftOut) {
-    atoms.retain(|atom| {
-        let water = !options.water && is_water(words.text(atom.residue));
-        let hydrogen = !water && !options.hydrogens && atom.element.is_hydrogen();
-        left_out.water += usize::from(water);
-        left_out.hydrogens += usize::from(hydrogen);
-        !water && !hydrogen
-    });
+/// Leaves those of some atoms that are asked for; how many others there were.
+fn keep(atoms: &mut Vec<Atom>, asked: impl FnMut(&Atom) -> bool) -> usize {
+    let before = atoms.len();
+    atoms.retain(asked);
+    before - atoms.len()
 }
 
 /// The copies of an assembly, and where each ends. Their chains are called as the archive calls them: `A-2` is what
@@ -168,21 +168,21 @@ fn copied(
     Ok((copies, ends))
 }
 
-pub struct Selection<'a> {
+/// The chains and residues that are asked for; all if there are none.
+struct Selection {
     chains: Vec<Word>,
-    residues: &'a [Residues],
-    /// What is known of a residue, by number and name.
-    known: HashMap<(Word, Word), bool>,
+    /// By number and name.
+    residues: Option<HashSet<(Word, Word)>>,
 }
 
-impl<'a> Selection<'a> {
-    /// Of all chains and residues that are asked for; each must be in one of the models at these places.
-    pub fn new(
+impl Selection {
+    /// Each chain and residue must be in one of the models at these places.
+    fn new(
         structure: &Structure,
         models: &[usize],
-        options: &'a Options,
+        options: &Options,
         file: &str,
-    ) -> Result<Selection<'a>> {
+    ) -> Result<Selection> {
         let words = &structure.words;
         let atoms = || models.iter().flat_map(|m| &structure.models[*m].atoms);
         let mut there: HashSet<Word> = HashSet::new();
@@ -198,21 +198,25 @@ impl<'a> Selection<'a> {
                 unusable(file, problem, format!("{there} would be accepted"))
             })
         };
-        let selection = Selection {
+        let mut selection = Selection {
             chains: options.chains.iter().map(chain).collect::<Result<_>>()?,
-            residues: &options.residues,
-            known: HashMap::new(),
+            residues: None,
         };
-        if selection.residues.is_empty() {
+        if options.residues.is_empty() {
             return Ok(selection);
         }
         let members = atoms().filter(|atom| selection.has_chain(atom));
         let there: BTreeSet<(Word, Word)> = members.map(|a| (a.number, a.residue)).collect();
-        for residues in selection.residues {
-            if !there.iter().any(|one| matches(residues, *one, words)) {
+        let mut asked = HashSet::new();
+        for residues in &options.residues {
+            let own = there.iter().filter(|one| matches(residues, **one, words));
+            let found: Vec<(Word, Word)> = own.copied().collect();
+            if found.is_empty() {
                 return Err(no_residue(residues, &there, words, file));
             }
+            asked.extend(found);
         }
+        selection.residues = Some(asked);
         Ok(selection)
     }
 
@@ -220,24 +224,9 @@ impl<'a> Selection<'a> {
         self.chains.is_empty() || self.chains.contains(&atom.chain)
     }
 
-    fn has_residue(&mut self, atom: &Atom, words: &Words) -> bool {
-        let residue = (atom.number, atom.residue);
-        self.residues.is_empty()
-            || *self.known.entry(residue).or_insert_with(|| {
-                let mut asked = self.residues.iter();
-                asked.any(|residues| matches(residues, residue, words))
-            })
-    }
-
-    /// Leaves the atoms that are asked for.
-    pub fn apply(&mut self, atoms: &mut Vec<Atom>, words: &Words, left_out: &mut LeftOut) {
-        atoms.retain(|atom| {
-            let other_chain = !self.has_chain(atom);
-            let other_residue = !other_chain && !self.has_residue(atom, words);
-            left_out.other_chains += usize::from(other_chain);
-            left_out.other_residues += usize::from(other_residue);
-            !other_chain && !other_residue
-        });
+    fn has_residue(&self, atom: &Atom) -> bool {
+        let residues = self.residues.as_ref();
+        residues.is_none_or(|asked| asked.contains(&(atom.number, atom.residue)))
     }
 }
 
@@ -275,4 +264,103 @@ fn no_residue(
     let problem = format!("it has no residue {residues} in what is asked for");
     let accepted = format!("{numbers}names {} would be accepted", listed(names));
     unusable(file, problem, accepted)
+}
+
+/// Leaves one location of each atom, all of a residue from the same alternate as far as it has them; how many others
+/// there were.
+fn locate(atoms: &mut Vec<Atom>, choice: &Alternates, words: &Words) -> usize {
+    let asked = match choice {
+        Alternates::All => return 0,
+        Alternates::Best => None,
+        // A name that no atom has is no alternate's.
+        Alternates::Named(name) => words.find(name),
+    };
+    // Its name is no part of a residue, because alternate locations may be of different residues.
+    let residue = |atom: &Atom| (atom.chain, atom.number);
+    let disordered = atoms.iter().filter(|atom| !atom.alternate.is_empty());
+    let mut residues: HashMap<(Word, Word), Vec<usize>> =
+        disordered.map(|atom| (residue(atom), vec![])).collect();
+    if residues.is_empty() {
+        return 0;
+    }
+    for (index, atom) in atoms.iter().enumerate() {
+        if let Some(members) = residues.get_mut(&residue(atom)) {
+            members.push(index);
+        }
+    }
+    let mut kept = vec![true; atoms.len()];
+    for members in residues.into_values() {
+        one_location(atoms, &members, asked, &mut kept);
+    }
+    let mut flags = kept.into_iter();
+    keep(atoms, |_| flags.next().expect("one for each atom"))
+}
+
+/// What speaks for an alternate of a residue.
+#[derive(Default)]
+struct Votes {
+    occupancy: f64,
+    atoms: usize,
+    /// Atoms of which it is the location that stands first in the file.
+    firsts: usize,
+    /// Where it stands first in the file.
+    order: Option<usize>,
+}
+
+/// The alternates of a residue, the best first: the one asked for, then those of the highest mean occupancy, then
+/// those listed first.
+fn ranking(groups: &BTreeMap<Word, Vec<usize>>, atoms: &[Atom], asked: Option<Word>) -> Vec<Word> {
+    let mut votes: BTreeMap<Word, Votes> = BTreeMap::new();
+    for members in groups.values() {
+        // An atom with one location and no letter belongs to all alternates.
+        if let [only] = members[..]
+            && atoms[only].alternate.is_empty()
+        {
+            continue;
+        }
+        for (k, index) in members.iter().enumerate() {
+            let entry = votes.entry(atoms[*index].alternate).or_default();
+            entry.occupancy += f64::from(atoms[*index].occupancy);
+            entry.atoms += 1;
+            entry.firsts += usize::from(k == 0);
+            entry.order = Some(entry.order.map_or(*index, |order| order.min(*index)));
+        }
+    }
+    let asked = |alternate: Word| asked != Some(alternate);
+    let mut ranked: Vec<(Word, Votes)> = votes.into_iter().collect();
+    ranked.sort_by(|(a, v), (b, w)| {
+        let (mean, other) = (v.occupancy / v.atoms as f64, w.occupancy / w.atoms as f64);
+        asked(*a)
+            .cmp(&asked(*b))
+            .then(other.total_cmp(&mean))
+            .then(w.firsts.cmp(&v.firsts))
+            .then(v.order.cmp(&w.order))
+    });
+    ranked.into_iter().map(|(alternate, _)| alternate).collect()
+}
+
+fn one_location(atoms: &[Atom], members: &[usize], asked: Option<Word>, keep: &mut [bool]) {
+    let mut groups: BTreeMap<Word, Vec<usize>> = BTreeMap::new();
+    for index in members {
+        groups.entry(atoms[*index].name).or_default().push(*index);
+    }
+    let ranked = ranking(&groups, atoms, asked);
+    // Of alternates that are different residues only one is drawn.
+    let mut own = members.iter().map(|index| &atoms[*index]);
+    let best = own.find(|atom| Some(&atom.alternate) == ranked.first());
+    let residue = best.map(|atom| atom.residue);
+    for locations in groups.values() {
+        let rank = |index: &usize| {
+            let alternate = atoms[*index].alternate;
+            let place = ranked.iter().position(|a| *a == alternate);
+            place.unwrap_or(ranked.len())
+        };
+        let of_residue =
+            |i: &&usize| atoms[**i].alternate.is_empty() || Some(atoms[**i].residue) == residue;
+        // The same name and letter twice is no alternate: both are drawn.
+        let first = locations.iter().filter(of_residue).map(rank).min();
+        for index in locations {
+            keep[*index] = Some(rank(index)) == first && of_residue(&index);
+        }
+    }
 }

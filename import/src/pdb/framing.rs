@@ -55,17 +55,10 @@ pub fn bounding_box(balls: &[Ball]) -> ([f64; 3], [f64; 3]) {
     (ends(-1.0), ends(1.0))
 }
 
-/// A camera and the directions of its picture.
-#[derive(Debug)]
-pub struct Framing {
-    pub camera: Camera,
-    /// To the right, upwards and towards the viewer, in scene coordinates.
-    pub axes: [[f64; 3]; 3],
-}
-
-/// A camera of which the balls fill the picture. It looks along the shortest side of the bounding box, with the
-/// longest across the picture: along a coordinate axis, so that the camera frame is exact.
-pub fn frame(balls: &[Ball]) -> Framing {
+/// A camera of which the balls fill the picture, and the directions to the right, upwards and towards the viewer. It
+/// looks along the shortest side of the bounding box, with the longest across the picture: along a coordinate axis, so
+/// that the camera frame is exact.
+pub fn frame(balls: &[Ball]) -> (Camera, [[f64; 3]; 3]) {
     let (middle, radius) = bounding_sphere(balls);
     let (low, high) = bounding_box(balls);
     let mut order = [0, 1, 2];
@@ -84,10 +77,8 @@ pub fn frame(balls: &[Ball]) -> Framing {
     let target: [f64; 3] = std::array::from_fn(|k| short(middle[k] + x * right[k] + y * up[k]));
     let eye = std::array::from_fn(|k| short(target[k] + distance * towards[k]));
     let height = five_digits_up(2.0 * tangent * distance);
-    Framing {
-        camera: Camera::perspective([eye, target, up], distance, height),
-        axes: [right, up, towards],
-    }
+    let camera = Camera::perspective([eye, target, up], distance, height);
+    (camera, [right, up, towards])
 }
 
 /// The number rounded upwards to five significant digits: short in the file, and small as a fraction.

@@ -1,8 +1,7 @@
 //! The PDB format: lines of fixed columns.
 
 use super::assembly::Biomt;
-use super::structure::{Atom, End, Model, Structure};
-use super::words::{Repeated, Serial};
+use super::structure::{Atom, End, Model, Repeated, Serial, Structure};
 use crate::decimal;
 use crate::error::{ImportError, Place, Result, unusable};
 use std::borrow::Cow;

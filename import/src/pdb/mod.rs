@@ -3,7 +3,6 @@
 //! The formats are those of the wwPDB: PDB, "Protein Data Bank Contents Guide", version 3.3, with what older files and
 //! other programs write; PDBx/mmCIF; and BinaryCIF.
 
-mod alternates;
 mod assembly;
 mod bcif;
 mod bonds;
@@ -16,7 +15,6 @@ mod options;
 mod report;
 mod scene;
 mod structure;
-mod words;
 
 pub use options::{Alternates, Colouring, ModelChoice, Options, Residues, Style};
 pub use report::Contents;

@@ -2,14 +2,13 @@
 
 use super::bonds::{self, Bonds};
 use super::choose::Chosen;
-use super::framing::{self, Framing};
+use super::framing;
 use super::options::{Colouring, Options, Style};
-use super::structure::{Atom, Structure};
-use super::words::{Word, Words};
+use super::structure::{Atom, Structure, Word, Words};
 use crate::error::Result;
 use crate::{Names, material, object, short};
 use imogene_algebra::vector::{dot, length, minus};
-use imogene_scene::{Axis, Cut, Light, Material, Object, Rotation, SceneFile, Shape, Step};
+use imogene_scene::{Axis, Camera, Cut, Light, Material, Object, Rotation, SceneFile, Shape, Step};
 use std::collections::HashMap;
 
 /// Radius of a ball in a ball-and-stick picture, as a share of the van der Waals radius.
@@ -110,7 +109,7 @@ pub fn build(
             objects.push(sphere(name, atom.place, radius, material.name.clone()));
         }
     }
-    let framing = framing::frame(&balls);
+    let (camera, axes) = framing::frame(&balls);
     let (mut sticks, mut all) = (vec![], Bonds::default());
     let with_sticks = match options.style {
         Style::SpaceFilling => &[],
@@ -123,7 +122,7 @@ pub fn build(
         let found = bonds::find(&model.atoms, &model.copies, &structure.connections, file)?;
         for pair in &found.pairs {
             let ends = pair.map(|k| (&model.atoms[k], &balls[k]));
-            sticks.extend(cylinders(ends, framing.camera.eye, &mut names));
+            sticks.extend(cylinders(ends, camera.eye, &mut names));
         }
         all.pairs.extend(found.pairs);
         all.connected += found.connected;
@@ -133,7 +132,13 @@ pub fn build(
     objects.extend(sticks);
     let extent = framing::bounding_box(&balls);
     Ok(Drawn {
-        scene: scene(title(structure, file), framing, materials.list, objects),
+        scene: scene(
+            title(structure, file),
+            camera,
+            axes,
+            materials.list,
+            objects,
+        ),
         spheres,
         cylinders,
         bonds: all,
@@ -243,7 +248,8 @@ fn placed(along: [f64; 3], length: f64, origin: [f64; 3]) -> Vec<Step> {
 
 fn scene(
     title: String,
-    Framing { camera, axes }: Framing,
+    camera: Camera,
+    axes: [[f64; 3]; 3],
     materials: Vec<Material>,
     objects: Vec<Object>,
 ) -> SceneFile {

@@ -9,7 +9,6 @@ use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 use slab::Slab;
 use std::fmt::Write;
-use thiserror::Error;
 
 /// Most levels: a grid of 1025 x 1025 nodes.
 pub const MAX_LEVELS: u32 = 10;
@@ -28,11 +27,6 @@ pub struct FieldOptions {
     pub seed: u64,
 }
 
-/// An option out of its range, and what is accepted.
-#[derive(Clone, Debug, Error, PartialEq)]
-#[error("{0}")]
-pub struct FieldError(String);
-
 /// A field of heights.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {
@@ -46,23 +40,23 @@ pub struct Field {
     pub most_edges: usize,
 }
 
-/// Makes a field; the same options give the same field.
-pub fn field(options: &FieldOptions) -> Result<Field, FieldError> {
+/// Makes a field; the same options give the same field. An error says which option is out of its range, and what is
+/// accepted.
+pub fn field(options: &FieldOptions) -> Result<Field, String> {
     let FieldOptions { levels, relief, .. } = *options;
     let smoothness = options.smoothness;
-    let refuse = |problem: String| Err(FieldError(problem));
     if !(1..=MAX_LEVELS).contains(&levels) {
-        return refuse(format!("{levels} levels; 1 to {MAX_LEVELS} are accepted"));
+        return Err(format!("{levels} levels; 1 to {MAX_LEVELS} are accepted"));
     }
     if !(0.0..=1.0).contains(&smoothness) {
         let accepted = "0 (rough) to 1 (smooth) is accepted";
-        return refuse(format!(
+        return Err(format!(
             "a roughness exponent h of {smoothness}; {accepted}"
         ));
     }
     if !(relief > 0.0 && relief <= 1e6) {
         let accepted = "more than 0 and up to 1000000 is accepted";
-        return refuse(format!("a relief of {relief}; {accepted}"));
+        return Err(format!("a relief of {relief}; {accepted}"));
     }
     let side = (1 << levels) + 1;
     let mut maker = Maker {

@@ -1,9 +1,9 @@
 //! Readers of height grids: ESRI ASCII grids, and plain rows of numbers.
 
 use super::grid::{HeightGrid, MAX_NODES};
-use crate::error::{decoded, unusable};
+use crate::error::{Source, unusable};
 use crate::kind::{KEYS, is_grid_keyword};
-use crate::{ImportError, Place, Result, decimal};
+use crate::{ImportError, Result, decimal};
 
 /// Largest magnitude of a height or a distance.
 const MAX_NUMBER: f64 = 1e8;
@@ -11,8 +11,7 @@ const MAX_NUMBER: f64 = 1e8;
 /// Reads a grid of either format; `file` is the name that messages give it. A text that begins with a keyword of the
 /// header is an ESRI ASCII grid.
 pub fn read(bytes: &[u8], file: &str) -> Result<HeightGrid> {
-    let text = decoded(bytes, file, "a grid of heights is plain text")?;
-    let reader = Reader { file, text };
+    let reader = Source::of(bytes, file, "a grid of heights is plain text")?;
     let first = reader.words().next();
     let grid = match first.is_some_and(is_grid_keyword) {
         true => reader.esri()?,
@@ -25,20 +24,14 @@ pub fn read(bytes: &[u8], file: &str) -> Result<HeightGrid> {
     Ok(grid)
 }
 
-struct Reader<'a> {
-    file: &'a str,
-    text: &'a str,
-}
-
 /// The header of an ESRI ASCII grid so far; index as in [`KEYS`].
 type Header = [Option<f64>; KEYS.len()];
 
-impl<'a> Reader<'a> {
+impl<'a> Source<'a> {
     /// What is wrong at a word, which is a piece of the text.
     fn malformed(&self, word: &str, problem: impl ToString, accepted: &str) -> ImportError {
         let at = word.as_ptr() as usize - self.text.as_ptr() as usize;
-        let place = Place::of(self.text.as_bytes(), at, b'\n');
-        ImportError::new(self.file, Some(place), problem, accepted)
+        self.error_at(at, problem, accepted)
     }
 
     fn refused(&self, word: &str, problem: &str, accepted: &str) -> ImportError {

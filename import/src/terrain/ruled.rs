@@ -26,20 +26,15 @@ pub fn ruled_pieces(z: &Corners, eye: &Point, outwards: [f64; 4]) -> Option<Vec<
     if is_plane(z) || over {
         return Some(vec![bilinear_piece(z, outwards)?]);
     }
-    let order = corners_in_order(eye);
+    // The corners (u, v) as their lines of sight turn: the eye is outside of a convex cell, so that all turns are less
+    // than half a circle.
+    let mut order = [[0, 0], [1, 0], [1, 1], [0, 1]];
+    order.sort_by(|p, q| integer(0).cmp(&turn(eye, &at(*p), &at(*q))));
     let sectors = order.windows(2).filter_map(|pair| {
         let bounds = [pair[0], pair[1]];
         Some(piece(z, eye, bounds, passed(eye, bounds)?, outwards))
     });
     sectors.collect()
-}
-
-/// The corners (u, v) as their lines of sight turn.
-fn corners_in_order(eye: &Point) -> [Corner; 4] {
-    let mut corners = [[0, 0], [1, 0], [1, 1], [0, 1]];
-    // The eye is outside of a convex cell: all turns are less than half a circle.
-    corners.sort_by(|p, q| integer(0).cmp(&turn(eye, &at(*p), &at(*q))));
-    corners
 }
 
 fn at(corner: Corner) -> Point {

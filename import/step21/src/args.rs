@@ -127,7 +127,7 @@ impl<'a> Args<'a> {
 
     fn as_number(&self, value: &Value) -> Result<f64> {
         let inner = match &value.kind {
-            Kind::Typed(_, values) if values.len() == 1 => &values[0],
+            Kind::Typed(typed) if typed.values.len() == 1 => &typed.values[0],
             _ => value,
         };
         match inner.kind {

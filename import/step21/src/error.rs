@@ -1,6 +1,6 @@
 //! What is wrong with a file.
 
-use std::fmt;
+use thiserror::Error;
 
 /// Where in a text file, from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,7 +23,8 @@ impl Place {
 }
 
 /// What is wrong, where, and what would be accepted.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[error("{}{problem}; {accepted}", .place.map_or(String::new(), |p| format!("{}:{}: ", p.line, p.column)))]
 pub struct Error {
     /// Nothing of the file as a whole.
     pub place: Option<Place>,
@@ -54,17 +55,6 @@ impl Error {
         }
     }
 }
-
-impl fmt::Display for Error {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(Place { line, column }) = self.place {
-            write!(f, "{line}:{column}: ")?;
-        }
-        write!(f, "{}; {}", self.problem, self.accepted)
-    }
-}
-
-impl std::error::Error for Error {}
 
 impl From<Error> for String {
     fn from(error: Error) -> String {

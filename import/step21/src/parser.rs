@@ -24,10 +24,7 @@ pub struct Exchange<'a> {
 impl<'a> Exchange<'a> {
     /// Takes a file apart.
     pub fn parse(bytes: &'a [u8]) -> Result<Self> {
-        let mut parser = Parser {
-            tokens: Tokens::new(bytes),
-            token: Token::End,
-        };
+        let mut parser = Tokens::new(bytes);
         let mut file = Exchange {
             bytes,
             header: vec![],
@@ -60,14 +57,7 @@ impl<'a> Exchange<'a> {
     }
 }
 
-/// Reads a file from its start.
-struct Parser<'a> {
-    tokens: Tokens<'a>,
-    /// The word that is next.
-    token: Token<'a>,
-}
-
-impl<'a> Parser<'a> {
+impl<'a> Tokens<'a> {
     fn section(&mut self, file: &mut Exchange<'a>) -> Result<()> {
         let is_data = match self.token {
             Token::Keyword("DATA") => true,
@@ -102,14 +92,9 @@ impl<'a> Parser<'a> {
         self.sign(b';')
     }
 
-    fn step(&mut self) -> Result<()> {
-        self.token = self.tokens.read()?;
-        Ok(())
-    }
-
     fn unexpected(&self, needed: &str) -> Error {
         let problem = format!("{} is not expected here", self.token.name());
-        self.tokens.error(problem, format!("{needed} is needed"))
+        self.error(problem, format!("{needed} is needed"))
     }
 
     fn sign(&mut self, sign: u8) -> Result<()> {
@@ -131,7 +116,7 @@ impl<'a> Parser<'a> {
         let Token::Value(Kind::Reference(id)) = self.token else {
             return Err(self.unexpected("an entity such as `#1 = NAME(...);` or `ENDSEC;`"));
         };
-        let at = self.tokens.at;
+        let at = self.at;
         self.step()?;
         self.sign(b'=')?;
         let mut records = vec![];
@@ -167,7 +152,7 @@ impl<'a> Parser<'a> {
     fn list(&mut self, depth: usize) -> Result<Vec<Value<'a>>> {
         if depth > DEEPEST {
             let accepted = format!("at most {DEEPEST} lists inside each other are possible");
-            return Err(self.tokens.error("a list inside too many others", accepted));
+            return Err(self.error("a list inside too many others", accepted));
         }
         self.sign(b'(')?;
         let mut values = vec![];
@@ -186,13 +171,10 @@ impl<'a> Parser<'a> {
     }
 
     fn value(&mut self, depth: usize) -> Result<Value<'a>> {
-        let at = self.tokens.at;
+        let at = self.at;
         let kind = match self.token {
             Token::Sign(b'(') => Kind::List(self.list(depth + 1)?),
-            Token::Keyword(_) => {
-                let typed = self.record(depth + 1)?;
-                Kind::Typed(typed.name, typed.values)
-            }
+            Token::Keyword(_) => Kind::Typed(self.record(depth + 1)?),
             ref simple => {
                 let kind = match simple {
                     Token::Sign(b'$') => Kind::Omitted,

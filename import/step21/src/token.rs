@@ -30,12 +30,12 @@ impl Token<'_> {
 }
 
 /// Reads words one after the other.
-#[derive(Debug)]
 pub struct Tokens<'a> {
-    /// The file.
-    pub bytes: &'a [u8],
+    bytes: &'a [u8],
     next: usize,
-    /// Where the word that was read last begins.
+    /// The word that was read last.
+    pub token: Token<'a>,
+    /// Where it begins.
     pub at: usize,
 }
 
@@ -46,6 +46,7 @@ impl<'a> Tokens<'a> {
         Self {
             bytes,
             next: if mark { 3 } else { 0 },
+            token: Token::End,
             at: 0,
         }
     }
@@ -59,8 +60,13 @@ impl<'a> Tokens<'a> {
         Error::at(self.bytes, self.at, problem, accepted)
     }
 
-    /// The next word.
-    pub fn read(&mut self) -> Result<Token<'a>> {
+    /// Reads the next word.
+    pub fn step(&mut self) -> Result<()> {
+        self.token = self.read()?;
+        Ok(())
+    }
+
+    fn read(&mut self) -> Result<Token<'a>> {
         self.skip()?;
         self.at = self.next;
         let Some(first) = self.rest().first().copied() else {

@@ -32,7 +32,7 @@ pub enum Kind<'a> {
     /// A list.
     List(Vec<Value<'a>>),
     /// A value with the name of its type, as `LENGTH_MEASURE(1.)`.
-    Typed(&'a str, Vec<Value<'a>>),
+    Typed(Record<'a>),
 }
 
 impl Kind<'_> {
@@ -47,13 +47,13 @@ impl Kind<'_> {
             Self::Bits => "a binary value".into(),
             Self::Reference(id) => format!("`#{id}`"),
             Self::List(values) => format!("a list of {}", values.len()),
-            Self::Typed(name, _) => with_article(&shortened(name)),
+            Self::Typed(typed) => with_article(&shortened(typed.name)),
         }
     }
 }
 
 /// A name with its parameters.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Record<'a> {
     /// Name of the entity or, of a complex one, of a part of it.
     pub name: &'a str,

@@ -1,8 +1,8 @@
 //! The planes and the quadric that bound a strip within a slab.
 
 use super::strips::{Crossing, Strip};
-use super::{OVERLAP, Work};
-use crate::faces::planes::{Planes, Separator};
+use super::{OVERLAP, Slabs};
+use crate::faces::cell::{Planes, Separator};
 use crate::faces::surface::Form;
 use crate::faces::vector::Vector;
 use std::f64::consts::TAU;
@@ -29,16 +29,16 @@ pub struct Key {
     pub planes: Vec<(usize, bool)>,
 }
 
-impl Work<'_> {
+impl Slabs<'_> {
     /// The bands that a strip has a part of, with their ends at its turn.
     pub fn bands_of(&self, strip: &Strip) -> Vec<Part> {
         let [low, high] = self.extent(strip);
-        let turns = match self.face.surface.form {
+        let turns = match self.chart.surface.form {
             Form::Torus(..) => -1..=2,
             _ => 0..=0,
         };
         let mut found = vec![];
-        for (band, own) in self.face.bands.iter().enumerate() {
+        for (band, own) in self.bands.iter().enumerate() {
             for turn in turns.clone() {
                 let ends = own.ends.map(|v| v + f64::from(turn) * TAU);
                 let height = Some(ends[1] - ends[0]).filter(|height| height.is_finite());
@@ -60,7 +60,7 @@ impl Work<'_> {
     /// What bounds a strip in a band, besides the slab: one cell, or two if it lies between two conics; `None` if
     /// these are too near.
     pub fn keys(&self, strip: &Strip, part: &Part, planes: &mut Planes) -> Option<Vec<Key>> {
-        let separators = &self.face.parting.separators;
+        let separators = &self.parting.separators;
         let side = |crossing: &Crossing| -> Side {
             let separator = self.rails[crossing.rail].separator;
             (separator, separators[separator].is_positive(part.sample))
@@ -117,7 +117,7 @@ impl Work<'_> {
 
     /// A strip that lies between two conics as two cells; `None` if these are too near.
     fn between_conics(&self, strip: &Strip, key: Key, planes: &mut Planes) -> Option<Vec<Key>> {
-        let separators = &self.face.parting.separators;
+        let separators = &self.parting.separators;
         let is_conic = |(k, _): &&Side| matches!(separators[*k], Separator::Quadric(_));
         let conics: Vec<Side> = key.sides.iter().filter(is_conic).copied().collect();
         let [one, other] = conics[..] else {
@@ -159,7 +159,7 @@ impl Work<'_> {
 
     /// Least and greatest v at which the surface of a border crosses its strip again.
     fn comes_back(&self, strip: &Strip, crossing: &Crossing) -> Option<[f64; 2]> {
-        let separator = &self.face.parting.separators[self.rails[crossing.rail].separator];
+        let separator = &self.parting.separators[self.rails[crossing.rail].separator];
         let (from, to) = (self.limits[strip.slab], self.limits[strip.slab + 1]);
         let mut back: Option<[f64; 2]> = None;
         for share in [0.001, 0.25, 0.5, 0.75, 0.999] {
@@ -179,9 +179,9 @@ impl Work<'_> {
 
     /// The planes that a part has besides those of the border: of its band, and of a cone that between its nappes.
     fn band_planes(&self, part: &Part, planes: &mut Planes) -> Vec<(usize, bool)> {
-        if self.face.surface.is_cone() {
+        if self.chart.surface.is_cone() {
             let plane = self.chart.parallel_plane(0.0, planes);
-            let inside = self.chart.on_axis(self.face.size);
+            let inside = self.chart.on_axis(self.size);
             return vec![(plane, planes.is_positive(plane, inside))];
         }
         if !part.ends[0].is_finite() {
@@ -190,7 +190,7 @@ impl Work<'_> {
         let heights = part.ends.map(|v| self.chart.meridian(v).1);
         let inside = self.chart.on_axis(0.5 * (heights[0] + heights[1]));
         let plane = |end: usize| {
-            let border = self.face.bands[part.band].beyond;
+            let border = self.bands[part.band].beyond;
             let share = if part.goes_on[end] { OVERLAP } else { border };
             let height = heights[end] + share * (heights[end] - heights[1 - end]);
             let plane = self.chart.level_plane(height, planes);

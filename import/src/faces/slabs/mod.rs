@@ -6,19 +6,18 @@
 //! surface is curved along v. The search of [`super::terms`] finds fewer parts where it finds any; this always ends.
 
 mod keys;
-mod rail;
 mod sectors;
 mod strips;
 
-use super::cell::Cell;
+use super::cell::{Cell, Made, Planes};
 use super::chart::{Chart, free_pole};
+use super::compile::Task;
 use super::curve::Curve;
 use super::parting::Parting;
-use super::planes::Planes;
 use super::surface::{Implicit, Surface};
 use super::vector::{minus, unit};
-use rail::Rail;
 use sectors::{Run, join};
+use strips::Rail;
 
 /// Most times that slabs are halved.
 const MAX_HALVINGS: usize = 6;
@@ -50,74 +49,73 @@ impl Band {
     }
 }
 
-pub struct Slabs<'a> {
-    pub surface: &'a Surface,
-    pub parting: &'a Parting,
-    pub bands: &'a [Band],
+struct Slabs<'a> {
+    parting: &'a Parting,
+    bands: &'a [Band],
     /// The plane of a face that is flat.
-    pub flat: Option<usize>,
+    flat: Option<usize>,
     /// Size of the part, scene units.
-    pub size: f64,
+    size: f64,
+    chart: Chart,
+    rails: Vec<Rail>,
+    /// The ends of all slabs of this try.
+    limits: Vec<f64>,
+    /// Strips are also bounded by parallels.
+    parallels: bool,
 }
 
-/// One try with the ends of slabs.
-pub struct Work<'a> {
-    pub face: &'a Slabs<'a>,
-    pub chart: &'a Chart,
-    pub rails: &'a [Rail],
-    pub limits: Vec<f64>,
-    /// Strips are also bounded by parallels.
-    pub parallels: bool,
+/// The cells of a face between lines u = constant.
+pub fn cells(
+    task: Task,
+    parting: &Parting,
+    bands: &[Band],
+    flat: Option<usize>,
+    planes: &mut Planes,
+) -> Made<Vec<Cell>> {
+    let surface = &task.face().surface;
+    let mut border = parting.boundaries.iter();
+    let north = match surface.is_plane() {
+        true => border.find_map(|own| match &own.curve {
+            Curve::Line { from, to } => Some(unit(minus(*to, *from))),
+            _ => None,
+        }),
+        false => free_pole(surface, &parting.separators),
+    };
+    let chart = Chart::of(surface, north);
+    let rails = parting.boundaries.iter();
+    let mut slabs = Slabs {
+        rails: rails.map(|own| Rail::of(own, &chart)).collect(),
+        limits: vec![],
+        parallels: false,
+        parting,
+        bands,
+        flat,
+        size: task.model.size(),
+        chart,
+    };
+    let mut more = vec![];
+    for round in 0..=MAX_HALVINGS {
+        slabs.limits = slabs.limits(&more);
+        slabs.parallels = round > 0;
+        match slabs.cells(planes)? {
+            Ok(cells) => return Ok(cells),
+            Err(crowded) => more.extend(crowded),
+        }
+    }
+    Err("parts of its border are too near to each other".into())
 }
 
 impl Slabs<'_> {
-    fn chart(&self) -> Chart {
-        let line = |curve: &Curve| match curve {
-            Curve::Line { from, to } => Some(unit(minus(*to, *from))),
-            _ => None,
-        };
-        let mut border = self.parting.boundaries.iter();
-        let north = match self.surface.is_plane() {
-            true => border.find_map(|own| line(&own.curve)),
-            false => free_pole(self.surface, &self.parting.separators),
-        };
-        Chart::of(self.surface, north)
-    }
-
-    pub fn cells(&self, planes: &mut Planes) -> Result<Vec<Cell>, String> {
-        let chart = self.chart();
-        let rails = self.rails(&chart);
-        let mut more = vec![];
-        for round in 0..=MAX_HALVINGS {
-            let work = Work {
-                face: self,
-                chart: &chart,
-                rails: &rails,
-                limits: self.limits(&chart, &rails, &more),
-                parallels: round > 0,
-            };
-            match work.cells(planes)? {
-                Ok(cells) => return Ok(cells),
-                Err(crowded) => more.extend(crowded),
-            }
-        }
-        Err("parts of its border are too near to each other".into())
-    }
-}
-
-/// The u of slabs that have to be halved.
-type Crowded = Vec<f64>;
-
-impl Work<'_> {
-    pub fn slabs(&self) -> usize {
+    fn slabs(&self) -> usize {
         self.limits.len().saturating_sub(1)
     }
 
-    pub fn middle(&self, slab: usize) -> f64 {
+    fn middle(&self, slab: usize) -> f64 {
         0.5 * (self.limits[slab] + self.limits[slab + 1])
     }
 
-    fn cells(&self, planes: &mut Planes) -> Result<Result<Vec<Cell>, Crowded>, String> {
+    /// The cells, or the u of slabs that have to be halved.
+    fn cells(&self, planes: &mut Planes) -> Made<Result<Vec<Cell>, Vec<f64>>> {
         let strips = self.strips()?;
         let mut runs: Vec<Run> = vec![];
         let mut crowded = vec![];
@@ -150,10 +148,8 @@ impl Work<'_> {
             }
         }
         crowded.extend(self.lost(&cells, &strips, planes));
-        if crowded.is_empty() {
-            return Ok(Ok(cells));
-        }
+        let is_whole = crowded.is_empty();
         crowded.retain(|u| u.is_finite());
-        Ok(Err(crowded))
+        Ok(if is_whole { Ok(cells) } else { Err(crowded) })
     }
 }

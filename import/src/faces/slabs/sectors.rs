@@ -2,10 +2,9 @@
 
 use super::keys::Key;
 use super::strips::Strip;
-use super::{WIDEST_GAP, Work};
-use crate::faces::cell::Cell;
+use super::{Slabs, WIDEST_GAP};
+use crate::faces::cell::{Cell, Planes, Separator};
 use crate::faces::chart::nearest_turn;
-use crate::faces::planes::{Planes, Separator};
 use crate::faces::vector::Vector;
 use std::f64::consts::TAU;
 
@@ -38,7 +37,7 @@ pub fn join(runs: &mut Vec<Run>, key: Key, slab: usize, sample: Vector) {
     }
 }
 
-impl Work<'_> {
+impl Slabs<'_> {
     /// On a round chart the last slab and the first are neighbours.
     pub fn close(&self, runs: &mut Vec<Run>) {
         let last = self.slabs().saturating_sub(1);
@@ -63,22 +62,19 @@ impl Work<'_> {
         }
     }
 
-    pub fn limit(&self, index: usize) -> f64 {
-        let slabs = self.slabs();
-        let turns = index / slabs;
-        self.limits[index % slabs] + turns as f64 * TAU
-    }
-
     /// The spans of u of a run, none wider than two planes through an axis can bound, each with a sample.
     pub fn sectors(&self, run: &Run) -> Vec<([f64; 2], Vector)> {
         let ends = [run.slabs[0], run.slabs[1] + 1];
         if !self.chart.is_round() {
             return vec![(ends.map(|end| self.limits[end]), run.samples[0])];
         }
-        if ends[1] - ends[0] == self.slabs() {
+        let slabs = self.slabs();
+        if ends[1] - ends[0] == slabs {
             return vec![([f64::NEG_INFINITY, f64::INFINITY], run.samples[0])];
         }
-        let [from, to] = ends.map(|end| self.limit(end));
+        // The limits go on behind a whole turn.
+        let limit = |end: usize| self.limits[end % slabs] + (end / slabs) as f64 * TAU;
+        let [from, to] = ends.map(limit);
         let parts = ((to - from) / WIDEST).ceil().max(1.0);
         let step = (to - from) / parts;
         let v = self.chart.coordinates(run.samples[0])[1];
@@ -90,10 +86,10 @@ impl Work<'_> {
     }
 
     pub fn cell(&self, run: &Run, span: [f64; 2], sample: Vector, planes: &mut Planes) -> Cell {
-        let parting = self.face.parting;
+        let parting = self.parting;
         let mut cell = Cell {
-            quadric: self.face.bands[run.key.band].quadric,
-            flat: self.face.flat,
+            quadric: self.bands[run.key.band].quadric,
+            flat: self.flat,
             cuts: run.key.planes.clone(),
         };
         for (separator, positive) in &run.key.sides {
@@ -140,26 +136,24 @@ impl Work<'_> {
 
     /// The plane of an upright edge at an end of a span, if it has all of the span on one side.
     fn edge_at(&self, u: f64, span: [f64; 2], v: f64, planes: &Planes) -> Option<(usize, bool)> {
-        let narrow = 2.0 * self.face.narrow(self.chart);
+        let narrow = 2.0 * self.narrow();
         let mut upright = self.rails.iter().filter(|rail| rail.is_upright(narrow));
         upright.find_map(|rail| {
             let mut off = rail.path[0][0] - u;
             if self.chart.is_round() {
                 off = nearest_turn(off, 0.0);
             }
-            let plane = self.face.parting.planes[rail.separator];
+            let plane = self.parting.planes[rail.separator];
             let plane = plane.filter(|_| off.abs() <= narrow)?;
             let shares = [0.02, 0.5, 0.98].map(|share| span[0] + share * (span[1] - span[0]));
             let sides = shares.map(|u| planes.is_positive(plane, self.chart.point(u, v)));
             (sides == [sides[0]; 3]).then_some((plane, sides[0]))
         })
     }
-}
 
-impl Work<'_> {
     /// Whether cells are strips, without a doubt.
     fn is_exact(&self) -> bool {
-        !self.face.surface.is_sphere() && self.face.flat.is_none()
+        !self.chart.surface.is_sphere() && self.flat.is_none()
     }
 
     /// Slabs with places of the face that no cell has.
@@ -192,10 +186,10 @@ impl Work<'_> {
 
     /// Places between two v, far out where one is open: a conic may come back there.
     fn probes(&self, [low, high]: [f64; 2]) -> Vec<f64> {
-        if high - low <= WIDEST_GAP * self.face.size {
+        if high - low <= WIDEST_GAP * self.size {
             return vec![];
         }
-        let far = [0.01, 0.1, 0.3, 1.0, 3.0, 10.0, 100.0].map(|share| share * self.face.size);
+        let far = [0.01, 0.1, 0.3, 1.0, 3.0, 10.0, 100.0].map(|share| share * self.size);
         match (low.is_finite(), high.is_finite()) {
             (true, true) => {
                 let shares = [0.1, 0.5, 0.9];

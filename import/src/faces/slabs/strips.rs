@@ -1,9 +1,12 @@
-//! What lies between the crossings of a slab with the border.
+//! The border of a face on its way over the surface, the lines that divide it into slabs, and what lies in a slab
+//! between the crossings with the border.
 
-use super::Work;
-use crate::faces::chart::nearest_turn;
+use super::{Slabs, WIDEST_GAP};
+use crate::faces::arrangement::{Boundary, SMALLEST_PIECE};
+use crate::faces::chart::{Chart, nearest_turn};
+use crate::faces::curve::Curve;
 use crate::faces::surface::Form;
-use crate::faces::vector::between;
+use crate::faces::vector::{between, range};
 use std::f64::consts::TAU;
 
 /// A crossing of the middle of a slab.
@@ -26,11 +29,11 @@ pub struct Strip {
     pub inside: bool,
 }
 
-impl Work<'_> {
+impl Slabs<'_> {
     pub fn strips(&self) -> Result<Vec<Strip>, String> {
         let middles = (0..self.slabs()).map(|slab| self.middle(slab));
         let crossings: Vec<Vec<Crossing>> = middles.map(|u| self.crossings(u)).collect();
-        let surface = self.face.surface;
+        let surface = &self.chart.surface;
         let oriented = surface.is_sphere() || surface.is_torus();
         let has_end = surface.is_cone() || surface.is_sphere();
         if !has_end && crossings.iter().any(|all| all.len() % 2 == 1) {
@@ -52,7 +55,7 @@ impl Work<'_> {
         let mut all = vec![];
         for (index, rail) in self.rails.iter().enumerate() {
             for (v, east) in rail.crossings(u, self.chart.is_round()) {
-                let turned = self.face.surface.is_torus().then(|| v.rem_euclid(TAU));
+                let turned = self.chart.surface.is_torus().then(|| v.rem_euclid(TAU));
                 let v = turned.unwrap_or(v);
                 all.push(Crossing {
                     v,
@@ -79,7 +82,7 @@ impl Work<'_> {
         };
         let said = crossings.iter().map(|all| votes(all));
         let said: Vec<Option<bool>> = said.map(|sum| (sum != 0).then_some(sum > 0)).collect();
-        if self.face.surface.is_sphere() {
+        if self.chart.surface.is_sphere() {
             // All lines begin at one pole.
             let yes = said.iter().flatten().filter(|yes| **yes).count();
             let all = said.iter().flatten().count();
@@ -93,7 +96,7 @@ impl Work<'_> {
     /// Whether a line of a tube that no border crosses is in the face: what the next border to the west says.
     fn beside(&self, slab: usize, crossings: &[Vec<Crossing>], said: &[Option<bool>]) -> bool {
         let slabs = self.slabs();
-        let narrow = self.face.narrow(self.chart);
+        let narrow = self.narrow();
         for step in 0..slabs {
             let own = (slab + slabs - step) % slabs;
             if step > 0
@@ -120,13 +123,13 @@ impl Work<'_> {
     }
 
     fn between(&self, slab: usize, all: &[Crossing], first: bool) -> Vec<Strip> {
-        let [low, high] = match self.face.surface.form {
+        let [low, high] = match self.chart.surface.form {
             Form::Torus(..) => [0.0, TAU],
             Form::Cone(_) => [0.0, f64::INFINITY],
             _ => self.chart.reach(),
         };
         let count = all.len();
-        if self.face.surface.is_torus() && count > 0 {
+        if self.chart.surface.is_torus() && count > 0 {
             let strip = |index: usize| {
                 let (from, mut to) = (all[index], all[(index + 1) % count]);
                 if index + 1 == count {
@@ -179,7 +182,7 @@ impl Work<'_> {
             // A closed piece has two branches, which run in opposite directions.
             let branch = rail.crossings(u, self.chart.is_round()).into_iter();
             let branch = branch.filter(|(_, east)| *east == crossing.east);
-            let v = branch.map(|(v, _)| match self.face.surface.form {
+            let v = branch.map(|(v, _)| match self.chart.surface.form {
                 Form::Torus(..) => nearest_turn(v, at),
                 _ => v,
             });
@@ -201,6 +204,131 @@ impl Work<'_> {
     pub fn inner(&self, [low, high]: [f64; 2], [from, to]: [f64; 2]) -> f64 {
         let (a, b) = (low.max(from), high.min(to));
         let [a, b] = if a < b { [a, b] } else { [low, high] };
-        between(a, b, self.face.size)
+        between(a, b, self.size)
+    }
+}
+
+/// Steps of an arc on its way over the surface.
+const ARC_STEPS: usize = 96;
+
+/// A piece of the border on its way over the surface.
+pub struct Rail {
+    pub separator: usize,
+    pub path: Vec<[f64; 2]>,
+    pub forward: bool,
+}
+
+impl Rail {
+    pub fn of(boundary: &Boundary, chart: &Chart) -> Rail {
+        let steps = match boundary.curve {
+            Curve::Line { .. } => 1,
+            _ => ARC_STEPS,
+        };
+        Rail {
+            separator: boundary.separator,
+            path: chart.path(&boundary.curve.sampled(steps)),
+            forward: boundary.forward,
+        }
+    }
+
+    pub fn is_upright(&self, narrow: f64) -> bool {
+        let [low, high] = range(self.path.iter().map(|[u, _]| *u));
+        high - low <= narrow
+    }
+
+    /// The u of its ends and of the places where it turns back.
+    pub fn limits(&self) -> Vec<f64> {
+        let path = &self.path;
+        let mut limits = vec![path[0][0], path[path.len() - 1][0]];
+        for three in path.windows(3) {
+            let [a, b, c] = [three[0][0], three[1][0], three[2][0]];
+            if (b - a) * (c - b) < 0.0 {
+                // The top of the parabola through the three.
+                let bend = a - 2.0 * b + c;
+                limits.push(b - (c - a) * (c - a) / (8.0 * bend));
+            }
+        }
+        limits
+    }
+
+    /// v where it crosses the line u, and whether it runs eastwards there.
+    pub fn crossings(&self, u: f64, round: bool) -> Vec<(f64, bool)> {
+        let mut found = vec![];
+        for pair in self.path.windows(2) {
+            let [[a, v], [b, w]] = [pair[0], pair[1]];
+            let (low, high) = (a.min(b), a.max(b));
+            // The same line, as often as the path has gone round.
+            let turns = if round { ((low - u) / TAU).ceil() } else { 0.0 };
+            let at = u + turns * TAU;
+            if at >= low && at < high {
+                found.push((v + (w - v) * (at - a) / (b - a), b > a));
+            }
+        }
+        found
+    }
+}
+
+impl Slabs<'_> {
+    /// The ends of all slabs, ascending; the first again behind the last, once round, if u is an angle.
+    pub fn limits(&self, more: &[f64]) -> Vec<f64> {
+        let mut limits: Vec<f64> = self.rails.iter().flat_map(Rail::limits).collect();
+        limits.extend(more);
+        limits.retain(|u| u.is_finite());
+        if self.chart.is_round() {
+            for u in &mut limits {
+                *u = u.rem_euclid(TAU);
+            }
+        }
+        limits.sort_by(f64::total_cmp);
+        let narrow = self.narrow();
+        limits.dedup_by(|next, kept| *next - *kept <= narrow);
+        if self.chart.is_round() {
+            if limits.len() > 1 && limits[0] + TAU - limits[limits.len() - 1] <= narrow {
+                limits.pop();
+            }
+            match limits.first() {
+                Some(first) => limits.push(first + TAU),
+                None => limits = vec![0.0, TAU],
+            }
+        }
+        self.without_gaps(limits)
+    }
+
+    /// Limits without slabs between two ends that should be one: there a line crosses the border an odd number of
+    /// times.
+    fn without_gaps(&self, mut limits: Vec<f64>) -> Vec<f64> {
+        let is_round = self.chart.is_round();
+        let widest = WIDEST_GAP * if is_round { 1.0 } else { self.size };
+        let crossings = |u: f64| -> usize {
+            let of = |rail: &Rail| rail.crossings(u, is_round).len();
+            self.rails.iter().map(of).sum()
+        };
+        let mut slab = 0;
+        while limits.len() > 2 && slab + 1 < limits.len() {
+            let (from, to) = (limits[slab], limits[slab + 1]);
+            if to - from > widest || crossings(0.5 * (from + to)) % 2 == 0 {
+                slab += 1;
+            } else if slab + 2 < limits.len() {
+                limits.remove(slab + 1);
+            } else if is_round {
+                // The last limit is the first again.
+                limits.remove(0);
+                let last = limits.len() - 1;
+                limits[last] = limits[0] + TAU;
+            } else {
+                limits.remove(slab);
+            }
+        }
+        limits
+    }
+
+    /// Slabs that are no wider than this are none: two ends that should be one.
+    pub fn narrow(&self) -> f64 {
+        10.0 * SMALLEST_PIECE
+            * if self.chart.is_round() {
+                1.0
+            } else {
+                self.size
+            }
     }
 }

@@ -28,8 +28,8 @@ struct Link {
     id: u64,
 }
 
-/// The group that has another inside.
-type Inside = (usize, Link);
+/// A representation and a placement in it that comes to be where one of another is, the inner first.
+type Ends = [(usize, Placement); 2];
 
 /// The representations of a file. Those that a relationship without a placement joins are one group.
 #[derive(Debug)]
@@ -173,23 +173,25 @@ impl<'a> Assembly<'a> {
         for placed in file.all(&PLACING) {
             let ends = relation(&placed).ok();
             let child = ends.and_then(|ends| self.find(ends[0]));
-            let link = self.component(&placed, &wholes);
-            self.link("a component is left out", link, child);
+            let ends = self.component(&placed, &wholes);
+            self.link("a component is left out", placed.entity.id, ends, child);
         }
     }
 
-    /// Keeps where something is placed; a child whose place is not known is lost.
-    fn link(&mut self, what: &str, found: Result<Option<Inside>>, child: Option<usize>) {
+    /// Keeps where the entity of a number places something; a child whose place is not known is lost.
+    fn link(&mut self, what: &str, id: u64, found: Result<Option<Ends>>, child: Option<usize>) {
         if found.is_err() {
             self.lost.extend(child);
         }
-        if let Some(Some((parent, link))) = self.keep(what, found) {
-            self.links.entry(parent).or_default().push(link);
+        if let Some(Some([(child, own), (parent, there)])) = self.keep(what, found) {
+            let child = self.group[child];
+            let place = there.after(&own.inverse());
+            let links = self.links.entry(self.group[parent]).or_default();
+            links.push(Link { child, place, id });
         }
     }
 
-    /// The group that has a component, and where.
-    fn component(&self, placed: &Args<'a>, wholes: &HashMap<u64, u64>) -> Result<Option<Inside>> {
+    fn component(&self, placed: &Args<'a>, wholes: &HashMap<u64, u64>) -> Result<Option<Ends>> {
         let ends = relation(placed)?;
         let [Some(first), Some(second)] = ends.map(|end| self.index.get(&end.id).copied()) else {
             return Ok(None);
@@ -205,7 +207,7 @@ impl<'a> Assembly<'a> {
         if whole.is_some() && whole == self.product_of(self.group[first]) {
             ends.reverse();
         }
-        Ok(Some(self.inside(ends, placed.entity.id)))
+        Ok(Some(ends))
     }
 
     fn place_mapped(&mut self) {
@@ -218,35 +220,27 @@ impl<'a> Assembly<'a> {
                 let map = item.named(1, &["REPRESENTATION_MAP"]);
                 let source = map.and_then(|map| map.entity(1)).ok();
                 let child = source.and_then(|entity| self.find(entity));
-                let link = self.mapped(index, &item);
-                self.link("a mapped item is left out", link, child);
+                let ends = self.mapped(index, &item);
+                self.link("a mapped item is left out", item.entity.id, ends, child);
             }
         }
     }
 
-    fn mapped(&self, index: usize, item: &Args<'a>) -> Result<Option<Inside>> {
+    fn mapped(&self, index: usize, item: &Args<'a>) -> Result<Option<Ends>> {
         let map = item.named(1, &["REPRESENTATION_MAP"])?;
         let Some(source) = self.index.get(&map.entity(1)?.id).copied() else {
             return Ok(None);
         };
-        let ends = [self.frame(source, &map, 0)?, self.frame(index, item, 2)?];
-        Ok(Some(self.inside(ends, item.entity.id)))
+        Ok(Some([
+            self.frame(source, &map, 0)?,
+            self.frame(index, item, 2)?,
+        ]))
     }
 
     /// A representation with a placement in it that is named.
     fn frame(&self, index: usize, args: &Args, place: usize) -> Result<(usize, Placement)> {
         let context = self.context(&self.representations[index])?;
         Ok((index, placement(args.entity(place)?, &context)?))
-    }
-
-    /// A representation inside another, so that a placement of the one comes to be where one of the other is.
-    fn inside(&self, [(child, own), (parent, there)]: [(usize, Placement); 2], id: u64) -> Inside {
-        let link = Link {
-            child: self.group[child],
-            place: there.after(&own.inverse()),
-            id,
-        };
-        (self.group[parent], link)
     }
 
     pub fn product_of(&self, group: usize) -> Option<u64> {
@@ -334,18 +328,16 @@ fn product(args: &Args) -> Option<(u64, String)> {
     ];
     let shape = args.entity(0).ok()?.find(&["PRODUCT_DEFINITION_SHAPE"])?;
     let definition = shape.entity(2).ok()?.find(&names)?;
-    let name = product_name(&definition).unwrap_or_default();
-    Some((definition.entity.id, name))
-}
-
-/// The name of a product; `None` if it has no words for it.
-fn product_name(definition: &Args) -> Option<String> {
     let formations = [
         "PRODUCT_DEFINITION_FORMATION",
         "PRODUCT_DEFINITION_FORMATION_WITH_SPECIFIED_SOURCE",
     ];
-    let formation = definition.entity(2).ok()?.find(&formations)?;
-    let product = formation.entity(2).ok()?.find(&["PRODUCT"])?;
-    let names = [product.text(1), product.text(0)];
-    names.into_iter().find(|name| !name.is_empty())
+    // A product may have no words for its name.
+    let name = || {
+        let formation = definition.entity(2).ok()?.find(&formations)?;
+        let product = formation.entity(2).ok()?.find(&["PRODUCT"])?;
+        let names = [product.text(1), product.text(0)];
+        names.into_iter().find(|name| !name.is_empty())
+    };
+    Some((definition.entity.id, name().unwrap_or_default()))
 }

@@ -105,7 +105,8 @@ fn references(values: &[Value], found: &mut Vec<u64>) {
     for value in values {
         match &value.kind {
             Kind::Reference(id) => found.push(*id),
-            Kind::List(values) | Kind::Typed(_, values) => references(values, found),
+            Kind::List(values) => references(values, found),
+            Kind::Typed(typed) => references(&typed.values, found),
             _ => {}
         }
     }

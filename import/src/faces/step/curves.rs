@@ -3,8 +3,8 @@
 use super::placement::{Placement, direction, placement, point};
 use super::spline::Spline;
 use super::units::Context;
-use crate::faces::build_edge::MISSED;
-use crate::faces::curve::{Arc, Curve, Ellipse, Polyline, Tolerance};
+use crate::faces::build::MISSED;
+use crate::faces::curve::{Arc, Curve, Ellipse, Polyline};
 use crate::faces::keys::MAX_NUMBER;
 use crate::faces::model::COINCIDENT;
 use crate::faces::vector::*;
@@ -64,27 +64,24 @@ impl<'a> Span<'a> {
         Err(entity.error(problem, accepted).into())
     }
 
-    /// What numbers of this size are off by, and what the file takes for the same place.
-    fn tolerance(&self, size: f64) -> Tolerance {
+    /// By how much an end may miss a curve of this size, by its numbers and by what the file takes for the same place,
+    /// and the least length of a curve.
+    fn tolerance(&self, size: f64) -> [f64; 2] {
         let [from, to] = self.ends;
         let numbers = COINCIDENT * length(from).max(length(to)).max(size);
         let missed = MISSED * size.max(self.context.extent);
-        Tolerance {
-            missed: missed.max(self.context.uncertainty).max(numbers),
-            shortest: numbers,
-        }
+        [missed.max(self.context.uncertainty).max(numbers), numbers]
     }
 
     fn line(&self, args: &Args<'a>) -> Found {
         let (origin, course) = line(args, self.context)?;
         let [from, to] = self.ends;
-        let tolerance = self.tolerance(distance(from, to));
-        if distance(from, to) <= tolerance.shortest {
+        let [missed, shortest] = self.tolerance(distance(from, to));
+        if distance(from, to) <= shortest {
             return Err("it is straight and has no length".into());
         }
         let off = |p: Vector| length(across(minus(p, origin), course));
-        let missed = off(from).max(off(to));
-        on_curve(missed, tolerance)?;
+        on_curve(off(from).max(off(to)), missed)?;
         Ok(Curve::Line { from, to })
     }
 
@@ -127,9 +124,9 @@ impl<'a> Span<'a> {
             }
         };
         let [from, to] = self.ends.map(parameter);
-        let tolerance = self.tolerance(distance(self.ends[0], self.ends[1]));
+        let [missed, _] = self.tolerance(distance(self.ends[0], self.ends[1]));
         let [off, other] = [0, 1].map(|k| distance(at([from, to][k]), self.ends[k]));
-        on_curve(off.max(other), tolerance)?;
+        on_curve(off.max(other), missed)?;
         let step = |k: usize| from + (to - from) * k as f64 / CONIC_STEPS as f64;
         let points = (0..=CONIC_STEPS).map(|k| at(step(k))).collect();
         self.through(points, false)
@@ -139,10 +136,11 @@ impl<'a> Span<'a> {
         let spline = Spline::read(entity, self.context)?;
         let [low, high] = spline.domain();
         let [(start, off), (end, other)] = self.ends.map(|p| spline.nearest(p));
-        let reach = self.reach(&spline);
-        let tolerance = self.tolerance(reach);
-        on_curve(off.max(other), tolerance)?;
-        let comes_back = distance(spline.at(low), spline.at(high)) <= tolerance.missed;
+        // How far the curve goes from the start of the edge.
+        let place = |k| spline.at(low + (high - low) * f64::from(k) / 32.0);
+        let [missed, _] = self.tolerance(reach((0..=32).map(place), self.ends[0]));
+        on_curve(off.max(other), missed)?;
+        let comes_back = distance(spline.at(low), spline.at(high)) <= missed;
         let (mut from, mut to) = match self.forward {
             true => (start, end),
             false => (end, start),
@@ -181,18 +179,11 @@ impl<'a> Span<'a> {
         self.through(points, self.closed)
     }
 
-    /// How far the curve goes from the start of the edge.
-    fn reach(&self, spline: &Spline) -> f64 {
-        let [low, high] = spline.domain();
-        let place = |k| spline.at(low + (high - low) * f64::from(k) / 32.0);
-        reach((0..=32).map(place), self.ends[0])
-    }
-
     /// The curve through points, of which those that repeat the one before are left out.
     fn through(&self, mut points: Vec<Vector>, closed: bool) -> Found {
         let first = points[0];
         let size = reach(points.iter().copied(), first);
-        let least = self.tolerance(size).shortest;
+        let [_, least] = self.tolerance(size);
         if !closed {
             let last = points.len() - 1;
             points[0] = self.ends[0];
@@ -208,8 +199,8 @@ impl<'a> Span<'a> {
 }
 
 /// Refuses ends that are farther off their curve than they may be.
-fn on_curve(off: f64, tolerance: Tolerance) -> Result<(), String> {
-    match off > tolerance.missed {
+fn on_curve(off: f64, missed: f64) -> Result<(), String> {
+    match off > missed {
         true => Err(format!("an end is {off:e} off the curve")),
         false => Ok(()),
     }

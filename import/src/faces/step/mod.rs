@@ -6,7 +6,6 @@
 mod assembly;
 mod colours;
 mod curves;
-mod freeform;
 mod placement;
 mod reader;
 mod spline;
@@ -21,7 +20,7 @@ use assembly::Assembly;
 use colours::colours;
 use placement::Placement;
 use reader::{Found, Reader, Summary};
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use step21::{Error, Exchange, Kind, Value, decoded};
 
 /// Most files that place each other's parts.
@@ -84,7 +83,14 @@ fn read(
     summary.entities += exchange.instances.len();
     summary.missing.extend(assembly.notes.iter().cloned());
     summary.missing.extend(grey);
-    let mut reader = Reader::new(found, &assembly, colours);
+    found.topology.next_file();
+    let mut reader = Reader {
+        found,
+        assembly: &assembly,
+        colours,
+        seen: HashSet::new(),
+        placed: HashMap::new(),
+    };
     for part in &placed {
         reader.representation(part, base.after(&part.place));
     }
@@ -118,18 +124,16 @@ fn read(
 /// The first words of the names of the schemas.
 fn schema(file: &Exchange) -> Vec<String> {
     let record = file.header.iter().find(|r| r.name == "FILE_SCHEMA");
-    let names = match record.and_then(|record| Some(&record.values.first()?.kind)) {
-        Some(Kind::List(values)) => &values[..],
-        _ => &[],
+    let Some(Kind::List(names)) = record.and_then(|record| Some(&record.values.first()?.kind))
+    else {
+        return vec![];
     };
-    let word = |value: &Value| {
-        let Kind::Text(name) = value.kind else {
-            return None;
-        };
-        let name = decoded(name);
-        Some(name.split_whitespace().next().unwrap_or("").to_owned())
+    let text = |value: &Value| match value.kind {
+        Kind::Text(name) => Some(decoded(name)),
+        _ => None,
     };
-    names.iter().filter_map(word).collect()
+    let word = |name: String| name.split_whitespace().next().unwrap_or("").to_owned();
+    names.iter().filter_map(text).map(word).collect()
 }
 
 /// The names of the files that have the shape of a product, without folders.

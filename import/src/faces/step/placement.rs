@@ -1,8 +1,8 @@
 //! Points, directions and placements (ISO 10303-42, clause 4.4).
 
 use super::units::Context;
+use crate::faces::cell::clean;
 use crate::faces::keys::MAX_NUMBER;
-use crate::faces::planes::clean;
 use crate::faces::vector::{Vector, across, cross, frame, length, minus, plus, times, unit};
 use step21::{Args, Entity, Result};
 

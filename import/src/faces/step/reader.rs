@@ -3,7 +3,7 @@
 use super::assembly::{Assembly, Placed};
 use super::colours::{Colour, material};
 use super::placement::Placement;
-use super::topology::{Origin, SHELLS, Space, Topology};
+use super::topology::{Known, Origin, SHELLS, Space, Topology};
 use crate::Names;
 use imogene_files::text::counted;
 use serde::Serialize;
@@ -21,33 +21,19 @@ pub struct Found {
     names: Names,
 }
 
+/// Of a file.
 pub struct Reader<'f, 'a> {
-    found: &'f mut Found,
-    assembly: &'f Assembly<'a>,
-    colours: HashMap<u64, Colour>,
+    /// What is found is added to it.
+    pub found: &'f mut Found,
+    pub assembly: &'f Assembly<'a>,
+    pub colours: HashMap<u64, Colour>,
     /// Items by the placement that has them already.
-    seen: HashSet<(usize, u64)>,
+    pub seen: HashSet<(usize, u64)>,
     /// For each item that is drawn, how many faces it has.
-    placed: HashMap<u64, usize>,
+    pub placed: HashMap<u64, usize>,
 }
 
-impl<'f, 'a> Reader<'f, 'a> {
-    /// Of a file with its colours; what is found is added.
-    pub fn new(
-        found: &'f mut Found,
-        assembly: &'f Assembly<'a>,
-        colours: HashMap<u64, Colour>,
-    ) -> Self {
-        found.topology.next_file();
-        Reader {
-            found,
-            assembly,
-            colours,
-            seen: HashSet::new(),
-            placed: HashMap::new(),
-        }
-    }
-
+impl<'a> Reader<'_, 'a> {
     /// Reads the items of a representation where it is placed; those that cannot be read are missing.
     pub fn representation(&mut self, part: &Placed<'a>, place: Placement) {
         let own = part.representation;
@@ -56,7 +42,11 @@ impl<'f, 'a> Reader<'f, 'a> {
             Ok(read) => read,
             Err(error) => return self.leave_out(part, &error),
         };
-        let mut space = Space::new(context, place);
+        let mut space = Space {
+            context,
+            place,
+            known: Known::default(),
+        };
         for item in items {
             let item = own.as_entity(item);
             if let Err(error) = item.and_then(|item| self.item(part, &mut space, item)) {

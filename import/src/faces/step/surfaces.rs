@@ -1,8 +1,8 @@
 //! Surfaces of faces (ISO 10303-42, clause 4.4).
 
 use super::curves::radius;
-use super::freeform::{freeform, placed};
 use super::placement::{Placement, placement};
+use super::spline::{freeform, placed};
 use super::units::Context;
 use crate::faces::canonical::{Found, canonical};
 use crate::faces::surface::{Form, Surface, clean_tangent};
@@ -14,13 +14,6 @@ impl Found {
         Found {
             surface,
             ..Found::default()
-        }
-    }
-
-    fn refused(name: &str, reason: String) -> Found {
-        Found {
-            refused: Some(reason),
-            ..Found::exact(Surface::other(name))
         }
     }
 }
@@ -109,7 +102,10 @@ fn cone(args: &Args, context: &Context, own: &Placement) -> Result<Found> {
             "an angle of {} degrees between axis and surface is out of range, 0.1 to 89.9 degrees are possible",
             angle.to_degrees()
         );
-        return Ok(Found::refused("cone", reason));
+        return Ok(Found {
+            refused: Some(reason),
+            ..Found::exact(Surface::other("cone"))
+        });
     }
     // A negative angle, which some systems write, narrows the cone along its axis.
     let axis = own.axes[2];

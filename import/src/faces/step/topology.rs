@@ -22,29 +22,21 @@ const SAME_PLACE: f64 = 1e-7;
 const MAX_USES: usize = 200_000;
 
 /// A representation where it is placed: its edges and vertices are its own.
-#[derive(Debug)]
 pub struct Space {
     pub context: Context,
     pub place: Placement,
+    pub known: Known,
+}
+
+/// What has been read of a representation.
+#[derive(Default)]
+pub struct Known {
     /// Edges by their number, or why they are none.
     edges: HashMap<u64, Result<usize, String>>,
     vertices: HashMap<u64, usize>,
     /// Straight edges of polygons by the numbers of their points, the lower first.
     sides: HashMap<[u64; 2], usize>,
     surfaces: HashMap<u64, Found>,
-}
-
-impl Space {
-    pub fn new(context: Context, place: Placement) -> Self {
-        Space {
-            context,
-            place,
-            edges: HashMap::new(),
-            vertices: HashMap::new(),
-            sides: HashMap::new(),
-            surfaces: HashMap::new(),
-        }
-    }
 }
 
 pub const SHELLS: [&str; 3] = ["CLOSED_SHELL", "OPEN_SHELL", "CONNECTED_FACE_SET"];
@@ -203,12 +195,12 @@ impl Topology {
 
     /// A surface; each is looked at once in a representation.
     fn surface(&mut self, space: &mut Space, entity: Entity) -> Result<Found> {
-        if let Some(known) = space.surfaces.get(&entity.id) {
+        if let Some(known) = space.known.surfaces.get(&entity.id) {
             return Ok(known.clone());
         }
         let tolerance = CANONICAL * space.context.extent;
         let found = surface(entity, &space.context, &space.place, tolerance, 0)?;
-        space.surfaces.insert(entity.id, found.clone());
+        space.known.surfaces.insert(entity.id, found.clone());
         Ok(found)
     }
 
@@ -286,7 +278,7 @@ impl Topology {
             let forward = from.id == key[0];
             let [from, to] = if forward { ends } else { [ends[1], ends[0]] };
             let edges = &mut self.model.edges;
-            let edge = *space.sides.entry(key).or_insert_with(|| {
+            let edge = *space.known.sides.entry(key).or_insert_with(|| {
                 edges.push(Edge {
                     name: format!("#{}-#{}", key[0], key[1]),
                     curve: Curve::Line { from, to },
@@ -333,18 +325,18 @@ impl Topology {
 
     fn vertex(&mut self, space: &mut Space, args: &Args, index: usize) -> Result<usize> {
         let vertex = args.named(index, &["VERTEX_POINT"])?;
-        if let Some(known) = space.vertices.get(&vertex.entity.id) {
+        if let Some(known) = space.known.vertices.get(&vertex.entity.id) {
             return Ok(*known);
         }
         let place = point(vertex.entity(1)?, &space.context)?;
         self.vertices.push(place);
         let index = self.vertices.len() - 1;
-        space.vertices.insert(vertex.entity.id, index);
+        space.known.vertices.insert(vertex.entity.id, index);
         Ok(index)
     }
 
     fn edge(&mut self, space: &mut Space, entity: Entity) -> Result<Result<usize, String>> {
-        if let Some(known) = space.edges.get(&entity.id) {
+        if let Some(known) = space.known.edges.get(&entity.id) {
             return Ok(known.clone());
         }
         if self.model.edges.len() == self.most[0] {
@@ -372,7 +364,7 @@ impl Topology {
             // Other faces of the edge are refused with the same words.
             Err(reason) => Err(format!("edge `#{}`: {reason}", entity.id)),
         };
-        space.edges.insert(entity.id, edge.clone());
+        space.known.edges.insert(entity.id, edge.clone());
         Ok(edge)
     }
 }

@@ -217,13 +217,12 @@ fn run_length(numbers: &[i64], size: usize) -> Result<Vec<i64>, String> {
     Ok(values)
 }
 
-fn delta(numbers: &[i64], origin: i64) -> Vec<i64> {
-    let mut sum = origin;
-    let sums = numbers.iter().map(|n| {
+fn delta(numbers: &[i64], mut sum: i64) -> Vec<i64> {
+    let add = |n: &i64| {
         sum = sum.wrapping_add(*n);
         sum
-    });
-    sums.collect()
+    };
+    numbers.iter().map(add).collect()
 }
 
 /// Small numbers; the least and the greatest of their size say that the next one is added.

@@ -1,7 +1,6 @@
 //! Rows of `_atom_site`.
 
-use super::super::structure::{Atom, Model, Structure};
-use super::super::words::{Repeated, Serial, plain};
+use super::super::structure::{Atom, Model, Repeated, Serial, Structure, plain};
 use crate::decimal;
 use std::collections::HashMap;
 

@@ -4,16 +4,13 @@
 //! structure row by row.
 
 mod atoms;
-mod meaning;
 mod table;
 mod token;
 
 pub use atoms::{Atoms, WANTED};
-pub use meaning::finish;
-pub use table::{Cell, Table};
+pub use table::{Cell, Table, finish};
 
-use super::structure::Structure;
-use super::words::plain;
+use super::structure::{Structure, plain};
 use crate::error::{ImportError, Result, unusable};
 use std::collections::HashMap;
 use token::{Token, Tokens};
@@ -36,31 +33,24 @@ pub fn columns(items: &[String]) -> Option<[Option<usize>; WANTED.len()]> {
     columns[..3].iter().all(Option::is_some).then_some(columns)
 }
 
-#[derive(Default)]
-struct Block {
-    name: String,
-    tables: Tables,
-    /// What stands instead of atoms.
-    other: Option<&'static str>,
-}
-
 pub fn read(bytes: &[u8], file: &str) -> Result<Structure> {
     let mut reader = Reader {
-        tokens: Tokens::new(bytes, file),
-        ahead: None,
-        block: Block::default(),
+        tokens: Tokens { file, bytes, at: 0 },
+        name: String::new(),
+        tables: Tables::new(),
+        other: None,
         structure: Structure::default(),
     };
     reader.blocks()?;
-    let (block, mut structure) = (reader.block, reader.structure);
+    let mut structure = reader.structure;
     if structure.models.is_empty() {
-        return Err(no_atoms(block.other, file));
+        return Err(no_atoms(reader.other, file));
     }
-    finish(&mut structure, &block.tables, &|at, problem, accepted| {
+    finish(&mut structure, &reader.tables, &|at, problem, accepted| {
         reader.tokens.malformed(at, problem, accepted)
     });
     if structure.entry.is_empty() {
-        structure.entry = block.name;
+        structure.entry = reader.name;
     }
     Ok(structure)
 }
@@ -90,9 +80,11 @@ pub fn instead_of_atoms(category: &str) -> Option<&'static str> {
 
 struct Reader<'a> {
     tokens: Tokens<'a>,
-    /// A word that has been looked at, and where it begins.
-    ahead: Option<(Token<'a>, usize)>,
-    block: Block,
+    /// Name and tables of the block.
+    name: String,
+    tables: Tables,
+    /// What stands instead of atoms.
+    other: Option<&'static str>,
     structure: Structure,
 }
 
@@ -111,28 +103,22 @@ pub fn kept(category: &str) -> Option<&'static str> {
 }
 
 impl<'a> Reader<'a> {
-    fn next(&mut self) -> Result<Option<(Token<'a>, usize)>> {
-        match self.ahead.take() {
-            None => self.tokens.next(),
-            ahead => Ok(ahead),
-        }
-    }
-
     /// A value, if one follows.
     fn value(&mut self) -> Result<Option<Cell<'a>>> {
-        Ok(match self.next()? {
+        Ok(match self.tokens.next()? {
             Some((Token::Bare(b"?" | b"."), at)) => Some((&[], at)),
             Some((Token::Bare(text) | Token::Quoted(text), at)) => Some((text, at)),
-            other => {
-                self.ahead = other;
+            Some((_, at)) => {
+                self.tokens.at = at;
                 None
             }
+            None => None,
         })
     }
 
     /// The blocks up to the end of the first that has atoms.
     fn blocks(&mut self) -> Result<()> {
-        while let Some((token, at)) = self.next()? {
+        while let Some((token, at)) = self.tokens.next()? {
             match token {
                 Token::Data(name) => {
                     self.only_atom()?;
@@ -140,8 +126,8 @@ impl<'a> Reader<'a> {
                         self.structure.remarks.other_blocks = true;
                         return Ok(());
                     }
-                    self.block.name = plain(name);
-                    self.block.tables.clear();
+                    self.name = plain(name);
+                    self.tables.clear();
                 }
                 Token::Loop => self.whole_loop(at)?,
                 Token::Tag(tag) => self.item(tag, at)?,
@@ -165,20 +151,20 @@ impl<'a> Reader<'a> {
         };
         self.notice(&category);
         if let Some(name) = kept(&category) {
-            let table = self.block.tables.entry(name).or_default();
-            table.push_item(item, value);
+            let table = self.tables.entry(name).or_default();
+            table.items.push(item);
+            table.push_row([value]);
         }
         Ok(())
     }
 
     fn notice(&mut self, category: &str) {
-        let other = &mut self.block.other;
-        *other = other.or_else(|| instead_of_atoms(category));
+        self.other = self.other.or_else(|| instead_of_atoms(category));
     }
 
     /// Takes over the atom whose items stood one by one.
     fn only_atom(&mut self) -> Result<()> {
-        let Some(table) = self.block.tables.remove(ATOMS) else {
+        let Some(table) = self.tables.remove(ATOMS) else {
             return Ok(());
         };
         let mut atoms = Atoms::default();
@@ -201,9 +187,9 @@ impl<'a> Reader<'a> {
 
     fn whole_loop(&mut self, start: usize) -> Result<()> {
         let (mut category, mut items) = (String::new(), vec![]);
-        while let Some((token, at)) = self.next()? {
+        while let Some((token, at)) = self.tokens.next()? {
             let Token::Tag(tag) = token else {
-                self.ahead = Some((token, at));
+                self.tokens.at = at;
                 break;
             };
             let (of, item) = parts(tag);
@@ -232,7 +218,7 @@ impl<'a> Reader<'a> {
                     table.push_row(row.iter().copied());
                     Ok(())
                 })?;
-                self.block.tables.insert(name, table);
+                self.tables.insert(name, table);
                 Ok(())
             }
         }

@@ -19,11 +19,12 @@ pub enum Token<'a> {
     Quoted(&'a [u8]),
 }
 
-#[derive(Clone)]
+/// A whole text; `file` is the name that messages give it.
 pub struct Tokens<'a> {
-    file: &'a str,
-    bytes: &'a [u8],
-    at: usize,
+    pub file: &'a str,
+    pub bytes: &'a [u8],
+    /// Where the next word is looked for.
+    pub at: usize,
 }
 
 fn is_blank(byte: u8) -> bool {
@@ -31,11 +32,6 @@ fn is_blank(byte: u8) -> bool {
 }
 
 impl<'a> Tokens<'a> {
-    /// Of a whole text; `file` is the name that messages give it.
-    pub fn new(bytes: &'a [u8], file: &'a str) -> Self {
-        Tokens { file, bytes, at: 0 }
-    }
-
     /// The next word and where it begins, or nothing at the end.
     pub fn next(&mut self) -> Result<Option<(Token<'a>, usize)>> {
         self.skip();
@@ -43,8 +39,9 @@ impl<'a> Tokens<'a> {
         let Some(&first) = self.bytes.get(self.at) else {
             return Ok(None);
         };
+        let begins_line = start == 0 || matches!(self.bytes[start - 1], b'\n' | b'\r');
         let token = match first {
-            b';' if self.begins_line() => self.text_field()?,
+            b';' if begins_line => self.text_field()?,
             b'\'' | b'"' => self.quoted(first)?,
             _ => self.bare(),
         };
@@ -62,10 +59,6 @@ impl<'a> Tokens<'a> {
                 return;
             }
         }
-    }
-
-    fn begins_line(&self) -> bool {
-        self.at == 0 || matches!(self.bytes[self.at - 1], b'\n' | b'\r')
     }
 
     fn bare(&mut self) -> Token<'a> {
