@@ -4,7 +4,7 @@
 //! Where the ranges are apart, true and computed picture agree on presence and face; where they overlap the pixel
 //! is *undecided*.
 
-use super::depth::{Range, both, certain, face_ranges};
+use super::depth::{Range, certain, face_ranges};
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::PlaneWords;
 use imogene_golden::unit::cut_plane::PlaneKind;
@@ -106,10 +106,11 @@ impl Pixel {
 
     /// Whether all perpendicular planes keep the pixel.
     fn half_planes(&self) -> Option<bool> {
-        let planes = self.planes_of(PlaneKind::Perpendicular);
-        planes.fold(Some(true), |all, (_, value)| {
-            both(all, value.not_negative())
-        })
+        let mut planes = self.planes_of(PlaneKind::Perpendicular);
+        let kept = |(_, value): (usize, Range)| value.low >= 0.0;
+        let gone = |(_, value): (usize, Range)| value.high < 0.0;
+        let is_gone = self.planes_of(PlaneKind::Perpendicular).any(gone);
+        certain(planes.all(kept), is_gone)
     }
 
     /// The near end and the front planes: the ray is kept behind the farthest of them.
