@@ -1,7 +1,8 @@
 //! Phong shading of a decided frame, in software (source: 1.2.4).
 //!
 //! `I = ka Ia C + F sum_j Ij (kd C (N.L_j) + ks (R_j.V)^n)` with unit vectors in the camera frame, at the point before
-//! perspective, and `F = k / (d + k)` where light is halved at a distance k from the eye, else 1. Surfaces are two-sided: the normal is turned towards the viewer.
+//! perspective. `F = k / (d + k)` where light is halved at a distance k from the eye, else 1. Surfaces are two-sided:
+//! the normal is turned towards the viewer.
 
 use imogene_algebra::vector::{Vector, dot, length};
 use imogene_golden::format::Format;

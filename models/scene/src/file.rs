@@ -32,8 +32,8 @@ pub struct SceneFile {
     /// Ambient light `I_a`, 0 to 1 for each of red, green, blue.
     #[serde(default = "white", deserialize_with = "numbers")]
     pub ambient: [f64; 3],
-    /// Distance `k` from the eye, in scene units, at which half of what the sources send is seen: `k / (d + k)` of it at
-    /// a distance d. All of it if there is none.
+    /// Distance `k` from the eye, in scene units, at which half of what the sources send is seen: `k / (d + k)` of it
+    /// at a distance d. All of it if there is none.
     pub attenuation: Option<f64>,
     /// Name of the observer who is looked through; the first if there is none.
     pub active_camera: Option<String>,

@@ -261,8 +261,9 @@ fn with_planes(words: &QuadricWords, slot: &FittedSlot) -> QuadricWords {
     words
 }
 
-/// The screen in a band for each thread, or fewer: each with a line at least, and long enough for the waveforms asked for.
-/// `words` are those of each slot, with as many planes as the slot has; the first pixel comes `latency` clocks after `go`.
+/// The screen in a band for each thread, or fewer: each with a line at least, and long enough for the waveforms that
+/// are asked for. `words` are those of each slot, with as many planes as the slot has; the first pixel comes `latency`
+/// clocks after `go`.
 fn bands<'a>(
     scene: &'a PreparedScene,
     machine: &'a MachineDesign,

@@ -39,8 +39,8 @@ pub(super) fn quadric_words(class: Class, planes: usize) -> QuadricWords {
     }
 }
 
-/// Depths, face and normal behind `out_valid`, as many clocks after the flags as the processor takes. Its words have the
-/// shape of these, and are likely what the plan says.
+/// Depths, face and normal behind `out_valid`, as many clocks after the flags as the processor takes. Its words have
+/// the shape of these, and are likely what the plan says.
 pub(super) fn object_processor(request: &Request, format: Format) -> Description {
     use ProcessorWords as Words;
     let [planes, sides] = [request.planes, request.sides].map(|count| count as usize);

@@ -1,5 +1,5 @@
-//! The rasters of zones and of a screen, what stands between a pipeline and a stream, and between a stream and a screen,
-//! and what changes the pixels of a picture: filter, overlay, accumulator.
+//! The rasters of zones and of a screen, what stands between a pipeline and a stream, and between a stream and a
+//! screen, and what changes the pixels of a picture: filter, overlay, accumulator.
 
 use super::description::{Description, behind_valid, bit, late};
 use crate::signal::Delay;

@@ -131,6 +131,13 @@ fn camera_without_direction_or_window() {
         &refusal_of(&orthographic),
         &["camera.half_depth", "0 is not positive"],
     );
+    let attenuated = orthographic
+        .replacen("half_depth = 0", "half_depth = 1", 1)
+        .replacen("ambient =", "attenuation = 9\nambient =", 1);
+    assert_says(
+        &refusal_of(&attenuated),
+        &["attenuation", "parallel view", "perspective"],
+    );
 }
 
 #[test]

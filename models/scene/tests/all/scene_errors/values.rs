@@ -23,6 +23,7 @@ fn radius_not_positive() {
     check_each(
         r#"
         radius = 1 | radius = 0 | object `ball`, radius | 0 is not positive | above 0
+        background = [0, 0, 0] | attenuation = -2 | attenuation | -2 is not positive | above 0
         kind = "sphere"\nradius = 1 | kind = "ellipsoid"\nradii = [1, -2, 3] | object `ball`, radii[1] | -2 is not positive | above 0
         "#,
     );
