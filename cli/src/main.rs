@@ -1,6 +1,7 @@
 //! The command line of imogene: argument parsing and printing, no logic.
 
 mod command;
+mod interruption;
 mod missing;
 mod molecules;
 mod output;
@@ -18,7 +19,7 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     let (json, outcome) = match usage::parse() {
         Ok(arguments) => {
-            process::watch_signals(&arguments.command);
+            interruption::watch(&arguments.command);
             // Without it temporary files are where they always are.
             let _scratch = Scratch::of_process();
             (

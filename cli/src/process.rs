@@ -1,11 +1,7 @@
-//! What the language's run time does not tell of a process: that standard output was closed before it began, that it is
-//! told to end, and that memory has ended.
+//! What the language's run time does not tell of a process: that standard output was closed before it began, and that
+//! memory has ended.
 
-use crate::arguments::Command;
-use crate::output;
-use imogene_files::{end_process, end_process_at_once};
-use signal_hook::consts::{SIGINT, SIGTERM};
-use signal_hook::iterator::Signals;
+use imogene_files::end_process_at_once;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::io::Write;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -29,27 +25,6 @@ extern "C" fn note_closed() {
     // SAFETY: asking for the flags of a number that may be no open file changes nothing.
     let flags = unsafe { libc::fcntl(1, libc::F_GETFD) };
     CLOSED.store(flags == -1, Ordering::Relaxed);
-}
-
-/// Clears away and ends the process when it is interrupted or terminated, with 128 and the signal's number as shells
-/// do.
-pub fn watch_signals(command: &Command) {
-    let note = match command {
-        Command::Trade(_) => {
-            "the points that were finished are kept; the same command goes on from there"
-        }
-        _ => "no output of this run is left half-written",
-    };
-    // Without the handler the signals end the process as they always do.
-    let Ok(mut signals) = Signals::new([SIGINT, SIGTERM]) else {
-        return;
-    };
-    std::thread::spawn(move || {
-        if let Some(signal) = signals.forever().next() {
-            output::complain(format!("interrupted: {note}"));
-            end_process(128 + signal);
-        }
-    });
 }
 
 /// The system's allocator; where it has nothing left, the process ends with a message and exit code 2 instead of an

@@ -5,18 +5,17 @@
 //! depend on its object, on where the source stands, and on the room that everything seen takes together. Only where
 //! all of this is equal are words taken over, so that they are those of a preparation from scratch.
 
+use super::cell::Cell;
 use super::context::{Context, Options};
 use super::error::PrepareError;
+use super::known::{KeptObject, KeptShadow, Known};
 use super::located::Located;
-use super::prepared::{PreparedObject, PreparedScene, PreparedVolume};
+use super::prepared::{PreparedObject, PreparedScene};
 use super::run::{prepare_objects, prepared_scene};
-use super::screen_box::Cell;
 use super::seams::Place;
 use super::volume::{Volumes, prepare_volumes};
 use imogene_golden::format::Format;
-use imogene_golden::object::quadric::ScreenBox;
 use imogene_scene::{FramedObject, FramedScene};
-use num_rational::BigRational;
 use serde::Serialize;
 use std::collections::HashMap;
 
@@ -151,82 +150,5 @@ impl Reuse {
             volumes_prepared: volumes.spots.len() + count(false),
             volumes_reused: count(true),
         }
-    }
-}
-
-/// Least and greatest x, y and z of screen space at which an object is seen.
-pub(super) type Bounds = ([f64; 3], [f64; 3]);
-
-struct KeptObject {
-    framed: FramedObject,
-    pub place: Option<Box<Place>>,
-    /// Without the notes on its shadow.
-    pub prepared: PreparedObject,
-    /// Where it is seen, if that was asked for.
-    pub seen: Option<Option<Bounds>>,
-    pub shadows: Vec<KeptShadow>,
-}
-
-struct KeptShadow {
-    pub source: usize,
-    pub point: [BigRational; 4],
-    pub volumes: Vec<PreparedVolume>,
-}
-
-pub(super) struct Known<'a> {
-    objects: Vec<Option<&'a KeptObject>>,
-    receivers: Option<Cell>,
-}
-
-impl Known<'_> {
-    pub fn nothing(scene: &FramedScene) -> Known<'static> {
-        Known {
-            objects: scene.objects.iter().map(|_| None).collect(),
-            receivers: None,
-        }
-    }
-
-    /// The screen box of a cut quadric.
-    pub fn window(&self, index: usize) -> Option<ScreenBox> {
-        let place = self.objects[index]?.place.as_ref();
-        place.map(|place| place.window)
-    }
-
-    /// Forgets the objects whose expressions now count in other boxes than before.
-    pub fn forget_moved(&mut self, places: &[Option<Box<Place>>]) {
-        for (known, place) in self.objects.iter_mut().zip(places) {
-            *known = known.filter(|kept| kept.place == *place);
-        }
-    }
-    pub fn object(&self, index: usize) -> Option<&PreparedObject> {
-        self.objects[index].map(|kept| &kept.prepared)
-    }
-
-    /// Where an object is seen.
-    pub fn seen(&self, index: usize) -> Option<Option<Bounds>> {
-        self.objects[index]?.seen
-    }
-
-    /// The shadow of an object from a source, if what is seen takes the same room.
-    pub fn shadow(
-        &self,
-        source: usize,
-        object: usize,
-        point: &[BigRational; 4],
-        receivers: &Cell,
-    ) -> Option<Vec<PreparedVolume>> {
-        if self.receivers.as_ref() != Some(receivers) {
-            return None;
-        }
-        let mut shadows = self.objects[object]?.shadows.iter();
-        let same = shadows.find(|kept| kept.source == source && kept.point == *point)?;
-        let mut volumes = same.volumes.clone();
-        for volume in &mut volumes {
-            // Objects before it may have been hidden or shown.
-            if let Some((caster, _)) = &mut volume.caster {
-                *caster = object;
-            }
-        }
-        Some(volumes)
     }
 }

@@ -8,8 +8,8 @@
 //! then off by little, and its constant is lowered by more than that. The pair of planes and the factor are chosen in
 //! floating point, where a bad choice only makes the box larger.
 
+use super::cell::Cell;
 use super::extent::Extent;
-use super::screen_box::Cell;
 use imogene_algebra::matrix::SYMMETRIC;
 use num_bigint::BigInt;
 use num_traits::FromPrimitive;

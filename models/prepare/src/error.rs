@@ -1,7 +1,10 @@
 //! Why a scene cannot be prepared for a format.
 
+use crate::rounding::signed_bits;
+use imogene_algebra::rational::to_f64;
 use imogene_contract::words::{MOST_MEMBERS, MOST_OBJECTS};
 use imogene_golden::object::quadric::ScreenBox;
+use num_rational::BigRational;
 use thiserror::Error;
 
 /// An expression that leaves its word on a screen box.
@@ -231,5 +234,35 @@ impl PrepareError {
             Self::TooLarge { excess, .. } => Self::VolumeTooLarge { volume, excess },
             other => other,
         }
+    }
+}
+
+/// A word that needs more bits than it has.
+pub(super) fn too_large(
+    object: &str,
+    word: &str,
+    magnitude: &BigRational,
+    available: u32,
+    window: &ScreenBox,
+) -> PrepareError {
+    PrepareError::TooLarge {
+        object: object.to_string(),
+        excess: Excess {
+            word: word.to_string(),
+            log2: log2(magnitude),
+            needed: signed_bits(magnitude),
+            available,
+            window: *window,
+            remedy: Box::default(),
+        },
+    }
+}
+
+fn log2(magnitude: &BigRational) -> f64 {
+    let bits = magnitude.ceil().to_integer().bits();
+    if bits < 1000 {
+        to_f64(magnitude).log2()
+    } else {
+        bits as f64
     }
 }

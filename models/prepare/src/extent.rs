@@ -3,7 +3,7 @@
 //! A plane touches a quadric of matrix Q iff its coefficients p satisfy `p' adj(Q) p = 0`. For the planes `x = v` that
 //! is an equation of second degree in v, whose roots are the least and the greatest x of the quadric.
 
-use super::screen_box::Cell;
+use super::cell::Cell;
 use imogene_algebra::matrix::{Matrix4, cofactor, symmetric};
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_scene::Quadric;

@@ -1,12 +1,10 @@
 //! Rounding of one processor's words with the proof of each width, for processors that have no bounds of their own.
 
 use super::context::Context;
-use super::error::PrepareError;
+use super::error::{PrepareError, too_large};
 use super::forms::{LinearForm, QuadraticForm};
-use super::object::too_large;
-use super::planes::signed_bits;
 use super::prepared::{NeededWord, PreparedParts};
-use super::rounding::{Anchor, quadratic_error, round_quadratic};
+use super::rounding::{Anchor, quadratic_error, round_quadratic, signed_bits};
 use imogene_algebra::rational::{fraction, integer, power_of_two};
 use imogene_algebra::whole::primitive_scale;
 use imogene_golden::format::word_max;

@@ -30,6 +30,7 @@
 
 mod again;
 pub mod animator;
+pub mod cell;
 mod context;
 mod enclosure;
 pub mod error;
@@ -37,6 +38,7 @@ pub mod extent;
 mod first_generation;
 pub mod forms;
 mod framing;
+mod known;
 mod layers;
 mod ledger;
 pub mod lit_sphere;

@@ -1,9 +1,9 @@
 //! A scene's objects: first where each is on the screen, since objects that share a plane or a quadric have to know of
 //! each other, then the words of each.
 
-use super::again::Known;
 use super::context::Context;
 use super::error::PrepareError;
+use super::known::Known;
 use super::object;
 use super::prepared::{PreparedObject, PreparedParts, PreparedQuadric};
 use super::projected::Projected;

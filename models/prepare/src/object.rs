@@ -2,18 +2,18 @@
 //! module (Fig B.4).
 
 use super::context::Context;
-use super::error::{Excess, PrepareError};
+use super::error::{PrepareError, too_large};
 use super::forms::{LinearForm, QuadraticForm, inverse, sum, times};
 use super::perspective::ScreenQuadric;
-use super::planes::signed_bits;
 use super::prepared::{ExactForms, NeededWidths, PreparedQuadric, RoundingBounds};
 use super::projected::{Projected, unseen_note};
 use super::range::remedy;
 use super::rounding::{
     Anchor, linear_error, quadratic_error, round_contour, round_linear, round_quadratic,
+    signed_bits,
 };
 use super::seams::Place;
-use imogene_algebra::rational::{integer, power_of_two, to_f64, to_f64_up};
+use imogene_algebra::rational::{integer, power_of_two, to_f64_up};
 use imogene_algebra::whole::greatest;
 use imogene_golden::format::{Format, word_max};
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
@@ -296,33 +296,4 @@ fn contour_scaled(form: QuadraticForm, window: &ScreenBox, width: u32) -> Quadra
     }
     let scale = BigRational::from_integer(BigInt::from(word_max(width))) / (magnitude * integer(2));
     form.scaled(&scale)
-}
-
-pub(super) fn too_large(
-    object: &str,
-    word: &str,
-    magnitude: &BigRational,
-    available: u32,
-    window: &ScreenBox,
-) -> PrepareError {
-    PrepareError::TooLarge {
-        object: object.to_string(),
-        excess: Excess {
-            word: word.to_string(),
-            log2: log2(magnitude),
-            needed: signed_bits(magnitude),
-            available,
-            window: *window,
-            remedy: Box::default(),
-        },
-    }
-}
-
-fn log2(magnitude: &BigRational) -> f64 {
-    let bits = magnitude.ceil().to_integer().bits();
-    if bits < 1000 {
-        to_f64(magnitude).log2()
-    } else {
-        bits as f64
-    }
 }

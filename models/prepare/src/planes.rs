@@ -7,7 +7,7 @@ use super::forms::{LinearForm, inverse, times};
 use super::ledger::Ledger;
 use super::prepared::{NeededWord, PreparedParts};
 use super::projected::{Projected, unseen_note};
-use super::rounding::{linear_error, round_half_plane, round_linear};
+use super::rounding::{linear_error, round_half_plane, round_linear, signed_bits};
 use super::seams::Place;
 use imogene_algebra::rational::{floor, from_f64_exact, integer, round_half_up, to_f64, to_f64_up};
 use imogene_algebra::whole::{greatest, primitive_scale};
@@ -252,9 +252,4 @@ fn nearest_to_zero(form: &LinearForm, line: &BigRational, window: &ScreenBox) ->
             i64::MAX / 2
         });
     [below, below + 1].map(|x| x.clamp(window.x0, window.x1))
-}
-
-/// Two's complement bits that hold every integer up to this magnitude, after rounding.
-pub(super) fn signed_bits(magnitude: &BigRational) -> u32 {
-    magnitude.ceil().to_integer().bits() as u32 + 1
 }

@@ -134,3 +134,8 @@ pub fn quadratic_error(
     let residual = QuadraticForm::of_words(words).scaled(&unit).minus(exact);
     residual.max_abs_on(window)
 }
+
+/// Two's complement bits that hold every integer up to this magnitude, after rounding.
+pub(super) fn signed_bits(magnitude: &BigRational) -> u32 {
+    magnitude.ceil().to_integer().bits() as u32 + 1
+}

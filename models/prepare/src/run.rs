@@ -1,8 +1,8 @@
 //! The preparation of a scene.
 
-use super::again::Known;
 use super::context::{Context, Options};
 use super::error::PrepareError;
+use super::known::Known;
 use super::layers::layers;
 use super::located::Located;
 use super::object;

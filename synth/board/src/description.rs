@@ -208,7 +208,8 @@ impl Board {
     /// When there is none; the error lists the names.
     pub fn named(name: &str) -> Result<Board, BoardError> {
         let found = BOARDS.iter().find(|(known, _)| *known == name);
-        let (name, text) = found.ok_or_else(|| BoardError::Unknown(name.to_owned()))?;
+        let (name, text) =
+            found.ok_or_else(|| BoardError::Unknown(name.to_owned(), Board::names().join(", ")))?;
         Board::parse(text, name)
     }
 

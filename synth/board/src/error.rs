@@ -1,6 +1,5 @@
 //! Why a board is not made.
 
-use crate::description::Board;
 use crate::screen::ScreenError;
 use crate::tmds::TmdsError;
 use imogene_contract::RequestError;
@@ -12,8 +11,8 @@ use thiserror::Error;
 #[derive(Debug, Error)]
 pub enum BoardError {
     /// No board has the name.
-    #[error("there is no board `{0}`; the boards are {known}", known = Board::names().join(", "))]
-    Unknown(String),
+    #[error("there is no board `{0}`; the boards are {1}")]
+    Unknown(String, String),
     /// The description of a board is none, or has a value that nothing can be made of.
     #[error("{0}")]
     Description(String),

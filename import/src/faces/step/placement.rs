@@ -108,3 +108,32 @@ pub fn placement(entity: Entity, context: &Context) -> Result<Placement> {
         axes: [x, clean(cross(z, x)), z],
     })
 }
+
+/// A point and the direction of a line.
+pub fn line(args: &Args, context: &Context) -> Result<(Vector, Vector)> {
+    let origin = point(args.entity(1)?, context)?;
+    let course = direction(args.named(2, &["VECTOR"])?.entity(1)?)?;
+    Ok((origin, course))
+}
+
+/// Where a conic is, and its two sizes; that of a circle or a parabola twice.
+pub fn conic(args: &Args, context: &Context) -> Result<(Placement, [f64; 2])> {
+    let place = placement(args.entity(1)?, context)?;
+    let first = radius(args, 2, context)?;
+    let second = match args.record.name {
+        "CIRCLE" | "PARABOLA" => first,
+        _ => radius(args, 3, context)?,
+    };
+    Ok((place, [first, second]))
+}
+
+/// A length above 0 and up to the largest coordinate, millimetres.
+pub fn radius(args: &Args, index: usize, context: &Context) -> Result<f64> {
+    let written = args.number(index)?;
+    let radius = written * context.length;
+    if (1e-9..=MAX_NUMBER).contains(&radius) {
+        return Ok(radius);
+    }
+    let accepted = format!("a length above 0 and up to {MAX_NUMBER:e} mm is needed");
+    Err(args.error(format!("a radius of {written}"), accepted))
+}

@@ -1,8 +1,7 @@
 //! B-spline curves, rational ones among them (ISO 10303-42, clause 4.4.34), and as patches B-spline surfaces and those
 //! that a curve makes by a straight move or a turn (clause 4.4).
 
-use super::curves::{conic, line};
-use super::placement::{Placement, direction, point};
+use super::placement::{Placement, conic, direction, line, point};
 use super::units::Context;
 use crate::faces::bezier::{Patch, Pole, de_boor, patches, pieces, plain};
 use crate::faces::vector::*;

@@ -1,7 +1,6 @@
 //! Surfaces of faces (ISO 10303-42, clause 4.4).
 
-use super::curves::radius;
-use super::placement::{Placement, placement};
+use super::placement::{Placement, placement, radius};
 use super::spline::{freeform, placed};
 use super::units::Context;
 use crate::faces::canonical::{Found, canonical};

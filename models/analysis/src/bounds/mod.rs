@@ -22,6 +22,7 @@ pub mod outline;
 mod parts;
 mod pixels;
 pub mod quick;
+mod report;
 pub mod silhouette;
 mod summary;
 mod truth;
@@ -30,7 +31,7 @@ mod verdict;
 pub use accumulators::{
     Accumulators, Increments, LinearIncrements, QuadraticIncrements, accumulators,
 };
-pub use check::{CheckReport, ObjectReport, SceneBounds, Widths, check, undecided_pixels};
+pub use check::{CheckReport, SceneBounds, Widths, check, undecided_pixels};
 pub use depth::{DepthTerms, depth_bound, depth_terms, face_bound, worst_case};
 pub use guards::{ExactGuards, exact_guards};
 pub use jury::Jury;
@@ -41,6 +42,7 @@ pub use object::{ObjectBounds, QuadricReport};
 pub use parts::{PartsBounds, PartsReport};
 pub use pixels::{Shows, Undecided};
 pub use quick::{Failing, failing};
+pub use report::ObjectReport;
 pub use silhouette::displacement_at;
 pub use summary::Summary;
 pub use truth::interval;

@@ -1,10 +1,10 @@
 //! What a scene needs and has, in short: the machine, and the objects that a person may want to know of.
 
-use super::check::ObjectReport;
 use super::guards::{ExactGuards, exact_guards};
 use super::needs::{MachineNeeds, machine_needs};
 use super::object::QuadricReport;
 use super::pixels::Shows;
+use super::report::ObjectReport;
 use imogene_prepare::PreparedScene;
 use imogene_scene::FramedScene;
 use serde::Serialize;

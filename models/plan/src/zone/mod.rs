@@ -5,6 +5,7 @@
 //! smaller and smaller zones.
 
 pub mod clocks;
+mod error;
 pub mod growth;
 pub mod plan;
 pub mod refine;

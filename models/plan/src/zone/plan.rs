@@ -1,13 +1,13 @@
 //! The host's plan of a frame: zones, their objects and volumes, and the passes that draw, light and show them.
 
+pub use super::error::PlanError;
 pub use super::share::Part;
-use super::share::parts;
+use super::share::{parts, shared_out};
 use crate::culling::Planes;
 pub use crate::products::{ZoneProduct, in_passes};
-use imogene_contract::slots::FittedSlot;
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::sample::Sample;
-use imogene_golden::machine::zone::{ID_BITS, MAX_PICTURE, ZoneMachine, ZoneMachineError};
+use imogene_golden::machine::zone::{ID_BITS, MAX_PICTURE, ZoneMachine};
 use imogene_golden::object::as_quadric::AsQuadricError;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::object::volume::{VolumeKind, VolumeWords};
@@ -15,77 +15,6 @@ use imogene_golden::object::words::Words;
 use imogene_prepare::PreparedScene;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
-use thiserror::Error;
-
-/// Why a scene cannot be drawn by a zone machine.
-#[derive(Clone, Debug, Error, PartialEq, Eq)]
-pub enum PlanError {
-    /// No machine is like this.
-    #[error(transparent)]
-    Machine(#[from] ZoneMachineError),
-    /// A picture that is not whole pixels.
-    #[error("a picture of {0} x {1} samples for pixels of {2} x {2}: both have to be a multiple")]
-    PartOfPixel(u32, u32, u32),
-    /// An object that its processors cannot draw.
-    #[error("object '{object}': {why}")]
-    Object {
-        /// Name of the object.
-        object: String,
-        /// What is wrong.
-        why: AsQuadricError,
-    },
-    /// An object that no slot is for.
-    #[error(
-        "object '{object}' needs a slot such as {needed}; the machine has {slots} for objects in no solid"
-    )]
-    NoSlot {
-        /// Name of the object.
-        object: String,
-        /// What would do.
-        needed: FittedSlot,
-        /// What there is.
-        slots: String,
-    },
-    /// A volume that its processors cannot answer for.
-    #[error("{volume}: {why}")]
-    Volume {
-        /// Whose it is.
-        volume: String,
-        /// What is wrong.
-        why: AsQuadricError,
-    },
-    /// Volumes without a processor.
-    #[error(
-        "the scene has {0} shadow and light volumes and the machine no volume processor; accepted is at least one"
-    )]
-    NoVolumeProcessor(usize),
-    /// Objects without a processor.
-    #[error(
-        "{0} objects are in no solid, and the machine has object processors of products alone; accepted is one more at \
-         least"
-    )]
-    NoObjectProcessor(usize),
-    /// A product that is larger than those of the machine.
-    #[error(
-        "a product of a solid intersects {} objects and takes {} away; accepted are machines with products such as \
-         \"{}-{}\"", .0[0], .0[1], .0[0], .0[1]
-    )]
-    NoProduct([usize; 2]),
-    /// More objects than ids.
-    #[error("{0} objects: an id has {ID_BITS} bits; accepted are up to {most}", most = 1 << ID_BITS)]
-    Objects(usize),
-    /// More pixels than coordinates.
-    #[error("a picture of {0} x {1} pixels; accepted are up to {MAX_PICTURE} each way")]
-    Picture(u32, u32),
-    /// Materials of other objects.
-    #[error("{given} materials for {objects} objects; one is needed for each object")]
-    Materials {
-        /// In the list.
-        given: usize,
-        /// Of the scene.
-        objects: usize,
-    },
-}
 
 /// A rectangle of the screen, and what can be seen in it at one sample of its pixels.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -280,6 +209,18 @@ impl ZonePlan {
             last,
         };
         draws.chain(lights).chain([show])
+    }
+
+    /// Processors and parts of each draw pass over a zone. Objects go in their order, products as there is a place.
+    fn draws(&self, zone: &Zone) -> Vec<Vec<(usize, u32)>> {
+        // Without objects that are in no solid there may be no processor for them.
+        let mut draws = shared_out(&self.parts, &zone.parts, &self.machine);
+        let products = in_passes(&self.machine, &zone.products);
+        draws.resize(draws.len().max(products.len()), vec![]);
+        for (draw, members) in draws.iter_mut().zip(products) {
+            draw.extend(members);
+        }
+        draws
     }
 
     fn assign_parts(&mut self, alone: usize) {

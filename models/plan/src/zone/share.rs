@@ -1,8 +1,7 @@
 //! Which slot of the machine draws a part of a scene, and in which pass over a zone.
 
-use super::plan::{PlanError, Zone, ZonePlan};
+use super::error::PlanError;
 use crate::culling::{Planes, all_planes};
-use crate::products::in_passes;
 use imogene_contract::object::Kind;
 use imogene_contract::slots::{self, FittedSlot};
 use imogene_golden::machine::zone::ZoneMachine;
@@ -98,51 +97,39 @@ fn part_of(scene: &PreparedScene, slot: Slot, slots: &[FittedSlot]) -> Result<Pa
     }
 }
 
-impl ZonePlan {
-    /// The processors and parts of one draw pass after another, until all parts that are in no solid are drawn: each
-    /// part goes to the free slot that is for it and has the fewest planes. Parts of one object keep their order, in
-    /// the slots of a pass too, because of two that are equally deep the first is seen.
-    fn shared_out(&self, parts: &[u32]) -> Vec<Vec<(usize, u32)>> {
-        let slots = &self.machine.slots[..self.machine.alone()];
-        let mut left = parts.to_vec();
-        let mut passes = vec![];
-        while !left.is_empty() {
-            let mut pass: Vec<(usize, u32)> = vec![];
-            let (mut free, mut waits) = (vec![true; slots.len()], None);
-            left.retain(|&index| {
-                let part = &self.parts[index as usize];
-                let after = match pass.last() {
-                    _ if waits == Some(part.object) => return true,
-                    Some(&(slot, last)) if self.parts[last as usize].object == part.object => {
-                        slot + 1
-                    }
-                    _ => 0,
-                };
-                let needed = required(&part.words).expect("a kind that has slots");
-                let places = (after..slots.len())
-                    .filter(|&place| free[place] && slots[place].holds(&needed));
-                let Some(place) = places.min_by_key(|&place| slots[place].planes) else {
-                    waits = Some(part.object);
-                    return true;
-                };
-                free[place] = false;
-                pass.push((place, index));
-                false
-            });
-            passes.push(pass);
-        }
-        passes
+/// The processors and parts of one draw pass after another, until all parts that are in no solid are drawn: each
+/// part goes to the free slot that is for it and has the fewest planes. Parts of one object keep their order, in
+/// the slots of a pass too, because of two that are equally deep the first is seen.
+pub(super) fn shared_out(
+    all: &[Part],
+    parts: &[u32],
+    machine: &ZoneMachine,
+) -> Vec<Vec<(usize, u32)>> {
+    let slots = &machine.slots[..machine.alone()];
+    let mut left = parts.to_vec();
+    let mut passes = vec![];
+    while !left.is_empty() {
+        let mut pass: Vec<(usize, u32)> = vec![];
+        let (mut free, mut waits) = (vec![true; slots.len()], None);
+        left.retain(|&index| {
+            let part = &all[index as usize];
+            let after = match pass.last() {
+                _ if waits == Some(part.object) => return true,
+                Some(&(slot, last)) if all[last as usize].object == part.object => slot + 1,
+                _ => 0,
+            };
+            let needed = required(&part.words).expect("a kind that has slots");
+            let places =
+                (after..slots.len()).filter(|&place| free[place] && slots[place].holds(&needed));
+            let Some(place) = places.min_by_key(|&place| slots[place].planes) else {
+                waits = Some(part.object);
+                return true;
+            };
+            free[place] = false;
+            pass.push((place, index));
+            false
+        });
+        passes.push(pass);
     }
-
-    /// Processors and parts of each draw pass over a zone. Objects go in their order, products as there is a place.
-    pub(super) fn draws(&self, zone: &Zone) -> Vec<Vec<(usize, u32)>> {
-        // Without objects that are in no solid there may be no processor for them.
-        let mut draws = self.shared_out(&zone.parts);
-        let products = in_passes(&self.machine, &zone.products);
-        draws.resize(draws.len().max(products.len()), vec![]);
-        for (draw, members) in draws.iter_mut().zip(products) {
-            draw.extend(members);
-        }
-        draws
-    }
+    passes
 }

@@ -8,14 +8,15 @@ mod words;
 
 pub use shadow::{ShadowPart, SourceInside, shadow_parts};
 
-use super::again::{Bounds, Known};
 use super::context::Context;
 use super::error::PrepareError;
 use super::extent::Extent;
+use super::known::{Bounds, Known};
 use super::perspective::{ScreenQuadric, on_screen};
 pub use super::prepared::{Beginning, PreparedVolume};
 use super::prepared::{Missing, PreparedObject};
-use super::screen_box::{Cell, Region, Search, screen_domain};
+use super::screen_box::{Region, Search, screen_domain};
+use crate::cell::Cell;
 use imogene_algebra::rational::to_f64;
 use imogene_golden::object::volume::VolumeKind;
 use imogene_scene::{FramedObject, FramedQuadric, FramedScene, Surface};

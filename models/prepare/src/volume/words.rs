@@ -1,13 +1,15 @@
 //! From a volume in the camera frame to words, with the proofs that objects have.
 
+use crate::cell::Cell;
 use crate::context::Context;
-use crate::error::PrepareError;
+use crate::error::{PrepareError, too_large};
 use crate::forms::LinearForm;
-use crate::object::{depth_words, too_large};
+use crate::object::depth_words;
 use crate::perspective::{ScreenQuadric, project_plane};
-use crate::planes::{PreparedPlane, prepare_plane, signed_bits};
+use crate::planes::{PreparedPlane, prepare_plane};
 use crate::prepared::{Beginning, ExactForms, NeededWidths, PreparedVolume, RoundingBounds};
-use crate::screen_box::{Cell, Region, Search};
+use crate::rounding::signed_bits;
+use crate::screen_box::{Region, Search};
 use imogene_algebra::rational::power_of_two;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::object::volume::{

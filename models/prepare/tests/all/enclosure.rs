@@ -1,5 +1,6 @@
 use imogene_algebra::rational::integer;
-use imogene_prepare::screen_box::{Cell, Region, Search};
+use imogene_prepare::cell::Cell;
+use imogene_prepare::screen_box::{Region, Search};
 use imogene_scene::{Plane, Quadric, Surface};
 use proptest::prelude::*;
 

@@ -4,13 +4,12 @@
 use super::grid::number;
 use super::measure::{Figures, measure};
 use super::naive;
-use super::record::{Record, SweepResult, gives_out};
+use super::record::{Axis, Record, SweepResult, gives_out};
 use imogene_golden::format::Format;
 use imogene_prepare::{Framing, prepare_for_roots};
 use imogene_scene::SceneFile;
 use num_rational::BigRational;
 use rayon::prelude::*;
-use serde::Serialize;
 
 /// One family of scenes with a parameter that goes to its extreme.
 pub struct Sweep {
@@ -42,39 +41,6 @@ pub(super) enum Rule {
     Naive,
     /// A value is a depth word, and each series has guard bits of its own: the format, or why there is none.
     Formats(fn(usize, u32) -> Result<Format, String>),
-}
-
-/// How the parameter is plotted.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct Axis {
-    /// What it is, with its unit.
-    pub label: &'static str,
-    /// Powers of ten at equal distances.
-    pub logarithmic: bool,
-    /// Small values on the right: the extreme is at the right end of every plot.
-    pub falling: bool,
-}
-
-impl Axis {
-    const fn of(label: &'static str, logarithmic: bool, falling: bool) -> Axis {
-        Axis {
-            label,
-            logarithmic,
-            falling,
-        }
-    }
-
-    pub(super) const fn linear(label: &'static str) -> Axis {
-        Axis::of(label, false, false)
-    }
-
-    pub(super) const fn growing(label: &'static str) -> Axis {
-        Axis::of(label, true, false)
-    }
-
-    pub(super) const fn falling(label: &'static str) -> Axis {
-        Axis::of(label, true, true)
-    }
 }
 
 /// One scene of a sweep.

@@ -17,7 +17,8 @@ mod record;
 pub mod truth;
 
 pub use families::{ALL, UnknownSweep, find, names};
-pub use family::{Axis, Sweep};
+pub use family::Sweep;
 pub use measure::{Bounds, Figures, Observed, Ratios};
 pub use plot::plot;
+pub use record::Axis;
 pub use record::{GivesOut, Notice, Record, SweepResult, section};

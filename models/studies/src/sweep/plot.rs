@@ -3,8 +3,8 @@
 //! Axes are drawn in powers of ten on linear ones, so that they can run towards small values and have a place for the
 //! value 0.
 
-use super::family::Axis;
 use super::measure::Figures;
+use super::record::Axis;
 use super::record::{Notice, Record, SweepResult};
 use crate::kit::DrawError;
 use crate::kit::plot::{Area, COLOURS, FONT, GREY, Outcome, span, svg};

@@ -1,11 +1,43 @@
 //! What a sweep came to, and that as text: Markdown that reads well in a terminal too.
 
-use super::family::Axis;
 use super::measure::Figures;
 use super::naive::Naive;
 use crate::kit::DrawError;
 use crate::kit::page::text;
 use serde::Serialize;
+
+/// How the parameter is plotted.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Axis {
+    /// What it is, with its unit.
+    pub label: &'static str,
+    /// Powers of ten at equal distances.
+    pub logarithmic: bool,
+    /// Small values on the right: the extreme is at the right end of every plot.
+    pub falling: bool,
+}
+
+impl Axis {
+    const fn of(label: &'static str, logarithmic: bool, falling: bool) -> Axis {
+        Axis {
+            label,
+            logarithmic,
+            falling,
+        }
+    }
+
+    pub(super) const fn linear(label: &'static str) -> Axis {
+        Axis::of(label, false, false)
+    }
+
+    pub(super) const fn growing(label: &'static str) -> Axis {
+        Axis::of(label, true, false)
+    }
+
+    pub(super) const fn falling(label: &'static str) -> Axis {
+        Axis::of(label, true, true)
+    }
+}
 
 /// What a step came to; the keys are stable.
 #[derive(Clone, Debug, Serialize)]

@@ -1,9 +1,10 @@
 //! Sweeps of the shape: radius, planes, thickness, and the words that it is drawn in.
 
-use super::super::family::{Axis, Rule, Sweep};
+use super::super::family::{Rule, Sweep};
 use super::super::grid::{
     BESIDE, cut, decades, decimal, moved, orthographic, perspective, scene, solid,
 };
+use super::super::record::Axis;
 use crate::kit::words::widest;
 use imogene_algebra::rational::{fraction, from_decimal, integer, power_of_two, to_f64};
 use imogene_golden::format::Format;

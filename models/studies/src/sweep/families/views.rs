@@ -1,9 +1,10 @@
 //! Sweeps of the view: what is seen stays, and viewer, axis or place change.
 
-use super::super::family::{Axis, Rule, Sweep};
+use super::super::family::{Rule, Sweep};
 use super::super::grid::{
     BESIDE, SCREEN, cut, decades, decimal, looking, moved, orthographic, perspective, scene, solid,
 };
+use super::super::record::Axis;
 use imogene_algebra::rational::{fraction, integer, to_f64};
 use imogene_scene::{ImageSize, SceneFile, Shape, Surface};
 use num_rational::BigRational;
