@@ -1,15 +1,14 @@
-//! `imogene import` and `imogene terrain`.
+//! `imogene import`.
 
 use super::looked;
-use crate::arguments::{Deviation, Import, Terrain, kind_name};
+use crate::arguments::{Deviation, Import, kind_name};
 use crate::failure::Failure;
 use crate::molecules::{check_memory, load};
 use crate::{missing, output};
 use imogene_files::text::counted;
 use imogene_import::faces::{FaceOptions, read, read_step};
 use imogene_import::pdb::{self, Format};
-use imogene_import::terrain::random_field::{FieldOptions, field};
-use imogene_import::terrain::{self, TerrainOptions, heights_text};
+use imogene_import::terrain::{self, TerrainOptions};
 use imogene_import::{ImportError, Imported, Kind, is_scene, kinds};
 use pathdiff::diff_paths;
 use serde::Serialize;
@@ -202,53 +201,4 @@ fn heights(bytes: &[u8], options: &Import) -> Result<Imported, Failure> {
         title: title.map_or("Terrain".to_owned(), |name| name.into_owned()),
     };
     Ok(terrain::import(bytes, &name(options), &asked)?)
-}
-
-/// What was made; the keys are stable.
-#[derive(Serialize)]
-struct TerrainReport {
-    side: usize,
-    lowest: f64,
-    highest: f64,
-    most_vertices: usize,
-    most_edges: usize,
-    files: Vec<PathBuf>,
-}
-
-/// Makes a grid of heights and writes it.
-pub fn terrain(options: &Terrain, json: bool) -> Result<(), Failure> {
-    let distance = options.node_distance;
-    if !(distance > 0.0 && distance <= 1e6) {
-        return Err(Failure::Input(format!(
-            "a node distance of {distance}; more than 0 and up to 1000000 is accepted"
-        )));
-    }
-    let asked = FieldOptions {
-        levels: options.levels,
-        smoothness: options.roughness,
-        relief: options.relief,
-        seed: options.seed,
-    };
-    let made = field(&asked).map_err(Failure::Input)?;
-    let text = heights_text(&made, &asked, distance);
-    output::write_text(&options.output, &text)?;
-    let heights = || made.heights.iter().copied();
-    let report = TerrainReport {
-        side: made.side,
-        lowest: heights().fold(f64::INFINITY, f64::min),
-        highest: heights().fold(f64::NEG_INFINITY, f64::max),
-        most_vertices: made.most_vertices,
-        most_edges: made.most_edges,
-        files: vec![options.output.clone()],
-    };
-    output::report(json, &report, |report| {
-        output::text(format!(
-            "{side} x {side} nodes, heights {:.1} to {:.1}; wrote {}",
-            report.lowest,
-            report.highest,
-            options.output.display(),
-            side = report.side,
-        ))
-    });
-    Ok(())
 }

@@ -25,8 +25,10 @@ pub mod raytrace;
 pub mod render;
 pub mod repair;
 pub mod shading;
+pub mod speed;
 pub mod sweep;
 pub mod synth;
+pub mod terrain;
 pub mod trade;
 pub mod units;
 

@@ -125,12 +125,9 @@ impl Colours {
         let (from, along) = (on(&self.from), on(&self.along));
         let way = along.map(|v| surface.t * v);
         let place = each(|k| from[k] + way[k]);
-        let part = self
-            .half
-            .map(Interval::point)
-            .map_or(Interval::point(1.0), |half| {
-                half / (sum(way.iter().map(|v| v.square())).sqrt() + half)
-            });
+        let distance = sum(way.iter().map(|v| v.square())).sqrt();
+        let part = self.half.map(Interval::point);
+        let part = part.map_or(Interval::point(1.0), |half| half / (distance + half));
         let viewer = unit(along.map(|v| -v)).map(|v| v.widened(VIEW));
         let normal = surface.normal.map(|v| v.widened(surface.off));
         let (normal, facing) = match dot(&normal, &viewer) {

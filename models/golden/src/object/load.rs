@@ -116,8 +116,8 @@ impl<'a> Bus<'a> {
             p0,
             f,
         } = words.preconditioned(width);
-        let words_of = [a2, b2, c, i0, p0, f];
-        let [a2, b2, c, i0, p0, f] = words_of.map(|word| self.number(word, width));
+        let sent = [a2, b2, c, i0, p0, f];
+        let [a2, b2, c, i0, p0, f] = sent.map(|word| self.number(word, width));
         *words = Quadratic::of_preconditioned(&PreconditionedWords {
             a2,
             b2,
