@@ -44,6 +44,9 @@ pub struct Fit {
     /// Which machine; if not given, a beam machine for up to 16 processors, and a zone machine for more.
     #[arg(long, value_parser = choice(MACHINES))]
     pub machine: Option<MachineKind>,
+    /// Pixels of a line that a beam machine draws at once, 1, 2 or 4; it streams them.
+    #[arg(long, value_name = "N", value_parser = choice(PIXELS))]
+    pub pixels_per_clock: Option<u32>,
     /// Frames per second that the machine must reach, at the clock of --min-mhz or at 50 MHz.
     #[arg(long, value_name = "F", value_parser = at_least_zero)]
     pub min_fps: Option<f64>,
@@ -84,6 +87,12 @@ const MACHINES: Choices<MachineKind> = &[
     (MachineKind::Zone, "zone", "Processors shared zone by zone"),
 ];
 
+const PIXELS: Choices<u32> = &[
+    (1, "1", "A pixel on every clock"),
+    (2, "2", "Two neighbours"),
+    (4, "4", "Four neighbours"),
+];
+
 /// Clock at which frames per second are counted if none is asked for, in MHz.
 const CLOCK: f64 = 50.0;
 
@@ -105,6 +114,12 @@ impl Fit {
             colour: self.max_colour_error,
             normal: self.max_normal_error,
         }
+    }
+
+    /// Which machine: a beam machine for several pixels per clock.
+    pub fn kind(&self) -> Option<MachineKind> {
+        let several = self.pixels_per_clock.filter(|pixels| *pixels > 1);
+        self.machine.or(several.map(|_| MachineKind::Beam))
     }
 
     /// How fast the machine must be.
@@ -139,6 +154,7 @@ impl Fit {
             budget.options(),
             option("machine", machine),
             lit_sphere(self.lit_sphere),
+            option("pixels-per-clock", self.pixels_per_clock),
             option("min-fps", self.min_fps),
             flag(self.no_cost, " --no-cost"),
             option("min-mhz", self.min_mhz),

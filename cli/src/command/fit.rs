@@ -59,7 +59,7 @@ pub fn run(options: &Fit, json: bool) -> Result<(), Failure> {
         };
         let tried = choice.machine.description.machine;
         too_large.push(format!("a {} takes {cells}", contract::kind(tried)));
-        let is_last = options.machine.is_some() || tried == MachineKind::Zone;
+        let is_last = options.kind().is_some() || tried == MachineKind::Zone;
         if is_last || !frames.share_processors() {
             let (most, target) = (options.max_cells.unwrap_or_default(), target.name());
             let taken = too_large.join(", ");
@@ -166,9 +166,10 @@ fn frames(options: &Fit) -> Result<Frames, Failure> {
         }
     }
     let mut frames = output::during(0, "lines of the truth", |bar| {
-        Frames::new(&files, options.size, options.machine, || bar.inc(1))
+        Frames::new(&files, options.size, options.kind(), || bar.inc(1))
     })?;
     frames.lit_sphere = options.lit_sphere;
+    frames.pixels_per_clock = options.pixels_per_clock.unwrap_or(1);
     Ok(frames)
 }
 

@@ -34,7 +34,7 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
     let size = size_of(&file, options.size);
     let file = missing::reduced(file, size, Format::BASE, Options::ROOTS)?;
     let target = Target::from_name(&options.target)?;
-    let designs = options.points.designs();
+    let designs = options.points.designs(size.0);
     let bar = output::progress(designs.len() as u64, "points");
     let version = env!("CARGO_PKG_VERSION");
     let asked = Request {

@@ -87,6 +87,33 @@ fn the_bench_that_is_written_finds_every_pixel() {
     }
 }
 
+#[test]
+fn the_bench_of_several_pixels_per_clock_finds_every_pixel() {
+    let mode = "mode = { columns = [96, 4, 4, 4], lines = [8, 2, 2, 20] }\n";
+    let common: String = COMMON.replace(COMMON.split_inclusive('\n').last().unwrap(), mode);
+    for pixels in [2, 4] {
+        let place = Place::new();
+        let lanes = format!("pixels_per_clock = {pixels}\n");
+        let (out, described) = emitted(&place, &format!("{BEAM}{common}{STREAM}{lanes}"), "");
+        let verilog = described["verilog"].as_str().expect("a name");
+        let (ended_well, said) = run(&out, "bench.v", verilog);
+        assert!(
+            ended_well
+                && said.contains("2 frames of 768 pixels")
+                && said.contains(" 0 differences"),
+            "{said}"
+        );
+        let pixels = words(&out.join("pixels.hex"));
+        let wrong = [&pixels[..7], &["12_34_56".to_owned()], &pixels[8..]].concat();
+        std::fs::write(out.join("pixels.hex"), wrong.join("\n")).expect("a file");
+        let (ended_well, said) = run(&out, "bench.v", verilog);
+        assert!(
+            !ended_well && said.contains("frame 0, column 7, line 0"),
+            "{said}"
+        );
+    }
+}
+
 /// The numerator of a quotient is longer than every other word, and so is the data of a beat.
 #[test]
 fn the_bench_of_a_quotient_has_the_data_of_its_machine() {

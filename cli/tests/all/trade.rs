@@ -5,7 +5,11 @@ use serde_json::Value;
 
 /// A trade of a scene into a folder of the place.
 fn trade(place: &Place, name: &str, more: &str) -> Run {
-    let options = "--size 48x36 --points quick --no-cost";
+    sized_trade(place, name, "48x36", more)
+}
+
+fn sized_trade(place: &Place, name: &str, size: &str, more: &str) -> Run {
+    let options = format!("--size {size} --points quick --no-cost");
     let scene = scene(name);
     place.run(&format!("--json trade {scene} {options} {more}"))
 }
@@ -46,7 +50,7 @@ fn every_file_is_written_whatever_the_parts() {
 #[test]
 fn every_point_is_a_machine_that_draws_its_picture_in_its_clocks() {
     let place = Place::new();
-    trade(&place, "cut-sphere.toml", "--out out").ended(0);
+    sized_trade(&place, "cut-sphere.toml", "96x32", "--out out").ended(0);
     let report: Value = serde_json::from_str(&place.text("out/trade.json")).unwrap();
     let points = report["points"].as_array().unwrap();
     let of = |id: &str| points.iter().find(|point| point["id"] == id).unwrap();
@@ -61,6 +65,7 @@ fn every_point_is_a_machine_that_draws_its_picture_in_its_clocks() {
         "w16-n16-g0.0-d0-s2-z16k2-r1",
         "w16-n16-g0.0-d0-p2-r1",
         "w16-n16-g0.0-d0-t32-r1",
+        "w16-n16-g0.0-d0-t32-c2-r1",
         "w16-n16-g0.0-d0-t32-z16k2-r1",
     ] {
         let point = of(id);

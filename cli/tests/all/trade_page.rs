@@ -36,7 +36,7 @@ static PAGE: LazyLock<(TempDir, String)> = LazyLock::new(|| {
         name: "scenes/cut-sphere.toml",
         size: (64, 48),
         target: "ecp5-45k",
-        designs: Space::Quick.designs(),
+        designs: Space::Quick.designs(64),
         out: folder.path(),
         version: "0",
         program: "test",
@@ -109,7 +109,7 @@ fn selected(document: &str) -> Vec<String> {
 fn the_table_is_sorted_as_the_address_says() {
     let document = opened("#sort=cells");
     let cells = column(&document, "cells");
-    assert_eq!(cells.len(), Space::Quick.designs().len());
+    assert_eq!(cells.len(), Space::Quick.designs(64).len());
     assert!(cells.is_sorted(), "{cells:?}");
     assert!(document.contains("aria-sort=\"ascending\""));
     let cells = column(&opened("#sort=cells&dir=desc"), "cells");

@@ -173,6 +173,9 @@ pub struct MachineDescription {
     /// Where the pixels go.
     #[serde(default)]
     pub output: Output,
+    /// Pixels of a line that a beam machine draws at once: 1, 2 or 4.
+    #[serde(default = "number::<_, 1>", skip_serializing_if = "is_one")]
+    pub pixels_per_clock: u32,
     /// Samples of a pixel along each side, in a zone machine: the mean of 1, 2 x 2 or 4 x 4 is shown.
     #[serde(default = "number::<_, 1>")]
     pub supersampling: u32,
@@ -186,6 +189,10 @@ pub struct MachineDescription {
 
 fn number<T: From<u8>, const N: u8>() -> T {
     N.into()
+}
+
+fn is_one(value: &u32) -> bool {
+    *value == 1
 }
 
 fn is_default<T: Default + PartialEq>(value: &T) -> bool {

@@ -63,7 +63,12 @@ pub fn enough(
         for (framed, prepared) in scenes {
             make_room(&mut enough, framed, prepared)?;
         }
-        if enough.check("").is_err() {
+        // More pixels per clock than its lines take are not why objects are shared.
+        let of_one_lane = MachineDescription {
+            pixels_per_clock: 1,
+            ..enough.clone()
+        };
+        if of_one_lane.check("").is_err() {
             share_processors(&mut enough, machine);
             for (framed, prepared) in scenes {
                 add(&mut enough, framed, prepared)?;
@@ -361,6 +366,7 @@ fn share_processors(enough: &mut MachineDescription, beam: &MachineDescription) 
         slots: None,
         products: beam.products.clone(),
         layers: 0,
+        pixels_per_clock: 1,
         mode: beam.mode.clone(),
         ..enough.clone()
     };

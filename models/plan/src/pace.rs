@@ -38,7 +38,8 @@ pub fn clocks_per_frame(
     match machine.machine {
         MachineKind::Beam => {
             let words = beam_words(scene, prepared, machine)?.len() as u64;
-            let pixels = u64::from(scene.width) * u64::from(scene.height);
+            let line = u64::from(scene.width / machine.pixels_per_clock);
+            let pixels = line * u64::from(scene.height);
             Ok(pixels + u64::from(timing.latency) + words + TURN)
         }
         MachineKind::Zone => {

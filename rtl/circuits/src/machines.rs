@@ -10,9 +10,10 @@ use imogene_contract::MachineWords;
 use imogene_contract::tile::TileWords;
 use imogene_hdl::{Bits, Design, Value};
 
-/// Volume processors, all alike.
+/// Volume processors of a machine of one lane, all alike.
 pub fn volumes(words: &MachineWords, rows_per_stage: u32, count: usize, planes: u64) -> Volumes {
     Volumes {
+        lanes: 1,
         widths: Widths::of(words),
         root: Network::of(words, rows_per_stage),
         planes: vec![planes; count],

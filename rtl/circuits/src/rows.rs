@@ -1,5 +1,7 @@
 //! Parts that are alike.
 
+use imogene_hdl::{Bundle, Handle, Label, Ports};
+
 /// Each item with the name of its instance in a row: that of the row and a number.
 pub(crate) fn numbered<I: IntoIterator>(
     row: &str,
@@ -8,6 +10,54 @@ pub(crate) fn numbered<I: IntoIterator>(
     let row = row.to_owned();
     let items = items.into_iter().enumerate();
     items.map(move |(index, item)| (format!("{row}_{index}"), item))
+}
+
+/// One of each lane in which pixels are drawn at once. Ports have the number of their lane where there are several.
+#[derive(Clone, Debug)]
+pub struct PerLane<T>(pub Vec<T>);
+
+impl<T> PerLane<T> {
+    /// One for each of so many lanes.
+    pub(crate) fn of(lanes: u32, one: impl FnMut(u32) -> T) -> PerLane<T> {
+        PerLane((0..lanes).map(one).collect())
+    }
+
+    /// What becomes of each.
+    pub(crate) fn map<U>(self, change: impl FnMut(T) -> U) -> PerLane<U> {
+        PerLane(self.0.into_iter().map(change).collect())
+    }
+
+    /// That of a machine of one lane.
+    pub(crate) fn alone(mut self) -> T {
+        assert_eq!(self.0.len(), 1, "a machine of one lane");
+        self.0.remove(0)
+    }
+}
+
+impl<B: Bundle> Bundle for PerLane<B> {
+    fn walked(&self, group: &Label, other: &mut dyn FnMut(Label, Handle) -> Handle) -> Self {
+        if let [alone] = self.0.as_slice() {
+            return PerLane(vec![alone.walked(group, other)]);
+        }
+        let lane = if group.name.is_empty() { "lane" } else { "" };
+        PerLane(self.0.walked(&group.member(lane, ""), other))
+    }
+}
+
+impl<B: Ports> Ports for PerLane<B> {
+    type Bare = PerLane<B::Bare>;
+
+    fn bare(self) -> Self::Bare {
+        self.map(B::bare)
+    }
+}
+
+/// The name of a part of a lane, where there are several.
+pub(crate) fn in_lane(name: &str, lane: u32, lanes: u32) -> String {
+    match lanes {
+        1 => name.to_owned(),
+        _ => format!("{name}_lane_{lane}"),
+    }
 }
 
 /// For bundles whose members are alike: to make one of them, and to take it apart.

@@ -159,6 +159,7 @@ pub fn design(p: &Request) -> Design {
                 slots: vec![FittedSlot::quadric(planes); p.objects as usize],
                 products: vec![],
                 decider: DeciderForm::Tree,
+                lanes: 1,
             };
             beam("top", Zone::input(), Load::input(widths.bus()), &machine)
         }),

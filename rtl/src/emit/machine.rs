@@ -3,7 +3,7 @@
 use super::words::{check_slots, check_words, lines, slots_line};
 use super::{Emitted, Heading, check_prefix, emitted};
 use imogene_circuits::machine::{
-    BeamMachine, Load, Objects, SHOW_CLOCKS, Zone, ZoneCore, ZoneMachine, beam,
+    BeamMachine, Load, Objects, SHOW_CLOCKS, Volumes, Zone, ZoneCore, ZoneMachine, beam,
 };
 use imogene_circuits::machines::{self, volumes};
 pub use imogene_circuits::shade::Tables;
@@ -75,6 +75,8 @@ pub struct MachineRequest {
     pub suns: usize,
     /// Lit-sphere shading in the place of a shading processor; lights number the tables of a material.
     pub sphere: Option<Tables>,
+    /// Pixels of a line that a beam machine that streams draws at once: 1, 2 or 4.
+    pub pixels_per_clock: usize,
     /// Before the name of every module; may be empty.
     pub prefix: String,
     /// The command line that makes the same text, for the header.
@@ -123,7 +125,7 @@ impl Kind {
                 "the picture of a scene, every pixel drawn when the screen wants it, on the pins of a screen"
             }
             Self::BeamStream(..) => {
-                "the picture of a scene, frame after frame over AXI4-Stream, one pixel per clock"
+                "the picture of a scene, frame after frame over AXI4-Stream, as many pixels on every clock as it is built for"
             }
         }
     }
@@ -149,6 +151,7 @@ impl MachineRequest {
             lights: 1,
             suns: 0,
             sphere: None,
+            pixels_per_clock: 1,
             prefix: String::new(),
             command: String::new(),
         }
@@ -178,10 +181,28 @@ impl MachineRequest {
             let most = if zone.samples == 3 { 2 } else { 4 };
             in_range("samples", zone.samples, 1, most)?;
         }
+        self.check_lanes()?;
         match self.prefix.as_str() {
             "" => Ok(()),
             prefix => check_prefix(prefix),
         }
+    }
+
+    fn check_lanes(&self) -> Result<(), RequestError> {
+        let lanes = self.pixels_per_clock;
+        let Kind::BeamStream(bits, width, _) = self.kind else {
+            return in_range("pixels per clock", lanes, 1, 1);
+        };
+        // 3 is the only number between the least and the greatest that is none.
+        in_range("pixels per clock", lanes, 1, if lanes == 3 { 2 } else { 4 })?;
+        in_range(
+            "pixels of a line beyond the last whole clock",
+            width % lanes,
+            0,
+            0,
+        )?;
+        let least = self.beam(bits).least_line();
+        in_range("clocks of a line", width / lanes, least, u32::MAX)
     }
 
     fn check_products(&self) -> Result<(), RequestError> {
@@ -200,6 +221,7 @@ impl MachineRequest {
             slots: self.slots.clone(),
             products: self.products.clone(),
             decider: self.decider,
+            lanes: self.pixels_per_clock as u32,
         }
     }
 
@@ -235,7 +257,10 @@ impl MachineRequest {
         BeamMachine {
             objects: self.objects(),
             layers: self.layers.clone(),
-            volumes: volumes(&self.words, rows, self.volumes, planes),
+            volumes: Volumes {
+                lanes: self.pixels_per_clock as u32,
+                ..volumes(&self.words, rows, self.volumes, planes)
+            },
             shading: self.shading(),
             loader_places: loader_bits as u32,
         }
@@ -342,7 +367,10 @@ impl MachineRequest {
             lines.push(format!("smoothing {smoothing}, overlay {overlay}"));
         }
         if let Kind::BeamStream(_, width, height) = self.kind {
-            lines.push(format!("pictures of {width} x {height} pixels"));
+            let lanes = self.pixels_per_clock;
+            lines.push(format!(
+                "pictures of {width} x {height} pixels, {lanes} per clock"
+            ));
         }
         lines
     }

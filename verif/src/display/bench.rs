@@ -219,6 +219,9 @@ impl Bench<'_> {
     fn handshake(&self) -> Vec<&'static str> {
         let rules = match (self.is_beam(), self.has_pins()) {
             (true, true) => [HOST, BEAM, BEAM_PINS, PINS],
+            (true, false) if self.machine.pixels_per_clock > 1 => {
+                [HOST, BEAM, BEAM_STREAM, STREAM_OF_SEVERAL]
+            }
             (true, false) => [HOST, BEAM, BEAM_STREAM, STREAM],
             (false, true) => [HOST, ZONE, ZONE_PINS, PINS],
             (false, false) => [HOST, ZONE, ZONE_STREAM, STREAM],
@@ -245,6 +248,7 @@ impl Bench<'_> {
             patience => 4 * (mode.clocks() + zone + 1000),
             beam => self.is_beam(),
             pins => self.has_pins(),
+            lanes => self.machine.pixels_per_clock,
             overlay => self.overlay.map(|plane| plane.words.len()),
             overlay_colour => colour,
         });
@@ -334,6 +338,11 @@ const PINS: &[&str] = &[
 const STREAM: &[&str] = &[
     "a pixel leaves at a rising edge at which m_tvalid and m_tready are 1; until then it stays; m_tvalid does not depend on m_tready",
     "m_tdata is red in bits 23..16, green in 15..8, blue in 7..0",
+];
+const STREAM_OF_SEVERAL: &[&str] = &[
+    "pixels leave at a rising edge at which m_tvalid and m_tready are 1; until then they stay; m_tvalid does not depend on m_tready",
+    "m_tdata_0 is the leftmost of as many neighbours as there are: red in bits 23..16, green in 15..8, blue in 7..0",
+    "m_tuser and m_tlast are of all pixels of a clock: the first and the last pixel are among them",
 ];
 const BEAM_STREAM: &[&str] = &[
     "swapped is 1 for a clock when the words of a frame are at work; the next frame that begins is theirs, and is repeated until new words come",

@@ -51,6 +51,7 @@ pub fn request_for(machine: &MachineDescription, tables: &[u64], command: &str) 
             nearest: sphere.nearest,
             entries: tables.to_vec(),
         }),
+        pixels_per_clock: machine.pixels_per_clock as usize,
         prefix: String::new(),
         command: command.to_owned(),
     }

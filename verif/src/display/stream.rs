@@ -10,8 +10,17 @@ use imogene_plan::description::{MachineDescription, MachineKind};
 use imogene_plan::display::Image;
 use std::time::Instant;
 
-/// What a receiver is given with each pixel.
-const STREAM: [&str; 3] = ["m_tdata", "m_tuser", "m_tlast"];
+/// What a receiver is given on a clock: the colours of so many pixels, and what it is told of them.
+fn stream(pixels: usize) -> Vec<String> {
+    let colours = match pixels {
+        1 => vec!["m_tdata".to_owned()],
+        _ => (0..pixels)
+            .map(|pixel| format!("m_tdata_{pixel}"))
+            .collect(),
+    };
+    let told = ["m_tuser", "m_tlast"].map(String::from);
+    colours.into_iter().chain(told).collect()
+}
 
 /// Sends the words of images and takes pixels until the last image was seen `frames` times. Every pixel of a frame has
 /// to come exactly once, its word has to stay while the receiver stalls, and the first and last have to say so.
@@ -22,11 +31,13 @@ pub(super) fn run(
     options: &PinsRun,
     mut frame_done: impl FnMut(),
 ) -> PinsOutcome {
-    let mut waves = options.waves(&hardware, &STREAM);
+    let stream = stream(machine.pixels_per_clock as usize);
+    let compared: Vec<&str> = stream.iter().map(String::as_str).collect();
+    let mut waves = options.waves(&hardware, &compared);
     let started = Instant::now();
     let mut host = Host::new(images, options);
     let mut receiver = Stalls::new(options.stalls.map(|seed| seed + 1));
-    let mut taker = Taker::new(machine, images);
+    let mut taker = Taker::new(machine, images, &compared);
     let is_beam = machine.machine == MachineKind::Beam;
     // A frame of a zone machine comes once for each image; a beam machine repeats its frame until the next image is
     // there.
@@ -39,18 +50,19 @@ pub(super) fn run(
         host.offer(&mut hardware, is_beam, &mut taker.outcome);
         let takes = !receiver.stall();
         hardware.set("m_tready", takes.into());
-        let now = hardware.is_set("m_tvalid").then(|| Pixel::of(&hardware));
+        let now = hardware
+            .is_set("m_tvalid")
+            .then(|| Beat::of(&hardware, &compared));
         let stays = stalled.is_none() || stalled == now;
         taker.check("m_tdata while the receiver stalls", hardware.clocks, stays);
-        stalled = now.filter(|_| !takes);
         idle += 1;
         let spot = taker.spot(now.as_ref());
-        let taken = now
-            .filter(|_| takes && waves.is_some())
-            .map(|pixel| taker.wanted(&pixel));
-        if let Some(pixel) = now.filter(|_| takes) {
+        let taken = now.as_ref().filter(|_| takes && waves.is_some());
+        let taken = taken.map(|beat| taker.wanted(beat));
+        stalled = now.clone().filter(|_| !takes);
+        if let Some(beat) = now.filter(|_| takes) {
             idle = 0;
-            if taker.take(&pixel, hardware.clocks) {
+            if taker.take(&beat, hardware.clocks) {
                 let is_last = taker.outcome.shown.last() == Some(&images.len().checked_sub(1));
                 seen_last += usize::from(is_last);
                 frame_done();
@@ -58,7 +70,12 @@ pub(super) fn run(
         }
         if let Some(waves) = &mut waves {
             let differs = taker.outcome.report.mismatches > 0;
-            waves.clock(&mut hardware, &spot, &taken.unwrap_or_default(), differs);
+            waves.clock(
+                &mut hardware,
+                &spot,
+                &taken.unwrap_or(vec![None; stream.len()]),
+                differs,
+            );
         }
         hardware.clock();
         taker.see_swap(&hardware, is_beam, &host);
@@ -68,18 +85,20 @@ pub(super) fn run(
     taker.outcome.finished(&hardware, options, waves, started)
 }
 
-/// A pixel on the stream.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Pixel {
-    colour: i64,
+/// The pixels of a clock on the stream.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Beat {
+    colours: Vec<i64>,
     user: i64,
     is_last: bool,
 }
 
-impl Pixel {
-    fn of(hardware: &Machine) -> Pixel {
-        Pixel {
-            colour: hardware.get("m_tdata").unwrap_or(-1),
+impl Beat {
+    fn of(hardware: &Machine, stream: &[&str]) -> Beat {
+        let colours = &stream[..stream.len() - 2];
+        let colours = colours.iter().map(|port| hardware.get(port).unwrap_or(-1));
+        Beat {
+            colours: colours.collect(),
             user: hardware.get("m_tuser").unwrap_or(-1),
             is_last: hardware.is_set("m_tlast"),
         }
@@ -91,6 +110,8 @@ struct Taker<'a> {
     images: &'a [Image],
     is_beam: bool,
     width: usize,
+    /// Ports of the pixels of a clock.
+    ports: &'a [&'a str],
     frame: Vec<u8>,
     seen: Vec<bool>,
     count: usize,
@@ -101,7 +122,7 @@ struct Taker<'a> {
 }
 
 impl<'a> Taker<'a> {
-    fn new(machine: &MachineDescription, images: &'a [Image]) -> Self {
+    fn new(machine: &MachineDescription, images: &'a [Image], stream: &'a [&'a str]) -> Self {
         let mode = mode(machine);
         let pixels = (mode.line.active * mode.frame.active) as usize;
         let is_beam = machine.machine == MachineKind::Beam;
@@ -110,6 +131,7 @@ impl<'a> Taker<'a> {
             images,
             is_beam,
             width: mode.line.active as usize,
+            ports: &stream[..stream.len() - 2],
             frame: vec![0; 3 * pixels],
             seen: vec![false; pixels],
             count: 0,
@@ -135,32 +157,36 @@ impl<'a> Taker<'a> {
         }
     }
 
-    /// The place of a pixel in the frame, row by row; one that is beyond its end is of a wrong machine.
-    fn place(&self, pixel: &Pixel) -> usize {
+    /// The place of the first pixel of a clock in the frame, row by row; one that is beyond its end is of a wrong
+    /// machine.
+    fn place(&self, beat: &Beat) -> usize {
         match self.is_beam {
             true => self.count,
-            false => (pixel.user >> 12) as usize * self.width + (pixel.user & 0xfff) as usize,
+            false => (beat.user >> 12) as usize * self.width + (beat.user & 0xfff) as usize,
         }
     }
 
-    /// Where the stream is, with the pixel that it offers.
-    fn spot(&self, pixel: Option<&Pixel>) -> Spot {
-        let place = |pixel| {
-            let at = self.place(pixel);
+    /// Where the stream is, with the first pixel that it offers.
+    fn spot(&self, beat: Option<&Beat>) -> Spot {
+        let place = |beat| {
+            let at = self.place(beat);
             (at % self.width, at / self.width)
         };
         Spot {
             frame: self.outcome.shown.len() as u32 + 1,
             is_scene: self.on.is_some(),
-            pixel: pixel.map(place),
+            pixel: beat.map(place),
         }
     }
 
-    /// What [`STREAM`] should be with a pixel that is taken; a zone machine says itself which one it is.
-    fn wanted(&self, pixel: &Pixel) -> [Option<i64>; STREAM.len()] {
-        let at = self.place(pixel).min(self.seen.len() - 1);
+    /// What the stream should be with pixels that are taken; a zone machine says itself which one it is.
+    fn wanted(&self, beat: &Beat) -> Vec<Option<i64>> {
+        let last = self.seen.len() - 1;
+        let at = self.place(beat);
+        let colours = (at..at + self.ports.len()).map(|at| Some(self.colour(at.min(last))));
         let user = self.is_beam.then(|| (at == 0).into());
-        [Some(self.colour(at)), user, Some(self.ends(at).into())]
+        let ends = self.ends(at + self.ports.len() - 1);
+        colours.chain([user, Some(ends.into())]).collect()
     }
 
     /// The golden colour at a place.
@@ -179,19 +205,23 @@ impl<'a> Taker<'a> {
         }
     }
 
-    /// Takes a pixel; true if the frame is complete.
-    fn take(&mut self, pixel: &Pixel, clock: u64) -> bool {
-        let at = self.place(pixel);
-        let pixels = self.seen.len();
-        let is_new = at < pixels && !std::mem::replace(&mut self.seen[at.min(pixels - 1)], true);
-        self.check("a pixel once", clock, is_new);
-        self.check("m_tlast", clock, pixel.is_last == self.ends(at));
+    /// Takes the pixels of a clock; true if the frame is complete.
+    fn take(&mut self, beat: &Beat, clock: u64) -> bool {
+        let at = self.place(beat);
+        let ends = self.ends(at + beat.colours.len() - 1);
+        self.check("m_tlast", clock, beat.is_last == ends);
         if self.is_beam {
-            self.check("m_tuser", clock, (pixel.user == 1) == (at == 0));
+            self.check("m_tuser", clock, (beat.user == 1) == (at == 0));
         }
-        self.compare(pixel, at.min(pixels - 1), clock);
-        self.outcome.report.pixels += 1;
-        self.count += 1;
+        let pixels = self.seen.len();
+        for (lane, colour) in beat.colours.iter().enumerate() {
+            let (is_inside, at) = (at + lane < pixels, (at + lane).min(pixels - 1));
+            let is_new = is_inside && !std::mem::replace(&mut self.seen[at], true);
+            self.check("a pixel once", clock, is_new);
+            self.compare((self.ports[lane], *colour), at, clock);
+        }
+        self.outcome.report.pixels += beat.colours.len() as u64;
+        self.count += beat.colours.len();
         if self.count < pixels {
             return false;
         }
@@ -199,13 +229,13 @@ impl<'a> Taker<'a> {
         true
     }
 
-    fn compare(&mut self, pixel: &Pixel, at: usize, clock: u64) {
+    fn compare(&mut self, (port, colour): (&str, i64), at: usize, clock: u64) {
         for (channel, shift) in [16, 8, 0].into_iter().enumerate() {
-            self.frame[3 * at + channel] = (pixel.colour >> shift) as u8;
+            self.frame[3 * at + channel] = (colour >> shift) as u8;
         }
         let (place, golden) = (place(at, self.width), self.colour(at));
         let report = &mut self.outcome.report;
-        report.compare(clock, place, "m_tdata", Some(pixel.colour), golden);
+        report.compare(clock, place, port, Some(colour), golden);
     }
 
     fn finish(&mut self) {

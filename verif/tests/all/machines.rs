@@ -3,10 +3,12 @@
 use super::root;
 use imogene_contract::DeciderForm;
 use imogene_contract::slots::{Slots, parse};
+use imogene_golden::format::Format;
 use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_golden::widths::OwnWidths;
 use imogene_plan::description::{MachineDescription, Output, Smoothing, ZoneSize};
 use imogene_plan::display::{Image, image};
+use imogene_plan::needs::enough;
 use imogene_prepare::Framing;
 use imogene_prepare::prepare;
 use imogene_scene::SceneFile;
@@ -151,6 +153,45 @@ fn slots_that_are_not_alike_show_the_golden_picture() {
     let image = drawn("teapot.toml", &machine);
     assert!(image.beats.len() < alike.beats.len());
     run(&machine, &[image], &PinsRun::plain(Engine::BuiltIn));
+}
+
+/// Several pixels on every clock: quadrics cut by planes, solids, glass, shadows; with stalls on both sides.
+#[test]
+fn several_pixels_per_clock_stream_the_golden_picture() {
+    let asked = MachineDescription {
+        objects: 1,
+        planes: 0,
+        ..small("beam-stream.toml", 120, 20, 40)
+    };
+    for scene in [
+        "teapot.toml",
+        "solids/bracket.toml",
+        "glass/still-life.toml",
+        "shadows/ball-before-ball.toml",
+    ] {
+        let framed = super::scene(scene).frame(120, 20).expect("a valid size");
+        let prepared = prepare(&framed, Format::BASE).expect("fits the format");
+        let machine = enough(&asked, &[(&framed, &prepared)]).expect("a machine");
+        let image = image(&framed, &prepared, &machine).expect("fits the machine");
+        let blank = Image {
+            picture: vec![0; image.picture.len()],
+            ..image.clone()
+        };
+        for pixels_per_clock in [2, 4] {
+            let machine = MachineDescription {
+                pixels_per_clock,
+                ..machine.clone()
+            };
+            machine.check("lanes").expect("lines that are long enough");
+            let stalling = PinsRun {
+                stalls: Some(7),
+                ..PinsRun::plain(Engine::BuiltIn)
+            };
+            run(&machine, &[image.clone()], &stalling);
+            let wrong = pins::run(&machine, &[blank.clone()], &stalling, || ());
+            assert!(wrong.expect("a machine that runs").report.mismatches > 300);
+        }
+    }
 }
 
 /// Chains and cards, also of which the last is not full, of processors of different latencies, with products behind

@@ -11,6 +11,7 @@ mod fitted;
 mod formal;
 mod icarus;
 mod kernels;
+mod lanes;
 mod machines;
 mod mutation;
 mod patches;

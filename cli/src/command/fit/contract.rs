@@ -104,7 +104,10 @@ fn line(machine: &MachineDescription, widths: &str) -> String {
         None => counted(machine.lights, "light"),
     };
     let rows = counted(machine.rows_per_stage, "row");
-    let kind = kind(machine.machine);
+    let kind = match machine.pixels_per_clock {
+        1 => kind(machine.machine).to_owned(),
+        pixels => format!("{} of {pixels} pixels per clock", kind(machine.machine)),
+    };
     format!("{kind}, {widths}, {processors}{volumes}, {lights}, {rows} per stage")
 }
 

@@ -28,6 +28,14 @@ impl Lattice {
         }
     }
 
+    /// The columns `first, first + step, ..`: one lane of several pixels at once.
+    pub const fn columns(step: i64, first: i64) -> Lattice {
+        Lattice {
+            dx: step,
+            ..Lattice::zone(first, 0)
+        }
+    }
+
     /// One sample of each pixel (Nyiri, 3.2.2).
     pub const fn samples(step: i64, column: i64, line: i64) -> Lattice {
         Lattice {

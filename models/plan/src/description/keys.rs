@@ -12,7 +12,7 @@ use toml::de::DeTable;
 pub type Key = (&'static str, String);
 
 /// All keys in their order.
-pub fn keys() -> [Key; 23] {
+pub fn keys() -> [Key; 24] {
     let up_to = |most: usize| format!("0 to {most}");
     let depths = format!("{} to {}", Format::DEPTHS.start(), Format::DEPTHS.end());
     let zone = format!("{{ width = 32, height = 32 }}, of 1 to {MAX_ZONE_PIXELS} pixels");
@@ -50,6 +50,7 @@ pub fn keys() -> [Key; 23] {
         ("loader_words", "2 to 65536".into()),
         ("mode", modes()),
         ("output", "\"pins\" or \"stream\"".into()),
+        ("pixels_per_clock", "1, 2 or 4".into()),
         ("supersampling", "1, 2 or 4".into()),
         ("smoothing", "\"none\", \"2x2\" or \"3x3\"".into()),
         ("overlay", "true or false".into()),

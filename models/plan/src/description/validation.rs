@@ -9,7 +9,8 @@ use imogene_contract::words::MOST_LAYERS;
 use imogene_golden::format::Format;
 use imogene_golden::machine::shader::MOST_LIGHTS;
 use imogene_golden::machine::zone::{MAX_PICTURE, SAMPLES};
-use imogene_golden::object::quadric::MAX_PLANES;
+use imogene_golden::object::quadric::{MAX_PLANES, after_root};
+use imogene_golden::unit::root::Method;
 
 /// Pixels of a zone at most.
 pub(super) const MAX_ZONE_PIXELS: u32 = 1 << 14;
@@ -20,6 +21,9 @@ const MAX_FILTERED_LINE: u64 = 2048;
 
 /// Key, value and what would be accepted.
 struct Refusal(&'static str, String, String);
+
+/// Clocks from the words of a line to those of its lanes, and those that a quotient begins later.
+const LINE_CLOCKS: u32 = 3 + 2;
 
 type Checked = Result<(), Refusal>;
 
@@ -61,6 +65,7 @@ impl MachineDescription {
             self.check_sphere()?;
             self.check_products()?;
             self.check_samples(&mode)?;
+            self.check_lanes(&mode, &format)?;
             self.check_output(&mode)?;
             self.check_kind()
         };
@@ -199,6 +204,42 @@ impl MachineDescription {
             return refuse(&format!("on a screen of up to {most} x {most} pixels"));
         }
         Ok(())
+    }
+
+    fn check_lanes(&self, mode: &VideoMode, format: &Format) -> Checked {
+        let (lanes, width) = (self.pixels_per_clock, mode.line.active);
+        let refuse = |accepted: &str| refuse("pixels_per_clock", lanes, accepted);
+        if ![1, 2, 4].contains(&lanes) {
+            return refuse("1, 2 or 4");
+        }
+        if lanes == 1 {
+            return Ok(());
+        }
+        if self.machine == MachineKind::Zone || self.output == Output::Pins {
+            return refuse("1, or output = \"stream\" in a beam machine");
+        }
+        let least = u64::from(lanes * self.longest_processor(format));
+        if width % u64::from(lanes) != 0 || width < least {
+            return refuse(&format!(
+                "on lines of a multiple of {lanes} pixels, and {least} at least: all processors have begun a line before \
+                 the next one begins"
+            ));
+        }
+        Ok(())
+    }
+
+    /// Clocks that no processor takes more of, with those from the line to its lanes.
+    fn longest_processor(&self, format: &Format) -> u32 {
+        let is_quotient = |slot: &FittedSlot| slot.kind == Kind::Quotient;
+        let slots = self.slots();
+        let digits = match slots.iter().any(is_quotient) {
+            true => format.depth.div_ceil(self.rows_per_stage),
+            false => 0,
+        };
+        let root = Method::of(format.root_form).latency(format.root_rows(), self.rows_per_stage);
+        let root = root.max(digits);
+        let planes = most_planes(&slots).max(self.volume_planes);
+        root + after_root(planes) + LINE_CLOCKS
     }
 
     fn check_output(&self, mode: &VideoMode) -> Checked {

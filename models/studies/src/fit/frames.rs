@@ -65,6 +65,8 @@ pub struct Frames {
     is_for_zones: bool,
     /// Its tables of lit-sphere shading, in the place of a shading processor.
     pub lit_sphere: Option<SphereForm>,
+    /// Pixels of a line that it draws at once; several are streamed, by a beam machine.
+    pub pixels_per_clock: u32,
 }
 
 /// The frames in words, against their truth.
@@ -143,6 +145,7 @@ impl Frames {
             kind,
             is_for_zones,
             lit_sphere: None,
+            pixels_per_clock: 1,
         })
     }
 

@@ -69,6 +69,10 @@ pub fn machine(
     if let Some(form) = frames.lit_sphere {
         smallest = smallest.lit_by_tables(form);
     }
+    if frames.pixels_per_clock > 1 {
+        smallest.pixels_per_clock = frames.pixels_per_clock;
+        smallest.output = Output::Stream;
+    }
     let found = match frames.kind {
         MachineKind::Beam => {
             let beam = changed(enough, &smallest, frames, drawn)?;
@@ -132,6 +136,7 @@ pub fn smallest(
         loader_words: None,
         mode: mode(size),
         output: Output::Pins,
+        pixels_per_clock: 1,
         supersampling: 1,
         smoothing: Smoothing::None,
         overlay: false,
@@ -215,8 +220,10 @@ impl Pace {
     }
 }
 
+/// Clocks of a frame; those of several pixels at once are fewer.
 fn screen_clocks(description: &MachineDescription) -> u64 {
-    description.video_mode().map_or(0, |mode| mode.clocks())
+    let clocks = description.video_mode().map_or(0, |mode| mode.clocks());
+    clocks / u64::from(description.pixels_per_clock)
 }
 
 /// The zone machine of the fewest cells that is fast enough, with the side of its zones at which it is fastest: objects

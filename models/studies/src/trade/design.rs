@@ -55,7 +55,12 @@ pub struct Design {
     pub zones: Option<Zones>,
     /// Rows of the root network between registers.
     pub rows_per_stage: u32,
+    /// Pixels of a line that a beam machine draws at once.
+    pub pixels_per_clock: u32,
 }
+
+/// Clocks of a line at least where several pixels per clock are measured: all processors take fewer.
+const LEAST_LINE: u32 = 40;
 
 /// Which points are measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -97,6 +102,16 @@ impl Accuracy {
         })
     }
 
+    /// Several pixels per clock are measured where the words are the plainest of some depths.
+    fn has_lanes(&self) -> bool {
+        let plain = Accuracy {
+            table_side: self.table_side,
+            undersampling: self.undersampling,
+            ..Accuracy::of_depth(self.depth)
+        };
+        [12, 16, 20, 24].contains(&self.depth) && *self == plain && self.undersampling < 4
+    }
+
     /// A short name, which is that of its files.
     pub fn name(&self) -> String {
         let mut name = format!(
@@ -127,18 +142,29 @@ impl Design {
         let zones = self.zones.map_or(String::new(), |zones| {
             format!("-z{}k{}", zones.side, zones.processors)
         });
-        format!("{}{zones}-r{}", self.accuracy.name(), self.rows_per_stage)
+        let lanes = match self.pixels_per_clock {
+            0 | 1 => String::new(),
+            lanes => format!("-c{lanes}"),
+        };
+        let accuracy = self.accuracy.name();
+        format!("{accuracy}{zones}{lanes}-r{}", self.rows_per_stage)
     }
 }
 
 impl Space {
-    /// Its points, those of the same pixels side by side.
-    pub fn designs(self) -> Vec<Design> {
-        match self {
+    /// Its points of a picture of so many columns, those of the same pixels side by side.
+    pub fn designs(self, columns: u32) -> Vec<Design> {
+        let mut designs = match self {
             Space::Quick => quick(),
             Space::Full => full(),
             Space::Roots => roots(),
-        }
+        };
+        designs.retain(|design| {
+            let lanes = design.pixels_per_clock;
+            let clocks = columns / design.accuracy.undersampling / lanes;
+            lanes == 1 || (clocks >= LEAST_LINE && columns % lanes == 0)
+        });
+        designs
     }
 }
 
@@ -161,9 +187,26 @@ fn points(
             accuracy,
             zones,
             rows_per_stage,
+            pixels_per_clock: 1,
         })
     };
     forms.flat_map(of_form).collect()
+}
+
+/// The beam machines among points with two and with four pixels per clock besides.
+fn with_lanes(points: Vec<Design>) -> Vec<Design> {
+    let several = |point: &Design| match point.zones {
+        None => vec![1, 2, 4],
+        Some(_) => vec![1],
+    };
+    let of_point = |point: Design| {
+        let lanes = several(&point).into_iter();
+        lanes.map(move |pixels_per_clock| Design {
+            pixels_per_clock,
+            ..point
+        })
+    };
+    points.into_iter().flat_map(of_point).collect()
 }
 
 /// A fitted machine of a depth word that is changed.
@@ -213,7 +256,7 @@ fn quick() -> Vec<Design> {
         points(of(16), true, (&[1], &[16]), &[1, 2]),
         points(supersampled(16, 2, 0), false, (&[2], &[16]), &[1]),
         points(preview(16, 2, 0), true, NO_ZONES, &[1]),
-        points(lit(16, 32), true, (&[2], &[16]), &[1]),
+        with_lanes(points(lit(16, 32), true, (&[2], &[16]), &[1])),
     ];
     [beams.concat(), others.concat()].concat()
 }
@@ -247,7 +290,13 @@ const EXACTNESS: [((u32, u32), u32); 5] = [
 
 fn full() -> Vec<Design> {
     let mut all = vec![];
-    let mut add = |accuracy, has_beam, zones| all.extend(points(accuracy, has_beam, zones, &ROWS));
+    let mut add = |accuracy: Accuracy, has_beam, zones| {
+        let points = points(accuracy, has_beam, zones, &ROWS);
+        all.extend(match accuracy.has_lanes() {
+            true => with_lanes(points),
+            false => points,
+        });
+    };
     let shared: (&[usize], &[u32]) = (&[1, 2, 4, 8], &[16, 32, 64]);
     for depth in [8, 10, 12, 14, 16, 18, 20, 22, 24] {
         for (guards, dropped) in EXACTNESS {

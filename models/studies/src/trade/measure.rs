@@ -10,6 +10,7 @@ use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::QuadricWords;
 use imogene_golden::object::words::Words;
+use imogene_golden::unit::lattice::Lattice;
 use imogene_plan::description::{MachineDescription, MachineKind, Output};
 use imogene_plan::display::mean_of_samples;
 use imogene_plan::needs::{enough, narrowed};
@@ -73,6 +74,7 @@ impl Measured<'_> {
         let frames = std::slice::from_ref(&self.prepared);
         let beam = MachineDescription {
             output: Output::Stream,
+            pixels_per_clock: design.pixels_per_clock,
             ..smallest(&self.widths, frames, design.rows_per_stage, size)
         };
         let beam = match design.accuracy.tables() {
@@ -118,13 +120,20 @@ impl Measured<'_> {
         let (format, rows) = (&self.prepared.format, machine.rows_per_stage);
         let height = self.prepared.height;
         if machine.machine == MachineKind::Beam {
-            let slots = self.prepared.quadrics().map(|(_, object)| &object.words);
-            let whole = Part {
-                slots: slots.collect(),
+            let step = machine.pixels_per_clock;
+            let words = (0..step).map(|first| {
+                let pixels = Lattice::columns(step.into(), first.into());
+                let slots = self.prepared.quadrics();
+                slots.map(|(_, object)| object.words.on(&pixels)).collect()
+            });
+            let words: Vec<Vec<QuadricWords>> = words.collect();
+            let lanes = words.iter().map(|words| Part {
+                slots: words.iter().collect(),
                 first: (0, 0),
-                size: (self.prepared.width as usize, height as usize),
-            };
-            return Ok(count(&[whole], format, rows, height));
+                size: ((self.prepared.width / step) as usize, height as usize),
+            });
+            let lanes: Vec<Part> = lanes.collect();
+            return Ok(count(&lanes, format, rows, height));
         }
         let plan = ZonePlan::of(&self.prepared, machine.zone_machine());
         let plan = plan.map_err(|e| e.to_string())?;

@@ -151,7 +151,8 @@ fn seeds(points: &[Point]) -> Vec<usize> {
             let samples = accuracy.supersampling;
             let words = (accuracy.normal, accuracy.catalogue, accuracy.table_side);
             let root = (accuracy.root_form, point.design.rows_per_stage);
-            let form = (point.design.zones.is_some(), samples, words, root);
+            let lanes = point.design.pixels_per_clock;
+            let form = (point.design.zones.is_some(), lanes, samples, words, root);
             forms.entry(form).or_default().push((point.design, index));
         }
     }

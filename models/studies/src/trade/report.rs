@@ -188,7 +188,7 @@ const COLUMNS: &str = "
     g2=design/accuracy/guard_quadratic dropped=design/accuracy/dropped_rows root_form=design/accuracy/root_form
     table_side=design/accuracy/table_side
     supersampling=design/accuracy/supersampling undersampling=design/accuracy/undersampling
-    rows_per_stage=design/rows_per_stage zone=design/zones/side
+    rows_per_stage=design/rows_per_stage pixels_per_clock=design/pixels_per_clock zone=design/zones/side
     processors=design/zones/processors refused
     covered=errors/covered missing=errors/missing extra=errors/extra
     wrong_object=errors/wrong_object wrong_face=errors/wrong_face cracks=errors/cracks

@@ -23,7 +23,8 @@ pub fn beam(at: &str, zone: Zone, load: Load, machine: &Beam) -> (Bits, Candidat
     let inputs = (zone, ("load", load));
     module("beam", at, inputs, |(zone, load)| {
         let raster = raster_control("raster", zone);
-        let (valid, nearest) = machine.nearest(raster.scan, |slot| load.of(slot), ID, None);
+        let nearest = machine.nearest(raster.scan, |slot| load.of(slot), ID, None);
+        let (valid, nearest) = nearest.alone();
         let valid = ("valid", valid, "this clock carries a pixel");
         (valid, ("", nearest, NEAREST))
     })

@@ -3,12 +3,12 @@
 use super::layer::{Look, shaded_layer};
 use super::pixel_count::pixel_count;
 use super::{
-    Lit, MATERIAL, NORMAL, Objects, SHADING, Volumes, WordBus, all_sources, object_array,
-    volume_array,
+    Lit, MATERIAL, NORMAL, Objects, SHADING, Surface as SeenSurface, Volumes, WordBus, all_sources,
+    object_array, volume_array,
 };
 use crate::object::Normal;
-use crate::raster::Scan;
-use crate::rows::numbered;
+use crate::raster::{Scan, lane_pixel, lanes_latency};
+use crate::rows::{PerLane, in_lane, numbered};
 use crate::shade::{
     BLEND_LATENCY, Point, Shaded, Shading, ShadingLoad, Surface, transparency_pipeline,
 };
@@ -44,8 +44,26 @@ impl BeamMachine {
     /// after the one before, are not later.
     fn surfaces(&self) -> u32 {
         let layers = (0..).step_by(BLEND_LATENCY as usize).zip(&self.layers);
-        let needed = layers.map(|(late, slot)| self.objects.slot_clocks(slot).saturating_sub(late));
+        let needed = layers.map(|(late, slot)| self.layer_clocks(slot).saturating_sub(late));
         needed.fold(self.decided(), u32::max)
+    }
+
+    /// Clocks from the flags of a pixel to what is seen of a transparent object.
+    pub(super) fn layer_clocks(&self, slot: &FittedSlot) -> u32 {
+        lanes_latency(self.objects.lanes) + self.objects.slot_clocks(slot)
+    }
+
+    /// Fewest clocks of a line: the words of lanes change when the next one begins, and all processors have to have
+    /// begun before.
+    pub fn least_line(&self) -> u32 {
+        if self.objects.lanes == 1 {
+            return 1;
+        }
+        let slots = self.objects.slots.iter().chain(&self.layers);
+        let slots = slots.map(|slot| self.layer_clocks(slot));
+        let volumes = self.volumes.planes.iter();
+        let volumes = volumes.map(|_| self.volumes.flags_offset());
+        slots.chain(volumes).max().expect("a slot")
     }
 
     /// Bits of its load bus: those of the widest word.
@@ -78,8 +96,8 @@ impl BeamMachine {
     }
 }
 
-/// The colour of every pixel: a processor for each object and each volume, the decider, the shadow stage, the material
-/// table, the shading processor, the blends of transparent objects. Latency [`BeamMachine::latency`].
+/// The colour of every pixel of each lane: a processor for each object and each volume, the decider, the shadow stage,
+/// the material table, the shading processor, the blends of transparent objects. Latency [`BeamMachine::latency`].
 ///
 /// The id of an object is its slot. The words of an object stay until they are written again; a volume takes part if
 /// its control word was written between the last two `take`.
@@ -88,7 +106,7 @@ pub fn beam_core(
     scan: Scan,
     (take, load): (Bits, WordBus),
     machine: &BeamMachine,
-) -> Shaded {
+) -> PerLane<Shaded> {
     let inputs = (scan, ("load", load), ("take", take));
     module("beam_core", at, inputs, |(scan, load, take)| {
         let words = ShadingLoad {
@@ -97,12 +115,13 @@ pub fn beam_core(
             data: load.data.low(SHADING),
         };
         let start = scan.delayed(machine.surfaces() - machine.decided());
-        let (depth, seen) = shaded_surface(start, (take, load, words), machine);
+        let seen = shaded_surface(start, (take, load, words), machine);
         if machine.layers.is_empty() {
-            return seen;
+            return seen.map(|(_, seen)| seen);
         }
-        let depth = depth.delayed_as("shaded_depth", machine.shading.latency());
-        blended(scan, (load, words), (depth, seen), machine)
+        let late = |depth: Int| depth.delayed_as("shaded_depth", machine.shading.latency());
+        let seen = seen.map(|(depth, seen)| (late(depth), seen));
+        blended(scan, (load, words), seen, machine)
     })
 }
 
@@ -110,9 +129,9 @@ pub fn beam_core(
 fn blended(
     scan: Scan,
     (load, words): (WordBus, ShadingLoad),
-    (depth, seen): (Int, Shaded),
+    seen: PerLane<(Int, Shaded)>,
     machine: &BeamMachine,
-) -> Shaded {
+) -> PerLane<Shaded> {
     let first = machine.objects.slots.len() as u64;
     let objects = load.objects();
     let slots = numbered("layers", &machine.layers).enumerate();
@@ -122,71 +141,92 @@ fn blended(
             write: load.material & load.address.low(SLOT).is(own),
             data: load.data.low(MATERIAL + LEVEL),
         };
-        let clocks = machine.objects.slot_clocks(slot);
+        let clocks = machine.layer_clocks(slot);
         let scan = scan.delayed(machine.surfaces() + BLEND_LATENCY * index as u32 - clocks);
         shaded_layer(&at, scan, (objects.of(own), look, words), slot, machine)
     });
     let layers: Vec<_> = layers.collect();
     let wait = BLEND_LATENCY * layers.len() as u32;
-    let surface = Surface {
-        depth,
-        red: seen.red,
-        green: seen.green,
-        blue: seen.blue,
-    };
-    let blended = transparency_pipeline("blends", surface, layers);
-    Shaded {
-        out_valid: seen.out_valid.delayed_as("valid_late", wait),
-        red: blended.red,
-        green: blended.green,
-        blue: blended.blue,
-    }
+    let lanes = machine.objects.lanes;
+    PerLane::of(lanes, |lane| {
+        let (depth, seen) = &seen.0[lane as usize];
+        let surface = Surface {
+            depth: *depth,
+            red: seen.red,
+            green: seen.green,
+            blue: seen.blue,
+        };
+        let layers = layers.iter().map(|layer| layer.0[lane as usize].clone());
+        let blended =
+            transparency_pipeline(&in_lane("blends", lane, lanes), surface, layers.collect());
+        Shaded {
+            out_valid: seen.out_valid.delayed_as("valid_late", wait),
+            red: blended.red,
+            green: blended.green,
+            blue: blended.blue,
+        }
+    })
 }
 
-/// The depth of the surface that is seen, and behind it its colour.
+/// In each lane the depth of the surface that is seen, and behind it its colour.
 fn shaded_surface(
     scan: Scan,
     (take, load, shading): (Bits, WordBus, ShadingLoad),
     machine: &BeamMachine,
-) -> (Int, Shaded) {
+) -> PerLane<(Int, Shaded)> {
     let words = (take, load.objects());
     let start = machine.nearest() - machine.objects.clocks();
-    let (valid, seen) = object_array(
+    let seen = object_array(
         "objects",
         scan.delayed(start),
         words,
         &machine.objects,
         false,
     );
+    let flags = flags(scan, take, load, &seen, machine);
     let own_material = load.data.low(MATERIAL);
     let write = (load.material, load.address.low(SLOT), own_material);
-    let material = memory("materials", 1 << SLOT, write, seen.id.low(SLOT));
     let wait = machine.decided() - machine.nearest();
-    let valid = valid.delayed_as("valid_late", wait);
-    let depth = seen.depth.delayed_as("depth_late", wait);
-    let material = material.delayed_as("material_late", wait - 1);
+    let pixel = pixel_count("pixel_count", scan, machine.decided());
+    let lanes = machine.objects.lanes;
+    PerLane::of(lanes, |lane| {
+        let (valid, seen) = seen.0[lane as usize];
+        let at = |part: &str| in_lane(part, lane, lanes);
+        let material = memory(&at("materials"), 1 << SLOT, write, seen.id.low(SLOT));
+        let depth = seen.depth.delayed_as("depth_late", wait);
+        let point = Point {
+            valid: valid.delayed_as("valid_late", wait),
+            pixel: lane_pixel(pixel, lane, lanes),
+            depth,
+            material: material.delayed_as("material_late", wait - 1),
+            normal: shaded_normal(seen.normal).delayed(wait),
+            flags: flags[lane as usize],
+        };
+        (depth, machine.shading.shade(&at("shading"), point, shading))
+    })
+}
+
+/// The flags of the sources that reach what is seen in each lane.
+fn flags(
+    scan: Scan,
+    take: Bits,
+    load: WordBus,
+    seen: &PerLane<(Bits, SeenSurface)>,
+    machine: &BeamMachine,
+) -> Vec<Bits> {
     let has_shadows = machine.shading.asks_sources() && !machine.volumes.planes.is_empty();
-    let flags = match has_shadows {
-        false => all_sources(),
-        true => {
-            let start = machine.volume_start();
-            let lit = Lit {
-                depth: seen.depth,
-                flags_in: all_sources(),
-            };
-            let words = (take, load.volumes());
-            volume_array("volumes", scan.delayed(start), lit, words, &machine.volumes).1
-        }
-    };
-    let point = Point {
-        valid,
-        pixel: pixel_count("pixel_count", scan, machine.decided()),
-        depth,
-        material,
-        normal: shaded_normal(seen.normal).delayed(wait),
-        flags,
-    };
-    (depth, machine.shading.shade("shading", point, shading))
+    if !has_shadows {
+        return seen.0.iter().map(|_| all_sources()).collect();
+    }
+    let lit = seen.0.iter().map(|(_, seen)| Lit {
+        depth: seen.depth,
+        flags_in: all_sources(),
+    });
+    let words = (take, load.volumes());
+    let scan = scan.delayed(machine.volume_start());
+    let lit = PerLane(lit.collect());
+    let lit = volume_array("volumes", scan, lit, words, &machine.volumes);
+    lit.0.into_iter().map(|(_, flags)| flags).collect()
 }
 
 /// A normal in at most the words of the shading processor, to which its length means nothing.

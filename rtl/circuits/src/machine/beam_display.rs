@@ -39,7 +39,7 @@ pub fn beam_display(
             line: wanted.line,
         };
         let (pixel, words) = (wanted.pixel, (loaded.take, loaded.load));
-        let shaded = beam_core("core", Scan { flags, pixel }, words, machine);
+        let shaded = beam_core("core", Scan { flags, pixel }, words, machine).alone();
         for (forward, level) in colour.parts().into_iter().zip(shaded.colour().parts()) {
             forward.drive(level);
         }

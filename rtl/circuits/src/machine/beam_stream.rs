@@ -1,27 +1,31 @@
 //! Beam machine that streams its picture.
 
 use super::{BeamMachine, Beat, beam_core, frame_loader};
-use crate::video::{LEVEL, Queue, frame_scan, pixel_fifo};
-use imogene_hdl::{Bits, Value, bundle, join, module};
+use crate::rows::PerLane;
+use crate::video::{LEVEL, Queue, Queued, frame_scan, pixel_fifo};
+use imogene_hdl::{Bits, Value, bundles, join, module};
 
 /// Address bits of the queue of pixels at least.
 const QUEUE: u32 = 8;
+/// Bits of a colour.
+const COLOUR: u32 = 3 * LEVEL;
 
-bundle! {
+bundles! {
     /// What a machine that streams says.
-    Streamed() {
-        s_tready: Bits(1), "the word is taken";
-        m_tvalid: Bits(1), "a pixel is there";
-        m_tdata: Bits(3 * LEVEL), "its colour: red in 23..16, green in 15..8, blue in 7..0";
-        m_tuser: Bits(1), "it is the first of a frame";
-        m_tlast: Bits(1), "it is the last of a line";
-        swapped: Bits(1), "the words of a new frame are at work";
-        refused: Bits(1), "a frame had more words than the loader keeps";
+    Streamed {
+        s_tready: Bits as "s_tready", "the word is taken";
+        m_tvalid: Bits as "m_tvalid", "a pixel is there";
+        m_tdata: PerLane<Bits> as "m_tdata", "its colour: red in 23..16, green in 15..8, blue in 7..0";
+        m_tuser: Bits as "m_tuser", "it is the first of a frame";
+        m_tlast: Bits as "m_tlast", "it is the last of a line";
+        swapped: Bits as "swapped", "the words of a new frame are at work";
+        refused: Bits as "refused", "a frame had more words than the loader keeps";
     }
 }
 
 /// Draws frame after frame of `width` by `height` pixels over AXI4-Stream, as fast as the receiver takes them: the
-/// objects of a beam machine, without a screen's timing. `last` comes with the last word of a frame.
+/// objects of a beam machine, without a screen's timing. `last` comes with the last word of a frame. Several pixels at
+/// once are neighbours, pixel 0 the leftmost; they divide the width.
 ///
 /// Between two frames the pipeline runs empty, and the words of a new frame are copied if its last one has come.
 /// `docs/machines.md`.
@@ -36,27 +40,48 @@ pub fn beam_stream(
     module("beam_stream", at, inputs, |(beat, last, ready)| {
         let latency = machine.latency();
         let [room, is_busy] = [(); 2].map(|()| Bits::forward(1));
-        let frames = frame_scan("scan", (room, is_busy), size, u64::from(latency) + 2);
+        let lanes = machine.objects.lanes;
+        let groups = (size.0 / u64::from(lanes), size.1);
+        let frames = frame_scan("scan", (room, is_busy), groups, u64::from(latency) + 2);
         let loaded = frame_loader("loader", beat, last, frames.retrace, machine.loader_places);
         is_busy.drive(loaded.is_busy);
         let words = (loaded.take, loaded.load);
         let shaded = beam_core("core", frames.scan, words, machine);
         let is_first = frames.scan.flags.start.delayed_as("start_late", latency);
-        let queue = Queue {
-            started: frames.issue,
-            push: shaded.out_valid,
-            data: join([is_first, shaded.red, shaded.green, shaded.blue]),
-            last: frames.line_ends.delayed_as("line_ends_late", latency),
-            m_tready: ready,
-        };
-        // The queue is long enough for a pixel on every clock.
+        let line_ends = frames.line_ends.delayed_as("line_ends_late", latency);
+        // The queues are long enough for a pixel on every clock.
         let places = (latency + 6).next_power_of_two().ilog2().max(QUEUE);
-        let queued = pixel_fifo("queue", queue, places, latency + 1);
+        let colours = shaded.0.iter().map(|shaded| shaded.colour().packed());
+        let colours: Vec<Bits> = colours.collect();
+        // Queues of two pixels each, all at the same place.
+        let pairs = colours.chunks(2).enumerate().map(|(index, pair)| {
+            let queue = Queue {
+                started: frames.issue,
+                push: shaded.0[0].out_valid,
+                data: pair
+                    .iter()
+                    .rev()
+                    .fold(is_first, |word, colour| join([word, *colour])),
+                last: line_ends,
+                m_tready: ready,
+            };
+            let at = match index {
+                0 => "queue".to_owned(),
+                _ => format!("queue_{index}"),
+            };
+            pixel_fifo(&at, queue, places, latency + 1)
+        });
+        let queues: Vec<Queued> = pairs.collect();
+        let queued = queues[0];
+        let pixel = |lane: u32| {
+            let (word, low) = (queues[lane as usize / 2].m_tdata, COLOUR * (lane % 2));
+            word.slice(low + COLOUR - 1, low)
+        };
         room.drive(queued.room);
         Streamed {
             s_tready: loaded.s_tready,
             m_tvalid: queued.m_tvalid,
-            m_tdata: queued.m_tdata.low(3 * LEVEL),
+            m_tdata: PerLane((0..lanes).map(pixel).collect()),
             m_tuser: queued.m_tdata.top(),
             m_tlast: queued.m_tlast,
             swapped: loaded.take,

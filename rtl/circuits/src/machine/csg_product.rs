@@ -2,7 +2,7 @@
 
 use super::Candidate;
 use super::decider::NEAREST;
-use crate::object::absent;
+use crate::object::{Visible, absent};
 use crate::rows::numbered;
 use crate::tree::{levels, tree};
 use imogene_contract::object::ProductSlots;
@@ -28,7 +28,11 @@ pub(super) fn product_clocks(product: &ProductSlots) -> Vec<u32> {
 }
 
 /// What is seen of products, whose objects are those given, product by product.
-pub(super) fn products(mut objects: &[Extent], products: &[ProductSlots]) -> Vec<Candidate> {
+pub(super) fn products(
+    at: &str,
+    mut objects: &[Extent],
+    products: &[ProductSlots],
+) -> Vec<Candidate> {
     let one = |(at, product): (String, &ProductSlots)| {
         let (own, others) = objects.split_at(product.count());
         let (kept, taken_away) = own.split_at(product.intersected);
@@ -36,10 +40,22 @@ pub(super) fn products(mut objects: &[Extent], products: &[ProductSlots]) -> Vec
         objects = others;
         csg_product(&at, kept.to_vec(), taken_away)
     };
-    numbered("products", products).map(one).collect()
+    numbered(at, products).map(one).collect()
 }
 
 impl Extent {
+    /// What the processor of an object sees.
+    pub(super) fn of(seen: Visible, id: Bits) -> Extent {
+        let face = Candidate {
+            depth: seen.front.zf,
+            id,
+            number: seen.number,
+            normal: seen.normal,
+        };
+        let end = seen.front.zb;
+        Extent { face, end }
+    }
+
     /// An object that is loaded as it is seen from behind, its depths complemented: the back is in front. What reaches
     /// the far end has its cap there.
     fn reversed(&self) -> Extent {

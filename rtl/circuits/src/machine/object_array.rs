@@ -1,10 +1,11 @@
 //! Object processors side by side, with their words and the decider.
 
-use super::slot::{Place, bus, processor, slot_clocks};
+use super::slot::{Lanes, Place, bus, processor, slot_clocks};
 use super::{Candidate, Extent, LoadBus, decided, decider_clocks, lag, product_clocks, products};
 use crate::arith::Network;
 use crate::object::{Normal, Widths};
-use crate::raster::Scan;
+use crate::raster::{Scan, lane_scans, lanes_latency};
+use crate::rows::{PerLane, in_lane};
 use imogene_contract::object::ProductSlots;
 use imogene_contract::slots::FittedSlot;
 use imogene_contract::{DeciderForm, MachineWords};
@@ -58,20 +59,16 @@ pub struct Objects {
     pub products: Vec<ProductSlots>,
     /// How the nearest is chosen.
     pub decider: DeciderForm,
+    /// Pixels of a line that are drawn at once, a power of two.
+    pub lanes: u32,
 }
 
 impl Objects {
     /// Clocks from the flags of a pixel to what is seen: those of the longest processor and the decider.
     pub fn clocks(&self) -> u32 {
-        let first = self
-            .starts()
-            .into_iter()
-            .zip(self.waits())
-            .zip(&self.slots)
-            .next();
-        let ((start, (lag, after)), slot) = first.expect("a slot");
-        let seen = start + self.slot_clocks(slot) + after;
-        seen - lag as u32 + decider_clocks(self.decider, self.choices())
+        let (start, (lag, after)) = (self.starts()[0], self.waits()[0]);
+        let seen = start + self.slot_clocks(&self.slots[0]) + after - lag as u32;
+        lanes_latency(self.lanes) + seen + decider_clocks(self.decider, self.choices())
     }
 
     /// The longest words of an object.
@@ -113,9 +110,8 @@ impl Objects {
         let alone = (0..self.alone()).map(|choice| (lag(choice), 0));
         let products = (self.alone()..).zip(&self.products);
         let members = products.flat_map(|(choice, product)| {
-            product_clocks(product)
-                .into_iter()
-                .map(move |after| (lag(choice), after))
+            let after = product_clocks(product).into_iter();
+            after.map(move |after| (lag(choice), after))
         });
         alone.chain(members).collect()
     }
@@ -128,34 +124,29 @@ impl Objects {
             slots.map(|(slot, (lag, after))| lag - i64::from(self.slot_clocks(slot) + after));
         let waits: Vec<i64> = waits.collect();
         let least = waits.iter().copied().min().unwrap_or(0);
-        waits
-            .into_iter()
-            .map(|wait| (wait - least) as u32)
-            .collect()
+        waits.iter().map(|wait| (wait - least) as u32).collect()
     }
 
-    /// The nearest of the objects at every pixel, each loaded by its bus, with ids of so many bits. Where words are
-    /// held, `take` says when they and the loaded ids are taken over; else the id of an object is its place.
+    /// The nearest of the objects at every pixel of each lane, each loaded by its bus, with ids of so many bits. Where
+    /// words are held, `take` says when they and the loaded ids are taken over; else the id of an object is its place.
     pub(super) fn nearest(
         &self,
         scan: Scan,
         buses: impl Fn(u64) -> LoadBus,
         id_bits: u32,
         take: Option<Bits>,
-    ) -> (Bits, Candidate) {
-        let starts = self.starts();
+    ) -> PerLane<(Bits, Candidate)> {
+        let (starts, wait) = (self.starts(), lanes_latency(self.lanes));
         let mut late = vec![scan];
-        for _ in 0..starts.iter().copied().max().unwrap_or(0) {
+        for _ in 0..wait + starts.iter().copied().max().unwrap_or(0) {
             late.push(late[late.len() - 1].delayed(1));
         }
-        let place = |index: usize| {
-            let name = |of| format!("{of}_{index}");
-            Place {
-                at: name("processors"),
-                store: name("stores"),
-                bus: buses(index as u64),
-                hold: take.map(|take| (name("holds"), take)),
-            }
+        let name = |of: &str, index: usize| format!("{of}_{index}");
+        let place = |index: usize| Place {
+            at: name("processors", index),
+            store: name("stores", index),
+            bus: buses(index as u64),
+            hold: take.map(|take| (name("holds", index), take)),
         };
         // All stores, then all processors: equal modules stand one after the other.
         let slots = self.slots.iter().enumerate().map(|(index, slot)| {
@@ -166,37 +157,40 @@ impl Objects {
         let slots: Vec<_> = slots.collect();
         let slots = slots.into_iter().zip(&starts).enumerate();
         let seen = slots.map(|(index, ((slot, place, stored, words), start))| {
-            let scan = late[*start as usize];
-            let (seen, held) = processor(slot, (&place, stored), scan, words);
-            let id = held.unwrap_or(Bits::new(index as u64, id_bits));
-            let face = Candidate {
-                depth: seen.front.zf,
-                id,
-                number: seen.number,
-                normal: seen.normal,
+            let lanes = Lanes {
+                raster: late[*start as usize],
+                scans: &lane_scans(late[(*start + wait) as usize], self.lanes),
             };
-            let end = seen.front.zb;
-            (seen.front.out_valid, Extent { face, end })
+            let (seen, held) = processor(slot, (&place, stored), &lanes, words);
+            let id = held.unwrap_or(Bits::new(index as u64, id_bits));
+            let seen = seen.into_iter();
+            seen.map(|seen| (seen.front.out_valid, Extent::of(seen, id)))
+                .collect()
         });
-        let (valid, extents): (Vec<Bits>, Vec<Extent>) = seen.unzip();
-        let wait = self.clocks() - starts[0] - self.slot_clocks(&self.slots[0]);
-        let valid = valid[0].delayed_as("valid_late", wait);
-        (
-            valid,
-            decided("decider", self.candidates(extents), self.decider),
-        )
+        let seen: Vec<Vec<(Bits, Extent)>> = seen.collect();
+        let before = wait + starts[0] + self.slot_clocks(&self.slots[0]);
+        PerLane::of(self.lanes, |lane| {
+            let seen = seen.iter().map(|slot| slot[lane as usize]);
+            let (valid, extents): (Vec<Bits>, Vec<Extent>) = seen.unzip();
+            let valid = valid[0].delayed_as("valid_late", self.clocks() - before);
+            let at = in_lane("decider", lane, self.lanes);
+            let candidates = self.candidates(extents, lane);
+            (valid, decided(&at, candidates, self.decider))
+        })
     }
 
     /// What is seen of the objects that are in no solid, and of the products.
-    fn candidates(&self, extents: Vec<Extent>) -> Vec<Candidate> {
+    fn candidates(&self, extents: Vec<Extent>, lane: u32) -> Vec<Candidate> {
         let (alone, members) = extents.split_at(self.alone());
         let alone = alone.iter().map(|extent| extent.face);
-        alone.chain(products(members, &self.products)).collect()
+        let at = in_lane("products", lane, self.lanes);
+        let products = products(&at, members, &self.products);
+        alone.chain(products).collect()
     }
 }
 
-/// What is seen of the objects at every pixel, and whether there is a pixel: of surfaces at equal depths that of the
-/// smaller id. Latency [`Objects::clocks`].
+/// What is seen of the objects at every pixel of each lane, and whether there is a pixel: of surfaces at equal depths
+/// that of the smaller id. Latency [`Objects::clocks`].
 ///
 /// If the words are held (a machine that shares its processors in time), `take` comes before the first flags of a
 /// pass, the next words may be loaded once all processors have started, and an object that was not loaded since the
@@ -208,15 +202,17 @@ pub fn object_array(
     (take, load): (Bits, Load),
     objects: &Objects,
     is_held: bool,
-) -> (Bits, Surface) {
+) -> PerLane<(Bits, Surface)> {
     let inputs = (scan, ("take", take), ("load", load));
     module("object_array", at, inputs, |(scan, take, load)| {
         // The bus reaches every slot through a register of its own.
         let buses = |slot| load.of(slot).registered();
-        let (valid, nearest) = objects.nearest(scan, buses, ID, is_held.then_some(take));
-        let Candidate {
-            depth, id, normal, ..
-        } = nearest;
-        (("out_valid", valid), Surface { depth, id, normal })
+        let nearest = objects.nearest(scan, buses, ID, is_held.then_some(take));
+        nearest.map(|(valid, nearest)| {
+            let Candidate {
+                depth, id, normal, ..
+            } = nearest;
+            (("out_valid", valid), Surface { depth, id, normal })
+        })
     })
 }

@@ -9,7 +9,8 @@ use crate::object::{
     patch_processor, polyhedron_processor, quadric_processor, quotient_processor,
     quotient_processor_clocks, sphere_processor,
 };
-use crate::raster::{Linear, Quadratic, Scan};
+use crate::raster::{Laned, Linear, Quadratic, Scan};
+use crate::rows::numbered;
 use crate::tree::levels;
 use imogene_contract::object::Kind;
 use imogene_contract::slots::FittedSlot;
@@ -228,28 +229,64 @@ fn facet_words<P: Plain + Copy>(
     }
 }
 
-/// A processor of any kind, where it is not of quadrics with the store of its words; and the id of the object where
-/// these are held.
+/// The raster of a slot and those of its lanes, all with the same words.
+pub(super) struct Lanes<'a> {
+    /// Of the words that change from line to line.
+    pub raster: Scan,
+    /// Of each lane.
+    pub scans: &'a [Scan],
+}
+
+impl Lanes<'_> {
+    /// The processor of each lane: its name, its raster and its words; one alone takes them as they are.
+    pub(super) fn of<W: Laned>(&self, at: &str, words: W) -> Vec<(String, Scan, W)> {
+        if let [scan] = self.scans {
+            return vec![(at.to_owned(), *scan, words)];
+        }
+        let words = words.laned(at, self.raster.flags, self.scans.len() as u32);
+        let lanes = numbered(&format!("{at}_lane"), self.scans.iter().zip(words));
+        lanes
+            .map(|(at, (scan, words))| (at, *scan, words))
+            .collect()
+    }
+
+    /// What processors in each lane see.
+    fn each<W: Laned>(
+        &self,
+        at: &str,
+        words: W,
+        processor: impl Fn(&str, Scan, W) -> Visible,
+    ) -> Vec<Visible> {
+        let lanes = self.of(at, words).into_iter();
+        lanes
+            .map(|(at, scan, words)| processor(&at, scan, words))
+            .collect()
+    }
+}
+
+/// A processor of any kind in each lane, where it is not of quadrics with the store of its words; and the id of the
+/// object where these are held.
 pub(super) fn processor(
     slot: &FittedSlot,
     (place, stored): (&Place, Option<Stored>),
-    scan: Scan,
+    lanes: &Lanes,
     (widths, root): (Widths, Network),
-) -> (Visible, Option<Bits>) {
+) -> (Vec<Visible>, Option<Bits>) {
     if let Some((words, id)) = stored {
-        return (quadric_processor(&place.at, scan, words, root), id);
+        let each = |at: &str, scan, words| quadric_processor(at, scan, words, root);
+        return (lanes.each(&place.at, words, each), id);
     }
     let id = place.id();
-    (other_processor(slot, place, scan, (widths, root)), id)
+    (other_processor(slot, place, lanes, (widths, root)), id)
 }
 
-/// A processor of another kind than of quadrics, with the store of its words.
+/// A processor of another kind than of quadrics in each lane, with the store of its words.
 fn other_processor(
     slot: &FittedSlot,
     place: &Place,
-    scan: Scan,
+    lanes: &Lanes,
     (widths, root): (Widths, Network),
-) -> Visible {
+) -> Vec<Visible> {
     let at = &place.at;
     let (kind, planes) = (slot.kind, slot.planes as usize);
     // Guard bits are those of f1 and f2 alone.
@@ -261,7 +298,9 @@ fn other_processor(
                 quadric: words.quadric(widths),
                 planes: words.many(planes, |words| words.half_space(linear)),
             });
-            patch_processor(at, scan, words, root)
+            lanes.each(at, words, |at, scan, words| {
+                patch_processor(at, scan, words, root)
+            })
         }
         Kind::FirstGeneration => {
             let pair = |words: &mut Words| [words.linear(linear), words.linear(linear)].to_vec();
@@ -273,19 +312,23 @@ fn other_processor(
                 polars: pair(words),
                 normals: words.many(1, |words| words.normal(widths.normal)),
             });
-            first_generation_processor(at, scan, words, root)
+            lanes.each(at, words, |at, scan, words| {
+                first_generation_processor(at, scan, words, root)
+            })
         }
         Kind::Polyhedron => {
             let words = place.words(kind, |words| Polyhedron {
                 screen_box: words.screen_box(),
                 planes: words.planes(planes, widths),
             });
-            let seen = polyhedron_processor(at, scan, words, root.depth);
-            Visible {
-                front: seen.front,
-                number: seen.number,
-                normal: seen.normal,
-            }
+            lanes.each(at, words, |at, scan, words| {
+                let seen = polyhedron_processor(at, scan, words, root.depth);
+                Visible {
+                    front: seen.front,
+                    number: seen.number,
+                    normal: seen.normal,
+                }
+            })
         }
         Kind::Quotient => {
             let words = place.words(kind, |words| Quotient {
@@ -298,18 +341,24 @@ fn other_processor(
                 normal_from: words.number(widths.depth),
                 planes: words.planes(planes, widths),
             });
-            quotient_processor(at, scan, words, root)
+            lanes.each(at, words, |at, scan, words| {
+                quotient_processor(at, scan, words, root)
+            })
         }
         Kind::Facet => {
             let side = |words: &mut Words| words.linear(linear);
             let part = |words: &mut Words| words.linear(widths.gradient);
             let facet = facet_words((kind, planes), place, side, part);
-            facet_processor(at, scan, facet, root.depth)
+            lanes.each(at, facet, |at, scan, facet| {
+                facet_processor(at, scan, facet, root.depth)
+            })
         }
         Kind::CurvedFacet => {
             let word = |words: &mut Words| words.quadratic(quadratic);
             let facet = facet_words((kind, planes), place, word, word);
-            curved_facet_processor(at, scan, facet, root.depth)
+            lanes.each(at, facet, |at, scan, facet| {
+                curved_facet_processor(at, scan, facet, root.depth)
+            })
         }
         Kind::Sphere => {
             let sum = words::depth_sum(root.depth);
@@ -322,7 +371,7 @@ fn other_processor(
                 ny: words.linear(widths.gradient),
                 nz: words.quadratic(quadratic),
             });
-            sphere_processor(at, scan, words)
+            lanes.each(at, words, sphere_processor)
         }
         Kind::Cylinder => {
             let words = place.words(kind, |words| Cylinder {
@@ -336,7 +385,9 @@ fn other_processor(
                 lid: words.linear(linear),
                 lid_normal: words.normal(widths.normal),
             });
-            cylinder_processor(at, scan, words, root.depth)
+            lanes.each(at, words, |at, scan, words| {
+                cylinder_processor(at, scan, words, root.depth)
+            })
         }
     }
 }

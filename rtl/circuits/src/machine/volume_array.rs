@@ -1,9 +1,11 @@
 //! Shadow and light volumes side by side, with their words and the shadow stage.
 
+use super::slot::Lanes;
 use super::{LoadBus, Volume, shadow_clocks, shadow_stage, volume_store};
 use crate::arith::Network;
 use crate::object::{VolumePoint, Widths, quadric_volume};
-use crate::raster::Scan;
+use crate::raster::{Scan, lane_scans, lanes_latency};
+use crate::rows::{PerLane, in_lane};
 use imogene_hdl::{Bits, Bundle, Value, bundle, module};
 
 bundle! {
@@ -31,6 +33,8 @@ pub struct Volumes {
     pub root: Network,
     /// Planes of each.
     pub planes: Vec<u64>,
+    /// Pixels of a line that are drawn at once, a power of two.
+    pub lanes: u32,
 }
 
 impl Volumes {
@@ -41,17 +45,17 @@ impl Volumes {
 
     /// Clocks from the flags of the raster to the visible depth.
     pub fn depth_offset(&self) -> u32 {
-        self.root.latency()
+        lanes_latency(self.lanes) + self.root.latency()
     }
 
     /// Clocks from the flags of the raster to those of the sources before these volumes.
     pub fn flags_offset(&self) -> u32 {
-        self.root.latency() + 5
+        self.depth_offset() + 5
     }
 }
 
-/// Takes away the flags of the sources that do not reach the visible point, of at least one volume; and whether there
-/// is a pixel.
+/// Takes away the flags of the sources that do not reach the visible point of each lane, of at least one volume; and
+/// whether there is a pixel.
 ///
 /// The visible depth comes [`Volumes::depth_offset`] clocks after the flags of its pixel, the flags of the sources
 /// [`Volumes::flags_offset`]; `take` before the first flags of a pass: the words loaded become those of the volumes.
@@ -59,12 +63,17 @@ impl Volumes {
 pub fn volume_array(
     at: &str,
     scan: Scan,
-    lit: Lit,
+    lit: PerLane<Lit>,
     (take, load): (Bits, VolumeLoad),
     volumes: &Volumes,
-) -> (Bits, Bits) {
+) -> PerLane<(Bits, Bits)> {
     let inputs = (scan, lit, ("take", take), ("load", load));
     module("volume_array", at, inputs, |(scan, lit, take, load)| {
+        let scans = lane_scans(scan.delayed(lanes_latency(volumes.lanes)), volumes.lanes);
+        let lanes = Lanes {
+            raster: scan,
+            scans: &scans,
+        };
         let volume = |(index, planes): (usize, &u64)| {
             let bus = LoadBus {
                 write: load.valid & load.volume.is(index as u64),
@@ -74,24 +83,33 @@ pub fn volume_array(
             let bus = bus.registered();
             let words = (volumes.root.depth, volumes.widths);
             let stored = volume_store(&format!("stores_{index}"), take, bus, words, *planes);
-            let point = VolumePoint {
-                depth: lit.depth,
-                margin: stored.margin,
-            };
-            let at = format!("volumes_{index}");
-            let answer = quadric_volume(&at, scan, point, stored.words, volumes.root);
-            let volume = Volume {
-                inside: answer.is_inside,
-                kind: stored.is_light,
-                source: stored.source,
-                enabled: stored.is_present,
-            };
-            (answer.out_valid, volume)
+            let processors = lanes.of(&format!("volumes_{index}"), stored.words);
+            let answers = processors.into_iter().zip(&lit.0);
+            let answers = answers.map(|((at, scan, words), lit)| {
+                let point = VolumePoint {
+                    depth: lit.depth,
+                    margin: stored.margin,
+                };
+                let answer = quadric_volume(&at, scan, point, words, volumes.root);
+                let volume = Volume {
+                    inside: answer.is_inside,
+                    kind: stored.is_light,
+                    source: stored.source,
+                    enabled: stored.is_present,
+                };
+                (answer.out_valid, volume)
+            });
+            answers.collect()
         };
         let answers = volumes.planes.iter().enumerate().map(volume);
-        let (valid, asked): (Vec<Bits>, Vec<Volume>) = answers.unzip();
-        let valid = valid[0].delayed_as("valid_late", shadow_clocks(asked.len()));
-        let flags = shadow_stage("stage", lit.flags_in, asked);
-        (("out_valid", valid), ("source_flags", flags))
+        let answers: Vec<Vec<(Bits, Volume)>> = answers.collect();
+        PerLane::of(volumes.lanes, |lane| {
+            let answers = answers.iter().map(|volume| volume[lane as usize]);
+            let (valid, asked): (Vec<Bits>, Vec<Volume>) = answers.unzip();
+            let valid = valid[0].delayed_as("valid_late", shadow_clocks(asked.len()));
+            let at = in_lane("stage", lane, volumes.lanes);
+            let flags = shadow_stage(&at, lit.0[lane as usize].flags_in, asked);
+            (("out_valid", valid), ("source_flags", flags))
+        })
     })
 }

@@ -7,6 +7,7 @@ use super::{
 };
 use crate::object::absent;
 use crate::raster::Pixel;
+use crate::rows::PerLane;
 use imogene_hdl::{Bits, Int, Value, bundle, bundles, module};
 
 /// Clocks of a showing pass besides its pixels.
@@ -105,7 +106,7 @@ pub fn zone_core(at: &str, beat: Beat, room: Bits, machine: &ZoneCore, drain: u3
         let show = show_control("show", pass.show_go, room, window);
         let (objects, clocks) = (&machine.objects, machine.objects.clocks());
         let words = (pass.take_objects, load.objects());
-        let drawn = object_array("objects", draw.scan, words, objects, true);
+        let drawn = object_array("objects", draw.scan, words, objects, true).alone();
         // What the volumes are told comes from the buffer, which takes what they answer.
         let depth = Int::forward(objects.words.depth);
         let flags = Bits::forward(SOURCES);
@@ -182,10 +183,11 @@ fn lighting(
         lit: volume_array(
             "volumes",
             light.scan,
-            known,
+            PerLane(vec![known]),
             (take, load.volumes()),
             volumes,
-        ),
+        )
+        .alone(),
         ends: light.last.delayed_as("light_end", volumes.clocks()),
     }
 }

@@ -10,6 +10,7 @@ mod first_generation_processor;
 mod half_space;
 mod half_spaces;
 mod interval;
+mod lanes;
 mod normal;
 mod normal_unit;
 mod patch_decider;

@@ -1,11 +1,14 @@
 //! What runs along the lines of a zone: flags, and the elementary processors that add up polynomials.
 
+mod lanes;
 mod memory_pe2;
 mod pe1;
 mod pe2;
 mod programmable_pe;
 mod steps;
 
+pub(crate) use lanes::laned;
+pub use lanes::{LANES_LATENCY, Laned, lane_pixel, lane_scans, lanes_latency};
 pub use memory_pe2::{Commands, LoadWord, Stepped, memory_pe2};
 pub use pe1::pe1;
 pub use pe2::pe2;

@@ -34,6 +34,7 @@ fn machine() -> BeamMachine {
         objects: Objects {
             products: vec![],
             decider: DeciderForm::Chain,
+            lanes: 1,
             words,
             rows_per_stage: 4,
             slots: [0, 2, 3].map(FittedSlot::quadric).to_vec(),
@@ -42,6 +43,7 @@ fn machine() -> BeamMachine {
             widths: Widths::of(&words),
             root: Network::of(&words, 4),
             planes: vec![1, 0],
+            lanes: 1,
         },
         shading: Shading {
             lights: Lights { count: 1, suns: 0 },

@@ -58,7 +58,13 @@ module bench;
     wire [7:0] red, green, blue;
 {%- else %}
     wire m_tvalid, m_tlast;
+{%- if lanes > 1 %}
+    // The pixels of a clock, the leftmost in the low bits.
+    localparam LANES = {{ lanes }};
+    wire [24*LANES-1:0] m_tdata;
+{%- else %}
     wire [23:0] m_tdata;
+{%- endif %}
     wire {% if not beam %}[23:0] {% endif %}m_tuser;
 {%- endif %}
     {{ top }} machine (
@@ -79,7 +85,8 @@ module bench;
 {%- if pins %}
         .hsync(hsync), .vsync(vsync), .de(de), .red(red), .green(green), .blue(blue)
 {%- else %}
-        .m_tvalid(m_tvalid), .m_tready(1'b1), .m_tdata(m_tdata), .m_tuser(m_tuser), .m_tlast(m_tlast)
+        .m_tvalid(m_tvalid), .m_tready(1'b1), {% if lanes > 1 %}{% for lane in range(lanes) %}.m_tdata_{{ lane }}(m_tdata[{{ 24 * lane + 23 }}:{{ 24 * lane }}]), {% endfor %}
+        {% else %}.m_tdata(m_tdata), {% endif %}.m_tuser(m_tuser), .m_tlast(m_tlast)
 {%- endif %}
     );
 
@@ -100,6 +107,9 @@ module bench;
 {% if beam or pins %}
     // A frame that has begun is the old one to its end, also if the words of the next one come to work meanwhile.
     reg fresh = 0, watched = 0;
+{%- if lanes > 1 %}
+    integer lane;
+{%- endif %}
 {%- else %}
     // Pixels come in the order of the zones, each of them once.
     reg [PIXELS-1:0] seen = 0;
@@ -119,12 +129,16 @@ module bench;
 {%- else %}
             if (watched) begin
                 idle = 0;
+{%- if lanes > 1 %}
+                for (lane = 0; lane < LANES; lane = lane + 1) compare(place + lane, m_tdata[24*lane +: 24]);
+{%- else %}
                 compare(place, m_tdata);
+{%- endif %}
             end
             if (m_tuser !== (place == 0)) differs(place, "m_tuser");
-            if (m_tlast !== (place % WIDTH == WIDTH - 1)) differs(place, "m_tlast");
+            if (m_tlast !== (place % WIDTH == WIDTH - {{ lanes }})) differs(place, "m_tlast");
 {%- endif %}
-            place = place + 1;
+            place = place + {% if pins %}1{% else %}{{ lanes }}{% endif %};
             if (place == PIXELS) begin
                 place = 0;
                 if (watched) begin
