@@ -107,10 +107,6 @@ pub(super) fn zone_slots(
     slots: &[FittedSlot],
 ) -> Result<(Vec<FittedSlot>, Option<u32>), DisplayError> {
     let name = |slot: &Slot| prepared.objects[slot.object].name().to_owned();
-    if let Some(layer) = prepared.layers.first() {
-        let (object, why) = (name(layer), AsQuadricError::Transparent);
-        return Err(PlanError::Object { object, why }.into());
-    }
     let alone = prepared.slots_alone().into_iter().map(|slot| {
         let given = |given: &&FittedSlot| given.kind != Kind::Quadric && takes(given, &slot.words);
         let needed = |given| {

@@ -144,7 +144,7 @@ pub struct MachineDescription {
     /// How the nearest object is chosen.
     #[serde(default, skip_serializing_if = "DeciderForm::is_usual")]
     pub decider: DeciderForm,
-    /// Transparent objects of a beam machine: its last slots, behind those of products, are theirs.
+    /// Transparent objects: its last slots, behind those of products, are theirs.
     #[serde(default, skip_serializing_if = "is_default")]
     pub layers: usize,
     /// Volume processors; in a beam machine one for each volume.
@@ -446,8 +446,10 @@ impl MachineDescription {
             width: 1,
             height: 1,
         });
+        let mut slots = self.slots();
         ZoneMachine {
-            slots: self.slots(),
+            layers: slots.split_off(slots.len() - self.layers),
+            slots,
             products: self.products.0.clone(),
             volume_processors: self.volumes,
             volume_planes: self.volume_planes,

@@ -120,10 +120,10 @@ pub fn check_any(
     match kind {
         MachineKind::Beam => {
             beam_slots(prepared, &prepared.slots_alone(), &[])?;
-            beam_slots(prepared, &prepared.layers, &[])?;
         }
         MachineKind::Zone => zone_slots(prepared, &[]).map(|_| ())?,
     }
+    beam_slots(prepared, &prepared.layers, &[])?;
     volumes(prepared, MAX_PLANES).map(|_| ())
 }
 
@@ -211,14 +211,20 @@ fn add_shared(
     prepared: &PreparedScene,
 ) -> Result<Option<usize>, DisplayError> {
     let mut alone = machine.slots();
+    let mut layers = alone.split_off(alone.len() - machine.layers);
     let members = alone.split_off(machine.slots_alone());
+    let needed_layers = layer_slots(prepared, &layers)?.into_iter();
+    let needed_layers = needed_layers.map(|slot| FittedSlot::of(slot.kind, slot.planes));
+    let needed_layers: Vec<FittedSlot> = needed_layers.collect();
     let (needed, of_members) = zone_slots(prepared, &alone)?;
     let most = |slots: &[FittedSlot]| slots.iter().map(|slot| slot.planes).max();
     let planes = most(&needed).max(of_members);
     let of_members = most(&members).max(of_members);
     add_products(&mut machine.products.0, prepared);
     let members = machine.slots_of_products();
-    if machine.slots.is_none() && needed.iter().all(|slot| slot.kind == Kind::Quadric) {
+    let is_plain = layers.is_empty() && needed_layers.is_empty();
+    let are_quadrics = needed.iter().all(|slot| slot.kind == Kind::Quadric);
+    if machine.slots.is_none() && is_plain && are_quadrics {
         let fewest = usize::from(!needed.is_empty());
         machine.objects = alone.len().max(fewest) + members;
         return Ok(planes.map(|planes| planes as usize));
@@ -232,6 +238,12 @@ fn add_shared(
     }
     // Any of these may be given any member.
     alone.extend(vec![FittedSlot::quadric(of_members.unwrap_or(0)); members]);
+    if alone.is_empty() {
+        alone.push(FittedSlot::NONE);
+    }
+    add_each(&mut layers, &needed_layers);
+    machine.layers = layers.len();
+    alone.extend(layers);
     machine.objects = alone.len();
     machine.planes = most(&alone).unwrap_or(0) as usize;
     if alone != machine.slots() {
@@ -262,11 +274,7 @@ fn add_slots(
     machine: &mut MachineDescription,
     prepared: &PreparedScene,
 ) -> Result<Vec<usize>, DisplayError> {
-    let of_slots = |parts: &[Slot], slots: &[FittedSlot]| {
-        let parts = beam_slots(prepared, parts, slots)?.into_iter();
-        Ok::<Vec<FittedSlot>, DisplayError>(parts.map(|(slot, _)| slot).collect())
-    };
-    let needed = of_slots(&prepared.slots_alone(), &machine.slots())?;
+    let needed = of_slots(prepared, &prepared.slots_alone(), &machine.slots())?;
     let is_plain = machine.products.0.is_empty() && machine.layers == 0;
     let is_plain = is_plain && prepared.solids.products.is_empty() && prepared.layers.is_empty();
     let are_quadrics = needed.iter().all(|slot| slot.kind == Kind::Quadric);
@@ -278,7 +286,7 @@ fn add_slots(
     let mut members = slots.split_off(machine.slots_alone());
     add_each(&mut slots, &needed);
     enlarge(&mut machine.products.0, &mut members, prepared);
-    let needed = of_slots(&prepared.layers, &layers)?;
+    let needed = layer_slots(prepared, &layers)?;
     add_each(&mut layers, &needed);
     if slots.len() + members.len() == 0 {
         slots.push(FittedSlot::NONE);
@@ -290,6 +298,23 @@ fn add_slots(
         machine.slots = Some(Slots(slots));
     }
     Ok(planes)
+}
+
+fn of_slots(
+    prepared: &PreparedScene,
+    parts: &[Slot],
+    slots: &[FittedSlot],
+) -> Result<Vec<FittedSlot>, DisplayError> {
+    let parts = beam_slots(prepared, parts, slots)?.into_iter();
+    Ok(parts.map(|(slot, _)| slot).collect())
+}
+
+/// What the slots of transparent objects have to have, beside those that there are.
+fn layer_slots(
+    prepared: &PreparedScene,
+    slots: &[FittedSlot],
+) -> Result<Vec<FittedSlot>, DisplayError> {
+    of_slots(prepared, &prepared.layers, slots)
 }
 
 fn add_each(slots: &mut Vec<FittedSlot>, needed: &[FittedSlot]) {

@@ -7,7 +7,7 @@ use super::display::zone_plan;
 use super::zone::clocks::{ZoneTiming, clocks};
 use super::zone::refine::Refinement;
 use imogene_contract::shading::{FLAT_LATENCY, LATENCY, table_latency};
-use imogene_golden::machine::accumulator;
+use imogene_golden::machine::{accumulator, transparency};
 use imogene_prepare::PreparedScene;
 use imogene_scene::FramedScene;
 
@@ -57,7 +57,8 @@ pub fn clocks_per_frame(
                 (None, _) => LATENCY as u32,
             };
             let shading = u64::from(shading);
-            Ok(clocks(&plan, &timing.zone).total + shading + 2 + means)
+            let blends = u64::from(transparency::latency(machine.layers));
+            Ok(clocks(&plan, &timing.zone).total + shading + 2 + blends + means)
         }
     }
 }

@@ -6,6 +6,7 @@ use imogene_contract::slots::FittedSlot;
 use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::Lighting;
+use imogene_golden::machine::transparency::MOST_LAYERS;
 use imogene_golden::machine::zone::ZoneMachine;
 use imogene_golden::object::quadric::MAX_PLANES;
 use imogene_golden::object::slot::Slot;
@@ -103,11 +104,14 @@ pub struct Report {
     pub picture: Vec<u8>,
 }
 
-/// The zone machine whose stream is counted: eight object and four volume processors with all planes there can be.
+/// The zone machine whose stream is counted: eight object and four volume processors with all planes there can be, and
+/// as many layers as there can be.
 pub fn machine(side: u32) -> ZoneMachine {
+    let slot = FittedSlot::quadric(MAX_PLANES as u32);
     ZoneMachine {
-        slots: vec![FittedSlot::quadric(MAX_PLANES as u32); 8],
+        slots: vec![slot; 8],
         products: vec![],
+        layers: vec![slot; MOST_LAYERS],
         volume_processors: 4,
         volume_planes: MAX_PLANES,
         zone_width: side,

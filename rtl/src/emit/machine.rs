@@ -3,7 +3,7 @@
 use super::words::{check_slots, check_words, lines, slots_line};
 use super::{Emitted, Heading, check_prefix, emitted};
 use imogene_circuits::machine::{
-    BeamMachine, Load, Objects, SHOW_CLOCKS, Volumes, Zone, ZoneCore, ZoneMachine, beam,
+    BeamMachine, Load, Objects, Volumes, Zone, ZoneCore, ZoneMachine, beam,
 };
 use imogene_circuits::machines::{self, volumes};
 pub use imogene_circuits::shade::Tables;
@@ -63,7 +63,7 @@ pub struct MachineRequest {
     pub products: Vec<ProductSlots>,
     /// How the nearest is chosen.
     pub decider: DeciderForm,
-    /// Slots of transparent objects, of a beam machine that shades alone; their numbers follow those of `slots`.
+    /// Slots of transparent objects, of a machine that shades alone; their numbers follow those of `slots`.
     pub layers: Vec<FittedSlot>,
     /// Volume processors, in a beam machine one for each volume; may be none. A deciding beam has none.
     pub volumes: usize,
@@ -84,6 +84,11 @@ pub struct MachineRequest {
 }
 
 impl Kind {
+    /// True if it shades what it decides.
+    fn is_shaded(&self) -> bool {
+        !matches!(self, Self::Beam | Self::ZoneCore(_))
+    }
+
     fn zone(&self) -> Option<&ZoneShape> {
         match self {
             Self::ZoneCore(zone) | Self::ZoneMachine(zone) | Self::ZoneDisplay(zone, _) => {
@@ -161,13 +166,12 @@ impl MachineRequest {
         check_words(&self.words, self.rows_per_stage)?;
         check_slots(&self.slots, &self.words)?;
         self.check_products()?;
-        let is_shaded = self.kind.loader_bits().is_some();
-        in_range(
-            "layers",
-            self.layers.len(),
-            0,
-            if is_shaded { MOST_LAYERS } else { 0 },
-        )?;
+        let most = if self.kind.is_shaded() {
+            MOST_LAYERS
+        } else {
+            0
+        };
+        in_range("layers", self.layers.len(), 0, most)?;
         in_range("volumes", self.volumes, 0, MOST_OBJECTS)?;
         in_range("volume planes", self.volume_planes, 0, MOST_PLANES)?;
         in_range("lights", self.lights, 0, MOST_LIGHTS)?;
@@ -228,6 +232,7 @@ impl MachineRequest {
     fn core(&self, zone: &ZoneShape) -> ZoneCore {
         let beam = self.beam(0);
         ZoneCore {
+            ahead: ZoneMachine::ahead(&beam.objects, &self.layers),
             objects: beam.objects,
             volumes: beam.volumes,
             places: zone.zone_bits as u32,
@@ -247,6 +252,7 @@ impl MachineRequest {
     fn zone(&self, zone: &ZoneShape) -> ZoneMachine {
         ZoneMachine {
             core: self.core(zone),
+            layers: self.layers.clone(),
             samples: zone.samples as u32,
             shading: self.shading(),
         }
@@ -282,7 +288,7 @@ impl MachineRequest {
                 let core = self.core(zone);
                 clocks.draw = core.draw_clocks() as usize;
                 clocks.light = core.light_clocks() as usize;
-                clocks.show = SHOW_CLOCKS as usize;
+                clocks.show = core.show_clocks() as usize;
                 clocks.settle = core.settle_clocks() as usize;
             }
             None if matches!(self.kind, Kind::Beam) => {

@@ -30,6 +30,7 @@ fn machine(objects: usize, volumes: usize, side: u32) -> ZoneMachine {
     ZoneMachine {
         slots: vec![FittedSlot::quadric(3); objects],
         products: vec![],
+        layers: vec![],
         volume_processors: volumes,
         volume_planes: 10,
         zone_width: side,

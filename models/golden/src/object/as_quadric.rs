@@ -27,9 +27,6 @@ pub enum AsQuadricError {
         "{0} cannot be drawn by a quadric processor; accepted are quadrics, patches, polyhedra and flat facets"
     )]
     Processor(&'static str),
-    /// Blends are made beside the decider.
-    #[error("is transparent; accepted are transparent objects in a beam machine alone")]
-    Transparent,
     /// The chain of planes is too short.
     #[error("needs {needed} planes; the processor has {available}")]
     Planes {

@@ -134,9 +134,6 @@ impl MachineDescription {
         range("layers", self.layers, 0, MOST_LAYERS as usize)?;
         let (members, layers, slots) = (self.slots_of_products(), self.layers, self.slots());
         let text = || String::from(self.products.clone());
-        if self.machine == MachineKind::Zone && layers > 0 {
-            return refuse("layers", layers, "layers in a beam machine alone");
-        }
         if layers >= slots.len() {
             let accepted = format!(
                 "fewer than the {} slots, one of which at least is opaque",

@@ -80,8 +80,8 @@ pub fn clocks(plan: &ZonePlan, timing: &ZoneTiming) -> FrameClocks {
             clocks.beats += words + commands;
             running = clocks.add_pass(&pass, zone, timing);
             settling = match pass {
-                Pass::Show { .. } => 0,
-                Pass::Draw { .. } | Pass::Light { .. } => u64::from(timing.settle),
+                Pass::Show { .. } if plan.machine.layers.is_empty() => 0,
+                _ => u64::from(timing.settle),
             };
         }
     }
@@ -125,6 +125,14 @@ fn words_of(plan: &ZonePlan, zone: &Zone, pass: &Pass) -> u64 {
             };
             volumes.iter().map(beats).sum()
         }
-        Pass::Show { .. } => 0,
+        Pass::Show { layers, .. } => {
+            let beats = |&index: &usize| {
+                let planes = plan.layers[index]
+                    .quadric()
+                    .map_or(0, |words| words.planes.len());
+                beats_of_part(&plan.machine.layers[index], planes)
+            };
+            layers.iter().map(beats).sum()
+        }
     }
 }

@@ -53,6 +53,16 @@ pub enum PlanError {
          least"
     )]
     NoObjectProcessor(usize),
+    /// More transparent objects than layers.
+    #[error(
+        "{needed} transparent objects, and the machine has {given} layers; accepted is layers = {needed}"
+    )]
+    Layers {
+        /// Of the scene.
+        needed: usize,
+        /// Of the machine.
+        given: usize,
+    },
     /// A product that is larger than those of the machine.
     #[error(
         "a product of a solid intersects {} objects and takes {} away; accepted are machines with products such as \

@@ -2,7 +2,7 @@
 
 pub use super::error::PlanError;
 pub use super::share::Part;
-use super::share::{parts, shared_out};
+use super::share::{layers, parts, shared_out};
 use crate::culling::Planes;
 pub use crate::products::{ZoneProduct, in_passes};
 use imogene_golden::format::Format;
@@ -33,6 +33,8 @@ pub struct Zone {
     pub parts: Vec<u32>,
     /// Products of which the boxes of all objects intersected share a place in the zone.
     pub products: Vec<ZoneProduct>,
+    /// Indices of the transparent objects whose box touches the zone.
+    pub layers: Vec<usize>,
     /// Indices of the volumes that matter here, ascending; none if there is nothing to draw.
     pub volumes: Vec<u32>,
     /// Of each part of which not all planes are sent: those that are.
@@ -82,8 +84,10 @@ pub enum Pass<'a> {
         /// Indices of the volumes; volume i of the list is loaded into processor i.
         volumes: &'a [u32],
     },
-    /// The buffer is shaded and goes out.
+    /// The buffer is shaded, and goes out with what is transparent before it.
     Show {
+        /// Indices of the transparent objects, each for the processor of the same number.
+        layers: &'a [usize],
         /// There was a light pass.
         lit: bool,
         /// There was a draw pass.
@@ -106,6 +110,8 @@ pub struct ZonePlan {
     pub height: u32,
     /// What there is to draw: by ascending object what is in no solid, then the objects of solids, product by product.
     pub parts: Vec<Part>,
+    /// The transparent objects, the farthest first.
+    pub layers: Vec<Part>,
     /// Shadow and light volumes, for the whole screen.
     pub volumes: Vec<VolumeWords>,
     /// The zones, line of zones by line of zones, each once for every sample.
@@ -137,6 +143,7 @@ impl ZonePlan {
         let alone = scene.slots_alone().len();
         check_places(&machine, alone, &sizes)?;
         let parts = parts(scene, &machine)?;
+        let layers = layers(scene, &machine)?;
         if machine.volume_processors == 0 && !scene.volumes.is_empty() {
             return Err(PlanError::NoVolumeProcessor(scene.volumes.len()));
         }
@@ -150,6 +157,7 @@ impl ZonePlan {
             zones: zones(scene.width, scene.height, &machine),
             machine,
             parts,
+            layers,
             volumes,
             shading: vec![],
             materials: vec![],
@@ -163,6 +171,7 @@ impl ZonePlan {
             first = middle + subtracted;
         }
         plan.assign_volumes();
+        plan.assign_layers();
         Ok(plan)
     }
 
@@ -204,6 +213,7 @@ impl ZonePlan {
             volumes,
         });
         let show = Pass::Show {
+            layers: &zone.layers,
             lit: !zone.volumes.is_empty(),
             drawn: !zone.is_empty(),
             last,
@@ -264,6 +274,14 @@ impl ZonePlan {
                 if !self.zones[zone].is_empty() {
                     self.zones[zone].volumes.push(index as u32);
                 }
+            }
+        }
+    }
+
+    fn assign_layers(&mut self) {
+        for index in 0..self.layers.len() {
+            for zone in self.zones_of(self.layers[index].words.screen_box()) {
+                self.zones[zone].layers.push(index);
             }
         }
     }
@@ -335,6 +353,7 @@ fn zones(width: u32, height: u32, machine: &ZoneMachine) -> Vec<Zone> {
                 sample,
                 parts: vec![],
                 products: vec![],
+                layers: vec![],
                 volumes: vec![],
                 part_planes: BTreeMap::new(),
                 volume_planes: BTreeMap::new(),

@@ -18,6 +18,8 @@ pub struct Part {
     pub object: u16,
     /// Words for the whole screen, those of the kind of its slots.
     pub words: ProcessorWords,
+    /// Of a transparent one its part of what is seen, in 255ths.
+    pub weight: Option<u8>,
 }
 
 impl Part {
@@ -25,6 +27,7 @@ impl Part {
         Part {
             object: slot.object as u16,
             words,
+            weight: slot.weight,
         }
     }
 
@@ -46,10 +49,6 @@ impl Part {
 /// Object and words of every part of a scene. A part that is in no solid is of its own kind where the machine has a
 /// slot for that, and else a quadric's.
 pub(super) fn parts(scene: &PreparedScene, machine: &ZoneMachine) -> Result<Vec<Part>, PlanError> {
-    if let Some(layer) = scene.layers.first() {
-        let why = AsQuadricError::Transparent;
-        return Err(refused(scene, layer, why));
-    }
     let (alone_slots, members) = machine.slots.split_at(machine.alone());
     let alone = scene.slots_alone().into_iter();
     let alone = alone.map(|slot| part_of(scene, slot, alone_slots));
@@ -62,6 +61,19 @@ pub(super) fn parts(scene: &PreparedScene, machine: &ZoneMachine) -> Result<Vec<
         Ok(Part::of(slot, ProcessorWords::Quadric(words)))
     });
     alone.chain(members).collect()
+}
+
+/// The transparent objects of a scene, each for a slot of its own; the first is the farthest.
+pub(super) fn layers(scene: &PreparedScene, machine: &ZoneMachine) -> Result<Vec<Part>, PlanError> {
+    if scene.layers.len() > machine.layers.len() {
+        return Err(PlanError::Layers {
+            needed: scene.layers.len(),
+            given: machine.layers.len(),
+        });
+    }
+    let layers = scene.layers.iter().zip(&machine.layers);
+    let layers = layers.map(|(slot, own)| part_of(scene, slot.clone(), &[*own]));
+    layers.collect()
 }
 
 fn refused(scene: &PreparedScene, slot: &Slot, why: AsQuadricError) -> PlanError {

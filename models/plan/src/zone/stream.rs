@@ -1,11 +1,14 @@
 //! The command stream of a plan, beat by beat.
 
-use super::plan::{Pass, Zone, ZonePlan};
+use super::plan::{Part, Pass, Zone, ZonePlan};
+use crate::culling::Planes;
 use crate::culling::part::with_planes;
 use crate::culling::volume::volume_with_planes;
 use imogene_contract::object::Kind;
+use imogene_contract::shading::MOST_MATERIALS;
 use imogene_contract::slots::FittedSlot;
 use imogene_contract::volume;
+use imogene_golden::machine::zone::ID_BITS;
 use imogene_golden::machine::zone::beat::{Beat, ID_ADDRESS, command, kind};
 use imogene_golden::object::load::{LoadWord, load_words};
 use imogene_golden::object::load_slot::load_slot;
@@ -55,20 +58,12 @@ impl ZonePlan {
                 for &(unit, index) in parts {
                     let part = &self.parts[index as usize];
                     let slot = &self.machine.slots[unit];
-                    let (list, unused) = match part.quadric() {
-                        Some(words) => {
-                            let words = with_planes(words, zone.planes_of_part(index));
-                            let used = words.planes.len();
-                            let words = load_words(&zone.moved(&words), &self.format, used);
-                            (words, used..slot.planes as usize)
-                        }
-                        None => {
-                            let words = zone.moved(&part.words);
-                            (load_slot(&words, &self.format, slot), 0..0)
-                        }
-                    };
-                    let unused = unused.map(unused::object_plane);
-                    push(beats, kind::OBJECT, unit, list, unused);
+                    self.words_of_part(
+                        (part, zone.planes_of_part(index)),
+                        (unit, slot),
+                        zone,
+                        beats,
+                    );
                     let id = u64::from(part.object);
                     beats.push(Beat::new(kind::OBJECT, unit as u8, ID_ADDRESS, id));
                 }
@@ -84,8 +79,49 @@ impl ZonePlan {
                     push(beats, kind::VOLUME, unit, list, unused);
                 }
             }
-            Pass::Show { .. } => {}
+            Pass::Show { layers, .. } => {
+                for &index in *layers {
+                    let (part, slot) = (&self.layers[index], &self.machine.layers[index]);
+                    let unit = self.machine.slots.len() + index;
+                    self.words_of_part((part, Planes::MAX), (unit, slot), zone, beats);
+                    let look = self.look(part);
+                    beats.push(Beat::new(kind::OBJECT, unit as u8, ID_ADDRESS, look));
+                }
+            }
         }
+    }
+
+    /// Words of a part with some of its planes, for a slot.
+    fn words_of_part(
+        &self,
+        (part, planes): (&Part, Planes),
+        (unit, slot): (usize, &FittedSlot),
+        zone: &Zone,
+        beats: &mut Vec<Beat>,
+    ) {
+        let (list, unused) = match part.quadric() {
+            Some(words) => {
+                let words = with_planes(words, planes);
+                let used = words.planes.len();
+                let words = load_words(&zone.moved(&words), &self.format, used);
+                (words, used..slot.planes as usize)
+            }
+            None => {
+                let words = zone.moved(&part.words);
+                (load_slot(&words, &self.format, slot), 0..0)
+            }
+        };
+        let unused = unused.map(unused::object_plane);
+        push(beats, kind::OBJECT, unit, list, unused);
+    }
+
+    /// The word that says how a transparent object looks: its id, above it its material and its part of what is seen.
+    fn look(&self, part: &Part) -> u64 {
+        let object = part.object;
+        let material = self.materials.get(usize::from(object));
+        let material = u64::from(material.copied().unwrap_or(0));
+        let weight = u64::from(part.weight.unwrap_or(0)) << MOST_MATERIALS.ilog2();
+        u64::from(object) | (material | weight) << ID_BITS
     }
 }
 
@@ -105,7 +141,9 @@ fn command_of(pass: &Pass, zone: &Zone) -> Beat {
     match *pass {
         Pass::Draw { first, .. } => Beat::command(command::DRAW, bit(first, command::FIRST)),
         Pass::Light { first, .. } => Beat::command(command::LIGHT, bit(first, command::FIRST)),
-        Pass::Show { lit, drawn, last } => Beat::command(
+        Pass::Show {
+            lit, drawn, last, ..
+        } => Beat::command(
             command::SHOW,
             bit(lit, command::LIT)
                 | bit(drawn, command::DRAWN)

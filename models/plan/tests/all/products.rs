@@ -10,6 +10,7 @@ fn machine() -> ZoneMachine {
         subtracted,
     });
     ZoneMachine {
+        layers: vec![],
         slots: vec![FittedSlot::quadric(3); 9],
         products: products.to_vec(),
         volume_processors: 0,

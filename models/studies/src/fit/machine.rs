@@ -317,7 +317,8 @@ fn with_processors(
     base: &MachineDescription,
     (objects, volumes): (usize, usize),
 ) -> MachineDescription {
-    let slots = base.zone_machine().with_processors(objects).slots;
+    let machine = base.zone_machine().with_processors(objects);
+    let slots = [machine.slots, machine.layers].concat();
     MachineDescription {
         objects: slots.len(),
         slots: base.slots.is_some().then_some(Slots(slots)),

@@ -1,16 +1,16 @@
 //! The part of a beam machine that draws: from the raster to the colour of every pixel.
 
-use super::layer::{Look, shaded_layer};
+use super::layer::{Around, Look, Transparent, shaded_layer};
 use super::pixel_count::pixel_count;
 use super::{
-    Lit, MATERIAL, NORMAL, Objects, SHADING, Surface as SeenSurface, Volumes, WordBus, all_sources,
-    object_array, volume_array,
+    Lit, MATERIAL, NORMAL, Objects, SHADING, Surface, Volumes, WordBus, all_sources, object_array,
+    volume_array,
 };
 use crate::object::Normal;
 use crate::raster::{Scan, lane_pixel, lanes_latency};
 use crate::rows::{PerLane, in_lane, numbered};
 use crate::shade::{
-    BLEND_LATENCY, Point, Shaded, Shading, ShadingLoad, Surface, transparency_pipeline,
+    self, BLEND_LATENCY, Point, Shaded, Shading, ShadingLoad, transparency_pipeline,
 };
 use crate::video::LEVEL;
 use imogene_contract::slots::FittedSlot;
@@ -134,37 +134,41 @@ fn blended(
 ) -> PerLane<Shaded> {
     let first = machine.objects.slots.len() as u64;
     let objects = load.objects();
+    let around = Around {
+        objects: &machine.objects,
+        shading: &machine.shading,
+    };
+    let mut pixel = pixel_count("layer_pixels", scan, machine.surfaces());
     let slots = numbered("layers", &machine.layers).enumerate();
     let layers = slots.map(|(index, (at, slot))| {
         let own = first + index as u64;
-        let look = Look {
-            write: load.material & load.address.low(SLOT).is(own),
-            data: load.data.low(MATERIAL + LEVEL),
+        if index > 0 {
+            pixel = pixel.delayed(BLEND_LATENCY);
+        }
+        let start = machine.surfaces() + BLEND_LATENCY * index as u32;
+        let object = Transparent {
+            scan: scan.delayed(start - machine.layer_clocks(slot)),
+            pixel,
+            object: objects.of(own),
+            look: Look {
+                write: load.material & load.address.low(SLOT).is(own),
+                data: load.data.low(MATERIAL + LEVEL),
+            },
+            load: words,
+            take: vec![],
         };
-        let clocks = machine.layer_clocks(slot);
-        let scan = scan.delayed(machine.surfaces() + BLEND_LATENCY * index as u32 - clocks);
-        shaded_layer(&at, scan, (objects.of(own), look, words), slot, machine)
+        shaded_layer(&at, object, slot, &around)
     });
     let layers: Vec<_> = layers.collect();
     let wait = BLEND_LATENCY * layers.len() as u32;
     let lanes = machine.objects.lanes;
     PerLane::of(lanes, |lane| {
         let (depth, seen) = &seen.0[lane as usize];
-        let surface = Surface {
-            depth: *depth,
-            red: seen.red,
-            green: seen.green,
-            blue: seen.blue,
-        };
         let layers = layers.iter().map(|layer| layer.0[lane as usize].clone());
-        let blended =
-            transparency_pipeline(&in_lane("blends", lane, lanes), surface, layers.collect());
-        Shaded {
-            out_valid: seen.out_valid.delayed_as("valid_late", wait),
-            red: blended.red,
-            green: blended.green,
-            blue: blended.blue,
-        }
+        let at = in_lane("blends", lane, lanes);
+        let surface = shade::Surface::of(*depth, seen);
+        let blended = transparency_pipeline(&at, surface, layers.collect());
+        blended.shaded(seen.out_valid.delayed_as("valid_late", wait))
     })
 }
 
@@ -211,7 +215,7 @@ fn flags(
     scan: Scan,
     take: Bits,
     load: WordBus,
-    seen: &PerLane<(Bits, SeenSurface)>,
+    seen: &PerLane<(Bits, Surface)>,
     machine: &BeamMachine,
 ) -> Vec<Bits> {
     let has_shadows = machine.shading.asks_sources() && !machine.volumes.planes.is_empty();

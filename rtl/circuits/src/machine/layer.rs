@@ -1,15 +1,14 @@
 //! A transparent object of a beam machine: its processor, its material and its own shading.
 
 use super::beam_core::shaded_normal;
-use super::pixel_count::pixel_count;
-use super::slot::{Lanes, Place, processor};
-use super::{BeamMachine, LoadBus, MATERIAL, all_sources};
-use crate::raster::{Scan, lane_pixel, lane_scans, lanes_latency};
+use super::slot::{Lanes, Place, seen};
+use super::{LoadBus, MATERIAL, Objects, all_sources};
+use crate::raster::{Pixel, Scan, lane_pixel, lane_scans, lanes_latency};
 use crate::rows::{PerLane, in_lane};
-use crate::shade::{Layer, Point, ShadingLoad, Surface};
+use crate::shade::{Layer, Point, Shading, ShadingLoad, Surface};
 use crate::video::LEVEL;
 use imogene_contract::slots::FittedSlot;
-use imogene_hdl::{Bundle, Value, bundle, module};
+use imogene_hdl::{Bits, Bundle, Value, bundle, bundles, module};
 
 bundle! {
     /// The word that says how a transparent object looks.
@@ -19,44 +18,63 @@ bundle! {
     }
 }
 
+bundles! {
+    /// A transparent object on its way to its colour.
+    Transparent {
+        /// Pixels, as many clocks before `pixel` as its processor takes.
+        scan: Scan as "";
+        pixel: Pixel as "point", "pixel of the screen that its processor has seen";
+        object: LoadBus as "object", "its words";
+        look: Look as "look", "how it looks";
+        load: ShadingLoad as "load", "words of the shading";
+        take: Vec<Bits> as "take", "words are taken over, where they are held";
+    }
+}
+
+/// What a machine is built for, of which a transparent object is a part.
+pub(super) struct Around<'a> {
+    pub objects: &'a Objects,
+    pub shading: &'a Shading,
+}
+
 /// The surface of a transparent object at every pixel of each lane, lit by all sources. Latency that of its processor
 /// and of the shading.
+///
+/// Where words are held, they are so as a whole: the first pixel may wait for a receiver. An object that was not
+/// written since the words were last taken over is absent.
 pub(super) fn shaded_layer(
     at: &str,
-    scan: Scan,
-    (bus, look, load): (LoadBus, Look, ShadingLoad),
+    object: Transparent,
     slot: &FittedSlot,
-    machine: &BeamMachine,
+    machine: &Around,
 ) -> PerLane<Layer> {
-    let inputs = (scan, ("object", bus), ("look", look), ("load", load));
-    module("shaded_layer", at, inputs, |(scan, bus, look, load)| {
+    module("shaded_layer", at, object, |object| {
+        let (scan, bus, load) = (object.scan, object.object, object.load);
+        let take = object.take.first().copied();
         let words = machine.objects.of_slot(slot);
         let place = Place {
             at: "processor".into(),
             store: "store".into(),
             bus,
-            hold: None,
+            hold: take.map(|take| (String::new(), take)),
         };
-        let stored = place.stored(slot, words.0);
         let count = machine.objects.lanes;
         let lanes = Lanes {
             raster: scan,
             scans: &lane_scans(scan.delayed(lanes_latency(count)), count),
         };
-        let (seen, _) = processor(slot, (&place, stored), &lanes, words);
-        let material = look.data.low(MATERIAL).reg_when(look.write);
-        let weight = look
-            .data
-            .slice(MATERIAL + LEVEL - 1, MATERIAL)
-            .reg_when(look.write);
-        let clocks = machine.layer_clocks(slot);
-        let pixel = pixel_count("pixel_count", scan, clocks);
+        let stored = place.whole(slot, words.0);
+        let seen = seen(slot, (&place, stored), &lanes, words);
+        let look = object.look.data.reg_when(object.look.write);
+        let look = take.map_or(look, |take| look.reg_when(take));
+        let material = look.low(MATERIAL).named("material");
+        let weight = look.slice(MATERIAL + LEVEL - 1, MATERIAL).named("weight");
         PerLane::of(count, |lane| {
             let seen = &seen[lane as usize];
             let (valid, depth) = (seen.front.out_valid, seen.front.zf);
             let point = Point {
                 valid,
-                pixel: lane_pixel(pixel, lane, count),
+                pixel: lane_pixel(object.pixel, lane, count),
                 depth,
                 material,
                 normal: shaded_normal(seen.normal),
@@ -64,12 +82,8 @@ pub(super) fn shaded_layer(
             };
             let at = in_lane("shading", lane, count);
             let shaded = machine.shading.shade(&at, point, load);
-            let surface = Surface {
-                depth: depth.delayed_as("depth_late", machine.shading.latency()),
-                red: shaded.red,
-                green: shaded.green,
-                blue: shaded.blue,
-            };
+            let depth = depth.delayed_as("depth_late", machine.shading.latency());
+            let surface = Surface::of(depth, &shaded);
             Layer { surface, weight }
         })
     })

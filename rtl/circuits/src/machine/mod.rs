@@ -10,6 +10,7 @@ mod csg_product;
 mod decider;
 mod frame_loader;
 mod layer;
+mod layer_raster;
 mod object_array;
 mod pixel_count;
 mod raster_control;
@@ -52,7 +53,7 @@ pub use volume_array::{Lit, VolumeLoad, Volumes, volume_array};
 pub use volume_store::{StoredVolume, volume_store};
 pub use zone_buffer::{Kept, Steps, zone_buffer};
 pub use zone_control::{Control, Pass, Waits, zone_control};
-pub use zone_core::{SHOW_CLOCKS, Shown, TableWord, ZoneCore, zone_core};
+pub use zone_core::{Ahead, SHOW_CLOCKS, Shown, TableWord, ZoneCore, zone_core};
 pub use zone_display::{ZoneScreen, zone_display};
 pub use zone_machine::{ZoneMachine, zone_machine};
 

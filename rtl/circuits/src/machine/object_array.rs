@@ -78,7 +78,12 @@ impl Objects {
 
     /// Bits of the load bus: those of the widest word.
     pub fn bus(&self) -> u32 {
-        bus(&self.slots, &self.widths())
+        self.bus_of(&self.slots)
+    }
+
+    /// The same of other slots.
+    pub fn bus_of(&self, slots: &[FittedSlot]) -> u32 {
+        bus(slots, &self.widths())
     }
 
     /// Words and root of a slot.

@@ -12,10 +12,10 @@ use crate::object::{
 use crate::raster::{Laned, Linear, Quadratic, Scan};
 use crate::rows::numbered;
 use crate::tree::levels;
-use imogene_contract::object::Kind;
+use imogene_contract::object::{CONTROL, Kind};
 use imogene_contract::slots::FittedSlot;
 use imogene_contract::words;
-use imogene_hdl::{Bits, Int, Plain, Ports, Value, module, net};
+use imogene_hdl::{Bits, Bundle, Int, Plain, Ports, Value, module, net};
 
 /// Clocks from the flags of a pixel to what the processor of a slot sees.
 pub(super) fn slot_clocks(slot: &FittedSlot, root: &Network) -> u32 {
@@ -188,6 +188,22 @@ impl Place {
         Some((held.in_place(words), Some(id)))
     }
 
+    /// Those of a quadric, held as a whole: none of them acts before they are taken over.
+    pub(super) fn whole(&self, slot: &FittedSlot, widths: Widths) -> Option<crate::object::Words> {
+        if slot.kind != Kind::Quadric {
+            return None;
+        }
+        let mut words = coefficient_store(&self.store, self.bus, widths, slot.planes.into());
+        let Some((_, take)) = self.hold else {
+            return Some(words);
+        };
+        let screen_box = &mut words.quadric.screen_box;
+        let nowhere = Bits::new(0xfff, 12);
+        let is_present = self.bus.is_new(CONTROL, take);
+        screen_box.box_x0 = is_present.select(screen_box.box_x0, nowhere);
+        Some(words.registered_when(take))
+    }
+
     /// The id of an object of another kind, where words are held.
     fn id(&self) -> Option<Bits> {
         let (at, take) = self.hold.as_ref()?;
@@ -272,12 +288,26 @@ pub(super) fn processor(
     lanes: &Lanes,
     (widths, root): (Widths, Network),
 ) -> (Vec<Visible>, Option<Bits>) {
-    if let Some((words, id)) = stored {
-        let each = |at: &str, scan, words| quadric_processor(at, scan, words, root);
-        return (lanes.each(&place.at, words, each), id);
+    let (stored, id) = match stored {
+        Some((words, id)) => (Some(words), id),
+        None => (None, place.id()),
+    };
+    (seen(slot, (place, stored), lanes, (widths, root)), id)
+}
+
+/// What a processor of any kind sees in each lane.
+pub(super) fn seen(
+    slot: &FittedSlot,
+    (place, stored): (&Place, Option<crate::object::Words>),
+    lanes: &Lanes,
+    (widths, root): (Widths, Network),
+) -> Vec<Visible> {
+    match stored {
+        Some(words) => lanes.each(&place.at, words, |at, scan, words| {
+            quadric_processor(at, scan, words, root)
+        }),
+        None => other_processor(slot, place, lanes, (widths, root)),
     }
-    let id = place.id();
-    (other_processor(slot, place, lanes, (widths, root)), id)
 }
 
 /// A processor of another kind than of quadrics in each lane, with the store of its words.

@@ -39,6 +39,8 @@ bundles! {
 pub struct Waits {
     /// From a drawing or lighting command until all processors have started.
     pub settle: u32,
+    /// The same of a showing command, in a machine of transparent objects.
+    pub settles_in_shows: bool,
     /// From the end of a showing pass until its pixels are through the shading processor.
     pub drain: u32,
 }
@@ -79,7 +81,11 @@ pub fn zone_control(at: &str, beat: Beat, pass_ends: Bits, waits: Waits) -> Cont
         is_drawing.load_when(draws | pass_ends, draws);
         is_lighting.load_when(lights | pass_ends, lights);
         is_showing.load_when(shows | pass_ends, shows);
-        count_down(settling, scans, waits.settle);
+        let settles = match waits.settles_in_shows {
+            true => scans | shows,
+            false => scans,
+        };
+        count_down(settling, settles, waits.settle);
         count_down(draining, pass_ends & is_showing, waits.drain);
         let shown = |high: u32, low: u32| data.slice(high, low).reg_when(shows);
         let low = |command: u64| data.low(COORDINATE).reg_when(obeyed(command));

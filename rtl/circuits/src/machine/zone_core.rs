@@ -1,16 +1,17 @@
 //! The part of a zone machine that decides: from the command stream to the visible surface of every pixel.
 
+use super::layer_raster::layer_raster;
 use super::{
     Beat, Lit, Objects, Raster, SOURCES, Steps, Surface, Volumes, Waits, WordBus, Zone,
     all_sources, object_array, raster_control, show_control, stream_slice, volume_array,
     zone_buffer, zone_control,
 };
 use crate::object::absent;
-use crate::raster::Pixel;
+use crate::raster::{Pixel, Scan};
 use crate::rows::PerLane;
-use imogene_hdl::{Bits, Int, Value, bundle, bundles, module};
+use imogene_hdl::{Bits, Bundle, Int, Value, bundle, bundles, module};
 
-/// Clocks of a showing pass besides its pixels.
+/// Clocks of a showing pass besides its pixels, without transparent objects.
 pub const SHOW_CLOCKS: u32 = 6;
 
 /// What a zone core is built for.
@@ -22,6 +23,9 @@ pub struct ZoneCore {
     pub volumes: Volumes,
     /// Bits of the place of a pixel in a zone.
     pub places: u32,
+    /// Of a machine of transparent objects: clocks by which these know a pixel of a showing pass before its surface is
+    /// read.
+    pub ahead: Option<u32>,
 }
 
 impl ZoneCore {
@@ -33,6 +37,11 @@ impl ZoneCore {
     /// Clocks from a drawing or lighting command until words of processors are taken again: all have started.
     pub fn settle_clocks(&self) -> u32 {
         self.objects.clocks().max(self.volumes.clocks()) + 4
+    }
+
+    /// Clocks of a showing pass besides its pixels.
+    pub fn show_clocks(&self) -> u32 {
+        SHOW_CLOCKS + self.ahead.unwrap_or(0)
     }
 
     /// Clocks of a drawing pass besides its pixels.
@@ -60,6 +69,14 @@ bundle! {
 }
 
 bundles! {
+    /// What transparent objects are told.
+    Ahead {
+        take: Bits as "take", "a showing pass begins: words are taken over";
+        /// Pixels of the pass.
+        scan: Scan as "";
+        load: WordBus as "load", "the load bus";
+    }
+
     /// What leaves a core.
     Shown {
         ready: Bits as "s_tready", "the beat is taken";
@@ -72,6 +89,7 @@ bundles! {
         pass_ends: Bits as "pass_ends", "it is the last of the pass";
         frame_ends: Bits as "frame_ends", "it is the last of the frame";
         load: TableWord as "load", "a word";
+        ahead: Vec<Ahead> as "ahead", "of transparent objects";
     }
 }
 
@@ -87,7 +105,12 @@ pub fn zone_core(at: &str, beat: Beat, room: Bits, machine: &ZoneCore, drain: u3
         let [ready, pass_ends] = [(); 2].map(|()| Bits::forward(1));
         let (beat, taken) = stream_slice("slice", beat, ready);
         let settle = machine.settle_clocks();
-        let control = zone_control("control", beat, pass_ends, Waits { settle, drain });
+        let waits = Waits {
+            settle,
+            settles_in_shows: machine.ahead.is_some(),
+            drain,
+        };
+        let control = zone_control("control", beat, pass_ends, waits);
         ready.drive(control.ready);
         let (load, pass, window) = (control.load, control.pass, control.window);
         let zone = Zone {
@@ -104,6 +127,16 @@ pub fn zone_core(at: &str, beat: Beat, room: Bits, machine: &ZoneCore, drain: u3
         };
         let (draw, light) = (of(pass.is_drawing), of(pass.is_lighting));
         let show = show_control("show", pass.show_go, room, window);
+        let started = show.issue;
+        let ahead = machine.ahead.map(|_| Ahead {
+            take: pass.show_go,
+            scan: layer_raster("layer_raster", pass.show_go, show.issue, window.width),
+            load,
+        });
+        let show = match machine.ahead {
+            None => show,
+            Some(clocks) => show.delayed(clocks),
+        };
         let (objects, clocks) = (&machine.objects, machine.objects.clocks());
         let words = (pass.take_objects, load.objects());
         let drawn = object_array("objects", draw.scan, words, objects, true).alone();
@@ -131,7 +164,7 @@ pub fn zone_core(at: &str, beat: Beat, room: Bits, machine: &ZoneCore, drain: u3
         let background = absent(objects.words.depth);
         Shown {
             ready: taken,
-            started: show.issue,
+            started,
             valid: show.valid,
             pixel: show.pixel,
             surface: Surface {
@@ -148,6 +181,7 @@ pub fn zone_core(at: &str, beat: Beat, room: Bits, machine: &ZoneCore, drain: u3
                 address: load.address,
                 data: load.data,
             },
+            ahead: ahead.into_iter().collect(),
         }
     })
 }

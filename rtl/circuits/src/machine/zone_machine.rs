@@ -1,16 +1,24 @@
 //! Zone machine: from the command stream to shaded pixels.
 
 use super::beam_core::shaded_normal;
+use super::layer::{Around, Look, Transparent, shaded_layer};
 use super::{
-    Beat, COORDINATE, Coloured, ID, MATERIAL, MEAN_LATENCY, SHADING, SamplePass, Shown, ZoneCore,
-    sample_mean, zone_core,
+    Ahead, Beat, COORDINATE, Coloured, ID, MATERIAL, MEAN_LATENCY, Objects, SHADING, SamplePass,
+    Shown, ZoneCore, sample_mean, zone_core,
 };
 use crate::raster::Pixel;
-use crate::shade::{Point, Shading, ShadingLoad};
+use crate::rows::numbered;
+use crate::shade::{
+    BLEND_LATENCY, Layer, Point, Shaded, Shading, ShadingLoad, Surface, transparency_pipeline,
+};
 use crate::video::{LEVEL, PixelStream, Queue, pixel_fifo};
-use imogene_hdl::{Bits, Bundle, Value, join, memory, module, net};
+use imogene_contract::command_stream::OBJECT_ID;
+use imogene_contract::slots::FittedSlot;
+use imogene_hdl::{Bits, Bundle, Int, Value, join, memory, module, net};
 
-/// Bits of the place of a pixel in the queue behind its shading.
+/// Clocks from a pixel that is issued to what the shading is told of it, without transparent objects.
+const SEEN: u32 = 3;
+/// Bits of the place of a pixel in the queue behind its shading, at least.
 const QUEUE: u32 = 6;
 
 /// What a zone machine is built for.
@@ -18,6 +26,8 @@ const QUEUE: u32 = 6;
 pub struct ZoneMachine {
     /// The part that decides.
     pub core: ZoneCore,
+    /// Slots of transparent objects, whose numbers follow those of the others; the first is the farthest.
+    pub layers: Vec<FittedSlot>,
     /// Samples of a pixel along each side: 1, 2 or 4.
     pub samples: u32,
     /// Its shading.
@@ -27,12 +37,21 @@ pub struct ZoneMachine {
 impl ZoneMachine {
     /// Bits of the data of a beat: those of the load bus of its processors, and of a word of the shading processor.
     pub fn bus(&self) -> u32 {
-        self.core.bus().max(SHADING)
+        let layers = self.core.objects.bus_of(&self.layers);
+        self.core.bus().max(layers).max(SHADING)
+    }
+
+    /// Clocks by which transparent objects know a pixel of a showing pass before its surface is read: each is blended
+    /// after the one before, and the surface has [`SEEN`] clocks to the shading.
+    pub fn ahead(objects: &Objects, layers: &[FittedSlot]) -> Option<u32> {
+        let clocks = layers.iter().zip((SEEN..).step_by(BLEND_LATENCY as usize));
+        let ahead = clocks.map(|(slot, late)| objects.slot_clocks(slot).saturating_sub(late));
+        ahead.max()
     }
 
     /// Clocks from a pixel of the core to its colour: one reads its material.
     fn shaded(&self) -> u32 {
-        1 + self.shading.latency()
+        1 + self.shading.latency() + BLEND_LATENCY * self.layers.len() as u32
     }
 
     /// Clocks from a pixel of the core until it is in the queue.
@@ -70,7 +89,9 @@ pub fn zone_machine(
             last: shown.last,
             m_tready: ready,
         };
-        let queued = pixel_fifo("queue", queue, QUEUE, machine.drain() + 1);
+        let flight = machine.drain() + 1 + machine.core.ahead.unwrap_or(0);
+        let places = (flight + 5).next_power_of_two().ilog2().max(QUEUE);
+        let queued = pixel_fifo("queue", queue, places, flight);
         room.drive(match machine.samples {
             1 => queued.room,
             // Samples before the last pass stay with their sums and want no room.
@@ -113,14 +134,63 @@ fn shaded(seen: &Shown, machine: &ZoneMachine) -> Coloured {
         address: load.address,
         data: load.data.low(SHADING),
     };
+    let (pixel, depth) = (point.pixel, point.depth);
     let shaded = machine.shading.shade("shading", point, load);
     let late = machine.shaded();
+    let shaded = match seen.ahead.first() {
+        None => shaded,
+        Some(ahead) => blended(ahead, (pixel, load), (depth, shaded), machine),
+    };
     Coloured {
         valid: shaded.out_valid,
         colour: shaded.colour(),
         place: join([place.y, place.x]).delayed_as("place_late", late),
         last: seen.frame_ends.delayed_as("last_late", late),
     }
+}
+
+/// Transparent objects over the surfaces, whose depths are known with their pixels, before their colours.
+fn blended(
+    ahead: &Ahead,
+    (mut pixel, load): (Pixel, ShadingLoad),
+    (depth, shaded): (Int, Shaded),
+    machine: &ZoneMachine,
+) -> Shaded {
+    let objects = &machine.core.objects;
+    let around = Around {
+        objects,
+        shading: &machine.shading,
+    };
+    let buses = ahead.load.objects();
+    let first = objects.slots.len() as u64;
+    let slots = numbered("layers", &machine.layers).enumerate();
+    let layers = slots.map(|(index, (at, slot))| {
+        if index > 0 {
+            pixel = pixel.delayed(BLEND_LATENCY);
+        }
+        let bus = buses.of(first + index as u64).registered();
+        let start = SEEN + machine.core.ahead.unwrap_or(0) + BLEND_LATENCY * index as u32;
+        let object = Transparent {
+            scan: ahead.scan.delayed(start - objects.slot_clocks(slot)),
+            pixel,
+            object: bus,
+            look: Look {
+                write: bus.writes(OBJECT_ID),
+                data: bus.data.slice(ID + MATERIAL + LEVEL - 1, ID),
+            },
+            load,
+            take: vec![ahead.take],
+        };
+        shaded_layer(&at, object, slot, &around).alone()
+    });
+    let layers: Vec<Layer> = layers.collect();
+    let surface = Surface::of(
+        depth.delayed_as("shaded_depth", machine.shading.latency()),
+        &shaded,
+    );
+    let wait = BLEND_LATENCY * machine.layers.len() as u32;
+    let blended = transparency_pipeline("blends", surface, layers);
+    blended.shaded(shaded.out_valid.delayed_as("valid_late", wait))
 }
 
 /// The pixels of the last pass, each with the mean of its samples.

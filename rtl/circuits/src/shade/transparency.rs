@@ -1,8 +1,8 @@
 //! Transparent objects before the visible surface.
 
-use super::LEVEL;
+use super::{LEVEL, Shaded};
 use crate::rows::numbered;
-use imogene_hdl::{Bits, Value, bundle, bundles, join, module, net, ports};
+use imogene_hdl::{Bits, Int, Value, bundle, bundles, join, module, net, ports};
 
 bundle! {
     /// A surface at a pixel, or what is seen there.
@@ -11,6 +11,28 @@ bundle! {
         red: Bits(LEVEL), "red";
         green: Bits(LEVEL), "green";
         blue: Bits(LEVEL), "blue";
+    }
+}
+
+impl Surface {
+    /// One at a depth, in the colour that it has been given.
+    pub(crate) fn of(depth: Int, shaded: &Shaded) -> Surface {
+        Surface {
+            depth,
+            red: shaded.red,
+            green: shaded.green,
+            blue: shaded.blue,
+        }
+    }
+
+    /// Its colour, on the clocks of pixels.
+    pub(crate) fn shaded(self, out_valid: Bits) -> Shaded {
+        Shaded {
+            out_valid,
+            red: self.red,
+            green: self.green,
+            blue: self.blue,
+        }
     }
 }
 

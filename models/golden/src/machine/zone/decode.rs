@@ -5,6 +5,7 @@ use crate::format::Format;
 use crate::object::slot::ProcessorWords;
 use crate::object::volume::VolumeWords;
 use crate::object::{load_slot, load_volume};
+use imogene_contract::shading::MOST_MATERIALS;
 use imogene_contract::slots::FittedSlot;
 use imogene_contract::volume;
 
@@ -42,7 +43,7 @@ impl Registers {
     /// Writes a word; false if there is none at this address.
     pub fn write(&mut self, address: u16, data: u64) -> bool {
         if self.slot.is_some() && address == ID_ADDRESS {
-            self.id = data & ((1 << super::ID_BITS) - 1);
+            self.id = data;
             return true;
         }
         let Some(word) = self.words.get_mut(usize::from(address)) else {
@@ -64,7 +65,12 @@ impl Registers {
 
     /// Id of the object.
     pub fn id(&self) -> u16 {
-        self.id as u16
+        (self.id & ((1 << super::ID_BITS) - 1)) as u16
+    }
+
+    /// Of a transparent object its part of what is seen, in 255ths, which stands above id and material.
+    pub fn weight(&self) -> u8 {
+        (self.id >> (super::ID_BITS + MOST_MATERIALS.ilog2())) as u8
     }
 
     /// The object.

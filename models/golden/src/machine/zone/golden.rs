@@ -5,7 +5,7 @@ use super::beat::{Beat, command, kind};
 use super::decode::Registers;
 use super::sample::Sample;
 use crate::format::Format;
-use crate::machine::frame::Frame;
+use crate::machine::frame::{Frame, FrameLayer};
 use crate::machine::lighting::{ALL_SOURCES, Lighting};
 use crate::object::member::for_each_seen;
 use crate::object::quadric::{ObjectPixel, QuadricWords};
@@ -87,6 +87,30 @@ impl Kept {
     }
 }
 
+/// A transparent object at every pixel of a zone.
+#[derive(Clone, Debug)]
+struct ShownLayer {
+    /// Its place among the layers.
+    place: usize,
+    id: u16,
+    weight: u8,
+    /// Depth and normal.
+    pixels: Vec<(i64, [i16; 3])>,
+}
+
+impl ShownLayer {
+    /// The same object nowhere on a frame.
+    fn absent(&self, frame: &Frame, format: &Format) -> FrameLayer {
+        let pixels = frame.depth.len();
+        FrameLayer {
+            object: self.id.into(),
+            weight: self.weight,
+            depth: vec![format.z_max(); pixels],
+            normal: vec![[0; 3]; pixels],
+        }
+    }
+}
+
 /// What has been done to the zone.
 #[derive(Clone, Copy, Debug, Default)]
 struct Progress {
@@ -102,6 +126,9 @@ pub struct ZoneMachineModel {
     format: Format,
     objects: Vec<Registers>,
     products: Vec<ProductSlots>,
+    layers: Vec<Registers>,
+    /// The transparent objects of the zone that was shown last.
+    shown: Vec<ShownLayer>,
     volumes: Vec<Registers>,
     materials: BTreeMap<u16, u64>,
     shading: BTreeMap<u16, u64>,
@@ -120,6 +147,8 @@ impl ZoneMachineModel {
             format: *format,
             objects: machine.slots.iter().map(Registers::of_object).collect(),
             products: machine.products.clone(),
+            layers: machine.layers.iter().map(Registers::of_object).collect(),
+            shown: vec![],
             volumes: vec![volumes; machine.volume_processors],
             materials: BTreeMap::new(),
             shading: BTreeMap::new(),
@@ -152,6 +181,11 @@ impl ZoneMachineModel {
         let write =
             |units: &mut [Registers]| units.get_mut(unit)?.write(address, data).then_some(());
         match beat.kind {
+            kind::OBJECT if unit >= self.objects.len() => {
+                let layer = self.layers.get_mut(unit - self.objects.len());
+                let is_written = layer.is_some_and(|layer| layer.write(address, data));
+                is_written.then_some(()).ok_or(unknown)
+            }
             kind::OBJECT => write(&mut self.objects).ok_or(unknown),
             kind::VOLUME => write(&mut self.volumes).ok_or(unknown),
             kind::SHADING => {
@@ -186,9 +220,10 @@ impl ZoneMachineModel {
         let mut lighting = Lighting::full(&frame);
         let mut shown = vec![false; width * height];
         let mut pixels = vec![];
+        let mut layers: BTreeMap<usize, FrameLayer> = BTreeMap::new();
         for beat in beats {
             self.beat(&beat, |pixel| pixels.push(pixel))?;
-            for pixel in pixels.drain(..) {
+            for (of_zone, pixel) in pixels.drain(..).enumerate() {
                 let Sample { of, column, line } = pixel.sample;
                 let place = |pixel: u16, sample| usize::from(pixel) * of as usize + sample as usize;
                 let (x, y) = (place(pixel.x, column), place(pixel.y, line));
@@ -198,6 +233,11 @@ impl ZoneMachineModel {
                 let at = y * width + x;
                 if std::mem::replace(&mut shown[at], true) {
                     return Err(StreamError::Twice(pixel.x, pixel.y));
+                }
+                for layer in &self.shown {
+                    let own = layers.entry(layer.place);
+                    let own = own.or_insert_with(|| layer.absent(&frame, &self.format));
+                    (own.depth[at], own.normal[at]) = layer.pixels[of_zone];
                 }
                 if pixel.depth != self.format.z_max() {
                     frame.depth[at] = pixel.depth;
@@ -210,6 +250,7 @@ impl ZoneMachineModel {
                 break;
             }
         }
+        frame.layers = layers.into_values().collect();
         match shown.iter().filter(|&&shown| !shown).count() {
             0 => Ok((frame, lighting)),
             missing => Err(StreamError::Missing(missing)),
@@ -264,14 +305,32 @@ impl ZoneMachineModel {
     /// Id and words of an object, if it was loaded since the last pass.
     fn loaded(&mut self, index: usize) -> Option<(u16, ProcessorWords)> {
         let registers = &mut self.objects[index];
-        if !registers.take() {
-            return None;
-        }
-        let mut words = registers.object(&self.format);
-        let [width, height] = self.size.map(i64::from);
-        let screen_box = words.screen_box_mut();
-        *screen_box = screen_box.in_zone(0, 0, width, height);
+        let words = words_in(registers, self.size, &self.format)?;
         Some((registers.id(), words))
+    }
+
+    /// The transparent objects that were loaded since the last zone was shown.
+    fn show_layers(&mut self) {
+        let (size, format) = (self.size, &self.format);
+        let [width, height] = size.map(usize::from);
+        let absent = (format.z_max(), [0; 3]);
+        let layers = self.layers.iter_mut().enumerate();
+        let layers = layers.filter_map(|(place, registers)| {
+            let words = words_in(registers, size, format)?;
+            let mut pixels = vec![absent; width * height];
+            for (y, line) in (0..).zip(pixels.chunks_mut(width)) {
+                words.for_each_present(format, y, |x, pixel| {
+                    line[x as usize] = (pixel.zf, pixel.normal);
+                });
+            }
+            Some(ShownLayer {
+                place,
+                id: registers.id(),
+                weight: registers.weight(),
+                pixels,
+            })
+        });
+        self.shown = layers.collect();
     }
 
     fn draw_object(&mut self, id: u16, words: &ProcessorWords) {
@@ -373,6 +432,7 @@ impl ZoneMachineModel {
                 last: last && index + 1 == pixels,
             });
         }
+        self.show_layers();
         self.progress = Progress::default();
         Ok(())
     }
@@ -394,6 +454,18 @@ impl ZoneMachineModel {
             flags: ALL_SOURCES,
         }
     }
+}
+
+/// Words of an object in a zone of a size, if it was loaded since they were asked for.
+fn words_in(registers: &mut Registers, size: [u16; 2], format: &Format) -> Option<ProcessorWords> {
+    if !registers.take() {
+        return None;
+    }
+    let mut words = registers.object(format);
+    let [width, height] = size.map(i64::from);
+    let screen_box = words.screen_box_mut();
+    *screen_box = screen_box.in_zone(0, 0, width, height);
+    Some(words)
 }
 
 fn refuse(wrong: bool, order: &'static str) -> Result<(), StreamError> {

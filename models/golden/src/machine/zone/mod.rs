@@ -34,6 +34,8 @@ pub struct ZoneMachine {
     pub slots: Vec<FittedSlot>,
     /// Products of solids.
     pub products: Vec<ProductSlots>,
+    /// Processors of transparent objects, the first of the farthest. Their numbers follow those of `slots`.
+    pub layers: Vec<FittedSlot>,
     /// V: volume processors with a quadric; none in a machine without shadows and spots.
     pub volume_processors: usize,
     /// M: planes of each.
@@ -88,7 +90,8 @@ impl ZoneMachine {
     pub fn check(&self) -> Result<(), ZoneMachineError> {
         let [columns, lines, side] =
             [self.zone_width, self.zone_height, MAX_ZONE].map(|n| n as usize);
-        let (processors, volumes) = (self.slots.len(), self.volume_processors);
+        let processors = self.slots.len() + self.layers.len();
+        let volumes = self.volume_processors;
         let planes = self.slots.iter().map(|slot| slot.planes as usize).max();
         for (what, value, least, most) in [
             ("object processors", processors, 1, MAX_PROCESSORS),

@@ -86,7 +86,8 @@ fn what_is_refused_names_the_key_and_what_is_accepted() {
     let zone = BEAM.replace("beam", "zone") + "zone = { width = 8, height = 8 }\n";
     assert!(refusal(&format!("{zone}supersampling = 3\n")).contains("1, 2 or 4"));
     // Products are the last of the ten object processors, and may be all of them.
-    assert!(refusal(&format!("{zone}layers = 1\n")).contains("layers in a beam machine alone"));
+    let one = zone.replace("objects = 10", "objects = 2");
+    assert!(refusal(&format!("{one}layers = 2\n")).contains("fewer than the 2 slots"));
     let products = |list: &str| format!("{zone}products = \"{list}\"\n");
     assert!(refusal(&products("8-1,2-0")).contains("products of 10 slots in all"));
     let solids = MachineDescription::parse(&products("2-4,1-2"), "m.toml").unwrap();

@@ -97,6 +97,7 @@ fn the_formula_is_what_the_stream_takes() {
 fn one_zone_of_one_object() {
     let prepared = scene("../../scenes/ellipsoid.toml", (40, 30), Format::BASE);
     let machine = ZoneMachine {
+        layers: vec![],
         slots: vec![FittedSlot::quadric(3)],
         products: vec![],
         volume_processors: 0,

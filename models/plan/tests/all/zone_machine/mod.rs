@@ -28,6 +28,7 @@ use std::sync::LazyLock;
 
 /// Twelve planes and ten of a volume: enough for every scene.
 static MACHINE: LazyLock<ZoneMachine> = LazyLock::new(|| ZoneMachine {
+    layers: vec![],
     slots: quadrics(4),
     products: vec![],
     volume_processors: 2,
@@ -144,6 +145,48 @@ fn scenes_without_shadows_are_drawn() {
         let truth = assert_same_on_every_machine(&scene(path, (83, 61), Format::BASE));
         assert!(truth.frame.covered() > 300, "{path}");
     }
+}
+
+/// Transparent objects at every sample, whether something hides them or not; also where there is nothing else.
+#[test]
+fn glass_is_drawn() {
+    let mut prepared = scene("../../scenes/glass/still-life.toml", (88, 68), Format::BASE);
+    for is_alone in [false, true] {
+        if is_alone {
+            prepared.objects.clear();
+        }
+        let frame = beam::render(&prepared.slots(), &Format::BASE, 88, 68, || ());
+        let alone = prepared.layers.clone();
+        assert_eq!(frame.layers.len(), alone.len());
+        for (samples, side) in [(1, 16), (1, 100), (2, 7), (4, 5)] {
+            let machine = ZoneMachine {
+                zone_width: side,
+                zone_height: side + 1,
+                samples,
+                layers: quadrics(alone.len()),
+                ..MACHINE.clone()
+            };
+            let plan = ZonePlan::of(&prepared, machine).expect("fits the machine");
+            let mut model = ZoneMachineModel::new(&Format::BASE, &plan.machine);
+            let (drawn, _) = model.frame(plan.beats(), 88, 68).expect("a valid stream");
+            assert!(
+                drawn
+                    == Frame {
+                        number: drawn.number.clone(),
+                        ..frame.clone()
+                    }
+            );
+        }
+    }
+    let few = ZoneMachine {
+        layers: quadrics(2),
+        ..MACHINE.clone()
+    };
+    let refused = ZonePlan::of(&prepared, few).expect_err("too few layers");
+    assert!(
+        refused.to_string().contains("accepted is layers = 3"),
+        "{refused}"
+    );
 }
 
 /// S x S passes over every zone draw what one draws on a grid that is S times finer, bit for bit.

@@ -7,6 +7,7 @@ use imogene_golden::machine::zone::golden::{ShownPixel, StreamError, ZoneMachine
 
 fn machine() -> ZoneMachine {
     ZoneMachine {
+        layers: vec![],
         slots: vec![FittedSlot::quadric(1); 5],
         products: vec![ProductSlots {
             intersected: 2,
