@@ -44,6 +44,10 @@ pub struct Fit {
     /// Which machine; if not given, a beam machine for up to 16 processors, and a zone machine for more.
     #[arg(long, value_parser = choice(MACHINES))]
     pub machine: Option<MachineKind>,
+    /// Leave out the objects that are seen at fewer than so many pixels of every frame: the machine is fitted to the
+    /// others, for which a scene file is written, and the budget counts what is missing.
+    #[arg(long, value_name = "PIXELS")]
+    pub leave_out: Option<u64>,
     /// Pixels of a line that a beam machine draws at once, 1, 2 or 4; it streams them.
     #[arg(long, value_name = "N", value_parser = choice(PIXELS))]
     pub pixels_per_clock: Option<u32>,
@@ -131,12 +135,16 @@ impl Fit {
     }
 
     /// The command line that shows the scenes on the machine.
-    pub fn command(&self, frames: &Frames) -> String {
-        let animation = match frames.all.len() > self.scenes.len() {
+    pub fn command(&self, frames: &Frames, written: &[PathBuf]) -> String {
+        let animation = match written.is_empty() && frames.all.len() > self.scenes.len() {
             true => " --animation",
             false => "",
         };
-        let (scenes, machine) = (self.scenes(), self.out.join(MACHINE_FILE));
+        let scenes = match written {
+            [] => self.scenes(),
+            written => listed(written),
+        };
+        let machine = self.out.join(MACHINE_FILE);
         format!(
             "imogene machine {scenes}{animation} --machine {} --out DIR",
             machine.display()
@@ -154,6 +162,7 @@ impl Fit {
             budget.options(),
             option("machine", machine),
             lit_sphere(self.lit_sphere),
+            option("leave-out", self.leave_out),
             option("pixels-per-clock", self.pixels_per_clock),
             option("min-fps", self.min_fps),
             flag(self.no_cost, " --no-cost"),
@@ -167,9 +176,13 @@ impl Fit {
     }
 
     fn scenes(&self) -> String {
-        let scenes = self.scenes.iter().map(|path| path.display().to_string());
-        scenes.collect::<Vec<_>>().join(" ")
+        listed(&self.scenes)
     }
+}
+
+fn listed(paths: &[PathBuf]) -> String {
+    let paths = paths.iter().map(|path| path.display().to_string());
+    paths.collect::<Vec<_>>().join(" ")
 }
 
 /// Entries along each side of a table, and whether the nearest one is the colour.

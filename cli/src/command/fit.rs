@@ -14,13 +14,13 @@ use imogene_golden::format::Format;
 use imogene_golden::widths;
 use imogene_plan::description::{MachineDescription, MachineKind};
 use imogene_plan::display::{Image, check_tables, image};
-use imogene_prepare::Options;
+use imogene_prepare::{Framing, Options};
 use imogene_rtl::emit::Emitted;
 use imogene_rtl::emit::machine::emit_machine;
 use imogene_scene::SceneFile;
 use imogene_scene::animation::Playback;
 use imogene_studies::fit::budget::Budget;
-use imogene_studies::fit::frames::{Drawn, Frames};
+use imogene_studies::fit::frames::{Drawn, Frames, LeftOut};
 use imogene_studies::fit::machine::{self, Fitted};
 use imogene_studies::fit::search::{Outcome, search};
 use imogene_studies::fit::{FitError, proof};
@@ -29,6 +29,7 @@ use imogene_synth::fitted::{MachineCost, Parts};
 use imogene_verif::display::pins::{PinsRun, run as run_pins};
 use imogene_verif::display::request::{request_for, zone_timing};
 use imogene_verif::report::Report;
+use std::path::PathBuf;
 use std::time::Instant;
 
 /// Machines of different depth words whose costs are compared.
@@ -49,13 +50,13 @@ pub fn run(options: &Fit, json: bool) -> Result<(), Failure> {
     let started = Instant::now();
     let target = Target::from_name(&options.target)?;
     let budget = options.budget();
-    let mut frames = frames(options)?;
+    let (mut frames, left_out) = frames(options)?;
     let mut too_large: Vec<String> = vec![];
     loop {
         let found = found(&frames, &budget)?;
         let choice = choose(&frames, &found, options, target, json)?;
         let Some(cells) = too_many(&choice, options) else {
-            return finish(options, json, (&frames, choice), target, started);
+            return finish(options, json, (&frames, left_out, choice), target, started);
         };
         let tried = choice.machine.description.machine;
         too_large.push(format!("a {} takes {cells}", contract::kind(tried)));
@@ -80,12 +81,18 @@ fn too_many(choice: &Choice, options: &Fit) -> Option<u64> {
 fn finish(
     options: &Fit,
     json: bool,
-    (frames, choice): (&Frames, Choice),
+    (frames, left_out, choice): (&Frames, Option<LeftOut>, Choice),
     target: Target,
     started: Instant,
 ) -> Result<(), Failure> {
     let budget = options.budget();
-    let command = options.command(frames);
+    let (left_out, scenes) = left_out.map_or((vec![], vec![]), |out| (out.names, out.scenes));
+    let scenes = scenes.into_iter().enumerate();
+    let scenes =
+        scenes.map(|(index, scene)| (frame_file(options, frames, "scene", index, "toml"), scene));
+    let scenes: Vec<(PathBuf, SceneFile)> = scenes.collect();
+    let written: Vec<PathBuf> = scenes.iter().map(|(path, _)| path.clone()).collect();
+    let command = options.command(frames, &written);
     let description = &choice.machine.description;
     let (images, cosim) = show(&choice, frames, options)?;
     let emitted = emit_machine(&request_for(description, &images[0].tables, &command))?;
@@ -110,6 +117,7 @@ fn finish(
         rows_per_stage: description.rows_per_stage,
         latency: emitted.latency,
         clocks_per_frame: choice.machine.clocks,
+        left_out,
         limits,
         bounds,
         measured: choice.drawn.metrics.clone(),
@@ -125,7 +133,7 @@ fn finish(
         seconds: 0.0,
     };
     report.seconds = started.elapsed().as_secs_f64();
-    let drawn = (choice.drawn, &images[..]);
+    let drawn = (choice.drawn, &images[..], &scenes[..]);
     write(&mut report, frames, drawn, &emitted, options)?;
     let summary = contract::summary(&report)?;
     output::report(json, &report, |_| output::text(summary));
@@ -134,7 +142,7 @@ fn finish(
 
 /// The machine that should be smallest, without its cost and unchecked.
 pub fn smallest(options: &Fit) -> Result<MachineDescription, Failure> {
-    let frames = frames(options)?;
+    let (frames, _) = frames(options)?;
     let found = found(&frames, &options.budget())?;
     let drawn = found.first().expect("a machine was found");
     Ok(fitted(&frames, drawn, ROWS[0], options)?.description)
@@ -151,7 +159,8 @@ fn found(frames: &Frames, budget: &Budget) -> Result<Vec<Drawn>, Failure> {
     }
 }
 
-fn frames(options: &Fit) -> Result<Frames, Failure> {
+/// The frames, and what is left out of them.
+fn frames(options: &Fit) -> Result<(Frames, Option<LeftOut>), Failure> {
     let mut files: Vec<(String, SceneFile)> = vec![];
     for path in &options.scenes {
         let file = molecules::read_scene(path)?;
@@ -165,12 +174,24 @@ fn frames(options: &Fit) -> Result<Frames, Failure> {
             files.extend(playback.scenes(&name)?);
         }
     }
+    if options.leave_out.is_some() {
+        // The depth word stands for the same with fewer objects.
+        for (_, file) in &mut files {
+            let (width, height) = size_of(file, options.size);
+            let range = file.frame(width, height)?.range;
+            range.put_into(&mut file.camera);
+        }
+    }
     let mut frames = output::during(0, "lines of the truth", |bar| {
         Frames::new(&files, options.size, options.kind(), || bar.inc(1))
     })?;
     frames.lit_sphere = options.lit_sphere;
     frames.pixels_per_clock = options.pixels_per_clock.unwrap_or(1);
-    Ok(frames)
+    let left_out = match options.leave_out {
+        Some(pixels) => frames.leave_out(pixels, &files, options.kind())?,
+        None => None,
+    };
+    Ok((frames, left_out))
 }
 
 /// The message of a budget that no machine meets.
@@ -315,7 +336,7 @@ fn show(
 fn write(
     report: &mut FitReport,
     frames: &Frames,
-    (drawn, images): (&Drawn, &[Image]),
+    (drawn, images, scenes): (&Drawn, &[Image], &[(PathBuf, SceneFile)]),
     emitted: &Emitted,
     options: &Fit,
 ) -> Result<(), Failure> {
@@ -325,15 +346,14 @@ fn write(
     files.add_text(&options.out.join(MACHINE_FILE), &description)?;
     let verilog = options.out.join(format!("{}.v", emitted.top));
     files.add_text(&verilog, &emitted.bundle())?;
+    for (path, scene) in scenes {
+        files.add_text(path, &scene.to_toml()?)?;
+    }
     let each = frames.all.iter().zip(&drawn.prepared).zip(images);
     for (index, ((frame, prepared), image)) in each.enumerate() {
-        let number = match frames.all.len() {
-            1 => String::new(),
-            _ => format!("-{index}"),
-        };
         let errors = frame.errors(prepared)?;
         for (name, picture) in [("golden", &image.picture), ("errors", &errors)] {
-            let path = options.out.join(format!("{name}{number}.png"));
+            let path = frame_file(options, frames, name, index, "png");
             let size = [frame.truth.width, frame.truth.height];
             output::add_picture(&mut files, &path, size, picture)?;
         }
@@ -346,6 +366,15 @@ fn write(
     files.add_text(&figures, &output::json_text(report))?;
     files.finish()?;
     Ok(())
+}
+
+/// The file of a frame, with its number where there are several.
+fn frame_file(options: &Fit, frames: &Frames, name: &str, index: usize, end: &str) -> PathBuf {
+    let number = match frames.all.len() {
+        1 => String::new(),
+        _ => format!("-{index}"),
+    };
+    options.out.join(format!("{name}{number}.{end}"))
 }
 
 fn verdict(report: &FitReport) -> Result<(), Failure> {

@@ -208,7 +208,7 @@ fn solids_and_glass_go_to_the_pins() {
             "products = \"2-1,2-1,2-1,2-1\"",
             "products = \"2-1\"",
         ),
-        ("glass/still-life", "layers = 3", "in a beam machine alone"),
+        ("glass/still-life", "layers = 3", "layers = 3"),
     ] {
         let scene = format!("scenes/{name}.toml");
         let fitted = out(name);
@@ -224,8 +224,47 @@ fn solids_and_glass_go_to_the_pins() {
             "machine {scene} --machine {machine} --out {again}"
         ))
         .ended(0);
-        // A zone machine draws one product after another, and has no blends.
+        let zones = json(&format!(
+            "fit {scene} --max-depth-error 1px --no-cost --size 64x48 --machine zone --out {fitted}"
+        ));
+        assert_eq!(zones["cosim"][0]["mismatches"], 0, "{scene}");
+        // A zone machine draws one product after another.
         let zone = format!("--machine machines/zone-320x240.toml --out {}", out("zone"));
         run(&format!("machine {scene} {zone}")).refused(&[of_zones]);
     }
+}
+
+/// What is left out is not in the machine, and counts among its errors.
+#[test]
+fn small_objects_are_left_out_within_the_budget() {
+    let place = Place::new();
+    let out = place.path("out").display().to_string();
+    let fit = |budget: &str, more: &str| {
+        format!("fit scenes/shadows/robot.toml --size 96x72 --no-cost {budget} {more} --out {out}")
+    };
+    let budget = "--max-silhouette-errors 1% --max-face-errors 2%";
+    let whole = json(&fit(budget, ""));
+    let report = json(&fit(budget, "--leave-out 8"));
+    assert_eq!(report["cosim"][0]["mismatches"], 0);
+    let left_out = report["left_out"].as_array().unwrap();
+    assert!((3..39).contains(&left_out.len()), "{left_out:?}");
+    assert!(whole["left_out"].as_array().unwrap().is_empty());
+    let clocks = |report: &Value| report["clocks_per_frame"].as_u64().unwrap();
+    assert!(clocks(&report) < clocks(&whole));
+    let text = std::fs::read_to_string(format!("{out}/scene.toml")).unwrap();
+    for name in left_out {
+        let name = name.as_str().unwrap();
+        assert!(!text.contains(&format!("name = \"{name}\"")), "{name}");
+    }
+    let missing = &report["measured"][0];
+    assert!(missing["silhouette"].as_u64().unwrap() > 0, "{missing}");
+    let command = report["command"].as_str().unwrap();
+    let command = command.replacen("imogene ", "", 1);
+    let again = place.path("again").display().to_string();
+    run(&command.replace(" DIR", &format!(" {again}"))).ended(0);
+    let picture = |of: &str| std::fs::read(of).unwrap();
+    assert!(picture(&format!("{again}/pins.png")) == picture(&format!("{out}/golden.png")));
+    let exact = "--max-silhouette-errors 0 --max-face-errors 0 --leave-out 8";
+    let refused = run(&fit(exact, "")).ended(1);
+    refused.says(&["out of reach"]);
 }

@@ -155,6 +155,18 @@ impl DepthRange {
         }
     }
 
+    /// Writes its ends, rounded to numbers, into a camera.
+    pub fn put_into(&self, camera: &mut Camera) {
+        let begin = to_f64(&self.near);
+        match &mut camera.lens {
+            Lens::Perspective { near, .. } => *near = Some(begin),
+            Lens::Orthographic { half_depth, ends } => {
+                let far = self.far.as_ref().map(to_f64);
+                (*half_depth, *ends) = (None, far.map(|far| [begin, far]));
+            }
+        }
+    }
+
     /// The range of a scene that is given in pixels, not by a file: what fills the depth word of its projection.
     pub fn of_pixels(projection: &Projection) -> DepthRange {
         let (near, far) = match projection {

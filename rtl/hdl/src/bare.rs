@@ -27,6 +27,7 @@ impl<B: Plain> Ports for B {
 impl Plain for Bits {}
 impl Plain for Int {}
 impl Plain for () {}
+impl<B: Plain> Plain for Option<B> {}
 impl<B: Plain> Plain for Vec<B> {}
 
 impl<B: Ports> Ports for (&'static str, B) {

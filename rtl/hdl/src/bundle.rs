@@ -131,6 +131,13 @@ impl<B: Bundle> Bundle for (&'static str, B, &'static str) {
     }
 }
 
+/// A member that may be missing.
+impl<B: Bundle> Bundle for Option<B> {
+    fn walked(&self, group: &Label, other: &mut dyn FnMut(Label, Handle) -> Handle) -> Self {
+        self.as_ref().map(|one| one.walked(group, other))
+    }
+}
+
 /// Members with numbers.
 impl<B: Bundle> Bundle for Vec<B> {
     fn walked(&self, group: &Label, other: &mut dyn FnMut(Label, Handle) -> Handle) -> Self {

@@ -33,6 +33,8 @@ pub struct FitReport<'a> {
     pub rows_per_stage: u32,
     pub latency: usize,
     pub clocks_per_frame: u64,
+    /// Objects that the machine does not show.
+    pub left_out: Vec<String>,
     pub limits: Vec<Proven>,
     /// None where objects have none.
     pub bounds: Option<Bounds>,

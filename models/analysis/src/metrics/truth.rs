@@ -11,6 +11,9 @@ use imogene_golden::machine::lighting::Lighting;
 use imogene_prepare::perspective::full_depth;
 use imogene_scene::FramedScene;
 
+/// Index of an object that no picture shows; that of the background is another.
+const NO_OBJECT: u32 = u32::MAX - 1;
+
 /// What is truly seen, in words of the base format.
 #[derive(Clone, Debug)]
 pub struct Truth {
@@ -31,6 +34,22 @@ pub struct Truth {
 }
 
 impl Truth {
+    /// Pixels at which each of so many objects is seen.
+    pub fn seen(&self, objects: usize) -> Vec<u64> {
+        let mut seen = vec![0; objects];
+        for pixel in self.pixels.iter().flatten() {
+            seen[pixel.id as usize] += 1;
+        }
+        seen
+    }
+
+    /// Gives objects other indices; what has none is seen all the same, as an object that no picture shows.
+    pub fn renumber(&mut self, index: impl Fn(usize) -> Option<u32>) {
+        for pixel in self.pixels.iter_mut().flatten() {
+            pixel.id = index(pixel.id as usize).unwrap_or(NO_OBJECT);
+        }
+    }
+
     /// The format whose words the depths are in.
     pub const FORMAT: Format = Format::BASE;
 

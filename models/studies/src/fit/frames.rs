@@ -69,6 +69,15 @@ pub struct Frames {
     pub pixels_per_clock: u32,
 }
 
+/// What a machine is not made for.
+#[derive(Clone, Debug)]
+pub struct LeftOut {
+    /// Names of the objects.
+    pub names: Vec<String>,
+    /// The frames without them.
+    pub scenes: Vec<SceneFile>,
+}
+
 /// The frames in words, against their truth.
 #[derive(Clone)]
 pub struct Drawn {
@@ -114,9 +123,22 @@ impl Frames {
             located: LocatedScene::new(&scene),
             scene,
         });
+        let mut frames = Frames {
+            all: frames.collect(),
+            has_bounds: true,
+            kind: MachineKind::Beam,
+            is_for_zones: true,
+            lit_sphere: None,
+            pixels_per_clock: 1,
+        };
+        frames.settle(kind)?;
+        Ok(frames)
+    }
+
+    /// Finds which machines show all frames, and which of them is meant.
+    fn settle(&mut self, kind: Option<MachineKind>) -> Result<(), FitError> {
         let (mut has_bounds, mut is_for_zones, mut processors) = (true, true, 0);
-        let frames: Vec<Frame> = frames.collect();
-        for frame in &frames {
+        for frame in &self.all {
             // What this format refuses no other words take: f2 and the planes grow with the depth word.
             let wide = Format::BASE.with_guards(MOST_GUARDS.0, 0);
             let wide = wide.expect("guard bits of f1 within their range");
@@ -135,18 +157,70 @@ impl Frames {
             has_bounds &= prepared.objects.iter().all(|object| object.has_bounds());
         }
         let is_large = is_for_zones && processors > MOST_OF_BEAM;
-        let kind = kind.unwrap_or(match is_large {
+        self.kind = kind.unwrap_or(match is_large {
             true => MachineKind::Zone,
             false => MachineKind::Beam,
         });
-        Ok(Frames {
-            all: frames,
-            has_bounds,
-            kind,
-            is_for_zones,
-            lit_sphere: None,
-            pixels_per_clock: 1,
-        })
+        (self.has_bounds, self.is_for_zones) = (has_bounds, is_for_zones);
+        Ok(())
+    }
+
+    /// Leaves out the objects that are seen at fewer than so many pixels of every frame: the machine is fitted to the
+    /// others, while the truth still shows all. Objects of solids and transparent ones stay, and so does the last one.
+    /// The frames without these objects, and their names; nothing where none is left out.
+    ///
+    /// # Errors
+    ///
+    /// When a frame cannot be framed without them.
+    pub fn leave_out(
+        &mut self,
+        pixels: u64,
+        files: &[(String, SceneFile)],
+        kind: Option<MachineKind>,
+    ) -> Result<Option<LeftOut>, FitError> {
+        let count = self.all[0].scene.objects.len();
+        let mut seen = vec![0; count];
+        let mut may_go = vec![true; count];
+        for frame in &self.all {
+            let own = frame.truth.seen(count);
+            seen.iter_mut()
+                .zip(own)
+                .for_each(|(most, own)| *most = own.max(*most));
+            let prepared = frame.prepare(Format::BASE);
+            let prepared = prepared.map_err(|source| frame.refused(source))?;
+            let alone = prepared.slots_alone();
+            let is_alone = |object| alone.iter().any(|slot| slot.object == object);
+            (0..count).for_each(|object| may_go[object] &= is_alone(object));
+        }
+        let most_seen = seen.iter().copied().max().unwrap_or(0);
+        let goes = |object: usize| may_go[object] && seen[object] < pixels.min(most_seen);
+        let names = self.all[0].scene.objects.iter().enumerate();
+        let names = names.filter(|(object, _)| goes(*object));
+        let names: Vec<String> = names.map(|(_, object)| object.name().to_owned()).collect();
+        if names.is_empty() {
+            return Ok(None);
+        }
+        let mut kept = 0;
+        let kept = (0..count).map(|object| {
+            let index = (!goes(object)).then_some(kept);
+            kept += u32::from(index.is_some());
+            index
+        });
+        let kept: Vec<Option<u32>> = kept.collect();
+        let mut scenes = vec![];
+        for (frame, (name, file)) in self.all.iter_mut().zip(files) {
+            let mut file = file.clone();
+            file.objects.retain(|object| !names.contains(&object.name));
+            let framed = file.frame(frame.scene.width, frame.scene.height);
+            frame.scene = framed.map_err(|source| FitError::of(name, source))?;
+            frame.located = LocatedScene::new(&frame.scene);
+            frame.truth.renumber(|object| kept[object]);
+            scenes.push(file);
+        }
+        self.settle(kind)?;
+        // Bounds are of what is drawn.
+        self.has_bounds = false;
+        Ok(Some(LeftOut { names, scenes }))
     }
 
     /// The same frames for a zone machine; false, and nothing is changed, if it does not show all of them.

@@ -36,7 +36,7 @@ pub fn beam_display(
         let flags = Flags {
             valid: wanted.need,
             start: wanted.start,
-            line: wanted.line,
+            line: Some(wanted.line),
         };
         let (pixel, words) = (wanted.pixel, (loaded.take, loaded.load));
         let shaded = beam_core("core", Scan { flags, pixel }, words, machine).alone();

@@ -29,7 +29,7 @@ pub(super) fn layer_raster(at: &str, go: Bits, issue: Bits, width: Bits) -> Scan
             flags: Flags {
                 valid: issue,
                 start: issue & is_first,
-                line: issue & at_left & !is_first,
+                line: Some(issue & at_left & !is_first),
             },
             pixel: Pixel { x: column, y: row },
         }

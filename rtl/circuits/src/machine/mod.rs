@@ -12,6 +12,7 @@ mod frame_loader;
 mod layer;
 mod layer_raster;
 mod object_array;
+mod object_clocks;
 mod pixel_count;
 mod raster_control;
 mod sample_mean;

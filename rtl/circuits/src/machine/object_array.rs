@@ -1,7 +1,7 @@
 //! Object processors side by side, with their words and the decider.
 
-use super::slot::{Lanes, Place, bus, processor, slot_clocks};
-use super::{Candidate, Extent, LoadBus, decided, decider_clocks, lag, product_clocks, products};
+use super::slot::{Lanes, Place, bus, processor};
+use super::{Candidate, Extent, LoadBus, decided, products};
 use crate::arith::Network;
 use crate::object::{Normal, Widths};
 use crate::raster::{Scan, lane_scans, lanes_latency};
@@ -64,13 +64,6 @@ pub struct Objects {
 }
 
 impl Objects {
-    /// Clocks from the flags of a pixel to what is seen: those of the longest processor and the decider.
-    pub fn clocks(&self) -> u32 {
-        let (start, (lag, after)) = (self.starts()[0], self.waits()[0]);
-        let seen = start + self.slot_clocks(&self.slots[0]) + after - lag as u32;
-        lanes_latency(self.lanes) + seen + decider_clocks(self.decider, self.choices())
-    }
-
     /// The longest words of an object.
     pub fn widths(&self) -> Widths {
         Widths::of(&self.words)
@@ -90,46 +83,6 @@ impl Objects {
     pub(super) fn of_slot(&self, slot: &FittedSlot) -> (Widths, Network) {
         let words = slot.words(&self.words);
         (Widths::of(&words), Network::of(&words, self.rows_per_stage))
-    }
-
-    /// Clocks from the flags of a pixel to what the processor of a slot sees.
-    pub(super) fn slot_clocks(&self, slot: &FittedSlot) -> u32 {
-        slot_clocks(slot, &self.of_slot(slot).1)
-    }
-
-    /// Objects and products that the decider chooses from.
-    fn choices(&self) -> usize {
-        self.alone() + self.products.len()
-    }
-
-    /// Slots of objects that are in no solid.
-    fn alone(&self) -> usize {
-        let members: usize = self.products.iter().map(ProductSlots::count).sum();
-        self.slots.len() - members
-    }
-
-    /// Clocks that the processor of each slot begins later than it would to answer with the first candidate of the
-    /// decider, and those from what it sees to what is seen of its object or product.
-    fn waits(&self) -> Vec<(i64, u32)> {
-        let lag = |choice| i64::from(lag(self.decider, choice, self.choices()));
-        let alone = (0..self.alone()).map(|choice| (lag(choice), 0));
-        let products = (self.alone()..).zip(&self.products);
-        let members = products.flat_map(|(choice, product)| {
-            let after = product_clocks(product).into_iter();
-            after.map(move |after| (lag(choice), after))
-        });
-        alone.chain(members).collect()
-    }
-
-    /// Clocks from the flags of a pixel until the processor of each slot begins: those with fewer stages begin later,
-    /// so that all answer when the decider takes them.
-    fn starts(&self) -> Vec<u32> {
-        let slots = self.slots.iter().zip(self.waits());
-        let waits =
-            slots.map(|(slot, (lag, after))| lag - i64::from(self.slot_clocks(slot) + after));
-        let waits: Vec<i64> = waits.collect();
-        let least = waits.iter().copied().min().unwrap_or(0);
-        waits.iter().map(|wait| (wait - least) as u32).collect()
     }
 
     /// The nearest of the objects at every pixel of each lane, each loaded by its bus, with ids of so many bits. Where

@@ -10,10 +10,11 @@ pub(super) fn pixel_count(at: &str, scan: Scan, clocks: u32) -> Pixel {
     module("pixel_count", at, flags, |flags| {
         let word = |value: u64| Bits::new(value, COORDINATE);
         let (x, y) = (Bits::register(COORDINATE), Bits::register(COORDINATE));
+        let line = flags.line.expect("the flags of a raster");
         net! {
-            let begins = flags.start | flags.line;
+            let begins = flags.first();
             let next_x = begins.select(word(0), x + word(1));
-            let next_y = flags.start.select(word(0), y + flags.line.extend(COORDINATE));
+            let next_y = flags.start.select(word(0), y + line.extend(COORDINATE));
         }
         x.load_when(flags.valid, next_x);
         y.load_when(flags.valid, next_y);

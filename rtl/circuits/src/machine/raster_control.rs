@@ -63,7 +63,11 @@ pub fn raster_control(at: &str, zone: Zone) -> Raster {
         x.load_when(steps, obeyed.select(word(0), next_x));
         y.load_when(steps, obeyed.select(word(0), next_y));
         let scan = Scan {
-            flags: Flags { valid, start, line },
+            flags: Flags {
+                valid,
+                start,
+                line: Some(line),
+            },
             pixel: Pixel { x, y },
         };
         Raster { scan, last }

@@ -116,7 +116,7 @@ pub fn tile_raster(at: &str, words: &TileWords, lead: u64) -> TileScan {
             flags: Flags {
                 valid: below(x, window[0]) & below(y, window[1]),
                 start: begins,
-                line: is_left & !is_top,
+                line: Some(is_left & !is_top),
             },
             steps: steps & window_line_ends,
             goes_right,

@@ -1,5 +1,7 @@
 //! Several pixels of a line at once: what runs from line to line is there once, what runs along a line in each lane.
 
+use super::pe1::line_begin as pe1_line_begin;
+use super::pe2::line_begin as pe2_line_begin;
 use super::{Flags, HELD, Linear, Pixel, Quadratic, Scan};
 use imogene_hdl::{Bits, Int, Value, module, net};
 
@@ -19,8 +21,8 @@ pub fn lane_scans(late: Scan, lanes: u32) -> Vec<Scan> {
     }
     let flags = Flags {
         valid: late.flags.valid,
-        start: late.flags.start | late.flags.line,
-        line: Bits::new(0, 1),
+        start: late.flags.first(),
+        line: None,
     };
     let lane = |lane: u32| Scan {
         flags,
@@ -139,15 +141,10 @@ fn plus(value: Int, constant: u64, other: Int) -> Int {
 fn pe1_lines(at: &str, flags: Flags, words: Linear, lanes: u32) -> Vec<Int> {
     let inputs = (flags, ("", words, HELD));
     module("pe1_lines", at, inputs, |(flags, words)| {
-        let register = || Int::register(words.c.width());
         net! {
-            let begins = flags.valid & (flags.start | flags.line);
-            // As in PE1.
-            let next_line = register();
-            let line_begin = flags.start.select(words.c, next_line);
-            let line_value = line_begin.reg_when(begins);
+            let first = flags.first();
+            let line_value = pe1_line_begin(flags, first, words).reg_when(flags.valid & first);
         }
-        next_line.load_when(begins, line_begin + words.b);
         let begin = |lane: u64| plus(line_value, lane, words.a);
         let begins: Vec<Int> = (0..lanes.into()).map(begin).collect();
         ("lane", begins, "value at the first pixel of lane #")
@@ -158,22 +155,15 @@ fn pe1_lines(at: &str, flags: Flags, words: Linear, lanes: u32) -> Vec<Int> {
 fn pe2_lines(at: &str, flags: Flags, words: Quadratic, lanes: u32) -> (Vec<Int>, Vec<Int>) {
     let inputs = (flags, ("", words, HELD));
     module("pe2_lines", at, inputs, |(flags, words)| {
-        let register = || Int::register(words.f.width());
         net! {
-            let begins = flags.valid & (flags.start | flags.line);
-            // As in PE2.
-            let next_line = register();
-            let next_line_step = register();
-            let next_first_step = register();
-            let line_begin = flags.start.select(words.f, next_line);
-            let line_step = flags.start.select(words.i0, next_line_step);
-            let first_step = flags.start.select(words.p0, next_first_step);
+            let first = flags.first();
+            let begins = flags.valid & first;
+        }
+        let (line_begin, first_step) = pe2_line_begin(flags, first, words);
+        net! {
             let line_value = line_begin.reg_when(begins);
             let pixel_step = first_step.reg_when(begins);
         }
-        next_line.load_when(begins, line_begin + line_step);
-        next_line_step.load_when(begins, line_step + words.b2);
-        next_first_step.load_when(begins, first_step + words.c);
         let count = u64::from(lanes);
         // To pixel j of a line there are j steps, each 2a more than the one before.
         let more = |steps: u64| steps * steps.saturating_sub(1) / 2;

@@ -17,19 +17,41 @@ pub use steps::{SecondSteps, Steps};
 
 use crate::rows::alike;
 pub(crate) use imogene_contract::words::COORDINATE;
-use imogene_hdl::{Bits, Int, bundle, bundles};
+use imogene_hdl::{Bits, Int, Value, bundle, bundles};
 
 /// Meaning of the words of a polynomial.
 pub(crate) const HELD: &str = "unchanged from start to the last pixel of the zone";
 
-bundle! {
+bundles! {
     /// Raster flags.
-    Flags() {
-        valid: Bits(1), "this clock carries a pixel; without it no state of the elementary processors changes";
-        start: Bits(1), "first pixel of the zone; counts under valid";
-        line: Bits(1), "first pixel of any other line; counts under valid";
+    #[derive(Copy)]
+    Flags {
+        valid: Bits as "valid", "this clock carries a pixel; without it no state of the elementary processors changes";
+        start: Bits as "start", "first pixel of the zone; counts under valid";
+        line: Option<Bits> as "line", "first pixel of any other line; counts under valid";
+    }
+}
+
+impl Flags {
+    /// Flags from outside of the design.
+    pub fn input() -> Flags {
+        Flags {
+            valid: Bits::input(1),
+            start: Bits::input(1),
+            line: Some(Bits::input(1)),
+        }
     }
 
+    /// 1 with the first pixel of any line. In a lane every line begins as a zone does, and no other one is told.
+    pub(crate) fn first(&self) -> Bits {
+        match self.line {
+            Some(line) => self.start | line,
+            None => self.start,
+        }
+    }
+}
+
+bundle! {
     /// A place on the screen or in a zone.
     Pixel() {
         x: Bits(COORDINATE), "column";

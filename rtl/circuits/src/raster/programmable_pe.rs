@@ -46,7 +46,7 @@ pub fn programmable_pe(at: &str, flags: Flags, program: Program, words: SplitWor
         let load = flags.valid & flags.start;
         let register = || Bits::register(width);
         net! {
-            let first = flags.start | flags.line;
+            let first = flags.first();
             let is_split = program.split.reg_when(load);
             let kept_used = program.used.reg_when(load);
             let kept_a2 = words.a2.bits().reg_when(load);

@@ -63,7 +63,7 @@ pub fn frame_scan(
                     flags: Flags {
                         valid: issued.reg(),
                         start: (issued & at_left & at_top).reg(),
-                        line: (issued & at_left & !at_top).reg(),
+                        line: Some((issued & at_left & !at_top).reg()),
                     },
                     pixel: Pixel::of([column.reg(), row.reg()]),
                 },
