@@ -163,6 +163,11 @@ fn what_is_out_of_reach_fails_the_check_and_writes_nothing() {
         run(&line).ended(1).says(parts);
         assert!(!out.exists());
     }
+    let line = "fit scenes/cone.toml --max-depth-error 1px --no-cost --min-fps 8000 --size 160x24";
+    let line = format!("{line} --out {}", out.display());
+    run(&line).ended(1).says(&["--pixels-per-clock 2 would do"]);
+    let two = json(&format!("{line} --pixels-per-clock 2"));
+    assert_eq!(two["cosim"][0]["mismatches"], 0);
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Strings as they are meant (ISO 10303-21, clause 6.4.3).
+//! Strings as they are meant (ISO 10303-21, clause 6.4.3), and words of messages.
 
 /// A string from what stands between its quotes; a directive that is not understood stays as it is.
 pub fn decoded(bytes: &[u8]) -> String {
@@ -21,6 +21,15 @@ pub fn with_article(name: &str) -> String {
     // A u at the start of the names in question is that of "uniform".
     let vowel = name.starts_with(['a', 'e', 'i', 'o', 'A', 'E', 'I', 'O']);
     format!("{} {name}", if vowel { "an" } else { "a" })
+}
+
+/// The start of a long word, for a message.
+pub fn shortened(word: &str) -> String {
+    const LONGEST: usize = 80;
+    match word.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}...", &word[..end]),
+        None => word.to_owned(),
+    }
 }
 
 /// A directive at the start of a text: its length and what it stands for.

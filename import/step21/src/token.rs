@@ -1,6 +1,7 @@
 //! Words of a STEP file (ISO 10303-21, clause 6).
 
 use super::error::{Error, Result};
+use super::text::shortened;
 use super::value::Kind;
 
 /// What a word is.
@@ -183,14 +184,5 @@ impl<'a> Tokens<'a> {
         };
         self.next += end + 2;
         Ok(())
-    }
-}
-
-/// The start of a long word, for a message.
-pub fn shortened(word: &str) -> String {
-    const LONGEST: usize = 80;
-    match word.char_indices().nth(LONGEST) {
-        Some((end, _)) => format!("{}...", &word[..end]),
-        None => word.to_owned(),
     }
 }

@@ -1,7 +1,6 @@
 //! Entities and their parameters as they are written.
 
-use super::text::with_article;
-use super::token::shortened;
+use super::text::{shortened, with_article};
 
 /// A parameter.
 #[derive(Clone, Debug, PartialEq)]

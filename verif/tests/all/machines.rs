@@ -188,8 +188,8 @@ fn several_pixels_per_clock_stream_the_golden_picture() {
                 stalls: Some(7),
                 ..PinsRun::plain(Engine::BuiltIn)
             };
-            run(&machine, &[image.clone()], &stalling);
-            let wrong = pins::run(&machine, &[blank.clone()], &stalling, || ());
+            run(&machine, std::slice::from_ref(&image), &stalling);
+            let wrong = pins::run(&machine, std::slice::from_ref(&blank), &stalling, || ());
             assert!(wrong.expect("a machine that runs").report.mismatches > 300);
         }
     }

@@ -216,7 +216,7 @@ impl MachineDescription {
             return refuse("1, or output = \"stream\" in a beam machine");
         }
         let least = u64::from(lanes * self.longest_processor(format));
-        if width % u64::from(lanes) != 0 || width < least {
+        if !width.is_multiple_of(u64::from(lanes)) || width < least {
             return refuse(&format!(
                 "on lines of a multiple of {lanes} pixels, and {least} at least: all processors have begun a line before \
                  the next one begins"

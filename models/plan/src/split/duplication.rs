@@ -4,7 +4,7 @@
 //! source, for boxes that may begin anywhere between pixels. On whole pixels, where a box of one pixel touches one
 //! zone, the average over all places is `(l + L - 1)(h + H - 1) / LH`, for boxes of any size.
 
-use super::Division;
+use super::division::Division;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::object::slot::Slot;
 use imogene_golden::object::words::Words;

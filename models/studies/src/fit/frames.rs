@@ -1,8 +1,6 @@
 //! The frames that a machine has to draw, each with its truth, and what a machine of given words makes of them.
 
 use super::budget::{Budget, Item, worst};
-use super::machine::MOST_OF_BEAM;
-use super::search::MOST_GUARDS;
 use super::{Cause, FitError};
 use crate::kit::words::{drawn, narrowest};
 use imogene_analysis::metrics::{Drawing, Metrics, Truth, measure};
@@ -16,6 +14,12 @@ use imogene_prepare::error::PrepareError;
 use imogene_prepare::lit_sphere::SphereForm;
 use imogene_prepare::{LocatedScene, Options, PreparedScene};
 use imogene_scene::{FramedScene, SceneFile};
+
+/// Object and volume processors of a beam machine at most, if nobody says which machine: more share their processors
+/// zone by zone.
+pub(super) const MOST_OF_BEAM: usize = 16;
+/// Guard bits of f1 and f2 at most: as many as keep the depth of every facet, and more than help any scene known.
+pub(super) const MOST_GUARDS: (u32, u32) = (10, 16);
 
 /// One frame.
 pub struct Frame {

@@ -22,9 +22,6 @@ use imogene_plan::zone::plan::ZonePlan;
 use imogene_prepare::PreparedScene;
 use imogene_scene::FramedScene;
 
-/// Object and volume processors of a beam machine at most, if nobody says which machine: more share their processors
-/// zone by zone.
-pub(super) const MOST_OF_BEAM: usize = 16;
 /// Processors of a zone machine that are tried, of a kind.
 const PROCESSORS: [usize; 5] = [1, 2, 4, 8, 16];
 /// Sides of its zones that are tried.
@@ -82,7 +79,7 @@ pub fn machine(
             let description = changed(narrowed, &beam, frames, drawn)?;
             let clocks = screen_clocks(&description);
             if let Some(pace) = pace {
-                pace.check(clocks, &frames.all[0])?;
+                pace.check(clocks, &frames.all[0], Some(&description))?;
             }
             Fitted {
                 description,
@@ -206,17 +203,40 @@ fn pairs<'a>(
 }
 
 impl Pace {
-    fn check(self, clocks: u64, frame: &Frame) -> Result<(), FitError> {
+    /// Refuses what is too slow; of a beam machine with the pixels per clock that would do.
+    fn check(
+        self,
+        clocks: u64,
+        frame: &Frame,
+        beam: Option<&MachineDescription>,
+    ) -> Result<(), FitError> {
         let fastest = self.mhz * 1e6 / clocks as f64;
-        match fastest >= self.frames {
-            true => Ok(()),
-            false => Err(FitError::Slow {
-                scene: frame.name.clone(),
-                wanted: self.frames,
-                mhz: self.mhz,
-                fastest,
-            }),
+        if fastest >= self.frames {
+            return Ok(());
         }
+        let more = beam.and_then(|beam| self.lanes(fastest, beam));
+        Err(FitError::Slow {
+            scene: frame.name.clone(),
+            wanted: self.frames,
+            mhz: self.mhz,
+            fastest,
+            remedy: more.map_or(String::new(), |more| {
+                format!("; --pixels-per-clock {more} would do")
+            }),
+        })
+    }
+
+    /// Pixels per clock with which a beam machine would be fast enough.
+    fn lanes(self, fastest: f64, beam: &MachineDescription) -> Option<u32> {
+        let of_one = fastest / f64::from(beam.pixels_per_clock);
+        [2, 4].into_iter().find(|&pixels_per_clock| {
+            let machine = MachineDescription {
+                pixels_per_clock,
+                output: Output::Stream,
+                ..beam.clone()
+            };
+            of_one * f64::from(pixels_per_clock) >= self.frames && machine.check("").is_ok()
+        })
     }
 }
 
@@ -273,7 +293,7 @@ fn of_zones(
     let fastest = slower.into_iter().min_by_key(|found| found.clocks);
     let fastest = fastest.expect("a machine was tried");
     let pace = pace.expect("without a pace the first machine does");
-    pace.check(fastest.clocks, &frames.all[0])?;
+    pace.check(fastest.clocks, &frames.all[0], None)?;
     Ok(fastest)
 }
 

@@ -36,7 +36,7 @@ pub enum FitError {
     TooManyForBeam,
     /// No machine is as fast as asked for.
     #[error(
-        "{scene}: no machine reaches {wanted} frames per second at {mhz} MHz; the fastest one makes {fastest:.1}"
+        "{scene}: no machine reaches {wanted} frames per second at {mhz} MHz; the fastest one makes {fastest:.1}{remedy}"
     )]
     Slow {
         /// The file of the slowest frame.
@@ -47,6 +47,8 @@ pub enum FitError {
         mhz: f64,
         /// Frames per second of the fastest machine.
         fastest: f64,
+        /// What would be faster, if anything.
+        remedy: String,
     },
     /// Not a machine: too large a picture.
     #[error(transparent)]

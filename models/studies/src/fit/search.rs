@@ -8,7 +8,7 @@
 use super::FitError;
 use super::budget::Budget;
 use super::estimate;
-use super::frames::{Drawn, Frames};
+use super::frames::{Drawn, Frames, MOST_GUARDS};
 use crate::kit::words::widest;
 use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
@@ -19,8 +19,6 @@ use rayon::prelude::*;
 const DEPTHS: (u32, u32) = (8, 30);
 /// Depth words beyond the least that meets the budget: a longer word can need fewer guard bits.
 const MORE_DEPTHS: u32 = 3;
-/// Guard bits of f1 and f2 at most: as many as keep the depth of every facet, and more than help any scene known.
-pub(super) const MOST_GUARDS: (u32, u32) = (10, 16);
 /// Bits of a normal component.
 const NORMALS: (u32, u32) = (10, 16);
 

@@ -162,7 +162,7 @@ impl Space {
         designs.retain(|design| {
             let lanes = design.pixels_per_clock;
             let clocks = columns / design.accuracy.undersampling / lanes;
-            lanes == 1 || (clocks >= LEAST_LINE && columns % lanes == 0)
+            lanes == 1 || (clocks >= LEAST_LINE && columns.is_multiple_of(lanes))
         });
         designs
     }

@@ -14,6 +14,7 @@ pub mod plot;
 pub mod point;
 mod prices;
 pub mod report;
+mod request;
 pub mod run;
 pub mod shrink;
 pub mod speed;

@@ -4,7 +4,7 @@ use super::TradeError;
 use super::design::Design;
 use super::point::{Cost, Point, Pricing};
 use super::report::{Trade, assemble};
-use super::run::Request;
+use super::request::Request;
 use super::store::Store;
 use imogene_plan::description::MachineDescription;
 use std::collections::{BTreeMap, BTreeSet};

@@ -73,10 +73,14 @@ impl Dot<'_> {
         self.entry.pareto.contains(&"speed")
     }
 
-    /// Object processors of a zone machine.
+    /// Object processors of a zone machine, pixels per clock of a beam machine.
     fn processors(&self) -> String {
-        let zones = self.entry.point.design.zones;
-        zones.map_or("beam".into(), |zones| zones.processors.to_string())
+        let design = self.entry.point.design;
+        match (design.zones, design.pixels_per_clock) {
+            (Some(zones), _) => zones.processors.to_string(),
+            (None, 0 | 1) => "beam".into(),
+            (None, lanes) => format!("beam {lanes}x"),
+        }
     }
 
     fn circle(&self) -> Circle<(f64, f64), i32> {

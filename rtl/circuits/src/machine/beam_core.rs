@@ -1,12 +1,11 @@
 //! The part of a beam machine that draws: from the raster to the colour of every pixel.
 
-use super::layer::{Around, Look, Transparent, shaded_layer};
+use super::layer::{Around, Look, Transparent, shaded_layer, shaded_normal};
 use super::pixel_count::pixel_count;
 use super::{
-    Lit, MATERIAL, NORMAL, Objects, SHADING, Surface, Volumes, WordBus, all_sources, object_array,
+    Lit, MATERIAL, Objects, SHADING, Surface, Volumes, WordBus, all_sources, object_array,
     volume_array,
 };
-use crate::object::Normal;
 use crate::raster::{Scan, lane_pixel, lanes_latency};
 use crate::rows::{PerLane, in_lane, numbered};
 use crate::shade::{
@@ -155,7 +154,7 @@ fn blended(
                 data: load.data.low(MATERIAL + LEVEL),
             },
             load: words,
-            take: vec![],
+            take: None,
         };
         shaded_layer(&at, object, slot, &around)
     });
@@ -231,9 +230,4 @@ fn flags(
     let lit = PerLane(lit.collect());
     let lit = volume_array("volumes", scan, lit, words, &machine.volumes);
     lit.0.into_iter().map(|(_, flags)| flags).collect()
-}
-
-/// A normal in at most the words of the shading processor, to which its length means nothing.
-pub(super) fn shaded_normal(normal: Normal) -> Normal {
-    normal.map(|part| part.high(part.width().min(NORMAL)))
 }

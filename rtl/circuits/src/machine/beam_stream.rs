@@ -2,7 +2,8 @@
 
 use super::{BeamMachine, Beat, beam_core, frame_loader};
 use crate::rows::PerLane;
-use crate::video::{LEVEL, Queue, Queued, frame_scan, pixel_fifo};
+use crate::shade::Shaded;
+use crate::video::{LEVEL, Queue, Queued, Scanned, frame_scan, pixel_fifo};
 use imogene_hdl::{Bits, Value, bundles, join, module};
 
 /// Address bits of the queue of pixels at least.
@@ -47,45 +48,50 @@ pub fn beam_stream(
         is_busy.drive(loaded.is_busy);
         let words = (loaded.take, loaded.load);
         let shaded = beam_core("core", frames.scan, words, machine);
-        let is_first = frames.scan.flags.start.delayed_as("start_late", latency);
-        let line_ends = frames.line_ends.delayed_as("line_ends_late", latency);
-        // The queues are long enough for a pixel on every clock.
-        let places = (latency + 6).next_power_of_two().ilog2().max(QUEUE);
-        let colours = shaded.0.iter().map(|shaded| shaded.colour().packed());
-        let colours: Vec<Bits> = colours.collect();
-        // Queues of two pixels each, all at the same place.
-        let pairs = colours.chunks(2).enumerate().map(|(index, pair)| {
-            let queue = Queue {
-                started: frames.issue,
-                push: shaded.0[0].out_valid,
-                data: pair
-                    .iter()
-                    .rev()
-                    .fold(is_first, |word, colour| join([word, *colour])),
-                last: line_ends,
-                m_tready: ready,
-            };
-            let at = match index {
-                0 => "queue".to_owned(),
-                _ => format!("queue_{index}"),
-            };
-            pixel_fifo(&at, queue, places, latency + 1)
-        });
-        let queues: Vec<Queued> = pairs.collect();
-        let queued = queues[0];
-        let pixel = |lane: u32| {
-            let (word, low) = (queues[lane as usize / 2].m_tdata, COLOUR * (lane % 2));
-            word.slice(low + COLOUR - 1, low)
-        };
+        let (queued, pixels) = queues(&frames, &shaded, ready, latency);
         room.drive(queued.room);
         Streamed {
             s_tready: loaded.s_tready,
             m_tvalid: queued.m_tvalid,
-            m_tdata: PerLane((0..lanes).map(pixel).collect()),
+            m_tdata: pixels,
             m_tuser: queued.m_tdata.top(),
             m_tlast: queued.m_tlast,
             swapped: loaded.take,
             refused: loaded.refused,
         }
     })
+}
+
+/// Queues of two pixels each, all at the same place, long enough for pixels on every clock; and the pixels that leave.
+fn queues(
+    frames: &Scanned,
+    shaded: &PerLane<Shaded>,
+    ready: Bits,
+    latency: u32,
+) -> (Queued, PerLane<Bits>) {
+    let is_first = frames.scan.flags.start.delayed_as("start_late", latency);
+    let line_ends = frames.line_ends.delayed_as("line_ends_late", latency);
+    let places = (latency + 6).next_power_of_two().ilog2().max(QUEUE);
+    let pairs = shaded.0.chunks(2).enumerate().map(|(index, pair)| {
+        let colours = pair.iter().rev().map(|shaded| shaded.colour().packed());
+        let queue = Queue {
+            started: frames.issue,
+            push: pair[0].out_valid,
+            data: colours.fold(is_first, |word, colour| join([word, colour])),
+            last: line_ends,
+            m_tready: ready,
+        };
+        let at = match index {
+            0 => "queue".to_owned(),
+            _ => format!("queue_{index}"),
+        };
+        pixel_fifo(&at, queue, places, latency + 1)
+    });
+    let queues: Vec<Queued> = pairs.collect();
+    let pixels = PerLane::of(shaded.0.len() as u32, |lane| {
+        let low = COLOUR * (lane % 2);
+        let word = queues[lane as usize / 2].m_tdata;
+        word.slice(low + COLOUR - 1, low)
+    });
+    (queues[0], pixels)
 }

@@ -1,8 +1,8 @@
 //! A transparent object of a beam machine: its processor, its material and its own shading.
 
-use super::beam_core::shaded_normal;
 use super::slot::{Lanes, Place, seen};
-use super::{LoadBus, MATERIAL, Objects, all_sources};
+use super::{LoadBus, MATERIAL, NORMAL, Objects, all_sources};
+use crate::object::Normal;
 use crate::raster::{Pixel, Scan, lane_pixel, lane_scans, lanes_latency};
 use crate::rows::{PerLane, in_lane};
 use crate::shade::{Layer, Point, Shading, ShadingLoad, Surface};
@@ -27,7 +27,7 @@ bundles! {
         object: LoadBus as "object", "its words";
         look: Look as "look", "how it looks";
         load: ShadingLoad as "load", "words of the shading";
-        take: Vec<Bits> as "take", "words are taken over, where they are held";
+        take: Option<Bits> as "take", "words are taken over, where they are held";
     }
 }
 
@@ -50,7 +50,7 @@ pub(super) fn shaded_layer(
 ) -> PerLane<Layer> {
     module("shaded_layer", at, object, |object| {
         let (scan, bus, load) = (object.scan, object.object, object.load);
-        let take = object.take.first().copied();
+        let take = object.take;
         let words = machine.objects.of_slot(slot);
         let place = Place {
             at: "processor".into(),
@@ -87,4 +87,9 @@ pub(super) fn shaded_layer(
             Layer { surface, weight }
         })
     })
+}
+
+/// A normal in at most the words of the shading processor, to which its length means nothing.
+pub(super) fn shaded_normal(normal: Normal) -> Normal {
+    normal.map(|part| part.high(part.width().min(NORMAL)))
 }

@@ -89,7 +89,7 @@ bundles! {
         pass_ends: Bits as "pass_ends", "it is the last of the pass";
         frame_ends: Bits as "frame_ends", "it is the last of the frame";
         load: TableWord as "load", "a word";
-        ahead: Vec<Ahead> as "ahead", "of transparent objects";
+        ahead: Option<Ahead> as "ahead", "of transparent objects";
     }
 }
 
@@ -181,7 +181,7 @@ pub fn zone_core(at: &str, beat: Beat, room: Bits, machine: &ZoneCore, drain: u3
                 address: load.address,
                 data: load.data,
             },
-            ahead: ahead.into_iter().collect(),
+            ahead,
         }
     })
 }

@@ -1,7 +1,6 @@
 //! Zone machine: from the command stream to shaded pixels.
 
-use super::beam_core::shaded_normal;
-use super::layer::{Around, Look, Transparent, shaded_layer};
+use super::layer::{Around, Look, Transparent, shaded_layer, shaded_normal};
 use super::{
     Ahead, Beat, COORDINATE, Coloured, ID, MATERIAL, MEAN_LATENCY, Objects, SHADING, SamplePass,
     Shown, ZoneCore, sample_mean, zone_core,
@@ -42,7 +41,7 @@ impl ZoneMachine {
     }
 
     /// Clocks by which transparent objects know a pixel of a showing pass before its surface is read: each is blended
-    /// after the one before, and the surface has [`SEEN`] clocks to the shading.
+    /// after the one before, and the surface has three clocks to the shading.
     pub fn ahead(objects: &Objects, layers: &[FittedSlot]) -> Option<u32> {
         let clocks = layers.iter().zip((SEEN..).step_by(BLEND_LATENCY as usize));
         let ahead = clocks.map(|(slot, late)| objects.slot_clocks(slot).saturating_sub(late));
@@ -137,7 +136,7 @@ fn shaded(seen: &Shown, machine: &ZoneMachine) -> Coloured {
     let (pixel, depth) = (point.pixel, point.depth);
     let shaded = machine.shading.shade("shading", point, load);
     let late = machine.shaded();
-    let shaded = match seen.ahead.first() {
+    let shaded = match &seen.ahead {
         None => shaded,
         Some(ahead) => blended(ahead, (pixel, load), (depth, shaded), machine),
     };
@@ -179,7 +178,7 @@ fn blended(
                 data: bus.data.slice(ID + MATERIAL + LEVEL - 1, ID),
             },
             load,
-            take: vec![ahead.take],
+            take: Some(ahead.take),
         };
         shaded_layer(&at, object, slot, &around).alone()
     });
