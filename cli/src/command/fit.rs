@@ -100,7 +100,7 @@ fn finish(
         Some(_) => Some(price(&[machine::base(description)], target, options)?[0]),
         None => None,
     };
-    let has_bounds = frames.has_bounds;
+    let has_bounds = frames.has_bounds && frames.is_whole;
     let bounds = has_bounds.then(|| proof::bounds(frames, choice.drawn));
     let limits = proof::proofs(frames, &budget, choice.drawn, bounds.as_ref());
     let truth = &frames.all[0].truth;

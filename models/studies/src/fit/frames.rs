@@ -37,6 +37,13 @@ impl Frame {
         self.located.prepare(&self.scene, format, Options::HARDWARE)
     }
 
+    /// In the base format with guard bits for every facet.
+    fn prepare_wide(&self) -> Result<PreparedScene, FitError> {
+        let wide = Format::BASE.with_guards(MOST_GUARDS.0, 0);
+        let wide = wide.expect("guard bits of f1 within their range");
+        self.prepare(wide).map_err(|source| self.refused(source))
+    }
+
     /// What the machine shows.
     fn draw(&self, prepared: &PreparedScene) -> Result<Drawing, FitError> {
         drawn(&self.scene, prepared, None)
@@ -64,6 +71,8 @@ pub struct Frames {
     /// Every object is of the quadric or the patch processor: their errors have bounds, and their words are free, while
     /// those of others follow from the depth word.
     pub has_bounds: bool,
+    /// Nothing is left out of the scene: the bounds are those of all that is seen.
+    pub is_whole: bool,
     /// Which machine they are for.
     pub(super) kind: MachineKind,
     is_for_zones: bool,
@@ -130,6 +139,7 @@ impl Frames {
         let mut frames = Frames {
             all: frames.collect(),
             has_bounds: true,
+            is_whole: true,
             kind: MachineKind::Beam,
             is_for_zones: true,
             lit_sphere: None,
@@ -144,10 +154,7 @@ impl Frames {
         let (mut has_bounds, mut is_for_zones, mut processors) = (true, true, 0);
         for frame in &self.all {
             // What this format refuses no other words take: f2 and the planes grow with the depth word.
-            let wide = Format::BASE.with_guards(MOST_GUARDS.0, 0);
-            let wide = wide.expect("guard bits of f1 within their range");
-            let prepared = frame.prepare(wide);
-            let prepared = prepared.map_err(|source| frame.refused(source))?;
+            let prepared = frame.prepare_wide()?;
             let zone = needs::check_any(MachineKind::Zone, &frame.scene, &prepared);
             let zone = zone.map_err(|source| frame.refused(source));
             let beam = needs::check_any(MachineKind::Beam, &frame.scene, &prepared);
@@ -190,8 +197,7 @@ impl Frames {
             seen.iter_mut()
                 .zip(own)
                 .for_each(|(most, own)| *most = own.max(*most));
-            let prepared = frame.prepare(Format::BASE);
-            let prepared = prepared.map_err(|source| frame.refused(source))?;
+            let prepared = frame.prepare_wide()?;
             let alone = prepared.slots_alone();
             let is_alone = |object| alone.iter().any(|slot| slot.object == object);
             (0..count).for_each(|object| may_go[object] &= is_alone(object));
@@ -222,8 +228,7 @@ impl Frames {
             scenes.push(file);
         }
         self.settle(kind)?;
-        // Bounds are of what is drawn.
-        self.has_bounds = false;
+        self.is_whole = false;
         Ok(Some(LeftOut { names, scenes }))
     }
 
