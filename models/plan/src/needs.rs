@@ -213,7 +213,7 @@ fn add_shared(
     let mut alone = machine.slots();
     let mut layers = alone.split_off(alone.len() - machine.layers);
     let members = alone.split_off(machine.slots_alone());
-    let needed_layers = layer_slots(prepared, &layers)?.into_iter();
+    let needed_layers = of_slots(prepared, &prepared.layers, &layers)?.into_iter();
     let needed_layers = needed_layers.map(|slot| FittedSlot::of(slot.kind, slot.planes));
     let needed_layers: Vec<FittedSlot> = needed_layers.collect();
     let (needed, of_members) = zone_slots(prepared, &alone)?;
@@ -286,7 +286,7 @@ fn add_slots(
     let mut members = slots.split_off(machine.slots_alone());
     add_each(&mut slots, &needed);
     enlarge(&mut machine.products.0, &mut members, prepared);
-    let needed = layer_slots(prepared, &layers)?;
+    let needed = of_slots(prepared, &prepared.layers, &layers)?;
     add_each(&mut layers, &needed);
     if slots.len() + members.len() == 0 {
         slots.push(FittedSlot::NONE);
@@ -300,6 +300,7 @@ fn add_slots(
     Ok(planes)
 }
 
+/// What parts have to have in slots of their own, beside those that are given.
 fn of_slots(
     prepared: &PreparedScene,
     parts: &[Slot],
@@ -307,14 +308,6 @@ fn of_slots(
 ) -> Result<Vec<FittedSlot>, DisplayError> {
     let parts = beam_slots(prepared, parts, slots)?.into_iter();
     Ok(parts.map(|(slot, _)| slot).collect())
-}
-
-/// What the slots of transparent objects have to have, beside those that there are.
-fn layer_slots(
-    prepared: &PreparedScene,
-    slots: &[FittedSlot],
-) -> Result<Vec<FittedSlot>, DisplayError> {
-    of_slots(prepared, &prepared.layers, slots)
 }
 
 fn add_each(slots: &mut Vec<FittedSlot>, needed: &[FittedSlot]) {

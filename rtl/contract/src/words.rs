@@ -99,3 +99,6 @@ pub const FRONT_PLANE: u64 = 1;
 pub const BACK_PLANE: u64 = 2;
 /// Kind of a plane perpendicular to the screen.
 pub const PERPENDICULAR: u64 = 3;
+
+/// Clocks from the flags of a line to those of its lanes, where several pixels are drawn at once.
+pub const LANES_LATENCY: u32 = 3;

@@ -1,11 +1,20 @@
-//! Several pixels of a line at once: each lane has the values that words moved to its pixels have.
+//! Several pixels of a line at once: each lane has the values that words moved to its pixels have, and machines stream
+//! the golden picture.
 
+use super::machines::{run, small};
 use imogene_circuits::raster::{
     LANES_LATENCY, Laned, Linear, Quadratic, Scan, lane_scans, pe1, pe2,
 };
+use imogene_golden::format::Format;
 use imogene_golden::unit::lattice::Lattice;
 use imogene_golden::unit::{pe1::Linear as Line, pe2::Quadratic as Conic};
 use imogene_hdl::{Bundle, Design, Int, Simulator, module};
+use imogene_plan::description::MachineDescription;
+use imogene_plan::display::{Image, image};
+use imogene_plan::needs::enough;
+use imogene_prepare::{Framing, prepare};
+use imogene_verif::display::pins::{self, PinsRun};
+use imogene_verif::engine::Engine;
 use proptest::collection::vec;
 use proptest::prelude::*;
 
@@ -135,6 +144,45 @@ proptest! {
         let found = zone.found(width, lanes);
         for (lane, found) in (0..lanes).zip(found) {
             prop_assert_eq!(found, zone.wanted(width, lane, lanes), "lane {}", lane);
+        }
+    }
+}
+
+/// Several pixels on every clock: quadrics cut by planes, solids, glass, shadows; with stalls on both sides.
+#[test]
+fn several_pixels_per_clock_stream_the_golden_picture() {
+    let asked = MachineDescription {
+        objects: 1,
+        planes: 0,
+        ..small("beam-stream.toml", 120, 20, 40)
+    };
+    for scene in [
+        "teapot.toml",
+        "solids/bracket.toml",
+        "glass/still-life.toml",
+        "shadows/ball-before-ball.toml",
+    ] {
+        let framed = super::scene(scene).frame(120, 20).expect("a valid size");
+        let prepared = prepare(&framed, Format::BASE).expect("fits the format");
+        let machine = enough(&asked, &[(&framed, &prepared)]).expect("a machine");
+        let image = image(&framed, &prepared, &machine).expect("fits the machine");
+        let blank = Image {
+            picture: vec![0; image.picture.len()],
+            ..image.clone()
+        };
+        for pixels_per_clock in [2, 4] {
+            let machine = MachineDescription {
+                pixels_per_clock,
+                ..machine.clone()
+            };
+            machine.check("lanes").expect("lines that are long enough");
+            let stalling = PinsRun {
+                stalls: Some(7),
+                ..PinsRun::plain(Engine::BuiltIn)
+            };
+            run(&machine, std::slice::from_ref(&image), &stalling);
+            let wrong = pins::run(&machine, std::slice::from_ref(&blank), &stalling, || ());
+            assert!(wrong.expect("a machine that runs").report.mismatches > 300);
         }
     }
 }

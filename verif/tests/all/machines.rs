@@ -3,18 +3,15 @@
 use super::root;
 use imogene_contract::DeciderForm;
 use imogene_contract::slots::{Slots, parse};
-use imogene_golden::format::Format;
 use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_golden::widths::OwnWidths;
-use imogene_plan::description::{MachineDescription, MachineKind, Output, Smoothing, ZoneSize};
+use imogene_plan::description::{MachineDescription, Output, Smoothing, ZoneSize};
 use imogene_plan::display::{Image, image};
-use imogene_plan::needs::enough;
-use imogene_plan::pace::clocks_per_frame;
 use imogene_prepare::Framing;
 use imogene_prepare::prepare;
 use imogene_scene::SceneFile;
 use imogene_verif::display::pins::{self, PinsOutcome, PinsRun};
-use imogene_verif::display::request::{request_for, timing};
+use imogene_verif::display::request::request_for;
 use imogene_verif::engine::Engine;
 use imogene_verif::engine::circuit::Levelised;
 use imogene_verif::engine::design::Simulator;
@@ -47,7 +44,11 @@ fn drawn_text(text: &str, machine: &MachineDescription) -> Image {
     image(&framed, &prepared, machine).expect("fits the machine")
 }
 
-fn run(machine: &MachineDescription, images: &[Image], options: &PinsRun) -> PinsOutcome {
+pub(crate) fn run(
+    machine: &MachineDescription,
+    images: &[Image],
+    options: &PinsRun,
+) -> PinsOutcome {
     let outcome = pins::run(machine, images, options, || ()).expect("a machine that runs");
     let report = &outcome.report;
     assert_eq!(report.mismatches, 0, "{}", report.first_mismatches[0]);
@@ -154,103 +155,6 @@ fn slots_that_are_not_alike_show_the_golden_picture() {
     let image = drawn("teapot.toml", &machine);
     assert!(image.beats.len() < alike.beats.len());
     run(&machine, &[image], &PinsRun::plain(Engine::BuiltIn));
-}
-
-/// Several pixels on every clock: quadrics cut by planes, solids, glass, shadows; with stalls on both sides.
-#[test]
-fn several_pixels_per_clock_stream_the_golden_picture() {
-    let asked = MachineDescription {
-        objects: 1,
-        planes: 0,
-        ..small("beam-stream.toml", 120, 20, 40)
-    };
-    for scene in [
-        "teapot.toml",
-        "solids/bracket.toml",
-        "glass/still-life.toml",
-        "shadows/ball-before-ball.toml",
-    ] {
-        let framed = super::scene(scene).frame(120, 20).expect("a valid size");
-        let prepared = prepare(&framed, Format::BASE).expect("fits the format");
-        let machine = enough(&asked, &[(&framed, &prepared)]).expect("a machine");
-        let image = image(&framed, &prepared, &machine).expect("fits the machine");
-        let blank = Image {
-            picture: vec![0; image.picture.len()],
-            ..image.clone()
-        };
-        for pixels_per_clock in [2, 4] {
-            let machine = MachineDescription {
-                pixels_per_clock,
-                ..machine.clone()
-            };
-            machine.check("lanes").expect("lines that are long enough");
-            let stalling = PinsRun {
-                stalls: Some(7),
-                ..PinsRun::plain(Engine::BuiltIn)
-            };
-            run(&machine, std::slice::from_ref(&image), &stalling);
-            let wrong = pins::run(&machine, std::slice::from_ref(&blank), &stalling, || ());
-            assert!(wrong.expect("a machine that runs").report.mismatches > 300);
-        }
-    }
-}
-
-/// What a zone machine shows of glass is what a beam machine shows, in turn with a scene without any, and in the clocks
-/// of the formula.
-#[test]
-fn glass_on_zone_machines() {
-    let asked = MachineDescription {
-        objects: 1,
-        planes: 0,
-        ..small("zone-160x120.toml", 48, 36, 12)
-    };
-    let scenes = ["glass/still-life.toml", "teapot.toml"].map(super::scene);
-    for (supersampling, output) in [(1, Output::Pins), (1, Output::Stream), (2, Output::Stream)] {
-        let asked = MachineDescription {
-            supersampling,
-            output,
-            ..asked.clone()
-        };
-        let (width, height) = asked.drawn_size().expect("a mode");
-        let framed = [0, 1].map(|k| scenes[k].frame(width, height).expect("a valid size"));
-        let prepared = [0, 1].map(|k| prepare(&framed[k], Format::BASE).expect("fits the format"));
-        let pairs = [(&framed[0], &prepared[0]), (&framed[1], &prepared[1])];
-        let machine = enough(&asked, &pairs).expect("a machine");
-        assert_eq!((machine.machine, machine.layers), (MachineKind::Zone, 3));
-        let images = pairs.map(|(framed, prepared)| image(framed, prepared, &machine));
-        let [glass, teapot] = images.map(|image| image.expect("fits the machine"));
-        if supersampling == 1 {
-            let beam = MachineDescription {
-                machine: MachineKind::Beam,
-                zone: None,
-                slots: None,
-                layers: 0,
-                ..machine.clone()
-            };
-            let beam = enough(&beam, &pairs[..1]).expect("a machine");
-            let alike = image(&framed[0], &prepared[0], &beam).expect("fits the machine");
-            assert!(alike.picture == glass.picture);
-        }
-        let both = [glass.clone(), teapot, glass.clone()];
-        let late = PinsRun {
-            stalls: Some(3),
-            late: 9000,
-            ..PinsRun::plain(Engine::BuiltIn)
-        };
-        run(&machine, &both, &late);
-        run(&machine, &both, &PinsRun::plain(Engine::BuiltIn));
-        if output == Output::Stream {
-            let cycles = [2, 3].map(|times| {
-                let images = vec![glass.clone(); times];
-                run(&machine, &images, &PinsRun::plain(Engine::BuiltIn))
-                    .report
-                    .cycles
-            });
-            let timing = timing(&request_for(&machine, &[], "")).expect("a machine");
-            let clocks = clocks_per_frame(&machine, pairs[0].0, pairs[0].1, &timing);
-            assert_eq!(cycles[1] - cycles[0], clocks.expect("a plan"));
-        }
-    }
 }
 
 /// Chains and cards, also of which the last is not full, of processors of different latencies, with products behind

@@ -9,6 +9,7 @@ mod extremes;
 mod faults;
 mod fitted;
 mod formal;
+mod glass;
 mod icarus;
 mod kernels;
 mod lanes;

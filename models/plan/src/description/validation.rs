@@ -5,7 +5,7 @@ use super::{DescriptionError, MachineDescription, MachineKind, Output, Smoothing
 use imogene_contract::object::Kind;
 use imogene_contract::slots::{FittedSlot, Slots};
 use imogene_contract::video::VideoMode;
-use imogene_contract::words::MOST_LAYERS;
+use imogene_contract::words::{LANES_LATENCY, MOST_LAYERS};
 use imogene_golden::format::Format;
 use imogene_golden::machine::shader::MOST_LIGHTS;
 use imogene_golden::machine::zone::{MAX_PICTURE, SAMPLES};
@@ -22,8 +22,8 @@ const MAX_FILTERED_LINE: u64 = 2048;
 /// Key, value and what would be accepted.
 struct Refusal(&'static str, String, String);
 
-/// Clocks from the words of a line to those of its lanes, and those that a quotient begins later.
-const LINE_CLOCKS: u32 = 3 + 2;
+/// Clocks that a quotient begins later than a root.
+const QUOTIENT_CLOCKS: u32 = 2;
 
 type Checked = Result<(), Refusal>;
 
@@ -236,7 +236,7 @@ impl MachineDescription {
         let root = Method::of(format.root_form).latency(format.root_rows(), self.rows_per_stage);
         let root = root.max(digits);
         let planes = most_planes(&slots).max(self.volume_planes);
-        root + after_root(planes) + LINE_CLOCKS
+        LANES_LATENCY + root + QUOTIENT_CLOCKS + after_root(planes)
     }
 
     fn check_output(&self, mode: &VideoMode) -> Checked {

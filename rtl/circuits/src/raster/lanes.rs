@@ -5,8 +5,7 @@ use super::pe2::line_begin as pe2_line_begin;
 use super::{Flags, HELD, Linear, Pixel, Quadratic, Scan};
 use imogene_hdl::{Bits, Int, Value, module, net};
 
-/// Clocks from the flags of a line to those of its lanes.
-pub const LANES_LATENCY: u32 = 3;
+pub use imogene_contract::words::LANES_LATENCY;
 
 /// Clocks by which the flags of the lanes are late: none where there is one.
 pub fn lanes_latency(lanes: u32) -> u32 {
