@@ -161,6 +161,7 @@ fn found(frames: &Frames, budget: &Budget) -> Result<Vec<Drawn>, Failure> {
 
 /// The frames, and what is left out of them.
 fn frames(options: &Fit) -> Result<(Frames, Option<LeftOut>), Failure> {
+    options.budget().check()?;
     let mut files: Vec<(String, SceneFile)> = vec![];
     for path in &options.scenes {
         let file = molecules::read_scene(path)?;

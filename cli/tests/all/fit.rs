@@ -173,7 +173,8 @@ fn what_is_out_of_reach_fails_the_check_and_writes_nothing() {
 #[test]
 fn bad_input_is_refused_with_what_would_be_accepted() {
     for (line, part) in [
-        ("fit scenes/cut-sphere.toml", "--max-depth-error"),
+        // Before the scene is read, and its truth found.
+        ("fit no-such-scene.toml", "--max-depth-error"),
         ("fit scenes/cut-sphere.toml --max-depth-error 1m", "0.5px"),
         ("fit scenes/cut-sphere.toml --max-face-errors 1.5", "0.1%"),
         (

@@ -125,7 +125,14 @@ pub fn prepare_again(
     let fresh = objects.iter().zip(&known.objects);
     let fresh = fresh.map(|(object, known)| known.is_none().then(|| object.clone()));
     let fresh: Vec<Option<PreparedObject>> = fresh.collect();
-    let volumes = prepare_volumes(scene, &mut objects, &context, &known, &mut missing, done)?;
+    let volumes = prepare_volumes(
+        scene,
+        &mut objects,
+        &context,
+        (&known, &located.found),
+        &mut missing,
+        done,
+    )?;
     let reuse = Reuse::of(&fresh, &volumes);
     if missing.is_empty() {
         kept.keep(scene, located.places, fresh, &volumes, &context);

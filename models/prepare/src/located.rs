@@ -8,6 +8,7 @@ use super::object;
 use super::prepared::{PreparedObject, PreparedParts, PreparedQuadric};
 use super::projected::Projected;
 use super::seams::{self, Place, cut};
+use super::volume::Found;
 use super::{first_generation, mesh, paraboloids, planes, quotient};
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_scene::{FramedObject, FramedQuadric, FramedScene};
@@ -19,6 +20,7 @@ pub(super) struct Located {
     projected: Vec<Option<Box<Projected>>>,
     /// Of all cut quadrics.
     pub places: Vec<Option<Box<Place>>>,
+    pub found: Found,
 }
 
 impl Located {
@@ -38,6 +40,7 @@ impl Located {
         Located {
             projected,
             places: seams::places(&scene.objects, &windows),
+            found: Found::default(),
         }
     }
 

@@ -107,7 +107,14 @@ fn prepare_located(
     let known = Known::nothing(scene);
     let mut missing = vec![];
     let mut objects = prepare_objects(scene, located, &context, &known, &mut missing, done)?;
-    let volumes = prepare_volumes(scene, &mut objects, &context, &known, &mut missing, done)?;
+    let volumes = prepare_volumes(
+        scene,
+        &mut objects,
+        &context,
+        (&known, &located.found),
+        &mut missing,
+        done,
+    )?;
     prepared_scene(scene, context, objects, volumes, missing)
 }
 

@@ -4,6 +4,8 @@
 //! -2 <= w < 0. In perspective `w = -1/t` for the point `eye + t (pixel - eye)`; in an orthographic view `z =
 //! half_depth (1 + w)`.
 
+use super::ball::{Ball, exponent};
+use super::number::Number;
 use super::real::SurdReal;
 use super::surd::order;
 use imogene_algebra::matrix::{Matrix4, symmetric};
@@ -45,6 +47,8 @@ pub struct RayObject {
     /// Factors of w^2, w and 1, each `a x^2 + b y^2 + c xy + d x + e y + f`, with one common positive denominator
     /// dropped.
     pub(crate) along: [[BigInt; 6]; 3],
+    /// The same, divided by a power of two, near enough to tell most of the pixels at which there is no root.
+    near: [[Ball; 6]; 3],
     /// Per plane the factors of w and 1, each `a x + b y + c`; kept where their sum is not positive.
     pub(crate) planes: Vec<[[BigInt; 3]; 2]>,
 }
@@ -67,9 +71,13 @@ impl RayObject {
             let (factors, _) = common_denominator(p.coefficients());
             coprime([dot(&factors, &slope), dot(&factors, &constant)])
         });
+        let along = coprime(along);
+        let exponent = exponent(along.iter().flatten());
+        let near = |p: &[BigInt; 6]| p.each_ref().map(|c| Ball::scaled(c, exponent));
         RayObject {
             surface: object.surface,
-            along: coprime(along),
+            near: along.each_ref().map(near),
+            along,
             planes: planes.collect(),
         }
     }
@@ -79,8 +87,26 @@ impl RayObject {
         self.along.each_ref().map(|p| second_degree(p, x, y))
     }
 
+    /// True only if the line of sight never meets the quadric, nor is within it.
+    fn is_missed(&self, x: i64, y: i64) -> bool {
+        let powers = [x * x, y * y, x * y, x, y, 1].map(|power| Ball::new(power as f64, 0.0));
+        let [a, b, c] = self.near.map(|p| {
+            let terms = p.iter().zip(&powers).map(|(c, power)| c.product(power));
+            terms
+                .reduce(|sum, term| sum.plus(&term))
+                .expect("six terms")
+        });
+        let product = a.product(&c).product(&Ball::new(4.0, 0.0));
+        let has_no_root = b.product(&b).minus(&product).known_sign() == Some(Ordering::Less);
+        let is_outside = || c.known_sign() == Some(Ordering::Greater);
+        has_no_root && (self.surface == Surface::Patch || is_outside())
+    }
+
     /// The first visible point of the object at a pixel.
     pub fn first_hit(&self, x: i64, y: i64) -> Option<Hit> {
+        if self.is_missed(x, y) {
+            return None;
+        }
         match self.surface {
             Surface::Solid => self.solid_hit(x, y),
             Surface::Patch => {

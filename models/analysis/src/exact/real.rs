@@ -1,8 +1,10 @@
 //! Real numbers with one square root, compared exactly.
 
+use super::ball::Ball;
+use super::number::Number;
 use super::surd::{Surd, order, sign_with_root};
 use num_bigint::BigInt;
-use num_traits::{Signed, Zero};
+use num_traits::{One, Signed, Zero};
 use std::cmp::Ordering;
 
 /// `(p + s sqrt(q)) / d` with integers p, q >= 0, d > 0 and s = -1, 0 or 1.
@@ -51,6 +53,15 @@ impl SurdReal {
     /// Compares with the rational `n / d`, d > 0.
     pub fn cmp_ratio(&self, n: &BigInt, d: &BigInt) -> Ordering {
         sign_with_root(&(&self.p * d - n * &self.d), self.s, &(&self.q * d * d))
+    }
+
+    /// The number, near enough to tell most of its signs.
+    pub fn ball(&self) -> Ball {
+        let bits = 60;
+        let unit = 2f64.powi(-(bits as i32));
+        let fixed = self.fixed(&BigInt::one(), &BigInt::ZERO, bits);
+        // Off by a unit for the floor, one for the root.
+        Ball::scaled(&fixed, bits.into()).plus(&Ball::new(0.0, 2.0 * unit))
     }
 
     /// floor((a * self + b) * 2^bits) up to one unit, for a > 0.

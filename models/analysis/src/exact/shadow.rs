@@ -7,47 +7,57 @@
 //!
 //! A point of the segment is `a source + b point`, a and b not negative. The planes leave an interval of it, and a
 //! quadratic form in (a, b) that is not positive somewhere in that interval, the visible point itself not counted, is a
-//! solid in the way.
+//! solid in the way. The signs are first told in ball arithmetic, and in exact numbers where that leaves one open.
 
+use super::ball::{Ball, balls, exponent};
+use super::number::Number;
 use super::ray::{first_degree, ray_points};
+use super::real::SurdReal;
 use super::render::View;
 use super::surd::Surd;
-use imogene_algebra::matrix::image;
 use imogene_algebra::vector;
 use imogene_algebra::whole::common_denominator;
 use imogene_golden::machine::lighting::{ALL_SOURCES, Lighting};
+use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR, FACE_PLANE};
 use imogene_scene::{FramedObject, FramedScene, FramedSource, Surface};
 use num_bigint::BigInt;
 use num_traits::Zero;
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
-type Vector = [BigInt; 4];
-type Point = [Surd; 4];
+type Vector<F> = [F; 4];
 
 /// The flags of a picture's sources; `line_done` is called once a line, from any thread.
 pub fn lighting(scene: &FramedScene, line_done: impl Fn() + Sync) -> Lighting {
     let (width, height) = (scene.width, scene.height);
     let view = View::new(scene);
-    let solids: Vec<Solid> = scene.objects.iter().filter_map(Solid::casting).collect();
-    let sources: Vec<Source> = scene
-        .sources
+    let casters: Vec<Caster> = scene
+        .objects
         .iter()
-        .map(|source| Source::new(source, &solids))
+        .enumerate()
+        .filter_map(Caster::of)
+        .collect();
+    let sources = scene.sources.iter();
+    let sources: Vec<Source> = sources
+        .map(|source| Source::new(source, &casters))
         .collect();
     let (constant, slope) = ray_points(scene);
     let line = |y: i64| {
         let flags: Vec<u16> = (0..i64::from(width))
             .map(|x| {
-                let Some((_, hit)) = view.visible(x, y) else {
+                let Some((object, hit)) = view.visible(x, y) else {
                     return ALL_SOURCES;
                 };
-                let [from, along] =
-                    [&constant, &slope].map(|p| p.each_ref().map(|p| first_degree(p, x, y)));
-                let point = homogeneous(&from, &along, &hit.w.as_surd());
+                let ray = [&constant, &slope].map(|p| p.each_ref().map(|p| first_degree(p, x, y)));
+                let point = Seen {
+                    exact: exact_point(&ray, &hit.w),
+                    near: near_point(&ray, &hit.w),
+                    object: object as usize,
+                    face: hit.number,
+                };
                 let reached = sources.iter().enumerate();
                 reached.fold(ALL_SOURCES, |flags, (bit, source)| {
-                    if source.reaches(&point, &solids) {
+                    if source.reaches(&point, &casters) {
                         flags
                     } else {
                         flags & !(1 << bit)
@@ -66,26 +76,36 @@ pub fn lighting(scene: &FramedScene, line_done: impl Fn() + Sync) -> Lighting {
     }
 }
 
+/// A visible point.
+struct Seen {
+    exact: Vector<Surd>,
+    near: Vector<Ball>,
+    object: usize,
+    face: u8,
+}
+
 /// `d (from + w along)` for `w = n / d`, d > 0.
-fn homogeneous(from: &Vector, along: &Vector, (n, d): &(Surd, BigInt)) -> Point {
-    std::array::from_fn(|k| n.times(&along[k]).plus(&Surd::whole(&from[k] * d, n)))
+fn exact_point([from, along]: &[Vector<BigInt>; 2], w: &SurdReal) -> Vector<Surd> {
+    let (n, d) = w.as_surd();
+    std::array::from_fn(|k| n.times(&along[k]).plus(&n.of(&(&from[k] * &d))))
 }
 
-/// An object that casts a shadow: inside where all are not positive.
-struct Solid {
-    q: [Vector; 4],
-    planes: Vec<Vector>,
+/// `from + w along`, times a positive factor.
+fn near_point([from, along]: &[Vector<BigInt>; 2], w: &SurdReal) -> Vector<Ball> {
+    let exponent = exponent(from.iter().chain(along));
+    let [from, along] = [from, along].map(|v| v.each_ref().map(|v| Ball::scaled(v, exponent)));
+    let w = w.ball();
+    std::array::from_fn(|k| from[k].plus(&along[k].product(&w)))
 }
 
-impl Solid {
-    /// A patch casts a shadow only if it is closed, and then that of its inside.
-    fn casting(object: &FramedObject) -> Option<Solid> {
-        let caster = object.caster()?;
-        let closed = caster.surface == Surface::Solid || caster.planes.is_empty();
-        closed.then(|| Solid::of(&caster.quadric, &caster.planes))
-    }
+/// What is inside where all are not positive.
+struct Solid<F> {
+    q: [Vector<F>; 4],
+    planes: Vec<Vector<F>>,
+}
 
-    fn of(quadric: &imogene_scene::Quadric, planes: &[imogene_scene::Plane]) -> Solid {
+impl Solid<BigInt> {
+    fn new(quadric: &imogene_scene::Quadric, planes: &[imogene_scene::Plane]) -> Self {
         let q = quadric.clone().primitive().matrix();
         Solid {
             q: q.map(|row| row.map(|v| v.to_integer())),
@@ -96,146 +116,240 @@ impl Solid {
         }
     }
 
-    fn contains(&self, point: &Point) -> bool {
-        let in_quadric = value(&self.q, point).sign() != Ordering::Greater;
-        in_quadric
-            && self
-                .planes
-                .iter()
-                .all(|p| dot(p, point).sign() != Ordering::Greater)
+    /// The same solid, near enough.
+    fn near(&self) -> Solid<Ball> {
+        let exponent = exponent(self.q.iter().flatten());
+        let row = |row: &Vector<BigInt>| row.each_ref().map(|v| Ball::scaled(v, exponent));
+        Solid {
+            q: self.q.each_ref().map(row),
+            planes: self.planes.iter().map(balls).collect(),
+        }
+    }
+}
+
+impl<F> Solid<F> {
+    fn contains<N: Number<Factor = F>>(&self, point: &Vector<N>) -> Option<bool> {
+        if is_positive(&value(&self.q, point))? {
+            return Some(false);
+        }
+        for plane in &self.planes {
+            if is_positive(&dot(plane, point))? {
+                return Some(false);
+            }
+        }
+        Some(true)
+    }
+}
+
+/// A solid in both kinds of numbers.
+struct Both {
+    exact: Solid<BigInt>,
+    near: Solid<Ball>,
+}
+
+impl Both {
+    fn new(quadric: &imogene_scene::Quadric, planes: &[imogene_scene::Plane]) -> Both {
+        let exact = Solid::new(quadric, planes);
+        let near = exact.near();
+        Both { exact, near }
+    }
+}
+
+/// An object that casts a shadow.
+struct Caster {
+    object: usize,
+    solid: Both,
+}
+
+impl Caster {
+    /// A patch casts a shadow only if it is closed, and then that of its inside.
+    fn of((object, framed): (usize, &FramedObject)) -> Option<Caster> {
+        let caster = framed.caster()?;
+        let closed = caster.surface == Surface::Solid || caster.planes.is_empty();
+        closed.then(|| Caster {
+            object,
+            solid: Both::new(&caster.quadric, &caster.planes),
+        })
     }
 }
 
 struct Source {
-    point: Vector,
     casts: bool,
-    cone: Option<Solid>,
-    /// For every solid: Q s, s'Qs and p.s of each plane.
-    seen: Vec<Seen>,
+    cone: Option<Both>,
+    /// Every caster as the source sees it.
+    exact: Vec<Lit<BigInt>>,
+    near: Vec<Lit<Ball>>,
 }
 
-struct Seen {
-    polar: Vector,
-    value: BigInt,
-    planes: Vec<BigInt>,
+/// What a solid has at a source s: Q s, s'Qs and p.s of each plane.
+struct Lit<F> {
+    polar: Vector<F>,
+    value: F,
+    planes: Vec<F>,
+}
+
+impl<F> Lit<F> {
+    fn new(
+        solid: &Solid<F>,
+        source: &Vector<F>,
+        dot: impl Fn(&Vector<F>, &Vector<F>) -> F,
+    ) -> Self {
+        let polar = solid.q.each_ref().map(|row| dot(row, source));
+        Lit {
+            value: dot(&polar, source),
+            planes: solid.planes.iter().map(|p| dot(p, source)).collect(),
+            polar,
+        }
+    }
 }
 
 impl Source {
-    fn new(source: &FramedSource, solids: &[Solid]) -> Source {
+    fn new(source: &FramedSource, casters: &[Caster]) -> Source {
         let (point, _) = common_denominator(source.point.each_ref());
-        let seen = solids.iter().map(|solid| {
-            let polar = image(&solid.q, &point);
-            let planes = solid.planes.iter();
-            Seen {
-                value: vector::dot(&polar, &point),
-                planes: planes.map(|p| vector::dot(p, &point)).collect(),
-                polar,
-            }
-        });
+        debug_assert!(point.iter().any(|v| !v.is_zero()));
+        let near = balls(&point);
+        let exact =
+            |caster: &Caster| Lit::new(&caster.solid.exact, &point, |u, v| vector::dot(u, v));
+        let cone = source.cone.as_ref();
         Source {
-            seen: seen.collect(),
             casts: source.shadows,
-            cone: source
-                .cone
-                .as_ref()
-                .map(|c| Solid::of(&c.quadric, std::slice::from_ref(&c.plane))),
-            point,
+            cone: cone.map(|c| Both::new(&c.quadric, std::slice::from_ref(&c.plane))),
+            exact: casters.iter().map(exact).collect(),
+            near: casters
+                .iter()
+                .map(|caster| Lit::new(&caster.solid.near, &near, dot))
+                .collect(),
         }
     }
 
-    fn reaches(&self, point: &Point, solids: &[Solid]) -> bool {
-        debug_assert!(self.point.iter().any(|v| !v.is_zero()));
-        self.cone.as_ref().is_none_or(|cone| cone.contains(point))
-            && !(self.casts
-                && solids
-                    .iter()
-                    .zip(&self.seen)
-                    .any(|(solid, seen)| is_in_the_way(solid, seen, point)))
+    fn reaches(&self, point: &Seen, casters: &[Caster]) -> bool {
+        self.cone.as_ref().is_none_or(|cone| contains(cone, point))
+            && !(self.casts && self.is_blocked(point, casters))
+    }
+
+    fn is_blocked(&self, point: &Seen, casters: &[Caster]) -> bool {
+        let face = |caster: &Caster| (caster.object == point.object).then_some(point.face);
+        let mut open = vec![];
+        for (index, (caster, lit)) in casters.iter().zip(&self.near).enumerate() {
+            match is_in_the_way(&caster.solid.near, lit, &point.near, face(caster)) {
+                Some(true) => return true,
+                Some(false) => {}
+                None => open.push(index),
+            }
+        }
+        open.into_iter().any(|index| {
+            let (caster, lit) = (&casters[index], &self.exact[index]);
+            let answer = is_in_the_way(&caster.solid.exact, lit, &point.exact, face(caster));
+            answer.expect(EXACT)
+        })
     }
 }
 
-/// The factors a and b of a point `a source + b point` of the segment.
-type Weights = [Surd; 2];
+/// Of numbers whose signs are all known.
+const EXACT: &str = "an exact answer";
 
-/// Does the segment from the source to the point, the point itself left out, meet the solid.
-fn is_in_the_way(solid: &Solid, seen: &Seen, point: &Point) -> bool {
+fn contains(solid: &Both, point: &Seen) -> bool {
+    let exact = || solid.exact.contains(&point.exact).expect(EXACT);
+    solid.near.contains(&point.near).unwrap_or_else(exact)
+}
+
+/// The factors a and b of a point `a source + b point` of the segment.
+type Weights<N> = [N; 2];
+
+/// Does the segment from the source to the point, the point itself left out, meet the solid; `face` is that of the
+/// solid on which the point lies, if it is one of its own. None where the signs leave it open.
+fn is_in_the_way<N: Number>(
+    solid: &Solid<N::Factor>,
+    lit: &Lit<N::Factor>,
+    point: &Vector<N>,
+    face: Option<u8>,
+) -> Option<bool> {
     let like = &point[0];
-    let number = |v: i64| Surd::whole(BigInt::from(v), like);
+    let number = |v: i8| like.whole(v);
     // From the source towards the point, b / a grows.
     let mut start = [number(1), number(0)];
     let mut end = [number(0), number(1)];
     let mut end_is_point = true;
-    for (plane, at_source) in solid.planes.iter().zip(&seen.planes) {
-        let at_source = Surd::whole(at_source.clone(), like);
-        let at_point = dot(plane, point);
-        let kept = |v: &Surd| v.sign() != Ordering::Greater;
-        match (kept(&at_source), kept(&at_point)) {
+    for (i, (plane, at_source)) in solid.planes.iter().zip(&lit.planes).enumerate() {
+        let at_source = like.of(at_source);
+        let at_point = match face {
+            Some(face) if face == FACE_PLANE + i as u8 => number(0),
+            _ => dot(plane, point),
+        };
+        match (!is_positive(&at_source)?, !is_positive(&at_point)?) {
             (true, true) => {}
-            (false, false) => return false,
+            (false, false) => return Some(false),
             // Crossed where a at_source + b at_point = 0.
             (false, true) => {
                 let bound = [at_point.negated(), at_source];
-                if is_before(&start, &bound) {
+                if is_before(&start, &bound)? {
                     start = bound;
                 }
             }
             (true, false) => {
                 let bound = [at_point, at_source.negated()];
-                if is_before(&bound, &end) {
+                if is_before(&bound, &end)? {
                     end = bound;
                     end_is_point = false;
                 }
             }
         }
     }
-    if is_before(&end, &start) {
-        return false;
+    if is_before(&end, &start)? {
+        return Some(false);
     }
     let form = Form {
-        aa: Surd::whole(seen.value.clone(), like),
-        ab: dot(&seen.polar, point),
-        bb: value(&solid.q, point),
+        aa: like.of(&lit.value),
+        ab: dot(&lit.polar, point),
+        bb: match face {
+            Some(FACE_NEAR | FACE_FAR) => number(0),
+            _ => value(&solid.q, point),
+        },
     };
-    if start[0].sign() == Ordering::Equal {
+    if start[0].known_sign()? == Ordering::Equal {
         // Only the point itself is left.
-        return false;
+        return Some(false);
     }
     let at_start = form.at(&start, &start);
-    let at_end = form.at(&end, &end);
-    if at_start.sign() != Ordering::Greater {
-        return true;
+    if !is_positive(&at_start)? {
+        return Some(true);
     }
+    let at_end = form.at(&end, &end);
     let mixed = form.at(&start, &end);
-    match at_end.sign() {
+    Some(match at_end.known_sign()? {
         Ordering::Less => true,
         // Only the point itself unless the form falls below zero before it.
-        Ordering::Equal => !end_is_point || mixed.sign() == Ordering::Less,
+        Ordering::Equal => !end_is_point || is_negative(&mixed)?,
         Ordering::Greater => {
-            mixed.sign() == Ordering::Less
-                && mixed
-                    .product(&mixed)
-                    .minus(&at_start.product(&at_end))
-                    .sign()
-                    != Ordering::Less
+            is_negative(&mixed)?
+                && !is_negative(&mixed.product(&mixed).minus(&at_start.product(&at_end)))?
         }
-    }
+    })
+}
+
+fn is_positive<N: Number>(number: &N) -> Option<bool> {
+    Some(number.known_sign()? == Ordering::Greater)
+}
+
+fn is_negative<N: Number>(number: &N) -> Option<bool> {
+    Some(number.known_sign()? == Ordering::Less)
 }
 
 /// Is the first nearer to the source: b1 / a1 < b2 / a2.
-fn is_before(first: &Weights, second: &Weights) -> bool {
+fn is_before<N: Number>(first: &Weights<N>, second: &Weights<N>) -> Option<bool> {
     let (left, right) = (first[1].product(&second[0]), second[1].product(&first[0]));
-    left.minus(&right).sign() == Ordering::Less
+    is_negative(&left.minus(&right))
 }
 
 /// The solid's quadric on the segment: `aa a^2 + 2 ab a b + bb b^2`.
-struct Form {
-    aa: Surd,
-    ab: Surd,
-    bb: Surd,
+struct Form<N> {
+    aa: N,
+    ab: N,
+    bb: N,
 }
 
-impl Form {
-    fn at(&self, u: &Weights, v: &Weights) -> Surd {
+impl<N: Number> Form<N> {
+    fn at(&self, u: &Weights<N>, v: &Weights<N>) -> N {
         let mixed = u[0].product(&v[1]).plus(&u[1].product(&v[0]));
         let aa = self.aa.product(&u[0].product(&v[0]));
         let bb = self.bb.product(&u[1].product(&v[1]));
@@ -243,15 +357,13 @@ impl Form {
     }
 }
 
-fn dot(plane: &Vector, point: &Point) -> Surd {
+fn dot<N: Number>(plane: &Vector<N::Factor>, point: &Vector<N>) -> N {
     let terms = plane.iter().zip(point).map(|(p, x)| x.times(p));
     terms.reduce(|a, b| a.plus(&b)).expect("four terms")
 }
 
-fn value(q: &[Vector; 4], point: &Point) -> Surd {
-    let terms = q
-        .iter()
-        .zip(point)
-        .map(|(row, x)| dot(row, point).product(x));
+fn value<N: Number>(q: &[Vector<N::Factor>; 4], point: &Vector<N>) -> N {
+    let rows = q.iter().zip(point);
+    let terms = rows.map(|(row, x)| dot(row, point).product(x));
     terms.reduce(|a, b| a.plus(&b)).expect("four terms")
 }

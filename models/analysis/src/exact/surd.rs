@@ -1,5 +1,6 @@
 //! The numbers `u + v sqrt(q)` of one q: sums, products and signs, exactly.
 
+use super::number::Number;
 use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
 use std::cmp::Ordering;
@@ -23,16 +24,7 @@ impl Surd {
         }
     }
 
-    /// A whole number among those of another's q.
-    pub fn whole(u: BigInt, like: &Surd) -> Surd {
-        Surd {
-            u,
-            v: BigInt::zero(),
-            q: like.q.clone(),
-        }
-    }
-
-    fn of(&self, u: BigInt, v: BigInt) -> Surd {
+    fn with(&self, u: BigInt, v: BigInt) -> Surd {
         Surd {
             u,
             v,
@@ -40,44 +32,51 @@ impl Surd {
         }
     }
 
-    /// The sum.
-    pub fn plus(&self, other: &Surd) -> Surd {
-        self.of(&self.u + &other.u, &self.v + &other.v)
-    }
-
-    /// The difference.
-    pub fn minus(&self, other: &Surd) -> Surd {
-        self.of(&self.u - &other.u, &self.v - &other.v)
-    }
-
-    /// The opposite.
-    pub fn negated(&self) -> Surd {
-        self.of(-&self.u, -&self.v)
-    }
-
-    /// The product with a whole number.
-    pub fn times(&self, factor: &BigInt) -> Surd {
-        self.of(&self.u * factor, &self.v * factor)
-    }
-
-    /// The product.
-    pub fn product(&self, other: &Surd) -> Surd {
-        let roots = if self.v.is_zero() || other.v.is_zero() {
-            BigInt::zero()
-        } else {
-            &self.v * &other.v * &*self.q
-        };
-        self.of(
-            &self.u * &other.u + roots,
-            &self.u * &other.v + &self.v * &other.u,
-        )
-    }
-
     /// The sign, against zero.
     pub fn sign(&self) -> Ordering {
         debug_assert!(!self.q.is_negative());
         let square = &self.v * &self.v * &*self.q;
         sign_with_root(&self.u, order(&self.v) as i32, &square)
+    }
+}
+
+impl Number for Surd {
+    type Factor = BigInt;
+
+    fn whole(&self, value: i8) -> Surd {
+        self.with(value.into(), BigInt::ZERO)
+    }
+
+    fn of(&self, factor: &BigInt) -> Surd {
+        self.with(factor.clone(), BigInt::ZERO)
+    }
+
+    fn times(&self, factor: &BigInt) -> Surd {
+        self.with(&self.u * factor, &self.v * factor)
+    }
+
+    fn plus(&self, other: &Surd) -> Surd {
+        self.with(&self.u + &other.u, &self.v + &other.v)
+    }
+
+    fn negated(&self) -> Surd {
+        self.with(-&self.u, -&self.v)
+    }
+
+    fn product(&self, other: &Surd) -> Surd {
+        let roots = if self.v.is_zero() || other.v.is_zero() {
+            BigInt::ZERO
+        } else {
+            &self.v * &other.v * &*self.q
+        };
+        self.with(
+            &self.u * &other.u + roots,
+            &self.u * &other.v + &self.v * &other.u,
+        )
+    }
+
+    fn known_sign(&self) -> Option<Ordering> {
+        Some(self.sign())
     }
 }
 

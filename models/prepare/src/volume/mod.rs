@@ -3,9 +3,11 @@
 //! Their words are needed only where something is seen, so they are proven there: on the screen boxes and between the
 //! depths of the objects.
 
+mod found;
 mod shadow;
 mod words;
 
+pub(super) use found::Found;
 pub use shadow::{ShadowPart, SourceInside, shadow_parts};
 
 use super::context::Context;
@@ -17,10 +19,12 @@ pub use super::prepared::{Beginning, PreparedVolume};
 use super::prepared::{Missing, PreparedObject};
 use super::screen_box::{Region, Search, screen_domain};
 use crate::cell::Cell;
+use found::{ShadowPlaces, VolumePlace};
 use imogene_algebra::rational::to_f64;
 use imogene_golden::object::volume::VolumeKind;
 use imogene_scene::{FramedObject, FramedQuadric, FramedScene, Surface};
 use rayon::prelude::*;
+use std::slice::from_ref;
 use words::{Shape, volume_words};
 
 /// Pairs of a source and an object that a scene's preparation has to look at for shadows.
@@ -68,7 +72,7 @@ pub(super) fn prepare_volumes(
     scene: &FramedScene,
     objects: &mut [PreparedObject],
     context: &Context,
-    known: &Known,
+    (known, found): (&Known, &Found),
     missing: &mut Vec<Missing>,
     done: &(impl Fn() + Sync),
 ) -> Result<Volumes, PrepareError> {
@@ -78,7 +82,7 @@ pub(super) fn prepare_volumes(
     if pairs.is_empty() && !has_spot {
         return Ok(Volumes::default());
     }
-    let seen = seen(scene, objects, context, known);
+    let seen = seen(scene, objects, context, (known, found));
     let receivers = around(&seen);
     let spots = spots(scene, receivers.as_ref(), context, missing)?;
     let mut volumes = Volumes {
@@ -104,7 +108,10 @@ pub(super) fn prepare_volumes(
                 let reused = kept.is_some();
                 let volumes = match kept {
                     Some(volumes) => Ok(volumes),
-                    None => shadow(scene, (source, object), own, &receivers, context),
+                    None => {
+                        let places = found.shadow(scene, (source, object), &receivers, context);
+                        shadow(places, (source, object), own, context)
+                    }
                 };
                 volumes.map(|volumes| Shadow {
                     source,
@@ -167,23 +174,19 @@ fn why_no_shadow(object: &FramedQuadric, context: &Context) -> Option<&'static s
 }
 
 fn shadow(
-    scene: &FramedScene,
+    places: ShadowPlaces,
     (source, object): (usize, usize),
     prepared: &PreparedObject,
-    receivers: &Cell,
     context: &Context,
 ) -> Result<Vec<PreparedVolume>, PrepareError> {
     let name = prepared.name();
-    let framed = scene.objects[object].caster().expect("it casts a shadow");
-    let parts = shadow_parts(framed, &scene.sources[source].point).map_err(|SourceInside| {
-        PrepareError::SourceInside {
-            object: name.to_owned(),
-            source_index: source,
-        }
+    let parts = places.map_err(|SourceInside| PrepareError::SourceInside {
+        object: name.to_owned(),
+        source_index: source,
     })?;
     let count = parts.len();
     let mut volumes = Vec::new();
-    for (index, part) in parts.iter().enumerate() {
+    for (index, (beginning, place)) in parts.iter().enumerate() {
         let shape = Shape {
             name: format!(
                 "the shadow of object '{name}' from lights[{source}], part {} of {count}",
@@ -191,12 +194,11 @@ fn shadow(
             ),
             kind: VolumeKind::Shadow,
             source: source as u8,
-            quadric: &part.quadric,
-            planes: &part.planes,
-            caster: Some((object, part.beginning)),
-            face_error: face_error(part.beginning, prepared),
+            place,
+            caster: Some((object, *beginning)),
+            face_error: face_error(*beginning, prepared),
         };
-        let volume = volume_words(&shape, receivers, context)?;
+        let volume = volume_words(&shape, context)?;
         if !volume.words.screen_box.is_empty() {
             volumes.push(volume);
         }
@@ -238,12 +240,11 @@ fn spots(
             name: format!("the cone of the spot lights[{source}]"),
             kind: VolumeKind::Light,
             source: source as u8,
-            quadric: &cone.quadric,
-            planes: std::slice::from_ref(&cone.plane),
+            place: &VolumePlace::new(&cone.quadric, from_ref(&cone.plane), receivers, context),
             caster: None,
             face_error: 0.0,
         };
-        match volume_words(&shape, receivers, context) {
+        match volume_words(&shape, context) {
             Ok(volume) => volumes.push(volume),
             Err(reason) => context.leave_out(missing, true, reason)?,
         }
@@ -256,7 +257,7 @@ fn seen(
     scene: &FramedScene,
     prepared: &[PreparedObject],
     context: &Context,
-    known: &Known,
+    (known, found): (&Known, &Found),
 ) -> Vec<Option<Bounds>> {
     let full = to_f64(&context.full_depth);
     let domain = screen_domain(context.width, context.height, full);
@@ -269,7 +270,8 @@ fn seen(
             if p.screen_box().is_empty() {
                 return None;
             }
-            let (near, far) = depths(object, domain, context)?;
+            let find = || depths(object, domain, context);
+            let (near, far) = found.depths.get(index, find)?;
             let b = p.screen_box();
             let at = |pixel: i64, size: u32| pixel as f64 - 0.5 * f64::from(size);
             let low = [at(b.x0, context.width), at(b.y0, context.height), near];

@@ -1,15 +1,14 @@
 //! From a volume in the camera frame to words, with the proofs that objects have.
 
-use crate::cell::Cell;
+use super::found::VolumePlace;
 use crate::context::Context;
 use crate::error::{PrepareError, too_large};
 use crate::forms::LinearForm;
 use crate::object::depth_words;
-use crate::perspective::{ScreenQuadric, project_plane};
+use crate::perspective::ScreenQuadric;
 use crate::planes::{PreparedPlane, prepare_plane};
 use crate::prepared::{Beginning, ExactForms, NeededWidths, PreparedVolume, RoundingBounds};
 use crate::rounding::signed_bits;
-use crate::screen_box::{Region, Search};
 use imogene_algebra::rational::power_of_two;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::object::volume::{
@@ -17,17 +16,14 @@ use imogene_golden::object::volume::{
 };
 use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::depth_interval::Class;
-use imogene_scene::{Plane, Quadric, Surface};
 use num_traits::{Signed, Zero};
 
-/// A volume in the camera frame.
+/// A volume that is to have words.
 pub(super) struct Shape<'a> {
     pub name: String,
     pub kind: VolumeKind,
     pub source: u8,
-    pub quadric: &'a Quadric,
-    /// The volume begins at the first.
-    pub planes: &'a [Plane],
+    pub place: &'a VolumePlace,
     pub caster: Option<(usize, Beginning)>,
     /// Most that the depth of a face can be off, in counts, which the volume begins at; for shadows.
     pub face_error: f64,
@@ -36,30 +32,23 @@ pub(super) struct Shape<'a> {
 /// The words of a volume where objects can be seen; nothing of it may be there, then its box is empty.
 pub(super) fn volume_words(
     shape: &Shape,
-    receivers: &Cell,
     context: &Context,
 ) -> Result<PreparedVolume, PrepareError> {
-    let quadric = ScreenQuadric::new(shape.quadric, &context.inverse_distance);
-    let planes = shape.planes.iter();
-    let planes = planes.map(|plane| project_plane(plane, &context.inverse_distance));
-    let planes: Vec<Plane> = planes.collect();
-    let region = Region::new(&quadric.q, &planes, Surface::Solid);
-    let window = region.box_within(*receivers, context.width, context.height, Search::COARSE);
+    let place = shape.place;
+    let VolumePlace { window, depths, .. } = *place;
     if window.is_empty() {
         return Ok(empty(shape));
     }
-    let mut prepared = if shape.quadric.is_everywhere() {
+    let mut prepared = if place.is_everywhere {
         PreparedVolume {
             notes: vec![],
             ..empty(shape)
         }
     } else {
-        with_quadric(shape, &quadric, &window, context)?
+        with_quadric(shape, &place.screen, &window, context)?
     };
     prepared.words.screen_box = window;
-    let reach = receivers.half[2];
-    let depths = (receivers.centre[2] - reach, receivers.centre[2] + reach);
-    for (index, (original, projected)) in shape.planes.iter().zip(&planes).enumerate() {
+    for (index, (original, projected)) in place.planes.iter().zip(&place.projected).enumerate() {
         let at = (&window, &window);
         let plane = prepare_plane([original, projected], at, || depths, context);
         let plane = plane.map_err(|steep| PrepareError::VolumeSteepPlane {

@@ -1,5 +1,6 @@
 //! What is allowed, and whether a picture keeps to it.
 
+use super::FitError;
 use imogene_analysis::metrics::Metrics;
 use serde::Serialize;
 use std::fmt;
@@ -137,9 +138,12 @@ impl fmt::Display for Item {
 }
 
 impl Budget {
-    /// True if nothing is limited.
-    pub fn is_empty(&self) -> bool {
-        *self == Budget::default()
+    /// Refuses a budget that limits nothing.
+    pub fn check(&self) -> Result<(), FitError> {
+        match *self == Budget::default() {
+            true => Err(FitError::NoBudget),
+            false => Ok(()),
+        }
     }
 
     /// The options of the command line that give it.

@@ -37,9 +37,7 @@ pub fn search(
     budget: &Budget,
     tried: impl Fn() + Sync,
 ) -> Result<Outcome, FitError> {
-    if budget.is_empty() {
-        return Err(FitError::NoBudget);
-    }
+    budget.check()?;
     let search = Search {
         frames,
         budget,

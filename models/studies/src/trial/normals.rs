@@ -5,6 +5,7 @@ use super::tally::{Tally, Term};
 use imogene_algebra::rational::from_f64_exact;
 use imogene_algebra::vector::{cross, dot, length};
 use imogene_analysis::bounds::quadric_sine;
+use imogene_analysis::exact::number::Number;
 use imogene_analysis::exact::surd::Surd;
 use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR};
 use imogene_golden::unit::normal::select;

@@ -1,2 +1,3 @@
+mod ball;
 mod real;
 mod surd;

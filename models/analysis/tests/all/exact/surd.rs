@@ -1,3 +1,4 @@
+use imogene_analysis::exact::number::Number;
 use imogene_analysis::exact::surd::Surd;
 use num_bigint::BigInt;
 use proptest::prelude::*;
@@ -12,7 +13,7 @@ fn exact_zeros_are_zero() {
     // 3 - sqrt(9), and (1 + sqrt(2)) (1 - sqrt(2)) + 1.
     assert_eq!(surd(3, -1, 9).sign(), Ordering::Equal);
     let product = surd(1, 1, 2).product(&surd(1, -1, 2));
-    let sum = product.plus(&Surd::whole(1.into(), &product));
+    let sum = product.plus(&product.whole(1));
     assert_eq!(sum.sign(), Ordering::Equal);
 }
 

@@ -1,0 +1,106 @@
+//! What is found of volumes the first time that a scene is prepared, and is the same in any words.
+
+use super::shadow::{ShadowPart, SourceInside, shadow_parts};
+use crate::cell::Cell;
+use crate::context::Context;
+use crate::perspective::{ScreenQuadric, project_plane};
+use crate::prepared::Beginning;
+use crate::screen_box::{Region, Search};
+use imogene_golden::object::quadric::ScreenBox;
+use imogene_scene::{FramedScene, Plane, Quadric, Surface};
+use std::collections::HashMap;
+use std::hash::Hash;
+use std::sync::{Arc, Mutex};
+
+/// A volume where objects can be seen.
+pub struct VolumePlace {
+    /// Its planes in the camera frame; it begins at the first.
+    pub planes: Vec<Plane>,
+    /// It has planes alone.
+    pub is_everywhere: bool,
+    /// Its quadric and its planes on the screen.
+    pub screen: ScreenQuadric,
+    pub projected: Vec<Plane>,
+    pub window: ScreenBox,
+    /// Least and greatest depth of the receivers.
+    pub depths: (f64, f64),
+}
+
+impl VolumePlace {
+    pub fn new(quadric: &Quadric, planes: &[Plane], receivers: &Cell, context: &Context) -> Self {
+        let screen = ScreenQuadric::new(quadric, &context.inverse_distance);
+        let projected = planes.iter();
+        let projected = projected.map(|plane| project_plane(plane, &context.inverse_distance));
+        let projected: Vec<Plane> = projected.collect();
+        let region = Region::new(&screen.q, &projected, Surface::Solid);
+        let (width, height) = (context.width, context.height);
+        let (middle, reach) = (receivers.centre[2], receivers.half[2]);
+        VolumePlace {
+            planes: planes.to_vec(),
+            is_everywhere: quadric.is_everywhere(),
+            window: region.box_within(*receivers, width, height, Search::COARSE),
+            screen,
+            projected,
+            depths: (middle - reach, middle + reach),
+        }
+    }
+}
+
+/// The parts of a shadow, each with where it begins.
+pub type ShadowPlaces = Result<Arc<[(Beginning, VolumePlace)]>, SourceInside>;
+
+/// Found once.
+#[derive(Default)]
+pub struct Found {
+    /// Near and far depth of an object.
+    pub depths: Memo<usize, Option<(f64, f64)>>,
+    /// Shadows by source, caster, and the bits of the cell of the receivers.
+    shadows: Memo<(usize, usize, [[u64; 3]; 2]), ShadowPlaces>,
+}
+
+impl Found {
+    /// The shadow of an object from a source.
+    pub fn shadow(
+        &self,
+        scene: &FramedScene,
+        (source, object): (usize, usize),
+        receivers: &Cell,
+        context: &Context,
+    ) -> ShadowPlaces {
+        let bits = [receivers.centre, receivers.half].map(|at| at.map(f64::to_bits));
+        self.shadows.get((source, object, bits), || {
+            let caster = scene.objects[object].caster().expect("it casts a shadow");
+            let place = |ShadowPart {
+                             quadric,
+                             planes,
+                             beginning,
+                         }: &ShadowPart| {
+                let place = VolumePlace::new(quadric, planes, receivers, context);
+                (*beginning, place)
+            };
+            let parts = shadow_parts(caster, &scene.sources[source].point)?;
+            Ok(parts.iter().map(place).collect())
+        })
+    }
+}
+
+/// Values by their keys.
+pub struct Memo<K, V>(Mutex<HashMap<K, V>>);
+
+impl<K, V> Default for Memo<K, V> {
+    fn default() -> Self {
+        Memo(Mutex::default())
+    }
+}
+
+impl<K: Eq + Hash, V: Clone> Memo<K, V> {
+    pub fn get(&self, key: K, find: impl FnOnce() -> V) -> V {
+        let values = || self.0.lock().expect("no search ends within");
+        let known = values().get(&key).cloned();
+        known.unwrap_or_else(|| {
+            let value = find();
+            values().insert(key, value.clone());
+            value
+        })
+    }
+}
