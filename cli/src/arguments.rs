@@ -5,7 +5,6 @@ mod board;
 mod cosim;
 mod fit;
 mod frames;
-mod help;
 mod import;
 mod look;
 mod machine;
@@ -24,7 +23,6 @@ use clap::{Parser, Subcommand};
 pub use cosim::{Cosim, Speed};
 pub use fit::{Fit, MACHINE_FILE, lit_sphere};
 pub use frames::FrameRange;
-pub use help::{GROUPS, Group, command};
 pub use import::{Deviation, Import, Terrain, kind_name};
 pub use look::LookOptions;
 pub use machine::Machine;
@@ -183,9 +181,4 @@ pub enum Command {
     Shading(Shading),
     /// Count the cost tables of the two theses again, beside what they print.
     Evaluate(Evaluate),
-}
-
-/// A depth word as written on the command line.
-fn depth_word(text: &str) -> Result<u32, String> {
-    parse::value(text, |_| true, "expected a number of bits, 8 to 32")
 }

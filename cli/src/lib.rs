@@ -3,5 +3,6 @@
 
 pub mod arguments;
 pub mod failure;
+pub mod help;
 pub mod progress;
 pub mod verdict;

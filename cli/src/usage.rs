@@ -4,7 +4,8 @@ use crate::failure::Failure;
 use crate::output;
 use clap::error::ErrorKind;
 use clap::{Arg, Command, FromArgMatches};
-use imogene::arguments::{self, Arguments};
+use imogene::arguments::Arguments;
+use imogene::help;
 
 /// What the parser says of numbers, and what a person is told.
 const IN_PLAIN_WORDS: [(&str, &str); 7] = [
@@ -57,7 +58,7 @@ pub fn parse() -> Result<Arguments, (bool, Result<(), Failure>)> {
 
 /// A negative number is the value of an option, which refuses it in its own words if it has to.
 fn command() -> Command {
-    arguments::command().mut_subcommands(|command| command.mut_args(with_negative_numbers))
+    help::command().mut_subcommands(|command| command.mut_args(with_negative_numbers))
 }
 
 fn with_negative_numbers(argument: Arg) -> Arg {

@@ -15,7 +15,6 @@ use crate::harness;
 use crate::target::{Family, Target};
 use crate::tools::Programs;
 use crate::yosys::{self, Resources};
-pub use estimate::estimated_costs;
 use imogene_rtl::emit::Emitted;
 use imogene_tools::{Kept, read, scratch, write};
 pub use modules::Parts;

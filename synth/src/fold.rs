@@ -7,6 +7,7 @@ mod registers;
 mod sums;
 
 use crate::error::SynthError;
+use crate::target::{Family, Target};
 use crate::yosys::CellCounts;
 use serde_json::{Map, Value};
 use std::collections::{BTreeMap, HashMap};
@@ -33,6 +34,16 @@ impl Folded {
             if let Some(count) = cells.get_mut(cell) {
                 *count -= fewer;
             }
+        }
+    }
+}
+
+impl Target {
+    /// Changes a netlist in a file to one of fewer cells, where the family has such cells; by module, how many fewer.
+    pub(crate) fn fold(self, netlist: &Path) -> Result<BTreeMap<String, Folded>, SynthError> {
+        match self.family() {
+            Family::Ecp5 => fold(netlist),
+            _ => Ok(BTreeMap::new()),
         }
     }
 }

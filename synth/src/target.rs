@@ -1,10 +1,6 @@
 //! The targets: a device, its synthesis command and its place and route command.
 
-use crate::error::SynthError;
-use crate::fold::{Folded, fold};
 use imogene_contract::RootForm;
-use std::collections::BTreeMap;
-use std::path::Path;
 use thiserror::Error;
 
 /// What a unit is synthesised for.
@@ -151,14 +147,6 @@ impl Target {
     /// Architecture of its device.
     pub const fn family(self) -> Family {
         self.row().1
-    }
-
-    /// Changes a netlist in a file to one of fewer cells, where the family has such cells; by module, how many fewer.
-    pub(crate) fn fold(self, netlist: &Path) -> Result<BTreeMap<String, Folded>, SynthError> {
-        match self.family() {
-            Family::Ecp5 => fold(netlist),
-            _ => Ok(BTreeMap::new()),
-        }
     }
 
     /// What a result depends on beside tools and their commands.

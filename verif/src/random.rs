@@ -3,7 +3,8 @@
 use crate::subject::{Inputs, LANES, Outcome, Subject};
 use crate::waveform::Trace;
 use proptest::prelude::Rng;
-use proptest::test_runner::{RngAlgorithm, TestRng};
+use proptest::strategy::{Strategy, ValueTree};
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use rayon::prelude::*;
 use std::ops::Range;
 use std::time::Instant;
@@ -13,6 +14,17 @@ pub(crate) fn generator(seed: u64) -> TestRng {
     let mut bytes = [0u8; 32];
     bytes[..8].copy_from_slice(&seed.to_le_bytes());
     TestRng::from_seed(RngAlgorithm::ChaCha, &bytes)
+}
+
+impl Subject {
+    /// A stimulus of about `clocks` clocks, the same for the same seed.
+    pub fn seeded_stimulus(&self, clocks: usize, seed: u64) -> Vec<Inputs> {
+        let mut runner = TestRunner::new_with_rng(Config::default(), generator(seed));
+        (self.stimulus)(self, clocks)
+            .new_tree(&mut runner)
+            .expect("stimulus strategies reject nothing")
+            .current()
+    }
 }
 
 /// Stalls of a stream: one clock in three, or never.

@@ -1,12 +1,10 @@
 //! A unit under co-simulation: its ports, its hardware and its golden model behind one interface, and the scoreboard
 //! over them.
 
-use crate::random::generator;
 use crate::report::Report;
 use crate::signal::Signal;
 use crate::waveform::{Group, Sample, Trace};
-use proptest::strategy::{BoxedStrategy, Strategy, ValueTree};
-use proptest::test_runner::{Config, TestRunner};
+use proptest::strategy::BoxedStrategy;
 use rayon::prelude::*;
 use std::hint::black_box;
 use std::time::Instant;
@@ -108,15 +106,6 @@ pub struct Subject {
 }
 
 impl Subject {
-    /// A stimulus of about `clocks` clocks, the same for the same seed.
-    pub fn seeded_stimulus(&self, clocks: usize, seed: u64) -> Vec<Inputs> {
-        let mut runner = TestRunner::new_with_rng(Config::default(), generator(seed));
-        (self.stimulus)(self, clocks)
-            .new_tree(&mut runner)
-            .expect("stimulus strategies reject nothing")
-            .current()
-    }
-
     /// Fresh hardware for one run, or for several in an engine with lanes.
     pub(crate) fn hardware_in(&self, lanes: usize) -> Box<dyn Lanes> {
         match &self.lanes {

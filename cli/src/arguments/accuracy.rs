@@ -1,7 +1,7 @@
 //! Arguments of the commands that measure accuracy.
 
-use super::scene::size;
-use super::{Size, depth_word};
+use super::parse::depth_word;
+use super::scene::{Size, size};
 use clap::Args;
 use std::path::PathBuf;
 

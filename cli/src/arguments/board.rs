@@ -1,7 +1,7 @@
 //! Arguments of `board`.
 
-use super::FrameRange;
 use super::fit::tables;
+use super::frames::FrameRange;
 use clap::Args;
 use imogene_prepare::lit_sphere::SphereForm;
 use std::path::PathBuf;

@@ -1,11 +1,12 @@
 //! Arguments of the commands that simulate.
 
 use super::parse::{Choices, choice};
-use super::scene::size;
-use super::{SceneWords, Shape, Size, View, Waves};
+use super::scene::{SceneWords, Size, View, size};
+use super::unit::Shape;
+use super::waves::Waves;
 use clap::Args;
 use imogene_verif::engine::Engine;
-use imogene_verif::engine::design::Simulator;
+use imogene_verif::engine::simulator::Simulator;
 use imogene_verif::scene::Fault;
 
 /// What runs the hardware.

@@ -1,8 +1,7 @@
 //! Arguments of `fit`.
 
-use super::parse::{Choices, choice, name, option};
-use super::scene::size;
-use super::{Size, parse};
+use super::parse::{self, Choices, choice, name, option};
+use super::scene::{Size, size};
 use clap::Args;
 use imogene_plan::description::MachineKind;
 use imogene_prepare::lit_sphere::SphereForm;
@@ -10,7 +9,7 @@ use imogene_studies::fit::budget::{Budget, CountLimit, DepthLimit};
 use imogene_studies::fit::frames::Frames;
 use imogene_studies::fit::machine::Pace;
 use imogene_verif::engine::Engine;
-use imogene_verif::engine::design::Simulator;
+use imogene_verif::engine::simulator::Simulator;
 use std::path::PathBuf;
 
 /// Arguments of `fit`; without a value nothing is asked for.

@@ -1,6 +1,6 @@
 //! Arguments of `import`, and of `terrain`.
 
-use super::LookOptions;
+use super::look::LookOptions;
 use super::parse::{Choices, choice, list, name};
 use clap::Args;
 use imogene_import::Kind;

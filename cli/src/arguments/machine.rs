@@ -1,8 +1,9 @@
 //! Arguments of `machine`.
 
 use super::cosim::ENGINES;
+use super::frames::FrameRange;
 use super::parse::{Choices, choice};
-use super::{FrameRange, Waves};
+use super::waves::Waves;
 use clap::Args;
 use imogene_plan::zone::refine::Refinement;
 use imogene_verif::engine::Engine;

@@ -1,7 +1,7 @@
 //! Arguments of `raytrace`, `cracks` and `repair`.
 
-use super::scene::size;
-use super::{Scene, Size, View, depth_word, parse};
+use super::parse::{self, depth_word};
+use super::scene::{Scene, Size, View, size};
 use clap::Args;
 use std::path::PathBuf;
 

@@ -57,3 +57,8 @@ pub fn pair<T: FromStr>(text: &str, mark: char) -> Option<(T, T)> {
     let (one, other) = text.split_once(mark)?;
     Some((one.parse().ok()?, other.parse().ok()?))
 }
+
+/// A depth word as written on the command line.
+pub fn depth_word(text: &str) -> Result<u32, String> {
+    value(text, |_| true, "expected a number of bits, 8 to 32")
+}

@@ -1,6 +1,7 @@
 //! Arguments of the commands that judge the emitted Verilog.
 
-use super::{Parameters, depth_word};
+use super::parse::depth_word;
+use super::unit::Parameters;
 use clap::Args;
 use std::path::PathBuf;
 

@@ -1,6 +1,8 @@
 //! A scene as an argument, and the commands that draw, prepare and check one.
 
-use super::{FrameRange, LookOptions, depth_word, parse};
+use super::frames::FrameRange;
+use super::look::LookOptions;
+use super::parse::{self, depth_word};
 use clap::{Args, ValueEnum};
 use imogene_contract::MachineWords;
 use imogene_golden::format::{FittedError, Format};

@@ -1,6 +1,7 @@
 //! Arguments of the commands that synthesise.
 
-use super::{Fitted, Shape, parse};
+use super::parse;
+use super::unit::{Fitted, Shape};
 use clap::Args;
 use imogene_synth::Cache;
 use std::path::PathBuf;

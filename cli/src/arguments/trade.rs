@@ -1,8 +1,7 @@
 //! Arguments of `trade`.
 
-use super::parse::{Choices, choice, name};
-use super::scene::size;
-use super::{Size, parse};
+use super::parse::{self, Choices, choice, name};
+use super::scene::{Size, size};
 use clap::{Args, ValueEnum};
 use imogene_studies::trade::design::Space;
 use imogene_studies::trade::run::Shard;

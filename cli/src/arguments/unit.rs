@@ -1,6 +1,6 @@
 //! Arguments of the commands about units: what they are, their Verilog, contracts and packages.
 
-use super::depth_word;
+use super::parse::depth_word;
 use clap::{Arg, ArgGroup, ArgMatches, Args, Command, FromArgMatches, value_parser};
 use imogene_contract::parameters::{PARAMETERS, Parameter};
 use imogene_contract::slots::{self, FittedSlot};

@@ -1,7 +1,8 @@
 //! Arguments of waveforms.
 
 use clap::Args;
-use imogene_verif::waveform::{Place, WaveformRequest, WindowStart, save_path};
+use imogene_verif::waveform::file::save_path;
+use imogene_verif::waveform::{Place, WaveformRequest, WindowStart};
 use std::path::PathBuf;
 
 /// Which waveforms of a run are written.

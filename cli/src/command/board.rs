@@ -1,33 +1,26 @@
 //! `imogene board`.
 
+mod choice;
 mod film;
 mod report;
 mod tile;
 
-use super::fit;
-use crate::arguments::{self, Fit, MACHINE_FILE, Size, lit_sphere, option};
+use crate::arguments::{self, MACHINE_FILE};
 use crate::failure::Failure;
 use crate::output;
+use choice::{command, hertz, machine, mode_of, rate_of, unknown_mode};
 use film::{Film, views};
 use imogene_board::{
-    Board, Display, Family, MODELS, Pll, Sources, Video, core_file, count, find_tools, page, route,
+    Board, Display, MODELS, Pll, Sources, Video, core_file, count, find_tools, page, route,
     simulate, sources, unpack, witness,
 };
 use imogene_contract::video::VideoMode;
 use imogene_files::{Outputs, WriteError};
-use imogene_plan::description::{MachineDescription, MachineKind, Mode, Output};
+use imogene_plan::description::MachineDescription;
 use imogene_rtl::emit::machine::emit_machine;
-use imogene_studies::fit::budget::CountLimit;
 use imogene_studies::kit::preview::Preview;
-use imogene_synth::Target;
 use imogene_verif::display::request::request_for;
-use report::{BoardReport, Shown, tell};
-
-/// Clocks that are simulated beside whole frames.
-const SLACK: u64 = 4_000;
-/// What a fitted machine may show wrongly: a part of the picture in percent, and levels of a colour.
-const PERCENT: f64 = 0.1;
-const LEVELS: f64 = 2.0;
+use report::{BoardReport, SLACK, Shown, tell};
 
 /// Makes a board that shows a scene.
 pub fn run(options: &arguments::Board, json: bool) -> Result<(), Failure> {
@@ -62,7 +55,7 @@ pub fn run(options: &arguments::Board, json: bool) -> Result<(), Failure> {
         pll,
     };
     let mut files = output::files();
-    let mut report = BoardReport::new(&work, &machine, command);
+    let mut report = work.report(&machine, command);
     work.add_sources(&machine, &mut files)?;
     if !options.sources_only {
         report.pins = work.pins(&mut files)?;
@@ -121,6 +114,27 @@ struct Work<'a> {
 }
 
 impl Work<'_> {
+    /// What is told of it before anything is shown.
+    fn report<'a>(&'a self, machine: &'a MachineDescription, command: String) -> BoardReport<'a> {
+        BoardReport {
+            board: &self.board,
+            machine,
+            pixel_hertz: self.pll.pixel_hertz.to_string(),
+            pixel_deviation_percent: self.pll.deviation_percent(),
+            fast_mhz: self.pll.fast_mhz(),
+            words: self.film.words.len(),
+            images: self.film.pictures.len(),
+            frames_per_image: self.film.stay,
+            pins: None,
+            synthesised: None,
+            routed: None,
+            bitstream: None,
+            netlist: None,
+            command,
+            files: vec![],
+        }
+    }
+
     fn add_sources(
         &self,
         machine: &MachineDescription,
@@ -222,116 +236,4 @@ impl Work<'_> {
         report.routed = Some(built.routed);
         Ok(())
     }
-}
-
-/// The machine: the one that is given, or one that is fitted to the scene.
-fn machine(options: &arguments::Board, board: &Board) -> Result<MachineDescription, Failure> {
-    let Some(path) = &options.machine else {
-        return fitted(options, board);
-    };
-    let machine = MachineDescription::read(path)?;
-    if machine.machine != MachineKind::Beam || machine.output != Output::Pins {
-        let problem = "a board takes a beam machine with the pins of a screen: machine = \"beam\", output = \"pins\"";
-        return Err(Failure::at(path, problem));
-    }
-    Ok(machine)
-}
-
-fn fitted(options: &arguments::Board, board: &Board) -> Result<MachineDescription, Failure> {
-    let fit = Fit {
-        scenes: vec![options.scene.clone()],
-        out: options.out.clone(),
-        size: Some(screen(options, board)?),
-        max_silhouette_errors: Some(CountLimit::Percent(PERCENT)),
-        max_face_errors: Some(CountLimit::Percent(PERCENT)),
-        // A tile has a light of its own, which the fit does not know.
-        max_colour_error: (!options.flat && board.tiles.is_none()).then_some(LEVELS),
-        machine: Some(MachineKind::Beam),
-        target: target(board).name().to_owned(),
-        lit_sphere: options.lit_sphere,
-        no_cost: true,
-        ..Fit::default()
-    };
-    let mut machine = fit::smallest(&fit)?;
-    if options.flat {
-        (machine.lights, machine.suns) = (0, 0);
-    }
-    Ok(machine)
-}
-
-/// A device of the family of a board's part; of a board without a part any that is made of gates.
-fn target(board: &Board) -> Target {
-    match board.part.as_ref().map(|part| part.family) {
-        Some(Family::Ecp5) => Target::Ecp5With45k,
-        Some(Family::Ice40) => Target::Ice40Hx8k,
-        Some(Family::Gowin) => Target::Gowin,
-        Some(Family::Xilinx7) => Target::Xilinx7,
-        None => Target::Transistors,
-    }
-}
-
-/// Columns and lines of the mode that is asked for, or else the first of the board.
-fn screen(options: &arguments::Board, board: &Board) -> Result<Size, Failure> {
-    let name = options.mode.as_ref().unwrap_or(&board.modes[0].name);
-    let size = name.split_once('x').and_then(|(width, height)| {
-        let [width, height] = [width, height].map(|side| side.parse().ok());
-        width.zip(height)
-    });
-    size.ok_or_else(|| unknown_mode(board, name))
-}
-
-/// The mode of a machine and its frames per second, if it is one of the board; any blanking where there is no
-/// connector.
-fn mode_of(board: &Board, machine: &MachineDescription) -> Result<(VideoMode, u32), Failure> {
-    let mode = machine.video_mode();
-    let name = match (&machine.mode, mode) {
-        (Mode::Own(_), Some(mode)) if board.part.is_none() => {
-            format!("{}x{}", mode.line.active, mode.frame.active)
-        }
-        (Mode::Own(_), _) => "of its own".into(),
-        (Mode::Named(name), _) => name.clone(),
-    };
-    let mode = mode.zip(rate_of(board, &name));
-    mode.ok_or_else(|| unknown_mode(board, &name))
-}
-
-/// Frames per second of a mode of the board.
-fn rate_of(board: &Board, name: &str) -> Option<u32> {
-    let mut modes = board.modes.iter();
-    modes.find(|mode| mode.name == name).map(|mode| mode.rate)
-}
-
-fn unknown_mode(board: &Board, name: &str) -> Failure {
-    Failure::Input(format!(
-        "mode {name} is none of the board {}; it has {}",
-        board.name,
-        output::joined(board.modes.iter().map(|mode| &mode.name), ", ")
-    ))
-}
-
-/// The clock of the pixels of a mode: the published one, or that of its frames per second.
-fn hertz(mode: &VideoMode, rate: u32) -> u64 {
-    match *mode {
-        VideoMode::VGA => 25_175_000,
-        mode => u64::from(rate) * mode.clocks(),
-    }
-}
-
-fn command(options: &arguments::Board) -> String {
-    let machine = options.machine.as_ref().map(|path| path.display());
-    [
-        format!(
-            "imogene board {} {}",
-            options.board,
-            options.scene.display()
-        ),
-        option("machine", machine),
-        option("mode", options.mode.as_ref()),
-        if options.flat { " --flat" } else { "" }.to_owned(),
-        lit_sphere(options.lit_sphere),
-        option("animation", options.animation),
-        option("frames", options.frames),
-        option("out", Some("DIR")),
-    ]
-    .concat()
 }

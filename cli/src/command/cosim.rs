@@ -9,7 +9,7 @@ use imogene_contract::Unit;
 use imogene_prepare::PreparedScene;
 use imogene_synth::{Target, netlist};
 use imogene_verif::engine::Engine;
-use imogene_verif::engine::design::with_verilog;
+use imogene_verif::engine::simulator::with_verilog;
 use imogene_verif::report::Report;
 use imogene_verif::scene::{self, slots, volumes};
 use imogene_verif::{random, unit};

@@ -19,6 +19,7 @@ mod failure;
 mod first_minute;
 mod fit;
 mod frames;
+mod help;
 mod import_faces;
 mod import_molecules;
 mod import_terrain;

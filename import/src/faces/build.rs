@@ -5,8 +5,7 @@ use super::keys::{EdgeKeys, FORMAT_VERSION, FaceKeys, ListKeys, Name, SurfaceKey
 use super::model::{COINCIDENT, Edge, EdgeUse, Face, Model, Solid};
 use super::surface::{Form, Surface};
 use super::vector::{Vector, across, distance, frame, hull, length, minus, reach, unit};
-use crate::error::{Source, unusable};
-use crate::{ImportError, Result};
+use crate::error::{ImportError, Result, Source, unusable};
 use imogene_scene::Material;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::fmt::Display;

@@ -1,8 +1,7 @@
 //! The words of a face list. `docs/cad-faces.md` is its user's page.
 
 use super::vector::{Vector, length, unit};
-use crate::error::Source;
-use crate::{ImportError, Result};
+use crate::error::{ImportError, Result, Source};
 use imogene_scene::Material;
 use serde::Deserialize;
 use std::collections::BTreeMap;

@@ -4,6 +4,7 @@
 //! `docs/cad-faces.md` is the user's page.
 
 mod arrangement;
+mod band;
 pub mod bezier;
 mod build;
 mod canonical;
@@ -26,6 +27,7 @@ mod scene;
 mod slabs;
 mod step;
 mod surface;
+mod task;
 pub mod vector;
 mod volume;
 
@@ -35,13 +37,14 @@ pub use curve::{Arc, Curve, Ellipse, PlaneOf, Polyline};
 pub use step::Beside;
 pub use surface::{Form, Implicit, Surface};
 
-use crate::error::{Source, unusable};
-use crate::{Imported, Result};
-use compile::{Task, quadric_face, torus_face};
+use crate::error::{Result, Source, unusable};
+use crate::kit::Imported;
+use compile::{quadric_face, torus_face};
 use courses::Courses;
 use imogene_files::text::counted;
 use model::Model;
 use step21::with_article;
+use task::Task;
 
 /// What the user asks of the compiler.
 #[derive(Clone, Copy, Debug, Default)]

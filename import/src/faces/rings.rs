@@ -4,10 +4,10 @@
 //! with one radius of the tube. An edge across them, a circle about the tube, becomes the chords of the bands for the
 //! plane face beside it.
 
+use super::band::{Band, OVERLAP};
 use super::chart::Chart;
 use super::curve::Curve;
 use super::model::{Face, Model};
-use super::slabs::{Band, OVERLAP};
 use super::surface::{Form, Surface};
 use super::vector::{Vector, dot, minus, range};
 use std::f64::consts::{FRAC_PI_2, TAU};

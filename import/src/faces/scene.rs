@@ -103,7 +103,7 @@ fn object(name: &str, material: &str, cell: &Cell, planes: &Planes, volume: bool
     Object {
         mode,
         cuts: cuts.map(cut).collect(),
-        ..crate::object(name.to_owned(), shape, material.to_owned())
+        ..crate::kit::object(name.to_owned(), shape, material.to_owned())
     }
 }
 

@@ -1,9 +1,9 @@
 //! Assemblies: the molecules of a file as copies of its chains, moved by operators.
 
-use super::lines::Columns;
-use super::structure::{Word, Words, listed};
+use super::columns::Columns;
+use super::words::{Word, Words, listed};
 use crate::error::{ImportError, Result, unusable};
-use crate::short;
+use crate::kit::short;
 use indexmap::IndexSet;
 use std::collections::HashMap;
 

@@ -3,7 +3,8 @@
 
 use super::assembly::Moved;
 use super::options::{Alternates, ModelChoice, Options, Residues};
-use super::structure::{Atom, Structure, Word, Words, is_water, listed};
+use super::structure::{Atom, Structure, is_water};
+use super::words::{Word, Words, listed};
 use crate::error::{ImportError, Result, unusable};
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};

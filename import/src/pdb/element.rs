@@ -4,7 +4,7 @@
 //! Bondi, J. Phys. Chem. 68 (1964) 441, and for the elements that he has not, S. Alvarez, "A cartography of the van der
 //! Waals territories", Dalton Trans. 2013, 42, 8617. Colours: those of the program Jmol.
 
-use crate::short;
+use crate::kit::short;
 
 /// What is known of an element; radii in picometres, 0 where the sources have none.
 #[derive(Debug, PartialEq, Eq)]

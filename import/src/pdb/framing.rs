@@ -1,6 +1,6 @@
 //! A camera that sees a whole set of balls.
 
-use crate::short;
+use crate::kit::short;
 use imogene_algebra::vector::{cross, length, minus};
 use imogene_scene::{Body, Camera, ImageSize, fitting_from};
 

@@ -8,6 +8,7 @@ mod bcif;
 mod bonds;
 mod choose;
 mod cif;
+mod columns;
 mod element;
 mod framing;
 mod lines;
@@ -15,12 +16,13 @@ mod options;
 mod report;
 mod scene;
 mod structure;
+mod words;
 
 pub use options::{Alternates, Colouring, ModelChoice, Options, Residues, Style};
 pub use report::Contents;
 
-use crate::Imported;
 use crate::error::{Result, unusable};
+use crate::kit::Imported;
 use imogene_scene::{Molecule, SceneFile};
 use structure::Structure;
 

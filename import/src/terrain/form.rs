@@ -3,8 +3,7 @@
 use super::cell::Cells;
 use super::grid::{Corners, HeightGrid, is_plane, twist};
 use super::map::{IMAGE, Map, VIEW};
-use crate::Result;
-use crate::error::unusable;
+use crate::error::{Result, unusable};
 use imogene_algebra::rational::{from_decimal, to_f64};
 use imogene_algebra::vector::{dot, length, minus, square};
 use imogene_golden::format::Format;

@@ -1,9 +1,9 @@
 //! Where the nodes of a grid of heights are in the scene, and what it is seen by.
 
-use super::TerrainOptions;
 use super::grid::HeightGrid;
-use crate::error::unusable;
-use crate::{Result, material};
+use super::options::TerrainOptions;
+use crate::error::{Result, unusable};
+use crate::kit::material;
 use imogene_algebra::rational::{fraction, from_decimal, integer, to_f64};
 use imogene_algebra::vector::length;
 use imogene_scene::{Camera, ImageSize, Light, SceneFile};

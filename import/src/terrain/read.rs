@@ -1,9 +1,9 @@
 //! Readers of height grids: ESRI ASCII grids, and plain rows of numbers.
 
 use super::grid::{HeightGrid, MAX_NODES};
-use crate::error::{Source, unusable};
+use crate::error::{ImportError, Result, Source, unusable};
 use crate::kind::{KEYS, is_grid_keyword};
-use crate::{ImportError, Result, decimal};
+use crate::kit::decimal;
 
 /// Largest magnitude of a height or a distance.
 const MAX_NUMBER: f64 = 1e8;

@@ -1,8 +1,10 @@
 //! Frames prepared one after the other, each from what it has in common with the one before.
 
+use crate::again::{Kept, Reuse, prepare_again};
+use crate::context::Options;
 use crate::error::PrepareError;
 use crate::range::frame_keeping;
-use crate::{Kept, Options, PreparedScene, Reuse, prepare_again};
+use crate::scene::PreparedScene;
 use imogene_golden::format::Format;
 use imogene_scene::animation::{FrameOf, Playback, PlaybackError};
 use imogene_scene::{

@@ -1,9 +1,8 @@
 //! How a scene is prepared, and what all its objects share.
 
-use super::error::PrepareError;
+use super::error::{Missing, PrepareError};
 use super::forms::{LinearForm, QuadraticForm};
 use super::perspective;
-use super::prepared::Missing;
 use super::rounding::Anchor;
 use imogene_algebra::rational::{floor, integer};
 use imogene_golden::format::Format;

@@ -266,3 +266,12 @@ fn log2(magnitude: &BigRational) -> f64 {
         bits as f64
     }
 }
+
+/// What is left out of a picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Missing {
+    /// True if only a shadow or a cone is missing.
+    pub is_volume: bool,
+    /// Why.
+    pub reason: PrepareError,
+}

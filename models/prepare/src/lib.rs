@@ -49,12 +49,14 @@ mod object;
 mod paraboloids;
 pub mod perspective;
 mod planes;
+mod polyhedron;
 mod prepared;
 mod projected;
 mod quotient;
 mod range;
 pub mod rounding;
 mod run;
+mod scene;
 pub mod screen_box;
 pub mod seams;
 pub mod shader;
@@ -65,13 +67,15 @@ mod witness;
 
 pub use again::{Kept, Reuse, prepare_again};
 pub use context::{Options, Quotients};
+pub use error::Missing;
 pub use framing::Framing;
 pub use prepared::{
-    ExactForms, Missing, NeededWidths, NeededWord, PreparedObject, PreparedParts, PreparedQuadric,
-    PreparedScene, RoundingBounds,
+    ExactForms, NeededWidths, NeededWord, PreparedObject, PreparedParts, PreparedQuadric,
+    RoundingBounds,
 };
 pub use run::{
     LocatedScene, prepare, prepare_for_roots, prepare_reporting, prepare_with, refused, steps,
 };
+pub use scene::PreparedScene;
 pub use solids::{PreparedSolids, Product};
 pub use unseen::Seen;

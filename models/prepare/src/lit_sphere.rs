@@ -1,6 +1,6 @@
 //! Words of lit-sphere shading from a scene (`docs/architecture.md`, section 8.4).
 
-use crate::PreparedScene;
+use crate::scene::PreparedScene;
 use crate::shader::{ShaderError, shader_words};
 use imogene_algebra::vector::{Vector, dot, length};
 use imogene_contract::shading::{MOST_TABLES, TABLE_BITS};

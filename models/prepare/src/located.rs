@@ -9,7 +9,7 @@ use super::prepared::{PreparedObject, PreparedParts, PreparedQuadric};
 use super::projected::Projected;
 use super::seams::{self, Place, cut};
 use super::volume::Found;
-use super::{first_generation, mesh, paraboloids, planes, quotient};
+use super::{first_generation, mesh, paraboloids, polyhedron, quotient};
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_scene::{FramedObject, FramedQuadric, FramedScene};
 use rayon::prelude::*;
@@ -67,7 +67,7 @@ impl Located {
         };
         match object {
             FramedObject::Polyhedron(_) => {
-                planes::prepare_polyhedron(quadric, projected, place, context).map(parts)
+                polyhedron::prepare(quadric, projected, place, context).map(parts)
             }
             FramedObject::Patch(_) => {
                 prepare_cut(quadric, projected, place, context, PreparedObject::Patch)

@@ -1,23 +1,17 @@
 //! Cut planes: depth or half-plane form, and the proof that it fits (source: 2.4.2, 2.4.4; the threshold of B.4
-//! replaced by a proof); and polyhedra, which are planes alone.
+//! replaced by a proof).
 
 use super::context::Context;
-use super::error::{PrepareError, Steep};
+use super::error::Steep;
 use super::forms::{LinearForm, inverse, times};
-use super::ledger::Ledger;
-use super::prepared::{NeededWord, PreparedParts};
-use super::projected::{Projected, unseen_note};
 use super::rounding::{linear_error, round_half_plane, round_linear, signed_bits};
-use super::seams::Place;
 use imogene_algebra::rational::{floor, from_f64_exact, integer, round_half_up, to_f64, to_f64_up};
 use imogene_algebra::whole::{greatest, primitive_scale};
 use imogene_golden::format::word_max;
-use imogene_golden::object::polyhedron::PolyhedronWords;
 use imogene_golden::object::quadric::{PlaneWords, ScreenBox};
-use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::pe1::Linear;
-use imogene_scene::{FramedQuadric, Plane};
+use imogene_scene::Plane;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
@@ -37,48 +31,6 @@ impl PreparedPlane {
             format!("cut {index} is so steep that its half-plane form is used, proven equal on every pixel of the box")
         })
     }
-}
-
-/// The words of a polyhedron.
-pub(super) fn prepare_polyhedron(
-    object: &FramedQuadric,
-    projected: &Projected,
-    place: &Place,
-    context: &Context,
-) -> Result<PreparedParts, PrepareError> {
-    context.refuse_fitted(&object.name)?;
-    let window = &projected.window;
-    if window.is_empty() {
-        let note = unseen_note(object, false, context);
-        return Ok(PreparedParts::unseen(&object.name, note));
-    }
-    let mut words = PolyhedronWords {
-        screen_box: *window,
-        planes: vec![],
-    };
-    let mut ledger = Ledger::new(&object.name, *window, context);
-    let (mut notes, mut bound) = (vec![], 0f64);
-    for (index, plane) in projected.prepare_planes(object, place, context).enumerate() {
-        let plane = plane?;
-        notes.extend(plane.note(index));
-        if plane.words.kind != PlaneKind::Perpendicular {
-            bound = bound.max(plane.bound);
-        }
-        words.planes.push(PlaneWords {
-            depth: plane.words.depth.wrapped(context.format.plane),
-            ..plane.words
-        });
-        ledger.needed.push(NeededWord {
-            word: format!("plane {index}"),
-            needed: plane.needed,
-            available: context.format.plane,
-        });
-    }
-    Ok(PreparedParts {
-        depth_bound: Some(bound),
-        notes,
-        ..ledger.finish(ProcessorWords::Polyhedron(words))
-    })
 }
 
 /// Prepares a plane, before perspective and after it, that has to decide between two depths (pixels), which are asked

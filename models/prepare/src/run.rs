@@ -1,12 +1,13 @@
 //! The preparation of a scene.
 
 use super::context::{Context, Options};
-use super::error::PrepareError;
+use super::error::{Missing, PrepareError};
 use super::known::Known;
 use super::layers::layers;
 use super::located::Located;
 use super::object;
-use super::prepared::{Missing, PreparedObject, PreparedScene};
+use super::prepared::PreparedObject;
+use super::scene::PreparedScene;
 use super::solids::PreparedSolids;
 use super::volume::{self, Volumes, prepare_volumes};
 use imogene_golden::format::Format;

@@ -6,44 +6,10 @@
 use super::camera::Camera;
 use super::error::SceneError;
 use super::file::SceneFile;
-use super::group::{Group, Node};
+use super::group::Groups;
 use super::image::Action;
 use super::names::check_camera_name;
-use super::step::Step;
 use std::borrow::Cow;
-use std::collections::HashMap;
-
-pub(super) struct Groups<'a>(HashMap<&'a str, &'a Group>);
-
-impl<'a> Groups<'a> {
-    pub fn of(file: &'a SceneFile) -> Groups<'a> {
-        Groups(file.groups.iter().map(|g| (g.name.as_str(), g)).collect())
-    }
-
-    /// The group of a name and all above it, innermost first. Checked scenes have no circles.
-    pub fn chain(&self, name: Option<&'a str>) -> impl Iterator<Item = &'a Group> {
-        let named = |name: &'a str| self.0.get(name).copied();
-        std::iter::successors(name.and_then(named), move |group| {
-            group.group.as_deref().and_then(named)
-        })
-    }
-
-    /// Whether nothing above a member is hidden.
-    fn shows(&self, group: Option<&'a str>) -> bool {
-        self.chain(group).all(|group| group.visible)
-    }
-
-    /// A placement followed by those of the groups above.
-    pub fn whole(&self, place: &[Step], group: Option<&'a str>) -> Vec<Step> {
-        let above = self.chain(group).flat_map(|group| &group.place);
-        place.iter().chain(above).cloned().collect()
-    }
-
-    fn flatten(&self, node: &mut Node, group: Option<&'a str>) {
-        node.place = self.whole(&node.place, group);
-        node.group = None;
-    }
-}
 
 impl SceneFile {
     /// The observer who is looked through.
@@ -69,11 +35,6 @@ impl SceneFile {
         Ok(())
     }
 
-    /// All observers, the first one first.
-    pub fn all_cameras(&self) -> impl Iterator<Item = &Camera> {
-        std::iter::once(&self.camera).chain(&self.cameras)
-    }
-
     /// The same picture without groups, images and what is not seen: objects, lights and the active camera have the
     /// steps of the groups above them in their own placements.
     ///
@@ -87,7 +48,7 @@ impl SceneFile {
         if plain {
             return Cow::Borrowed(self);
         }
-        let groups = Groups::of(self);
+        let groups = Groups::of(&self.groups);
         let active = self.active();
         let mut camera = active.clone();
         groups.flatten(&mut camera.node, active.node.group.as_deref());

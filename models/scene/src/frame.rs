@@ -23,7 +23,7 @@ use super::plane::Plane;
 use super::quadric::{FramedQuadric, Quadric, implicit};
 use super::range::{DepthRange, Projection};
 use super::shape::{Processor, Shape};
-use super::solid::FramedSolid;
+use super::solid::{FramedSolid, Solid, Tree};
 use super::source::FramedSource;
 use super::transform::{Transform, WholeTransform};
 use imogene_algebra::rational::{from_decimal, integer, to_f64};
@@ -152,6 +152,16 @@ impl SceneFile {
         let objects = self.objects.par_iter().enumerate();
         let framed: Vec<Result<FramedObject, SceneError>> = objects.map(framed).collect();
         framed.into_iter().collect()
+    }
+
+    /// The solids of a flat scene; an object that is not visible is nowhere.
+    fn framed_solids(&self) -> Vec<FramedSolid> {
+        let index = |name: &str| self.objects.iter().position(|object| object.name == name);
+        let framed = |solid: &Solid| FramedSolid {
+            name: solid.name.clone(),
+            tree: Tree::of(&solid.of, &index),
+        };
+        self.solids.iter().map(framed).collect()
     }
 }
 

@@ -17,12 +17,12 @@ pub(crate) fn is_yes(value: &bool) -> bool {
 }
 
 /// Default of a number that is whole.
-pub(crate) fn number<T: From<u8>, const N: u8>() -> T {
+pub fn number<T: From<u8>, const N: u8>() -> T {
     N.into()
 }
 
 /// What is as it would be without its key is not written.
-pub(crate) fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+pub fn is_default<T: Default + PartialEq>(value: &T) -> bool {
     *value == T::default()
 }
 

@@ -54,8 +54,10 @@ mod range;
 mod reach;
 mod shape;
 mod solid;
+mod solid_validation;
 mod source;
 mod step;
+mod text;
 mod transform;
 mod validation;
 
@@ -69,7 +71,7 @@ pub use framed::{Absence, Absent, FramedObject, Unseen};
 pub use group::{Group, Node};
 pub use image::{Action, FRAME_DURATION, KeyImage, MoveFrame};
 pub use image_validation::{LONGEST_FRAME, MAX_FRAMES, MAX_IMAGES, SHORTEST_FRAME};
-pub use keys::text_or_table;
+pub use keys::{is_default, number, text_or_table};
 pub use light::{Aim, Beam, Light};
 pub use limits::{
     LARGEST_HALF_ANGLE, MAX_CUTS, MAX_IMAGE_SIDE, MAX_INTENSITY, MAX_LIGHTS, MAX_MAGNITUDE,

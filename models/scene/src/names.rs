@@ -3,7 +3,7 @@
 use super::camera::Camera;
 use super::error::SceneError;
 use super::file::SceneFile;
-use super::flat::Groups;
+use super::group::Groups;
 use super::limits::{Checked, check_name, check_new, unless};
 use std::collections::HashMap;
 
@@ -112,7 +112,7 @@ pub(super) fn known_all<'a>(names: impl Iterator<Item = &'a str>, what: &str) ->
 
 /// Refuses groups that contain themselves, or are nested too deeply.
 fn check_circles(file: &SceneFile) -> Checked {
-    let groups = Groups::of(file);
+    let groups = Groups::of(&file.groups);
     for group in &file.groups {
         let place = || format!("group `{}`, group", group.name);
         let mut path = vec![format!("`{}`", group.name)];

@@ -1,13 +1,7 @@
 //! Solids made of objects by union, intersection and difference (source: Chaillou, III.1.1.4).
 
-use super::error::SceneError;
-use super::file::SceneFile;
 use super::keys::text_or_table;
-use super::limits::{Checked, check_count, check_name, check_new, unless};
-use super::names::known;
-use super::shape::{Processor, Shape, Surface};
 use serde::{Deserialize, Deserializer, Serialize};
-use std::collections::HashSet;
 
 /// Most objects that the tree of a solid names.
 pub const MAX_LEAVES: usize = 64;
@@ -129,68 +123,4 @@ pub struct FramedSolid {
     pub name: String,
     /// What it is made of.
     pub tree: Tree,
-}
-
-impl SceneFile {
-    /// The solids of a flat scene; an object that is not visible is nowhere.
-    pub(super) fn framed_solids(&self) -> Vec<FramedSolid> {
-        let index = |name: &str| self.objects.iter().position(|object| object.name == name);
-        let framed = |solid: &Solid| FramedSolid {
-            name: solid.name.clone(),
-            tree: Tree::of(&solid.of, &index),
-        };
-        self.solids.iter().map(framed).collect()
-    }
-
-    pub(super) fn check_solids(&self) -> Checked {
-        let mut names = HashSet::new();
-        for (index, solid) in self.solids.iter().enumerate() {
-            check_name(&format!("solids[{index}].name"), &solid.name)?;
-            let place = format!("solid `{}`", solid.name);
-            check_new(names.insert(&solid.name), &place, "solid")?;
-            check_operation(&place, &solid.of)?;
-            let named = solid.of.names();
-            check_count(&place, named.len(), "objects are named in it", MAX_LEAVES)?;
-            let mut named = named.into_iter();
-            named.try_for_each(|name| self.check_member(&place, name))?;
-        }
-        Ok(())
-    }
-
-    /// Refuses what is no volume along every line of sight, or is not drawn by a quadric processor.
-    fn check_member(&self, place: &str, name: &str) -> Checked {
-        let place = format!("{place}, object `{name}`");
-        let Some(object) = self.objects.iter().find(|object| object.name == name) else {
-            let names = self.objects.iter().map(|o| o.name.as_str());
-            let (problem, accepted) = ("there is no such object", known(names, "`[[objects]]`"));
-            return Err(SceneError::value(place, problem, accepted));
-        };
-        let is_volume = object.mode == Surface::Solid
-            && !matches!(
-                object.shape,
-                Shape::Mesh(_) | Shape::TetrahedronPatch { .. }
-            );
-        unless(is_volume, || {
-            let accepted = "solids are made of objects with `mode = \"solid\"`";
-            (place.clone(), "it is a surface without inside", accepted)
-        })?;
-        let is_drawn = matches!(object.processor, None | Some(Processor::Quadric));
-        unless(is_drawn, || {
-            let accepted =
-                "objects of solids have the quadric processor, which is theirs if none is given";
-            (place, "its processor hands on no back", accepted)
-        })
-    }
-}
-
-fn check_operation(place: &str, operation: &Operation) -> Checked {
-    unless(operation.operands().len() >= 2, || {
-        let accepted = "a union, an intersection or a difference has two operands at least";
-        (place, "an operation has too few operands", accepted)
-    })?;
-    let mut operands = operation.operands().iter();
-    operands.try_for_each(|operand| match operand {
-        Operand::Operation(operation) => check_operation(place, operation),
-        Operand::Object(_) => Ok(()),
-    })
 }

@@ -3,7 +3,7 @@
 use super::camera::{Camera, Lens};
 use super::error::SceneError;
 use super::file::{FORMAT_VERSION, Material, SceneFile};
-use super::flat::Groups;
+use super::group::Groups;
 use super::image_validation::check_images;
 use super::kind_validation::check_kind;
 use super::light::{Aim, Beam, Light};
@@ -88,7 +88,7 @@ impl SceneFile {
             let accepted = "at least one `[[objects]]` is needed";
             ("objects", "the scene has no object", accepted)
         })?;
-        let groups = Groups::of(self);
+        let groups = Groups::of(&self.groups);
         // The first that is wrong, in the order of the file, whoever finds one first.
         let problem = |object: &Object| {
             let place = format!("object `{}`", object.name);

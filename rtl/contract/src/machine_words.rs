@@ -3,7 +3,7 @@
 use crate::root_form::RootForm;
 use crate::words::{
     LEAST_DEPTH, LEAST_NORMAL, LEAST_ROOT, MOST_BITS, MOST_DEPTH, MOST_DROPPED, MOST_GUARD, NORMAL,
-    plane, quadratic,
+    WordRange, plane, quadratic,
 };
 use serde::{Deserialize, Serialize};
 
@@ -29,9 +29,6 @@ pub struct MachineWords {
     #[serde(default, skip_serializing_if = "RootForm::is_usual")]
     pub root_form: RootForm,
 }
-
-/// A word, what it has, and the least and the greatest it may have, in bits.
-pub type WordRange = (&'static str, u32, u32, u32);
 
 impl MachineWords {
     /// Words that all follow from the depth word.

@@ -69,6 +69,23 @@ impl Unit {
     }
 }
 
+impl RootForm {
+    /// Clocks of a root of so many digits, as the record of the unit states them.
+    pub fn latency(self, digits: u32, rows_per_stage: u32) -> u32 {
+        self.request(digits, rows_per_stage).latency() as u32
+    }
+
+    fn request(self, digits: u32, rows_per_stage: u32) -> Request {
+        let (row, number) = self.row();
+        Request {
+            rows_per_stage,
+            digits: number,
+            corrections: number,
+            ..Request::of(row.1, digits)
+        }
+    }
+}
+
 macro_rules! request {
     ($($name:ident: $option:literal $symbol:literal $field:ident, $least:literal to $most:expr, $default:expr, $meaning:literal;)*) => {
         /// A unit with its parameters; those that the unit does not have mean nothing.

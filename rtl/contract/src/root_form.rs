@@ -1,10 +1,8 @@
 //! Forms of the square root in an object processor, which takes a root every clock.
 
-use crate::machine_words::WordRange;
 use crate::parameters::CORRECTIONS;
-use crate::request::Request;
 use crate::unit::Unit;
-use crate::words::MOST_DEPTH;
+use crate::words::{MOST_DEPTH, WordRange};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::str::FromStr;
@@ -130,7 +128,7 @@ impl From<RootForm> for String {
 }
 
 impl RootForm {
-    fn row(self) -> (&'static Row, u32) {
+    pub(crate) fn row(self) -> (&'static Row, u32) {
         match self {
             RootForm::Restoring => (&ROWS[0], 0),
             RootForm::NonRestoring => (&ROWS[1], 0),
@@ -153,21 +151,6 @@ impl RootForm {
     /// The unit that takes the root.
     pub fn unit(self) -> Unit {
         self.row().0.1
-    }
-
-    /// Clocks of a root of so many digits, as the record of the unit states them.
-    pub fn latency(self, digits: u32, rows_per_stage: u32) -> u32 {
-        self.request(digits, rows_per_stage).latency() as u32
-    }
-
-    pub(crate) fn request(self, digits: u32, rows_per_stage: u32) -> Request {
-        let (row, number) = self.row();
-        Request {
-            rows_per_stage,
-            digits: number,
-            corrections: number,
-            ..Request::of(row.1, digits)
-        }
     }
 
     /// The greatest distance from the true root: this part of it, and so many units of the last digit that is computed.

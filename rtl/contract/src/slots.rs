@@ -1,9 +1,9 @@
 //! Slots of a fitted machine, and as text: the planes of each, as in `3,0,2`; those of other kinds by their names, as
 //! in `patch2,sphere`; behind it the words that are shorter than those of the machine, as in `2:r14:p20`.
 
-use crate::machine_words::{MachineWords, WordRange};
+use crate::machine_words::MachineWords;
 use crate::object::{KINDS, Kind, ProductSlots};
-use crate::words::{MOST_MEMBERS, MOST_PLANES};
+use crate::words::{MOST_MEMBERS, MOST_PLANES, WordRange};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use thiserror::Error;

@@ -9,6 +9,9 @@ pub const MOST_DEPTH: u32 = MOST_BITS / 2;
 /// Bits of the widest word.
 pub const MOST_BITS: u32 = 64;
 
+/// A word, what it has, and the least and the greatest it may have, in bits.
+pub type WordRange = (&'static str, u32, u32, u32);
+
 /// Bits of a coordinate.
 pub const COORDINATE: u32 = 12;
 /// Bits of the first-degree part of a normal component.

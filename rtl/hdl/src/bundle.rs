@@ -1,6 +1,5 @@
 //! Groups of values that are ports together.
 
-use crate::bare::Ports;
 use crate::scope::Handle;
 use crate::value::{Bits, Value, delayed, later};
 
@@ -145,31 +144,6 @@ impl<B: Bundle> Bundle for Vec<B> {
         each.map(|(index, one)| one.walked(&group.numbered(index), other))
             .collect()
     }
-}
-
-macro_rules! tuples {
-    ($(($($letter:ident $index:tt),*))*) => {$(
-        impl<$($letter: Bundle),*> Bundle for ($($letter,)*) {
-            fn walked(&self, group: &Label, other: &mut dyn FnMut(Label, Handle) -> Handle) -> Self {
-                ($(self.$index.walked(group, other),)*)
-            }
-        }
-
-        impl<$($letter: Ports),*> Ports for ($($letter,)*) {
-            type Bare = ($($letter::Bare,)*);
-
-            fn bare(self) -> Self::Bare {
-                ($(self.$index.bare(),)*)
-            }
-        }
-    )*};
-}
-
-tuples! {
-    (A 0, B 1)
-    (A 0, B 1, C 2)
-    (A 0, B 1, C 2, D 3)
-    (A 0, B 1, C 2, D 3, E 4)
 }
 
 /// Declares groups of ports: a structure of values, each with its kind, its width as a formula of the group's

@@ -38,6 +38,7 @@ mod bundle;
 mod scope;
 mod simulate;
 mod tree;
+mod tuples;
 mod value;
 pub mod verilog;
 
@@ -50,4 +51,5 @@ pub use scope::Handle;
 pub use scope::unregistered;
 pub use simulate::{Code, Flop, Kind, Levels, Port, Simulator, Store};
 pub use tree::{Binary, Direction, Instance, Memory, Module, Net, Node, Op, PortRecord, Register};
-pub use value::{Bits, Int, Value, join, memory, read_only_memory};
+pub use value::memory::{memory, read_only_memory};
+pub use value::{Bits, Int, Value, join};

@@ -1,9 +1,7 @@
 //! Words and numbers, and what is done with them.
 
-mod memory;
+pub(crate) mod memory;
 mod operators;
-
-pub use memory::{memory, read_only_memory};
 
 use crate::scope::{Handle, add, is_unregistered, refuse, with_scope};
 use crate::tree::{Binary, Op, Register, WIDEST};
@@ -267,8 +265,11 @@ fn part<V: Value>(value: V, width: u32, low: u32) -> V {
     if width == value.width() {
         return value;
     }
-    let part = value.slice(low + width - 1, low);
-    V::of(if V::SIGNED { part.int().0 } else { part.0 })
+    let part = value.slice(low + width - 1, low).0;
+    match V::SIGNED {
+        true => make(Op::Same(part.net), width),
+        false => V::of(part),
+    }
 }
 
 /// An operation on two values of the same width.

@@ -1,10 +1,7 @@
-//! Tiles of a shared chip: the project that its template asks for, its cells, and its layout.
+//! Tiles of a shared chip, and the project that its template asks for.
 
-mod cells;
-mod layout;
-
-pub use cells::{Library, Mapped, cell_delays};
-pub use layout::{Layout, LayoutTexts, lay_out, layout};
+pub(crate) mod cells;
+pub(crate) mod layout;
 
 use crate::description::Board;
 use crate::error::BoardError;

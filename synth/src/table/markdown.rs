@@ -1,7 +1,7 @@
 //! Text of the resource table.
 
 use super::rows::{self, Section};
-use super::{Measured, Table};
+use super::{Measured, PICTURE, Table};
 use crate::report::{CriticalPath, Figures};
 use crate::target::Target;
 use imogene_contract::Unit;
@@ -38,9 +38,6 @@ const ROWS: &str = "
 The radicand has 48 bits, the root 24. 24 rows per stage are the whole network between two registers. `square_root` restores the
 remainder where the divisor is too large, `square_root_non_restoring` adds it back in the next row; both hand on root and remainder.
 ";
-
-/// Where the picture lies, seen from the page.
-pub const PICTURE: &str = "images/rows-per-stage.svg";
 
 /// Heading of a section.
 const fn title(section: Section) -> &'static str {

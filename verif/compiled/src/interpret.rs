@@ -1,7 +1,7 @@
 //! The steps of a line one by one: for processors without AVX2, and the check of what the others run.
 
+use crate::functions::Function;
 use crate::line::{Step, Value};
-use crate::program::Function;
 
 /// What a function works on.
 pub(crate) struct Work<'a> {

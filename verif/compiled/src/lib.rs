@@ -29,6 +29,7 @@
 mod assemble;
 mod body;
 mod edge;
+mod functions;
 mod interpret;
 mod layout;
 mod line;
@@ -41,8 +42,8 @@ mod words;
 
 pub use program::Program;
 
+use functions::Task;
 use interpret::Work;
-use program::Task;
 use std::sync::Arc;
 use word::kept;
 use words::Words;

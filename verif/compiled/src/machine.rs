@@ -1,8 +1,8 @@
 //! Machine code in memory.
 
 use crate::assemble::Assembler;
+use crate::functions::{Function, TASKS};
 use crate::interpret::Work;
-use crate::program::{Function, TASKS};
 use crate::registers::{self, Constants};
 use crate::words::Words;
 use memmap2::{Mmap, MmapMut};

@@ -3,7 +3,8 @@
 use crate::controls::walk;
 use crate::frame::Begin;
 use crate::gates::{Gates, NO};
-use crate::known::{Contract, idle};
+use crate::idle::Idle;
+use crate::known::Contract;
 use imogene_hdl::{Design, Direction, Instance, Levels, Module, Net, Op, PortRecord};
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -57,7 +58,7 @@ impl Around<'_> {
         let registers: Vec<usize> = (0..levels.flops.len()).collect();
         let mut gates = Gates::new();
         let any = Begin::any(&levels, &mut gates);
-        let begin = idle(&levels, &[], &[]).begin(&levels, any, &registers);
+        let begin = Idle::of(&levels, &[], &[]).begin(&levels, any, &registers);
         let frame = begin.clock(&levels, &mut gates);
         let zeros = levels.points.iter().map(|(path, point)| {
             let word = frame.at(point.place).iter().enumerate();

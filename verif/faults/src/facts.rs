@@ -3,9 +3,8 @@
 //! A counter ends at its last value, and two flags are never 1 together. Without such facts a proof over one clock
 //! fails in states that are never reached.
 
-use crate::frame::{Begin, Word, bit_of, constant, less};
+use crate::frame::{CONTROL, Reached, Word, bit_of, constant, less};
 use crate::gates::{Bit, Gates, NO, YES};
-use crate::known::{CONTROL, Known};
 use crate::solve::{Answer, CONFLICTS, ask};
 use imogene_hdl::Levels;
 
@@ -64,16 +63,8 @@ impl Fact {
 
 /// The facts that hold in all of these states and at power-up, and are proven to hold after a clock before which they
 /// and what else is known hold.
-pub(crate) fn facts(levels: &Levels, known: &Known, seen: &[Vec<u64>]) -> Vec<Fact> {
-    if seen.is_empty() {
-        return vec![];
-    }
-    let mut gates = Gates::new();
-    let begin = Begin::any(levels, &mut gates);
-    let registers: Vec<usize> = (0..levels.flops.len()).collect();
-    let base = known.bits(levels, &begin, &registers, &mut gates);
-    let end = begin.clock(levels, &mut gates).end;
-    if gates.len() > GATES {
+pub(crate) fn facts(levels: &Levels, mut of: Reached, seen: &[Vec<u64>]) -> Vec<Fact> {
+    if of.gates.len() > GATES {
         return vec![];
     }
     let flops = levels.flops.iter();
@@ -86,14 +77,14 @@ pub(crate) fn facts(levels: &Levels, known: &Known, seen: &[Vec<u64>]) -> Vec<Fa
     ]
     .concat();
     loop {
-        let before = |register: usize| begin.at(levels.flops[register].output);
-        let assumed = facts.iter().map(|fact| fact.holds(&mut gates, before));
-        let assumed: Vec<Bit> = assumed.chain(base.iter().copied()).collect();
-        let after = |register: usize| &end.registers[register];
-        let broken = facts.iter().map(|fact| !fact.holds(&mut gates, after));
+        let before = |register: usize| of.begin.at(levels.flops[register].output);
+        let assumed = facts.iter().map(|fact| fact.holds(&mut of.gates, before));
+        let assumed: Vec<Bit> = assumed.chain(of.assumed.iter().copied()).collect();
+        let after = |register: usize| &of.clock.end.registers[register];
+        let broken = facts.iter().map(|fact| !fact.holds(&mut of.gates, after));
         let broken: Vec<Bit> = broken.collect();
-        let any = broken.iter().fold(NO, |any, bit| gates.or(any, *bit));
-        let is_broken = match ask(&gates, any, &assumed, CONFLICTS, &broken) {
+        let any = broken.iter().fold(NO, |any, bit| of.gates.or(any, *bit));
+        let is_broken = match ask(&of.gates, any, &assumed, CONFLICTS, &broken) {
             Answer::Never => return facts,
             Answer::When(values) => values,
             // What is left may be too much for the solver.

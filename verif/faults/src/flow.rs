@@ -5,10 +5,8 @@
 //! latency. If it is equal over these, it is equal for ever.
 
 use crate::controls::Upset;
-use crate::frame::{Begin, End, Frame, Word, constant, upset};
+use crate::frame::{Begin, End, Frame, Word, upset, zero_inputs};
 use crate::gates::{Bit, Gates, NO};
-use crate::held::Held;
-use crate::known::zero_inputs;
 use imogene_hdl::Levels;
 use std::collections::HashMap;
 
@@ -97,30 +95,6 @@ impl Unrolled {
         Some(Unrolled {
             gates: gates.frozen(),
             clocks: all,
-        })
-    }
-
-    /// Over its latency, from the clock on with which the work begins, while inputs are held. Before it, as long,
-    /// nothing was under way.
-    pub(crate) fn from_start(
-        levels: &Levels,
-        gates: &Gates,
-        begin: &Begin,
-        held: &Held,
-        latency: usize,
-    ) -> Option<Unrolled> {
-        let place = |input: &usize| levels.inputs()[*input].place;
-        let clocks = 2 * latency + 1;
-        Unrolled::new(levels, gates, begin, clocks, |index, begin, before| {
-            if index <= latency {
-                let begins = u64::from(index == latency);
-                for input in &held.begins {
-                    *begin.at_mut(place(input)) = constant(begins);
-                }
-            }
-            if let Some((start, _)) = before.get(latency) {
-                held.hold(levels, start, begin);
-            }
         })
     }
 

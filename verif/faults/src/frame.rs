@@ -7,6 +7,9 @@ use imogene_hdl::{Code, Flop, Kind, Levels, Store};
 /// Bits of a word, the lowest first; those beyond are 0.
 pub(crate) type Word = Vec<Bit>;
 
+/// Bits, at most, of a register that holds control, not data: a flag, a state, a count of steps.
+pub(crate) const CONTROL: u32 = 6;
+
 /// The words that one clock begins with: inputs, and what registers and memories hold.
 #[derive(Clone)]
 pub(crate) struct Begin {
@@ -22,6 +25,17 @@ pub(crate) struct End {
     pub(crate) registers: Vec<Word>,
     /// What each memory takes: enable, then address and word if it is written, and the address that is read.
     pub(crate) memories: Vec<Word>,
+}
+
+/// A clock that begins in any of the states to which a circuit comes.
+pub(crate) struct Reached {
+    pub(crate) gates: Gates,
+    pub(crate) begin: Begin,
+    pub(crate) clock: Frame,
+    /// Bits that are 1.
+    pub(crate) assumed: Vec<Bit>,
+    /// Those that are no controls.
+    pub(crate) registers: Vec<usize>,
 }
 
 pub(crate) fn constant(value: u64) -> Word {
@@ -171,6 +185,16 @@ impl Frame {
     }
 }
 
+/// Bits that are 1 where these bits of inputs are 0.
+pub(crate) fn zero_inputs(
+    zeros: &[(usize, u32)],
+    levels: &Levels,
+    begin: &Begin,
+) -> impl Iterator<Item = Bit> {
+    let zeros = zeros.iter();
+    zeros.map(|(index, bit)| !bit_of(begin.at(levels.inputs()[*index].place), *bit))
+}
+
 /// The words that upsets put into registers.
 pub(crate) fn upset<'a>(
     levels: &'a Levels,
@@ -178,6 +202,25 @@ pub(crate) fn upset<'a>(
 ) -> impl Iterator<Item = (u32, Word)> + 'a {
     let upsets = upsets.iter();
     upsets.map(|(register, value)| (levels.flops[*register].output, constant(*value)))
+}
+
+/// What some registers hold after a clock.
+pub(crate) fn state_pairs<'a>(
+    registers: &'a [usize],
+    good: &'a End,
+    bad: &'a End,
+) -> impl Iterator<Item = (Bit, Bit)> + 'a {
+    let registers = registers.iter();
+    registers.flat_map(|index| zip(&good.registers[*index], &bad.registers[*index]))
+}
+
+/// Bits of the same places.
+pub(crate) fn zip(good: &Word, bad: &Word) -> Vec<(Bit, Bit)> {
+    let length = good.len().max(bad.len());
+    let at = |word: &Word, index: usize| word.get(index).copied().unwrap_or(NO);
+    (0..length)
+        .map(|index| (at(good, index), at(bad, index)))
+        .collect()
 }
 
 fn outputs<'a>(levels: &Levels, word: &impl Fn(u32) -> &'a Word) -> Vec<Bit> {
@@ -243,13 +286,7 @@ fn value(code: &Code, [x, y, z]: [&Word; 3], gates: &mut Gates) -> Word {
             sum(gates, x, &y, YES, width)
         }
         Kind::Mul => product(gates, x, y, width),
-        Kind::Equal => {
-            let all = (0..longest).fold(YES, |all, index| {
-                let differs = gates.xor(bit_of(x, index), bit_of(y, index));
-                gates.and(all, !differs)
-            });
-            vec![all]
-        }
+        Kind::Equal => vec![!differ(gates, x, y)],
         Kind::Less => vec![less(gates, x, y, longest)],
         Kind::LessSigned => {
             let turned = |word: &Word| -> Word {

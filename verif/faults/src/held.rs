@@ -1,7 +1,7 @@
 //! What the registers of a circuit hold while it works, of inputs that are held so long and of constants.
 
 use crate::flow::Unrolled;
-use crate::frame::{Begin, Word};
+use crate::frame::{Begin, Word, constant};
 use crate::gates::{Bit, Gates, NO};
 use imogene_hdl::Levels;
 use std::collections::HashMap;
@@ -40,7 +40,7 @@ impl Held {
         };
         let mut gates = Gates::new();
         let any = Begin::any(levels, &mut gates);
-        let Some(flow) = Unrolled::from_start(levels, &gates, &any, &held, latency) else {
+        let Some(flow) = held.from_start(levels, &gates, &any, latency) else {
             return held;
         };
         let sources = held.sources(levels, flow.begin(latency));
@@ -65,6 +65,30 @@ impl Held {
         }
     }
 
+    /// A circuit over its latency, from the clock on with which the work begins, while inputs are held. Before it, as
+    /// long, nothing was under way.
+    pub(crate) fn from_start(
+        &self,
+        levels: &Levels,
+        gates: &Gates,
+        begin: &Begin,
+        latency: usize,
+    ) -> Option<Unrolled> {
+        let place = |input: &usize| levels.inputs()[*input].place;
+        let clocks = 2 * latency + 1;
+        Unrolled::new(levels, gates, begin, clocks, |index, begin, before| {
+            if index <= latency {
+                let begins = u64::from(index == latency);
+                for input in &self.begins {
+                    *begin.at_mut(place(input)) = constant(begins);
+                }
+            }
+            if let Some((start, _)) = before.get(latency) {
+                self.hold(levels, start, begin);
+            }
+        })
+    }
+
     /// Which bit of an input each gate is, of those that are held.
     fn sources(&self, levels: &Levels, any: &Begin) -> HashMap<usize, (usize, usize)> {
         let inputs = self.inputs.iter().flat_map(|input| {
@@ -76,7 +100,7 @@ impl Held {
     }
 
     /// Holds the inputs of a clock in another.
-    pub(crate) fn hold(&self, levels: &Levels, first: &Begin, begin: &mut Begin) {
+    fn hold(&self, levels: &Levels, first: &Begin, begin: &mut Begin) {
         for input in &self.inputs {
             let place = levels.inputs()[*input].place;
             *begin.at_mut(place) = first.at(place).clone();

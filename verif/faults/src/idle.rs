@@ -1,21 +1,15 @@
 //! What a circuit is before its work begins, and what is left of that once the work began.
-//!
-//! Of a circuit that rests until its work begins and rests again after its latency: circuit and mutant do the same in
-//! between, and come to the same state.
 
-use crate::controls::Upset;
-use crate::flow::Unrolled;
-use crate::frame::{Begin, End, Frame, Word, constant, free, upset};
+use crate::frame::{Begin, CONTROL, End, constant};
 use crate::gates::{Bit, Gates, NO};
-use crate::judge::{Verdict, equality, state_pairs, zip};
-use crate::known::{CONTROL, Constants};
-use crate::phases::Compared;
-use crate::solve::CONFLICTS;
 use imogene_hdl::Levels;
 use std::collections::HashSet;
 
 /// Gates of all clocks of a beginning, at most: each register is looked at by itself.
 const GATES: usize = 400_000;
+
+/// The value of each bit of each register that never changes.
+pub(crate) type Constants = Vec<Vec<Option<bool>>>;
 
 /// How the work of a circuit begins.
 #[derive(Clone, Default)]
@@ -29,6 +23,29 @@ pub(crate) struct Idle {
 }
 
 impl Idle {
+    /// What never changes from power-up on while these inputs are quiet: all that is held at power-up but for what one
+    /// clock may change, until there is none.
+    pub(crate) fn of(levels: &Levels, zeros: &[(usize, u32)], quiet: &[usize]) -> Idle {
+        let registers: Vec<usize> = (0..levels.flops.len()).collect();
+        let mut idle = Idle {
+            quiet: quiet.to_vec(),
+            constants: initial(levels),
+            ..Idle::default()
+        };
+        loop {
+            let mut gates = Gates::new();
+            let mut begin = Begin::any(levels, &mut gates);
+            for (index, bit) in zeros {
+                begin.at_mut(levels.inputs()[*index].place)[*bit as usize] = NO;
+            }
+            let begin = idle.begin(levels, begin, &registers);
+            let end = begin.clock(levels, &mut gates).end;
+            if !idle.drop_changing(&end, &registers) {
+                return idle;
+            }
+        }
+    }
+
     /// The state before the work, with no input but those that are free; `registers` are those without controls.
     pub(crate) fn begin(&self, levels: &Levels, mut begin: Begin, registers: &[usize]) -> Begin {
         for (register, constants) in registers.iter().zip(&self.constants) {
@@ -56,7 +73,7 @@ impl Idle {
     }
 
     /// The same with nothing known of registers that hold data, not control.
-    fn of_control(&self) -> Idle {
+    pub(crate) fn of_control(&self) -> Idle {
         let mut own = self.clone();
         let long = own.constants.iter_mut();
         let long = long.filter(|constants| constants.len() > CONTROL as usize);
@@ -160,80 +177,12 @@ impl Idle {
     }
 }
 
-/// A clock of rest, and the work from there.
-pub(crate) struct Rest {
-    gates: Gates,
-    clock: Frame,
-    work: Unrolled,
-    /// What rests in registers that are loaded before they are read may be anything: their places, and any words.
-    dead: Vec<(u32, Word)>,
-    /// The other registers.
-    kept: Vec<usize>,
-}
-
-impl Rest {
-    /// Of a circuit without memories whose work begins with one bit and ends with the latency.
-    pub(crate) fn of(of: &Compared, idle: &Idle, latency: usize) -> Option<Rest> {
-        let [input] = idle.quiet[..] else {
-            return None;
-        };
-        let levels = &of.levels;
-        if idle.begins != [[(input, 1)]] || !levels.stores.is_empty() {
-            return None;
-        }
-        let mut idle = idle.of_control();
-        loop {
-            let begin = idle.begin(levels, of.begin.clone(), &of.registers);
-            let mut gates = of.gates.clone();
-            let clock = begin.clock(levels, &mut gates);
-            let words = levels.flops.iter().map(|flop| free(flop.width, &mut gates));
-            let words: Vec<Word> = words.collect();
-            let gates = gates.frozen();
-            let fix = |clock, begin: &mut Begin, _: &[(Begin, Frame)]| {
-                if clock == 0 {
-                    idle.fix(levels, 0, begin);
-                }
-            };
-            let work = Unrolled::new(levels, &gates, &begin, latency, fix)?;
-            let ends = [&clock.end, work.end()];
-            if ends.map(|end| idle.drop_changing(end, &of.registers)) != [false; 2] {
-                continue;
-            }
-            let is_dead = |index: &usize| {
-                let mut bits = begin.at(levels.flops[*index].output).iter();
-                bits.all(|bit| bit.gate() != NO.gate())
-                    && work.is_dead(levels, *index)
-                    && clock.is_dead(levels, &begin, &gates, *index)
-            };
-            let registers = of.registers.iter().copied();
-            let (dead, kept): (Vec<usize>, Vec<usize>) = registers.partition(is_dead);
-            let place = |index: usize| (levels.flops[index].output, words[index].clone());
-            return Some(Rest {
-                dead: dead.into_iter().map(place).collect(),
-                gates,
-                clock,
-                work,
-                kept,
-            });
-        }
-    }
-
-    /// Does a mutant do the same?
-    pub(crate) fn is_same(&self, levels: &Levels, upsets: &[Upset]) -> bool {
-        let mut gates = self.gates.clone();
-        let others = self.dead.iter().cloned().chain(upset(levels, upsets));
-        let bad = self.clock.with(levels, others, &mut gates);
-        let pairs = state_pairs(&self.kept, &self.clock.end, &bad);
-        let outputs = zip(&self.clock.end.outputs, &bad.outputs);
-        let pairs = pairs.chain(outputs).collect();
-        if equality(pairs, &[], &mut gates, CONFLICTS) != Verdict::Equivalent {
-            return false;
-        }
-        let (mut gates, ends) = self.work.with(levels, upsets, &self.dead);
-        let outputs = ends.iter();
-        let outputs = outputs.flat_map(|[good, bad]| zip(&good.outputs, &bad.outputs));
-        let [good, bad] = ends.last().expect("there is a first clock");
-        let pairs = outputs.chain(state_pairs(&self.kept, good, bad)).collect();
-        equality(pairs, &[], &mut gates, CONFLICTS) == Verdict::Equivalent
-    }
+/// What every register holds at power-up.
+fn initial(levels: &Levels) -> Constants {
+    let flops = levels.flops.iter().map(|flop| {
+        let word = levels.words[flop.output as usize];
+        let bits = (0..flop.width).map(|bit| Some(word >> bit & 1 == 1));
+        bits.collect()
+    });
+    flops.collect()
 }

@@ -8,12 +8,11 @@
 
 use crate::controls::{Controls, Upset};
 use crate::flow::{State, Unrolled, keeps_nothing};
-use crate::frame::{Begin, End, Frame, Word, constant, upset};
+use crate::frame::{Begin, End, Frame, Reached, constant, state_pairs, upset, zip};
 use crate::gates::{Bit, Gates, NO};
-use crate::idle::Rest;
 use crate::known::Known;
-use crate::phases::Compared;
-use crate::solve::{Answer, CONFLICTS, ask};
+use crate::rest::Rest;
+use crate::solve::{CONFLICTS, Verdict, equality};
 use imogene_hdl::Levels;
 use std::collections::{HashMap, HashSet};
 use std::sync::OnceLock;
@@ -21,20 +20,10 @@ use std::sync::OnceLock;
 /// Bits of words that are few enough to be tried all.
 const SHORT: [u32; 3] = [16, 20, 24];
 
-/// What is known of a mutant.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
-    /// It behaves like the circuit on every input, from the first result on.
-    Equivalent,
-    /// In some state, which may be one that is never reached, outputs or next state differ.
-    Differs,
-    /// The solver gave up.
-    Undecided,
-}
-
 /// Judges the mutants of a design with controls.
 pub struct Judge {
-    of: Compared,
+    levels: Levels,
+    of: Reached,
     /// Which state each input gate is, if it is one.
     state: HashMap<usize, State>,
     known: Known,
@@ -61,22 +50,16 @@ impl Judge {
         }
         let registers = (0..levels.flops.len()).filter(|index| !held.contains(index));
         let registers: Vec<usize> = registers.collect();
-        let assumed = known.bits(&levels, &begin, &registers, &mut gates);
-        let good = begin.clock(&levels, &mut gates);
+        let mut of = known.clock(&levels, gates, begin, registers);
         let held_bits = !known.held.is_empty();
-        let work = held_bits.then(|| known.held.work(&levels, begin.clone(), &registers));
-        let work = work.map(|begin| begin.clock(&levels, &mut gates));
-        let state = State::of(&levels, &begin);
-        let keeps_nothing = keeps_nothing(&gates, &good.end, &state, known.latency);
+        let work = held_bits.then(|| known.held.work(&levels, of.begin.clone(), &of.registers));
+        let work = work.map(|begin| begin.clock(&levels, &mut of.gates));
+        let state = State::of(&levels, &of.begin);
+        let keeps_nothing = keeps_nothing(&of.gates, &of.clock.end, &state, known.latency);
+        of.gates = of.gates.frozen();
         Judge {
-            of: Compared {
-                levels,
-                gates: gates.frozen(),
-                begin,
-                good,
-                assumed,
-                registers,
-            },
+            levels,
+            of,
             state,
             known: known.clone(),
             keeps_nothing,
@@ -95,7 +78,7 @@ impl Judge {
             return self.by_clocks(upsets, few) == Verdict::Equivalent;
         }
         let mut gates = self.of.gates.clone();
-        let bad = self.with(&self.of.good, upsets, &mut gates);
+        let bad = self.with(&self.of.clock, upsets, &mut gates);
         self.known.always_holds && self.of_a_clock(&bad, &mut gates, few) == Verdict::Equivalent
     }
 
@@ -108,7 +91,7 @@ impl Judge {
     pub fn judge(&self, upsets: &[Upset]) -> Verdict {
         let verdict = self.by_clocks(upsets, CONFLICTS);
         let phases = self.known.phases.as_ref();
-        match phases.is_some_and(|phases| phases.are_same(&self.of, upsets)) {
+        match phases.is_some_and(|phases| phases.are_same(&self.levels, &self.of, upsets)) {
             true => Verdict::Equivalent,
             false => verdict,
         }
@@ -117,7 +100,7 @@ impl Judge {
     /// The same without a look at the phases of the work.
     fn by_clocks(&self, upsets: &[Upset], conflicts: u64) -> Verdict {
         let mut gates = self.of.gates.clone();
-        let bad = self.with(&self.of.good, upsets, &mut gates);
+        let bad = self.with(&self.of.clock, upsets, &mut gates);
         let of_a_clock = self.of_a_clock(&bad, &mut gates, conflicts);
         if of_a_clock == Verdict::Equivalent && self.known.always_holds {
             return Verdict::Equivalent;
@@ -138,16 +121,16 @@ impl Judge {
     /// Bits of words, where the mutant can differ for words of no more bits alone: what all of these show decides. The
     /// circuit has one input, and each result comes from one word of it.
     pub fn short(&self, upsets: &[Upset]) -> Option<u32> {
-        let [input] = self.of.levels.inputs() else {
+        let [input] = self.levels.inputs() else {
             return None;
         };
         let mut gates = self.of.gates.clone();
-        let bad = self.with(&self.of.good, upsets, &mut gates);
+        let bad = self.with(&self.of.clock, upsets, &mut gates);
         if !self.forgets(&bad, &gates) {
             return None;
         }
         let flow = self.flow()?;
-        let (all, ends) = flow.with(&self.of.levels, upsets, &[]);
+        let (all, ends) = flow.with(&self.levels, upsets, &[]);
         let later = (1..=self.known.latency).flat_map(|clock| flow.begin(clock).at(input.place));
         let later: Vec<usize> = later.map(|bit| bit.gate()).collect();
         let depends = all.depending(&later);
@@ -166,18 +149,14 @@ impl Judge {
     }
 
     fn with(&self, good: &Frame, upsets: &[Upset], gates: &mut Gates) -> End {
-        good.with(&self.of.levels, upset(&self.of.levels, upsets), gates)
+        good.with(&self.levels, upset(&self.levels, upsets), gates)
     }
 
     /// The circuit over its latency.
     fn flow(&self) -> Option<&Unrolled> {
-        let Compared {
-            levels,
-            gates,
-            begin,
-            ..
-        } = &self.of;
-        let make = || Unrolled::new(levels, gates, begin, self.known.latency + 1, |_, _, _| ());
+        let Reached { gates, begin, .. } = &self.of;
+        let clocks = self.known.latency + 1;
+        let make = || Unrolled::new(&self.levels, gates, begin, clocks, |_, _, _| ());
         self.flow.get_or_init(make).as_ref()
     }
 
@@ -186,10 +165,10 @@ impl Judge {
         let Some(flow) = self.flow() else {
             return false;
         };
-        let (mut gates, ends) = flow.with(&self.of.levels, upsets, &[]);
+        let (mut gates, ends) = flow.with(&self.levels, upsets, &[]);
         let last = ends.last().expect("there is a first clock");
         let pairs = zip(&last[0].outputs, &last[1].outputs);
-        let zeros = flow.zeros(&self.known.zeros, &self.of.levels);
+        let zeros = flow.zeros(&self.known.zeros, &self.levels);
         equality(pairs, &zeros, &mut gates, conflicts) == Verdict::Equivalent
     }
 
@@ -207,20 +186,16 @@ impl Judge {
             return false;
         }
         let start = self.start.get_or_init(|| {
-            let Compared {
-                levels,
-                gates,
-                begin,
-                ..
-            } = &self.of;
-            Unrolled::from_start(levels, gates, begin, &self.known.held, self.known.latency)
+            let Reached { gates, begin, .. } = &self.of;
+            let held = &self.known.held;
+            held.from_start(&self.levels, gates, begin, self.known.latency)
         });
         let Some(start) = start else { return false };
-        let (mut gates, ends) = start.with(&self.of.levels, upsets, &[]);
+        let (mut gates, ends) = start.with(&self.levels, upsets, &[]);
         let [good, bad] = ends.last().expect("there is a first clock");
         let state = state_pairs(&self.of.registers, good, bad);
         let pairs = self.results(&ends).chain(state).collect();
-        let zeros = start.zeros(&self.known.zeros, &self.of.levels);
+        let zeros = start.zeros(&self.known.zeros, &self.levels);
         equality(pairs, &zeros, &mut gates, CONFLICTS / 10) == Verdict::Equivalent
     }
 
@@ -228,9 +203,9 @@ impl Judge {
     fn is_same_from_rest(&self, upsets: &[Upset]) -> bool {
         let rest = self
             .rest
-            .get_or_init(|| Rest::of(&self.of, &self.known.idle, self.known.latency));
+            .get_or_init(|| Rest::of(&self.levels, &self.of, &self.known.idle, self.known.latency));
         rest.as_ref()
-            .is_some_and(|rest| rest.is_same(&self.of.levels, upsets))
+            .is_some_and(|rest| rest.is_same(&self.levels, upsets))
     }
 
     /// The outputs from the beginning of the work on: before the first result nothing counts but the first output,
@@ -253,7 +228,7 @@ impl Judge {
 
     /// Outputs of circuit and mutant, and next states of all bits that either of them reads for an output.
     fn pairs(&self, bad: &End, gates: &Gates) -> Vec<(Bit, Bit)> {
-        let good = &self.of.good.end;
+        let good = &self.of.clock.end;
         let mut pairs: Vec<(Bit, Bit)> = zip(&good.outputs, &bad.outputs);
         let mut is_seen = vec![false; gates.len()];
         let mut is_taken = HashSet::new();
@@ -284,40 +259,4 @@ impl Judge {
         }
         pairs
     }
-}
-
-/// What some registers hold after a clock.
-pub(crate) fn state_pairs<'a>(
-    registers: &'a [usize],
-    good: &'a End,
-    bad: &'a End,
-) -> impl Iterator<Item = (Bit, Bit)> + 'a {
-    let registers = registers.iter();
-    registers.flat_map(|index| zip(&good.registers[*index], &bad.registers[*index]))
-}
-
-/// Are the bits of all pairs equal?
-pub(crate) fn equality(
-    pairs: Vec<(Bit, Bit)>,
-    assumed: &[Bit],
-    gates: &mut Gates,
-    conflicts: u64,
-) -> Verdict {
-    let differ = pairs.into_iter().filter(|(good, bad)| good != bad);
-    let differ: Vec<Bit> = differ.map(|(good, bad)| gates.xor(good, bad)).collect();
-    let any = differ.into_iter().fold(NO, |any, bit| gates.or(any, bit));
-    match ask(gates, any, assumed, conflicts, &[]) {
-        Answer::Never => Verdict::Equivalent,
-        Answer::When(_) => Verdict::Differs,
-        Answer::Unknown => Verdict::Undecided,
-    }
-}
-
-/// Bits of the same places.
-pub(crate) fn zip(good: &Word, bad: &Word) -> Vec<(Bit, Bit)> {
-    let length = good.len().max(bad.len());
-    let at = |word: &Word, index: usize| word.get(index).copied().unwrap_or(NO);
-    (0..length)
-        .map(|index| (at(good, index), at(bad, index)))
-        .collect()
 }

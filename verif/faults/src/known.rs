@@ -2,16 +2,13 @@
 
 use crate::facts::{Fact, facts};
 use crate::flow::{State, keeps_nothing};
-use crate::frame::{Begin, Word, bit_of, constant, differ, less, sum};
+use crate::frame::{Begin, Reached, Word, bit_of, constant, differ, less, sum, zero_inputs};
 use crate::gates::{Bit, Gates, NO, YES};
 use crate::held::Held;
-use crate::idle::Idle;
+use crate::idle::{Constants, Idle};
 use crate::phases::Phases;
 use crate::solve::{Answer, CONFLICTS, ask};
 use imogene_hdl::{Design, Direction, Levels, PortRecord};
-
-/// Bits, at most, of a register that holds control, not data: a flag, a state, a count of steps.
-pub(crate) const CONTROL: u32 = 6;
 
 /// What a circuit may rely on.
 #[derive(Clone, Debug, Default)]
@@ -39,9 +36,6 @@ pub struct Contract {
     /// Outputs that count only in clocks in which another one, a flag, is 1.
     pub counts_with: Vec<(String, String)>,
 }
-
-/// The value of each bit of each register that never changes.
-pub(crate) type Constants = Vec<Vec<Option<bool>>>;
 
 /// What holds in every state that is reached from power-up. Registers are counted without controls.
 #[derive(Clone)]
@@ -101,10 +95,10 @@ impl Known {
             facts: vec![],
             always_holds: true,
             latency: contract.latency,
-            constants: idle(&levels, &zeros, &[]).constants,
+            constants: Idle::of(&levels, &zeros, &[]).constants,
             idle: Idle {
                 begins,
-                ..idle(&levels, &zeros, &quiet)
+                ..Idle::of(&levels, &zeros, &quiet)
             },
             phases: None,
             zeros,
@@ -114,8 +108,11 @@ impl Known {
         };
         known.drop_unproven(&levels);
         if known.always_holds {
-            known.facts = facts(&levels, &known, &contract.seen);
-            known.phases = Phases::of(&levels, &known, counts_with(design, contract));
+            if !contract.seen.is_empty() {
+                known.facts = facts(&levels, known.any_clock(&levels), &contract.seen);
+            }
+            let counts_with = counts_with(design, contract);
+            known.phases = Phases::of(&levels, known.any_clock(&levels), counts_with);
         }
         known.forgotten = known.forgotten(&levels);
         let inputs: Vec<usize> = contract.held.iter().filter_map(place).collect();
@@ -145,8 +142,33 @@ impl Known {
             .all(|(is, constant)| *is || constant.is_some())
     }
 
+    /// A clock of the design, with any inputs from any state that is reached.
+    fn any_clock(&self, levels: &Levels) -> Reached {
+        let mut gates = Gates::new();
+        let begin = Begin::any(levels, &mut gates);
+        self.clock(levels, gates, begin, (0..levels.flops.len()).collect())
+    }
+
+    /// The clock with this beginning, of a design with controls beside these registers.
+    pub(crate) fn clock(
+        &self,
+        levels: &Levels,
+        mut gates: Gates,
+        begin: Begin,
+        registers: Vec<usize>,
+    ) -> Reached {
+        let assumed = self.bits(levels, &begin, &registers, &mut gates);
+        Reached {
+            clock: begin.clock(levels, &mut gates),
+            gates,
+            begin,
+            assumed,
+            registers,
+        }
+    }
+
     /// Bits that are 1 in every state that is reached; `registers` are those without controls.
-    pub(crate) fn bits(
+    fn bits(
         &self,
         levels: &Levels,
         begin: &Begin,
@@ -224,16 +246,14 @@ impl Known {
     /// Those that are left need not hold at power-up: where they do not, they hold in some state, and a circuit that
     /// keeps nothing comes to the same results from there.
     fn drop_unproven(&mut self, levels: &Levels) {
-        let registers: Vec<usize> = (0..levels.flops.len()).collect();
         loop {
-            let mut gates = Gates::new();
-            let begin = Begin::any(levels, &mut gates);
-            let assumed = self.bits(levels, &begin, &registers, &mut gates);
-            let end = begin.clock(levels, &mut gates).end;
+            let mut of = self.any_clock(levels);
+            let end = &of.clock.end;
             let pairs = self.remainders.iter().copied().filter(|pair| {
                 let words = pair.map(|index| &end.registers[index]);
-                let holds = self.is_remainder(&mut gates, *pair, words);
-                matches!(ask(&gates, !holds, &assumed, CONFLICTS, &[]), Answer::Never)
+                let holds = self.is_remainder(&mut of.gates, *pair, words);
+                let breaks = ask(&of.gates, !holds, &of.assumed, CONFLICTS, &[]);
+                matches!(breaks, Answer::Never)
             });
             let kept: Vec<[usize; 2]> = pairs.collect();
             if kept.len() < self.remainders.len() {
@@ -242,37 +262,14 @@ impl Known {
             }
             self.always_holds = self.holds_at_power_up(levels);
             if !self.always_holds {
-                let state = State::of(levels, &begin);
-                let some_state = ask(&gates, YES, &assumed, CONFLICTS, &[]);
+                let state = State::of(levels, &of.begin);
+                let some_state = ask(&of.gates, YES, &of.assumed, CONFLICTS, &[]);
                 let hold_in_some_state = matches!(some_state, Answer::When(_));
-                if !hold_in_some_state || !keeps_nothing(&gates, &end, &state, self.latency) {
+                if !hold_in_some_state || !keeps_nothing(&of.gates, end, &state, self.latency) {
                     self.remainders.clear();
                 }
             }
             return;
-        }
-    }
-}
-
-/// What never changes from power-up on while these inputs are quiet: all that is held at power-up but for what one
-/// clock may change, until there is none.
-pub(crate) fn idle(levels: &Levels, zeros: &[(usize, u32)], quiet: &[usize]) -> Idle {
-    let registers: Vec<usize> = (0..levels.flops.len()).collect();
-    let mut idle = Idle {
-        quiet: quiet.to_vec(),
-        constants: initial(levels),
-        ..Idle::default()
-    };
-    loop {
-        let mut gates = Gates::new();
-        let mut begin = Begin::any(levels, &mut gates);
-        for (index, bit) in zeros {
-            begin.at_mut(levels.inputs()[*index].place)[*bit as usize] = NO;
-        }
-        let begin = idle.begin(levels, begin, &registers);
-        let end = begin.clock(levels, &mut gates).end;
-        if !idle.drop_changing(&end, &registers) {
-            return idle;
         }
     }
 }
@@ -286,26 +283,6 @@ fn counts_with(design: &Design, contract: &Contract) -> Vec<Option<usize>> {
         outputs().position(|port| port.name == *flag)
     };
     outputs().map(flag).collect()
-}
-
-/// What every register holds at power-up.
-fn initial(levels: &Levels) -> Vec<Vec<Option<bool>>> {
-    let flops = levels.flops.iter().map(|flop| {
-        let word = levels.words[flop.output as usize];
-        let bits = (0..flop.width).map(|bit| Some(word >> bit & 1 == 1));
-        bits.collect()
-    });
-    flops.collect()
-}
-
-/// Bits that are 1 where these bits of inputs are 0.
-pub(crate) fn zero_inputs(
-    zeros: &[(usize, u32)],
-    levels: &Levels,
-    begin: &Begin,
-) -> impl Iterator<Item = Bit> {
-    let zeros = zeros.iter();
-    zeros.map(|(index, bit)| !bit_of(begin.at(levels.inputs()[*index].place), *bit))
 }
 
 fn at_most_twice(gates: &mut Gates, a: &Word, b: &Word) -> Bit {

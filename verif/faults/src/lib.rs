@@ -35,12 +35,13 @@ mod idle;
 mod judge;
 mod known;
 mod phases;
+mod rest;
 mod sites;
 mod solve;
 
 pub use alone::{Around, alone};
 pub use controls::{Change, Controls, Key, Mutant, Upset};
-pub use judge::{Judge, Verdict};
+pub use judge::Judge;
 pub use known::{Contract, Known};
 pub use sites::{Site, SiteKind, power_up, sites};
-pub use solve::CONFLICTS;
+pub use solve::{CONFLICTS, Verdict};

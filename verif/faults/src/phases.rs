@@ -4,9 +4,8 @@
 //! found from above: all in every phase, less what a clock may break, until nothing is broken or an output differs.
 
 use crate::controls::Upset;
-use crate::frame::{Begin, Frame, Word, constant, differ, free, upset};
+use crate::frame::{CONTROL, Reached, Word, constant, differ, free, upset};
 use crate::gates::{Bit, Gates, NO, YES};
-use crate::known::{CONTROL, Known};
 use crate::solve::{Answer, CONFLICTS, ask};
 use imogene_hdl::Levels;
 
@@ -28,18 +27,6 @@ pub(crate) struct Phases {
     counts_with: Vec<Option<usize>>,
 }
 
-/// What is compared.
-pub(crate) struct Compared {
-    pub(crate) levels: Levels,
-    pub(crate) gates: Gates,
-    pub(crate) begin: Begin,
-    pub(crate) good: Frame,
-    /// Bits that are 1.
-    pub(crate) assumed: Vec<Bit>,
-    /// Those that are no controls.
-    pub(crate) registers: Vec<usize>,
-}
-
 /// What a clock could break.
 enum Goal {
     /// That an output shows nothing.
@@ -56,20 +43,15 @@ impl Phases {
     /// they are too many.
     pub(crate) fn of(
         levels: &Levels,
-        known: &Known,
+        mut of: Reached,
         counts_with: Vec<Option<usize>>,
     ) -> Option<Phases> {
-        let mut gates = Gates::new();
-        let begin = Begin::any(levels, &mut gates);
-        let all: Vec<usize> = (0..levels.flops.len()).collect();
-        let known = known.bits(levels, &begin, &all, &mut gates);
-        let end = begin.clock(levels, &mut gates).end;
-        if gates.len() > GATES || !levels.stores.is_empty() {
+        let end = &of.clock.end;
+        if of.gates.len() > GATES || !levels.stores.is_empty() {
             return None;
         }
-        let short = all
-            .iter()
-            .filter(|index| levels.flops[**index].width <= CONTROL);
+        let all = of.registers.iter();
+        let short = all.filter(|index| levels.flops[**index].width <= CONTROL);
         let initial = |index: &usize| levels.words[levels.flops[*index].output as usize];
         let registers: Vec<usize> = short.copied().collect();
         let mut phases = Phases {
@@ -83,13 +65,13 @@ impl Phases {
             .flat_map(|index| end.registers[*index].clone())
             .collect();
         while phases.seen.len() <= PHASES {
-            let before = |index: usize| begin.at(levels.flops[index].output);
-            let before = phases.phases(&mut gates, before);
-            let is_before = before.iter().fold(NO, |any, is| gates.or(any, *is));
-            let seen = phases.phases(&mut gates, |index: usize| &end.registers[index]);
-            let is_seen = seen.iter().fold(NO, |any, is| gates.or(any, *is));
-            let assumed = [&known[..], &[is_before]].concat();
-            match ask(&gates, !is_seen, &assumed, CONFLICTS, &after) {
+            let before = |index: usize| of.begin.at(levels.flops[index].output);
+            let before = phases.phases(&mut of.gates, before);
+            let is_before = before.iter().fold(NO, |any, is| of.gates.or(any, *is));
+            let seen = phases.phases(&mut of.gates, |index: usize| &end.registers[index]);
+            let is_seen = seen.iter().fold(NO, |any, is| of.gates.or(any, *is));
+            let assumed = [&of.assumed[..], &[is_before]].concat();
+            match ask(&of.gates, !is_seen, &assumed, CONFLICTS, &after) {
                 Answer::Never => return Some(phases),
                 Answer::Unknown => return None,
                 Answer::When(bits) => {
@@ -109,34 +91,39 @@ impl Phases {
     }
 
     /// Does a mutant show nothing that counts?
-    pub(crate) fn are_same(&self, of: &Compared, upsets: &[Upset]) -> bool {
+    pub(crate) fn are_same(&self, levels: &Levels, of: &Reached, upsets: &[Upset]) -> bool {
         let mut alike: Alike = vec![None; of.registers.len()];
         for _ in 0..ATTEMPTS {
-            match self.broken(of, upsets, &alike) {
-                Some(broken) if broken.is_empty() => return true,
-                Some(broken) => {
-                    for goal in broken {
-                        match goal {
-                            Goal::Alike(register, None) => {
-                                alike[register] = Some(vec![true; self.seen.len()]);
-                            }
-                            Goal::Alike(register, Some(phase)) => {
-                                let phases = alike[register].as_mut();
-                                phases.expect("it has phases")[phase] = false;
-                            }
-                            Goal::Fixed => return false,
-                        }
+            let Some(broken) = self.broken(levels, of, upsets, &alike) else {
+                return false;
+            };
+            if broken.is_empty() {
+                return true;
+            }
+            for goal in broken {
+                match goal {
+                    Goal::Alike(register, None) => {
+                        alike[register] = Some(vec![true; self.seen.len()]);
                     }
+                    Goal::Alike(register, Some(phase)) => {
+                        let phases = alike[register].as_mut();
+                        phases.expect("it has phases")[phase] = false;
+                    }
+                    Goal::Fixed => return false,
                 }
-                None => return false,
             }
         }
         false
     }
 
     /// What a clock may break before which all is alike that has to be; nothing if the solver gives up.
-    fn broken(&self, of: &Compared, upsets: &[Upset], alike: &Alike) -> Option<Vec<Goal>> {
-        let levels = &of.levels;
+    fn broken(
+        &self,
+        levels: &Levels,
+        of: &Reached,
+        upsets: &[Upset],
+        alike: &Alike,
+    ) -> Option<Vec<Goal>> {
         let mut gates = of.gates.clone();
         let before = |index: usize| of.begin.at(levels.flops[of.registers[index]].output);
         let phases_before = self.phases(&mut gates, before);
@@ -151,13 +138,13 @@ impl Phases {
             assumed.extend(alike.map(|(phase, _)| !gates.and(*phase, differs)));
             others.push((flop.output, word));
         }
-        let bad = of.good.with(levels, others.into_iter(), &mut gates);
-        let good = &of.good.end;
+        let bad = of.clock.with(levels, others.into_iter(), &mut gates);
+        let good = &of.clock.end;
         let after = |index: usize| &good.registers[of.registers[index]];
         let phases_after = self.phases(&mut gates, after);
         let any_phase = phases_before.iter().fold(NO, |any, is| gates.or(any, *is));
         assumed.push(any_phase);
-        let mut goals = self.outputs(of, &bad.outputs, &mut gates);
+        let mut goals = self.outputs(levels, &good.outputs, &bad.outputs, &mut gates);
         for (index, phases) in alike.iter().enumerate() {
             let bad = &bad.registers[of.registers[index]];
             let differs = differ(&mut gates, after(index), bad);
@@ -198,10 +185,15 @@ impl Phases {
     }
 
     /// Each output that differs where it counts.
-    fn outputs(&self, of: &Compared, bad: &[Bit], gates: &mut Gates) -> Vec<(Goal, Bit)> {
-        let good = &of.good.end.outputs;
+    fn outputs(
+        &self,
+        levels: &Levels,
+        good: &[Bit],
+        bad: &[Bit],
+        gates: &mut Gates,
+    ) -> Vec<(Goal, Bit)> {
         let mut first = 0;
-        let ports = of.levels.outputs().iter().map(|port| {
+        let ports = levels.outputs().iter().map(|port| {
             let place = first;
             first += port.width as usize;
             place..first

@@ -39,6 +39,34 @@ pub(crate) enum Answer {
     Unknown,
 }
 
+/// What is known of a mutant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// It behaves like the circuit on every input, from the first result on.
+    Equivalent,
+    /// In some state, which may be one that is never reached, outputs or next state differ.
+    Differs,
+    /// The solver gave up.
+    Undecided,
+}
+
+/// Are the bits of all pairs equal?
+pub(crate) fn equality(
+    pairs: Vec<(Bit, Bit)>,
+    assumed: &[Bit],
+    gates: &mut Gates,
+    conflicts: u64,
+) -> Verdict {
+    let differ = pairs.into_iter().filter(|(good, bad)| good != bad);
+    let differ: Vec<Bit> = differ.map(|(good, bad)| gates.xor(good, bad)).collect();
+    let any = differ.into_iter().fold(NO, |any, bit| gates.or(any, bit));
+    match ask(gates, any, assumed, conflicts, &[]) {
+        Answer::Never => Verdict::Equivalent,
+        Answer::When(_) => Verdict::Differs,
+        Answer::Unknown => Verdict::Undecided,
+    }
+}
+
 /// Can a bit be 1 where others are 1, and what are some other bits in a case in which it can? Unknown after so many
 /// conflicts.
 pub(crate) fn ask(

@@ -1,8 +1,6 @@
-//! Verilog of a design, what every engine makes of it, and Verilog in a simulator, seen through its ports.
+//! Verilog of a design, and what every engine makes of it, seen through its ports.
 
-use super::icarus::IcarusDesign;
 use super::nets::NetError;
-use super::verilator::Model;
 use crate::signal::Signal;
 use crate::subject::{Clocked, Inputs, Subject};
 use crate::waveform::PlaceError;
@@ -81,47 +79,6 @@ pub trait Instance: Send {
     fn points(&mut self, _inputs: &[u64]) -> &[u64] {
         &[]
     }
-}
-
-/// A simulator of Verilog.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Simulator {
-    /// Icarus Verilog, a process of its own: four values of a bit, no compiler of C++, slow.
-    Icarus,
-    /// Verilator, in process: two values of a bit, fast.
-    Verilator,
-}
-
-impl Simulator {
-    /// Both.
-    pub const ALL: [Simulator; 2] = [Simulator::Icarus, Simulator::Verilator];
-
-    /// Name of the engine in reports.
-    pub fn name(self) -> &'static str {
-        match self {
-            Simulator::Icarus => "icarus",
-            Simulator::Verilator => "verilator",
-        }
-    }
-
-    /// Compiles a design.
-    pub fn compile(self, source: &Source) -> Result<Box<dyn Design>, DesignError> {
-        Ok(match self {
-            Simulator::Icarus => Box::new(IcarusDesign::compile(source)?),
-            Simulator::Verilator => Box::new(Model::compile(source)?),
-        })
-    }
-}
-
-/// Puts Verilog `text` (module `top`) in the place of the subject's hardware.
-pub fn with_verilog(
-    subject: Subject,
-    simulator: Simulator,
-    top: &str,
-    text: &str,
-) -> Result<Subject, DesignError> {
-    let design = simulator.compile(&Source::of(&subject, top, text))?;
-    Ok(driven(subject, simulator.name(), design))
 }
 
 /// Puts a design in an engine in the place of the subject's hardware.

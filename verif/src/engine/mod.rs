@@ -10,18 +10,15 @@ pub mod design;
 pub mod icarus;
 pub mod machine;
 pub mod nets;
+pub mod simulator;
 pub mod speed;
 pub mod verilator;
 
 use crate::signal::Signal;
-use crate::subject::Subject;
-use crate::unit;
-use design::{DesignError, Simulator, with_verilog};
-use imogene_contract::Request;
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::after_root;
 use imogene_golden::unit::half_spaces::tree_levels;
-use imogene_rtl::emit::emit;
+use simulator::Simulator;
 
 /// Name of the engine in process, circuits as machine code, in options and reports.
 pub const BUILT_IN: &str = "built-in";
@@ -44,18 +41,6 @@ impl Engine {
         match self {
             Engine::BuiltIn => BUILT_IN,
             Engine::Verilog(simulator) => simulator.name(),
-        }
-    }
-
-    /// A unit in this engine; a simulator runs what is emitted of it.
-    pub fn unit(self, request: &Request) -> Result<Subject, DesignError> {
-        let subject = unit::subject(request)?;
-        match self {
-            Engine::BuiltIn => Ok(subject),
-            Engine::Verilog(simulator) => {
-                let emitted = emit(request)?;
-                with_verilog(subject, simulator, &emitted.top, &emitted.bundle())
-            }
         }
     }
 }

@@ -1,6 +1,7 @@
 //! How fast the engines run a unit: clocks per second of the hardware alone, with the scoreboard, and with waveforms.
 
-use super::design::{DesignError, Simulator, Source, driven};
+use super::design::{DesignError, Source, driven};
+use super::simulator::Simulator;
 use super::verilator::Model;
 use crate::random;
 use crate::subject::{Inputs, LANES, Subject};
@@ -217,20 +218,15 @@ fn frame_stimulus(subject: &Subject) -> Vec<Inputs> {
 
 impl Entrant {
     fn run(&self, work: Work, stimuli: &[&[Inputs]], most: Duration) -> Result<Sample, WriteError> {
-        let first = |clocks: usize| -> Vec<&[Inputs]> {
+        let within = |at_most: usize| -> Vec<&[Inputs]> {
+            let clocks = self.clocks_within(stimuli, most).min(at_most);
             let stimuli = stimuli.iter();
             stimuli.map(|stimulus| &stimulus[..clocks]).collect()
         };
         match work {
             Work::Hardware => Ok(self.alone(stimuli, most)),
-            Work::Scoreboard => {
-                let clocks = self.clocks_within(stimuli, most);
-                Ok(self.scored(&first(clocks), most))
-            }
-            Work::Waveforms => {
-                let clocks = self.clocks_within(stimuli, most);
-                self.traced(&first(clocks.min(MOST_TRACED / self.lanes)))
-            }
+            Work::Scoreboard => Ok(self.scored(&within(usize::MAX), most)),
+            Work::Waveforms => self.traced(&within(MOST_TRACED / self.lanes)),
         }
     }
 

@@ -1,7 +1,7 @@
 //! One band of the screen: load, scan, compare.
 
-use super::Options;
 use super::golden::{GoldenMachine, probe_values};
+use super::options::Options;
 use crate::engine::ProbeSignal;
 use crate::engine::machine::{Beam, MachineDesign, Outputs};
 use crate::report::Report;

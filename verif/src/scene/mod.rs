@@ -5,16 +5,19 @@
 
 mod band;
 pub(crate) mod golden;
+mod options;
 pub mod slots;
 pub mod volumes;
 pub mod zone;
+
+pub use options::{Fault, Options};
 
 use crate::engine::design::DesignError;
 use crate::engine::machine::{BeamDesign, MachineDesign};
 use crate::engine::{Engine, processor_signals};
 use crate::report::Report;
 use crate::subject::Inputs;
-use crate::waveform::{PlaceError, WaveformRequest, WindowStart};
+use crate::waveform::{PlaceError, WindowStart};
 use band::{Band, Part};
 use imogene_contract::slots::FittedSlot;
 use imogene_contract::{Request, Unit};
@@ -26,74 +29,11 @@ use imogene_golden::object::words::Words;
 use imogene_prepare::{PreparedObject, PreparedScene};
 use imogene_rtl::emit::machine::MachineRequest;
 use rayon::prelude::*;
-use std::fmt;
-use std::str::FromStr;
 use std::time::Instant;
 use thiserror::Error;
 
 /// Most objects of a beam machine.
 pub const MAX_OBJECTS: usize = 256;
-
-/// A wrong bit in one coefficient word of the hardware, to see that the co-simulation finds it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Fault {
-    /// Slot.
-    pub object: u8,
-    /// Load address.
-    pub address: u8,
-    /// Bit of the word.
-    pub bit: u8,
-}
-
-impl fmt::Display for Fault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}:{}:{}", self.object, self.address, self.bit)
-    }
-}
-
-impl FromStr for Fault {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Fault, String> {
-        let numbers: Option<Vec<u8>> = text.split(':').map(|part| part.parse().ok()).collect();
-        match numbers.as_deref() {
-            Some(&[object, address, bit]) => Ok(Fault {
-                object,
-                address,
-                bit,
-            }),
-            _ => Err("expected OBJECT:ADDRESS:BIT, three numbers below 256, such as 0:2:5".into()),
-        }
-    }
-}
-
-/// How to run.
-#[derive(Clone, Debug)]
-pub struct Options {
-    /// Rows of the root network per register stage.
-    pub rows_per_stage: usize,
-    /// Threads, each with an engine of its own.
-    pub threads: usize,
-    /// Waveforms of the band in which the window begins.
-    pub trace: Option<WaveformRequest>,
-    /// Slot whose inside they show.
-    pub traced: usize,
-    /// Fault put into the hardware.
-    pub fault: Option<Fault>,
-}
-
-impl Options {
-    /// A run without waveforms and faults.
-    pub fn plain(rows_per_stage: usize, threads: usize) -> Options {
-        Options {
-            rows_per_stage,
-            threads,
-            trace: None,
-            traced: 0,
-            fault: None,
-        }
-    }
-}
 
 /// Why a scene cannot be co-simulated.
 #[derive(Debug, Error)]

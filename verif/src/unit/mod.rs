@@ -15,8 +15,9 @@ mod video;
 pub mod words;
 
 use crate::engine::circuit::{Circuit, Compiled, Levelised};
-use crate::engine::design::driven;
-use crate::engine::{BUILT_IN, LEVELISED};
+use crate::engine::design::{DesignError, driven};
+use crate::engine::simulator::with_verilog;
+use crate::engine::{BUILT_IN, Engine, LEVELISED};
 use crate::signal::Signal;
 use crate::subject::Subject;
 use description::Description;
@@ -24,7 +25,7 @@ use imogene_contract::{MachineWords, Request, RequestError, Unit};
 use imogene_golden::format::Format;
 use imogene_golden::unit::root::Method;
 use imogene_hdl::Direction;
-use imogene_rtl::emit::design;
+use imogene_rtl::emit::{design, emit};
 use std::sync::OnceLock;
 
 /// Units that the tests of all units run over: those that are not loaded over a bus, for which random stimulus would
@@ -74,6 +75,20 @@ pub fn levelised(request: &Request, upsets_collisions: bool) -> Result<Subject, 
         upsets_collisions,
     };
     Ok(driven(subject(request)?, LEVELISED, Box::new(design)))
+}
+
+impl Engine {
+    /// A unit in this engine; a simulator runs what is emitted of it.
+    pub fn unit(self, request: &Request) -> Result<Subject, DesignError> {
+        let subject = subject(request)?;
+        match self {
+            Engine::BuiltIn => Ok(subject),
+            Engine::Verilog(simulator) => {
+                let emitted = emit(request)?;
+                with_verilog(subject, simulator, &emitted.top, &emitted.bundle())
+            }
+        }
+    }
 }
 
 /// Joins each unit to its golden model and stimulus.

@@ -1,16 +1,20 @@
 //! The files of a trace: the same names and changes as VCD or as FST, and the save file of GTKWave.
 
-use super::{Group, PERIOD, Sample, Trace};
+use super::{Group, Sample, Trace};
 use crate::signal::Signal;
 use fst_writer::{
     FstBodyWriter, FstFileType, FstHeaderWriter, FstInfo, FstScopeType, FstSignalType,
     FstVarDirection, FstVarType, FstWriteError,
 };
+use imogene_files::{Outputs, WriteError};
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::iter::repeat;
 use std::path::{Path, PathBuf};
 use vcd::{SimulationCommand, TimescaleUnit, Value, VarType};
+
+/// Time units of one clock in the trace; the edge is in the middle.
+const PERIOD: u64 = 10;
 
 /// Bytes of changes after which a block of an FST is written.
 const FST_BLOCK: usize = 1 << 26;
@@ -85,6 +89,26 @@ fn range_of(signal: &Signal) -> String {
 }
 
 impl Trace {
+    /// Writes `path`, FST if its name ends in `.fst` and VCD otherwise, and the save file beside it; returns both
+    /// paths.
+    pub fn write(&self, path: &Path) -> Result<Vec<PathBuf>, WriteError> {
+        let mut files = Outputs::new();
+        self.add_to(&mut files, path)?;
+        files.finish()
+    }
+
+    /// Adds both to other files of a run.
+    pub fn add_to(&self, files: &mut Outputs, path: &Path) -> Result<(), WriteError> {
+        let ending = path.extension();
+        if ending.is_some_and(|ending| ending.eq_ignore_ascii_case("fst")) {
+            let out = files.open(path)?;
+            self.write_fst(out).map_err(WriteError::at(path))?;
+        } else {
+            files.add(path, |out| self.write_vcd(out))?;
+        }
+        files.add_text(&save_path(path), &self.save_file(path))
+    }
+
     /// The clock, then the variables of all groups.
     fn variables(&self) -> Vec<(String, Signal)> {
         let clock = ("imogene.clock".to_owned(), Signal::new("clock", 1, false));
@@ -125,7 +149,7 @@ impl Trace {
         })
     }
 
-    pub(super) fn write_vcd(&self, out: impl Write) -> io::Result<()> {
+    fn write_vcd(&self, out: impl Write) -> io::Result<()> {
         let mut writer = vcd::Writer::new(out);
         writer.timescale(1, TimescaleUnit::NS)?;
         let variables = self.variables();
@@ -152,7 +176,7 @@ impl Trace {
         })
     }
 
-    pub(super) fn write_fst(&self, out: File) -> io::Result<()> {
+    fn write_fst(&self, out: File) -> io::Result<()> {
         let written = self.fst(BufWriter::new(out));
         written.map_err(|error| match error {
             FstWriteError::Io(error) => error,
@@ -228,7 +252,7 @@ pub fn save_path(waveforms: &Path) -> PathBuf {
 }
 
 impl Trace {
-    pub(super) fn save_file(&self, path: &Path) -> String {
+    fn save_file(&self, path: &Path) -> String {
         let file = path.file_name().unwrap_or_default();
         let file = file.to_string_lossy();
         let start = self.clocks.first().map_or(0, |(clock, _)| clock * PERIOD);

@@ -1,19 +1,13 @@
 //! Waveforms: hardware and golden signals side by side, as VCD or FST, and a GTKWave save file that opens them grouped.
 
-mod file;
+pub mod file;
 mod request;
 
-pub use file::save_path;
 pub use request::{Place, PlaceError, WaveformRequest, WindowStart};
 
 use crate::signal::Signal;
-use imogene_files::{Outputs, WriteError};
 use std::collections::VecDeque;
 use std::ops::Range;
-use std::path::{Path, PathBuf};
-
-/// Time units of one clock in the trace; the edge is in the middle.
-const PERIOD: u64 = 10;
 
 /// Clocks kept before the first mismatch, so that it is seen with what led to it, and recorded from it on.
 const BEFORE_MISMATCH: usize = 60;
@@ -102,26 +96,6 @@ impl Trace {
     /// True if nothing was recorded.
     pub fn is_empty(&self) -> bool {
         self.clocks.is_empty()
-    }
-
-    /// Writes `path`, FST if its name ends in `.fst` and VCD otherwise, and the save file beside it; returns both
-    /// paths.
-    pub fn write(&self, path: &Path) -> Result<Vec<PathBuf>, WriteError> {
-        let mut files = Outputs::new();
-        self.add_to(&mut files, path)?;
-        files.finish()
-    }
-
-    /// Adds both to other files of a run.
-    pub fn add_to(&self, files: &mut Outputs, path: &Path) -> Result<(), WriteError> {
-        let ending = path.extension();
-        if ending.is_some_and(|ending| ending.eq_ignore_ascii_case("fst")) {
-            let out = files.open(path)?;
-            self.write_fst(out).map_err(WriteError::at(path))?;
-        } else {
-            files.add(path, |out| self.write_vcd(out))?;
-        }
-        files.add_text(&save_path(path), &self.save_file(path))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::{unit, verilog};
 use imogene_contract::{Request, Unit};
-use imogene_verif::engine::design::{Simulator, with_verilog};
+use imogene_verif::engine::simulator::{Simulator, with_verilog};
 use imogene_verif::random;
 use imogene_verif::subject::Subject;
 use imogene_verif::unit::{levelised, subject};

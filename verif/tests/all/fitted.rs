@@ -9,8 +9,8 @@ use imogene_prepare::Framing;
 use imogene_prepare::{PreparedScene, prepare};
 use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
 use imogene_verif::engine::Engine;
-use imogene_verif::engine::design::Simulator;
 use imogene_verif::engine::machine::BeamDesign;
+use imogene_verif::engine::simulator::Simulator;
 use imogene_verif::report::Report;
 use imogene_verif::scene::{Fault, Options, run_on};
 

@@ -4,7 +4,7 @@
 use super::{is_full_run, run};
 use imogene_contract::Request;
 use imogene_rtl::emit::emit;
-use imogene_verif::engine::design::{Simulator, with_verilog};
+use imogene_verif::engine::simulator::{Simulator, with_verilog};
 use imogene_verif::unit::{subject, units};
 
 /// Clocks per stimulus and stimuli per unit: at least 2 000 compared pixels, edges included.

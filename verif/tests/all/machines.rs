@@ -14,8 +14,8 @@ use imogene_verif::display::pins::{self, PinsOutcome, PinsRun};
 use imogene_verif::display::request::request_for;
 use imogene_verif::engine::Engine;
 use imogene_verif::engine::circuit::Levelised;
-use imogene_verif::engine::design::Simulator;
 use imogene_verif::engine::machine::MachineDesign;
+use imogene_verif::engine::simulator::Simulator;
 
 const VERILATOR: Engine = Engine::Verilog(Simulator::Verilator);
 

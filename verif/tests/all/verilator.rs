@@ -4,7 +4,7 @@
 
 use super::{compiled, is_full_run, unit, verilog};
 use imogene_contract::Unit;
-use imogene_verif::engine::design::{Simulator, with_verilog};
+use imogene_verif::engine::simulator::{Simulator, with_verilog};
 use imogene_verif::random;
 use imogene_verif::unit::units;
 

@@ -8,7 +8,7 @@ use imogene_plan::description::{MachineDescription, Output};
 use imogene_plan::display::Image;
 use imogene_verif::display::pins::{PinsRun, run};
 use imogene_verif::engine::Engine;
-use imogene_verif::engine::design::Simulator;
+use imogene_verif::engine::simulator::Simulator;
 use imogene_verif::report::Report;
 use imogene_verif::scene::{self, Options};
 use imogene_verif::unit::subject;

@@ -14,8 +14,8 @@ use imogene_prepare::prepare;
 use imogene_verif::display::Machine;
 use imogene_verif::display::request::{core_request, zone_timing};
 use imogene_verif::engine::Engine;
-use imogene_verif::engine::design::Simulator;
 use imogene_verif::engine::machine::MachineDesign;
+use imogene_verif::engine::simulator::Simulator;
 use imogene_verif::random::Stalls;
 use imogene_verif::report::Report;
 

@@ -1,6 +1,5 @@
 //! What is told of a board.
 
-use super::Work;
 use crate::failure::Failure;
 use crate::output;
 use imogene_board::{Board, Pins, Routed};
@@ -39,6 +38,8 @@ pub(super) struct BoardReport<'a> {
     pub(super) files: Vec<PathBuf>,
 }
 
+/// Clocks that are simulated beside whole frames.
+pub(super) const SLACK: u64 = 4_000;
 /// What pins show.
 #[derive(Serialize)]
 pub(super) struct Shown {
@@ -95,27 +96,7 @@ impl Shown {
     }
 }
 
-impl<'a> BoardReport<'a> {
-    pub(super) fn new(work: &'a Work, machine: &'a MachineDescription, command: String) -> Self {
-        BoardReport {
-            board: &work.board,
-            machine,
-            pixel_hertz: work.pll.pixel_hertz.to_string(),
-            pixel_deviation_percent: work.pll.deviation_percent(),
-            fast_mhz: work.pll.fast_mhz(),
-            words: work.film.words.len(),
-            images: work.film.pictures.len(),
-            frames_per_image: work.film.stay,
-            pins: None,
-            synthesised: None,
-            routed: None,
-            bitstream: None,
-            netlist: None,
-            command,
-            files: vec![],
-        }
-    }
-
+impl BoardReport<'_> {
     /// Fails where pins do not show the golden picture.
     pub(super) fn verdict(&self) -> Result<(), Failure> {
         let shown = [&self.pins, &self.bitstream, &self.netlist]

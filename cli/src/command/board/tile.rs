@@ -1,7 +1,7 @@
 //! A tile of a shared chip that shows a scene.
 
-use super::report::Shown;
-use super::{SLACK, command, machine, mode_of, screen};
+use super::choice::{command, machine, mode_of, screen};
+use super::report::{SLACK, Shown};
 use crate::arguments::{self, MACHINE_FILE, Size, View};
 use crate::command::{frame_in, read_scene};
 use crate::failure::Failure;

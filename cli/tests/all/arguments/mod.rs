@@ -1,5 +1,4 @@
 mod frames;
-mod help;
 
 use imogene::arguments::bytes;
 

@@ -3,7 +3,7 @@
 use super::{documents, root};
 use crate::common::{Run, imogene};
 use clap::error::ErrorKind;
-use imogene::arguments::{GROUPS, Group, command};
+use imogene::help::{GROUPS, Group, command};
 use regex::Regex;
 use std::collections::BTreeSet;
 use std::path::Path;

@@ -2,7 +2,7 @@
 
 use super::{documents, read, root};
 use crate::common::json;
-use imogene::arguments::{GROUPS, command};
+use imogene::help::{GROUPS, command};
 use regex::Regex;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;

@@ -1,7 +1,8 @@
 //! The planes and the quadric that bound a strip within a slab.
 
+use super::lines::Slabs;
 use super::strips::{Crossing, Strip};
-use super::{OVERLAP, Slabs};
+use crate::faces::band::OVERLAP;
 use crate::faces::cell::{Planes, Separator};
 use crate::faces::surface::Form;
 use crate::faces::vector::Vector;

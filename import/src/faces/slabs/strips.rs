@@ -1,12 +1,10 @@
-//! The border of a face on its way over the surface, the lines that divide it into slabs, and what lies in a slab
-//! between the crossings with the border.
+//! The lines that divide a face into slabs, and what lies in a slab between the crossings with the border.
 
-use super::{Slabs, WIDEST_GAP};
-use crate::faces::arrangement::{Boundary, SMALLEST_PIECE};
-use crate::faces::chart::{Chart, nearest_turn};
-use crate::faces::curve::Curve;
+use super::lines::{Rail, Slabs, WIDEST_GAP};
+use crate::faces::arrangement::SMALLEST_PIECE;
+use crate::faces::chart::nearest_turn;
 use crate::faces::surface::Form;
-use crate::faces::vector::{between, range};
+use crate::faces::vector::between;
 use std::f64::consts::TAU;
 
 /// A crossing of the middle of a slab.
@@ -205,66 +203,6 @@ impl Slabs<'_> {
         let (a, b) = (low.max(from), high.min(to));
         let [a, b] = if a < b { [a, b] } else { [low, high] };
         between(a, b, self.size)
-    }
-}
-
-/// Steps of an arc on its way over the surface.
-const ARC_STEPS: usize = 96;
-
-/// A piece of the border on its way over the surface.
-pub struct Rail {
-    pub separator: usize,
-    pub path: Vec<[f64; 2]>,
-    pub forward: bool,
-}
-
-impl Rail {
-    pub fn of(boundary: &Boundary, chart: &Chart) -> Rail {
-        let steps = match boundary.curve {
-            Curve::Line { .. } => 1,
-            _ => ARC_STEPS,
-        };
-        Rail {
-            separator: boundary.separator,
-            path: chart.path(&boundary.curve.sampled(steps)),
-            forward: boundary.forward,
-        }
-    }
-
-    pub fn is_upright(&self, narrow: f64) -> bool {
-        let [low, high] = range(self.path.iter().map(|[u, _]| *u));
-        high - low <= narrow
-    }
-
-    /// The u of its ends and of the places where it turns back.
-    pub fn limits(&self) -> Vec<f64> {
-        let path = &self.path;
-        let mut limits = vec![path[0][0], path[path.len() - 1][0]];
-        for three in path.windows(3) {
-            let [a, b, c] = [three[0][0], three[1][0], three[2][0]];
-            if (b - a) * (c - b) < 0.0 {
-                // The top of the parabola through the three.
-                let bend = a - 2.0 * b + c;
-                limits.push(b - (c - a) * (c - a) / (8.0 * bend));
-            }
-        }
-        limits
-    }
-
-    /// v where it crosses the line u, and whether it runs eastwards there.
-    pub fn crossings(&self, u: f64, round: bool) -> Vec<(f64, bool)> {
-        let mut found = vec![];
-        for pair in self.path.windows(2) {
-            let [[a, v], [b, w]] = [pair[0], pair[1]];
-            let (low, high) = (a.min(b), a.max(b));
-            // The same line, as often as the path has gone round.
-            let turns = if round { ((low - u) / TAU).ceil() } else { 0.0 };
-            let at = u + turns * TAU;
-            if at >= low && at < high {
-                found.push((v + (w - v) * (at - a) / (b - a), b > a));
-            }
-        }
-        found
     }
 }
 

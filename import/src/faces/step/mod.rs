@@ -14,8 +14,7 @@ mod topology;
 mod units;
 
 use super::model::Model;
-use crate::error::unusable;
-use crate::{ImportError, Result};
+use crate::error::{ImportError, Result, unusable};
 use assembly::Assembly;
 use colours::colours;
 use placement::Placement;

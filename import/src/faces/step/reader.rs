@@ -4,7 +4,7 @@ use super::assembly::{Assembly, Placed};
 use super::colours::{Colour, material};
 use super::placement::Placement;
 use super::topology::{Known, Origin, SHELLS, Space, Topology};
-use crate::Names;
+use crate::kit::Names;
 use imogene_files::text::counted;
 use serde::Serialize;
 use std::collections::{BTreeMap, HashMap, HashSet};

@@ -1,7 +1,8 @@
 //! Rows of `_atom_site`.
 
-use super::super::structure::{Atom, Model, Repeated, Serial, Structure, plain};
-use crate::decimal;
+use super::super::structure::{Atom, Model, Serial, Structure};
+use super::super::words::{Repeated, plain};
+use crate::kit::decimal;
 use std::collections::HashMap;
 
 /// The items that are read, in the order in which a row is handed on.

@@ -8,11 +8,11 @@ mod table;
 mod token;
 
 pub use atoms::{Atoms, WANTED};
-pub use table::{Cell, Table, finish};
+pub use table::{Cell, Table, Tables, finish};
 
-use super::structure::{Structure, plain};
+use super::structure::Structure;
+use super::words::plain;
 use crate::error::{ImportError, Result, unusable};
-use std::collections::HashMap;
 use token::{Token, Tokens};
 
 pub const ATOMS: &str = "_atom_site";
@@ -24,8 +24,6 @@ const KEPT: [&str; 6] = [
     "_pdbx_struct_assembly_gen",
     "_pdbx_struct_oper_list",
 ];
-
-pub type Tables = HashMap<&'static str, Table>;
 
 /// Where the items of [`WANTED`] stand among those of a file; `None` if it has no coordinates.
 pub fn columns(items: &[String]) -> Option<[Option<usize>; WANTED.len()]> {

@@ -1,10 +1,11 @@
 //! A category as rows of texts, and what those beside the atoms say: title, bonds, assemblies.
 
 use super::super::assembly::{Copies, IDENTITY, Part, Rows};
-use super::super::structure::{End, Structure, Words, plain};
-use super::Tables;
+use super::super::structure::{End, Structure};
+use super::super::words::{Words, plain};
 use super::atoms::number;
 use crate::error::{ImportError, Result};
+use std::collections::HashMap;
 
 /// A value and where it begins in its file; nothing where the file has `?` or `.`.
 pub type Cell<'a> = (&'a [u8], usize);
@@ -15,6 +16,9 @@ pub struct Table {
     pub items: Vec<String>,
     values: Vec<(String, usize)>,
 }
+
+/// The categories of a block by their names.
+pub type Tables = HashMap<&'static str, Table>;
 
 #[derive(Clone, Copy)]
 pub struct Row<'a> {

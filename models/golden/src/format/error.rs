@@ -1,6 +1,6 @@
 //! Formats that no machine has.
 
-use super::Format;
+use imogene_contract::words::{LEAST_DEPTH, MOST_DEPTH, MOST_GUARD};
 use thiserror::Error;
 
 /// Widths that no machine can have.
@@ -25,18 +25,14 @@ pub enum FittedError {
 
 /// A depth word that no machine has.
 #[derive(Debug, Error, PartialEq, Eq)]
-#[error(
-    "depth word of {0} bits: accepted are {least} to {most}",
-    least = Format::DEPTHS.start(),
-    most = Format::DEPTHS.end()
-)]
+#[error("depth word of {0} bits: accepted are {LEAST_DEPTH} to {MOST_DEPTH}")]
 pub struct FormatError(pub u32);
 
 /// Guard bits that a format cannot have.
 #[derive(Debug, Error, PartialEq, Eq)]
 pub enum GuardError {
     /// More than 16.
-    #[error("guard bits {linear}:{quadratic}: at most {max} each are accepted", max = Format::MAX_GUARD)]
+    #[error("guard bits {linear}:{quadratic}: at most {MOST_GUARD} each are accepted")]
     TooMany {
         /// Of f1.
         linear: u32,

@@ -4,6 +4,7 @@ pub mod curve;
 mod curves;
 mod light;
 pub mod lit_sphere;
+mod tables;
 mod view;
 mod widths;
 mod words;
@@ -14,9 +15,9 @@ use super::transparency::{Layer, Seen, stage};
 use curves::Curves;
 use imogene_contract::shading;
 use light::Light;
-pub use lit_sphere::SphereTables;
 use rayon::prelude::*;
 use std::sync::Arc;
+pub use tables::SphereTables;
 use view::Sight;
 pub use widths::ShaderWidths;
 pub use words::{

@@ -4,6 +4,7 @@
 //! instructions: 64-bit words for f2 and the root, 32-bit words for what fits the depth word.
 
 mod half;
+mod pixels;
 mod ramp;
 
 use super::quadric::{ObjectPixel, QuadricWords};
@@ -13,29 +14,8 @@ use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;
 use crate::unit::root::fast_root;
 use half::{Depths, Ends, Half};
+use pixels::{LANES, Pixels, STEP};
 use ramp::Ramp;
-use std::ops::Range;
-
-/// Most pixels side by side. Shorter loops would be unrolled, and then not become vector instructions.
-const LANES: usize = 64;
-
-/// Lanes in use are a multiple of this, so that no loop has a rest; those beyond the screen box are not handed on.
-const STEP: usize = 16;
-
-/// The pixels that the lanes hold: the first one, and how many lanes are in use.
-struct Pixels {
-    x: i64,
-    y: i64,
-    used: usize,
-}
-
-impl Pixels {
-    #[inline(always)]
-    fn lanes(&self) -> Range<usize> {
-        // The compiler sees here that no index is out of its array.
-        0..self.used.min(LANES)
-    }
-}
 
 /// What the units hand on, lane by lane.
 #[repr(align(64))]

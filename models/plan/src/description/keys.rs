@@ -1,12 +1,14 @@
 //! The keys of a description: what each accepts, and where it stands in a text.
 
-use super::validation::MAX_ZONE_PIXELS;
 use imogene_contract::video::VideoMode;
 use imogene_contract::words::MOST_LAYERS;
 use imogene_golden::format::{FittedError, Format};
 use imogene_golden::machine::shader::MOST_LIGHTS;
 use imogene_golden::object::quadric::MAX_PLANES;
 use toml::de::DeTable;
+
+/// Pixels of a zone at most.
+pub(super) const MAX_ZONE_PIXELS: u32 = 1 << 14;
 
 /// A key, and what it accepts beside the others of its machine.
 pub type Key = (&'static str, String);

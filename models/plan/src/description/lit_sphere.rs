@@ -1,6 +1,5 @@
 //! Tables of the direction of the normal in the place of a shading processor (`docs/architecture.md`, section 8.4).
 
-use super::MachineDescription;
 use imogene_prepare::lit_sphere::{SphereForm, most_tables};
 use serde::{Deserialize, Serialize};
 
@@ -18,22 +17,6 @@ pub struct LitSphere {
     /// The nearest entry is the colour, and nothing stands between entries.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub nearest: bool,
-}
-
-impl MachineDescription {
-    /// The machine with tables of this form in the place of its lights.
-    pub fn lit_by_tables(self, form: SphereForm) -> MachineDescription {
-        MachineDescription {
-            lights: 0,
-            suns: 0,
-            lit_sphere: Some(LitSphere {
-                side: 1 << form.places,
-                materials: 1,
-                nearest: form.nearest,
-            }),
-            ..self
-        }
-    }
 }
 
 impl LitSphere {

@@ -1,7 +1,8 @@
 //! What a machine description may say.
 
-use super::keys::{SPHERE, key_of, modes};
-use super::{DescriptionError, MachineDescription, MachineKind, Output, Smoothing, most_planes};
+use super::error::DescriptionError;
+use super::keys::{MAX_ZONE_PIXELS, SPHERE, key_of, modes};
+use super::machine::{MachineDescription, MachineKind, Output, Smoothing, most_planes};
 use imogene_contract::object::Kind;
 use imogene_contract::slots::{FittedSlot, Slots};
 use imogene_contract::video::VideoMode;
@@ -12,8 +13,6 @@ use imogene_golden::machine::zone::{MAX_PICTURE, SAMPLES};
 use imogene_golden::object::quadric::{MAX_PLANES, after_root};
 use imogene_golden::unit::root::Method;
 
-/// Pixels of a zone at most.
-pub(super) const MAX_ZONE_PIXELS: u32 = 1 << 14;
 /// Pixels of a screen at most.
 const MAX_SCREEN_PIXELS: u64 = 1 << 22;
 /// Pixels of a line at most that a smoothing filter keeps.

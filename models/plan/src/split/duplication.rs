@@ -4,7 +4,7 @@
 //! source, for boxes that may begin anywhere between pixels. On whole pixels, where a box of one pixel touches one
 //! zone, the average over all places is `(l + L - 1)(h + H - 1) / LH`, for boxes of any size.
 
-use super::division::Division;
+use super::division::{Division, Piece};
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::object::slot::Slot;
 use imogene_golden::object::words::Words;
@@ -35,7 +35,7 @@ impl Duplication {
             if window.is_empty() {
                 continue;
             }
-            let touches = |piece: &&super::Piece| !piece.part_of(window).is_empty();
+            let touches = |piece: &&Piece| !piece.part_of(window).is_empty();
             sum.boxes += 1;
             sum.loads += pieces.iter().filter(touches).count() as u64;
             let [formula, whole] = expected(window, division);

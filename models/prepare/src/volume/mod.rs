@@ -11,12 +11,12 @@ pub(super) use found::Found;
 pub use shadow::{ShadowPart, SourceInside, shadow_parts};
 
 use super::context::Context;
-use super::error::PrepareError;
+use super::error::{Missing, PrepareError};
 use super::extent::Extent;
 use super::known::{Bounds, Known};
 use super::perspective::{ScreenQuadric, on_screen};
+use super::prepared::PreparedObject;
 pub use super::prepared::{Beginning, PreparedVolume};
-use super::prepared::{Missing, PreparedObject};
 use super::screen_box::{Region, Search, screen_domain};
 use crate::cell::Cell;
 use found::{ShadowPlaces, VolumePlace};

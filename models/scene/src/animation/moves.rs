@@ -1,6 +1,7 @@
 //! Parts of actions after some of the frames of an image, and what they add to a placement, kept short.
 
-use crate::{MoveFrame, Rotation, Scale, Step};
+use crate::image::MoveFrame;
+use crate::step::{Rotation, Scale, Step};
 use imogene_algebra::rational::{from_decimal, integer, to_f64};
 
 /// `done` of `steps` equal parts, `0 < done <= steps`; all of them are what is written, unchanged.

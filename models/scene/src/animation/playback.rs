@@ -1,7 +1,9 @@
 //! The frames of an animation, and the scene in each of them.
 
 use super::moves::{Moves, Part};
-use crate::{Action, KeyImage, SceneFile, Step};
+use crate::file::SceneFile;
+use crate::image::{Action, KeyImage};
+use crate::step::Step;
 use std::collections::HashMap;
 use thiserror::Error;
 

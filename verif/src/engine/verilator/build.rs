@@ -1,6 +1,6 @@
 //! From sources to a library: Verilator, the C++ compiler, and the cache.
 
-use super::{CLASS, WRAPPER, sources};
+use super::sources::{CLASS, WRAPPER, sources};
 use crate::engine::design::Source;
 use imogene_tools::{COMPILER, FileError, ToolError, VERILATOR, digest, made, write};
 use std::path::{Path, PathBuf};

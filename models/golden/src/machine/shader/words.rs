@@ -1,6 +1,6 @@
 //! Words of the shading processor and their addresses.
 
-use super::lit_sphere::SphereTables;
+use super::tables::SphereTables;
 use imogene_contract::shading;
 
 /// Lights at most.

@@ -1,6 +1,6 @@
 //! First-degree expressions along a line, lane after lane.
 
-use super::Pixels;
+use super::pixels::Pixels;
 use crate::unit::pe1::Linear;
 
 /// An expression from the first lane on. The word stands at the top of 64 bits, where it wraps by itself.

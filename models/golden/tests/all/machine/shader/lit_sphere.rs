@@ -1,4 +1,5 @@
-use imogene_golden::machine::shader::lit_sphere::{SphereTables, coordinates, nearest};
+use imogene_golden::machine::shader::SphereTables;
+use imogene_golden::machine::shader::lit_sphere::{coordinates, nearest};
 use imogene_golden::machine::shader::{Pixel, ShaderWords};
 use proptest::prelude::*;
 

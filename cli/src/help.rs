@@ -1,6 +1,6 @@
 //! The first help, in groups, and the examples of every command's own.
 
-use super::Arguments;
+use crate::arguments::Arguments;
 use clap::CommandFactory;
 
 /// Commands for one kind of work.

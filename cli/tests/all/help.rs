@@ -1,5 +1,6 @@
 use clap::CommandFactory;
-use imogene::arguments::{Arguments, GROUPS, Group, command};
+use imogene::arguments::Arguments;
+use imogene::help::{GROUPS, Group, command};
 use std::collections::BTreeSet;
 
 #[test]
@@ -22,8 +23,7 @@ fn every_example_parses_and_stands_in_its_help() {
         for example in examples {
             assert!(help.contains(example), "{example} is not in:\n{help}");
             let words = example.split(" #").next().unwrap_or_default();
-            let parsed =
-                imogene::arguments::command().try_get_matches_from(words.split_whitespace());
+            let parsed = imogene::help::command().try_get_matches_from(words.split_whitespace());
             let matches = parsed.unwrap_or_else(|error| panic!("{example}: {error}"));
             assert_eq!(matches.subcommand_name(), Some(name), "{example}");
         }
