@@ -18,26 +18,18 @@ pub enum Kind {
     Heights,
 }
 
+const PDB: Kind = Kind::Structure(Format::Pdb);
+const CIF: Kind = Kind::Structure(Format::Mmcif);
+const BCIF: Kind = Kind::Structure(Format::Bcif);
+
 /// Each kind with what a person calls it, and endings of its files.
-const KINDS: [(Kind, &str, &[&str]); 6] = [
-    (
-        Kind::Structure(Format::Pdb),
-        "a structure in the PDB format",
-        &[".pdb", ".ent"],
-    ),
-    (
-        Kind::Structure(Format::Mmcif),
-        "a structure in the PDBx/mmCIF format",
-        &[".cif", ".mmcif"],
-    ),
-    (
-        Kind::Structure(Format::Bcif),
-        "a structure in the BinaryCIF format",
-        &[".bcif"],
-    ),
-    (Kind::Faces, "a list of CAD faces", &[".faces.toml"]),
-    (Kind::Step, "a STEP file", &[".step", ".stp", ".p21"]),
-    (Kind::Heights, "a grid of heights", &[".heights", ".asc"]),
+const KINDS: [(Kind, &str, &str); 6] = [
+    (PDB, "a structure in the PDB format", ".pdb, .ent"),
+    (CIF, "a structure in the PDBx/mmCIF format", ".cif, .mmcif"),
+    (BCIF, "a structure in the BinaryCIF format", ".bcif"),
+    (Kind::Faces, "a list of CAD faces", ".faces.toml"),
+    (Kind::Step, "a STEP file", ".step, .stp, .p21"),
+    (Kind::Heights, "a grid of heights", ".heights, .asc"),
 ];
 
 /// Records that a PDB file begins with; its coordinates may come much later.
@@ -59,7 +51,7 @@ impl Kind {
     fn of_name(file: &str) -> Option<Kind> {
         let name = file.to_lowercase();
         let name = name.strip_suffix(".gz").unwrap_or(&name);
-        let ends = |endings: &[&str]| endings.iter().any(|e| name.ends_with(e));
+        let ends = |endings: &str| endings.split(", ").any(|e| name.ends_with(e));
         let row = KINDS.iter().find(|(.., endings)| ends(endings));
         row.map(|(kind, ..)| *kind)
     }
@@ -69,7 +61,7 @@ impl Kind {
         let is_map = matches!(bytes.first(), Some(0x80..=0x8f | 0xde | 0xdf));
         let has = |word: &[u8]| bytes.windows(word.len()).any(|w| w == word);
         if is_map && (has(b"dataBlocks") || has(b"encoder")) {
-            return Some(Kind::Structure(Format::Bcif));
+            return Some(BCIF);
         }
         let text = String::from_utf8_lossy(bytes);
         let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
@@ -83,7 +75,7 @@ impl Kind {
         let start = word.to_ascii_lowercase();
         let cif = ["data_", "loop_", "global_", "_"];
         if cif.iter().any(|own| start.starts_with(own)) {
-            return Some(Kind::Structure(Format::Mmcif));
+            return Some(CIF);
         }
         if is_grid_keyword(word) || lines().filter(is_told).take(3).all(is_heights) {
             return Some(Kind::Heights);
@@ -99,7 +91,7 @@ impl Kind {
             let ends = rest.starts_with(|c: char| c == ' ' || c.is_ascii_digit());
             (rest.is_empty() || ends) && (RECORDS.iter().any(is) || name.starts_with("ATOM "))
         };
-        is_record(first).then_some(Kind::Structure(Format::Pdb))
+        is_record(first).then_some(PDB)
     }
 }
 
@@ -131,7 +123,7 @@ fn is_heights(line: &str) -> bool {
 
 /// What is read, with the endings of the names.
 pub fn kinds() -> String {
-    let kinds = KINDS.map(|(.., what, endings)| format!("{what} ({})", endings.join(", ")));
+    let kinds = KINDS.map(|(.., what, endings)| format!("{what} ({endings})"));
     let (last, others) = kinds.split_last().expect("kinds");
     format!("{} or {last}", others.join(", "))
 }

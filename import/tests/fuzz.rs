@@ -7,7 +7,9 @@
 
 mod memory;
 
-use imogene_import::{ImportError, faces, is_compressed, pdb, terrain, unpack};
+use imogene_import::faces::{self, FaceOptions};
+use imogene_import::pdb::{self, Format};
+use imogene_import::{ImportError, is_compressed, terrain, unpack};
 use imogene_plan::description::MachineDescription;
 use imogene_scene::SceneFile;
 use memory::MOST;
@@ -27,12 +29,8 @@ const PATIENCE: Duration = Duration::from_secs(600);
 /// Most memory at once, for two files at a time.
 const MOST_MEMORY: usize = 1 << 30;
 
-/// A reader: what it says of bytes, with the place if they are malformed.
-struct Reader {
-    name: &'static str,
-    endings: &'static [&'static str],
-    read: fn(&[u8]) -> Outcome,
-}
+/// A reader's name, the endings of its files, and what it says of bytes, with the place if they are malformed.
+type Reader = (&'static str, &'static str, fn(&[u8]) -> Outcome);
 
 enum Outcome {
     Read,
@@ -43,70 +41,42 @@ enum Outcome {
 }
 
 const READERS: [Reader; 9] = [
-    Reader {
-        name: "pdb",
-        endings: &[".pdb", ".ent"],
-        read: |bytes| structure(bytes, pdb::Format::Pdb),
-    },
-    Reader {
-        name: "mmcif",
-        endings: &[".cif", ".mmcif"],
-        read: |bytes| structure(bytes, pdb::Format::Mmcif),
-    },
-    Reader {
-        name: "bcif",
-        endings: &[".bcif.gz", ".bcif"],
-        read: |bytes| structure(bytes, pdb::Format::Bcif),
-    },
-    Reader {
-        name: "gzip",
-        endings: &[".pdb.gz", ".bcif.gz"],
-        read: |bytes| match unpack(bytes, MOST_UNPACKED, "a file") {
-            Ok(unpacked) => {
-                assert!(unpacked.len() as u64 <= MOST_UNPACKED);
-                Outcome::Read
-            }
-            Err(_) => Outcome::Refused,
-        },
-    },
-    Reader {
-        name: "faces",
-        endings: &[".faces.toml"],
-        read: |bytes| outcome(faces::read(bytes, "a file", &faces::FaceOptions::default())),
-    },
-    Reader {
-        name: "step",
-        endings: &[".step", ".stp", ".p21"],
-        read: |bytes| {
-            let options = faces::FaceOptions::default();
-            outcome(faces::read_step(bytes, "a file", &options, &|_| None))
-        },
-    },
-    Reader {
-        name: "heights",
-        endings: &[".heights", ".asc"],
-        read: |bytes| {
-            let options = terrain::TerrainOptions::default();
-            outcome(terrain::import(bytes, "a file", &options))
-        },
-    },
-    Reader {
-        name: "scene",
-        endings: &[".toml"],
-        read: |bytes| of_text(bytes, |text| SceneFile::parse(text, "a file")),
-    },
-    Reader {
-        name: "machine",
-        endings: &["machines/beam-160x120.toml", "machines/zone-160x120.toml"],
-        read: |bytes| of_text(bytes, |text| MachineDescription::parse(text, "a file")),
-    },
+    ("pdb", ".pdb .ent", |b| structure(b, Format::Pdb)),
+    ("mmcif", ".cif .mmcif", |b| structure(b, Format::Mmcif)),
+    ("bcif", ".bcif.gz .bcif", |b| structure(b, Format::Bcif)),
+    ("gzip", ".pdb.gz .bcif.gz", |bytes| {
+        let unpacked = unpack(bytes, MOST_UNPACKED, "a file");
+        unpacked.map_or(Outcome::Refused, |unpacked| {
+            assert!(unpacked.len() as u64 <= MOST_UNPACKED);
+            Outcome::Read
+        })
+    }),
+    ("faces", ".faces.toml", |bytes| {
+        outcome(faces::read(bytes, "a file", &FaceOptions::default()))
+    }),
+    ("step", ".step .stp .p21", |bytes| {
+        let options = FaceOptions::default();
+        outcome(faces::read_step(bytes, "a file", &options, &|_| None))
+    }),
+    ("heights", ".heights .asc", |bytes| {
+        let options = terrain::TerrainOptions::default();
+        outcome(terrain::import(bytes, "a file", &options))
+    }),
+    ("scene", ".toml", |bytes| {
+        of_text(bytes, |text| SceneFile::parse(text, "a file"))
+    }),
+    (
+        "machine",
+        "machines/beam-160x120.toml machines/zone-160x120.toml",
+        |bytes| of_text(bytes, |text| MachineDescription::parse(text, "a file")),
+    ),
 ];
 
 /// Bytes that a changed file may be unpacked to.
 const MOST_UNPACKED: u64 = 10_000_000;
 
 /// Reads a structure as it stands, and its first assembly.
-fn structure(bytes: &[u8], format: pdb::Format) -> Outcome {
+fn structure(bytes: &[u8], format: Format) -> Outcome {
     let read = |options: &pdb::Options| pdb::read(bytes, format, "a file", options);
     let plain = read(&pdb::Options {
         style: pdb::Style::BallAndStick,
@@ -151,11 +121,10 @@ fn of_text<T, E: Display>(bytes: &[u8], read: impl Fn(&str) -> Result<T, E>) -> 
 }
 
 /// Files that a reader is for.
-fn files_of(reader: &Reader) -> Vec<Vec<u8>> {
+fn files_of((reader, endings, _): &Reader) -> Vec<Vec<u8>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let mut folders = ["scenes", "parts", "machines", "import/tests/data"]
-        .map(|name| root.join(name))
-        .to_vec();
+    let folders = ["scenes", "parts", "machines", "import/tests/data"];
+    let mut folders = folders.map(|name| root.join(name)).to_vec();
     folders.extend(std::env::var_os("IMOGENE_FUZZ_FILES").map(PathBuf::from));
     let mut files = vec![];
     while let Some(folder) = folders.pop() {
@@ -164,7 +133,7 @@ fn files_of(reader: &Reader) -> Vec<Vec<u8>> {
             let name = path.to_string_lossy().replace('\\', "/").to_lowercase();
             if path.is_dir() {
                 folders.push(path);
-            } else if reader.endings.iter().any(|ending| name.ends_with(ending)) {
+            } else if endings.split(' ').any(|ending| name.ends_with(ending)) {
                 files.push(path);
             }
         }
@@ -172,7 +141,7 @@ fn files_of(reader: &Reader) -> Vec<Vec<u8>> {
     files.sort();
     let read = |path: &PathBuf| {
         let bytes = std::fs::read(path).expect("a file");
-        if is_compressed(&bytes) && reader.name != "gzip" {
+        if is_compressed(&bytes) && *reader != "gzip" {
             unpack(&bytes, MOST_UNPACKED, "a file").expect("a whole file")
         } else {
             bytes
@@ -282,11 +251,10 @@ impl Count {
     }
 }
 
-fn try_one(reader: &Reader, bytes: &[u8], seed: u64) -> Count {
+fn try_one((name, _, read): &Reader, bytes: &[u8], seed: u64) -> Count {
     let started = Instant::now();
-    let outcome = (reader.read)(bytes);
+    let outcome = read(bytes);
     let slowest = started.elapsed();
-    let name = reader.name;
     assert!(slowest < PATIENCE, "{name}, seed {seed}: {slowest:?}");
     let mut count = Count {
         slowest,
@@ -325,33 +293,30 @@ fn readers_survive_anything() {
     };
     let texts = if is_full { 20_000 } else { 1_000 };
     let only = std::env::var("IMOGENE_FUZZ_READERS").ok();
-    let is_asked = |reader: &&Reader| match &only {
-        Some(only) => only.split(',').any(|name| name == reader.name),
-        None => true,
+    let is_asked = |reader: &&Reader| {
+        let asked = only.as_ref();
+        asked.is_none_or(|only| only.split(',').any(|name| name == reader.0))
     };
     for reader in READERS.iter().filter(is_asked) {
+        let name = reader.0;
         let random = run(reader, texts, |dice| dice.bytes(RANDOM_BYTES));
-        println!("{}: random bytes: {random:?}", reader.name);
-        assert_eq!(random.read, 0, "{}", reader.name);
+        println!("{name}: random bytes: {random:?}");
+        assert_eq!(random.read, 0, "{name}");
         let files = files_of(reader);
-        assert!(!files.is_empty(), "no files for {}", reader.name);
+        assert!(!files.is_empty(), "no files for {name}");
         for (place, file) in files.iter().enumerate() {
             try_one(reader, file, place as u64);
         }
         // Bytes have no lines: what is wrong in them is named by its category or not at all.
-        let is_binary = matches!(reader.name, "bcif" | "gzip");
+        let is_binary = matches!(name, "bcif" | "gzip");
         let count = run(reader, changed, |dice| match dice.below(4) {
             1.. if is_binary => dice.spoilt(&files),
             _ => dice.changed(&files),
         });
-        let (name, files) = (reader.name, files.len());
+        let files = files.len();
         println!("{name}: {changed} changes of {files} files: {count:?}");
-        let wrong = match is_binary {
-            true => count.refused,
-            false => count.malformed,
-        };
-        assert!(wrong > changed as usize / 10, "{}", reader.name);
-        assert!(count.read > 0, "{}", reader.name);
+        let wrong = [count.malformed, count.refused][usize::from(is_binary)];
+        assert!(wrong > changed as usize / 10 && count.read > 0, "{name}");
     }
     let most = MOST.load(Ordering::Relaxed);
     println!("{} MB of memory at once", most >> 20);

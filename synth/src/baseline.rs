@@ -51,35 +51,28 @@ pub fn check(
     options: &CheckOptions,
     done: impl Fn() + Sync,
 ) -> Result<Vec<RowCheck>, SynthError> {
-    let known: Vec<&Measured> = rows
-        .iter()
-        .map(|row| comparable(row, baseline))
-        .collect::<Result<_, _>>()?;
-    let pairs: Vec<(&Row, &Measured)> = rows.iter().zip(known).collect();
-    pairs
-        .par_iter()
-        .map(|(row, known)| {
-            let check = check_row(row, known, options)?;
-            done();
-            Ok(check)
-        })
-        .collect()
+    let pair = |row| Ok((row, comparable(row, baseline)?));
+    let pairs: Vec<(&Row, &Measured)> = rows.iter().map(pair).collect::<Result<_, SynthError>>()?;
+    let checked = |(row, known)| {
+        let check = check_row(row, known, options)?;
+        done();
+        Ok(check)
+    };
+    pairs.into_par_iter().map(checked).collect()
 }
 
 /// The baseline of a row, if the tools are those it was made with.
 fn comparable<'a>(row: &Row, baseline: &'a Table) -> Result<&'a Measured, SynthError> {
-    let known = baseline
-        .find(row)
-        .ok_or_else(|| SynthError::NoBaseline(row.name()))?;
+    let none = || SynthError::NoBaseline(row.name());
+    let known = baseline.find(row).ok_or_else(none)?;
     let here = Programs::find(row.target)?.versions();
     let synthesis = row.synthesis();
     if known.tools == here && known.synthesis == synthesis {
         return Ok(known);
     }
     let list = |tools: &BTreeMap<String, String>, synthesis: &str| {
-        let tools = tools
-            .iter()
-            .map(|(tool, version)| format!("{tool} {version}"));
+        let tools = tools.iter();
+        let tools = tools.map(|(tool, version)| format!("{tool} {version}"));
         format!("{} and `{synthesis}`", tools.collect::<Vec<_>>().join(", "))
     };
     Err(SynthError::OtherTools {
@@ -92,12 +85,9 @@ fn comparable<'a>(row: &Row, baseline: &'a Table) -> Result<&'a Measured, SynthE
 fn check_row(row: &Row, known: &Measured, options: &CheckOptions) -> Result<RowCheck, SynthError> {
     let seeds = if options.clock { row.seeds } else { 0 };
     let report = synthesise(&row.request, row.target, seeds, options.cache)?;
-    let changes = compare(
-        (known.latency, &known.figures),
-        (report.latency, &Figures::from(&report)),
-        seeds > 0,
-        options.tolerance,
-    );
+    let figures = Figures::from(&report);
+    let (before, now) = ((known.latency, &known.figures), (report.latency, &figures));
+    let changes = compare(before, now, seeds > 0, options.tolerance);
     Ok(RowCheck {
         is_same_verilog: report.verilog == known.verilog,
         verdict: worst(&changes),

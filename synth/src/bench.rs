@@ -103,10 +103,9 @@ impl<'a> Bench<'a> {
         if report.does_not_fit.is_some() {
             return Ok(());
         }
+        let routed = |seed| seed_result(seed, run(HARNESS_NETLIST, Some(seed))?);
         let seeds = (1..=seeds).into_par_iter();
-        report.seeds = seeds
-            .map(|seed| seed_result(seed, run(HARNESS_NETLIST, Some(seed))?))
-            .collect::<Result<_, _>>()?;
+        report.seeds = seeds.map(routed).collect::<Result<_, _>>()?;
         report.fmax_mhz = median(&report.seeds);
         Ok(())
     }

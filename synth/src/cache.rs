@@ -20,8 +20,6 @@ pub enum Cache {
 
 /// The place of a result that depends on these texts alone. Outside a checkout nothing is kept.
 pub fn kept(parts: &[&str]) -> Kept {
-    Kept::new(
-        target_folder().map(|folder| folder.join("synth-cache")),
-        parts,
-    )
+    let folder = target_folder().map(|folder| folder.join("synth-cache"));
+    Kept::new(folder, parts)
 }

@@ -21,10 +21,8 @@ pub fn verilog(unit: &Emitted) -> String {
 /// Verilog of the harness of any module, whose clock port may have any name; at least one bit goes in and one comes
 /// out.
 pub fn around(top: &str, ports: &[Port], clock: Option<&str>) -> String {
-    let data: Vec<&Port> = ports
-        .iter()
-        .filter(|port| Some(port.name.as_str()) != clock)
-        .collect();
+    let is_data = |port: &&Port| Some(port.name.as_str()) != clock;
+    let data: Vec<&Port> = ports.iter().filter(is_data).collect();
     let inputs = bits(&data, Direction::In);
     let outputs = bits(&data, Direction::Out);
     let mut text = format!(

@@ -150,9 +150,8 @@ pub fn used<'a>(
         if !taken.insert(name) {
             continue;
         }
-        let text = models
-            .get(name)
-            .ok_or_else(|| SynthError::NoModel(target.name(), name.to_owned()))?;
+        let none = || SynthError::NoModel(target.name(), name.to_owned());
+        let text = models.get(name).ok_or_else(none)?;
         let words = text.split(|c| !is_word(c));
         open.extend(words.filter(|word| models.contains_key(*word)));
     }

@@ -98,21 +98,14 @@ pub fn parse_report(text: &str) -> Result<RouteReport, SynthError> {
         serde_json::from_str(text).map_err(|error| SynthError::report("nextpnr", error))?;
     let slowest = document.fmax.values().map(|clock| clock.achieved);
     let utilisation = document.utilization.into_iter();
+    let utilisation = utilisation.map(|(name, cells)| (name, (cells.used, cells.available)));
+    let paths = document.critical_paths.iter();
+    let mut between = paths.clone().filter(|path| path.is_between_registers());
     Ok(RouteReport {
-        utilisation: utilisation
-            .map(|(name, cells)| (name, (cells.used, cells.available)))
-            .collect(),
+        utilisation: utilisation.collect(),
         fmax_mhz: slowest.reduce(f64::min).map(thousandths),
-        critical_path: document
-            .critical_paths
-            .iter()
-            .find(|path| path.is_between_registers())
-            .map(ReportedPath::summary),
-        crossings: document
-            .critical_paths
-            .iter()
-            .filter_map(ReportedPath::crossing)
-            .collect(),
+        critical_path: between.next().map(ReportedPath::summary),
+        crossings: paths.filter_map(ReportedPath::crossing).collect(),
         clocks: document.fmax,
     })
 }

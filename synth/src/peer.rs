@@ -71,13 +71,11 @@ pub fn compare(
     let programs = Programs::find(target)?;
     let measured = measure(peer, &programs, target, seeds)?;
     let report = synthesise(request, target, seeds, Cache::Use)?;
+    let parameters = report.parameters.iter();
+    let parameters = parameters.map(|(option, value)| (option.clone(), value.to_string()));
     let unit = Measured {
         top: report.unit.clone(),
-        parameters: report
-            .parameters
-            .iter()
-            .map(|(option, value)| (option.clone(), value.to_string()))
-            .collect(),
+        parameters: parameters.collect(),
         clock: "clock".into(),
         latency: Some(report.latency),
         figures: Figures::from(&report),

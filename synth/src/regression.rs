@@ -63,9 +63,7 @@ pub fn compare(
     let counts = baseline.1.counts().into_iter().zip(now.1.counts());
     let counts = counts
         .filter_map(|((name, before), (_, now))| count(name, before, now, tolerance.resources));
-    let clock = is_clock_measured
-        .then(|| clock(baseline.1, now.1, tolerance.clock))
-        .flatten();
+    let clock = clock(baseline.1, now.1, tolerance.clock).filter(|_| is_clock_measured);
     latency.into_iter().chain(counts).chain(clock).collect()
 }
 

@@ -74,9 +74,8 @@ pub struct SynthReport {
 impl SynthReport {
     /// The run whose clock is the median.
     pub fn median_seed(&self) -> Option<&SeedResult> {
-        self.seeds
-            .iter()
-            .find(|run| Some(run.fmax_mhz) == self.fmax_mhz)
+        let mut runs = self.seeds.iter();
+        runs.find(|run| Some(run.fmax_mhz) == self.fmax_mhz)
     }
 }
 

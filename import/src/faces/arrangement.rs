@@ -155,15 +155,12 @@ impl Division<'_> {
         if !self.surface.is_sphere() {
             return Ok(false);
         }
-        let first = lines
-            .iter()
-            .filter_map(|(_, all)| all.iter().find(|crossing| crossing.edges % 2 == 1));
+        let all = lines.iter().map(|(_, all)| all.iter());
+        let first = all.filter_map(|mut all| all.find(|crossing| crossing.edges % 2 == 1));
         let mut below = first.map(|crossing| !crossing.inside_above);
         let pole = below.next().unwrap_or(true);
-        match below.all(|other| other == pole) {
-            true => Ok(pole),
-            false => Err(CONTRADICTION),
-        }
+        let agree = below.all(|other| other == pole);
+        agree.then_some(pole).ok_or(CONTRADICTION)
     }
 
     fn strips(
@@ -198,10 +195,8 @@ impl Division<'_> {
     }
 
     fn strip(&self, chart: &Chart, u: f64, [from, to]: [f64; 2], inside: bool) -> Option<Sample> {
-        let unit = match chart.surface.is_sphere() {
-            true => 1.0,
-            false => self.size,
-        };
+        let is_sphere = chart.surface.is_sphere();
+        let unit = if is_sphere { 1.0 } else { self.size };
         if to - from <= SMALLEST_PIECE * unit {
             return None;
         }

@@ -11,6 +11,11 @@ pub fn plain(p: &Pole) -> Vector {
     [p[0] / p[3], p[1] / p[3], p[2] / p[3]]
 }
 
+/// A control point with a weight.
+pub fn weighted([x, y, z]: Vector, weight: f64) -> Pole {
+    [x * weight, y * weight, z * weight, weight]
+}
+
 /// A rational patch over the unit square.
 #[derive(Clone, Debug)]
 pub struct Patch {
@@ -100,10 +105,8 @@ impl Bernstein {
                 scaled[start + j / (s + 1) * width + j % (s + 1)] += a * b;
             }
         }
-        Bernstein {
-            degrees: [p + r, q + s],
-            scaled,
-        }
+        let degrees = [p + r, q + s];
+        Bernstein { degrees, scaled }
     }
 
     /// `self + factor * other`, of the same degrees.
@@ -149,10 +152,8 @@ pub fn de_boor(
         let u = argument(round - 1);
         for k in (round..=degree).rev() {
             let (left, right) = (knots[span - degree + k], knots[span + 1 + k - round]);
-            let share = match right > left {
-                true => (u - left) / (right - left),
-                false => 0.0,
-            };
+            let width = right - left;
+            let share = if width > 0.0 { (u - left) / width } else { 0.0 };
             let before = points[k - 1];
             points[k] = std::array::from_fn(|n| (1.0 - share) * before[n] + share * points[k][n]);
         }

@@ -41,11 +41,9 @@ pub fn build(source: Source) -> Result<Model> {
         solids,
         ..Model::default()
     };
-    model.assembled().ok_or_else(|| unusable(
-        source.file,
-        "the faces have no size",
-        "at least one face with edges, or a sphere, and a box around them of at least a millionth of a unit are needed",
-    ))
+    let accepted = "at least one face with edges, or a sphere, and a box around them of at least a millionth of a unit are needed";
+    let refused = || unusable(source.file, "the faces have no size", accepted);
+    model.assembled().ok_or_else(refused)
 }
 
 /// Refuses too many parts by their names.
@@ -96,16 +94,13 @@ fn faces(source: &Source, keys: &[FaceKeys], edges: &[Edge]) -> Result<Vec<Face>
         let name = key.name.as_ref().clone();
         let edge_loop = |list| edge_loop(source, list, &by_name, edges);
         let loops: Vec<Vec<EdgeUse>> = key.loops.iter().map(edge_loop).collect::<Result<_>>()?;
-        let has_end = matches!(
-            surface.form,
-            Form::Sphere(_) | Form::Torus(..) | Form::Other(_)
-        );
-        if loops.is_empty() && !has_end {
-            return Err(source.error(
-                &key.name,
-                format!("face `{name}` has no loop, and a {} is endless", surface.name()),
-                "`loops = [[\"edge\", ...], ...]` is needed; a whole sphere or torus alone has none",
-            ));
+        let form = &surface.form;
+        let is_endless = matches!(form, Form::Plane | Form::Cylinder(_) | Form::Cone(_));
+        if loops.is_empty() && is_endless {
+            let surface = surface.name();
+            let problem = format!("face `{name}` has no loop, and a {surface} is endless");
+            let accepted = "`loops = [[\"edge\", ...], ...]` is needed; a whole sphere or torus alone has none";
+            return Err(source.error(&key.name, problem, accepted));
         }
         faces.push(Face {
             name,
@@ -156,11 +151,9 @@ fn edge_loop(
             return Err(source.error(name, problem, "a closed edge is a loop of its own"));
         };
         if end != start {
-            return Err(source.error(
-                name,
-                format!("`{text}` does not end where `{after}` begins"),
-                "the edges of a loop follow each other from vertex to vertex and come back to the first",
-            ));
+            let problem = format!("`{text}` does not end where `{after}` begins");
+            let accepted = "the edges of a loop follow each other from vertex to vertex and come back to the first";
+            return Err(source.error(name, problem, accepted));
         }
     }
     Ok(uses)
@@ -412,11 +405,8 @@ impl EdgeKeys {
     fn line(&self, ends: Option<[Vector; 2]>, all: &Vertices) -> Result<Curve> {
         let source = &all.source;
         let Some([from, to]) = ends else {
-            return Err(self.error(
-                source,
-                "a line has two ends",
-                "`start` and `end` are needed",
-            ));
+            let accepted = "`start` and `end` are needed";
+            return Err(self.error(source, "a line has two ends", accepted));
         };
         if distance(from, to) <= COINCIDENT * all.size {
             let accepted = "two vertices at different places are needed";
@@ -444,22 +434,14 @@ impl EdgeKeys {
         } else {
             let x = across(source.direction(needed(&self.x))?, normal);
             if length(x) < 1e-9 {
-                return Err(self.error(
-                    source,
-                    "`x` is along `axis`",
-                    "a direction across it is needed",
-                ));
+                let accepted = "a direction across it is needed";
+                return Err(self.error(source, "`x` is along `axis`", accepted));
             }
             let radii = needed(&self.radii);
             source.lengths(radii, radii.as_ref())?;
             (x, *radii.as_ref())
         };
-        Ok(Ellipse {
-            centre,
-            normal,
-            x: unit(x),
-            radii,
-        })
+        Ok(Ellipse::new(centre, normal, unit(x), radii))
     }
 
     fn points(&self, ends: Option<[Vector; 2]>, source: &Source) -> Result<Curve> {
@@ -473,11 +455,9 @@ impl EdgeKeys {
         let closed = ends.is_none();
         let least = if closed { 3 } else { 2 };
         if !(least..=MAX_POINTS).contains(&points.len()) {
-            return Err(self.error(
-                source,
-                format!("{} points", points.len()),
-                "at least three for a closed edge, with the ends at least two otherwise, and at most 2000 are possible",
-            ));
+            let problem = format!("{} points", points.len());
+            let accepted = "at least three for a closed edge, with the ends at least two otherwise, and at most 2000 are possible";
+            return Err(self.error(source, problem, accepted));
         }
         let size = reach(points.iter().copied(), points[0]);
         for k in 0..points.len() - usize::from(!closed) {

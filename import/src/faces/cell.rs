@@ -85,10 +85,8 @@ pub struct Planes {
 impl Planes {
     /// None yet; two planes within `tolerance` (a length) over a part of size 1 / 1e-9 of it are one.
     pub fn new(tolerance: f64) -> Planes {
-        Planes {
-            all: vec![],
-            tolerance,
-        }
+        let all = vec![];
+        Planes { all, tolerance }
     }
 
     /// The index of the plane through a point; an earlier description of the same plane is used again.
@@ -125,12 +123,9 @@ impl Planes {
 /// A direction without the dust that sines leave beside 0 and 1.
 pub fn clean(normal: Vector) -> Vector {
     normal.map(|value| {
-        let nearest = value.round();
-        if (value - nearest).abs() <= 1e-15 {
-            // Without the sign of a zero.
-            nearest + 0.0
-        } else {
-            value
-        }
+        // Without the sign of a zero.
+        let nearest = value.round() + 0.0;
+        let is_dusty = (value - nearest).abs() <= 1e-15;
+        if is_dusty { nearest } else { value }
     })
 }

@@ -151,10 +151,8 @@ fn circle(own: &Polyline, (origin, normal): PlaneOf, tolerance: f64) -> Option<(
     if points.len() < 5 {
         return None;
     }
-    let last = match own.closed {
-        true => points.len() * 2 / 3,
-        false => points.len() - 1,
-    };
+    let count = points.len();
+    let last = if own.closed { count * 2 / 3 } else { count - 1 };
     let [a, b, c] = [0, last / 2, last].map(|k| onto_plane(points[k], origin, normal));
     let (u, v) = (minus(b, a), minus(c, a));
     let twice = cross(u, v);

@@ -18,7 +18,7 @@ const REFINED: usize = 4;
 const MARGIN: f64 = 1.05;
 
 /// An edge as all its faces see it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Course {
     /// Straight or planar curves, one after the other.
     pub pieces: Vec<Curve>,
@@ -120,11 +120,7 @@ fn onto_all(mut p: Vector, surfaces: &[&Surface]) -> Vector {
 
 /// The fewest pieces that a search from the start finds, each as long as the deviation lets it be.
 pub fn pieces(points: &[Vector], surfaces: &[&Surface], max_deviation: f64) -> Option<Course> {
-    let mut course = Course {
-        pieces: vec![],
-        chords: None,
-        deviation: 0.0,
-    };
+    let mut course = Course::default();
     let last = points.len() - 1;
     let mut start = 0;
     while start < last {
@@ -139,10 +135,8 @@ pub fn pieces(points: &[Vector], surfaces: &[&Surface], max_deviation: f64) -> O
         let mut too_long = last + 1;
         let mut reach = 2;
         while best.0 + 1 < too_long {
-            let end = match start + reach < too_long {
-                true => start + reach,
-                false => usize::midpoint(best.0, too_long),
-            };
+            let (far, middle) = (start + reach, usize::midpoint(best.0, too_long));
+            let end = if far < too_long { far } else { middle };
             reach *= 2;
             match fit(end) {
                 Some(found) if end > best.0 => best = (end, found),

@@ -117,20 +117,16 @@ fn candidates(kept: &BTreeSet<u128>, lost: &[u128], ranks: &[u8]) -> Vec<Term> {
 fn shortened(seed: u128, lost: &[u128], ranks: &[u8], backwards: bool) -> Term {
     let separators = ranks.len();
     let all = u128::MAX.checked_shr(128 - separators as u32);
-    let mut term = Term {
-        mask: all.unwrap_or(0),
-        sides: seed,
-    };
+    let (mask, sides) = (all.unwrap_or(0), seed);
+    let mut term = Term { mask, sides };
     let mut order: Vec<usize> = (0..separators).collect();
     if backwards {
         order.reverse();
     }
     order.sort_by_key(|k| ranks[*k]);
     for k in order {
-        let shorter = Term {
-            mask: term.mask & !(1 << k),
-            ..term
-        };
+        let mask = term.mask & !(1 << k);
+        let shorter = Term { mask, ..term };
         if !lost.iter().any(|side| shorter.takes(*side)) {
             term = shorter;
         }

@@ -60,6 +60,16 @@ pub struct Polyline {
 }
 
 impl Ellipse {
+    /// Of a centre, a unit normal, a unit vector across it and half axes.
+    pub fn new(centre: Vector, normal: Vector, x: Vector, radii: [f64; 2]) -> Ellipse {
+        Ellipse {
+            centre,
+            normal,
+            x,
+            radii,
+        }
+    }
+
     fn y(&self) -> Vector {
         cross(self.normal, self.x)
     }
@@ -134,14 +144,8 @@ pub fn arc_through(
     let end = before.map_or(0.5 * TAU, |p| angle(p, normal));
     let forward = angle(second, normal) < end;
     let normal = if forward { normal } else { opposite(normal) };
-    let ellipse = Ellipse {
-        centre,
-        normal,
-        x,
-        radii: [radius; 2],
-    };
     Curve::Arc(Arc {
-        ellipse,
+        ellipse: Ellipse::new(centre, normal, x, [radius; 2]),
         start: 0.0,
         sweep: if closed { TAU } else { angle(last, normal) },
     })

@@ -98,11 +98,9 @@ fn imported(part: &Part, file: &str, missing: &[String]) -> Result<Imported> {
     let (report, mut notes) = report::report(&part.model, &part.courses, &part.solids);
     let scene = scene::scene(&part.model, &part.planes, &part.solids);
     let mut scene = scene.ok_or_else(|| {
-        unusable(
-            file,
-            format!("no face can be drawn: {}", notes.join("; ")),
-            "at least one face on a plane, cylinder, cone, sphere or torus is needed",
-        )
+        let problem = format!("no face can be drawn: {}", notes.join("; "));
+        let accepted = "at least one face on a plane, cylinder, cone, sphere or torus is needed";
+        unusable(file, problem, accepted)
     })?;
     let parts = (!missing.is_empty()).then(|| counted(missing.len(), "part or placement"));
     let lacks: Vec<String> = report.rejected().into_iter().chain(parts).collect();

@@ -6,11 +6,8 @@ use super::vector::positive_angle;
 pub fn quadratic(a: f64, b: f64, c: f64) -> Vec<f64> {
     let least = 1e-14 * a.abs().max(b.abs()).max(c.abs());
     if a.abs() <= least {
-        return if b.abs() <= least {
-            vec![]
-        } else {
-            vec![-c / b]
-        };
+        let is_linear = b.abs() > least;
+        return if is_linear { vec![-c / b] } else { vec![] };
     }
     let discriminant = b * b - 4.0 * a * c;
     let scale = (b * b).max((4.0 * a * c).abs());

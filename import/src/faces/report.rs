@@ -89,11 +89,8 @@ impl Report {
                 Compilation::Volume(_) => ("volume", &Verdict::Exact, &[][..]),
                 Compilation::Faces(faces) => {
                     let own = &faces[position];
-                    let form = if face.surface.is_plane() {
-                        "flat"
-                    } else {
-                        "patch"
-                    };
+                    let is_plane = face.surface.is_plane();
+                    let form = if is_plane { "flat" } else { "patch" };
                     (form, &own.verdict, &own.cells[..])
                 }
             };
@@ -133,6 +130,15 @@ impl Report {
                 edges: face.loops.iter().flatten().count(),
             });
         }
+    }
+
+    /// What is not drawn, by kinds of surfaces; `None` if all is.
+    pub fn rejected(&self) -> Option<String> {
+        let some = self.counts.iter().filter(|(_, counts)| counts.rejected > 0);
+        let kind = |(kind, counts): (&String, &Counts)| format!("{} {kind}", counts.rejected);
+        let kinds: Vec<String> = some.map(kind).collect();
+        let (rejected, all) = (self.total.rejected, counted(self.faces.len(), "face"));
+        (!kinds.is_empty()).then(|| format!("{rejected} of {all} ({})", kinds.join(", ")))
     }
 }
 
@@ -211,16 +217,5 @@ fn listed(faces: &[(&str, &str)]) -> String {
     match faces.len().saturating_sub(MOST_NAMES) {
         0 => first.join(", "),
         more => format!("{} and {more} more", first.join(", ")),
-    }
-}
-
-impl Report {
-    /// What is not drawn, by kinds of surfaces; `None` if all is.
-    pub fn rejected(&self) -> Option<String> {
-        let some = self.counts.iter().filter(|(_, counts)| counts.rejected > 0);
-        let kind = |(kind, counts): (&String, &Counts)| format!("{} {kind}", counts.rejected);
-        let kinds: Vec<String> = some.map(kind).collect();
-        let (rejected, all) = (self.total.rejected, counted(self.faces.len(), "face"));
-        (!kinds.is_empty()).then(|| format!("{rejected} of {all} ({})", kinds.join(", ")))
     }
 }

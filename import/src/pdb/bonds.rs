@@ -80,14 +80,13 @@ fn by_distance(atoms: &[Atom], file: &str) -> Result<Vec<[usize; 2]>> {
         let members = grid.entry(cell(atom)).or_default();
         members.push(index);
         if members.len() > MOST_IN_A_CELL {
-            return Err(unusable(
-                file,
-                format!(
-                    "more than {MOST_IN_A_CELL} atoms within {width:.1} angstroms of one another, about {:.1?}: bonds cannot be told",
-                    atom.place
-                ),
-                "--style space-filling, or one model and one alternate location, would be accepted",
-            ));
+            let problem = format!(
+                "more than {MOST_IN_A_CELL} atoms within {width:.1} angstroms of one another, about {:.1?}: bonds cannot be told",
+                atom.place
+            );
+            let accepted =
+                "--style space-filling, or one model and one alternate location, would be accepted";
+            return Err(unusable(file, problem, accepted));
         }
     }
     let mut pairs = vec![];

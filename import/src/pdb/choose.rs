@@ -65,12 +65,10 @@ pub fn choose(
         left_out.water += keep(&mut atoms, |atom| options.water || !is_water(atom));
         let is_hydrogen = |atom: &Atom| atom.element.is_hydrogen();
         left_out.hydrogens += keep(&mut atoms, |atom| options.hydrogens || !is_hydrogen(atom));
+        let end = atoms.len();
         let (atoms, copies) = match &parts {
             Some(parts) => copied(&atoms, parts, words, file)?,
-            None => {
-                let end = atoms.len();
-                (atoms, vec![end])
-            }
+            None => (atoms, vec![end]),
         };
         chosen.push(Chosen {
             number: model.number,
@@ -86,18 +84,14 @@ pub fn choose(
 
 /// Why nothing is left, and what would leave something.
 fn nothing_left(left_out: &LeftOut, options: &Options, file: &str) -> ImportError {
+    let hydrogens = "hydrogens are drawn without --without-hydrogens";
+    let as_they_stand = "the coordinates as they stand without --assembly";
     let reasons = [
         (left_out.water, "water is drawn without --without-water"),
-        (
-            left_out.hydrogens,
-            "hydrogens are drawn without --without-hydrogens",
-        ),
+        (left_out.hydrogens, hydrogens),
         (left_out.other_residues, "other residues without --residue"),
         (left_out.other_chains, "other chains without --chain"),
-        (
-            usize::from(options.assembly.is_some()),
-            "the coordinates as they stand without --assembly",
-        ),
+        (options.assembly.iter().count(), as_they_stand),
     ];
     let ways = reasons.iter().filter(|(count, _)| *count > 0);
     let ways: Vec<&str> = ways.map(|(_, way)| *way).collect();

@@ -95,62 +95,44 @@ pub fn report(
     let assemblies = listed(read.assemblies.iter().cloned());
     let as_they_stand = options.assembly.is_none() && !read.assemblies.is_empty();
     let no_occupancy = remarks.no_occupancy;
-    let blocks = "further data blocks left out: the first that has atoms is drawn";
     let guessed = Vec::from_iter(guessed).join(", ");
+    let models = "of other models left out; --model N or --model all draws them";
+    let residues = "of other residues left out";
+    let stand = format!(
+        "the coordinates as they stand; --assembly {assemblies} draws what it makes of them"
+    );
+    let blocks = "further data blocks left out: the first that has atoms is drawn";
+    let cells = "to other cells of the crystal left out";
+    let alternates = "left out; --alternates all draws them";
+    let from_name = "without an element's symbol: element from the atom's name";
+    let unknown = "of no known element: drawn with a van der Waals radius of 2.0 and a covalent one of 1.5 angstroms, in pink";
+    let occupancies = format!("occupancies that are no numbers, taken as 1: {no_occupancy}");
+    let radius =
+        format!("no published radius of {guessed}: 2.0 angstroms, or 1.5 covalent, instead");
     let farther = format!(
         "that only the file says: farther apart than the covalent radii and {TOLERANCE} angstroms, or of a kind that is not looked for"
     );
+    let thinned = "left out at atoms that have sixteen already";
     let lines = [
-        told(
-            left_out.other_models,
-            "atom",
-            "of other models left out; --model N or --model all draws them",
-        ),
+        told(left_out.other_models, "atom", models),
         told(left_out.other_chains, "atom", "of other chains left out"),
-        told(
-            left_out.other_residues,
-            "atom",
-            "of other residues left out",
-        ),
-        as_they_stand.then(|| {
-            format!(
-                "the coordinates as they stand; --assembly {assemblies} draws what it makes of them"
-            )
-        }),
+        told(left_out.other_residues, "atom", residues),
+        as_they_stand.then_some(stand),
         remarks.other_blocks.then(|| blocks.to_owned()),
-        told(
-            remarks.other_cells,
-            "bond",
-            "to other cells of the crystal left out",
-        ),
+        told(remarks.other_cells, "bond", cells),
         told(
             left_out.alternate_locations,
             "alternate location",
-            "left out; --alternates all draws them",
+            alternates,
         ),
         told(left_out.hydrogens, "hydrogen", "left out"),
         told(left_out.water, "atom", "of water left out"),
-        told(
-            remarks.named_element,
-            "atom",
-            "without an element's symbol: element from the atom's name",
-        ),
-        told(
-            remarks.no_element,
-            "atom",
-            "of no known element: drawn with a van der Waals radius of 2.0 and a covalent one of 1.5 angstroms, in pink",
-        ),
-        (no_occupancy > 0)
-            .then(|| format!("occupancies that are no numbers, taken as 1: {no_occupancy}")),
-        (!guessed.is_empty()).then(|| {
-            format!("no published radius of {guessed}: 2.0 angstroms, or 1.5 covalent, instead")
-        }),
+        told(remarks.named_element, "atom", from_name),
+        told(remarks.no_element, "atom", unknown),
+        (no_occupancy > 0).then_some(occupancies),
+        (!guessed.is_empty()).then_some(radius),
         told(drawn.bonds.connected, "bond", &farther),
-        told(
-            drawn.bonds.left_out,
-            "bond",
-            "left out at atoms that have sixteen already",
-        ),
+        told(drawn.bonds.left_out, "bond", thinned),
     ];
     notes.extend(lines.into_iter().flatten());
     (value, notes)

@@ -131,19 +131,13 @@ pub fn build(
     }
     let (spheres, cylinders) = (objects.len(), sticks.len());
     objects.extend(sticks);
-    let extent = framing::bounding_box(&balls);
+    let title = title(structure, file);
     Ok(Drawn {
-        scene: scene(
-            title(structure, file),
-            camera,
-            axes,
-            materials.list,
-            objects,
-        ),
+        scene: scene(title, camera, axes, materials.list, objects),
         spheres,
         cylinders,
         bonds: all,
-        extent,
+        extent: framing::bounding_box(&balls),
     })
 }
 

@@ -58,11 +58,8 @@ impl<'a> Map<'a> {
         let half = first.each_ref().map(|v| -to_f64(v));
         let extent = 2.0 * half[0].max(half[1]);
         let middle = 0.5 * (heights.0 + heights.1);
-        let eye = options.eye.unwrap_or([
-            0.0,
-            short(heights.1 + 0.3 * extent),
-            short(half[1] + 0.45 * extent),
-        ]);
+        let (above, behind) = (heights.1 + 0.3 * extent, half[1] + 0.45 * extent);
+        let eye = options.eye.unwrap_or([0.0, short(above), short(behind)]);
         let target = options.target.unwrap_or([0.0, short(middle), 0.0]);
         // The range of the depth begins at half the viewer distance unless more of it is needed.
         let outside = |value: f64, low: f64, high: f64| (low - value).max(value - high).max(0.0);

@@ -49,10 +49,8 @@ pub fn field(options: &FieldOptions) -> Result<Field, String> {
         return Err(format!("{levels} levels; 1 to {MAX_LEVELS} are accepted"));
     }
     if !(0.0..=1.0).contains(&smoothness) {
-        let accepted = "0 (rough) to 1 (smooth) is accepted";
-        return Err(format!(
-            "a roughness exponent h of {smoothness}; {accepted}"
-        ));
+        let problem = format!("a roughness exponent h of {smoothness}");
+        return Err(format!("{problem}; 0 (rough) to 1 (smooth) is accepted"));
     }
     if !(relief > 0.0 && relief <= 1e6) {
         let accepted = "more than 0 and up to 1000000 is accepted";
@@ -127,11 +125,9 @@ impl Maker {
     fn release(&mut self, vertex: usize) {
         self.vertices[vertex].uses -= 1;
         if self.vertices[vertex].uses == 0 {
-            let Vertex {
-                at: [x, y], value, ..
-            } = self.vertices.remove(vertex);
+            let Vertex { at, value, .. } = self.vertices.remove(vertex);
             let side = self.made.side;
-            self.made.heights[(side - 1 - y) * side + x] = value;
+            self.made.heights[(side - 1 - at[1]) * side + at[0]] = value;
         }
     }
 

@@ -73,12 +73,9 @@ impl<'a> Source<'a> {
         let (columns, rows) = (self.count(&header, 0)?, self.count(&header, 1)?);
         let step = self.esri_step(&header)?;
         if columns.saturating_mul(rows) > MAX_NODES {
+            let problem = format!("{columns} x {rows} nodes");
             let accepted = format!("at most {MAX_NODES} are read");
-            return Err(unusable(
-                self.file,
-                format!("{columns} x {rows} nodes"),
-                &accepted,
-            ));
+            return Err(unusable(self.file, problem, accepted));
         }
         let mut heights = Vec::with_capacity(columns * rows);
         let mut last = &self.text[..0];
@@ -191,11 +188,9 @@ impl<'a> Source<'a> {
             (columns, rows) = (count, rows + 1);
         }
         if columns < 2 || rows < 2 {
-            return Err(unusable(
-                self.file,
-                format!("{rows} rows of {columns} heights"),
-                "at least 2 rows of 2 are needed, a row on each line (or the header of an ESRI ASCII grid)",
-            ));
+            let problem = format!("{rows} rows of {columns} heights");
+            let accepted = "at least 2 rows of 2 are needed, a row on each line (or the header of an ESRI ASCII grid)";
+            return Err(unusable(self.file, problem, accepted));
         }
         Ok(HeightGrid {
             columns,

@@ -59,16 +59,13 @@ pub fn scene_of(grid: &HeightGrid, file: &str, options: &TerrainOptions) -> Resu
 }
 
 fn notes(holes: usize, flat: usize, by_facets: usize, left_out: usize) -> Vec<String> {
+    let bulging = "cells that bulge by less than half a pixel are drawn by facets";
+    let too_near =
+        "cells whose surface passes too near the eye for the depth word are drawn by facets";
     let texts = [
         (holes, "cells without a height at every corner are holes"),
-        (
-            flat,
-            "cells that bulge by less than half a pixel are drawn by facets",
-        ),
-        (
-            by_facets,
-            "cells whose surface passes too near the eye for the depth word are drawn by facets",
-        ),
+        (flat, bulging),
+        (by_facets, too_near),
         (left_out, "cells are not in front of the eye and left out"),
     ];
     let said = texts.into_iter().filter(|(count, _)| *count > 0);
@@ -79,10 +76,8 @@ fn notes(holes: usize, flat: usize, by_facets: usize, left_out: usize) -> Vec<St
 /// The nodes that are asked for.
 fn chosen(grid: &HeightGrid, file: &str, options: &TerrainOptions) -> Result<HeightGrid> {
     let whole = [grid.columns, grid.rows];
-    let Region { first, nodes } = options.region.unwrap_or(Region {
-        first: [0, 0],
-        nodes: whole,
-    });
+    let (first, nodes) = ([0, 0], whole);
+    let Region { first, nodes } = options.region.unwrap_or(Region { first, nodes });
     let every = options.every;
     let fits = (0..2).all(|k| {
         let end = first[k].checked_add(nodes[k]);
@@ -121,12 +116,8 @@ pub(super) const SEAM: f64 = 1.0 / 256.0;
 /// from the north, each from the west.
 fn outwards(cell: &Cell, cells: &[Cell]) -> [f64; 4] {
     let (c, r) = (cell.column, cell.row);
-    let neighbours = [
-        (r, c.wrapping_sub(1)),
-        (r, c + 1),
-        (r.wrapping_sub(1), c),
-        (r + 1, c),
-    ];
+    let (west, north) = (c.wrapping_sub(1), r.wrapping_sub(1));
+    let neighbours = [(r, west), (r, c + 1), (north, c), (r + 1, c)];
     neighbours.map(|place| {
         let found = cells.binary_search_by_key(&place, |cell| (cell.row, cell.column));
         match found.map(|index| cells[index].form) {
@@ -186,11 +177,9 @@ impl Map<'_> {
     }
 
     fn digits(&self) -> ImportError {
-        unusable(
-            self.file,
-            "the heights, the distance of nodes and the eye have too many digits together for exact surfaces",
-            "about 5 significant digits each are possible",
-        )
+        let problem = "the heights, the distance of nodes and the eye have too many digits together for exact surfaces";
+        let accepted = "about 5 significant digits each are possible";
+        unusable(self.file, problem, accepted)
     }
 
     /// Index of the colour of a cell: its mean height.

@@ -22,18 +22,12 @@ fn kept(part: &Part, p: Vector) -> bool {
 fn keyhole() -> String {
     let mut text = HEAD.to_owned();
     text += "[vertices]\nw = [-1, 0, 0]\no = [0, 0, 0]\ns = [0, -1, 0]\ne = [1, 0, 0]\na = [3, 0, 0]\nb = [3, 2, 0]\nc = [0, 2, 0]\nn = [0, 1, 0]\n";
-    for (name, from, to) in [
-        ("wo", "w", "o"),
-        ("os", "o", "s"),
-        ("ea", "e", "a"),
-        ("ab", "a", "b"),
-        ("bc", "b", "c"),
-        ("cn", "c", "n"),
-    ] {
-        text += &line(name, from, to);
+    for name in "wo os ea ab bc cn".split(' ') {
+        text += &line(name, &name[..1], &name[1..]);
     }
-    for (name, from, to) in [("se", "s", "e"), ("nw", "n", "w")] {
-        text += &arc(circle(name, [0.0; 3], [0.0, 0.0, 1.0], 1.0), from, to);
+    for name in ["se", "nw"] {
+        let circle = circle(name, [0.0; 3], [0.0, 0.0, 1.0], 1.0);
+        text += &arc(circle, &name[..1], &name[1..]);
     }
     let loops = r#"[["wo", "os", "se", "ea", "ab", "bc", "cn", "nw"]]"#;
     let plane = "kind = 'plane', origin = [0, 0, 0], normal = [0, 0, 1]";
@@ -57,11 +51,8 @@ fn one_operator_for_a_pair_of_neighbours_is_not_enough() {
     let (mut and_wrong, mut or_wrong, mut points) = (0, 0, 0);
     for i in 0..200 {
         for j in 0..150 {
-            let p = [
-                -1.7 + 0.0249 * f64::from(i),
-                -1.3 + 0.0241 * f64::from(j),
-                0.0,
-            ];
+            let (x, y) = (-1.7 + 0.0249 * f64::from(i), -1.3 + 0.0241 * f64::from(j));
+            let p = [x, y, 0.0];
             if oracle.distance_to_edge(p) < 2.0 * oracle.coarseness() {
                 continue;
             }
@@ -69,9 +60,8 @@ fn one_operator_for_a_pair_of_neighbours_is_not_enough() {
             assert_eq!(oracle.has(p), face, "{p:?}");
             assert_eq!(kept(&part, p), face, "{p:?}");
             // What the other neighbours say is granted; the pair A, B is joined by one operator.
-            let above = p[1] > 0.0;
-            let inside = p[0] * p[0] + p[1] * p[1] < 1.0;
-            let box_of_others = p[0] > -1.0 && p[0] < 3.0 && p[1] < 2.0 && p[1] > -1.0;
+            let (above, inside) = (y > 0.0, x * x + y * y < 1.0);
+            let box_of_others = x > -1.0 && x < 3.0 && y < 2.0 && y > -1.0;
             and_wrong += usize::from((box_of_others && above && inside) != face);
             or_wrong += usize::from((box_of_others && (above || inside)) != face);
             points += 1;
@@ -79,10 +69,8 @@ fn one_operator_for_a_pair_of_neighbours_is_not_enough() {
     }
     assert!(points > 25_000);
     // The OR is right at the right and wrong at the left, the AND the other way round.
-    assert!(
-        and_wrong > points / 10 && or_wrong > points / 50,
-        "{and_wrong} {or_wrong}"
-    );
+    let are_wrong = and_wrong > points / 10 && or_wrong > points / 50;
+    assert!(are_wrong, "{and_wrong} {or_wrong}");
 }
 
 /// A plane face between its outer rim and the foot of a fillet: the torus of the fillet, continued beyond its quarter,
@@ -142,14 +130,10 @@ fn the_cylinders_of_rounded_corners_are_not_trusted_beyond_their_arcs() {
     let mut naive_wrong = 0;
     for i in 0..100 {
         for j in 0..70 {
-            let p = [
-                -44.0 + 0.881 * f64::from(i),
-                6.0,
-                -28.0 + 0.801 * f64::from(j),
-            ];
-            let near = |[x, z]: &[f64; 2]| (p[0] - x).hypot(p[2] - z) < 10.0;
-            let naive = p[0].abs() < 40.0 && p[2].abs() < 25.0 && corners.iter().all(near);
-            naive_wrong += usize::from(naive != oracle.has(p));
+            let (x, z) = (-44.0 + 0.881 * f64::from(i), -28.0 + 0.801 * f64::from(j));
+            let near = |[u, w]: &[f64; 2]| (x - u).hypot(z - w) < 10.0;
+            let naive = x.abs() < 40.0 && z.abs() < 25.0 && corners.iter().all(near);
+            naive_wrong += usize::from(naive != oracle.has([x, 6.0, z]));
         }
     }
     assert!(naive_wrong > 2000, "{naive_wrong}");

@@ -2,16 +2,14 @@
 //! false alarms (a hole of which one pixel looks out behind an edge) a ray through the faces themselves takes back. One
 //! crack is injected to see that it is found.
 
-use crate::common::list::file;
+use crate::common::list::{EACH_FACE, file};
 use crate::common::winding::Oracle;
 use imogene_golden::format::Format;
 use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
 use imogene_import::faces::vector::{Vector, along, cross, dot, minus, times, unit};
-use imogene_import::faces::{FaceOptions, read};
-use imogene_import::faces::{Part, Surface, compile};
-use imogene_prepare::Framing;
-use imogene_prepare::prepare;
+use imogene_import::faces::{Part, Surface, compile, read};
+use imogene_prepare::{Framing, prepare};
 use imogene_scene::{Camera, Lens, Object, SceneFile};
 
 const SIZE: [usize; 2] = [360, 270];
@@ -26,12 +24,8 @@ struct Drawn {
 
 fn drawn(name: &str, format: &Format) -> Drawn {
     let bytes = file(&format!("parts/{name}.faces.toml"));
-    let options = FaceOptions {
-        max_deviation: None,
-        no_volumes: true,
-    };
-    let part = compile(&bytes, name, &options).unwrap();
-    let scene = read(&bytes, name, &options).unwrap().scene;
+    let part = compile(&bytes, name, &EACH_FACE).unwrap();
+    let scene = read(&bytes, name, &EACH_FACE).unwrap().scene;
     // `solid/face` or `solid/face#1`
     let face = |object: &Object| object.name.split(['/', '#']).nth(1).unwrap().to_owned();
     let faces = scene.objects.iter().map(face).collect();
@@ -140,13 +134,10 @@ fn closed_parts_are_seen_without_cracks() {
         let mut drawn = drawn(name, &format);
         let frame = &drawn.frame;
         let both = frame.depth.iter().zip(&frame.id);
-        let seen = || {
-            both.clone()
-                .filter(|(_, id)| **id >= 0)
-                .map(|(depth, _)| depth)
-        };
+        let seen = both.filter(|(_, id)| **id >= 0);
+        let [least, most] = [seen.clone().min(), seen.max()].map(|pair| pair.unwrap().0);
         // A hundredth of the depth of what is seen: every wall of the parts is thicker.
-        let d_min = (seen().max().unwrap() - seen().min().unwrap()) / 100;
+        let d_min = (most - least) / 100;
         assert_eq!(cracks(&drawn, d_min), [], "{name}");
         // One pixel out of the middle of what is covered.
         let covered = |k: usize| frame.id.get(k).is_some_and(|id| *id >= 0);

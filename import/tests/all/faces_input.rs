@@ -100,25 +100,18 @@ faces = ["side", "floor"] | faces = ["side"] | :34:8: face `floor` belongs to no
         assert!(LIST.contains(&from), "{from}");
         let message = import(LIST.replacen(&from, &to, 1).as_bytes()).unwrap_err();
         says(&message, &expected);
-        let ways = [
-            "needed", "possible", "has", "reads", "must", "belongs", "follow",
-        ];
-        let accepted = &message.accepted;
-        assert!(ways.iter().any(|way| accepted.contains(way)), "{message}");
+        let mut ways = "needed possible has reads must belongs follow".split(' ');
+        let is_said = ways.any(|way| message.accepted.contains(way));
+        assert!(is_said, "{message}");
     }
 }
 
 #[test]
 fn a_list_without_drawable_faces_is_refused_with_its_verdicts() {
-    let text = LIST
-        .replace(
-            "kind = \"cylinder\", origin = [0, 0, 0], axis = [0, 1, 0], radius = 1",
-            "kind = \"bspline\"",
-        )
-        .replace(
-            "kind = \"plane\", origin = [0, 0, 0], normal = [0, -1, 0]",
-            "kind = \"other\"",
-        );
+    let wall = "kind = \"cylinder\", origin = [0, 0, 0], axis = [0, 1, 0], radius = 1";
+    let floor = "kind = \"plane\", origin = [0, 0, 0], normal = [0, -1, 0]";
+    let text = LIST.replace(wall, "kind = \"bspline\"");
+    let text = text.replace(floor, "kind = \"other\"");
     let message = import(text.as_bytes()).unwrap_err();
     says(&message, "a bspline is no quadric");
     says(&message, "2 rejected");

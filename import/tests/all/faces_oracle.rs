@@ -62,10 +62,8 @@ fn shipped_parts_agree_with_the_winding_of_their_loops() {
         compare(&part(&shipped(name), 0.0), POINTS, &mut kinds);
     }
     assert_eq!(kinds.len(), 4);
-    assert!(
-        kinds.values().all(|points| *points >= 2 * POINTS),
-        "{kinds:?}"
-    );
+    let enough = kinds.values().all(|points| *points >= 2 * POINTS);
+    assert!(enough, "{kinds:?}");
 }
 
 #[test]
@@ -190,10 +188,8 @@ fn convex_polygons_of_many_corners() {
         let sides = sides(&mut text, count);
         text += &circle("hole", [0.1, 0.2, 0.5], [0.0, 0.0, 1.0], 0.3);
         let inner = if hole { ", [\"-hole\"]" } else { "" };
-        text += &face(
-            "kind = \"plane\", origin = [0, 0, 0.5], normal = [0, 0, 1]",
-            &format!("[[{sides}]{inner}]"),
-        );
+        let plane = "kind = \"plane\", origin = [0, 0, 0.5], normal = [0, 0, 1]";
+        text += &face(plane, &format!("[[{sides}]{inner}]"));
         let part = part(&text, 0.0);
         let (verdict, cells) = cells(&part, "face");
         assert_eq!(verdict, Verdict::Exact, "{count}");
@@ -269,10 +265,8 @@ proptest! {
             let out = plus(times(u.cos(), e), times(u.sin(), f));
             text += &arc(circle(name, ORIGIN, cross(out, axis), radius), ends.0, ends.1);
         }
-        text += &face(
-            &format!("kind = \"sphere\", centre = {ORIGIN:?}, radius = {radius:?}"),
-            "[[\"low\", \"right\", \"-high\", \"-left\"]]",
-        );
+        let sphere = format!("kind = \"sphere\", centre = {ORIGIN:?}, radius = {radius:?}");
+        text += &face(&sphere, "[[\"low\", \"right\", \"-high\", \"-left\"]]");
         let part = part(&text, 0.0);
         let heights = [low, high].map(|v: f64| radius * v.sin());
         let cells = sector_cells(&part, [e, f, axis], heights, [from, sweep], 4.0, Even(3))?;

@@ -61,12 +61,8 @@ fn frames_are_right_handed() {
 }
 
 fn half_circle() -> Curve {
-    let ellipse = Ellipse {
-        centre: [1.0, 0.0, 0.0],
-        normal: [0.0, 0.0, 1.0],
-        x: [1.0, 0.0, 0.0],
-        radii: [2.0, 2.0],
-    };
+    let x = [1.0, 0.0, 0.0];
+    let ellipse = Ellipse::new(x, [0.0, 0.0, 1.0], x, [2.0, 2.0]);
     Curve::Arc(Arc {
         ellipse,
         start: 0.0,

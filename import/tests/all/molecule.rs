@@ -60,16 +60,11 @@ fn what_other_programs_write_is_read() {
     latin.extend(ONE.bytes());
     assert!(read(&latin, "f.pdb", &Options::default()).is_ok());
     // A serial number is told as it is written, and a name that is taken has a number behind.
-    for serial in [
-        "*****", "A0000", "186a0", "     ", "99999", "    0", "  007",
-    ] {
+    for serial in "*****|A0000|186a0|     |99999|    0|  007".split('|') {
         let text = ONE.replacen("    1", serial, 1);
         let imported = import(&format!("{text}\n{text}\n{text}"), Options::default());
-        let shown = match serial.trim() {
-            "" => "-",
-            shown => shown,
-        };
-        let second = format!("A/1/CA #{shown}");
+        let shown = Some(serial.trim()).filter(|shown| !shown.is_empty());
+        let second = format!("A/1/CA #{}", shown.unwrap_or("-"));
         let third = format!("{second} (2)");
         assert_eq!(names(&imported), ["A/1/CA", &second, &third], "{serial}");
     }
@@ -106,9 +101,8 @@ fn a_bad_coordinate_is_refused_where_it_stands() {
         says(refusal(cut.as_bytes(), Options::default()), place);
     }
     // Columns are counted in characters.
-    let wide = ONE
-        .replace("CA  ALA", "C\u{e9}  ALA")
-        .replace("11.104", "11.1o4");
+    let wide = ONE.replace("CA  ALA", "C\u{e9}  ALA");
+    let wide = wide.replace("11.104", "11.1o4");
     let error = refusal(wide.as_bytes(), Options::default());
     says(error, "f.pdb:1:33: the x");
     let error = refusal(&ONE.as_bytes()[..30], Options::default());
@@ -199,25 +193,18 @@ fn sticks_join_the_middles_of_their_atoms() {
     let [one, other] = &imported.scene.objects[4..] else {
         panic!("two halves")
     };
-    assert_eq!(
-        (&one.place, one.cuts[1].point),
-        (&other.place, other.cuts[0].point)
-    );
+    assert_eq!(one.place, other.place);
+    assert_eq!(one.cuts[1].point, other.cuts[0].point);
 }
 
 #[test]
 fn the_helix_is_drawn_in_every_style() {
     let text = std::str::from_utf8(HELIX).expect("text");
     for style in [Style::SpaceFilling, Style::BallAndStick] {
-        for alternates in [
-            Alternates::Best,
-            Alternates::Named("B".into()),
-            Alternates::All,
-        ] {
-            let imported = import(
-                text,
-                with(|o| (o.style, o.alternates) = (style, alternates)),
-            );
+        for alternates in ["best", "B", "all"] {
+            let alternates = alternates.parse().expect("alternates");
+            let options = with(|o| (o.style, o.alternates) = (style, alternates));
+            let imported = import(text, options);
             let toml = imported.scene.to_toml().expect("a valid scene");
             let scene = SceneFile::parse(&toml, "helix").expect("read back");
             assert_eq!(scene, imported.scene);
@@ -252,8 +239,8 @@ fn no_direction_of_a_bond_is_refused() {
     assert!(tilted.count() > 40);
     for depth in [16, 24, 32] {
         let framed = imported.scene.frame(1280, 960).expect("framed");
-        imogene_prepare::prepare(&framed, Format::new(depth).expect("catalogue"))
-            .expect("prepared");
+        let format = Format::new(depth).expect("catalogue");
+        imogene_prepare::prepare(&framed, format).expect("prepared");
     }
 }
 
@@ -262,10 +249,9 @@ fn the_shipped_scene_is_what_the_reader_writes() {
     let options = with(|o| o.style = Style::BallAndStick);
     let imported = read(HELIX, "helix.pdb", &options).expect("readable");
     let shipped = include_str!("../../../scenes/molecules/helix.toml");
-    assert!(
-        imported.scene.to_toml().expect("valid") == shipped,
-        "scenes/molecules/helix.toml is stale: imogene import scenes/molecules/helix.pdb --style ball-and-stick -o scenes/molecules/helix.toml"
-    );
+    let stale = "scenes/molecules/helix.toml is stale: imogene import scenes/molecules/helix.pdb --style ball-and-stick -o scenes/molecules/helix.toml";
+    let is_fresh = imported.scene.to_toml().expect("valid") == shipped;
+    assert!(is_fresh, "{stale}");
 }
 
 /// A line of an atom, or of something else, with some bytes of it changed.

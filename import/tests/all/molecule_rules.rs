@@ -33,18 +33,16 @@ const CARBON: Atom = Atom {
 
 impl Atom<'_> {
     fn line(&self) -> String {
-        let Atom {
-            serial,
-            name,
-            alternate,
-            residue,
-            number,
-            place: [x, y, z],
-            occupancy,
-            symbol,
-        } = self;
+        let [x, y, z] = self.place;
         format!(
-            "ATOM  {serial:>5} {name:<4}{alternate}{residue:>3} A{number:>4}    {x:8.3}{y:8.3}{z:8.3}{occupancy:6.2}  0.00          {symbol:>2}\n"
+            "ATOM  {:>5} {:<4}{}{:>3} A{:>4}    {x:8.3}{y:8.3}{z:8.3}{:6.2}  0.00          {:>2}\n",
+            self.serial,
+            self.name,
+            self.alternate,
+            self.residue,
+            self.number,
+            self.occupancy,
+            self.symbol
         )
     }
 }
@@ -145,8 +143,7 @@ fn radii_and_colours_are_those_of_the_sources() {
         let imported = read(&lines(&[(symbol, [0.0; 3])]), &Options::default()).expect(symbol);
         assert_eq!(imported.scene.objects[0].shape, Shape::Sphere { radius });
         let levels = imported.scene.materials[0].colour;
-        let levels = levels.map(|v| (v * 255.0).round() as u32);
-        let [r, g, b] = levels;
+        let [r, g, b] = levels.map(|v| (v * 255.0).round() as u32);
         assert_eq!(r << 16 | g << 8 | b, colour, "{symbol}");
         assert!(imported.notes.iter().all(|note| !note.contains("radius")));
         // To a carbon: as long as both radii and the tolerance.
@@ -190,6 +187,7 @@ const SIDE: &str = "N - SER 1.0, CA A SER 0.4, CA B SER 0.6, CB A SER 0.7, CB B 
 /// Of a published file: the first location of CZ has no letter, and belongs to A.
 const ARGININE: &str =
     "CZ - ARG 0.5, CZ B ARG 0.5, NH1 A ARG 0.5, NH1 B ARG 0.5, NH2 A ARG 0.5, NH2 B ARG 0.5";
+const HYDROGEN: &str = "CA A SER 0.6, CA B SER 0.4, HG B SER 0.4";
 /// Two residues at one place.
 const BOTH: &str =
     "N - SER 1.0, CA A SER 0.3, CA B THR 0.7, OG A SER 0.3, OG1 B THR 0.7, CG2 B THR 0.7";
@@ -209,11 +207,7 @@ fn a_residue_keeps_one_alternate() {
         (BOTH, "best", "N CAB OG1B CG2B"),
         (BOTH, "A", "N CAA OGA"),
         // An atom that only the other alternate has stays.
-        (
-            "CA A SER 0.6, CA B SER 0.4, HG B SER 0.4",
-            "best",
-            "CAA HGB",
-        ),
+        (HYDROGEN, "best", "CAA HGB"),
         // A molecule of water that is there half of the time, and two atoms of the same name and letter.
         ("O A HOH 0.5", "best", "OA"),
         ("C A LIG 0.5, C A LIG 0.5", "best", "CA CA"),
@@ -379,7 +373,6 @@ fn a_scene_asks_in_words() {
         style: "sticks".into(),
         ..molecule
     };
-    let error = Options::of(&wrong).unwrap_err();
     let why = "style: `sticks` is not known; space-filling or ball-and-stick";
-    says(error, why);
+    says(Options::of(&wrong).unwrap_err(), why);
 }

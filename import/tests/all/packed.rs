@@ -47,10 +47,8 @@ fn bytes_of(kind: i64) -> Value {
 
 /// Bytes, and the encodings that they went through.
 fn data(bytes: &[u8], encodings: &[Value]) -> Value {
-    map(&[
-        ("data", Value::Binary(bytes.to_vec())),
-        ("encoding", Value::Array(encodings.to_vec())),
-    ])
+    let encodings = encodings.to_vec().into();
+    map(&[("data", bytes.into()), ("encoding", encodings)])
 }
 
 /// A file with so many atoms, whose columns are given or are zeros.
@@ -59,17 +57,15 @@ fn read(rows: usize, given: &[(&str, Value)]) -> Result<Imported, String> {
     let zeros = ["Cartn_x", "Cartn_y", "Cartn_z"].into_iter().filter(zeros);
     let zeros = zeros.map(|name| (name, data(&vec![0; rows], &[bytes_of(4)])));
     let column = |(name, data)| map(&[("name", Value::from(name)), ("data", data)]);
-    let columns = given.iter().cloned().chain(zeros).map(column).collect();
+    let columns: Vec<Value> = given.iter().cloned().chain(zeros).map(column).collect();
     let atoms = map(&[
         ("name", "_atom_site".into()),
         ("rowCount", rows.into()),
-        ("columns", Value::Array(columns)),
+        ("columns", columns.into()),
     ]);
-    let block = map(&[
-        ("header", "X".into()),
-        ("categories", Value::Array(vec![atoms])),
-    ]);
-    let file = map(&[("dataBlocks", Value::Array(vec![block]))]);
+    let tables = vec![atoms].into();
+    let block = map(&[("header", "X".into()), ("categories", tables)]);
+    let file = map(&[("dataBlocks", vec![block].into())]);
     let mut bytes = vec![];
     rmpv::encode::write_value(&mut bytes, &file).expect("memory");
     let read = pdb::read(&bytes, Format::Bcif, "f.bcif", &Options::default());

@@ -48,9 +48,8 @@ CYLINDRICAL_SURFACE('',#80,1.) | CYLINDRICAL_SURFACE('',#999,1.) | :21:28: `#30`
         let place = BAR.find(&from).unwrap_or_else(|| panic!("{from}"));
         let text = format!("{}{to}{}", &BAR[..place], &BAR[place + from.len()..]);
         // What is wrong with an entity costs the faces that need it, what is wrong with the text the file.
-        let of_entity =
-            "`#90`, `#30`, `#62` is, `#20`, `#11`, `#94` is a, `#42`, `#95` D".split(", ");
-        let costs_a_face = of_entity.into_iter().any(|name| part.contains(name));
+        let entities = "`#90`, `#30`, `#62` is, `#20`, `#11`, `#94` is a, `#42`, `#95` D";
+        let costs_a_face = entities.split(", ").any(|name| part.contains(name));
         assert_eq!(read(&text).is_ok(), costs_a_face, "{to}");
         says(said(&text), part.trim_start_matches(':'));
         says(said(&text), "; ");
@@ -105,10 +104,8 @@ fn assemblies_that_multiply_are_refused() {
 }
 
 fn shipped() -> Vec<Vec<u8>> {
-    let names = ["stand", "nut", "hollow", "fillet"];
-    names
-        .map(|name| file(&format!("parts/{name}.step")))
-        .to_vec()
+    let file = |name| file(&format!("parts/{name}.step"));
+    ["stand", "nut", "hollow", "fillet"].map(file).to_vec()
 }
 
 #[test]

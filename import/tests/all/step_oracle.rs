@@ -1,25 +1,18 @@
 //! STEP files of `parts/` against what they were made from: unions and differences of bodies, asked point by point,
 //! and face lists.
 
-use crate::common::list::{faces, file, off};
+use crate::common::list::{EACH_FACE, faces, file, off};
 use crate::common::points::{Even, kept, point_of};
 use crate::common::winding::Oracle;
 use imogene_import::faces::model::Face;
 use imogene_import::faces::vector::*;
-use imogene_import::faces::{
-    Cell, FaceOptions, Form, Part, Surface, Verdict, compile, compile_step,
-};
+use imogene_import::faces::{Cell, Form, Part, Surface, Verdict, compile, compile_step};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-const OPTIONS: FaceOptions = FaceOptions {
-    max_deviation: None,
-    no_volumes: true,
-};
-
 fn step(name: &str) -> Part {
     let bytes = file(&format!("parts/{name}.step"));
-    compile_step(&bytes, name, &OPTIONS).unwrap()
+    compile_step(&bytes, name, &EACH_FACE).unwrap()
 }
 
 /// Faces of a solid with their verdicts and cells.
@@ -93,10 +86,12 @@ fn agrees(part: &Part, solid: usize, inside: &dyn Fn(Vector) -> bool) {
             let Some(expected) = on_border(inside, &face.surface, p, reach) else {
                 continue;
             };
-            match expected {
-                None => no += 1,
-                Some(_) => yes += 1,
-            }
+            let count = if expected.is_some() {
+                &mut yes
+            } else {
+                &mut no
+            };
+            *count += 1;
             let mut is_kept = false;
             for (keeper, _, cells) in &on_same {
                 if kept(part, cells, p) {
@@ -140,10 +135,8 @@ fn kinds(part: &Part) -> Vec<(&str, usize)> {
 fn the_fixture_is_its_block_less_its_holes() {
     let part = step("fixture");
     // Six sides of the block; the end, the two cheeks of the sector; of the countersink none.
-    assert_eq!(
-        kinds(&part),
-        [("cone", 2), ("cylinder", 2), ("plane", 9), ("sphere", 1)]
-    );
+    let expected = [("cone", 2), ("cylinder", 2), ("plane", 9), ("sphere", 1)];
+    assert_eq!(kinds(&part), expected);
     let body = |p: Vector| {
         let block = in_box(p, [-30.0, -20.0, 0.0], [30.0, 20.0, 12.0])
             && !turned(p, [-18.0, 0.0, -1.0], Z, 20.0, |_| 4.0)
@@ -260,7 +253,7 @@ fn a_cross_drilled_pin_is_off_by_no_more_than_it_says() {
 fn step_files_and_face_lists_of_the_same_part_agree() {
     for name in ["flange", "fillet", "cross-drilled"] {
         let list = file(&format!("parts/{name}.faces.toml"));
-        let one = compile(&list, name, &OPTIONS).unwrap();
+        let one = compile(&list, name, &EACH_FACE).unwrap();
         let other = step(name);
         assert_eq!(kinds(&one), kinds(&other), "{name}");
         let (ours, theirs) = (compiled(&one, 0), compiled(&other, 0));

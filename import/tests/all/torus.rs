@@ -45,15 +45,10 @@ fn covering(part: &Part, compiled: &Compiled, u: f64, v: f64, off: f64) -> usize
     compiled.cells.iter().filter(has).count()
 }
 
-/// Asks places all over the torus; `inside` says which are of the face, `border` how far a place is from its border
+/// Asks places all over the torus, which is the first face; `inside` says which are of the face, `border` how far a place is from its border
 /// (radians).
-fn agrees(
-    part: &Part,
-    index: usize,
-    inside: impl Fn(f64, f64) -> bool,
-    border: impl Fn(f64, f64) -> f64,
-) {
-    let compiled = &faces(part, 0)[index];
+fn agrees(part: &Part, inside: impl Fn(f64, f64) -> bool, border: impl Fn(f64, f64) -> f64) {
+    let compiled = &faces(part, 0)[0];
     let off = off(&compiled.verdict);
     let mut counts = [0, 0];
     for i in 0..180 {
@@ -74,11 +69,8 @@ fn agrees(
 
 fn torus(loops: &str) -> String {
     let ring = "kind = 'torus', centre = [0, 0, 0], axis = [0, 1, 0]";
-    face(
-        "tube",
-        &format!("{ring}, major = {R}, minor = {TUBE}"),
-        loops,
-    )
+    let surface = format!("{ring}, major = {R}, minor = {TUBE}");
+    face("tube", &surface, loops)
 }
 
 fn apart(a: f64, b: f64) -> f64 {
@@ -91,7 +83,7 @@ fn a_whole_ring_is_bands_all_round() {
         let part = part("", &torus("[]"), "'tube'", deviation);
         let off = off(&faces(&part, 0)[0].verdict);
         assert!(off <= deviation && off > 0.2 * deviation);
-        agrees(&part, 0, |_, _| true, |_, _| 1.0);
+        agrees(&part, |_, _| true, |_, _| 1.0);
     }
 }
 
@@ -103,9 +95,9 @@ fn a_fillet_is_a_quarter_and_its_rest_three() {
     let quarter = |v: f64| v > PI && v < 1.5 * PI;
     let border = |_: f64, v: f64| apart(v, PI).min(apart(v, 1.5 * PI));
     let fillet = part(&edges, &torus("[['-foot'], ['top']]"), "'tube'", 0.02);
-    agrees(&fillet, 0, |_, v| quarter(v), border);
+    agrees(&fillet, |_, v| quarter(v), border);
     let rest = part(&edges, &torus("[['foot'], ['-top']]"), "'tube'", 0.02);
-    agrees(&rest, 0, |_, v| !quarter(v), border);
+    agrees(&rest, |_, v| !quarter(v), border);
     let [one, other] = [&fillet, &rest].map(|part| &part.model.faces[0].surface);
     assert!(one.same(other, 0.0));
 }
@@ -123,7 +115,7 @@ fn an_elbow_and_the_discs_that_close_it_have_the_same_border() {
         + &face("lid", lid, "[['-other']]");
     let elbow = part(&edges, &all, "'tube', 'disc', 'lid'", 0.05);
     let border = |u: f64, _: f64| apart(u, 0.0).min(apart(u, FRAC_PI_2));
-    agrees(&elbow, 0, |u, _| u < FRAC_PI_2, border);
+    agrees(&elbow, |u, _| u < FRAC_PI_2, border);
     assert_eq!(elbow.model.faces[0].surface.name(), "torus");
     // Beside the disc, just below the bands and just above them.
     let disc = &faces(&elbow, 0)[1];

@@ -94,6 +94,19 @@ const FORM: &str = "root_form";
 /// The other names in their order.
 const NAMES: [&str; 7] = ["depth", "root", "plane", "normal", "g1", "g2", "dropped"];
 
+/// The widths of these names.
+fn each(widths: &mut MachineWords) -> [&mut u32; 7] {
+    [
+        &mut widths.depth,
+        &mut widths.root,
+        &mut widths.plane,
+        &mut widths.normal,
+        &mut widths.guard_linear,
+        &mut widths.guard_quadratic,
+        &mut widths.dropped_rows,
+    ]
+}
+
 /// Reads widths; what is not given follows from the depth word, [`OwnWidths::beside`].
 pub fn parse(text: &str) -> Result<MachineWords, WidthsError> {
     let mut given: [Option<u32>; 7] = [None; 7];
@@ -112,35 +125,21 @@ pub fn parse(text: &str) -> Result<MachineWords, WidthsError> {
             return Err(WidthsError::Twice(name.to_owned()));
         }
     }
-    let [depth, root, plane, normal, g1, g2, dropped] = given;
-    let own = OwnWidths {
-        root,
-        plane,
-        normal,
-        g1,
-        g2,
-        dropped,
-    };
-    let widths = MachineWords {
+    let mut widths = MachineWords {
         root_form: form.unwrap_or_default(),
-        ..own.beside(depth.ok_or(WidthsError::NoDepth)?)
+        ..MachineWords::of(given[0].ok_or(WidthsError::NoDepth)?)
     };
+    for (width, given) in each(&mut widths).into_iter().zip(given) {
+        *width = given.unwrap_or(*width);
+    }
     Format::fitted(&widths)?;
     Ok(widths)
 }
 
 /// The text that [`parse`] reads back, with every width.
 pub fn print(widths: &MachineWords) -> String {
-    let values = [
-        widths.depth,
-        widths.root,
-        widths.plane,
-        widths.normal,
-        widths.guard_linear,
-        widths.guard_quadratic,
-        widths.dropped_rows,
-    ];
-    let parts = NAMES.iter().zip(values);
+    let mut own = *widths;
+    let parts = NAMES.iter().zip(each(&mut own));
     let parts = parts.map(|(name, value)| format!("{name}={value}"));
     let form = widths.root_form;
     let form = (!form.is_usual()).then(|| format!("{FORM}={form}"));

@@ -52,9 +52,8 @@ pub fn count(board: &Board, sources: &Sources) -> Result<BTreeMap<String, (u64, 
         }
     };
     let kinds = part.cells.iter();
-    let used: BTreeMap<_, _> = kinds
-        .map(|(kind, &there)| (kind.clone(), (used(&cells, kind), there)))
-        .collect();
+    let kinds = kinds.map(|(kind, &there)| (kind.clone(), (used(&cells, kind), there)));
+    let used: BTreeMap<_, _> = kinds.collect();
     let too_few = used.iter().find(|(_, (used, there))| used > there);
     match too_few {
         Some((kind, (used, there))) => Err(too_little(part, format!("{used} {kind} of {there}"))),

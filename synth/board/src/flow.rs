@@ -61,13 +61,12 @@ impl Part {
 
     /// What leads to a bitstream; none where no open program places and routes.
     pub(crate) fn tools(&self) -> Option<Tools> {
-        let (router, names) = match self.family {
+        let (router, [option, packer, unpacker]) = match self.family {
             Family::Gowin => (NEXTPNR_GOWIN, ["--write", "gowin_pack", "gowin_unpack"]),
             Family::Ecp5 => (NEXTPNR_ECP5, ["--textcfg", "ecppack", "ecpunpack"]),
             Family::Ice40 => (NEXTPNR_ICE40, ["--asc", "icepack", "iceunpack"]),
             Family::Xilinx7 => return None,
         };
-        let [option, packer, unpacker] = names;
         Some(Tools {
             router,
             option,
@@ -92,15 +91,11 @@ impl Part {
     pub(crate) fn arguments(&self) -> Vec<String> {
         if self.family == Family::Gowin {
             let family = format!("family={}", self.device);
-            return ["--device", &self.package, "--vopt", &family]
-                .map(str::to_owned)
-                .to_vec();
+            let arguments = ["--device", &self.package, "--vopt", &family];
+            return arguments.map(str::to_owned).to_vec();
         }
-        let mut arguments = vec![
-            format!("--{}", self.device),
-            "--package".into(),
-            self.package.clone(),
-        ];
+        let device = format!("--{}", self.device);
+        let mut arguments = vec![device, "--package".into(), self.package.clone()];
         if self.family == Family::Ecp5 {
             // The first router rips up three arcs of four of a whole machine, and comes to no end.
             arguments.extend(["--router".into(), "router2".into()]);
@@ -308,14 +303,13 @@ fn report_of(report: RouteReport, seed: &str, tools: &[Tool], bytes: usize) -> R
     });
     let crossings = report.crossings.into_iter();
     let tools = tools.iter();
+    let tools = tools.map(|tool| (tool.name.to_owned(), tool.version.clone()));
     Routed {
         utilisation: report.utilisation,
         seed: seed.to_owned(),
         clocks: clocks.collect(),
         crossings: crossings.map(|((from, to), ns)| (from, to, ns)).collect(),
-        tools: tools
-            .map(|tool| (tool.name.to_owned(), tool.version.clone()))
-            .collect(),
+        tools: tools.collect(),
         bytes,
     }
 }
@@ -329,9 +323,8 @@ fn packed(
 ) -> Result<(), BoardError> {
     router.run(&[arguments, &["--pack-only".to_owned()]].concat(), folder)?;
     let report = parse_report(&read(&folder.join(REPORT))?)?;
-    report
-        .excess()
-        .map_or(Ok(()), |excess| Err(too_little(part, excess)))
+    let excess = report.excess();
+    excess.map_or(Ok(()), |excess| Err(too_little(part, excess)))
 }
 
 /// Places and routes the design with the first seed that reaches every clock; the seed.
@@ -374,16 +367,12 @@ fn placed_once(
         return Err(SynthError::tool(router.name, "").into());
     };
     let report = parse_report(&text)?;
-    let slow = report
-        .clocks
-        .iter()
-        .find(|(_, clock)| clock.achieved < clock.constraint);
+    let mut clocks = report.clocks.iter();
+    let slow = clocks.find(|(_, clock)| clock.achieved < clock.constraint);
     if let Some((name, clock)) = slow {
+        let (part, achieved, wanted) = (part.name(), clock.achieved, clock.constraint);
         return Err(BoardError::Slow(format!(
-            "the clock {name} reaches {:.2} MHz on {}, {:.2} MHz are asked for",
-            clock.achieved,
-            part.name(),
-            clock.constraint
+            "the clock {name} reaches {achieved:.2} MHz on {part}, {wanted:.2} MHz are asked for"
         )));
     }
     outcome?;

@@ -127,9 +127,8 @@ fn nets(verilog: &str) -> HashMap<(Tile, &str), &str> {
     let mut net = "";
     let mut found = HashMap::new();
     for line in verilog.lines() {
-        let declared = ["wire ", "reg "]
-            .iter()
-            .find_map(|kind| line.strip_prefix(kind));
+        let mut kinds = ["wire ", "reg "].iter();
+        let declared = kinds.find_map(|kind| line.strip_prefix(kind));
         if let Some(name) = declared {
             net = name.split([' ', ';']).next().unwrap_or(name);
         } else if let Some(wire) = line.strip_prefix("// (") {

@@ -38,14 +38,13 @@ pub fn core_file(board: &Board, pll: &Pll, command: &str) -> Result<Option<Strin
     };
     // The flow of a Gowin has its part in keys of its own.
     let is_gowin = part.family == Family::Gowin;
-    let mut options = match is_gowin {
-        true => vec![],
-        false => part.arguments(),
-    };
-    let vivado = (part.family == Family::Xilinx7).then(|| part.number());
-    let file_type = match vivado {
-        Some(_) => kind.to_owned(),
-        None => kind.to_uppercase(),
+    let mut options = if is_gowin { vec![] } else { part.arguments() };
+    let is_vivado = part.family == Family::Xilinx7;
+    let vivado = is_vivado.then(|| part.number());
+    let file_type = if is_vivado {
+        kind.to_owned()
+    } else {
+        kind.to_uppercase()
     };
     options.extend(["--freq".to_owned(), format!("{:.6}", pll.pixel_mhz())]);
     let synthesis: Vec<&str> = part.synthesis().split(' ').skip(1).collect();

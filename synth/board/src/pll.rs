@@ -92,9 +92,8 @@ impl Pll {
             None => vec![(Ratio::from(wanted), Dividers::None)],
         };
         let distance = |pixel: &Hertz| (pixel - wanted).abs();
-        let best = candidates
-            .into_iter()
-            .min_by_key(|(pixel, dividers)| (distance(pixel), dividers.rank()));
+        let candidates = candidates.into_iter();
+        let best = candidates.min_by_key(|(pixel, dividers)| (distance(pixel), dividers.rank()));
         let (pixel_hertz, dividers) =
             best.ok_or(BoardError::NoClock(wanted_hertz, board.clock.hertz))?;
         Ok(Pll {
@@ -160,17 +159,23 @@ fn within(hertz: Hertz, least: i128, most: i128) -> bool {
     (Ratio::from(1000 * least)..=Ratio::from(1000 * most)).contains(&hertz)
 }
 
+/// The dividers whose clock is between these numbers of kHz, with that clock.
+fn within_each(
+    dividers: std::ops::RangeInclusive<i128>,
+    clock: impl Fn(i128) -> Hertz,
+    (least, most): (i128, i128),
+) -> impl Iterator<Item = (i128, Hertz)> {
+    let each = dividers.map(move |divider| (divider, clock(divider)));
+    each.filter(move |(_, clock)| within(*clock, least, most))
+}
+
 /// All dividers within the limits of the sysCLOCK PLL of the ECP5 (family data sheet; those of `ecppll`): phase
 /// detector from 3.125 MHz, oscillator 400 to 800 MHz, outputs 3.125 to 400 MHz, dividers 1 to 128, that of the
 /// feedback to 80.
 fn ecp5(input: i128, wanted: i128, ratio: i128) -> Vec<(Hertz, Dividers)> {
     let input = Ratio::from(input);
     let mut found = Vec::new();
-    for reference in 1..=128 {
-        let detected = input / reference;
-        if !within(detected, 3_125, 400_000) {
-            continue;
-        }
+    for (reference, detected) in within_each(1..=128, |by| input / by, (3_125, 400_000)) {
         for fast in 1..=128 / ratio {
             // The oscillator that would be exact, and the multiples of the detected clock on both sides of it.
             let exact = Ratio::from(wanted * ratio * fast) / detected;
@@ -179,19 +184,16 @@ fn ecp5(input: i128, wanted: i128, ratio: i128) -> Vec<(Hertz, Dividers)> {
                 let outputs = [oscillator / fast, oscillator / (fast * ratio)];
                 let is_legal = within(oscillator, 400_000, 800_000)
                     && outputs.iter().all(|&output| within(output, 3_125, 400_000));
-                if is_legal {
-                    found.extend(
-                        factors(product, fast, oscillator).map(|(feedback, looped)| {
-                            let dividers = Dividers::Ecp5 {
-                                reference,
-                                feedback,
-                                looped,
-                                fast,
-                                pixel: fast * ratio,
-                            };
-                            (outputs[1], dividers)
-                        }),
-                    );
+                let factors = factors(product, fast, oscillator).filter(|_| is_legal);
+                if let Some((feedback, looped)) = factors {
+                    let dividers = Dividers::Ecp5 {
+                        reference,
+                        feedback,
+                        looped,
+                        fast,
+                        pixel: fast * ratio,
+                    };
+                    found.push((outputs[1], dividers));
                 }
             }
         }
@@ -215,28 +217,18 @@ fn factors(product: i128, fast: i128, oscillator: Hertz) -> Option<(i128, i128)>
 fn ice40(input: i128) -> Vec<(Hertz, Dividers)> {
     let input = Ratio::from(input);
     let mut found = Vec::new();
-    for divr in 0..16 {
-        let detected = input / (divr + 1);
-        if !within(detected, 10_000, 133_000) {
-            continue;
-        }
-        for divf in 0..128 {
-            let oscillator = detected * (divf + 1);
-            if !within(oscillator, 533_000, 1_066_000) {
-                continue;
-            }
-            for divq in 1..=6 {
-                let output = oscillator / (1 << divq);
-                if within(output, 16_000, 275_000) {
-                    let filter = filter(detected);
-                    let dividers = Dividers::Ice40 {
-                        divr,
-                        divf,
-                        divq,
-                        filter,
-                    };
-                    found.push((output, dividers));
-                }
+    for (divr, detected) in within_each(0..=15, |by| input / (by + 1), (10_000, 133_000)) {
+        let oscillator = |by: i128| detected * (by + 1);
+        for (divf, oscillator) in within_each(0..=127, oscillator, (533_000, 1_066_000)) {
+            let output = |by: i128| oscillator / (1 << by);
+            for (divq, output) in within_each(1..=6, output, (16_000, 275_000)) {
+                let dividers = Dividers::Ice40 {
+                    divr,
+                    divf,
+                    divq,
+                    filter: filter(detected),
+                };
+                found.push((output, dividers));
             }
         }
     }
@@ -247,18 +239,16 @@ fn ice40(input: i128) -> Vec<(Hertz, Dividers)> {
 /// 450 MHz, oscillator 600 to 1200 MHz, output from 4.69 MHz; dividers of feedback and output in eighths, from 2 to 64
 /// and from 2 to 128.
 fn xilinx7(input: i128, wanted: i128) -> Vec<(Hertz, Dividers)> {
+    let input = Ratio::from(input);
     let mut found = Vec::new();
-    for reference in 1..=106 {
-        let detected = Ratio::from(input) / reference;
-        for feedback in (16..=512).filter(|_| within(detected, 10_000, 450_000)) {
-            let oscillator = detected * feedback / 8;
+    for (reference, detected) in within_each(1..=106, |by| input / by, (10_000, 450_000)) {
+        let oscillator = |eighths: i128| detected * eighths / 8;
+        for (feedback, oscillator) in within_each(16..=512, oscillator, (600_000, 1_200_000)) {
             // The divider that would be exact, in eighths, and its neighbours.
             let exact = oscillator * 8 / wanted;
             for output in [exact.floor().to_integer(), exact.ceil().to_integer()] {
-                let is_legal =
-                    within(oscillator, 600_000, 1_200_000) && (16..=1024).contains(&output);
                 let made = oscillator * 8 / output.max(1);
-                if is_legal && within(made, 4_690, 800_000) {
+                if (16..=1024).contains(&output) && within(made, 4_690, 800_000) {
                     let dividers = Dividers::Xilinx7 {
                         reference,
                         feedback,
@@ -301,16 +291,15 @@ fn gowin(board: &Board, input: i128, ratio: i128) -> Vec<(Hertz, Dividers)> {
         return vec![];
     };
     let keeps = |hertz: Hertz, (least, most): (i128, i128)| within(hertz, least, most);
+    let hertz = Ratio::from(input);
     let mut found = Vec::new();
-    for divider in 0..64 {
-        let detected = Ratio::from(input) / (divider + 1);
-        for feedback in (0..64).filter(|_| keeps(detected, detector)) {
-            let made = detected * (feedback + 1);
+    for (input, detected) in within_each(0..=63, |by| hertz / (by + 1), detector) {
+        for (feedback, made) in within_each(0..=63, |by| detected * (by + 1), fast) {
             let mut outputs = GOWIN_OUTPUTS.into_iter();
             let output = outputs.find(|&output| keeps(made * output, oscillator));
-            if let Some(output) = output.filter(|_| keeps(made, fast)) {
+            if let Some(output) = output {
                 let dividers = Dividers::Gowin {
-                    input: divider,
+                    input,
                     feedback,
                     output,
                 };

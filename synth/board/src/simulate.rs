@@ -52,12 +52,8 @@ pub fn simulate(
     let folder = bench(board, verilog, models)?;
     write(&folder.path().join("bench.cpp"), DRIVER)?;
     let clocks = clocks * board.fast_ratio();
-    let level = if clocks < QUICK {
-        "OPT_FAST=-O0"
-    } else {
-        "OPT_FAST=-O1"
-    };
-    let options = OPTIONS.split_whitespace().chain(["-MAKEFLAGS", level]);
+    let level = format!("OPT_FAST=-O{}", u8::from(clocks >= QUICK));
+    let options = OPTIONS.split_whitespace().chain(["-MAKEFLAGS", &level]);
     VERILATOR.run(options, folder.path())?;
     // The levels of all pins: after both edges of the fast clock, or once a pixel.
     let [edges, bytes] = match board.video {
@@ -65,11 +61,8 @@ pub fn simulate(
         Video::Parallel { .. } => ["1", "4"],
     };
     let arguments = [&clocks.to_string(), edges, bytes, SAMPLES];
-    run(
-        &folder.path().join("cpp/Vboard_bench"),
-        &arguments,
-        folder.path(),
-    )?;
+    let program = folder.path().join("cpp/Vboard_bench");
+    run(&program, &arguments, folder.path())?;
     seen(board, mode, folder)
 }
 
@@ -110,10 +103,8 @@ fn seen(board: &Board, mode: &VideoMode, folder: TempDir) -> Result<Pins, BoardE
         let tick = match &mut decoder {
             Some(decoder) => decoder.see(bytes[0])?,
             None => {
-                let pins = bytes
-                    .iter()
-                    .rev()
-                    .fold(0, |pins, byte| pins << 8 | u32::from(*byte));
+                let pins = bytes.iter().rev();
+                let pins = pins.fold(0, |pins, byte| pins << 8 | u32::from(*byte));
                 Some(tick(board, pins))
             }
         };

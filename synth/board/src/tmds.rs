@@ -95,10 +95,7 @@ impl Decoder {
     ///
     /// When no word began.
     pub fn found(self) -> Result<Channels, TmdsError> {
-        match self.word {
-            Some(_) => Ok(self.found),
-            None => Err(TmdsError::NoClock),
-        }
+        self.word.map(|_| self.found).ok_or(TmdsError::NoClock)
     }
 
     fn take(&mut self, word: usize, words: [u16; 3]) -> Result<Option<Tick>, TmdsError> {

@@ -108,23 +108,20 @@ fn units(board: &Board) -> &'static [Unit] {
 fn core(board: &Board, display: &Display) -> Result<Value, BoardError> {
     let count = display.words.len();
     if count > MOST_WORDS {
-        return Err(BoardError::Excess(
-            board.name.clone(),
-            format!("{count} words of images of {MOST_WORDS}"),
-            "a scene of fewer objects, or fewer frames of an animation (--animation FIRST..LAST), may fit",
-        ));
+        let excess = format!("{count} words of images of {MOST_WORDS}");
+        let remedy = "a scene of fewer objects, or fewer frames of an animation (--animation FIRST..LAST), may fit";
+        return Err(BoardError::Excess(board.name.clone(), excess, remedy));
     }
     let mut ports = display.machine.ports.iter();
-    let data = ports
-        .find(|port| port.name == "s_tdata")
-        .map_or(0, |port| port.width);
+    let data = ports.find(|port| port.name == "s_tdata");
+    let data = data.map_or(0, |port| port.width as u32);
     // From the lowest bits on; each field as wide as its greatest value.
     let field = |width: u32, of: fn(&Beat) -> u64| {
         let greatest = display.words.iter().map(of).max().unwrap_or(0);
         (width, (greatest.max(1).ilog2() + 1).min(width), of)
     };
     let fields = [
-        field(data as u32, |beat| beat.data),
+        field(data, |beat| beat.data),
         field(16, |beat| beat.address.into()),
         field(8, |beat| beat.unit.into()),
         field(4, |beat| beat.kind.into()),

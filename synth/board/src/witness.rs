@@ -78,19 +78,10 @@ fn read_gowin(
     let (_, constraints) = sources.constraints.as_ref().expect("constraints of a part");
     write(&folder.join("pins.cst"), constraints)?;
     write(&folder.join("reader.py"), READER)?;
-    let python = Tool {
-        path: unpacker.path.with_file_name("python3"),
-        ..unpacker.clone()
-    };
-    let [device, package] = [&part.device, &part.package].map(String::as_str);
-    let arguments = [
-        "reader.py",
-        device,
-        package,
-        BITSTREAM,
-        "pins.cst",
-        UNPACKED,
-    ];
+    let mut python = unpacker.clone();
+    python.path = unpacker.path.with_file_name("python3");
+    let [device, number] = [&part.device, &part.package].map(String::as_str);
+    let arguments = ["reader.py", device, number, BITSTREAM, "pins.cst", UNPACKED];
     python.run(&arguments, folder)?;
     let verilog = read(&folder.join(UNPACKED))?;
     // No model knows them.
@@ -108,8 +99,8 @@ fn read_gowin(
 /// The value of the only parameter of a name.
 fn value<'a>(verilog: &'a str, key: &str) -> &'a str {
     let rest = verilog.split_once(&format!(".{key}("));
-    rest.and_then(|(_, rest)| Some(rest.split_once(')')?.0))
-        .unwrap_or_default()
+    let value = rest.and_then(|(_, rest)| Some(rest.split_once(')')?.0));
+    value.unwrap_or_default()
 }
 
 /// Verilog of a board and the models of its cells for [`simulate`](crate::simulate): of an iCE40 made of what was
@@ -173,15 +164,12 @@ pub fn declared_once(verilog: &str) -> String {
     let is_head = |line: &&str| line.starts_with("module ");
     let head = verilog.lines().find(is_head).unwrap_or_default();
     let ports = head.trim_end_matches(");").split(['(', ',']).skip(1);
-    let ports: Vec<&str> = ports
-        .filter_map(|port| port.split_whitespace().last())
-        .collect();
+    let ports = ports.filter_map(|port| port.split_whitespace().last());
+    let ports: Vec<&str> = ports.collect();
     let (mut text, mut registers) = (String::new(), vec![]);
     for line in verilog.lines() {
-        let kind = ["wire ", "reg "]
-            .into_iter()
-            .find(|kind| line.starts_with(kind));
-        let Some(kind) = kind.filter(|_| line.ends_with(';')) else {
+        let mut kinds = ["wire ", "reg "].into_iter();
+        let Some(kind) = kinds.find(|kind| line.starts_with(kind) && line.ends_with(';')) else {
             text += &format!("{line}\n");
             continue;
         };

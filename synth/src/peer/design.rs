@@ -74,10 +74,9 @@ fn check_word(text: &str, what: &'static str, is_legal: fn(char) -> bool) -> Res
     if !text.is_empty() && !text.starts_with('-') && text.chars().all(is_legal) {
         return Ok(());
     }
-    let accepted = if is_legal('.') {
-        "letters, digits, _ $ ' . + -, not - first"
-    } else {
-        "letters, digits, _ $"
+    let accepted = match is_legal('.') {
+        true => "letters, digits, _ $ ' . + -, not - first",
+        false => "letters, digits, _ $",
     };
     Err(PeerError::Word(text.to_owned(), what, accepted))
 }

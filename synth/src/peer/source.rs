@@ -48,9 +48,8 @@ impl<'a> Source<'a> {
         commands.push(format!("tee -q -o {MODULES} ls"));
         if !peer.parameters.is_empty() {
             let set = peer.parameters.iter();
-            let set: String = set
-                .map(|(name, value)| format!(" -set {name} {value}"))
-                .collect();
+            let set = set.map(|(name, value)| format!(" -set {name} {value}"));
+            let set: String = set.collect();
             // A module with parameters set is called by them once the hierarchy is known; it gets its own name back.
             let top = &peer.top;
             commands.push(format!(
@@ -121,10 +120,9 @@ pub fn ports_and_clock(peer: &Peer, netlist: &str) -> Result<(Vec<Port>, String)
     // Yosys numbers bits in the order of the ports, which the keys of the document have lost.
     let mut ports: Vec<(&String, &Value)> = ports.iter().collect();
     ports.sort_by_key(|(_, port)| port["bits"][0].as_u64());
-    let ports: Vec<Port> = ports
-        .into_iter()
-        .map(|(name, port)| parse_port(&top, name, port))
-        .collect::<Result<_, _>>()?;
+    let ports = ports.into_iter();
+    let ports = ports.map(|(name, port)| parse_port(&top, name, port));
+    let ports: Vec<Port> = ports.collect::<Result<_, _>>()?;
     let clock = find_clock(peer, &ports)?;
     let data: Vec<&Port> = ports.iter().filter(|port| port.name != clock).collect();
     for direction in [Direction::In, Direction::Out] {

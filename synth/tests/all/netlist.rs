@@ -17,10 +17,8 @@ fn a_netlist_gets_the_models_of_its_cells_and_of_theirs() {
 fn a_cell_without_a_model_is_named() {
     let error = used(&modules(LIBRARY), &["MULT"], Target::Ecp5With45k).expect_err("no model");
     let message = error.to_string();
-    assert!(
-        message.contains("`MULT`") && message.contains("ecp5-45k"),
-        "{message}"
-    );
+    let is_named = message.contains("`MULT`") && message.contains("ecp5-45k");
+    assert!(is_named, "{message}");
 }
 
 #[test]

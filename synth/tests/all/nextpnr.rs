@@ -8,15 +8,13 @@ const PACKED: &str = include_str!("../data/raster_control.ice40.pack.json");
 fn the_clock_and_its_path_are_read() {
     let report = parse_report(ECP5).expect("a recorded report");
     assert_eq!(report.fmax_mhz, Some(124.008));
-    assert_eq!(
-        report.critical_path,
-        Some(CriticalPath {
-            from: "unit.kept_x_TRELLIS_FF_Q_7".into(),
-            to: "unit.kept_last_TRELLIS_FF_Q".into(),
-            logic_ns: 2.761,
-            routing_ns: 5.303,
-        })
-    );
+    let path = CriticalPath {
+        from: "unit.kept_x_TRELLIS_FF_Q_7".into(),
+        to: "unit.kept_last_TRELLIS_FF_Q".into(),
+        logic_ns: 2.761,
+        routing_ns: 5.303,
+    };
+    assert_eq!(report.critical_path, Some(path));
     let report = parse_report(ICE40).expect("a recorded report");
     assert_eq!(report.fmax_mhz, Some(115.58));
 }
@@ -44,9 +42,8 @@ fn too_many_cells_are_an_excess_and_too_many_pins_are_not() {
     let mut report = parse_report(PACKED).expect("a recorded report");
     report.utilisation.insert("SB_IO".into(), (300, 206));
     assert_eq!(report.excess(), None);
-    report
-        .utilisation
-        .insert("ICESTORM_LC".into(), (9000, 7680));
+    let cells = "ICESTORM_LC".to_owned();
+    report.utilisation.insert(cells, (9000, 7680));
     assert_eq!(report.excess().as_deref(), Some("9000 ICESTORM_LC of 7680"));
 }
 

@@ -16,6 +16,12 @@ fn figures() -> Figures {
     }
 }
 
+fn with(change: impl Fn(&mut Figures)) -> Figures {
+    let mut now = figures();
+    change(&mut now);
+    now
+}
+
 fn changes(before: &Figures, now: &Figures) -> Vec<Change> {
     compare((3, before), (3, now), true, Tolerance::default())
 }
@@ -50,30 +56,19 @@ fn a_figure_may_get_worse_by_its_own_tolerance_and_no_further() {
         // A figure that only one side has.
         (|now| now.cells = None, "cells", Worse),
         (|now| now.fmax_mhz = None, "Fmax", Worse),
-        (
-            |now| (now.fmax_mhz, now.does_not_fit) = full(),
-            "Fmax",
-            Worse,
-        ),
+        (fill, "Fmax", Worse),
     ];
     for (change, measure, verdict) in cases {
-        let mut now = figures();
-        change(&mut now);
+        let now = with(change);
         assert_eq!(verdicts(&now), [(measure, verdict)], "{now:?}");
     }
-    let without = Figures {
-        cells: None,
-        ..figures()
-    };
+    let without = with(|now| now.cells = None);
     assert_eq!(worst(&changes(&without, &figures())), Worse);
 }
 
 #[test]
 fn the_first_multiplier_is_worse_at_every_tolerance() {
-    let now = Figures {
-        dsp: Some(1),
-        ..figures()
-    };
+    let now = with(|now| now.dsp = Some(1));
     let all = Tolerance {
         resources: 1e6,
         clock: 1e6,
@@ -93,18 +88,14 @@ fn a_clock_more_of_latency_is_worse_and_one_less_better() {
 }
 
 /// Clock and excess of a design that does not fit.
-fn full() -> (Option<f64>, Option<String>) {
-    (None, Some("9000 ICESTORM_LC of 7680".into()))
+fn fill(now: &mut Figures) {
+    now.fmax_mhz = None;
+    now.does_not_fit = Some("9000 ICESTORM_LC of 7680".into());
 }
 
 #[test]
 fn a_design_that_fits_again_is_better_and_one_that_still_does_not_the_same() {
-    let (fmax_mhz, does_not_fit) = full();
-    let full = Figures {
-        fmax_mhz,
-        does_not_fit,
-        ..figures()
-    };
+    let full = with(fill);
     let back = changes(&full, &figures());
     assert_eq!(back.last().map(|c| c.verdict), Some(Better));
     assert_eq!(worst(&changes(&full, &full)), Same);
@@ -112,10 +103,7 @@ fn a_design_that_fits_again_is_better_and_one_that_still_does_not_the_same() {
 
 #[test]
 fn a_clock_that_was_not_measured_is_not_compared() {
-    let now = Figures {
-        fmax_mhz: None,
-        ..figures()
-    };
+    let now = with(|now| now.fmax_mhz = None);
     let changes = compare((3, &figures()), (3, &now), false, Tolerance::default());
     assert!(changes.iter().all(|change| change.measure != "Fmax"));
 }

@@ -1,14 +1,12 @@
 use imogene_synth::{SeedResult, median};
 
 fn runs(clocks: &[f64]) -> Vec<SeedResult> {
-    let numbered = clocks.iter().enumerate();
-    numbered
-        .map(|(seed, &fmax_mhz)| SeedResult {
-            seed,
-            fmax_mhz,
-            critical_path: None,
-        })
-        .collect()
+    let run = |(seed, &fmax_mhz): (usize, &f64)| SeedResult {
+        seed,
+        fmax_mhz,
+        critical_path: None,
+    };
+    clocks.iter().enumerate().map(run).collect()
 }
 
 #[test]

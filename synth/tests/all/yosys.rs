@@ -23,14 +23,10 @@ fn recorded_statistics_are_summed() {
 #[test]
 fn cells_of_memories_and_multipliers_are_told_from_carry_cells() {
     let cells = |names: &[&str]| names.iter().map(|name| ((*name).to_owned(), 1)).collect();
-    let gowin = resources(
-        Family::Gowin,
-        &cells(&["ALU", "ALU54D", "SDPB", "RAM16SDP4"]),
-    );
-    assert_eq!(
-        (gowin.carry, gowin.dsp, gowin.bram, gowin.lut),
-        (1, 1, 1, 1)
-    );
+    let several = cells(&["ALU", "ALU54D", "SDPB", "RAM16SDP4"]);
+    let gowin = resources(Family::Gowin, &several);
+    let counts = (gowin.carry, gowin.dsp, gowin.bram, gowin.lut);
+    assert_eq!(counts, (1, 1, 1, 1));
     let ecp5 = resources(Family::Ecp5, &cells(&["DP16KD", "MULT18X18D"]));
     assert_eq!((ecp5.bram, ecp5.dsp), (1, 1));
 }

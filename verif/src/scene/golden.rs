@@ -46,7 +46,8 @@ impl GoldenMachine {
 
 /// The values of a probe in the order of [`crate::engine::processor_signals`].
 pub(super) fn probe_values(p: &Probe) -> Vec<i64> {
-    let mut list = vec![p.f2, p.f1, p.root, p.near, p.far];
+    let depths = &p.depths;
+    let mut list = vec![depths.f2, depths.f1, depths.root, depths.near, depths.far];
     list.extend(&p.plane);
     let [nx, ny, nz] = p.output.normal.map(i64::from);
     list.extend([p.merged.zf, p.merged.zb, p.merged.nf.into()]);

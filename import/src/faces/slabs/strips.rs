@@ -126,40 +126,24 @@ impl Slabs<'_> {
             Form::Cone(_) => [0.0, f64::INFINITY],
             _ => self.chart.reach(),
         };
-        let count = all.len();
-        if self.chart.surface.is_torus() && count > 0 {
-            let strip = |index: usize| {
-                let (from, mut to) = (all[index], all[(index + 1) % count]);
-                if index + 1 == count {
-                    to.v += TAU;
-                }
-                Strip {
-                    slab,
-                    ends: [Some(from), Some(to)],
-                    at: [from.v, to.v],
-                    inside: first == (index % 2 == 1),
-                }
-            };
-            return (0..count).map(strip).collect();
+        let mut borders: Vec<Option<Crossing>> = all.iter().copied().map(Some).collect();
+        let is_ring = self.chart.surface.is_torus() && !all.is_empty();
+        if is_ring {
+            let mut again = all[0];
+            again.v += TAU;
+            borders.push(Some(again));
+        } else {
+            borders.insert(0, None);
+            borders.push(None);
         }
-        let mut strips = vec![];
-        let (mut from, mut at, mut inside) = (None, low, first);
-        for crossing in all {
-            strips.push(Strip {
-                slab,
-                ends: [from, Some(*crossing)],
-                at: [at, crossing.v],
-                inside,
-            });
-            (from, at, inside) = (Some(*crossing), crossing.v, !inside);
-        }
-        strips.push(Strip {
+        let strip = |(index, pair): (usize, &[Option<Crossing>])| Strip {
             slab,
-            ends: [from, None],
-            at: [at, high],
-            inside,
-        });
-        strips
+            ends: [pair[0], pair[1]],
+            at: [pair[0].map_or(low, |c| c.v), pair[1].map_or(high, |c| c.v)],
+            // Below the first crossing of a ring is its last strip.
+            inside: first == (index % 2 == usize::from(is_ring)),
+        };
+        borders.windows(2).enumerate().map(strip).collect()
     }
 
     /// Least and greatest v of both borders of a strip over its slab.
@@ -262,11 +246,7 @@ impl Slabs<'_> {
 
     /// Slabs that are no wider than this are none: two ends that should be one.
     pub fn narrow(&self) -> f64 {
-        10.0 * SMALLEST_PIECE
-            * if self.chart.is_round() {
-                1.0
-            } else {
-                self.size
-            }
+        let is_round = self.chart.is_round();
+        10.0 * SMALLEST_PIECE * if is_round { 1.0 } else { self.size }
     }
 }

@@ -198,10 +198,8 @@ impl<'a> Assembly<'a> {
         };
         let last = if placed.entity.complex { 0 } else { 4 };
         let operator = placed.named(last, &["ITEM_DEFINED_TRANSFORMATION"])?;
-        let mut ends = [
-            self.frame(first, &operator, 2)?,
-            self.frame(second, &operator, 3)?,
-        ];
+        let inner = self.frame(first, &operator, 2)?;
+        let mut ends = [inner, self.frame(second, &operator, 3)?];
         // The first is the component, unless its product is the one that uses.
         let whole = wholes.get(&placed.entity.id).copied();
         if whole.is_some() && whole == self.product_of(self.group[first]) {
@@ -231,10 +229,8 @@ impl<'a> Assembly<'a> {
         let Some(source) = self.index.get(&map.entity(1)?.id).copied() else {
             return Ok(None);
         };
-        Ok(Some([
-            self.frame(source, &map, 0)?,
-            self.frame(index, item, 2)?,
-        ]))
+        let inner = self.frame(source, &map, 0)?;
+        Ok(Some([inner, self.frame(index, item, 2)?]))
     }
 
     /// A representation with a placement in it that is named.
@@ -280,14 +276,12 @@ impl<'a> Assembly<'a> {
         while let Some((group, place, depth, id)) = waiting.pop() {
             if depth > DEEPEST || placed.len() > MOST_PLACED {
                 let at = self.file.get(id).map_or(0, |entity| entity.at);
-                return Err(Error::at(
-                    self.file.bytes,
-                    at,
-                    format!("`#{id}` places a part in itself, or too many parts in each other"),
-                    format!(
-                        "at most {DEEPEST} assemblies in each other and {MOST_PLACED} placements are possible"
-                    ),
-                ));
+                let problem =
+                    format!("`#{id}` places a part in itself, or too many parts in each other");
+                let accepted = format!(
+                    "at most {DEEPEST} assemblies in each other and {MOST_PLACED} placements are possible"
+                );
+                return Err(Error::at(self.file.bytes, at, problem, accepted));
             }
             for index in &members[group] {
                 placed.push(Placed {

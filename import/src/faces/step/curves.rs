@@ -4,7 +4,7 @@ use super::placement::{Placement, conic, line};
 use super::spline::Spline;
 use super::units::Context;
 use crate::faces::build::MISSED;
-use crate::faces::curve::{Arc, Curve, Ellipse, Polyline};
+use crate::faces::curve::{Arc, Curve, Ellipse, PlaneOf, Polyline};
 use crate::faces::model::COINCIDENT;
 use crate::faces::vector::*;
 use step21::{Args, Entity, Result, with_article};
@@ -92,12 +92,7 @@ impl<'a> Span<'a> {
         let towards = across(minus(self.ends[0], place.origin), normal);
         let is_off = circle && length(towards) > COINCIDENT * first;
         let x = if is_off { unit(towards) } else { x };
-        let ellipse = Ellipse {
-            centre: place.origin,
-            normal,
-            x,
-            radii: [first, second],
-        };
+        let ellipse = Ellipse::new(place.origin, normal, x, [first, second]);
         let tolerance = self.tolerance(first.max(second));
         let arc = ellipse.arc(Some(self.ends), self.closed, tolerance);
         arc.map_err(|(problem, _)| problem)
@@ -207,6 +202,7 @@ fn on_curve(off: f64, missed: f64) -> Result<(), String> {
 
 /// A curve where its part is placed.
 pub fn placed(curve: Curve, place: &Placement) -> Curve {
+    let turned = |(p, n): PlaneOf| (place.point(p), place.direction(n));
     match curve {
         Curve::Line { from, to } => Curve::Line {
             from: place.point(from),
@@ -223,9 +219,7 @@ pub fn placed(curve: Curve, place: &Placement) -> Curve {
         }),
         Curve::Points(line) => Curve::Points(Polyline {
             points: line.points.iter().map(|p| place.point(*p)).collect(),
-            plane: line
-                .plane
-                .map(|(p, n)| (place.point(p), place.direction(n))),
+            plane: line.plane.map(turned),
             ..line
         }),
     }

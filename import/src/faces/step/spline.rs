@@ -3,7 +3,7 @@
 
 use super::placement::{Placement, conic, direction, line, point};
 use super::units::Context;
-use crate::faces::bezier::{Patch, Pole, de_boor, patches, pieces, plain};
+use crate::faces::bezier::{Patch, Pole, de_boor, patches, pieces, plain, weighted};
 use crate::faces::vector::*;
 use step21::{Args, Entity, Result};
 
@@ -53,8 +53,7 @@ impl Spline {
         };
         let mut poles = vec![];
         for (entity, weight) in points.into_iter().zip(weights) {
-            let [x, y, z] = point(entity, context)?.map(|value| value * weight);
-            poles.push([x, y, z, weight]);
+            poles.push(weighted(point(entity, context)?, weight));
         }
         let first = if entity.complex { 0 } else { 6 };
         Ok(Spline {
@@ -81,9 +80,7 @@ impl Spline {
         // The last piece has its end.
         let span = (after.max(1) - 1).clamp(self.degree, self.poles.len() - 1);
         let own = &self.poles[span - self.degree..=span];
-        let point = de_boor(self.degree, &self.knots, own, span, |_| u);
-        let [x, y, z, weight] = point;
-        [x / weight, y / weight, z / weight]
+        plain(&de_boor(self.degree, &self.knots, own, span, |_| u))
     }
 
     /// The parameter of the point of the curve nearest to `p`, and their distance.
@@ -209,11 +206,8 @@ fn spline_surface(kind: &Args, context: &Context) -> Result<Vec<Patch>> {
         if count > MOST_POLES {
             break;
         }
-        let pole = |entity| -> Result<Pole> {
-            let [x, y, z] = point(entity, context)?;
-            Ok([x, y, z, 1.0])
-        };
-        poles.push(entities.into_iter().map(pole).collect::<Result<_, _>>()?);
+        let pole = |entity| Ok(weighted(point(entity, context)?, 1.0));
+        poles.push(entities.into_iter().map(pole).collect::<Result<_>>()?);
     }
     let width = poles.first().map_or(0, Vec::len);
     let fits = |degree, count| (1..=HIGHEST_DEGREE).contains(&degree) && count > degree;
@@ -259,10 +253,7 @@ fn profile<'a>(mut entity: Entity<'a>, context: &Context) -> Result<Option<Vec<V
     }
     if let Some(args) = entity.find(&["LINE"]) {
         let (origin, course) = line(&args, context)?;
-        let pole = |factor: f64| {
-            let [x, y, z] = along(origin, factor, course);
-            [x, y, z, 1.0]
-        };
+        let pole = |factor: f64| weighted(along(origin, factor, course), 1.0);
         return Ok(Some(vec![vec![pole(1.0), pole(2.0)]]));
     }
     if let Some(args) = entity.find(&["CIRCLE", "ELLIPSE"]) {
@@ -277,8 +268,7 @@ fn profile<'a>(mut entity: Entity<'a>, context: &Context) -> Result<Option<Vec<V
 fn arcs(centre: Vector, x: Vector, y: Vector) -> Vec<Vec<Pole>> {
     let corner = 0.5_f64.sqrt();
     let pole = |a: f64, b: f64, weight: f64| {
-        let [x, y, z] = plus(plus(centre, times(a, x)), times(b, y));
-        [x * weight, y * weight, z * weight, weight]
+        weighted(plus(plus(centre, times(a, x)), times(b, y)), weight)
     };
     let turns = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0], [1.0, 0.0]];
     let quarter = |pair: &[[f64; 2]]| {
@@ -346,9 +336,7 @@ fn turned(pole: &Pole, origin: Vector, axis: Vector) -> Vec<Vec<Pole>> {
 /// Patches where their part is placed.
 pub fn placed(mut patches: Vec<Patch>, place: &Placement) -> Vec<Patch> {
     for pole in patches.iter_mut().flat_map(|patch| &mut patch.poles) {
-        let weight = pole[3];
-        let [x, y, z] = place.point(plain(pole));
-        *pole = [x * weight, y * weight, z * weight, weight];
+        *pole = weighted(place.point(plain(pole)), pole[3]);
     }
     patches
 }

@@ -67,11 +67,8 @@ impl Topology {
     /// Goes on to another file, whose edges and faces are counted anew.
     pub fn next_file(&mut self) {
         let Model { edges, faces, .. } = &self.model;
-        self.most = [
-            edges.len() + MAX_PARTS,
-            faces.len() + MAX_PARTS,
-            self.uses + MAX_USES,
-        ];
+        let [edges, faces] = [edges.len(), faces.len()].map(|count| count + MAX_PARTS);
+        self.most = [edges, faces, self.uses + MAX_USES];
     }
 
     /// Adds the faces of shells as one solid.

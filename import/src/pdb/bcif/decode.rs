@@ -181,10 +181,8 @@ fn string_array<'a>(
         all.get(from?..to?)
     };
     let texts: Option<Vec<&str>> = offsets.windows(2).map(text).collect();
-    Ok(Values::Texts(
-        texts.ok_or("its texts have wrong offsets")?,
-        places,
-    ))
+    let texts = texts.ok_or("its texts have wrong offsets")?;
+    Ok(Values::Texts(texts, places))
 }
 
 fn fixed_point(numbers: &[i64], factor: f64) -> Result<Vec<f64>, String> {

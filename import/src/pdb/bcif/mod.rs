@@ -50,9 +50,8 @@ pub fn read(bytes: &[u8], file: &str) -> Result<Structure> {
             continue;
         }
         structure.remarks.other_blocks = place + 1 < blocks.len();
-        finish(&mut structure, &tables, &|_, problem, accepted| {
-            unusable(file, problem, accepted)
-        });
+        let blame = |_: usize, problem: String, accepted: &str| unusable(file, problem, accepted);
+        finish(&mut structure, &tables, &blame);
         return Ok(structure);
     }
     Err(no_atoms(other, file))

@@ -55,11 +55,9 @@ pub fn read(bytes: &[u8], file: &str) -> Result<Structure> {
 
 /// Why a file without atoms is refused.
 pub fn no_atoms(other: Option<&str>, file: &str) -> ImportError {
-    unusable(
-        file,
-        other.unwrap_or("it has no atom in the category _atom_site"),
-        "a structure in the PDBx/mmCIF format, with atoms in _atom_site.Cartn_x, _y and _z, would be accepted",
-    )
+    let problem = other.unwrap_or("it has no atom in the category _atom_site");
+    let accepted = "a structure in the PDBx/mmCIF format, with atoms in _atom_site.Cartn_x, _y and _z, would be accepted";
+    unusable(file, problem, accepted)
 }
 
 /// What a category says of a file that has no atoms.

@@ -38,11 +38,9 @@ impl Table {
     }
 
     pub fn rows(&self) -> impl Iterator<Item = Row<'_>> {
-        let rows = self.values.chunks_exact(self.items.len().max(1));
-        rows.map(|values| Row {
-            table: self,
-            values,
-        })
+        let (table, width) = (self, self.items.len().max(1));
+        let rows = self.values.chunks_exact(width);
+        rows.map(move |values| Row { table, values })
     }
 }
 
@@ -147,11 +145,8 @@ fn operator(row: Row, blame: Blame) -> Result<Rows> {
                 let id = row.text("id");
                 let problem =
                     format!("{item} of operator `{id}` is `{text}`, not a number up to 1e8");
-                blame(
-                    at,
-                    plain(problem.as_bytes()),
-                    "a decimal number such as 0.5 would be accepted",
-                )
+                let accepted = "a decimal number such as 0.5 would be accepted";
+                blame(at, plain(problem.as_bytes()), accepted)
             })?;
         }
     }

@@ -132,12 +132,9 @@ impl<'a> Tokens<'a> {
         accepted: impl ToString,
     ) -> ImportError {
         // Old Macintosh files end their lines with a carriage return alone.
-        let end = if self.bytes.contains(&b'\n') {
-            b'\n'
-        } else {
-            b'\r'
-        };
-        let place = Place::of(self.bytes, offset, end);
+        let bytes = self.bytes;
+        let end = if bytes.contains(&b'\n') { b'\n' } else { b'\r' };
+        let place = Place::of(bytes, offset, end);
         ImportError::new(self.file, Some(place), problem, accepted)
     }
 }

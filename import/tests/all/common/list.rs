@@ -8,12 +8,16 @@ use std::path::Path;
 pub const HEAD: &str =
     "format = 1\ntitle = \"t\"\n[[materials]]\nname = \"m\"\ncolour = [1, 1, 1]\n";
 
+/// Each face by itself.
+pub const EACH_FACE: FaceOptions = FaceOptions {
+    max_deviation: None,
+    no_volumes: true,
+};
+
 /// The part of a list, each face by itself.
 pub fn part(text: &str, max_deviation: f64) -> Part {
-    let options = FaceOptions {
-        max_deviation: Some(max_deviation),
-        no_volumes: true,
-    };
+    let mut options = EACH_FACE;
+    options.max_deviation = Some(max_deviation);
     compile(text.as_bytes(), "test", &options).unwrap()
 }
 

@@ -2,9 +2,7 @@
 
 use super::points::{Even, point_of};
 use imogene_import::faces::model::{Face, Model};
-use imogene_import::faces::vector::{
-    Vector, along, cross, distance, dot, frame, hull, length, minus, plus, times, unit,
-};
+use imogene_import::faces::vector::*;
 use imogene_import::faces::{Curve, Form, Surface};
 use std::f64::consts::TAU;
 

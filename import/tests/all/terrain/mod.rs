@@ -197,13 +197,17 @@ proptest! {
     }
 }
 
-fn field_of(levels: u32, seed: u64) -> FieldOptions {
+fn options_of(levels: u32, smoothness: f64, relief: f64, seed: u64) -> FieldOptions {
     FieldOptions {
         levels,
-        smoothness: 0.6,
-        relief: 100.0,
+        smoothness,
+        relief,
         seed,
     }
+}
+
+fn field_of(levels: u32, seed: u64) -> FieldOptions {
+    options_of(levels, 0.6, 100.0, seed)
 }
 
 /// The source's maxima; one vertex more because the centre has two estimates for a moment.
@@ -260,8 +264,7 @@ fn deviations(made: &Field, level: u32) -> [f64; 2] {
 #[test]
 fn levels_are_smoother_by_their_factor() {
     for smoothness in [0.0, 0.3, 0.6, 1.0] {
-        let rest = field_of(9, 3);
-        let made = field(&FieldOptions { smoothness, ..rest }).unwrap();
+        let made = field(&options_of(9, smoothness, 100.0, 3)).unwrap();
         for level in 5..8 {
             let [edge, centre] = deviations(&made, level);
             let [next, _] = deviations(&made, level + 1);
@@ -286,23 +289,16 @@ fn options_out_of_range_are_refused() {
         (3, 0.6, 0.0, "a relief of 0"),
         (3, f64::NAN, 100.0, ""),
     ] {
-        let changed = FieldOptions {
-            smoothness,
-            relief,
-            ..field_of(levels, 1)
-        };
-        says(field(&changed).unwrap_err(), why);
+        says(
+            field(&options_of(levels, smoothness, relief, 1)).unwrap_err(),
+            why,
+        );
     }
 }
 
 #[test]
 fn shipped_heights_are_those_of_their_first_line() {
-    let options = FieldOptions {
-        levels: 4,
-        smoothness: 0.8,
-        relief: 40.0,
-        seed: 3,
-    };
+    let options = options_of(4, 0.8, 40.0, 3);
     let text = heights_text(&field(&options).unwrap(), &options, 10.0);
     assert_eq!(text, list::text("scenes/terrain/hills.heights"));
 }

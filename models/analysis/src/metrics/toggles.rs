@@ -98,11 +98,12 @@ fn count_line(words: &QuadricWords, format: &Format, rows: u32, width: u32) -> [
     let (mut stages, mut depths) = (Bits::default(), Bits::default());
     for x in 0..width {
         let probe = words.probe_at(x.into(), 0, format);
-        root += stages.change(root_stages(probe.f2, probe.root, format, rows));
+        let core = &probe.depths;
+        root += stages.change(root_stages(core.f2, core.root, format, rows));
         let own = [
-            (probe.root, format.root),
-            (probe.near, format.sum),
-            (probe.far, format.sum),
+            (core.root, format.root),
+            (core.near, format.sum),
+            (core.far, format.sum),
             (probe.output.zf, format.depth),
             (probe.output.zb, format.depth),
         ];

@@ -12,20 +12,18 @@ use rayon::prelude::*;
 /// Clocks from `go` to the first pixel: raster control, the longest slot, the decider. Shorter slots get the raster
 /// flags later, so that all hand on the same pixel at the same clock.
 pub fn latency(slots: &[FittedSlot], format: &Format, rows_per_stage: u32) -> u32 {
-    let own = slots
-        .iter()
-        .map(|slot| slots::latency(slot, format, rows_per_stage));
-    1 + own.max().unwrap_or(0) + decider::latency(slots.len())
+    let own = |slot| slots::latency(slot, format, rows_per_stage);
+    1 + slots.iter().map(own).max().unwrap_or(0) + decider::latency(slots.len())
 }
 
-/// One line of a frame, borrowed.
-struct Line<'a> {
-    depth: &'a mut [i64],
-    id: &'a mut [i32],
-    number: &'a mut [u8],
-    normal: &'a mut [[i16; 3]],
-    back: &'a mut [i64],
-}
+/// One line of a frame, borrowed: depth, id, number of the face, normal, back depth.
+type Line<'a> = (
+    &'a mut [i64],
+    &'a mut [i32],
+    &'a mut [u8],
+    &'a mut [[i16; 3]],
+    &'a mut [i64],
+);
 
 /// The frame that the machine draws of these slots; `line_done` is called once a line, from any thread.
 pub fn render(
@@ -49,30 +47,20 @@ pub fn render_with_backs(
 ) -> (Frame, Vec<i64>) {
     let mut frame = Frame::background(width, height, format.z_max());
     let mut backs = frame.depth.clone();
-    let layers = slots
-        .iter()
-        .filter_map(|slot| layer(slot, format, width, height));
-    frame.layers = layers.collect();
+    let layer = |slot| layer(slot, format, width, height);
+    frame.layers = slots.iter().filter_map(layer).collect();
     let lines = by_line(slots, height);
-    frame
-        .depth
-        .par_chunks_mut(width)
-        .zip(frame.id.par_chunks_mut(width))
-        .zip(frame.number.par_chunks_mut(width))
-        .zip(frame.normal.par_chunks_mut(width))
-        .zip(backs.par_chunks_mut(width))
-        .enumerate()
-        .for_each(|(y, ((((depth, id), number), normal), back))| {
-            let line = Line {
-                depth,
-                id,
-                number,
-                normal,
-                back,
-            };
-            render_line(&lines[y], format, y as i64, line);
-            line_done();
-        });
+    let parts = (
+        frame.depth.par_chunks_mut(width),
+        frame.id.par_chunks_mut(width),
+        frame.number.par_chunks_mut(width),
+        frame.normal.par_chunks_mut(width),
+        backs.par_chunks_mut(width),
+    );
+    parts.into_par_iter().enumerate().for_each(|(y, line)| {
+        render_line(&lines[y], format, y as i64, line);
+        line_done();
+    });
     (frame, backs)
 }
 
@@ -109,15 +97,16 @@ fn by_line(slots: &[Slot], height: usize) -> Vec<Vec<&Slot>> {
 /// Slots are visited in order, so that a strict comparison leaves ties with the first one, whose object has the smaller
 /// id.
 fn render_line(slots: &[&Slot], format: &Format, y: i64, line: Line) {
+    let (depth, id, number, normal, back) = line;
     for slot in slots {
         slot.words.for_each_present(format, y, |x, pixel| {
             let x = x as usize;
-            if pixel.zf < line.depth[x] {
-                line.depth[x] = pixel.zf;
-                line.id[x] = slot.object as i32;
-                line.number[x] = pixel.number;
-                line.normal[x] = pixel.normal;
-                line.back[x] = pixel.zb;
+            if pixel.zf < depth[x] {
+                depth[x] = pixel.zf;
+                id[x] = slot.object as i32;
+                number[x] = pixel.number;
+                normal[x] = pixel.normal;
+                back[x] = pixel.zb;
             }
         });
     }

@@ -30,11 +30,8 @@ impl Visible {
 
 /// The nearer input; the smaller id at equal depth, so that the order of the inputs never matters.
 pub fn visibility_node(a: Visible, b: Visible) -> Visible {
-    if (a.depth, a.id) <= (b.depth, b.id) {
-        a
-    } else {
-        b
-    }
+    let is_first = (a.depth, a.id) <= (b.depth, b.id);
+    if is_first { a } else { b }
 }
 
 /// Latency in clocks of a tree of `inputs` inputs.
@@ -44,9 +41,6 @@ pub fn latency(inputs: usize) -> u32 {
 
 /// The visible one of all inputs (at least one).
 pub fn decide(inputs: &[Visible]) -> Visible {
-    inputs
-        .iter()
-        .copied()
-        .reduce(visibility_node)
-        .expect("a decider has at least one input")
+    let nearest = inputs.iter().copied().reduce(visibility_node);
+    nearest.expect("a decider has at least one input")
 }

@@ -59,8 +59,9 @@ impl PixelFifo {
         self.is_read = !self.waiting.is_empty();
         self.promised += usize::from(started);
         self.waiting.extend(push);
+        let waiting = self.waiting.len() + usize::from(self.seen.is_some());
         assert!(
-            self.waiting.len() + usize::from(self.seen.is_some()) <= self.promised,
+            waiting <= self.promised,
             "pushed without having been started"
         );
         self.output()

@@ -44,10 +44,8 @@ impl SceneSequencer {
     }
 
     fn take(&mut self, word: Word, stays: u8) {
-        let following = match word.last {
-            true => 0,
-            false => (self.address + 1) % 4096,
-        };
+        let next = (self.address + 1) % 4096;
+        let following = if word.last { 0 } else { next };
         self.address = following;
         if !word.ends {
             return;

@@ -84,9 +84,8 @@ impl Shader {
         let material = self.words.materials.get(usize::from(pixel.material));
         let material = material.unwrap_or(&unlit);
         let sight = Sight::new(&self.words, &self.curves, pixel);
-        let mut levels = material
-            .ambient
-            .map(|v| i64::from(v) << (LEVEL_FRACTION - 8));
+        let ambient = |v: u16| i64::from(v) << (LEVEL_FRACTION - 8);
+        let mut levels = material.ambient.map(ambient);
         for words in &self.words.lights {
             if pixel.flags >> words.source & 1 == 0 {
                 continue;
@@ -138,19 +137,14 @@ pub fn shade_picture(
         };
         let layers = frame.layers.iter().map(|layer| Layer {
             depth: layer.depth[index],
-            colour: at(
-                index,
-                layer.object,
-                layer.depth[index],
-                layer.normal[index],
-                ALL_SOURCES,
-            ),
+            colour: {
+                let (depth, normal) = (layer.depth[index], layer.normal[index]);
+                at(index, layer.object, depth, normal, ALL_SOURCES)
+            },
             weight: layer.weight,
         });
         layers.fold(Seen { depth, colour }, stage).colour
     };
-    (0..frame.depth.len())
-        .into_par_iter()
-        .flat_map_iter(pixel)
-        .collect()
+    let pixels = (0..frame.depth.len()).into_par_iter();
+    pixels.flat_map_iter(pixel).collect()
 }

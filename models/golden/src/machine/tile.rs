@@ -69,10 +69,9 @@ impl<'a> Tile<'a> {
         }
         let pixels = (0..screen[1]).flat_map(|y| (0..screen[0]).map(move |x| (x, y)));
         let picture = pixels.flat_map(|(x, y)| self.pixel(x, y)).collect();
-        self.place = [0, 1].map(|axis| match self.ahead[axis] {
-            true => self.place[axis] + 1,
-            false => self.place[axis] - 1,
-        });
+        for (place, ahead) in self.place.iter_mut().zip(self.ahead) {
+            *place = if ahead { *place + 1 } else { *place - 1 };
+        }
         let drift = self.words.drift;
         self.drifted += if self.ahead[0] { drift } else { -drift };
         picture
@@ -83,10 +82,8 @@ impl<'a> Tile<'a> {
         let [width, height] = self.words.window;
         let in_window = (left..left + width).contains(&x) && (top..top + height).contains(&y);
         let light = in_window.then(|| self.light((x - left) as i64, (y - top) as i64));
-        let levels = match light.flatten() {
-            Some(light) => self.words.colour.map(|factor| (light * factor) >> FACTOR),
-            None => self.words.background,
-        };
+        let lit = |light| self.words.colour.map(|factor| (light * factor) >> FACTOR);
+        let levels = light.flatten().map_or(self.words.background, lit);
         let threshold = threshold(x, y);
         levels.map(|level| ((level + threshold) >> THRESHOLD) as u8 & ((1 << PIN_BITS) - 1))
     }
@@ -100,11 +97,8 @@ impl<'a> Tile<'a> {
         let planes = (FACE_PLANE..).zip(&words.planes);
         let seen = planes.fold(whole, |left: Interval, (number, plane)| {
             let [a, b, c] = plane.depth;
-            let drifted = if number == FACE_PLANE {
-                self.drifted
-            } else {
-                0
-            };
+            // The first plane drifts.
+            let drifted = i64::from(number == FACE_PLANE) * self.drifted;
             let depth = linear([a, b, c + drifted]).wrapped_at(x, y, format.plane) as i64;
             let kind = match plane.kind {
                 1 => PlaneKind::Front,

@@ -17,11 +17,8 @@ fn sync(mode: &VideoMode, clock: u64) -> (bool, bool) {
     let line = mode.line.total();
     let within = |at: u64, from: u64, length: u64| (from..from + length).contains(&at);
     let horizontal = within(clock % line, mode.line.front, mode.line.sync);
-    let vertical = within(
-        clock,
-        mode.frame.front * line + mode.line.front,
-        mode.frame.sync * line,
-    );
+    let front = mode.frame.front * line + mode.line.front;
+    let vertical = within(clock, front, mode.frame.sync * line);
     (horizontal == mode.hsync_high, vertical == mode.vsync_high)
 }
 

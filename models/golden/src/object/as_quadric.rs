@@ -16,7 +16,6 @@ use crate::unit::cut_plane::PlaneKind;
 use crate::unit::depth_interval::Class;
 use crate::unit::normal::NormalWords;
 use crate::unit::pe1::Linear;
-use crate::unit::pe2::Quadratic;
 use thiserror::Error;
 
 /// Why words have no equal on a quadric processor.
@@ -102,10 +101,8 @@ fn polyhedron(words: &PolyhedronWords) -> QuadricWords {
     QuadricWords {
         class: Class::Prism,
         screen_box: words.screen_box,
-        f1: Linear::default(),
-        f2: Quadratic::default(),
-        normal: NormalWords::default(),
         planes: words.planes.clone(),
+        ..QuadricWords::default()
     }
 }
 
@@ -120,12 +117,12 @@ fn facet(words: &FacetWords, format: &Format) -> Result<QuadricWords, AsQuadricE
         class: Class::Patch,
         screen_box: words.screen_box,
         f1: depth_of_facet(&words.depth, format)?,
-        f2: Quadratic::default(),
         normal: NormalWords {
             g: words.normal,
             ..NormalWords::default()
         },
         planes: words.edges.iter().map(side).collect(),
+        ..QuadricWords::default()
     })
 }
 

@@ -1,10 +1,7 @@
 //! The cylinder processor of the first machine: body and front disc in one exact outline, a parabolic body (source:
 //! Chaillou, IV.2.5).
 
-use super::paraboloid::{
-    Exact, NORMAL_LENGTH, bulge, contour, depth_guard, first_degree, normal_guard, one_face,
-    plane_guard, second_degree,
-};
+use super::paraboloid::*;
 use super::screen_box::ScreenBox;
 use super::words::{Expression, Object, ObjectPixel, Parts, Words};
 use crate::format::Format;
@@ -121,15 +118,11 @@ impl CylinderShape {
         let mut along = self.along();
         along[2] -= shift;
         let square = &self.deep * &self.deep;
-        let constant = [
-            integer(0),
-            integer(0),
-            &square * &self.radius * &self.radius,
-        ];
-        plus(
-            square_and(&-square, &self.across(), &constant),
-            &square_and(&integer(-1), &along, &[integer(0), integer(0), integer(0)]),
-        )
+        let none = [0, 0, 0].map(integer);
+        let mut constant = none.clone();
+        constant[2] = &square * &self.radius * &self.radius;
+        let across = square_and(&-square, &self.across(), &constant);
+        plus(across, &square_and(&integer(-1), &along, &none))
     }
 
     /// Sides of the rectangle between the discs' centres, not negative inside.
@@ -147,10 +140,7 @@ impl CylinderShape {
 
     /// Outlines of the front and the back disc, not negative inside.
     pub fn discs(&self) -> [Exact; 2] {
-        [
-            self.ellipse(integer(0)),
-            self.ellipse(&self.length * &self.level),
-        ]
+        [integer(0), &self.length * &self.level].map(|shift| self.ellipse(shift))
     }
 
     /// Normal of the body, outward, of length [`NORMAL_LENGTH`] where it is exact: t across the axis, and the bulge
@@ -179,16 +169,11 @@ impl CylinderShape {
     /// Normal of the front disc.
     pub fn disc_normal(&self) -> [i16; 3] {
         let [cos, sin] = &self.direction;
-        let component = |v: &BigRational| {
-            round_half_up(&(-v * integer(NORMAL_LENGTH)))
-                .to_i16()
-                .expect("a unit vector's component")
+        let component = |v: BigRational| {
+            let rounded = round_half_up(&(-v * integer(NORMAL_LENGTH))).to_i16();
+            rounded.expect("a unit vector's component")
         };
-        [
-            component(&(&self.level * cos)),
-            component(&(&self.level * sin)),
-            component(&self.deep),
-        ]
+        [&self.level * cos, &self.level * sin, self.deep.clone()].map(component)
     }
 
     /// The coefficient words.

@@ -106,10 +106,8 @@ fn linear_value(
     name: &'static str,
 ) -> Result<[BigRational; 3], FacetError> {
     let w: Vec<BigRational> = corners.iter().map(&of).collect();
-    let exact = through(
-        [&corners[0], &corners[1], &corners[2]],
-        [&w[0], &w[1], &w[2]],
-    );
+    let first = [&corners[0], &corners[1], &corners[2]];
+    let exact = through(first, [&w[0], &w[1], &w[2]]);
     if let [_, _, _, fourth] = corners {
         let [a, b, c] = &exact;
         let [x, y] = [fourth.x, fourth.y].map(|v| fraction(v, 1 << SUBPIXEL));
@@ -131,17 +129,14 @@ impl FacetWords {
         if !(3..=4).contains(&n) {
             return Err(FacetError::Corners(n));
         }
-        let components = corners.iter().flat_map(|c| c.normal);
-        if let Some(bad) = components
-            .into_iter()
-            .find(|v| v.unsigned_abs() > MAX_COMPONENT as u16)
-        {
+        let mut components = corners.iter().flat_map(|c| c.normal);
+        let is_long = |v: &i16| v.unsigned_abs() > MAX_COMPONENT as u16;
+        if let Some(bad) = components.find(is_long) {
             return Err(FacetError::Component(bad));
         }
         let corner = |i: usize| &corners[i % n];
-        let turns: Vec<i128> = (0..n)
-            .map(|i| doubled_area(corner(i), corner(i + 1), corner(i + 2)))
-            .collect();
+        let turn = |i| doubled_area(corner(i), corner(i + 1), corner(i + 2));
+        let turns: Vec<i128> = (0..n).map(turn).collect();
         let left = turns.iter().all(|&t| t > 0);
         if !left && !turns.iter().all(|&t| t < 0) {
             return Err(FacetError::NotConvex);
@@ -153,11 +148,8 @@ impl FacetWords {
         let depth = linear_value(corners, |c| c.z.clone(), "plane")?;
         let mut normal = [Linear::default(); 3];
         for (k, words) in normal.iter_mut().enumerate() {
-            let exact = linear_value(
-                corners,
-                |c| integer(c.normal[k].into()),
-                "interpolation of normals",
-            )?;
+            let component = |c: &Corner| integer(c.normal[k].into());
+            let exact = linear_value(corners, component, "interpolation of normals")?;
             *words = first_degree(&exact, LINEAR_WIDTH - format.normal);
         }
         Ok(FacetWords {

@@ -77,14 +77,12 @@ impl Follower {
     fn start(side: &Linear, y: i64) -> Follower {
         let (before, rest) = (-(side.b * i128::from(y) + side.c) - 1).div_mod_floor(&side.a);
         let (step, rest_step) = (-side.b).div_mod_floor(&side.a);
-        let words = [before, rest, side.a, step, rest_step];
-        let [before, rest, a, step, rest_step] = words.map(|v| v as i64);
         Follower {
-            before,
-            rest,
-            a,
-            step,
-            rest_step,
+            before: before as i64,
+            rest: rest as i64,
+            a: side.a as i64,
+            step: step as i64,
+            rest_step: rest_step as i64,
         }
     }
 

@@ -143,10 +143,9 @@ pub fn solid(
         (left.zb, left.nb) = (planes[1], FACE_PLANE + 1);
     }
     // Only a plane beyond an end of the depth word can leave nothing here.
-    if left.zf <= left.zb && left.is_present(format) {
-        left
-    } else {
-        Interval::absent(format)
+    match left.zf <= left.zb && left.is_present(format) {
+        true => left,
+        false => Interval::absent(format),
     }
 }
 
@@ -164,13 +163,8 @@ pub fn latency(format: &Format, rows_per_stage: u32) -> u32 {
 
 impl Object for FirstGenerationWords {
     fn at(&self, x: i64, y: i64, format: &Format) -> ObjectPixel {
-        let QuadricDepths {
-            f2,
-            root,
-            near,
-            far,
-            ..
-        } = QuadricDepths::at(&self.f1, &self.f2, x, y, format);
+        let depths = QuadricDepths::at(&self.f1, &self.f2, x, y, format);
+        let (f2, root, near, far) = (depths.f2, depths.root, depths.near, depths.far);
         let planes = [&self.front, &self.back];
         let linear = |l: &Linear| l.wrapped_at(x, y, format.plane);
         let inside = planes.map(|p| p.conic.wrapped_at(x, y, format.quadratic) >= 0);
@@ -186,10 +180,8 @@ impl Object for FirstGenerationWords {
             (true, false) => solid(near, far, depths, contours, format),
             (true, true) => patch(near, far, contours, format),
         };
-        let (g, normals) = (
-            self.normal.linear_at(x, y, format),
-            planes.map(|p| p.normal),
-        );
+        let g = self.normal.linear_at(x, y, format);
+        let normals = planes.map(|p| p.normal);
         let normal = || select(left.nf, true, g, root, &self.normal, &normals, format);
         ObjectPixel::of(left, normal, format)
     }

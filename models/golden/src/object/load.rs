@@ -9,7 +9,7 @@ use crate::unit::cut_plane::PlaneKind;
 use crate::unit::depth_interval::Class;
 use crate::unit::normal::NormalWords;
 use crate::unit::pe1::Linear;
-use crate::unit::pe2::{PreconditionedWords, Quadratic};
+use crate::unit::pe2::Quadratic;
 use imogene_contract::object;
 use serde::Serialize;
 
@@ -24,14 +24,6 @@ pub struct LoadWord {
     pub width: u32,
 }
 
-/// Address of the first word of plane 0.
-pub const FIRST_PLANE: u8 = object::PLANES as u8;
-/// Address of the columns of the screen box.
-pub const BOX_COLUMNS: u8 = object::BOX_COLUMNS as u8;
-/// Address of the control word.
-pub const CONTROL: u8 = object::CONTROL as u8;
-/// Words of one plane.
-pub const PLANE_WORDS: u8 = object::PLANE_WORDS as u8;
 /// Width of the kind of a plane.
 pub const KIND_WIDTH: u32 = 2;
 /// Bits of the shift of a root.
@@ -76,10 +68,8 @@ impl<'a> Bus<'a> {
     /// A word without a sign.
     pub(super) fn bits(&mut self, value: i128, width: u32) -> u64 {
         let address = self.words.len();
-        let word = match self.received {
-            Some(words) => words[address],
-            None => wrap(value, width) as u64,
-        };
+        let received = self.received.map(|words| words[address]);
+        let word = received.unwrap_or(wrap(value, width) as u64);
         let bits = word & (u64::MAX >> (64 - width));
         self.words.push(LoadWord {
             address: address as u8,
@@ -108,24 +98,8 @@ impl<'a> Bus<'a> {
     }
 
     pub(super) fn quadratic(&mut self, words: &mut Quadratic, width: u32) {
-        let PreconditionedWords {
-            a2,
-            b2,
-            c,
-            i0,
-            p0,
-            f,
-        } = words.preconditioned(width);
-        let sent = [a2, b2, c, i0, p0, f];
-        let [a2, b2, c, i0, p0, f] = sent.map(|word| self.number(word, width));
-        *words = Quadratic::of_preconditioned(&PreconditionedWords {
-            a2,
-            b2,
-            c,
-            i0,
-            p0,
-            f,
-        });
+        let sent = words.preconditioned(width);
+        *words = Quadratic::of_preconditioned(&sent.map(|word| self.number(word, width)));
     }
 
     /// Words of planes or sides of first degree.

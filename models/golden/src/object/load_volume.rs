@@ -6,14 +6,6 @@ use super::volume::{VolumeKind, VolumePlane, VolumeQuadric, VolumeWords};
 use crate::format::Format;
 use imogene_contract::volume;
 
-/// Address of the first word of plane 0.
-pub const FIRST_PLANE: u8 = volume::PLANES as u8;
-/// Words of one plane.
-pub const PLANE_WORDS: u8 = volume::PLANE_WORDS as u8;
-/// Address of the columns of the screen box.
-pub const BOX_COLUMNS: u8 = volume::BOX_COLUMNS as u8;
-/// Address of the control word.
-pub const CONTROL: u8 = volume::CONTROL as u8;
 /// Width of the control word: class, shift, kind, source.
 pub const CONTROL_WIDTH: u32 = 11;
 

@@ -8,9 +8,9 @@ use crate::unit::depth_interval::{Class, Interval, halves};
 use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;
 use imogene_algebra::rational::round_half_up;
+use imogene_algebra::whole::primitive;
 pub use imogene_contract::words::NORMAL_LENGTH;
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive};
 
@@ -42,10 +42,8 @@ pub type Exact = [BigRational; 6];
 
 /// The word of a coefficient; the preparation proves that words fit their width.
 fn word(value: &BigRational) -> i128 {
-    let rounded = round_half_up(value);
-    rounded
-        .to_i128()
-        .expect("a coefficient word has fewer than 128 bits")
+    let rounded = round_half_up(value).to_i128();
+    rounded.expect("a coefficient word has fewer than 128 bits")
 }
 
 /// `exact` in units of `2^-guard`, rounded, half a unit of the result added: the shift at the end then rounds to
@@ -70,21 +68,7 @@ const fn half(guard: u32) -> i128 {
 /// `exact` times the positive factor that makes all its coefficients integers without a common divisor: its sign is
 /// exact.
 pub fn contour<const N: usize>(exact: &[BigRational; N]) -> [i128; N] {
-    let denominator = exact
-        .iter()
-        .fold(BigInt::one(), |all, v| all.lcm(v.denom()));
-    let integers = exact
-        .each_ref()
-        .map(|v| v.numer() * (&denominator / v.denom()));
-    let divisor = integers
-        .iter()
-        .fold(BigInt::ZERO, |all, v| all.gcd(v))
-        .max(BigInt::one());
-    let small = integers.map(|v| v / &divisor);
-    small.map(|v| {
-        v.to_i128()
-            .expect("a coefficient word has fewer than 128 bits")
-    })
+    primitive(exact.clone()).map(|value| word(&value))
 }
 
 /// The interval of a surface with one depth, front and back at once; absent beyond the ends of the depth word.

@@ -16,13 +16,8 @@ pub fn latency(format: &Format, rows_per_stage: u32) -> u32 {
 
 /// What the processor hands on for pixel (x, y) of the zone. The class and the normals of the planes are not read.
 pub fn at(words: &QuadricWords, x: i64, y: i64, format: &Format) -> ObjectPixel {
-    let QuadricDepths {
-        f2,
-        root,
-        near,
-        far,
-        ..
-    } = QuadricDepths::at(&words.f1, &words.f2, x, y, format);
+    let depths = QuadricDepths::at(&words.f1, &words.f2, x, y, format);
+    let (f2, root, near, far) = (depths.f2, depths.root, depths.near, depths.far);
     let there = f2 >= 0 && words.screen_box.contains(x, y);
     let signals = |plane: &PlaneWords| kept(plane.kind, plane.depth_at(x, y, format), near, far);
     let left = words.planes.iter().map(signals);

@@ -10,9 +10,6 @@ use crate::unit::half_spaces::{close, leaf, tree, tree_levels};
 use crate::unit::normal::NEAR_END_NORMAL;
 use serde::{Deserialize, Serialize};
 
-/// Planes of the source's polyhedron.
-pub const DEFAULT_PLANES: usize = 6;
-
 /// All coefficient words of one polyhedron for one zone; at least one plane, at most [`super::quadric::MAX_PLANES`].
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct PolyhedronWords {

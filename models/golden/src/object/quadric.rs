@@ -107,16 +107,8 @@ impl Words for QuadricWords {
 /// Every value inside the processor at one pixel, under the names of the hardware; for traces and for finding a fault.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Probe {
-    /// Value of the f1 processor, guard bits dropped.
-    pub f1: i64,
-    /// Value of the f2 processor, guard bits dropped.
-    pub f2: i64,
-    /// Root of f2; of no meaning where f2 is negative.
-    pub root: i64,
-    /// f1 - root.
-    pub near: i64,
-    /// f1 + root.
-    pub far: i64,
+    /// Values of the core.
+    pub depths: QuadricDepths,
     /// Value of each plane, not saturated.
     pub plane: Vec<i64>,
     /// What the planes leave of half A and half B.
@@ -143,17 +135,11 @@ pub fn after_root(planes: usize) -> u32 {
 impl QuadricWords {
     /// The values at pixel (x, y) of the zone, with everything in between.
     pub fn probe_at(&self, x: i64, y: i64, format: &Format) -> Probe {
-        let QuadricDepths {
-            f1,
-            f2,
-            root,
-            near,
-            far,
-        } = QuadricDepths::at(&self.f1, &self.f2, x, y, format);
-        let whole = if self.screen_box.contains(x, y) {
-            halves(self.class, near, far, f2 < 0, format)
-        } else {
-            (Interval::absent(format), Interval::absent(format))
+        let depths = QuadricDepths::at(&self.f1, &self.f2, x, y, format);
+        let (f2, root, near, far) = (depths.f2, depths.root, depths.near, depths.far);
+        let whole = match self.screen_box.contains(x, y) {
+            true => halves(self.class, near, far, f2 < 0, format),
+            false => (Interval::absent(format), Interval::absent(format)),
         };
         let value = |plane: &PlaneWords| plane.depth.wrapped_at(x, y, format.plane) as i64;
         let plane: Vec<i64> = self.planes.iter().map(value).collect();
@@ -162,11 +148,7 @@ impl QuadricWords {
         let g = self.normal.linear_at(x, y, format);
         let normal = || face_normal(merged.nf, g, root, &self.normal, &self.planes, format);
         Probe {
-            f1,
-            f2,
-            root,
-            near,
-            far,
+            depths,
             plane,
             halves: (a, b),
             merged,
@@ -213,8 +195,7 @@ pub(super) fn face_normal(
     format: &Format,
 ) -> [i16; 3] {
     let plane = face.checked_sub(FACE_PLANE).map(usize::from);
-    match plane.and_then(|plane| planes.get(plane)) {
-        Some(plane) => plane.normal,
-        None => select(face, true, g, behind, words, &[], format),
-    }
+    let plane = plane.and_then(|plane| planes.get(plane));
+    let other = || select(face, true, g, behind, words, &[], format);
+    plane.map_or_else(other, |plane| plane.normal)
 }

@@ -45,10 +45,8 @@ pub struct QuotientWidths {
 
 /// Widths of the processors in a format.
 pub const fn widths(format: &Format, has_root: bool) -> QuotientWidths {
-    let denominator = match has_root {
-        true => format.plane + 8,
-        false => words::denominator(format.plane, format.depth),
-    };
+    let alone = words::denominator(format.plane, format.depth);
+    let denominator = if has_root { format.plane + 8 } else { alone };
     QuotientWidths {
         denominator,
         numerator: format.depth + denominator,
@@ -118,11 +116,8 @@ impl QuotientRoot {
         format: &Format,
     ) -> Option<QuotientDepths> {
         let root = u128::try_from(discriminant).ok()?.isqrt() as i128;
-        let both = if denominator < 0 {
-            denominator - root
-        } else {
-            denominator + root
-        };
+        let away = if denominator < 0 { -root } else { root };
+        let both = denominator + away;
         let word = |quotient| match quotient {
             Quotient::Below => format.plane_low(),
             Quotient::Word(z) => z.clamp(format.plane_low(), format.z_max()),
@@ -175,9 +170,8 @@ impl Words for QuotientWords {
         let root = self.root.iter_mut().map(|root| &mut root.discriminant);
         let second = root.chain([&mut self.numerator]).map(Second);
         let planes = self.planes.iter_mut().map(|plane| &mut plane.depth);
-        let first = planes
-            .chain(&mut self.normal.g)
-            .chain([&mut self.denominator]);
+        let first = planes.chain(&mut self.normal.g);
+        let first = first.chain([&mut self.denominator]);
         let all = first.map(First).chain(second);
         (vec![&mut self.screen_box], all.collect())
     }

@@ -15,33 +15,25 @@ pub struct Range {
 
 impl Range {
     /// Of no value.
-    pub const NONE: Range = Range {
-        low: i128::MAX,
-        high: i128::MIN,
-    };
+    pub const NONE: Range = Range::between(i128::MAX, i128::MIN);
+
+    const fn between(low: i128, high: i128) -> Range {
+        Range { low, high }
+    }
 
     /// This range and a value.
     pub fn with(self, value: i128) -> Range {
-        self.merged(Range {
-            low: value,
-            high: value,
-        })
+        self.merged(Range::between(value, value))
     }
 
     /// The least range around two.
     pub fn merged(self, other: Range) -> Range {
-        Range {
-            low: self.low.min(other.low),
-            high: self.high.max(other.high),
-        }
+        Range::between(self.low.min(other.low), self.high.max(other.high))
     }
 
     /// Of the values without guard bits: a shift keeps the order.
     pub const fn dropped(self, guards: u32) -> Range {
-        Range {
-            low: self.low >> guards,
-            high: self.high >> guards,
-        }
+        Range::between(self.low >> guards, self.high >> guards)
     }
 
     /// Of a first-degree expression on a window that is not empty: it is least and greatest at corners.
@@ -50,10 +42,8 @@ impl Range {
             let ends = [window.x0, window.x1];
             ends.map(|x| form.a * i128::from(x) + form.b * i128::from(y) + form.c)
         };
-        [line(window.y0), line(window.y1)]
-            .into_iter()
-            .flatten()
-            .collect()
+        let corners = [line(window.y0), line(window.y1)];
+        corners.into_iter().flatten().collect()
     }
 
     /// Of a second-degree expression on the pixels of a window that is not empty, line by line.
@@ -80,9 +70,8 @@ impl Range {
 
     /// Bits of a two's complement word that holds all values.
     pub const fn bits(&self) -> u32 {
-        let most = bits(self.low);
-        let other = bits(self.high);
-        if most > other { most } else { other }
+        let (low, high) = (bits(self.low), bits(self.high));
+        if low > high { low } else { high }
     }
 
     /// Does a word of `width` bits hold all values? Then a register of that width has the true value at every pixel.

@@ -99,10 +99,7 @@ impl ScreenBox {
 
     /// The same, or the usual empty one.
     pub fn or_empty(self) -> ScreenBox {
-        if self.is_empty() {
-            ScreenBox::EMPTY
-        } else {
-            self
-        }
+        let is_empty = self.is_empty();
+        if is_empty { ScreenBox::EMPTY } else { self }
     }
 }

@@ -86,12 +86,8 @@ impl ProcessorWords {
     }
 
     /// Calls `sink(x, pixel)` for every pixel of line `y` at which the object is present, left to right.
-    pub fn for_each_present(
-        &self,
-        format: &Format,
-        y: i64,
-        mut sink: impl FnMut(i64, ObjectPixel),
-    ) {
+    pub fn for_each_present(&self, format: &Format, y: i64, sink: impl FnMut(i64, ObjectPixel)) {
+        let mut sink = sink;
         if let Self::Quadric(words) = self {
             return line::for_each_present(words, format, y, sink);
         }

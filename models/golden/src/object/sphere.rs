@@ -2,9 +2,7 @@
 //! IV.2.4).
 
 use super::facet::linear_component;
-use super::paraboloid::{
-    Exact, NORMAL_LENGTH, bulge, contour, depth_guard, first_degree, normal_guard, second_degree,
-};
+use super::paraboloid::*;
 use super::screen_box::ScreenBox;
 use super::words::{Expression, Object, ObjectPixel, Parts, Words};
 use crate::format::{Format, wrap64};
@@ -97,14 +95,12 @@ impl SphereShape {
     /// The coefficient words.
     pub fn words(&self, screen_box: ScreenBox, format: &Format) -> SphereWords {
         let across = |exact: &[BigRational; 3]| first_degree(exact, LINEAR_WIDTH - format.normal);
-        let sum = round_half_up(&(integer(2) * &self.z));
+        let sum = round_half_up(&(integer(2) * &self.z)).to_i64();
         SphereWords {
             screen_box,
             contour: Quadratic::new(contour(&self.outline())),
             front: second_degree(&self.paraboloid(), depth_guard(format)),
-            sum: sum
-                .to_i64()
-                .expect("twice a depth word has fewer than 64 bits"),
+            sum: sum.expect("twice a depth word has fewer than 64 bits"),
             normal: self.normal_across().each_ref().map(across),
             normal_z: second_degree(&self.normal_deep(), normal_guard(format)),
         }

@@ -2,15 +2,16 @@
 //! nothing.
 
 use super::first_generation::ContourPlane;
-use super::load::{self, LoadWord};
-use super::load_volume;
+use super::load::{KIND_WIDTH, LoadWord};
+use super::load_volume::CONTROL_WIDTH;
 use super::quadric::{PlaneWords, ScreenBox};
 use super::volume::VolumePlane;
 use crate::format::Format;
 use crate::unit::cut_plane::PlaneKind;
 use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;
-use imogene_contract::object::Kind;
+use imogene_contract::object::{self, Kind};
+use imogene_contract::volume;
 use serde::Serialize;
 
 /// A plane or side that cuts nothing, in the words of its processor.
@@ -49,42 +50,42 @@ pub struct Unused {
 
 /// The word that makes plane `index` of a quadric processor cut nothing: its kind.
 pub fn object_plane(index: usize) -> LoadWord {
-    no_kind(load::FIRST_PLANE, load::PLANE_WORDS, index)
+    no_kind(object::words(index))
 }
 
 /// The same of a volume processor.
 pub fn volume_plane(index: usize) -> LoadWord {
-    no_kind(load_volume::FIRST_PLANE, load_volume::PLANE_WORDS, index)
+    no_kind(volume::words(index))
 }
 
-fn no_kind(first: u8, words: u8, index: usize) -> LoadWord {
+fn no_kind(address: usize) -> LoadWord {
     LoadWord {
-        address: first + words * index as u8,
+        address: address as u8,
         bits: PlaneKind::None as u64,
-        width: load::KIND_WIDTH,
+        width: KIND_WIDTH,
     }
 }
 
 /// The word that makes the processor of a slot draw nothing: the columns of an empty box.
 pub fn empty_slot(kind: Kind) -> LoadWord {
-    empty_columns(kind.box_columns() as u8)
+    empty_columns(kind.box_columns())
 }
 
 /// The words with which a volume processor takes no light away: a shadow in an empty box. A light would take it away
 /// outside of its box.
 pub fn volume_slot() -> [LoadWord; 2] {
     let shadow = LoadWord {
-        address: load_volume::CONTROL,
+        address: volume::CONTROL as u8,
         bits: 0,
-        width: load_volume::CONTROL_WIDTH,
+        width: CONTROL_WIDTH,
     };
-    [empty_columns(load_volume::BOX_COLUMNS), shadow]
+    [empty_columns(volume::BOX_COLUMNS), shadow]
 }
 
-fn empty_columns(address: u8) -> LoadWord {
+fn empty_columns(address: u64) -> LoadWord {
     let ScreenBox { x0, x1, .. } = ScreenBox::EMPTY;
     LoadWord {
-        address,
+        address: address as u8,
         bits: x0 as u64 | (x1 as u64) << 12,
         width: Format::BOX_WORD,
     }
@@ -92,24 +93,22 @@ fn empty_columns(address: u8) -> LoadWord {
 
 /// What every kind of processor is given where there is nothing for it.
 pub fn every_kind() -> Vec<Unused> {
-    let outside = Quadratic {
-        f: -1,
-        ..Quadratic::default()
-    };
     let contour = ContourPlane {
-        conic: outside,
+        conic: Quadratic::new([0, 0, 0, 0, 0, -1]),
         ..ContourPlane::default()
     };
+    let curved = UnusedPlane::CurvedSide(Quadratic::default());
+    let of_volume = UnusedPlane::Volume(VolumePlane::default());
     let plane = UnusedPlane::Plane(PlaneWords::default());
     // A plane whose kind is none, all zeros, cuts nothing.
     let of_kind = |kind: Kind, plane: Option<UnusedPlane>| {
-        let [first, step] = [0, 1].map(|planes| kind.words(planes) as u8);
+        let [first, second] = [0, 1].map(|planes| kind.words(planes));
         let has_kind = matches!(plane, Some(UnusedPlane::Plane(_)));
         Unused {
             processor: kind.name(),
             plane,
-            plane_load_words: has_kind.then(|| no_kind(first, 0, 0)).into_iter().collect(),
-            plane_address_step: has_kind.then_some(step - first),
+            plane_load_words: has_kind.then(|| no_kind(first)).into_iter().collect(),
+            plane_address_step: has_kind.then_some((second - first) as u8),
             screen_box: ScreenBox::EMPTY,
             slot_load_words: vec![empty_slot(kind)],
         }
@@ -120,22 +119,16 @@ pub fn every_kind() -> Vec<Unused> {
         of_kind(Kind::Polyhedron, Some(plane)),
         of_kind(Kind::FirstGeneration, Some(UnusedPlane::Contour(contour))),
         of_kind(Kind::Facet, Some(UnusedPlane::Side(Linear::default()))),
-        of_kind(
-            Kind::CurvedFacet,
-            Some(UnusedPlane::CurvedSide(Quadratic::default())),
-        ),
+        of_kind(Kind::CurvedFacet, Some(curved)),
         of_kind(Kind::Sphere, None),
         of_kind(Kind::Cylinder, None),
         of_kind(Kind::Quotient, Some(plane)),
         Unused {
             plane_load_words: vec![volume_plane(0)],
-            plane_address_step: Some(load_volume::PLANE_WORDS),
+            plane_address_step: Some(volume::PLANE_WORDS as u8),
             slot_load_words: volume_slot().to_vec(),
             processor: "volume",
-            ..of_kind(
-                Kind::Quadric,
-                Some(UnusedPlane::Volume(VolumePlane::default())),
-            )
+            ..of_kind(Kind::Quadric, Some(of_volume))
         },
     ]
 }

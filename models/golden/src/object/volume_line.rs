@@ -69,11 +69,9 @@ pub fn for_each_inside(
         f2: Accumulator::quadratic_at(&q.f2, x0, y),
         second_difference: q.f2.a.wrapping_mul(2) as i64,
     });
-    let mut planes: Vec<(PlaneKind, Accumulator)> = words
-        .planes
-        .iter()
-        .map(|p| (p.kind, Accumulator::at(&p.depth, x0, y)))
-        .collect();
+    let planes = words.planes.iter();
+    let planes = planes.map(|p| (p.kind, Accumulator::at(&p.depth, x0, y)));
+    let mut planes: Vec<(PlaneKind, Accumulator)> = planes.collect();
     for x in x0..=window.x1 {
         let point = Point::new(depths[x as usize], words.margin);
         let in_planes = planes.iter_mut().fold(true, |all, (kind, plane)| {

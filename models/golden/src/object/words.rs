@@ -30,14 +30,12 @@ impl ObjectPixel {
     /// A face with its normal, which is asked for only if something is there.
     #[inline]
     pub fn of(face: Interval, normal: impl FnOnce() -> [i16; 3], format: &Format) -> ObjectPixel {
+        let is_present = face.is_present(format);
         ObjectPixel {
             zf: face.zf,
             zb: face.zb,
             number: face.nf,
-            normal: match face.is_present(format) {
-                true => normal(),
-                false => [0; 3],
-            },
+            normal: if is_present { normal() } else { [0; 3] },
         }
     }
 }

@@ -73,18 +73,13 @@ pub const fn tree_levels(planes: usize) -> u32 {
 /// near end's cap.
 #[inline]
 pub const fn close(branch: Branch, there: bool, format: &Format) -> Interval {
-    let (low, end) = (
-        (format.z_low(), FACE_NEAR_END),
-        (format.z_max(), FACE_NEAR_END),
-    );
-    let Branch {
-        front,
-        back,
-        removed,
-    } = branch;
-    let front = if front.0 > low.0 { front } else { low };
-    let back = if back.0 < end.0 { back } else { end };
-    if there && !removed && front.0 <= back.0 && front.0 < end.0 {
+    let low = (format.z_low(), FACE_NEAR_END);
+    let end = (format.z_max(), FACE_NEAR_END);
+    let is_later = branch.front.0 > low.0;
+    let front = if is_later { branch.front } else { low };
+    let is_earlier = branch.back.0 < end.0;
+    let back = if is_earlier { branch.back } else { end };
+    if there && !branch.removed && front.0 <= back.0 && front.0 < end.0 {
         Interval::new(front, back)
     } else {
         Interval::absent(format)

@@ -48,20 +48,16 @@ pub fn select(
             let shifted = (root >> words.shift) & i64::from(format.greatest_normal());
             std::array::from_fn(|k| {
                 let product = i64::from(words.k[k]) * shifted;
-                let signed = if number == FACE_NEAR {
-                    -product
-                } else {
-                    product
-                };
-                let change = signed >> format.product_fraction();
+                let is_near = number == FACE_NEAR;
+                let change = if is_near { -product } else { product } >> format.product_fraction();
                 let sum = wrap64(g[k] + change, format.normal_linear);
                 (sum >> Format::NORMAL_FRACTION) as i16
             })
         }
         FACE_NEAR_END => [0, 0, -format.greatest_normal()],
-        _ => planes
-            .get(usize::from(number - FACE_PLANE))
-            .copied()
-            .unwrap_or([0; 3]),
+        _ => {
+            let plane = planes.get(usize::from(number - FACE_PLANE));
+            plane.copied().unwrap_or([0; 3])
+        }
     }
 }

@@ -57,11 +57,8 @@ impl Linear {
 
     /// The coefficient words as a register of `width` bits holds them.
     pub fn wrapped(&self, width: u32) -> Linear {
-        Linear::new(
-            wrap(self.a, width),
-            wrap(self.b, width),
-            wrap(self.c, width),
-        )
+        let [a, b, c] = [self.a, self.b, self.c].map(|v| wrap(v, width));
+        Linear::new(a, b, c)
     }
 }
 

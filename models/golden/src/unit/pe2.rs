@@ -40,6 +40,20 @@ pub struct PreconditionedWords {
     pub f: i128,
 }
 
+impl PreconditionedWords {
+    /// What becomes of each word, in their order on the load bus.
+    pub(crate) fn map(self, mut of: impl FnMut(i128) -> i128) -> PreconditionedWords {
+        PreconditionedWords {
+            a2: of(self.a2),
+            b2: of(self.b2),
+            c: of(self.c),
+            i0: of(self.i0),
+            p0: of(self.p0),
+            f: of(self.f),
+        }
+    }
+}
+
 impl Quadratic {
     /// A new expression `a x^2 + b y^2 + c x y + d x + e y + f`.
     pub const fn new([a, b, c, d, e, f]: [i128; 6]) -> Quadratic {
@@ -101,14 +115,15 @@ impl Quadratic {
 
     /// The words the hardware is loaded with, as registers of `width` bits hold them.
     pub fn preconditioned(&self, width: u32) -> PreconditionedWords {
-        PreconditionedWords {
-            a2: wrap(2 * self.a, width),
-            b2: wrap(2 * self.b, width),
-            c: wrap(self.c, width),
-            i0: wrap(self.e + self.b, width),
-            p0: wrap(self.d + self.a, width),
-            f: wrap(self.f, width),
-        }
+        let words = PreconditionedWords {
+            a2: 2 * self.a,
+            b2: 2 * self.b,
+            c: self.c,
+            i0: self.e + self.b,
+            p0: self.d + self.a,
+            f: self.f,
+        };
+        words.map(|word| wrap(word, width))
     }
 }
 

@@ -151,13 +151,9 @@ impl Programmable {
             wrap(self.increment, n),
             wrap(self.increment >> n, n),
         ];
-        let inside = if self.split {
-            lanes
-                .iter()
-                .zip(self.used)
-                .all(|(&v, used)| !used || v >= 0)
-        } else {
-            self.value >= 0
+        let inside = match self.split {
+            true => (lanes.iter().zip(self.used)).all(|(&v, used)| !used || v >= 0),
+            false => self.value >= 0,
         };
         ProgrammablePixel {
             value: self.value,

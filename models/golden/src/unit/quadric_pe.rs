@@ -43,11 +43,8 @@ fn root_of(f2: i64, format: &Format) -> i64 {
     let radicand = (f2 as u128) & ((1 << format.quadratic) - 1);
     // The network without its last rows: floor(sqrt(q / 4^d)) = floor(sqrt(q)) / 2^d, rounded down.
     let (rows, dropped) = (format.root_rows(), format.dropped_rows);
-    let found = root(
-        Method::of(format.root_form),
-        radicand >> (2 * dropped),
-        rows,
-    );
+    let method = Method::of(format.root_form);
+    let found = root(method, radicand >> (2 * dropped), rows);
     ((found.root & ((1 << rows) - 1)) << dropped) as i64
 }
 

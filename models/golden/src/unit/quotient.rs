@@ -24,11 +24,8 @@ pub fn restoring_quotient(numerator: i128, denominator: i128, bits: u32) -> Quot
     if denominator == 0 {
         return Quotient::None;
     }
-    let (n, d) = if denominator < 0 {
-        (-numerator, -denominator)
-    } else {
-        (numerator, denominator)
-    };
+    let sign = denominator.signum();
+    let (n, d) = (sign * numerator, sign * denominator);
     let mut rest = n + (d << (bits - 1));
     if rest < 0 {
         return Quotient::Below;

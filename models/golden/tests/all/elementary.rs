@@ -1,30 +1,12 @@
 //! The source's elementary processors: interlaced and programmable.
 
-use imogene_golden::format::{Format, wrap};
-use imogene_golden::object::quadric::{PlaneWords, QuadricWords, ScreenBox};
-use imogene_golden::object::words::{Object, Words};
-use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_golden::unit::depth_interval::Class;
+use crate::common::*;
+use imogene_golden::object::words::Words;
 use imogene_golden::unit::interlaced::{INTERLACED_LINE, MemoryPe2, PROGRESSIVE_LINE, RESTORE};
 use imogene_golden::unit::lattice::Lattice;
-use imogene_golden::unit::normal::NormalWords;
-use imogene_golden::unit::pe1::{Linear, Pe1};
-use imogene_golden::unit::pe2::{Pe2, Quadratic};
-use imogene_golden::unit::programmable::{
-    LANES, Programmable, ProgrammablePixel, ProgrammableWords, add,
-};
-use proptest::prelude::*;
-
-fn quadratic() -> impl Strategy<Value = Quadratic> {
-    any::<[i64; 6]>().prop_map(|factors| Quadratic::new(factors.map(i128::from)))
-}
-
-fn linear() -> impl Strategy<Value = Linear> {
-    any::<[i64; 3]>().prop_map(|factors| {
-        let [a, b, c] = factors.map(i128::from);
-        Linear::new(a, b, c)
-    })
-}
+use imogene_golden::unit::pe1::Pe1;
+use imogene_golden::unit::pe2::Pe2;
+use imogene_golden::unit::programmable::*;
 
 const WIDTH: usize = 9;
 
@@ -34,9 +16,8 @@ fn line(pe: &mut MemoryPe2) -> Vec<i128> {
 }
 
 fn expected(q: &Quadratic, y: i64, width: u32) -> Vec<i128> {
-    (0..WIDTH)
-        .map(|x| q.wrapped_at(x as i64, y, width))
-        .collect()
+    let value = |x| q.wrapped_at(x as i64, y, width);
+    (0..WIDTH).map(value).collect()
 }
 
 /// The vectors of the restatement of the source, x and y from 1 there and from 0 here.
@@ -56,7 +37,7 @@ proptest! {
     /// Both fields, in any order and repeated, are the lines of the progressive picture, at the stated cost.
     #[test]
     fn fields_of_the_memory_pe2_interleave(
-        q in quadratic(), width in 8u32..=64, fields in prop::collection::vec(0u32..2, 1..5), lines in 1i64..7
+        q in any_quadratic(), width in 8u32..=64, fields in prop::collection::vec(0u32..2, 1..5), lines in 1i64..7
     ) {
         let mut pe = MemoryPe2::interlaced(&q, width);
         prop_assert_eq!(pe.memory_words(), 9);
@@ -79,7 +60,7 @@ proptest! {
 
     /// Groups of every n-th line, for the processors without a microprogram.
     #[test]
-    fn words_of_every_nth_line_give_its_values(q in quadratic(), l in linear(), step in 1i64..5, width in 8u32..=64) {
+    fn words_of_every_nth_line_give_its_values(q in any_quadratic(), l in any_linear(), step in 1i64..5, width in 8u32..=64) {
         for first in 0..step {
             let mut pe2 = Pe2::object_start(&q.on(&Lattice::lines(step, first)), width);
             let mut pe1 = Pe1::object_start(&l.on(&Lattice::lines(step, first)), width);
@@ -99,7 +80,7 @@ proptest! {
     /// Two fields of a quadric with planes and normals, interleaved, are the progressive picture bit for bit.
     #[test]
     fn fields_of_a_quadric_interleave(
-        f1 in linear(), planes in prop::collection::vec((linear(), prop::sample::select(&PlaneKind::ALL[..])), 0..4), g in [linear(), linear(), linear()],
+        f1 in any_linear(), planes in prop::collection::vec((any_linear(), prop::sample::select(&PlaneKind::ALL[..])), 0..4), g in [any_linear(), any_linear(), any_linear()],
         y0 in -2i64..14, y1 in -2i64..14
     ) {
         const SIDE: i64 = 12;
@@ -129,7 +110,7 @@ proptest! {
     }
 
     #[test]
-    fn programmable_pe_is_a_pe2(q in quadratic(), half in 4u32..=32) {
+    fn programmable_pe_is_a_pe2(q in any_quadratic(), half in 4u32..=32) {
         let width = 2 * half;
         let words = ProgrammableWords::quadratic(q.preconditioned(width));
         let mut pe = Programmable::start(&words, half);
@@ -142,7 +123,7 @@ proptest! {
 
     #[test]
     fn programmable_pe_is_four_pe1(
-        lanes in [prop::option::of(linear()), prop::option::of(linear()), prop::option::of(linear()), prop::option::of(linear())],
+        lanes in [prop::option::of(any_linear()), prop::option::of(any_linear()), prop::option::of(any_linear()), prop::option::of(any_linear())],
         half in 4u32..=32
     ) {
         let mut pe = Programmable::start(&ProgrammableWords::linear(&lanes, half), half);
@@ -161,18 +142,14 @@ fn each(
     pe: &mut Programmable,
     mut check: impl FnMut(i64, i64, ProgrammablePixel) -> Result<(), TestCaseError>,
 ) -> Result<(), TestCaseError> {
-    for y in 0..7 {
-        if y > 0 {
-            pe.next_line();
+    square(7).try_for_each(|(x, y)| {
+        match (x, y) {
+            (0, 0) => (),
+            (0, _) => pe.next_line(),
+            _ => pe.next_pixel(),
         }
-        for x in 0..7 {
-            if x > 0 {
-                pe.next_pixel();
-            }
-            check(x, y, pe.pixel())?;
-        }
-    }
-    Ok(())
+        check(x, y, pe.pixel())
+    })
 }
 
 /// Every pair of words of two halves of 3 bits: whole it is one adder, split it is two, and no carry crosses.
@@ -192,12 +169,9 @@ fn split_adder_exhaustively() {
 #[test]
 fn mask_of_a_triangle() {
     // x >= 2, y >= 1, x + y <= 7.
-    let edges = [
-        Linear::new(1, 0, -2),
-        Linear::new(0, 1, -1),
-        Linear::new(-1, -1, 7),
-    ];
-    let lanes = [Some(edges[0]), Some(edges[1]), None, Some(edges[2])];
+    let [left, top, right] =
+        [[1, 0, -2], [0, 1, -1], [-1, -1, 7]].map(|[a, b, c]| Linear::new(a, b, c));
+    let lanes = [Some(left), Some(top), None, Some(right)];
     let mut pe = Programmable::start(&ProgrammableWords::linear(&lanes, 24), 24);
     let mut inside = Vec::new();
     each(&mut pe, |x, y, pixel| {
@@ -207,9 +181,6 @@ fn mask_of_a_triangle() {
         Ok(())
     })
     .unwrap();
-    let expected: Vec<(i64, i64)> = (0..7)
-        .flat_map(|y| (0..7).map(move |x| (x, y)))
-        .filter(|&(x, y)| x >= 2 && y >= 1 && x + y <= 7)
-        .collect();
-    assert_eq!(inside, expected);
+    let expected = square(7).filter(|&(x, y)| x >= 2 && y >= 1 && x + y <= 7);
+    assert_eq!(inside, expected.collect::<Vec<_>>());
 }

@@ -1,16 +1,13 @@
 //! Flat and curved facets: neighbours share every pixel of their common side exactly once; depth and normals against
 //! exact values.
 
+use crate::common::*;
 use imogene_algebra::rational::{fraction, integer};
-use imogene_golden::format::Format;
 use imogene_golden::object::curved_facet::{CurvedFacetWords, other_side, side};
 use imogene_golden::object::facet::{Corner, FACE_FACET, FacetError, FacetWords, SUBPIXEL};
 use imogene_golden::object::paraboloid::{Exact, depth_guard, plane_guard};
-use imogene_golden::object::quadric::{ObjectPixel, ScreenBox};
-use imogene_golden::object::words::Object;
 use num_rational::BigRational;
 use num_traits::Signed;
-use proptest::prelude::*;
 
 const F: Format = Format::BASE;
 const SIDE: i64 = 26;
@@ -26,13 +23,8 @@ fn corner(x: i64, y: i64, z: i64) -> Corner {
     }
 }
 
-/// The pixels of the screen, line by line.
-fn pixels() -> impl Iterator<Item = (i64, i64)> {
-    (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y)))
-}
-
 fn flat(words: &FacetWords, mut visit: impl FnMut(i64, i64, ObjectPixel)) {
-    for (x, y) in pixels() {
+    for (x, y) in square(SIDE) {
         visit(x, y, words.at(x, y, &F));
     }
 }
@@ -45,27 +37,20 @@ fn present(pixel: &ObjectPixel) -> bool {
 /// second time onto a pixel: then no triangle of a mesh turns over, whichever diagonal divides it.
 fn net(moves: &[(i64, i64, bool)]) -> Vec<Vec<Corner>> {
     let mesh = 5 * ONE;
-    (0..7i64)
-        .map(|row| {
-            (0..7i64)
-                .map(|column| {
-                    let (dx, dy, on_pixel) = moves[(row * 7 + column) as usize];
-                    let inner = |i: i64| (1..6).contains(&i);
-                    let still = !(inner(row) && inner(column));
-                    let place = |i: i64, d: i64| {
-                        let v = (i - 1) * mesh + mesh / 2 + if still { 0 } else { d };
-                        if on_pixel {
-                            (v + ONE / 2).div_euclid(ONE) * ONE
-                        } else {
-                            v
-                        }
-                    };
-                    let (x, y) = (place(column, dx), place(row, dy));
-                    corner(x, y, 100 * row - 31 * column * column)
-                })
-                .collect()
-        })
-        .collect()
+    let is_inner = |i: i64| (1..6).contains(&i);
+    let at = |row: i64, column: i64| {
+        let (dx, dy, on_pixel) = moves[(row * 7 + column) as usize];
+        let moves = is_inner(row) && is_inner(column);
+        let place = |i: i64, d: i64| {
+            let v = (i - 1) * mesh + mesh / 2 + if moves { d } else { 0 };
+            let nearest = (v + ONE / 2).div_euclid(ONE) * ONE;
+            if on_pixel { nearest } else { v }
+        };
+        let z = 100 * row - 31 * column * column;
+        corner(place(column, dx), place(row, dy), z)
+    };
+    let line = |row| (0..7).map(|column| at(row, column)).collect();
+    (0..7).map(line).collect()
 }
 
 proptest! {
@@ -136,7 +121,7 @@ proptest! {
                     let sum: BigRational = parts.iter().zip(w).map(|(&p, w)| integer(p) * w).sum();
                     sum / integer(area.abs())
                 };
-                let rounding = |guard: u32| fraction(1, 2) + fraction(x + y + 1, 2 << guard);
+                let rounding = |guard: u32| linear_bound(x, y, guard);
                 let z = mean(std::array::from_fn(|i| corners[i].z.clone()));
                 right &= (integer(pixel.zf) - z).abs() <= rounding(plane_guard(&F));
                 right &= pixel.number == FACE_FACET && pixel.zb == pixel.zf;
@@ -168,16 +153,15 @@ proptest! {
             let within = |i: usize| cell >> i & 1 == 0;
             let chosen = (0..3).map(|i| if within(i) { sides[i] } else { other_side(&sides[i]) });
             let words = CurvedFacetWords::new(chosen.collect(), &depth, [&normal; 3], SCREEN, &F);
-            for (x, y) in pixels() {
+            for (x, y) in square(SIDE) {
                 let pixel = words.at(x, y, &F);
-                let inside = (0..3).all(|i| within(i) != value(&exact[i], x, y).is_negative());
+                let inside = (0..3).all(|i| within(i) != value_at(&exact[i], x, y).is_negative());
                 let mut right = present(&pixel) == inside;
                 if inside {
                     count[(y * SIDE + x) as usize] += 1;
-                    let counts = x * x + y * y + x * y + x + y + 1;
-                    let bound = fraction(1, 2) + fraction(counts, 2 << depth_guard(&F));
-                    right &= (integer(pixel.zf) - value(&depth, x, y)).abs() <= bound;
-                    right &= (integer(pixel.normal[1].into()) - value(&normal, x, y)).abs() <= bound;
+                    let bound = rounding_bound(x, y, depth_guard(&F));
+                    right &= (integer(pixel.zf) - value_at(&depth, x, y)).abs() <= bound;
+                    right &= (integer(pixel.normal[1].into()) - value_at(&normal, x, y)).abs() <= bound;
                 }
                 if !right {
                     wrong = Some((cell, x, y, pixel));
@@ -189,12 +173,6 @@ proptest! {
     }
 }
 
-fn value(exact: &Exact, x: i64, y: i64) -> BigRational {
-    let [a, b, c, d, e, f] = exact;
-    let (x, y) = (integer(x), integer(y));
-    (a * &x + c * &y + d) * &x + (b * &y + e) * &y + f
-}
-
 fn cross(p: &Corner, q: (i64, i64), r: (i64, i64)) -> i64 {
     (q.0 - p.x) * (r.1 - p.y) - (r.0 - p.x) * (q.1 - p.y)
 }
@@ -202,26 +180,19 @@ fn cross(p: &Corner, q: (i64, i64), r: (i64, i64)) -> i64 {
 /// A fan of eight around a pixel, all sides through pixel centres: the worst case for ties.
 #[test]
 fn a_fan_around_a_pixel_has_it_once() {
-    let around = [
-        (-8, -8),
-        (0, -8),
-        (8, -8),
-        (8, 0),
-        (8, 8),
-        (0, 8),
-        (-8, 8),
-        (-8, 0),
-    ];
-    let at = |(x, y): (i64, i64)| corner((12 + x) * ONE, (12 + y) * ONE, 0);
+    let columns = [4, 12, 20, 20, 20, 12, 4, 4];
+    let lines = [4, 4, 4, 12, 20, 20, 20, 12];
+    let at = |x: i64, y: i64| corner(x * ONE, y * ONE, 0);
+    let around = |i: usize| at(columns[i % 8], lines[i % 8]);
     let mut count = vec![0; (SIDE * SIDE) as usize];
     for i in 0..8 {
-        let triangle = [at((0, 0)), at(around[i]), at(around[(i + 1) % 8])];
+        let triangle = [at(12, 12), around(i), around(i + 1)];
         let words = FacetWords::new(&triangle, SCREEN, &F).unwrap();
         flat(&words, |x, y, pixel| {
             count[(y * SIDE + x) as usize] += i32::from(present(&pixel))
         });
     }
-    for ((x, y), count) in pixels().zip(count) {
+    for ((x, y), count) in square(SIDE).zip(count) {
         // Of the square's border, the near columns and lines belong to it.
         let expected = (4..20).contains(&x) && (4..20).contains(&y);
         assert_eq!(count, i32::from(expected), "({x}, {y})");
@@ -244,10 +215,8 @@ fn a_square_is_its_two_triangles() {
     for (i, pixel) in whole.iter().enumerate() {
         let parts: Vec<_> = halves.iter().map(|h| h[i]).filter(present).collect();
         assert_eq!(parts.len(), usize::from(present(pixel)), "pixel {i}");
-        assert!(
-            parts.iter().all(|p| p == pixel),
-            "pixel {i}: {pixel:?} and {parts:?}"
-        );
+        let are_equal = parts.iter().all(|p| p == pixel);
+        assert!(are_equal, "pixel {i}: {pixel:?} and {parts:?}");
     }
 }
 
@@ -256,10 +225,8 @@ fn corners_that_are_no_facet_are_refused() {
     let at = |x, y, z| corner(x * ONE, y * ONE, z);
     let new = |corners: &[Corner]| FacetWords::new(corners, SCREEN, &F).unwrap_err();
     assert_eq!(new(&[at(0, 0, 0), at(1, 1, 0)]), FacetError::Corners(2));
-    assert_eq!(
-        new(&[at(0, 0, 0), at(1, 1, 0), at(2, 2, 0)]),
-        FacetError::NotConvex
-    );
+    let row = [at(0, 0, 0), at(1, 1, 0), at(2, 2, 0)];
+    assert_eq!(new(&row), FacetError::NotConvex);
     let bow = [at(0, 0, 0), at(5, 5, 0), at(5, 0, 0), at(0, 5, 0)];
     assert_eq!(new(&bow), FacetError::NotConvex);
     let bent = [at(0, 0, 0), at(5, 0, 0), at(5, 5, 1), at(0, 5, 0)];
@@ -267,9 +234,6 @@ fn corners_that_are_no_facet_are_refused() {
     let mut long = [at(0, 0, 0), at(5, 0, 0), at(5, 5, 0)];
     long[1].normal[2] = i16::MIN;
     assert_eq!(new(&long), FacetError::Component(i16::MIN));
-    assert!(
-        new(&bent)
-            .to_string()
-            .contains("two facets of three corners")
-    );
+    let why = new(&bent).to_string();
+    assert!(why.contains("two facets of three corners"));
 }

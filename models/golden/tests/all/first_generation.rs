@@ -1,17 +1,10 @@
 //! The first generation against exact cuts and against the second.
 
-use imogene_golden::format::Format;
+use crate::common::*;
 use imogene_golden::object::first_generation::{ContourPlane, FirstGenerationWords, Kept, latency};
-use imogene_golden::object::quadric::{ObjectPixel, PlaneWords, QuadricWords, ScreenBox};
-use imogene_golden::object::words::Object;
-use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_golden::unit::depth_interval::{Class, FACE_NEAR_END};
-use imogene_golden::unit::normal::NormalWords;
-use imogene_golden::unit::pe1::Linear;
-use imogene_golden::unit::pe2::Quadratic;
+use imogene_golden::unit::depth_interval::FACE_NEAR_END;
 use num_bigint::BigInt;
 use num_traits::Signed;
-use proptest::prelude::*;
 
 const SIDE: i64 = 18;
 const F: Format = Format::BASE;
@@ -24,20 +17,12 @@ fn object(
     thickness: i128,
     patch: bool,
 ) -> (FirstGenerationWords, QuadricWords) {
-    let back = Linear {
-        c: front.c + thickness,
-        ..front
-    };
+    let back = Linear::new(front.a, front.b, front.c + thickness);
     let screen_box = ScreenBox::of([0, SIDE - 1], [1, SIDE - 1]);
-    let normal = NormalWords {
-        g: [
-            Linear::new(9000, -70, 40),
-            Linear::new(-3, 8000, 1 << 18),
-            Linear::new(1, 2, -(1 << 22)),
-        ],
-        k: [900, -4000, 31_000],
-        shift: 0,
-    };
+    let g = [[9000, -70, 40], [-3, 8000, 1 << 18], [1, 2, -(1 << 22)]];
+    let g = g.map(|[a, b, c]| Linear::new(a, b, c));
+    let (k, shift) = ([900, -4000, 31_000], 0);
+    let normal = NormalWords { g, k, shift };
     let normals = [[1, -2, -300], [-1, 2, 300]];
     let first = FirstGenerationWords {
         patch,
@@ -67,10 +52,8 @@ fn both(
     second: &QuadricWords,
     mut visit: impl FnMut(i64, i64, ObjectPixel, ObjectPixel),
 ) {
-    for y in 0..SIDE {
-        for x in 0..SIDE {
-            visit(x, y, first.at(x, y, &F), second.at(x, y, &F));
-        }
+    for (x, y) in square(SIDE) {
+        visit(x, y, first.at(x, y, &F), second.at(x, y, &F));
     }
 }
 
@@ -141,9 +124,8 @@ proptest! {
             let right = present == (near || far) && (!present || depth == BigInt::from(ours.zf));
             // The second generation compares the integers, so it may differ only where a plane stands at one.
             let middle = first.f1.exact_at(x, y);
-            let tie = [&first.front, &first.back]
-                .map(|p| (p.depth.exact_at(x, y) - &middle).abs() == root)
-                .contains(&true);
+            let mut both = [&first.front, &first.back].into_iter();
+            let tie = both.any(|p| (p.depth.exact_at(x, y) - &middle).abs() == root);
             if !right || (ours != theirs && !tie) {
                 wrong = Some((x, y, ours, theirs));
             }
@@ -161,31 +143,22 @@ fn an_ellipsoid_between_two_planes() {
         let (first, second) = object(f1, f2, front, thickness, patch);
         let mut numbers = [0u32; 5];
         both(&first, &second, |_, _, ours, _| {
-            let seen = if ours.zf == F.z_max() {
-                4
-            } else {
-                usize::from(ours.number)
-            };
+            let absent = ours.zf == F.z_max();
+            let seen = if absent { 4 } else { usize::from(ours.number) };
             numbers[seen] += 1;
         });
         numbers
     };
     let cut = count(Linear::new(2, 0, -40), 60, false);
-    assert!(
-        cut[0] > 0 && cut[2] > 0 && cut[1] == 0 && cut[3] == 0,
-        "{cut:?}"
-    );
+    let shows_ends = cut[0] > 0 && cut[2] > 0 && cut[1] == 0 && cut[3] == 0;
+    assert!(shows_ends, "{cut:?}");
     let hollow = count(Linear::new(2, 0, -40), 200, true);
-    assert!(
-        hollow[0] > 0 && hollow[1] > 0 && hollow[2] == 0,
-        "{hollow:?}"
-    );
+    let shows_both = hollow[0] > 0 && hollow[1] > 0 && hollow[2] == 0;
+    assert!(shows_both, "{hollow:?}");
     // The back face is cut away wherever the front face is, and further out: a ring around a hole.
     let tube = count(Linear::new(2, 0, -40), 60, true);
-    assert!(
-        tube[0] > 0 && tube[1] == 0 && tube[4] > hollow[4],
-        "{tube:?}"
-    );
+    let shows_one = tube[0] > 0 && tube[1] == 0 && tube[4] > hollow[4];
+    assert!(shows_one, "{tube:?}");
     let before = count(Linear::new(2, 0, 100), 60, false);
     assert_eq!(before, [0, 0, 0, 0, (SIDE * SIDE) as u32]);
 }
@@ -193,10 +166,7 @@ fn an_ellipsoid_between_two_planes() {
 #[test]
 fn a_solid_that_reaches_nearer_than_the_near_end_is_capped() {
     let f1 = Linear::new(0, 0, i128::from(F.z_low()));
-    let f2 = Quadratic {
-        f: 10_000,
-        ..Default::default()
-    };
+    let f2 = Quadratic::new([0, 0, 0, 0, 0, 10_000]);
     let (first, second) = object(f1, f2, Linear::new(0, 0, f1.c - 50), 100, false);
     both(&first, &second, |_, y, ours, theirs| {
         assert_eq!(ours, theirs);

@@ -4,10 +4,8 @@ use imogene_golden::format::{Format, wrap, wrap64};
 #[test]
 fn base_format_is_24_48() {
     let f = Format::BASE;
-    assert_eq!(
-        (f.depth, f.sum, f.quadratic, f.root, f.plane),
-        (24, 26, 48, 24, 36)
-    );
+    let widths = [f.depth, f.sum, f.quadratic, f.root, f.plane];
+    assert_eq!(widths, [24, 26, 48, 24, 36]);
     assert_eq!((f.z_max(), f.z_low()), (8_388_607, -8_388_607));
     for depth in [7, 33] {
         let refused = Format::new(depth).unwrap_err().to_string();
@@ -30,10 +28,8 @@ fn guard_bits_widen_the_processors_only() {
 fn guard_bits_beyond_the_words_are_refused() {
     let refused = |depth, linear, quadratic| {
         let format = Format::new(depth).unwrap();
-        format
-            .with_guards(linear, quadratic)
-            .unwrap_err()
-            .to_string()
+        let refused = format.with_guards(linear, quadratic);
+        refused.unwrap_err().to_string()
     };
     assert!(refused(24, 17, 0).contains("at most 16 each"));
     assert!(refused(28, 0, 9).contains("at most 8"));

@@ -1,12 +1,10 @@
 //! Sphere and cylinder by paraboloids: exact outlines, and the errors of depth that the source accepts.
 
+use crate::common::*;
 use imogene_algebra::rational::{fraction, integer, to_f64};
-use imogene_golden::format::Format;
 use imogene_golden::object::cylinder::{CylinderShape, FACE_DISC};
-use imogene_golden::object::paraboloid::{Exact, depth_guard, plane_guard};
-use imogene_golden::object::quadric::{ObjectPixel, ScreenBox};
+use imogene_golden::object::paraboloid::{depth_guard, plane_guard};
 use imogene_golden::object::sphere::SphereShape;
-use imogene_golden::object::words::Object;
 use num_rational::BigRational;
 use num_traits::Signed;
 
@@ -14,37 +12,20 @@ fn screen(width: i64, height: i64) -> ScreenBox {
     ScreenBox::of([0, width - 1], [0, height - 1])
 }
 
-fn at(exact: &Exact, x: i64, y: i64) -> BigRational {
-    let [a, b, c, d, e, f] = exact;
-    let (x, y) = (integer(x), integer(y));
-    (a * &x + c * &y + d) * &x + (b * &y + e) * &y + f
-}
-
-/// Half a count of the result, and what rounding six coefficients to `2^-guard` can do at a pixel.
-fn rounding_bound(x: i64, y: i64, guard: u32) -> BigRational {
-    let counts = x * x + y * y + x * y + x + y + 1;
-    fraction(1, 2) + fraction(counts, 2 << guard)
-}
-
 fn shape(x: BigRational, y: BigRational, radius: BigRational) -> SphereShape {
-    let scale = integer(8192);
+    let (z, scale) = (integer(300_001), integer(8192));
     SphereShape {
         x,
         y,
-        z: integer(300_001),
+        z,
         radius,
         scale,
     }
 }
 
-/// The pixels of a square, line by line.
-fn pixels(side: i64) -> impl Iterator<Item = (i64, i64)> {
-    (0..side).flat_map(move |y| (0..side).map(move |x| (x, y)))
-}
-
 fn sphere_picture(shape: &SphereShape, side: i64, mut visit: impl FnMut(i64, i64, ObjectPixel)) {
     let words = shape.words(screen(side, side), &Format::BASE);
-    for (x, y) in pixels(side) {
+    for (x, y) in square(side) {
         visit(x, y, words.at(x, y, &Format::BASE));
     }
 }
@@ -63,11 +44,8 @@ fn sphere_outline_is_exact() {
         sphere_picture(&shape, 100, |x, y, pixel| {
             let (u, v) = (integer(x) - &x1, integer(y) - &y1);
             let inside = &u * &u + &v * &v <= &radius * &radius;
-            assert_eq!(
-                pixel.zf != Format::BASE.z_max(),
-                inside,
-                "({x}, {y}) of {shape:?}"
-            );
+            let is_seen = pixel.zf != Format::BASE.z_max();
+            assert_eq!(is_seen, inside, "({x}, {y}) of {shape:?}");
             covered += u32::from(inside);
         });
         assert!(covered > 0, "{shape:?}");
@@ -84,17 +62,12 @@ fn sphere_depth_is_the_paraboloid() {
         if pixel.zf == Format::BASE.z_max() {
             return;
         }
-        let front = at(&exact, x, y);
+        let front = value_at(&exact, x, y);
         let back = integer(2) * &shape.z - &front;
         let bound = rounding_bound(x, y, guard);
-        assert!(
-            (integer(pixel.zf) - &front).abs() <= bound,
-            "front ({x}, {y})"
-        );
-        assert!(
-            (integer(pixel.zb) - &back).abs() <= bound,
-            "back ({x}, {y})"
-        );
+        for (found, exact) in [(pixel.zf, &front), (pixel.zb, &back)] {
+            assert!((integer(found) - exact).abs() <= bound, "({x}, {y})");
+        }
     });
 }
 
@@ -128,21 +101,20 @@ fn sphere_depth_errors_are_those_of_the_source() {
         angles = (angles.0 + angle, angles.1.max(angle));
     });
     // Outline, with pixels exactly on it.
-    assert!(
-        (worst - 0.2945).abs() < 0.00005 && worst_at == 1.0,
-        "{worst} at {worst_at}"
-    );
-    assert!((best + 0.0450).abs() < 0.00005, "{best}");
-    assert!((best_at - 0.734).abs() < 0.002, "{best_at}");
+    assert_eq!(worst_at, 1.0);
     let rms = (squares / pixels).sqrt();
     // The integral over the disc is 0.05076; pixels at the steep outline are a coarse sample of it.
-    assert!((rms - 0.05076).abs() < 0.00006, "{rms}");
-    assert!(
-        (angles.0 / pixels - 1.6).abs() < 0.05,
-        "{}",
-        angles.0 / pixels
-    );
-    assert!((angles.1 - 16.4).abs() < 0.05, "{}", angles.1);
+    for (found, expected, tolerance) in [
+        (worst, 0.2945, 0.00005),
+        (best, -0.0450, 0.00005),
+        (best_at, 0.734, 0.002),
+        (rms, 0.05076, 0.00006),
+        (angles.0 / pixels, 1.6, 0.05),
+        (angles.1, 16.4, 0.05),
+    ] {
+        let off = (found - expected).abs();
+        assert!(off < tolerance, "{found} for {expected}");
+    }
 }
 
 fn angle_between(a: [f64; 3], b: [f64; 3]) -> f64 {
@@ -164,15 +136,11 @@ fn sphere_coefficients_of_the_specification() {
     let whole = shape.paraboloid().map(|v| to_f64(&v).round());
     assert_eq!(whole, [31.0, 31.0, 0.0, -503.0, -503.0, 28_038.0]);
     let words = shape.words(screen(16, 16), &Format::BASE);
-    let row: Vec<i128> = (1..=16)
-        .map(|x| words.contour.wrapped_at(x, 8, 48))
-        .collect();
-    assert_eq!(
-        row,
-        [
-            -13, 0, 11, 20, 27, 32, 35, 36, 35, 32, 27, 20, 11, 0, -13, -28
-        ]
-    );
+    let row = (1..=16).map(|x| words.contour.wrapped_at(x, 8, 48));
+    let expected = [
+        -13, 0, 11, 20, 27, 32, 35, 36, 35, 32, 27, 20, 11, 0, -13, -28,
+    ];
+    assert!(row.eq(expected));
 }
 
 #[test]
@@ -246,7 +214,7 @@ fn check_cylinder(shape: &CylinderShape, side: i64) {
     let words = shape.words(screen(side, side), &format);
     let body = shape.body();
     let (mut discs, mut bodies) = (0, 0);
-    for (x, y) in pixels(side) {
+    for (x, y) in square(side) {
         let pixel = words.at(x, y, &format);
         let part = cylinder_part(shape, x, y);
         let ours = (pixel.zf != format.z_max()).then_some(pixel.number);
@@ -259,7 +227,7 @@ fn check_cylinder(shape: &CylinderShape, side: i64) {
             Some(_) => {
                 bodies += 1;
                 let bound = rounding_bound(x, y, depth_guard(&format));
-                let error = (integer(pixel.zf) - at(&body, x, y)).abs();
+                let error = (integer(pixel.zf) - value_at(&body, x, y)).abs();
                 assert!(error <= bound, "({x}, {y})");
                 check_envelope(shape, x, y, &pixel);
             }
@@ -275,11 +243,9 @@ fn check_disc(shape: &CylinderShape, x: i64, y: i64, pixel: &ObjectPixel) {
     let (u, v) = (integer(x) - &shape.centre[0], integer(y) - &shape.centre[1]);
     let a = cos * &u + sin * &v;
     let exact = &shape.scale * (&shape.centre[2] - a * &shape.level / &shape.deep);
-    let bound = fraction(1, 2) + fraction(x + y + 1, 2 << plane_guard(&Format::BASE));
-    assert!(
-        (integer(pixel.zf) - exact).abs() <= bound,
-        "disc ({x}, {y})"
-    );
+    let bound = linear_bound(x, y, plane_guard(&Format::BASE));
+    let error = (integer(pixel.zf) - exact).abs();
+    assert!(error <= bound, "disc ({x}, {y})");
 }
 
 /// The body's error is that of the profile, -4.51 to +29.46 % of R, over the level part of the axis; its normal is
@@ -295,11 +261,8 @@ fn check_envelope(shape: &CylinderShape, x: i64, y: i64, pixel: &ObjectPixel) {
     let z = centre[2] + a * deep / level - q / level;
     let error = (z - pixel.zf as f64 / scale) * level / radius;
     assert!((-0.0452..=0.2947).contains(&error), "({x}, {y}): {error}");
-    let normal = [
-        -sin * t + deep * cos * q,
-        cos * t + deep * sin * q,
-        -level * q,
-    ];
+    let along = deep * q;
+    let normal = [along * cos - sin * t, along * sin + cos * t, -level * q];
     let angle = angle_between(normal, pixel.normal.map(f64::from));
     assert!(angle < 16.5, "({x}, {y}): {angle}");
 }

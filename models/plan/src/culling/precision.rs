@@ -74,14 +74,14 @@ fn join(range: &mut Option<Range>, value: i128) {
 
 impl Found {
     fn visit(&mut self, words: &QuadricWords, format: &Format, x: i64, y: i64) {
-        let probe = words.probe_at(x, y, format);
-        join(&mut self.radicands, probe.f2.into());
-        if probe.f2 >= 0 {
-            self.root = self.root.max(probe.root);
-            join(&mut self.sums, probe.near.into());
-            join(&mut self.sums, probe.far.into());
+        let depths = words.probe_at(x, y, format).depths;
+        join(&mut self.radicands, depths.f2.into());
+        if depths.f2 >= 0 {
+            self.root = self.root.max(depths.root);
+            join(&mut self.sums, depths.near.into());
+            join(&mut self.sums, depths.far.into());
         }
-        if probe.f2 >= 0 || words.class == Class::Front {
+        if depths.f2 >= 0 || words.class == Class::Front {
             for plane in &words.planes {
                 join(&mut self.planes, plane.depth.wrapped_at(x, y, format.plane));
             }

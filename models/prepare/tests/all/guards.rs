@@ -61,10 +61,8 @@ fn f1_is_dropped_downwards() {
     let format = guarded(24, 2, 4);
     for (f1, dropped) in [(-5, -2), (-4, -1), (-1, -1), (0, 0), (3, 0), (4, 1)] {
         let probe = line(Class::Side, f1, 16 * 9).probe_at(0, 0, &format);
-        assert_eq!(
-            (probe.f1, probe.near, probe.far),
-            (dropped, dropped - 3, dropped + 3)
-        );
+        let found = [probe.depths.f1, probe.depths.near, probe.depths.far];
+        assert_eq!(found, [0, -3, 3].map(|root| dropped + root));
     }
 }
 
@@ -74,10 +72,10 @@ fn processors_hold_the_range_of_their_guard_bits() {
     let format = guarded(24, 4, 8);
     let most = (1i128 << 55) - 64;
     let words = line(Class::Side, -(1 << 27), most);
-    let probe = words.probe_at(0, 0, &format);
-    assert_eq!(probe.f2, ((1i64 << 55) - 64) >> 8);
-    assert_eq!(probe.f1, -(1 << 23));
-    assert_eq!(probe.root, fast_root(probe.f2));
+    let depths = words.probe_at(0, 0, &format).depths;
+    assert_eq!(depths.f2, ((1i64 << 55) - 64) >> 8);
+    assert_eq!(depths.f1, -(1 << 23));
+    assert_eq!(depths.root, fast_root(depths.f2));
 }
 
 /// Largest and mean error of the near root of a ball, in depth words, from exact rationals.

@@ -12,9 +12,10 @@ use crate::kit::page::fixed;
 use crate::primitives::fair_sides;
 use crate::primitives::tessellate::to_mesh;
 use imogene_algebra::rational::from_decimal;
+use imogene_contract::object::{PLANE_WORDS, PLANES};
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::ID_BITS;
-use imogene_golden::object::load::{FIRST_PLANE, LoadWord, PLANE_WORDS, load_words};
+use imogene_golden::object::load::{LoadWord, load_words};
 use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::object::volume::SOURCES;
 use imogene_golden::unit::interlaced::MemoryPe2;
@@ -171,7 +172,8 @@ fn file_ratio() -> Result<[f64; 2], EvaluateError> {
 /// Bits of load words, without those that a patch processor does not read: the constant normals of planes.
 fn patch_bits(words: &[LoadWord]) -> f64 {
     let is_read = |word: &&LoadWord| {
-        word.address < FIRST_PLANE || (word.address - FIRST_PLANE) % PLANE_WORDS < 4
+        let place = u64::from(word.address).checked_sub(PLANES);
+        place.is_none_or(|place| place % PLANE_WORDS < 4)
     };
     let read = words.iter().filter(is_read);
     read.map(|word| f64::from(word.width)).sum()

@@ -13,21 +13,16 @@ fn every_board_has_a_clock_near_to_that_of_its_first_mode() {
         let board = Board::named(name).expect("a board");
         assert_eq!(board.name, name);
         let pll = Pll::of(&board, VGA).expect("a clock");
-        assert!(
-            pll.deviation_percent().abs() < 0.6,
-            "{name}: {}",
-            pll.deviation_percent()
-        );
+        let deviation = pll.deviation_percent();
+        assert!(deviation.abs() < 0.6, "{name}: {deviation}");
         let pins = board.video.pins();
         let mut sites: Vec<&str> = pins.iter().map(|(_, site)| *site).collect();
         sites.push(&board.clock.pin);
         sites.sort_unstable();
         let count = sites.len();
         sites.dedup();
-        assert!(
-            board.part.is_none() || sites.len() == count,
-            "{name}: a pin twice"
-        );
+        let are_distinct = board.part.is_none() || sites.len() == count;
+        assert!(are_distinct, "{name}: a pin twice");
     }
 }
 
@@ -69,19 +64,14 @@ fn a_clock_out_of_reach_is_refused() {
 
 /// What a program prints behind a label.
 fn said(program: &std::path::Path, arguments: &[&str], label: &str) -> String {
-    let folder = std::env::temp_dir();
-    let output = Command::new(program)
-        .args(arguments)
-        .current_dir(folder)
-        .output();
-    let output = output.expect("the program runs");
+    let mut command = Command::new(program);
+    let command = command.args(arguments).current_dir(std::env::temp_dir());
+    let output = command.output().expect("the program runs");
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     let line = text.lines().find_map(|line| line.split_once(label));
     let (_, rest) = line.unwrap_or_else(|| panic!("{label}: {text}"));
-    rest.split_whitespace()
-        .next()
-        .unwrap_or_default()
-        .to_owned()
+    let word = rest.split_whitespace().next();
+    word.unwrap_or_default().to_owned()
 }
 
 #[test]
@@ -109,15 +99,10 @@ fn clocks_are_those_of_the_tools_or_nearer() {
     let ecppll = Tool::beside(NEXTPNR_ECP5, "ecppll").expect("ecppll");
     let pll = Pll::of(&Board::named("ulx3s-85").expect("a board"), VGA).expect("a clock");
     let arguments = ["-i", "25", "-o", "125.875"];
-    let found: f64 = said(&ecppll.path, &arguments, "clkout0 frequency:")
-        .parse()
-        .expect("MHz");
+    let found = said(&ecppll.path, &arguments, "clkout0 frequency:");
+    let (own, found): (f64, f64) = (pll.fast_mhz(), found.parse().expect("MHz"));
     let from_mode = |mhz: f64| (mhz - 125.875).abs();
-    assert!(
-        from_mode(pll.fast_mhz()) <= from_mode(found),
-        "{} and {found}",
-        pll.fast_mhz()
-    );
+    assert!(from_mode(own) <= from_mode(found), "{own} and {found}");
 
     let gowin_pll = Tool::beside(NEXTPNR_GOWIN, "gowin_pll").expect("gowin_pll");
     for (name, part) in [

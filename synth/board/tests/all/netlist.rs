@@ -12,10 +12,8 @@ fn open_inputs_have_the_level_of_the_part() {
     settle(&mut cell).unwrap();
     let wanted = json!({"CLK": [7], "LSR": ["0"], "CE": ["1"], "M": [8], "Q": []});
     assert_eq!(cell["connections"], wanted);
-    assert_eq!(
-        cell["parameters"],
-        json!({"LSRMUX": "LSR", "CEMUX": "1 ", "SD": "0 "})
-    );
+    let taken = json!({"LSRMUX": "LSR", "CEMUX": "1 ", "SD": "0 "});
+    assert_eq!(cell["parameters"], taken);
 }
 
 #[test]

@@ -19,16 +19,12 @@ fn ticks() -> Vec<Tick> {
     let mut timing = VideoTiming::new(MODE, 0);
     let tick = |_| {
         let at = timing.clock(true);
-        let colour = if at.now.active {
-            colour(at.now.x, at.now.y)
-        } else {
-            [0; 3]
-        };
+        let shown = at.now.active.then(|| colour(at.now.x, at.now.y));
         Tick {
             hsync: at.hsync,
             vsync: at.vsync,
             de: Some(at.now.active),
-            colour,
+            colour: shown.unwrap_or_default(),
         }
     };
     (0..2 * MODE.clocks() + 400).map(tick).collect()
@@ -38,9 +34,9 @@ fn ticks() -> Vec<Tick> {
 fn the_pictures_of_frames_are_found() {
     for has_de in [true, false] {
         let mut ticks = ticks();
-        ticks
-            .iter_mut()
-            .for_each(|tick| tick.de = tick.de.filter(|_| has_de));
+        for tick in &mut ticks {
+            tick.de = tick.de.filter(|_| has_de);
+        }
         let shown = seen(&ticks).expect("frames");
         assert_eq!(shown.clocks as u64, MODE.clocks());
         let pixels = (0..120).flat_map(|y| (0..160).map(move |x| colour(x, y)));

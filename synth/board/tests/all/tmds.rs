@@ -1,8 +1,9 @@
 use imogene_board::{Channels, Decoder, Tick, TmdsError};
+use imogene_golden::machine::tmds::{Sent, TmdsEncoder};
 
 /// Bits of a word.
 const WORD: usize = 10;
-use imogene_golden::machine::tmds::{Sent, TmdsEncoder};
+
 /// The pins for what three channels are given.
 fn pins(given: &[[Sent; 3]]) -> Vec<u8> {
     let mut senders = [TmdsEncoder::default(); 3];
@@ -37,13 +38,8 @@ fn pixel(colour: [u8; 3]) -> [Sent; 3] {
 
 #[test]
 fn pixels_are_found_again() {
-    let found = decode(&pins(&[
-        BLANK,
-        pixel([1, 2, 3]),
-        pixel([250, 0, 255]),
-        BLANK,
-    ]));
-    let (ticks, found) = found.expect("channels");
+    let [one, other] = [[1, 2, 3], [250, 0, 255]].map(pixel);
+    let (ticks, found) = decode(&pins(&[BLANK, one, other, BLANK])).expect("channels");
     let colours: Vec<_> = ticks.iter().map(|tick| tick.colour).collect();
     assert_eq!(colours[1..3], [[1, 2, 3], [250, 0, 255]]);
     assert!(ticks.iter().all(|tick| tick.hsync && !tick.vsync));

@@ -28,10 +28,8 @@ fn bits(net: &Value) -> Value {
 fn directions(connections: &Map<String, Value>, outputs: &[&str]) -> Value {
     let of = |port: &String| {
         let is_output = outputs.contains(&port.as_str());
-        (
-            port.clone(),
-            json!(if is_output { "output" } else { "input" }),
-        )
+        let side = if is_output { "output" } else { "input" };
+        (port.clone(), json!(side))
     };
     connections.keys().map(of).collect::<Map<_, _>>().into()
 }
@@ -45,16 +43,11 @@ fn cell(kind: &str, parameters: Value, connections: Map<String, Value>, outputs:
 
 fn table(Table { inputs, entries }: &Table, output: u64) -> Value {
     let ports = ["A", "B", "C", "D"].into_iter().zip(inputs);
-    let mut connections: Map<_, _> = ports
-        .map(|(port, net)| (port.to_owned(), bits(net)))
-        .collect();
+    let ports = ports.map(|(port, net)| (port.to_owned(), bits(net)));
+    let mut connections: Map<_, _> = ports.collect();
     connections.insert("Z".into(), json!([output]));
-    cell(
-        "LUT4",
-        json!({ "INIT": format!("{entries:016b}") }),
-        connections,
-        &["Z"],
-    )
+    let parameters = json!({ "INIT": format!("{entries:016b}") });
+    cell("LUT4", parameters, connections, &["Z"])
 }
 
 /// The cells of a sum of two words, least bit first, the second one inverted or not; its bits are the nets from `SUM`.
@@ -68,24 +61,16 @@ fn sum_at(first: u64, terms: &[[Value; 2]], inverted: bool) -> Map<String, Value
     let one = |(index, pair): (usize, &[[Value; 2]])| {
         let mut connections = Map::new();
         let carry = |index: usize| json!([CARRY + first + index as u64]);
-        connections.insert(
-            "CIN".into(),
-            if index == 0 {
-                json!([constant])
-            } else {
-                carry(index)
-            },
-        );
+        let into = match index {
+            0 => json!([constant]),
+            _ => carry(index),
+        };
+        connections.insert("CIN".into(), into);
         connections.insert("COUT".into(), carry(index + 1));
         for (half, [a, b]) in pair.iter().enumerate() {
             let out = json!(SUM + first + 2 * index as u64 + half as u64);
-            for (port, net) in [
-                ("A", a),
-                ("B", b),
-                ("C", &json!(constant)),
-                ("D", &json!("1")),
-                ("S", &out),
-            ] {
+            let nets = [a, b, &json!(constant), &json!("1"), &out];
+            for (port, net) in "ABCDS".chars().zip(nets) {
                 connections.insert(format!("{port}{half}"), bits(net));
             }
         }
@@ -93,10 +78,8 @@ fn sum_at(first: u64, terms: &[[Value; 2]], inverted: bool) -> Map<String, Value
             "INIT0": "1001011010101010", "INIT1": "1001011010101010", "INJECT1_0": "NO", "INJECT1_1": "NO",
         });
         let outputs = ["S0", "S1", "COUT"];
-        (
-            format!("sum_{first}_{index}"),
-            cell("CCU2C", parameters, connections, &outputs),
-        )
+        let sum = cell("CCU2C", parameters, connections, &outputs);
+        (format!("sum_{first}_{index}"), sum)
     };
     terms.chunks_exact(2).enumerate().map(one).collect()
 }
@@ -120,12 +103,8 @@ impl<'a> Evaluation<'a> {
             for (port, nets) in cell["connections"].as_object().expect("ports") {
                 if cell["port_directions"][port] == "output" {
                     let net = nets[0].as_u64().expect("a net");
-                    assert!(
-                        writers
-                            .insert(net, (name.as_str(), port.as_str()))
-                            .is_none(),
-                        "{net}"
-                    );
+                    let before = writers.insert(net, (name.as_str(), port.as_str()));
+                    assert!(before.is_none(), "{net}");
                 }
             }
         }
@@ -156,10 +135,8 @@ impl<'a> Evaluation<'a> {
     fn entry(&self, cell: &Value, entries: &str, inputs: [&str; 4]) -> bool {
         let text = cell["parameters"][entries].as_str().expect("entries");
         let nets = inputs.map(|input| self.net(&cell["connections"][input][0]));
-        let index = nets
-            .iter()
-            .rev()
-            .fold(0, |index, bit| 2 * index + usize::from(*bit));
+        let nets = nets.into_iter().rev();
+        let index = nets.fold(0, |index, bit| 2 * index + usize::from(bit));
         text.as_bytes()[15 - index] == b'1'
     }
 
@@ -174,15 +151,13 @@ impl<'a> Evaluation<'a> {
     /// last four digits of the entries.
     fn carry(&self, cell: &str, half: usize) -> bool {
         if self.half(cell, half) {
-            return if half == 0 {
-                self.port(cell, "CIN")
-            } else {
-                self.carry(cell, 0)
+            return match half {
+                0 => self.port(cell, "CIN"),
+                _ => self.carry(cell, 0),
             };
         }
-        let text = self.cells[cell]["parameters"][format!("INIT{half}")]
-            .as_str()
-            .expect("entries");
+        let text = &self.cells[cell]["parameters"][format!("INIT{half}")];
+        let text = text.as_str().expect("entries");
         let [a, b] = ["A", "B"].map(|input| self.port(cell, &format!("{input}{half}")));
         text.as_bytes()[15 - usize::from(a) - 2 * usize::from(b)] == b'1'
     }
@@ -196,13 +171,8 @@ impl<'a> Evaluation<'a> {
 fn is_same(before: &Value, after: &Value) -> Result<(), TestCaseError> {
     for inputs in 0..1 << INPUTS {
         let value = |module| Evaluation::of(module, inputs).outputs(module);
-        prop_assert_eq!(
-            value(before),
-            value(after),
-            "inputs {:b} of {}",
-            inputs,
-            before
-        );
+        let (one, other) = (value(before), value(after));
+        prop_assert_eq!(one, other, "inputs {:b} of {}", inputs, before);
     }
     Ok(())
 }
@@ -290,9 +260,8 @@ proptest! {
 
 /// Four bits of the inputs from 2 and from 6.
 fn plain() -> Vec<[Value; 2]> {
-    (0..4)
-        .map(|bit| [json!(INPUT + bit), json!(INPUT + 4 + bit)])
-        .collect()
+    let pair = |bit| [json!(INPUT + bit), json!(INPUT + 4 + bit)];
+    (0..4).map(pair).collect()
 }
 
 /// A sum of four bits, and tables: how many of these the folded one has not.
@@ -327,11 +296,8 @@ fn a_choice_stays_where_the_sum_is_read_beside_it_or_another_net_steers() {
     other[2] = choice(&json!(INPUT + 9), json!("1"), json!(SUM + 2), true);
     assert_eq!(without(false, &other, &[]), 0, "another net");
     assert_eq!(without(false, &choices(), &[SUM + 1]), 0, "read beside it");
-    assert_eq!(
-        without(false, &choices(), &[CARRY + 2]),
-        0,
-        "last carry read"
-    );
+    let carried = without(false, &choices(), &[CARRY + 2]);
+    assert_eq!(carried, 0, "last carry read");
     assert_eq!(without(true, &choices(), &[]), 0, "a difference");
 }
 
@@ -356,12 +322,8 @@ fn a_choice_between_two_sums_is_part_of_one() {
     cells.extend(sum_at(50, &other, false));
     let nets: Vec<u64> = (TABLE..TABLE + 4).collect();
     for (bit, net) in (0..).zip(&nets) {
-        let made = choice(
-            &json!(INPUT + 8),
-            json!(SUM + 50 + bit),
-            json!(SUM + bit),
-            true,
-        );
+        let [to, sum] = [SUM + 50 + bit, SUM + bit].map(|net| json!(net));
+        let made = choice(&json!(INPUT + 8), to, sum, true);
         cells.insert(format!("table_{net}"), table(&made, *net));
     }
     let before = module(cells, &nets);

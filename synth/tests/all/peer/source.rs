@@ -26,10 +26,9 @@ fn read(clock: Option<&str>, ports: &[&str]) -> Result<(Vec<Port>, String), Peer
 fn ports_are_read_and_the_clock_is_found() {
     let (ports, clock) = read(None, &[OUT, IN, CLOCK]).expect("a clocked module");
     assert_eq!(clock, "clk");
-    let ports: Vec<(&str, usize, bool)> = ports
-        .iter()
-        .map(|port| (port.name.as_str(), port.width, port.signed))
-        .collect();
+    let ports = ports.iter();
+    let ports = ports.map(|port| (port.name.as_str(), port.width, port.signed));
+    let ports: Vec<(&str, usize, bool)> = ports.collect();
     // In the order of their bits.
     assert_eq!(ports, [("clk", 1, false), ("a", 2, false), ("s", 1, true)]);
 }
@@ -43,11 +42,8 @@ fn a_clock_that_is_not_there_is_answered_with_the_ports() {
         (Some("ck"), vec![CLOCK, IN, OUT]),
     ] {
         let message = read(clock, &ports).expect_err("no clock").to_string();
-        for part in [
-            clock.unwrap_or("`clk` or `clock`"),
-            "input a (2 bits)",
-            "output s",
-        ] {
+        let wanted = clock.unwrap_or("`clk` or `clock`");
+        for part in [wanted, "input a (2 bits)", "output s"] {
             assert!(message.contains(part), "{message}");
         }
     }

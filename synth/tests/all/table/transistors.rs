@@ -34,12 +34,9 @@ fn every_unit_of_the_section_has_a_counterpart() {
 
 #[test]
 fn a_line_has_both_counts() {
-    assert_eq!(
-        line("pe1", 5_200),
-        "| `pe1` | PE1 | 26 | 5200 | 200 | 24 | 4116 | 171 |"
-    );
-    assert_eq!(
-        line("normal_unit", 7),
-        "| `normal_unit` | 3 multipliers, 3 adders with registers | - | 7 | - | - | 52080 | - |"
-    );
+    let of_one = "| `pe1` | PE1 | 26 | 5200 | 200 | 24 | 4116 | 171 |";
+    assert_eq!(line("pe1", 5_200), of_one);
+    let of_several =
+        "| `normal_unit` | 3 multipliers, 3 adders with registers | - | 7 | - | - | 52080 | - |";
+    assert_eq!(line("normal_unit", 7), of_several);
 }

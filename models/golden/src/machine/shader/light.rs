@@ -40,11 +40,8 @@ impl Light<'_> {
 
     /// The cosine between normal and light, with attenuation.
     pub fn diffuse(&self, curves: &Curves) -> i64 {
-        let along = if self.sight.turned {
-            -self.along
-        } else {
-            self.along
-        };
+        let sign = if self.sight.turned { -1 } else { 1 };
+        let along = sign * self.along;
         if along <= 0 {
             return 0;
         }
@@ -66,18 +63,16 @@ impl Light<'_> {
             return 0;
         }
         let cut = i64::from(2 * (less + 2 * widths.dropped())) << widths.logarithm;
-        let loss =
-            2 * sight.normal_log + self.light_log + sight.ray_log - 2 * curves.log2(kept) - cut;
-        let loss = loss.clamp(0, curves.most());
+        let lengths = 2 * sight.normal_log + self.light_log + sight.ray_log;
+        let loss = (lengths - 2 * curves.log2(kept) - cut).clamp(0, curves.most());
         curves.factor(loss * i64::from(exponent) + sight.attenuation)
     }
 }
 
 /// The vector to the light in units of its words.
 fn towards(words: &LightWords, sight: &Sight) -> [i64; 3] {
-    let [x, y] = sight
-        .place
-        .map(|v| if words.point { v << words.shift } else { 0 });
+    let place = |v: i64| if words.point { v << words.shift } else { 0 };
+    let [x, y] = sight.place.map(place);
     let place = [x, y, 0];
     std::array::from_fn(|k| {
         let slope = (i64::from(words.slope[k]) * sight.depth) >> 31;

@@ -50,10 +50,8 @@ impl Registers {
             return false;
         };
         *word = data;
-        let tells = match &self.slot {
-            Some(slot) => slot.kind.presence() as u16,
-            None => load_volume::CONTROL.into(),
-        };
+        let of_object = self.slot.as_ref().map(|slot| slot.kind.presence() as u16);
+        let tells = of_object.unwrap_or(volume::CONTROL as u16);
         self.present |= address == tells;
         true
     }

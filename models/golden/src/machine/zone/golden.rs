@@ -172,22 +172,19 @@ impl ZoneMachineModel {
 
     /// One beat; the pixels that it shows go to `sink`.
     pub fn beat(&mut self, beat: &Beat, sink: impl FnMut(ShownPixel)) -> Result<(), StreamError> {
-        let unknown = StreamError::Address {
+        let unknown = || StreamError::Address {
             kind: beat.kind,
             unit: beat.unit,
             address: beat.address,
         };
         let (unit, address, data) = (usize::from(beat.unit), beat.address, beat.data);
-        let write =
-            |units: &mut [Registers]| units.get_mut(unit)?.write(address, data).then_some(());
+        let write = |registers: Option<&mut Registers>| {
+            let is_written = registers.is_some_and(|own| own.write(address, data));
+            is_written.then_some(()).ok_or_else(unknown)
+        };
         match beat.kind {
-            kind::OBJECT if unit >= self.objects.len() => {
-                let layer = self.layers.get_mut(unit - self.objects.len());
-                let is_written = layer.is_some_and(|layer| layer.write(address, data));
-                is_written.then_some(()).ok_or(unknown)
-            }
-            kind::OBJECT => write(&mut self.objects).ok_or(unknown),
-            kind::VOLUME => write(&mut self.volumes).ok_or(unknown),
+            kind::OBJECT => write(self.objects.iter_mut().chain(&mut self.layers).nth(unit)),
+            kind::VOLUME => write(self.volumes.get_mut(unit)),
             kind::SHADING => {
                 self.shading.insert(address, data);
                 Ok(())
@@ -202,9 +199,9 @@ impl ZoneMachineModel {
                 command::DRAW => self.draw(data),
                 command::LIGHT => self.light(data),
                 command::SHOW => self.show(data, sink),
-                _ => Err(unknown),
+                _ => Err(unknown()),
             },
-            _ => Err(unknown),
+            _ => Err(unknown()),
         }
     }
 
@@ -268,8 +265,7 @@ impl ZoneMachineModel {
         self.not_begun()?;
         self.size = pair(data);
         self.progress.sized = true;
-        refuse(self.size.contains(&0), "a zone without pixels")?;
-        Ok(())
+        refuse(self.size.contains(&0), "a zone without pixels")
     }
 
     fn not_begun(&self) -> Result<(), StreamError> {
@@ -279,16 +275,14 @@ impl ZoneMachineModel {
     fn draw(&mut self, data: u64) -> Result<(), StreamError> {
         self.has_zone()?;
         let first = data & command::FIRST != 0;
-        refuse(
-            first == self.progress.drawn,
-            "the first draw pass of a zone says so, and no other one",
-        )?;
+        let why = "the first draw pass of a zone says so, and no other one";
+        refuse(first == self.progress.drawn, why)?;
         refuse(self.progress.lit, "a draw pass after a light pass")?;
         if first {
             self.buffer = vec![self.background(); self.pixels()];
         }
-        let mut loaded: Vec<Option<(u16, ProcessorWords)>> =
-            (0..self.objects.len()).map(|i| self.loaded(i)).collect();
+        let loaded = (0..self.objects.len()).map(|i| self.loaded(i));
+        let mut loaded: Vec<Option<(u16, ProcessorWords)>> = loaded.collect();
         let members: usize = self.products.iter().map(ProductSlots::count).sum();
         let mut members = loaded.split_off(loaded.len() - members).into_iter();
         for (id, words) in loaded.into_iter().flatten() {
@@ -365,10 +359,8 @@ impl ZoneMachineModel {
     fn light(&mut self, data: u64) -> Result<(), StreamError> {
         refuse(!self.progress.drawn, "a light pass before a draw pass")?;
         let first = data & command::FIRST != 0;
-        refuse(
-            first == self.progress.lit,
-            "the first light pass of a zone says so, and no other one",
-        )?;
+        let why = "the first light pass of a zone says so, and no other one";
+        refuse(first == self.progress.lit, why)?;
         if first {
             for kept in &mut self.buffer {
                 kept.flags = ALL_SOURCES;
@@ -391,9 +383,8 @@ impl ZoneMachineModel {
         for (y, line) in self.buffer.chunks_mut(width).enumerate() {
             let depths: Vec<i64> = line.iter().map(|kept| kept.depth).collect();
             let mut inside = vec![false; width];
-            for_each_inside(&words, &self.format, y as i64, &depths, |x| {
-                inside[x] = true
-            });
+            let sink = |x: usize| inside[x] = true;
+            for_each_inside(&words, &self.format, y as i64, &depths, sink);
             for (kept, inside) in line.iter_mut().zip(inside) {
                 kept.flags = words.after(kept.flags, inside);
             }
@@ -404,21 +395,19 @@ impl ZoneMachineModel {
         self.has_zone()?;
         let [lit, drawn, last] =
             [command::LIT, command::DRAWN, command::LAST_ZONE].map(|bit| data & bit != 0);
+        let why = "a show pass whose bits are not the passes that there were";
         refuse(
-            (lit, drawn) != (self.progress.lit, self.progress.drawn),
-            "a show pass whose bits are not the passes that there were",
+            [lit, drawn] != [self.progress.lit, self.progress.drawn],
+            why,
         )?;
-        let sample = Sample::of_bits(data, self.samples).ok_or(StreamError::Order(
-            "a show pass of a sample that the machine's pixels have not",
-        ))?;
+        let why = "a show pass of a sample that the machine's pixels have not";
+        let sample = Sample::of_bits(data, self.samples).ok_or(StreamError::Order(why))?;
         let pixels = self.pixels();
         let width = usize::from(self.size[0]);
         for index in 0..pixels {
             let background = self.background();
-            let kept = self
-                .buffer
-                .get(index)
-                .filter(|kept| drawn && kept.depth != background.depth);
+            let kept = self.buffer.get(index).filter(|_| drawn);
+            let kept = kept.filter(|kept| kept.depth != background.depth);
             let kept = kept.copied().unwrap_or(background);
             sink(ShownPixel {
                 x: self.origin[0] + (index % width) as u16,
@@ -469,10 +458,7 @@ fn words_in(registers: &mut Registers, size: [u16; 2], format: &Format) -> Optio
 }
 
 fn refuse(wrong: bool, order: &'static str) -> Result<(), StreamError> {
-    match wrong {
-        true => Err(StreamError::Order(order)),
-        false => Ok(()),
-    }
+    (!wrong).then_some(()).ok_or(StreamError::Order(order))
 }
 
 fn pair(data: u64) -> [u16; 2] {

@@ -51,18 +51,9 @@ pub struct ZoneMachine {
 /// No zone machine is like this.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum ZoneMachineError {
-    /// A number is out of its range.
-    #[error("a zone machine with {value} {what}: accepted are {least} to {most}")]
-    Range {
-        /// What of it.
-        what: &'static str,
-        /// Asked for.
-        value: usize,
-        /// Fewest.
-        least: usize,
-        /// Most.
-        most: usize,
-    },
+    /// A number is out of its range: what is asked for, of what, the fewest and the most.
+    #[error("a zone machine with {0} {1}: accepted are {2} to {3}")]
+    Range(usize, &'static str, usize, usize),
     /// No machine has so many samples.
     #[error("{0} x {0} samples of a pixel: accepted are 1, 2 or 4 along each side")]
     Samples(u32),
@@ -102,17 +93,10 @@ impl ZoneMachine {
             ("zone height", lines, 1, side),
         ] {
             if !(least..=most).contains(&value) {
-                return Err(ZoneMachineError::Range {
-                    what,
-                    value,
-                    least,
-                    most,
-                });
+                return Err(ZoneMachineError::Range(value, what, least, most));
             }
         }
-        match SAMPLES.contains(&self.samples) {
-            true => Ok(()),
-            false => Err(ZoneMachineError::Samples(self.samples)),
-        }
+        let is_known = SAMPLES.contains(&self.samples).then_some(());
+        is_known.ok_or(ZoneMachineError::Samples(self.samples))
     }
 }

@@ -1,20 +1,86 @@
-//! Random words for tests.
+//! Words of processors, and random ones, for tests.
 
-use imogene_contract::RootForm;
-use imogene_golden::object::screen_box::ScreenBox;
-use imogene_golden::object::volume::{VolumeKind, VolumePlane, VolumeWords};
-use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_golden::unit::depth_interval::Class;
-use imogene_golden::unit::pe1::Linear;
-use imogene_golden::unit::pe2::Quadratic;
-use proptest::prelude::*;
+use imogene_algebra::rational::{fraction, integer};
+use imogene_contract::{MachineWords, RootForm};
+pub use imogene_golden::format::{Format, wrap};
+pub use imogene_golden::object::paraboloid::Exact;
+pub use imogene_golden::object::quadric::{ObjectPixel, PlaneWords, QuadricWords, ScreenBox};
+pub use imogene_golden::object::volume::{VolumeKind, VolumePlane, VolumeQuadric, VolumeWords};
+pub use imogene_golden::object::words::Object;
+pub use imogene_golden::unit::cut_plane::PlaneKind;
+pub use imogene_golden::unit::depth_interval::{Class, Interval};
+pub use imogene_golden::unit::normal::NormalWords;
+pub use imogene_golden::unit::pe1::Linear;
+pub use imogene_golden::unit::pe2::Quadratic;
+use num_bigint::BigInt;
+use num_rational::BigRational;
+pub use proptest::prelude::*;
 
 /// Side of the zones that are compared pixel by pixel.
 pub const SIDE: i64 = 20;
 
 /// The pixels of such a zone, line by line.
 pub fn pixels() -> impl Iterator<Item = (i64, i64)> {
-    (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y)))
+    square(SIDE)
+}
+
+/// The pixels of a square, line by line.
+pub fn square(side: i64) -> impl Iterator<Item = (i64, i64)> {
+    (0..side).flat_map(move |y| (0..side).map(move |x| (x, y)))
+}
+
+/// The values of a processor that goes from pixel to pixel, line by line.
+pub fn raster(
+    columns: usize,
+    lines: usize,
+    mut value: impl FnMut(usize, usize) -> i128,
+) -> Vec<Vec<i128>> {
+    let mut line = |y| (0..columns).map(|x| value(x, y)).collect();
+    (0..lines).map(|y| line(y)).collect()
+}
+
+/// Every value of a raster is the exact one modulo its width, and that of the closed form, which `at` gives too.
+pub fn check_modulo(
+    raster: &[Vec<i128>],
+    width: u32,
+    at: impl Fn(i64, i64) -> (BigInt, i128),
+) -> Result<(), TestCaseError> {
+    for (y, line) in (0..).zip(raster) {
+        for (x, &value) in (0..).zip(line) {
+            let (exact, closed) = at(x, y);
+            prop_assert_eq!((exact - value) % (BigInt::from(1) << width), BigInt::ZERO);
+            prop_assert_eq!((value, value), (wrap(value, width), closed));
+        }
+    }
+    Ok(())
+}
+
+/// Any first-degree expression.
+pub fn any_linear() -> impl Strategy<Value = Linear> {
+    let words = any::<[i64; 3]>().prop_map(|words| words.map(i128::from));
+    words.prop_map(|[a, b, c]| Linear::new(a, b, c))
+}
+
+/// Any second-degree expression.
+pub fn any_quadratic() -> impl Strategy<Value = Quadratic> {
+    any::<[i64; 6]>().prop_map(|words| Quadratic::new(words.map(i128::from)))
+}
+
+/// Value of an exact expression at a pixel.
+pub fn value_at([a, b, c, d, e, f]: &Exact, x: i64, y: i64) -> BigRational {
+    let (x, y) = (integer(x), integer(y));
+    (a * &x + c * &y + d) * &x + (b * &y + e) * &y + f
+}
+
+/// Half a count of the result, and what rounding six coefficients to `2^-guard` can do at a pixel.
+pub fn rounding_bound(x: i64, y: i64, guard: u32) -> BigRational {
+    let counts = x * x + y * y + x * y + x + y + 1;
+    fraction(1, 2) + fraction(counts, 2 << guard)
+}
+
+/// The same of three coefficients.
+pub fn linear_bound(x: i64, y: i64, guard: u32) -> BigRational {
+    fraction(1, 2) + fraction(x + y + 1, 2 << guard)
 }
 
 /// A first-degree expression with factors and constant up to these.
@@ -48,19 +114,16 @@ pub fn choices<T: Copy>(of: &[T], count: u32) -> impl Iterator<Item = Vec<T>> {
 
 /// All orders of n planes.
 pub fn permutations(n: usize) -> Vec<Vec<usize>> {
-    if n == 0 {
-        return vec![vec![]];
-    }
-    permutations(n - 1)
-        .into_iter()
-        .flat_map(|shorter| {
-            (0..n).map(move |at| {
-                let mut order = shorter.clone();
-                order.insert(at, n - 1);
-                order
-            })
-        })
-        .collect()
+    let places: Vec<usize> = (0..n).collect();
+    let has_all = |order: &Vec<usize>| places.iter().all(|place| order.contains(place));
+    choices(&places, n as u32).filter(has_all).collect()
+}
+
+/// The base format with some widths changed.
+pub fn fitted(change: impl FnOnce(&mut MachineWords)) -> Format {
+    let mut widths = Format::BASE.widths();
+    change(&mut widths);
+    Format::fitted(&widths).unwrap()
 }
 
 /// A front and a back plane at each of these levels, and perpendicular ones that keep and remove the pixel.
@@ -77,17 +140,15 @@ pub fn slab(
     depth: i128,
     margin: u32,
 ) -> VolumeWords {
-    let depth = Linear::new(0, 0, depth);
+    let (front, depth) = (PlaneKind::Front, Linear::new(0, 0, depth));
+    let plane = VolumePlane { kind: front, depth };
     VolumeWords {
         kind,
         source,
         screen_box: ScreenBox::of([x0, x1], [0, 0]),
         margin,
         quadric: None,
-        planes: vec![VolumePlane {
-            kind: PlaneKind::Front,
-            depth,
-        }],
+        planes: vec![plane],
     }
 }
 

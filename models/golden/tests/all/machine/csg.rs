@@ -54,11 +54,8 @@ fn candidates(intersected: &[Extent], subtracted: &[Extent]) -> Option<i64> {
     let is_front_seen = front < FAR && front <= back && is_free(front) && is_sheet_free;
     let backs = subtracted.iter().filter(|p| p.zf < p.zb).map(|p| p.zb);
     let backs = backs.filter(|&z| front < z && z < back && is_free(z));
-    is_front_seen
-        .then_some(front)
-        .into_iter()
-        .chain(backs)
-        .min()
+    let fronts = is_front_seen.then_some(front).into_iter();
+    fronts.chain(backs).min()
 }
 
 #[test]

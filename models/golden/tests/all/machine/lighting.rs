@@ -1,8 +1,6 @@
-use crate::common::slab;
-use imogene_golden::format::Format;
+use crate::common::*;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::{Lighting, light};
-use imogene_golden::object::volume::{VolumeKind, VolumeWords};
 
 /// A volume from column 1 to 2 and from depth 100 on.
 fn volume(kind: VolumeKind, source: u8, margin: u32) -> VolumeWords {

@@ -5,18 +5,14 @@ use imogene_golden::machine::overlay::{Covered, LATENCY, Overlay};
 fn a_word_is_read_two_clocks_after_its_pixel() {
     for (before, seen) in [(2, true), (3, false)] {
         let mut overlay = Overlay::new(2);
-        let pixel = Covered {
-            place: 33,
-            colour: [1, 2, 3],
+        let (place, colour) = (33, [1, 2, 3]);
+        let pixel = Covered { place, colour };
+        let clock = |clock: usize| {
+            let word = (clock == 4).then_some((1, 2));
+            let covered = (clock == 4 - before).then_some(pixel);
+            overlay.clock(word, Some([9; 3]), covered)
         };
-        let clocks = (0..10).map(|clock| {
-            overlay.clock(
-                (clock == 4).then_some((1, 2)),
-                Some([9; 3]),
-                (clock == 4 - before).then_some(pixel),
-            )
-        });
-        let out: Vec<_> = clocks.collect();
+        let out: Vec<_> = (0..10).map(clock).collect();
         let expected = if seen { [9; 3] } else { [1, 2, 3] };
         assert_eq!(out[4 - before + LATENCY - 1], Some(expected));
         assert_eq!(out.iter().flatten().count(), 1);

@@ -4,9 +4,8 @@ use imogene_golden::machine::raster::RasterControl;
 fn zones_follow_each_other_without_a_bubble() {
     let mut raster = RasterControl::default();
     assert_eq!(raster.clock(false, 2, 2), None);
-    let pixels: Vec<_> = (0..8)
-        .map(|_| raster.clock(true, 2, 2).expect("no bubble"))
-        .collect();
+    let pixel = |_| raster.clock(true, 2, 2).expect("no bubble");
+    let pixels: Vec<_> = (0..8).map(pixel).collect();
     let places: Vec<_> = pixels.iter().map(|p| (p.x, p.y)).collect();
     let zone = [(0, 0), (1, 0), (0, 1), (1, 1)];
     assert_eq!(places, [zone, zone].concat());

@@ -1,10 +1,7 @@
-use crate::common::slab;
-use imogene_golden::format::Format;
+use crate::common::*;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::{ALL_SOURCES, light};
 use imogene_golden::machine::shadow::{ShadowWords, flags, latency};
-use imogene_golden::object::volume::VolumeKind;
-use proptest::prelude::*;
 
 fn any_volumes(count: usize) -> impl Strategy<Value = Vec<(ShadowWords, bool)>> {
     let kind = prop_oneof![Just(VolumeKind::Light), Just(VolumeKind::Shadow)];

@@ -21,11 +21,8 @@ fn states() -> Vec<TmdsEncoder> {
 fn decoded(word: u16) -> u8 {
     let body = if word >> 9 & 1 == 1 { !word } else { word } & 0xff;
     let differs = body ^ body << 1;
-    let level = if word >> 8 & 1 == 1 {
-        differs
-    } else {
-        !differs
-    };
+    let is_xor = word >> 8 & 1 == 1;
+    let level = if is_xor { differs } else { !differs };
     (level & 0xfe | body & 1) as u8
 }
 

@@ -1,6 +1,4 @@
-use imogene_golden::machine::transparency::{
-    Colour, Layer, MOST_LAYERS, Seen, blend, order, pipeline, stage,
-};
+use imogene_golden::machine::transparency::*;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use proptest::prelude::*;
@@ -38,26 +36,29 @@ fn a_blend_is_exact_to_half_a_step() {
     assert_eq!(real.round(), whole(105));
 }
 
+fn dark(depth: i64) -> Seen {
+    let colour = [0; 3];
+    Seen { depth, colour }
+}
+
+fn layer(depth: i64, level: u8, weight: u8) -> Layer {
+    let colour = [level; 3];
+    Layer {
+        depth,
+        colour,
+        weight,
+    }
+}
+
 #[test]
 fn only_what_is_nearer_than_the_surface_is_seen() {
-    let pixel = Seen {
-        depth: 10,
-        colour: [0; 3],
-    };
-    let layer = |depth| Layer {
-        depth,
-        colour: [255; 3],
-        weight: 255,
-    };
+    let pixel = dark(10);
+    let layer = |depth| layer(depth, 255, 255);
     assert_eq!(stage(pixel, layer(9)).colour, [255; 3]);
     assert_eq!(stage(pixel, layer(9)).depth, 10);
     assert_eq!(stage(pixel, layer(10)), pixel);
-    let background = Seen {
-        depth: FAR,
-        ..pixel
-    };
-    assert_eq!(stage(background, layer(FAR)), background);
-    assert_eq!(stage(background, layer(FAR - 1)).colour, [255; 3]);
+    assert_eq!(stage(dark(FAR), layer(FAR)), dark(FAR));
+    assert_eq!(stage(dark(FAR), layer(FAR - 1)).colour, [255; 3]);
 }
 
 fn any_layer() -> impl Strategy<Value = Layer> {
@@ -105,18 +106,9 @@ proptest! {
 
 #[test]
 fn the_wrong_order_shows_another_colour() {
-    let pixel = Seen {
-        depth: 50,
-        colour: [0; 3],
-    };
-    let layer = |depth, red| Layer {
-        depth,
-        colour: [red, 0, 0],
-        weight: 128,
-    };
-    let (far, near) = (layer(40, 0), layer(30, 255));
-    assert_eq!(pipeline(pixel, &[far, near]).colour[0], 128);
-    assert_eq!(pipeline(pixel, &[near, far]).colour[0], 64);
+    let (far, near) = (layer(40, 0, 128), layer(30, 255, 128));
+    assert_eq!(pipeline(dark(50), &[far, near]).colour, [128; 3]);
+    assert_eq!(pipeline(dark(50), &[near, far]).colour, [64; 3]);
     assert_eq!(order(&[vec![30], vec![40]], FAR), Ok(vec![1, 0]));
 }
 

@@ -18,8 +18,7 @@ fn every_pixel_once_and_the_published_sync_widths() {
     ] {
         let frame = frame(mode);
         let count = |holds: fn(&VideoMode, &Timing) -> bool| {
-            let clocks = frame.iter().filter(|clock| holds(&mode, clock));
-            clocks.count()
+            frame.iter().filter(|clock| holds(&mode, clock)).count()
         };
         assert_eq!(count(|_, at| at.now.active), pixels);
         assert_eq!(count(|mode, at| at.hsync == mode.hsync_high), hsync);

@@ -11,29 +11,23 @@ fn skewed(pixels: &[Vec<Visible>], starts: &[usize]) -> Vec<Vec<Visible>> {
         let pixel = clock.saturating_sub(starts[i]).min(pixels.len() - 1);
         pixels[pixel][i]
     };
-    (0..clocks)
-        .map(|clock| (0..starts.len()).map(|i| input(clock, i)).collect())
-        .collect()
+    let inputs = |clock| (0..starts.len()).map(|i| input(clock, i)).collect();
+    (0..clocks).map(inputs).collect()
 }
 
 /// Objects with different ids and few depths, in some order and in another.
 fn orders(count: usize) -> impl Strategy<Value = (Vec<Visible>, Vec<Visible>)> {
     let depths = proptest::collection::vec((-2i64..2, any::<[i16; 3]>()), count);
     depths.prop_flat_map(|fields| {
-        let objects: Vec<Visible> = fields
-            .iter()
-            .enumerate()
-            .map(|(id, &(depth, normal))| Visible {
-                depth,
-                id: id as u8,
-                number: (id % 16) as u8,
-                normal,
-            })
-            .collect();
-        (
-            Just(objects.clone()).prop_shuffle(),
-            Just(objects).prop_shuffle(),
-        )
+        let object = |(id, (depth, normal)): (u8, (i64, [i16; 3]))| Visible {
+            depth,
+            id,
+            number: id % 16,
+            normal,
+        };
+        let objects: Vec<Visible> = (0..).zip(fields).map(object).collect();
+        let shuffled = || Just(objects.clone()).prop_shuffle();
+        (shuffled(), shuffled())
     })
 }
 

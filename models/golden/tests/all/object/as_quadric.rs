@@ -1,31 +1,23 @@
-use crate::common::{SIDE, bowl, class, kind, linear, pixels};
-use imogene_golden::format::Format;
+use crate::common::*;
 use imogene_golden::object::as_quadric::AsQuadricError;
 use imogene_golden::object::facet::FacetWords;
-use imogene_golden::object::patch;
 use imogene_golden::object::polyhedron::PolyhedronWords;
-use imogene_golden::object::quadric::{PlaneWords, QuadricWords};
-use imogene_golden::object::screen_box::ScreenBox;
 use imogene_golden::object::slot::ProcessorWords;
-use imogene_golden::object::volume::{VolumeKind, VolumePlane, VolumeWords};
-use imogene_golden::object::words::{Object, ObjectPixel};
-use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_golden::unit::normal::NormalWords;
-use imogene_golden::unit::pe1::Linear;
-use proptest::prelude::*;
 
 const BOX: ScreenBox = ScreenBox::of([2, SIDE - 1], [1, SIDE - 3]);
 
-/// Every pixel of the quadric processor beside another one.
+/// Every pixel of an object beside that of a quadric processor of `planes` planes that draws it; at how many it is.
 fn compare(
-    words: &QuadricWords,
+    object: &ProcessorWords,
     format: &Format,
-    other: impl Fn(i64, i64) -> ObjectPixel,
+    planes: usize,
     same: impl Fn(&ObjectPixel, &ObjectPixel) -> bool,
 ) -> Result<usize, TestCaseError> {
+    let quadric = object.on_quadric_processor(format, planes);
+    let quadric = quadric.expect("enough planes and guard bits");
     let mut present = 0;
     for (x, y) in pixels() {
-        let (got, wanted) = (words.at(x, y, format), other(x, y));
+        let (got, wanted) = (quadric.at(x, y, format), object.at(x, y, format));
         prop_assert!(same(&got, &wanted), "({x}, {y}): {got:?}, not {wanted:?}");
         present += usize::from(got.zf != format.z_max());
     }
@@ -54,16 +46,10 @@ fn facet_words(format: &Format) -> impl Strategy<Value = FacetWords> + use<> {
 }
 
 fn check_facet(words: &FacetWords, format: &Format) -> Result<usize, TestCaseError> {
-    let quadric = ProcessorWords::Facet(words.clone())
-        .on_quadric_processor(format, 4)
-        .expect("enough guard bits");
-    compare(
-        &quadric,
-        format,
-        |x, y| words.at(x, y, format),
-        // All but the number of the face.
-        |a, b| (a.zf, a.zb, a.normal) == (b.zf, b.zb, b.normal),
-    )
+    let facet = ProcessorWords::Facet(words.clone());
+    // All but the number of the face.
+    let seen = |pixel: &ObjectPixel| (pixel.zf, pixel.zb, pixel.normal);
+    compare(&facet, format, 4, |a, b| seen(a) == seen(b))
 }
 
 proptest! {
@@ -103,27 +89,16 @@ proptest! {
         g in [linear(9000, 1 << 22), linear(9000, 1 << 22), linear(9000, 1 << 22)], k in any::<[i16; 3]>(),
         planes in prop::collection::vec((kind(), linear(40, 900), any::<[i16; 3]>()), 0..=5)
     ) {
-        let format = Format::BASE;
+        let plane = |(kind, depth, normal)| PlaneWords::new(kind, depth, normal);
         let words = QuadricWords {
             class,
             screen_box: BOX,
             f1,
             f2: bowl(a, b, f),
             normal: NormalWords { g, k, shift: 1 },
-            planes: planes
-                .into_iter()
-                .map(|(kind, depth, normal)| PlaneWords::new(kind, depth, normal))
-                .collect(),
+            planes: planes.into_iter().map(plane).collect(),
         };
-        let quadric = ProcessorWords::Patch(words.clone())
-            .on_quadric_processor(&format, 5)
-            .expect("five planes");
-        compare(
-            &quadric,
-            &format,
-            |x, y| patch::at(&words, x, y, &format),
-            |a, b| a == b,
-        )?;
+        compare(&ProcessorWords::Patch(words), &Format::BASE, 5, |a, b| a == b)?;
     }
 
     #[test]
@@ -140,16 +115,10 @@ proptest! {
             screen_box: BOX,
             planes: planes.into_iter().map(plane).collect(),
         };
-        let quadric = ProcessorWords::Polyhedron(words.clone())
-            .on_quadric_processor(&format, 12)
-            .expect("twelve planes");
-        compare(
-            &quadric,
-            &format,
-            |x, y| words.at(x, y, &format),
-            // An absent object is absent, whatever face it lost last.
-            |a, b| a == b || (a.zf, b.zf) == (format.z_max(), format.z_max()),
-        )?;
+        // An absent object is absent, whatever face it lost last.
+        let absent = format.z_max();
+        let same = |a: &ObjectPixel, b: &ObjectPixel| a == b || (a.zf, b.zf) == (absent, absent);
+        compare(&ProcessorWords::Polyhedron(words), &format, 12, same)?;
     }
 
     #[test]
@@ -177,43 +146,31 @@ proptest! {
 #[test]
 fn a_facet_is_there_where_it_should_be() {
     let format = Format::BASE.with_guards(10, 0).unwrap();
+    let edges = [[1, 0, -4], [0, 1, -5], [-1, -1, 30]];
     let words = FacetWords {
         screen_box: BOX,
-        edges: vec![
-            Linear::new(1, 0, -4),
-            Linear::new(0, 1, -5),
-            Linear::new(-1, -1, 30),
-        ],
+        edges: edges.map(|[a, b, c]| Linear::new(a, b, c)).to_vec(),
         depth: Linear::new(1500, -700, 123_456),
         normal: [Linear::new(5000, 0, 1 << 20); 3],
     };
     let present = check_facet(&words, &format).expect("the same");
-    assert_eq!(
-        present,
-        (5..=17).map(|y| (30 - y).min(19) - 4 + 1).sum::<usize>()
-    );
+    let lines = (5..=17).map(|y| (30 - y).min(19) - 4 + 1);
+    assert_eq!(present, lines.sum());
 }
 
 #[test]
 fn what_has_no_equal_is_refused_by_name() {
-    let planes = vec![PlaneWords::default(); 3];
-    let words = ProcessorWords::Polyhedron(PolyhedronWords {
-        screen_box: BOX,
-        planes,
-    });
+    let (screen_box, planes) = (BOX, vec![PlaneWords::default(); 3]);
+    let words = ProcessorWords::Polyhedron(PolyhedronWords { screen_box, planes });
     let refused = words.on_quadric_processor(&Format::BASE, 2).unwrap_err();
     assert_eq!(refused.to_string(), "needs 3 planes; the processor has 2");
-    let mut widths = Format::BASE.widths();
-    widths.plane -= 3;
-    let fitted = Format::fitted(&widths).unwrap();
+    let fitted = fitted(|widths| widths.plane -= 3);
     let facet = ProcessorWords::Facet(FacetWords {
         screen_box: BOX,
         edges: vec![Linear::default(); 3],
         depth: Linear::default(),
         normal: Default::default(),
     });
-    assert_eq!(
-        facet.on_quadric_processor(&fitted, 4),
-        Err(AsQuadricError::Fitted)
-    );
+    let refused = facet.on_quadric_processor(&fitted, 4);
+    assert_eq!(refused, Err(AsQuadricError::Fitted));
 }

@@ -1,15 +1,7 @@
-use crate::common::{class, kind, root_form};
+use crate::common::*;
 use imogene_contract::{MachineWords, RootForm};
-use imogene_golden::format::Format;
 use imogene_golden::object::line::{Instructions, for_each_present_by};
-use imogene_golden::object::quadric::{ObjectPixel, PlaneWords, QuadricWords, ScreenBox};
-use imogene_golden::object::words::Object;
-use imogene_golden::unit::depth_interval::Class;
-use imogene_golden::unit::normal::NormalWords;
-use imogene_golden::unit::pe1::Linear;
-use imogene_golden::unit::pe2::Quadratic;
 use imogene_golden::unit::root::fast_root;
-use proptest::prelude::*;
 
 /// Columns of the zones: several times as many as there are lanes.
 const WIDTH: i64 = 200;
@@ -40,10 +32,8 @@ fn format() -> impl Strategy<Value = Format> {
     widths.prop_flat_map(|widths| {
         let forms = root_form(widths.root - widths.dropped_rows);
         forms.prop_map(move |root_form| {
-            let widths = MachineWords {
-                root_form,
-                ..widths
-            };
+            let mut widths = widths;
+            widths.root_form = root_form;
             Format::fitted(&widths).unwrap()
         })
     })
@@ -135,10 +125,8 @@ fn sums_wrap_where_those_of_the_processor_do() {
         let square = (1i128 << (format.quadratic - 1)) - 1;
         let end = 1 << (format.sum - 1).min(31);
         let middle = end - i128::from(fast_root(square as i64));
-        for (class, f1) in Class::ALL
-            .into_iter()
-            .flat_map(|class| [middle, -middle, end, -end].map(|f1| (class, f1)))
-        {
+        let with = |class| [middle, -middle, end, -end].map(|f1| (class, f1));
+        for (class, f1) in Class::ALL.into_iter().flat_map(with) {
             let words = QuadricWords {
                 class,
                 screen_box: ScreenBox::of([0, WIDTH - 1], [0, 0]),

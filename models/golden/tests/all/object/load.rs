@@ -1,9 +1,5 @@
-use imogene_golden::format::Format;
+use crate::common::*;
 use imogene_golden::object::load::load_words;
-use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
-use imogene_golden::unit::depth_interval::Class;
-use imogene_golden::unit::pe1::Linear;
-use imogene_golden::unit::pe2::Quadratic;
 
 #[test]
 fn words_stand_at_their_addresses() {

@@ -1,20 +1,15 @@
+use crate::common::*;
 use imogene_contract::slots::FittedSlot;
-use imogene_golden::format::Format;
 use imogene_golden::object::curved_facet::CurvedFacetWords;
 use imogene_golden::object::facet::FacetWords;
 use imogene_golden::object::first_generation::{ContourPlane, FirstGenerationWords};
 use imogene_golden::object::load_slot::load_slot;
 use imogene_golden::object::polyhedron::PolyhedronWords;
-use imogene_golden::object::quadric::{PlaneWords, QuadricWords, ScreenBox};
 use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::slots::required;
-use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_golden::unit::depth_interval::Class;
-use imogene_golden::unit::normal::NormalWords;
-use imogene_golden::unit::pe1::Linear;
-use imogene_golden::unit::pe2::Quadratic;
 
 fn surface() -> QuadricWords {
+    let back = PlaneWords::new(PlaneKind::Back, Linear::new(8, 9, 10), [11, 12, 13]);
     QuadricWords {
         class: Class::Patch,
         screen_box: ScreenBox::of([3, 9], [5, 7]),
@@ -25,11 +20,7 @@ fn surface() -> QuadricWords {
             k: [4, 5, 6],
             shift: 7,
         },
-        planes: vec![PlaneWords::new(
-            PlaneKind::Back,
-            Linear::new(8, 9, 10),
-            [11, 12, 13],
-        )],
+        planes: vec![back],
     }
 }
 

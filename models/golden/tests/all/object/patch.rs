@@ -1,14 +1,5 @@
-use crate::common::{SIDE, bowl, kind, linear, pixels};
-use imogene_golden::format::Format;
+use crate::common::*;
 use imogene_golden::object::patch::{at, latency};
-use imogene_golden::object::quadric::{PlaneWords, QuadricWords, ScreenBox};
-use imogene_golden::object::words::Object;
-use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_golden::unit::depth_interval::Class;
-use imogene_golden::unit::normal::NormalWords;
-use imogene_golden::unit::pe1::Linear;
-use imogene_golden::unit::pe2::Quadratic;
-use proptest::prelude::*;
 
 fn words() -> impl Strategy<Value = QuadricWords> {
     let plane = (kind(), linear(40, 800));
@@ -17,12 +8,8 @@ fn words() -> impl Strategy<Value = QuadricWords> {
     let f2 = (-900i128..=60, -900i128..=60, 0i128..200_000);
     let g = || linear(9000, 180_000);
     let normal = ([g(), g(), g()], any::<[i16; 3]>(), 0u8..4);
-    let parts = (
-        linear(40, 800),
-        f2,
-        normal,
-        prop::collection::vec(plane, 0..=5),
-    );
+    let planes = prop::collection::vec(plane, 0..=5);
+    let parts = (linear(40, 800), f2, normal, planes);
     parts.prop_map(|(f1, (a, b, f), (g, k, shift), planes)| QuadricWords {
         class: Class::Patch,
         screen_box: ScreenBox::of([1, SIDE - 2], [0, SIDE - 3]),
@@ -72,12 +59,7 @@ fn cut_cylinder_of_the_specification() {
         class: Class::Patch,
         screen_box: ScreenBox::of([0, 719], [0, 539]),
         f1: Linear::new(0, 0, 1_897_423),
-        f2: Quadratic {
-            a: -41_886_147,
-            d: 30_158_026_029,
-            f: -5_179_122_380_046,
-            ..Default::default()
-        },
+        f2: Quadratic::new([-41_886_147, 0, 0, 30_158_026_029, 0, -5_179_122_380_046]),
         normal: NormalWords::default(),
         planes: vec![
             plane(PlaneKind::Front, Linear::new(0, 0, 1_677_721)),

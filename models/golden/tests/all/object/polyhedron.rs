@@ -1,21 +1,11 @@
-use crate::common::{SIDE, pixels};
+use crate::common::*;
 use imogene_algebra::rational::{integer, round_half_up};
-use imogene_golden::format::Format;
-use imogene_golden::object::polyhedron::{
-    DEFAULT_PLANES, FAR_END_NORMAL, PolyhedronPixel, PolyhedronWords, latency,
-};
-use imogene_golden::object::quadric::{PlaneWords, QuadricWords};
-use imogene_golden::object::screen_box::ScreenBox;
-use imogene_golden::object::words::Object;
-use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_golden::unit::depth_interval::{Class, FACE_NEAR_END, FACE_PLANE, Interval};
-use imogene_golden::unit::normal::{NEAR_END_NORMAL, NormalWords};
-use imogene_golden::unit::pe1::Linear;
-use imogene_golden::unit::pe2::Quadratic;
+use imogene_golden::object::polyhedron::*;
+use imogene_golden::unit::depth_interval::{FACE_NEAR_END, FACE_PLANE};
+use imogene_golden::unit::normal::NEAR_END_NORMAL;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
-use proptest::prelude::*;
 
 /// A half-space `a x + b y + c z + d <= 0` in pixels and depth words.
 type HalfSpace = [i64; 4];
@@ -41,12 +31,10 @@ fn plane_words(h: &HalfSpace, normal: [i16; 3]) -> PlaneWords {
 }
 
 fn words(spaces: &[HalfSpace]) -> PolyhedronWords {
-    let planes = spaces.iter().enumerate();
+    let plane = |(i, h): (usize, &HalfSpace)| plane_words(h, [i as i16 + 1; 3]);
     PolyhedronWords {
         screen_box: ScreenBox::of([0, SIDE - 1], [0, SIDE - 1]),
-        planes: planes
-            .map(|(i, h)| plane_words(h, [i as i16 + 1; 3]))
-            .collect(),
+        planes: spaces.iter().enumerate().map(plane).collect(),
     }
 }
 
@@ -106,15 +94,10 @@ proptest! {
             } else {
                 // Depths are integers here, so an empty interval has no integer inside: the planes' own depths are
                 // enough to try.
-                let depths = spaces.iter().filter(|h| h[2] != 0);
-                pixel == PolyhedronPixel {
-                    interval: Interval::absent(&format),
-                    front_normal: [0; 3],
-                    back_normal: [0; 3],
-                } && depths
-                    .map(|[a, b, c, d]| -c * (a * x + b * y + d))
-                    .chain([0])
-                    .all(|z| !inside(&spaces, x, y, z))
+                let depths = spaces.iter().filter(|h| h[2] != 0).map(|[a, b, c, d]| -c * (a * x + b * y + d));
+                let interval = Interval::absent(&format);
+                pixel == PolyhedronPixel { interval, front_normal: [0; 3], back_normal: [0; 3] }
+                    && depths.chain([0]).all(|z| !inside(&spaces, x, y, z))
             };
             if !right && failed.is_none() {
                 failed = Some((x, y, pixel));
@@ -131,11 +114,9 @@ proptest! {
         thickness in prop::collection::vec(2i64..=19, 6)
     ) {
         let format = Format::BASE;
-        let spaces: Vec<HalfSpace> = spaces
-            .iter()
-            .zip(thickness)
-            .map(|(&[a, b, c, d], t)| [7 * a + 1, 5 * b - 1, c * t, 11 * d])
-            .collect();
+        let spaces = spaces.iter().zip(thickness);
+        let spaces = spaces.map(|(&[a, b, c, d], t)| [7 * a + 1, 5 * b - 1, c * t, 11 * d]);
+        let spaces: Vec<HalfSpace> = spaces.collect();
         let mut failed = None;
         each_pixel(&words(&spaces), &format, |x, y, pixel| {
             let ends = [format.z_low(), format.z_max()].map(integer);
@@ -143,10 +124,8 @@ proptest! {
             let of = |sign: i64| spaces.iter().filter(move |h| h[2].signum() == sign).map(depth);
             let front = of(-1).fold(ends[0].clone(), BigRational::max);
             let back = of(1).fold(ends[1].clone(), BigRational::min);
-            let kept = spaces
-                .iter()
-                .filter(|h| h[2] == 0)
-                .all(|h| !value(h, x, y, &BigRational::zero()).is_positive());
+            let mut upright = spaces.iter().filter(|h| h[2] == 0);
+            let kept = upright.all(|h| !value(h, x, y, &BigRational::zero()).is_positive());
             let bound = BigRational::new(BigInt::from(x + y + 1), BigInt::from(2));
             let gap = &back - &front;
             let near = |word: i64, exact: &BigRational| (integer(word) - exact).abs() <= bound;
@@ -190,11 +169,9 @@ fn equals_a_quadric_that_is_everywhere() {
     let mut present = 0;
     each_pixel(&polyhedron, &format, |x, y, pixel| {
         let theirs = quadric.at(x, y, &format);
-        assert_eq!(
-            (pixel.interval.zf, pixel.interval.zb, pixel.front_normal),
-            (theirs.zf, theirs.zb, theirs.normal),
-            "pixel ({x}, {y})"
-        );
+        let ours = (pixel.interval.zf, pixel.interval.zb, pixel.front_normal);
+        let theirs = (theirs.zf, theirs.zb, theirs.normal);
+        assert_eq!(ours, theirs, "pixel ({x}, {y})");
         present += u32::from(pixel.interval.is_present(&format));
     });
     assert!((60..340).contains(&present), "{present}");
@@ -202,6 +179,5 @@ fn equals_a_quadric_that_is_everywhere() {
 
 #[test]
 fn six_planes_take_eight_clocks() {
-    assert_eq!(latency(DEFAULT_PLANES), 8);
-    assert_eq!((latency(1), latency(12)), (5, 9));
+    assert_eq!([1, 6, 12].map(latency), [5, 8, 9]);
 }

@@ -1,51 +1,36 @@
-use crate::common::{SIDE, pixels};
-use imogene_golden::format::Format;
-use imogene_golden::object::quadric::PlaneWords;
+use crate::common::*;
 use imogene_golden::object::quotient::QuotientWords;
-use imogene_golden::object::screen_box::ScreenBox;
-use imogene_golden::object::words::{Object, Words};
-use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_golden::unit::normal::NormalWords;
-use imogene_golden::unit::pe1::Linear;
-use imogene_golden::unit::pe2::Quadratic;
+use imogene_golden::object::words::Words;
 use num_bigint::BigInt;
-use proptest::prelude::*;
 
 fn words() -> impl Strategy<Value = QuotientWords> {
     let factors = [(); 5].map(|()| -12i128..12);
-    let first = [-3i128..=3, -3..=3, -20..=20];
+    let denominator = [-3i128..=3, -3..=3, -20..=20];
     let kind = prop::sample::select(&PlaneKind::ALL[1..]);
     let plane = (kind, -9i128..9, -9i128..9, -120i128..120);
-    (
-        (factors, -900i128..900),
-        first,
-        any::<bool>(),
-        prop::collection::vec(plane, 0..3),
+    let plane =
+        plane.prop_map(|(kind, a, b, c)| PlaneWords::new(kind, Linear::new(a, b, c), [0; 3]));
+    let planes = prop::collection::vec(plane, 0..3);
+    let parts = (factors, -900i128..900, denominator, any::<bool>(), planes);
+    parts.prop_map(
+        |([a, b, c, d, e], f, [p, q, r], solid, planes)| QuotientWords {
+            screen_box: ScreenBox::of([1, SIDE - 2], [0, SIDE - 1]),
+            solid,
+            numerator: Quadratic::new([a, b, c, d, e, f]),
+            denominator: Linear::new(p, q, r),
+            root: None,
+            normal: NormalWords::default(),
+            normal_from: 0,
+            planes,
+        },
     )
-        .prop_map(
-            |(([a, b, c, d, e], f), [p, q, r], solid, planes)| QuotientWords {
-                screen_box: ScreenBox::of([1, SIDE - 2], [0, SIDE - 1]),
-                solid,
-                numerator: Quadratic::new([a, b, c, d, e, f]),
-                denominator: Linear::new(p, q, r),
-                root: None,
-                normal: NormalWords::default(),
-                normal_from: 0,
-                planes: planes
-                    .into_iter()
-                    .map(|(kind, a, b, c)| PlaneWords::new(kind, Linear::new(a, b, c), [0; 3]))
-                    .collect(),
-            },
-        )
 }
 
 /// Does the definition hold at a depth word: the volume somewhere in the depths that it is the floor of, or the
 /// surface there, and every plane.
 fn holds(words: &QuotientWords, x: i64, y: i64, z: i64) -> bool {
-    let (n, d) = (
-        words.numerator.exact_at(x, y),
-        words.denominator.exact_at(x, y),
-    );
+    let n = words.numerator.exact_at(x, y);
+    let d = words.denominator.exact_at(x, y);
     let at = |z: i64| &d * BigInt::from(z);
     let zero = BigInt::ZERO;
     let there = match (words.solid, d > zero) {

@@ -1,24 +1,10 @@
+use crate::common::*;
 use imogene_golden::object::range::{Range, bits};
-use imogene_golden::object::screen_box::ScreenBox;
-use imogene_golden::unit::pe1::Linear;
-use imogene_golden::unit::pe2::Quadratic;
-use proptest::prelude::*;
 
 #[test]
 fn bits_of_the_ends_of_words() {
-    let cases = [
-        (0, 1),
-        (-1, 1),
-        (1, 2),
-        (-2, 2),
-        (127, 8),
-        (-128, 8),
-        (128, 9),
-        (-129, 9),
-    ];
-    for (value, wanted) in cases {
-        assert_eq!(bits(value), wanted, "{value}");
-    }
+    let ends = [0, -1, 1, -2, 127, -128, 128, -129];
+    assert_eq!(ends.map(bits), [1, 1, 2, 2, 8, 8, 9, 9]);
 }
 
 proptest! {

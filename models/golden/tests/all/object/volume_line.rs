@@ -1,14 +1,6 @@
-use crate::common::{SIDE, class, kind, linear, quadratic, root_form, window};
-use imogene_contract::MachineWords;
-use imogene_golden::format::Format;
-use imogene_golden::object::quadric::ScreenBox;
-use imogene_golden::object::volume::{
-    MAX_SHIFT, VolumeKind, VolumePlane, VolumeQuadric, VolumeWords,
-};
+use crate::common::*;
+use imogene_golden::object::volume::MAX_SHIFT;
 use imogene_golden::object::volume_line::for_each_inside;
-use imogene_golden::unit::depth_interval::Class;
-use imogene_golden::unit::pe2::Quadratic;
-use proptest::prelude::*;
 
 fn plane() -> impl Strategy<Value = VolumePlane> {
     (kind(), linear(1 << 19, 1 << 19)).prop_map(|(kind, depth)| VolumePlane { kind, depth })
@@ -28,29 +20,20 @@ fn quadric() -> impl Strategy<Value = VolumeQuadric> {
 /// Roots without their last digits, at every depth around them.
 #[test]
 fn lines_drop_the_digits_that_the_processor_drops() {
-    let widths = MachineWords {
-        dropped_rows: 2,
-        ..Format::BASE.widths()
-    };
-    let format = Format::fitted(&widths).unwrap();
+    let format = fitted(|widths| widths.dropped_rows = 2);
     let depths: Vec<i64> = (-12..=12).collect();
     let last = depths.len() as i64 - 1;
     let mut inside = 0;
     for f in 0..100 {
+        let quadric = VolumeQuadric {
+            class: Class::Side,
+            f2: Quadratic::new([0, 0, 0, 0, 0, f]),
+            ..VolumeQuadric::EVERYWHERE
+        };
         let words = VolumeWords {
-            kind: VolumeKind::Shadow,
-            source: 0,
             screen_box: ScreenBox::of([0, last], [0, 0]),
-            margin: 0,
-            quadric: Some(VolumeQuadric {
-                class: Class::Side,
-                f2: Quadratic {
-                    f,
-                    ..Quadratic::default()
-                },
-                ..VolumeQuadric::EVERYWHERE
-            }),
-            planes: vec![],
+            quadric: Some(quadric),
+            ..VolumeWords::default()
         };
         let mut line = vec![false; depths.len()];
         for_each_inside(&words, &format, 0, &depths, |x| line[x] = true);
@@ -71,22 +54,11 @@ proptest! {
         depths in proptest::collection::vec(-(1i64 << 23) + 1..1 << 23, 20), margin in 0u32..1000,
         screen_box in window(), guards in 0u32..=8, dropped_rows in 0u32..=8, root_form in root_form(16)
     ) {
-        let words = VolumeWords {
-            kind: VolumeKind::Shadow,
-            source: 0,
-            screen_box,
-            margin,
-            quadric,
-            planes,
-        };
-        let widths = MachineWords {
-            guard_linear: guards,
-            guard_quadratic: guards,
-            dropped_rows,
-            root_form,
-            ..Format::BASE.widths()
-        };
-        let format = Format::fitted(&widths).unwrap();
+        let words = VolumeWords { screen_box, margin, quadric, planes, ..VolumeWords::default() };
+        let format = fitted(|widths| {
+            (widths.guard_linear, widths.guard_quadratic) = (guards, guards);
+            (widths.dropped_rows, widths.root_form) = (dropped_rows, root_form);
+        });
         for y in 0..SIDE {
             let mut line = [false; SIDE as usize];
             for_each_inside(&words, &format, y, &depths, |x| line[x] = true);

@@ -1,7 +1,5 @@
-use crate::common::{choices, permutations};
-use imogene_golden::format::Format;
-use imogene_golden::unit::cut_plane::{PlaneKind, cut};
-use imogene_golden::unit::depth_interval::Interval;
+use crate::common::*;
+use imogene_golden::unit::cut_plane::cut;
 
 const F: Format = Format::BASE;
 

@@ -15,12 +15,10 @@ fn parallel(planes: &[(PlaneKind, i64)]) -> Interval {
 /// The source's chain: the whole line of sight, cut by one plane after the other.
 fn chain(planes: &[(PlaneKind, i64)]) -> Interval {
     let line = Interval::new((F.z_low(), FACE_NEAR_END), (F.z_max(), FACE_NEAR_END));
-    planes
-        .iter()
-        .enumerate()
-        .fold(line, |state, (i, &(k, zp))| {
-            cut(state, k, zp, FACE_PLANE + i as u8, false, &F)
-        })
+    let numbered = planes.iter().zip(FACE_PLANE..);
+    numbered.fold(line, |state, (&(kind, zp), number)| {
+        cut(state, kind, zp, number, false, &F)
+    })
 }
 
 /// One to four planes on all levels around both ends and in between: ties, touching planes, empty intersections,

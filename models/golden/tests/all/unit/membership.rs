@@ -56,10 +56,8 @@ fn closed_test_equals_the_cut_interval() {
                                 .all(|&(kind, zp)| in_half_space(kind, zp, point));
                         let theirs = class != Class::Patch
                             && by_cutting(class, near, far, negative, planes, z);
-                        assert_eq!(
-                            ours, theirs,
-                            "{class:?} {near} {far} {negative} {planes:?} {z}"
-                        );
+                        let place = format!("{class:?} {near} {far} {negative} {planes:?} {z}");
+                        assert_eq!(ours, theirs, "{place}");
                         inside += u32::from(ours);
                     }
                 }

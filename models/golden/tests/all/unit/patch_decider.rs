@@ -1,5 +1,4 @@
-use crate::common::permutations;
-use crate::common::{choices, planes_at};
+use crate::common::{choices, permutations, planes_at};
 use imogene_golden::format::Format;
 use imogene_golden::unit::cut_plane::{PlaneKind, cut};
 use imogene_golden::unit::depth_interval::{Class, Interval, halves};
@@ -10,10 +9,8 @@ const F: Format = Format::BASE;
 type Plane = (PlaneKind, i64);
 
 fn parallel(near: i64, far: i64, there: bool, planes: &[Plane]) -> Interval {
-    let left = planes
-        .iter()
-        .map(|&(kind, zp)| kept(kind, zp, near, far))
-        .fold(visible(near, far, there, &F), Faces::and);
+    let each = planes.iter().map(|&(kind, zp)| kept(kind, zp, near, far));
+    let left = each.fold(visible(near, far, there, &F), Faces::and);
     decide(near, far, left, &F)
 }
 
@@ -25,48 +22,34 @@ fn sequential(near: i64, far: i64, there: bool, planes: &[Plane], order: &[usize
 }
 
 /// Compares all configurations of `n` planes whose depths stand at one of `levels`, roots likewise, in every order
-/// of the planes.
-fn exhaust(n: usize, levels: &[i64]) -> (u64, u64) {
+/// of the planes; how many configurations and orders there are.
+fn exhaust(n: usize, levels: &[i64]) -> (usize, usize) {
     let orders = permutations(n);
-    let (mut configurations, mut runs) = (0, 0);
+    let mut configurations = 0;
     for planes in choices(&planes_at(levels), n as u32) {
         for (i, &near) in levels.iter().enumerate() {
             for &far in &levels[i..] {
                 let decided = parallel(near, far, true, &planes);
                 for order in &orders {
-                    assert_eq!(
-                        sequential(near, far, true, &planes, order),
-                        decided,
-                        "roots {near}, {far}, planes {planes:?} in the order {order:?}"
-                    );
+                    let place = format!("{near}, {far}, {planes:?} in the order {order:?}");
+                    let found = sequential(near, far, true, &planes, order);
+                    assert_eq!(found, decided, "{place}");
                 }
                 configurations += 1;
-                runs += orders.len() as u64;
             }
         }
     }
-    (configurations, runs)
+    (configurations, orders.len())
 }
 
 /// Two roots and n planes on n + 2 levels: every order there is, with every tie.
 #[test]
 fn equals_the_chain_of_cut_planes_in_every_order() {
-    let counts: Vec<(u64, u64)> = (0..=4)
-        .map(|n| {
-            let levels: Vec<i64> = (0..n as i64 + 2).collect();
-            exhaust(n, &levels)
-        })
-        .collect();
-    assert_eq!(
-        counts,
-        [
-            (3, 3),
-            (48, 48),
-            (1_000, 2_000),
-            (25_920, 155_520),
-            (806_736, 19_361_664)
-        ]
-    );
+    let counts = [(3, 1), (48, 1), (1_000, 2), (25_920, 6), (806_736, 24)];
+    for (n, expected) in counts.into_iter().enumerate() {
+        let levels: Vec<i64> = (0..n as i64 + 2).collect();
+        assert_eq!(exhaust(n, &levels), expected, "{n} planes");
+    }
 }
 
 /// Roots beyond the ends are no faces; planes are saturated at them, and absent planes pass everything.
@@ -96,10 +79,8 @@ fn equals_the_chain_at_both_ends_of_the_depth_word() {
 /// never remove both faces: the decision is wrong already for one plane.
 #[test]
 fn each_plane_has_a_say_on_both_faces() {
-    let front_only = |zp: i64, near: i64, far: i64| {
-        Faces::new(kept(PlaneKind::Front, zp, near, far).front, true)
-    };
-    let wrong = decide(1, 2, front_only(3, 1, 2), &F);
-    let right = decide(1, 2, kept(PlaneKind::Front, 3, 1, 2), &F);
+    let left = kept(PlaneKind::Front, 3, 1, 2);
+    let wrong = decide(1, 2, Faces::new(left.front, true), &F);
+    let right = decide(1, 2, left, &F);
     assert!(wrong.is_present(&F) && !right.is_present(&F));
 }

@@ -1,37 +1,28 @@
-use imogene_golden::format::wrap;
-use imogene_golden::unit::pe2::{Pe2, Quadratic};
-use num_bigint::BigInt;
-use proptest::prelude::*;
+use crate::common::*;
+use imogene_golden::unit::pe2::Pe2;
 
-fn raster(coefficients: [i128; 6], width: u32, columns: usize, lines: usize) -> Vec<Vec<i128>> {
+fn scanned(coefficients: [i128; 6], width: u32, columns: usize, lines: usize) -> Vec<Vec<i128>> {
     let mut pe = Pe2::object_start(&Quadratic::new(coefficients), width);
-    (0..lines)
-        .map(|line| {
-            if line > 0 {
-                pe.line_step();
-            }
-            (0..columns).map(|_| pe.pixel()).collect()
-        })
-        .collect()
+    raster(columns, lines, |x, y| {
+        if x == 0 && y > 0 {
+            pe.line_step();
+        }
+        pe.pixel()
+    })
 }
 
 #[test]
 fn vectors_of_the_specification() {
-    assert_eq!(
-        raster([2, 3, 1, -4, 5, 6], 48, 5, 3),
-        [
-            [6, 4, 6, 12, 22],
-            [14, 13, 16, 23, 34],
-            [28, 28, 32, 40, 52]
-        ]
-    );
-    let circle = raster([-1, -1, 0, 8, 8, -16], 48, 9, 5);
+    let [first, second] = [[6, 4, 6, 12, 22], [14, 13, 16, 23, 34]];
+    let rows = [first, second, [28, 28, 32, 40, 52]];
+    assert_eq!(scanned([2, 3, 1, -4, 5, 6], 48, 5, 3), rows);
+    let circle = scanned([-1, -1, 0, 8, 8, -16], 48, 9, 5);
     assert_eq!(circle[0], [-16, -9, -4, -1, 0, -1, -4, -9, -16]);
     assert_eq!(circle[1], [-9, -2, 3, 6, 7, 6, 3, -2, -9]);
     assert_eq!(circle[4], [0, 7, 12, 15, 16, 15, 12, 7, 0]);
     let p = |n: u32| 1i128 << n;
     assert_eq!(
-        raster([p(47) - 1, -p(47), p(40), -p(46), p(46), -1], 48, 4, 3),
+        scanned([p(47) - 1, -p(47), p(40), -p(46), p(46), -1], 48, 4, 3),
         [
             [-1, 70368744177662, 140737488355323, -70368744177674],
             [
@@ -66,15 +57,8 @@ proptest! {
     ) {
         let coefficients = v.map(i128::from);
         let q = Quadratic::new(coefficients);
-        let modulus = BigInt::from(1) << width;
-        for (y, line) in raster(coefficients, width, 7, 7).iter().enumerate() {
-            for (x, &value) in line.iter().enumerate() {
-                let difference = q.exact_at(x as i64, y as i64) - value;
-                prop_assert_eq!(difference % &modulus, BigInt::ZERO);
-                prop_assert!(value == wrap(value, width));
-                prop_assert_eq!(value, q.wrapped_at(x as i64, y as i64, width));
-            }
-        }
+        let values = scanned(coefficients, width, 7, 7);
+        check_modulo(&values, width, |x, y| (q.exact_at(x, y), q.wrapped_at(x, y, width)))?;
     }
 
     #[test]

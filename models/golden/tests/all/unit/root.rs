@@ -6,8 +6,8 @@
 //! boundaries.
 
 use imogene_contract::RootForm;
-use imogene_golden::unit::root::polynomial::root_length;
-use imogene_golden::unit::root::{Method, fast_root, iterative, polynomial, restoring_root, root};
+use imogene_golden::unit::root::polynomial::{self, root_length};
+use imogene_golden::unit::root::{Method, Root, fast_root, iterative, restoring_root, root};
 use num_bigint::BigUint;
 use proptest::prelude::*;
 use rayon::prelude::*;
@@ -22,12 +22,9 @@ fn is_full_run() -> bool {
 fn assert_definition(method: Method, radicand: u128, bits: u32) {
     let found = root(method, radicand, bits);
     let q = u128::from(found.root);
-    assert!(
-        q * q <= radicand
-            && radicand < (q + 1) * (q + 1)
-            && found.remainder.map(u128::from) == Some(radicand - q * q),
-        "{method} of {radicand}: {found:?}"
-    );
+    let is_root = (q * q..(q + 1) * (q + 1)).contains(&radicand);
+    let is_exact = is_root && found.remainder.map(u128::from) == Some(radicand - q * q);
+    assert!(is_exact, "{method} of {radicand}: {found:?}");
 }
 
 fn assert_oracle(radicand: u128, bits: u32) {
@@ -35,12 +32,9 @@ fn assert_oracle(radicand: u128, bits: u32) {
     let remainder = BigUint::from(radicand) - &oracle * &oracle;
     for method in EXACT {
         let found = root(method, radicand, bits);
-        assert_eq!(BigUint::from(found.root), oracle, "{method} of {radicand}");
-        assert_eq!(
-            found.remainder.map(BigUint::from),
-            Some(remainder.clone()),
-            "{method} of {radicand}"
-        );
+        let found = (found.root.into(), found.remainder.map(BigUint::from));
+        let expected = (oracle.clone(), Some(remainder.clone()));
+        assert_eq!(found, expected, "{method} of {radicand}");
     }
     if radicand < 1 << 63 {
         assert_eq!(BigUint::from(fast_root(radicand as i64) as u64), oracle);
@@ -111,10 +105,9 @@ fn fast_roots_step_where_squares_are() {
     let ends = (1..2000).chain(GREATEST - 100_000..=GREATEST);
     let spread = (2000..GREATEST).step_by(step);
     for n in ends.chain(near_powers).chain(spread) {
-        let at = |radicand: u64| fast_root(radicand as i64) as u64;
+        let at = |radicand: u64| fast_root(radicand.min(i64::MAX as u64) as i64) as u64;
         let square = n * n;
-        let found = [square - 1, square, square + 1, square + 2 * n]
-            .map(|radicand| radicand.min(i64::MAX as u64));
+        let found = [square - 1, square, square + 1, square + 2 * n];
         assert_eq!(found.map(at), [n - 1, n, n, n], "about {n} squared");
     }
     assert!(GREATEST.pow(2) <= i64::MAX as u64 && (GREATEST + 1).pow(2) > i64::MAX as u64);
@@ -156,12 +149,8 @@ fn iterative_unit_takes_a_start_at_every_kth_clock_and_no_other() {
             let shown = unit.clock(true, if clock == 1 { radicand } else { 77 });
             assert_eq!((shown.busy, shown.done), (clock < 8, clock == 8));
             if shown.done {
-                let expected = restoring_root(radicand, 8);
-                assert_eq!(
-                    (shown.root, shown.remainder),
-                    (expected.root, expected.remainder),
-                    "{index}"
-                );
+                let Root { root, remainder } = restoring_root(radicand, 8);
+                assert_eq!((shown.root, shown.remainder), (root, remainder), "{index}");
             }
         }
     }
@@ -184,10 +173,8 @@ fn fewer_digits_are_digits_of_the_exact_root() {
 
 #[test]
 fn fifteenth_is_exact() {
-    for value in (0..1 << 20)
-        .chain((1 << 36) - (1 << 20)..(1 << 36))
-        .chain((0..1 << 36).step_by(65_537))
-    {
+    let ends = (0..1 << 20).chain((1 << 36) - (1 << 20)..1 << 36);
+    for value in ends.chain((0..1 << 36).step_by(65_537)) {
         assert_eq!(polynomial::fifteenth(value), value / 15, "{value}");
     }
 }
@@ -208,12 +195,11 @@ fn real_errors(estimate: fn(f64) -> f64) -> [f64; 5] {
     greatest
 }
 
-fn assert_close(found: [f64; 5], expected: [f64; 5], tolerance: f64) {
+/// To a hundredth.
+fn assert_close(found: [f64; 5], expected: [f64; 5]) {
     for (found, expected) in found.into_iter().zip(expected) {
-        assert!(
-            (found - expected).abs() <= tolerance * expected,
-            "{found} for {expected}"
-        );
+        let off = (found - expected).abs();
+        assert!(off <= 0.01 * expected, "{found} for {expected}");
     }
 }
 
@@ -222,28 +208,15 @@ fn assert_close(found: [f64; 5], expected: [f64; 5], tolerance: f64) {
 #[test]
 fn real_errors_of_the_specification() {
     let linear = |t: f64| if t < 0.5 { t + 0.25 } else { 0.5 * t + 0.5 };
-    assert_close(
-        real_errors(linear),
-        [6.066, 1.647, 0.473, 0.146, 0.050],
-        0.01,
-    );
+    assert_close(real_errors(linear), [6.066, 1.647, 0.473, 0.146, 0.050]);
     let quadratic = |t: f64| (-4.0 * t * t + 15.0 * t + 4.0) / 15.0;
-    assert_close(
-        real_errors(quadratic),
-        [1.345, 0.532, 0.219, 0.093, 0.040],
-        0.01,
-    );
+    assert_close(real_errors(quadratic), [1.345, 0.532, 0.219, 0.093, 0.040]);
     let printed = |t: f64| (4.0 * t * t + 15.0 * t + 4.0) / 15.0;
-    assert_close(real_errors(printed), [53.3, 14.2, 1.59, 0.79, 0.39], 0.01);
-    for method in [
-        Method::Linear { corrections: 0 },
-        Method::Quadratic { corrections: 0 },
-    ] {
-        let top = root(method, (1 << 48) - 1, 24).root;
-        assert!(
-            top.abs_diff(1 << 24) <= 1,
-            "the printed sign gives 1.53 of the root: {top}"
-        );
+    assert_close(real_errors(printed), [53.3, 14.2, 1.59, 0.79, 0.39]);
+    for estimate in [polynomial::linear_estimate, polynomial::quadratic_estimate] {
+        let top = estimate((1 << 48) - 1);
+        let why = "the printed sign gives 1.53 of the root";
+        assert!(top.abs_diff(1 << 24) <= 1, "{why}: {top}");
     }
 }
 
@@ -264,12 +237,8 @@ fn worst_percent(roots: &[u64], first: usize) -> f64 {
         let truth = (x as f64).sqrt();
         100.0 * (*root as f64 - truth).abs() / truth
     };
-    roots
-        .iter()
-        .enumerate()
-        .skip(first)
-        .map(relative)
-        .fold(0.0, f64::max)
+    let roots = roots.iter().enumerate().skip(first);
+    roots.map(relative).fold(0.0, f64::max)
 }
 
 /// The restatement squares the whole radicand where the network squares its upper half.
@@ -284,12 +253,8 @@ fn estimate_with_full_square(radicand: u128) -> u64 {
 fn monotonicity_of_the_specification() {
     for bits in [8, 12] {
         for corrections in 0..=3 {
-            let roots = all_roots(bits, polynomial::linear_estimate, corrections);
-            assert_eq!(
-                steps_down(&roots),
-                0,
-                "linear + {corrections}, {bits} digits"
-            );
+            let down = steps_down(&all_roots(bits, polynomial::linear_estimate, corrections));
+            assert_eq!(down, 0, "linear + {corrections}, {bits} digits");
         }
     }
     let down = |bits, estimate: fn(u128) -> u64| {
@@ -300,15 +265,15 @@ fn monotonicity_of_the_specification() {
     assert_eq!(down(8, polynomial::quadratic_estimate), [104, 20, 1, 0]);
 
     let worst = |estimate, corrections| worst_percent(&all_roots(8, estimate, corrections), 4096);
-    let linear = [6.07, 2.75, 2.05];
-    for (corrections, expected) in (0..).zip(linear) {
-        assert!((worst(polynomial::linear_estimate, corrections) - expected).abs() < 0.01);
-    }
-    for (corrections, expected) in (0..).zip([2.61, 1.55]) {
-        assert!((worst(estimate_with_full_square, corrections) - expected).abs() < 0.01);
-    }
-    for (corrections, expected) in (0..).zip([2.56, 1.55]) {
-        assert!((worst(polynomial::quadratic_estimate, corrections) - expected).abs() < 0.01);
+    let estimates: [(fn(u128) -> u64, &[f64]); 3] = [
+        (polynomial::linear_estimate, &[6.07, 2.75, 2.05]),
+        (estimate_with_full_square, &[2.61, 1.55]),
+        (polynomial::quadratic_estimate, &[2.56, 1.55]),
+    ];
+    for (estimate, expected) in estimates {
+        for (corrections, expected) in (0..).zip(expected) {
+            assert!((worst(estimate, corrections) - expected).abs() < 0.01);
+        }
     }
     let short = worst_percent(&all_roots(8, polynomial::linear_estimate, 0), 1);
     assert!((short - 42.26).abs() < 0.01, "radicand 3: {short}");
@@ -319,10 +284,8 @@ fn monotonicity_of_the_specification() {
 fn corrected_roots_need_one_bit_more() {
     for bits in [8, 16, 24, 32] {
         let top = (1u128 << (2 * bits)) - 1;
-        assert_eq!(
-            root(Method::Linear { corrections: 1 }, top, bits).root,
-            1 << bits
-        );
+        let corrected = root(Method::Linear { corrections: 1 }, top, bits);
+        assert_eq!(corrected.root, 1 << bits);
     }
 }
 
@@ -357,10 +320,8 @@ fn radicands(bits: u32) -> Vec<u128> {
 #[test]
 fn forms_stay_within_the_errors_that_they_state() {
     let names = "restoring non-restoring linear0 linear1 linear2 quadratic0 quadratic1 quadratic2 leading1 leading7";
-    for form in names
-        .split(' ')
-        .map(|name| name.parse::<RootForm>().unwrap())
-    {
+    for name in names.split(' ') {
+        let form: RootForm = name.parse().unwrap();
         let mut closest: f64 = 0.0;
         for (bits, dropped) in [(12, 0), (16, 3), (24, 0), (24, 8), (32, 1)] {
             for radicand in radicands(bits) {

@@ -1,54 +1,32 @@
+use crate::common::*;
 use imogene_contract::object::{KINDS, Kind};
 use imogene_contract::slots::FittedSlot;
-use imogene_golden::format::Format;
 use imogene_golden::machine::zone::beat::ID_ADDRESS;
 use imogene_golden::machine::zone::decode::Registers;
 use imogene_golden::object::load::load_words;
 use imogene_golden::object::load_slot::load_slot;
 use imogene_golden::object::load_volume::load_volume;
-use imogene_golden::object::quadric::{MAX_PLANES, PlaneWords, QuadricWords, ScreenBox};
+use imogene_golden::object::quadric::MAX_PLANES;
 use imogene_golden::object::slot::ProcessorWords;
-use imogene_golden::object::volume::{VolumeKind, VolumePlane, VolumeQuadric, VolumeWords};
-use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_golden::unit::depth_interval::Class;
-use imogene_golden::unit::normal::NormalWords;
-use imogene_golden::unit::pe1::Linear;
-use imogene_golden::unit::pe2::Quadratic;
-use proptest::prelude::*;
-
-fn linears() -> impl Strategy<Value = Linear> {
-    any::<[i64; 3]>().prop_map(|v| {
-        let [a, b, c] = v.map(i128::from);
-        Linear::new(a, b, c)
-    })
-}
-
-fn quadratics() -> impl Strategy<Value = Quadratic> {
-    any::<[i64; 6]>().prop_map(|v| Quadratic::new(v.map(i128::from)))
-}
 
 fn boxes() -> impl Strategy<Value = ScreenBox> {
-    let side = || 0i64..4096;
-    (side(), side(), side(), side())
-        .prop_map(|(x0, x1, y0, y1)| ScreenBox::of([x0, x1], [y0, y1]).or_empty())
+    let ends = [0i64..4096, 0..4096, 0..4096, 0..4096];
+    ends.prop_map(|[x0, x1, y0, y1]| ScreenBox::of([x0, x1], [y0, y1]).or_empty())
 }
 
 fn formats() -> impl Strategy<Value = Format> {
-    (
-        prop_oneof![Just(16u32), Just(24), Just(28)],
-        0u32..=8,
-        0u32..=8,
-    )
-        .prop_map(|(w, g1, g2)| Format::new(w).unwrap().with_guards(g1, g2).unwrap())
+    let depth = prop_oneof![Just(16u32), Just(24), Just(28)];
+    let widths = (depth, 0u32..=8, 0u32..=8);
+    widths.prop_map(|(w, g1, g2)| Format::new(w).unwrap().with_guards(g1, g2).unwrap())
 }
 
 proptest! {
     /// What is sent is what is held: the same words, as far as registers of their widths can tell them apart.
     #[test]
     fn objects_survive_the_stream(
-        format in formats(), class_bits in 0u64..4, screen_box in boxes(), f1 in linears(), f2 in quadratics(),
-        g in [linears(), linears(), linears()], k in any::<[i16; 3]>(), shift in 0u8..32,
-        planes in prop::collection::vec((0u64..4, linears(), any::<[i16; 3]>()), 0..=MAX_PLANES)
+        format in formats(), class_bits in 0u64..4, screen_box in boxes(), f1 in any_linear(), f2 in any_quadratic(),
+        g in [any_linear(), any_linear(), any_linear()], k in any::<[i16; 3]>(), shift in 0u8..32,
+        planes in prop::collection::vec((0u64..4, any_linear(), any::<[i16; 3]>()), 0..=MAX_PLANES)
     ) {
         let plane = |(kind, depth, normal)| PlaneWords { kind: PlaneKind::ALL[kind as usize], depth, normal };
         let words = QuadricWords {
@@ -75,9 +53,9 @@ proptest! {
 
     #[test]
     fn volumes_survive_the_stream(
-        format in formats(), class_bits in 0u64..4, screen_box in boxes(), f1 in linears(), f2 in quadratics(),
+        format in formats(), class_bits in 0u64..4, screen_box in boxes(), f1 in any_linear(), f2 in any_quadratic(),
         shift in 0u8..=8, margin in 0u32..1 << 15, source in 0u8..16, light in any::<bool>(),
-        planes in prop::collection::vec((0u64..4, linears()), 0..=10)
+        planes in prop::collection::vec((0u64..4, any_linear()), 0..=10)
     ) {
         let plane = |(kind, depth)| VolumePlane { kind: PlaneKind::ALL[kind as usize], depth };
         let words = VolumeWords {
@@ -142,10 +120,7 @@ proptest! {
 fn a_shared_processor_has_an_object_once_its_word_is_written() {
     for (kind, _, [least, _]) in KINDS {
         let mut registers = Registers::of_object(&FittedSlot::of(kind, least));
-        let tells = match kind {
-            Kind::Quadric => 23,
-            _ => 0,
-        };
+        let tells = if kind == Kind::Quadric { 23 } else { 0 };
         for address in 0..kind.words(least as usize) as u16 {
             assert!(registers.write(address, 0));
             assert_eq!(registers.take(), address == tells, "{kind:?}: {address}");

@@ -2,7 +2,7 @@ use imogene_contract::object::ProductSlots;
 use imogene_contract::slots::FittedSlot;
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::ZoneMachine;
-use imogene_golden::machine::zone::beat::{Beat, command, kind};
+use imogene_golden::machine::zone::beat::{Beat, ID_ADDRESS, command, kind};
 use imogene_golden::machine::zone::golden::{ShownPixel, StreamError, ZoneMachineModel};
 
 fn machine() -> ZoneMachine {
@@ -41,13 +41,9 @@ fn zone(x: u64, y: u64, width: u64, height: u64) -> [Beat; 2] {
 fn sheet(unit: u8, depth: u64, id: u64) -> Vec<Beat> {
     let word = |address, data| Beat::new(kind::OBJECT, unit, address, data);
     let mut beats: Vec<Beat> = (0..31).map(|address| word(address, 0)).collect();
-    beats.extend([
-        word(2, depth),
-        word(21, 3 << 12),
-        word(22, 3 << 12),
-        word(23, 2),
-    ]);
-    beats.push(word(imogene_golden::machine::zone::beat::ID_ADDRESS, id));
+    let set = [(2, depth), (21, 3 << 12), (22, 3 << 12), (23, 2)];
+    beats.extend(set.map(|(address, data)| word(address, data)));
+    beats.push(word(ID_ADDRESS, id));
     beats
 }
 
@@ -60,38 +56,24 @@ fn an_undrawn_zone_is_background() {
     let mut beats = zone(8, 12, 2, 2).to_vec();
     beats.push(Beat::command(command::SHOW, command::LAST_ZONE));
     let shown = run(&beats).unwrap();
-    let places: Vec<_> = shown.iter().map(|p| (p.x, p.y, p.last)).collect();
-    assert_eq!(
-        places,
-        [
-            (8, 12, false),
-            (9, 12, false),
-            (8, 13, false),
-            (9, 13, true)
-        ]
-    );
+    let places: Vec<_> = shown.iter().map(|p| (p.x, p.y)).collect();
+    assert_eq!(places, [(8, 12), (9, 12), (8, 13), (9, 13)]);
+    let last: Vec<_> = shown.iter().map(|p| p.last).collect();
+    assert_eq!(last, [false, false, false, true]);
     assert!(shown.iter().all(|p| p.depth == Format::BASE.z_max()));
 }
 
 #[test]
 fn equal_depths_go_to_the_smaller_id_in_any_batch() {
-    for (ids, wanted) in [([5, 9], 5), ([9, 5], 5)] {
-        let one_batch = [
-            &zone(0, 0, 1, 1)[..],
-            &sheet(0, 77, ids[0]),
-            &sheet(1, 77, ids[1]),
-            &[DRAW_FIRST, SHOW],
-        ];
-        let two_batches = [
-            &zone(0, 0, 1, 1)[..],
-            &sheet(0, 77, ids[0]),
-            &[DRAW_FIRST],
-            &sheet(0, 77, ids[1]),
-            &[DRAW, SHOW],
-        ];
+    let zone = &zone(0, 0, 1, 1)[..];
+    let sheet = |unit, id| sheet(unit, 77, id);
+    for [a, b] in [[5, 9], [9, 5]] {
+        let one_batch = [zone, &sheet(0, a), &sheet(1, b), &[DRAW_FIRST, SHOW]];
+        let [first, second] = [sheet(0, a), sheet(0, b)];
+        let two_batches = [zone, &first, &[DRAW_FIRST], &second, &[DRAW, SHOW]];
         for beats in [one_batch.concat(), two_batches.concat()] {
             let shown = run(&beats).unwrap();
-            assert_eq!((shown[0].id, shown[0].depth), (wanted, 77));
+            assert_eq!((shown[0].id, shown[0].depth), (5, 77));
         }
     }
 }
@@ -125,21 +107,14 @@ fn a_product_is_what_its_objects_have_in_common() {
     assert_eq!(draw(&[sheet(2, 70, 9), sheet(3, 71, 8)]), None);
     let common = [sheet(2, 70, 9), sheet(3, 70, 8)];
     let less = |depth| draw(&[&common[..], &[behind(depth)]].concat());
-    assert_eq!(
-        [less(69), less(70), less(71)],
-        [Some((9, 70)), None, Some((9, 70))]
-    );
+    let seen = [Some((9, 70)), None, Some((9, 70))];
+    assert_eq!([69, 70, 71].map(less), seen);
     // Without one that is intersected there is nothing; what is nearer in another processor stays.
     assert_eq!(draw(&[sheet(2, 70, 9)]), None);
     assert_eq!(draw(&[behind(70)]), None);
-    assert_eq!(
-        draw(&[&common[..], &[sheet(1, 69, 11)]].concat()),
-        Some((11, 69))
-    );
-    assert_eq!(
-        draw(&[&common[..], &[sheet(1, 70, 11)]].concat()),
-        Some((9, 70))
-    );
+    let with = |depth| draw(&[&common[..], &[sheet(1, depth, 11)]].concat());
+    assert_eq!(with(69), Some((11, 69)));
+    assert_eq!(with(70), Some((9, 70)));
 }
 
 #[test]
