@@ -24,6 +24,9 @@ pub enum Failure {
     ClosedPipe,
 }
 
+/// What a command or a part of it gives.
+pub type Result<T = (), E = Failure> = std::result::Result<T, E>;
+
 impl Failure {
     /// Bad input, from any error.
     pub fn input(error: impl fmt::Display) -> Failure {
@@ -106,10 +109,7 @@ fn shortened(text: &str, most: usize) -> String {
     }
     let place = |n: usize| text.char_indices().nth(n).map_or(text.len(), |(at, _)| at);
     let (head, tail) = (most * 2 / 3, most / 3);
-    format!(
-        "{}[.. {} characters ..]{}",
-        &text[..place(head)],
-        count - head - tail,
-        &text[place(count - tail)..]
-    )
+    let (begin, end) = (&text[..place(head)], &text[place(count - tail)..]);
+    let left_out = count - head - tail;
+    format!("{begin}[.. {left_out} characters ..]{end}")
 }

@@ -10,7 +10,7 @@ mod process;
 mod usage;
 
 use imogene::arguments::{self, Arguments, Command};
-use imogene::failure::{self, Failure};
+use imogene::failure::{self, Result};
 use imogene_files::{Scratch, limit_memory};
 use paths::Paths;
 use serde_json::json;
@@ -22,10 +22,8 @@ fn main() -> ExitCode {
             interruption::watch(&arguments.command);
             // Without it temporary files are where they always are.
             let _scratch = Scratch::of_process();
-            (
-                arguments.json,
-                run(&arguments).and_then(|()| missing::verdict()),
-            )
+            let outcome = run(&arguments).and_then(|()| missing::verdict());
+            (arguments.json, outcome)
         }
         Err((json, outcome)) => (json, outcome),
     };
@@ -33,7 +31,7 @@ fn main() -> ExitCode {
 }
 
 /// Says what went wrong, and that standard output was lost if it was.
-fn end(json: bool, outcome: Result<(), Failure>) -> ExitCode {
+fn end(json: bool, outcome: Result) -> ExitCode {
     if let Err(failure) = &outcome {
         output::complain(failure);
         if let Some(message) = failure.message().filter(|_| json && !output::is_reported()) {
@@ -52,7 +50,7 @@ fn end(json: bool, outcome: Result<(), Failure>) -> ExitCode {
     }
 }
 
-fn run(arguments: &Arguments) -> Result<(), Failure> {
+fn run(arguments: &Arguments) -> Result {
     let json = arguments.json;
     missing::set(arguments.policy());
     if let Some(bytes) = arguments.max_memory {

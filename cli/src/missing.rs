@@ -3,7 +3,7 @@
 //! By default they are left out with a warning, and the command ends with exit code 1; with `--strict` the scene is
 //! refused, and with `--allow-missing` the command ends as if nothing were missing.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::output;
 use imogene::arguments::Policy;
 use imogene_golden::format::Format;
@@ -37,7 +37,7 @@ pub fn options() -> Options {
 
 /// Warns of everything that a prepared scene lacks, and of what an end of its depth cuts off; `place` says in which
 /// frame, if in any. Fails if nothing is left to draw.
-pub fn tell(place: &str, framed: &FramedScene, prepared: &PreparedScene) -> Result<(), Failure> {
+pub fn tell(place: &str, framed: &FramedScene, prepared: &PreparedScene) -> Result {
     let objects = prepared.missing.iter().filter(|missing| !missing.is_volume);
     if let Some(first) = prepared.missing.first()
         && objects.count() == framed.objects.len()
@@ -54,7 +54,7 @@ pub fn tell(place: &str, framed: &FramedScene, prepared: &PreparedScene) -> Resu
 
 /// Warns of what a scene lacks of the file that it was made from; `what` is the key of the scene. Fails with
 /// `--strict`.
-pub fn incomplete(path: &Path, what: Option<&str>) -> Result<(), Failure> {
+pub fn incomplete(path: &Path, what: Option<&str>) -> Result {
     let Some(what) = what else { return Ok(()) };
     if policy() == Policy::Strict {
         let problem = format!("{what}; without --strict the rest is drawn");
@@ -72,7 +72,7 @@ pub fn reduced(
     (width, height): (u32, u32),
     format: Format,
     options: Options,
-) -> Result<SceneFile, Failure> {
+) -> Result<SceneFile> {
     if !file.images.is_empty() {
         return Ok(file);
     }
@@ -115,7 +115,7 @@ fn tell_ends(place: &str, range: &DepthRange) {
 }
 
 /// The failure that a run ends with which has succeeded otherwise.
-pub fn verdict() -> Result<(), Failure> {
+pub fn verdict() -> Result {
     match (MISSING.load(Ordering::Relaxed), policy()) {
         (0, _) | (_, Policy::Allow) => Ok(()),
         (n, _) => Err(Failure::Check(format!(

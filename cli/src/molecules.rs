@@ -1,6 +1,6 @@
 //! Structure files: those that are imported, and those that scenes name.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::missing;
 use imogene_import::{Kind, is_compressed, pdb, unpack};
 use imogene_scene::SceneFile;
@@ -10,7 +10,7 @@ use std::path::Path;
 const MAX_BYTES: u64 = 1 << 30;
 
 /// The bytes of a file, unpacked if they are compressed.
-pub fn load(path: &Path) -> Result<Vec<u8>, Failure> {
+pub fn load(path: &Path) -> Result<Vec<u8>> {
     let bytes = imogene_files::read(path, MAX_BYTES)
         .map_err(|e| Failure::Input(format!("cannot read '{}': {e}", path.display())))?;
     if !is_compressed(&bytes) {
@@ -23,7 +23,7 @@ pub fn load(path: &Path) -> Result<Vec<u8>, Failure> {
 const MEMORY_PER_BYTE: u64 = 6;
 
 /// Refuses a structure that does not fit into memory, before the system ends the process for it.
-pub fn check_memory(bytes: &[u8], path: &Path) -> Result<(), Failure> {
+pub fn check_memory(bytes: &[u8], path: &Path) -> Result {
     let needed = bytes.len() as u64 * MEMORY_PER_BYTE;
     let mib = |bytes: u64| bytes >> 20;
     match imogene_files::free_memory() {
@@ -38,7 +38,7 @@ pub fn check_memory(bytes: &[u8], path: &Path) -> Result<(), Failure> {
 }
 
 /// Reads a scene, and the molecules that it names from their files.
-pub fn read_scene(path: &Path) -> Result<SceneFile, Failure> {
+pub fn read_scene(path: &Path) -> Result<SceneFile> {
     let mut scene = SceneFile::read(path)?;
     missing::incomplete(path, scene.incomplete.as_deref())?;
     let molecules = std::mem::take(&mut scene.molecules);

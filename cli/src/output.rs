@@ -1,7 +1,7 @@
 //! What a command puts out: one JSON document, or text for a person, on standard output; files; progress on standard
 //! error, as a bar if that is a terminal and else as a line now and then.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::process;
 use imogene::progress::line;
 use imogene_files::{Identity, Outputs, WriteError, end_process};
@@ -52,7 +52,7 @@ pub fn report<T: Serialize>(json: bool, report: &T, tell: impl FnOnce(&T)) {
 }
 
 /// The same, of which a template tells a person.
-pub fn told(json: bool, report: &impl Serialize, template: &str) -> Result<(), Failure> {
+pub fn told(json: bool, report: &impl Serialize, template: &str) -> Result {
     match json {
         true => self::json(report),
         false => text(page(template, report)?),
@@ -61,7 +61,7 @@ pub fn told(json: bool, report: &impl Serialize, template: &str) -> Result<(), F
 }
 
 /// What a template makes of values, without the end of its last line.
-pub fn page(template: &str, values: impl Serialize) -> Result<String, Failure> {
+pub fn page(template: &str, values: impl Serialize) -> Result<String> {
     let mut page = imogene_studies::kit::page::text("the report cannot be told", template, values)?;
     page.truncate(page.strip_suffix('\n').map_or(page.len(), str::len));
     Ok(page)
@@ -114,7 +114,7 @@ impl Printer {
 }
 
 /// Writes what was printed to its end.
-pub fn flush() -> Result<(), Failure> {
+pub fn flush() -> Result {
     let mut printer = PRINTER.lock().unwrap_or_else(PoisonError::into_inner);
     printer.out.flush().map_err(|error| lost(&error))
 }
@@ -169,7 +169,7 @@ pub fn add_picture(
 }
 
 /// Writes the only file of a command.
-pub fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
+pub fn write_text(path: &Path, text: &str) -> Result {
     let mut files = files();
     files.add_text(path, text)?;
     files.finish()?;

@@ -1,7 +1,7 @@
 //! The paths of a command line, looked at before any work is done: what is read, what is written.
 
 use crate::arguments::Command;
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::{output, process};
 use Kind::{File, Folder, OneOf};
 use imogene_files::{Identity, Target, check_folder};
@@ -44,22 +44,20 @@ impl Paths {
             | Command::Speed(_)
             | Command::Shading(_)
             | Command::Prove(_) => paths,
-            Command::Demo(o) => paths.writes(Folder, "--out", Some(&o.out)),
-            Command::Processors(o) => paths.writes(File, "--out", &o.out),
-            Command::Emit(o) => paths
-                .reads(&o.machine)
-                .writes(Folder, "--out", Some(&o.out)),
-            Command::Contract(o) => paths.writes(File, "--out", &o.out),
-            Command::Package(o) => paths.writes(Folder, "--out", Some(&o.out)),
+            Command::Demo(o) => paths.folder([&o.out]),
+            Command::Processors(o) => paths.file("--out", &o.out),
+            Command::Emit(o) => paths.reads(&o.machine).folder([&o.out]),
+            Command::Contract(o) => paths.file("--out", &o.out),
+            Command::Package(o) => paths.folder([&o.out]),
             Command::Render(o) => {
                 let paths = paths.reads([&o.scene.scene]);
                 match o.frames {
                     Some(_) => paths.writes(Folder, "--output", Some(&o.output())),
                     None => paths
-                        .writes(File, "--output", Some(&o.output()))
-                        .writes(File, "--depth", &o.depth)
-                        .writes(File, "--ids", &o.ids)
-                        .writes(File, "--normals", &o.normals),
+                        .file("--output", [&o.output()])
+                        .file("--depth", &o.depth)
+                        .file("--ids", &o.ids)
+                        .file("--normals", &o.normals),
                 }
             }
             Command::Prepare(o) => paths.reads([&o.scene]),
@@ -67,60 +65,57 @@ impl Paths {
                 let paths = paths.reads([&PathBuf::from(&o.subject)]);
                 paths.writes(OneOf, "--vcd", &o.waves.files())
             }
-            Command::Import(o) => paths
-                .reads([&o.file])
-                .writes(File, "--output", Some(&o.output)),
-            Command::Terrain(o) => paths.writes(File, "--output", Some(&o.output)),
+            Command::Import(o) => paths.reads([&o.file]).file("--output", [&o.output]),
+            Command::Terrain(o) => paths.file("--output", [&o.output]),
             Command::Machine(o) => paths
                 .reads(&o.scenes)
                 .reads([&o.machine])
                 .reads(&o.overlay)
                 .writes(OneOf, "--vcd", &o.waves.files())
-                .writes(Folder, "--out", Some(&o.out)),
-            Command::Board(o) => {
-                paths
-                    .reads([&o.scene])
-                    .reads(&o.machine)
-                    .writes(Folder, "--out", Some(&o.out))
-            }
+                .folder([&o.out]),
+            Command::Board(o) => paths.reads([&o.scene]).reads(&o.machine).folder([&o.out]),
             Command::Raytrace(o) => paths
                 .reads(&o.scenes)
-                .writes(File, "--output", &o.output)
-                .writes(File, "--table", &o.table)
-                .writes(Folder, "--out", &o.out),
+                .file("--output", &o.output)
+                .file("--table", &o.table)
+                .folder(&o.out),
             Command::Cracks(o) => paths
                 .reads([&o.scene.scene])
-                .writes(File, "--output", &o.output)
-                .writes(File, "--plot", &o.plot),
+                .file("--output", &o.output)
+                .file("--plot", &o.plot),
             Command::Repair(o) => paths
                 .reads([&o.scene.scene])
-                .writes(File, "--output", &o.output)
-                .writes(File, "--map", &o.map),
-            Command::Check(o) => paths.reads([&o.scene.scene]).writes(File, "--map", &o.map),
-            Command::Detail(o) => paths
-                .reads([&o.scene.scene])
-                .writes(Folder, "--out", &o.out),
-            Command::Primitives(o) => paths.writes(Folder, "--out", &o.out),
-            Command::Trade(o) => paths
-                .reads([&o.scene])
-                .writes(Folder, "--out", Some(&o.out)),
-            Command::Fit(o) => paths.reads(&o.scenes).writes(Folder, "--out", Some(&o.out)),
+                .file("--output", &o.output)
+                .file("--map", &o.map),
+            Command::Check(o) => paths.reads([&o.scene.scene]).file("--map", &o.map),
+            Command::Detail(o) => paths.reads([&o.scene.scene]).folder(&o.out),
+            Command::Primitives(o) => paths.folder(&o.out),
+            Command::Trade(o) => paths.reads([&o.scene]).folder([&o.out]),
+            Command::Fit(o) => paths.reads(&o.scenes).folder([&o.out]),
             Command::Bounds(o) => paths.reads(&o.scenes),
-            Command::Sweep(o) => paths.writes(Folder, "--out", &o.out),
-            Command::Evaluate(o) => paths.writes(Folder, "--out", &o.out),
+            Command::Sweep(o) => paths.folder(&o.out),
+            Command::Evaluate(o) => paths.folder(&o.out),
             Command::Synth(o) if o.check => paths.reads([&o.baseline]),
             Command::Synth(o) if o.table => {
                 paths.writes(OneOf, "--out", [&o.out, &o.out.with_extension("json")])
             }
             Command::Synth(o) => paths.reads(&o.machine),
             Command::Peers(o) => paths.reads(&o.rtl),
-            Command::Mutate(o) => paths.writes(File, "--out", &o.out),
+            Command::Mutate(o) => paths.file("--out", &o.out),
         }
     }
 
     fn reads<'a>(mut self, inputs: impl IntoIterator<Item = &'a PathBuf>) -> Paths {
         self.inputs.extend(inputs.into_iter().cloned());
         self
+    }
+
+    fn folder<'a>(self, paths: impl IntoIterator<Item = &'a PathBuf>) -> Paths {
+        self.writes(Folder, "--out", paths)
+    }
+
+    fn file<'a>(self, option: &'static str, paths: impl IntoIterator<Item = &'a PathBuf>) -> Paths {
+        self.writes(File, option, paths)
     }
 
     fn writes<'a>(
@@ -138,7 +133,7 @@ impl Paths {
     }
 
     /// Refuses outputs that cannot be written, that would replace an input, or one another.
-    pub fn check(&self, json: bool) -> Result<(), Failure> {
+    pub fn check(&self, json: bool) -> Result {
         let inputs = self.inputs.iter().filter_map(|path| {
             let identity = Identity::of(path).ok()??;
             matches!(identity, Identity::Node(..)).then_some((path, identity))
@@ -167,7 +162,7 @@ impl Paths {
 
 impl Output {
     /// The file that is written, if it is known.
-    fn check(&self, json: bool) -> Result<Option<Identity>, Failure> {
+    fn check(&self, json: bool) -> Result<Option<Identity>> {
         let refuse = |error: std::io::Error| self.refuse(error.to_string());
         if self.kind == Folder {
             if self.path == Path::new("-") {

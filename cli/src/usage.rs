@@ -1,6 +1,6 @@
 //! Reading the command line, and saying what is wrong with it.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::output;
 use clap::error::ErrorKind;
 use clap::{Arg, Command, FromArgMatches};
@@ -37,7 +37,7 @@ const IN_PLAIN_WORDS: [(&str, &str); 7] = [
 ];
 
 /// The arguments; or whether JSON was asked for, and the outcome of what was asked for instead of a command.
-pub fn parse() -> Result<Arguments, (bool, Result<(), Failure>)> {
+pub fn parse() -> Result<Arguments, (bool, Result)> {
     let parsed = command()
         .try_get_matches()
         .and_then(|matches| Arguments::from_arg_matches(&matches));

@@ -1,6 +1,6 @@
 //! What fails a check by trial, and what is said of it.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use imogene_files::text::counted;
 use imogene_studies::shading_trial::ShadingErrors;
 use imogene_studies::trial::TrialReport;
@@ -10,7 +10,7 @@ use imogene_studies::trial::TrialReport;
 /// # Errors
 ///
 /// When a level is farther off.
-pub fn of_levels(errors: &ShadingErrors) -> Result<(), Failure> {
+pub fn of_levels(errors: &ShadingErrors) -> Result {
     if errors.beyond == 0 {
         return Ok(());
     }
@@ -25,7 +25,7 @@ pub fn of_levels(errors: &ShadingErrors) -> Result<(), Failure> {
 /// # Errors
 ///
 /// When one is.
-pub fn of_bounds(seed: u64, formats: &[TrialReport]) -> Result<(), Failure> {
+pub fn of_bounds(seed: u64, formats: &[TrialReport]) -> Result {
     let violations: u64 = formats.iter().map(|format| format.violations).sum();
     if violations == 0 {
         return Ok(());

@@ -47,11 +47,8 @@ impl Litter {
     /// Makes a folder and those above it; returns the ones that were not there, outer ones first.
     pub(crate) fn new_folders(&mut self, folder: &Path) -> io::Result<Vec<PathBuf>> {
         let missing = |folder: &&Path| !folder.as_os_str().is_empty() && !folder.exists();
-        let mut made: Vec<PathBuf> = folder
-            .ancestors()
-            .take_while(missing)
-            .map(PathBuf::from)
-            .collect();
+        let made = folder.ancestors().take_while(missing);
+        let mut made: Vec<PathBuf> = made.map(PathBuf::from).collect();
         made.reverse();
         self.folders.extend(made.iter().cloned());
         std::fs::create_dir_all(folder)?;

@@ -138,11 +138,9 @@ fn existing(path: &Path) -> &Path {
 }
 
 fn end_of_links(path: PathBuf) -> Result<Target> {
+    let refused = |why: &str| Err(Error::new(ErrorKind::IsADirectory, why));
     match fs::metadata(&path) {
-        Ok(facts) if facts.is_dir() => Err(Error::new(
-            ErrorKind::IsADirectory,
-            "it is a folder; a file is wanted",
-        )),
+        Ok(facts) if facts.is_dir() => refused("it is a folder; a file is wanted"),
         Ok(facts) if facts.is_file() => {
             // A file that may not be written to is not replaced either.
             OpenOptions::new().write(true).open(&path)?;
@@ -150,10 +148,7 @@ fn end_of_links(path: PathBuf) -> Result<Target> {
         }
         Ok(_) => Ok(Target::Stream(path)),
         Err(error) if error.kind() != ErrorKind::NotFound => Err(error),
-        Err(_) if ends_as_folder(&path) => Err(Error::new(
-            ErrorKind::IsADirectory,
-            "it is the name of a folder; a file is wanted",
-        )),
+        Err(_) if ends_as_folder(&path) => refused("it is the name of a folder; a file is wanted"),
         Err(_) => Ok(Target::File(path)),
     }
 }

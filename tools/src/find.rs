@@ -20,10 +20,8 @@ pub fn target_folder() -> Option<PathBuf> {
 /// The folder that the environment names, or that of the tools that the set-up installs.
 pub fn own_folders() -> Vec<PathBuf> {
     let named = std::env::var_os(FOLDER_VARIABLE).map(PathBuf::from);
-    named
-        .or_else(|| above("target/tools/bin"))
-        .into_iter()
-        .collect()
+    let folder = named.or_else(|| above("target/tools/bin"));
+    folder.into_iter().collect()
 }
 
 /// The folders of the variable `PATH`.
@@ -44,9 +42,8 @@ pub fn search_folders() -> Vec<PathBuf> {
 
 /// The first program of these names; in one folder the earlier name comes first.
 pub fn find(folders: &[PathBuf], names: &[&str]) -> Option<PathBuf> {
-    let mut paths = folders
-        .iter()
-        .flat_map(|folder| names.iter().map(|name| folder.join(name)));
+    let folders = folders.iter();
+    let mut paths = folders.flat_map(|folder| names.iter().map(|name| folder.join(name)));
     paths.find(|path| path.is_file())
 }
 

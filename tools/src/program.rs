@@ -90,10 +90,8 @@ pub fn call(command: &mut Command) -> io::Result<Said> {
 
 /// The last lines that are not empty of what a tool said, enough to see its error.
 pub fn last_lines(text: &str) -> String {
-    let lines: Vec<&str> = text
-        .lines()
-        .filter(|line| !line.trim().is_empty())
-        .collect();
+    let lines = text.lines().filter(|line| !line.trim().is_empty());
+    let lines: Vec<&str> = lines.collect();
     lines[lines.len().saturating_sub(6)..].join("\n")
 }
 

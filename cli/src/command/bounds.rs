@@ -2,7 +2,7 @@
 
 use super::frame_in;
 use crate::arguments::{Bounds, Size};
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::{molecules, output};
 use imogene::verdict;
 use imogene_analysis::bounds::headroom::{Headroom, Summary, headroom, summaries};
@@ -16,7 +16,7 @@ use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 /// Tries the bounds on random cases, or shows the headroom of scenes.
-pub fn run(options: &Bounds, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Bounds, json: bool) -> Result {
     if options.scenes.is_empty() {
         try_bounds(options, json)
     } else {
@@ -33,7 +33,7 @@ struct Trial {
     formats: Vec<TrialReport>,
 }
 
-fn try_bounds(options: &Bounds, json: bool) -> Result<(), Failure> {
+fn try_bounds(options: &Bounds, json: bool) -> Result {
     let bar = output::progress(options.cases * FORMATS.len() as u64, "random cases");
     let mut formats = vec![];
     if !json {
@@ -101,7 +101,7 @@ struct Table {
     scenes: Vec<Row>,
 }
 
-fn show_headroom(options: &Bounds, json: bool) -> Result<(), Failure> {
+fn show_headroom(options: &Bounds, json: bool) -> Result {
     let steps = options.scenes.len() * options.sizes.len() * options.formats.len();
     let bar = output::progress(steps as u64, "scenes, sizes, formats");
     let mut rows = vec![];
@@ -125,7 +125,7 @@ fn show_headroom(options: &Bounds, json: bool) -> Result<(), Failure> {
     Ok(())
 }
 
-fn row(path: &Path, file: &SceneFile, size: Size, format: u32) -> Result<Row, Failure> {
+fn row(path: &Path, file: &SceneFile, size: Size, format: u32) -> Result<Row> {
     let (_, prepared) = frame_in(file, Some(size), Format::new(format)?)?;
     if prepared.quadrics().next().is_none() {
         let problem = "no object is drawn by a quadric or patch processor, the ones whose roundings are bounded";
@@ -148,9 +148,6 @@ fn page(table: &Table) -> Result<String, DrawError> {
     let stems = table.scenes.iter().map(|row| row.scene.file_stem());
     let names = stems.map(|stem| stem.unwrap_or_default().to_string_lossy());
     let names = names.collect();
-    text(
-        "no tables",
-        include_str!("bounds.md"),
-        Page { table, names },
-    )
+    let page = Page { table, names };
+    text("no tables", include_str!("bounds.md"), page)
 }

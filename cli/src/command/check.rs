@@ -2,7 +2,7 @@
 
 use super::load_scene;
 use crate::arguments::Check;
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::output;
 use imogene_analysis::bounds::{CheckReport, check};
 use imogene_studies::picture;
@@ -18,7 +18,7 @@ struct Output {
 }
 
 /// Shows what a scene needs and how exact its picture is.
-pub fn run(options: &Check, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Check, json: bool) -> Result {
     let map = options.map.as_deref();
     let is_picture = map.map(is_picture).transpose()?;
     let (framed, prepared) = load_scene(&options.scene)?;
@@ -32,7 +32,7 @@ pub fn run(options: &Check, json: bool) -> Result<(), Failure> {
     verdict(&output.report)
 }
 
-fn verdict(report: &CheckReport) -> Result<(), Failure> {
+fn verdict(report: &CheckReport) -> Result {
     if report.ok {
         return Ok(());
     }
@@ -47,7 +47,7 @@ fn verdict(report: &CheckReport) -> Result<(), Failure> {
 }
 
 /// Whether a map is a picture, or else an array.
-fn is_picture(path: &Path) -> Result<bool, Failure> {
+fn is_picture(path: &Path) -> Result<bool> {
     match path.extension().and_then(|e| e.to_str()) {
         Some("png") => Ok(true),
         Some("npy") => Ok(false),
@@ -59,7 +59,7 @@ fn is_picture(path: &Path) -> Result<bool, Failure> {
 }
 
 /// Writes a file of the open pixels.
-fn write_map(path: &Path, is_picture: bool, marks: &[u8], width: usize) -> Result<(), Failure> {
+fn write_map(path: &Path, is_picture: bool, marks: &[u8], width: usize) -> Result {
     let mut files = output::files();
     files.add(path, |out| {
         if !is_picture {

@@ -3,7 +3,7 @@
 use super::render::golden_frame;
 use super::{describe, extremes, frame_in, read_scene, run_beam, run_slots, threads, verdict};
 use crate::arguments::{Cosim, option};
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::output;
 use imogene_contract::Unit;
 use imogene_prepare::PreparedScene;
@@ -15,7 +15,7 @@ use imogene_verif::scene::{self, slots, volumes};
 use imogene_verif::{random, unit};
 use std::path::Path;
 
-pub fn run(options: &Cosim, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Cosim, json: bool) -> Result {
     if extremes::is_meant(&options.subject) {
         return extremes::run(&options.subject, json);
     }
@@ -33,7 +33,7 @@ pub fn run(options: &Cosim, json: bool) -> Result<(), Failure> {
     verdict(&report)
 }
 
-fn run_unit(options: &Cosim) -> Result<Report, Failure> {
+fn run_unit(options: &Cosim) -> Result<Report> {
     let request = options.shape.request(&options.subject)?;
     if options.inject_fault.is_some() {
         return Err(Failure::Input(
@@ -60,12 +60,8 @@ fn run_unit(options: &Cosim) -> Result<Report, Failure> {
         }
         (Some(target), Engine::Verilog(simulator)) => {
             let netlist = netlist(&request, Target::from_name(target)?)?;
-            with_verilog(
-                unit::subject(&request)?,
-                simulator,
-                &netlist.top,
-                &netlist.text,
-            )?
+            let subject = unit::subject(&request)?;
+            with_verilog(subject, simulator, &netlist.top, &netlist.text)?
         }
     };
     let waves = &options.waves;
@@ -89,7 +85,7 @@ fn run_unit(options: &Cosim) -> Result<Report, Failure> {
     Ok(report)
 }
 
-fn run_scene(options: &Cosim) -> Result<Report, Failure> {
+fn run_scene(options: &Cosim) -> Result<Report> {
     if options.netlist.is_some() {
         return Err(Failure::Input(
             "--netlist takes a unit; a scene runs on the emitted Verilog of a whole machine".into(),
@@ -136,7 +132,7 @@ fn run_scene(options: &Cosim) -> Result<Report, Failure> {
 }
 
 /// A scene of quadric processors: the beam machine.
-fn run_whole(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failure> {
+fn run_whole(options: &Cosim, prepared: &PreparedScene) -> Result<Report> {
     let run_options = scene::Options {
         rows_per_stage: options.shape.rows_per_stage(),
         threads: threads(),
@@ -148,7 +144,7 @@ fn run_whole(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failur
 }
 
 /// A scene with processors that a beam machine does not have: each processor by itself.
-fn run_alone(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failure> {
+fn run_alone(options: &Cosim, prepared: &PreparedScene) -> Result<Report> {
     for (option, given) in [
         ("--vcd", options.waves.vcd.is_some()),
         ("--inject-fault", options.inject_fault.is_some()),
@@ -163,11 +159,7 @@ fn run_alone(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failur
 }
 
 /// The shadow and light volumes of a scene, on the depths of its golden frame, into the report of the rest.
-fn run_volumes(
-    options: &Cosim,
-    prepared: &PreparedScene,
-    report: &mut Report,
-) -> Result<(), Failure> {
+fn run_volumes(options: &Cosim, prepared: &PreparedScene, report: &mut Report) -> Result {
     if prepared.volumes.is_empty() {
         return Ok(());
     }

@@ -2,7 +2,7 @@
 
 use super::{frame_in, read_scene, render::golden_frame};
 use crate::arguments::Cracks;
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::output;
 use imogene_files::text::counted;
 use imogene_oracle::crack::{Buffers, Crack, Rule, cracks, mark_openings, two_pixels};
@@ -39,7 +39,7 @@ struct ScoreRow {
 }
 
 /// Searches the golden picture for cracks.
-pub fn run(options: &Cracks, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Cracks, json: bool) -> Result {
     let file = read_scene(&options.scene.scene, &options.scene.view)?;
     let (framed, prepared) = frame_in(&file, options.scene.size, options.scene.format()?)?;
     let least = options.min_distance;
@@ -92,7 +92,7 @@ fn closed(report: &CrackReport) -> usize {
 }
 
 /// With cracks made on purpose the check is that every deep one is found.
-fn missed(report: &CrackReport) -> Result<(), Failure> {
+fn missed(report: &CrackReport) -> Result {
     let missed = |s: &ScoreRow| s.score.deep - s.score.deep_found;
     match report.scores.iter().map(missed).sum() {
         0 => Ok(()),

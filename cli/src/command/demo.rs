@@ -3,7 +3,7 @@
 use super::machine::{add_verilog, write_pictures};
 use super::{describe, frame_in, run_beam, threads, verdict};
 use crate::arguments::{Demo, Size};
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::output;
 use imogene_golden::format::Format;
 use imogene_plan::description::MachineDescription;
@@ -43,7 +43,7 @@ struct Summary {
     pictures_identical: bool,
 }
 
-pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Demo, json: bool) -> Result {
     let file = SceneFile::parse(TEAPOT, "teapot.toml")?;
     let machine = MachineDescription::parse(MACHINE, "beam-640x480.toml")?;
     let (framed, prepared) = frame_in(&file, Some(SCREEN), machine.format()?)?;
@@ -95,7 +95,7 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
 }
 
 /// The same scene in a small picture, with the waveforms of a processor: its inside is compared as well.
-fn inside(file: &SceneFile, format: Format) -> Result<Report, Failure> {
+fn inside(file: &SceneFile, format: Format) -> Result<Report> {
     let (_, prepared) = frame_in(file, Some(TRACED_SIZE), format)?;
     let options = scene::Options {
         trace: Some(WaveformRequest {
@@ -110,14 +110,15 @@ fn inside(file: &SceneFile, format: Format) -> Result<Report, Failure> {
 }
 
 fn tell(summary: &Summary) {
-    let picture = match summary.pictures_identical {
-        true => "the",
-        false => "NOT the",
+    let not = if summary.pictures_identical {
+        ""
+    } else {
+        "NOT "
     };
     output::text(describe(&summary.report));
     output::text(format!(
         "{} object processors of {} cut planes on a screen of {} x {}: {} clocks a frame, 16.7 ms at 25.175 MHz; \
-         the picture on the pins is {picture} golden picture",
+         the picture on the pins is {not}the golden picture",
         summary.objects, summary.planes, summary.width, summary.height, summary.clocks_per_frame
     ));
 }

@@ -2,7 +2,7 @@
 
 use super::load_scene;
 use crate::arguments::Detail;
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::output;
 use imogene_files::text::counted;
 use imogene_plan::culling::precision::guard_bits;
@@ -46,16 +46,15 @@ struct Row<'a> {
     guards: [u32; 2],
 }
 
-pub fn run(options: &Detail, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Detail, json: bool) -> Result {
     let (framed, prepared) = load_scene(&options.scene)?;
     prepared.refuse_composed()?;
     let report = output::during(1, "what the scene requires", |_| {
         Report::of(&framed, &prepared, options.zone, options.pixels)
     });
-    let files = match &options.out {
-        Some(out) => write_maps(&report, &prepared, out)?,
-        None => vec![],
-    };
+    let out = options.out.as_ref();
+    let files = out.map(|out| write_maps(&report, &prepared, out));
+    let files = files.transpose()?.unwrap_or_default();
     let (streams, refusal) = match &report.streams {
         Ok(streams) => (streams.to_vec(), None),
         Err(why) => (vec![], Some(why.to_string())),
@@ -101,11 +100,7 @@ fn rows<'a>(report: &'a Report, prepared: &PreparedScene) -> Vec<Row<'a>> {
         .collect()
 }
 
-fn write_maps(
-    report: &Report,
-    prepared: &PreparedScene,
-    out: &Path,
-) -> Result<Vec<PathBuf>, Failure> {
+fn write_maps(report: &Report, prepared: &PreparedScene, out: &Path) -> Result<Vec<PathBuf>> {
     let size = (prepared.width as usize, prepared.height as usize);
     let mut files = output::files();
     let mut write = |name: &str, width: usize, rgb: &[u8]| {
@@ -126,10 +121,8 @@ fn write_maps(
     pair("objects.png", objects.unzip())?;
     if !prepared.volumes.is_empty() && report.streams.is_ok() {
         let volumes = report.volumes_of_zones.iter();
-        pair(
-            "volumes.png",
-            volumes.map(|zone| (zone[0], zone[1])).unzip(),
-        )?;
+        let volumes = volumes.map(|zone| (zone[0], zone[1]));
+        pair("volumes.png", volumes.unzip())?;
     }
     Ok(files.finish()?)
 }

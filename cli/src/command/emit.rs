@@ -2,7 +2,7 @@
 
 use super::fitted;
 use crate::arguments::Emit;
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::output;
 use imogene_contract::Request;
 use imogene_files::Outputs;
@@ -32,7 +32,7 @@ pub struct PortEntry {
 }
 
 /// Writes the Verilog of a unit.
-pub fn run(options: &Emit, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Emit, json: bool) -> Result {
     let prefix = options.prefix.as_deref();
     let (unit, emitted) = match (&options.machine, &options.unit) {
         (Some(file), _) => {
@@ -61,19 +61,16 @@ pub fn run(options: &Emit, json: bool) -> Result<(), Failure> {
     };
     output::report(json, &report, |report| {
         output::wrote(&report.files);
-        output::text(format!(
-            "top {}, {}, {}, latency {}",
-            report.top,
-            counted(report.modules, "module"),
-            counted(report.ports.len(), "port"),
-            counted(report.latency, "clock")
-        ));
+        let (top, modules) = (&report.top, counted(report.modules, "module"));
+        let ports = counted(report.ports.len(), "port");
+        let latency = counted(report.latency, "clock");
+        output::text(format!("top {top}, {modules}, {ports}, latency {latency}"));
     });
     Ok(())
 }
 
 /// The Verilog of a unit of the catalogue.
-pub fn emitted(request: &Request, prefix: Option<&str>) -> Result<Emitted, Failure> {
+pub fn emitted(request: &Request, prefix: Option<&str>) -> Result<Emitted> {
     let emitted = match prefix {
         Some(prefix) => emit_with_prefix(request, prefix),
         None => emit(request),
@@ -82,20 +79,13 @@ pub fn emitted(request: &Request, prefix: Option<&str>) -> Result<Emitted, Failu
 }
 
 /// Adds one file, or one for each module and a list of them.
-pub fn add_verilog(
-    files: &mut Outputs,
-    emitted: &Emitted,
-    folder: &Path,
-    split: bool,
-) -> Result<(), Failure> {
-    let texts = if split {
-        let mut texts = emitted.files();
-        let names: Vec<String> = texts.iter().map(|(name, _)| format!("{name}\n")).collect();
-        texts.push((format!("{}.f", emitted.top), names.concat()));
-        texts
-    } else {
-        vec![(format!("{}.v", emitted.top), emitted.bundle())]
-    };
+pub fn add_verilog(files: &mut Outputs, emitted: &Emitted, folder: &Path, split: bool) -> Result {
+    let mut texts = vec![(format!("{}.v", emitted.top), emitted.bundle())];
+    if split {
+        texts = emitted.files();
+        let names: String = texts.iter().map(|(name, _)| format!("{name}\n")).collect();
+        texts.push((format!("{}.f", emitted.top), names));
+    }
     for (name, text) in &texts {
         files.add_text(&folder.join(name), text)?;
     }

@@ -1,7 +1,7 @@
 //! `imogene evaluate`.
 
 use crate::arguments::Evaluate;
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::output;
 use imogene_golden::format::Format;
 use imogene_package::processors::processors;
@@ -23,13 +23,12 @@ struct Report {
 
 /// Counts the cost tables of the sources again, prints them, and writes page, figures and pictures if there is a folder
 /// for them.
-pub fn run(options: &Evaluate, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Evaluate, json: bool) -> Result {
     let evaluation = evaluate(&hardware()?).map_err(defect)?;
     let page = markdown(&evaluation).map_err(defect)?;
-    let files = match &options.out {
-        Some(folder) => write(folder, &evaluation, &page)?,
-        None => vec![],
-    };
+    let out = options.out.as_ref();
+    let files = out.map(|folder| write(folder, &evaluation, &page));
+    let files = files.transpose()?.unwrap_or_default();
     output::report(json, &Report { evaluation, files }, |report| {
         output::text(page.trim_end());
         output::wrote(&report.files);
@@ -38,7 +37,7 @@ pub fn run(options: &Evaluate, json: bool) -> Result<(), Failure> {
 }
 
 /// Parts of the processors as they are emitted, and the clocks of the zone machine.
-fn hardware() -> Result<Hardware, Failure> {
+fn hardware() -> Result<Hardware> {
     let list = processors()?;
     let parts = list.into_iter().map(|p| Parts {
         unit: p.unit.into(),
@@ -62,7 +61,7 @@ fn defect(error: EvaluateError) -> Failure {
     Failure::Check(error.to_string())
 }
 
-fn write(folder: &Path, evaluation: &Evaluation, markdown: &str) -> Result<Vec<PathBuf>, Failure> {
+fn write(folder: &Path, evaluation: &Evaluation, markdown: &str) -> Result<Vec<PathBuf>> {
     let index = page(evaluation, env!("CARGO_PKG_VERSION")).map_err(defect)?;
     let figures = output::json_text(evaluation) + "\n";
     let duplication = duplication_plot().map_err(defect)?;

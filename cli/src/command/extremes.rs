@@ -1,12 +1,12 @@
 //! `imogene cosim extremes/NAME`, and `imogene cosim extremes` for all of them.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::output;
 use imogene_files::text::counted;
 use imogene_verif::extremes::{self, Extreme, Finding};
 
 /// What the subject of `cosim` must begin with.
-pub const PREFIX: &str = "extremes";
+const PREFIX: &str = "extremes";
 
 /// True if `cosim` is asked for an extreme and not for a unit or a scene file.
 pub fn is_meant(subject: &str) -> bool {
@@ -16,16 +16,15 @@ pub fn is_meant(subject: &str) -> bool {
             .is_some_and(|rest| rest.starts_with('/') && !rest.ends_with(".toml"))
 }
 
-pub fn run(subject: &str, json: bool) -> Result<(), Failure> {
-    let chosen = chosen(subject)?;
-    let mut findings = Vec::new();
-    for extreme in chosen {
+pub fn run(subject: &str, json: bool) -> Result {
+    let run = |extreme: &Extreme| {
         let finding = extreme.run();
         if !json {
             print(&finding);
         }
-        findings.push(finding);
-    }
+        finding
+    };
+    let findings: Vec<Finding> = chosen(subject)?.into_iter().map(run).collect();
     if json {
         output::json(&findings);
     }
@@ -36,11 +35,9 @@ pub fn run(subject: &str, json: bool) -> Result<(), Failure> {
     }
 }
 
-fn chosen(subject: &str) -> Result<Vec<&'static Extreme>, Failure> {
-    let name = subject
-        .strip_prefix(PREFIX)
-        .unwrap_or_default()
-        .trim_start_matches('/');
+fn chosen(subject: &str) -> Result<Vec<&'static Extreme>> {
+    let rest = subject.strip_prefix(PREFIX).unwrap_or_default();
+    let name = rest.trim_start_matches('/');
     if name.is_empty() {
         return Ok(extremes::all().collect());
     }
@@ -54,15 +51,9 @@ fn chosen(subject: &str) -> Result<Vec<&'static Extreme>, Failure> {
 }
 
 fn print(finding: &Finding) {
-    let verdict = if finding.held {
-        "as stated"
-    } else {
-        "NOT as stated"
-    };
-    output::text(format!(
-        "{}: {verdict}\n  {}",
-        finding.name, finding.outcome
-    ));
+    let negation = if finding.held { "" } else { "NOT " };
+    let (name, outcome) = (&finding.name, &finding.outcome);
+    output::text(format!("{name}: {negation}as stated\n  {outcome}"));
     if let Some(report) = &finding.cosimulation {
         output::text(format!(
             "  {}, {} of hardware and golden model compared, {}",

@@ -5,7 +5,7 @@ mod contract;
 use super::fitted::costs;
 use super::size_of;
 use crate::arguments::{Fit, MACHINE_FILE};
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::{missing, molecules, output};
 use contract::{FitReport, Saving};
 use imogene_contract::slots;
@@ -46,7 +46,7 @@ struct Choice<'a> {
 
 /// Finds, proves, emits and co-simulates the smallest machine; where a beam machine has too many cells, that of a zone
 /// machine.
-pub fn run(options: &Fit, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Fit, json: bool) -> Result {
     let started = Instant::now();
     let target = Target::from_name(&options.target)?;
     let budget = options.budget();
@@ -84,7 +84,7 @@ fn finish(
     (frames, left_out, choice): (&Frames, Option<LeftOut>, Choice),
     target: Target,
     started: Instant,
-) -> Result<(), Failure> {
+) -> Result {
     let budget = options.budget();
     let (left_out, scenes) = left_out.map_or((vec![], vec![]), |out| (out.names, out.scenes));
     let scenes = scenes.into_iter().enumerate();
@@ -130,9 +130,8 @@ fn finish(
         reproduce: options.reproduce(&budget),
         budget,
         files: vec![],
-        seconds: 0.0,
+        seconds: started.elapsed().as_secs_f64(),
     };
-    report.seconds = started.elapsed().as_secs_f64();
     let drawn = (choice.drawn, &images[..], &scenes[..]);
     write(&mut report, frames, drawn, &emitted, options)?;
     let summary = contract::summary(&report)?;
@@ -141,7 +140,7 @@ fn finish(
 }
 
 /// The machine that should be smallest, without its cost and unchecked.
-pub fn smallest(options: &Fit) -> Result<MachineDescription, Failure> {
+pub fn smallest(options: &Fit) -> Result<MachineDescription> {
     let (frames, _) = frames(options)?;
     let found = found(&frames, &options.budget())?;
     let drawn = found.first().expect("a machine was found");
@@ -149,7 +148,7 @@ pub fn smallest(options: &Fit) -> Result<MachineDescription, Failure> {
 }
 
 /// The words that keep to a budget.
-fn found(frames: &Frames, budget: &Budget) -> Result<Vec<Drawn>, Failure> {
+fn found(frames: &Frames, budget: &Budget) -> Result<Vec<Drawn>> {
     let outcome = output::during(0, "machines drawn", |bar| {
         search(frames, budget, || bar.inc(1))
     });
@@ -160,7 +159,7 @@ fn found(frames: &Frames, budget: &Budget) -> Result<Vec<Drawn>, Failure> {
 }
 
 /// The frames, and what is left out of them.
-fn frames(options: &Fit) -> Result<(Frames, Option<LeftOut>), Failure> {
+fn frames(options: &Fit) -> Result<(Frames, Option<LeftOut>)> {
     options.budget().check()?;
     let mut files: Vec<(String, SceneFile)> = vec![];
     for path in &options.scenes {
@@ -215,7 +214,7 @@ fn choose<'a>(
     options: &Fit,
     target: Target,
     json: bool,
-) -> Result<Choice<'a>, Failure> {
+) -> Result<Choice<'a>> {
     let rows: &[u32] = match options.min_mhz {
         Some(_) => &ROWS,
         None => &ROWS[..1],
@@ -228,34 +227,31 @@ fn choose<'a>(
             candidates.push((drawn, fitted(frames, drawn, rows, options)?));
         }
     }
-    if options.no_cost {
-        let first = candidates.into_iter().next();
-        let (drawn, machine) = first.expect("a machine was found");
-        return Ok(Choice {
-            drawn,
-            machine,
-            cost: None,
-        });
-    }
-    if !json {
+    if !json && !options.no_cost {
         for (drawn, machine) in &candidates {
             output::text(contract::found(drawn, &machine.description));
         }
     }
     let machines = candidates.iter().map(|(_, machine)| &machine.description);
     let machines: Vec<MachineDescription> = machines.cloned().collect();
-    let costs = price(&machines, target, options)?;
+    let costs = match options.no_cost {
+        true => vec![None],
+        false => price(&machines, target, options)?
+            .into_iter()
+            .map(Some)
+            .collect(),
+    };
     let priced = candidates.into_iter().zip(costs);
     let priced = priced.map(|((drawn, machine), cost)| Choice {
         drawn,
         machine,
-        cost: Some(cost),
+        cost,
     });
     cheapest(priced.collect(), options.min_mhz, target)
 }
 
 /// The machine of these words.
-fn fitted(frames: &Frames, drawn: &Drawn, rows: u32, options: &Fit) -> Result<Fitted, Failure> {
+fn fitted(frames: &Frames, drawn: &Drawn, rows: u32, options: &Fit) -> Result<Fitted> {
     let timing = |machine: &MachineDescription| {
         zone_timing(&request_for(machine, &[], "")).expect("a machine that is within its ranges")
     };
@@ -273,16 +269,12 @@ fn price(
     machines: &[MachineDescription],
     target: Target,
     options: &Fit,
-) -> Result<Vec<MachineCost>, Failure> {
+) -> Result<Vec<MachineCost>> {
     let with_clock = options.clock || options.min_mhz.is_some();
     costs(machines, Parts::Cores, target, with_clock)
 }
 
-fn cheapest(
-    priced: Vec<Choice<'_>>,
-    min_mhz: Option<f64>,
-    target: Target,
-) -> Result<Choice<'_>, Failure> {
+fn cheapest(priced: Vec<Choice<'_>>, min_mhz: Option<f64>, target: Target) -> Result<Choice<'_>> {
     let clock = |choice: &Choice| choice.cost.and_then(|cost| cost.fmax_mhz);
     let fast = |choice: &Choice| min_mhz.is_none_or(|least| clock(choice) >= Some(least));
     let fastest = priced.iter().filter_map(clock).reduce(f64::max);
@@ -311,11 +303,7 @@ fn saved(cost: &MachineCost, base: &MachineCost) -> Saving {
 }
 
 /// What the machine shows of every frame, and that compared with the pins on every clock.
-fn show(
-    choice: &Choice,
-    frames: &Frames,
-    options: &Fit,
-) -> Result<(Vec<Image>, Vec<Report>), Failure> {
+fn show(choice: &Choice, frames: &Frames, options: &Fit) -> Result<(Vec<Image>, Vec<Report>)> {
     let machine = &choice.machine.description;
     let scenes = frames.all.iter().zip(&choice.drawn.prepared);
     let images = scenes.map(|(frame, prepared)| image(&frame.scene, prepared, machine));
@@ -340,7 +328,7 @@ fn write(
     (drawn, images, scenes): (&Drawn, &[Image], &[(PathBuf, SceneFile)]),
     emitted: &Emitted,
     options: &Fit,
-) -> Result<(), Failure> {
+) -> Result {
     let mut files = output::files();
     let machine = report.machine.to_toml();
     let description = format!("# Made by: {}\n{machine}", report.reproduce);
@@ -378,7 +366,7 @@ fn frame_file(options: &Fit, frames: &Frames, name: &str, index: usize, end: &st
     options.out.join(format!("{name}{number}.{end}"))
 }
 
-fn verdict(report: &FitReport) -> Result<(), Failure> {
+fn verdict(report: &FitReport) -> Result {
     let mismatches: u64 = report.cosim.iter().map(|r| r.mismatches).sum();
     if mismatches == 0 {
         return Ok(());

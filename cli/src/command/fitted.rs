@@ -1,7 +1,7 @@
 //! Hardware of any widths, for the commands that need it.
 
 use crate::arguments::{Fitted, option};
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::output;
 use imogene_contract::slots;
 use imogene_contract::{Request, Unit};
@@ -21,7 +21,7 @@ pub fn asked(
     options: &Fitted,
     request: &Request,
     prefix: Option<&str>,
-) -> Result<Option<MachineRequest>, Failure> {
+) -> Result<Option<MachineRequest>> {
     let (Some(words), Some(slots)) = (options.widths, &options.slots) else {
         return Ok(None);
     };
@@ -46,7 +46,7 @@ pub fn asked(
 }
 
 /// The machine of a description, whatever it is loaded with.
-pub fn described(file: &Path, prefix: Option<&str>) -> Result<MachineRequest, Failure> {
+pub fn described(file: &Path, prefix: Option<&str>) -> Result<MachineRequest> {
     let machine = MachineDescription::read(file)?;
     let named = option("prefix", prefix);
     let command = format!("imogene emit --machine {}{named} --out DIR", file.display());
@@ -61,7 +61,7 @@ pub fn estimates(
     known: &[MachineDescription],
     machines: &[MachineDescription],
     target: Target,
-) -> Result<Vec<MachineCost>, Failure> {
+) -> Result<Vec<MachineCost>> {
     let alike = |machines: &[MachineDescription], rows: u32| {
         emitted(machines.iter().filter(|m| m.rows_per_stage == rows))
     };
@@ -79,9 +79,7 @@ pub fn estimates(
     Ok(costs)
 }
 
-fn emitted<'a>(
-    machines: impl Iterator<Item = &'a MachineDescription>,
-) -> Result<Vec<Emitted>, Failure> {
+fn emitted<'a>(machines: impl Iterator<Item = &'a MachineDescription>) -> Result<Vec<Emitted>> {
     let emitted = machines.map(|machine| emit_machine(&request_for(machine, &[], "")));
     Ok(emitted.collect::<Result<_, _>>()?)
 }
@@ -93,7 +91,7 @@ pub fn costs(
     parts: Parts,
     target: Target,
     with_clock: bool,
-) -> Result<Vec<MachineCost>, Failure> {
+) -> Result<Vec<MachineCost>> {
     costs_of(&emitted(machines.iter())?, parts, target, with_clock)
 }
 
@@ -103,7 +101,7 @@ pub fn costs_of(
     parts: Parts,
     target: Target,
     with_clock: bool,
-) -> Result<Vec<MachineCost>, Failure> {
+) -> Result<Vec<MachineCost>> {
     let bar = output::progress(0, "modules in synthesis");
     let done = |known, of| {
         bar.set_length(of as u64);

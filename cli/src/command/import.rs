@@ -2,7 +2,7 @@
 
 use super::looked;
 use crate::arguments::{Deviation, Import, kind_name};
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::molecules::{check_memory, load};
 use crate::{missing, output};
 use imogene_files::text::counted;
@@ -30,7 +30,7 @@ struct ImportReport {
 }
 
 /// Reads a file and writes its scene.
-pub fn run(options: &Import, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Import, json: bool) -> Result {
     let bytes = load(&options.file)?;
     let kind = match options.kind {
         Some(kind) => kind,
@@ -58,17 +58,14 @@ pub fn run(options: &Import, json: bool) -> Result<(), Failure> {
     };
     output::report(json, &report, |report| {
         report.notes.iter().for_each(output::text);
-        output::text(format!(
-            "{}; wrote {}",
-            counted(report.objects, "object"),
-            options.output.display()
-        ));
+        let (objects, path) = (counted(objects, "object"), options.output.display());
+        output::text(format!("{objects}; wrote {path}"));
     });
     Ok(())
 }
 
 /// What a file is, or what would be read.
-fn kind_of(bytes: &[u8], file: &Path) -> Result<Kind, Failure> {
+fn kind_of(bytes: &[u8], file: &Path) -> Result<Kind> {
     let found = Kind::of(bytes, &file.to_string_lossy());
     found.ok_or_else(|| {
         let problem = if is_scene(bytes) {
@@ -85,7 +82,7 @@ fn kind_of(bytes: &[u8], file: &Path) -> Result<Kind, Failure> {
 }
 
 /// The scene of a molecule.
-fn structure(bytes: &[u8], format: Format, options: &Import) -> Result<Imported, Failure> {
+fn structure(bytes: &[u8], format: Format, options: &Import) -> Result<Imported> {
     check_memory(bytes, &options.file)?;
     let asked = options.molecule.options();
     Ok(pdb::read(bytes, format, &name(options), &asked)?)
@@ -93,7 +90,7 @@ fn structure(bytes: &[u8], format: Format, options: &Import) -> Result<Imported,
 
 /// The same scene, which names its structure file instead of listing the objects, if that is asked for or the list
 /// would be long.
-fn referred(mut imported: Imported, kind: Kind, options: &Import) -> Result<Imported, Failure> {
+fn referred(mut imported: Imported, kind: Kind, options: &Import) -> Result<Imported> {
     let asked = &options.molecule;
     let is_long = imported.scene.objects.len() > MOST_LINES && !asked.inline;
     if !matches!(kind, Kind::Structure(_)) || !(asked.reference || is_long) {
@@ -109,7 +106,7 @@ fn referred(mut imported: Imported, kind: Kind, options: &Import) -> Result<Impo
 }
 
 /// The path of a file from the folder of another, which may not be there yet.
-fn relative(file: &Path, other: &Path) -> Result<String, Failure> {
+fn relative(file: &Path, other: &Path) -> Result<String> {
     let folder = other.parent().filter(|folder| *folder != Path::new(""));
     let folder = folder.unwrap_or(Path::new(".")).canonicalize().ok();
     let whole = file.canonicalize().unwrap_or(file.to_owned());
@@ -125,12 +122,12 @@ fn relative(file: &Path, other: &Path) -> Result<String, Failure> {
 }
 
 /// The scene of a face list.
-fn face_list(bytes: &[u8], options: &Import) -> Result<Imported, Failure> {
+fn face_list(bytes: &[u8], options: &Import) -> Result<Imported> {
     within(options, |asked| read(bytes, &name(options), asked))
 }
 
 /// The scene of a STEP file.
-fn step(bytes: &[u8], options: &Import) -> Result<Imported, Failure> {
+fn step(bytes: &[u8], options: &Import) -> Result<Imported> {
     let folder = options.file.parent().unwrap_or(Path::new(""));
     let beside = |name: &str| load(&folder.join(name)).ok();
     within(options, |asked| {
@@ -147,7 +144,7 @@ fn name(options: &Import) -> String {
 fn within(
     options: &Import,
     read: impl Fn(&FaceOptions) -> Result<Imported, ImportError>,
-) -> Result<Imported, Failure> {
+) -> Result<Imported> {
     let read = |max_deviation: Option<f64>| {
         let no_volumes = options.faces.no_volumes;
         read(&FaceOptions {
@@ -182,7 +179,7 @@ fn within(
 }
 
 /// The scene of a terrain.
-fn heights(bytes: &[u8], options: &Import) -> Result<Imported, Failure> {
+fn heights(bytes: &[u8], options: &Import) -> Result<Imported> {
     let asked = &options.terrain;
     let factor = asked.height_factor;
     if !(factor != 0.0 && factor.abs() <= 1e6) {

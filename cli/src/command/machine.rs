@@ -5,9 +5,9 @@ mod report;
 
 use super::{frame_in, read_scene, verdict};
 use crate::arguments::{FrameRange, Machine, View, option};
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::output;
-use files::{Scene, add_bench, grow, zone_timing_of};
+use files::{Scene, add_bench, grow};
 pub use files::{add_verilog, write_pictures};
 use imogene_files::Outputs;
 use imogene_files::text::counted;
@@ -20,14 +20,14 @@ use imogene_plan::zone::refine::Refinement;
 use imogene_scene::animation::Playback;
 use imogene_studies::picture::read_mask;
 use imogene_verif::display::pins::{PinsOutcome, PinsRun, run as run_pins};
-use imogene_verif::display::request::request_for;
+use imogene_verif::display::request::{request_for, zone_timing};
 use imogene_verif::report::Report;
 use report::{MachineReport, tell};
 use std::fmt::Display;
 use std::path::Path;
 
 /// Shows scenes on the pins of a machine.
-pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Machine, json: bool) -> Result {
     let machine = MachineDescription::read(&options.machine)?;
     let overlay = overlay_of(&machine, options)?;
     let views = views(options)?;
@@ -37,7 +37,7 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
     let request = request_for(&machine, &images[0].tables, &command);
     let mut files = output::files();
     let top = add_verilog(&request, &options.out, &mut files)?;
-    let timing = zone_timing_of(&request, &machine)?;
+    let timing = machine.zone.map(|_| zone_timing(&request)).transpose()?;
     let mut growth = vec![];
     if options.growth {
         let scene = &scenes[0].prepared;
@@ -100,7 +100,7 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
 }
 
 /// The scenes and frames that are shown, in their order.
-fn views(options: &Machine) -> Result<Vec<(&Path, View)>, Failure> {
+fn views(options: &Machine) -> Result<Vec<(&Path, View)>> {
     let mut views = vec![];
     for path in &options.scenes {
         let as_written = as_written(options);
@@ -115,11 +115,7 @@ fn views(options: &Machine) -> Result<Vec<(&Path, View)>, Failure> {
 }
 
 /// The frames of the animation of a scene, and the seconds that each is shown.
-pub fn frames_of(
-    path: &Path,
-    as_written: &View,
-    range: FrameRange,
-) -> Result<Vec<(View, f64)>, Failure> {
+pub fn frames_of(path: &Path, as_written: &View, range: FrameRange) -> Result<Vec<(View, f64)>> {
     let file = read_scene(path, as_written)?;
     let playback = Playback::new(&file).map_err(|error| Failure::at(path, error))?;
     let frames = range.of("--animation", playback.count());
@@ -139,22 +135,18 @@ pub fn images_of(
     views: &[(&Path, View)],
     machine: &MachineDescription,
     path: &Path,
-) -> Result<Vec<Image>, Failure> {
+) -> Result<Vec<Image>> {
     let scenes = all_prepared(views, machine)?;
     images(&scenes, machine, path, Refinement::Box)
 }
 
-fn all_prepared(
-    views: &[(&Path, View)],
-    machine: &MachineDescription,
-) -> Result<Vec<Scene>, Failure> {
-    let scenes = views
-        .iter()
-        .map(|(path, view)| prepared(path, view, machine));
+fn all_prepared(views: &[(&Path, View)], machine: &MachineDescription) -> Result<Vec<Scene>> {
+    let scenes = views.iter();
+    let scenes = scenes.map(|(path, view)| prepared(path, view, machine));
     scenes.collect()
 }
 
-fn prepared(path: &Path, view: &View, machine: &MachineDescription) -> Result<Scene, Failure> {
+fn prepared(path: &Path, view: &View, machine: &MachineDescription) -> Result<Scene> {
     let file = read_scene(path, view)?;
     let size = machine.drawn_size();
     let size = size.ok_or_else(|| Failure::Input("no video mode".into()))?;
@@ -172,7 +164,7 @@ fn images(
     machine: &MachineDescription,
     path: &Path,
     refine: Refinement,
-) -> Result<Vec<Image>, Failure> {
+) -> Result<Vec<Image>> {
     let named =
         |name: &dyn Display, error: &dyn Display| Failure::Input(format!("{name}: {error}"));
     // What no machine shows is the matter of its scene, what this one lacks that of its description.
@@ -194,10 +186,7 @@ fn images(
 }
 
 /// The plane of `--overlay`.
-fn overlay_of(
-    machine: &MachineDescription,
-    options: &Machine,
-) -> Result<Option<OverlayPlane>, Failure> {
+fn overlay_of(machine: &MachineDescription, options: &Machine) -> Result<Option<OverlayPlane>> {
     let Some(path) = &options.overlay else {
         return Ok(None);
     };
@@ -255,7 +244,7 @@ fn add_waves(
     path: &Path,
     options: &Machine,
     files: &mut Outputs,
-) -> Result<(), Failure> {
+) -> Result {
     if let Some(trace) = outcome.report.trace.take() {
         trace.add_to(files, path)?;
     } else if let Some(place) = options.waves.vcd_from {
@@ -272,7 +261,7 @@ fn show(
     images: &[Image],
     overlay: Option<&OverlayPlane>,
     options: &Machine,
-) -> Result<PinsOutcome, Failure> {
+) -> Result<PinsOutcome> {
     let waveforms = options.waves.request();
     let run = PinsRun {
         overlay,

@@ -33,7 +33,7 @@ pub mod trade;
 pub mod units;
 
 use crate::arguments::{Scene, Size, View};
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::{missing, molecules, output};
 use imogene_files::text::counted;
 use imogene_files::{free_memory, memory_limit};
@@ -48,16 +48,13 @@ use imogene_verif::scene::{self, Options, slots};
 use std::path::Path;
 
 /// A scene file in the camera frame and prepared for a format.
-fn load_scene(scene: &Scene) -> Result<(FramedScene, PreparedScene), Failure> {
-    frame_in(
-        &read_scene(&scene.scene, &scene.view)?,
-        scene.size,
-        scene.format()?,
-    )
+fn load_scene(scene: &Scene) -> Result<(FramedScene, PreparedScene)> {
+    let file = read_scene(&scene.scene, &scene.view)?;
+    frame_in(&file, scene.size, scene.format()?)
 }
 
 /// A scene of which only the picture counts, framed and prepared: without the objects that nobody sees.
-fn load_seen(file: SceneFile, scene: &Scene) -> Result<(FramedScene, PreparedScene), Failure> {
+fn load_seen(file: SceneFile, scene: &Scene) -> Result<(FramedScene, PreparedScene)> {
     let ((width, height), format) = (size_of(&file, scene.size), scene.format()?);
     let bar = output::progress(file.frame_steps(), "framing");
     let seen = Seen::of(&file, (width, height), &format, &|| bar.inc(1))?;
@@ -70,7 +67,7 @@ fn load_seen(file: SceneFile, scene: &Scene) -> Result<(FramedScene, PreparedSce
 }
 
 /// A scene file with the camera and the frame that are asked for.
-fn read_scene(path: &Path, view: &View) -> Result<SceneFile, Failure> {
+fn read_scene(path: &Path, view: &View) -> Result<SceneFile> {
     let mut file = molecules::read_scene(path)?;
     if let Some(name) = &view.camera {
         let found = file.look_through(name);
@@ -93,7 +90,7 @@ fn read_scene(path: &Path, view: &View) -> Result<SceneFile, Failure> {
 }
 
 /// The scene as it is looked at; with a warning of what is endless and does not fit into a picture.
-fn looked(file: SceneFile, look: Option<Look>, size: Option<Size>) -> Result<SceneFile, Failure> {
+fn looked(file: SceneFile, look: Option<Look>, size: Option<Size>) -> Result<SceneFile> {
     let Some(look) = look else {
         return Ok(file);
     };
@@ -115,7 +112,7 @@ fn frame_in(
     file: &SceneFile,
     size: Option<Size>,
     format: Format,
-) -> Result<(FramedScene, PreparedScene), Failure> {
+) -> Result<(FramedScene, PreparedScene)> {
     let (width, height) = size_of(file, size);
     has_room(memory::of_scene(file), file.objects.len())?;
     let framed = output::during(file.frame_steps(), "framing", |bar| {
@@ -125,7 +122,7 @@ fn frame_in(
 }
 
 /// Refuses a preparation that would not fit into memory.
-fn has_room(needed: u64, objects: usize) -> Result<(), Failure> {
+fn has_room(needed: u64, objects: usize) -> Result {
     let Some(free) = free_memory().filter(|free| *free < needed) else {
         return Ok(());
     };
@@ -144,7 +141,7 @@ fn has_room(needed: u64, objects: usize) -> Result<(), Failure> {
 }
 
 /// A framed scene and its words.
-fn prepared(framed: FramedScene, format: Format) -> Result<(FramedScene, PreparedScene), Failure> {
+fn prepared(framed: FramedScene, format: Format) -> Result<(FramedScene, PreparedScene)> {
     let prepared = output::during(steps(&framed), "preparation", |bar| {
         prepare_reporting(&framed, format, missing::options(), &|| bar.inc(1))
     });
@@ -158,7 +155,7 @@ fn run_beam(
     prepared: &PreparedScene,
     options: &Options,
     engine: Engine,
-) -> Result<(Report, Frame), Failure> {
+) -> Result<(Report, Frame)> {
     let pixels = u64::from(prepared.width) * u64::from(prepared.height);
     let outcome = output::during(pixels, "hardware in simulation", |bar| {
         scene::run(prepared, options, engine, || bar.inc(1))
@@ -171,7 +168,7 @@ fn run_slots(
     prepared: &PreparedScene,
     rows_per_stage: usize,
     engine: Engine,
-) -> Result<(Report, Frame), Failure> {
+) -> Result<(Report, Frame)> {
     let outcome = output::during(slots::pixels(prepared), "processors in simulation", |bar| {
         slots::run(prepared, rows_per_stage, engine, |n| bar.inc(n))
     });
@@ -206,21 +203,16 @@ fn describe(report: &Report) -> String {
 }
 
 /// Success if hardware and golden model agree, else the report of the first differences.
-fn verdict(report: &Report) -> Result<(), Failure> {
+fn verdict(report: &Report) -> Result {
     if report.passed() {
         return Ok(());
     }
+    let subject = &report.subject;
     if report.mismatches == 0 {
-        return Err(Failure::Check(format!(
-            "{}: nothing was compared",
-            report.subject
-        )));
+        return Err(Failure::Check(format!("{subject}: nothing was compared")));
     }
-    let mut text = format!(
-        "{}: {} between hardware and golden model",
-        report.subject,
-        counted(report.mismatches, "mismatch")
-    );
+    let mismatches = counted(report.mismatches, "mismatch");
+    let mut text = format!("{subject}: {mismatches} between hardware and golden model");
     for mismatch in &report.first_mismatches {
         text += &format!("\n  {mismatch}");
     }

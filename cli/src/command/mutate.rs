@@ -2,7 +2,7 @@
 
 use super::machine;
 use crate::arguments::{Mutate, View};
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::output;
 use imogene_contract::{Request, Unit};
 use imogene_files::text::counted;
@@ -13,7 +13,7 @@ use imogene_verif::mutation::{MutationReport, Options, circuit, netlist, table};
 use imogene_verif::unit::subject;
 use std::path::Path;
 
-pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Mutate, json: bool) -> Result {
     if let Some(path) = &options.machine {
         return of_machine(path, options, json);
     }
@@ -68,7 +68,7 @@ pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
 }
 
 /// What a machine is made of beside its units.
-fn of_machine(path: &Path, options: &Mutate, json: bool) -> Result<(), Failure> {
+fn of_machine(path: &Path, options: &Mutate, json: bool) -> Result {
     let machine = MachineDescription::read(path)?;
     let as_written = View::default();
     let scenes = options.unit.iter().map(Path::new);
@@ -90,7 +90,7 @@ fn of_machine(path: &Path, options: &Mutate, json: bool) -> Result<(), Failure> 
     verdict(&reports)
 }
 
-fn of_circuit(request: &Request, options: &Options) -> Result<MutationReport, Failure> {
+fn of_circuit(request: &Request, options: &Options) -> Result<MutationReport> {
     let (subject, design) = (subject(request)?, design(request)?);
     let report = output::during(circuit::count(&design), "mutants", |bar| {
         circuit::run(&subject, &design, options, || bar.inc(1))
@@ -98,7 +98,7 @@ fn of_circuit(request: &Request, options: &Options) -> Result<MutationReport, Fa
     Ok(report?)
 }
 
-fn of_netlist(request: &Request, options: &Options) -> Result<MutationReport, Failure> {
+fn of_netlist(request: &Request, options: &Options) -> Result<MutationReport> {
     let (subject, emitted) = (subject(request)?, emit(request)?);
     let text = emitted.bundle();
     let design = (&emitted.top[..], &text[..]);
@@ -123,7 +123,7 @@ fn describe(report: &MutationReport) -> String {
     )
 }
 
-fn verdict(reports: &[MutationReport]) -> Result<(), Failure> {
+fn verdict(reports: &[MutationReport]) -> Result {
     let count: usize = reports.iter().map(|report| report.surviving.len()).sum();
     if count == 0 {
         return Ok(());

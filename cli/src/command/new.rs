@@ -1,7 +1,7 @@
 //! `imogene new`.
 
 use crate::arguments::New;
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::output;
 use serde_json::json;
 use std::fs::File;
@@ -11,7 +11,7 @@ use std::io::{ErrorKind, Write};
 const SCENE: &str = include_str!("new.toml");
 
 /// Writes a scene to begin with.
-pub fn run(options: &New, json: bool) -> Result<(), Failure> {
+pub fn run(options: &New, json: bool) -> Result {
     let path = options.file.display();
     let mut file = File::create_new(&options.file).map_err(|error| {
         Failure::Input(match error.kind() {

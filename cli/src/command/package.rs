@@ -1,7 +1,7 @@
 //! `imogene package`.
 
 use crate::arguments::Package;
-use crate::failure::Failure;
+use crate::failure::Result;
 use crate::output;
 use imogene_contract::Unit;
 use imogene_files::text::counted;
@@ -17,31 +17,26 @@ struct PackageReport {
     files: Vec<PathBuf>,
 }
 
-pub fn run(options: &Package, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Package, json: bool) -> Result {
     let units = options.units.iter().map(|name| Unit::from_name(name));
     let mut units = units.collect::<Result<Vec<Unit>, _>>()?;
     if units.is_empty() {
         units = Unit::ALL.to_vec();
     }
     let texts = package(&units, options.clocks)?;
-    let mut report = PackageReport {
-        cores: units.len(),
-        bytes: texts.iter().map(|(_, text)| text.len()).sum(),
-        files: Vec::new(),
-    };
     let mut files = output::files();
     for (name, text) in &texts {
         files.add_text(&options.out.join(name), text)?;
     }
-    report.files = files.finish()?;
-    output::report(json, &report, |_| {
-        output::text(format!(
-            "wrote {}, {}, {} below {}",
-            counted(report.cores, "core"),
-            counted(report.files.len(), "file"),
-            counted(report.bytes, "byte"),
-            options.out.display()
-        ))
+    let report = PackageReport {
+        cores: units.len(),
+        bytes: texts.iter().map(|(_, text)| text.len()).sum(),
+        files: files.finish()?,
+    };
+    output::report(json, &report, |report| {
+        let (cores, bytes) = (counted(report.cores, "core"), counted(report.bytes, "byte"));
+        let (files, folder) = (counted(report.files.len(), "file"), options.out.display());
+        output::text(format!("wrote {cores}, {files}, {bytes} below {folder}"))
     });
     Ok(())
 }

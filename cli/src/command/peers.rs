@@ -1,14 +1,14 @@
 //! `imogene peers`.
 
 use crate::arguments::Peers;
-use crate::failure::Failure;
+use crate::failure::Result;
 use crate::output;
 use imogene_files::text::counted;
 use imogene_synth::Target;
 use imogene_synth::peer::{Comparison, Measured, Peer, compare};
 
 /// Measures a design of another project beside a unit.
-pub fn run(options: &Peers, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Peers, json: bool) -> Result {
     let request = options.shape.request(&options.against)?;
     request.check()?;
     let target = Target::from_name(&options.target)?;
@@ -28,22 +28,13 @@ fn describe(comparison: &Comparison) -> String {
     let (peer, unit) = (&comparison.peer, &comparison.unit);
     let tools = comparison.tools.iter();
     let tools = tools.map(|(tool, version)| format!("{tool} {version}"));
+    let (one, other) = (title(peer), title(unit));
+    let tools = output::joined(tools, ", ");
+    let seeds = counted(comparison.seeds, "seed");
     let mut lines = vec![
-        format!(
-            "{} beside {} for {}",
-            title(peer),
-            title(unit),
-            comparison.target
-        ),
-        format!(
-            "{}, {}",
-            output::joined(tools, ", "),
-            counted(comparison.seeds, "seed")
-        ),
-        format!(
-            "  {:<12} {:>12} {:>12} {:>12}",
-            "", "peer", "unit", "peer/unit"
-        ),
+        format!("{one} beside {other} for {}", comparison.target),
+        format!("{tools}, {seeds}"),
+        row("", ["peer", "unit", "peer/unit"]),
     ];
     let counts = peer.figures.counts().into_iter().zip(unit.figures.counts());
     for ((name, peer), (_, unit)) in counts {
@@ -56,11 +47,10 @@ fn describe(comparison: &Comparison) -> String {
     if comparison.seeds > 0 && unit.figures.cells.is_some() {
         lines.push(line("Fmax", &clock(peer), &clock(unit), comparison));
     }
-    let latency = unit.latency.unwrap_or_default();
+    let latency = counted(unit.latency.unwrap_or_default(), "clock");
     lines.push(format!(
-        "latency of {}: {}; that of the peer is in its documentation",
-        unit.top,
-        counted(latency, "clock")
+        "latency of {}: {latency}; that of the peer is in its documentation",
+        unit.top
     ));
     lines.join("\n")
 }
@@ -77,6 +67,10 @@ fn title(design: &Measured) -> String {
 fn line(name: &'static str, peer: &str, unit: &str, comparison: &Comparison) -> String {
     let ratio = comparison.ratios.get(name).copied().flatten();
     let ratio = ratio.map_or("-".to_owned(), |ratio| format!("{ratio:.2}"));
+    row(name, [peer, unit, &ratio])
+}
+
+fn row(name: &str, [peer, unit, ratio]: [&str; 3]) -> String {
     format!("  {name:<12} {peer:>12} {unit:>12} {ratio:>12}")
 }
 

@@ -2,7 +2,7 @@
 
 use super::load_scene;
 use crate::arguments::Scene;
-use crate::failure::Failure;
+use crate::failure::Result;
 use crate::output;
 use imogene_algebra::rational::to_f64;
 use imogene_golden::object::load::load_words;
@@ -18,7 +18,7 @@ use imogene_scene::FramedObject;
 use serde_json::{Value, json};
 
 /// Shows the coefficient words of every object.
-pub fn run(options: &Scene, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Scene, json: bool) -> Result {
     let (framed, scene) = load_scene(options)?;
     let object = |(framed, o): (&FramedObject, &PreparedObject)| -> Value {
         let Some(q) = o.quadric() else {
@@ -102,12 +102,8 @@ fn parts(framed: &FramedObject, o: &PreparedObject) -> Value {
 }
 
 fn describe_parts(framed: &FramedObject, o: &PreparedParts) {
-    let heading = format!(
-        "{} ({} of processor {})",
-        o.name,
-        o.words.len(),
-        framed.processor()
-    );
+    let (count, kind) = (o.words.len(), framed.processor());
+    let heading = format!("{} ({count} of processor {kind})", o.name);
     let words = o.words.iter().map(|words| format!("  {}", json!(words)));
     tell(&heading, &o.screen_box, words.collect(), &o.notes);
 }

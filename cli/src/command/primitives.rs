@@ -3,7 +3,7 @@
 mod hardware;
 
 use crate::arguments::Primitives;
-use crate::failure::Failure;
+use crate::failure::Result;
 use crate::output;
 use hardware::{Hardware, TARGET};
 use imogene_analysis::metrics::PixelError;
@@ -27,7 +27,7 @@ const TIME: Duration = Duration::from_millis(400);
 
 /// Draws the scene in every way, measures, and writes the page, the picture and the figures if there is a folder for
 /// them.
-pub fn run(options: &Primitives, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Primitives, json: bool) -> Result {
     let (width, height) = options.size;
     let file = SceneFile::parse(SCENE, "three-solids.toml")?;
     let format = Format::BASE;
@@ -64,12 +64,7 @@ pub fn run(options: &Primitives, json: bool) -> Result<(), Failure> {
     Ok(())
 }
 
-fn row(
-    subject: &Subject,
-    drawn: &Drawn,
-    pixels: &[PixelError],
-    format: &Format,
-) -> Result<Row, Failure> {
+fn row(subject: &Subject, drawn: &Drawn, pixels: &[PixelError], format: &Format) -> Result<Row> {
     let screen = u64::from(subject.framed.width) * u64::from(subject.framed.height);
     let facets = facets(&drawn.slots);
     let objects = 0..subject.radii.len();
@@ -96,7 +91,7 @@ fn write(
     text: &str,
     subject: &Subject,
     drawn: &[(Drawn, Vec<PixelError>)],
-) -> Result<(), Failure> {
+) -> Result {
     let panels = drawn.iter().map(|(one, pixels)| (one, pixels.as_slice()));
     let panels: Vec<(&Drawn, &[PixelError])> = panels.collect();
     let sheet = sheet(&panels, subject.truth.words_per_pixel);

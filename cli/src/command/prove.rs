@@ -1,13 +1,13 @@
 //! `imogene prove`.
 
 use crate::arguments::Prove;
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::output;
 use imogene_verif::formal::mutants;
 use imogene_verif::formal::runner::{ProofReport, Task, Verdict, prove_all, select};
 use imogene_verif::formal::toolchain::Toolchain;
 
-pub fn run(options: &Prove, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Prove, json: bool) -> Result {
     let jobs = select(&options.name, options.full)?;
     let tasks: Vec<Task> = if options.mutants {
         let of_job = |job| {
@@ -65,7 +65,7 @@ fn describe(report: &ProofReport) -> String {
 }
 
 /// Success if every property is proved, or every mutant refuted.
-fn verdict(reports: &[ProofReport]) -> Result<(), Failure> {
+fn verdict(reports: &[ProofReport]) -> Result {
     let bad: Vec<&ProofReport> = reports.iter().filter(|report| !report.ok).collect();
     if bad.is_empty() {
         return Ok(());

@@ -2,7 +2,7 @@
 
 use super::{read_scene, size_of};
 use crate::arguments::Raytrace;
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::{missing, output};
 use imogene_files::text::counted;
 use imogene_golden::format::Format;
@@ -27,7 +27,7 @@ struct TraceReport {
 }
 
 /// Compares the golden pictures of scenes with traced ones.
-pub fn run(options: &Raytrace, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Raytrace, json: bool) -> Result {
     if options.output.is_some() && options.scenes.len() > 1 {
         return Err(Failure::Input(
             "one picture for several scenes; give --out DIR for one of each, or one scene".into(),
@@ -76,7 +76,7 @@ pub fn run(options: &Raytrace, json: bool) -> Result<(), Failure> {
 }
 
 /// Looks at scenes made at random.
-fn random(scenes: u64, options: &Raytrace, format: Format, json: bool) -> Result<(), Failure> {
+fn random(scenes: u64, options: &Raytrace, format: Format, json: bool) -> Result {
     let found = output::during(scenes, "random scenes", |bar| {
         survey(options.seed, scenes, format, || bar.inc(1))
     });
@@ -123,7 +123,7 @@ fn random(scenes: u64, options: &Raytrace, format: Format, json: bool) -> Result
 
 type Drawn = Option<(Frame, Vec<Mark>)>;
 
-fn one(path: &Path, options: &Raytrace, format: &Format) -> Result<(Row, Drawn), Failure> {
+fn one(path: &Path, options: &Raytrace, format: &Format) -> Result<(Row, Drawn)> {
     let scene = read_scene(path, &options.view)?;
     let (width, height) = size_of(&scene, options.size);
     let named = path.display().to_string();
@@ -198,12 +198,9 @@ fn first(c: &Comparison) {
             -1 => "the background".to_owned(),
             id => format!("object {id}, face {}, depth {:.3}", s.number, s.depth),
         };
+        let (x, y, golden, traced) = (d.x, d.y, side(&d.golden), side(&d.traced));
         output::text(format!(
-            "  column {}, line {}: golden {}, traced {}",
-            d.x,
-            d.y,
-            side(&d.golden),
-            side(&d.traced)
+            "  column {x}, line {y}: golden {golden}, traced {traced}"
         ));
         if let Some((golden, allowed)) = d.colour {
             output::text(format!(

@@ -5,10 +5,10 @@ mod models;
 
 use super::{frame_in, load_seen, looked, read_scene, threads};
 use crate::arguments::{Model, Render};
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::output;
 use imogene_analysis::bounds::{Failing, failing};
-use imogene_analysis::metrics::Drawing;
+use imogene_analysis::metrics::{Drawing, ZoneScene};
 use imogene_analysis::phong;
 use imogene_golden::machine::accumulator::{Accumulator, PassPixel};
 use imogene_golden::machine::frame::Frame;
@@ -53,7 +53,7 @@ fn finish(
     [prepare_seconds, seconds]: [f64; 2],
     split: Option<SplitReport>,
     json: bool,
-) -> Result<(), Failure> {
+) -> Result {
     let (width, height) = (prepared.width, prepared.height);
     let report = RenderReport {
         model: options.model,
@@ -72,14 +72,14 @@ fn finish(
     output::told(json, &report, include_str!("render/picture.txt"))
 }
 
-pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Render, json: bool) -> Result {
     if let Some(range) = options.frames {
         return frames::run(options, range, json);
     }
     let started = Instant::now();
     // Zones round anew, pieces count the work of all objects, and hardware has a processor for each.
-    let is_picture =
-        options.zone.is_none() && options.split.split.is_none() && options.model != Model::Rtl;
+    let (zone, division) = (options.zone, options.split.split);
+    let is_picture = zone.is_none() && division.is_none() && options.model != Model::Rtl;
     let scene = &options.scene;
     let file = read_scene(&scene.scene, &scene.view)?;
     let file = looked(file, options.look.look(false), scene.size)?;
@@ -88,30 +88,39 @@ pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
         true => load_seen(file, scene)?,
         false => frame_in(&file, scene.size, scene.format()?)?,
     };
+    let zones = zone.map(|zone| rounded_anew(options, zone, &framed, &prepared));
+    let zones = zones.transpose()?;
     let prepare_seconds = started.elapsed().as_secs_f64();
-    if let Some(zone) = options.zone {
-        return zoned(options, zone, &framed, &prepared, json);
-    }
-    if let Some(division) = options.split.split {
-        return divided(options, division, &framed, &prepared, prepare_seconds, json);
-    }
     let started = Instant::now();
-    let (frame, lighting) = draw(options, &framed, &prepared)?;
+    let mut split = None;
+    let (frame, lighting) = match (zones, division) {
+        (Some(zones), _) => {
+            let frame = Drawing::in_zones(&zones, &framed).frame;
+            let lighting = golden_lighting(&frame, &prepared);
+            (frame, lighting)
+        }
+        (None, Some(division)) => {
+            let divided = draw_divided(options, division, &prepared)?;
+            split = Some(SplitReport::of(&divided, division));
+            (divided.frame, divided.lighting)
+        }
+        (None, None) => draw(options, &framed, &prepared)?,
+    };
     let rgb = match again {
         Some((count, file)) => sampled(options, &file, count)?,
         None => phong::shade(&frame, &lighting, &framed, &prepared.format),
     };
     let seconds = [prepare_seconds, started.elapsed().as_secs_f64()];
     let scene = (&framed, &prepared);
-    finish(options, scene, (&frame, &rgb), seconds, None, json)?;
-    match options.model {
-        Model::Golden => drawn_as_it_is(&failing(&framed, &prepared)),
-        Model::Exact | Model::Rtl => Ok(()),
+    finish(options, scene, (&frame, &rgb), seconds, split, json)?;
+    match is_picture && options.model == Model::Golden {
+        true => drawn_as_it_is(&failing(&framed, &prepared)),
+        false => Ok(()),
     }
 }
 
 /// Warns of each object that the golden picture may not show as it is, and fails if there is any.
-fn drawn_as_it_is(failing: &[Failing]) -> Result<(), Failure> {
+fn drawn_as_it_is(failing: &[Failing]) -> Result {
     for Failing { object, reason } in failing {
         output::warning(format!("object '{object}': {reason}"));
     }
@@ -123,50 +132,28 @@ fn drawn_as_it_is(failing: &[Failing]) -> Result<(), Failure> {
     }
 }
 
-/// The picture of coefficients that are rounded anew for each zone.
-fn zoned(
+/// The scene with coefficients that are rounded anew for each zone.
+fn rounded_anew(
     options: &Render,
     zone: u32,
     framed: &FramedScene,
     prepared: &PreparedScene,
-    json: bool,
-) -> Result<(), Failure> {
-    if options.model != Model::Golden {
-        return Err(Failure::Input(
-            "zones are drawn by the golden model; give --model golden, or leave --zone out".into(),
-        ));
+) -> Result<Vec<ZoneScene>> {
+    check_golden(options, "zones are", "--zone")?;
+    Ok(zones(framed, prepared.format, zone)?)
+}
+
+/// Refuses another model where only the golden one draws.
+fn check_golden(options: &Render, what: &str, option: &str) -> Result {
+    if options.model == Model::Golden {
+        return Ok(());
     }
-    let started = Instant::now();
-    let zones = zones(framed, prepared.format, zone)?;
-    let prepare_seconds = started.elapsed().as_secs_f64();
-    let started = Instant::now();
-    let frame = Drawing::in_zones(&zones, framed).frame;
-    let lighting = golden_lighting(&frame, prepared);
-    let seconds = [prepare_seconds, started.elapsed().as_secs_f64()];
-    let rgb = phong::shade(&frame, &lighting, framed, &prepared.format);
-    let scene = (framed, prepared);
-    finish(options, scene, (&frame, &rgb), seconds, None, json)
+    Err(Failure::Input(format!(
+        "{what} drawn by the golden model; give --model golden, or leave {option} out"
+    )))
 }
 
-/// The picture that workers draw piece by piece.
-fn divided(
-    options: &Render,
-    division: Division,
-    framed: &FramedScene,
-    prepared: &PreparedScene,
-    prepare_seconds: f64,
-    json: bool,
-) -> Result<(), Failure> {
-    let started = Instant::now();
-    let (divided, split) = draw_divided(options, division, prepared)?;
-    let seconds = [prepare_seconds, started.elapsed().as_secs_f64()];
-    let frame = &divided.frame;
-    let rgb = phong::shade(frame, &divided.lighting, framed, &prepared.format);
-    let scene = (framed, prepared);
-    finish(options, scene, (frame, &rgb), seconds, Some(split), json)
-}
-
-fn write(options: &Render, frame: &Frame, rgb: &[u8]) -> Result<Vec<PathBuf>, Failure> {
+fn write(options: &Render, frame: &Frame, rgb: &[u8]) -> Result<Vec<PathBuf>> {
     let mut files = output::files();
     let size = [frame.width, frame.height];
     output::add_picture(&mut files, &options.output(), size, rgb)?;
@@ -186,7 +173,7 @@ fn write(options: &Render, frame: &Frame, rgb: &[u8]) -> Result<Vec<PathBuf>, Fa
 
 /// The machine's own supersampling: the mean colours of `count` passes, whose places make a square grid about that of
 /// the plain picture.
-fn sampled(options: &Render, file: &SceneFile, count: u32) -> Result<Vec<u8>, Failure> {
+fn sampled(options: &Render, file: &SceneFile, count: u32) -> Result<Vec<u8>> {
     let side = count.isqrt();
     let place = |k: u32| (f64::from(k) + 0.5) / f64::from(side) - 0.5;
     let mut sums: Option<Accumulator> = None;
@@ -229,24 +216,17 @@ struct SplitReport {
     workers: Vec<Worker>,
 }
 
-fn draw_divided(
-    options: &Render,
-    division: Division,
-    prepared: &PreparedScene,
-) -> Result<(Divided, SplitReport), Failure> {
-    if options.model != Model::Golden {
-        return Err(Failure::Input(
-            "a divided picture is drawn by the golden model; give --model golden, or leave --split out".into(),
-        ));
-    }
+/// The picture that workers draw piece by piece.
+fn draw_divided(options: &Render, division: Division, prepared: &PreparedScene) -> Result<Divided> {
+    check_golden(options, "a divided picture is", "--split")?;
     prepared.refuse_transparent()?;
     let workers = options.split.workers.map_or_else(threads, usize::from);
     let pieces = division.pieces(prepared.width, prepared.height).len();
-    let divided = output::during(pieces as u64, "pieces of the screen", |bar| {
-        Divided::draw(prepared, division, workers, || bar.inc(1))
-    });
-    let report = SplitReport::of(&divided, division);
-    Ok((divided, report))
+    Ok(output::during(
+        pieces as u64,
+        "pieces of the screen",
+        |bar| Divided::draw(prepared, division, workers, || bar.inc(1)),
+    ))
 }
 
 impl SplitReport {

@@ -3,7 +3,7 @@
 use super::load_scene;
 use super::render::{exact_frame, golden_lighting};
 use crate::arguments::Repair;
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::output;
 use imogene_analysis::phong;
 use imogene_files::text::counted;
@@ -40,7 +40,7 @@ struct Exact {
 }
 
 /// Draws in short words and repairs exactly what they leave open.
-pub fn run(options: &Repair, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Repair, json: bool) -> Result {
     let (framed, prepared) = load_scene(&options.scene)?;
     let repaired = output::during(u64::from(prepared.height), "exact repair", |bar| {
         repair(&framed, &prepared, || bar.inc(1))
@@ -81,7 +81,7 @@ fn write(
     framed: &FramedScene,
     prepared: &PreparedScene,
     repaired: &Repaired,
-) -> Result<Vec<PathBuf>, Failure> {
+) -> Result<Vec<PathBuf>> {
     let mut files = output::files();
     let frame = &repaired.frame;
     let size = [frame.width, frame.height];

@@ -2,7 +2,7 @@
 
 use super::{frame_in, read_scene};
 use crate::arguments::{Shading, View};
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::output;
 use imogene::verdict;
 use imogene_golden::format::Format;
@@ -43,7 +43,7 @@ struct Table {
 }
 
 /// Compares the shading processor with its formula on random cases, or lit-sphere shading with both on scenes.
-pub fn run(options: &Shading, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Shading, json: bool) -> Result {
     if !options.scenes.is_empty() {
         return on_scenes(&options.scenes, options.nearest, json);
     }
@@ -92,7 +92,7 @@ struct SphereScene {
     tables: Vec<SphereErrors>,
 }
 
-fn on_scenes(paths: &[PathBuf], nearest: bool, json: bool) -> Result<(), Failure> {
+fn on_scenes(paths: &[PathBuf], nearest: bool, json: bool) -> Result {
     let scene = |path: &PathBuf| {
         let (framed, prepared) =
             frame_in(&read_scene(path, &View::default())?, None, Format::BASE)?;
@@ -103,7 +103,7 @@ fn on_scenes(paths: &[PathBuf], nearest: bool, json: bool) -> Result<(), Failure
             tables: tables.map_err(|error| Failure::at(path, error))?,
         })
     };
-    let scenes: Vec<SphereScene> = paths.iter().map(scene).collect::<Result<_, Failure>>()?;
+    let scenes: Vec<SphereScene> = paths.iter().map(scene).collect::<Result<_>>()?;
     output::report(json, &scenes, |scenes| {
         let mut lines = vec![SPHERE_HEAD.to_owned()];
         for scene in scenes {

@@ -2,7 +2,7 @@
 
 use super::frame_in;
 use crate::arguments::Speed;
-use crate::failure::Failure;
+use crate::failure::Result;
 use crate::{molecules, output};
 use imogene_contract::Unit;
 use imogene_golden::format::Format;
@@ -13,7 +13,7 @@ use std::path::Path;
 use std::time::Duration;
 
 /// Measures how fast the engines run a unit, or the machine of a scene, side by side.
-pub fn run(options: &Speed, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Speed, json: bool) -> Result {
     let path = Path::new(&options.unit);
     let is_scene = Unit::from_name(&options.unit).is_err() && path.extension().is_some();
     let (request, clocks) = if is_scene {

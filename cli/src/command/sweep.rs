@@ -1,6 +1,6 @@
 //! `imogene sweep`.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::{arguments, output};
 use imogene_golden::format::Format;
 use imogene_studies::kit::DrawError;
@@ -16,7 +16,7 @@ struct Report {
 }
 
 /// Runs the sweeps, prints their tables, and writes plots and figures if there is a folder for them.
-pub fn run(options: &arguments::Sweep, json: bool) -> Result<(), Failure> {
+pub fn run(options: &arguments::Sweep, json: bool) -> Result {
     let chosen = chosen(&options.names)?;
     let format = Format::new(options.format)?;
     let steps: usize = chosen.iter().map(|sweep| sweep.scenes(format).len()).sum();
@@ -24,10 +24,8 @@ pub fn run(options: &arguments::Sweep, json: bool) -> Result<(), Failure> {
         let sweeps = chosen.iter().map(|sweep| sweep.run(format, || bar.inc(1)));
         sweeps.collect()
     });
-    let files = match &options.out {
-        Some(folder) => write(folder, &sweeps)?,
-        None => vec![],
-    };
+    let files = options.out.as_ref().map(|folder| write(folder, &sweeps));
+    let files = files.transpose()?.unwrap_or_default();
     let page = page(&sweeps, None)?;
     let report = Report { sweeps, files };
     output::report(json, &report, |report| {
@@ -38,20 +36,20 @@ pub fn run(options: &arguments::Sweep, json: bool) -> Result<(), Failure> {
 }
 
 /// The sweeps named, each once, in the order of the documentation; all if none is named.
-fn chosen(names: &[String]) -> Result<Vec<&'static Sweep>, Failure> {
+fn chosen(names: &[String]) -> Result<Vec<&'static Sweep>> {
     let named: Result<Vec<&Sweep>, _> = names.iter().map(|name| sweep::find(name)).collect();
     let named = named?;
     let wanted = |sweep: &&Sweep| named.is_empty() || named.iter().any(|n| n.name == sweep.name);
     Ok(sweep::ALL.iter().filter(wanted).collect())
 }
 
-fn page(sweeps: &[SweepResult], pictures: Option<&str>) -> Result<String, Failure> {
+fn page(sweeps: &[SweepResult], pictures: Option<&str>) -> Result<String> {
     let sections = sweeps.iter().map(|sweep| section(sweep, pictures));
     let sections = sections.collect::<Result<Vec<String>, DrawError>>()?;
     Ok(sections.join("\n"))
 }
 
-fn write(folder: &Path, sweeps: &[SweepResult]) -> Result<Vec<PathBuf>, Failure> {
+fn write(folder: &Path, sweeps: &[SweepResult]) -> Result<Vec<PathBuf>> {
     let mut files = output::files();
     for sweep in sweeps {
         let picture = plot(sweep).map_err(|error| Failure::Check(error.to_string()))?;
@@ -63,19 +61,17 @@ fn write(folder: &Path, sweeps: &[SweepResult]) -> Result<Vec<PathBuf>, Failure>
     Ok(files.finish()?)
 }
 
-fn verdict(sweeps: &[SweepResult]) -> Result<(), Failure> {
+fn verdict(sweeps: &[SweepResult]) -> Result {
     let broken = sweeps.iter().flat_map(|sweep| {
         let of = move |violation| format!("\n  {}: {violation}", sweep.name);
         sweep.violations.iter().map(of)
     });
     let broken: Vec<String> = broken.collect();
-    if broken.is_empty() {
-        Ok(())
-    } else {
-        Err(Failure::Check(format!(
-            "{} rules are broken:{}",
-            broken.len(),
-            broken.concat()
-        )))
+    match broken.len() {
+        0 => Ok(()),
+        n => {
+            let broken = broken.concat();
+            Err(Failure::Check(format!("{n} rules are broken:{broken}")))
+        }
     }
 }

@@ -4,7 +4,7 @@ mod check;
 
 use super::fitted;
 use crate::arguments::Synth;
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::output;
 use imogene_files::text::counted;
 use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
@@ -15,7 +15,7 @@ use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
 /// Synthesises a unit, makes the resource table, or checks against it.
-pub fn run(options: &Synth, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Synth, json: bool) -> Result {
     if options.check {
         return check::run(options, json);
     }
@@ -27,7 +27,7 @@ pub fn run(options: &Synth, json: bool) -> Result<(), Failure> {
 }
 
 /// A whole machine, placed and routed as one.
-fn run_design(file: &Path, target: &str, options: &Synth, json: bool) -> Result<(), Failure> {
+fn run_design(file: &Path, target: &str, options: &Synth, json: bool) -> Result {
     let (target, seeds) = (Target::from_name(target)?, options.seeds);
     let machine = emit_machine(&fitted::described(file, None)?)?;
     let report = synthesise_design(&machine, target, seeds, options.cache())?;
@@ -35,7 +35,7 @@ fn run_design(file: &Path, target: &str, options: &Synth, json: bool) -> Result<
     Ok(())
 }
 
-fn run_unit(unit: &str, target: &str, options: &Synth, json: bool) -> Result<(), Failure> {
+fn run_unit(unit: &str, target: &str, options: &Synth, json: bool) -> Result {
     let request = options.shape.request(unit)?;
     let target = Target::from_name(target)?;
     let seeds = options.seeds;
@@ -48,7 +48,7 @@ fn run_unit(unit: &str, target: &str, options: &Synth, json: bool) -> Result<(),
 }
 
 /// The cost of a machine of its own widths: the sum of its units, and the clock of the slowest.
-fn run_machine(machine: &MachineRequest, target: Target, json: bool) -> Result<(), Failure> {
+fn run_machine(machine: &MachineRequest, target: Target, json: bool) -> Result {
     let cost = fitted::costs_of(&[emit_machine(machine)?], Parts::Units, target, true)?[0];
     if json {
         output::json(&cost);
@@ -64,7 +64,7 @@ fn run_machine(machine: &MachineRequest, target: Target, json: bool) -> Result<(
     Ok(())
 }
 
-fn run_table(options: &Synth, json: bool) -> Result<(), Failure> {
+fn run_table(options: &Synth, json: bool) -> Result {
     let figures = options.out.with_extension("json");
     if figures == options.out {
         let problem = "the page needs another ending than .json, which its figures have";
@@ -104,9 +104,8 @@ fn line(name: &str, value: impl Display) -> String {
 fn resources(counts: [Option<u64>; 6]) -> Vec<String> {
     let names = ["LUT", "FF", "carry", "DSP", "BRAM", "logic cells"];
     let counted = names.iter().zip(counts);
-    counted
-        .filter_map(|(name, count)| Some(line(name, count?)))
-        .collect()
+    let lines = counted.filter_map(|(name, count)| Some(line(name, count?)));
+    lines.collect()
 }
 
 fn describe(report: &SynthReport) -> String {
@@ -128,9 +127,8 @@ fn describe(report: &SynthReport) -> String {
     let seeds = counted(report.seeds.len(), "seed");
     let clock = |fmax: f64| format!("{fmax:.1} MHz, median of {seeds}");
     line("Fmax", report.fmax_mhz.map(clock));
-    let path = report
-        .median_seed()
-        .and_then(|run| run.critical_path.as_ref());
+    let median = report.median_seed();
+    let path = median.and_then(|run| run.critical_path.as_ref());
     let path = path.map(|path| {
         format!(
             "{} -> {} ({:.2} ns logic, {:.2} ns routing)",

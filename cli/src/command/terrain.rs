@@ -1,7 +1,7 @@
 //! `imogene terrain`.
 
 use crate::arguments::Terrain;
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::output;
 use imogene_import::terrain::heights_text;
 use imogene_import::terrain::random_field::{FieldOptions, field};
@@ -20,7 +20,7 @@ struct TerrainReport {
 }
 
 /// Makes a grid of heights and writes it.
-pub fn run(options: &Terrain, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Terrain, json: bool) -> Result {
     let distance = options.node_distance;
     if !(distance > 0.0 && distance <= 1e6) {
         return Err(Failure::Input(format!(
@@ -46,12 +46,10 @@ pub fn run(options: &Terrain, json: bool) -> Result<(), Failure> {
         files: vec![options.output.clone()],
     };
     output::report(json, &report, |report| {
+        let (side, path) = (report.side, options.output.display());
+        let (lowest, highest) = (report.lowest, report.highest);
         output::text(format!(
-            "{side} x {side} nodes, heights {:.1} to {:.1}; wrote {}",
-            report.lowest,
-            report.highest,
-            options.output.display(),
-            side = report.side,
+            "{side} x {side} nodes, heights {lowest:.1} to {highest:.1}; wrote {path}"
         ))
     });
     Ok(())

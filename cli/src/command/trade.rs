@@ -2,7 +2,7 @@
 
 use super::{fitted, size_of};
 use crate::arguments::{Trade, TradeEngine};
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::{missing, molecules, output};
 use imogene_files::text::counted;
 use imogene_golden::format::Format;
@@ -28,7 +28,7 @@ use std::process::Command;
 use std::time::Instant;
 
 /// Measures the points of the design space and shows them.
-pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Trade, json: bool) -> Result {
     let started = Instant::now();
     let file = molecules::read_scene(&options.scene)?;
     let size = size_of(&file, options.size);
@@ -82,10 +82,8 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
         tell(&trade, seconds);
         output::wrote(&files);
     });
-    let refusals = trade
-        .points
-        .iter()
-        .map(|entry| entry.point.refused.as_ref());
+    let points = trade.points.iter();
+    let refusals = points.map(|entry| entry.point.refused.as_ref());
     match refusals.collect::<Option<Vec<&String>>>() {
         Some(refusals) => Err(Failure::Check(format!(
             "no machine of the design space draws {}; {} says: {}",
@@ -131,13 +129,13 @@ fn costs(
 }
 
 /// What tells this program from any other: results of another one are measured again.
-fn own_digest() -> Result<String, Failure> {
+fn own_digest() -> Result<String> {
     let unread = |error| Failure::Input(format!("cannot read the program itself: {error}"));
     let bytes = std::env::current_exe().and_then(std::fs::read);
     Ok(run::digest(bytes.map_err(unread)?))
 }
 
-fn write(trade: &report::Trade, folder: &Path, points: Space) -> Result<Vec<PathBuf>, Failure> {
+fn write(trade: &report::Trade, folder: &Path, points: Space) -> Result<Vec<PathBuf>> {
     let mut files = output::files();
     let mut put = |name: &str, text: String| files.add_text(&folder.join(name), &text);
     put("trade.json", output::json_text(trade) + "\n")?;
@@ -150,10 +148,8 @@ fn write(trade: &report::Trade, folder: &Path, points: Space) -> Result<Vec<Path
     put("index.html", page(trade, folder)?)?;
     if points == Space::Roots {
         let sheet = sheet(trade, folder)?;
-        let (path, size) = (
-            folder.join("plots/pictures.png"),
-            [sheet.width, sheet.height],
-        );
+        let path = folder.join("plots/pictures.png");
+        let size = [sheet.width, sheet.height];
         output::add_picture(&mut files, &path, size, &sheet.rgb)?;
     }
     Ok(files.finish()?)
@@ -163,7 +159,7 @@ fn write(trade: &report::Trade, folder: &Path, points: Space) -> Result<Vec<Path
 const BAND: usize = 6;
 
 /// The pictures of the points of the first depth word, with the maps of their errors, in the order of the points.
-fn sheet(trade: &report::Trade, folder: &Path) -> Result<Sheet, Failure> {
+fn sheet(trade: &report::Trade, folder: &Path) -> Result<Sheet> {
     let read = |file: &String| {
         let path = folder.join(file);
         let picture = picture::read_png(&path).map(|(_, rgb)| rgb);
@@ -175,18 +171,16 @@ fn sheet(trade: &report::Trade, folder: &Path) -> Result<Sheet, Failure> {
     let files = points.filter(|point| Some(depth(point)) == first);
     let files = files.filter_map(|point| Some([point.picture.as_ref()?, point.map.as_ref()?]));
     let pair = |[picture, map]: [&String; 2]| Ok([read(picture)?, read(map)?]);
-    let pairs: Vec<[Vec<u8>; 2]> = files.map(pair).collect::<Result<_, Failure>>()?;
+    let pairs: Vec<[Vec<u8>; 2]> = files.map(pair).collect::<Result<_>>()?;
     let size = (trade.width as usize, trade.height as usize);
     Ok(Sheet::of(&pairs, size, BAND))
 }
 
 fn tell(trade: &report::Trade, seconds: f64) {
+    let (title, width, height) = (&trade.title, trade.width, trade.height);
+    let points = counted(trade.points.len(), "point");
     output::text(format!(
-        "{}: {} at {} x {} pixels in {seconds:.1} s",
-        trade.title,
-        counted(trade.points.len(), "point"),
-        trade.width,
-        trade.height
+        "{title}: {points} at {width} x {height} pixels in {seconds:.1} s"
     ));
     let exact = trade.points.iter().filter(|e| e.silhouette_exact);
     let refused = trade.points.iter().filter(|e| e.point.refused.is_some());
@@ -207,7 +201,7 @@ const DRIVER: &str = include_str!("trade/hyperqueue.py");
 const PARTS: usize = 4;
 
 /// Runs all parts of the points, each by this program as a job of a HyperQueue server.
-fn run_in_parts(options: &Trade) -> Result<(), Failure> {
+fn run_in_parts(options: &Trade) -> Result {
     let program = std::env::current_exe()?;
     let mut command = vec![
         program.display().to_string(),

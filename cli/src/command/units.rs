@@ -1,7 +1,7 @@
 //! What there is: `imogene units`, `processors`, `contract` and `roots`.
 
 use crate::arguments::{Contract, Processors, Roots};
-use crate::failure::Failure;
+use crate::failure::Result;
 use crate::output;
 use imogene_contract::Unit;
 use imogene_contract::parameters::PARAMETERS;
@@ -27,7 +27,7 @@ struct ParameterEntry {
     range: String,
 }
 
-pub fn units(json: bool) -> Result<(), Failure> {
+pub fn units(json: bool) -> Result {
     let units: Vec<UnitEntry> = Unit::ALL.into_iter().map(entry).collect();
     let symbols = PARAMETERS.iter();
     let symbols = symbols.map(|p| format!("{} --{}", p.symbol, p.option));
@@ -58,21 +58,19 @@ fn entry(unit: Unit) -> UnitEntry {
 }
 
 /// Lists the object processors with their parts, or writes the list to a file.
-pub fn processors(options: &Processors, json: bool) -> Result<(), Failure> {
+pub fn processors(options: &Processors, json: bool) -> Result {
     let list = processors::processors()?;
     if let Some(path) = &options.out {
         output::write_text(path, &processors::markdown(&list))?;
     }
-    let page = output::page(
-        include_str!("processors.txt"),
-        json!({ "processors": list }),
-    )?;
+    let values = json!({ "processors": list });
+    let page = output::page(include_str!("processors.txt"), values)?;
     output::report(json, &list, |_| output::text(page));
     Ok(())
 }
 
 /// Prints the contract of a unit, or writes it to a file.
-pub fn contract(options: &Contract, json: bool) -> Result<(), Failure> {
+pub fn contract(options: &Contract, json: bool) -> Result {
     let request = options.shape.request(&options.unit)?;
     let contract = contract::contract(&request)?;
     let text = match json {
@@ -89,13 +87,10 @@ pub fn contract(options: &Contract, json: bool) -> Result<(), Failure> {
 }
 
 /// Prints the measured table of the family of square root networks, as Markdown or JSON.
-pub fn roots(options: &Roots, json: bool) -> Result<(), Failure> {
+pub fn roots(options: &Roots, json: bool) -> Result {
     let rows = table(&Format::new(options.format)?);
-    let page = text(
-        "no table",
-        include_str!("roots.md"),
-        json!({ "rows": rows }),
-    )?;
+    let values = json!({ "rows": rows });
+    let page = text("no table", include_str!("roots.md"), values)?;
     output::report(json, &rows, |_| output::text(page.trim_end()));
     Ok(())
 }

@@ -32,16 +32,11 @@ pub enum DisplayError {
         "the machine has too little for what it is to show; these lines in its description, in place of its own, would do:\n{0}"
     )]
     Needs(String),
-    /// More planes than any processor has.
+    /// An object, or whose volume it is, with more planes than any processor has.
     #[error(
-        "{what} has {needed} planes, and no processor of a machine more than {MAX_PLANES}; fewer cuts of the object would do"
+        "{0} has {1} planes, and no processor of a machine more than {MAX_PLANES}; fewer cuts of the object would do"
     )]
-    Planes {
-        /// The object, or whose volume it is.
-        what: String,
-        /// Its planes.
-        needed: usize,
-    },
+    Planes(String, usize),
     /// The zones cannot be planned, or an object is not for the processors of the machine.
     #[error(transparent)]
     Plan(#[from] PlanError),
@@ -61,15 +56,13 @@ pub enum DisplayError {
         /// Tables of the smallest side.
         most: u32,
     },
-    /// The picture has another size than the screen.
-    #[error("a picture of {}x{} on a screen of {}x{}; frame the scene for the screen", picture.0, picture.1, screen.0, screen.1)]
-    Size {
-        /// Of the picture.
-        picture: (u32, u32),
-        /// Of the screen, in samples.
-        screen: (u32, u32),
-    },
+    /// The picture has another size than the screen, in samples.
+    #[error("a picture of {}x{} on a screen of {}x{}; frame the scene for the screen", .0.0, .0.1, .1.0, .1.1)]
+    Size((u32, u32), (u32, u32)),
 }
+
+/// What a machine is given, or why it cannot show a scene.
+pub(super) type Result<T, E = DisplayError> = std::result::Result<T, E>;
 
 /// What the machine is told of colours: tables where it has them, and else those of materials alone where it has no
 /// lights.
@@ -105,7 +98,7 @@ pub(super) fn shading_words(shader: &ShaderWords, machine: &MachineDescription) 
 pub(super) fn zone_slots(
     prepared: &PreparedScene,
     slots: &[FittedSlot],
-) -> Result<(Vec<FittedSlot>, Option<u32>), DisplayError> {
+) -> Result<(Vec<FittedSlot>, Option<u32>)> {
     let name = |slot: &Slot| prepared.objects[slot.object].name().to_owned();
     let alone = prepared.slots_alone().into_iter().map(|slot| {
         let given = |given: &&FittedSlot| given.kind != Kind::Quadric && takes(given, &slot.words);
@@ -126,21 +119,17 @@ pub(super) fn zone_slots(
         let words = words.map_err(|why| refused(name(slot), why))?;
         Ok(words.planes.len() as u32)
     });
-    let members: Vec<u32> = members.collect::<Result<_, DisplayError>>()?;
-    Ok((
-        alone.collect::<Result<_, DisplayError>>()?,
-        members.into_iter().max(),
-    ))
+    let members: Vec<u32> = members.collect::<Result<_>>()?;
+    Ok((alone.collect::<Result<_>>()?, members.into_iter().max()))
 }
 
 /// Why an object has no words for a processor of quadrics.
 fn refused(object: String, why: AsQuadricError) -> DisplayError {
     match why {
-        AsQuadricError::Planes { needed, .. } => DisplayError::Planes {
-            what: format!("object '{object}'"),
-            needed,
-        },
-        why => PlanError::Object { object, why }.into(),
+        AsQuadricError::Planes { needed, .. } => {
+            DisplayError::Planes(format!("object '{object}'"), needed)
+        }
+        why => PlanError::Object(object, why).into(),
     }
 }
 
@@ -153,11 +142,8 @@ pub(super) fn members(prepared: &PreparedScene, products: &[ProductSlots]) -> Ve
     let (mut members, mut first) = (vec![], 0);
     for (own, product) in prepared.solids.products.iter().zip(products) {
         let [intersected, subtracted] = own.size();
-        let own: Vec<Slot> = slots
-            .by_ref()
-            .take(intersected + subtracted)
-            .cloned()
-            .collect();
+        let own = slots.by_ref().take(intersected + subtracted);
+        let own: Vec<Slot> = own.cloned().collect();
         let own = in_slots(product, own.split_at(intersected).into());
         members.extend(own.into_iter().map(|(place, slot)| {
             let needed = required(&slot.words).expect("a quadric processor draws it");
@@ -174,7 +160,7 @@ pub(super) fn beam_slots(
     prepared: &PreparedScene,
     parts: &[Slot],
     slots: &[FittedSlot],
-) -> Result<Vec<(FittedSlot, Slot)>, DisplayError> {
+) -> Result<Vec<(FittedSlot, Slot)>> {
     let parts = parts.iter().cloned().enumerate();
     let parts = parts.map(|(place, slot)| beam_slot(prepared, slot, slots.get(place)));
     parts.collect()
@@ -184,7 +170,7 @@ fn beam_slot(
     prepared: &PreparedScene,
     slot: Slot,
     given: Option<&FittedSlot>,
-) -> Result<(FittedSlot, Slot), DisplayError> {
+) -> Result<(FittedSlot, Slot)> {
     let given = given.filter(|given| given.kind != Kind::Quadric);
     if given.is_some_and(|given| takes(given, &slot.words)) {
         return Ok(of_own_kind(prepared, slot));
@@ -218,16 +204,10 @@ fn of_own_kind(prepared: &PreparedScene, slot: Slot) -> (FittedSlot, Slot) {
 }
 
 /// Words of every volume of the scene, for processors of so many planes.
-pub(super) fn volumes(
-    prepared: &PreparedScene,
-    planes: usize,
-) -> Result<Vec<VolumeWords>, DisplayError> {
+pub(super) fn volumes(prepared: &PreparedScene, planes: usize) -> Result<Vec<VolumeWords>> {
     plan::volumes(prepared, planes, |volume, why| match why {
-        AsQuadricError::Planes { needed, .. } => DisplayError::Planes {
-            what: volume,
-            needed,
-        },
-        why => PlanError::Volume { volume, why }.into(),
+        AsQuadricError::Planes { needed, .. } => DisplayError::Planes(volume, needed),
+        why => PlanError::Volume(volume, why).into(),
     })
 }
 
@@ -235,7 +215,7 @@ pub(super) fn volumes(
 pub(super) fn placed(
     prepared: &PreparedScene,
     machine: &MachineDescription,
-) -> Result<Vec<Placed>, DisplayError> {
+) -> Result<Vec<Placed>> {
     let in_order = |first: usize, parts: Vec<(FittedSlot, Slot)>| {
         let parts = parts.into_iter().enumerate();
         parts.map(move |(place, (needed, part))| (first + place, needed, part))
@@ -256,7 +236,7 @@ pub(super) fn beam_words(
     scene: &FramedScene,
     prepared: &PreparedScene,
     machine: &MachineDescription,
-) -> Result<Vec<Beat>, DisplayError> {
+) -> Result<Vec<Beat>> {
     let shader = shader(scene, &prepared.format, machine)?;
     let shading = shading_words(&shader, machine);
     let materials = material_numbers(scene);

@@ -1,7 +1,7 @@
 //! What a machine with a screen shows of a scene, and the words that it is given.
 
 pub use super::beam::DisplayError;
-use super::beam::{beam_slots, beam_words, shader, shading_words};
+use super::beam::{Result, beam_slots, beam_words, shader, shading_words};
 use super::description::{MachineDescription, MachineKind, Smoothing};
 use super::needs;
 use super::zone::plan::ZonePlan;
@@ -68,7 +68,7 @@ pub fn image(
     scene: &FramedScene,
     prepared: &PreparedScene,
     machine: &MachineDescription,
-) -> Result<Image, DisplayError> {
+) -> Result<Image> {
     refined_image(scene, prepared, machine, Refinement::Box)
 }
 
@@ -78,7 +78,7 @@ pub fn refined_image(
     prepared: &PreparedScene,
     machine: &MachineDescription,
     refinement: Refinement,
-) -> Result<Image, DisplayError> {
+) -> Result<Image> {
     check_size(scene, machine)?;
     needs::check(machine, &[(scene, prepared)])?;
     let shader = shader(scene, &prepared.format, machine)?;
@@ -124,7 +124,7 @@ pub fn zone_plan(
     prepared: &PreparedScene,
     machine: &MachineDescription,
     refinement: Refinement,
-) -> Result<ZonePlan, DisplayError> {
+) -> Result<ZonePlan> {
     let shading = shading_words(&shader(scene, &prepared.format, machine)?, machine);
     let materials = material_numbers(scene);
     let materials = materials.into_iter().map(u32::from).collect();
@@ -138,10 +138,10 @@ fn table_words(shader: &ShaderWords) -> Vec<u64> {
     words.map(|(_, word)| word.into()).collect()
 }
 
-fn check_size(scene: &FramedScene, machine: &MachineDescription) -> Result<(), DisplayError> {
+fn check_size(scene: &FramedScene, machine: &MachineDescription) -> Result<()> {
     let picture = (scene.width, scene.height);
     match machine.drawn_size() {
-        Some(screen) if screen != picture => Err(DisplayError::Size { picture, screen }),
+        Some(screen) if screen != picture => Err(DisplayError::Size(picture, screen)),
         _ => Ok(()),
     }
 }

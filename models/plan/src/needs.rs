@@ -1,6 +1,8 @@
 //! Has a machine what scenes need? If not, the lines of a description that has.
 
-use super::beam::{DisplayError, beam_slots, beam_words, members, placed, volumes, zone_slots};
+use super::beam::{
+    DisplayError, Result, beam_slots, beam_words, members, placed, volumes, zone_slots,
+};
 use super::description::{
     MachineDescription, MachineKind, Mode, Output, OwnMode, SMALLEST_SIDE, ZoneSize,
 };
@@ -15,6 +17,9 @@ use imogene_prepare::lit_sphere::shadowed_lights;
 use imogene_prepare::shader::ShaderError;
 use imogene_prepare::{PreparedScene, Product};
 use imogene_scene::FramedScene;
+
+/// A scene in the camera frame, and its words.
+type Scene<'a, 'b> = (&'a FramedScene, &'b PreparedScene);
 
 /// A product before it has slots.
 const NO_SLOTS: ProductSlots = ProductSlots {
@@ -34,10 +39,7 @@ const ZONE: ZoneSize = ZoneSize {
 ///
 /// When it has too few processors, planes, lights or words: the error has the lines that would do for all of the
 /// scenes. When no machine shows one of them.
-pub fn check(
-    machine: &MachineDescription,
-    scenes: &[(&FramedScene, &PreparedScene)],
-) -> Result<(), DisplayError> {
+pub fn check(machine: &MachineDescription, scenes: &[Scene]) -> Result<()> {
     let enough = enough(machine, scenes)?;
     match enough == *machine {
         true => Ok(()),
@@ -50,18 +52,15 @@ pub fn check(
 /// # Errors
 ///
 /// When no machine shows one of them.
-pub fn enough(
-    machine: &MachineDescription,
-    scenes: &[(&FramedScene, &PreparedScene)],
-) -> Result<MachineDescription, DisplayError> {
+pub fn enough(machine: &MachineDescription, scenes: &[Scene]) -> Result<MachineDescription> {
     let mut enough = machine.clone();
     // Twice: in a product that a later scene enlarges, an earlier one fills more slots.
-    for (framed, prepared) in scenes.iter().chain(scenes) {
-        add(&mut enough, framed, prepared)?;
+    for scene in scenes.iter().chain(scenes) {
+        add(&mut enough, *scene)?;
     }
     if enough.machine == MachineKind::Beam {
-        for (framed, prepared) in scenes {
-            make_room(&mut enough, framed, prepared)?;
+        for scene in scenes {
+            make_room(&mut enough, *scene)?;
         }
         // More pixels per clock than its lines take are not why objects are shared.
         let of_one_lane = MachineDescription {
@@ -70,8 +69,8 @@ pub fn enough(
         };
         if of_one_lane.check("").is_err() {
             share_processors(&mut enough, machine);
-            for (framed, prepared) in scenes {
-                add(&mut enough, framed, prepared)?;
+            for scene in scenes {
+                add(&mut enough, *scene)?;
             }
         }
     }
@@ -83,10 +82,7 @@ pub fn enough(
 /// # Errors
 ///
 /// When it does not show one of them.
-pub fn narrowed(
-    machine: &MachineDescription,
-    scenes: &[(&FramedScene, &PreparedScene)],
-) -> Result<MachineDescription, DisplayError> {
+pub fn narrowed(machine: &MachineDescription, scenes: &[Scene]) -> Result<MachineDescription> {
     let mut slots = machine.slots();
     let mut needed: Vec<Option<FittedSlot>> = vec![None; slots.len()];
     for (_, prepared) in scenes {
@@ -111,12 +107,8 @@ pub fn narrowed(
 /// # Errors
 ///
 /// When it has too many lights or objects, or what no processor of such a machine draws.
-pub fn check_any(
-    kind: MachineKind,
-    framed: &FramedScene,
-    prepared: &PreparedScene,
-) -> Result<(), DisplayError> {
-    check_counts(framed, prepared)?;
+pub fn check_any(kind: MachineKind, framed: &FramedScene, prepared: &PreparedScene) -> Result<()> {
+    check_counts((framed, prepared))?;
     match kind {
         MachineKind::Beam => {
             beam_slots(prepared, &prepared.slots_alone(), &[])?;
@@ -127,7 +119,7 @@ pub fn check_any(
     volumes(prepared, MAX_PLANES).map(|_| ())
 }
 
-fn check_counts(framed: &FramedScene, prepared: &PreparedScene) -> Result<(), DisplayError> {
+fn check_counts((framed, prepared): Scene) -> Result<()> {
     let lights = framed.lights.len();
     if lights > MOST_LIGHTS {
         return Err(ShaderError::Lights(lights).into());
@@ -139,14 +131,10 @@ fn check_counts(framed: &FramedScene, prepared: &PreparedScene) -> Result<(), Di
 }
 
 /// Gives a machine the processors, planes and lights that it lacks for a scene.
-fn add(
-    machine: &mut MachineDescription,
-    framed: &FramedScene,
-    prepared: &PreparedScene,
-) -> Result<(), DisplayError> {
-    check_counts(framed, prepared)?;
+fn add(machine: &mut MachineDescription, (framed, prepared): Scene) -> Result<()> {
+    check_counts((framed, prepared))?;
     let volumes = volumes(prepared, MAX_PLANES)?;
-    add_tables(machine, framed, prepared)?;
+    add_tables(machine, (framed, prepared))?;
     let (objects, planes, bodies) = match machine.machine {
         MachineKind::Beam => {
             let planes = add_slots(machine, prepared)?;
@@ -180,11 +168,7 @@ fn add(
 
 /// Gives a machine with tables those for the materials of a scene and for the lights that are in shadow somewhere,
 /// smaller ones where there are many.
-fn add_tables(
-    machine: &mut MachineDescription,
-    framed: &FramedScene,
-    prepared: &PreparedScene,
-) -> Result<(), DisplayError> {
+fn add_tables(machine: &mut MachineDescription, (framed, prepared): Scene) -> Result<()> {
     let Some(sphere) = &mut machine.lit_sphere else {
         return Ok(());
     };
@@ -206,10 +190,7 @@ fn add_tables(
 }
 
 /// Gives a zone machine the object processors that it lacks for a scene; the most planes of one of the scene's parts.
-fn add_shared(
-    machine: &mut MachineDescription,
-    prepared: &PreparedScene,
-) -> Result<Option<usize>, DisplayError> {
+fn add_shared(machine: &mut MachineDescription, prepared: &PreparedScene) -> Result<Option<usize>> {
     let mut alone = machine.slots();
     let mut layers = alone.split_off(alone.len() - machine.layers);
     let members = alone.split_off(machine.slots_alone());
@@ -270,10 +251,7 @@ fn add_products(products: &mut Vec<ProductSlots>, prepared: &PreparedScene) {
 }
 
 /// Gives the slots of a beam machine what they lack for a scene; the planes or sides of each part.
-fn add_slots(
-    machine: &mut MachineDescription,
-    prepared: &PreparedScene,
-) -> Result<Vec<usize>, DisplayError> {
+fn add_slots(machine: &mut MachineDescription, prepared: &PreparedScene) -> Result<Vec<usize>> {
     let needed = of_slots(prepared, &prepared.slots_alone(), &machine.slots())?;
     let is_plain = machine.products.0.is_empty() && machine.layers == 0;
     let is_plain = is_plain && prepared.solids.products.is_empty() && prepared.layers.is_empty();
@@ -305,7 +283,7 @@ fn of_slots(
     prepared: &PreparedScene,
     parts: &[Slot],
     slots: &[FittedSlot],
-) -> Result<Vec<FittedSlot>, DisplayError> {
+) -> Result<Vec<FittedSlot>> {
     let parts = beam_slots(prepared, parts, slots)?.into_iter();
     Ok(parts.map(|(slot, _)| slot).collect())
 }
@@ -343,11 +321,7 @@ fn enlarge(
 
 /// Gives a beam machine room for the words of a scene, in its loader and in the vertical blanking in which they are
 /// copied.
-fn make_room(
-    machine: &mut MachineDescription,
-    framed: &FramedScene,
-    prepared: &PreparedScene,
-) -> Result<(), DisplayError> {
+fn make_room(machine: &mut MachineDescription, (framed, prepared): Scene) -> Result<()> {
     let words = beam_words(framed, prepared, machine)?.len();
     if machine.loader_words() < words {
         machine.loader_words = Some(words);

@@ -1,7 +1,7 @@
 //! Clocks from frame to frame of a machine that streams its pictures, when every frame has new words and the receiver
 //! never stalls.
 
-use super::beam::{DisplayError, beam_words};
+use super::beam::{Result, beam_words};
 use super::description::{MachineDescription, MachineKind};
 use super::display::zone_plan;
 use super::zone::clocks::{ZoneTiming, clocks};
@@ -34,7 +34,7 @@ pub fn clocks_per_frame(
     scene: &FramedScene,
     prepared: &PreparedScene,
     timing: &Timing,
-) -> Result<u64, DisplayError> {
+) -> Result<u64> {
     match machine.machine {
         MachineKind::Beam => {
             let words = beam_words(scene, prepared, machine)?.len() as u64;

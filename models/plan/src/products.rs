@@ -33,9 +33,8 @@ pub(crate) fn in_slots<T: Clone>(
     let kept = intersected.iter().chain(again).enumerate();
     let taken_away = (slots.intersected..).zip(subtracted);
     let places = kept.chain(taken_away);
-    places
-        .map(|(place, member)| (place, member.clone()))
-        .collect()
+    let members = places.map(|(place, member)| (place, member.clone()));
+    members.collect()
 }
 
 /// The processors and parts of one draw pass after another, until all products are drawn: each pass takes those that

@@ -23,16 +23,11 @@ pub enum TileError {
         "a tile draws one opaque solid between two roots, cut by at most {MOST_TILE_PLANES} planes; the scene has {0}"
     )]
     Scene(String),
-    /// An object as large as the screen.
+    /// An object as large as the screen: columns and lines of both.
     #[error(
-        "the object takes {}x{} pixels of a screen of {}x{} and has no room to move; a greater view_height makes it smaller", .window[0], .window[1], .screen[0], .screen[1]
+        "the object takes {}x{} pixels of a screen of {}x{} and has no room to move; a greater view_height makes it smaller", .0[0], .0[1], .1[0], .1[1]
     )]
-    Room {
-        /// Columns and lines of the object.
-        window: [u64; 2],
-        /// Columns and lines of the screen.
-        screen: [u64; 2],
-    },
+    Room([u64; 2], [u64; 2]),
     /// Words that there are not.
     #[error(transparent)]
     Words(#[from] FittedError),
@@ -75,7 +70,7 @@ pub fn tile_words(
     let start = [seen.x0 as u64, seen.y0 as u64];
     let window = [seen.x1 - seen.x0 + 1, seen.y1 - seen.y0 + 1].map(|side| side as u64);
     if (0..2).any(|axis| window[axis] >= screen[axis]) {
-        return Err(TileError::Room { window, screen });
+        return Err(TileError::Room(window, screen));
     }
     let words = |words: &Linear| {
         let moved = words.from_zone(seen.x0, seen.y0);

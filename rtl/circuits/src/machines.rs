@@ -2,23 +2,10 @@
 //!
 //! What makes no circuit ends in a panic that says why.
 
-use crate::arith::Network;
-use crate::machine::{self, BeamMachine, Beat, Volumes, ZoneCore, ZoneMachine};
-use crate::object::Widths;
+use crate::machine::{self, BeamMachine, Beat, ZoneCore, ZoneMachine};
 use crate::video::{Output, OverlayBus};
-use imogene_contract::MachineWords;
 use imogene_contract::tile::TileWords;
 use imogene_hdl::{Bits, Design, Value};
-
-/// Volume processors of a machine of one lane, all alike.
-pub fn volumes(words: &MachineWords, rows_per_stage: u32, count: usize, planes: u64) -> Volumes {
-    Volumes {
-        lanes: 1,
-        widths: Widths::of(words),
-        root: Network::of(words, rows_per_stage),
-        planes: vec![planes; count],
-    }
-}
 
 /// A beam machine with its screen.
 pub fn beam_display(machine: &BeamMachine, output: &Output) -> Design {

@@ -60,26 +60,33 @@ pub(crate) fn in_lane(name: &str, lane: u32, lanes: u32) -> String {
     }
 }
 
-/// For bundles whose members are alike: to make one of them, and to take it apart.
+/// Declares groups of ports whose members are alike: a bundle, what makes one of its members and what takes it apart.
 macro_rules! alike {
-    ($($group:ident: [$kind:ident; $count:literal] { $($name:ident)* })*) => {$(
-        impl $group {
+    ($($(#[$about:meta])* $group:ident($($width:ident),*): [$kind:ident($bits:expr); $count:literal] {
+        $($name:ident, $meaning:literal;)*
+    })*) => {
+        imogene_hdl::bundle! {$(
+            $(#[$about])*
+            $group($($width),*) { $($name: $kind($bits), $meaning;)* }
+        )*}
+
+        $(impl $group {
             /// One of its members, in their order.
-            pub fn of([$($name),*]: [$kind; $count]) -> $group {
+            pub fn of([$($name),*]: [imogene_hdl::$kind; $count]) -> $group {
                 $group { $($name),* }
             }
 
             /// Its members, in their order.
-            pub fn parts(self) -> [$kind; $count] {
+            pub fn parts(self) -> [imogene_hdl::$kind; $count] {
                 [$(self.$name),*]
             }
 
             /// What becomes of each member.
-            pub fn map(self, change: impl FnMut($kind) -> $kind) -> $group {
+            pub fn map(self, change: impl FnMut(imogene_hdl::$kind) -> imogene_hdl::$kind) -> $group {
                 $group::of(self.parts().map(change))
             }
-        }
-    )*};
+        })*
+    };
 }
 
 pub(crate) use alike;

@@ -41,9 +41,8 @@ impl FromStr for DeciderForm {
     fn from_str(text: &str) -> Result<DeciderForm, DeciderFormError> {
         let cards = || {
             let count = text.strip_prefix("cards")?.parse().ok()?;
-            (1..=MOST_OBJECTS)
-                .contains(&count)
-                .then_some(DeciderForm::Cards(count))
+            let is_card = (1..=MOST_OBJECTS).contains(&count);
+            is_card.then_some(DeciderForm::Cards(count))
         };
         match text {
             "tree" => Ok(DeciderForm::Tree),

@@ -204,11 +204,8 @@ fn any_kind(shape: &str) -> Option<FittedSlot> {
 
 /// The text that [`parse`] reads back.
 pub fn print(slots: &[FittedSlot]) -> String {
-    slots
-        .iter()
-        .map(FittedSlot::to_string)
-        .collect::<Vec<_>>()
-        .join(",")
+    let slots: Vec<String> = slots.iter().map(FittedSlot::to_string).collect();
+    slots.join(",")
 }
 
 impl fmt::Display for FittedSlot {
@@ -274,10 +271,8 @@ impl TryFrom<String> for Products {
     type Error = ProductsError;
 
     fn try_from(text: String) -> Result<Products, ProductsError> {
-        text.split(',')
-            .map(product)
-            .collect::<Result<_, _>>()
-            .map(Products)
+        let products = text.split(',').map(product);
+        products.collect::<Result<_, _>>().map(Products)
     }
 }
 

@@ -118,19 +118,14 @@ impl Block {
             block.pin(&port.name, port.width, port.signed, kind);
         }
         for (net, node) in module.nets() {
-            block.pin(
-                &net_name(net),
-                node.width,
-                node.signed,
-                AtomKind::LocalSignal,
-            );
+            let name = net_name(net);
+            block.pin(&name, node.width, node.signed, AtomKind::LocalSignal);
         }
         for (index, register) in module.registers.iter().enumerate() {
             let (own, initial) = (module.node(register.net), register.initial);
-            let text = format!(
-                "initial q = {}'h{initial:x};\nalways @(posedge clock) q <= d;\n",
-                own.width
-            );
+            let width = own.width;
+            let text =
+                format!("initial q = {width}'h{initial:x};\nalways @(posedge clock) q <= d;\n");
             let part = Block::leaf(text, &[("d", own)], own);
             block.parts.push((register_name(index), part));
         }

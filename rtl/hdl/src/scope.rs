@@ -203,11 +203,10 @@ impl Display for Handle {
             let mut open = builder.open.iter();
             match open.find(|scope| scope.number == self.scope) {
                 Some(scope) => text.write_str(&described(&scope.module, self.net)),
-                None => write!(
-                    text,
-                    "a value of {} bits of a module that is closed",
-                    self.width
-                ),
+                None => {
+                    let width = self.width;
+                    write!(text, "a value of {width} bits of a module that is closed")
+                }
             }
         })
     }

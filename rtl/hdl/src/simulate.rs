@@ -13,11 +13,7 @@ use std::collections::HashMap;
 /// A design that runs, clock by clock: the check of what is compiled of it.
 pub struct Simulator {
     ports: Vec<PortRecord>,
-    words: Vec<u64>,
-    code: Vec<Code>,
-    flops: Vec<Flop>,
-    stores: Vec<Store>,
-    memories: Vec<Vec<u64>>,
+    levels: Levels,
     /// What is read of a word while it is written comes out inverted.
     upsets_collisions: bool,
     is_settled: bool,
@@ -32,17 +28,12 @@ impl Simulator {
     /// With the name of a value in a loop without a register.
     pub fn new(design: &Design) -> Simulator {
         let levels = Levels::of(design);
-        let memories = levels.stores.iter().map(|store| store.words.clone());
         Simulator {
             ports: design.top.ports.clone(),
-            memories: memories.collect(),
-            words: levels.words,
-            code: levels.code,
-            flops: levels.flops,
-            stores: levels.stores,
+            points: levels.points.iter().cloned().collect(),
+            levels,
             upsets_collisions: false,
             is_settled: false,
-            points: levels.points.into_iter().collect(),
         }
     }
 
@@ -80,26 +71,26 @@ impl Simulator {
 
     /// Gives an input its word; bits beyond its width count nothing.
     pub fn set(&mut self, port: Port, value: u64) {
-        self.words[port.place as usize] = value & mask(port.width);
+        self.levels.words[port.place as usize] = value & mask(port.width);
         self.is_settled = false;
     }
 
     /// The word of a port in this clock.
     pub fn get(&mut self, port: Port) -> u64 {
         self.settle();
-        self.words[port.place as usize]
+        self.levels.words[port.place as usize]
     }
 
     /// What each register holds, in the order of [`Levels::flops`].
     pub fn registers(&self) -> impl Iterator<Item = u64> {
-        self.flops
-            .iter()
-            .map(|flop| self.words[flop.output as usize])
+        let flops = self.levels.flops.iter();
+        flops.map(|flop| self.levels.words[flop.output as usize])
     }
 
     fn settle(&mut self) {
         if !self.is_settled {
-            self.code.iter().for_each(|code| code.run(&mut self.words));
+            let Levels { code, words, .. } = &mut self.levels;
+            code.iter().for_each(|code| code.run(words));
             self.is_settled = true;
         }
     }
@@ -107,14 +98,14 @@ impl Simulator {
     /// The rising edge: all that is taken is read before any of it is written.
     pub fn clock(&mut self) {
         self.settle();
-        let words = &mut self.words;
-        let taken = self.flops.iter().map(|flop| {
+        let words = &mut self.levels.words;
+        let taken = self.levels.flops.iter().map(|flop| {
             let is_held = words[flop.enable as usize] == 0;
             let from = if is_held { flop.output } else { flop.next };
             (flop.output, words[from as usize])
         });
-        let stores = self.stores.iter().zip(&mut self.memories);
-        let read = stores.map(|(store, memory)| {
+        let read = self.levels.stores.iter_mut().map(|store| {
+            let memory = &mut store.words;
             let [enable, at, data] = store.write.map(|place| words[place as usize]);
             let address = words[store.address as usize];
             let mut read = memory.get(address as usize).copied().unwrap_or(0);

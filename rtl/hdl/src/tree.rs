@@ -245,9 +245,8 @@ impl Module {
 
     /// Ports of one direction.
     pub fn ports_of(&self, direction: Direction) -> impl Iterator<Item = &PortRecord> {
-        self.ports
-            .iter()
-            .filter(move |port| port.direction == direction)
+        let ports = self.ports.iter();
+        ports.filter(move |port| port.direction == direction)
     }
 
     /// Has it a register or a memory, or an instance that has one.

@@ -6,7 +6,6 @@
 
 mod expressions;
 mod loops;
-mod name;
 mod names;
 mod reads;
 mod rows;
@@ -14,10 +13,9 @@ mod text;
 
 use crate::tree::{Binary, Direction, Module, Net, Op, Register};
 use expressions::Writer;
-use name::Name;
 use names::Names;
 use std::fmt::Write;
-use text::{filled, literal, range};
+use text::{Name, filled, literal, range};
 
 /// The text of one module, without those it instantiates; `prefix` stands before the names of modules.
 pub fn write(module: &Module, prefix: &str) -> String {
@@ -68,12 +66,9 @@ impl Writer<'_> {
             let names: Vec<String> = alike.iter().map(|(_, name)| name.clone()).collect();
             filled(&format!("    {}", alike[0].0), &names, 8)
         });
-        let (name, ports) = (&self.module.name, groups.collect::<Vec<String>>());
-        format!(
-            "module {}{name} (\n{}\n);\n",
-            self.prefix,
-            ports.join(",\n")
-        )
+        let (prefix, name) = (self.prefix, &self.module.name);
+        let ports = groups.collect::<Vec<String>>().join(",\n");
+        format!("module {prefix}{name} (\n{ports}\n);\n")
     }
 
     /// How a net is declared: what it is, and its name with the value at power-up.
@@ -108,12 +103,8 @@ impl Writer<'_> {
                 add(format!("{kind} {}", range(node.width, node.signed)), name);
             }
         }
-        for (name, width) in self
-            .names
-            .rows
-            .iter()
-            .flat_map(|row| row.vectors(self.module))
-        {
+        let rows = self.names.rows.iter();
+        for (name, width) in rows.flat_map(|row| row.vectors(self.module)) {
             add(format!("wire {}", range(width, false)), name);
         }
         let mut text = String::new();

@@ -102,26 +102,10 @@ impl<const W: usize> Default for CutPlane<W> {
 impl<const W: usize> Logic for CutPlane<W> {
     #[hdl_gen]
     fn update(&mut self) {
-        clock!(
-            self,
-            clock,
-            before_front,
-            behind_front,
-            before_back,
-            behind_back
-        );
-        clock!(
-            self,
-            clock,
-            late_kind,
-            late_surface,
-            late_number,
-            late_zp,
-            late_zf,
-            late_nf,
-            late_zb,
-            late_nb
-        );
+        clock!(self, clock, before_front, behind_front);
+        clock!(self, clock, before_back, behind_back);
+        clock!(self, clock, late_kind, late_surface, late_number);
+        clock!(self, clock, late_zp, late_zf, late_nf, late_zb, late_nb);
         clock!(self, clock, front, front_face, back, back_face);
         // A signal, because Yosys takes the `localparam signed` of a constant for unsigned.
         self.zero.next = 0.into();

@@ -2,10 +2,12 @@
 
 use super::words::{check_slots, check_words, lines, slots_line};
 use super::{Emitted, Heading, check_prefix, emitted};
+use imogene_circuits::arith::Network;
 use imogene_circuits::machine::{
     BeamMachine, Load, Objects, Volumes, Zone, ZoneCore, ZoneMachine, beam,
 };
-use imogene_circuits::machines::{self, volumes};
+use imogene_circuits::machines;
+use imogene_circuits::object::Widths;
 pub use imogene_circuits::shade::Tables;
 use imogene_circuits::shade::{Lights, Shading};
 pub use imogene_circuits::video::Output;
@@ -18,9 +20,9 @@ use imogene_contract::{DeciderForm, RequestError, Unit};
 use imogene_hdl::Design;
 
 /// Bits of the address of a pixel in a zone, at most.
-pub const ZONE_BITS: u32 = 14;
+const ZONE_BITS: u32 = 14;
 /// Bits of the address of a word that waits for the next frame, at most.
-pub const LOADER_BITS: u32 = 16;
+const LOADER_BITS: u32 = 16;
 
 /// What a zone machine has beside its processors.
 #[derive(Clone, Copy, Debug)]
@@ -166,12 +168,8 @@ impl MachineRequest {
         check_words(&self.words, self.rows_per_stage)?;
         check_slots(&self.slots, &self.words)?;
         self.check_products()?;
-        let most = if self.kind.is_shaded() {
-            MOST_LAYERS
-        } else {
-            0
-        };
-        in_range("layers", self.layers.len(), 0, most)?;
+        let most_layers = MOST_LAYERS * u32::from(self.kind.is_shaded());
+        in_range("layers", self.layers.len(), 0, most_layers)?;
         in_range("volumes", self.volumes, 0, MOST_OBJECTS)?;
         in_range("volume planes", self.volume_planes, 0, MOST_PLANES)?;
         in_range("lights", self.lights, 0, MOST_LIGHTS)?;
@@ -199,12 +197,8 @@ impl MachineRequest {
         };
         // 3 is the only number between the least and the greatest that is none.
         in_range("pixels per clock", lanes, 1, if lanes == 3 { 2 } else { 4 })?;
-        in_range(
-            "pixels of a line beyond the last whole clock",
-            width % lanes,
-            0,
-            0,
-        )?;
+        let rest = width % lanes;
+        in_range("pixels of a line beyond the last whole clock", rest, 0, 0)?;
         let least = self.beam(bits).least_line();
         in_range("clocks of a line", width / lanes, least, u32::MAX)
     }
@@ -259,13 +253,14 @@ impl MachineRequest {
     }
 
     fn beam(&self, loader_bits: usize) -> BeamMachine {
-        let (rows, planes) = (self.rows_per_stage as u32, self.volume_planes as u64);
         BeamMachine {
             objects: self.objects(),
             layers: self.layers.clone(),
             volumes: Volumes {
+                widths: Widths::of(&self.words),
+                root: Network::of(&self.words, self.rows_per_stage as u32),
+                planes: vec![self.volume_planes as u64; self.volumes],
                 lanes: self.pixels_per_clock as u32,
-                ..volumes(&self.words, rows, self.volumes, planes)
             },
             shading: self.shading(),
             loader_places: loader_bits as u32,
@@ -328,11 +323,8 @@ impl MachineRequest {
             lines.push(format!("transparent: {}", slots_line(&self.layers)));
         }
         lines.extend(self.products.iter().map(|product| {
-            let ProductSlots {
-                intersected,
-                subtracted,
-            } = product;
-            format!("a product of {intersected} objects less {subtracted}, in the last slots")
+            let (all, less) = (product.intersected, product.subtracted);
+            format!("a product of {all} objects less {less}, in the last slots")
         }));
         if !self.decider.is_usual() {
             lines.push(format!("decider {}", self.decider));

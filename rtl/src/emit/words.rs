@@ -10,12 +10,8 @@ pub(super) fn check_words(words: &MachineWords, rows_per_stage: usize) -> Result
     if let Some((word, bits, least, most)) = words.refused() {
         return in_range(word, bits as usize, least, most);
     }
-    in_range(
-        "rows per stage",
-        rows_per_stage,
-        1,
-        words.root - words.dropped_rows,
-    )
+    let rows = words.root - words.dropped_rows;
+    in_range("rows per stage", rows_per_stage, 1, rows)
 }
 
 /// The words as the header of the Verilog states them.
@@ -66,13 +62,10 @@ pub(super) fn slots_line(slots: &[FittedSlot]) -> String {
         return format!("{count} object processors of {first} planes");
     }
     let each: String = slots.iter().map(|slot| format!(" {slot}")).collect();
-    let has_own = slots
-        .iter()
-        .any(|slot| slot.root.is_some() || slot.plane.is_some());
-    let own = if has_own {
-        ", r and p bits of a shorter root and shorter planes"
-    } else {
-        ""
+    let has_own = |slot: &FittedSlot| slot.root.or(slot.plane).is_some();
+    let own = match slots.iter().any(has_own) {
+        true => ", r and p bits of a shorter root and shorter planes",
+        false => "",
     };
     format!("slots, by their planes{own}:{each}")
 }

@@ -115,10 +115,8 @@ fn line(machine: &MachineDescription, widths: &str) -> String {
 
 /// What is said of a machine before synthesis.
 pub fn found(drawn: &Drawn, machine: &MachineDescription) -> String {
-    format!(
-        "meets the budget: {}",
-        line(machine, &widths::print(&drawn.widths))
-    )
+    let line = line(machine, &widths::print(&drawn.widths));
+    format!("meets the budget: {line}")
 }
 
 /// The report with what stands in texts alone.

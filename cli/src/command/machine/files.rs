@@ -1,6 +1,6 @@
 //! The files of a run.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::output;
 use imogene_files::Outputs;
 use imogene_golden::machine::overlay::OverlayPlane;
@@ -14,7 +14,6 @@ use imogene_scene::FramedScene;
 use imogene_studies::growth_plot::plot;
 use imogene_verif::display::bench::{Bench, BenchFrame};
 use imogene_verif::display::pins::PinsOutcome;
-use imogene_verif::display::request::zone_timing;
 use std::path::Path;
 
 /// A scene, ready for the machine.
@@ -32,11 +31,7 @@ impl Scene {
 }
 
 /// Adds the Verilog to the files; returns the name of the top module.
-pub fn add_verilog(
-    request: &MachineRequest,
-    out: &Path,
-    files: &mut Outputs,
-) -> Result<String, Failure> {
+pub fn add_verilog(request: &MachineRequest, out: &Path, files: &mut Outputs) -> Result<String> {
     let emitted = emit_machine(request)?;
     let path = out.join(format!("{}.v", emitted.top));
     files.add_text(&path, &emitted.bundle())?;
@@ -51,7 +46,7 @@ pub(super) fn add_bench(
     images: &[Image],
     overlay: Option<&OverlayPlane>,
     (out, files): (&Path, &mut Outputs),
-) -> Result<(), Failure> {
+) -> Result {
     let frames = scenes.iter().zip(images).map(|(scene, image)| BenchFrame {
         scene: &scene.name,
         image,
@@ -69,23 +64,13 @@ pub(super) fn add_bench(
     Ok(())
 }
 
-pub(super) fn zone_timing_of(
-    request: &MachineRequest,
-    machine: &MachineDescription,
-) -> Result<Option<ZoneTiming>, Failure> {
-    match machine.zone {
-        Some(_) => zone_timing(request).map(Some).map_err(Failure::from),
-        None => Ok(None),
-    }
-}
-
 pub(super) fn grow(
     scene: &PreparedScene,
     machine: &MachineDescription,
     timing: Option<ZoneTiming>,
     out: &Path,
     files: &mut Outputs,
-) -> Result<Vec<Growth>, Failure> {
+) -> Result<Vec<Growth>> {
     let timing = timing.ok_or_else(|| {
         Failure::Input("--growth counts the passes of a zone machine; a beam machine has one clock for each pixel whatever the scene".into())
     })?;
@@ -106,7 +91,7 @@ pub fn write_pictures(
     (golden, outcome): (Option<&[u8]>, Option<&PinsOutcome>),
     out: &Path,
     files: &mut Outputs,
-) -> Result<(), Failure> {
+) -> Result {
     let Some((mode, golden)) = machine.video_mode().zip(golden) else {
         return Ok(());
     };

@@ -42,11 +42,8 @@ pub(super) fn tell(summary: &MachineReport) {
         Some(clocks) => format!("in {clocks} clocks of a frame on the pins"),
         None => "of a frame over AXI4-Stream".to_owned(),
     };
-    output::text(format!(
-        "{}: {} {pace}",
-        summary.top,
-        counted(summary.pixels_per_frame, "pixel")
-    ));
+    let pixels = counted(summary.pixels_per_frame, "pixel");
+    output::text(format!("{}: {pixels} {pace}", summary.top));
     for (place, clocks) in summary.zone_clocks.iter().enumerate() {
         output::text(format!(
             "  {}: {} in {} ({} drawing, {} lighting passes), {}",
@@ -61,14 +58,14 @@ pub(super) fn tell(summary: &MachineReport) {
     if let Some(report) = &summary.report {
         output::text(describe(report));
         let shown = summary.shown.iter().flatten().count();
+        let frames = counted(summary.shown.len(), "frame");
+        let not = if summary.equal == Some(true) {
+            ""
+        } else {
+            "NOT "
+        };
         output::text(format!(
-            "  {}, {shown} of a scene; the last one is {} golden picture",
-            counted(summary.shown.len(), "frame"),
-            if summary.equal == Some(true) {
-                "the"
-            } else {
-                "NOT the"
-            }
+            "  {frames}, {shown} of a scene; the last one is {not}the golden picture"
         ));
     }
     for file in &summary.files {

@@ -1,6 +1,6 @@
 //! What the processors of a variant are made of and what they cost on a device.
 
-use crate::failure::Failure;
+use crate::failure::Result;
 use imogene_contract::Request;
 use imogene_golden::format::Format;
 use imogene_golden::machine::decider;
@@ -67,7 +67,7 @@ fn row<'a>(request: &Request, rows: &'a [Measured]) -> Option<&'a Measured> {
 }
 
 /// The processors of these slots, on a screen of so many pixels.
-pub fn of(slots: &[Slot], screen: u64) -> Result<Hardware, Failure> {
+pub fn of(slots: &[Slot], screen: u64) -> Result<Hardware> {
     let table: Table = serde_json::from_str(RESOURCES)?;
     let mut kinds: HashMap<Request, usize> = HashMap::new();
     for slot in slots {

@@ -3,11 +3,10 @@
 use super::models::{exact_frame, exact_lighting};
 use crate::arguments::{FrameRange, Model, Render};
 use crate::command::{read_scene, size_of};
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::{missing, output};
 use imogene_analysis::phong;
 use imogene_files::{Outputs, WriteError};
-use imogene_golden::machine::beam;
 use imogene_prepare::Reuse;
 use imogene_prepare::animator::{Animator, PreparedFrame};
 use imogene_studies::preview::Preview;
@@ -51,7 +50,7 @@ struct FrameReport {
 }
 
 /// Draws the frames of an animation, one after the other; objects, shadows and lines of each in parallel.
-pub fn run(options: &Render, range: FrameRange, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Render, range: FrameRange, json: bool) -> Result {
     if options.model == Model::Rtl {
         return Err(Failure::Input(
             "--frames are drawn by the models; give --model golden or exact, or one --frame to --model rtl".into(),
@@ -59,7 +58,7 @@ pub fn run(options: &Render, range: FrameRange, json: bool) -> Result<(), Failur
     }
     let started = Instant::now();
     let path = &options.scene.scene;
-    let file = read_scene(&options.scene.scene, &options.scene.view)?;
+    let file = read_scene(path, &options.scene.view)?;
     let size = size_of(&file, options.scene.size);
     let format = options.scene.format()?;
     let animator = Animator::new(&file, size, format, missing::options());
@@ -77,7 +76,7 @@ pub fn run(options: &Render, range: FrameRange, json: bool) -> Result<(), Failur
     })?;
     preview.finish().map_err(failed)?;
     let report = FramesReport {
-        scene: options.scene.scene.clone(),
+        scene: path.clone(),
         model: options.model,
         width: size.0,
         height: size.1,
@@ -101,8 +100,8 @@ fn draw(
     mut animator: Animator,
     range: std::ops::RangeInclusive<usize>,
     files: &mut Outputs,
-    mut show: impl FnMut(&[u8], f64) -> Result<(), Failure>,
-) -> Result<Vec<FrameReport>, Failure> {
+    mut show: impl FnMut(&[u8], f64) -> Result,
+) -> Result<Vec<FrameReport>> {
     let bar = output::progress(range.clone().count() as u64, "frames");
     let mut reports = vec![];
     for number in range {
@@ -110,10 +109,8 @@ fn draw(
         let frame = animator.prepare(number - 1, &|| ());
         let frame = frame.map_err(|error| {
             bar.finish_and_clear();
-            Failure::at(
-                &options.scene.scene,
-                format_args!("frame {number}: {error}"),
-            )
+            let problem = format!("frame {number}: {error}");
+            Failure::at(&options.scene.scene, problem)
         })?;
         bar.suspend(|| {
             missing::tell(&format!("frame {number}: "), &frame.framed, &frame.prepared)
@@ -152,8 +149,7 @@ fn picture_of(options: &Render, frame: &PreparedFrame) -> (Vec<u8>, usize) {
         let lighting = exact_lighting(framed, &drawn);
         (drawn, lighting)
     } else {
-        let (width, height) = (prepared.width as usize, prepared.height as usize);
-        let drawn = beam::render(&prepared.slots(), &prepared.format, width, height, || ());
+        let drawn = prepared.frame(|| ());
         let lighting = prepared.light(&drawn, || ());
         (drawn, lighting)
     };

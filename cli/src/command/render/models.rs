@@ -1,11 +1,10 @@
 //! Frames by each of the models, and what lights them.
 
-use crate::arguments::{Model, Render, Scene};
+use crate::arguments::{Model, Render};
 use crate::command::{run_beam, run_slots, threads, verdict};
-use crate::failure::Failure;
+use crate::failure::Result;
 use crate::output;
 use imogene_analysis::exact;
-use imogene_golden::machine::beam::render;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::Lighting;
 use imogene_prepare::PreparedScene;
@@ -18,7 +17,7 @@ pub fn draw(
     options: &Render,
     framed: &FramedScene,
     prepared: &PreparedScene,
-) -> Result<(Frame, Lighting), Failure> {
+) -> Result<(Frame, Lighting)> {
     let frame = match options.model {
         Model::Exact => exact_frame(framed, prepared),
         Model::Golden => golden_frame(prepared),
@@ -40,10 +39,8 @@ pub fn exact_frame(framed: &FramedScene, prepared: &PreparedScene) -> Frame {
 }
 
 pub fn golden_frame(prepared: &PreparedScene) -> Frame {
-    let (width, height) = (prepared.width as usize, prepared.height as usize);
     output::during(u64::from(prepared.height), "golden model", |bar| {
-        let step = || bar.inc(1);
-        render(&prepared.slots(), &prepared.format, width, height, step)
+        prepared.frame(|| bar.inc(1))
     })
 }
 
@@ -59,14 +56,13 @@ pub fn exact_lighting(framed: &FramedScene, frame: &Frame) -> Lighting {
 
 /// What the golden volumes leave of the sources of a frame.
 pub fn golden_lighting(frame: &Frame, prepared: &PreparedScene) -> Lighting {
-    output::during(
-        u64::from(prepared.height),
-        "shadow and light volumes",
-        |bar| prepared.light(frame, || bar.inc(1)),
-    )
+    let lines = u64::from(prepared.height);
+    output::during(lines, "shadow and light volumes", |bar| {
+        prepared.light(frame, || bar.inc(1))
+    })
 }
 
-fn hardware_frame(options: &Render, prepared: &PreparedScene) -> Result<Frame, Failure> {
+fn hardware_frame(options: &Render, prepared: &PreparedScene) -> Result<Frame> {
     prepared.refuse_composed()?;
     let (mut report, frame) = match slots::is_for_beam(prepared) {
         true => {
@@ -83,11 +79,9 @@ fn hardware_frame(options: &Render, prepared: &PreparedScene) -> Result<Frame, F
 
 /// The command that shows the difference again.
 fn reproduce(options: &Render) -> String {
-    let Scene {
-        scene, view, words, ..
-    } = &options.scene;
-    let words = words.options(options.scene.format);
-    let (scene, view) = (scene.display(), view.options());
+    let asked = &options.scene;
+    let words = asked.words.options(asked.format);
+    let (scene, view) = (asked.scene.display(), asked.view.options());
     match options.look.look(false) {
         None => format!("imogene cosim {scene}{words}{view}"),
         Some(_) => format!("imogene render {scene}{words}{view} --model rtl, with the same look"),

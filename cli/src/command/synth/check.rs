@@ -1,7 +1,7 @@
 //! `imogene synth --check`.
 
 use crate::arguments::Synth;
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::output;
 use imogene_contract::Unit;
 use imogene_files::text::counted;
@@ -11,7 +11,7 @@ use imogene_synth::regression::{Change, Tolerance, Verdict};
 use imogene_synth::table::{self, Row, Table};
 
 /// Synthesises rows of the table and compares them with the baseline.
-pub fn run(options: &Synth, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Synth, json: bool) -> Result {
     let baseline = Table::read(&options.baseline)?;
     let rows = select(options, &baseline)?;
     let check_options = CheckOptions {
@@ -33,7 +33,7 @@ pub fn run(options: &Synth, json: bool) -> Result<(), Failure> {
 }
 
 /// The rows asked for; what has no baseline is refused if it is named, and told if it is not.
-fn select(options: &Synth, baseline: &Table) -> Result<Vec<Row>, Failure> {
+fn select(options: &Synth, baseline: &Table) -> Result<Vec<Row>> {
     let unit = options.unit.as_deref().map(Unit::from_name).transpose()?;
     let target = options.target.as_deref().map(Target::from_name);
     let target = target.transpose()?;
@@ -67,12 +67,8 @@ fn select(options: &Synth, baseline: &Table) -> Result<Vec<Row>, Failure> {
 fn name(check: &RowCheck) -> String {
     let parameters = check.parameters.iter();
     let parameters = parameters.map(|(option, value)| format!("--{option} {value}"));
-    format!(
-        "{} {} for {}",
-        check.unit,
-        output::joined(parameters, " "),
-        check.target
-    )
+    let parameters = output::joined(parameters, " ");
+    format!("{} {parameters} for {}", check.unit, check.target)
 }
 
 /// A row: every figure, with its baseline where they differ.
@@ -81,12 +77,9 @@ fn describe(check: &RowCheck) -> String {
         true => "",
         false => ", other Verilog",
     };
-    format!(
-        "{}: {}{verilog}\n  {}",
-        name(check),
-        word(check.verdict),
-        output::joined(check.changes.iter().map(figure), ", ")
-    )
+    let (name, word) = (name(check), word(check.verdict));
+    let figures = output::joined(check.changes.iter().map(figure), ", ");
+    format!("{name}: {word}{verilog}\n  {figures}")
 }
 
 fn word(verdict: Verdict) -> &'static str {
@@ -99,15 +92,13 @@ fn word(verdict: Verdict) -> &'static str {
 }
 
 fn figure(change: &Change) -> String {
+    let (measure, was, now) = (&change.measure, &change.baseline, &change.now);
     if change.verdict == Verdict::Same {
-        return format!("{} {}", change.measure, change.now);
+        return format!("{measure} {now}");
     }
     let percent = change.percent;
     let percent = percent.map_or_else(String::new, |percent| format!(" ({percent:+.1} %)"));
-    format!(
-        "{} {} -> {}{percent}",
-        change.measure, change.baseline, change.now
-    )
+    format!("{measure} {was} -> {now}{percent}")
 }
 
 fn summary(checks: &[RowCheck]) -> String {
@@ -122,7 +113,7 @@ fn summary(checks: &[RowCheck]) -> String {
     )
 }
 
-fn verdict(checks: &[RowCheck], options: &Synth) -> Result<(), Failure> {
+fn verdict(checks: &[RowCheck], options: &Synth) -> Result {
     let is_worse = |check: &&RowCheck| check.verdict == Verdict::Worse;
     let worse: Vec<String> = checks.iter().filter(is_worse).map(complaint).collect();
     if worse.is_empty() {

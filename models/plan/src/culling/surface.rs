@@ -156,14 +156,45 @@ pub(super) fn radicand(f2: &Quadratic, window: &ScreenBox, format: &Format) -> O
     fits.then_some(range.dropped(format.guard_quadratic))
 }
 
+/// A plane on a window.
+pub(super) struct PlaneOn {
+    pub kind: PlaneKind,
+    /// Its depth in units of `2^-g1` depth words.
+    pub depth: Linear,
+    /// Its depths in whole words.
+    pub range: Range,
+}
+
+impl PlaneOn {
+    /// None if its register could wrap.
+    pub fn new(
+        kind: PlaneKind,
+        depth: &Linear,
+        window: &ScreenBox,
+        format: &Format,
+    ) -> Option<PlaneOn> {
+        let range = Range::of_linear(depth, window);
+        range.fits(format.plane).then(|| PlaneOn {
+            kind,
+            depth: times(depth, 1 << format.guard_linear),
+            range,
+        })
+    }
+}
+
+/// Numbers of these planes among so many.
+pub(super) fn listed(planes: Planes, count: usize) -> impl Iterator<Item = usize> {
+    (0..count).filter(move |index| planes >> index & 1 == 1)
+}
+
 pub(super) struct Surface<'a> {
     words: &'a QuadricWords,
     format: &'a Format,
     window: ScreenBox,
     radicand: Option<Range>,
     roots: Option<Roots>,
-    /// Depth of each plane on the window; none if its register could wrap.
-    planes: Vec<Option<Range>>,
+    /// Each plane on the window; none if its register could wrap.
+    planes: Vec<Option<PlaneOn>>,
 }
 
 impl<'a> Surface<'a> {
@@ -174,10 +205,7 @@ impl<'a> Surface<'a> {
         let roots = radicand
             .filter(|_| has_depths)
             .and_then(|range| Roots::of(&words.f1, &range, window, format));
-        let plane = |plane: &PlaneWords| {
-            let range = Range::of_linear(&plane.depth, window);
-            range.fits(format.plane).then_some(range)
-        };
+        let plane = |plane: &PlaneWords| PlaneOn::new(plane.kind, &plane.depth, window, format);
         Surface {
             words,
             format,
@@ -188,96 +216,81 @@ impl<'a> Surface<'a> {
         }
     }
 
-    fn plane(&self, index: usize) -> (PlaneKind, Linear) {
-        let plane = &self.words.planes[index];
-        let scaled = times(&plane.depth, 1 << self.format.guard_linear);
-        (plane.kind, scaled)
-    }
-
-    fn listed(&self, planes: Planes) -> impl Iterator<Item = usize> + use<> {
-        (0..self.words.planes.len()).filter(move |index| planes >> index & 1 == 1)
+    /// Those of these planes that are known.
+    fn known(&self, planes: Planes) -> impl Iterator<Item = (usize, &PlaneOn)> {
+        let listed = listed(planes, self.planes.len());
+        listed.filter_map(|index| Some((index, self.planes[index].as_ref()?)))
     }
 
     /// True only if the object with these planes is at no pixel of the window.
     pub fn is_absent(&self, planes: Planes) -> bool {
         let outside = self.words.class != Class::Front && self.radicand.is_some_and(|r| r.high < 0);
         outside
-            || self.listed(planes).any(|index| self.removes_all(index))
+            || self.known(planes).any(|(_, plane)| self.removes_all(plane))
             || self.are_apart(planes)
     }
 
-    fn removes_all(&self, index: usize) -> bool {
-        let Some(range) = self.planes[index] else {
-            return false;
-        };
-        let (kind, plane) = self.plane(index);
-        let (low, high) = (self.format.z_low().into(), self.format.z_max().into());
-        let from = |bound: Linear| difference(&plane, &bound, &self.window);
-        let roots = self.roots.as_ref();
-        match kind {
+    fn removes_all(&self, plane: &PlaneOn) -> bool {
+        match plane.kind {
             PlaneKind::None => false,
-            PlaneKind::Front => {
-                range.low >= high || roots.is_some_and(|r| from(r.above_far()).low > 0)
-            }
-            PlaneKind::Back => {
-                let before = |r: &Roots| from(r.below_near(self.format)).high < 0;
-                range.high < low || roots.is_some_and(before)
-            }
-            PlaneKind::Perpendicular => range.high < 0,
+            PlaneKind::Front => self.is_far(plane, 1),
+            PlaneKind::Back => self.is_near(plane, 1),
+            PlaneKind::Perpendicular => plane.range.high < 0,
         }
+    }
+
+    /// True only if a plane is at or behind the far end, or so much behind the far root, at every pixel.
+    fn is_far(&self, plane: &PlaneOn, by: i128) -> bool {
+        let behind = |bound: Linear| difference(&plane.depth, &bound, &self.window).low >= by;
+        plane.range.low >= self.format.z_max().into()
+            || self.roots.is_some_and(|roots| behind(roots.above_far()))
+    }
+
+    /// True only if a plane is so much before the near end or the near root at every pixel.
+    fn is_near(&self, plane: &PlaneOn, by: i128) -> bool {
+        let before = |bound: Linear| difference(&plane.depth, &bound, &self.window).high <= -by;
+        plane.range.high <= i128::from(self.format.z_low()) - by
+            || self
+                .roots
+                .is_some_and(|roots| before(roots.below_near(self.format)))
     }
 
     /// A front plane lies behind a back plane at every pixel: nothing is between them.
     fn are_apart(&self, planes: Planes) -> bool {
         let of_kind = |wanted| {
-            let known = self.listed(planes).filter(|&i| self.planes[i].is_some());
-            known
-                .map(|i| self.plane(i))
-                .filter(move |(kind, _)| *kind == wanted)
+            let known = self.known(planes).map(|(_, plane)| plane);
+            known.filter(move |plane| plane.kind == wanted)
         };
-        of_kind(PlaneKind::Front).any(|(_, front)| {
+        of_kind(PlaneKind::Front).any(|front| {
             of_kind(PlaneKind::Back)
-                .any(|(_, back)| difference(&front, &back, &self.window).low > 0)
+                .any(|back| difference(&front.depth, &back.depth, &self.window).low > 0)
         })
     }
 
     /// True only if the object with these planes is the same without plane `index`, which is not among them, at every
     /// pixel of the window.
     pub fn is_idle(&self, index: usize, planes: Planes) -> bool {
-        let Some(range) = self.planes[index] else {
+        let Some(plane) = &self.planes[index] else {
             return self.words.planes[index].kind == PlaneKind::None;
         };
-        let (kind, plane) = self.plane(index);
-        let (low, high) = (self.format.z_low().into(), self.format.z_max().into());
-        let from = |bound: Linear| difference(&plane, &bound, &self.window);
-        let roots = self.roots.as_ref();
-        let alone = match kind {
+        let alone = match plane.kind {
             PlaneKind::None => true,
-            PlaneKind::Front => {
-                let before = |r: &Roots| from(r.below_near(self.format)).high <= 0;
-                range.high <= low || roots.is_some_and(before)
-            }
-            PlaneKind::Back => {
-                range.low >= high || roots.is_some_and(|r| from(r.above_far()).low >= 0)
-            }
-            PlaneKind::Perpendicular => range.low >= 0,
+            PlaneKind::Front => self.is_near(plane, 0),
+            PlaneKind::Back => self.is_far(plane, 0),
+            PlaneKind::Perpendicular => plane.range.low >= 0,
         };
-        let mut others = self.listed(planes);
-        alone || others.any(|other| self.is_behind(other, index))
+        // At equal depths the face is that of the first one in the chain.
+        let mut others = self.known(planes);
+        alone || others.any(|(other, by)| self.is_behind(by, plane, i128::from(other > index)))
     }
 
-    /// Plane `other` cuts at least as much as plane `index` of the same kind at every pixel. At equal depths the face
-    /// is that of the first one in the chain.
-    fn is_behind(&self, other: usize, index: usize) -> bool {
-        let [(kind, plane), (other_kind, stronger)] = [index, other].map(|i| self.plane(i));
-        if kind != other_kind || self.planes[other].is_none() {
-            return false;
-        }
-        let range = difference(&stronger, &plane, &self.window);
-        let tie = i128::from(other > index);
-        match kind {
-            PlaneKind::Front => range.low >= tie,
-            PlaneKind::Back => -range.high >= tie,
+    /// One plane cuts at least as much as another of the same kind at every pixel, by this much.
+    fn is_behind(&self, stronger: &PlaneOn, plane: &PlaneOn, by: i128) -> bool {
+        let range = difference(&stronger.depth, &plane.depth, &self.window);
+        match plane.kind {
+            kind if kind != stronger.kind => false,
+            PlaneKind::Front => range.low >= by,
+            PlaneKind::Back => -range.high >= by,
             _ => false,
         }
     }
@@ -293,13 +306,11 @@ impl<'a> Surface<'a> {
             bounds.before.push(roots.below_near(self.format));
             bounds.behind.push(roots.above_far());
         }
-        for index in 0..self.words.planes.len() {
-            if self.planes[index].is_some() {
-                match self.plane(index) {
-                    (PlaneKind::Front, depth) => bounds.before.push(depth),
-                    (PlaneKind::Back, depth) => bounds.behind.push(depth),
-                    _ => {}
-                }
+        for plane in self.planes.iter().flatten() {
+            match plane.kind {
+                PlaneKind::Front => bounds.before.push(plane.depth),
+                PlaneKind::Back => bounds.behind.push(plane.depth),
+                _ => {}
             }
         }
         bounds
@@ -319,10 +330,9 @@ impl<'a> Surface<'a> {
             Class::Patch => vec![self.near_of_patch()?],
             Class::Front => return None,
         };
-        for index in 0..self.words.planes.len() {
-            if self.words.planes[index].kind == PlaneKind::Front {
-                self.planes[index]?;
-                fronts.push(self.plane(index).1);
+        for (plane, known) in self.words.planes.iter().zip(&self.planes) {
+            if plane.kind == PlaneKind::Front {
+                fronts.push(known.as_ref()?.depth);
             }
         }
         Some(fronts)

@@ -7,7 +7,8 @@
 use super::blocks::everywhere;
 use super::part::with_planes;
 use super::surface::{
-    DepthBounds, Matter, Planes, Roots, Surface, difference, keep, plus, radicand, times,
+    DepthBounds, Matter, PlaneOn, Planes, Roots, Surface, difference, keep, listed, plus, radicand,
+    times,
 };
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
@@ -93,26 +94,21 @@ impl<'a> Near<'a> {
         i128::from(self.volume.margin) << self.format.guard_linear
     }
 
-    /// A plane's depth in units of `2^-g1` and its range in depth words; none if its register could wrap.
-    fn plane(&self, index: usize) -> Option<(PlaneKind, Linear, Range)> {
+    fn plane(&self, index: usize) -> Option<PlaneOn> {
         let plane = &self.volume.planes[index];
-        let range = Range::of_linear(&plane.depth, &self.window);
-        let scaled = times(&plane.depth, 1 << self.format.guard_linear);
-        let fits = range.fits(self.format.plane);
-        fits.then_some((plane.kind, scaled, range))
+        PlaneOn::new(plane.kind, &plane.depth, &self.window, self.format)
     }
 
     /// True only if no point of the surface is inside the volume with these planes.
     fn is_outside(&self, planes: Planes) -> bool {
-        let indices = 0..self.volume.planes.len();
-        let mut listed = indices.filter(|index| planes >> index & 1 == 1);
+        let mut listed = listed(planes, self.volume.planes.len());
         let quadric = self.volume.quadric.as_ref();
         quadric.is_some_and(|quadric| self.misses(quadric))
             || listed.any(|index| self.removes_all(index))
     }
 
     fn removes_all(&self, index: usize) -> bool {
-        let Some((kind, depth, range)) = self.plane(index) else {
+        let Some(PlaneOn { kind, depth, range }) = self.plane(index) else {
             return false;
         };
         match kind {
@@ -126,7 +122,7 @@ impl<'a> Near<'a> {
 
     /// True only if the plane keeps every point of the surface.
     fn keeps_all(&self, index: usize) -> bool {
-        let Some((kind, depth, range)) = self.plane(index) else {
+        let Some(PlaneOn { kind, depth, range }) = self.plane(index) else {
             return self.volume.planes[index].kind == PlaneKind::None;
         };
         match kind {

@@ -1,12 +1,10 @@
-//! Clocks of a frame, counted from the plan alone.
+//! Clocks of a frame, counted from its plan.
 //!
 //! While a pass runs, the words of the next pass are loaded, a beat a clock, once all processors have started; a
 //! command waits until the pass before it has ended. So a pass of `T` clocks before one that needs `L` words takes
 //! `max(T, S + L)` clocks and those of the commands in between.
 
 use super::plan::{Pass, Zone, ZonePlan};
-use super::stream::{beats_of_part, beats_of_volume};
-use crate::culling::all_planes;
 use imogene_golden::machine::zone::beat::BEAT_BYTES;
 use serde::{Deserialize, Serialize};
 
@@ -70,7 +68,7 @@ pub fn clocks(plan: &ZonePlan, timing: &ZoneTiming) -> FrameClocks {
     let mut settling = 0;
     for zone in &plan.zones {
         for (index, pass) in plan.passes(zone, false).enumerate() {
-            let words = words_of(plan, zone, &pass);
+            let words = plan.words_of(&pass, zone).len() as u64;
             if words > 0 {
                 clocks.waiting += (settling + words).saturating_sub(running);
             }
@@ -105,34 +103,5 @@ impl FrameClocks {
         *sum += clocks;
         *passes += 1;
         clocks
-    }
-}
-fn words_of(plan: &ZonePlan, zone: &Zone, pass: &Pass) -> u64 {
-    match pass {
-        Pass::Draw { parts, .. } => {
-            let beats = |&(unit, index): &(usize, u32)| {
-                let all = plan.parts[index as usize].all_planes();
-                let used = (zone.planes_of_part(index) & all).count_ones();
-                beats_of_part(&plan.machine.slots[unit], used as usize)
-            };
-            parts.iter().map(beats).sum()
-        }
-        Pass::Light { volumes, .. } => {
-            let beats = |&index: &u32| {
-                let all = all_planes(plan.volumes[index as usize].planes.len());
-                let used = (zone.planes_of_volume(index) & all).count_ones();
-                beats_of_volume(used as usize, plan.machine.volume_planes)
-            };
-            volumes.iter().map(beats).sum()
-        }
-        Pass::Show { layers, .. } => {
-            let beats = |&index: &usize| {
-                let planes = plan.layers[index]
-                    .quadric()
-                    .map_or(0, |words| words.planes.len());
-                beats_of_part(&plan.machine.layers[index], planes)
-            };
-            layers.iter().map(beats).sum()
-        }
     }
 }

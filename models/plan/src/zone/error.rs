@@ -5,6 +5,9 @@ use imogene_golden::machine::zone::{ID_BITS, MAX_PICTURE, ZoneMachineError};
 use imogene_golden::object::as_quadric::AsQuadricError;
 use thiserror::Error;
 
+/// What becomes of a scene in a zone machine.
+pub(super) type Result<T = (), E = PlanError> = std::result::Result<T, E>;
+
 /// Why a scene cannot be drawn by a zone machine.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum PlanError {
@@ -15,13 +18,8 @@ pub enum PlanError {
     #[error("a picture of {0} x {1} samples for pixels of {2} x {2}: both have to be a multiple")]
     PartOfPixel(u32, u32, u32),
     /// An object that its processors cannot draw.
-    #[error("object '{object}': {why}")]
-    Object {
-        /// Name of the object.
-        object: String,
-        /// What is wrong.
-        why: AsQuadricError,
-    },
+    #[error("object '{0}': {1}")]
+    Object(String, AsQuadricError),
     /// An object that no slot is for.
     #[error(
         "object '{object}' needs a slot such as {needed}; the machine has {slots} for objects in no solid"
@@ -34,14 +32,9 @@ pub enum PlanError {
         /// What there is.
         slots: String,
     },
-    /// A volume that its processors cannot answer for.
-    #[error("{volume}: {why}")]
-    Volume {
-        /// Whose it is.
-        volume: String,
-        /// What is wrong.
-        why: AsQuadricError,
-    },
+    /// A volume, named by whose it is, that its processors cannot answer for.
+    #[error("{0}: {1}")]
+    Volume(String, AsQuadricError),
     /// Volumes without a processor.
     #[error(
         "the scene has {0} shadow and light volumes and the machine no volume processor; accepted is at least one"
@@ -53,16 +46,9 @@ pub enum PlanError {
          least"
     )]
     NoObjectProcessor(usize),
-    /// More transparent objects than layers.
-    #[error(
-        "{needed} transparent objects, and the machine has {given} layers; accepted is layers = {needed}"
-    )]
-    Layers {
-        /// Of the scene.
-        needed: usize,
-        /// Of the machine.
-        given: usize,
-    },
+    /// More transparent objects than layers: how many, and how many layers there are.
+    #[error("{0} transparent objects, and the machine has {1} layers; accepted is layers = {0}")]
+    Layers(usize, usize),
     /// A product that is larger than those of the machine.
     #[error(
         "a product of a solid intersects {} objects and takes {} away; accepted are machines with products such as \
@@ -75,12 +61,7 @@ pub enum PlanError {
     /// More pixels than coordinates.
     #[error("a picture of {0} x {1} pixels; accepted are up to {MAX_PICTURE} each way")]
     Picture(u32, u32),
-    /// Materials of other objects.
-    #[error("{given} materials for {objects} objects; one is needed for each object")]
-    Materials {
-        /// In the list.
-        given: usize,
-        /// Of the scene.
-        objects: usize,
-    },
+    /// Materials of other objects: how many, and how many objects there are.
+    #[error("{0} materials for {1} objects; one is needed for each object")]
+    Materials(usize, usize),
 }

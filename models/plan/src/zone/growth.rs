@@ -1,7 +1,8 @@
 //! How clocks and beats of a frame grow with the size of the zones and the number of processors.
 
 use super::clocks::{FrameClocks, ZoneTiming, clocks};
-use super::plan::{PlanError, ZonePlan};
+use super::error::Result;
+use super::plan::ZonePlan;
 use imogene_golden::machine::zone::ZoneMachine;
 use imogene_prepare::PreparedScene;
 use serde::Serialize;
@@ -38,7 +39,7 @@ pub fn growth(
     timing: &ZoneTiming,
     sides: &[u32],
     object_processors: &[usize],
-) -> Result<Vec<Growth>, PlanError> {
+) -> Result<Vec<Growth>> {
     let mut rows = vec![];
     for &side in sides {
         let machine = ZoneMachine {

@@ -1,6 +1,7 @@
 //! The host's plan of a frame: zones, their objects and volumes, and the passes that draw, light and show them.
 
 pub use super::error::PlanError;
+use super::error::Result;
 pub use super::share::Part;
 use super::share::{layers, parts, shared_out};
 use crate::culling::Planes;
@@ -125,7 +126,7 @@ pub struct ZonePlan {
 
 impl ZonePlan {
     /// The plan of a prepared scene, whose pixels are the samples of the machine.
-    pub fn of(scene: &PreparedScene, machine: ZoneMachine) -> Result<ZonePlan, PlanError> {
+    pub fn of(scene: &PreparedScene, machine: ZoneMachine) -> Result<ZonePlan> {
         machine.check()?;
         let side = 1..=MAX_PICTURE;
         if !side.contains(&scene.width) || !side.contains(&scene.height) {
@@ -147,9 +148,7 @@ impl ZonePlan {
         if machine.volume_processors == 0 && !scene.volumes.is_empty() {
             return Err(PlanError::NoVolumeProcessor(scene.volumes.len()));
         }
-        let volumes = volumes(scene, machine.volume_planes, |volume, why| {
-            PlanError::Volume { volume, why }
-        })?;
+        let volumes = volumes(scene, machine.volume_planes, PlanError::Volume)?;
         let mut plan = ZonePlan {
             format: scene.format,
             width: scene.width,
@@ -177,16 +176,9 @@ impl ZonePlan {
 
     /// The same frame for a machine that shades: the words of its shading processor, and the index of each object's
     /// material.
-    pub fn shaded(
-        self,
-        shading: Vec<(u16, u32)>,
-        materials: Vec<u32>,
-    ) -> Result<ZonePlan, PlanError> {
+    pub fn shaded(self, shading: Vec<(u16, u32)>, materials: Vec<u32>) -> Result<ZonePlan> {
         if materials.len() != self.objects {
-            return Err(PlanError::Materials {
-                given: materials.len(),
-                objects: self.objects,
-            });
+            return Err(PlanError::Materials(materials.len(), self.objects));
         }
         Ok(ZonePlan {
             shading,
@@ -311,11 +303,7 @@ impl ZonePlan {
 }
 
 /// Refuses a machine without a processor for objects in no solid, or without a product as large as one of the scene's.
-fn check_places(
-    machine: &ZoneMachine,
-    alone: usize,
-    products: &[[usize; 2]],
-) -> Result<(), PlanError> {
+fn check_places(machine: &ZoneMachine, alone: usize, products: &[[usize; 2]]) -> Result {
     if machine.alone() == 0 && alone > 0 {
         return Err(PlanError::NoObjectProcessor(alone));
     }

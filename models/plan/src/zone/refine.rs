@@ -227,10 +227,8 @@ impl<'a> ZoneRefiner<'a> {
         let z_max = self.plan.format.z_max();
         let is_surface: Vec<bool> = depths.iter().map(|&z| z != z_max).collect();
         let volumes = std::mem::take(&mut self.zone.volumes);
-        let mut darkened: Vec<(u32, Vec<bool>)> = volumes
-            .iter()
-            .map(|&index| (index, self.darkened(index, &depths, &is_surface)))
-            .collect();
+        let points = |index| (index, self.darkened(index, &depths, &is_surface));
+        let mut darkened: Vec<(u32, Vec<bool>)> = volumes.into_iter().map(points).collect();
         darkened.sort_by_key(|(index, points)| {
             let count = points.iter().filter(|&&dark| dark).count();
             let is_shadow = self.volume(*index).kind == VolumeKind::Shadow;
@@ -239,9 +237,8 @@ impl<'a> ZoneRefiner<'a> {
         let mut dark: BTreeMap<u8, Vec<bool>> = BTreeMap::new();
         let mut left = vec![];
         for (index, points) in darkened {
-            let known = dark
-                .entry(self.volume(index).source)
-                .or_insert_with(|| vec![false; points.len()]);
+            let known = dark.entry(self.volume(index).source);
+            let known = known.or_insert_with(|| vec![false; points.len()]);
             let mut adds = false;
             for (known, point) in known.iter_mut().zip(points) {
                 adds |= point && !*known;
@@ -280,9 +277,8 @@ impl<'a> ZoneRefiner<'a> {
             }
         }
         for product in &zone.products {
-            let objects = product
-                .parts()
-                .map(|index| zone.in_zone(self.member(index)));
+            let objects = product.parts();
+            let objects = objects.map(|index| zone.in_zone(self.member(index)));
             let (objects, intersected) = (objects.collect::<Vec<_>>(), product.intersected.len());
             for y in 0..height as i64 {
                 for_each_seen(&objects, intersected, format, y, |x, _, pixel| {

@@ -1,6 +1,6 @@
 //! Which slot of the machine draws a part of a scene, and in which pass over a zone.
 
-use super::error::PlanError;
+use super::error::{PlanError, Result};
 use crate::culling::{Planes, all_planes};
 use imogene_contract::object::Kind;
 use imogene_contract::slots::{self, FittedSlot};
@@ -48,7 +48,7 @@ impl Part {
 
 /// Object and words of every part of a scene. A part that is in no solid is of its own kind where the machine has a
 /// slot for that, and else a quadric's.
-pub(super) fn parts(scene: &PreparedScene, machine: &ZoneMachine) -> Result<Vec<Part>, PlanError> {
+pub(super) fn parts(scene: &PreparedScene, machine: &ZoneMachine) -> Result<Vec<Part>> {
     let (alone_slots, members) = machine.slots.split_at(machine.alone());
     let alone = scene.slots_alone().into_iter();
     let alone = alone.map(|slot| part_of(scene, slot, alone_slots));
@@ -64,12 +64,10 @@ pub(super) fn parts(scene: &PreparedScene, machine: &ZoneMachine) -> Result<Vec<
 }
 
 /// The transparent objects of a scene, each for a slot of its own; the first is the farthest.
-pub(super) fn layers(scene: &PreparedScene, machine: &ZoneMachine) -> Result<Vec<Part>, PlanError> {
+pub(super) fn layers(scene: &PreparedScene, machine: &ZoneMachine) -> Result<Vec<Part>> {
     if scene.layers.len() > machine.layers.len() {
-        return Err(PlanError::Layers {
-            needed: scene.layers.len(),
-            given: machine.layers.len(),
-        });
+        let (needed, given) = (scene.layers.len(), machine.layers.len());
+        return Err(PlanError::Layers(needed, given));
     }
     let layers = scene.layers.iter().zip(&machine.layers);
     let layers = layers.map(|(slot, own)| part_of(scene, slot.clone(), &[*own]));
@@ -77,14 +75,11 @@ pub(super) fn layers(scene: &PreparedScene, machine: &ZoneMachine) -> Result<Vec
 }
 
 fn refused(scene: &PreparedScene, slot: &Slot, why: AsQuadricError) -> PlanError {
-    PlanError::Object {
-        object: scene.objects[slot.object].name().to_owned(),
-        why,
-    }
+    PlanError::Object(scene.objects[slot.object].name().to_owned(), why)
 }
 
 /// A part that is in no solid, for one of the slots of a machine.
-fn part_of(scene: &PreparedScene, slot: Slot, slots: &[FittedSlot]) -> Result<Part, PlanError> {
+fn part_of(scene: &PreparedScene, slot: Slot, slots: &[FittedSlot]) -> Result<Part> {
     let own = own_kind(slot.words.clone());
     let needed = required(&own);
     let has_own = |needed: &FittedSlot| slots.iter().any(|slot| slot.holds(needed));

@@ -4,10 +4,8 @@ use super::plan::{Part, Pass, Zone, ZonePlan};
 use crate::culling::Planes;
 use crate::culling::part::with_planes;
 use crate::culling::volume::volume_with_planes;
-use imogene_contract::object::Kind;
 use imogene_contract::shading::MOST_MATERIALS;
 use imogene_contract::slots::FittedSlot;
-use imogene_contract::volume;
 use imogene_golden::machine::zone::ID_BITS;
 use imogene_golden::machine::zone::beat::{Beat, ID_ADDRESS, command, kind};
 use imogene_golden::object::load::{LoadWord, load_words};
@@ -35,10 +33,10 @@ impl ZonePlan {
     }
 
     /// All beats of one zone.
-    pub fn zone_beats(&self, zone: &Zone, last: bool) -> Vec<Beat> {
+    fn zone_beats(&self, zone: &Zone, last: bool) -> Vec<Beat> {
         let mut beats = vec![];
         for (index, pass) in self.passes(zone, last).enumerate() {
-            self.words_of(&pass, zone, &mut beats);
+            beats.extend(self.words_of(&pass, zone));
             if index == 0 {
                 let pair = |a: u32, b: u32| u64::from(a) | u64::from(b) << 12;
                 beats.push(Beat::command(command::ORIGIN, pair(zone.x0, zone.y0)));
@@ -52,20 +50,17 @@ impl ZonePlan {
         beats
     }
 
-    fn words_of(&self, pass: &Pass, zone: &Zone, beats: &mut Vec<Beat>) {
+    /// The beats that load the processors for a pass over a zone.
+    pub fn words_of(&self, pass: &Pass, zone: &Zone) -> Vec<Beat> {
+        let mut beats = vec![];
         match pass {
             Pass::Draw { parts, .. } => {
                 for &(unit, index) in parts {
                     let part = &self.parts[index as usize];
-                    let slot = &self.machine.slots[unit];
-                    self.words_of_part(
-                        (part, zone.planes_of_part(index)),
-                        (unit, slot),
-                        zone,
-                        beats,
-                    );
-                    let id = u64::from(part.object);
-                    beats.push(Beat::new(kind::OBJECT, unit as u8, ID_ADDRESS, id));
+                    let slot = (unit, &self.machine.slots[unit]);
+                    let own = self.words_of_part((part, zone.planes_of_part(index)), slot, zone);
+                    beats.extend(own);
+                    beats.push(id(unit, part.object.into()));
                 }
             }
             Pass::Light { volumes, .. } => {
@@ -75,20 +70,21 @@ impl ZonePlan {
                     let words = zone.moved(&words);
                     let list = load_volume(&words, &self.format, words.planes.len());
                     let unused = words.planes.len()..self.machine.volume_planes;
-                    let unused = unused.map(unused::volume_plane);
-                    push(beats, kind::VOLUME, unit, list, unused);
+                    let list = list.into_iter().chain(unused.map(unused::volume_plane));
+                    beats.extend(list.map(beat(kind::VOLUME, unit)));
                 }
             }
             Pass::Show { layers, .. } => {
                 for &index in *layers {
-                    let (part, slot) = (&self.layers[index], &self.machine.layers[index]);
+                    let part = &self.layers[index];
                     let unit = self.machine.slots.len() + index;
-                    self.words_of_part((part, Planes::MAX), (unit, slot), zone, beats);
-                    let look = self.look(part);
-                    beats.push(Beat::new(kind::OBJECT, unit as u8, ID_ADDRESS, look));
+                    let slot = (unit, &self.machine.layers[index]);
+                    beats.extend(self.words_of_part((part, Planes::MAX), slot, zone));
+                    beats.push(id(unit, self.look(part)));
                 }
             }
         }
+        beats
     }
 
     /// Words of a part with some of its planes, for a slot.
@@ -97,22 +93,21 @@ impl ZonePlan {
         (part, planes): (&Part, Planes),
         (unit, slot): (usize, &FittedSlot),
         zone: &Zone,
-        beats: &mut Vec<Beat>,
-    ) {
+    ) -> impl Iterator<Item = Beat> + use<> {
         let (list, unused) = match part.quadric() {
             Some(words) => {
-                let words = with_planes(words, planes);
+                let words = zone.moved(&with_planes(words, planes));
                 let used = words.planes.len();
-                let words = load_words(&zone.moved(&words), &self.format, used);
-                (words, used..slot.planes as usize)
+                let list = load_words(&words, &self.format, used);
+                (list, used..slot.planes as usize)
             }
-            None => {
-                let words = zone.moved(&part.words);
-                (load_slot(&words, &self.format, slot), 0..0)
-            }
+            None => (
+                load_slot(&zone.moved(&part.words), &self.format, slot),
+                0..0,
+            ),
         };
-        let unused = unused.map(unused::object_plane);
-        push(beats, kind::OBJECT, unit, list, unused);
+        let list = list.into_iter().chain(unused.map(unused::object_plane));
+        list.map(beat(kind::OBJECT, unit))
     }
 
     /// The word that says how a transparent object looks: its id, above it its material and its part of what is seen.
@@ -125,15 +120,13 @@ impl ZonePlan {
     }
 }
 
-fn push(
-    beats: &mut Vec<Beat>,
-    kind: u8,
-    unit: usize,
-    words: Vec<LoadWord>,
-    unused: impl Iterator<Item = LoadWord>,
-) {
-    let words = words.into_iter().chain(unused);
-    beats.extend(words.map(|w| Beat::new(kind, unit as u8, w.address.into(), w.bits)));
+/// Words as beats for a processor.
+fn beat(kind: u8, unit: usize) -> impl Fn(LoadWord) -> Beat {
+    move |word| Beat::new(kind, unit as u8, word.address.into(), word.bits)
+}
+
+fn id(unit: usize, id: u64) -> Beat {
+    Beat::new(kind::OBJECT, unit as u8, ID_ADDRESS, id)
 }
 
 fn command_of(pass: &Pass, zone: &Zone) -> Beat {
@@ -151,20 +144,4 @@ fn command_of(pass: &Pass, zone: &Zone) -> Beat {
                 | zone.sample.bits(),
         ),
     }
-}
-
-/// Beats of the words of a part in a slot, and of its id. Of a quadric with `used` planes those of the others are not
-/// sent, but for their kind; of another kind all are.
-pub fn beats_of_part(slot: &FittedSlot, used: usize) -> u64 {
-    let planes = slot.planes as usize;
-    let words = match slot.kind {
-        Kind::Quadric => slot.kind.words(used) + (planes - used),
-        other => other.words(planes),
-    };
-    (words + 1) as u64
-}
-
-/// Beats of the words of a volume with `used` planes in a machine of `planes` planes of a volume.
-pub fn beats_of_volume(used: usize, planes: usize) -> u64 {
-    (volume::words(used) + (planes - used)) as u64
 }

@@ -38,10 +38,8 @@ fn the_first_frame_has_the_object_where_the_scene_has_it() {
     let words = tile_words(&scene, &prepared, mode).expect("one solid");
     let picture = Tile::new(&words).expect("words of its widths").frame();
     let frame = prepared.frame(|| ());
-    let there = frame
-        .depth
-        .iter()
-        .map(|depth| *depth != prepared.format.z_max());
+    let depths = frame.depth.iter();
+    let there = depths.map(|depth| *depth != prepared.format.z_max());
     let seen = picture.chunks_exact(3).map(|levels| levels != [0; 3]);
     assert!(seen.eq(there), "another silhouette");
     // The first plane moves, and the window holds what is seen at either edge of the screen.
@@ -58,21 +56,17 @@ fn what_a_tile_cannot_draw_is_refused_by_name() {
     let size = [mode.line.active as u32, mode.frame.active as u32];
     let said = |text: &str| {
         let (scene, prepared) = framed(text, size);
-        tile_words(&scene, &prepared, mode)
-            .expect_err("no tile")
-            .to_string()
+        let refused = tile_words(&scene, &prepared, mode);
+        refused.expect_err("no tile").to_string()
     };
     let surface = SCENE.replace(
         "kind = \"ellipsoid\"",
         "kind = \"ellipsoid\"\nmode = \"patch\"",
     );
-    assert!(
-        said(&surface).contains("a bare surface"),
-        "{}",
-        said(&surface)
-    );
-    let large = SCENE.replace("view_height = 6", "view_height = 1.5");
-    assert!(said(&large).contains("no room to move"), "{}", said(&large));
+    let surface = said(&surface);
+    assert!(surface.contains("a bare surface"), "{surface}");
+    let large = said(&SCENE.replace("view_height = 6", "view_height = 1.5"));
+    assert!(large.contains("no room to move"), "{large}");
 }
 
 #[test]

@@ -22,7 +22,6 @@ use imogene_golden::unit::interlaced::MemoryPe2;
 use imogene_golden::unit::pe2::Quadratic;
 use imogene_plan::zone::clocks::{FrameClocks, clocks};
 use imogene_plan::zone::plan::ZonePlan;
-use imogene_plan::zone::stream::beats_of_part;
 use imogene_scene::{Mesh, Object, Plane, Quadric, SceneFile, Shape};
 use minijinja::value::Serde;
 use minijinja::{Environment, Error, ErrorKind, UndefinedBehavior};
@@ -232,9 +231,11 @@ fn frame(patch: &Moving, hardware: &Hardware) -> Result<FrameClocks, EvaluateErr
 fn pipeline(patch: &Moving, hardware: &Hardware) -> Result<Value, EvaluateError> {
     let alone = patch.at(&[[0, 0]], [OBJECT_SIDE; 2]);
     let plan = ZonePlan::of(&alone, zone_machine(MACHINE_PROCESSORS))?;
+    let draw = plan.passes(&plan.zones[0], false).next();
+    let beats = draw.map_or(vec![], |pass| plan.words_of(&pass, &plan.zones[0]));
     let frame = frame(patch, hardware)?;
     Ok(json!({
-        "beats": beats_of_part(&plan.machine.slots[0], plan.parts[0].quadric().map_or(0, |words| words.planes.len())),
+        "beats": beats.len(),
         "drain": hardware.zone_timing.draw_drain,
         "patches": PATCHES,
         "frame": {

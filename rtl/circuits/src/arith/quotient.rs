@@ -33,10 +33,8 @@ pub fn quotient_clocks(bits: u32, rows_per_stage: u32) -> u32 {
 pub fn quotient(at: &str, (numerator, denominator): (Int, Int), rows_per_stage: u32) -> Quotient {
     let inputs = ports!(numerator, denominator);
     module("quotient", at, inputs, |(numerator, denominator)| {
-        let (bits, whole) = (
-            numerator.width() - denominator.width(),
-            numerator.width() + 1,
-        );
+        let bits = numerator.width() - denominator.width();
+        let whole = numerator.width() + 1;
         let is_down = denominator.is_negative();
         let upwards = |number: Int| is_down.select(Int::new(0, number.width()) - number, number);
         net! {
@@ -80,22 +78,17 @@ fn stage(at: &str, division: Division, rows: u32) -> Division {
 /// One digit: 1 where the denominator can be taken from what is left and the next bit.
 fn row(at: &str, division: Division) -> Division {
     module("quotient_row", at, division, |division| {
-        let Division {
-            denominator,
-            rest,
-            digits,
-        } = division;
-        let own = rest.width();
+        let (digits, own) = (division.digits, division.rest.width());
         net! {
-            let dividend = join([rest, digits.high(1)]);
-            let trial = dividend.extend(own + 2).int() - denominator.extend(own + 2).int();
+            let dividend = join([division.rest, digits.high(1)]);
+            let trial = dividend.extend(own + 2).int() - division.denominator.extend(own + 2).int();
             let negative = trial.is_negative();
             let left = negative.select(dividend.low(own), trial.low(own).bits());
         }
         let next = Division {
-            denominator,
             rest: left,
             digits: join([digits.low(digits.width() - 1), !negative]),
+            ..division
         };
         ("next", next)
     })

@@ -2,14 +2,14 @@
 
 use super::normalise::shifted;
 use crate::rows::alike;
-use imogene_hdl::{Bits, Int, Value, bundle, bundles, module, net, ports};
+use imogene_hdl::{Bits, Int, Value, bundles, module, net, ports};
 
-bundle! {
+alike! {
     /// A vector.
-    Vector(width) {
-        x: Int(width), "component x";
-        y: Int(width), "component y";
-        z: Int(width), "component z";
+    Vector(width): [Int(width); 3] {
+        x, "component x";
+        y, "component y";
+        z, "component z";
     }
 }
 
@@ -20,10 +20,6 @@ bundles! {
         vector: Vector as "shifted", "the vector";
         places: Bits as "places", "how far it was shifted";
     }
-}
-
-alike! {
-    Vector: [Int; 3] { x y z }
 }
 
 /// Shifts a vector to the left until its longest component fills its word, by `N - 2` places at most; the zero vector

@@ -179,13 +179,8 @@ fn shaded_surface(
 ) -> PerLane<(Int, Shaded)> {
     let words = (take, load.objects());
     let start = machine.nearest() - machine.objects.clocks();
-    let seen = object_array(
-        "objects",
-        scan.delayed(start),
-        words,
-        &machine.objects,
-        false,
-    );
+    let late = scan.delayed(start);
+    let seen = object_array("objects", late, words, &machine.objects, false);
     let flags = flags(scan, take, load, &seen, machine);
     let own_material = load.data.low(MATERIAL);
     let write = (load.material, load.address.low(SLOT), own_material);

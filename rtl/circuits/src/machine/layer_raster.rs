@@ -20,10 +20,8 @@ pub(super) fn layer_raster(at: &str, go: Bits, issue: Bits, width: Bits) -> Scan
         }
         is_first.load_when(go | issue, go);
         at_left.load_when(go | issue, go | at_right);
-        column.load_when(
-            go | issue,
-            (go | at_right).select(word(0), column + word(1)),
-        );
+        let next_column = (go | at_right).select(word(0), column + word(1));
+        column.load_when(go | issue, next_column);
         row.load_when(go | (issue & at_right), go.select(word(0), row + word(1)));
         Scan {
             flags: Flags {

@@ -261,22 +261,21 @@ impl Lanes<'_> {
         }
         let words = words.laned(at, self.raster.flags, self.scans.len() as u32);
         let lanes = numbered(&format!("{at}_lane"), self.scans.iter().zip(words));
-        lanes
-            .map(|(at, (scan, words))| (at, *scan, words))
-            .collect()
+        let lanes = lanes.map(|(at, (scan, words))| (at, *scan, words));
+        lanes.collect()
     }
 
-    /// What processors in each lane see.
-    fn each<W: Laned>(
+    /// What processors of one shape see in each lane.
+    fn each<W: Laned, S: Copy>(
         &self,
         at: &str,
         words: W,
-        processor: impl Fn(&str, Scan, W) -> Visible,
+        shape: S,
+        processor: impl Fn(&str, Scan, W, S) -> Visible,
     ) -> Vec<Visible> {
         let lanes = self.of(at, words).into_iter();
-        lanes
-            .map(|(at, scan, words)| processor(&at, scan, words))
-            .collect()
+        let seen = lanes.map(|(at, scan, words)| processor(&at, scan, words, shape));
+        seen.collect()
     }
 }
 
@@ -295,25 +294,10 @@ pub(super) fn processor(
     (seen(slot, (place, stored), lanes, (widths, root)), id)
 }
 
-/// What a processor of any kind sees in each lane.
+/// What a processor of any kind sees in each lane; that of another one than quadrics has the store of its words.
 pub(super) fn seen(
     slot: &FittedSlot,
     (place, stored): (&Place, Option<crate::object::Words>),
-    lanes: &Lanes,
-    (widths, root): (Widths, Network),
-) -> Vec<Visible> {
-    match stored {
-        Some(words) => lanes.each(&place.at, words, |at, scan, words| {
-            quadric_processor(at, scan, words, root)
-        }),
-        None => other_processor(slot, place, lanes, (widths, root)),
-    }
-}
-
-/// A processor of another kind than of quadrics in each lane, with the store of its words.
-fn other_processor(
-    slot: &FittedSlot,
-    place: &Place,
     lanes: &Lanes,
     (widths, root): (Widths, Network),
 ) -> Vec<Visible> {
@@ -322,15 +306,16 @@ fn other_processor(
     // Guard bits are those of f1 and f2 alone.
     let (linear, quadratic) = (widths.plane, words::quadratic(root.digits));
     match kind {
-        Kind::Quadric => unreachable!("quadrics have a store of their own"),
+        Kind::Quadric => {
+            let words = stored.expect("quadrics have a store apart");
+            lanes.each(at, words, root, quadric_processor)
+        }
         Kind::Patch => {
             let words = place.words(kind, |words| Patch {
                 quadric: words.quadric(widths),
                 planes: words.many(planes, |words| words.half_space(linear)),
             });
-            lanes.each(at, words, |at, scan, words| {
-                patch_processor(at, scan, words, root)
-            })
+            lanes.each(at, words, root, patch_processor)
         }
         Kind::FirstGeneration => {
             let pair = |words: &mut Words| [words.linear(linear), words.linear(linear)].to_vec();
@@ -342,17 +327,15 @@ fn other_processor(
                 polars: pair(words),
                 normals: words.many(1, |words| words.normal(widths.normal)),
             });
-            lanes.each(at, words, |at, scan, words| {
-                first_generation_processor(at, scan, words, root)
-            })
+            lanes.each(at, words, root, first_generation_processor)
         }
         Kind::Polyhedron => {
             let words = place.words(kind, |words| Polyhedron {
                 screen_box: words.screen_box(),
                 planes: words.planes(planes, widths),
             });
-            lanes.each(at, words, |at, scan, words| {
-                let seen = polyhedron_processor(at, scan, words, root.depth);
+            lanes.each(at, words, root.depth, |at, scan, words, depth| {
+                let seen = polyhedron_processor(at, scan, words, depth);
                 Visible {
                     front: seen.front,
                     number: seen.number,
@@ -371,24 +354,18 @@ fn other_processor(
                 normal_from: words.number(widths.depth),
                 planes: words.planes(planes, widths),
             });
-            lanes.each(at, words, |at, scan, words| {
-                quotient_processor(at, scan, words, root)
-            })
+            lanes.each(at, words, root, quotient_processor)
         }
         Kind::Facet => {
             let side = |words: &mut Words| words.linear(linear);
             let part = |words: &mut Words| words.linear(widths.gradient);
             let facet = facet_words((kind, planes), place, side, part);
-            lanes.each(at, facet, |at, scan, facet| {
-                facet_processor(at, scan, facet, root.depth)
-            })
+            lanes.each(at, facet, root.depth, facet_processor)
         }
         Kind::CurvedFacet => {
             let word = |words: &mut Words| words.quadratic(quadratic);
             let facet = facet_words((kind, planes), place, word, word);
-            lanes.each(at, facet, |at, scan, facet| {
-                curved_facet_processor(at, scan, facet, root.depth)
-            })
+            lanes.each(at, facet, root.depth, curved_facet_processor)
         }
         Kind::Sphere => {
             let sum = words::depth_sum(root.depth);
@@ -401,7 +378,9 @@ fn other_processor(
                 ny: words.linear(widths.gradient),
                 nz: words.quadratic(quadratic),
             });
-            lanes.each(at, words, sphere_processor)
+            lanes.each(at, words, (), |at, scan, words, ()| {
+                sphere_processor(at, scan, words)
+            })
         }
         Kind::Cylinder => {
             let words = place.words(kind, |words| Cylinder {
@@ -415,9 +394,7 @@ fn other_processor(
                 lid: words.linear(linear),
                 lid_normal: words.normal(widths.normal),
             });
-            lanes.each(at, words, |at, scan, words| {
-                cylinder_processor(at, scan, words, root.depth)
-            })
+            lanes.each(at, words, root.depth, cylinder_processor)
         }
     }
 }

@@ -183,10 +183,8 @@ fn blended(
         shaded_layer(&at, object, slot, &around).alone()
     });
     let layers: Vec<Layer> = layers.collect();
-    let surface = Surface::of(
-        depth.delayed_as("shaded_depth", machine.shading.latency()),
-        &shaded,
-    );
+    let depth = depth.delayed_as("shaded_depth", machine.shading.latency());
+    let surface = Surface::of(depth, &shaded);
     let wait = BLEND_LATENCY * machine.layers.len() as u32;
     let blended = transparency_pipeline("blends", surface, layers);
     blended.shaded(shaded.out_valid.delayed_as("valid_late", wait))

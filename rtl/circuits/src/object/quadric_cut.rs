@@ -133,13 +133,8 @@ fn opened(roots: Roots, object_class: Bits) -> (Parts, Within) {
 }
 
 /// Latency 1.
-fn ordered(
-    Within {
-        near_root,
-        far_root,
-    }: Within,
-    limits: Limits,
-) -> Order {
+fn ordered(within: Within, limits: Limits) -> Order {
+    let (near_root, far_root) = (within.near_root, within.far_root);
     let width = near_root.width();
     let Limits { front, back, .. } = limits;
     // No plane lies before the near end but one at the least word, which the near end follows.
@@ -157,14 +152,8 @@ fn ordered(
 }
 
 /// Latency 0.
-fn chosen(
-    parts: Parts,
-    order: Order,
-    Within {
-        near_root,
-        far_root,
-    }: Within,
-) -> Sources {
+fn chosen(parts: Parts, order: Order, within: Within) -> Sources {
+    let (near_root, far_root) = (within.near_root, within.far_root);
     net! {
         let is_left = !order.nothing_left;
         let between = parts.between & is_left & !(order.front_hides_far | order.back_hides_near);

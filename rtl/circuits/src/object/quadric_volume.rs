@@ -38,11 +38,8 @@ pub fn quadric_volume(
         // A depth of the quadric is at or before another one exactly if it is at or before that one rounded down to
         // its unit.
         let depths = point.depths();
-        let [z, entered] = depths.map(|depth| {
-            depth
-                .extend(roots.near_sum.width())
-                .right_by(words.depth_shift)
-        });
+        let width = roots.near_sum.width();
+        let [z, entered] = depths.map(|depth| depth.extend(width).right_by(words.depth_shift));
         net! {
             let coarse_z = z.reg();
             let coarse_entered = entered.reg();

@@ -68,13 +68,8 @@ pub fn quotient_processor(at: &str, scan: Scan, words: Quotient, network: Networ
         };
         let normal = (words.gradients, words.shift);
         let late = scan.flags.delayed(clocks);
-        cut_by_planes(
-            late,
-            (roots, kept_behind.bits()),
-            object_class,
-            normal,
-            words.planes,
-        )
+        let found = (roots, kept_behind.bits());
+        cut_by_planes(late, found, object_class, normal, words.planes)
     })
 }
 

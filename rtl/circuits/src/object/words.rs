@@ -6,19 +6,15 @@ use super::screen_box::ScreenBox;
 use super::widths::Widths;
 use crate::raster::{Linear, Quadratic};
 use crate::rows::alike;
-use imogene_hdl::{Bits, Int, bundle, bundles};
-
-bundle! {
-    /// Factors of the root in the normal.
-    Factors(width) {
-        kx: Int(width), "factor of the root in normal x";
-        ky: Int(width), "factor of the root in normal y";
-        kz: Int(width), "factor of the root in normal z";
-    }
-}
+use imogene_hdl::{Bits, bundles};
 
 alike! {
-    Factors: [Int; 3] { kx ky kz }
+    /// Factors of the root in the normal.
+    Factors(width): [Int(width); 3] {
+        kx, "factor of the root in normal x";
+        ky, "factor of the root in normal y";
+        kz, "factor of the root in normal z";
+    }
 }
 
 bundles! {

@@ -75,9 +75,8 @@ impl<L: Laned> Laned for Vec<L> {
         let mut all = vec![vec![]; lanes as usize];
         for (index, one) in self.iter().enumerate() {
             let own = one.laned(&format!("{at}_{index}"), flags, lanes);
-            all.iter_mut()
-                .zip(own)
-                .for_each(|(lane, own)| lane.push(own));
+            let lanes = all.iter_mut().zip(own);
+            lanes.for_each(|(lane, own)| lane.push(own));
         }
         all
     }
@@ -96,10 +95,8 @@ impl Laned for Linear {
         let begins = pe1_lines(at, flags, *self, lanes);
         let unread = Int::new(0, self.c.width());
         let a = times(self.a, lanes.into());
-        begins
-            .into_iter()
-            .map(|c| Linear { a, b: unread, c })
-            .collect()
+        let lane = |c| Linear { a, b: unread, c };
+        begins.into_iter().map(lane).collect()
     }
 }
 
@@ -168,21 +165,13 @@ fn pe2_lines(at: &str, flags: Flags, words: Quadratic, lanes: u32) -> (Vec<Int>,
         let more = |steps: u64| steps * steps.saturating_sub(1) / 2;
         let begin = |lane: u64| plus(plus(line_value, more(lane), words.a2), lane, pixel_step);
         let step = |lane: u64| {
-            plus(
-                times(pixel_step, count),
-                count * lane + more(count),
-                words.a2,
-            )
+            let steps = times(pixel_step, count);
+            plus(steps, count * lane + more(count), words.a2)
         };
         let begins: Vec<Int> = (0..count).map(begin).collect();
         let steps: Vec<Int> = (0..count).map(step).collect();
-        (
-            ("lane", begins, "value at the first pixel of lane #"),
-            (
-                "step",
-                steps,
-                "increment from the first pixel of lane # to its next",
-            ),
-        )
+        let begins = ("lane", begins, "value at the first pixel of lane #");
+        let next = "increment from the first pixel of lane # to its next";
+        (begins, ("step", steps, next))
     })
 }

@@ -17,7 +17,7 @@ pub use steps::{SecondSteps, Steps};
 
 use crate::rows::alike;
 pub(crate) use imogene_contract::words::COORDINATE;
-use imogene_hdl::{Bits, Int, Value, bundle, bundles};
+use imogene_hdl::{Bits, Value, bundles};
 
 /// Meaning of the words of a polynomial.
 pub(crate) const HELD: &str = "unchanged from start to the last pixel of the zone";
@@ -51,28 +51,28 @@ impl Flags {
     }
 }
 
-bundle! {
+alike! {
     /// A place on the screen or in a zone.
-    Pixel() {
-        x: Bits(COORDINATE), "column";
-        y: Bits(COORDINATE), "line";
+    Pixel(): [Bits(COORDINATE); 2] {
+        x, "column";
+        y, "line";
     }
 
     /// Words of `a x + b y + c`.
-    Linear(width) {
-        a: Int(width), "increment from pixel to pixel";
-        b: Int(width), "increment from line to line";
-        c: Int(width), "value at the first pixel";
+    Linear(width): [Int(width); 3] {
+        a, "increment from pixel to pixel";
+        b, "increment from line to line";
+        c, "value at the first pixel";
     }
 
     /// Preconditioned words of a polynomial of second degree (section B.2.1).
-    Quadratic(width) {
-        a2: Int(width), "2a of a x^2 + b y^2 + c xy + d x + e y + f";
-        b2: Int(width), "2b";
-        c: Int(width), "c";
-        i0: Int(width), "e + b, the first increment from line to line";
-        p0: Int(width), "d + a, the first increment from pixel to pixel";
-        f: Int(width), "f, the value at the first pixel";
+    Quadratic(width): [Int(width); 6] {
+        a2, "2a of a x^2 + b y^2 + c xy + d x + e y + f";
+        b2, "2b";
+        c, "c";
+        i0, "e + b, the first increment from line to line";
+        p0, "d + a, the first increment from pixel to pixel";
+        f, "f, the value at the first pixel";
     }
 }
 
@@ -84,10 +84,4 @@ bundles! {
         flags: Flags() as "";
         pixel: Pixel() as "", "pixel of the zone, counted from 0";
     }
-}
-
-alike! {
-    Pixel: [Bits; 2] { x y }
-    Linear: [Int; 3] { a b c }
-    Quadratic: [Int; 6] { a2 b2 c i0 p0 f }
 }

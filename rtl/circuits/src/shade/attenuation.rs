@@ -47,9 +47,7 @@ pub(super) fn attenuation(
         }
         let most = Bits::new((1 << LOSS_BITS) - 1, LOSS_BITS);
         let loss = is_less.select(sum.slice(LOSS_BITS - 1, 0), most);
-        (
-            "loss",
-            fog.is_on.select(loss, Bits::new(0, LOSS_BITS)).reg(),
-        )
+        let loss = fog.is_on.select(loss, Bits::new(0, LOSS_BITS)).reg();
+        ("loss", loss)
     })
 }

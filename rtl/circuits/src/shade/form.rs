@@ -34,27 +34,22 @@ impl Shading {
 
     /// The colour of every point, one per clock. Latency [`Shading::latency`].
     pub fn shade(&self, at: &str, point: Point, load: ShadingLoad) -> Shaded {
-        let Point {
-            valid,
-            pixel,
-            depth,
-            material,
-            normal,
-            flags,
-        } = point;
-        let full = normal.map(|part| part.extend(NORMAL));
+        let full = point.normal.map(|part| part.extend(NORMAL));
         match (&self.tables, self.lights.count as u32) {
             (Some(tables), lights) => {
                 let table = match lights {
-                    0 => material,
-                    lights => join([material.low(material.width() - lights), flags.low(lights)]),
+                    0 => point.material,
+                    lights => {
+                        let own = point.material.low(point.material.width() - lights);
+                        join([own, point.flags.low(lights)])
+                    }
                 };
                 let point = SpherePoint {
-                    valid,
-                    pixel,
-                    depth,
+                    valid: point.valid,
+                    pixel: point.pixel,
+                    depth: point.depth,
                     table,
-                    normal,
+                    normal: point.normal,
                 };
                 if tables.nearest {
                     return lit_sphere_nearest(at, point, load, tables);
@@ -67,9 +62,9 @@ impl Shading {
             }
             (None, 0) => {
                 let point = FlatPoint {
-                    valid,
-                    depth,
-                    material,
+                    valid: point.valid,
+                    depth: point.depth,
+                    material: point.material,
                 };
                 flat_shading(at, point, load)
             }

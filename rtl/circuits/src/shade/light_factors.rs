@@ -31,10 +31,8 @@ pub(super) fn light_factors(
     let inputs = (ports!(source, vector), sight, ("flags", flags), late);
     module("light_factors", at, inputs, |(own, sight, flags, late)| {
         let ((source, full), (exponent, attenuation)) = (own, late);
-        let reach = flags
-            .right_by(source)
-            .bit(0)
-            .delayed_as("reach", PRODUCTS + 2);
+        let reach = flags.right_by(source).bit(0);
+        let reach = reach.delayed_as("reach", PRODUCTS + 2);
         let high = full.map(|part| part.slice(COMPONENT - 1, 12).int());
         let low = full.map(|part| part.slice(11, 0).extend(18).int());
         let normal_high = scalar_product("normal_high", sight.normal, high);

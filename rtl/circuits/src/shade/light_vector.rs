@@ -31,10 +31,8 @@ pub(super) fn light_vector(at: &str, light: LightPlace, place: Middle, depth: In
 /// The vector to a directional light, of a direction that fills its words.
 pub(super) fn sun_vector(direction: Vector) -> Vector {
     direction.map(|part| {
-        part.extend(COMPONENT)
-            .bits()
-            .left(COMPONENT - part.width())
-            .int()
+        let wide = part.extend(COMPONENT).bits();
+        wide.left(COMPONENT - part.width()).int()
     })
 }
 

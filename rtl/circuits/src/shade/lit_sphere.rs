@@ -93,13 +93,8 @@ pub fn lit_sphere_nearest(
     module("lit_sphere_nearest", at, inputs, |(point, load)| {
         let latency = table_latency(tables.places, true);
         let view = view_store("view_store", load.bus());
-        let square = map_square(
-            "map_square",
-            point.pixel,
-            point.normal,
-            view.eye,
-            tables.places,
-        );
+        let (pixel, normal) = (point.pixel, point.normal);
+        let square = map_square("map_square", pixel, normal, view.eye, tables.places);
         let table = point.table.delayed_as("table_late", latency - 3);
         let read = tables.place(table, join([square.line, square.column]));
         let words = 1 << (tables.number_bits() + 2 * tables.places);
@@ -233,10 +228,8 @@ fn map_row(at: &str, number: Bits, length: Bits) -> Bits {
         }
         let left = digit.select(smaller, rest).low(length.width());
         let digits = number.low(places - 1);
-        (
-            "further",
-            join([left, Bits::new(0, 1), digits, digit]).reg(),
-        )
+        let further = join([left, Bits::new(0, 1), digits, digit]).reg();
+        ("further", further)
     })
 }
 

@@ -111,11 +111,8 @@ pub fn shading_processor(at: &str, point: Point, load: ShadingLoad, lights: Ligh
             let (source, vector, colour) = if light + lights.suns < lights.count {
                 let (source, place, colour) = light_store(&store, bus);
                 let at = format!("vectors_{light}");
-                (
-                    source,
-                    light_vector(&at, place, sight.place, kept_depth),
-                    colour,
-                )
+                let vector = light_vector(&at, place, sight.place, kept_depth);
+                (source, vector, colour)
             } else {
                 let (source, direction, colour) = sun_store(&store, bus);
                 (source, sun_vector(direction), colour)

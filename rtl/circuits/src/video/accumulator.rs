@@ -78,9 +78,7 @@ fn mean_of(at: &str, sum: Bits, fine: Bits) -> Bits {
             let fine_sum = sum + Bits::new(8, SUM);
             let coarse_sum = sum + Bits::new(2, SUM);
         }
-        (
-            "mean",
-            fine.select(fine_sum.slice(11, 4), coarse_sum.slice(9, 2)),
-        )
+        let mean = fine.select(fine_sum.slice(11, 4), coarse_sum.slice(9, 2));
+        ("mean", mean)
     })
 }

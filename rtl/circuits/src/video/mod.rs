@@ -28,22 +28,18 @@ pub use video_timing::{Screen, video_timing};
 
 use crate::raster::COORDINATE;
 use crate::rows::alike;
-use imogene_hdl::{Bits, Value, bundle, join};
+use imogene_hdl::{Bits, Value, join};
 
 /// Bits of a level of a colour.
 pub const LEVEL: u32 = 8;
 
-bundle! {
-    /// A colour.
-    Colour(width) {
-        r: Bits(width), "red";
-        g: Bits(width), "green";
-        b: Bits(width), "blue";
-    }
-}
-
 alike! {
-    Colour: [Bits; 3] { r g b }
+    /// A colour.
+    Colour(width): [Bits(width); 3] {
+        r, "red";
+        g, "green";
+        b, "blue";
+    }
 }
 
 impl Colour {

@@ -94,10 +94,8 @@ pub(super) fn kernel(module: &Module) -> VerilogBlock {
     for instance in &module.instances {
         let name = &instance.name;
         code.extend(instance.module.is_clocked().then(|| clock(name)));
-        let inputs = instance
-            .module
-            .ports_of(Direction::In)
-            .zip(&instance.inputs);
+        let inputs = instance.module.ports_of(Direction::In);
+        let inputs = inputs.zip(&instance.inputs);
         code.extend(inputs.map(|(port, net)| connect(name, &port.name, *net)));
     }
     let outputs = module.ports_of(Direction::Out);
@@ -141,11 +139,8 @@ fn statement(module: &Module, net: Net) -> VerilogStatement {
             binary(of_net(*a), op, of_net(*b))
         }
         Op::Select(which, a, b) => {
-            return choice(
-                of_net(*which),
-                set(own.clone(), of_net(*a)),
-                set(own, of_net(*b)),
-            );
+            let [one, other] = [a, b].map(|net| set(&own, of_net(*net)));
+            return choice(of_net(*which), one, other);
         }
         Op::Slice(a, low) => {
             let offset = Box::new(constant(u64::from(*low)));

@@ -2,11 +2,11 @@
 
 /// The operations: how many words each reads, and its value from the words x, y and z and a constant count c.
 macro_rules! operations {
-    ($($(#[$about:meta])* $kind:ident $reads:literal |$x:tt, $y:tt, $z:tt, $c:tt| $value:expr;)*) => {
-        /// An operation, as Rust has it on words of 64 bits.
+    ($($kind:ident $reads:literal |$x:tt, $y:tt, $z:tt, $c:tt| $value:expr;)*) => {
+        /// An operation, as Rust has it on words of 64 bits x, y and z and a constant count c.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum Kind {
-            $($(#[$about])* $kind,)*
+            $(#[doc = concat!("`", stringify!($value), "`.")] $kind,)*
         }
 
         impl Kind {
@@ -29,39 +29,25 @@ macro_rules! operations {
 }
 
 operations! {
-    /// Sum.
     Add 2 |x, y, _, _| x.wrapping_add(y);
-    /// Difference.
     Sub 2 |x, y, _, _| x.wrapping_sub(y);
-    /// Product.
     Mul 2 |x, y, _, _| x.wrapping_mul(y);
-    /// Bitwise and.
     And 2 |x, y, _, _| x & y;
-    /// Bitwise or.
     Or 2 |x, y, _, _| x | y;
-    /// Bitwise exclusive or.
     Xor 2 |x, y, _, _| x ^ y;
-    /// Each bit inverted.
     Not 1 |x, _, _, _| !x;
-    /// 1 where both are equal.
     Equal 2 |x, y, _, _| u64::from(x == y);
-    /// 1 where the first is less.
     Less 2 |x, y, _, _| u64::from(x < y);
-    /// The sign is at bit c.
+    // The sign is at bit c.
     LessSigned 2 |x, y, _, c| u64::from(x ^ 1 << c < y ^ 1 << c);
-    /// The second where the first is 1, else the third.
     Select 3 |x, y, z, _| if x != 0 { y } else { z };
-    /// To the left; all is lost from 64 on.
+    // All is lost from 64 on.
     Left 2 |x, y, _, _| x.checked_shl(y.min(64) as u32).unwrap_or(0);
-    /// To the right.
     Right 2 |x, y, _, _| x.checked_shr(y.min(64) as u32).unwrap_or(0);
-    /// There are c bits in front of the sign.
+    // There are c bits in front of the sign.
     RightSigned 2 |x, y, _, c| (((x << c) as i64 >> c) >> y.min(63)) as u64;
-    /// From bit c upwards.
     Slice 1 |x, _, _, c| x >> c;
-    /// The first above c bits of the second.
     Above 2 |x, y, _, c| x << c | y;
-    /// With c bits of sign in front.
     Sign 1 |x, _, _, c| ((x << c) as i64 >> c) as u64;
 }
 

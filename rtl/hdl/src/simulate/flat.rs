@@ -48,6 +48,7 @@ pub struct Store {
 pub(super) const ONE: u32 = 0;
 
 /// All modules of a design as one list of operations on words.
+#[derive(Default)]
 pub struct Levels {
     /// What each word is at power-up.
     pub words: Vec<u64>,
@@ -80,16 +81,12 @@ impl Levels {
         flat.call_ports(&design.top.ports, "", inputs.iter().chain(&outputs));
         flat.without_copies();
         flat.sort();
-        let first = flat.points.len() - design.top.ports.len();
-        let ports = flat.points[first..].iter().map(|(_, port)| *port);
+        let points = &flat.levels.points;
+        let ports = points[points.len() - design.top.ports.len()..].iter();
         Levels {
-            ports: ports.collect(),
+            ports: ports.map(|(_, port)| *port).collect(),
             inputs: inputs.len(),
-            words: flat.words,
-            code: flat.code,
-            flops: flat.flops,
-            stores: flat.stores,
-            points: flat.points,
+            ..flat.levels
         }
     }
 
@@ -107,21 +104,17 @@ impl Levels {
 /// The modules that were placed, one behind the other.
 #[derive(Default)]
 struct Flat {
-    words: Vec<u64>,
-    code: Vec<Code>,
-    flops: Vec<Flop>,
-    stores: Vec<Store>,
+    levels: Levels,
     /// Words that are the same as others.
     copies: Vec<(u32, u32)>,
     /// The net that each operation writes, for messages.
     described: Vec<(Arc<Module>, Net)>,
-    points: Vec<(String, Port)>,
 }
 
 impl Flat {
     fn word(&mut self, value: u64) -> u32 {
-        self.words.push(value);
-        self.words.len() as u32 - 1
+        self.levels.words.push(value);
+        self.levels.words.len() as u32 - 1
     }
 
     /// Adds a module whose inputs are these words, and gives those of its outputs; `path` stands before the names
@@ -163,13 +156,13 @@ impl Flat {
         for (net, node) in module.nets() {
             if let (Some(name), false) = (&node.name, node.op == Op::Input) {
                 let (place, width) = (at(net), node.width);
-                self.points
-                    .push((format!("{path}{name}"), Port { place, width }));
+                let point = (format!("{path}{name}"), Port { place, width });
+                self.levels.points.push(point);
             }
             self.operation(module, net, &node.op, &at);
         }
         for register in &module.registers {
-            self.flops.push(Flop {
+            self.levels.flops.push(Flop {
                 output: at(register.net),
                 width: module.node(register.net).width,
                 next: at(register.next.expect("a closed module has all inputs")),
@@ -177,7 +170,7 @@ impl Flat {
             });
         }
         for memory in &module.memories {
-            self.stores.push(Store {
+            self.levels.stores.push(Store {
                 words: memory.at_power_up(),
                 write: memory.write.map(at),
                 address: at(memory.address),
@@ -185,10 +178,8 @@ impl Flat {
                 width: memory.width,
             });
         }
-        module
-            .ports_of(Direction::Out)
-            .map(|port| at(port.net))
-            .collect()
+        let outputs = module.ports_of(Direction::Out);
+        outputs.map(|port| at(port.net)).collect()
     }
 
     /// Calls the words of ports after them.
@@ -201,7 +192,7 @@ impl Flat {
         for (port, place) in ports.iter().zip(words) {
             let (place, width) = (*place, port.width);
             let name = format!("{path}{}", port.name);
-            self.points.push((name, Port { place, width }));
+            self.levels.points.push((name, Port { place, width }));
         }
     }
 
@@ -270,7 +261,7 @@ impl Flat {
         from[..operands.len()].copy_from_slice(operands);
         let mask = to.map_or(u64::MAX, |_| mask(module.node(net).width));
         let to = to.unwrap_or_else(|| self.word(0));
-        self.code.push(Code {
+        self.levels.code.push(Code {
             kind,
             from,
             count,
@@ -283,7 +274,7 @@ impl Flat {
 
     /// One word in the place of all that are the same.
     fn without_copies(&mut self) {
-        let mut same: Vec<u32> = (0..self.words.len() as u32).collect();
+        let mut same: Vec<u32> = (0..self.levels.words.len() as u32).collect();
         for (to, from) in &self.copies {
             same[*to as usize] = *from;
         }
@@ -298,30 +289,25 @@ impl Flat {
 
     fn renumber(&mut self, number: impl Fn(u32) -> u32) {
         let renumber = |place: &mut u32| *place = number(*place);
-        for Code { from, to, .. } in &mut self.code {
+        for Code { from, to, .. } in &mut self.levels.code {
             from.iter_mut().chain([to]).for_each(renumber);
         }
-        for flop in &mut self.flops {
-            let Flop {
-                output,
-                next,
-                enable,
-                ..
-            } = flop;
-            [output, next, enable].into_iter().for_each(renumber);
+        for flop in &mut self.levels.flops {
+            let places = [&mut flop.output, &mut flop.next, &mut flop.enable];
+            places.into_iter().for_each(renumber);
         }
-        for store in &mut self.stores {
+        for store in &mut self.levels.stores {
             let places = [&mut store.address, &mut store.output];
             store.write.iter_mut().chain(places).for_each(renumber);
         }
-        let points = self.points.iter_mut();
+        let points = self.levels.points.iter_mut();
         points.map(|(_, point)| &mut point.place).for_each(renumber);
     }
 
     /// Puts operations behind those whose results they read.
     fn sort(&mut self) {
-        let code = &self.code;
-        let mut writer = vec![usize::MAX; self.words.len()];
+        let code = &self.levels.code;
+        let mut writer = vec![usize::MAX; self.levels.words.len()];
         for (index, code) in code.iter().enumerate() {
             writer[code.to as usize] = index;
         }
@@ -334,6 +320,6 @@ impl Flat {
             let value = described(module, *net);
             refuse!("{value} depends on itself within one clock")
         });
-        self.code = order.into_iter().map(|index| code[index]).collect();
+        self.levels.code = order.into_iter().map(|index| code[index]).collect();
     }
 }

@@ -1,8 +1,7 @@
 //! Values and operations as Verilog expressions.
 
-use super::name::Name;
 use super::names::Names;
-use super::text::literal;
+use super::text::{Name, literal};
 use crate::tree::{Binary, Module, Net, Op};
 
 /// A module with the names of its nets.

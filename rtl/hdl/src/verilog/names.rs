@@ -1,8 +1,8 @@
 //! What nets are called.
 
-use super::name::Name;
 use super::reads::{Reader, Reads, reads};
 use super::rows::{self, Row};
+use super::text::Name;
 use crate::scope::is_reserved;
 use crate::tree::{Binary, Direction, Module, Net, Node, Op};
 use std::collections::HashSet;

@@ -28,10 +28,8 @@ fn live(module: &Module) -> Vec<bool> {
     let outputs = module.ports_of(Direction::Out).map(|port| port.net);
     let memories = module.memories.iter();
     let memories = memories.flat_map(|memory| memory.write.into_iter().chain([memory.address]));
-    let instances = module
-        .instances
-        .iter()
-        .flat_map(|i| i.inputs.iter().copied());
+    let instances = module.instances.iter();
+    let instances = instances.flat_map(|i| i.inputs.iter().copied());
     let mut open: Vec<Net> = outputs.chain(memories).chain(instances).collect();
     let mut live = vec![false; module.nodes.len()];
     while let Some(net) = open.pop() {

@@ -4,7 +4,7 @@
 //! the same for all, or an output of the instance beside it in another row, or a value of its own for each. Where most
 //! are of the last kind, as in a tree, a loop says less than its instances one by one.
 
-use super::name::Name;
+use super::text::Name;
 use crate::tree::{Direction, Instance, Module, Net, Op};
 use std::ops::Range;
 use std::sync::Arc;

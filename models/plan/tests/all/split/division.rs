@@ -1,3 +1,4 @@
+use super::zones;
 use imogene_plan::split::Division;
 
 #[test]
@@ -29,14 +30,8 @@ fn text_and_division_are_each_other() {
 #[test]
 fn pieces_cover_each_pixel_once() {
     let divisions = [
-        Division::Zones {
-            width: 5,
-            height: 3,
-        },
-        Division::Zones {
-            width: 40,
-            height: 1,
-        },
+        zones(5, 3),
+        zones(40, 1),
         Division::Lines(1),
         Division::Lines(4),
         Division::Lines(30),

@@ -1,3 +1,4 @@
+use super::zones;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_plan::split::{Division, expected};
 
@@ -9,11 +10,7 @@ fn at(x0: i64, y0: i64, l: i64, h: i64) -> ScreenBox {
 #[test]
 fn the_formula_is_the_source_s() {
     for (l, zone, wanted) in [(80, 128, 2.640625), (80, 64, 5.0625), (20, 32, 2.640625)] {
-        let division = Division::Zones {
-            width: zone,
-            height: zone,
-        };
-        assert_eq!(expected(&at(0, 0, l, l), division)[0], wanted);
+        assert_eq!(expected(&at(0, 0, l, l), zones(zone, zone))[0], wanted);
     }
 }
 
@@ -21,7 +18,7 @@ fn the_formula_is_the_source_s() {
 #[test]
 fn the_mean_over_all_places_is_the_formula_for_whole_pixels() {
     let (width, height) = (6, 4);
-    let division = Division::Zones { width, height };
+    let division = zones(width, height);
     let pieces = division.pieces(60, 60);
     for (l, h) in [(1, 1), (2, 5), (6, 4), (13, 9), (30, 1)] {
         let mut touched = 0;

@@ -29,21 +29,13 @@ fn whole(scene: &PreparedScene) -> (Frame, Lighting) {
     (frame, lighting)
 }
 
+const fn zones(width: u32, height: u32) -> Division {
+    Division::Zones { width, height }
+}
+
 const DIVISIONS: [(Division, usize); 5] = [
-    (
-        Division::Zones {
-            width: 16,
-            height: 16,
-        },
-        3,
-    ),
-    (
-        Division::Zones {
-            width: 64,
-            height: 7,
-        },
-        2,
-    ),
+    (zones(16, 16), 3),
+    (zones(64, 7), 2),
     (Division::Lines(3), 3),
     (Division::Lines(2), 5),
     (Division::Lines(61), 4),
@@ -90,18 +82,12 @@ fn every_scene_of_the_collection_is_the_same_however_it_is_divided() {
             let divided = Divided::draw(&scene, division, workers, || ());
             assert_is_whole(&divided, &whole, &format!("{name}, {division}"));
             assert_eq!(divided.workers.len(), workers);
-            assert_eq!(
-                divided.work().loads,
-                divided.duplication.loads,
-                "{name}, {division}"
-            );
+            let (work, loads) = (divided.work(), divided.duplication.loads);
+            assert_eq!(work.loads, loads, "{name}, {division}");
             // No piece visits a pixel of a box that another one visits.
-            let boxes: u64 = scene
-                .slots()
-                .iter()
-                .map(|s| s.words.screen_box().pixels())
-                .sum();
-            assert_eq!(divided.work().object_pixels, boxes, "{name}, {division}");
+            let slots = scene.slots();
+            let boxes = slots.iter().map(|s| s.words.screen_box().pixels());
+            assert_eq!(work.object_pixels, boxes.sum::<u64>(), "{name}, {division}");
         }
         drawn += usize::from(whole.0.covered() > 100);
         lit += usize::from(!scene.volumes.is_empty());
@@ -133,15 +119,7 @@ fn lights_and_guard_bits_are_the_same_however_the_picture_is_divided() {
 fn balance_is_the_mean_over_the_most() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/cut-sphere.toml");
     let scene = prepared(&path).expect("fits");
-    let alone = Divided::draw(
-        &scene,
-        Division::Zones {
-            width: 83,
-            height: 61,
-        },
-        4,
-        || (),
-    );
+    let alone = Divided::draw(&scene, zones(83, 61), 4, || ());
     assert_eq!(alone.balance(), 0.25);
     assert_eq!(alone.balance_of_queue(), 0.25);
     let lines = Divided::draw(&scene, Division::Lines(2), 2, || ());

@@ -1,13 +1,12 @@
 //! The count of clocks against a machine that reads the stream beat by beat.
 
-use super::{MACHINE, quadrics, scene, with_facets};
+use super::{MACHINE, machine_of, planned, scene, with_facets};
 use imogene_contract::slots::FittedSlot;
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::ZoneMachine;
 use imogene_golden::machine::zone::beat::{Beat, command, kind};
 use imogene_plan::zone::clocks::{ZoneTiming, clocks};
 use imogene_plan::zone::growth::{OBJECT_PROCESSORS, ZONE_SIDES, growth};
-use imogene_plan::zone::plan::ZonePlan;
 
 pub const TIMING: ZoneTiming = ZoneTiming {
     draw_drain: 41,
@@ -50,38 +49,24 @@ pub fn by_beats(beats: impl Iterator<Item = Beat>, timing: &ZoneTiming) -> u64 {
 fn the_formula_is_what_the_stream_takes() {
     let mut waited = 0;
     for path in [
-        "../../scenes/shadows/robot.toml",
-        "../../scenes/teapot.toml",
-        "../../scenes/processors/mesh.toml",
+        "scenes/shadows/robot.toml",
+        "scenes/teapot.toml",
+        "scenes/processors/mesh.toml",
     ] {
         let prepared = scene(path, (72, 54), with_facets());
         for (side, k, v) in [(4, 1, 1), (8, 16, 8), (32, 4, 2), (100, 2, 3)] {
-            let machine = ZoneMachine {
-                slots: quadrics(k),
-                volume_processors: v,
-                zone_width: side,
-                zone_height: side - 1,
-                ..MACHINE.clone()
-            };
-            let plan = ZonePlan::of(&prepared, machine).expect("fits the machine");
+            let plan = planned(&prepared, machine_of([side, side - 1, k, v]));
             let materials = vec![0; prepared.objects.len()];
-            let plan = plan
-                .shaded(vec![(0, 0); 9], materials)
-                .expect("one for each");
+            let plan = plan.shaded(vec![(0, 0); 9], materials);
+            let plan = plan.expect("one for each");
             let counted = clocks(&plan, &TIMING);
-            assert_eq!(
-                counted.total,
-                by_beats(plan.beats(), &TIMING),
-                "{:?}",
-                plan.machine
-            );
+            let taken = by_beats(plan.beats(), &TIMING);
+            assert_eq!(counted.total, taken, "{:?}", plan.machine);
             assert_eq!(counted.beats, plan.beats().count() as u64);
             assert_eq!(counted.bytes, 12 * counted.beats);
             let of = |kind, address| {
-                let beats = plan
-                    .beats()
-                    .filter(|b| (b.kind, b.address) == (kind, address));
-                beats.count() as u64
+                let is_one = |b: &Beat| (b.kind, b.address) == (kind, address);
+                plan.beats().filter(is_one).count() as u64
             };
             assert_eq!(counted.draw_passes, of(kind::COMMAND, command::DRAW));
             assert_eq!(counted.light_passes, of(kind::COMMAND, command::LIGHT));
@@ -95,18 +80,13 @@ fn the_formula_is_what_the_stream_takes() {
 /// One object in one zone, by hand.
 #[test]
 fn one_zone_of_one_object() {
-    let prepared = scene("../../scenes/ellipsoid.toml", (40, 30), Format::BASE);
+    let prepared = scene("scenes/ellipsoid.toml", (40, 30), Format::BASE);
     let machine = ZoneMachine {
-        layers: vec![],
         slots: vec![FittedSlot::quadric(3)],
-        products: vec![],
-        volume_processors: 0,
         volume_planes: 0,
-        zone_width: 40,
-        zone_height: 30,
-        samples: 1,
+        ..machine_of([40, 30, 1, 0])
     };
-    let plan = ZonePlan::of(&prepared, machine).expect("fits the machine");
+    let plan = planned(&prepared, machine);
     assert_eq!((plan.zones.len(), plan.parts.len()), (1, 1));
     let used = plan.parts[0].quadric().expect("a quadric").planes.len() as u64;
     let words = 24 + 1 + 3 + 6 * used;
@@ -118,15 +98,9 @@ fn one_zone_of_one_object() {
 
 #[test]
 fn more_processors_take_fewer_clocks_and_the_same_words() {
-    let prepared = scene("../../scenes/shadows/robot.toml", (160, 120), Format::BASE);
-    let rows = growth(
-        &prepared,
-        &MACHINE,
-        &TIMING,
-        &ZONE_SIDES,
-        &OBJECT_PROCESSORS,
-    )
-    .expect("fits");
+    let prepared = scene("scenes/shadows/robot.toml", (160, 120), Format::BASE);
+    let (sides, processors) = (&ZONE_SIDES, &OBJECT_PROCESSORS);
+    let rows = growth(&prepared, &MACHINE, &TIMING, sides, processors).expect("fits");
     assert_eq!(rows.len(), 25);
     for rows in rows.chunks(OBJECT_PROCESSORS.len()) {
         for pair in rows.windows(2) {

@@ -61,11 +61,11 @@ fn objects_of_the_collection_are_the_same_pixel_for_pixel() {
         "polyhedron",
         "tetrahedra",
     ] {
-        let path = format!("../../scenes/processors/{name}.toml");
+        let path = format!("scenes/processors/{name}.toml");
         compare_objects(&scene(&path, SIZE, with_facets()), &mut compared);
     }
     for name in ["robot", "dna"] {
-        let path = format!("../../scenes/shadows/{name}.toml");
+        let path = format!("scenes/shadows/{name}.toml");
         compare_objects(&scene(&path, SIZE, Format::BASE), &mut compared);
     }
     eprintln!("{compared:?}");
@@ -79,8 +79,8 @@ fn volumes_of_the_collection_are_the_same_pixel_for_pixel() {
     let (mut of_planes, mut inside) = (0, 0);
     for prepared in [
         polyhedra_with_shadows(SIZE),
-        scene("../../scenes/shadows/robot.toml", SIZE, Format::BASE),
-        scene("../testkit/scenes/shadows.toml", SIZE, Format::BASE),
+        scene("scenes/shadows/robot.toml", SIZE, Format::BASE),
+        scene("models/testkit/scenes/shadows.toml", SIZE, Format::BASE),
     ] {
         let (width, height) = (prepared.width as usize, prepared.height as usize);
         let slots = prepared.slots();

@@ -48,22 +48,27 @@ fn with_facets() -> Format {
     Format::BASE.with_guards(10, 0).expect("guard bits")
 }
 
-fn scene(path: &str, (width, height): (u32, u32), format: Format) -> PreparedScene {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
-    let file = SceneFile::read(&path).expect("a valid scene");
+/// The text of a file below the folder of the workspace.
+fn text(path: &str) -> String {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    std::fs::read_to_string(root.join(path)).expect("a readable file")
+}
+
+fn scene(path: &str, size: (u32, u32), format: Format) -> PreparedScene {
+    scene_of(&text(path), size, format)
+}
+
+fn scene_of(text: &str, (width, height): (u32, u32), format: Format) -> PreparedScene {
+    let file = SceneFile::parse(text, "a scene").expect("a valid scene");
     let framed = file.frame(width, height).expect("a valid size");
     prepare(&framed, format).expect("fits the format")
 }
 
 /// The polyhedra of the collection with shadows, which are volumes of planes alone.
 fn polyhedra_with_shadows(size: (u32, u32)) -> PreparedScene {
-    let path =
-        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/processors/polyhedron.toml");
-    let text = std::fs::read_to_string(path).expect("a readable file");
+    let text = text("scenes/processors/polyhedron.toml");
     let shadows = text.replace("[[lights]]\n", "[[lights]]\nshadows = true\n");
-    let file = SceneFile::parse(&shadows, "polyhedra with shadows").expect("a valid scene");
-    let framed = file.frame(size.0, size.1).expect("a valid size");
-    prepare(&framed, Format::BASE).expect("fits the format")
+    scene_of(&shadows, size, Format::BASE)
 }
 
 /// What the machine is measured against.
@@ -118,17 +123,24 @@ const MACHINES: [[u32; 4]; 6] = [
     [128, 128, 256, 256],
 ];
 
+fn machine_of([zone_width, zone_height, k, v]: [u32; 4]) -> ZoneMachine {
+    ZoneMachine {
+        zone_width,
+        zone_height,
+        slots: quadrics(k as usize),
+        volume_processors: v as usize,
+        ..MACHINE.clone()
+    }
+}
+
+fn planned(prepared: &PreparedScene, machine: ZoneMachine) -> ZonePlan {
+    ZonePlan::of(prepared, machine).expect("fits the machine")
+}
+
 fn assert_same_on_every_machine(prepared: &PreparedScene) -> Truth {
     let truth = Truth::of(prepared, &prepared.slots());
-    for [zone_width, zone_height, k, v] in MACHINES {
-        let machine = ZoneMachine {
-            zone_width,
-            zone_height,
-            slots: quadrics(k as usize),
-            volume_processors: v as usize,
-            ..MACHINE.clone()
-        };
-        truth.assert_is_drawn(&ZonePlan::of(prepared, machine).expect("fits the machine"));
+    for machine in MACHINES.map(machine_of) {
+        truth.assert_is_drawn(&planned(prepared, machine));
     }
     truth
 }
@@ -136,11 +148,11 @@ fn assert_same_on_every_machine(prepared: &PreparedScene) -> Truth {
 #[test]
 fn scenes_without_shadows_are_drawn() {
     for path in [
-        "../../scenes/teapot.toml",
-        "../../scenes/molecule.toml",
-        "../../scenes/cut-sphere.toml",
-        "../../scenes/front-view.toml",
-        "../../scenes/orthographic.toml",
+        "scenes/teapot.toml",
+        "scenes/molecule.toml",
+        "scenes/cut-sphere.toml",
+        "scenes/front-view.toml",
+        "scenes/orthographic.toml",
     ] {
         let truth = assert_same_on_every_machine(&scene(path, (83, 61), Format::BASE));
         assert!(truth.frame.covered() > 300, "{path}");
@@ -150,7 +162,7 @@ fn scenes_without_shadows_are_drawn() {
 /// Transparent objects at every sample, whether something hides them or not; also where there is nothing else.
 #[test]
 fn glass_is_drawn() {
-    let mut prepared = scene("../../scenes/glass/still-life.toml", (88, 68), Format::BASE);
+    let mut prepared = scene("scenes/glass/still-life.toml", (88, 68), Format::BASE);
     for is_alone in [false, true] {
         if is_alone {
             prepared.objects.clear();
@@ -160,22 +172,16 @@ fn glass_is_drawn() {
         assert_eq!(frame.layers.len(), alone.len());
         for (samples, side) in [(1, 16), (1, 100), (2, 7), (4, 5)] {
             let machine = ZoneMachine {
-                zone_width: side,
-                zone_height: side + 1,
                 samples,
                 layers: quadrics(alone.len()),
-                ..MACHINE.clone()
+                ..machine_of([side, side + 1, 4, 2])
             };
-            let plan = ZonePlan::of(&prepared, machine).expect("fits the machine");
+            let plan = planned(&prepared, machine);
             let mut model = ZoneMachineModel::new(&Format::BASE, &plan.machine);
             let (drawn, _) = model.frame(plan.beats(), 88, 68).expect("a valid stream");
-            assert!(
-                drawn
-                    == Frame {
-                        number: drawn.number.clone(),
-                        ..frame.clone()
-                    }
-            );
+            let number = drawn.number.clone();
+            let frame = frame.clone();
+            assert!(drawn == Frame { number, ..frame });
         }
     }
     let few = ZoneMachine {
@@ -192,21 +198,16 @@ fn glass_is_drawn() {
 /// S x S passes over every zone draw what one draws on a grid that is S times finer, bit for bit.
 #[test]
 fn samples_are_the_pixels_of_a_finer_picture() {
-    for path in [
-        "../../scenes/teapot.toml",
-        "../../scenes/shadows/robot.toml",
-    ] {
+    for path in ["scenes/teapot.toml", "scenes/shadows/robot.toml"] {
         let prepared = scene(path, (88, 68), Format::BASE);
         let truth = Truth::of(&prepared, &prepared.slots());
         assert!(truth.frame.covered() > 300, "{path}");
         for (samples, side) in [(2, 16), (2, 7), (4, 64), (4, 5)] {
             let machine = ZoneMachine {
-                zone_width: side,
-                zone_height: side + 1,
                 samples,
-                ..MACHINE.clone()
+                ..machine_of([side, side + 1, 4, 2])
             };
-            truth.assert_is_drawn(&ZonePlan::of(&prepared, machine).expect("fits the machine"));
+            truth.assert_is_drawn(&planned(&prepared, machine));
         }
     }
 }
@@ -214,13 +215,9 @@ fn samples_are_the_pixels_of_a_finer_picture() {
 /// A scene of many more objects than processors.
 #[test]
 fn four_hundred_and_eighty_spheres_are_drawn() {
-    let prepared = scene(
-        "../../scenes/zones/molecule-480.toml",
-        (320, 240),
-        Format::BASE,
-    );
+    let prepared = scene("scenes/zones/molecule-480.toml", (320, 240), Format::BASE);
     let truth = Truth::of(&prepared, &prepared.slots());
-    let plan = ZonePlan::of(&prepared, MACHINE.clone()).expect("fits the machine");
+    let plan = planned(&prepared, MACHINE.clone());
     truth.assert_is_drawn(&plan);
     let mut seen: Vec<i32> = truth.frame.id.clone();
     seen.sort_unstable();
@@ -231,7 +228,7 @@ fn four_hundred_and_eighty_spheres_are_drawn() {
 #[test]
 fn scenes_of_other_processors_are_drawn() {
     for name in ["polyhedron", "patch-processor", "tetrahedra", "mesh"] {
-        let path = format!("../../scenes/processors/{name}.toml");
+        let path = format!("scenes/processors/{name}.toml");
         let truth = assert_same_on_every_machine(&scene(&path, (83, 61), with_facets()));
         assert!(truth.frame.covered() > 300, "{name}");
     }
@@ -242,23 +239,23 @@ fn scenes_of_other_processors_are_drawn() {
 fn slots_of_every_kind_draw_the_same() {
     for (path, slots) in [
         (
-            "../../scenes/processors/polyhedron.toml",
+            "scenes/processors/polyhedron.toml",
             ["polyhedron8", "polyhedron6,polyhedron8,0", "0,8"],
         ),
         (
-            "../../scenes/processors/patch-processor.toml",
+            "scenes/processors/patch-processor.toml",
             ["patch4", "2,patch0,patch12", "12,1"],
         ),
         (
-            "../../scenes/processors/tetrahedra.toml",
+            "scenes/processors/tetrahedra.toml",
             ["patch4,4", "4,patch4,2", "1,4"],
         ),
         (
-            "../../scenes/processors/mesh.toml",
+            "scenes/processors/mesh.toml",
             ["facet4,facet3", "facet3", "3,facet4"],
         ),
         (
-            "../../scenes/processors/first-generation.toml",
+            "scenes/processors/first-generation.toml",
             [
                 "first_generation",
                 "1,first_generation,first_generation",
@@ -266,7 +263,7 @@ fn slots_of_every_kind_draw_the_same() {
             ],
         ),
         (
-            "../../scenes/processors/paraboloids.toml",
+            "scenes/processors/paraboloids.toml",
             [
                 "sphere,cylinder,0",
                 "0,cylinder,0,sphere,sphere",
@@ -274,7 +271,7 @@ fn slots_of_every_kind_draw_the_same() {
             ],
         ),
         (
-            "../../scenes/processors/curved-facet.toml",
+            "scenes/processors/curved-facet.toml",
             [
                 "curved_facet4",
                 "curved_facet4,curved_facet4",
@@ -282,11 +279,11 @@ fn slots_of_every_kind_draw_the_same() {
             ],
         ),
         (
-            "../../scenes/extremes/eye-on-quadric.toml",
+            "scenes/extremes/eye-on-quadric.toml",
             ["0,quotient2", "quotient12,1", "2,quotient1"],
         ),
         (
-            "../../scenes/shadows/robot.toml",
+            "scenes/shadows/robot.toml",
             ["12,patch12", "3,patch3,polyhedron6", "0,0,2,6"],
         ),
     ] {
@@ -297,9 +294,7 @@ fn slots_of_every_kind_draw_the_same() {
             for side in [9, 64] {
                 let machine = ZoneMachine {
                     slots: slots.clone(),
-                    zone_width: side,
-                    zone_height: side + 1,
-                    ..MACHINE.clone()
+                    ..machine_of([side, side + 1, 4, 2])
                 };
                 let [boxes, _, pixels] = refine::assert_same(&prepared, machine, &truth);
                 assert!(pixels[0] <= boxes[0], "{path}");
@@ -311,12 +306,12 @@ fn slots_of_every_kind_draw_the_same() {
 /// A part goes to the smallest free slot, and waits behind another part of its object.
 #[test]
 fn parts_of_one_object_keep_their_order() {
-    let prepared = scene("../../scenes/processors/mesh.toml", (83, 61), Format::BASE);
+    let prepared = scene("scenes/processors/mesh.toml", (83, 61), Format::BASE);
     let machine = ZoneMachine {
         slots: slots::parse("facet4,facet3,facet3,0,facet4").expect("slots"),
         ..MACHINE.clone()
     };
-    let plan = ZonePlan::of(&prepared, machine).expect("fits the machine");
+    let plan = planned(&prepared, machine);
     let mut drawn = 0;
     for zone in &plan.zones {
         let passes = plan.passes(zone, false).filter_map(|pass| match pass {
@@ -344,9 +339,9 @@ fn parts_of_one_object_keep_their_order() {
 fn scenes_with_shadows_are_drawn() {
     let of_file = |path| (path, scene(path, (72, 54), Format::BASE));
     for (path, prepared) in [
-        of_file("../../scenes/shadows/robot.toml"),
-        of_file("../../scenes/shadows/dna.toml"),
-        of_file("../testkit/scenes/shadows.toml"),
+        of_file("scenes/shadows/robot.toml"),
+        of_file("scenes/shadows/dna.toml"),
+        of_file("models/testkit/scenes/shadows.toml"),
         ("polyhedra with shadows", polyhedra_with_shadows((72, 54))),
     ] {
         let truth = assert_same_on_every_machine(&prepared);
@@ -359,11 +354,9 @@ fn scenes_with_shadows_are_drawn() {
 /// Outside its box a spot is dark: also in zones that the box does not touch.
 #[test]
 fn a_spot_is_dark_in_all_other_zones() {
-    let mut prepared = scene("../testkit/scenes/shadows.toml", (72, 54), Format::BASE);
-    let volumes = prepared.volumes.iter_mut().map(|volume| &mut volume.words);
-    let spot = volumes
-        .into_iter()
-        .find(|words| words.kind == VolumeKind::Light);
+    let mut prepared = scene("models/testkit/scenes/shadows.toml", (72, 54), Format::BASE);
+    let mut volumes = prepared.volumes.iter_mut().map(|volume| &mut volume.words);
+    let spot = volumes.find(|words| words.kind == VolumeKind::Light);
     spot.expect("a spot").screen_box = ScreenBox::of([30, 45], [20, 33]);
     assert_same_on_every_machine(&prepared);
 }
@@ -376,7 +369,7 @@ fn other_formats_are_drawn() {
     ];
     for format in formats {
         let format = format.expect("guard bits");
-        let prepared = scene("../../scenes/shadows/robot.toml", (60, 45), format);
+        let prepared = scene("scenes/shadows/robot.toml", (60, 45), format);
         assert_same_on_every_machine(&prepared);
     }
 }
@@ -386,12 +379,12 @@ fn other_formats_are_drawn() {
 fn a_machine_is_used_again() {
     let mut model = ZoneMachineModel::new(&Format::BASE, &MACHINE);
     for path in [
-        "../../scenes/shadows/robot.toml",
-        "../../scenes/teapot.toml",
-        "../testkit/scenes/shadows.toml",
+        "scenes/shadows/robot.toml",
+        "scenes/teapot.toml",
+        "models/testkit/scenes/shadows.toml",
     ] {
         let prepared = scene(path, (72, 54), Format::BASE);
-        let plan = ZonePlan::of(&prepared, MACHINE.clone()).expect("fits the machine");
+        let plan = planned(&prepared, MACHINE.clone());
         let truth = Truth::of(&prepared, &prepared.slots());
         truth.assert_is(&mut model, plan.beats(), path);
     }
@@ -399,14 +392,13 @@ fn a_machine_is_used_again() {
 
 #[test]
 fn the_last_beat_and_the_last_pixel_say_so() {
-    let prepared = scene("../../scenes/teapot.toml", (83, 61), Format::BASE);
-    let plan = ZonePlan::of(&prepared, MACHINE.clone()).expect("fits the machine");
+    let prepared = scene("scenes/teapot.toml", (83, 61), Format::BASE);
+    let plan = planned(&prepared, MACHINE.clone());
     let objects = prepared.objects.len();
     let materials: Vec<u32> = (0..objects as u32).map(|id| 7 * id % 256).collect();
     let shading = vec![(3, 0xffff_ffff), (700, 5)];
-    let plan = plan
-        .shaded(shading, materials)
-        .expect("one for each object");
+    let plan = plan.shaded(shading, materials);
+    let plan = plan.expect("one for each object");
     let beats: Vec<Beat> = plan.beats().collect();
     assert_eq!(beats.iter().filter(|b| b.last).count(), 1);
     assert!(beats.last().expect("beats").last);
@@ -441,13 +433,13 @@ static PERMUTED: LazyLock<Vec<(ZonePlan, Truth)>> = LazyLock::new(|| {
     let twice = |path: &str| {
         let mut prepared = scene(path, (60, 45), Format::BASE);
         prepared.objects.extend(prepared.objects.clone());
-        let plan = ZonePlan::of(&prepared, MACHINE.clone()).expect("fits the machine");
+        let plan = planned(&prepared, MACHINE.clone());
         let truth = Truth::of(&prepared, &prepared.slots());
         (plan, truth)
     };
     vec![
-        twice("../../scenes/shadows/robot.toml"),
-        twice("../../scenes/molecule.toml"),
+        twice("scenes/shadows/robot.toml"),
+        twice("scenes/molecule.toml"),
     ]
 });
 

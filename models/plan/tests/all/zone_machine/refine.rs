@@ -1,11 +1,13 @@
 //! A refined plan draws the same picture from less, and the count of its clocks is that of its stream.
 
 use super::clocks::{TIMING, by_beats};
-use super::{MACHINE, MACHINES, Truth, polyhedra_with_shadows, quadrics, scene, with_facets};
+use super::{
+    MACHINE, MACHINES, Truth, machine_of, planned, polyhedra_with_shadows, scene, with_facets,
+};
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::ZoneMachine;
 use imogene_plan::zone::clocks::clocks;
-use imogene_plan::zone::plan::{Zone, ZonePlan};
+use imogene_plan::zone::plan::Zone;
 use imogene_plan::zone::refine::Refinement;
 use imogene_prepare::PreparedScene;
 
@@ -17,7 +19,7 @@ fn is_part_of(less: &[u32], more: &[u32]) -> bool {
 
 /// The counts of a scene on one machine, box to pixels: parts, volumes, beats, clocks.
 pub fn assert_same(prepared: &PreparedScene, machine: ZoneMachine, truth: &Truth) -> [[u64; 4]; 3] {
-    let plan = ZonePlan::of(prepared, machine).expect("fits the machine");
+    let plan = planned(prepared, machine);
     let mut before: Option<Vec<Zone>> = None;
     REFINEMENTS.map(|refinement| {
         let refined = plan.clone().refined(refinement);
@@ -43,36 +45,21 @@ pub fn assert_same(prepared: &PreparedScene, machine: ZoneMachine, truth: &Truth
 fn refined_plans_draw_the_same_pictures() {
     let size = (83, 61);
     let scenes = [
-        scene("../../scenes/teapot.toml", size, Format::BASE),
-        scene("../../scenes/front-view.toml", size, Format::BASE),
-        scene("../../scenes/orthographic.toml", size, Format::BASE),
-        scene("../../scenes/processors/mesh.toml", size, with_facets()),
-        scene(
-            "../../scenes/processors/polyhedron.toml",
-            size,
-            Format::BASE,
-        ),
-        scene(
-            "../../scenes/processors/patch-processor.toml",
-            size,
-            Format::BASE,
-        ),
-        scene("../../scenes/shadows/robot.toml", size, Format::BASE),
-        scene("../../scenes/shadows/dna.toml", size, Format::BASE),
-        scene("../testkit/scenes/shadows.toml", size, Format::BASE),
+        scene("scenes/teapot.toml", size, Format::BASE),
+        scene("scenes/front-view.toml", size, Format::BASE),
+        scene("scenes/orthographic.toml", size, Format::BASE),
+        scene("scenes/processors/mesh.toml", size, with_facets()),
+        scene("scenes/processors/polyhedron.toml", size, Format::BASE),
+        scene("scenes/processors/patch-processor.toml", size, Format::BASE),
+        scene("scenes/shadows/robot.toml", size, Format::BASE),
+        scene("scenes/shadows/dna.toml", size, Format::BASE),
+        scene("models/testkit/scenes/shadows.toml", size, Format::BASE),
         polyhedra_with_shadows(size),
     ];
     for prepared in &scenes {
         let truth = Truth::of(prepared, &prepared.slots());
         let mut sums = [[0; 4]; 3];
-        for [zone_width, zone_height, k, v] in MACHINES {
-            let machine = ZoneMachine {
-                zone_width,
-                zone_height,
-                slots: quadrics(k as usize),
-                volume_processors: v as usize,
-                ..MACHINE.clone()
-            };
+        for machine in MACHINES.map(machine_of) {
             let counts = assert_same(prepared, machine, &truth);
             for (sum, counts) in sums.iter_mut().zip(counts) {
                 for (sum, count) in sum.iter_mut().zip(counts) {
@@ -91,14 +78,10 @@ fn refined_plans_draw_the_same_pictures() {
 /// The robot's shadows: two in three do not reach the zones that their boxes meet, and bounds say so.
 #[test]
 fn most_shadows_of_the_robot_stay_out_of_most_zones() {
-    let prepared = scene("../../scenes/shadows/robot.toml", (160, 120), Format::BASE);
-    let machine = ZoneMachine {
-        zone_width: 16,
-        zone_height: 16,
-        ..MACHINE.clone()
-    };
+    let prepared = scene("scenes/shadows/robot.toml", (160, 120), Format::BASE);
     let truth = Truth::of(&prepared, &prepared.slots());
-    let [boxes, bounds, pixels] = assert_same(&prepared, machine, &truth);
+    let counts = assert_same(&prepared, machine_of([16, 16, 4, 2]), &truth);
+    let [boxes, bounds, pixels] = counts;
     assert!(bounds[1] < boxes[1] / 3, "{boxes:?} {bounds:?} {pixels:?}");
     assert!(bounds[3] < boxes[3] / 2, "{boxes:?} {bounds:?} {pixels:?}");
 }
@@ -108,10 +91,7 @@ fn guard_bits_and_other_depth_words_are_refined() {
     for (depth, linear, quadratic) in [(16, 3, 5), (20, 10, 8), (32, 2, 0)] {
         let format = Format::new(depth).expect("in the catalogue");
         let format = format.with_guards(linear, quadratic).expect("guard bits");
-        for path in [
-            "../../scenes/shadows/robot.toml",
-            "../../scenes/front-view.toml",
-        ] {
+        for path in ["scenes/shadows/robot.toml", "scenes/front-view.toml"] {
             let prepared = scene(path, (60, 45), format);
             let truth = Truth::of(&prepared, &prepared.slots());
             let [boxes, bounds, pixels] = assert_same(&prepared, MACHINE.clone(), &truth);

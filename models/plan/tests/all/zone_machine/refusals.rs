@@ -22,7 +22,7 @@ fn slots_that_would_do_are_named() {
         ("paraboloids", "sphere;"),
         ("curved-facet", "curved_facet1;"),
     ] {
-        let path = format!("../../scenes/processors/{name}.toml");
+        let path = format!("scenes/processors/{name}.toml");
         let message = refused(&path, MACHINE.clone()).to_string();
         assert!(
             message.starts_with("object '") && message.contains(&format!("a slot such as {what}")),
@@ -34,7 +34,7 @@ fn slots_that_would_do_are_named() {
         slots: vec![FittedSlot::of(Kind::Facet, 4)],
         ..MACHINE.clone()
     };
-    let message = refused("../../scenes/teapot.toml", facets).to_string();
+    let message = refused("scenes/teapot.toml", facets).to_string();
     assert!(
         message.contains("a slot such as patch2; the machine has facet4"),
         "{message}"
@@ -43,9 +43,7 @@ fn slots_that_would_do_are_named() {
 
 #[test]
 fn a_mesh_needs_guard_bits() {
-    let PlanError::Object { why, .. } =
-        refused("../../scenes/processors/mesh.toml", MACHINE.clone())
-    else {
+    let PlanError::Object(_, why) = refused("scenes/processors/mesh.toml", MACHINE.clone()) else {
         panic!("an object is refused")
     };
     assert!(
@@ -62,7 +60,7 @@ fn a_mesh_needs_guard_bits() {
 
 #[test]
 fn planes_and_processors_must_be_there() {
-    let robot = "../../scenes/shadows/robot.toml";
+    let robot = "scenes/shadows/robot.toml";
     let message = |machine| refused(robot, machine).to_string();
     type Change = fn(&mut ZoneMachine);
     let cases: [(Change, &str); 8] = [
@@ -99,12 +97,10 @@ fn planes_and_processors_must_be_there() {
 
 #[test]
 fn ids_and_materials_are_counted() {
-    let mut prepared = scene("../../scenes/teapot.toml", SIZE, Format::BASE);
+    let mut prepared = scene("scenes/teapot.toml", SIZE, Format::BASE);
     let plan = ZonePlan::of(&prepared, MACHINE.clone()).expect("fits");
-    let message = plan
-        .shaded(vec![], vec![0])
-        .expect_err("refused")
-        .to_string();
+    let refused = plan.shaded(vec![], vec![0]);
+    let message = refused.expect_err("refused").to_string();
     assert!(message.starts_with("1 materials for"), "{message}");
     let one = prepared.objects[0].clone();
     prepared.objects.resize(4097, one);

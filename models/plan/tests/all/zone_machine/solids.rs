@@ -2,20 +2,18 @@
 //! pass.
 
 use super::refine::assert_same;
-use super::{MACHINE, MACHINES, Truth, quadrics, scene};
+use super::{MACHINE, MACHINES, Truth, machine_of, planned, quadrics, scene, scene_of, text};
 use imogene_contract::object::ProductSlots;
 use imogene_contract::slots::Products;
 use imogene_golden::format::Format;
 use imogene_golden::machine::lighting::ALL_SOURCES;
 use imogene_golden::machine::zone::ZoneMachine;
 use imogene_plan::zone::plan::{PlanError, ZonePlan};
-use imogene_prepare::{Framing, PreparedScene, prepare};
-use imogene_scene::SceneFile;
-use std::path::Path;
+use imogene_prepare::PreparedScene;
 
 const SIZE: (u32, u32) = (83, 61);
-const BRACKET: &str = "../../scenes/solids/bracket.toml";
-const PRINTED: &str = "../../scenes/solids/printed-example.toml";
+const BRACKET: &str = "scenes/solids/bracket.toml";
+const PRINTED: &str = "scenes/solids/printed-example.toml";
 
 fn with_products(machine: ZoneMachine, products: &str) -> ZoneMachine {
     let Products(products) = products.to_owned().try_into().expect("products");
@@ -29,18 +27,14 @@ fn with_products(machine: ZoneMachine, products: &str) -> ZoneMachine {
 
 /// The bracket in the light of a lamp, with the shadow of its ball.
 fn bracket_with_shadow() -> PreparedScene {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(BRACKET);
-    let text = std::fs::read_to_string(path).expect("a readable file");
-    let text = text
+    let text = text(BRACKET)
         .replacen("[[lights]]\n", "[[lights]]\nshadows = true\n", 1)
         .replace("[[objects]]\n", "[[objects]]\ncasts_shadow = false\n")
         .replace(
             "casts_shadow = false\nname = \"ball\"",
             "casts_shadow = true\nname = \"ball\"",
         );
-    let file = SceneFile::parse(&text, "a bracket with a shadow").expect("a valid scene");
-    let framed = file.frame(SIZE.0, SIZE.1).expect("a valid size");
-    prepare(&framed, Format::BASE).expect("fits the format")
+    scene_of(&text, SIZE, Format::BASE)
 }
 
 /// Places that are exactly those of a scene, one place for all, and more and larger ones than it needs.
@@ -64,20 +58,14 @@ fn solids_are_drawn() {
         let dark = dark.filter(|(flags, id)| **flags != ALL_SOURCES && members(id));
         assert!(prepared.volumes.is_empty() || dark.count() > 20);
         for products in products {
-            for [zone_width, zone_height, k, v] in MACHINES {
-                let machine = ZoneMachine {
-                    zone_width,
-                    zone_height,
-                    // More would leave no processors for the products.
-                    slots: quadrics(k.min(200) as usize),
-                    volume_processors: v as usize,
-                    ..MACHINE.clone()
-                };
+            for [width, height, k, v] in MACHINES {
+                // More would leave no processors for the products.
+                let machine = machine_of([width, height, k.min(200), v]);
                 let machine = with_products(machine, products);
                 let [boxes, bounds, pixels] = assert_same(prepared, machine, &truth);
                 assert!(bounds[2] <= boxes[2] && pixels[2] <= bounds[2]);
                 assert!(
-                    zone_width != 8 || bounds[2] < boxes[2],
+                    width != 8 || bounds[2] < boxes[2],
                     "{products}: {boxes:?} {bounds:?} {pixels:?}"
                 );
             }
@@ -95,7 +83,7 @@ fn samples_of_solids_are_the_pixels_of_a_finer_picture() {
             samples,
             ..with_products(MACHINE.clone(), "1-4")
         };
-        truth.assert_is_drawn(&ZonePlan::of(&prepared, machine).expect("fits the machine"));
+        truth.assert_is_drawn(&planned(&prepared, machine));
     }
 }
 
@@ -105,7 +93,7 @@ fn the_order_of_products_changes_nothing() {
     let prepared = scene(PRINTED, SIZE, Format::BASE);
     let truth = Truth::of(&prepared, &prepared.slots());
     let machine = with_products(MACHINE.clone(), "2-1,2-1,2-1");
-    let mut plan = ZonePlan::of(&prepared, machine).expect("fits the machine");
+    let mut plan = planned(&prepared, machine);
     let most = plan.zones.iter().map(|zone| zone.products.len()).max();
     assert_eq!(most, Some(4));
     for zone in &mut plan.zones {
@@ -119,12 +107,8 @@ fn the_order_of_products_changes_nothing() {
 fn passes_are_counted() {
     let prepared = scene(PRINTED, SIZE, Format::BASE);
     let passes = |products| {
-        let machine = ZoneMachine {
-            zone_width: 128,
-            zone_height: 128,
-            ..with_products(MACHINE.clone(), products)
-        };
-        let plan = ZonePlan::of(&prepared, machine).expect("fits the machine");
+        let machine = with_products(machine_of([128, 128, 4, 2]), products);
+        let plan = planned(&prepared, machine);
         let zone = &plan.zones[0];
         let draws = plan.passes(zone, true).count() - 1;
         (draws, zone.all_parts().count())
@@ -133,12 +117,8 @@ fn passes_are_counted() {
     assert_eq!(passes("2-1"), (4, 12));
     assert_eq!(passes("2-1,2-1,2-1"), (2, 12));
     assert_eq!(passes("2-1,2-1,2-1,4-4,1-1"), (1, 12));
-    let small = ZoneMachine {
-        zone_width: 8,
-        zone_height: 8,
-        ..with_products(MACHINE.clone(), "2-1")
-    };
-    let plan = ZonePlan::of(&prepared, small).expect("fits the machine");
+    let small = with_products(machine_of([8, 8, 4, 2]), "2-1");
+    let plan = planned(&prepared, small);
     let sent = plan.zones.iter().map(|zone| zone.all_parts().count());
     assert!(sent.clone().any(|parts| parts == 0) && sent.clone().any(|parts| parts % 3 > 0));
 }
@@ -170,12 +150,8 @@ fn a_machine_without_the_places_is_refused() {
     assert_eq!(none, PlanError::NoObjectProcessor(1));
     let printed = scene(PRINTED, SIZE, Format::BASE);
     let truth = Truth::of(&printed, &printed.slots());
-    truth.assert_is_drawn(&ZonePlan::of(&printed, without_others).expect("fits the machine"));
-    let many = ZoneMachine {
-        slots: quadrics(250),
-        ..MACHINE.clone()
-    };
-    let many = with_products(many, "3-4");
+    truth.assert_is_drawn(&planned(&printed, without_others));
+    let many = with_products(machine_of([32, 32, 250, 2]), "3-4");
     let message = refused(PRINTED, many).to_string();
     assert!(message.contains("257 object processors"), "{message}");
 }
