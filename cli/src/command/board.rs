@@ -18,7 +18,7 @@ use imogene_contract::video::VideoMode;
 use imogene_files::{Outputs, WriteError};
 use imogene_plan::description::MachineDescription;
 use imogene_rtl::emit::machine::emit_machine;
-use imogene_studies::kit::preview::Preview;
+use imogene_studies::picture::Preview;
 use imogene_verif::display::request::request_for;
 use report::{BoardReport, SLACK, Shown, tell};
 

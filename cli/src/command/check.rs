@@ -36,8 +36,8 @@ fn verdict(report: &CheckReport) -> Result {
     if report.ok {
         return Ok(());
     }
-    let adrift = report.objects.iter().filter(|o| o.undecided().adrift > 0);
-    let why = match output::joined(adrift.map(|o| format!("'{}'", o.name())), ", ") {
+    let adrift = report.objects.iter().filter(|o| o.undecided.adrift > 0);
+    let why = match output::joined(adrift.map(|o| format!("'{}'", o.name)), ", ") {
         none if none.is_empty() => "a word wraps".to_owned(),
         adrift => {
             format!("the outline of {adrift} may be a pixel or more away from the true one")

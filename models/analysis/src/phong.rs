@@ -38,10 +38,8 @@ pub fn shade(frame: &Frame, lighting: &Lighting, scene: &FramedScene, format: &F
         }
         seen.map(|v| (v * 255.0).round() as u8)
     };
-    (0..frame.depth.len())
-        .into_par_iter()
-        .flat_map_iter(pixel)
-        .collect()
+    let pixels = (0..frame.depth.len()).into_par_iter();
+    pixels.flat_map_iter(pixel).collect()
 }
 
 /// The transparent objects before what is seen at a pixel, the farthest first; of two at one depth the earlier object
@@ -76,9 +74,8 @@ fn colour(
             continue;
         }
         let mirrored: Vector = std::array::from_fn(|k| 2.0 * lambert * normal[k] - direction[k]);
-        let highlight = dot(mirrored, viewer)
-            .max(0.0)
-            .powi(material.exponent as i32);
+        let along = dot(mirrored, viewer).max(0.0);
+        let highlight = along.powi(material.exponent as i32);
         for k in 0..3 {
             sum[k] += part
                 * intensity[k]

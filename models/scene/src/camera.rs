@@ -93,29 +93,33 @@ impl Camera {
         }
     }
 
+    /// Distance from the eye to the screen plane; none in a parallel view.
+    pub fn viewer_distance(&self) -> Option<f64> {
+        match self.lens {
+            Lens::Perspective {
+                viewer_distance: distance,
+                ..
+            } => Some(distance),
+            Lens::Orthographic { .. } => None,
+        }
+    }
+
     /// Whether its lines of sight meet in the eye.
     pub fn is_perspective(&self) -> bool {
-        matches!(self.lens, Lens::Perspective { .. })
+        self.viewer_distance().is_some()
     }
 
     /// The focal length in millimetres that shows the same window on a film 24 mm high; none for a parallel view.
     pub fn focal(&self) -> Option<f64> {
-        match self.lens {
-            Lens::Perspective {
-                viewer_distance, ..
-            } => Some(on_film(viewer_distance, self.view_height)),
-            Lens::Orthographic { .. } => None,
-        }
+        let distance = self.viewer_distance();
+        distance.map(|distance| on_film(distance, self.view_height))
     }
 
     /// Takes another lens: the window changes its height, the eye and the screen plane stay. A parallel view has no
     /// lens and stays as it is.
     pub fn set_focal(&mut self, focal: f64) {
-        if let Lens::Perspective {
-            viewer_distance, ..
-        } = self.lens
-        {
-            self.view_height = on_film(viewer_distance, focal);
+        if let Some(distance) = self.viewer_distance() {
+            self.view_height = on_film(distance, focal);
         }
     }
 }

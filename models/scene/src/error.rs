@@ -121,22 +121,18 @@ pub fn around(line: &str, column: usize) -> String {
     format!("{before}{shown}{after}")
 }
 
+const COUNT: &str = "expected a whole number that is not negative";
+
 /// What stands in a message for names of Rust types, and what a scene may have in the place of `[camera]`.
 const WORDS: [(&str, &str); 9] = [
     ("\n", ", "),
-    (
-        "expected usize",
-        "expected a whole number that is not negative",
-    ),
+    ("expected usize", COUNT),
     ("expected f64", "expected a number"),
     (
         "expected u32",
         "expected a whole number that is not negative, at most 4294967295",
     ),
-    (
-        "expected u64",
-        "expected a whole number that is not negative",
-    ),
+    ("expected u64", COUNT),
     (" as i128", ""),
     ("duplicate key", "duplicate key; a table has a key once"),
     ("expected a sequence", "expected an array of numbers [...]"),

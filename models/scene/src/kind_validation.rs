@@ -53,11 +53,8 @@ fn require_processor(does: bool, at: (&str, &Object), problem: &str, accepted: &
     let (place, object) = at;
     unless(does, || {
         let name = toml::Value::try_from(object.processor).expect("a processor that was asked for");
-        (
-            format!("{place}, processor"),
-            format!("{name} {problem}"),
-            accepted,
-        )
+        let place = format!("{place}, processor");
+        (place, format!("{name} {problem}"), accepted)
     })
 }
 
@@ -134,10 +131,8 @@ fn check_tetrahedron(
         check_numbers(&format!("{place}, corners[{index}]"), corner)?;
     }
     check_numbers(&format!("{place}, weights"), weights)?;
-    let does = matches!(
-        object.drawn_by(),
-        Some(Processor::Patch | Processor::Quadric)
-    );
+    let drawn_by = object.drawn_by();
+    let does = matches!(drawn_by, Some(Processor::Patch | Processor::Quadric));
     let problem = "does not draw a tetrahedral patch";
     let accepted = "\"patch\" (default) and \"quadric\" do";
     require_processor(does, (place, object), problem, accepted)?;

@@ -123,12 +123,7 @@ pub(super) fn check_new(is_new: bool, place: &str, earlier: &str) -> Checked {
 }
 
 /// Refuses more than are possible.
-pub(super) fn check_count(
-    place: impl Into<String>,
-    count: usize,
-    what: &str,
-    most: usize,
-) -> Checked {
+pub(super) fn check_count(place: &str, count: usize, what: &str, most: usize) -> Checked {
     unless(count <= most, || {
         let accepted = format!("at most {most} are possible");
         (place, format!("{count} {what}"), accepted)

@@ -161,11 +161,9 @@ impl SceneFile {
         let with_end = reaches.filter(|reach| *reach < far);
         let nearest = -with_end.reduce(|| f64::NEG_INFINITY, f64::max);
         let height = scene.camera.view_height / f64::from(lines);
-        Ok(match scene.camera.lens {
-            Lens::Perspective {
-                viewer_distance, ..
-            } => height * nearest.max(0.0) / viewer_distance,
-            Lens::Orthographic { .. } => height,
+        Ok(match scene.camera.viewer_distance() {
+            Some(distance) => height * nearest.max(0.0) / distance,
+            None => height,
         })
     }
 }
@@ -200,15 +198,10 @@ impl Pose {
     /// names of what is endless.
     fn fit(&mut self, scene: &mut SceneFile, shape: f64) -> Result<Vec<String>, SceneError> {
         let size = 10.0 * ENDLESS * self.distance;
-        let tangents = match scene.camera.lens {
-            Lens::Perspective {
-                viewer_distance, ..
-            } => {
-                let up = (1.0 - MARGIN) * 0.5 * scene.camera.view_height / viewer_distance;
-                [up * shape, up]
-            }
-            Lens::Orthographic { .. } => [0.0; 2],
-        };
+        let up = scene.camera.viewer_distance().map_or(0.0, |distance| {
+            (1.0 - MARGIN) * 0.5 * scene.camera.view_height / distance
+        });
+        let tangents = [up * shape, up];
         let objects = scene.objects.par_iter();
         let bodies: Vec<Body> = objects.map(|o| Body::of(o, self.target, size)).collect();
         let ends = bodies.par_iter().map(|body| {

@@ -86,23 +86,21 @@ impl ObjectKeys {
         let others = present.into_iter().filter(|(key, _)| !keys.contains(key));
         refuse_keys(others, &owner, wanted)?;
         let radii = self.radii.take();
+        let two = || fixed(radii.clone(), &owner, wanted);
+        let three = || fixed(radii.clone(), &owner, wanted);
         Ok(match self.kind {
             Kind::Sphere => Shape::Sphere {
                 radius: require(self.radius, &owner, wanted)?,
             },
-            Kind::EllipticCylinder => Shape::EllipticCylinder(fixed(radii, &owner, wanted)?),
-            Kind::HyperbolicCylinder => Shape::HyperbolicCylinder(fixed(radii, &owner, wanted)?),
-            Kind::ParabolicCylinder => Shape::ParabolicCylinder(fixed(radii, &owner, wanted)?),
-            Kind::Ellipsoid => Shape::Ellipsoid(fixed(radii, &owner, wanted)?),
-            Kind::Cone => Shape::Cone(fixed(radii, &owner, wanted)?),
-            Kind::HyperboloidOneSheet => Shape::HyperboloidOneSheet(fixed(radii, &owner, wanted)?),
-            Kind::HyperboloidTwoSheets => {
-                Shape::HyperboloidTwoSheets(fixed(radii, &owner, wanted)?)
-            }
-            Kind::EllipticParaboloid => Shape::EllipticParaboloid(fixed(radii, &owner, wanted)?),
-            Kind::HyperbolicParaboloid => {
-                Shape::HyperbolicParaboloid(fixed(radii, &owner, wanted)?)
-            }
+            Kind::EllipticCylinder => Shape::EllipticCylinder(two()?),
+            Kind::HyperbolicCylinder => Shape::HyperbolicCylinder(two()?),
+            Kind::ParabolicCylinder => Shape::ParabolicCylinder(two()?),
+            Kind::Ellipsoid => Shape::Ellipsoid(three()?),
+            Kind::Cone => Shape::Cone(three()?),
+            Kind::HyperboloidOneSheet => Shape::HyperboloidOneSheet(three()?),
+            Kind::HyperboloidTwoSheets => Shape::HyperboloidTwoSheets(three()?),
+            Kind::EllipticParaboloid => Shape::EllipticParaboloid(three()?),
+            Kind::HyperbolicParaboloid => Shape::HyperbolicParaboloid(three()?),
             Kind::Quadric => Shape::Quadric {
                 coefficients: fixed(self.coefficients.take(), &owner, wanted)?,
             },

@@ -129,9 +129,7 @@ fn check_camera(camera: &Camera) -> Checked {
         Some(_) => format!("{place}, {key}"),
         None => format!("camera.{key}"),
     };
-    let Camera {
-        eye, target, up, ..
-    } = *camera;
+    let (eye, target, up) = (camera.eye, camera.target, camera.up);
     match camera.lens {
         Lens::Perspective {
             viewer_distance,
@@ -228,7 +226,7 @@ fn check_object(place: &str, object: &Object) -> Checked {
     check_shape(place, object)?;
     check_place(place, &object.place)?;
     let (key, count) = (format!("{place}, cuts"), object.cuts.len());
-    check_count(key, count, "cut planes", MAX_CUTS)?;
+    check_count(&key, count, "cut planes", MAX_CUTS)?;
     for (index, Cut { point, normal }) in object.cuts.iter().enumerate() {
         check_numbers(&format!("{place}, cuts[{index}].point"), point)?;
         check_direction(&format!("{place}, cuts[{index}].normal"), *normal)?;

@@ -231,12 +231,10 @@ fn streams(scene: &PreparedScene, side: u32) -> Result<Streams, PlanError> {
 fn stream(plan: &ZonePlan, refinement: Refinement) -> ZoneStream {
     let counted = clocks(plan, &ZoneTiming::default());
     let zones = plan.zones.iter();
+    let parts = zones.clone().map(|zone| zone.all_parts().count() as u64);
     ZoneStream {
         refinement,
-        parts: zones
-            .clone()
-            .map(|zone| zone.all_parts().count() as u64)
-            .sum(),
+        parts: parts.sum(),
         volumes: zones.map(|zone| zone.volumes.len() as u64).sum(),
         draw_passes: counted.draw_passes,
         light_passes: counted.light_passes,

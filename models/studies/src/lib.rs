@@ -30,4 +30,4 @@ pub mod trade;
 pub mod trial;
 pub mod zones;
 
-pub use kit::{picture, preview, sheet};
+pub use kit::{picture, sheet};

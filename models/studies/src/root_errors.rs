@@ -1,5 +1,6 @@
 //! Measured error and cost of every member of the family, for the table of `docs/root-network.md`.
 
+use imogene_analysis::metrics::Spread;
 use imogene_golden::format::Format;
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;
@@ -126,22 +127,20 @@ fn places(root_bits: u32) -> impl Iterator<Item = u128> {
 
 /// The measured error of a member with roots of so many bits.
 pub fn error(method: Method, root_bits: u32) -> RootError {
-    let mut found = RootError::default();
-    let mut count = 0.0;
-    for radicand in places(root_bits) {
+    let off = |radicand: u128| {
         let truth = (radicand as f64).sqrt();
         let off = (root(method, radicand, root_bits).root as f64 - truth).abs();
-        found.max_lsb = found.max_lsb.max(off);
-        found.mean_lsb += off;
-        found.rms_lsb += off * off;
-        found.max_percent = found.max_percent.max(100.0 * off / truth);
-        found.mean_percent += 100.0 * off / truth;
-        count += 1.0;
+        (off, 100.0 * off / truth)
+    };
+    let (lsb, percent) = places(root_bits).map(off).unzip();
+    let (lsb, percent) = (Spread::of(lsb), Spread::of(percent));
+    RootError {
+        max_lsb: lsb.max,
+        mean_lsb: lsb.mean,
+        rms_lsb: lsb.rms,
+        max_percent: percent.max,
+        mean_percent: percent.mean,
     }
-    found.mean_lsb /= count;
-    found.rms_lsb = (found.rms_lsb / count).sqrt();
-    found.mean_percent /= count;
-    found
 }
 
 fn steps(method: Method, root_bits: u32) -> Steps {

@@ -36,9 +36,8 @@ pub fn sphere(centre: [i64; 3], radius: i64) -> Quadric {
 }
 
 /// The half-space `a x + b y + c z + d <= 0`.
-pub fn plane([a, b, c, d]: [i64; 4]) -> Plane {
-    let [a, b, c, d] = [a, b, c, d].map(integer);
-    Plane { a, b, c, d }
+pub fn plane(coefficients: [i64; 4]) -> Plane {
+    Plane::from_array(coefficients.map(integer))
 }
 
 /// An object of the first material.
@@ -198,10 +197,14 @@ fn folder_of_scenes(name: &str) -> PathBuf {
     all.join(name)
 }
 
-/// A scene of the collection, by its path there without the end of its name.
+/// The file of a scene of the collection, by its path there without the end of its name.
+pub fn scene_path(name: &str) -> PathBuf {
+    folder_of_scenes(name).with_extension("toml")
+}
+
+/// Such a scene.
 pub fn scene_file(name: &str) -> SceneFile {
-    let path = folder_of_scenes(name).with_extension("toml");
-    SceneFile::read(&path).unwrap_or_else(|error| panic!("{error}"))
+    SceneFile::read(&scene_path(name)).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// The scene files of the collection, in order.

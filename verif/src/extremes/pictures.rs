@@ -50,8 +50,8 @@ impl Pictures {
     /// The check fails and says of an object that its silhouette has no direction.
     pub fn unbounded(&self) -> Result<String, String> {
         let report = check(&self.scene, &self.prepared);
-        let mut objects = report.objects.iter().filter_map(|o| o.quadric());
-        match objects.find(|o| o.bounds.silhouette_singular) {
+        let mut objects = report.objects.iter();
+        match objects.find(|o| o.quadric().is_some_and(|q| q.bounds.silhouette_singular)) {
             Some(object) if !report.ok => Ok(format!("check fails: object '{}'", object.name)),
             _ => Err("check finds nothing wrong".into()),
         }

@@ -9,7 +9,7 @@ use imogene_analysis::phong;
 use imogene_files::{Outputs, WriteError};
 use imogene_prepare::Reuse;
 use imogene_prepare::animator::{Animator, PreparedFrame};
-use imogene_studies::preview::Preview;
+use imogene_studies::picture::Preview;
 use serde::Serialize;
 use std::path::PathBuf;
 use std::time::Instant;

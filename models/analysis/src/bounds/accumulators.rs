@@ -91,21 +91,20 @@ pub fn accumulators(
     if window.is_empty() {
         return None;
     }
-    let screen = ScreenBox::of([0, i64::from(width) - 1], [0, i64::from(height) - 1]);
+    let screen = ScreenBox::of_screen(width, height);
+    let f1 = Range::of_linear(&words.f1, window).dropped(format.guard_linear);
     let f2 = Range::of_quadratic(&words.f2, window).dropped(format.guard_quadratic);
     let depths = has_depth(words.class).then(|| depths(object, format));
     let depths = depths.filter(|_| f2.high >= 0);
+    let linear = || words.normal.g.map(|g| linear_bits(&g, window));
     Some(Accumulators {
-        f1: Range::of_linear(&words.f1, window)
-            .dropped(format.guard_linear)
-            .bits(),
+        f1: f1.bits(),
         f2: f2.bits(),
         f1_minus_r: depths.map(|d| d[0].bits()),
         f1_plus_r: depths.map(|d| d[1].bits()),
         root: depths.map(|_| root_bits(f2.high)),
         planes: plane_bits(words),
-        normal_linear: has_depth(words.class)
-            .then(|| words.normal.g.map(|g| linear_bits(&g, window))),
+        normal_linear: has_depth(words.class).then(linear),
         normal_sum: depths.map(|[_, _, normal @ ..]| normal.map(|range| range.bits())),
         increments: Increments {
             f1: linear_increments(&words.f1, &screen),
@@ -121,9 +120,7 @@ pub(super) fn plane_bits(words: &QuadricWords) -> Vec<u32> {
         return vec![];
     }
     let planes = words.planes.iter();
-    planes
-        .map(|plane| linear_bits(&plane.depth, window))
-        .collect()
+    planes.map(|p| linear_bits(&p.depth, window)).collect()
 }
 
 /// The depth of a prism is no root, and it has no normal.
@@ -147,10 +144,8 @@ type Depths = [Range; 5];
 fn depths(object: &PreparedQuadric, format: &Format) -> Depths {
     let window = object.words.screen_box;
     let line = |y| {
-        let columns = window.x0..=window.x1;
-        columns.fold([Range::NONE; 5], |found, x| {
-            with_pixel(found, object, format, (x, y))
-        })
+        let with = |found, x| with_pixel(found, object, format, (x, y));
+        (window.x0..=window.x1).fold([Range::NONE; 5], with)
     };
     let lines = (window.y0..window.y1 + 1).into_par_iter().map(line);
     let merged = |one: Depths, other: Depths| std::array::from_fn(|k| one[k].merged(other[k]));

@@ -1,12 +1,13 @@
 //! The check of a whole scene.
 
 use super::jury::Jury;
-use super::object::{ObjectBounds, quantile_999, review};
-use super::pixels::Shown;
-use super::report::ObjectReport;
+use super::object::{quantile_999, review};
+use super::pixels::Shows;
+use super::report::{ObjectBounds, ObjectReport};
 use super::summary::{Summary, summary, visible_pixels};
 use super::{light, parts};
 use imogene_golden::format::Format;
+use imogene_golden::object::slot::ProcessorWords;
 use imogene_prepare::{NeededWidths, PreparedObject, PreparedScene};
 use imogene_scene::{FramedObject, FramedScene, RangeReport};
 use serde::Serialize;
@@ -70,8 +71,8 @@ impl CheckReport {
     /// A mark for every pixel, row-major: 1 where object or face is undecided, 2 where the light is.
     pub fn marks(&self) -> Vec<u8> {
         let both = self.open.iter().zip(&self.open_light);
-        both.map(|(&open, &light)| u8::from(open) | u8::from(light) << 1)
-            .collect()
+        let marks = both.map(|(&open, &light)| u8::from(open) | u8::from(light) << 1);
+        marks.collect()
     }
 }
 
@@ -82,42 +83,44 @@ pub fn check(scene: &FramedScene, prepared: &PreparedScene) -> CheckReport {
     let drawn = scene.objects.iter().zip(&prepared.objects).zip(seen);
     type Drawn<'a> = ((&'a FramedObject, &'a PreparedObject), usize);
     let report = |(id, ((framed, object), visible_pixels)): (usize, Drawn)| {
-        let shown = Shown {
-            processor: framed.processor(),
-            visible_pixels,
-            highlights: scene.materials[framed.material()].specular > 0.0,
+        let reviewed = match (framed.quadric(), object.quadric()) {
+            (Some(framed), Some(quadric)) => review(framed, quadric, prepared, &jury),
+            _ => parts::report(framed, object, jury.judge(id), prepared, &jury),
         };
-        match (framed.quadric(), object.quadric()) {
-            (Some(framed), Some(quadric)) => {
-                let report = review(framed, quadric, prepared, &jury, shown);
-                ObjectReport::Quadric(Box::new(report))
-            }
-            _ => {
-                let judge = jury.judge(id);
-                ObjectReport::Parts(parts::report(framed, object, judge, prepared, &jury, shown))
-            }
+        let (screen_box, pixels) = (*object.screen_box(), reviewed.found.pixels);
+        ObjectReport {
+            name: object.name().to_owned(),
+            kind: reviewed.kind,
+            processor: match object.words().first() {
+                Some(ProcessorWords::Quotient(_)) => "quotient",
+                _ => framed.processor(),
+            },
+            screen_box,
+            pixels,
+            visible_pixels,
+            shows: Shows::of(&screen_box, pixels, visible_pixels),
+            highlights: scene.materials[framed.material()].specular > 0.0,
+            undecided: reviewed.found.undecided,
+            problems: reviewed.problems,
+            detail: reviewed.detail,
         }
     };
     let objects: Vec<ObjectReport> = drawn.enumerate().map(report).collect();
     let bounds = scene_bounds(&objects);
-    let held = objects.iter().all(|object| object.undecided().adrift == 0);
+    let held = objects.iter().all(|object| object.undecided.adrift == 0);
     let needed = prepared.needed();
-    let fits = needed.sum <= prepared.format.sum
-        && needed.quadratic <= prepared.format.quadratic
-        && needed.plane <= prepared.format.plane
-        && objects
-            .iter()
-            .all(|object| planes_fit(object, &prepared.format));
+    let format = prepared.format;
+    let fits = needed.sum <= format.sum
+        && needed.quadratic <= format.quadratic
+        && needed.plane <= format.plane
+        && objects.iter().all(|o| planes_fit(o, &format));
     let open = jury.undecided();
     let open_light = light::undecided(prepared, &jury);
     CheckReport {
         ok: fits && held,
         bounds,
-        widths: Widths {
-            format: prepared.format,
-            needed,
-        },
-        range: scene.range.report(prepared.format.z_max()),
+        widths: Widths { format, needed },
+        range: scene.range.report(format.z_max()),
         summary: summary(scene, prepared, &objects),
         undecided_pixels: open.iter().filter(|&&open| open).count(),
         undecided_light_pixels: open_light.iter().filter(|&&open| open).count(),

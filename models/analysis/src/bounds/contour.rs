@@ -56,13 +56,20 @@ pub(super) struct Displacement {
     pub singular: Option<(i64, i64)>,
 }
 
+impl Displacement {
+    /// Of a silhouette that has a direction everywhere.
+    const fn straight(pixels: f64) -> Displacement {
+        Displacement {
+            pixels,
+            singular: None,
+        }
+    }
+}
+
 /// Bounds the displacement of the contour on the object's screen box.
 pub(super) fn displacement(object: &PreparedQuadric, format: &Format) -> Displacement {
     if object.words.screen_box.is_empty() {
-        return Displacement {
-            pixels: 0.0,
-            singular: None,
-        };
+        return Displacement::straight(0.0);
     }
     let contour = Contour::new(object, format);
     let trimmed = contour.search(true);
@@ -181,21 +188,15 @@ impl<'a> Contour<'a> {
                 .map(|x| self.survey(x, y))
                 .fold(Survey::EMPTY, Survey::merged)
         };
-        let survey = (window.y0..=window.y1)
-            .into_par_iter()
-            .map(line)
-            .reduce(|| Survey::EMPTY, Survey::merged);
-        self.conclude(&survey)
+        let lines = (window.y0..=window.y1).into_par_iter().map(line);
+        self.conclude(&lines.reduce(|| Survey::EMPTY, Survey::merged))
     }
 
     fn conclude(&self, survey: &Survey) -> Displacement {
         let steep = self.error / survey.least_gradient * (1.0 + FLOAT_MARGIN);
         let Rectangle { low, high } = survey.flat;
         if low[0] > high[0] {
-            return Displacement {
-                pixels: steep,
-                singular: None,
-            };
+            return Displacement::straight(steep);
         }
         let window = self.words.screen_box;
         let diagonal = ((window.x1 - window.x0) as f64).hypot((window.y1 - window.y0) as f64);
@@ -223,15 +224,11 @@ impl<'a> Contour<'a> {
         if least_curvature <= 0.0 {
             return f64::INFINITY;
         }
-        let Local {
-            value,
-            gradient: [gx, gy],
-        } = self.local(x, y);
+        let local = self.local(x, y);
+        let (value, [gx, gy]) = (local.value, local.gradient);
         let determinant = 4.0 * a * b - c * c;
-        let (u, v) = (
-            (c * gy - 2.0 * b * gx) / determinant,
-            (c * gx - 2.0 * a * gy) / determinant,
-        );
+        let u = (c * gy - 2.0 * b * gx) / determinant;
+        let v = (c * gx - 2.0 * a * gy) / determinant;
         // Counted from the side to which the summit or pit points; beyond -e2 both contours go around it.
         let extreme = (value + 0.5 * (gx * u + gy * v)) * a.signum();
         let margin = FLOAT_MARGIN * (value.abs() + (gx * u).abs() + (gy * v).abs() + self.error);

@@ -93,10 +93,8 @@ pub(super) fn certain(is: bool, is_not: bool) -> Option<bool> {
 
 /// What is known of two statements together.
 pub(super) fn both(one: Option<bool>, other: Option<bool>) -> Option<bool> {
-    certain(
-        (one, other) == (Some(true), Some(true)),
-        one == Some(false) || other == Some(false),
-    )
+    let known = [one, other];
+    certain(known == [Some(true); 2], known.contains(&Some(false)))
 }
 
 /// Where `sqrt(f2)` lies if the computed value is `f2`; a negative true f2 counts as zero.

@@ -94,20 +94,19 @@ pub fn summaries(rows: &[Headroom]) -> Vec<Summary> {
             keys.push(key(row));
         }
     }
-    keys.into_iter()
-        .map(|k| summary(&rows.iter().filter(|h| key(h) == k).collect::<Vec<_>>()))
-        .collect()
+    let of = |k| rows.iter().filter(|h| key(h) == k).collect::<Vec<_>>();
+    keys.into_iter().map(|k| summary(&of(k))).collect()
 }
 
 fn summary(rows: &[&Headroom]) -> Summary {
     let depths: u64 = rows.iter().map(|h| h.depths).sum();
-    let squares: f64 = rows
-        .iter()
-        .map(|h| h.depth_rms_lsb.powi(2) * h.depths as f64)
-        .sum();
+    let squared = |h: &&Headroom| h.depth_rms_lsb.powi(2) * h.depths as f64;
+    let squares: f64 = rows.iter().map(squared).sum();
     // `None` if any scene has nothing.
     let needs: Option<Vec<i32>> = rows.iter().map(|h| h.confirmed).collect();
     let confirmed = needs.and_then(|bits| bits.into_iter().max());
+    let derived = rows.iter().map(|h| h.derived).max();
+    let limiting = rows.iter().filter(|h| h.confirmed == confirmed);
     Summary {
         width: rows[0].width,
         height: rows[0].height,
@@ -117,37 +116,24 @@ fn summary(rows: &[&Headroom]) -> Summary {
         scenes_with_errors: rows.iter().filter(|h| h.silhouette_errors > 0).count(),
         depth_max_lsb: rows.iter().map(|h| h.depth_max_lsb).fold(0.0, f64::max),
         depth_rms_lsb: (squares / depths.max(1) as f64).sqrt(),
-        derived: rows
-            .iter()
-            .map(|h| h.derived)
-            .max()
-            .expect("at least one row"),
+        derived: derived.expect("at least one row"),
         confirmed,
-        errors_with_one_less: rows
-            .iter()
-            .filter(|h| h.confirmed == confirmed)
-            .map(|h| h.errors_with_one_less)
-            .sum(),
+        errors_with_one_less: limiting.map(|h| h.errors_with_one_less).sum(),
     }
 }
 
 /// Counts errors and needs; `prepared` must have no guard bits.
 pub fn headroom(prepared: &PreparedScene) -> Headroom {
-    let objects: Vec<Subject> = prepared
-        .quadrics()
-        .map(|(_, object)| object)
-        .filter(|o| !o.words.screen_box.is_empty())
-        .map(Subject::new)
-        .collect();
+    let objects = prepared.quadrics().map(|(_, object)| object);
+    let objects = objects.filter(|o| !o.words.screen_box.is_empty());
+    let objects: Vec<Subject> = objects.map(Subject::new).collect();
     let ties = objects.iter().map(|o| o.signs.ties).sum();
     let risk = objects.iter().map(|o| o.signs.risk).fold(0.0, f64::max);
     let derived = bits_above(risk);
     let count = |guards: i32| objects.iter().map(|o| o.errors(guards)).sum::<u64>();
     let (confirmed, errors_with_one_less) = count_down(derived, &count);
-    let depths = objects
-        .iter()
-        .map(|o| depth_errors(o.object, &o.signs.present, &prepared.format))
-        .fold(DepthErrors::default(), DepthErrors::merged);
+    let depths = |o: &Subject| depth_errors(o.object, &o.signs.present, &prepared.format);
+    let depths = DepthErrors::of_all(objects.iter().map(depths));
     Headroom {
         width: prepared.width,
         height: prepared.height,
@@ -206,11 +192,8 @@ struct Subject<'a> {
 
 impl Subject<'_> {
     fn new(object: &PreparedQuadric) -> Subject<'_> {
-        let bound = |x, y| {
-            object
-                .anchor
-                .quadratic_bound(&ScreenBox::of([x, x], [y, y]))
-        };
+        let at = |x, y| ScreenBox::of([x, x], [y, y]);
+        let bound = |x, y| object.anchor.quadratic_bound(&at(x, y));
         Subject {
             object,
             signs: true_signs(&object.exact.f2, &object.words.screen_box, bound),
@@ -260,6 +243,7 @@ fn rounded_with(exact: &QuadraticForm, anchor: Anchor, guards: i32) -> Quadratic
 }
 
 /// What is true of f2 on a box; no format and no rounding has a part in it but the scale.
+#[derive(Default)]
 struct TrueSigns {
     /// For each pixel, row by row: f2 >= 0.
     pub present: Vec<bool>,
@@ -280,11 +264,7 @@ fn true_signs(
     let (form, denominator) = common_denominator(exact.factors());
     let unit = denominator.to_f64().expect("a finite or infinite float");
     let line = |y: i64| {
-        let mut line = TrueSigns {
-            present: vec![],
-            ties: 0,
-            risk: 0.0,
-        };
+        let mut line = TrueSigns::default();
         // Forward differences along the line.
         let at = |x: i64| second_degree(&form, x, y);
         let mut value = at(window.x0);
@@ -342,13 +322,12 @@ impl DepthErrors {
         self.count += 1;
     }
 
-    /// Those of both.
-    pub fn merged(self, other: DepthErrors) -> DepthErrors {
-        DepthErrors {
-            most: self.most.max(other.most),
-            squares: self.squares + other.squares,
-            count: self.count + other.count,
-        }
+    fn of_all(parts: impl Iterator<Item = DepthErrors>) -> DepthErrors {
+        parts.fold(DepthErrors::default(), |all, part| DepthErrors {
+            most: all.most.max(part.most),
+            squares: all.squares + part.squares,
+            count: all.count + part.count,
+        })
     }
 
     /// Root of the mean square.
@@ -368,12 +347,10 @@ impl Residuals {
     fn of(object: &PreparedQuadric) -> Residuals {
         let (words, exact, anchor) = (&object.words, &object.exact, object.anchor);
         let (x, y) = (integer(anchor.x), integer(anchor.y));
-        let f1 = LinearForm::of_words(&words.f1)
-            .minus(&exact.f1)
-            .about(&x, &y);
-        let f2 = QuadraticForm::of_words(&words.f2)
-            .minus(&exact.f2)
-            .about(&x, &y);
+        let f1 = LinearForm::of_words(&words.f1).minus(&exact.f1);
+        let f1 = f1.about(&x, &y);
+        let f2 = QuadraticForm::of_words(&words.f2).minus(&exact.f2);
+        let f2 = f2.about(&x, &y);
         Residuals {
             anchor,
             f1: [&f1.a, &f1.b, &f1.c].map(to_f64),
@@ -398,19 +375,16 @@ fn depth_errors(object: &PreparedQuadric, present: &[bool], format: &Format) -> 
     }
     let window: ScreenBox = object.words.screen_box;
     let residuals = Residuals::of(object);
-    let lines: Vec<DepthErrors> = lines(&window, present)
-        .map(|(y, line)| {
-            let mut found = DepthErrors::default();
-            for (x, _) in (window.x0..).zip(line).filter(|(_, present)| **present) {
-                add_pixel(object, &residuals, format, (x, y), &mut found);
-            }
-            found
-        })
-        .collect();
+    let line = |(y, line): (i64, &[bool])| {
+        let mut found = DepthErrors::default();
+        for (x, _) in (window.x0..).zip(line).filter(|(_, present)| **present) {
+            add_pixel(object, &residuals, format, (x, y), &mut found);
+        }
+        found
+    };
+    let lines: Vec<DepthErrors> = lines(&window, present).map(line).collect();
     // Added in order, so that the sum is the same in every run.
-    lines
-        .into_iter()
-        .fold(DepthErrors::default(), DepthErrors::merged)
+    DepthErrors::of_all(lines.into_iter())
 }
 
 fn add_pixel(
@@ -430,10 +404,9 @@ fn add_pixel(
     let true_root = (f2 as f64 - quadratic).max(0.0).sqrt();
     // true root - root, without cancellation
     let below = (f2 - root * root) as f64 - quadratic;
-    let root_error = if below == 0.0 {
-        0.0
-    } else {
-        below / (true_root + root as f64)
+    let root_error = match below == 0.0 {
+        true => 0.0,
+        false => below / (true_root + root as f64),
     };
     let visible = |depth: i64| depth >= format.z_low() && depth < format.z_max();
     if visible(f1 - root) {

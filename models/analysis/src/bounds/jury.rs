@@ -2,7 +2,7 @@
 
 use super::depth::Range;
 use super::outline::Silhouette;
-use super::truth::{True, Truth};
+use super::truth::{Columns, True, Truth};
 use super::verdict::{Contest, Verdict, decide};
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::ScreenBox;
@@ -12,7 +12,6 @@ use imogene_prepare::{PreparedObject, PreparedQuadric, PreparedScene};
 use imogene_scene::{FramedObject, FramedScene};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
-use std::ops::RangeInclusive;
 
 /// What is proven of the objects of a scene: which pixels of its picture rounding leaves open.
 pub struct Jury<'a> {
@@ -93,13 +92,9 @@ impl<'a> Jury<'a> {
     /// For every pixel of the picture, row-major, whether rounding could change the visible object or face;
     /// everywhere else golden and true picture are proven to show the same face of the same object.
     pub fn undecided(&self) -> Vec<bool> {
-        (0..i64::from(self.prepared.height))
-            .into_par_iter()
-            .flat_map_iter(|y| {
-                let line = self.line(y);
-                line.into_iter().map(|contest| !contest.is_decided())
-            })
-            .collect()
+        let lines = (0..i64::from(self.prepared.height)).into_par_iter();
+        let contests = lines.flat_map_iter(|y| self.line(y));
+        contests.map(|contest| !contest.is_decided()).collect()
     }
 
     /// The same for one pixel.
@@ -118,7 +113,7 @@ impl<'a> Jury<'a> {
         self.contests(y, 0..=i64::from(self.prepared.width) - 1)
     }
 
-    fn contests(&self, y: i64, columns: RangeInclusive<i64>) -> Vec<Contest> {
+    fn contests(&self, y: i64, columns: Columns) -> Vec<Contest> {
         let first = *columns.start();
         let place = |x: i64| (x - first) as usize;
         let count = columns.clone().count();
@@ -127,18 +122,16 @@ impl<'a> Jury<'a> {
         let (before, opaque): (Vec<_>, Vec<_>) =
             judges.partition(|(id, _)| self.transparent.contains(id));
         for (id, judge) in opaque {
-            judge.for_each(y, columns.clone(), |x, verdict| {
-                contests[place(x)].enter(id, &verdict);
-            });
+            let enter = |x, verdict| contests[place(x)].enter(id, &verdict);
+            judge.for_each(y, columns.clone(), enter);
         }
         if before.is_empty() {
             return contests;
         }
         let mut layers: Vec<Vec<Verdict>> = vec![vec![]; count];
         for (_, judge) in before {
-            judge.for_each(y, columns.clone(), |x, verdict| {
-                layers[place(x)].push(verdict)
-            });
+            let stand = |x, verdict| layers[place(x)].push(verdict);
+            judge.for_each(y, columns.clone(), stand);
         }
         let both = contests.iter_mut().zip(&layers);
         both.for_each(|(contest, layers)| contest.see_through(layers));
@@ -195,12 +188,7 @@ impl<'a> Judge<'a> {
     }
 
     /// Calls `sink` for the pixels of a line between two columns that lie in the window.
-    pub fn for_each(
-        &self,
-        y: i64,
-        columns: RangeInclusive<i64>,
-        mut sink: impl FnMut(i64, Verdict),
-    ) {
+    pub fn for_each(&self, y: i64, columns: Columns, mut sink: impl FnMut(i64, Verdict)) {
         let window = self.window();
         if window.is_empty() || !(window.y0..=window.y1).contains(&y) {
             return;
@@ -214,8 +202,8 @@ impl<'a> Judge<'a> {
             Judge::Truth(comparison) => {
                 let first = *columns.start();
                 let line = comparison.line(y, columns).into_iter();
-                line.zip(first..)
-                    .for_each(|(found, x)| sink(x, found.verdict()));
+                let line = line.zip(first..);
+                line.for_each(|(found, x)| sink(x, found.verdict()));
             }
         }
     }
@@ -223,13 +211,11 @@ impl<'a> Judge<'a> {
 
 impl Comparison {
     /// Golden and true picture of a part of a line.
-    pub fn line(&self, y: i64, columns: RangeInclusive<i64>) -> Vec<Compared> {
+    pub fn line(&self, y: i64, columns: Columns) -> Vec<Compared> {
         let first = *columns.start();
         let truth = self.truth.line(y, columns).into_iter();
-        let apart = |truth| Compared {
-            golden: None,
-            truth,
-        };
+        let golden = None;
+        let apart = |truth| Compared { golden, truth };
         let mut line: Vec<Compared> = truth.map(apart).collect();
         for words in &self.words {
             words.for_each_present(&self.format, y, |x, pixel| {

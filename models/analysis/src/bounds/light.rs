@@ -98,10 +98,7 @@ impl Volume<'_> {
             };
             all = both(all, kept);
         }
-        let quadric = self.quadric.as_ref().map_or(Some(true), |(words, unit)| {
-            self.in_quadric(words, *unit, &seen.depth, format, (x, y))
-        });
-        both(all, quadric)
+        both(all, self.in_quadric(&seen.depth, format, (x, y)))
     }
 
     /// Whether the face that is seen is the one at which the volume begins.
@@ -114,14 +111,10 @@ impl Volume<'_> {
         }
     }
 
-    fn in_quadric(
-        &self,
-        words: &QuadricWords,
-        unit: f64,
-        depth: &Range,
-        format: &Format,
-        (x, y): (i64, i64),
-    ) -> Option<bool> {
+    fn in_quadric(&self, depth: &Range, format: &Format, (x, y): (i64, i64)) -> Option<bool> {
+        let Some((words, unit)) = &self.quadric else {
+            return Some(true);
+        };
         let bounds: &RoundingBounds = &self.prepared.bounds;
         let f2 = words.f2_at(x, y, format);
         let met = Range::of_dropped(f2, bounds.f2, bounds.dropped_f2).not_negative();
@@ -129,6 +122,7 @@ impl Volume<'_> {
         // In depth words; the golden point is cut to the unit, which takes less than one.
         let [near, far] =
             [near, far].map(|r| Range::new((r.low - 1.0) * unit, (r.high + 1.0) * unit));
+        let not = |known: Option<bool>| known.map(|known| !known);
         let behind_near = self.is_behind(depth, &near);
         let before_far = depth.is_before(&far);
         match words.class {
@@ -136,10 +130,10 @@ impl Volume<'_> {
             Class::Side => both(met, both(behind_near, before_far)),
             Class::Front => {
                 let between = both(
-                    depth.is_before(&near).map(|before| !before),
-                    self.is_behind(depth, &far).map(|behind| !behind),
+                    not(depth.is_before(&near)),
+                    not(self.is_behind(depth, &far)),
                 );
-                both(met, between).map(|inside| !inside)
+                not(both(met, between))
             }
             Class::Patch => Some(false),
         }

@@ -52,10 +52,9 @@ impl Search<'_> {
     fn guess(&self) -> MachineWords {
         let wide = self.prepared.format.widths();
         let guess = self.prepared.needed().narrowed(&wide);
-        if self.keeps(&guess).is_ok() {
-            guess
-        } else {
-            wide
+        match self.keeps(&guess) {
+            Ok(()) => guess,
+            Err(_) => wide,
         }
     }
 
@@ -86,10 +85,8 @@ impl Search<'_> {
         // The preparation proves the exact depth of a plane, not what its rounded words reach.
         for (_, object) in other.quadrics() {
             if plane_bits(&object.words).iter().any(|&b| b > format.plane) {
-                return Err(format!(
-                    "object '{}': the words of a plane would wrap",
-                    object.name
-                ));
+                let name = &object.name;
+                return Err(format!("object '{name}': the words of a plane would wrap"));
             }
         }
         for (mine, others) in self.prepared.volumes.iter().zip(&other.volumes) {

@@ -28,12 +28,10 @@ const FLOAT_MARGIN: f64 = 32.0 * f64::EPSILON;
 pub fn normal_bound(object: &PreparedQuadric, number: u8, f2: i64, normal: [i16; 3]) -> f64 {
     match number {
         FACE_NEAR_END => 0.0,
-        FACE_NEAR | FACE_FAR => degrees(quadric_sine(
-            &object.words.normal,
-            &object.bounds,
-            f2,
-            normal,
-        )),
+        FACE_NEAR | FACE_FAR => {
+            let words = &object.words.normal;
+            degrees(quadric_sine(words, &object.bounds, f2, normal))
+        }
         _ => constant_normal_bound(normal),
     }
 }

@@ -1,109 +1,30 @@
 //! The check of one object: a golden pass over its screen box, with the bounds at every pixel.
 
-use super::accumulators::{Accumulators, accumulators, plane_bits};
+use super::accumulators::{accumulators, plane_bits};
 use super::contour::{Displacement, displacement};
-use super::depth::{DepthTerms, depth_bound, worst_case, worst_terms};
+use super::depth::{depth_bound, worst_case, worst_terms};
 use super::jury::Jury;
 use super::kind::quadric_kind;
 use super::normal::normal_bound;
 use super::outline::{Presence, Silhouette};
-use super::pixels::{Findings, Shown, Shows, Undecided, adrift_problem, unshown_problem};
+use super::pixels::{Findings, adrift_problem, unshown_problem};
+use super::report::{Detail, ObjectBounds, QuadricReport, Reviewed};
 use super::verdict::decide;
 use imogene_golden::format::Format;
 use imogene_golden::object::line::for_each_present;
 use imogene_golden::object::quadric::{ObjectPixel, QuadricWords, ScreenBox};
 use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::depth_interval::{Class, FACE_NEAR_END};
-use imogene_prepare::{NeededWidths, PreparedQuadric, PreparedScene};
-use imogene_scene::{FramedQuadric, Surface};
+use imogene_prepare::{PreparedQuadric, PreparedScene};
+use imogene_scene::FramedQuadric;
 use rayon::prelude::*;
-use serde::Serialize;
-
-/// One object of a checked scene that a quadric or a patch processor draws.
-#[derive(Clone, Debug, Serialize)]
-pub struct QuadricReport {
-    /// Name in the scene.
-    pub name: String,
-    /// Type of the quadric, as in scene files.
-    pub kind: &'static str,
-    /// The processor that draws it.
-    pub processor: &'static str,
-    /// Volume or surface.
-    pub surface: Surface,
-    /// How the object lies to the viewer.
-    pub class: Class,
-    /// Number of cut planes.
-    pub planes: usize,
-    /// Where the object can be on the screen.
-    pub screen_box: ScreenBox,
-    /// Pixels at which the golden processor sees it, hidden or not.
-    pub pixels: usize,
-    /// Pixels of the golden picture that show it.
-    pub visible_pixels: usize,
-    /// Whether any does, and if not, why.
-    pub shows: Shows,
-    /// Whether its material mirrors light.
-    pub highlights: bool,
-    /// Whether it is of class front: the viewer is inside the unbounded quadric.
-    pub front_view: bool,
-    /// Whether it is a prism: the quadric does not depend on the depth.
-    pub prism: bool,
-    /// Whether the quadric is no curved surface: planes, a line, a point, or nothing.
-    pub degenerate: bool,
-    /// Indices of the cut planes that are half-planes of the screen.
-    pub perpendicular_planes: Vec<usize>,
-    /// Indices of the cut planes that change no pixel.
-    pub planes_without_effect: Vec<usize>,
-    /// Bits that each accumulator needs.
-    pub needed: NeededWidths,
-    /// Bits that the values take at the pixels of the box, exactly; `None` if the box is empty.
-    pub accumulators: Option<Accumulators>,
-    /// Bounds that hold at every pixel of the box.
-    pub bounds: ObjectBounds,
-    /// Pixels of the box that rounding could change.
-    pub undecided: Undecided,
-    /// What a person should know.
-    pub problems: Vec<String>,
-    /// The normal bounds that the scene's quantile is taken of.
-    #[serde(skip)]
-    pub(super) angles: Vec<f32>,
-}
-
-/// Bounds of one object.
-#[derive(Clone, Debug, Default, Serialize)]
-pub struct ObjectBounds {
-    /// Rounding of f1, in depth words.
-    pub f1: f64,
-    /// Rounding of f2, in its last bit.
-    pub f2: f64,
-    /// Rounding of each plane, in its last bit.
-    pub planes: Vec<f64>,
-    /// Greatest depth error at any pixel at which the object is present, in depth words.
-    pub depth_lsb: f64,
-    /// The same in closed form, whatever the pixels.
-    pub depth_lsb_closed_form: f64,
-    /// The terms of the closed form that the quadric's faces add up, in depth words.
-    pub depth_terms: DepthTerms,
-    /// Greatest displacement of the silhouette, in pixels.
-    pub silhouette_px: f64,
-    /// True if the silhouette has a point without direction: the apex of a double cone, or an object that all but
-    /// vanishes.
-    pub silhouette_singular: bool,
-    /// Greatest angle of a normal whose direction the words determine, in degrees.
-    pub normal_deg: f64,
-    /// 99.9 % of these normals are within this angle, in degrees.
-    pub normal_deg_999: f64,
-    /// Pixels whose normal the words do not determine.
-    pub normals_undetermined: usize,
-}
 
 pub(super) fn review(
     framed: &FramedQuadric,
     object: &PreparedQuadric,
     prepared: &PreparedScene,
     jury: &Jury,
-    shown: Shown,
-) -> QuadricReport {
+) -> Reviewed {
     let format = &prepared.format;
     let window = object.words.screen_box;
     let mut found = lines(&window)
@@ -134,30 +55,27 @@ pub(super) fn review(
         normal_deg_999: quantile_999(&mut found.angles),
         normals_undetermined: found.undetermined,
     };
-    let without_effect = planes_without_effect(object, &found, format);
-    QuadricReport {
-        name: object.name.clone(),
-        kind: quadric_kind(&framed.quadric),
-        processor: shown.processor,
+    let kind = quadric_kind(&framed.quadric);
+    let report = QuadricReport {
         surface: framed.surface,
         class: object.words.class,
         planes: framed.planes.len(),
-        screen_box: window,
-        pixels: found.pixels,
-        visible_pixels: shown.visible_pixels,
-        shows: Shows::of(&window, found.pixels, shown.visible_pixels),
-        highlights: shown.highlights,
         front_view: object.words.class == Class::Front,
         prism: object.words.class == Class::Prism,
-        degenerate: is_degenerate(quadric_kind(&framed.quadric)),
+        degenerate: is_degenerate(kind),
         perpendicular_planes: perpendicular_planes(&object.words),
         needed: object.needed.clone(),
         accumulators: accumulators(object, size, format),
         bounds,
-        undecided: found.undecided,
-        problems: problems(object, format, &without_effect, &found, silhouette, &adrift),
-        planes_without_effect: without_effect,
-        angles: found.angles,
+        planes_without_effect: planes_without_effect(object, &found, format),
+        angles: std::mem::take(&mut found.angles),
+    };
+    let without_effect = &report.planes_without_effect;
+    Reviewed {
+        kind,
+        problems: problems(object, format, without_effect, &found, silhouette, &adrift),
+        found,
+        detail: Detail::Quadric(Box::new(report)),
     }
 }
 
@@ -245,15 +163,10 @@ fn problems(
 
 /// Kinds of quadrics that are no curved surface.
 fn is_degenerate(kind: &str) -> bool {
-    let kinds = [
-        "plane_pair",
-        "double_plane",
-        "plane",
-        "line",
-        "point",
-        "empty",
-    ];
-    kinds.contains(&kind)
+    matches!(
+        kind,
+        "plane_pair" | "double_plane" | "plane" | "line" | "point" | "empty"
+    )
 }
 
 fn perpendicular_planes(words: &QuadricWords) -> Vec<usize> {
@@ -271,10 +184,9 @@ fn planes_without_effect(
     let idle = |&index: &usize| {
         words.planes[index].kind != PlaneKind::None && is_without_effect(words, index, format)
     };
+    let is_shown = found.pixels > 0;
     let planes = 0..words.planes.len();
-    planes
-        .filter(|index| found.pixels > 0 && idle(index))
-        .collect()
+    planes.filter(|at| is_shown && idle(at)).collect()
 }
 
 /// True if the golden processor sees the same on every pixel of the box without this plane.

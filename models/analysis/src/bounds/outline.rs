@@ -46,10 +46,8 @@ pub struct Silhouette {
 impl Silhouette {
     /// The pixels at which the outline may be a pixel or more away from the true one.
     pub fn adrift(&self) -> Vec<(i64, i64)> {
-        let window = self.window;
-        let lines = window.y0..=window.y1;
-        let all = lines.flat_map(|y| (window.x0..=window.x1).map(move |x| (x, y)));
-        all.filter(|&at| self.is_adrift(at)).collect()
+        let pixels = self.window.each();
+        pixels.filter(|&at| self.is_adrift(at)).collect()
     }
 
     fn is_adrift(&self, at: (i64, i64)) -> bool {
@@ -66,10 +64,8 @@ impl Silhouette {
     /// Whether one of the four squares of four pixels that hold this one is all open.
     fn is_of_a_square(&self, (x, y): (i64, i64)) -> bool {
         let open = |u: i64, v: i64| self.at((x + u, y + v)) == Some(Presence::Open);
-        let squares = [(-1, -1), (-1, 1), (1, -1), (1, 1)];
-        squares
-            .iter()
-            .any(|&(u, v)| open(u, 0) && open(0, v) && open(u, v))
+        let mut squares = [(-1, -1), (-1, 1), (1, -1), (1, 1)].into_iter();
+        squares.any(|(u, v)| open(u, 0) && open(0, v) && open(u, v))
     }
 
     fn around(&self, (x, y): (i64, i64)) -> impl Iterator<Item = Option<Presence>> + '_ {
@@ -81,15 +77,14 @@ impl Silhouette {
     /// Nothing beyond the picture.
     fn at(&self, (x, y): (i64, i64)) -> Option<Presence> {
         let (width, height) = self.size;
-        let on_screen = (0..i64::from(width)).contains(&x) && (0..i64::from(height)).contains(&y);
-        if !on_screen {
+        if !ScreenBox::of_screen(width, height).contains(x, y) {
             return None;
         }
         let window = &self.window;
         if !window.contains(x, y) {
             return Some(Presence::Absent);
         }
-        let columns = window.x1 - window.x0 + 1;
+        let [columns, _] = window.size();
         Some(self.presence[((y - window.y0) * columns + x - window.x0) as usize])
     }
 }

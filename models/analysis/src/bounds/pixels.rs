@@ -31,14 +31,6 @@ impl Shows {
     }
 }
 
-/// What the scene and its whole picture say of an object.
-#[derive(Clone, Copy)]
-pub(super) struct Shown {
-    pub processor: &'static str,
-    pub visible_pixels: usize,
-    pub highlights: bool,
-}
-
 /// Pixels that rounding could change.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Undecided {
@@ -53,13 +45,9 @@ pub struct Undecided {
 impl Undecided {
     /// Counts what is open at a pixel.
     pub(super) fn count(&mut self, verdict: &Verdict) {
-        if let Verdict::Undecided { silhouette, .. } = verdict {
-            let open = if *silhouette {
-                &mut self.silhouette
-            } else {
-                &mut self.edge
-            };
-            *open += 1;
+        if let Verdict::Undecided { silhouette, .. } = *verdict {
+            self.silhouette += usize::from(silhouette);
+            self.edge += usize::from(!silhouette);
         }
     }
 }

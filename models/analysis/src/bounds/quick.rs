@@ -86,17 +86,12 @@ fn open_part(object: &PreparedQuadric, prepared: &PreparedScene) -> Option<Silho
         return None;
     }
     // One more on each side, where the neighbours are.
-    let window = ScreenBox::of(
-        [around.x0 - 1, around.x1 + 1],
-        [around.y0 - 1, around.y1 + 1],
-    );
+    let ScreenBox { x0, x1, y0, y1 } = around;
+    let window = ScreenBox::of([x0 - 1, x1 + 1], [y0 - 1, y1 + 1]);
     let window = window.in_zone(0, 0, prepared.width.into(), prepared.height.into());
-    let lines = window.y0..=window.y1;
     Some(Silhouette {
         window,
-        presence: lines
-            .flat_map(|y| (window.x0..=window.x1).map(move |x| at(x, y)))
-            .collect(),
+        presence: window.each().map(|(x, y)| at(x, y)).collect(),
         size: (prepared.width, prepared.height),
     })
 }

@@ -2,9 +2,8 @@
 
 use super::guards::{ExactGuards, exact_guards};
 use super::needs::{MachineNeeds, machine_needs};
-use super::object::QuadricReport;
 use super::pixels::Shows;
-use super::report::ObjectReport;
+use super::report::{ObjectReport, QuadricReport};
 use imogene_prepare::PreparedScene;
 use imogene_scene::FramedScene;
 use serde::Serialize;
@@ -38,15 +37,11 @@ pub(super) fn summary(
     prepared: &PreparedScene,
     objects: &[ObjectReport],
 ) -> Summary {
-    let quadrics = |is: fn(&QuadricReport) -> bool| -> Vec<String> {
-        let quadrics = objects.iter().filter_map(ObjectReport::quadric);
-        let found = quadrics.filter(|o| is(o));
+    let all = |is: &dyn Fn(&ObjectReport) -> bool| -> Vec<String> {
+        let found = objects.iter().filter(|o| is(o));
         found.map(|o| o.name.clone()).collect()
     };
-    let all = |is: fn(&ObjectReport) -> bool| -> Vec<String> {
-        let found = objects.iter().filter(|o| is(o));
-        found.map(|o| o.name().to_owned()).collect()
-    };
+    let quadrics = |is: fn(&QuadricReport) -> bool| all(&|o| o.quadric().is_some_and(is));
     Summary {
         machine: machine_needs(scene, prepared),
         guards: exact_guards(prepared),
@@ -55,8 +50,8 @@ pub(super) fn summary(
         degenerate: quadrics(|o| o.degenerate),
         perpendicular_planes: quadrics(|o| !o.perpendicular_planes.is_empty()),
         planes_without_effect: quadrics(|o| !o.planes_without_effect.is_empty()),
-        never_shown: all(|o| o.shows() != Shows::Visible),
-        without_highlights: all(|o| !o.highlights()),
+        never_shown: all(&|o| o.shows != Shows::Visible),
+        without_highlights: all(&|o| !o.highlights),
     }
 }
 

@@ -124,9 +124,8 @@ impl Pixel {
     /// The ray is kept before the nearest back plane.
     fn exit(&self) -> Range {
         let planes = self.planes_of(PlaneKind::Back);
-        planes.fold(Range::point(f64::INFINITY), |exit, (_, depth)| {
-            exit.min(&depth)
-        })
+        let nearer = |exit: Range, (_, depth): (usize, Range)| exit.min(&depth);
+        planes.fold(Range::point(f64::INFINITY), nearer)
     }
 
     /// The solid between the farthest of `entries` and `exit`.

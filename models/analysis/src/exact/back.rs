@@ -2,7 +2,7 @@
 
 use super::ray::{Hit, RayObject, is_visible, ordered_roots};
 use super::real::SurdReal;
-use super::render::{DEPTH_FRACTION, ExactPixel};
+use super::render::{DEPTH_FRACTION, Found};
 use imogene_golden::format::Format;
 use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR};
 use imogene_scene::{FramedScene, Surface};
@@ -32,9 +32,8 @@ impl RayObject {
                 last.map_or_else(|| hit.clone(), |w| Hit::new(w, FACE_FAR))
             }
             Surface::Solid => {
-                let [_, high] = self
-                    .kept_interval(x, y)
-                    .expect("a solid that is seen has an interval");
+                let kept = self.kept_interval(x, y);
+                let [_, high] = kept.expect("a solid that is seen has an interval");
                 let end = SurdReal::ratio(high.w.0, high.w.1);
                 match left_at(&a, &b, &c, roots, hit) {
                     Some((leaving, number)) if leaving < end => Hit::new(leaving, number),
@@ -65,11 +64,7 @@ fn left_at(
 }
 
 /// The true back at every pixel that shows an object of the quadric or the patch processor that is in no solid.
-pub fn backs(
-    pixels: &[Option<ExactPixel>],
-    scene: &FramedScene,
-    format: &Format,
-) -> Vec<Option<ExactBack>> {
+pub fn backs(pixels: &[Found], scene: &FramedScene, format: &Format) -> Vec<Option<ExactBack>> {
     let members: Vec<usize> = scene.solids.iter().flat_map(|s| s.tree.objects()).collect();
     let seen: BTreeSet<u32> = pixels.iter().flatten().map(|pixel| pixel.id).collect();
     let rays = scene.objects.iter().enumerate().map(|(id, object)| {
@@ -79,7 +74,7 @@ pub fn backs(
     });
     let rays: Vec<Option<RayObject>> = rays.collect();
     let full = BigInt::from(format.z_max());
-    let back = |(index, pixel): (usize, &Option<ExactPixel>)| {
+    let back = |(index, pixel): (usize, &Found)| {
         let pixel = pixel.as_ref()?;
         let object = rays[pixel.id as usize].as_ref()?;
         let width = scene.width as usize;

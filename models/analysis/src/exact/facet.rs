@@ -35,11 +35,8 @@ impl RayMesh {
     pub fn new(mesh: &FramedMesh, scene: &FramedScene) -> RayMesh {
         let rays = ray_points(scene);
         let first = [scene.width, scene.height].map(|n| -integer(i64::from(n)) / integer(2));
-        let seen: Vec<Option<[BigRational; 2]>> = mesh
-            .vertices
-            .iter()
-            .map(|vertex| on_screen(vertex, &scene.projection, &first))
-            .collect();
+        let seen = |vertex| on_screen(vertex, &scene.projection, &first);
+        let seen: Vec<Option<[BigRational; 2]>> = mesh.vertices.iter().map(seen).collect();
         let facet = |(index, facet): (usize, &FramedFacet)| {
             let corners: Option<Vec<[BigRational; 2]>> =
                 facet.corners.iter().map(|&k| seen[k].clone()).collect();
@@ -70,12 +67,8 @@ impl RayMesh {
 impl RayFacet {
     /// The visible point of this facet alone.
     pub fn hit(&self, x: i64, y: i64) -> Option<Hit> {
-        let inside = self.window.contains(x, y)
-            && self
-                .edges
-                .iter()
-                .all(|edge| !first_degree(edge, x, y).is_negative());
-        if !inside {
+        let within = |edge| !first_degree(edge, x, y).is_negative();
+        if !self.window.contains(x, y) || !self.edges.iter().all(within) {
             return None;
         }
         let [slope, constant] = self.plane.each_ref().map(|p| first_degree(p, x, y));
@@ -131,16 +124,11 @@ fn window(corners: &[[BigRational; 2]]) -> ScreenBox {
     let at = |value: &BigRational| value.floor().to_integer().to_i64();
     let bound = |axis: usize| {
         let all = || corners.iter().map(|c| &c[axis]);
-        let (least, greatest) = (all().min(), all().max());
-        (
-            least.and_then(at).unwrap_or(i64::MIN),
-            greatest
-                .and_then(at)
-                .map_or(i64::MAX, |v| v.saturating_add(1)),
-        )
+        let least = all().min().and_then(at).unwrap_or(i64::MIN);
+        let greatest = all().max().and_then(at);
+        [least, greatest.map_or(i64::MAX, |v| v.saturating_add(1))]
     };
-    let ((x0, x1), (y0, y1)) = (bound(0), bound(1));
-    ScreenBox::of([x0, x1], [y0, y1])
+    ScreenBox::of(bound(0), bound(1))
 }
 
 /// The factors of the plane through three points.
@@ -160,13 +148,10 @@ pub(super) struct MeshNormals<'a> {
 
 impl MeshNormals<'_> {
     pub fn new(mesh: &FramedMesh) -> MeshNormals<'_> {
+        let vertices = mesh.vertices.iter().map(|v| v.each_ref().map(to_f64));
         MeshNormals {
             mesh,
-            vertices: mesh
-                .vertices
-                .iter()
-                .map(|v| v.each_ref().map(to_f64))
-                .collect(),
+            vertices: vertices.collect(),
         }
     }
 

@@ -242,17 +242,13 @@ pub(super) fn ray_points(scene: &FramedScene) -> ([Affine; 4], [Affine; 4]) {
     let column = [unit.clone(), BigInt::zero(), middle(scene.width)];
     let line = [BigInt::zero(), unit.clone(), middle(scene.height)];
     let depth = || only(full.numer() * 2);
-    match &scene.projection {
+    let (constant, slope) = match &scene.projection {
         // (eye + t direction) / t with 1/t = -w: direction (x, y, D, 0), eye (0, 0, -D, 1).
-        Projection::Perspective { .. } => (
-            [column, line, depth(), zero()],
-            [zero(), zero(), depth(), only(-unit)],
-        ),
-        Projection::Orthographic { .. } => (
-            [column, line, depth(), only(unit)],
-            [zero(), zero(), depth(), zero()],
-        ),
-    }
+        Projection::Perspective { .. } => (zero(), only(-unit)),
+        Projection::Orthographic { .. } => (only(unit), zero()),
+    };
+    let constant = [column, line, depth(), constant];
+    (constant, [zero(), zero(), depth(), slope])
 }
 
 /// u' M v as `a x^2 + b y^2 + c xy + d x + e y + f`.

@@ -35,6 +35,9 @@ pub struct ExactPixel {
     pub is_back: bool,
 }
 
+/// What is seen at a pixel; nothing on the background.
+pub type Found = Option<ExactPixel>;
+
 /// An object along the rays of a screen.
 pub(super) enum Rays {
     Cut(Box<RayObject>),
@@ -69,11 +72,7 @@ impl Rays {
 }
 
 /// The exact picture, row-major; `None` is background. `line_done` is called once a line, from any thread.
-pub fn render(
-    scene: &FramedScene,
-    format: &Format,
-    line_done: impl Fn() + Sync,
-) -> Vec<Option<ExactPixel>> {
+pub fn render(scene: &FramedScene, format: &Format, line_done: impl Fn() + Sync) -> Vec<Found> {
     render_where(scene, format, |_| true, line_done)
 }
 
@@ -83,7 +82,7 @@ pub fn render_where(
     format: &Format,
     wanted: impl Fn(usize) -> bool + Sync,
     line_done: impl Fn() + Sync,
-) -> Vec<Option<ExactPixel>> {
+) -> Vec<Found> {
     let view = View::new(scene);
     pixels(scene, format, wanted, |x, y| view.visible(x, y), line_done)
 }
@@ -95,35 +94,30 @@ fn pixels(
     wanted: impl Fn(usize) -> bool + Sync,
     visible: impl Fn(i64, i64) -> Option<(u32, Hit)> + Sync,
     line_done: impl Fn() + Sync,
-) -> Vec<Option<ExactPixel>> {
+) -> Vec<Found> {
     let full = BigInt::from(format.z_max());
     let width = i64::from(scene.width);
     let line = |y: i64| {
-        let pixels: Vec<_> = (0..width)
-            .map(|x| {
-                if !wanted((y * width + x) as usize) {
-                    return None;
-                }
-                let (id, hit) = visible(x, y)?;
-                let depth = hit.w.fixed(&full, &full, DEPTH_FRACTION);
-                Some(ExactPixel {
-                    depth: depth
-                        .to_i64()
-                        .expect("visible depths lie in the depth word"),
-                    id,
-                    number: hit.number,
-                    part: hit.part as u32,
-                    is_back: hit.is_back,
-                })
+        let pixel = |x| {
+            if !wanted((y * width + x) as usize) {
+                return None;
+            }
+            let (id, hit) = visible(x, y)?;
+            let depth = hit.w.fixed(&full, &full, DEPTH_FRACTION);
+            Some(ExactPixel {
+                depth: depth.to_i64().expect("in the depth word"),
+                id,
+                number: hit.number,
+                part: hit.part as u32,
+                is_back: hit.is_back,
             })
-            .collect();
+        };
+        let pixels: Vec<Found> = (0..width).map(pixel).collect();
         line_done();
         pixels
     };
-    (0..i64::from(scene.height))
-        .into_par_iter()
-        .flat_map_iter(line)
-        .collect()
+    let lines = (0..i64::from(scene.height)).into_par_iter();
+    lines.flat_map_iter(line).collect()
 }
 
 /// All that can be seen along the rays of a screen.
@@ -141,12 +135,12 @@ impl View<'_> {
         let of = |solid: &FramedSolid| solid.tree.objects().into_iter().collect();
         let members: Vec<BTreeSet<usize>> = scene.solids.iter().map(of).collect();
         let is_alone = |id: &usize| !members.iter().any(|members| members.contains(id));
+        let opaque = (0..scene.objects.len()).filter(|id| !scene.is_transparent(*id));
+        let alone = opaque.filter(is_alone).collect();
         View {
             objects: scene.objects.iter().map(|o| Rays::new(o, scene)).collect(),
             solids: &scene.solids,
-            alone: (0..scene.objects.len())
-                .filter(|id| is_alone(id) && !scene.is_transparent(*id))
-                .collect(),
+            alone,
             members,
         }
     }
@@ -203,7 +197,7 @@ fn first_point(tree: &Tree, met: &BTreeMap<usize, Interval>) -> Option<(usize, H
 }
 
 /// The exact picture rounded to a frame, for shading and comparison: depths floored, normals in full 16-bit words.
-pub fn to_frame(pixels: &[Option<ExactPixel>], scene: &FramedScene, format: &Format) -> Frame {
+pub fn to_frame(pixels: &[Found], scene: &FramedScene, format: &Format) -> Frame {
     let width = scene.width as usize;
     let mut frame = Frame::background(width, scene.height as usize, format.z_max());
     let directions = directions(pixels, scene, format);
@@ -225,12 +219,9 @@ fn layer(id: usize, scene: &FramedScene, format: &Format) -> FrameLayer {
     let hit = |x, y| Some((id as u32, object.as_ref()?.first_hit(x, y)?));
     let pixels = pixels(scene, format, |_| true, hit, || ());
     let directions = directions(&pixels, scene, format);
-    let depth = |pixel: &Option<ExactPixel>| {
-        pixel.map_or(format.z_max(), |pixel| pixel.depth >> DEPTH_FRACTION)
-    };
-    let normal = |(pixel, direction): (&Option<ExactPixel>, [f64; 3])| {
-        pixel.map_or([0; 3], |_| full_length(direction))
-    };
+    let depth = |pixel: &Found| pixel.map_or(format.z_max(), |pixel| pixel.depth >> DEPTH_FRACTION);
+    let normal =
+        |(pixel, direction): (&Found, [f64; 3])| pixel.map_or([0; 3], |_| full_length(direction));
     FrameLayer {
         object: id,
         weight: scene.weight(id),
@@ -240,25 +231,19 @@ fn layer(id: usize, scene: &FramedScene, format: &Format) -> FrameLayer {
 }
 
 /// The direction of the true normal at every pixel, of any length; zero where nothing is seen.
-pub fn directions(
-    pixels: &[Option<ExactPixel>],
-    scene: &FramedScene,
-    format: &Format,
-) -> Vec<[f64; 3]> {
+pub fn directions(pixels: &[Found], scene: &FramedScene, format: &Format) -> Vec<[f64; 3]> {
     let width = scene.width as usize;
     let full = scene.projection.full_depth();
     let unit = (1i64 << DEPTH_FRACTION) as f64 * format.z_max() as f64;
     let normals: Vec<Option<Normals>> = scene.objects.iter().map(Normals::new).collect();
-    let direction = |(index, pixel): (usize, &Option<ExactPixel>)| {
+    let direction = |(index, pixel): (usize, &Found)| {
         let Some(pixel) = pixel else { return [0.0; 3] };
         let depth = pixel.depth as f64 / unit * full;
-        let point = scene
-            .projection
-            .antecedent(scene.pixel_centre(index % width, index / width), depth);
+        let centre = scene.pixel_centre(index % width, index / width);
+        let point = scene.projection.antecedent(centre, depth);
         let normals = normals[pixel.id as usize].as_ref();
-        let direction = normals
-            .expect("no pixel shows what is unseen")
-            .at(pixel, point);
+        let normals = normals.expect("no pixel shows what is unseen");
+        let direction = normals.at(pixel, point);
         match pixel.is_back {
             true => direction.map(|part| -part),
             false => direction,

@@ -19,7 +19,7 @@ use imogene_algebra::vector;
 use imogene_algebra::whole::common_denominator;
 use imogene_golden::machine::lighting::{ALL_SOURCES, Lighting};
 use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR, FACE_PLANE};
-use imogene_scene::{FramedObject, FramedScene, FramedSource, Surface};
+use imogene_scene::{FramedObject, FramedScene, FramedSource, Plane, Quadric, Surface};
 use num_bigint::BigInt;
 use num_traits::Zero;
 use rayon::prelude::*;
@@ -31,12 +31,8 @@ type Vector<F> = [F; 4];
 pub fn lighting(scene: &FramedScene, line_done: impl Fn() + Sync) -> Lighting {
     let (width, height) = (scene.width, scene.height);
     let view = View::new(scene);
-    let casters: Vec<Caster> = scene
-        .objects
-        .iter()
-        .enumerate()
-        .filter_map(Caster::of)
-        .collect();
+    let objects = scene.objects.iter().enumerate();
+    let casters: Vec<Caster> = objects.filter_map(Caster::of).collect();
     let sources = scene.sources.iter();
     let sources: Vec<Source> = sources
         .map(|source| Source::new(source, &casters))
@@ -55,14 +51,9 @@ pub fn lighting(scene: &FramedScene, line_done: impl Fn() + Sync) -> Lighting {
                     object: object as usize,
                     face: hit.number,
                 };
-                let reached = sources.iter().enumerate();
-                reached.fold(ALL_SOURCES, |flags, (bit, source)| {
-                    if source.reaches(&point, &casters) {
-                        flags
-                    } else {
-                        flags & !(1 << bit)
-                    }
-                })
+                let sources = sources.iter().enumerate();
+                let dark = sources.filter(|(_, source)| !source.reaches(&point, &casters));
+                dark.fold(ALL_SOURCES, |flags, (bit, _)| flags & !(1 << bit))
             })
             .collect();
         line_done();
@@ -105,14 +96,15 @@ struct Solid<F> {
 }
 
 impl Solid<BigInt> {
-    fn new(quadric: &imogene_scene::Quadric, planes: &[imogene_scene::Plane]) -> Self {
+    fn new(quadric: &Quadric, planes: &[Plane]) -> Self {
         let q = quadric.clone().primitive().matrix();
+        let whole = |plane: &Plane| {
+            let plane = plane.clone().primitive();
+            plane.coefficients().map(|v| v.to_integer())
+        };
         Solid {
             q: q.map(|row| row.map(|v| v.to_integer())),
-            planes: planes
-                .iter()
-                .map(|p| p.clone().primitive().coefficients().map(|v| v.to_integer()))
-                .collect(),
+            planes: planes.iter().map(whole).collect(),
         }
     }
 
@@ -148,7 +140,7 @@ struct Both {
 }
 
 impl Both {
-    fn new(quadric: &imogene_scene::Quadric, planes: &[imogene_scene::Plane]) -> Both {
+    fn new(quadric: &Quadric, planes: &[Plane]) -> Both {
         let exact = Solid::new(quadric, planes);
         let near = exact.near();
         Both { exact, near }

@@ -97,15 +97,12 @@ impl Drawing {
     ) -> Drawing {
         let lighting = prepared.light(&frame, || ());
         let rgb = shade(&frame, &lighting);
+        let numbered = prepared.objects.iter().map(|o| o.quadric().is_some());
         Drawing {
             format: prepared.format,
             frame,
             backs,
-            numbered: prepared
-                .objects
-                .iter()
-                .map(|o| o.quadric().is_some())
-                .collect(),
+            numbered: numbered.collect(),
             rgb,
         }
     }

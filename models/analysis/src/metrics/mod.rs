@@ -4,7 +4,6 @@
 //! [`Drawing`] is what the golden model draws in any format. [`measure`] compares the two. `docs/trade.md` defines
 //! every figure.
 
-mod crack;
 mod drawing;
 pub mod map;
 mod pixel;
@@ -13,9 +12,8 @@ mod tally;
 pub mod toggles;
 mod truth;
 
-pub use crack::cracks;
 pub use drawing::{Drawing, ZoneScene};
-pub use pixel::{Back, Golden, PixelError, SameFace, pixel_errors};
+pub use pixel::{Back, Golden, PixelError, SameFace, cracks, pixel_errors};
 pub use spread::{Class, Spread, histogram};
 pub use tally::{Metrics, measure};
 pub use truth::Truth;

@@ -1,4 +1,5 @@
-//! One pixel of a golden picture against the truth.
+//! One pixel of a golden picture against the truth; and cracks, where the picture looks through a
+//! surface that is closed.
 
 use super::truth::Truth;
 use crate::exact::back::ExactBack;
@@ -26,7 +27,7 @@ pub enum PixelError {
 
 impl PixelError {
     /// The errors where it shows the right face.
-    pub(super) fn same(&self) -> Option<&SameFace> {
+    pub fn same(&self) -> Option<&SameFace> {
         match self {
             PixelError::Same(same) => Some(same),
             _ => None,
@@ -71,9 +72,8 @@ pub struct Golden<'a> {
 
 /// The error of every pixel, row-major.
 pub fn pixel_errors(truth: &Truth, golden: Golden) -> Vec<PixelError> {
-    (0..truth.pixels.len())
-        .map(|index| pixel_error(truth, golden, index))
-        .collect()
+    let pixels = 0..truth.pixels.len();
+    pixels.map(|at| pixel_error(truth, golden, at)).collect()
 }
 
 fn pixel_error(truth: &Truth, golden: Golden, index: usize) -> PixelError {
@@ -90,22 +90,17 @@ fn pixel_error(truth: &Truth, golden: Golden, index: usize) -> PixelError {
     if golden.numbered[id as usize] && exact.number != golden.frame.number[index] {
         return PixelError::Face;
     }
+    let normal = golden.frame.normal[index];
     PixelError::Same(SameFace {
         depth: word_error(golden.frame.depth[index], exact.depth, golden.format),
         back: back(truth, golden, index, exact),
-        angle: angle(
-            golden.frame.normal[index].map(f64::from),
-            truth.normals[index],
-        ),
+        angle: angle(normal.map(f64::from), truth.normals[index]),
     })
 }
 
 /// A depth word of a format less an exact depth, in words of the base format: exact until the last division.
-pub(super) fn word_error(word: i64, exact: i64, format: &Format) -> f64 {
-    let (own, base) = (
-        i128::from(format.z_max()),
-        i128::from(Truth::FORMAT.z_max()),
-    );
+fn word_error(word: i64, exact: i64, format: &Format) -> f64 {
+    let [own, base] = [format, &Truth::FORMAT].map(|format| i128::from(format.z_max()));
     let difference = ((i128::from(word) * base) << DEPTH_FRACTION) - i128::from(exact) * own;
     difference as f64 / ((own << DEPTH_FRACTION) as f64)
 }
@@ -128,16 +123,52 @@ fn back(truth: &Truth, golden: Golden, index: usize, exact: &ExactPixel) -> Back
 }
 
 /// A depth word of a format, in words of the base format.
-pub(super) fn one_word(format: &Format) -> f64 {
+fn one_word(format: &Format) -> f64 {
     Truth::FORMAT.z_max() as f64 / format.z_max() as f64
 }
 
 /// The angle between two lines in degrees; 90 where one of them has no direction, the worst there is.
-pub(super) fn angle(a: [f64; 3], b: [f64; 3]) -> f64 {
+fn angle(a: [f64; 3], b: [f64; 3]) -> f64 {
     let (sine, cosine) = (length(cross(a, b)), dot(a, b));
     if sine == 0.0 && cosine == 0.0 {
         return 90.0;
     }
     // The cosine alone has no digits left near zero.
     sine.atan2(cosine.abs()).to_degrees()
+}
+
+/// Pixels at which the truth shows a surface, there and at all eight neighbours, and the picture shows the background,
+/// or a point of another object or face that lies behind all nine true points by more than a pixel of depth and more
+/// than a word of its format.
+///
+/// All nine: a pixel on an object's outline that the picture misses shows what is truly seen beside it, which is no
+/// crack.
+pub fn cracks(truth: &Truth, golden: Golden) -> Vec<usize> {
+    let lines = 1..truth.height.saturating_sub(1);
+    let all = lines.flat_map(|y| (1..truth.width.saturating_sub(1)).map(move |x| (x, y)));
+    let cracks = all.filter(|&(x, y)| is_crack(truth, golden, x, y));
+    cracks.map(|(x, y)| y * truth.width + x).collect()
+}
+
+fn is_crack(truth: &Truth, golden: Golden, x: usize, y: usize) -> bool {
+    let index = y * truth.width + x;
+    let Some(exact) = truth.pixels[index] else {
+        return false;
+    };
+    let id = golden.frame.id[index];
+    let same_object = id == exact.id as i32;
+    if same_object && (!golden.numbered[id as usize] || golden.frame.number[index] == exact.number)
+    {
+        return false;
+    }
+    let lines = (y - 1..=y + 1).map(|line| line * truth.width + x);
+    let mut around = lines.flat_map(|index| &truth.pixels[index - 1..=index + 1]);
+    let deepest = around.try_fold(i64::MIN, |most, pixel| {
+        Some(most.max(pixel.as_ref()?.depth))
+    });
+    let Some(deepest) = deepest else {
+        return false;
+    };
+    let margin = truth.words_per_pixel.max(one_word(golden.format));
+    id < 0 || word_error(golden.frame.depth[index], deepest, golden.format) > margin
 }

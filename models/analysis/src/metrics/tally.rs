@@ -1,9 +1,8 @@
 //! All figures of a picture.
 
-use super::crack::cracks;
 use super::drawing::Drawing;
 use super::map::map;
-use super::pixel::{Back, Golden, PixelError, SameFace, pixel_errors};
+use super::pixel::{Back, Golden, PixelError, SameFace, cracks, pixel_errors};
 use super::spread::{Class, Spread, histogram};
 use super::truth::Truth;
 use serde::{Deserialize, Serialize};
@@ -73,11 +72,8 @@ pub fn measure(truth: &Truth, drawing: &Drawing) -> (Metrics, Vec<u8>) {
     let back_words = Spread::of(same().filter_map(back).collect());
     let colour = |wanted: fn(&PixelError) -> bool| {
         let indices = pixels.iter().enumerate().filter(|(_, p)| wanted(p));
-        Spread::of(
-            indices
-                .map(|(index, _)| difference(truth, drawing, index))
-                .collect(),
-        )
+        let errors = indices.map(|(index, _)| difference(truth, drawing, index));
+        Spread::of(errors.collect())
     };
     let metrics = Metrics {
         covered: truth.covered(),
@@ -104,8 +100,7 @@ pub fn measure(truth: &Truth, drawing: &Drawing) -> (Metrics, Vec<u8>) {
 /// The greatest difference of a channel of a pixel.
 fn difference(truth: &Truth, drawing: &Drawing, index: usize) -> f64 {
     let channels = 3 * index..3 * index + 3;
-    let pairs = truth.rgb[channels.clone()]
-        .iter()
-        .zip(&drawing.rgb[channels]);
+    let (truth, drawn) = (&truth.rgb[channels.clone()], &drawing.rgb[channels]);
+    let pairs = truth.iter().zip(drawn);
     f64::from(pairs.map(|(a, b)| a.abs_diff(*b)).max().unwrap_or(0))
 }

@@ -42,9 +42,9 @@ pub fn sample(height: u32) -> Vec<u32> {
 }
 
 /// A rectangle of the screen and the words with which the slots of a machine draw it.
-pub struct Part<'a> {
+pub struct Part {
     /// Words for the whole screen.
-    pub slots: Vec<&'a QuadricWords>,
+    pub slots: Vec<QuadricWords>,
     /// First column and line.
     pub first: (usize, usize),
     /// Columns and lines.
@@ -67,9 +67,7 @@ pub fn count(parts: &[Part], format: &Format, rows_per_stage: u32, height: u32) 
             for words in &part.slots {
                 let zone = words.for_zone(x as i64, i64::from(*line), width as i64, 1);
                 let line = count_line(&zone, format, rows_per_stage, width as u32);
-                sums.iter_mut()
-                    .zip(line)
-                    .for_each(|(sum, bits)| *sum += bits);
+                sums = std::array::from_fn(|k| sums[k] + line[k]);
             }
         }
     }
@@ -175,9 +173,7 @@ impl Bits {
         let (Some(last), Some(now)) = (last, &self.last) else {
             return 0;
         };
-        last.iter()
-            .zip(now)
-            .map(|(a, b)| u64::from((a ^ b).count_ones()))
-            .sum()
+        let pairs = last.iter().zip(now);
+        pairs.map(|(a, b)| u64::from((a ^ b).count_ones())).sum()
     }
 }

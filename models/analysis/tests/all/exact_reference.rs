@@ -45,30 +45,15 @@ enum Found {
 
 /// Points of a line of sight in the camera frame by depth fraction.
 fn point_at(scene: &FramedScene, x: usize, y: usize, depth: f64) -> [f64; 3] {
-    let full = to_f64(match &scene.projection {
-        Projection::Perspective { distance } => distance,
-        Projection::Orthographic { half_depth } => half_depth,
-    });
-    scene
-        .projection
-        .antecedent(scene.pixel_centre(x, y), depth * full)
+    let depth = depth * scene.projection.full_depth();
+    scene.projection.antecedent(scene.pixel_centre(x, y), depth)
 }
 
 fn quadric_value(object: &FramedQuadric, p: [f64; 3]) -> f64 {
     let n = gradient(&object.quadric, p);
-    let greatest = object
-        .quadric
-        .coefficients()
-        .map(|c| to_f64(c).abs())
-        .into_iter()
-        .fold(0.0, f64::max);
-    let [g, h, i, j] = [
-        &object.quadric.g,
-        &object.quadric.h,
-        &object.quadric.i,
-        &object.quadric.j,
-    ]
-    .map(|c| to_f64(c) / greatest);
+    let coefficients = object.quadric.coefficients().map(to_f64);
+    let greatest = coefficients.iter().fold(0.0, |most, c| c.abs().max(most));
+    let [.., g, h, i, j] = coefficients.map(|c| c / greatest);
     (n[0] + g) * p[0] + (n[1] + h) * p[1] + (n[2] + i) * p[2] + j
 }
 
@@ -85,6 +70,14 @@ fn quadratic_along(value: impl Fn(f64) -> f64) -> [f64; 3] {
     [2.0 * (low + high) - 4.0 * middle, high - low, middle]
 }
 
+/// The distance of a depth fraction, as a part of that of the viewer.
+fn weight(scene: &FramedScene, depth: f64) -> f64 {
+    match scene.projection {
+        Projection::Perspective { .. } => 1.0 - depth,
+        Projection::Orthographic { .. } => 1.0,
+    }
+}
+
 /// Depth fractions of the quadric in order, nothing if there are none, an error if it is unclear.
 fn roots(
     scene: &FramedScene,
@@ -92,12 +85,8 @@ fn roots(
     x: usize,
     y: usize,
 ) -> Result<Vec<Candidate>, ()> {
-    let weight = |depth: f64| match scene.projection {
-        Projection::Perspective { .. } => 1.0 - depth,
-        Projection::Orthographic { .. } => 1.0,
-    };
     let value =
-        |depth| quadric_value(object, point_at(scene, x, y, depth)) * weight(depth) * weight(depth);
+        |depth| quadric_value(object, point_at(scene, x, y, depth)) * weight(scene, depth).powi(2);
     let [a, b, c] = quadratic_along(value);
     let size = b * b + (4.0 * a * c).abs();
     let discriminant = b * b - 4.0 * a * c;
@@ -109,11 +98,9 @@ fn roots(
     }
     let mut depths = [-1.0, 1.0].map(|s| (-b + s * discriminant.sqrt()) / (2.0 * a));
     depths.sort_by(f64::total_cmp);
-    Ok((0..2)
-        .map(|k| Candidate {
-            depth: depths[k],
-            number: k as u8,
-        })
+    let candidates = depths.into_iter().zip(0..);
+    Ok(candidates
+        .map(|(depth, number)| Candidate { depth, number })
         .collect())
 }
 
@@ -121,13 +108,9 @@ fn cast(scene: &FramedScene, object: &FramedQuadric, x: usize, y: usize) -> Foun
     let Ok(quadric) = roots(scene, object, x, y) else {
         return Found::Unclear;
     };
-    let weight = |depth: f64| match scene.projection {
-        Projection::Perspective { .. } => 1.0 - depth,
-        Projection::Orthographic { .. } => 1.0,
-    };
     let planes = (0..object.planes.len()).filter_map(|i| {
-        let value =
-            |depth: f64| plane_value(object, i, point_at(scene, x, y, depth)) * weight(depth);
+        let at = |depth| point_at(scene, x, y, depth);
+        let value = |depth| plane_value(object, i, at(depth)) * weight(scene, depth);
         let (low, high) = (value(-0.5), value(0.5));
         let depth = -0.5 - low / (high - low);
         depth.is_finite().then_some(Candidate {
@@ -166,25 +149,19 @@ fn agrees_with_a_slow_ray_caster_wherever_floats_can_tell() {
     let (mut hits, mut misses, mut unclear) = (0, 0, 0);
     for name in NAMES {
         let scene = collection(name, 320, 240);
-        let rays: Vec<_> = scene
-            .objects
-            .iter()
-            .filter_map(|o| o.quadric())
-            .map(|o| RayObject::new(o, &scene))
-            .collect();
+        let objects = || scene.objects.iter().filter_map(|o| o.quadric());
+        let rays: Vec<_> = objects().map(|o| RayObject::new(o, &scene)).collect();
         for _ in 0..1500 {
             let at = |v: f64, size: u32| ((v + 1.0) * 0.5 * f64::from(size)) as usize;
             let (x, y) = (
                 at(random.signed(), scene.width),
                 at(random.signed(), scene.height),
             );
-            for (object, ray) in scene.objects.iter().filter_map(|o| o.quadric()).zip(&rays) {
+            for (object, ray) in objects().zip(&rays) {
                 let exact = ray.first_hit(x as i64, y as i64);
                 let depth = |w: &imogene_analysis::exact::real::SurdReal| {
-                    let fixed: i64 = w
-                        .fixed(&BigInt::from(1), &BigInt::from(1), 50)
-                        .try_into()
-                        .expect("visible");
+                    let fixed = w.fixed(&BigInt::from(1), &BigInt::from(1), 50);
+                    let fixed: i64 = fixed.try_into().expect("visible");
                     fixed as f64 / 2f64.powi(50)
                 };
                 match (cast(&scene, object, x, y), exact) {
@@ -268,12 +245,8 @@ fn every_visible_point_lies_on_its_face() {
 fn rational_roots_are_exact() {
     let projection = parallel(100);
     for surface in [Surface::Solid, Surface::Patch] {
-        let scene = scene_of(
-            64,
-            64,
-            projection.clone(),
-            vec![object("ball", surface, sphere([0, 0, 0], 25), &[])],
-        );
+        let ball = object("ball", surface, sphere([0, 0, 0], 25), &[]);
+        let scene = scene_of(64, 64, projection.clone(), vec![ball]);
         let ray = RayObject::new(framed(&scene), &scene);
         for (u, v, z) in [
             (0, 0, 25),
@@ -285,10 +258,8 @@ fn rational_roots_are_exact() {
         ] {
             let hit = ray.first_hit(u + 32, v + 32).expect("on the ball");
             // z = 100 (1 + w)
-            assert_eq!(
-                hit.w.cmp_ratio(&BigInt::from(-z - 100), &BigInt::from(100)),
-                Ordering::Equal
-            );
+            let order = hit.w.cmp_ratio(&BigInt::from(-z - 100), &BigInt::from(100));
+            assert_eq!(order, Ordering::Equal);
             let depth = fraction(-z, 100);
             assert!(face_value(&scene, 0, hit.number, u + 32, v + 32, &depth).is_zero());
         }

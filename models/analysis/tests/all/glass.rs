@@ -24,12 +24,8 @@ fn pictures(file: &SceneFile) -> [Vec<u8>; 2] {
     let prepared = prepare(&scene, F).expect("prepared");
     let frame = prepared.frame(|| ());
     let words = shader_words(&scene, &F).expect("words");
-    let golden = shade_picture(
-        &frame,
-        &Lighting::full(&frame),
-        &material_numbers(&scene),
-        &words,
-    );
+    let (lighting, materials) = (Lighting::full(&frame), material_numbers(&scene));
+    let golden = shade_picture(&frame, &lighting, &materials, &words);
     let exact = to_frame(&render(&scene, &F, || ()), &scene, &F);
     let truth = phong::shade(&exact, &Lighting::full(&exact), &scene, &F);
     [golden, truth]
@@ -47,15 +43,12 @@ fn the_blends_are_those_of_real_numbers() {
     let mut file = still_life();
     let [golden, truth] = pictures(&file);
     // Words of shading and of three blends; beyond that, outlines.
-    assert!(
-        differing(&golden, &truth, 6) <= 12,
-        "{}",
-        differing(&golden, &truth, 6)
-    );
+    let off = differing(&golden, &truth, 6);
+    assert!(off <= 12, "{off}");
     // Opaque, the same objects make another picture.
-    file.materials
-        .iter_mut()
-        .for_each(|material| material.opacity = 1.0);
+    for material in &mut file.materials {
+        material.opacity = 1.0;
+    }
     let [opaque, _] = pictures(&file);
     assert!(differing(&golden, &opaque, 20) > 1000);
 }
@@ -94,23 +87,16 @@ fn the_check_sees_through_glass() {
         let scene = file.frame(SIZE.0, SIZE.1).expect("valid size");
         let prepared = prepare(&scene, Format::new(10).expect("a format")).expect("prepared");
         let report = check(&scene, &prepared);
-        assert!(
-            report.summary.never_shown.is_empty(),
-            "{:?}",
-            report.summary
-        );
+        let summary = report.summary;
+        assert!(summary.never_shown.is_empty(), "{summary:?}");
         report.open
     };
     let all = open(&|_| ());
     let behind = open(&|file| file.objects.truncate(3));
     let glass = open(&|file| drop(file.objects.drain(..3)));
     let count = |open: &[bool]| open.iter().filter(|open| **open).count();
-    assert!(
-        count(&behind) > 100 && count(&glass) > 100,
-        "{} {}",
-        count(&behind),
-        count(&glass)
-    );
+    let own = [&behind, &glass].map(|open| count(open));
+    assert!(own.iter().all(|&open| open > 100), "{own:?}");
     // What is open behind the glass is open, whether the glass is there or not.
     assert!(behind.iter().zip(&all).all(|(behind, all)| !behind || *all));
     // Of the glass some pixels may be hidden, of which nothing depends.

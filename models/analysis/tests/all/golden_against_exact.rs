@@ -1,24 +1,20 @@
 //! Every scene of the collection: golden picture against exact picture, within the bounds that the check has proven.
 
-use imogene_analysis::bounds::{depth_bound, normal_bound, undecided_pixels};
-use imogene_analysis::exact::render::{DEPTH_FRACTION, ExactPixel, render};
+use crate::pictures::{Pictures, UNIT};
+use imogene_analysis::bounds::{normal_bound, undecided_pixels};
+use imogene_analysis::exact::render::{ExactPixel, directions, render};
 use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
-use imogene_golden::machine::frame::Frame;
-use imogene_golden::unit::depth_interval::{FACE_NEAR_END, FACE_PLANE};
-use imogene_prepare::Framing;
-use imogene_prepare::{PreparedQuadric, PreparedScene, prepare};
-use imogene_scene::{FramedScene, Projection, SceneFile};
-use imogene_testkit::{angle_deg, gradient, scenes_in};
+use imogene_prepare::{Framing, prepare};
+use imogene_testkit::{angle_deg, scene_file, scenes_in};
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex};
+use std::sync::Mutex;
 
 const SIZE: (u32, u32) = (320, 240);
 
 /// Pixels at which golden and exact picture are known to differ: scene, column, line, reason. All lie on a sharp edge
 /// where a cut plane meets the quadric, and the two depths differ by less than their rounding bounds together.
-const KNOWN_DIFFERENCES: [(&str, usize, usize, &str); 5] = [
+const KNOWN_DIFFERENCES: [(&str, i64, i64, &str); 5] = [
     (
         "ellipsoid",
         254,
@@ -51,38 +47,18 @@ const KNOWN_DIFFERENCES: [(&str, usize, usize, &str); 5] = [
     ),
 ];
 
-type Exact = Arc<Vec<Option<ExactPixel>>>;
-
-/// The exact picture of a scene in depth words of this length, drawn once for all tests.
-fn exact_picture(file: &Path, scene: &FramedScene, format: &Format) -> Exact {
-    static DRAWN: Mutex<BTreeMap<(PathBuf, u32), Exact>> = Mutex::new(BTreeMap::new());
-    let mut drawn = DRAWN.lock().expect("no test failed before");
-    let place = drawn.entry((file.to_owned(), format.depth));
-    let draw = || render(scene, format, || ()).into();
-    place.or_insert_with(draw).clone()
-}
-
-struct Pictures {
-    scene: FramedScene,
-    prepared: PreparedScene,
-    golden: Frame,
-    exact: Exact,
-    undecided: Vec<bool>,
-}
-
-fn pictures(file: &Path, format: Format) -> Pictures {
-    let scene = SceneFile::read(file)
-        .expect("valid")
-        .frame(SIZE.0, SIZE.1)
-        .expect("valid size");
+/// A scene of the collection, of which the exact picture in depth words of one length is drawn once for all tests.
+fn pictures(name: &str, format: Format) -> Pictures {
+    static DRAWN: Mutex<BTreeMap<(String, u32), Vec<Option<ExactPixel>>>> =
+        Mutex::new(BTreeMap::new());
+    let scene = scene_file(name).frame(SIZE.0, SIZE.1);
+    let scene = scene.expect("a valid size");
     let prepared = prepare(&scene, format).expect("the scenes of the collection fit");
-    Pictures {
-        golden: prepared.frame(|| ()),
-        exact: exact_picture(file, &scene, &format),
-        undecided: undecided_pixels(&scene, &prepared),
-        scene,
-        prepared,
-    }
+    let mut drawn = DRAWN.lock().expect("no test failed before");
+    let exact = drawn.entry((name.to_owned(), format.depth));
+    let exact = exact.or_insert_with(|| render(&scene, &format, || ()));
+    let exact = exact.clone();
+    Pictures::with(scene, prepared, exact)
 }
 
 /// Worst observed value beside the bound that held there, and the greatest ratio of the two.
@@ -91,6 +67,17 @@ struct Tightness {
     worst: f64,
     bound_at_worst: f64,
     ratio: f64,
+}
+
+impl std::fmt::Display for Tightness {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        let (worst, bound) = (self.worst, self.bound_at_worst);
+        write!(
+            f,
+            "{worst:.4} (bound there {bound:.4}, tightest {:.0} %)",
+            100.0 * self.ratio
+        )
+    }
 }
 
 impl Tightness {
@@ -104,117 +91,53 @@ impl Tightness {
     }
 }
 
-impl Pictures {
-    fn column_line(&self, index: usize) -> (usize, usize) {
-        (index % self.golden.width, index / self.golden.width)
-    }
+/// What a comparison of a scene finds.
+struct Found {
+    pictures: Pictures,
+    depth: Tightness,
+    /// The pixels that differ; each was declared undecided.
+    differences: Vec<usize>,
+    undecided: usize,
+}
 
-    fn same_face(&self, index: usize, exact: &ExactPixel) -> bool {
-        self.golden.id[index] == exact.id as i32 && self.golden.number[index] == exact.number
+fn compare(name: &str, format: Format) -> Found {
+    let pictures = pictures(name, format);
+    let (mut depth, mut normal) = (Tightness::default(), Tightness::default());
+    let directions = directions(&pictures.exact, &pictures.scene, &format);
+    for (index, exact) in pictures.seen() {
+        let place = pictures.place(index);
+        let bound = pictures.depth_bound(&pictures.prepared, index);
+        let off = pictures.depth_error(index, &exact).abs();
+        // The exact depth itself is cut after its fraction bits.
+        let most = bound + 2.0 / UNIT;
+        assert!(off <= most, "{name} {place:?}: {off} beyond {bound}");
+        depth.add(off, bound);
+        let (object, f2) = pictures.quadric_at(&pictures.prepared, index);
+        let drawn = pictures.golden.normal[index];
+        let bound = normal_bound(object, exact.number, f2, drawn);
+        let off = angle_deg(drawn.map(f64::from), directions[index]);
+        // Allowance for the evaluation of the gradient in floating point.
+        let most = bound + 1e-4;
+        assert!(off <= most, "{name} {place:?}: {off} beyond {bound}");
+        normal.add(off, bound);
     }
-
-    fn differs(&self, index: usize) -> bool {
-        match &self.exact[index] {
-            None => self.golden.id[index] >= 0,
-            Some(exact) => !self.same_face(index, exact),
-        }
+    let undecided = undecided_pixels(&pictures.scene, &pictures.prepared);
+    let differences: Vec<usize> = pictures.differing().collect();
+    for &index in &differences {
+        let place = pictures.place(index);
+        assert!(undecided[index], "{name} {place:?} was declared decided");
     }
-
-    fn quadric(&self, id: u32) -> &PreparedQuadric {
-        self.prepared.objects[id as usize]
-            .quadric()
-            .expect("a quadric")
-    }
-
-    fn f2_at(&self, index: usize, id: u32) -> i64 {
-        let (x, y) = self.column_line(index);
-        let words = &self.quadric(id).words;
-        words.f2_at(x as i64, y as i64, &self.prepared.format)
-    }
-
-    fn compare_depths(&self, name: &str) -> Tightness {
-        let mut tightness = Tightness::default();
-        for (index, exact) in self.seen() {
-            let object = self.quadric(exact.id);
-            let bound = depth_bound(object, exact.number, self.f2_at(index, exact.id));
-            let unit = f64::from(1u32 << DEPTH_FRACTION);
-            let off = (self.golden.depth[index] as f64 - exact.depth as f64 / unit).abs();
-            // The exact depth itself is cut after its fraction bits.
-            assert!(
-                off <= bound + 2.0 / unit,
-                "{name} {:?}: {off} beyond {bound}",
-                self.column_line(index)
-            );
-            tightness.add(off, bound);
-        }
-        tightness
-    }
-
-    fn compare_normals(&self, name: &str) -> Tightness {
-        let mut tightness = Tightness::default();
-        for (index, exact) in self.seen() {
-            let object = self.quadric(exact.id);
-            let normal = self.golden.normal[index];
-            let bound = normal_bound(object, exact.number, self.f2_at(index, exact.id), normal);
-            let off = angle_deg(normal.map(f64::from), self.true_normal(index, exact));
-            // Allowance for the evaluation of the gradient in floating point.
-            assert!(
-                off <= bound + 1e-4,
-                "{name} {:?}: {off} beyond {bound} degrees",
-                self.column_line(index)
-            );
-            tightness.add(off, bound);
-        }
-        tightness
-    }
-
-    /// Pixels at which both pictures show the same face.
-    fn seen(&self) -> impl Iterator<Item = (usize, &ExactPixel)> {
-        let exact = self.exact.iter().enumerate();
-        exact
-            .filter_map(|(i, e)| e.as_ref().map(|e| (i, e)))
-            .filter(|(i, e)| self.same_face(*i, e))
-    }
-
-    fn true_normal(&self, index: usize, exact: &ExactPixel) -> [f64; 3] {
-        let object = self.scene.objects[exact.id as usize]
-            .quadric()
-            .expect("a quadric");
-        if exact.number == FACE_NEAR_END {
-            return [0.0, 0.0, -1.0];
-        }
-        if exact.number >= FACE_PLANE {
-            let plane = &object.planes[usize::from(exact.number - FACE_PLANE)];
-            return [&plane.a, &plane.b, &plane.c].map(imogene_algebra::rational::to_f64);
-        }
-        let (x, y) = self.column_line(index);
-        let full = imogene_algebra::rational::to_f64(match &self.scene.projection {
-            Projection::Perspective { distance } => distance,
-            Projection::Orthographic { half_depth } => half_depth,
-        });
-        let unit = f64::from(1u32 << DEPTH_FRACTION) * self.prepared.format.z_max() as f64;
-        let depth = exact.depth as f64 / unit * full;
-        let point = self
-            .scene
-            .projection
-            .antecedent(self.scene.pixel_centre(x, y), depth);
-        gradient(&object.quadric, point)
-    }
-
-    /// The pixels that differ; each must have been declared undecided.
-    fn differences(&self, name: &str) -> Vec<(usize, usize)> {
-        let differing = (0..self.exact.len()).filter(|&i| self.differs(i));
-        differing
-            .map(|index| {
-                let at = self.column_line(index);
-                assert!(self.undecided[index], "{name} {at:?} was declared decided");
-                at
-            })
-            .collect()
-    }
-
-    fn undecided_count(&self) -> usize {
-        self.undecided.iter().filter(|&&u| u).count()
+    let undecided = undecided.into_iter().filter(|&u| u).count();
+    println!(
+        "{name}, {format:?}: depth {depth}, normal {normal} degrees, {} pixels differ of {undecided} undecided of {}",
+        differences.len(),
+        pictures.golden.covered()
+    );
+    Found {
+        pictures,
+        depth,
+        differences,
+        undecided,
     }
 }
 
@@ -222,108 +145,51 @@ impl Pictures {
 fn every_scene_stays_within_its_bounds() {
     let mut differences = vec![];
     for file in scenes_in("") {
-        let name = file
-            .file_stem()
-            .expect("a file")
-            .to_string_lossy()
-            .into_owned();
-        let pictures = pictures(&file, Format::BASE);
-        let depth = pictures.compare_depths(&name);
-        let normal = pictures.compare_normals(&name);
-        let undecided = pictures.undecided_count();
-        println!(
-            "{name}: depth {:.1} (bound there {:.1}, tightest {:.0} %), normal {:.4} deg (bound there {:.4}, tightest {:.0} %), \
-             {undecided} undecided of {} pixels",
-            depth.worst,
-            depth.bound_at_worst,
-            100.0 * depth.ratio,
-            normal.worst,
-            normal.bound_at_worst,
-            100.0 * normal.ratio,
-            pictures.golden.covered()
-        );
-        for (x, y) in pictures.differences(&name) {
-            let index = y * pictures.golden.width + x;
+        let name = file.file_stem().expect("a file");
+        let name = name.to_string_lossy().into_owned();
+        let found = compare(&name, Format::BASE);
+        let pictures = &found.pictures;
+        for index in found.differences {
+            let (x, y) = pictures.place(index);
             println!(
-                "{name} differs at ({x}, {y}): golden object {} face {} depth {}, exact {:?}",
-                pictures.golden.id[index],
-                pictures.golden.number[index],
+                "{name} differs at ({x}, {y}): golden object and face {:?}, depth {}, exact {:?}",
+                pictures.golden_face(index),
                 pictures.golden.depth[index],
                 pictures.exact[index]
             );
             differences.push((name.clone(), x, y));
         }
     }
-    let known: Vec<_> = KNOWN_DIFFERENCES
-        .iter()
-        .map(|&(n, x, y, _)| (n.to_string(), x, y))
-        .collect();
+    let known = KNOWN_DIFFERENCES.map(|(n, x, y, _)| (n.to_string(), x, y));
     assert_eq!(differences, known);
 }
 
 /// The bounds are stated for every format; the shorter the word, the more pixels they leave undecided.
 #[test]
 fn bounds_hold_in_every_format() {
-    let chosen = ["cone", "front-view", "teapot"];
-    let files = scenes_in("");
-    for name in chosen {
-        let file = files
-            .iter()
-            .find(|f| f.file_stem().is_some_and(|s| s == name));
+    for name in ["cone", "front-view", "teapot"] {
         let mut last = usize::MAX;
         for depth in Format::CATALOGUE {
             let format = Format::new(depth).expect("in the catalogue");
-            let pictures = pictures(file.expect("in the collection"), format);
-            let depths = pictures.compare_depths(name);
-            let normals = pictures.compare_normals(name);
-            let differing = pictures.differences(name).len();
-            let undecided = pictures.undecided_count();
-            println!(
-                "{name}, {depth} bits: depth {:.1} (tightest {:.0} %), normal {:.3} deg (tightest {:.0} %), {differing} pixels differ of \
-                 {undecided} undecided",
-                depths.worst,
-                100.0 * depths.ratio,
-                normals.worst,
-                100.0 * normals.ratio
-            );
+            let undecided = compare(name, format).undecided;
             assert!(undecided <= last);
             last = undecided;
         }
     }
 }
 
-/// The scene of this name.
-fn named<'a>(files: &'a [PathBuf], name: &str) -> &'a Path {
-    let mut files = files.iter();
-    let file = files.find(|file| file.file_stem().is_some_and(|stem| stem == name));
-    file.expect("in the collection")
-}
-
 /// Guard bits make the depth error smaller, and the bounds that take them into account hold.
 #[test]
 fn bounds_hold_with_guard_bits() {
-    let files = scenes_in("");
     for name in ["cone", "front-view", "teapot"] {
-        let file = named(&files, name);
         for depth in [16, 24] {
             let base = Format::new(depth).expect("in the catalogue");
             let mut last = (f64::INFINITY, usize::MAX);
             for (linear, quadratic) in [(0, 0), (4, 8)] {
                 let format = base.with_guards(linear, quadratic).expect("within limits");
-                let pictures = pictures(file, format);
-                let depths = pictures.compare_depths(name);
-                pictures.compare_normals(name);
-                let differing = pictures.differences(name).len();
-                let undecided = pictures.undecided_count();
-                println!(
-                    "{name}, {depth} bits, guards {linear}:{quadratic}: depth {:.2} (bound there {:.2}, tightest {:.0} %), \
-                     {differing} pixels differ of {undecided} undecided",
-                    depths.worst,
-                    depths.bound_at_worst,
-                    100.0 * depths.ratio
-                );
-                assert!(depths.worst <= last.0 && undecided <= last.1);
-                last = (depths.worst, undecided);
+                let found = compare(name, format);
+                assert!(found.depth.worst <= last.0 && found.undecided <= last.1);
+                last = (found.depth.worst, found.undecided);
             }
         }
     }
@@ -332,35 +198,20 @@ fn bounds_hold_with_guard_bits() {
 /// With an approximate root every depth stays within its bound, and no pixel is another one that was declared decided.
 #[test]
 fn bounds_hold_with_every_form_of_the_root() {
-    let files = scenes_in("");
     for name in ["cone", "front-view", "teapot"] {
-        let file = named(&files, name);
         let worst = |form: &str, dropped_rows: u32| {
             let format = Format::fitted(&MachineWords {
                 root_form: form.parse().expect("a form"),
                 dropped_rows,
                 ..MachineWords::of(24)
             });
-            let pictures = pictures(file, format.expect("within limits"));
-            let depths = pictures.compare_depths(name);
-            pictures.compare_normals(name);
-            println!(
-                "{name}, {form} less {dropped_rows}: depth {:.0} (bound there {:.0}, tightest {:.0} %), {} pixels differ of {} undecided",
-                depths.worst,
-                depths.bound_at_worst,
-                100.0 * depths.ratio,
-                pictures.differences(name).len(),
-                pictures.undecided_count()
-            );
-            depths.worst
+            compare(name, format.expect("within limits")).depth.worst
         };
         let exact = worst("restoring", 0);
         assert_eq!(exact, worst("non-restoring", 0));
         let linear = [0, 1, 2].map(|count| worst(&format!("linear{count}"), 0));
-        assert!(
-            linear.is_sorted_by(|a, b| a > b) && linear[2] > exact,
-            "{linear:?}"
-        );
+        assert!(linear.is_sorted_by(|a, b| a > b), "{linear:?}");
+        assert!(linear[2] > exact, "{linear:?}");
         for (form, dropped) in [
             ("quadratic0", 0),
             ("quadratic1", 4),

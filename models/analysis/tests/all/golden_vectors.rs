@@ -1,11 +1,12 @@
 //! The golden vectors of the restated specification (4.3 sphere, 6.7 cut cylinder), through the real preparation.
 
 use imogene_algebra::rational::{fraction, from_f64_exact, integer};
+use imogene_analysis::bounds::depth_bound;
 use imogene_analysis::exact::ray::RayObject;
 use imogene_golden::format::{Format, wrap64};
 use imogene_golden::object::quadric::QuadricWords;
 use imogene_golden::unit::cut_plane::{PlaneKind, cut};
-use imogene_golden::unit::depth_interval::{FACE_PLANE, halves};
+use imogene_golden::unit::depth_interval::{FACE_PLANE, Interval, halves};
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;
 use imogene_golden::unit::root::restoring_root;
@@ -52,49 +53,14 @@ type Row = (
 );
 
 const MIDDLE: [i64; 3] = [1_677_721, 8_388_496, 8_388_718];
+#[rustfmt::skip]
 const CYLINDER_ROWS: [Row; 7] = [
-    (
-        (360, 270),
-        Some(499_321),
-        MIDDLE,
-        Some((1_677_721, 2_396_744, 2)),
-        Some((2_396_744, 1)),
-    ),
-    (
-        (400, 270),
-        Some(426_971),
-        MIDDLE,
-        Some((1_677_721, 2_324_394, 2)),
-        Some((2_324_394, 1)),
-    ),
-    (
-        (360, 330),
-        Some(499_321),
-        [1_677_721, 2_097_016, 14_680_198],
-        Some((1_677_721, 2_097_016, 2)),
-        None,
-    ),
-    (
-        (360, 337),
-        Some(499_321),
-        [1_677_721, 1_363_010, 15_414_204],
-        None,
-        None,
-    ),
-    (
-        (430, 270),
-        Some(209_952),
-        MIDDLE,
-        Some((1_687_471, 2_107_375, 0)),
-        Some((1_687_471, 0)),
-    ),
-    (
-        (435, 270),
-        Some(117_101),
-        MIDDLE,
-        Some((1_780_322, 2_014_524, 0)),
-        Some((1_780_322, 0)),
-    ),
+    ((360, 270), Some(499_321), MIDDLE, Some((1_677_721, 2_396_744, 2)), Some((2_396_744, 1))),
+    ((400, 270), Some(426_971), MIDDLE, Some((1_677_721, 2_324_394, 2)), Some((2_324_394, 1))),
+    ((360, 330), Some(499_321), [1_677_721, 2_097_016, 14_680_198], Some((1_677_721, 2_097_016, 2)), None),
+    ((360, 337), Some(499_321), [1_677_721, 1_363_010, 15_414_204], None, None),
+    ((430, 270), Some(209_952), MIDDLE, Some((1_687_471, 2_107_375, 0)), Some((1_687_471, 0))),
+    ((435, 270), Some(117_101), MIDDLE, Some((1_780_322, 2_014_524, 0)), Some((1_780_322, 0))),
     ((440, 270), None, MIDDLE, None, None),
 ];
 
@@ -143,25 +109,17 @@ fn cylinder_back_faces() {
 }
 
 /// Half A after all planes, with plane depths from an accumulator of `width` bits: 24 is the naive machine.
-fn chain(
-    words: &QuadricWords,
-    x: i64,
-    y: i64,
-    width: u32,
-) -> imogene_golden::unit::depth_interval::Interval {
+fn chain(words: &QuadricWords, x: i64, y: i64, width: u32) -> Interval {
     let format = Format::BASE;
     let f1 = words.f1.wrapped_at(x, y, format.sum) as i64;
     let f2 = radicand_at(words, x, y);
     let r = if f2 < 0 { 0 } else { root_at(words, x, y) };
     let start = halves(words.class, f1 - r, f1 + r, f2 < 0, &format).0;
-    words
-        .planes
-        .iter()
-        .enumerate()
-        .fold(start, |state, (i, plane)| {
-            let zp = wrap64(plane.depth.wrapped_at(x, y, 64) as i64, width);
-            cut(state, plane.kind, zp, FACE_PLANE + i as u8, false, &format)
-        })
+    let planes = words.planes.iter().enumerate();
+    planes.fold(start, |state, (i, plane)| {
+        let zp = wrap64(plane.depth.wrapped_at(x, y, 64) as i64, width);
+        cut(state, plane.kind, zp, FACE_PLANE + i as u8, false, &format)
+    })
 }
 
 #[test]
@@ -170,10 +128,8 @@ fn a_plane_accumulator_of_24_bits_loses_the_cylinder_at_the_screen_centre() {
     assert_eq!(words.planes[2].depth.wrapped_at(360, 270, 24), -8_388_498);
     assert!(!chain(&words, 360, 270, 24).is_present(&Format::BASE));
     let whole_line = (260..=460).all(|x| !chain(&words, x, 270, 24).is_present(&Format::BASE));
-    assert!(
-        whole_line,
-        "the naive machine keeps nothing of the line through the centre"
-    );
+    // The naive machine keeps nothing of the line through the centre.
+    assert!(whole_line);
     assert!(chain(&words, 360, 270, Format::BASE.plane).is_present(&Format::BASE));
     assert!(golden_at(&words, 360, 270).is_some());
 }
@@ -181,39 +137,30 @@ fn a_plane_accumulator_of_24_bits_loses_the_cylinder_at_the_screen_centre() {
 #[test]
 fn sphere_after_perspective() {
     let screen = ScreenQuadric::new(&sphere([20, -10, 300], 100), &fraction(1, 1000));
+    // In 2000ths.
     let expected = [
-        integer(1),
-        integer(1),
-        fraction(3361, 2000),
-        integer(0),
-        fraction(1, 50),
-        fraction(-1, 100),
-        integer(-20),
-        integer(10),
-        fraction(-761, 2),
-        integer(80_500),
+        2000,
+        2000,
+        3361,
+        0,
+        40,
+        -20,
+        -40_000,
+        20_000,
+        -761_000,
+        161_000_000,
     ];
+    let expected = expected.map(|n| fraction(n, 2000));
     assert_eq!(screen.q.coefficients(), expected.each_ref());
 }
 
 /// Pixel; then f1, f2, root, front and back depth.
+#[rustfmt::skip]
 const SPHERE_ROWS: [((i64, i64), [i64; 5]); 4] = [
-    (
-        (375, 262),
-        [1_897_417, 249_235_747_241, 499_235, 1_398_182, 2_396_652],
-    ),
-    (
-        (375, 200),
-        [1_894_317, 86_922_767_447, 294_826, 1_599_491, 2_189_143],
-    ),
-    (
-        (300, 262),
-        [1_904_917, 10_761_878_741, 103_739, 1_801_178, 2_008_656],
-    ),
-    (
-        (450, 262),
-        [1_889_917, 16_742_788_241, 129_393, 1_760_524, 2_019_310],
-    ),
+    ((375, 262), [1_897_417, 249_235_747_241, 499_235, 1_398_182, 2_396_652]),
+    ((375, 200), [1_894_317, 86_922_767_447, 294_826, 1_599_491, 2_189_143]),
+    ((300, 262), [1_904_917, 10_761_878_741, 103_739, 1_801_178, 2_008_656]),
+    ((450, 262), [1_889_917, 16_742_788_241, 129_393, 1_760_524, 2_019_310]),
 ];
 
 #[test]
@@ -243,19 +190,16 @@ fn exact_front(scene: &FramedScene, x: i64, y: i64) -> f64 {
     let ray = RayObject::new(framed(scene), scene);
     let full = BigInt::from(Format::BASE.z_max());
     let hit = ray.first_hit(x, y).expect("the object is seen here");
-    let fixed: i64 = hit
-        .w
-        .fixed(&full, &full, 20)
-        .try_into()
-        .expect("a visible depth");
+    let fixed = hit.w.fixed(&full, &full, 20);
+    let fixed: i64 = fixed.try_into().expect("a visible depth");
     fixed as f64 / f64::from(1 << 20)
 }
 
 fn assert_within_bounds(scene: &FramedScene, object: &PreparedQuadric, x: i64, y: i64) {
     let (px, py) = (integer(x), integer(y));
-    let holds = |computed: BigInt, exact: BigRational, bound: f64, what: &str| {
+    let holds = |computed: BigInt, exact: BigRational, bound: f64| {
         let off = (BigRational::from_integer(computed) - exact).abs();
-        assert!(off <= from_f64_exact(bound), "{what} at ({x}, {y})");
+        assert!(off <= from_f64_exact(bound), "({x}, {y})");
     };
     let (words, exact, bounds) = (&object.words, &object.exact, &object.bounds);
     if !words.screen_box.contains(x, y) {
@@ -263,30 +207,17 @@ fn assert_within_bounds(scene: &FramedScene, object: &PreparedQuadric, x: i64, y
         assert!(golden_at(words, x, y).is_none());
         return;
     }
-    holds(
-        words.f1.exact_at(x, y),
-        exact.f1.at(&px, &py),
-        bounds.f1,
-        "f1",
-    );
-    holds(
-        words.f2.exact_at(x, y),
-        exact.f2.at(&px, &py),
-        bounds.f2,
-        "f2",
-    );
+    holds(words.f1.exact_at(x, y), exact.f1.at(&px, &py), bounds.f1);
+    holds(words.f2.exact_at(x, y), exact.f2.at(&px, &py), bounds.f2);
     for (i, plane) in words.planes.iter().enumerate() {
         let value = exact.planes[i].at(&px, &py);
-        holds(plane.depth.exact_at(x, y), value, bounds.planes[i], "plane");
+        holds(plane.depth.exact_at(x, y), value, bounds.planes[i]);
     }
     if let Some(pixel) = golden_at(&object.words, x, y) {
-        let bound =
-            imogene_analysis::bounds::depth_bound(object, pixel.number, radicand_at(words, x, y));
-        let off = pixel.zf as f64 - exact_front(scene, x, y);
-        assert!(
-            off.abs() <= bound + 1e-5,
-            "depth at ({x}, {y}): {off} beyond {bound}"
-        );
+        let bound = depth_bound(object, pixel.number, radicand_at(words, x, y));
+        let off = (pixel.zf as f64 - exact_front(scene, x, y)).abs();
+        let most = bound + 1e-5;
+        assert!(off <= most, "({x}, {y}): {off} beyond {bound}");
     }
 }
 

@@ -17,10 +17,8 @@ const F: Format = Format::BASE;
 
 /// f1 and f2 at a pixel.
 fn values(words: &QuadricWords, x: i64, y: i64) -> (i64, i64) {
-    (
-        words.f1.wrapped_at(x, y, F.sum) as i64,
-        words.f2.wrapped_at(x, y, F.quadratic) as i64,
-    )
+    let f1 = words.f1.wrapped_at(x, y, F.sum);
+    (f1 as i64, words.f2.wrapped_at(x, y, F.quadratic) as i64)
 }
 
 fn exact_number(scene: &FramedScene, x: i64, y: i64) -> Option<u8> {
@@ -48,11 +46,8 @@ fn random_planes_wrap_a_depth_word_but_not_the_plane_word() {
         };
         wrapping += usize::from(corners.iter().any(|&p| leaves(24, p)));
         let ScreenBox { x0, x1, y0, y1 } = object.words.screen_box;
-        assert!(
-            [(x0, y0), (x1, y0), (x0, y1), (x1, y1)]
-                .iter()
-                .all(|&p| !leaves(F.plane, p))
-        );
+        let mut own = [(x0, y0), (x1, y0), (x0, y1), (x1, y1)].into_iter();
+        assert!(own.all(|p| !leaves(F.plane, p)));
         assert!(object.needed.plane <= F.plane);
     }
     let percent = 100.0 * wrapping as f64 / samples as f64;
@@ -113,26 +108,16 @@ fn a_cut_wall_does_not_show_the_ghost_behind_the_viewer() {
         let (f1, f2) = values(words, x, y);
         let r = fast_root(f2);
         let both = Interval::new((f1 - r, 0), (f1 + r, 1));
-        cut(
-            both,
-            plane.kind,
-            plane.depth.wrapped_at(x, y, F.plane) as i64,
-            FACE_PLANE,
-            true,
-            &F,
-        )
+        let depth = plane.depth.wrapped_at(x, y, F.plane) as i64;
+        cut(both, plane.kind, depth, FACE_PLANE, true, &F)
     };
-    assert!(
-        golden_at(words, 360, 270).is_some(),
-        "the middle of the wall lies behind the plane"
-    );
+    // The middle of the wall lies behind the plane.
+    assert!(golden_at(words, 360, 270).is_some());
     let ScreenBox { x0, x1, y0, y1 } = words.screen_box;
     for (x, y) in [(x0, y0), (x1, y1), (x0, y1), (x1, y0)] {
         let ghost = naive(x, y);
-        assert!(
-            ghost.is_present(&F) && ghost.zf > F.z_max(),
-            "the naive chain sees a ghost"
-        );
+        // The naive chain sees a ghost.
+        assert!(ghost.is_present(&F) && ghost.zf > F.z_max());
         assert!(golden_at(words, x, y).is_none());
         assert_eq!(exact_number(&scene, x, y), None);
     }
@@ -153,14 +138,12 @@ fn seen_from_inside_the_cap_has_no_hole_where_f2_is_negative() {
         assert_eq!(words.class, Class::Front);
         let radius = unit * unit * (1 + zc * zc);
         let (mut cap, mut hole) = (0, 0);
-        for y in 0..i64::from(HEIGHT) {
-            for x in 0..i64::from(WIDTH) {
-                let (u, v) = (x - 360, y - 270);
-                let (_, f2) = values(words, x, y);
-                if u * u + v * v < radius {
-                    cap += 1;
-                    hole += usize::from(f2 < 0);
-                }
+        for (x, y) in ScreenBox::of_screen(WIDTH, HEIGHT).each() {
+            let (u, v) = (x - 360, y - 270);
+            let (_, f2) = values(words, x, y);
+            if u * u + v * v < radius {
+                cap += 1;
+                hole += usize::from(f2 < 0);
             }
         }
         let inside = golden_pixels(words);
@@ -168,10 +151,8 @@ fn seen_from_inside_the_cap_has_no_hole_where_f2_is_negative() {
         println!("zc = {zc}: the naive rule loses {percent:.2} % of the cap");
         assert!((percent - loss_percent).abs() < 0.2);
         // The rim itself has zero thickness; only there may the count differ.
-        assert!(
-            inside >= cap && inside - cap < 60,
-            "{inside} of {cap} pixels"
-        );
+        let more = inside as i64 - cap as i64;
+        assert!((0..60).contains(&more), "{more} of {cap} pixels");
         let middle = golden_at(words, 360, 270).expect("the middle of the cap");
         assert_eq!(middle.number, FACE_PLANE);
     }
@@ -188,15 +169,8 @@ fn the_depth_solves_the_quadric_and_the_printed_factors_do_not() {
     let screen = ScreenQuadric::new(&tilted(), &fraction(1, 1000));
     let q = &screen.q;
     let two = integer(2);
-    let of_quadric = [
-        &q.a,
-        &q.b,
-        &(&two * &q.d),
-        &(&two * &q.g),
-        &(&two * &q.h),
-        &q.j,
-    ]
-    .map(|v| v / &q.c);
+    let [d, g, h] = [&q.d, &q.g, &q.h].map(|v| &two * v);
+    let of_quadric = [&q.a, &q.b, &d, &g, &h, &q.j].map(|v| v / &q.c);
     let z_terms = [&q.e, &q.f, &q.i].map(|v| v / &q.c);
     let solves = |k: i64| {
         let f1 = screen.f1().scaled(&integer(k));
@@ -252,10 +226,8 @@ fn the_screen_box_hides_the_wrapped_discriminant() {
     assert!(words.f2.exact_at(x, y) < (-(1i64 << 47)).into());
     assert!(values(words, x, y).1 > 0, "the word has the wrong sign");
     let near = (360 + 275, 270);
-    assert!(
-        values(words, near.0, near.1).1 < 0,
-        "within sqrt(2) D of the centre the sign is right"
-    );
+    // Within sqrt(2) D of the centre the sign is right.
+    assert!(values(words, near.0, near.1).1 < 0);
     let mut naive = words.clone();
     naive.screen_box = ScreenBox::of([0, 719], [0, 539]);
     let ghosts = golden_pixels(&naive) - golden_pixels(words);
@@ -283,10 +255,8 @@ fn a_mirrored_cut_keeps_the_mirrored_half() {
         let agrees =
             |words: &QuadricWords| (300..420).all(|x| front(words, x) == front(&seen, 720 - x));
         assert!(agrees(&mirrored), "mirrored pixel by pixel");
-        assert!(
-            !agrees(&naive),
-            "cof(M) p without the sign of det(M) keeps the other half"
-        );
+        // cof(M) p without the sign of det(M) keeps the other half.
+        assert!(!agrees(&naive));
     }
 }
 
@@ -294,9 +264,7 @@ fn a_mirrored_cut_keeps_the_mirrored_half() {
 fn a_plane_through_the_eye_is_a_half_plane_and_keeps_its_own_pixels() {
     let words = half_ball(vec![plane([1, 0, 0, 0])]);
     assert_eq!(words.planes[0].kind, PlaneKind::Perpendicular);
-    let seen: Vec<bool> = [359, 360, 361]
-        .map(|x| golden_at(&words, x, 270).is_some())
-        .to_vec();
+    let seen = [359, 360, 361].map(|x| golden_at(&words, x, 270).is_some());
     assert_eq!(seen, [true, true, false]);
 }
 
@@ -307,18 +275,13 @@ fn a_plane_nearly_through_the_eye_is_taken_as_a_half_plane_by_proof() {
     let prepared = prepare(&scene);
     let object = first(&prepared);
     assert_eq!(object.words.planes[0].kind, PlaneKind::Perpendicular);
-    assert!(
-        object.notes.iter().any(|n| n.contains("steep")),
-        "{:?}",
-        object.notes
-    );
+    let notes = &object.notes;
+    assert!(notes.iter().any(|n| n.contains("steep")), "{notes:?}");
     // A depth that takes the place of the half-plane would need more bits than the plane word has.
     let slope = fraction(1_000 * 100, 1) * integer(F.z_max()) / integer(1000);
     assert!(slope * integer(70) > integer(1 << (F.plane - 1)));
     for x in 340..380 {
-        assert_eq!(
-            golden_at(&object.words, x, 270).is_some(),
-            exact_number(&scene, x, 270).is_some()
-        );
+        let drawn = golden_at(&object.words, x, 270).is_some();
+        assert_eq!(drawn, exact_number(&scene, x, 270).is_some());
     }
 }

@@ -24,20 +24,15 @@ fn naive(words: &QuadricWords, x: i64, y: i64, number: u8) -> [i16; 3] {
     printed.k = printed
         .k
         .map(|k| k.checked_abs().expect("scaled to 15 bits and a sign"));
-    let g = printed
-        .g
-        .map(|g| g.wrapped_at(x, y, F.normal_linear) as i64);
+    let bits = F.normal_linear;
+    let g = printed.g.map(|g| g.wrapped_at(x, y, bits) as i64);
     let root = fast_root(words.f2.wrapped_at(x, y, F.quadratic) as i64);
     select(number, true, g, root, &printed, &[], &F)
 }
 
 fn off_axis_ball(planes: &[[i64; 4]]) -> FramedScene {
-    scene(vec![object(
-        "ball",
-        Surface::Patch,
-        sphere([150, -120, 300], 100),
-        planes,
-    )])
+    let ball = sphere([150, -120, 300], 100);
+    scene(vec![object("ball", Surface::Patch, ball, planes)])
 }
 
 #[test]
@@ -48,11 +43,8 @@ fn factors_of_either_sign_give_the_true_gradient_on_both_faces() {
         let prepared = prepare(&scene);
         let object = first(&prepared);
         let words = &object.words;
-        assert!(
-            words.normal.k.iter().any(|&k| k < 0),
-            "{:?}",
-            words.normal.k
-        );
+        let k = words.normal.k;
+        assert!(k.iter().any(|&k| k < 0), "{k:?}");
         assert!(words.normal.k.iter().any(|&k| k > 0));
         let (mut worst, mut worst_naive, mut seen) = (0.0f64, 0.0f64, 0);
         for y in (0..i64::from(HEIGHT)).step_by(3) {
@@ -68,10 +60,8 @@ fn factors_of_either_sign_give_the_true_gradient_on_both_faces() {
                 let truth = true_normal(&scene, x, y, pixel.zf);
                 let off = angle_deg(pixel.normal.map(f64::from), truth);
                 let bound = normal_bound(object, number, f2, pixel.normal);
-                assert!(
-                    off <= bound + 1e-3,
-                    "({x}, {y}): {off} beyond {bound} degrees"
-                );
+                let most = bound + 1e-3;
+                assert!(off <= most, "({x}, {y}): {off} beyond {bound}");
                 let printed = angle_deg(naive(words, x, y, number).map(f64::from), truth);
                 worst_naive = worst_naive.max(printed);
                 worst = worst.max(off);

@@ -79,11 +79,8 @@ fn words_that_are_scaled_are_not_shortened() {
     assert!(!report.summary.prisms.is_empty());
     let needs = report.summary.machine.expect("quadrics alone");
     assert_eq!(widths::parse(&needs.widths).expect("widths").root, 24);
-    assert!(
-        needs.root_limit.contains("scaled to their widths"),
-        "{}",
-        needs.root_limit
-    );
+    let limit = &needs.root_limit;
+    assert!(limit.contains("scaled to their widths"), "{limit}");
 }
 
 /// Widths that are not those of the catalogue stay as they are: guard bits, normals, dropped digits of the root.
@@ -94,11 +91,8 @@ fn other_widths_are_kept() {
     let format = Format::fitted(&widths::parse(text).expect("widths")).expect("a machine");
     let wide = prepare(&scene, format).expect("fits");
     let needs = machine_needs(&scene, &wide).expect("quadrics alone");
-    assert!(
-        needs.widths.ends_with("normal=13,g1=2,g2=4,dropped=3"),
-        "{}",
-        needs.widths
-    );
+    let kept = "normal=13,g1=2,g2=4,dropped=3";
+    assert!(needs.widths.ends_with(kept), "{}", needs.widths);
     let narrow = widths::parse(&needs.widths).expect("widths");
     assert!(narrow.root < 20 && narrow.plane < 32, "{}", needs.widths);
     let prepared = in_widths(&scene, &narrow).expect("stated to fit");
@@ -142,15 +136,12 @@ struct Values {
 
 impl Values {
     fn of(object: &PreparedQuadric, format: &Format) -> Values {
-        let window = object.words.screen_box;
         let mut values = Values {
             planes: vec![vec![]; object.words.planes.len()],
             ..Values::default()
         };
-        for y in window.y0..=window.y1 {
-            for x in window.x0..=window.x1 {
-                values.add(object, format, (x, y));
-            }
+        for (x, y) in object.words.screen_box.each() {
+            values.add(object, format, (x, y));
         }
         values
     }
@@ -252,22 +243,15 @@ fn assert_decided(scene: &FramedScene, prepared: &PreparedScene, name: &str) {
     let report = check(scene, prepared);
     assert_eq!(report.summary.guards, exact_guards(prepared), "{name}");
     for (report, object) in report.objects.iter().zip(&prepared.objects) {
-        let report = report.quadric().expect("a quadric");
         assert_eq!(report.undecided.silhouette, 0, "{name}: {}", report.name);
         let object = object.quadric().expect("a quadric");
-        let window = object.words.screen_box;
-        for y in window.y0..=window.y1 {
-            for x in window.x0..=window.x1 {
-                let f2 = object.words.f2_at(x, y, &prepared.format);
-                for face in [0, 1] {
-                    // The floor of the root, the dropped guard bits, and one word.
-                    let bound = depth_bound(object, face, f2.max(0));
-                    assert!(
-                        f2 < 0 || bound <= 3.0,
-                        "{name}: {} ({x}, {y}) {bound}",
-                        report.name
-                    );
-                }
+        for (x, y) in object.words.screen_box.each() {
+            let f2 = object.words.f2_at(x, y, &prepared.format);
+            for face in [0, 1] {
+                // The floor of the root, the dropped guard bits, and one word.
+                let bound = depth_bound(object, face, f2.max(0));
+                let near = f2 < 0 || bound <= 3.0;
+                assert!(near, "{name}: {} ({x}, {y}) {bound}", report.name);
             }
         }
     }
@@ -278,7 +262,7 @@ fn front_views_and_specks_are_named() {
     let front = checked("front-view.toml");
     assert!(!front.summary.front_view.is_empty());
     let speck = checked_at_its_size("extremes/between-pixels.toml");
-    let shows: Vec<Shows> = speck.objects.iter().map(|o| o.shows()).collect();
+    let shows: Vec<Shows> = speck.objects.iter().map(|o| o.shows).collect();
     assert_eq!(shows, [Shows::EmptyBox]);
     assert_eq!(speck.summary.never_shown, ["dot"]);
 }

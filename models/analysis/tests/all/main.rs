@@ -14,6 +14,7 @@ mod hazards;
 mod hazards_normal;
 mod machine_needs;
 mod metrics;
+mod pictures;
 mod processors;
 mod shader;
 mod shadows;

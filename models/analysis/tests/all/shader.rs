@@ -103,8 +103,6 @@ fn what_the_processor_cannot_hold_is_refused() {
     ));
     scene.width = 192;
     scene.materials = vec![scene.materials[0].clone(); 257];
-    assert_eq!(
-        shader_words(&scene, &format),
-        Err(ShaderError::Materials(257))
-    );
+    let refusal = shader_words(&scene, &format);
+    assert_eq!(refusal, Err(ShaderError::Materials(257)));
 }

@@ -1,16 +1,14 @@
 //! Solids: golden picture against exact picture, depths, faces and normals, on the scenes and on random ones.
 
-use imogene_analysis::exact::render::{DEPTH_FRACTION, ExactPixel, directions, render};
+use crate::pictures::Pictures;
 use imogene_golden::format::Format;
-use imogene_prepare::{Framing, prepare};
 use imogene_scene::SceneFile;
-use imogene_testkit::{angle_deg, scene_file};
+use imogene_testkit::scene_file;
 use proptest::prelude::*;
 
-const F: Format = Format::BASE;
 const SIZE: (u32, u32) = (120, 90);
 
-#[derive(Debug, Default)]
+#[derive(Debug)]
 struct Found {
     /// Pixels where both see the same face.
     alike: usize,
@@ -25,36 +23,15 @@ struct Found {
 }
 
 fn compare(file: &SceneFile) -> Found {
-    let scene = file.frame(SIZE.0, SIZE.1).expect("valid size");
-    let prepared = prepare(&scene, F).expect("prepared");
-    let golden = prepared.frame(|| ());
-    let exact = render(&scene, &F, || ());
-    let normals = directions(&exact, &scene, &F);
-    let mut found = Found::default();
-    for (index, pixel) in exact.iter().enumerate() {
-        let seen = pixel.as_ref().map_or((-1, 0), |p| (p.id as i32, p.number));
-        let drawn = (golden.id[index], golden.number[index]);
-        let Some(pixel) = pixel.as_ref().filter(|_| seen == drawn) else {
-            found.different += usize::from(seen != drawn);
-            continue;
-        };
-        found.add(
-            pixel,
-            golden.depth[index],
-            golden.normal[index],
-            normals[index],
-        );
-    }
-    found
-}
-
-impl Found {
-    fn add(&mut self, pixel: &ExactPixel, depth: i64, normal: [i16; 3], truth: [f64; 3]) {
-        self.alike += 1;
-        self.backs += usize::from(pixel.is_back);
-        let exact = pixel.depth as f64 / f64::from(1 << DEPTH_FRACTION);
-        self.depth = self.depth.max((depth as f64 - exact).abs());
-        self.angle = self.angle.max(angle_deg(normal.map(f64::from), truth));
+    let pictures = Pictures::of_file(file, SIZE, Format::BASE);
+    let (depths, angles) = (pictures.depth_errors(), pictures.normal_errors());
+    let backs = pictures.seen().filter(|(_, pixel)| pixel.is_back);
+    Found {
+        alike: pictures.seen().count(),
+        different: pictures.differing().count(),
+        backs: backs.count(),
+        depth: depths.map(|(_, off)| off.abs()).fold(0.0, f64::max),
+        angle: angles.iter().map(|e| e.1).fold(0.0, f64::max),
     }
 }
 
@@ -65,10 +42,8 @@ fn the_scenes_show_their_exact_picture() {
         assert!(found.alike > 2000 && found.backs > 100, "{name}: {found:?}");
         assert!(found.different <= 3, "{name}: {found:?}");
         // The normal of a quadric turns fast beside its outline.
-        assert!(
-            found.angle < 2.0 && found.depth < 300.0,
-            "{name}: {found:?}"
-        );
+        let near = found.angle < 2.0 && found.depth < 300.0;
+        assert!(near, "{name}: {found:?}");
     }
 }
 
@@ -118,11 +93,8 @@ proptest! {
             true => "kind = \"perspective\"\nviewer_distance = 8",
             false => "kind = \"orthographic\"",
         };
-        let objects: String = objects
-            .into_iter()
-            .enumerate()
-            .map(|(index, (shape, place, degrees))| object(index, shape, place, degrees))
-            .collect();
+        let objects = objects.into_iter().enumerate();
+        let objects: String = objects.map(|(k, (shape, place, angle))| object(k, shape, place, angle)).collect();
         let text = format!(
             "format = 1\ntitle = \"t\"\n[camera]\n{camera}\neye = [3, 4, 7]\ntarget = [0, 0, 0]\nview_height = 5\n\
              [[materials]]\nname = \"m\"\ncolour = [1, 1, 1]\n{objects}[[solids]]\nname = \"s\"\nof = {tree}\n"

@@ -1,6 +1,7 @@
 //! What is left out because nobody sees it changes nothing that is drawn: range, words, depths, ids and faces are those
 //! of the whole scene.
 
+use imogene_analysis::exact::render::render;
 use imogene_golden::format::Format;
 use imogene_golden::machine::frame::Frame;
 use imogene_prepare::Framing;
@@ -135,12 +136,8 @@ const AHEAD: &str = "kind = \"perspective\"\neye = [0, 0, 40]\ntarget = [0, 0, 0
 #[test]
 fn what_is_left_out_is_counted() {
     let front = [([0.0, 0.0, 0.0], 2.5)];
-    let behind = (0..5).map(|k| {
-        (
-            [0.3 * f64::from(k) - 0.6, 0.2, -6.0 - 3.0 * f64::from(k)],
-            1.0,
-        )
-    });
+    let behind = (0..5).map(f64::from);
+    let behind = behind.map(|k| ([0.3 * k - 0.6, 0.2, -6.0 - 3.0 * k], 1.0));
     let rest = [
         ([4.0, -3.0, 0.0], 1.0),
         ([40.0, 0.0, 0.0], 1.0),
@@ -152,13 +149,7 @@ fn what_is_left_out_is_counted() {
     let pictures = both(&scene(AHEAD, &balls, ""), Format::BASE);
     assert_same(&pictures).unwrap();
     let [whole, seen] = &pictures;
-    assert_eq!(
-        absent(seen),
-        Absent {
-            hidden: 5,
-            off_screen: 3
-        }
-    );
+    assert_eq!((absent(seen).hidden, absent(seen).off_screen), (5, 3));
     assert_eq!(absent(whole), Absent::default());
     // The last ones are those that are seen, by their own numbers.
     assert!(seen.frame.id.contains(&6) && seen.frame.id.contains(&10));
@@ -191,11 +182,7 @@ fn a_ball_that_only_rounding_shows_is_kept() {
     let (mut let_through, mut hidden) = (0, 0);
     for step in 0..40 {
         let inner = 2.5 - 0.5 * 0.6f64.powi(step);
-        let file = scene(
-            AHEAD,
-            &[([0.0, 0.0, 0.0], inner), ([0.0, 0.0, 0.0], 2.5)],
-            "",
-        );
+        let file = scene(AHEAD, &[([0.0; 3], inner), ([0.0; 3], 2.5)], "");
         for format in [Format::new(16), Format::new(24)].map(Result::unwrap) {
             let pictures = both(&file, format);
             assert_same(&pictures).unwrap();
@@ -219,14 +206,10 @@ fn a_scene_with_shadows_keeps_all_its_objects() {
         absent(&pictures[1]).hidden
     };
     assert_eq!(hidden("kind = \"directional\"\nfrom = [1, 1, 1]"), 1);
-    assert_eq!(
-        hidden("kind = \"directional\"\nfrom = [1, 1, 1]\nshadows = true"),
-        0
-    );
-    assert_eq!(
-        hidden("kind = \"point\"\nposition = [9, 9, 9]\nshadows = true"),
-        0
-    );
+    let sun = "kind = \"directional\"\nfrom = [1, 1, 1]\nshadows = true";
+    assert_eq!(hidden(sun), 0);
+    let lamp = "kind = \"point\"\nposition = [9, 9, 9]\nshadows = true";
+    assert_eq!(hidden(lamp), 0);
     let spot = "kind = \"spot\"\nposition = [0, 0, 30]\ntarget = [0, 0, 0]\nhalf_angle = 20";
     assert_eq!(hidden(spot), 0);
 }
@@ -238,18 +221,13 @@ fn the_exact_picture_needs_no_more() {
     let balls: Vec<Ball> = (0..60)
         .map(|k| {
             let k = f64::from(k);
-            let place = [
-                (k * 0.71).sin() * 3.0,
-                (k * 1.37).cos() * 2.0,
-                (k * 2.11).sin() * 3.0,
-            ];
+            let (x, z) = ((k * 0.71).sin() * 3.0, (k * 2.11).sin() * 3.0);
+            let place = [x, (k * 1.37).cos() * 2.0, z];
             (place.map(|v| (v * 1e3).round() / 1e3), 1.2)
         })
         .collect();
     let [whole, seen] = both(&scene(AHEAD, &balls, ""), Format::BASE);
     assert!(absent(&seen).hidden > 5);
-    let exact = |framed: &FramedScene| {
-        imogene_analysis::exact::render::render(framed, &Format::BASE, || ())
-    };
+    let exact = |framed: &FramedScene| render(framed, &Format::BASE, || ());
     assert_eq!(exact(&whole.framed), exact(&seen.framed));
 }

@@ -67,6 +67,12 @@ impl ScreenBox {
         (self.x0..=self.x1).contains(&x) && (self.y0..=self.y1).contains(&y)
     }
 
+    /// The pixels inside, line by line.
+    pub fn each(&self) -> impl Iterator<Item = (i64, i64)> + use<> {
+        let columns = self.x0..=self.x1;
+        (self.y0..=self.y1).flat_map(move |y| columns.clone().map(move |x| (x, y)))
+    }
+
     /// Columns and lines, 0 of a box without pixels.
     pub fn size(&self) -> [i64; 2] {
         match self.is_empty() {

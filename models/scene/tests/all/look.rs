@@ -31,6 +31,19 @@ fn pose(look: &Look, up: &str) -> [[f64; 3]; 2] {
     [std::array::from_fn(|k| eye[k] - target[k]), up]
 }
 
+fn side(side: Side) -> Look {
+    Look {
+        side: Some(side),
+        ..Look::default()
+    }
+}
+
+/// The scene with y up, looked at so, and what was left out.
+fn applied(look: &Look, objects: &str) -> (SceneFile, Vec<String>) {
+    look.applied(&scene(Y_UP, objects), (4, 3))
+        .expect("a camera")
+}
+
 fn close(found: [[f64; 3]; 2], expected: [[f64; 3]; 2], what: &str) {
     for (a, b) in found.iter().flatten().zip(expected.iter().flatten()) {
         assert!((a - b).abs() < 1e-12, "{what}: {found:?}, not {expected:?}");
@@ -64,12 +77,8 @@ fn sides_are_where_the_page_says() {
             [[third, -third, third], [-sixth, sixth, 2.0 * sixth]],
         ),
     ];
-    for (side, up, expected) in cases {
-        let look = Look {
-            side: Some(side),
-            ..Look::default()
-        };
-        close(pose(&look, up), expected, &format!("{side:?}, {up} up"));
+    for (of, up, expected) in cases {
+        close(pose(&side(of), up), expected, &format!("{of:?}, {up} up"));
     }
 }
 
@@ -88,9 +97,8 @@ fn what_is_seen_turns_about_the_picture() {
     ];
     for (turn, expected) in cases {
         let look = Look {
-            side: Some(Side::Front),
             turn: Some(turn),
-            ..Look::default()
+            ..side(Side::Front)
         };
         close(pose(&look, Y_UP), expected, &format!("{turn:?}"));
     }
@@ -98,13 +106,12 @@ fn what_is_seen_turns_about_the_picture() {
 
 #[test]
 fn zoom_divides_the_height_and_leaves_the_rest() {
-    let before = scene(Y_UP, BALL);
     let look = Look {
         zoom: Some(2.5),
         ..Look::default()
     };
-    let (after, _) = look.applied(&before, (4, 3)).expect("a camera");
-    let mut expected = before;
+    let after = applied(&look, BALL).0;
+    let mut expected = scene(Y_UP, BALL);
     expected.camera.view_height = 1.6;
     assert_eq!(after, expected);
 }
@@ -118,22 +125,20 @@ fn lights_turn_only_when_they_are_asked_to() {
             ..Look::default()
         };
         // The first light is where the eye is, about which the turn goes.
-        let (after, _) = look.applied(&scene(Y_UP, BALL), (4, 3)).expect("a camera");
-        let side = Look {
-            side: Some(Side::Right),
-            lights,
-            ..Look::default()
-        };
-        let (other, _) = side.applied(&scene(Y_UP, BALL), (4, 3)).expect("a camera");
+        let after = applied(&look, BALL).0;
+        let other = applied(
+            &Look {
+                lights,
+                ..side(Side::Right)
+            },
+            BALL,
+        )
+        .0;
         let from = [&after, &other].map(|scene| match &scene.lights[0].beam {
             imogene_scene::Beam::Directional { from } => *from,
             other => panic!("{other:?}"),
         });
-        let straight = if lights {
-            [13.0, 0.0, 0.0]
-        } else {
-            [3.0, 4.0, 12.0]
-        };
+        let straight = [[3.0, 4.0, 12.0], [13.0, 0.0, 0.0]][usize::from(lights)];
         for (found, expected) in from.iter().zip([[3.0, 4.0, 12.0], straight]) {
             close([*found; 2], [expected; 2], &format!("lights {lights}"));
         }
@@ -144,11 +149,10 @@ fn lights_turn_only_when_they_are_asked_to() {
 #[test]
 fn a_ball_touches_the_sides_of_a_fitted_picture() {
     let look = Look {
-        side: Some(Side::Front),
         fit: true,
-        ..Look::default()
+        ..side(Side::Front)
     };
-    let (fitted, left_out) = look.applied(&scene(Y_UP, BALL), (4, 3)).expect("a camera");
+    let (fitted, left_out) = applied(&look, BALL);
     let tangent: f64 = 0.96 * 2.0 / 13.0;
     let expected = (1.0 + tangent * tangent).sqrt() / tangent;
     let Camera { eye, target, .. } = fitted.camera;
@@ -163,17 +167,14 @@ fn what_is_endless_is_named_and_left_out() {
     let endless = "[[objects]]\nname = \"pole\"\nkind = \"elliptic_cylinder\"\nradii = [1, 1]\nmaterial = \"m\"\n\
                    cuts = [{ point = [0, 5, 0], normal = [0, 1, 0] }]\n";
     let look = Look {
-        side: Some(Side::Front),
         fit: true,
-        ..Look::default()
+        ..side(Side::Front)
     };
-    let both = scene(Y_UP, &format!("{endless}{BALL}"));
-    let (fitted, left_out) = look.applied(&both, (4, 3)).expect("a camera");
+    let (fitted, left_out) = applied(&look, &format!("{endless}{BALL}"));
     assert_eq!(left_out, ["pole"]);
-    let (alone, _) = look.applied(&scene(Y_UP, BALL), (4, 3)).expect("a camera");
+    let alone = applied(&look, BALL).0;
     assert_eq!(fitted.camera, alone.camera);
-    let error = look
-        .applied(&scene(Y_UP, endless), (4, 3))
-        .expect_err("nothing to fit");
+    let error = look.applied(&scene(Y_UP, endless), (4, 3));
+    let error = error.expect_err("nothing to fit");
     assert!(error.to_string().contains("has an end"), "{error}");
 }

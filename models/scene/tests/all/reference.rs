@@ -52,6 +52,9 @@ const TABLES: [(&str, &str, &str); 8] = [
     ("| key of an image", "#image", ""),
 ];
 
+/// Keys that stand in the place of the line that is needed.
+const LENSES: [&str; 4] = ["view_height", "focal", "field_of_view", "half_angle"];
+
 /// The scene with a line in one of its tables.
 fn scene(place: &str, line: &str) -> Result<SceneFile, SceneError> {
     let mut text = match place {
@@ -62,19 +65,11 @@ fn scene(place: &str, line: &str) -> Result<SceneFile, SceneError> {
         _ => SCENE.to_owned(),
     };
     for (_, other, needed) in TABLES {
-        let own = other == place;
-        let replaced = own
-            && ["view_height", "focal", "field_of_view", "half_angle"]
-                .iter()
-                .any(|k| line.starts_with(k));
-        let mut lines = if replaced {
-            String::new()
-        } else {
-            needed.to_owned()
+        let lines = match other == place {
+            true if LENSES.iter().any(|key| line.starts_with(key)) => line.to_owned(),
+            true => format!("{needed}\n{line}"),
+            false => needed.to_owned(),
         };
-        if own {
-            lines = format!("{lines}\n{line}");
-        }
         text = text.replace(other, &lines);
     }
     let mut scene = SceneFile::parse(&text, "reference.toml")?;
@@ -87,26 +82,17 @@ fn scene(place: &str, line: &str) -> Result<SceneFile, SceneError> {
 
 /// The rows of a table of the page: keys, meaning, default.
 fn rows(heading: &str) -> Vec<[String; 3]> {
-    let from = PAGE
-        .find(heading)
-        .unwrap_or_else(|| panic!("{heading} is on the page"));
-    let lines = PAGE[from..]
-        .lines()
-        .skip_while(|line| !line.starts_with('|'));
+    let from = PAGE.find(heading);
+    let from = from.unwrap_or_else(|| panic!("{heading} is on the page"));
+    let lines = PAGE[from..].lines();
+    let lines = lines.skip_while(|line| !line.starts_with('|'));
     let rows = lines.skip(2).take_while(|line| line.starts_with('|'));
     rows.map(|line| {
-        let cells: Vec<&str> = line.trim_matches('|').split(" | ").map(str::trim).collect();
-        [
-            cells[0],
-            cells[1],
-            cells
-                .get(2)
-                .copied()
-                .unwrap_or_default()
-                .trim_matches('|')
-                .trim(),
-        ]
-        .map(str::to_owned)
+        let mut cells = line.trim_matches('|').split(" | ");
+        std::array::from_fn(|_| {
+            let cell = cells.next().unwrap_or_default();
+            cell.trim_matches(['|', ' ']).to_owned()
+        })
     })
     .collect()
 }
@@ -122,15 +108,14 @@ fn quoted(cell: &str) -> Vec<String> {
 #[test]
 fn every_key_is_on_the_page_and_no_other() {
     for (heading, place, _) in TABLES {
-        let refusal = scene(place, "unknown_key = 1")
-            .expect_err("an unknown key")
-            .to_string();
+        let refusal = scene(place, "unknown_key = 1").expect_err("an unknown key");
+        let refusal = refusal.to_string();
         let (_, expected) = refusal.split_once("expected one of ").expect(&refusal);
         let mut read = quoted(expected.lines().next().expect("a line"));
-        let mut told: Vec<String> = rows(heading)
-            .iter()
-            .flat_map(|[keys, ..]| quoted(keys))
-            .collect();
+        let told = rows(heading)
+            .into_iter()
+            .flat_map(|[keys, ..]| quoted(&keys));
+        let mut told: Vec<String> = told.collect();
         read.sort();
         told.sort();
         assert_eq!(told, read, "{heading}");

@@ -97,9 +97,7 @@ fn draw_operations(area: &Area, bars: &[Bar]) -> Outcome {
         .y_label_area_size(58)
         .build_cartesian_2d((0..bars.len() - 1).into_segmented(), 0.0..1.35 * most)?;
     let label = |place: &SegmentValue<usize>| match place {
-        SegmentValue::CenterOf(index) => {
-            bars.get(*index).map_or(String::new(), |bar| bar.0.clone())
-        }
+        SegmentValue::CenterOf(at) => bars.get(*at).map_or("", |bar| &bar.0).to_owned(),
         _ => String::new(),
     };
     chart

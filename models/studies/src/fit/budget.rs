@@ -128,12 +128,9 @@ impl Item {
 
 impl fmt::Display for Item {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (measured, unit) = (self.measured, self.unit);
-        write!(
-            f,
-            "{}: {measured:.4} {unit} of {} allowed",
-            self.limit, self.allowed
-        )
+        let (limit, unit) = (self.limit, self.unit);
+        let (measured, allowed) = (self.measured, self.allowed);
+        write!(f, "{limit}: {measured:.4} {unit} of {allowed} allowed")
     }
 }
 
@@ -170,16 +167,12 @@ impl Budget {
             None => ("px", None, 0.0),
         };
         let (silhouette, faces) = (metrics.silhouette as f64, metrics.visible_part as f64);
+        let colour = metrics.colour_same_face.max;
         let limits = [
             ("depth", unit, depth, off),
             ("silhouette", "pixels", count(self.silhouette), silhouette),
             ("faces", "pixels", count(self.faces), faces),
-            (
-                "colour",
-                "of 255",
-                self.colour,
-                metrics.colour_same_face.max,
-            ),
+            ("colour", "of 255", self.colour, colour),
             ("normal", "degrees", self.normal, metrics.normal_deg.max),
         ];
         let item = |(limit, unit, allowed, measured): (_, _, Option<f64>, f64)| {

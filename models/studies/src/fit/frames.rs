@@ -46,8 +46,8 @@ impl Frame {
 
     /// What the machine shows.
     fn draw(&self, prepared: &PreparedScene) -> Result<Drawing, FitError> {
-        drawn(&self.scene, prepared, None)
-            .map_err(|source| self.refused(DisplayError::from(source)))
+        let drawing = drawn(&self.scene, prepared, None);
+        drawing.map_err(|source| self.refused(DisplayError::from(source)))
     }
 
     /// The map of the errors of the picture: red, green and blue of every pixel.
@@ -194,9 +194,9 @@ impl Frames {
         let mut may_go = vec![true; count];
         for frame in &self.all {
             let own = frame.truth.seen(count);
-            seen.iter_mut()
-                .zip(own)
-                .for_each(|(most, own)| *most = own.max(*most));
+            for (most, own) in seen.iter_mut().zip(own) {
+                *most = own.max(*most);
+            }
             let prepared = frame.prepare_wide()?;
             let alone = prepared.slots_alone();
             let is_alone = |object| alone.iter().any(|slot| slot.object == object);
@@ -278,8 +278,8 @@ impl Frames {
         for frame in &self.all {
             match frame.prepare(format) {
                 Ok(prepared) => {
-                    needs::check_any(self.kind, &frame.scene, &prepared)
-                        .map_err(|source| frame.refused(source))?;
+                    let drawn = needs::check_any(self.kind, &frame.scene, &prepared);
+                    drawn.map_err(|source| frame.refused(source))?;
                     all.push(prepared);
                 }
                 Err(PrepareError::TooLarge { .. } | PrepareError::SteepPlane { .. }) => {

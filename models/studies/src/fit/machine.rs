@@ -70,13 +70,15 @@ pub fn machine(
         smallest.pixels_per_clock = frames.pixels_per_clock;
         smallest.output = Output::Stream;
     }
+    let scenes = scenes(frames, drawn);
+    let refused = |source| frames.all[0].refused(source);
     let found = match frames.kind {
         MachineKind::Beam => {
-            let beam = changed(enough, &smallest, frames, drawn)?;
+            let beam = enough(&smallest, &scenes).map_err(refused)?;
             if beam.machine != MachineKind::Beam {
                 return Err(FitError::TooManyForBeam);
             }
-            let description = changed(narrowed, &beam, frames, drawn)?;
+            let description = narrowed(&beam, &scenes).map_err(refused)?;
             let clocks = screen_clocks(&description);
             if let Some(pace) = pace {
                 pace.check(clocks, &frames.all[0], Some(&description))?;
@@ -180,26 +182,10 @@ fn mode((width, height): (u32, u32)) -> Mode {
     }
 }
 
-/// The machine as a change makes it for all frames: with what it lacks, or in as few bits as they need.
-fn changed(
-    change: impl Fn(
-        &MachineDescription,
-        &[(&FramedScene, &PreparedScene)],
-    ) -> Result<MachineDescription, DisplayError>,
-    machine: &MachineDescription,
-    frames: &Frames,
-    drawn: &Drawn,
-) -> Result<MachineDescription, FitError> {
-    let scenes = pairs(frames, drawn).map(|(frame, prepared)| (&frame.scene, prepared));
-    let scenes: Vec<_> = scenes.collect();
-    change(machine, &scenes).map_err(|source| frames.all[0].refused(source))
-}
-
-fn pairs<'a>(
-    frames: &'a Frames,
-    drawn: &'a Drawn,
-) -> impl Iterator<Item = (&'a Frame, &'a PreparedScene)> {
-    frames.all.iter().zip(&drawn.prepared)
+/// All frames in the words that were found for them.
+fn scenes<'a>(frames: &'a Frames, drawn: &'a Drawn) -> Vec<(&'a FramedScene, &'a PreparedScene)> {
+    let scenes = frames.all.iter().map(|frame| &frame.scene);
+    scenes.zip(&drawn.prepared).collect()
 }
 
 impl Pace {
@@ -255,9 +241,8 @@ fn of_zones(
     pace: Option<Pace>,
     timing: &dyn Fn(&MachineDescription) -> ZoneTiming,
 ) -> Result<Fitted, FitError> {
-    let sizes = PROCESSORS.into_iter();
-    let sizes = sizes.flat_map(|objects| PROCESSORS.map(|volumes| (objects, volumes)));
-    let sizes: Vec<(usize, usize)> = sizes.collect();
+    let sizes = PROCESSORS.map(|objects| PROCESSORS.map(|volumes| (objects, volumes)));
+    let sizes = sizes.as_flattened();
     let mut tried: Vec<(MachineDescription, Vec<Vec<ZonePlan>>)> = vec![];
     let own = own_kinds(&drawn.prepared).map(Some);
     for slots in std::iter::once(None).chain(own) {
@@ -267,7 +252,8 @@ fn of_zones(
             slots,
             ..with_side(smallest, SIDES[0])
         };
-        let base = changed(enough, &one, frames, drawn)?;
+        let base = enough(&one, &scenes(frames, drawn));
+        let base = base.map_err(|source| frames.all[0].refused(source))?;
         // Words that do not follow from the depth word are for quadrics and patches alone.
         if !tried.is_empty() && base.check("").is_err() {
             continue;
@@ -284,8 +270,7 @@ fn of_zones(
     let mut slower: Vec<Fitted> = vec![];
     for (machine, plans) in machines {
         let found = in_zones(machine, plans, timing);
-        let is_enough = pace.is_none_or(|pace| found.clocks as f64 * pace.frames <= pace.mhz * 1e6);
-        if is_enough {
+        if pace.is_none_or(|pace| found.clocks as f64 * pace.frames <= pace.mhz * 1e6) {
             return Ok(found);
         }
         slower.push(found);
@@ -329,7 +314,7 @@ fn plans(
         let plan = ZonePlan::of(prepared, machine.clone());
         plan.map_err(|source| frame.refused(DisplayError::Plan(source)))
     };
-    pairs(frames, drawn).map(plan).collect()
+    frames.all.iter().zip(&drawn.prepared).map(plan).collect()
 }
 
 /// A machine of so many processors of each kind beside those of products.

@@ -78,15 +78,14 @@ pub fn proofs(
             "normal" => Some(bounds.normal_deg),
             _ => None,
         });
-        let is_proven = bound.is_some_and(|bound| bound <= item.allowed);
+        let proof = match bound.is_some_and(|bound| bound <= item.allowed) {
+            true => Proof::Bound,
+            false => Proof::Exhaustive,
+        };
         Proven {
             item: item.clone(),
             bound,
-            proof: if is_proven {
-                Proof::Bound
-            } else {
-                Proof::Exhaustive
-            },
+            proof,
         }
     };
     drawn.items.iter().map(of).collect()

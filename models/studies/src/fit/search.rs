@@ -119,21 +119,21 @@ impl<T: Fn() + Sync> Search<'_, T> {
         if !self.fits(&words)? {
             return Ok(None);
         }
-        words.normal = self.least(NORMALS, |normal| MachineWords { normal, ..words })?;
         let most = Format::MAX_DROPPED_ROWS.min(depth / 2);
-        let kept = self.least((0, most), |kept| MachineWords {
-            dropped_rows: most - kept,
-            ..words
-        })?;
-        words.dropped_rows = most - kept;
-        words.guard_quadratic = self.least((0, words.guard_quadratic), |bits| MachineWords {
-            guard_quadratic: bits,
-            ..words
-        })?;
-        words.guard_linear = self.least((0, words.guard_linear), |bits| MachineWords {
-            guard_linear: bits,
-            ..words
-        })?;
+        let (linear, quadratic) = (words.guard_linear, words.guard_quadratic);
+        let mut shorten = |range, set: &dyn Fn(&mut MachineWords, u32)| {
+            let with = |bits| {
+                let mut changed = words;
+                set(&mut changed, bits);
+                changed
+            };
+            words = with(self.least(range, with)?);
+            Ok::<(), FitError>(())
+        };
+        shorten(NORMALS, &|words, bits| words.normal = bits)?;
+        shorten((0, most), &|words, kept| words.dropped_rows = most - kept)?;
+        shorten((0, quadratic), &|words, bits| words.guard_quadratic = bits)?;
+        shorten((0, linear), &|words, bits| words.guard_linear = bits)?;
         Ok(self.draw(&words)?.filter(Drawn::fits))
     }
 

@@ -3,7 +3,6 @@
 pub mod page;
 pub mod picture;
 pub mod plot;
-pub mod preview;
 pub mod sheet;
 pub mod words;
 

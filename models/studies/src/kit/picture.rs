@@ -1,4 +1,4 @@
-//! Files of a picture: PNG, and NumPy arrays of depth, object index and normals.
+//! Files of a picture: PNG, still or animated, and NumPy arrays of depth, object index and normals.
 //!
 //! The functions fill a stream; [`Outputs`] lets the files appear.
 
@@ -65,21 +65,23 @@ pub fn write_png(path: &Path, width: usize, height: usize, rgb: &[u8]) -> Result
 
 /// An 8-bit RGB picture.
 pub fn png(out: &mut dyn Write, width: usize, height: usize, rgb: &[u8]) -> io::Result<()> {
-    let mut encoder = png::Encoder::new(out, width as u32, height as u32);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
+    let encoder = encoder(out, (width as u32, height as u32));
     let mut writer = encoder.write_header().map_err(io::Error::other)?;
     writer.write_image_data(rgb).map_err(io::Error::other)?;
     writer.finish().map_err(io::Error::other)
 }
 
+fn encoder<'a, W: Write>(out: W, (width, height): (u32, u32)) -> png::Encoder<'a, W> {
+    let mut encoder = png::Encoder::new(out, width, height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder
+}
+
 /// Depth words, int64 of shape (height, width); the background is the format's `z_max`.
 pub fn depth(out: &mut dyn Write, frame: &Frame) -> io::Result<()> {
-    npy(
-        out,
-        &[frame.height, frame.width],
-        frame.depth.iter().copied(),
-    )
+    let depths = frame.depth.iter().copied();
+    npy(out, &[frame.height, frame.width], depths)
 }
 
 /// Object indices, int32 of shape (height, width); the background is -1.
@@ -112,4 +114,41 @@ fn npy<T: npyz::Serialize + npyz::AutoSerialize>(
         .begin_nd()?;
     writer.extend(values)?;
     writer.finish()
+}
+
+/// An animated PNG that plays without end.
+pub struct Preview(png::Writer<File>);
+
+impl Preview {
+    /// Begins one of so many frames in an empty file.
+    pub fn new(file: File, size: (u32, u32), frames: u32) -> io::Result<Self> {
+        let mut encoder = encoder(file, size);
+        encoder.set_animated(frames, 0).map_err(io::Error::other)?;
+        encoder.validate_sequence(true);
+        let writer = encoder.write_header().map(Preview);
+        writer.map_err(io::Error::other)
+    }
+
+    /// Adds a frame, 8-bit RGB, that is shown for a time in seconds.
+    ///
+    /// The format takes times to a tenth of a millisecond; beyond 6.5 seconds to a millisecond.
+    pub fn frame(&mut self, rgb: &[u8], seconds: f64) -> io::Result<()> {
+        let (numerator, denominator) = delay(seconds);
+        let set = self.0.set_frame_delay(numerator, denominator);
+        let written = set.and_then(|()| self.0.write_image_data(rgb));
+        written.map_err(io::Error::other)
+    }
+
+    /// Ends the file.
+    /// Fails if it cannot be written, or has not as many frames as were announced.
+    pub fn finish(self) -> io::Result<()> {
+        self.0.finish().map_err(io::Error::other)
+    }
+}
+
+/// A time as numerator and denominator in seconds.
+fn delay(seconds: f64) -> (u16, u16) {
+    let denominator = if seconds <= 6.5 { 10_000 } else { 1_000 };
+    let numerator = (seconds * f64::from(denominator)).round();
+    (numerator.clamp(0.0, 65_535.0) as u16, denominator)
 }

@@ -1,7 +1,8 @@
 //! A drawn frame against the truth: outline, depth, normals.
 
 use super::Subject;
-use imogene_analysis::metrics::{self, Golden, PixelError, SameFace};
+use crate::kit::plot::span;
+use imogene_analysis::metrics::{self, Golden, PixelError, Spread};
 use imogene_golden::machine::frame::Frame;
 use serde::Serialize;
 
@@ -65,31 +66,22 @@ pub fn errors(subject: &Subject, pixels: &[PixelError]) -> Errors {
 
 fn summed(subject: &Subject, pixels: &[PixelError], covered: usize) -> Errors {
     let words_per_pixel = subject.truth.words_per_pixel;
-    let mut sum = Errors {
+    let count = |is: fn(&PixelError) -> bool| pixels.iter().filter(|pixel| is(pixel)).count();
+    let same = || pixels.iter().filter_map(PixelError::same);
+    let depth = Spread::of(same().map(|same| same.depth.abs()).collect());
+    let angle = Spread::of(same().map(|same| same.angle).collect());
+    Errors {
         covered,
-        ..Errors::default()
-    };
-    let (mut squares, mut angles) = (0.0, 0.0);
-    for pixel in pixels.iter().copied() {
-        match pixel {
-            PixelError::Background => (),
-            PixelError::Missing | PixelError::Extra => sum.presence_differs += 1,
-            PixelError::Object | PixelError::Face => sum.object_differs += 1,
-            PixelError::Same(SameFace { depth, angle, .. }) => {
-                sum.same += 1;
-                sum.depth_max_words = sum.depth_max_words.max(depth.abs());
-                squares += depth * depth;
-                angles += angle;
-                sum.normal_max_deg = sum.normal_max_deg.max(angle);
-            }
-        }
+        presence_differs: count(|p| matches!(p, PixelError::Missing | PixelError::Extra)),
+        object_differs: count(|p| matches!(p, PixelError::Object | PixelError::Face)),
+        same: depth.count,
+        depth_max_px: depth.max / words_per_pixel,
+        depth_rms_px: depth.rms / words_per_pixel,
+        depth_max_words: depth.max,
+        depth_rms_words: depth.rms,
+        normal_mean_deg: angle.mean,
+        normal_max_deg: angle.max,
     }
-    let count = sum.same.max(1) as f64;
-    sum.depth_rms_words = (squares / count).sqrt();
-    sum.normal_mean_deg = angles / count;
-    sum.depth_max_px = sum.depth_max_words / words_per_pixel;
-    sum.depth_rms_px = sum.depth_rms_words / words_per_pixel;
-    sum
 }
 
 /// The bulge of an object that is a sphere, over the pixels that show it in both; `None` if there are none.
@@ -98,19 +90,14 @@ pub fn bulge(subject: &Subject, pixels: &[PixelError], object: usize) -> Option<
     let percent = -100.0 / (subject.truth.words_per_pixel * radius_px);
     let shows = |k: usize| subject.truth.pixels[k].is_some_and(|p| p.id as usize == object);
     let own = pixels.iter().enumerate().filter(|(k, _)| shows(*k));
-    let (mut most, mut least) = (f64::NEG_INFINITY, f64::INFINITY);
     let own: Vec<PixelError> = own.map(|(_, pixel)| *pixel).collect();
-    for pixel in &own {
-        if let PixelError::Same(SameFace { depth, .. }) = pixel {
-            most = most.max(depth * percent);
-            least = least.min(depth * percent);
-        }
-    }
+    let bulges = own.iter().filter_map(PixelError::same);
+    let bulges = span(bulges.map(|same| same.depth * percent));
     let sum = summed(subject, &own, own.len());
     (subject.spheres[object] && sum.same > 0).then_some(Bulge {
         radius_px,
-        most_percent: most,
-        least_percent: least,
+        most_percent: bulges.end,
+        least_percent: bulges.start,
         rms_percent: sum.depth_rms_words * percent.abs(),
         normal_mean_deg: sum.normal_mean_deg,
         normal_max_deg: sum.normal_max_deg,

@@ -106,11 +106,11 @@ impl Subject {
     /// Fails if the size is out of range, or an object is not one that paraboloids can draw.
     pub fn new(
         file: &SceneFile,
-        (width, height): (u32, u32),
+        size: (u32, u32),
         format: Format,
     ) -> Result<Subject, CompareError> {
-        let framed = file.frame(width, height)?;
-        let round = by(file, Processor::Paraboloid).frame(width, height)?;
+        let framed = file.frame(size.0, size.1)?;
+        let round = by(file, Processor::Paraboloid).frame(size.0, size.1)?;
         let radius = |object: &FramedObject| match object {
             FramedObject::Sphere(sphere) => to_f64(&sphere.radius),
             FramedObject::Cylinder(cylinder) => to_f64(&cylinder.radius),

@@ -76,10 +76,9 @@ impl Case {
                     case.pixel.normal[k] = v.clamp(-32768, 32767) as i16;
                 }
                 kind @ 2..=4 => {
-                    let words = if kind == 4 {
-                        &mut light.slope
-                    } else {
-                        &mut light.base
+                    let words = match kind {
+                        4 => &mut light.slope,
+                        _ => &mut light.base,
                     };
                     words[k] = bounded(i64::from(words[k]) + (step(random) << random.below(16)));
                 }
@@ -104,9 +103,8 @@ pub fn sequence(seed: u64, depth: u32, lights: usize, pixels: usize) -> (ShaderW
     let case = Case::of_format(depth, &mut random);
     let mut words = case.words;
     while words.lights.len() < lights {
-        words
-            .lights
-            .extend(Case::of_format(depth, &mut random).words.lights);
+        let more = Case::of_format(depth, &mut random);
+        words.lights.extend(more.words.lights);
     }
     words.lights.truncate(lights);
     words.materials = (0..5).map(|_| material(&mut random)).collect();

@@ -60,9 +60,8 @@ impl ShadingErrors {
     fn compare(&mut self, case: &Case, shader: &Shader, counted: bool) -> f64 {
         let shader = shader.reloaded(&case.words);
         let exact = exact::levels(&case.words, &case.pixel);
-        let found = shader
-            .levels(&case.pixel)
-            .expect("the pixel shows an object");
+        let found = shader.levels(&case.pixel);
+        let found = found.expect("the pixel shows an object");
         let colour = shader.pixel(&case.pixel);
         let mut worst: f64 = 0.0;
         for k in 0..3 {
@@ -115,9 +114,8 @@ pub fn errors(
     done: impl Fn(u64) + Sync,
 ) -> ShadingErrors {
     let shader = Shader::with_widths(&Default::default(), widths);
-    let batches = in_pieces(cases, BATCH, done, |cases| {
-        ShadingErrors::batch(&shader, seed, cases)
-    });
+    let batch = |cases| ShadingErrors::batch(&shader, seed, cases);
+    let batches = in_pieces(cases, BATCH, done, batch);
     let none = ShadingErrors::default();
     batches.into_iter().fold(none, ShadingErrors::merge)
 }

@@ -98,7 +98,7 @@ pub struct Figures {
 pub fn measure(scene: &FramedScene, prepared: &PreparedScene) -> Figures {
     let report = check(scene, prepared);
     let words_per_pixel = to_f64(&prepared.depth_scale);
-    let problems = report.objects.iter().filter_map(|o| o.quadric());
+    let problems = report.objects.iter();
     let problems =
         problems.flat_map(|o| o.problems.iter().map(move |p| format!("{}: {p}", o.name)));
     let mut figures = Figures {
@@ -127,8 +127,7 @@ pub fn measure(scene: &FramedScene, prepared: &PreparedScene) -> Figures {
         violations: vec![],
     };
     compare_pixels(&mut figures, scene, prepared);
-    let quadrics = report.objects.iter().zip(prepared.quadrics());
-    for (object, (_, words)) in quadrics {
+    for (object, (_, words)) in report.objects.iter().zip(prepared.quadrics()) {
         let bounds = &object.quadric().expect("a quadric").bounds;
         if bounds.silhouette_singular {
             figures.observed.silhouette_px = None;
@@ -201,12 +200,8 @@ fn compare_faces(
     index: usize,
     exact: &TruePixel,
 ) {
-    let Figures {
-        observed,
-        ratios,
-        violations,
-        ..
-    } = figures;
+    let (observed, ratios) = (&mut figures.observed, &mut figures.ratios);
+    let violations = &mut figures.violations;
     observed.compared += 1;
     let [x, y] = [index % golden.width, index / golden.width].map(|v| v as i64);
     let object = prepared.objects[exact.id].quadric().expect("a quadric");

@@ -7,6 +7,7 @@
 use super::truth::{DEPTH_BITS, Truth};
 use imogene_algebra::rational::{from_decimal, to_f64};
 use imogene_golden::format::Format;
+use imogene_golden::object::quadric::ScreenBox;
 use imogene_prepare::Framing;
 use imogene_scene::{Lens, Quadric, SceneFile, Transform};
 use num_traits::Float;
@@ -71,21 +72,18 @@ fn error<T: Float>(file: &SceneFile, viewer: &Viewer, quadric: [T; 10]) -> Float
     let distance = to_f64(&(from_decimal(viewer.distance) / from_decimal(viewer.unit)));
     let word = distance / format.z_max() as f64;
     let mut found = FloatError::default();
-    for y in 0..i64::from(height) {
-        for x in 0..i64::from(width) {
-            let place =
-                [2 * x - i64::from(width), i64::from(height) - 2 * y].map(|v| v as f64 / 2.0);
-            let seen = first_depth(&quadric, viewer, place);
-            match (seen, truth.at(x, y)) {
-                (Some(parts), Some(exact)) => {
-                    let exact = exact.depth as f64 / (1u64 << DEPTH_BITS) as f64 * word;
-                    let off = (distance * parts - exact).abs();
-                    found.compared += 1;
-                    found.depth_px = found.depth_px.max(off);
-                }
-                (None, None) => {}
-                _ => found.silhouette_pixels += 1,
+    for (x, y) in ScreenBox::of_screen(width, height).each() {
+        let place = [2 * x - i64::from(width), i64::from(height) - 2 * y].map(|v| v as f64 / 2.0);
+        let seen = first_depth(&quadric, viewer, place);
+        match (seen, truth.at(x, y)) {
+            (Some(parts), Some(exact)) => {
+                let exact = exact.depth as f64 / (1u64 << DEPTH_BITS) as f64 * word;
+                let off = (distance * parts - exact).abs();
+                found.compared += 1;
+                found.depth_px = found.depth_px.max(off);
             }
+            (None, None) => {}
+            _ => found.silhouette_pixels += 1,
         }
     }
     found

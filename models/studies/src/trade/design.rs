@@ -195,13 +195,13 @@ fn points(
 
 /// The beam machines among points with two and with four pixels per clock besides.
 fn with_lanes(points: Vec<Design>) -> Vec<Design> {
-    let several = |point: &Design| match point.zones {
-        None => vec![1, 2, 4],
-        Some(_) => vec![1],
-    };
     let of_point = |point: Design| {
-        let lanes = several(&point).into_iter();
-        lanes.map(move |pixels_per_clock| Design {
+        let lanes: &[u32] = if point.zones.is_none() {
+            &[1, 2, 4]
+        } else {
+            &[1]
+        };
+        lanes.iter().map(move |&pixels_per_clock| Design {
             pixels_per_clock,
             ..point
         })
@@ -243,14 +243,8 @@ const NO_ZONES: (&[usize], &[u32]) = (&[], &[]);
 
 fn quick() -> Vec<Design> {
     let of = Accuracy::of_depth;
-    let beams = [
-        of(10),
-        of(12),
-        guarded(16, (2, 4), 0),
-        of(20),
-        guarded(20, (0, 0), 3),
-        of(24),
-    ];
+    let (guards, dropped) = (guarded(16, (2, 4), 0), guarded(20, (0, 0), 3));
+    let beams = [of(10), of(12), guards, of(20), dropped, of(24)];
     let beams = beams.map(|accuracy| points(accuracy, true, NO_ZONES, &[1, 2]));
     let others = [
         points(of(16), true, (&[1], &[16]), &[1, 2]),
@@ -272,9 +266,8 @@ fn roots() -> Vec<Design> {
         forms.iter().map(of_form)
     };
     let accuracies = [24, 16].into_iter().flat_map(of);
-    accuracies
-        .flat_map(|accuracy| points(accuracy, true, NO_ZONES, &[4]))
-        .collect()
+    let designs = accuracies.flat_map(|accuracy| points(accuracy, true, NO_ZONES, &[4]));
+    designs.collect()
 }
 
 /// Rows of the root network to a stage.

@@ -8,7 +8,6 @@ use imogene_analysis::metrics::toggles::{Part, Toggles, count};
 use imogene_analysis::metrics::{Metrics, measure as compare};
 use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
-use imogene_golden::object::quadric::QuadricWords;
 use imogene_golden::object::words::Words;
 use imogene_golden::unit::lattice::Lattice;
 use imogene_plan::description::{MachineDescription, MachineKind, Output};
@@ -121,32 +120,28 @@ impl Measured<'_> {
         let height = self.prepared.height;
         if machine.machine == MachineKind::Beam {
             let step = machine.pixels_per_clock;
-            let words = (0..step).map(|first| {
+            let lane = |first: u32| {
                 let pixels = Lattice::columns(step.into(), first.into());
                 let slots = self.prepared.quadrics();
-                slots.map(|(_, object)| object.words.on(&pixels)).collect()
-            });
-            let words: Vec<Vec<QuadricWords>> = words.collect();
-            let lanes = words.iter().map(|words| Part {
-                slots: words.iter().collect(),
-                first: (0, 0),
-                size: ((self.prepared.width / step) as usize, height as usize),
-            });
-            let lanes: Vec<Part> = lanes.collect();
+                Part {
+                    slots: slots.map(|(_, object)| object.words.on(&pixels)).collect(),
+                    first: (0, 0),
+                    size: ((self.prepared.width / step) as usize, height as usize),
+                }
+            };
+            let lanes: Vec<Part> = (0..step).map(lane).collect();
             return Ok(count(&lanes, format, rows, height));
         }
         let plan = ZonePlan::of(&self.prepared, machine.zone_machine());
         let plan = plan.map_err(|e| e.to_string())?;
-        let words = plan.zones.iter().map(|zone| {
+        let zones = plan.zones.iter().map(|zone| {
             let parts = zone.all_parts();
-            let parts = parts.filter_map(|part| plan.parts[part as usize].quadric());
-            parts.map(|words| words.on(&zone.sample.pixels())).collect()
-        });
-        let words: Vec<Vec<QuadricWords>> = words.collect();
-        let zones = plan.zones.iter().zip(&words).map(|(zone, words)| Part {
-            slots: words.iter().collect(),
-            first: (zone.x0 as usize, zone.y0 as usize),
-            size: (zone.width as usize, zone.height as usize),
+            let words = parts.filter_map(|part| plan.parts[part as usize].quadric());
+            Part {
+                slots: words.map(|words| words.on(&zone.sample.pixels())).collect(),
+                first: (zone.x0 as usize, zone.y0 as usize),
+                size: (zone.width as usize, zone.height as usize),
+            }
         });
         let zones: Vec<Part> = zones.collect();
         Ok(count(&zones, format, rows, height / machine.supersampling))

@@ -14,11 +14,9 @@ pub mod plot;
 pub mod point;
 mod prices;
 pub mod report;
-mod request;
 pub mod run;
 pub mod shrink;
 pub mod speed;
-mod store;
 pub mod view;
 
 use thiserror::Error;

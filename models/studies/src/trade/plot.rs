@@ -26,9 +26,8 @@ struct Dot<'a> {
 /// orange; filled if on the front. The first circles are the marks, in the order of the points that have both figures.
 pub fn draw(trade: &Trade, front: &Front) -> Result<String, TradeError> {
     let dots = dots(trade, front);
-    let text = svg("cannot draw a plot", SIZE, |area| {
-        draw_dots(area, trade, front, &dots)
-    })?;
+    let draw = |area: &Area| draw_dots(area, trade, front, &dots);
+    let text = svg("cannot draw a plot", SIZE, draw)?;
     Ok(marked(&text, dots.iter().map(|dot| &*dot.entry.point.id)))
 }
 
@@ -108,21 +107,16 @@ fn draw_dots(area: &Area, trade: &Trade, front: &Front, dots: &[Dot]) -> Outcome
         .x_desc(hardware_title(trade))
         .label_style((FONT, 12))
         .draw()?;
-    let style = |dot: &Dot| {
-        let colour = match dot.entry.silhouette_exact {
-            true => EXACT,
-            false => OTHER,
-        };
-        match dot.entry.pareto.contains(&front.name) {
+    let circle = |dot: &Dot| {
+        let colour = [OTHER, EXACT][usize::from(dot.entry.silhouette_exact)];
+        let (radius, style) = match dot.entry.pareto.contains(&front.name) {
             true => (5, colour.filled()),
             false => (3, colour.stroke_width(1)),
-        }
+        };
+        Circle::new((dot.x, dot.y), radius, style)
     };
     chart.draw_series(LineSeries::new(steps(front, dots), FRONT))?;
-    chart.draw_series(dots.iter().map(|dot| {
-        let (radius, style) = style(dot);
-        Circle::new((dot.x, dot.y), radius, style)
-    }))?;
+    chart.draw_series(dots.iter().map(circle))?;
     Ok(())
 }
 

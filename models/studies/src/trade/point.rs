@@ -1,11 +1,15 @@
-//! What is known of a point; the keys are stable.
+//! What a trade is asked for, what is known of a point, and the files of finished points; the keys are stable.
 
 use super::design::Design;
+use crate::kit::picture::{WriteError, write_whole};
 use imogene_analysis::metrics::Metrics;
 use imogene_analysis::metrics::toggles::Toggles;
 use imogene_contract::MachineWords;
 use imogene_plan::description::MachineDescription;
+use imogene_plan::pace::Timing;
+use imogene_scene::SceneFile;
 use serde::{Deserialize, Serialize};
+use std::path::{Path, PathBuf};
 
 /// What synthesis says of a machine.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -40,6 +44,34 @@ pub enum Pricing<'a> {
 /// Where costs come from: those of machines in their order; or why there are none and how to get them.
 pub type CostsOf<'a> =
     &'a (dyn Fn(&[MachineDescription], Pricing) -> Result<Vec<Cost>, String> + Sync);
+
+/// What is to be measured.
+pub struct Request<'a> {
+    /// The scene.
+    pub file: &'a SceneFile,
+    /// As the commands name it.
+    pub name: &'a str,
+    /// Picture size.
+    pub size: (u32, u32),
+    /// Device of the costs.
+    pub target: &'a str,
+    /// The points.
+    pub designs: Vec<Design>,
+    /// Folder of the results.
+    pub out: &'a Path,
+    /// Version of the program, which the results name.
+    pub version: &'a str,
+    /// What tells this program from any other that might measure something else.
+    pub program: &'a str,
+    /// Where costs come from.
+    pub costs: CostsOf<'a>,
+    /// Whether the clocks of the points on the front of speed are to be placed and routed.
+    pub with_clock: bool,
+    /// What the hardware of a machine takes.
+    pub timing: &'a (dyn Fn(&MachineDescription) -> Timing + Sync),
+    /// Called with the number of points that are finished, from any thread.
+    pub done: &'a (dyn Fn(u64) + Sync),
+}
 
 /// One point of the design space.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -92,4 +124,60 @@ pub struct Point {
     pub command: String,
     /// The command that writes the Verilog of the machine.
     pub emit: Option<String>,
+}
+
+/// What a result depends on besides its point.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(super) struct Key {
+    /// Digest of the scene.
+    pub scene: String,
+    /// The scene as the commands name it.
+    pub name: String,
+    pub size: (u32, u32),
+    /// Device of the costs.
+    pub target: String,
+    pub program: String,
+}
+
+#[derive(Serialize, Deserialize)]
+struct Kept {
+    key: Key,
+    point: Point,
+}
+
+/// A folder of results: a file for each point, whole or not there, taken again only by the same run.
+pub(super) struct Store<'a> {
+    pub folder: &'a Path,
+    /// What its results must belong to.
+    pub key: Key,
+}
+
+impl Store<'_> {
+    /// The file of a point.
+    pub fn path(&self, id: &str) -> PathBuf {
+        self.folder.join("points").join(format!("{id}.json"))
+    }
+
+    /// A point that is finished and belongs to this run.
+    pub fn take(&self, id: &str) -> Option<Point> {
+        let bytes = std::fs::read(self.path(id)).ok()?;
+        let kept: Kept = serde_json::from_slice(&bytes).ok()?;
+        let point = kept.point;
+        let files = [&point.picture, &point.map, &point.machine_file].into_iter();
+        let is_there = |name: &String| self.folder.join(name).is_file();
+        let is_whole = files.flatten().all(is_there);
+        (kept.key == self.key && point.id == id && is_whole).then_some(point)
+    }
+
+    /// Writes the file of a point.
+    pub fn keep(&self, point: &Point) -> Result<(), WriteError> {
+        let kept = Kept {
+            key: self.key.clone(),
+            point: point.clone(),
+        };
+        write_whole(&self.path(&point.id), |out| {
+            serde_json::to_writer_pretty(&mut *out, &kept)?;
+            out.write_all(b"\n")
+        })
+    }
 }

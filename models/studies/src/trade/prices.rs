@@ -2,18 +2,18 @@
 
 use super::TradeError;
 use super::design::Design;
-use super::point::{Cost, Point, Pricing};
+use super::point::{Cost, Point, Pricing, Request, Store};
 use super::report::{Trade, assemble};
-use super::request::Request;
-use super::store::Store;
 use imogene_plan::description::MachineDescription;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Machines that are synthesised at once, and kept before the next ones.
 const TOGETHER: usize = 16;
 
+type Outcome = Result<(), TradeError>;
+
 /// Finds costs, and keeps them.
-pub struct Prices<'a> {
+pub(super) struct Prices<'a> {
     pub request: &'a Request<'a>,
     pub store: &'a Store<'a>,
 }
@@ -36,14 +36,9 @@ impl Prices<'_> {
             let trade = assemble(empty.clone(), now.collect());
             // Seeds have a cost, but no clock.
             let is_open = |index| !known.contains(&index) || self.lacks_clock(&points[index]);
-            let wanted = trade
-                .points
-                .iter()
-                .enumerate()
-                .filter_map(|(index, entry)| {
-                    (entry.pareto.contains(&"speed") && is_open(index)).then_some(index)
-                });
-            let wanted: Vec<usize> = wanted.collect();
+            let is_wanted =
+                |&index: &usize| trade.points[index].pareto.contains(&"speed") && is_open(index);
+            let wanted: Vec<usize> = (0..points.len()).filter(is_wanted).collect();
             let before = points.clone();
             self.find(&mut points, &wanted, on_front)?;
             if known.is_superset(&wanted.iter().copied().collect()) && before == points {
@@ -59,12 +54,7 @@ impl Prices<'_> {
     }
 
     /// Synthesises what is not known yet, or has no clock if one is asked for.
-    fn find(
-        &self,
-        points: &mut [Point],
-        wanted: &[usize],
-        pricing: Pricing,
-    ) -> Result<(), TradeError> {
+    fn find(&self, points: &mut [Point], wanted: &[usize], pricing: Pricing) -> Outcome {
         let has_all = |cost: Cost| !matches!(pricing, Pricing::Routed) || cost.fmax_mhz.is_some();
         let lacks = |&&index: &&usize| !points[index].cost_synthesised.is_some_and(has_all);
         let wanted: Vec<usize> = wanted.iter().filter(lacks).copied().collect();
@@ -72,7 +62,7 @@ impl Prices<'_> {
     }
 
     /// Estimates what is not known yet from the synthesised points.
-    fn estimate(&self, points: &mut [Point], seeds: &[usize]) -> Result<(), TradeError> {
+    fn estimate(&self, points: &mut [Point], seeds: &[usize]) -> Outcome {
         let known = seeds.iter().map(|&index| &points[index]);
         let known = known.filter(|point| point.cost_synthesised.is_some());
         let machines: Vec<_> = known.filter_map(|point| point.machine.clone()).collect();
@@ -92,12 +82,7 @@ impl Prices<'_> {
         self.ask(points, &wanted, Pricing::Estimated(&machines))
     }
 
-    fn ask(
-        &self,
-        points: &mut [Point],
-        wanted: &[usize],
-        pricing: Pricing,
-    ) -> Result<(), TradeError> {
+    fn ask(&self, points: &mut [Point], wanted: &[usize], pricing: Pricing) -> Outcome {
         let wanted = wanted.iter().copied();
         let wanted: Vec<usize> = wanted.filter(|&at| points[at].machine.is_some()).collect();
         let together = match pricing {
@@ -161,6 +146,5 @@ fn seeds(points: &[Point]) -> Vec<usize> {
         let last = form.len() - 1;
         [0, last / 2, last].map(|place| form[place].1)
     });
-    let chosen: BTreeSet<usize> = chosen.collect();
-    chosen.into_iter().collect()
+    chosen.collect::<BTreeSet<usize>>().into_iter().collect()
 }

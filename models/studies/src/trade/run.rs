@@ -4,11 +4,10 @@ use super::TradeError;
 use super::clock;
 use super::design::Design;
 use super::measure::{Measured, measure};
-use super::point::Point;
+pub use super::point::Request;
+use super::point::{Key, Point, Store};
 use super::prices::Prices;
 use super::report::Trade;
-pub use super::request::Request;
-use super::store::{Key, Store};
 use super::view::Views;
 use crate::kit::picture::{write_png, write_whole};
 use imogene_analysis::metrics::map;
@@ -28,6 +27,9 @@ pub struct Shard {
 
 /// Points of the same pixels, at least one.
 type Group<'a> = &'a [Design];
+
+/// The picture and the map of some points.
+type Files = (String, String);
 
 /// A scene.
 struct Subject<'a> {
@@ -183,21 +185,13 @@ impl<'a> Subject<'a> {
         Ok(())
     }
 
-    fn point(
-        &self,
-        design: &Design,
-        measured: &Measured,
-        files: &(String, String),
-    ) -> Result<Point, String> {
+    fn point(&self, design: &Design, measured: &Measured, files: &Files) -> Result<Point, String> {
         let machine = measured.machine(design)?;
         let timing = (self.request.timing)(&machine);
         let is_beam = machine.machine == MachineKind::Beam;
         let id = design.name();
         Ok(Point {
-            unit: match is_beam {
-                true => "beam_stream".into(),
-                false => "zone_machine".into(),
-            },
+            unit: ["zone_machine", "beam_stream"][usize::from(is_beam)].into(),
             design: *design,
             format: Some(measured.widths),
             latency: is_beam.then_some(timing.latency),

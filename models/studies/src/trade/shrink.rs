@@ -6,6 +6,9 @@ use std::collections::HashMap;
 /// Colours of a picture of the page.
 const COLOURS: usize = 256;
 
+/// A PNG file.
+type Encoded = Result<Vec<u8>, png::EncodingError>;
+
 /// Reduces pictures to one set of colours, chosen for a picture like all of them.
 pub struct Reducer {
     network: NeuQuant,
@@ -24,7 +27,7 @@ impl Reducer {
     }
 
     /// A picture in these colours, as PNG.
-    pub fn png(&self, width: u32, height: u32, rgb: &[u8]) -> Result<Vec<u8>, png::EncodingError> {
+    pub fn png(&self, width: u32, height: u32, rgb: &[u8]) -> Encoded {
         let mut known: HashMap<[u8; 3], u8> = HashMap::new();
         let index = |c: &[u8]| {
             let colour = [c[0], c[1], c[2]];
@@ -37,11 +40,7 @@ impl Reducer {
 }
 
 /// A picture of at most 256 colours without any change, as PNG; `None` if it has more.
-pub fn exact_png(
-    width: u32,
-    height: u32,
-    rgb: &[u8],
-) -> Option<Result<Vec<u8>, png::EncodingError>> {
+pub fn exact_png(width: u32, height: u32, rgb: &[u8]) -> Option<Encoded> {
     let mut known: HashMap<[u8; 3], usize> = HashMap::new();
     let mut palette = vec![];
     let mut indices = Vec::with_capacity(rgb.len() / 3);
@@ -56,12 +55,7 @@ pub fn exact_png(
     Some(encode(width, height, &palette, &indices))
 }
 
-fn encode(
-    width: u32,
-    height: u32,
-    palette: &[u8],
-    indices: &[u8],
-) -> Result<Vec<u8>, png::EncodingError> {
+fn encode(width: u32, height: u32, palette: &[u8], indices: &[u8]) -> Encoded {
     let mut bytes = vec![];
     let mut encoder = png::Encoder::new(&mut bytes, width, height);
     encoder.set_color(png::ColorType::Indexed);

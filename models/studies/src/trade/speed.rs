@@ -52,9 +52,8 @@ pub fn draw(trade: &Trade) -> Result<String, TradeError> {
     dots.sort_by_key(|dot| dot.is_on_front());
     let classes = (0..trade.classes.len()).filter_map(|class| Class::of(trade, class));
     let classes: Vec<Class> = classes.collect();
-    let text = svg("cannot draw a plot", SIZE, |area| {
-        chart(area, trade, &dots, &classes)
-    })?;
+    let draw = |area: &Area| chart(area, trade, &dots, &classes);
+    let text = svg("cannot draw a plot", SIZE, draw)?;
     let names = dots.iter().map(|dot| &*dot.entry.point.id);
     Ok(marked(&text, names))
 }
@@ -215,9 +214,8 @@ fn name(area: &Area, mut ends: Vec<((i32, i32), &Class)>) -> Outcome {
         for (row, text) in class.names.iter().enumerate() {
             let weight = [FontStyle::Bold, FontStyle::Normal][row];
             let font = (FONT, 13, weight).into_font();
-            let style = font
-                .color(&COLOURS[class.class])
-                .pos(Pos::new(HPos::Left, VPos::Center));
+            let style = font.color(&COLOURS[class.class]);
+            let style = style.pos(Pos::new(HPos::Left, VPos::Center));
             let place = (right + 8, height + LINE * row as i32);
             area.draw(&Text::new(text.clone(), place, style))?;
         }

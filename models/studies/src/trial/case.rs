@@ -71,8 +71,7 @@ impl Case {
             },
             planes: vec![],
         };
-        let bounds = stated(format, &f1, &f2, &normal, &reach);
-        Case {
+        let mut case = Case {
             format: *format,
             anchor,
             reach,
@@ -80,37 +79,30 @@ impl Case {
             f2,
             normal,
             words,
-            bounds,
+            bounds: RoundingBounds::of_format(format),
             on_silhouette,
-        }
+        };
+        case.state_bounds();
+        case
+    }
+
+    /// The bounds as the preparation states them, in last bits without guard bits.
+    fn state_bounds(&mut self) {
+        let unit = |guards: u32| 0.5f64.powi(guards as i32);
+        let linear = |exact: &ExactLinear| {
+            let form = LinearForm::of_array(exact.form());
+            to_f64_up(&linear_error(&exact.words(), &form, 0, &self.reach))
+        };
+        let form = QuadraticForm::of_array(self.f2.form());
+        let f2 = to_f64_up(&quadratic_error(&self.f2.words(), &form, 0, &self.reach));
+        self.bounds.normal = self.normal.g.iter().map(linear).fold(0.0, f64::max);
+        self.bounds.f1 = linear(&self.f1) * unit(self.format.guard_linear);
+        self.bounds.f2 = f2 * unit(self.format.guard_quadratic);
     }
 
     /// The pixel of the screen at a place centred on the anchor.
     pub fn pixel(&self, (u, v): (i64, i64)) -> (i64, i64) {
         (u + self.anchor.x, v + self.anchor.y)
-    }
-}
-
-/// The bounds as the preparation states them, in last bits without guard bits.
-fn stated(
-    format: &Format,
-    f1: &ExactLinear,
-    f2: &ExactQuadratic,
-    normal: &ExactNormal,
-    reach: &ScreenBox,
-) -> RoundingBounds {
-    let unit = |guards: u32| 0.5f64.powi(guards as i32);
-    let linear = |exact: &ExactLinear| {
-        let form = LinearForm::of_array(exact.form());
-        to_f64_up(&linear_error(&exact.words(), &form, 0, reach))
-    };
-    let form = QuadraticForm::of_array(f2.form());
-    let f2 = to_f64_up(&quadratic_error(&f2.words(), &form, 0, reach));
-    RoundingBounds {
-        f1: linear(f1) * unit(format.guard_linear),
-        f2: f2 * unit(format.guard_quadratic),
-        normal: normal.g.iter().map(linear).fold(0.0, f64::max),
-        ..RoundingBounds::of_format(format)
     }
 }
 

@@ -67,15 +67,10 @@ pub(super) fn try_beforehand(case: &Case, tally: &mut Tally) {
     let bounds = &case.bounds;
     let slack = 1.0 + 1e-12;
     let place = case.pixel((0, 0));
-    tally.compare(Term::LinearBeforehand, place, (bounds.f1, linear), || {
-        bounds.f1 <= linear * slack
-    });
-    tally.compare(
-        Term::QuadraticBeforehand,
-        place,
-        (bounds.f2, quadratic),
-        || bounds.f2 <= quadratic * slack,
-    );
+    let holds = || bounds.f1 <= linear * slack;
+    tally.compare(Term::LinearBeforehand, place, (bounds.f1, linear), holds);
+    let (term, holds) = (Term::QuadraticBeforehand, || bounds.f2 <= quadratic * slack);
+    tally.compare(term, place, (bounds.f2, quadratic), holds);
 }
 
 impl Pixel<'_> {
@@ -86,9 +81,8 @@ impl Pixel<'_> {
             (Term::QuadraticValue, self.r2, self.d2, bounds.f2),
         ] {
             let observed = (r as f64 / d as f64).abs();
-            tally.compare(term, self.at, (observed, bound), || {
-                at_most(r.abs(), d, bound)
-            });
+            let holds = || at_most(r.abs(), d, bound);
+            tally.compare(term, self.at, (observed, bound), holds);
         }
     }
 
@@ -113,31 +107,24 @@ impl Pixel<'_> {
         let floor = quotient(above as f64 / unit, computed_root + root as f64);
 
         let at = self.at;
-        tally.compare(
-            Term::Truncation,
-            at,
-            (truncation, stated.truncation),
-            || dropped >= 0 && at_most(dropped, 1 << format.guard_linear, stated.truncation),
-        );
+        let most = stated.truncation;
+        let holds = || dropped >= 0 && at_most(dropped, 1 << format.guard_linear, most);
+        tally.compare(Term::Truncation, at, (truncation, most), holds);
         tally.compare(Term::RootFloor, at, (floor, stated.root_floor), || {
             let next = i128::from(root + (1 << format.dropped_rows));
             above >= 0 && self.q2 < next.pow(2) << format.guard_quadratic
         });
-        tally.compare(
-            Term::QuadraticRoot,
-            at,
-            (quadratic.abs(), stated.quadratic),
-            || self.roots_within(stated.quadratic),
-        );
+        let holds = || self.roots_within(stated.quadratic);
+        let both = (quadratic.abs(), stated.quadratic);
+        tally.compare(Term::QuadraticRoot, at, both, holds);
         let closed = worst_case(bounds);
         for (face, sign) in [(FACE_NEAR, -1), (FACE_FAR, 1)] {
             let off = linear - truncation + f64::from(sign) * (quadratic - floor);
             let depth = f1 + i64::from(sign) * root;
             let bound = face_bound(bounds, face, f2);
             for (term, bound) in [(Term::Depth, bound), (Term::DepthClosedForm, closed)] {
-                tally.compare(term, at, (off.abs(), bound), || {
-                    self.depth_within(depth, sign, bound)
-                });
+                let holds = || self.depth_within(depth, sign, bound);
+                tally.compare(term, at, (off.abs(), bound), holds);
             }
         }
     }

@@ -127,10 +127,8 @@ impl TrialReport {
     /// The format in a few characters: depth word and guard bits, and of a fitted machine what else is not as in the
     /// catalogue.
     pub fn label(&self) -> String {
-        let mut label = format!(
-            "{}, {}:{}",
-            self.depth, self.guard_linear, self.guard_quadratic
-        );
+        let (g1, g2) = (self.guard_linear, self.guard_quadratic);
+        let mut label = format!("{}, {g1}:{g2}", self.depth);
         for (name, value, usual) in [
             ("root", self.root, self.depth),
             ("normal", self.normal, Format::BASE.normal),
@@ -191,30 +189,21 @@ pub fn places(case: &Case, random: &mut Random) -> Vec<(i64, i64)> {
         (0, 0),
     ];
     places.extend(case.on_silhouette);
-    for v in [
-        random.between(reach.y0, reach.y1),
-        random.between(reach.y0, reach.y1),
-        reach.y0,
-    ] {
+    let mut line = || random.between(reach.y0, reach.y1);
+    for v in [line(), line(), reach.y0] {
         let [a, _, c, d, ..] = case.f2.factors.map(|n| n as f64);
         let line = v as f64;
         let (b, rest) = (c * line + d, case.f2.at(0, v) as f64);
         let inside = (b * b - 4.0 * a * rest).sqrt();
         // Where there is no root these are not numbers, and become column 0.
-        for root in [
-            (-b - inside) / (2.0 * a),
-            (-b + inside) / (2.0 * a),
-            -b / (2.0 * a),
-        ] {
+        for part in [-inside, inside, 0.0] {
+            let root = (-b + part) / (2.0 * a);
             let column = root.floor() as i64;
             let held = [column, column.saturating_add(1)].map(|u| u.clamp(reach.x0, reach.x1));
             places.extend(held.map(|u| (u, v)));
         }
     }
-    for _ in 0..3 {
-        let u = random.between(reach.x0, reach.x1);
-        places.push((u, random.between(reach.y0, reach.y1)));
-    }
+    places.extend([(); 3].map(|()| random.place(reach)));
     places
 }
 

@@ -23,10 +23,8 @@ pub(super) fn try_normals(case: &Case, place: (i64, i64), tally: &mut Tally) {
         return;
     }
     let root = case.format.root_of(f2);
-    let g = words
-        .normal
-        .g
-        .map(|g| g.wrapped_at(x, y, case.format.normal_linear) as i64);
+    let bits = case.format.normal_linear;
+    let g = words.normal.g.map(|g| g.wrapped_at(x, y, bits) as i64);
     for (face, sign) in [(FACE_NEAR, -1), (FACE_FAR, 1)] {
         let normal = select(face, true, g, root, &words.normal, &[], &case.format);
         let sine = quadric_sine(&words.normal, &case.bounds, f2, normal);
@@ -96,9 +94,8 @@ impl Truth {
         let along = sum([0, 1, 2].map(|k| n[k].times(&u[k])));
         let square = |n: &[Surd; 3]| sum(n.each_ref().map(|v| v.product(v)));
         let limit = from_f64_exact(sine).pow(2) * BigRational::from_integer(dot(&u, &u));
-        let rest = square(&n)
-            .times(limit.numer())
-            .minus(&square(&across).times(limit.denom()));
+        let part = square(&across).times(limit.denom());
+        let rest = square(&n).times(limit.numer()).minus(&part);
         rest.sign() != Ordering::Less && along.sign() == Ordering::Greater
     }
 }

@@ -1,6 +1,7 @@
 //! Random numbers for the trial: the same from the same seed in every build (SplitMix64 of Steele, Lea and Flood,
 //! 2014).
 
+use imogene_golden::object::quadric::ScreenBox;
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -50,6 +51,12 @@ impl Random {
     /// A number between `low` and `high`, both included.
     pub fn between(&mut self, low: i64, high: i64) -> i64 {
         low + self.below((high - low + 1) as u64) as i64
+    }
+
+    /// A place of a box.
+    pub fn place(&mut self, reach: &ScreenBox) -> (i64, i64) {
+        let x = self.between(reach.x0, reach.x1);
+        (x, self.between(reach.y0, reach.y1))
     }
 
     /// A number in 0 .. 1.

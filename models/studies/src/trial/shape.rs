@@ -45,10 +45,7 @@ pub(super) fn draw_quadratic(
     }
     let mut on_silhouette = None;
     if random.one_in(2) {
-        let place = (
-            random.between(reach.x0, reach.x1),
-            random.between(reach.y0, reach.y1),
-        );
+        let place = random.place(reach);
         let words = factors.map(|n| rounded(n, denominator));
         factors[5] -= at(&words, place.0, place.1) * denominator;
         on_silhouette = Some(place);

@@ -24,9 +24,8 @@ use imogene_plan::culling::zones::window_of;
 use imogene_plan::split::Division;
 use imogene_prepare::PreparedScene;
 use imogene_studies::detail::{Changed, Report};
-use imogene_testkit::{collection, file_prepared};
+use imogene_testkit::{collection, file_prepared, scene_path};
 use proptest::prelude::*;
-use std::path::Path;
 
 const SIZE: (u32, u32) = (83, 61);
 
@@ -79,10 +78,8 @@ fn assert_sound(
         Matter::With(planes) => {
             let left = with_planes(words, planes);
             decided.idle += (words.planes.len() - left.planes.len()) as u64;
-            assert!(
-                drawn(&left, *window, format) == truth,
-                "{what}: {window:?} differs with planes {planes:b}"
-            );
+            let same = drawn(&left, *window, format) == truth;
+            assert!(same, "{what}: {window:?} differs with planes {planes:b}");
         }
     }
 }
@@ -97,13 +94,8 @@ fn windows(side: u32, (width, height): (u32, u32)) -> Vec<ScreenBox> {
 
 fn parts(scene: &PreparedScene) -> Vec<QuadricWords> {
     let slots = scene.slots().into_iter();
-    slots
-        .filter_map(|slot| {
-            slot.words
-                .on_quadric_processor(&scene.format, MAX_PLANES)
-                .ok()
-        })
-        .collect()
+    let words = |words: ProcessorWords| words.on_quadric_processor(&scene.format, MAX_PLANES).ok();
+    slots.filter_map(|slot| words(slot.words)).collect()
 }
 
 #[test]
@@ -147,17 +139,19 @@ fn linear(range: i64) -> impl Strategy<Value = Linear> {
         .prop_map(|(a, b, c)| Linear::new(a as i128, b as i128, c as i128))
 }
 
+const KINDS: [PlaneKind; 4] = [
+    PlaneKind::None,
+    PlaneKind::Front,
+    PlaneKind::Back,
+    PlaneKind::Perpendicular,
+];
+
 /// Words that no preparation made: registers wrap, planes cross, quadrics are of any size.
 fn any_words() -> impl Strategy<Value = QuadricWords> {
     let plane =
         (0usize..4, linear(1 << 21), any::<[i16; 3]>()).prop_map(|(kind, depth, normal)| {
             PlaneWords {
-                kind: [
-                    PlaneKind::None,
-                    PlaneKind::Front,
-                    PlaneKind::Back,
-                    PlaneKind::Perpendicular,
-                ][kind],
+                kind: KINDS[kind],
                 depth,
                 normal,
             }
@@ -165,16 +159,10 @@ fn any_words() -> impl Strategy<Value = QuadricWords> {
     let f2 =
         (proptest::array::uniform6(-(1i64 << 40)..1 << 40), 0u32..30).prop_map(|(q, small)| {
             let [a, b, c, d, e, f] = q.map(|v| i128::from(v >> small));
-            Quadratic {
-                a,
-                b,
-                c,
-                d: 8 * d,
-                e: 8 * e,
-                f: 64 * f,
-            }
+            Quadratic::new([a, b, c, 8 * d, 8 * e, 64 * f])
         });
-    let corner = [0i64..12, 0i64..12, 0i64..12, 0i64..12];
+    let corner = [[0i64..12, 0..12], [0..12, 0..12]];
+    let ordered = |[a, b]: [i64; 2]| [a.min(b), a.max(b)];
     (
         0usize..4,
         (linear(1 << 22), 0u32..16),
@@ -182,23 +170,20 @@ fn any_words() -> impl Strategy<Value = QuadricWords> {
         proptest::collection::vec(plane, 0..=5),
         corner,
     )
-        .prop_map(|(class, (f1, small), f2, planes, corner)| QuadricWords {
-            class: [Class::Side, Class::Front, Class::Patch, Class::Prism][class],
-            screen_box: ScreenBox {
-                x0: corner[0].min(corner[1]),
-                x1: corner[0].max(corner[1]),
-                y0: corner[2].min(corner[3]),
-                y1: corner[2].max(corner[3]),
+        .prop_map(
+            move |(class, (f1, small), f2, planes, [x, y])| QuadricWords {
+                class: [Class::Side, Class::Front, Class::Patch, Class::Prism][class],
+                screen_box: ScreenBox::of(ordered(x), ordered(y)),
+                f1: Linear::new(f1.a >> small, f1.b >> small, f1.c >> small),
+                f2,
+                normal: NormalWords {
+                    g: [f1; 3],
+                    k: [3, 5, 7],
+                    shift: 2,
+                },
+                planes,
             },
-            f1: Linear::new(f1.a >> small, f1.b >> small, f1.c >> small),
-            f2,
-            normal: NormalWords {
-                g: [f1; 3],
-                k: [3, 5, 7],
-                shift: 2,
-            },
-            planes,
-        })
+        )
 }
 
 proptest! {
@@ -231,24 +216,22 @@ fn inside(
 
 #[test]
 fn bounds_never_contradict_a_volume_at_any_surface_point() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
     let size = (60, 45);
     let formats = [
         Format::BASE,
         Format::new(16).unwrap().with_guards(3, 5).unwrap(),
     ];
     for (path, format) in [
-        ("../../scenes/shadows/robot.toml", formats[0]),
-        ("../../scenes/shadows/robot.toml", formats[1]),
-        ("../testkit/scenes/shadows.toml", formats[0]),
+        ("shadows/robot", formats[0]),
+        ("shadows/robot", formats[1]),
+        ("../models/testkit/scenes/shadows", formats[0]),
     ] {
-        let (_, scene) = file_prepared(&folder.join(path), size, format).expect("fits");
+        let (_, scene) = file_prepared(&scene_path(path), size, format).expect("fits");
         let parts = parts(&scene);
         let (mut outside, mut truly, mut asked) = (0, 0, 0);
         for window in windows(15, size) {
-            let here = parts
-                .iter()
-                .map(|words| (words, words.screen_box.shared(&window)));
+            let shared = |words: &QuadricWords| words.screen_box.shared(&window);
+            let here = parts.iter().map(|words| (words, shared(words)));
             for (words, window) in here.filter(|(_, window)| !window.is_empty()) {
                 let planes = match matter(words, &window, &format) {
                     Matter::Nothing => continue,
@@ -257,10 +240,8 @@ fn bounds_never_contradict_a_volume_at_any_surface_point() {
                 let pixels = drawn(words, window, &format);
                 let seen = [Seen::new(words, planes, window)];
                 for volume in &scene.volumes {
-                    let volume = volume
-                        .words
-                        .on_quadric_processor(MAX_PLANES)
-                        .expect("a volume");
+                    let volume = volume.words.on_quadric_processor(MAX_PLANES);
+                    let volume = volume.expect("a volume");
                     let truth = inside(&volume, &pixels, size, &format);
                     asked += 1;
                     truly += usize::from(truth.is_empty());
@@ -271,19 +252,15 @@ fn bounds_never_contradict_a_volume_at_any_surface_point() {
                         }
                         Matter::With(planes) => {
                             let left = volume_with_planes(&volume, planes);
-                            assert!(
-                                inside(&left, &pixels, size, &format) == truth,
-                                "{path} {window:?} {planes:b}"
-                            );
+                            let same = inside(&left, &pixels, size, &format) == truth;
+                            assert!(same, "{path} {window:?} {planes:b}");
                         }
                     }
                 }
             }
         }
-        assert!(
-            2 * outside > truly && truly < asked,
-            "{path}: {outside} of {truly} of {asked}"
-        );
+        let found = format!("{path}: {outside} of {truly} of {asked}");
+        assert!(2 * outside > truly && truly < asked, "{found}");
     }
 }
 
@@ -307,17 +284,13 @@ fn an_exact_reduction_changes_no_pixel_of_the_collection() {
         fewer_planes += usize::from(work.planes[1] < work.planes[0]);
         let objects = &report.reduced.objects;
         nowhere += objects.iter().filter(|o| o.fate == Fate::Nowhere).count();
-        assert!(
-            objects
-                .iter()
-                .all(|o| o.changed == 0 && o.fate != Fate::TooSmall),
-            "{what}"
-        );
+        for object in objects {
+            assert_eq!(object.changed, 0, "{what}");
+            assert_ne!(object.fate, Fate::TooSmall, "{what}");
+        }
         let touches = report.loads;
-        assert!(
-            touches.pixels <= touches.bounds && touches.bounds <= touches.boxes,
-            "{what}"
-        );
+        let in_order = [touches.pixels, touches.bounds, touches.boxes];
+        assert!(in_order.is_sorted(), "{what}");
     }
     assert!(
         fewer_pixels > 20 && fewer_planes > 3 && nowhere > 3,
@@ -351,28 +324,14 @@ fn the_bits_that_an_object_needs_are_enough_and_not_too_many() {
             };
             let truth = pixels(&scene.format);
             let narrow = bits.narrowed(&scene.format);
-            assert!(
-                pixels(&narrow) == truth,
-                "{}: {} in {bits:?}",
-                path.display(),
-                object.name
-            );
+            let what = format!("{}: {}", path.display(), object.name);
+            assert!(pixels(&narrow) == truth, "{what} in {bits:?}");
             objects += 1;
-            let less = [
-                Format {
-                    sum: narrow.sum - 1,
-                    ..narrow
-                },
-                Format {
-                    quadratic: narrow.quadratic - 1,
-                    ..narrow
-                },
-                Format {
-                    plane: narrow.plane - 1,
-                    ..narrow
-                },
-            ];
-            for (count, format) in tight.iter_mut().zip(less) {
+            let less: [fn(&mut Format); 3] =
+                [|f| f.sum -= 1, |f| f.quadratic -= 1, |f| f.plane -= 1];
+            for (count, take) in tight.iter_mut().zip(less) {
+                let mut format = narrow;
+                take(&mut format);
                 *count += usize::from(pixels(&format) != truth);
             }
         }
@@ -387,13 +346,12 @@ fn the_bits_that_an_object_needs_are_enough_and_not_too_many() {
 /// With some pixels allowed, the picture changes at no more pixels than its objects do, and less work is left.
 #[test]
 fn a_reduction_that_may_change_pixels_says_how_many() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
     for (path, most_dropped) in [
-        ("zones/molecule-480.toml", 480),
-        ("shadows/robot.toml", 40),
-        ("teapot.toml", 10),
+        ("zones/molecule-480", 480),
+        ("shadows/robot", 40),
+        ("teapot", 10),
     ] {
-        let (framed, scene) = file_prepared(&folder.join(path), SIZE, Format::BASE).expect("fits");
+        let (framed, scene) = file_prepared(&scene_path(path), SIZE, Format::BASE).expect("fits");
         let exact = Report::of(&framed, &scene, 16, 0);
         let mut before = exact.work;
         for pixels in [3, 12, 40] {
@@ -402,11 +360,8 @@ fn a_reduction_that_may_change_pixels_says_how_many() {
             let own: u64 = objects.iter().map(|object| object.changed).sum();
             assert!(report.changed.pixels <= own, "{path}");
             for object in objects {
-                assert_eq!(
-                    object.fate == Fate::TooSmall,
-                    object.drawn > 0 && object.drawn < pixels,
-                    "{path}"
-                );
+                let is_small = object.drawn > 0 && object.drawn < pixels;
+                assert_eq!(object.fate == Fate::TooSmall, is_small, "{path}");
                 assert!(object.changed <= pixels, "{path}: {}", object.name);
             }
             let dropped = objects.iter().filter(|o| o.fate == Fate::TooSmall).count();
@@ -427,8 +382,7 @@ fn a_reduction_that_may_change_pixels_says_how_many() {
 #[test]
 fn all_planes_are_as_many_bits() {
     assert_eq!([0, 1, 12].map(all_planes), [0, 1, 0xfff]);
-    let path =
-        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/processors/polyhedron.toml");
+    let path = scene_path("processors/polyhedron");
     let (_, scene) = file_prepared(&path, SIZE, Format::BASE).expect("fits");
     let frame = beam::render(&scene.slots(), &scene.format, 83, 61, || ());
     // However many pixels may change, a polyhedron keeps a plane: its processor has at least one.

@@ -4,11 +4,11 @@ use imogene_golden::format::Format;
 use imogene_prepare::{Framing, prepare};
 use imogene_scene::SceneFile;
 use imogene_studies::shading_trial::{SphereErrors, sphere_errors};
+use imogene_testkit::scene_path;
 
 /// The errors on a scene whose lights at a point are directional ones.
 fn errors(scene: &str, nearest: bool) -> Vec<SphereErrors> {
-    let path = format!("{}/../../scenes/{scene}.toml", env!("CARGO_MANIFEST_DIR"));
-    let text = std::fs::read_to_string(path).expect("a scene");
+    let text = std::fs::read_to_string(scene_path(scene)).expect("a scene");
     let text = text.replace("kind = \"point\"\nposition", "kind = \"directional\"\nfrom");
     let file = SceneFile::parse(&text, scene).expect("a valid scene");
     let framed = file.frame(320, 240).expect("a valid size");
@@ -23,10 +23,8 @@ fn along_parallel_lines_of_sight_large_tables_are_near_the_processor() {
         panic!("tables of several sizes");
     };
     assert_eq!((smallest.side, largest.side), (16, 128));
-    assert!(
-        largest.all.mean < 0.5 && largest.all.most_of_1000 <= 3,
-        "{largest:?}"
-    );
+    let all = &largest.all;
+    assert!(all.mean < 0.5 && all.most_of_1000 <= 3, "{largest:?}");
     assert!(smallest.all.mean > 2.0 * largest.all.mean, "{smallest:?}");
 }
 
@@ -52,10 +50,11 @@ fn a_near_viewer_costs_more_than_the_table() {
         let errors = errors(scene, false);
         let of_64 = &errors[2];
         assert_eq!(of_64.side, 64);
+        let (all, table) = (&of_64.all, &of_64.table);
         assert!(
-            of_64.table.mean < 0.5 && of_64.table.most_of_1000 <= 10,
-            "{scene}: {of_64:?}"
+            table.mean < 0.5 && table.most_of_1000 <= 10,
+            "{scene}: {table:?}"
         );
-        assert!(of_64.all.mean > of_64.table.mean, "{scene}: {of_64:?}");
+        assert!(all.mean > table.mean, "{scene}: {of_64:?}");
     }
 }

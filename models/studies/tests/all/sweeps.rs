@@ -55,18 +55,14 @@ fn hold_the_rules(result: &SweepResult) {
             continue;
         };
         let (o, r) = (&f.observed, &f.ratios);
-        assert!(
-            r.depth <= 1.0 && r.silhouette <= 1.0 && r.normal <= 1.0,
-            "{at}"
-        );
+        let ratios = [r.depth, r.silhouette, r.normal];
+        assert!(ratios.iter().all(|&ratio| ratio <= 1.0), "{at}");
         assert!(o.depth_words <= f.bounds.depth_words + 1e-9, "{at}");
         assert!(o.silhouette_pixels + o.wrong_faces <= f.undecided, "{at}");
         // A picture that is wrong in a tenth of its pixels is turned down before.
         let wrong = o.silhouette_pixels * 10 > f.covered && f.covered > 100;
-        assert!(
-            !wrong || f.check_failed.is_some(),
-            "{at}: wrong without notice"
-        );
+        let is_told = f.check_failed.is_some();
+        assert!(!wrong || is_told, "{at}: wrong without notice");
     }
 }
 
@@ -75,11 +71,9 @@ fn no_bound_is_exceeded_and_every_wrong_pixel_was_announced() {
     for result in RESULTS.iter() {
         hold_the_rules(result);
     }
-    let compared: usize = RESULTS
-        .iter()
-        .flat_map(|r| &r.records)
-        .filter_map(|r| Some(r.figures.as_ref()?.observed.compared))
-        .sum();
+    let records = RESULTS.iter().flat_map(|r| &r.records);
+    let compared = records.filter_map(|r| Some(r.figures.as_ref()?.observed.compared));
+    let compared: usize = compared.sum();
     assert!(compared > 500_000, "{compared}");
 }
 
@@ -116,9 +110,8 @@ const REFUSED: &str = "
 #[test]
 fn refusals_come_where_the_format_gives_out() {
     let refused = RESULTS.iter().flat_map(|result| {
-        let runs = result.gives_out.iter();
-        runs.filter(|g| g.by == Notice::Refused)
-            .map(move |g| (result, g))
+        let runs = result.gives_out.iter().map(move |g| (result, g));
+        runs.filter(|(_, g)| g.by == Notice::Refused)
     });
     let found: Vec<_> = refused.collect();
     let expected: Vec<&str> = REFUSED.trim().lines().map(str::trim).collect();
@@ -127,22 +120,22 @@ fn refusals_come_where_the_format_gives_out() {
         let series = result.series.iter().position(|name| *name == run.series);
         let series = series.expect("a series");
         let values = format!("{} {series} {} {} ", result.name, run.first, run.last);
-        let text = line
-            .strip_prefix(&values)
-            .unwrap_or_else(|| panic!("{values}: {line}"));
+        let text = line.strip_prefix(&values);
+        let text = text.unwrap_or_else(|| panic!("{values}: {line}"));
         assert!(run.message.contains(text), "{line}: {}", run.message);
     }
 }
 
 #[test]
 fn a_silhouette_without_a_bound_fails_the_check_before_it_is_wrong() {
-    let runs = RESULTS
-        .iter()
-        .flat_map(|r| r.gives_out.iter().map(move |g| (r.name, g)));
-    let failing: Vec<_> = runs
-        .filter(|(_, g)| g.by == Notice::CheckFails)
-        .map(|(name, g)| (name, g.series, g.first.as_str()))
-        .collect();
+    let mut failing = vec![];
+    for result in RESULTS.iter() {
+        let runs = result
+            .gives_out
+            .iter()
+            .filter(|g| g.by == Notice::CheckFails);
+        failing.extend(runs.map(|g| (result.name, g.series, g.first.as_str())));
+    }
     let expected = [
         ("viewer-distance", "whole ball", "10000000"),
         ("viewer-distance", "cut ball", "10000000"),
@@ -166,11 +159,8 @@ fn longer_words_move_failing_checks_and_no_refusals() {
         let run = |name: &str, wanted: &[&str]| {
             let sweep = find(name).expect("a sweep");
             let result = sweep.run_some(format, |p| wanted.contains(&p), || ());
-            assert_eq!(
-                result.violations,
-                Vec::<String>::new(),
-                "{name}, {depth} bits"
-            );
+            let none = Vec::<String>::new();
+            assert_eq!(result.violations, none, "{name}, {depth} bits");
             result.gives_out
         };
         let first = |runs: &[GivesOut], by: Notice| {
@@ -208,11 +198,8 @@ fn an_offset_of_the_world_changes_nothing() {
         assert_eq!(text(record), text(&records[0]), "{}", record.parameter);
     }
     let bound = figures("world-offset", 0, "0").bounds.depth_px;
-    let floats = |parameter| {
-        record("world-offset", 0, parameter)
-            .naive
-            .expect("compared")
-    };
+    let naive = |parameter| record("world-offset", 0, parameter).naive;
+    let floats = |parameter| naive(parameter).expect("compared");
     assert!(floats("0").single.depth_px < 0.01 && floats("0").single.silhouette_pixels == 0);
     assert!(floats("1000.1").single.depth_px > 500.0 * bound);
     assert!(floats("100000.1").single.silhouette_pixels > 1000);
@@ -225,16 +212,15 @@ fn an_offset_of_the_world_changes_nothing() {
 fn a_turning_cylinder_needs_two_bits_for_each_halving_of_the_angle() {
     let at = |tangent| figures("cylinder-axis", 1, tangent);
     let bits = |tangent| f64::from(at(tangent).needed.quadratic);
-    for (from, to, ratio) in [
+    let steps = [
         ("1", "0.1", 10f64),
         ("0.1", "0.01", 10.0),
-        ("0.1", "0.0001", 1000.0),
-    ] {
+        ("0.1", "0.0001", 1e3),
+    ];
+    for (from, to, ratio) in steps {
         let grown = bits(to) - bits(from);
-        assert!(
-            (grown - 2.0 * ratio.log2()).abs() < 1.5,
-            "{from} to {to}: {grown}"
-        );
+        let off = (grown - 2.0 * ratio.log2()).abs();
+        assert!(off < 1.5, "{from} to {to}: {grown}");
     }
     let moved = |tangent| at(tangent).bounds.silhouette_px;
     assert!(moved("0.1") < moved("1") / 10.0 && moved("0.001") < moved("0.1") / 1000.0);
@@ -246,15 +232,11 @@ fn longer_words_and_guard_bits_do_what_they_are_for() {
     let at = |series, depth: u32| figures("word-length", series, &depth.to_string());
     for depth in 12..=24 {
         let (short, long) = (at(0, depth).bounds, at(0, depth + 8).bounds);
-        let (depths, silhouettes) = (
-            short.depth_px / long.depth_px,
-            short.silhouette_px / long.silhouette_px,
-        );
+        let depths = short.depth_px / long.depth_px;
+        let silhouettes = short.silhouette_px / long.silhouette_px;
         assert!((64.0..1024.0).contains(&depths), "{depth}: {depths}");
-        assert!(
-            (2048.0..4e6).contains(&silhouettes),
-            "{depth}: {silhouettes}"
-        );
+        let range = 2048.0..4e6;
+        assert!(range.contains(&silhouettes), "{depth}: {silhouettes}");
         // 16 guard bits of f2 are worth 2^16 in its error.
         let guarded = at(0, depth).bounds.silhouette_px / at(3, depth).bounds.silhouette_px;
         assert!(guarded > 500.0, "{depth}: {guarded}");
@@ -312,10 +294,8 @@ fn the_depth_error_of_a_sphere_is_largest_at_its_limb() {
                 last = bound;
             }
         }
-        assert!(
-            depth_bound(ball, 0, 0) >= e1 + e2.sqrt(),
-            "{series}, {radius}"
-        );
+        let least = e1 + e2.sqrt();
+        assert!(depth_bound(ball, 0, 0) >= least, "{series}, {radius}");
         assert!(last < e1 + 1.01, "{series}, {radius}");
     }
 }
@@ -329,10 +309,8 @@ fn a_slab_is_undecided_below_the_errors_of_its_planes() {
         assert!(at(thickness).undecided < 10, "{thickness}");
     }
     for thickness in ["0.000004", "0.0000001"] {
-        assert!(
-            at(thickness).undecided >= at(thickness).covered,
-            "{thickness}"
-        );
+        let slab = at(thickness);
+        assert!(slab.undecided >= slab.covered, "{thickness}");
     }
     let lune = |thickness| figures("thin", 1, thickness);
     assert!(lune("1").undecided < 10);
@@ -346,10 +324,8 @@ fn a_cap_that_shrinks_keeps_its_area() {
         let height = 2048.0 * 0.5f64.powi(k);
         let area = 0.8 * std::f64::consts::PI * 2.0 * 2048.0 * height;
         let covered = figures("tangent-plane", 1, &k.to_string()).covered as f64;
-        assert!(
-            (covered / area - 1.0).abs() < 0.06,
-            "k = {k}: {covered}, {area}"
-        );
+        let off = (covered / area - 1.0).abs();
+        assert!(off < 0.06, "k = {k}: {covered}, {area}");
     }
 }
 
@@ -372,21 +348,14 @@ fn every_sweep_has_scenes_that_can_be_written_and_names_that_can_be_found() {
         for (series, parameter, scene) in sweep.scenes(Format::BASE) {
             if let Ok(text) = scene.to_toml() {
                 let again = imogene_scene::SceneFile::parse(&text, "again.toml");
-                assert_eq!(
-                    again.expect("valid"),
-                    scene,
-                    "{name}, {series}, {parameter}"
-                );
+                let again = again.expect("valid");
+                assert_eq!(again, scene, "{name}, {series}, {parameter}");
             }
         }
     }
     let unknown = find("axis").err().expect("unknown");
-    assert_eq!(
-        unknown,
-        UnknownSweep {
-            name: "axis".into()
-        }
-    );
+    let name = "axis".to_owned();
+    assert_eq!(unknown, UnknownSweep { name });
     assert!(unknown.to_string().contains("cylinder-axis, eye-distance"));
 }
 
@@ -403,9 +372,7 @@ fn the_page_and_the_plots_are_current() {
         assert!(page.contains(&text), "{name} on docs/sweeps.md: {advice}");
         let kept = docs.join("images/sweeps").join(format!("{name}.svg"));
         let kept = std::fs::read_to_string(kept).expect("a plot");
-        assert!(
-            kept == plot(result).expect("a plot"),
-            "{name}.svg: {advice}"
-        );
+        let now = plot(result).expect("a plot");
+        assert!(kept == now, "{name}.svg: {advice}");
     }
 }

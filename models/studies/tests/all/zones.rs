@@ -4,15 +4,13 @@ use imogene_analysis::metrics::Drawing;
 use imogene_golden::format::Format;
 use imogene_prepare::rounding::Anchor;
 use imogene_prepare::{Framing, Options, prepare_with};
-use imogene_scene::SceneFile;
 use imogene_studies::zones::zones;
-use std::path::Path;
+use imogene_testkit::scene_file;
 
 /// Zones whose words are rounded about a pixel outside them still draw their part of the picture of these words.
 #[test]
 fn zones_draw_their_part_of_the_screen() {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/cut-sphere.toml");
-    let scene = SceneFile::read(&file).unwrap().frame(60, 45).unwrap();
+    let scene = scene_file("cut-sphere").frame(60, 45).unwrap();
     let format = Format::new(16).unwrap();
     let drawing = Drawing::in_zones(&zones(&scene, format, 16).unwrap(), &scene);
     for (x, y) in [(0, 0), (16, 16), (32, 16), (48, 32)] {

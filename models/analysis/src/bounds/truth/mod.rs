@@ -25,6 +25,9 @@ use num_traits::{Signed, ToPrimitive, Zero};
 /// The face that is truly seen, if there is one.
 pub(super) type True = Option<Bounded>;
 
+/// Columns of a line, first and last.
+pub(super) type Columns = std::ops::RangeInclusive<i64>;
+
 /// An object along the lines of sight of a picture.
 pub(super) struct Truth {
     shape: Shape,
@@ -72,7 +75,7 @@ impl Truth {
     }
 
     /// What is seen on a line, at the columns asked for.
-    pub fn line(&self, y: i64, columns: std::ops::RangeInclusive<i64>) -> Vec<True> {
+    pub fn line(&self, y: i64, columns: Columns) -> Vec<True> {
         match &self.shape {
             Shape::Cut(cut) => columns.map(|x| cut.at(x, y, self.full)).collect(),
             Shape::Mesh(mesh) => mesh.line(y, columns, self.full),
@@ -294,7 +297,7 @@ impl MeshShape {
         }
     }
 
-    fn line(&self, y: i64, columns: std::ops::RangeInclusive<i64>, full: i64) -> Vec<True> {
+    fn line(&self, y: i64, columns: Columns, full: i64) -> Vec<True> {
         let (first, last) = (*columns.start(), *columns.end());
         let mut seen = vec![None; (last - first + 1).max(0) as usize];
         for &index in &self.by_line[y as usize] {

@@ -7,7 +7,7 @@ mod reuse;
 use imogene_algebra::rational::{fraction, integer};
 use imogene_prepare::Framing;
 use imogene_scene::animation::Playback;
-use imogene_scene::{Beam, Camera, SceneFile, Step, Transform};
+use imogene_scene::{Beam, SceneFile, Step, Transform};
 use imogene_testkit::scene_file;
 use num_rational::BigRational;
 
@@ -104,11 +104,8 @@ fn hidden_groups_hide_their_members_and_their_shadows() {
     let groups = NESTED.replacen("name = \"outer\"", "name = \"outer\"\nvisible = false", 1);
     let top = CAMERA.to_owned() + light;
     let two = ball("group = \"inner\"") + &ball("").replace("ball", "other");
-    let frame = |groups: &str| {
-        parsed(&top, &(groups.to_owned() + &two))
-            .frame(48, 36)
-            .unwrap()
-    };
+    let file = |groups: &str| parsed(&top, &(groups.to_owned() + &two));
+    let frame = |groups: &str| file(groups).frame(48, 36).unwrap();
     let (shown, hidden) = (frame(NESTED), frame(&groups));
     assert_eq!((shown.objects.len(), shown.sources.len()), (2, 1));
     assert_eq!((hidden.objects.len(), hidden.sources.len()), (1, 0));
@@ -135,14 +132,11 @@ actions = [{ target = "ball", translate = [0, 3, 0], frame = "own" }]
 
 #[test]
 fn images_start_from_their_parents_and_not_from_the_image_before() {
-    let file = parsed(
-        CAMERA,
-        &(ball("place = [{ translate = [5, 0, 0] }]") + CHAIN),
-    );
+    let objects = ball("place = [{ translate = [5, 0, 0] }]");
+    let file = parsed(CAMERA, &(objects + CHAIN));
     let playback = Playback::new(&file).unwrap();
-    let shown: Vec<String> = (0..playback.count())
-        .map(|i| playback.frame(i).image)
-        .collect();
+    let shown = (0..playback.count()).map(|i| playback.frame(i).image);
+    let shown: Vec<String> = shown.collect();
     // The inactive image is no frame, and a later image may be a parent.
     assert_eq!(shown, ["turned", "fresh", "own"]);
     // (5, 0, 0) moved to (6, 0, 0), then turned about the scene's origin.
@@ -179,26 +173,18 @@ actions = [
 "#;
     let file = parsed(CAMERA, &(ball("") + images));
     assert_eq!(Playback::new(&file).unwrap().count(), 4);
-    for (frame, [factor, cos, sin]) in [[2, 0, 1], [4, -1, 0], [8, 0, -1], [16, 1, 0]]
-        .into_iter()
-        .enumerate()
-    {
+    let turns = [[2, 0, 1], [4, -1, 0], [8, 0, -1], [16, 1, 0]];
+    for (frame, [factor, cos, sin]) in turns.into_iter().enumerate() {
         // The own turn by quarters first, then the factor 16^(k/4), then k/4 of the way.
         let part = fraction(frame as i64 + 1, 4);
-        let zero = || integer(0);
-        let wanted = Transform {
-            rows: [
-                [
-                    integer(factor * cos),
-                    zero(),
-                    integer(factor * sin),
-                    part.clone(),
-                ],
-                [zero(), integer(1), zero(), zero()],
-                [integer(-sin), zero(), integer(cos), part * integer(2)],
-                [zero(), zero(), zero(), integer(1)],
-            ],
-        };
+        let turn = [
+            [factor * cos, 0, factor * sin, 0],
+            [0, 1, 0, 0],
+            [-sin, 0, cos, 0],
+        ];
+        let mut wanted = whole([turn[0], turn[1], turn[2], [0, 0, 0, 1]]);
+        wanted.rows[2][3] = &part * integer(2);
+        wanted.rows[0][3] = part;
         assert_eq!(placed(&file, frame), wanted, "frame {frame}");
     }
 }
@@ -221,10 +207,8 @@ actions = [
   { active_camera = "other" },
 ]
 "#;
-    let file = parsed(
-        &top,
-        &(ball("") + &ball("").replace("ball", "two") + images),
-    );
+    let two = ball("") + &ball("").replace("ball", "two");
+    let file = parsed(&top, &(two + images));
     let playback = Playback::new(&file).unwrap();
     for (frame, intensity, height) in [(0, 0.75, 3.2), (1, 0.5, 2.4)] {
         let scene = playback.scene(frame).unwrap();
@@ -232,15 +216,11 @@ actions = [
         let light = &scene.lights[0];
         assert!(matches!(light.beam, Beam::Point { .. }));
         assert_eq!(light.intensity, intensity);
-        assert_eq!(
-            light.node.place,
-            [Step::Translate([0.0, [0.5, 1.0][frame], 0.0])]
-        );
-        let Camera {
-            view_height, eye, ..
-        } = scene.active();
+        let place = [Step::Translate([0.0, [0.5, 1.0][frame], 0.0])];
+        assert_eq!(light.node.place, place);
+        let camera = scene.active();
         // 24 mm : f = height : 10, with f = 75 and 100.
-        assert_eq!((*view_height, eye[0]), (height, 10.0));
+        assert_eq!((camera.view_height, camera.eye[0]), (height, 10.0));
         assert!(scene.images.is_empty());
     }
 }
@@ -287,10 +267,8 @@ fn the_first_camera_is_active_unless_another_is_named() {
     assert_eq!(eye(&parsed(&named, &ball(""))), 2.0);
     file.look_through("two").unwrap();
     assert_eq!(eye(&file), 2.0);
-    assert_eq!(
-        file.flattened().frame(48, 36).unwrap(),
-        file.frame(48, 36).unwrap()
-    );
+    let [flat, own] = [file.flattened().as_ref(), &file].map(|f| f.frame(48, 36).unwrap());
+    assert_eq!(flat, own);
 }
 
 #[test]
@@ -326,9 +304,8 @@ fn the_example_of_the_page_is_an_animation() {
     assert_eq!(scenes[12].1, playback.scene(12).unwrap());
     for frame in 0..13 {
         let scene = playback.scene(frame).unwrap();
-        scene
-            .frame(32, 24)
-            .unwrap_or_else(|error| panic!("{error}"));
+        let framed = scene.frame(32, 24);
+        framed.unwrap_or_else(|error| panic!("{error}"));
     }
 }
 

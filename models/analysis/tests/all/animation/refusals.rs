@@ -190,11 +190,8 @@ fn actions_that_say_nothing_or_too_much() {
     refused(CAMERA, &rest, &[&place_of("sclae", CAMERA, &rest)]);
     let rest = with_image("lasts = 3");
     let place = place_of("lasts", CAMERA, &rest);
-    refused(
-        CAMERA,
-        &rest,
-        &[&place, "unknown field `lasts`", "`duration`"],
-    );
+    let parts = [&*place, "unknown field `lasts`", "`duration`"];
+    refused(CAMERA, &rest, &parts);
 }
 
 #[test]
@@ -224,15 +221,10 @@ fn placements_do_not_grow_without_end() {
     };
     let (most, beyond) = (file(MAX_MOVES / 2), file(MAX_MOVES / 2 + 1));
     assert!(Playback::new(&most).unwrap().scene(0).is_ok());
-    let refusal = Playback::new(&beyond)
-        .unwrap()
-        .scene(0)
-        .unwrap_err()
-        .to_string();
-    assert!(
-        refusal.contains("image `one`: the placement of `ball` has more than 64 steps"),
-        "{refusal}"
-    );
+    let refusal = Playback::new(&beyond).unwrap().scene(0).unwrap_err();
+    let refusal = refusal.to_string();
+    let said = "image `one`: the placement of `ball` has more than 64 steps";
+    assert!(refusal.contains(said), "{refusal}");
 }
 
 #[test]

@@ -6,6 +6,7 @@ use imogene_golden::format::Format;
 use imogene_prepare::Framing;
 use imogene_prepare::animator::{Animator, PreparedFrame};
 use imogene_prepare::{Options, PreparedScene, Reuse, prepare};
+use imogene_scene::animation::Playback;
 use imogene_scene::{FramedScene, SceneFile};
 use proptest::prelude::*;
 
@@ -48,14 +49,18 @@ fn compare(file: &SceneFile, order: &[usize]) -> Vec<Result<Reuse, String>> {
     order.iter().map(one).collect()
 }
 
+/// The same of frames that can all be drawn.
+fn drawn(file: &SceneFile, order: &[usize]) -> Vec<Reuse> {
+    let reuse = compare(file, order).into_iter();
+    reuse.map(|r| r.expect("can be drawn")).collect()
+}
+
 fn assert_same(framed: &FramedScene, prepared: &PreparedScene, again: &PreparedFrame) {
     assert_eq!(*framed, again.framed);
     // Everything there is to know: words, exact expressions, bounds, needs, notes, names.
     assert_eq!(format!("{prepared:?}"), format!("{:?}", again.prepared));
-    assert_eq!(
-        picture(framed, prepared),
-        picture(&again.framed, &again.prepared)
-    );
+    let own = picture(&again.framed, &again.prepared);
+    assert_eq!(picture(framed, prepared), own);
 }
 
 const LAMPS: &str = r#"
@@ -119,23 +124,17 @@ cuts = [
 "#;
 
 fn bodies(images: &str) -> SceneFile {
-    parsed(
-        &(CAMERA.to_owned() + SIDE + LAMPS),
-        &(BODIES.to_owned() + &ball("place = [{ scale = 0.4 }]") + images),
-    )
+    let top = CAMERA.to_owned() + SIDE + LAMPS;
+    let ball = ball("place = [{ scale = 0.4 }]");
+    parsed(&top, &(BODIES.to_owned() + &ball + images))
 }
 
 #[test]
 fn only_what_moves_is_prepared() {
     // The ball is within the room that the floor takes, so that the other shadows stay.
-    let file = bodies(
-        "[[images]]\nname = \"slide\"\nsteps = 3\nactions = [{ target = \"ball\", translate = [0.3, -0.3, 0.3] }]\n",
-    );
-    let reuse = compare(&file, &[0, 1, 2]);
-    let reuse: Vec<Reuse> = reuse
-        .into_iter()
-        .map(|r| r.expect("can be drawn"))
-        .collect();
+    let images = "[[images]]\nname = \"slide\"\nsteps = 3\nactions = [{ target = \"ball\", translate = [0.3, -0.3, 0.3] }]\n";
+    let file = bodies(images);
+    let reuse = drawn(&file, &[0, 1, 2]);
     assert_eq!((reuse[0].objects_prepared, reuse[0].objects_reused), (5, 0));
     for later in &reuse[1..] {
         assert_eq!((later.objects_prepared, later.objects_reused), (1, 4));
@@ -174,11 +173,7 @@ fn a_dimmed_light_or_a_still_frame_prepares_no_object() {
          [[images]]\nname = \"aside\"\nactions = [{ target = \"sun\", rotate = { axis = \"y\", degrees = 10 } }]\n\
          [[images]]\nname = \"look\"\nactions = [{ active_camera = \"side\" }]\n",
     );
-    let reuse = compare(&file, &[0, 1, 2, 3, 4, 0]);
-    let reuse: Vec<Reuse> = reuse
-        .into_iter()
-        .map(|r| r.expect("can be drawn"))
-        .collect();
+    let reuse = drawn(&file, &[0, 1, 2, 3, 4, 0]);
     let of = |r: &Reuse| (r.objects_prepared, r.volumes_prepared);
     // The cone of the spot is computed in every frame.
     assert_eq!([of(&reuse[1]), of(&reuse[2])], [(0, 1); 2]);
@@ -250,9 +245,7 @@ fn random_animations_are_those_prepared_from_scratch() {
     let totals = std::cell::RefCell::new((Reuse::default(), 0));
     let outcome = runner.run(&images(), |images| {
         let file = bodies(&images);
-        let count = imogene_scene::animation::Playback::new(&file)
-            .unwrap()
-            .count();
+        let count = Playback::new(&file).unwrap().count();
         // There and back: any order is possible.
         let order: Vec<usize> = (0..count).chain((0..count).rev()).collect();
         for reuse in compare(&file, &order).into_iter().flatten() {

@@ -1,16 +1,14 @@
 use imogene_analysis::bounds::depth::{depth_terms, face_bound, root_error, worst_case};
+use imogene_golden::format::Format;
 use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR};
 use imogene_prepare::RoundingBounds;
 use proptest::prelude::*;
 
 fn of_f2(f2: f64, guards: u32) -> RoundingBounds {
+    let format = Format::BASE.with_guards(2, guards).unwrap();
     RoundingBounds {
         f2,
-        ..RoundingBounds::of_format(
-            &imogene_golden::format::Format::BASE
-                .with_guards(2, guards)
-                .unwrap(),
-        )
+        ..RoundingBounds::of_format(&format)
     }
 }
 

@@ -73,10 +73,8 @@ fn within(computed: BigRational, exact: &BigRational, bound: f64) -> bool {
 fn depth_within(depth: i64, f1: &BigRational, sign: i32, f2: &BigRational, bound: f64) -> bool {
     let (d1, d2) = (f1.denom(), f2.denom());
     let exact = SurdReal::new(f1.numer() * d2, sign, f2.numer() * d2 * d1 * d1, d1 * d2);
-    let (low, high) = (
-        integer(depth) - from_f64_exact(bound),
-        integer(depth) + from_f64_exact(bound),
-    );
+    let (depth, bound) = (integer(depth), from_f64_exact(bound));
+    let (low, high) = (&depth - &bound, depth + bound);
     exact.cmp_ratio(low.numer(), low.denom()) != Ordering::Less
         && exact.cmp_ratio(high.numer(), high.denom()) != Ordering::Greater
 }
@@ -98,10 +96,8 @@ fn check_pixel(
     for (i, plane) in words.planes.iter().enumerate() {
         let computed = BigRational::from_integer(plane.depth.exact_at(x, y));
         let exact = object.exact.planes[i].at(&px, &py);
-        prop_assert!(
-            within(computed, &exact, object.bounds.planes[i]),
-            "plane {i} at ({x}, {y})"
-        );
+        let holds = within(computed, &exact, object.bounds.planes[i]);
+        prop_assert!(holds, "plane {i} at ({x}, {y})");
     }
     let (own_f1, own_f2) = (words.f1_at(x, y, format), words.f2_at(x, y, format));
     if f2.is_negative() || own_f2 < 0 || words.class == Class::Prism {
@@ -111,10 +107,8 @@ fn check_pixel(
     for (face, sign) in [(FACE_NEAR, -1), (FACE_FAR, 1)] {
         let bound = depth_bound(object, face, own_f2);
         let depth = own_f1 + i64::from(sign) * root;
-        prop_assert!(
-            depth_within(depth, &f1, sign, &f2, bound),
-            "face {face} at ({x}, {y}): {depth} beyond {bound}"
-        );
+        let holds = depth_within(depth, &f1, sign, &f2, bound);
+        prop_assert!(holds, "face {face} at ({x}, {y}): {depth} beyond {bound}");
     }
     Ok(())
 }

@@ -62,7 +62,7 @@ fn words_that_never_change_toggle_nothing() {
         },
         planes: vec![],
     };
-    let counted = |slots: Vec<&QuadricWords>, width, height| {
+    let counted = |slots: Vec<QuadricWords>, width, height| {
         let whole = Part {
             slots,
             first: (0, 0),
@@ -70,13 +70,13 @@ fn words_that_never_change_toggle_nothing() {
         };
         count(&[whole], &Format::BASE, 1, height as u32)
     };
-    let toggles = counted(vec![&words], 16, 12);
+    let toggles = counted(vec![words.clone()], 16, 12);
     assert_eq!(toggles.total, 0.0);
     let moving = QuadricWords {
         f1: Linear::new(1, 0, 0),
         ..words.clone()
     };
-    let toggles = counted(vec![&moving, &moving], 3, 1);
+    let toggles = counted(vec![moving.clone(), moving], 3, 1);
     // Two slots of 0, 1, 2: three changes of bits in two clocks each; the sums are the same less and more 1024.
     assert_eq!((toggles.pe1, toggles.pe2, toggles.root), (3.0, 0.0, 0.0));
     assert_eq!(toggles.depth, toggles.total - 3.0);

@@ -3,16 +3,15 @@
 mod meshes;
 mod tetrahedra;
 
+use crate::pictures::Pictures;
 use imogene_algebra::rational::{integer, to_f64};
-use imogene_analysis::bounds::{check, depth_bound, undecided_pixels};
-use imogene_analysis::exact::render::{DEPTH_FRACTION, ExactPixel, render, to_frame};
+use imogene_analysis::bounds::{check, undecided_pixels};
 use imogene_golden::format::Format;
-use imogene_golden::machine::frame::Frame;
 use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_prepare::Framing;
+use imogene_prepare::prepare;
 use imogene_prepare::rounding::Anchor;
-use imogene_prepare::{PreparedScene, prepare};
+use imogene_prepare::{Framing, PreparedScene};
 use imogene_scene::{FramedObject, FramedScene, Quadric, SceneFile, Shape};
 use imogene_testkit::scene_file;
 use num_rational::BigRational;
@@ -30,104 +29,39 @@ const FILES: [&str; 7] = [
     "tetrahedra",
 ];
 
-struct Pictures {
-    scene: FramedScene,
-    prepared: PreparedScene,
-    golden: Frame,
-    exact: Vec<Option<ExactPixel>>,
-}
-
 fn file(name: &str) -> SceneFile {
     scene_file(&format!("processors/{name}"))
 }
 
-impl Pictures {
-    fn of(name: &str, format: Format) -> Pictures {
-        Pictures::of_file(&file(name), SIZE, format)
-    }
+fn pictures(name: &str, format: Format) -> Pictures {
+    Pictures::of_file(&file(name), SIZE, format)
+}
 
-    fn of_file(file: &SceneFile, (width, height): (u32, u32), format: Format) -> Pictures {
-        let scene = file.frame(width, height).expect("valid");
-        let prepared = prepare(&scene, format).expect("fits");
-        Pictures {
-            golden: prepared.frame(|| ()),
-            exact: render(&scene, &format, || ()),
-            scene,
-            prepared,
-        }
-    }
+/// The pixels at which the pictures show different faces; each has its golden face among its neighbours in the exact
+/// picture: an edge is less than a pixel away.
+fn differences(pictures: &Pictures) -> usize {
+    let at_an_edge = |index: &usize| {
+        let face = pictures.golden_face(*index);
+        let mut around = pictures.around(*index, 1);
+        let near = around.any(|i| pictures.exact_face(i) == face);
+        assert!(near, "pixel {:?}: drawn {face:?}", pictures.place(*index));
+    };
+    pictures.differing().inspect(at_an_edge).count()
+}
 
-    fn exact_face(&self, index: usize) -> (i32, u8) {
-        self.exact[index].map_or((-1, 0), |e| (e.id as i32, e.number))
-    }
+fn assert_same_faces(pictures: &Pictures) {
+    assert_eq!(pictures.differing().next(), None);
+}
 
-    fn golden_face(&self, index: usize) -> (i32, u8) {
-        (self.golden.id[index], self.golden.number[index])
+/// Faces differ and depths are off as the words of a scene of quadrics, prepared by the quadric processor, allow.
+fn assert_within_bounds(pictures: &Pictures, scene: &FramedScene, prepared: &PreparedScene) {
+    let undecided = undecided_pixels(scene, prepared);
+    for index in pictures.differing() {
+        assert!(undecided[index], "pixel {index} is decided");
     }
-
-    /// The pixels at which the pictures show different faces; each has its golden face among its neighbours in the
-    /// exact picture: an edge is less than a pixel away.
-    fn differences(&self) -> usize {
-        let (w, h) = (self.golden.width as i64, self.golden.height as i64);
-        let mut count = 0;
-        for index in 0..self.exact.len() {
-            if self.exact_face(index) == self.golden_face(index) {
-                continue;
-            }
-            count += 1;
-            let (x, y) = (index as i64 % w, index as i64 / w);
-            let near = (-1..=1).flat_map(|dx| (-1..=1).map(move |dy| (x + dx, y + dy)));
-            let mut near = near.filter(|&(x, y)| (0..w).contains(&x) && (0..h).contains(&y));
-            assert!(
-                near.any(|(x, y)| self.exact_face((y * w + x) as usize) == self.golden_face(index)),
-                "pixel ({x}, {y}): drawn {:?}, exact {:?}",
-                self.golden_face(index),
-                self.exact[index]
-            );
-        }
-        count
-    }
-
-    /// Pixels of the exact picture within two pixels of both objects 0 and 1, and not at the outline, where a joint
-    /// ends.
-    fn joint(&self) -> Vec<usize> {
-        let (w, h) = (self.golden.width as i64, self.golden.height as i64);
-        let id = |u: i64, v: i64| self.exact_face((v * w + u) as usize).0;
-        let around = |x: i64, y: i64, reach: i64| {
-            let lines = (y - reach).max(0)..=(y + reach).min(h - 1);
-            lines.flat_map(move |v| {
-                ((x - reach).max(0)..=(x + reach).min(w - 1)).map(move |u| (u, v))
-            })
-        };
-        let near = |x, y, object| around(x, y, 2).any(|(u, v)| id(u, v) == object);
-        (0..w * h)
-            .filter(|i| {
-                let (x, y) = (i % w, i / w);
-                near(x, y, 0) && near(x, y, 1) && around(x, y, 1).all(|(u, v)| id(u, v) >= 0)
-            })
-            .map(|i| i as usize)
-            .collect()
-    }
-
-    /// Index, and golden less exact depth in depth words, of each pixel at which both show the same face.
-    fn depth_errors(&self) -> impl Iterator<Item = (usize, f64)> {
-        let unit = f64::from(1u32 << DEPTH_FRACTION);
-        let same =
-            |i: &usize| self.exact[*i].is_some() && self.exact_face(*i) == self.golden_face(*i);
-        (0..self.exact.len()).filter(same).map(move |i| {
-            let exact = self.exact[i].expect("filtered").depth as f64 / unit;
-            (i, self.golden.depth[i] as f64 - exact)
-        })
-    }
-
-    /// Angles between golden and exact normal in degrees, with the object.
-    fn normal_errors(&self) -> Vec<(i32, f64)> {
-        let exact = to_frame(&self.exact, &self.scene, &self.prepared.format);
-        let angle = |(i, _): (usize, f64)| {
-            let [one, other] = [&self.golden, &exact].map(|f| f.normal[i].map(f64::from));
-            (self.golden.id[i], imogene_testkit::angle_deg(one, other))
-        };
-        self.depth_errors().map(angle).collect()
+    for (i, off) in pictures.depth_errors() {
+        let bound = pictures.depth_bound(prepared, i);
+        assert!(off.abs() <= bound + 1e-5, "{off} beyond {bound}");
     }
 }
 
@@ -135,8 +69,8 @@ impl Pictures {
 #[test]
 fn polyhedra_are_within_the_rounding_of_their_planes() {
     for depth in [16, 24, 32] {
-        let pictures = Pictures::of("polyhedron", Format::new(depth).unwrap());
-        let differences = pictures.differences();
+        let pictures = pictures("polyhedron", Format::new(depth).unwrap());
+        let differences = differences(&pictures);
         println!("depth word {depth}: {differences} pixels differ");
         assert!(differences <= 2 + (200 >> (depth - 16)), "{differences}");
         for (i, off) in pictures.depth_errors() {
@@ -154,23 +88,8 @@ fn polyhedra_are_within_the_rounding_of_their_planes() {
 #[test]
 fn patches_are_within_their_proven_bounds() {
     for name in ["patch-processor", "tetrahedra"] {
-        let pictures = Pictures::of(name, Format::BASE);
-        let undecided = undecided_pixels(&pictures.scene, &pictures.prepared);
-        for (i, &open) in undecided.iter().enumerate() {
-            assert!(
-                open || pictures.exact_face(i) == pictures.golden_face(i),
-                "{name} {i}"
-            );
-        }
-        let width = pictures.golden.width;
-        for (i, off) in pictures.depth_errors() {
-            let object = pictures.prepared.objects[pictures.golden.id[i] as usize].quadric();
-            let object = object.expect("a patch");
-            let (x, y) = ((i % width) as i64, (i / width) as i64);
-            let f2 = object.words.f2_at(x, y, &pictures.prepared.format);
-            let bound = depth_bound(object, pictures.golden.number[i], f2);
-            assert!(off.abs() <= bound + 1e-5, "{off} beyond {bound}");
-        }
+        let pictures = pictures(name, Format::BASE);
+        assert_within_bounds(&pictures, &pictures.scene, &pictures.prepared);
     }
 }
 
@@ -180,7 +99,7 @@ fn patches_are_within_their_proven_bounds() {
 fn first_generation_is_within_the_bounds_of_its_quadrics() {
     for depth in [20, 24] {
         let format = Format::new(depth).unwrap();
-        let pictures = Pictures::of("first-generation", format);
+        let pictures = pictures("first-generation", format);
         let mut scene = pictures.scene.clone();
         for object in &mut scene.objects {
             let FramedObject::FirstGeneration(quadric) = object else {
@@ -189,23 +108,7 @@ fn first_generation_is_within_the_bounds_of_its_quadrics() {
             *object = FramedObject::Quadric(quadric.clone());
         }
         let second = prepare(&scene, format).expect("fits");
-        let undecided = undecided_pixels(&scene, &second);
-        let differing = (0..undecided.len())
-            .filter(|&i| pictures.exact_face(i) != pictures.golden_face(i))
-            .collect::<Vec<_>>();
-        println!("depth word {depth}: {} pixels differ", differing.len());
-        for i in differing {
-            assert!(undecided[i], "pixel {i} is decided");
-        }
-        let width = pictures.golden.width;
-        for (i, off) in pictures.depth_errors() {
-            let object = second.objects[pictures.golden.id[i] as usize].quadric();
-            let object = object.expect("a quadric");
-            let (x, y) = ((i % width) as i64, (i / width) as i64);
-            let f2 = object.words.f2_at(x, y, &format);
-            let bound = depth_bound(object, pictures.golden.number[i], f2);
-            assert!(off.abs() <= bound + 1e-5, "{off} beyond {bound}");
-        }
+        assert_within_bounds(&pictures, &scene, &second);
         assert!(pictures.golden.covered() > 15_000);
     }
 }
@@ -216,42 +119,29 @@ fn first_generation_is_within_the_bounds_of_its_quadrics() {
 fn paraboloids_have_the_exact_outline_at_any_size() {
     for size in [(160, 120), (320, 240), (480, 360)] {
         let pictures = Pictures::of_file(&file("paraboloids"), size, Format::BASE);
-        for i in 0..pictures.exact.len() {
-            assert_eq!(pictures.exact_face(i), pictures.golden_face(i), "pixel {i}");
-        }
+        assert_same_faces(&pictures);
         let scale = to_f64(&pictures.prepared.depth_scale);
         for (i, off) in pictures.depth_errors() {
-            let bound = match (
-                &pictures.scene.objects[pictures.golden.id[i] as usize],
-                pictures.golden.number[i],
-            ) {
-                (FramedObject::Sphere(s), _) => 0.2946 * to_f64(&s.radius) * scale,
-                (FramedObject::Cylinder(c), 0) => {
-                    0.2946 * to_f64(&c.radius) * scale / to_f64(&c.level)
-                }
-                (FramedObject::Cylinder(_), _) => 0.0,
+            let flat = pictures.golden.number[i] > 0;
+            let bound = match &pictures.scene.objects[pictures.golden.id[i] as usize] {
+                FramedObject::Sphere(s) => 0.2946 * to_f64(&s.radius) * scale,
+                FramedObject::Cylinder(_) if flat => 0.0,
+                FramedObject::Cylinder(c) => 0.2946 * to_f64(&c.radius) * scale / to_f64(&c.level),
                 _ => 2.0,
             };
             assert!(off.abs() <= bound + 1.0, "{off} beyond {bound}");
         }
-        assert!(
-            pictures
-                .prepared
-                .objects
-                .iter()
-                .all(|o| o.notes().is_empty())
-        );
+        let mut objects = pictures.prepared.objects.iter();
+        assert!(objects.all(|o| o.notes().is_empty()));
     }
 }
 
 /// A depth of second degree is drawn to the count; the sphere is a paraboloid.
 #[test]
 fn curved_facets_have_the_exact_outline_and_depth() {
-    let pictures = Pictures::of("curved-facet", Format::BASE);
+    let pictures = pictures("curved-facet", Format::BASE);
     let mut compared = [0; 3];
-    for i in 0..pictures.exact.len() {
-        assert_eq!(pictures.exact_face(i), pictures.golden_face(i), "pixel {i}");
-    }
+    assert_same_faces(&pictures);
     let scale = to_f64(&pictures.prepared.depth_scale);
     for (i, off) in pictures.depth_errors() {
         let id = pictures.golden.id[i] as usize;

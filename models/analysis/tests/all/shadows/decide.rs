@@ -1,17 +1,22 @@
 //! What the words leave of a flag: decided in whole numbers, from the proven bounds of the words and the distance of
 //! the two visible depths.
 
+use crate::pictures::Pictures;
 use imogene_algebra::rational::{from_f64_exact, integer, power_of_two};
 use imogene_analysis::exact::render::{DEPTH_FRACTION, ExactPixel};
 use imogene_golden::object::volume::VolumeKind;
 use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::depth_interval::{Class, FACE_PLANE};
-use imogene_prepare::PreparedScene;
 use imogene_prepare::volume::{Beginning, PreparedVolume};
 use imogene_scene::FramedScene;
 use num_traits::ToPrimitive;
 
 const UNIT: i128 = 1 << DEPTH_FRACTION;
+
+/// Column and line of a pixel.
+type Place = (i64, i64);
+/// The least and the greatest depth, in fractions of a count.
+type Depths = (i128, i128);
 
 /// Whether a point is in a volume, for every value that the words may stand for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,7 +42,7 @@ fn fractions(bound: f64) -> i128 {
 
 /// All depths at which golden and exact membership ask, in fractions of a count: golden and exact depth, the margin,
 /// and the counts that roots and coarse units are rounded by.
-fn depths(volume: &PreparedVolume, golden: i64, exact: i64) -> (i128, i128) {
+fn depths(volume: &PreparedVolume, golden: i64, exact: i64) -> Depths {
     let words = &volume.words;
     let coarse = 2i128 << words.quadric.map_or(0, |q| q.shift);
     let entered = i128::from(golden) - i128::from(words.margin);
@@ -47,7 +52,7 @@ fn depths(volume: &PreparedVolume, golden: i64, exact: i64) -> (i128, i128) {
     )
 }
 
-fn quadric_state(volume: &PreparedVolume, x: i64, y: i64, (low, high): (i128, i128)) -> State {
+fn quadric_state(volume: &PreparedVolume, (x, y): Place, (low, high): Depths) -> State {
     let Some(q) = &volume.words.quadric else {
         return State::In;
     };
@@ -60,7 +65,8 @@ fn quadric_state(volume: &PreparedVolume, x: i64, y: i64, (low, high): (i128, i1
     let f2_error = (fractions(volume.bounds.f2) << (2 * q.shift)) * UNIT;
     let (f2_low, f2_high) = (f2 - f2_error, f2 + f2_error);
     let (near, far) = (low - middle - middle_error, high - middle + middle_error);
-    let least = if near <= 0 && far >= 0 {
+    let crosses = near <= 0 && far >= 0;
+    let least = if crosses {
         0
     } else {
         near.abs().min(far.abs())
@@ -74,13 +80,8 @@ fn quadric_state(volume: &PreparedVolume, x: i64, y: i64, (low, high): (i128, i1
     }
 }
 
-fn plane_state(
-    volume: &PreparedVolume,
-    index: usize,
-    x: i64,
-    y: i64,
-    (low, high): (i128, i128),
-) -> State {
+fn plane_state(volume: &PreparedVolume, index: usize, (x, y): Place, depths: Depths) -> State {
+    let (low, high) = depths;
     let plane = &volume.words.planes[index];
     let margin = i128::from(volume.words.margin) * UNIT;
     let error = fractions(volume.bounds.planes[index]) + margin + UNIT;
@@ -109,54 +110,45 @@ fn begins_at_face(
     let [x, y, z, w] = &framed.sources[usize::from(volume.words.source)].point;
     let p = &framed.objects[object].caster()?.planes[cut];
     let side = &p.a * x + &p.b * y + &p.c * z + &p.d * w;
-    Some(if side > integer(0) {
-        State::Out
-    } else {
-        State::In
-    })
+    let faces_light = side > integer(0);
+    Some(if faces_light { State::Out } else { State::In })
 }
 
 fn volume_state(
-    framed: &FramedScene,
+    pictures: &Pictures,
     volume: &PreparedVolume,
-    x: i64,
-    y: i64,
-    golden: i64,
+    index: usize,
     exact: &ExactPixel,
 ) -> State {
+    let (x, y) = pictures.place(index);
     if !volume.words.screen_box.contains(x, y) {
         return State::Out;
     }
-    let depths = depths(volume, golden, exact.depth);
+    let depths = depths(volume, pictures.golden.depth[index], exact.depth);
     let planes = 0..volume.words.planes.len();
-    let mut parts = vec![quadric_state(volume, x, y, depths)];
-    parts.extend(planes.map(|index| plane_state(volume, index, x, y, depths)));
-    if let Some(known) = begins_at_face(volume, (exact.id as usize, exact.number), framed) {
+    let mut parts = vec![quadric_state(volume, (x, y), depths)];
+    parts.extend(planes.map(|index| plane_state(volume, index, (x, y), depths)));
+    let face = (exact.id as usize, exact.number);
+    if let Some(known) = begins_at_face(volume, face, &pictures.scene) {
         parts[1] = known;
     }
-    if parts.contains(&State::Out) {
-        State::Out
-    } else if parts.contains(&State::Unknown) {
-        State::Unknown
-    } else {
-        State::In
-    }
+    let mut first = [State::Out, State::Unknown].into_iter();
+    first
+        .find(|state| parts.contains(state))
+        .unwrap_or(State::In)
 }
 
 /// Does the source reach the point; `None` if the words leave that open.
 pub fn decided(
-    framed: &FramedScene,
-    scene: &PreparedScene,
+    pictures: &Pictures,
     source: usize,
-    x: i64,
-    y: i64,
-    golden: i64,
+    index: usize,
     exact: &ExactPixel,
 ) -> Option<bool> {
     let (mut lit, mut dark) = (true, false);
-    let own = scene.volumes.iter();
+    let own = pictures.prepared.volumes.iter();
     for volume in own.filter(|v| usize::from(v.words.source) == source) {
-        let found = volume_state(framed, volume, x, y, golden, exact);
+        let found = volume_state(pictures, volume, index, exact);
         let (keeps, takes) = match volume.words.kind {
             VolumeKind::Shadow => (State::Out, State::In),
             VolumeKind::Light => (State::In, State::Out),

@@ -10,22 +10,22 @@ mod decide;
 mod polyhedra;
 mod quadrics;
 
+use crate::pictures::Pictures;
 use compare::{Tally, compare};
 use imogene_algebra::rational::integer;
 use imogene_golden::format::Format;
-use imogene_prepare::Framing;
 use imogene_scene::{FramedObject, FramedQuadric, FramedScene, FramedSource, Surface};
 use imogene_testkit::*;
 
 const F: Format = Format::BASE;
 
 /// Compares a scene of a file; the number of its volumes.
-fn compare_file(path: &str, (width, height): (u32, u32), tally: &mut Tally) -> usize {
-    let framed = scene_file(path).frame(width, height).expect("a valid size");
-    let prepared = prepare(&framed);
-    compare(&framed, &prepared, tally);
-    eprintln!("{} volumes, {tally:?}", prepared.volumes.len());
-    prepared.volumes.len()
+fn compare_file(path: &str, size: (u32, u32), tally: &mut Tally) -> usize {
+    let pictures = Pictures::of_file(&scene_file(path), size, F);
+    compare(&pictures, tally);
+    let volumes = pictures.prepared.volumes.len();
+    eprintln!("{volumes} volumes, {tally:?}");
+    volumes
 }
 
 /// A floor, a ball, a bowl of a half sphere and an oblique can under a directional light and a spot.

@@ -2,9 +2,10 @@
 
 use super::compare::{Tally, compare};
 use super::{F, before_a_wall, source, sources};
+use crate::pictures::Pictures;
+use imogene_prepare::prepare;
 use imogene_prepare::volume::Beginning;
-use imogene_prepare::{PreparedScene, prepare};
-use imogene_scene::{FramedObject, FramedQuadric, FramedScene, Plane, Quadric, Surface};
+use imogene_scene::{FramedObject, FramedQuadric, Plane, Quadric, Surface};
 use imogene_testkit::*;
 use num_rational::BigRational;
 use num_traits::Signed;
@@ -44,7 +45,8 @@ fn side(plane: &Plane, [x, y, z, w]: &[BigRational; 4]) -> BigRational {
 }
 
 /// No volume has a quadric; each begins at a face that sees its source, and has the planes of its object.
-fn assert_planes_alone(framed: &FramedScene, prepared: &PreparedScene) {
+fn assert_planes_alone(pictures: &Pictures) {
+    let (framed, prepared) = (&pictures.scene, &pictures.prepared);
     for volume in &prepared.volumes {
         let (object, Beginning::Cut(cut)) = volume.caster.expect("no spot") else {
             panic!("{}: begins at no plane", volume.name);
@@ -69,10 +71,10 @@ fn random_polyhedra_have_the_shadows_of_the_exact_rays() {
         let casters = casters.map(|(name, planes)| random_polyhedron(&mut random, name, planes));
         let mut framed = before_a_wall(round, casters);
         framed.sources = sources(&mut random);
-        let prepared = prepare(&framed, F).expect("fits the base format");
-        volumes += prepared.volumes.len();
-        assert_planes_alone(&framed, &prepared);
-        compare(&framed, &prepared, &mut tally);
+        let pictures = Pictures::of(framed, F).expect("fits the base format");
+        volumes += pictures.prepared.volumes.len();
+        assert_planes_alone(&pictures);
+        compare(&pictures, &mut tally);
     }
     eprintln!("{volumes} volumes, {tally:?}");
     assert!(volumes > 10 * rounds as usize);
@@ -136,11 +138,8 @@ fn a_polyhedron_can_be_without_shadow() {
     let mut framed = before_a_wall(0, [quiet("first"), polyhedron("second", &CUBE)]);
     framed.sources = vec![source([0, 0, -100, 1])];
     let prepared = prepare(&framed, F).expect("fits");
-    let casters: Vec<usize> = prepared
-        .volumes
-        .iter()
-        .filter_map(|v| Some(v.caster?.0))
-        .collect();
+    let casters = prepared.volumes.iter().filter_map(|v| Some(v.caster?.0));
+    let casters: Vec<usize> = casters.collect();
     // The front face alone sees the source.
     assert_eq!(casters, [2]);
     assert_eq!(prepared.volumes[0].caster, Some((2, Beginning::Cut(5))));

@@ -2,6 +2,7 @@
 
 use super::compare::{Tally, compare};
 use super::{before_a_wall, sources};
+use crate::pictures::Pictures;
 use imogene_scene::{FramedQuadric, Surface};
 use imogene_testkit::*;
 
@@ -21,11 +22,7 @@ fn random_caster(random: &mut Random, name: &str) -> FramedQuadric {
     let m: [[i64; 3]; 3] = std::array::from_fn(|_| std::array::from_fn(|_| whole(9.0)));
     // m' diag(signs) m is a quadric of that kind unless m is singular; its constant makes it some pixels wide.
     let entry = |i: usize, j: usize| -> i64 { (0..3).map(|k| signs[k] * m[k][i] * m[k][j]).sum() };
-    let scale = (0..3)
-        .map(|k| entry(k, k).abs())
-        .max()
-        .expect("three")
-        .max(1);
+    let scale = (0..3).map(|k| entry(k, k).abs()).fold(1, i64::max);
     let centre: [i64; 3] = std::array::from_fn(|_| whole(16.0));
     let moved: [i64; 3] = std::array::from_fn(|i| (0..3).map(|j| entry(i, j) * centre[j]).sum());
     let about: i64 = (0..3).map(|i| moved[i] * centre[i]).sum();
@@ -69,11 +66,11 @@ fn random_cut_quadrics_have_the_shadows_of_the_exact_rays() {
         let casters = ["first", "second"].map(|name| random_caster(&mut random, name).into());
         let mut framed = before_a_wall(round, casters);
         framed.sources = sources(&mut random);
-        match imogene_prepare::prepare(&framed, super::F) {
-            Ok(prepared) => {
+        match Pictures::of(framed, super::F) {
+            Ok(pictures) => {
                 prepared_scenes += 1;
-                parts += prepared.volumes.len();
-                compare(&framed, &prepared, &mut tally);
+                parts += pictures.prepared.volumes.len();
+                compare(&pictures, &mut tally);
             }
             Err(_) => refused += 1,
         }
@@ -83,9 +80,7 @@ fn random_cut_quadrics_have_the_shadows_of_the_exact_rays() {
     assert!(3 * prepared_scenes >= 2 * rounds && parts > 8 * rounds as usize);
     let lit = 4000 * rounds as usize;
     assert!(tally.lit > lit && 4 * tally.dark > lit, "{tally:?}");
-    assert!(
-        tally.differing * 1000 < tally.flags && tally.open * 20 < tally.flags,
-        "{tally:?}"
-    );
+    assert!(tally.differing * 1000 < tally.flags, "{tally:?}");
+    assert!(tally.open * 20 < tally.flags, "{tally:?}");
     assert_eq!(tally.differing, tally.at_an_edge, "{tally:?}");
 }

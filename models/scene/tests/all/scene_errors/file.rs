@@ -1,6 +1,6 @@
 //! Refusals of a file as a text: missing, cut short, of another version.
 
-use super::{GOOD, assert_says, check_each, file_with, refusal_of};
+use super::{GOOD, assert_says, check_each, file_with, refused};
 use imogene_scene::SceneFile;
 use std::fs;
 use std::path::Path;
@@ -31,23 +31,20 @@ fn not_utf8() {
 
 #[test]
 fn empty_file() {
-    assert_says(
-        &refusal_of(""),
-        &["format", "the file is empty", "`format = 1`"],
-    );
+    refused("", "format | the file is empty | `format = 1`");
 }
 
 #[test]
 fn truncated_file() {
     let cut_short = &GOOD[..GOOD.len() - 20];
-    assert_says(
-        &refusal_of(cut_short),
-        &["demo.toml:32:34:", "unclosed inline table", "expected `}`"],
+    refused(
+        cut_short,
+        "demo.toml:32:34: | unclosed inline table | expected `}`",
     );
     let without_objects = &GOOD[..GOOD.find("[[objects]]").expect("it is there")];
-    assert_says(
-        &refusal_of(without_objects),
-        &["objects", "no object", "at least one `[[objects]]`"],
+    refused(
+        without_objects,
+        "objects | no object | at least one `[[objects]]`",
     );
 }
 

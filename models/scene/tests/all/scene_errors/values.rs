@@ -1,6 +1,6 @@
 //! Refusals of numbers and vectors.
 
-use super::{GOOD, assert_says, check_each, refusal_of};
+use super::{GOOD, check_each, refused};
 use imogene_prepare::Framing;
 use imogene_scene::SceneFile;
 
@@ -83,13 +83,13 @@ fn quadric_without_second_degree() {
     let plane = surface("[0, 0, 0, 0, 0, 0, 1, 2, 3, 4]");
     assert!(SceneFile::parse(&plane, "demo.toml").is_ok());
     let uncut: Vec<&str> = plane.lines().filter(|l| !l.starts_with("cuts")).collect();
-    assert_says(
-        &refusal_of(&uncut.join("\n")),
-        &["object `ball`, coefficients", "leaves a plane"],
+    refused(
+        &uncut.join("\n"),
+        "object `ball`, coefficients | leaves a plane",
     );
-    assert_says(
-        &refusal_of(&surface("[0, 0, 0, 0, 0, 0, 0, 0, 0, 4]")),
-        &["object `ball`, coefficients", "all but j are zero"],
+    refused(
+        &surface("[0, 0, 0, 0, 0, 0, 0, 0, 0, 4]"),
+        "object `ball`, coefficients | all but j are zero",
     );
 }
 

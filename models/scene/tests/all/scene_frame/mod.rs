@@ -5,10 +5,10 @@ mod transforms;
 
 use imogene_algebra::rational::{fraction, from_decimal, integer};
 use imogene_prepare::Framing;
-use imogene_scene::{
-    Axis, Cut, FramedLight, FramedQuadric, FramedScene, Plane, Projection, Quadric, Rotation,
-    Scale, SceneFile, Shape, Step, Transform,
-};
+use imogene_scene::*;
+use imogene_testkit::{parallel, perspective, plane, whole_quadric};
+use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
@@ -28,14 +28,6 @@ fn side(plane: &Plane, [x, y, z]: &Point) -> BigRational {
 
 fn only(scene: &FramedScene) -> &FramedQuadric {
     scene.objects[0].quadric().expect("a quadric")
-}
-
-fn coefficients(quadric: &Quadric) -> Vec<BigRational> {
-    quadric.coefficients().into_iter().cloned().collect()
-}
-
-fn integers(values: &[i64]) -> Vec<BigRational> {
-    values.iter().map(|value| integer(*value)).collect()
 }
 
 /// A scene seen along -z, 100 pixels to the scene unit, D = 1000 pixels, with the given camera extras and object keys.
@@ -63,33 +55,17 @@ fn framed_by(camera: &str, object: &str) -> FramedScene {
 fn camera_axes_and_unit() {
     let scene = framed("kind = \"sphere\"\nradius = 1\nplace = [{ translate = [1, 0.5, 0.25] }]");
     // Centre (100, -50, -25), radius 100: x to the right, y down, z away from the observer.
-    let expected = integers(&[
-        1,
-        1,
-        1,
-        0,
-        0,
-        0,
-        -100,
-        50,
-        25,
-        10_000 + 2_500 + 625 - 10_000,
-    ]);
-    assert_eq!(coefficients(&only(&scene).quadric), expected);
-    assert_eq!(
-        scene.projection,
-        Projection::Perspective {
-            distance: integer(1000)
-        }
-    );
+    let expected = whole_quadric([1, 1, 1, 0, 0, 0, -100, 50, 25, 2_500 + 625]);
+    assert_eq!(only(&scene).quadric, expected);
+    assert_eq!(scene.projection, perspective(1000));
     assert_eq!(scene.background, [255, 128, 0]);
 }
 
 #[test]
 fn decimals_stay_decimals() {
     let scene = framed("kind = \"sphere\"\nradius = 0.1\nplace = [{ translate = [0.3, 0, 0] }]");
-    let expected = integers(&[1, 1, 1, 0, 0, 0, -30, 0, 0, 800]);
-    assert_eq!(coefficients(&only(&scene).quadric), expected);
+    let expected = whole_quadric([1, 1, 1, 0, 0, 0, -30, 0, 0, 800]);
+    assert_eq!(only(&scene).quadric, expected);
 }
 
 #[test]
@@ -99,14 +75,8 @@ fn cut_keeps_the_side_behind_its_normal() {
             "kind = \"sphere\"\nradius = 1\nplace = [{{ translate = [0, 0, 0]}}{mirror}]\n\
              cuts = [{{ point = [0.25, 0, 0], normal = [3, 0, 0] }}]"
         ));
-        let plane = &only(&scene).planes[0];
         // The primitive form of x - 25 <= 0.
-        let expected = integers(&[1, 0, 0, -25]);
-        assert_eq!(
-            plane.coefficients().map(Clone::clone).to_vec(),
-            expected,
-            "{mirror}"
-        );
+        assert_eq!(only(&scene).planes[0], plane([1, 0, 0, -25]), "{mirror}");
     }
 }
 
@@ -117,17 +87,10 @@ fn the_eye_stands_exactly_at_minus_d() {
         "kind = \"perspective\"\neye = [1.1, 2.3, 3.7]\ntarget = [-0.3, 0.1, 0.2]\nviewer_distance = 3.3\nview_height = 1.7",
         "kind = \"cone\"\nradii = [1, 2, 3]\nplace = [{ rotate = { axis = [1, 2, 3], degrees = 20 } }, { translate = [1.1, 2.3, 3.7] }]",
     );
-    let Projection::Perspective { distance } = &scene.projection else {
-        panic!("a perspective camera was asked for");
-    };
-    assert_eq!(*distance, fraction(33 * 400, 17));
-    assert!(
-        value(
-            &only(&scene).quadric,
-            &[integer(0), integer(0), -distance.clone()]
-        )
-        .is_zero()
-    );
+    let distance = fraction(33 * 400, 17);
+    let eye = [integer(0), integer(0), -distance.clone()];
+    assert_eq!(scene.projection, Projection::Perspective { distance });
+    assert!(value(&only(&scene).quadric, &eye).is_zero());
 }
 
 #[test]
@@ -137,32 +100,25 @@ fn orthographic_screen_plane_passes_through_the_target() {
         "kind = \"sphere\"\nradius = 1\nplace = [{ translate = [0.5, 1, 2.25] }]",
     );
     // Seen along -x: z is to the left, so the centre is at (-25, 0, 50).
-    let expected = integers(&[1, 1, 1, 0, 0, 0, 25, 0, -50, 625 + 2500 - 10_000]);
-    assert_eq!(coefficients(&only(&scene).quadric), expected);
-    assert_eq!(
-        scene.projection,
-        Projection::Orthographic {
-            half_depth: integer(250)
-        }
-    );
+    let expected = whole_quadric([1, 1, 1, 0, 0, 0, 25, 0, -50, 625 + 2500 - 10_000]);
+    assert_eq!(only(&scene).quadric, expected);
+    assert_eq!(scene.projection, parallel(250));
 }
 
 #[test]
 fn lights_follow_the_camera() {
     let scene = framed("kind = \"sphere\"\nradius = 1");
-    assert_eq!(
-        scene.lights,
-        [
-            FramedLight::Point {
-                position: [100.0, -200.0, -300.0],
-                colour: [0.5; 3]
-            },
-            FramedLight::Directional {
-                towards: [0.0, -0.6, -0.8],
-                colour: [1.0; 3]
-            },
-        ]
-    );
+    let position = [100.0, -200.0, -300.0];
+    let point = FramedLight::Point {
+        position,
+        colour: [0.5; 3],
+    };
+    let towards = [0.0, -0.6, -0.8];
+    let directional = FramedLight::Directional {
+        towards,
+        colour: [1.0; 3],
+    };
+    assert_eq!(scene.lights, [point, directional]);
 }
 
 /// One point inside, one on and one outside of each canonical quadric.
@@ -170,53 +126,20 @@ fn lights_follow_the_camera() {
 fn canonical_quadrics() {
     let three = [2.0, 3.0, 5.0];
     let two = [2.0, 5.0];
+    let coefficients = [0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0, -6.0];
+    #[rustfmt::skip]
     let cases: [(Shape, [[f64; 3]; 3]); 11] = [
-        (
-            Shape::Ellipsoid(three),
-            [[0.0, 2.9, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 5.1]],
-        ),
-        (
-            Shape::Sphere { radius: 0.7 },
-            [[0.1, 0.0, 0.0], [0.0, 0.0, -0.7], [0.5, 0.5, 0.0]],
-        ),
-        (
-            Shape::EllipticCylinder(two),
-            [[1.9, 99.0, 0.0], [0.0, -7.0, 5.0], [2.1, 0.0, 0.0]],
-        ),
-        (
-            Shape::HyperbolicCylinder(two),
-            [[0.0, 9.0, 99.0], [2.0, 1.0, 0.0], [2.1, 0.0, 0.0]],
-        ),
-        (
-            Shape::ParabolicCylinder(two),
-            [[0.0, 9.0, 1.0], [2.0, -9.0, 5.0], [0.0, 0.0, -1.0]],
-        ),
-        (
-            Shape::Cone(three),
-            [[0.0, -3.0, 0.0], [2.0, 3.0, 0.0], [0.0, 2.9, 5.0]],
-        ),
-        (
-            Shape::HyperboloidOneSheet(three),
-            [[0.0, 9.0, 0.0], [0.0, 0.0, 5.0], [2.1, 0.0, 0.0]],
-        ),
-        (
-            Shape::HyperboloidTwoSheets(three),
-            [[0.0, -3.1, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 0.0]],
-        ),
-        (
-            Shape::EllipticParaboloid(three),
-            [[0.0, 1.0, 0.0], [2.0, 3.0, 0.0], [0.0, -1.0, 0.0]],
-        ),
-        (
-            Shape::HyperbolicParaboloid(three),
-            [[0.0, 1.0, 9.0], [0.0, -3.0, 5.0], [2.0, 2.9, 0.0]],
-        ),
-        (
-            Shape::Quadric {
-                coefficients: [0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0, -6.0],
-            },
-            [[1.0, 2.0, 0.0], [2.0, 3.0, 0.0], [2.0, 3.1, 0.0]],
-        ),
+        (Shape::Ellipsoid(three), [[0.0, 2.9, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 5.1]]),
+        (Shape::Sphere { radius: 0.7 }, [[0.1, 0.0, 0.0], [0.0, 0.0, -0.7], [0.5, 0.5, 0.0]]),
+        (Shape::EllipticCylinder(two), [[1.9, 99.0, 0.0], [0.0, -7.0, 5.0], [2.1, 0.0, 0.0]]),
+        (Shape::HyperbolicCylinder(two), [[0.0, 9.0, 99.0], [2.0, 1.0, 0.0], [2.1, 0.0, 0.0]]),
+        (Shape::ParabolicCylinder(two), [[0.0, 9.0, 1.0], [2.0, -9.0, 5.0], [0.0, 0.0, -1.0]]),
+        (Shape::Cone(three), [[0.0, -3.0, 0.0], [2.0, 3.0, 0.0], [0.0, 2.9, 5.0]]),
+        (Shape::HyperboloidOneSheet(three), [[0.0, 9.0, 0.0], [0.0, 0.0, 5.0], [2.1, 0.0, 0.0]]),
+        (Shape::HyperboloidTwoSheets(three), [[0.0, -3.1, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 0.0]]),
+        (Shape::EllipticParaboloid(three), [[0.0, 1.0, 0.0], [2.0, 3.0, 0.0], [0.0, -1.0, 0.0]]),
+        (Shape::HyperbolicParaboloid(three), [[0.0, 1.0, 9.0], [0.0, -3.0, 5.0], [2.0, 2.9, 0.0]]),
+        (Shape::Quadric { coefficients }, [[1.0, 2.0, 0.0], [2.0, 3.0, 0.0], [2.0, 3.1, 0.0]]),
     ];
     for (shape, [inside, on, outside]) in cases {
         let quadric = Quadric::from_shape(&shape).expect("a quadric");
@@ -234,12 +157,10 @@ fn framed_coefficients_are_whole_and_primitive() {
     );
     let object = only(&scene);
     let gcd = |values: &[&BigRational]| {
-        values
-            .iter()
-            .fold(BigRational::zero().to_integer(), |gcd, value| {
-                assert!(value.is_integer(), "{value}");
-                num_integer::Integer::gcd(&gcd, value.numer())
-            })
+        let whole = |value: &&BigRational| value.to_integer();
+        assert!(values.iter().all(|value| value.is_integer()), "{values:?}");
+        let values = values.iter().map(whole);
+        values.fold(BigInt::ZERO, |gcd, value| gcd.gcd(&value))
     };
     assert!(gcd(&object.quadric.coefficients()).is_one());
     assert!(gcd(&object.planes[0].coefficients()).is_one());

@@ -1,12 +1,16 @@
 //! How quadrics and planes change their frame.
 
 use super::*;
+use imogene_algebra::matrix::{Matrix4, SYMMETRIC, image, product, transposed};
 
-type Matrix = [[BigRational; 4]; 4];
+type Matrix = Matrix4<BigRational>;
+
+fn turn(axis: Axis, degrees: f64) -> Step {
+    Step::Rotate(Rotation { axis, degrees })
+}
 
 /// Placements with mirrors, unequal scales and slanted rotations, and one of each alone.
 fn placements() -> Vec<Vec<Step>> {
-    let turn = |axis, degrees| Step::Rotate(Rotation { axis, degrees });
     vec![
         vec![],
         vec![Step::Translate([1.5, -0.1, 7.0])],
@@ -24,15 +28,9 @@ fn placements() -> Vec<Vec<Step>> {
 
 fn sample_points() -> Vec<Point> {
     let ticks = [-2.1, -0.4, 0.0, 0.9, 3.3];
-    let mut points = Vec::new();
-    for x in ticks {
-        for y in ticks {
-            for z in ticks {
-                points.push(point(x, y, z));
-            }
-        }
-    }
-    points
+    let pairs = move |x| ticks.into_iter().map(move |y| (x, y));
+    let three = move |(x, y)| ticks.into_iter().map(move |z| point(x, y, z));
+    ticks.into_iter().flat_map(pairs).flat_map(three).collect()
 }
 
 fn sample_quadric() -> Quadric {
@@ -50,40 +48,8 @@ fn sample_plane() -> Plane {
 }
 
 fn inverse(transform: &Transform) -> Matrix {
-    let cofactors = transform.cofactors();
     let determinant = transform.determinant();
-    std::array::from_fn(|row| std::array::from_fn(|column| &cofactors[column][row] / &determinant))
-}
-
-fn product(left: &Matrix, right: &Matrix) -> Matrix {
-    std::array::from_fn(|row| {
-        std::array::from_fn(|column| (0..4).map(|k| &left[row][k] * &right[k][column]).sum())
-    })
-}
-
-fn matrix_of(q: &Quadric) -> Matrix {
-    [
-        [&q.a, &q.d, &q.e, &q.g],
-        [&q.d, &q.b, &q.f, &q.h],
-        [&q.e, &q.f, &q.c, &q.i],
-        [&q.g, &q.h, &q.i, &q.j],
-    ]
-    .map(|row| row.map(Clone::clone))
-}
-
-fn quadric_of(m: &Matrix) -> Quadric {
-    Quadric {
-        a: m[0][0].clone(),
-        b: m[1][1].clone(),
-        c: m[2][2].clone(),
-        d: m[0][1].clone(),
-        e: m[0][2].clone(),
-        f: m[1][2].clone(),
-        g: m[0][3].clone(),
-        h: m[1][3].clone(),
-        i: m[2][3].clone(),
-        j: m[3][3].clone(),
-    }
+    transposed(&transform.cofactors()).map(|row| row.map(|entry| entry / &determinant))
 }
 
 #[test]
@@ -91,16 +57,7 @@ fn cofactors_invert() {
     for steps in placements() {
         let transform = Transform::placement(&steps);
         let unit = product(&transform.rows, &inverse(&transform));
-        for (row, entries) in unit.iter().enumerate() {
-            for (column, entry) in entries.iter().enumerate() {
-                let expected = if row == column {
-                    BigRational::one()
-                } else {
-                    BigRational::zero()
-                };
-                assert_eq!(*entry, expected, "{steps:?}");
-            }
-        }
+        assert_eq!(unit, Transform::identity().rows, "{steps:?}");
     }
 }
 
@@ -124,17 +81,12 @@ fn printed_rule_for_quadrics_fails() {
     let quadric = sample_quadric();
     let transform = Transform::placement(&placements()[4]);
     let inverse = inverse(&transform);
-    let transposed =
-        std::array::from_fn(|row| std::array::from_fn(|column| inverse[column][row].clone()));
-    let printed = quadric_of(&product(
-        &product(&inverse, &matrix_of(&quadric)),
-        &transposed,
-    ));
-    let wrong = sample_points()
-        .iter()
-        .filter(|p| value(&printed, &transform.point(p)).signum() != value(&quadric, p).signum())
-        .count();
-    assert!(wrong > 0, "the printed rule would be right");
+    let printed = product(&inverse, &product(&quadric.matrix(), &transposed(&inverse)));
+    let printed = Quadric::from_array(SYMMETRIC.map(|[i, j]| printed[i][j].clone()));
+    let moved = |p: &Point| value(&printed, &transform.point(p)).signum();
+    let mut points = sample_points().into_iter();
+    let wrong = points.any(|p| moved(&p) != value(&quadric, &p).signum());
+    assert!(wrong, "the printed rule would be right");
 }
 
 #[test]
@@ -158,57 +110,44 @@ fn transformed_plane_keeps_its_side_even_when_mirrored() {
 #[test]
 fn printed_rules_for_planes_fail() {
     let plane = sample_plane();
-    let column = [&plane.a, &plane.b, &plane.c, &plane.d];
-    let apply = |matrix: &Matrix| {
-        let [a, b, c, d] =
-            std::array::from_fn(|row| (0..4).map(|k| &matrix[row][k] * column[k]).sum());
-        Plane { a, b, c, d }
-    };
+    let column = plane.coefficients().map(Clone::clone);
+    let apply = |matrix: &Matrix| Plane::from_array(image(matrix, &column));
     let wrong = |printed: &Plane, transform: &Transform| {
-        sample_points()
-            .iter()
-            .filter(|p| side(printed, &transform.point(p)).signum() != side(&plane, p).signum())
-            .count()
+        let moved = |p: &Point| side(printed, &transform.point(p)).signum();
+        let points = sample_points().into_iter();
+        let wrong = points.filter(|p| moved(p) != side(&plane, p).signum());
+        wrong.count()
     };
     let turned = Transform::placement(&placements()[4]);
     assert!(wrong(&apply(&inverse(&turned)), &turned) > 0);
 
     let mirror = Transform::placement(&placements()[2]);
     let unsigned = apply(&mirror.cofactors());
-    assert_eq!(
-        wrong(&unsigned, &mirror),
-        sample_points().len(),
-        "every side is exchanged"
-    );
+    // Every side is exchanged.
+    assert_eq!(wrong(&unsigned, &mirror), sample_points().len());
 }
 
 #[test]
 fn quarter_turns_are_exact() {
-    for (degrees, towards) in [
+    let turns = [
         (90, [-1, 0]),
         (180, [0, -1]),
         (270, [1, 0]),
         (-90, [1, 0]),
         (450, [-1, 0]),
         (0, [0, 1]),
-    ] {
-        let rotation = Step::Rotate(Rotation {
-            axis: Axis::Z,
-            degrees: f64::from(degrees),
-        });
+    ];
+    for (degrees, [x, y]) in turns {
+        let rotation = turn(Axis::Z, f64::from(degrees));
         let image = Transform::placement(&[rotation]).point(&point(0.0, 1.0, 0.0));
-        assert_eq!(
-            image,
-            [integer(towards[0]), integer(towards[1]), integer(0)],
-            "{degrees} degrees"
-        );
+        assert_eq!(image, [x, y, 0].map(integer), "{degrees} degrees");
     }
     let scene = framed(
         "kind = \"elliptic_cylinder\"\nradii = [1, 2]\nplace = [{ rotate = { axis = \"x\", degrees = 90 } }]",
     );
     // Rulings along z: no trace of z is left in the quadric.
-    let expected = integers(&[4, 1, 0, 0, 0, 0, 0, 0, 0, -40_000]);
-    assert_eq!(coefficients(&only(&scene).quadric), expected);
+    let expected = whole_quadric([4, 1, 0, 0, 0, 0, 0, 0, 0, -40_000]);
+    assert_eq!(only(&scene).quadric, expected);
 }
 
 #[test]
@@ -220,11 +159,8 @@ fn rotations_turn_counter_clockwise() {
         (Axis::Vector([0.0, 0.0, -2.0]), [1.0, 0.0, 0.0], [0, -1, 0]),
     ];
     for (axis, from, to) in cases {
-        let rotation = Step::Rotate(Rotation {
-            axis,
-            degrees: 90.0,
-        });
-        let image = Transform::placement(&[rotation]).point(&from.map(from_decimal));
+        let image =
+            Transform::placement(&[turn(axis.clone(), 90.0)]).point(&from.map(from_decimal));
         assert_eq!(image, to.map(integer), "{axis:?}");
     }
 }
@@ -233,10 +169,7 @@ fn rotations_turn_counter_clockwise() {
 fn steps_apply_in_the_order_written() {
     let placed = Transform::placement(&[
         Step::Translate([1.0, 0.0, 0.0]),
-        Step::Rotate(Rotation {
-            axis: Axis::Z,
-            degrees: 90.0,
-        }),
+        turn(Axis::Z, 90.0),
         Step::Scale(Scale::PerAxis([1.0, 2.0, 1.0])),
     ]);
     assert_eq!(placed.point(&point(0.0, 0.0, 0.0)), point(0.0, 2.0, 0.0));

@@ -43,9 +43,7 @@ pub fn contour(mut corners: Corners) -> Option<Contour> {
             corners.swap(i, j);
         }
     }
-    let difference = |i: usize, j: usize| -> [Counted; 2] {
-        [0, 1].map(|axis| corners[j][axis] - corners[i][axis])
-    };
+    let difference = |i: usize, j: usize| [0, 1].map(|axis| corners[j][axis] - corners[i][axis]);
     let sides = [difference(0, 1), difference(0, 2)];
     let third = difference(1, 2);
     let slope = |[dx, dy]: [Counted; 2]| (!dy.is_zero()).then(|| dx / dy);
@@ -75,10 +73,8 @@ pub fn contour(mut corners: Corners) -> Option<Contour> {
 fn gradient(shape: &Shape, w: [Counted; 3]) -> [Counted; 2] {
     let (dw1, dw2) = (w[1] - w[0], w[2] - w[0]);
     let [[x1, y1], [x2, y2]] = shape.sides;
-    [
-        (dw1 * y2 - dw2 * y1) * shape.over_area,
-        (x1 * dw2 - x2 * dw1) * shape.over_area,
-    ]
+    let twice = [dw1 * y2 - dw2 * y1, x1 * dw2 - x2 * dw1];
+    twice.map(|v| v * shape.over_area)
 }
 
 /// Change per line along the sides on the left.

@@ -80,14 +80,10 @@ pub fn greatest_f2([a, b, c, d, e, f]: &[Counted; 6]) -> Counted {
 }
 
 /// The greatest size of a component of the normal over a box whose first pixel is (x, y).
-pub fn greatest_normal(
-    normal: &Normal,
-    root: Counted,
-    [x, y, width, height]: [Counted; 4],
-) -> Counted {
+pub fn greatest_normal(normal: &Normal, root: Counted, [x, y, w, h]: [Counted; 4]) -> Counted {
     let component = |k: usize| {
         let [a, b, c] = normal.g[k];
-        let (across, down) = (a * width, b * height);
+        let (across, down) = (a * w, b * h);
         let first = a * x + b * y + c;
         let (right, below) = (first + across, first + down);
         let corners = [first, right, below, below + across].map(Counted::size);

@@ -76,12 +76,6 @@ pub fn moved_conic([a, b, c, d, e, f]: &[Counted; 6], k: Counted, l: Counted) ->
     let cl = *c * l;
     let along = *d + ak + cl;
     let down = *e + bl;
-    [
-        *a,
-        *b,
-        *c,
-        along + ak,
-        down + bl + *c * k,
-        *f + along * k + down * l,
-    ]
+    let constant = *f + along * k + down * l;
+    [*a, *b, *c, along + ak, down + bl + *c * k, constant]
 }

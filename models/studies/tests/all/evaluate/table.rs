@@ -82,17 +82,12 @@ fn printed_values_add_up() {
     let evaluation = evaluation();
     let arithmetic = Environment::new();
     let mut checked = 0;
-    for line in PRINTED
-        .lines()
-        .map(str::trim)
-        .filter(|line| !line.is_empty())
-    {
+    for line in PRINTED.trim().lines().map(str::trim) {
         let (group, rest) = line.split_once(": ").expect("a group");
         let (name, sum) = rest.split_once(" = ").expect("a sum");
         let (sum, rounded) = sum.split_once(" +- ").unwrap_or((sum, "0"));
-        let row = evaluation
-            .row(group, name)
-            .unwrap_or_else(|| panic!("no {name}"));
+        let row = evaluation.row(group, name);
+        let row = row.unwrap_or_else(|| panic!("no {name}"));
         let sum = arithmetic.compile_expression(sum).expect("a sum");
         let sum = f64::try_from(sum.eval(()).expect("no names")).expect("a number");
         let off = row.reference().expect("a number") - sum;
@@ -125,10 +120,8 @@ fn our_sums_add_up() {
     let ours = |group: &str, name: &str| evaluation.row(group, name).expect("a row").ours;
     let first = |group: &str, count: usize| -> f64 {
         let found = evaluation.groups.iter().find(|g| g.name == group);
-        found.expect("a group").rows[..count]
-            .iter()
-            .map(|row| row.ours)
-            .sum()
+        let rows = found.expect("a group").rows[..count].iter();
+        rows.map(|row| row.ours).sum()
     };
     let of = |name: &str| ours("quadric", name);
     let (solid, patch) = (of("quadric processor, all"), of("patch processor, all"));
@@ -136,10 +129,8 @@ fn our_sums_add_up() {
     assert_eq!(patch, first("quadric", 2) + of("patch: four planes"));
     assert_eq!(of("quadric, three planes"), 182.0 + 84.0 + solid);
     assert_eq!(of("patch, four planes"), 182.0 + 140.0 + patch);
-    assert_eq!(
-        ours("polyhedron", "polyhedron, all"),
-        first("polyhedron", 5)
-    );
+    let polyhedron = ours("polyhedron", "polyhedron, all");
+    assert_eq!(polyhedron, first("polyhedron", 5));
     // Four PE2 and two PE1 (Chaillou, IV.2.4).
     let rows = evaluation.groups.iter().flat_map(|group| &group.rows);
     let mut sphere = rows.filter(|row| row.section == "Chaillou, IV.2.4" && row.unit == "a pixel");

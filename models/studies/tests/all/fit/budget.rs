@@ -42,10 +42,8 @@ fn every_limit_is_held_against_its_figure() {
         normal: Some(1.0),
     };
     let items = budget.judge(&metrics, 400);
-    let found: Vec<(&str, f64, bool)> = items
-        .iter()
-        .map(|i| (i.limit, i.measured, i.holds()))
-        .collect();
+    let found = items.iter().map(|i| (i.limit, i.measured, i.holds()));
+    let found: Vec<(&str, f64, bool)> = found.collect();
     let expected = [
         ("depth", 0.25, true),
         ("silhouette", 3.0, false),

@@ -15,14 +15,13 @@ use imogene_studies::fit::proof::Proof;
 use imogene_studies::fit::search::{Outcome, search};
 use imogene_studies::fit::{FitError, proof};
 use imogene_studies::kit::words::widest;
-use std::path::Path;
+use imogene_testkit::{scene_file, scene_path};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 const SIZE: Option<(u32, u32)> = Some((48, 36));
 
 fn file(name: &str) -> (String, SceneFile) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../scenes/{name}.toml"));
-    (name.to_owned(), SceneFile::read(&path).unwrap())
+    (name.to_owned(), scene_file(name))
 }
 
 fn frames(names: &[&str]) -> Result<Frames, FitError> {
@@ -45,20 +44,21 @@ fn words_of(drawn: &Drawn) -> MachineWords {
 
 fn budgets() -> [Budget; 3] {
     let nothing = Budget::default();
+    let depth = |limit| Budget {
+        depth: Some(limit),
+        ..nothing
+    };
+    let share = Some(CountLimit::Percent(0.1));
     [
         Budget {
-            depth: Some(DepthLimit::Words(1.0)),
             silhouette: Some(CountLimit::Pixels(0)),
-            ..nothing
+            ..depth(DepthLimit::Words(1.0))
         },
-        Budget {
-            depth: Some(DepthLimit::Pixels(0.5)),
-            ..nothing
-        },
+        depth(DepthLimit::Pixels(0.5)),
         Budget {
             colour: Some(2.0),
-            silhouette: Some(CountLimit::Percent(0.1)),
-            faces: Some(CountLimit::Percent(0.1)),
+            silhouette: share,
+            faces: share,
             ..nothing
         },
     ]
@@ -77,20 +77,18 @@ fn what_is_found_meets_the_budget_and_one_bit_less_does_not() {
                     let drawn = frames.draw(words, &budget).unwrap();
                     drawn.is_some_and(|drawn| drawn.fits())
                 };
-                let less = [
-                    words
-                        .guard_linear
-                        .checked_sub(1)
-                        .map(|guard_linear| MachineWords {
-                            guard_linear,
-                            ..words
-                        }),
-                    (words.normal > 10).then(|| MachineWords {
-                        normal: words.normal - 1,
+                let mut less = vec![];
+                if let Some(guard_linear) = words.guard_linear.checked_sub(1) {
+                    less.push(MachineWords {
+                        guard_linear,
                         ..words
-                    }),
-                ];
-                for less in less.into_iter().flatten() {
+                    });
+                }
+                if words.normal > 10 {
+                    let normal = words.normal - 1;
+                    less.push(MachineWords { normal, ..words });
+                }
+                for less in less {
                     assert!(!fits(&less), "{name}, {budget:?}: {less:?} fits too");
                 }
             }
@@ -123,12 +121,8 @@ fn the_machine_has_the_planes_that_its_objects_have() {
     let frames = frames(&["cut-sphere"]).unwrap();
     let drawn = &found(&frames, &budgets()[1])[0];
     let slots = beam_slots(&frames, drawn);
-    let objects: Vec<usize> = frames.all[0]
-        .scene
-        .objects
-        .iter()
-        .map(|object| object.quadric().unwrap().planes.len())
-        .collect();
+    let objects = frames.all[0].scene.objects.iter();
+    let objects: Vec<usize> = objects.map(|o| o.quadric().unwrap().planes.len()).collect();
     let planes: Vec<usize> = slots.iter().map(|s| s.planes as usize).collect();
     assert_eq!(planes, objects);
     assert!(drawn.widths.root < drawn.widths.depth && drawn.widths.plane < drawn.widths.depth + 12);
@@ -148,11 +142,8 @@ fn every_value_of_an_object_is_in_the_words_of_its_slot() {
     let mut is_tight = 0;
     for ((_, object), slot) in drawn.prepared[0].quadrics().zip(&slots) {
         let (words, widths) = (&object.words, slot.words(machine));
-        let window = words.screen_box;
         let (mut f2, mut plane) = (0, 0);
-        for (x, y) in
-            (window.y0..=window.y1).flat_map(|y| (window.x0..=window.x1).map(move |x| (x, y)))
-        {
+        for (x, y) in words.screen_box.each() {
             let (x, y) = (i128::from(x), i128::from(y));
             let q = &words.f2;
             let value = q.a * x * x + q.b * y * y + q.c * x * y + q.d * x + q.e * y + q.f;
@@ -161,10 +152,8 @@ fn every_value_of_an_object_is_in_the_words_of_its_slot() {
                 plane = plane.max(bits(cut.depth.a * x + cut.depth.b * y + cut.depth.c));
             }
         }
-        assert!(
-            f2 <= 2 * widths.root && plane <= widths.plane,
-            "{slot}: {f2}, {plane}"
-        );
+        let fits = f2 <= 2 * widths.root && plane <= widths.plane;
+        assert!(fits, "{slot}: {f2}, {plane}");
         is_tight += usize::from(f2 > 2 * (widths.root - 1));
     }
     assert!(2 * is_tight >= slots.len(), "{is_tight} of {slots:?}");
@@ -187,10 +176,8 @@ fn limits_are_proven_by_bounds_where_these_are_not_above_them() {
             let is_proven = bound <= proof.item.allowed;
             assert_eq!(proof.proof == Proof::Bound, is_proven, "{proof:?}");
         } else {
-            assert_eq!(
-                (proof.item.limit, proof.proof),
-                ("colour", Proof::Exhaustive)
-            );
+            let found = (proof.item.limit, proof.proof);
+            assert_eq!(found, ("colour", Proof::Exhaustive));
         }
     }
 }
@@ -199,8 +186,7 @@ fn limits_are_proven_by_bounds_where_these_are_not_above_them() {
 /// needs.
 #[test]
 fn an_animation_takes_the_worst_of_its_frames() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/cut-sphere.toml");
-    let text = std::fs::read_to_string(path).unwrap();
+    let text = std::fs::read_to_string(scene_path("cut-sphere")).unwrap();
     let moved = text.replace("eye = [0.37, 3.89, 9.61]", "eye = [0.4, 2.9, 8.6]");
     assert_ne!(moved, text);
     let files = [text, moved].map(|text| {
@@ -231,12 +217,8 @@ fn an_unreachable_budget_is_told_with_the_nearest_machine() {
     match search(&frames, &budget, || ()).unwrap() {
         Outcome::Fits(_) => panic!("normals of integers are not exact"),
         Outcome::Unreachable(nearest) => {
-            let broken: Vec<&str> = nearest
-                .items
-                .iter()
-                .filter(|i| !i.holds())
-                .map(|i| i.limit)
-                .collect();
+            let broken = nearest.items.iter().filter(|i| !i.holds());
+            let broken: Vec<&str> = broken.map(|i| i.limit).collect();
             assert_eq!(broken, ["normal"]);
             assert_eq!(nearest.widths.normal, 16);
         }
@@ -282,10 +264,8 @@ fn a_zone_machine_has_the_processors_that_its_pace_takes() {
     assert!(faster.description.objects > 1);
     assert!(faster.clocks as f64 * paced <= 1e6);
     let error = with(Some(1e4)).err().unwrap().to_string();
-    assert!(
-        error.contains("10000 frames per second at 1 MHz"),
-        "{error}"
-    );
+    let said = "10000 frames per second at 1 MHz";
+    assert!(error.contains(said), "{error}");
 }
 
 /// What a description says as text is read back as the same machine.

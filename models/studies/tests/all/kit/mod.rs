@@ -1,3 +1,3 @@
 mod page;
-mod preview;
+mod picture;
 mod sheet;

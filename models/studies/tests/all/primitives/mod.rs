@@ -5,20 +5,19 @@ mod tessellate;
 use imogene_golden::format::Format;
 use imogene_golden::machine::beam;
 use imogene_golden::object::facet_contour::FacetContour;
+use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::object::words::Object;
 use imogene_prepare::{Framing, prepare};
 use imogene_scene::{FramedScene, SceneFile};
 use imogene_studies::primitives::speed::facets;
 use imogene_studies::primitives::tessellate::{drop_turned_away, to_mesh};
 use imogene_studies::primitives::{Subject, Variant, fair_sides};
-use std::path::Path;
+use imogene_testkit::scene_file;
 
 const F: Format = Format::BASE;
 
 fn scene() -> SceneFile {
-    let path =
-        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/comparison/three-solids.toml");
-    SceneFile::read(&path).unwrap()
+    scene_file("comparison/three-solids")
 }
 
 /// Of a closed mesh the nearest facet is never one that is turned away.
@@ -51,15 +50,9 @@ fn contour_following_draws_every_facet_of_the_comparison() {
         for words in facets(&drawn.slots) {
             let mut followed = vec![];
             FacetContour::new(words, &F).for_each_pixel(|x, y, p| followed.push((x, y, p)));
-            let mut scanned = vec![];
-            for y in 0..72 {
-                for x in 0..96 {
-                    let pixel = words.at(x, y, &F);
-                    if pixel.zf != F.z_max() {
-                        scanned.push((x, y, pixel));
-                    }
-                }
-            }
+            let each = ScreenBox::of_screen(96, 72).each();
+            let scanned = each.map(|(x, y)| (x, y, words.at(x, y, &F)));
+            let scanned: Vec<_> = scanned.filter(|(.., p)| p.zf != F.z_max()).collect();
             pixels += scanned.len();
             assert_eq!(followed, scanned);
         }

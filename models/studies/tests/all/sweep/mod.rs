@@ -1,4 +1,4 @@
-mod families;
 mod grid;
 mod measure;
+mod shapes;
 mod truth;

@@ -23,13 +23,9 @@ use imogene_studies::trade::report::{Entry, FRONTS, Trade};
 use imogene_studies::trade::run::{Request, Shard, run, run_shard};
 use imogene_studies::trade::view::Views;
 use imogene_studies::trade::{TradeError, speed};
+use imogene_testkit::scene_file;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
-
-fn scene(name: &str) -> SceneFile {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
-    SceneFile::read(&folder.join(name)).unwrap()
-}
 
 /// Costs that are a sum of widths, so that every machine has one of its own; estimates are a hundredth more.
 fn sums(machines: &[MachineDescription], pricing: Pricing) -> Result<Vec<Cost>, String> {
@@ -80,7 +76,7 @@ impl<'a> Run<'a> {
     fn new(out: &'a Path) -> Run<'a> {
         Run {
             out,
-            file: scene("cut-sphere.toml"),
+            file: scene_file("cut-sphere"),
             size: (48, 36),
             program: "one",
             costs: &sums,
@@ -163,11 +159,8 @@ fn an_interrupted_run_goes_on_to_the_same_results() {
         with_clock: false,
         ..Run::new(other.path())
     };
-    let points: usize = [3, 1, 2]
-        .map(|number| parts.with(|r| run_shard(r, Shard { number, of: 3 }).unwrap()))
-        .iter()
-        .sum();
-    assert_eq!(points as u64, all);
+    let shard = |number| parts.with(|r| run_shard(r, Shard { number, of: 3 }).unwrap());
+    assert_eq!([3, 1, 2].map(shard).iter().sum::<usize>() as u64, all);
     // All is measured, and has no cost yet.
     assert_eq!(point_files(other.path()).len() as u64, all);
     assert_eq!(parts.text(), first);
@@ -184,7 +177,7 @@ fn results_of_another_run_are_not_taken() {
     };
     let changes: [fn(&mut Run); 3] = [
         |run| run.size = (40, 30),
-        |run| run.file = scene("cone.toml"),
+        |run| run.file = scene_file("cone"),
         |run| run.program = "two",
     ];
     for change in changes {
@@ -211,10 +204,8 @@ fn a_cost_that_was_not_to_be_had_is_asked_for_again() {
     assert_eq!(trade.measure, "toggles");
     for entry in &trade.points {
         assert_eq!(entry.point.cost, None);
-        assert_eq!(
-            entry.point.cost_refused.as_deref(),
-            Some("no tools: install them")
-        );
+        let refused = entry.point.cost_refused.as_deref();
+        assert_eq!(refused, Some("no tools: install them"));
     }
     // Then without clocks, which are estimated, and with those of the front.
     let estimated = Run {
@@ -266,10 +257,8 @@ fn points_tell_speed_area_and_accuracy() {
     assert!(wide.point.format.unwrap().root < 24 && wide.point.format.unwrap().plane < 36);
     // More rows a stage: the same picture and file.
     let two = of("w24-n16-g0.0-d0-r2");
-    assert_eq!(
-        (&two.point.errors, &two.point.picture),
-        (&wide.point.errors, &wide.point.picture)
-    );
+    let shown = |e: &Entry| (e.point.errors.clone(), e.point.picture.clone());
+    assert_eq!(shown(two), shown(wide));
     for entry in &trade.points {
         let point = &entry.point;
         let frames = 1e6 * point.mhz.unwrap() / point.clocks_per_frame.unwrap() as f64;
@@ -308,65 +297,48 @@ fn points_tell_speed_area_and_accuracy() {
         assert!(plot.contains(&format!("data-point=\"{}\"", entry.point.id)));
     }
     let page = page(&trade, folder.path()).unwrap();
-    assert!(
-        page.len() > 50_000 && page.len() < 3_000_000,
-        "{}",
-        page.len()
-    );
+    let bytes = page.len();
+    assert!((50_000..3_000_000).contains(&bytes), "{bytes}");
 }
 
 #[test]
 fn refusals_are_recorded() {
     let folder = tempfile::tempdir().unwrap();
     let run = Run {
-        file: scene("extremes/eye-on-quadric.toml"),
+        file: scene_file("extremes/eye-on-quadric"),
         ..Run::new(folder.path())
     };
     let trade = run.trade();
+    let on_quadric = "the viewer lies exactly on this quadric";
     for entry in &trade.points {
         let problem = entry.point.refused.as_ref().unwrap();
-        assert!(
-            problem.contains("the viewer lies exactly on this quadric"),
-            "{problem}"
-        );
+        assert!(problem.contains(on_quadric), "{problem}");
         assert!(entry.point.errors.is_none() && entry.pareto.is_empty());
     }
-    assert!(
-        page(&trade, folder.path())
-            .unwrap()
-            .contains("lies exactly on this quadric")
-    );
+    assert!(page(&trade, folder.path()).unwrap().contains(on_quadric));
 }
 
 #[test]
 fn scenes_of_other_processors_are_refused_by_name() {
     let folder = tempfile::tempdir().unwrap();
     let run_of = Run {
-        file: scene("processors/mesh.toml"),
+        file: scene_file("processors/mesh"),
         ..Run::new(folder.path())
     };
     let error = run_of.with(run).unwrap_err();
-    assert!(
-        matches!(
-            error,
-            TradeError::Processor {
-                processor: "facet",
-                ..
-            }
-        ),
-        "{error}"
-    );
+    let TradeError::Processor { processor, .. } = error else {
+        panic!("{error}");
+    };
+    assert_eq!(processor, "facet");
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
 }
 
 /// The narrowest words that the preparation accepts: one bit less of the root is refused.
 #[test]
 fn words_are_as_narrow_as_the_scene_allows() {
-    let file = scene("teapot.toml");
-    let (views, scene) = (
-        Views::new(&file, (80, 60)).unwrap(),
-        file.frame(80, 60).unwrap(),
-    );
+    let file = scene_file("teapot");
+    let views = Views::new(&file, (80, 60)).unwrap();
+    let scene = file.frame(80, 60).unwrap();
     let measured = measure(&views, &Accuracy::of_depth(20)).unwrap();
     let widths = measured.widths;
     let narrower = MachineWords {

@@ -13,6 +13,7 @@ use imogene_studies::trial::case::Case;
 use imogene_studies::trial::random::Random;
 use imogene_studies::trial::tally::{Tally, Term};
 use imogene_studies::trial::{FORMATS, TrialReport, depth, places, run};
+use imogene_testkit::is_full;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use proptest::prelude::*;
@@ -27,41 +28,24 @@ fn formats() -> impl Iterator<Item = Format> {
 
 /// Tries every format and expects no violation; returns the reports.
 fn tried(cases: u64, seed: u64, always_exactly: bool) -> Vec<TrialReport> {
-    let reports: Vec<TrialReport> = formats()
-        .map(|format| run(&format, cases, seed, always_exactly, |_| ()))
-        .collect();
+    let run = |format: Format| run(&format, cases, seed, always_exactly, |_| ());
+    let reports: Vec<TrialReport> = formats().map(run).collect();
     for report in &reports {
-        assert_eq!(
-            report.violations,
-            0,
-            "{}: {:?}",
-            report.label(),
-            report.first_violations
-        );
+        let (label, first) = (report.label(), &report.first_violations);
+        assert_eq!(report.violations, 0, "{label}: {first:?}");
         assert_eq!(report.cases, cases);
     }
     reports
 }
 
-fn full() -> bool {
-    std::env::var("IMOGENE_FULL").is_ok_and(|value| value == "1")
-}
-
 #[test]
 fn no_bound_is_exceeded_and_the_dominating_ones_are_tight() {
     // The million of the documentation is run by the command line's tests.
-    let cases = if full() { 20_000 } else { 10_000 };
+    let cases = if is_full() { 20_000 } else { 10_000 };
     for report in tried(cases, 4, false) {
         for t in &report.terms {
-            println!(
-                "{} | {}: {:.4} of {} comparisons, {:.4e} of {:.4e}",
-                report.label(),
-                t.term.name(),
-                t.fared.tightness,
-                t.fared.comparisons,
-                t.fared.observed,
-                t.fared.bound
-            );
+            let (fared, name) = (&t.fared, t.term.name());
+            println!("{} | {name}: {fared:?}", report.label());
             let unused = t.term == Term::Truncation && report.guard_linear == 0;
             assert!(t.fared.tightness > 0.5 || unused, "{:?}", t.term);
         }
@@ -70,28 +54,17 @@ fn no_bound_is_exceeded_and_the_dominating_ones_are_tight() {
 
 #[test]
 fn everything_compared_exactly() {
-    let cases = if full() { 3_000 } else { 300 };
+    let cases = if is_full() { 3_000 } else { 300 };
     for report in tried(cases, 2, true) {
         assert_eq!(report.decided_exactly, report.comparisons);
     }
 }
 
 fn exact_forms(case: &Case) -> (LinearForm, QuadraticForm) {
-    let of = |n: i128, d: i128, guards: u32| {
-        BigRational::new(BigInt::from(n), BigInt::from(d)) / power_of_two(guards)
-    };
-    let linear = case
-        .f1
-        .factors
-        .map(|n| of(n, case.f1.denominator, case.format.guard_linear));
-    let quadratic = case
-        .f2
-        .factors
-        .map(|n| of(n, case.f2.denominator, case.format.guard_quadratic));
-    let [a, b, c] = linear;
-    let centred = LinearForm::of_array([a, b, c]);
-    let [a, b, c, d, e, f] = quadratic;
-    let centred2 = QuadraticForm { a, b, c, d, e, f };
+    let (f1, f2) = (case.f1.form(), case.f2.form());
+    let unit = |guards: u32| power_of_two(guards).recip();
+    let centred = LinearForm::of_array(f1).scaled(&unit(case.format.guard_linear));
+    let centred2 = QuadraticForm::of_array(f2).scaled(&unit(case.format.guard_quadratic));
     let (x, y) = (integer(-case.anchor.x), integer(-case.anchor.y));
     (centred.about(&x, &y), centred2.about(&x, &y))
 }

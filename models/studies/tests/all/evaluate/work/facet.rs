@@ -1,4 +1,4 @@
-use imogene_studies::evaluate::count::{number, numbers};
+use imogene_studies::evaluate::count::{Counted, number, numbers};
 use imogene_studies::evaluate::work::facet::{Corners, contour, expressions, is_inside, value};
 
 /// Doubled area 16, a power of two: every quotient is exact.
@@ -33,9 +33,8 @@ fn the_contour_has_the_gradient_of_the_expressions() {
         let contour = contour(order.map(|index| corners[index])).expect("it has an area");
         assert_eq!(contour.depth.map(|v| v.value), plane[..2]);
         assert!(contour.middle_is_right);
-        let slopes = contour
-            .slopes
-            .map(|slope| slope.expect("no side is level").value);
+        let slope = |slope: Option<Counted>| slope.expect("no side is level").value;
+        let slopes = contour.slopes.map(slope);
         assert_eq!(slopes, [2.0, 2.0 / 5.0, -2.0 / 3.0]);
         let along: Vec<f64> = contour.depth_steps.iter().map(|v| v.value).collect();
         assert_eq!(along, [plane[1] + slopes[1] * plane[0]]);

@@ -19,10 +19,8 @@ fn projected() -> ([Counted; 10], ScreenQuadric) {
 
 /// To the rounding of some ten operations.
 fn assert_near(found: f64, expected: f64) {
-    assert!(
-        (found - expected).abs() <= 1e-12 * expected.abs().max(1.0),
-        "{found} {expected}"
-    );
+    let most = 1e-12 * expected.abs().max(1.0);
+    assert!((found - expected).abs() <= most, "{found} {expected}");
 }
 
 #[test]
@@ -68,11 +66,8 @@ fn the_greatest_f2_and_normal_are_not_exceeded_and_nearly_reached() {
             let f2: f64 = depth.f2.iter().zip(terms).map(|(v, t)| v.value * t).sum();
             f2_seen = f2_seen.max(f2);
             for k in 0..3 {
-                let g: f64 = normal.g[k]
-                    .iter()
-                    .zip([x, y, 1.0])
-                    .map(|(v, t)| v.value * t)
-                    .sum();
+                let terms = normal.g[k].iter().zip([x, y, 1.0]);
+                let g: f64 = terms.map(|(v, t)| v.value * t).sum();
                 let change = normal.k[k].value * f2.max(0.0).sqrt();
                 normal_seen = normal_seen.max(g.abs() + change.abs());
             }

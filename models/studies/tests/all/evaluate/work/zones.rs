@@ -1,6 +1,6 @@
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;
-use imogene_studies::evaluate::count::{Counted, number, numbers};
+use imogene_studies::evaluate::count::{number, numbers};
 use imogene_studies::evaluate::work::facet::value;
 use imogene_studies::evaluate::work::zones::{
     box_of, box_of_outline, moved_conic, moved_line, outline, zones,
@@ -13,14 +13,7 @@ fn moved_expressions_are_those_of_the_golden_model() {
     let Linear { a, b, c } = Linear::new(3, -5, 7).from_zone(128, -256);
     assert_eq!(found, [a, b, c]);
     let found = moved_conic(&numbers([2.0, 3.0, -4.0, 5.0, 6.0, 7.0]), k, l);
-    let golden = Quadratic {
-        a: 2,
-        b: 3,
-        c: -4,
-        d: 5,
-        e: 6,
-        f: 7,
-    };
+    let golden = Quadratic::new([2, 3, -4, 5, 6, 7]);
     let Quadratic { a, b, c, d, e, f } = golden.from_zone(128, -256);
     assert_eq!(found.map(|v| v.value as i128), [a, b, c, d, e, f]);
 }
@@ -47,11 +40,10 @@ fn the_box_of_an_ellipse_touches_it() {
 
 #[test]
 fn outlines_and_boxes_of_points() {
-    let points =
-        |list: &[[f64; 2]]| -> Vec<[Counted; 2]> { list.iter().map(|p| numbers(*p)).collect() };
-    let with_inner = points(&[[0.0, 0.0], [9.0, 1.0], [2.0, 8.0], [3.0, 3.0]]);
+    let points = |list: [[f64; 2]; 4]| list.map(numbers);
+    let with_inner = points([[0.0, 0.0], [9.0, 1.0], [2.0, 8.0], [3.0, 3.0]]);
     assert_eq!(outline(&with_inner).len(), 3);
-    let four = points(&[[0.0, 0.0], [9.0, 1.0], [2.0, 8.0], [9.0, 9.0]]);
+    let four = points([[0.0, 0.0], [9.0, 1.0], [2.0, 8.0], [9.0, 9.0]]);
     let sides = outline(&four);
     assert_eq!(sides.len(), 4);
     for side in &sides {

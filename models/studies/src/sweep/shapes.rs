@@ -1,10 +1,8 @@
 //! Sweeps of the shape: radius, planes, thickness, and the words that it is drawn in.
 
-use super::super::family::{Rule, Sweep};
-use super::super::grid::{
-    BESIDE, cut, decades, decimal, moved, orthographic, perspective, scene, solid,
-};
-use super::super::record::Axis;
+use super::family::{Rule, Sweep};
+use super::grid::{BESIDE, cut, decades, decimal, moved, orthographic, perspective, scene, solid};
+use super::record::Axis;
 use crate::kit::words::widest;
 use imogene_algebra::rational::{fraction, from_decimal, integer, power_of_two, to_f64};
 use imogene_golden::format::Format;
@@ -111,9 +109,8 @@ fn cap(series: usize, k: &BigRational) -> SceneFile {
     };
     let local_radius = integer(RADIUS) * power_of_two(UNIT);
     let [g, h, i] = out.each_ref().map(|v| decimal(&(v * &local_radius)));
-    let shape = Shape::Quadric {
-        coefficients: [1.0, 1.0, 1.0, 0.0, 0.0, 0.0, g, h, i, 0.0],
-    };
+    let coefficients = [1.0, 1.0, 1.0, 0.0, 0.0, 0.0, g, h, i, 0.0];
+    let shape = Shape::Quadric { coefficients };
     // Towards the centre by R 2^-k.
     let depth = &local_radius / power_of_two(k.to_u32().expect("an exponent"));
     let sign = integer(if series == 0 { 1 } else { -1 });
@@ -213,10 +210,8 @@ fn pierced_ball(_series: usize, _depth: &BigRational) -> SceneFile {
     let ends = [(-40.0, -1.0), (0.0, 1.0)].map(|(y, out)| cut([0.0, y, 0.0], [0.0, out, 0.0]));
     let shape = Shape::EllipticCylinder([7.0, 5.0]);
     let mut rod = solid("rod", shape, ends.to_vec());
-    let turn = Rotation {
-        axis: Turn::Z,
-        degrees: 60.0,
-    };
-    rod.place = vec![Place::Rotate(turn), Place::Translate([-30.0, 20.0, 8.0])];
+    let (axis, degrees) = (Turn::Z, 60.0);
+    let turn = Place::Rotate(Rotation { axis, degrees });
+    rod.place = vec![turn, Place::Translate([-30.0, 20.0, 8.0])];
     scene("pierced ball", perspective(200.0), vec![ball, rod])
 }

@@ -1,12 +1,12 @@
 //! Sweeps of the view: what is seen stays, and viewer, axis or place change.
 
-use super::super::family::{Rule, Sweep};
-use super::super::grid::{
+use super::family::{Rule, Sweep};
+use super::grid::{
     BESIDE, SCREEN, cut, decades, decimal, looking, moved, orthographic, perspective, scene, solid,
 };
-use super::super::record::Axis;
+use super::record::Axis;
 use imogene_algebra::rational::{fraction, integer, to_f64};
-use imogene_scene::{ImageSize, SceneFile, Shape, Surface};
+use imogene_scene::{SceneFile, Shape, Surface};
 use num_rational::BigRational;
 use num_traits::Zero;
 
@@ -38,20 +38,16 @@ fn rod(series: usize, tangent: &BigRational) -> SceneFile {
     let length = &square + integer(1);
     let radius = -integer(144) * &length;
     let [a, b, c, e, j] = [&integer(1), &length, &square, &-tangent, &radius].map(decimal);
-    let shape = Shape::Quadric {
-        coefficients: [a, b, c, 0.0, e, 0.0, 0.0, 0.0, 0.0, j],
-    };
+    let coefficients = [a, b, c, 0.0, e, 0.0, 0.0, 0.0, 0.0, j];
+    let shape = Shape::Quadric { coefficients };
     let cuts = [20.0, -20.0].map(|z: f64| cut([0.0, 0.0, z], [0.0, 0.0, z.signum()]));
     let camera = match series {
         0 => orthographic(1e3),
         1 => orthographic(1e5),
         _ => perspective(200.0),
     };
-    scene(
-        "rod",
-        camera,
-        vec![moved("rod", shape, cuts.to_vec(), BESIDE)],
-    )
+    let rod = moved("rod", shape, cuts.to_vec(), BESIDE);
+    scene("rod", camera, vec![rod])
 }
 
 const RADIUS: i64 = 50;
@@ -171,19 +167,11 @@ fn ball_aside(series: usize, offset: &BigRational) -> SceneFile {
     };
     let cuts = vec![cut([0.0, 8.0, 0.0], [0.2, 1.0, 0.3])];
     let aside = decimal(&(offset + fraction(3, 10)));
-    let ball = moved(
-        "ball",
-        Shape::Sphere { radius: 16.0 },
-        cuts,
-        [aside, 0.2, 0.0],
-    );
-    SceneFile {
-        image: ImageSize {
-            width: WIDTH,
-            height: SCREEN.1,
-        },
-        ..scene("ball", camera, vec![ball])
-    }
+    let by = [aside, 0.2, 0.0];
+    let ball = moved("ball", Shape::Sphere { radius: 16.0 }, cuts, by);
+    let mut scene = scene("ball", camera, vec![ball]);
+    scene.image.width = WIDTH;
+    scene
 }
 
 /// The viewer from as near as it may stand to so far that the view is parallel.

@@ -1,4 +1,4 @@
-use imogene_studies::kit::preview::Preview;
+use imogene_studies::picture::Preview;
 use std::fs::File;
 use std::path::Path;
 

@@ -23,11 +23,8 @@ fn the_cap_is_as_thick_as_it_says() {
         let square = [&plane.a, &plane.b, &plane.c].map(|v| v * v);
         let length = square.iter().sum::<BigRational>();
         let thickness = integer(2048) / power_of_two(k.parse().expect("an exponent"));
-        assert_eq!(
-            &beyond * &beyond,
-            &thickness * &thickness * length,
-            "k = {k}"
-        );
+        let square = &thickness * &thickness * length;
+        assert_eq!(&beyond * &beyond, square, "k = {k}");
         assert!(beyond > integer(0));
         tried += 1;
     }
