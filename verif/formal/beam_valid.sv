@@ -2,9 +2,7 @@
 // other ports are free in every clock.
 
 module beam_valid_properties #(parameter LATENCY = 36) (
-    input wire clock,
-    input wire raster_valid,
-    input wire valid
+    input wire clock, raster_valid, valid
 );
     reg [LATENCY-1:0] past = 0;
     always @(posedge clock) past <= {past, raster_valid};

@@ -7,15 +7,8 @@
 // ports are those of the start until the next one.
 
 module pe1_properties #(parameter N = 26) (
-    input wire clock,
-    input wire valid,
-    input wire start,
-    input wire line,
-    input wire [N-1:0] a,
-    input wire [N-1:0] b,
-    input wire [N-1:0] c,
-    input wire [N-1:0] next_line,
-    input wire [N-1:0] value
+    input wire clock, valid, start, line,
+    input wire [N-1:0] a, b, c, next_line, value
 );
     // The words on the ports at the last start, and the sums of the position since then.
     reg started = 0;

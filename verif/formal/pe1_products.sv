@@ -2,14 +2,8 @@
 // It checks the ghost sums of pe1.sv, which are an argument, against the definition.
 
 module pe1_products #(parameter N = 8) (
-    input wire clock,
-    input wire valid,
-    input wire start,
-    input wire line,
-    input wire [N-1:0] a,
-    input wire [N-1:0] b,
-    input wire [N-1:0] c,
-    input wire [N-1:0] value
+    input wire clock, valid, start, line,
+    input wire [N-1:0] a, b, c, value
 );
     reg started = 0;
     reg [N-1:0] word_a, word_b, word_c, x, y;

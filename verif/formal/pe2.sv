@@ -11,21 +11,8 @@
 // modulo 2^N commutes with addition. One sum grows by a register of the unit, which is itself asserted.
 
 module pe2_properties #(parameter N = 48) (
-    input wire clock,
-    input wire valid,
-    input wire start,
-    input wire line,
-    input wire [N-1:0] a2,
-    input wire [N-1:0] b2,
-    input wire [N-1:0] c,
-    input wire [N-1:0] p0,
-    input wire [N-1:0] i0,
-    input wire [N-1:0] f,
-    input wire [N-1:0] next_line,
-    input wire [N-1:0] next_line_step,
-    input wire [N-1:0] next_first_step,
-    input wire [N-1:0] pixel_step,
-    input wire [N-1:0] value
+    input wire clock, valid, start, line,
+    input wire [N-1:0] a2, b2, c, p0, i0, f, next_line, next_line_step, next_first_step, pixel_step, value
 );
     // The words on the ports at the last start, and the sums of the position since then.
     reg started = 0;

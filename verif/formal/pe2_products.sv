@@ -3,17 +3,8 @@
 // argument, against the definition.
 
 module pe2_products #(parameter N = 8) (
-    input wire clock,
-    input wire valid,
-    input wire start,
-    input wire line,
-    input wire [N-1:0] a2,
-    input wire [N-1:0] b2,
-    input wire [N-1:0] c,
-    input wire [N-1:0] p0,
-    input wire [N-1:0] i0,
-    input wire [N-1:0] f,
-    input wire [N-1:0] value
+    input wire clock, valid, start, line,
+    input wire [N-1:0] a2, b2, c, p0, i0, f, value
 );
     (* anyconst *) wire [N-1:0] poly_a;
     (* anyconst *) wire [N-1:0] poly_b;

@@ -6,18 +6,15 @@
 
 module quadric_cut_properties #(parameter W = 24, parameter S = 26) (
     input wire clock,
-    input wire signed [S-1:0] near_sum,
-    input wire signed [S-1:0] far_sum,
-    input wire is_inside,
-    input wire in_box,
+    input wire signed [S-1:0] near_sum, far_sum,
+    input wire is_inside, in_box,
     input wire [1:0] object_class,
     input wire signed [W-1:0] front,
     input wire [3:0] front_number,
     input wire signed [W-1:0] back,
     input wire [3:0] back_number,
     input wire removed,
-    input wire signed [W-1:0] zf,
-    input wire signed [W-1:0] zb,
+    input wire signed [W-1:0] zf, zb,
     input wire [3:0] number
 );
     localparam [1:0] SIDE = 2'd0, FRONT = 2'd1, PATCH = 2'd2;

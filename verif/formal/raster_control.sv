@@ -4,21 +4,13 @@
 // line (raster_control.smt2). At `last` the count is done + width with y = height - 1, that is width x height.
 
 module raster_control_properties (
-    input wire clock,
-    input wire go,
-    input wire [11:0] width,
-    input wire [11:0] height,
-    input wire valid,
-    input wire start,
-    input wire line,
-    input wire [11:0] x,
-    input wire [11:0] y,
+    input wire clock, go,
+    input wire [11:0] width, height,
+    input wire valid, start, line,
+    input wire [11:0] x, y,
     input wire last,
-    input wire [11:0] column_before,
-    input wire [11:0] line_before,
-    input wire is_narrow,
-    input wire in_last_column,
-    input wire in_last_line
+    input wire [11:0] column_before, line_before,
+    input wire is_narrow, in_last_column, in_last_line
 );
     reg [11:0] zone_width, zone_height;
     reg [23:0] count, done;

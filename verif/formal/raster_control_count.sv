@@ -1,13 +1,9 @@
 // Raster control with zones of at most 3 x 3 pixels: the count of `valid` clocks at `last` against the true product.
 
 module raster_control_count (
-    input wire clock,
-    input wire go,
-    input wire [11:0] width,
-    input wire [11:0] height,
-    input wire valid,
-    input wire start,
-    input wire last
+    input wire clock, go,
+    input wire [11:0] width, height,
+    input wire valid, start, last
 );
     reg [3:0] zone_pixels = 0, count = 0;
     wire [3:0] counted = start ? 4'd1 : count + 4'd1;

@@ -6,8 +6,7 @@ module root_lemma #(parameter K = `K) (
     input wire [2*K-1:0] pairs,
     input wire [K-1:0] root,
     input wire [K:0] remainder,
-    input wire [2*K-1:0] square,
-    input wire [2*K-1:0] prefix
+    input wire [2*K-1:0] square, prefix
 );
     wire [2*K-1:0] next_pairs;
     wire [K-1:0] next_root;

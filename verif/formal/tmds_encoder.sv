@@ -5,8 +5,7 @@
 // they leave; the encoder keeps half of it.
 
 module tmds_encoder_properties #(parameter LATENCY = 3) (
-    input wire clock,
-    input wire de,
+    input wire clock, de,
     input wire [7:0] level,
     input wire [1:0] control,
     input wire [9:0] word,

@@ -2,8 +2,7 @@
 // free in every clock.
 
 module valid_path #(parameter LATENCY = `LATENCY) (
-    input wire clock,
-    input wire valid
+    input wire clock, valid
 );
     wire out_valid;
     quadric_processor processor (.clock(clock), .valid(valid), .out_valid(out_valid));

@@ -47,10 +47,8 @@ pub fn raster(ports: &[Signal], clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let rest: Vec<_> = ports[3..].iter().map(word).collect();
     proptest::collection::vec((flags(), rest), clocks)
         .prop_map(|list| {
-            let mut list: Vec<Inputs> = list
-                .into_iter()
-                .map(|(flags, rest)| flags.into_iter().chain(rest).collect())
-                .collect();
+            let one = |(flags, rest): ([i64; 3], Inputs)| [&flags[..], &rest].concat();
+            let mut list: Vec<Inputs> = list.into_iter().map(one).collect();
             list[0][..3].copy_from_slice(&[1, 1, 0]);
             list
         })
@@ -97,11 +95,8 @@ pub fn radicand(signal: &Signal) -> BoxedStrategy<i64> {
         },
     );
     let signal_at = signal.clone();
-    prop_oneof![
-        2 => boundary.prop_map(move |bits| signal_at.value(bits)),
-        1 => word(&signal),
-    ]
-    .boxed()
+    let square = boundary.prop_map(move |bits| signal_at.value(bits));
+    prop_oneof![2 => square, 1 => word(&signal)].boxed()
 }
 
 /// Depths that meet: a few levels around the ends of the depth word and zero, so that ties are common.

@@ -3,8 +3,7 @@
 //!
 //! Needs the package 'iverilog' and fails without it.
 
-use crate::common::{Place, scene};
-use imogene_studies::picture::write_png;
+use crate::common::Place;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -17,7 +16,7 @@ const STREAM: &str = "output = \"stream\"\n";
 /// The files of a machine for two scenes, one after the other, and their description, in a folder.
 fn emitted(place: &Place, description: &str, options: &str) -> (PathBuf, Value) {
     place.write("machine.toml", description);
-    let scenes = [scene("crossing-cylinders.toml"), scene("cut-sphere.toml")].join(" ");
+    let scenes = "scenes/crossing-cylinders.toml scenes/cut-sphere.toml";
     let options = format!("--machine machine.toml --emit-only --out out {options}");
     let summary = place.json(&format!("machine {scenes} {options}"));
     let written = summary["files"].as_array().expect("files");
@@ -41,12 +40,19 @@ fn icarus(folder: &Path, line: &str) -> (bool, String) {
     (output.status.success(), said)
 }
 
-/// Compiles and runs a bench; whether it ended well, and what it said.
-fn run(folder: &Path, bench: &str, verilog: &str) -> (bool, String) {
+/// Compiles and runs a bench beside a description, which ends well or not, and says these parts.
+fn run(folder: &Path, bench: &str, ends_well: bool, parts: &[&str]) {
+    let described = std::fs::read(folder.join("bench.json")).expect("a file");
+    let described: Value = serde_json::from_slice(&described).expect("JSON");
+    let verilog = described["verilog"].as_str().expect("a name");
     let compile = format!("iverilog -g2005 -s bench -o bench.vvp {bench} {verilog}");
     let (is_compiled, said) = icarus(folder, &compile);
     assert!(is_compiled, "{said}");
-    icarus(folder, "vvp -n bench.vvp")
+    let (ended_well, said) = icarus(folder, "vvp -n bench.vvp");
+    assert_eq!(ended_well, ends_well, "{said}");
+    for part in parts {
+        assert!(said.contains(part), "no '{part}' in: {said}");
+    }
 }
 
 /// Lines of words, without comments.
@@ -58,31 +64,25 @@ fn words(path: &Path) -> Vec<String> {
 
 #[test]
 fn the_bench_that_is_written_finds_every_pixel() {
-    let stripes: Vec<u8> = (0..3 * 32 * 24)
-        .map(|byte| u8::from(byte / 3 % 11 == 4))
-        .collect();
-    for (description, options) in [
-        (
-            format!("{BEAM}{COMMON}overlay = true\n"),
-            "--overlay mask.png",
-        ),
-        (format!("{ZONE}{COMMON}smoothing = \"3x3\"\n"), ""),
-        (format!("{BEAM}{COMMON}{STREAM}"), ""),
-        (format!("{ZONE}{COMMON}{STREAM}"), ""),
-        // Words of f2 that are no whole number of hexadecimal digits long.
-        (
-            format!("{ZONE}{COMMON}{STREAM}depth_word = 17\nwidths = {{ g1 = 10, g2 = 3 }}\n"),
-            "",
-        ),
+    // Words of f2 that are no whole number of hexadecimal digits long.
+    let odd = "depth_word = 17\nwidths = { g1 = 10, g2 = 3 }\n";
+    for description in [
+        format!("{BEAM}{COMMON}overlay = true\n"),
+        format!("{ZONE}{COMMON}smoothing = \"3x3\"\n"),
+        format!("{BEAM}{COMMON}{STREAM}"),
+        format!("{ZONE}{COMMON}{STREAM}"),
+        format!("{ZONE}{COMMON}{STREAM}{odd}"),
     ] {
         let place = Place::new();
-        write_png(&place.path("mask.png"), 32, 24, &stripes).expect("a picture");
-        let (out, described) = emitted(&place, &description, options);
-        let verilog = described["verilog"].as_str().expect("a name");
-        let (ended_well, said) = run(&out, "bench.v", verilog);
+        place.write_mask("mask.png", 32, 24);
+        let options = match description.contains("overlay") {
+            true => "--overlay mask.png",
+            false => "",
+        };
+        let (out, _) = emitted(&place, &description, options);
         let beats = words(&out.join("beats.hex")).len();
         let wanted = format!("2 frames of 768 pixels, {beats} beats: 0 differences");
-        assert!(ended_well && said.contains(&wanted), "{description}{said}");
+        run(&out, "bench.v", true, &[&wanted]);
         assert_eq!(words(&out.join("pixels.hex")).len(), 2 * 768);
     }
 }
@@ -96,23 +96,13 @@ fn the_bench_of_several_pixels_per_clock_finds_every_pixel() {
     for pixels in [2, 4] {
         let place = Place::new();
         let lanes = format!("pixels_per_clock = {pixels}\n");
-        let (out, described) = emitted(&place, &format!("{BEAM}{common}{STREAM}{lanes}"), "");
-        let verilog = described["verilog"].as_str().expect("a name");
-        let (ended_well, said) = run(&out, "bench.v", verilog);
-        assert!(
-            ended_well
-                && said.contains("2 frames of 768 pixels")
-                && said.contains(" 0 differences"),
-            "{said}"
-        );
+        let (out, _) = emitted(&place, &format!("{BEAM}{common}{STREAM}{lanes}"), "");
+        let parts = ["2 frames of 768 pixels", " 0 differences"];
+        run(&out, "bench.v", true, &parts);
         let pixels = words(&out.join("pixels.hex"));
         let wrong = [&pixels[..7], &["12_34_56".to_owned()], &pixels[8..]].concat();
         std::fs::write(out.join("pixels.hex"), wrong.join("\n")).expect("a file");
-        let (ended_well, said) = run(&out, "bench.v", verilog);
-        assert!(
-            !ended_well && said.contains("frame 0, column 7, line 0"),
-            "{said}"
-        );
+        run(&out, "bench.v", false, &["frame 0, column 7, line 0"]);
     }
 }
 
@@ -120,39 +110,27 @@ fn the_bench_of_several_pixels_per_clock_finds_every_pixel() {
 #[test]
 fn the_bench_of_a_quotient_has_the_data_of_its_machine() {
     let place = Place::new();
-    let eye = scene("extremes/eye-on-quadric.toml");
-    place.json(&format!(
-        "fit {eye} --size 32x24 --max-depth-error 2px --no-cost --out fit"
-    ));
-    place.json(&format!(
-        "machine {eye} --machine fit/machine.toml --emit-only --out out"
-    ));
-    let (ended_well, said) = run(&place.path("out"), "bench.v", "beam_display.v");
-    assert!(
-        ended_well && said.contains("of 768 pixels") && said.contains(" 0 differences"),
-        "{said}"
-    );
+    let eye = "scenes/extremes/eye-on-quadric.toml";
+    let fit = "--size 32x24 --max-depth-error 2px --no-cost --out fit";
+    place.json(&format!("fit {eye} {fit}"));
+    let machine = "--machine fit/machine.toml --emit-only --out out";
+    place.json(&format!("machine {eye} {machine}"));
+    let parts = ["of 768 pixels", " 0 differences"];
+    run(&place.path("out"), "bench.v", true, &parts);
 }
 
 #[test]
 fn the_bench_that_is_written_sees_what_is_wrong() {
     let place = Place::new();
-    let (out, described) = emitted(&place, &format!("{ZONE}{COMMON}{STREAM}"), "");
-    let verilog = described["verilog"].as_str().expect("a name");
+    let (out, _) = emitted(&place, &format!("{ZONE}{COMMON}{STREAM}"), "");
     let pixels = words(&out.join("pixels.hex"));
     let mut wrong = pixels.clone();
     wrong[32 * 7 + 5] = "12_34_56".into();
     assert_ne!(wrong, pixels);
     std::fs::write(out.join("pixels.hex"), wrong.join("\n")).expect("a file");
-    let (ended_well, said) = run(&out, "bench.v", verilog);
-    assert!(
-        !ended_well && said.contains("frame 0, column 5, line 7"),
-        "{said}"
-    );
-    assert!(
-        said.contains("expected 123456") && said.contains(" 1 differences"),
-        "{said}"
-    );
+    let place_of_it = "frame 0, column 5, line 7";
+    let parts = [place_of_it, "expected 123456", " 1 differences"];
+    run(&out, "bench.v", false, &parts);
     // Without its end the second frame never comes.
     std::fs::write(out.join("pixels.hex"), pixels.join("\n")).expect("a file");
     let mut beats = words(&out.join("beats.hex"));
@@ -160,8 +138,7 @@ fn the_bench_that_is_written_sees_what_is_wrong() {
     assert!(last.starts_with("1_4_"), "the last show command: {last}");
     beats.push(last.replacen("1_4_", "0_3_", 1));
     std::fs::write(out.join("beats.hex"), beats.join("\n")).expect("a file");
-    let (ended_well, said) = run(&out, "bench.v", verilog);
-    assert!(!ended_well && said.contains("1 of 2 frames"), "{said}");
+    run(&out, "bench.v", false, &["1 of 2 frames"]);
 }
 
 /// Written by hand from docs/machines.md and bench.json: a host and a receiver that stall. With `BEAM` for the beam
@@ -234,16 +211,13 @@ endmodule
 fn a_bench_written_by_hand_from_the_documents_finds_every_pixel() {
     // The hand-written beam bench stops after the first frame: it does not wait for its pixels before it sends the
     // next.
-    for (machine, frames, define) in [(ZONE, "2", ""), (BEAM, "1", "`define BEAM\n")] {
+    for (machine, frames, define) in [(ZONE, 2, ""), (BEAM, 1, "`define BEAM\n")] {
         let place = Place::new();
-        let (out, described) = emitted(&place, &format!("{machine}{COMMON}{STREAM}"), "");
-        let text = format!("{define}{}", BY_HAND.replace("FRAMES", frames));
-        std::fs::write(out.join("by_hand.v"), text).expect("a file");
-        let verilog = described["verilog"].as_str().expect("a name");
-        let (ended_well, said) = run(&out, "by_hand.v", verilog);
-        assert!(ended_well, "{said}");
-        let last = frames.parse::<usize>().expect("a number") - 1;
-        assert!(said.contains(&format!("frame {last}: 0 wrong")), "{said}");
+        let (out, _) = emitted(&place, &format!("{machine}{COMMON}{STREAM}"), "");
+        let text = BY_HAND.replace("FRAMES", &frames.to_string());
+        std::fs::write(out.join("by_hand.v"), define.to_owned() + &text).expect("a file");
+        let last = format!("frame {}: 0 wrong", frames - 1);
+        run(&out, "by_hand.v", true, &[&last]);
     }
 }
 
@@ -257,19 +231,12 @@ fn the_words_are_where_the_description_says() {
         let words = words(&path);
         assert_eq!(described["count"], words.len());
         let fields = described["fields"].as_array().expect("fields");
-        let digits = fields
-            .iter()
-            .map(|field| field["digits"].as_u64().expect("digits") as usize);
-        let digits: Vec<usize> = digits.collect();
+        let digits = |field: &Value| field["digits"].as_u64().expect("digits") as usize;
+        let digits: Vec<usize> = fields.iter().map(digits).collect();
         for word in &words {
             let parts: Vec<&str> = word.split('_').collect();
-            assert!(
-                parts
-                    .iter()
-                    .map(|part| part.len())
-                    .eq(digits.iter().copied()),
-                "{word}"
-            );
+            let lengths: Vec<usize> = parts.iter().map(|part| part.len()).collect();
+            assert_eq!(lengths, digits, "{word}");
             if path.ends_with("beats.hex") && parts[1] == "2" {
                 let data = u64::from_str_radix(parts[4], 16).expect("hexadecimal");
                 shading_of_beats.push(format!("{}_{data:08x}", parts[3]));

@@ -1,13 +1,12 @@
 //! `imogene board`: sources, pins and bitstream. Needs the package 'verilator', and under `IMOGENE_FULL=1` the tools of
 //! `scripts/setup --synth --boards`; fails without them.
 
-use crate::common::{Place, Run, imogene, is_full, repository, scene};
+use crate::common::{Place, Run, assert_has, columns, is_full, repository, rows, scene};
 use serde_json::Value;
 
 /// A board of a scene in the folder `out` of a place.
 fn board(place: &Place, name: &str, file: &str, options: &str) -> Value {
-    let scene = scene(file);
-    place.json(&format!("board {name} {scene} --out out {options}"))
+    place.json(&format!("board {name} scenes/{file} --out out {options}"))
 }
 
 fn pictures_are_equal(place: &Place, names: &[&str]) {
@@ -102,60 +101,31 @@ fn the_pins_of_a_board_show_an_animation() {
 #[test]
 fn sources_need_no_tool() {
     let place = Place::new();
-    let scene = scene("ellipsoid.toml");
-    let line = format!("board ulx3s-12 {scene} --out . --flat --sources-only");
-    let mut command = imogene(&line);
-    Run::of(command.env("PATH", "").current_dir(place.folder())).ended(0);
-    for (file, parts) in [
-        (
-            "ulx3s-12.core",
-            &[
-                "name: imogene:board:ulx3s-12:",
-                "flow: trellis",
-                "board.lpf: {file_type: LPF}",
-                "\"--12k\"",
-            ][..],
-        ),
-        ("board.md", &["run imogene:board:ulx3s-12\n"]),
-        (
-            "board.lpf",
-            &[
-                "LOCATE COMP \"clock\" SITE \"G2\";",
-                "LOCATE COMP \"channel_3\" SITE \"A17\";",
-                "IOBUF PORT \"channel_0\" IO_TYPE=LVCMOS33D DRIVE=4;",
-                "FREQUENCY PORT \"clock\" 25 MHZ;",
-            ],
-        ),
-        (
-            "board.v",
-            &[
-                ".CLKI_DIV(7), .CLKFB_DIV(47)",
-                ".CLKOP_DIV(4)",
-                ".CLKOS_DIV(20)",
-                ".CLKOS2_DIV(3)",
-            ],
-        ),
-    ] {
+    let line = "board ulx3s-12 scenes/ellipsoid.toml --out . --flat --sources-only";
+    Run::of(place.command(line).env("PATH", "")).ended(0);
+    let cases = r#"
+        ulx3s-12.core | name: imogene:board:ulx3s-12: | flow: trellis | board.lpf: {file_type: LPF} | "--12k"
+        board.lpf | LOCATE COMP "clock" SITE "G2"; | LOCATE COMP "channel_3" SITE "A17"; | IOBUF PORT "channel_0" IO_TYPE=LVCMOS33D DRIVE=4; | FREQUENCY PORT "clock" 25 MHZ;
+        board.v | .CLKI_DIV(7), .CLKFB_DIV(47) | .CLKOP_DIV(4) | .CLKOS_DIV(20) | .CLKOS2_DIV(3)
+    "#;
+    for row in rows(cases) {
+        let (file, parts) = (row[0], &row[1..]);
         let text = place.text(file);
         for part in parts {
             assert!(text.contains(part), "{file}: {part}");
         }
     }
+    let page = place.text("board.md");
+    assert!(page.contains("run imogene:board:ulx3s-12\n"), "{page}");
 }
 
 /// The top level with the stated models of the cells, in Verilator.
 #[test]
 fn what_a_board_is_made_of_is_lint_clean() {
     let place = Place::new();
-    let scene = scene("ellipsoid.toml");
+    let scene = "scenes/ellipsoid.toml";
     let models = repository("synth/board/src/top/models.v");
-    for board in [
-        "ulx3s-12",
-        "icebreaker",
-        "hx8k-evb",
-        "tang-nano-9k",
-        "basys3",
-    ] {
+    for board in "ulx3s-12 icebreaker hx8k-evb tang-nano-9k basys3".split(' ') {
         // One machine for all of them.
         let machine = match place.has("ulx3s-12/machine.toml") {
             true => "--machine ulx3s-12/machine.toml",
@@ -180,31 +150,24 @@ fn what_a_board_is_made_of_is_lint_clean() {
 /// A board of a scene is refused with a message that has these parts, and nothing is written.
 fn refused(scene_name: &str, line: &str, parts: &[&str]) {
     let place = Place::new();
-    let line = line.replace("SCENE", &scene(scene_name));
+    let line = line.replace("SCENE", &format!("scenes/{scene_name}"));
     place.run(&format!("board {line} --out out")).refused(parts);
     assert!(!place.has("out"));
 }
 
 #[test]
 fn what_is_refused_says_what_would_do() {
-    let zone = repository("machines/zone-160x120.toml");
-    let with_zone = format!("simulation SCENE --machine {}", zone.display());
-    for (line, parts) in [
-        ("ulx3s-99 SCENE", ["ulx3s-99", "ulx3s-85"]),
-        (
-            "hx8k-evb SCENE --mode 1280x720",
-            ["1280x720", "it has 640x480"],
-        ),
-        (
-            "tinytapeout SCENE --animation=1..2",
-            ["tinytapeout", "a tile moves by itself"],
-        ),
-        ("ulx3s-12 SCENE --layout", ["ulx3s-12", "for a tile"]),
-        ("hx8k-evb SCENE --samples", ["hx8k-evb", "DVI channels"]),
-        ("simulation SCENE --animation 1..2", ["cone.toml", "image"]),
-        (&with_zone, ["zone-160x120", "a board takes a beam machine"]),
-    ] {
-        refused("cone.toml", line, &parts);
+    let cases = "
+        ulx3s-99 SCENE                     | ulx3s-99     | ulx3s-85
+        hx8k-evb SCENE --mode 1280x720     | 1280x720     | it has 640x480
+        tinytapeout SCENE --animation=1..2 | tinytapeout  | a tile moves by itself
+        ulx3s-12 SCENE --layout            | ulx3s-12     | for a tile
+        hx8k-evb SCENE --samples           | hx8k-evb     | DVI channels
+        simulation SCENE --animation 1..2  | cone.toml    | image
+        simulation SCENE --machine machines/zone-160x120.toml    | zone-160x120 | a board takes a beam machine
+    ";
+    for [line, wrong, right] in columns(cases) {
+        refused("cone.toml", line, &[wrong, right]);
     }
 }
 
@@ -251,11 +214,8 @@ fn a_board_of_sources_alone_is_counted() {
         let [used, there] = [0, 1].map(|at| found["synthesised"][kind][at].as_u64());
         assert!(used > Some(0) && used < there, "{kind}: {used:?}");
     }
-    let parts = [
-        "does not fit xc7a35t cpg236: it takes",
-        "DSP48 of 90",
-        "--flat",
-    ];
+    let excess = "does not fit xc7a35t cpg236: it takes";
+    let parts = [excess, "DSP48 of 90", "--flat"];
     refused("cone.toml", "basys3 SCENE --no-simulation", &parts);
 }
 
@@ -278,15 +238,8 @@ fn a_tile_shows_its_golden_frames_and_has_the_files_of_its_project() {
     assert_shown(&found["pins"], 3 * 307_200);
     let read = |name: &str| place.text(&format!("out/{name}"));
     let info = read("info.yaml");
-    for line in [
-        "tiles: \"1x2\"",
-        "clock_hz: 25175000",
-        "uo[7]: \"hsync\"",
-        "uo[0]: \"red_1\"",
-        "ui[0]: \"\"",
-    ] {
-        assert!(info.contains(line), "{line}: {info}");
-    }
+    assert_has(&info, r#"tiles: "1x2" | clock_hz: 25175000 | ui[0]: "" "#);
+    assert_has(&info, r#"uo[7]: "hsync" | uo[0]: "red_1""#);
     let top = "tt_um_imogene_ellipsoid";
     for name in ["info.yaml", "src/project.v", "test/tb.v"] {
         assert!(read(name).contains(top), "{name}");
@@ -304,11 +257,8 @@ fn a_tile_shows_its_golden_frames_and_has_the_files_of_its_project() {
 #[test]
 fn what_a_tile_cannot_draw_is_refused() {
     let parts = ["at most 3 planes; the scene has 2 objects"];
-    refused(
-        "cut-sphere.toml",
-        "tinytapeout SCENE --sources-only",
-        &parts,
-    );
+    let line = "tinytapeout SCENE --sources-only";
+    refused("cut-sphere.toml", line, &parts);
 }
 
 /// Beside its own narrow image, within the wide screen.
@@ -325,13 +275,9 @@ fn a_tile_draws_what_is_on_its_screen() {
         assert!(text.contains(old), "{old}");
         text = text.replace(old, new);
     }
-    let narrow = place.path("narrow.toml");
-    std::fs::write(&narrow, text).expect("a place to write");
-    let line = format!(
-        "board tinytapeout {} --sources-only --out out",
-        narrow.display()
-    );
-    place.run(&line).ended(0);
+    place.write("narrow.toml", text);
+    let line = "board tinytapeout narrow.toml --sources-only --out out";
+    place.run(line).ended(0);
 }
 
 /// In the cells of 180 nm with their delays, from unknown states on; the area is that of the shuttle's cells.

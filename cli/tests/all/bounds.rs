@@ -19,10 +19,8 @@ fn bounds_hold_on_random_cases() {
     let formats = trial["formats"].as_array().unwrap();
     assert!(formats.len() >= 8);
     for format in formats {
-        assert_keys(
-            format,
-            "depth guard_linear guard_quadratic pixels decided_exactly",
-        );
+        let keys = "depth guard_linear guard_quadratic pixels decided_exactly";
+        assert_keys(format, keys);
         assert_eq!(format["cases"], 300);
         for term in format["terms"].as_array().unwrap() {
             assert_keys(term, "term comparisons tightness mean observed bound");
@@ -35,9 +33,8 @@ fn bounds_hold_on_random_cases() {
 #[test]
 fn headroom_of_scenes_is_a_table() {
     let scenes = "scenes/cone.toml scenes/ellipsoid.toml";
-    let rows = json(&format!(
-        "bounds {scenes} --sizes 64x48,32x24 --formats 16,24"
-    ));
+    let options = "--sizes 64x48,32x24 --formats 16,24";
+    let rows = json(&format!("bounds {scenes} {options}"));
     let summary = rows["summary"].as_array().unwrap();
     assert_eq!(summary.len(), 4);
     let keys = "width depth_word silhouette_errors derived confirmed";

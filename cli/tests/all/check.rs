@@ -1,6 +1,6 @@
 //! `check` and what `render` makes of it: verdicts, maps, warnings, and the frame of the normals.
 
-use crate::common::{Place, run, scene};
+use crate::common::Place;
 
 /// Shape and values of an array of words of `bytes` bytes, as NumPy writes it.
 fn array(file: &[u8], bytes: usize) -> (String, Vec<i64>) {
@@ -18,8 +18,7 @@ fn array(file: &[u8], bytes: usize) -> (String, Vec<i64>) {
 #[test]
 fn a_map_marks_the_pixels_that_are_counted() {
     let place = Place::new();
-    let ball = scene("cut-sphere.toml");
-    let check = format!("check {ball} --size 320x240 --format 16 --map");
+    let check = "check scenes/cut-sphere.toml --size 320x240 --format 16 --map";
     let report = place.json(&format!("{check} open.npy"));
     let counted = report["undecided_pixels"].as_u64().expect("a count");
     assert_eq!(report["files"][0], "open.npy");
@@ -41,9 +40,8 @@ fn a_map_marks_the_pixels_that_are_counted() {
 #[test]
 fn a_map_of_another_sort_is_refused() {
     let place = Place::new();
-    let cone = scene("cone.toml");
-    let check = format!("check {cone} --map open.gif");
-    place.run(&check).refused(&[".png or .npy"]);
+    let check = "check scenes/cone.toml --map open.gif";
+    place.run(check).refused(&[".png or .npy"]);
     assert!(!place.has("open.gif"));
 }
 
@@ -51,8 +49,8 @@ fn a_map_of_another_sort_is_refused() {
 #[test]
 fn a_picture_that_is_not_the_scene_is_drawn_with_a_warning() {
     let place = Place::new();
-    let leaf = scene("extremes/flat-as-a-leaf.toml");
-    let check = run(&format!("check {leaf}")).ended(1);
+    let leaf = "scenes/extremes/flat-as-a-leaf.toml";
+    let check = place.run(&format!("check {leaf}")).ended(1);
     check.says(&["'leaf'", "a pixel or more"]);
     let drawn = place.run(&format!("render {leaf} -o leaf.png")).ended(1);
     drawn.says(&["warning: object 'leaf'"]);

@@ -24,11 +24,10 @@ fn demo_draws_the_teapot_with_no_difference() {
 #[test]
 fn three_models_draw_the_same_molecule() {
     let place = Place::new();
-    let molecule = scene("molecule.toml");
     let [golden, rtl, exact] = ["golden", "rtl", "exact"].map(|model| {
-        let report = place.json(&format!(
-            "render {molecule} --model {model} --size 40x30 -o p.png --depth d.npy --ids i.npy --normals {model}.npy"
-        ));
+        let files = format!("-o p.png --depth d.npy --ids i.npy --normals {model}.npy");
+        let render = format!("render scenes/molecule.toml --model {model} --size 40x30 {files}");
+        let report = place.json(&render);
         assert_keys(&report, "model width height seconds pixels_per_second");
         assert_eq!(report["width"], 40);
         let header = place.bytes("d.npy");
@@ -61,10 +60,8 @@ fn units_prepare_and_check_answer_in_json() {
     assert_keys(object, "perpendicular_planes planes_without_effect");
     let accumulators = &object["accumulators"];
     assert_keys(accumulators, "f1 f2 f1_minus_r root normal_sum");
-    assert_keys(
-        &accumulators["increments"]["f2"],
-        "a2 b2 c j p i line_value",
-    );
+    let f2 = &accumulators["increments"]["f2"];
+    assert_keys(f2, "a2 b2 c j p i line_value");
     assert_keys(&checked["summary"]["guards"], "g1 g2 accepted");
     let machine = &checked["summary"]["machine"];
     assert_keys(machine, "widths slots root_limit plane_limit");
@@ -102,9 +99,8 @@ fn scenes_of_other_processors_are_drawn_prepared_and_checked() {
         ("tetrahedra", "ellipsoid", "patch"),
         ("curved-facet", "sphere", "curved_facet"),
     ] {
-        let path = scene(&format!("processors/{name}.toml"));
         for format in [16, 24, 32] {
-            let scene = format!("{path} --size 120x90 --format {format}");
+            let scene = format!("scenes/processors/{name}.toml --size 120x90 --format {format}");
             let prepared = place.json(&format!("prepare {scene}"));
             assert_eq!(prepared["objects"][0]["processor"], processor, "{name}");
             let checked = place.json(&format!("check {scene}"));

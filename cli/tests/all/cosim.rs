@@ -1,6 +1,6 @@
 //! `imogene cosim` and `speed`: seeds, widths, faults, engines, waveforms.
 
-use crate::common::{COSIM_KEYS, Place, Run, assert_keys, imogene, json, run, scene};
+use crate::common::{COSIM_KEYS, Place, Run, assert_keys, imogene, json, run};
 use serde_json::Value;
 
 #[test]
@@ -21,15 +21,12 @@ fn cosim_replays_its_seed_and_writes_waveforms() {
 #[test]
 fn waveforms_of_a_scene_begin_where_it_is_said() {
     let place = Place::new();
-    let cone = scene("cone.toml");
-    let run = |more: &str| place.run(&format!("cosim {cone} --size 48x36 --vcd cone.vcd {more}"));
+    let cosim = "cosim scenes/cone.toml --size 48x36 --vcd cone.vcd";
+    let run = |more: &str| place.run(&format!("{cosim} {more}"));
     run("--vcd-from 5,1 --vcd-clocks 40").ended(0);
     let text = place.text("cone.vcd");
-    let pixel = "pixel 48 + 5";
-    assert!(
-        text.contains("#530\n") && !text.contains("#520\n"),
-        "{pixel}"
-    );
+    // Pixel 48 + 5.
+    assert!(text.contains("#530\n") && !text.contains("#520\n"));
     run("--vcd-from line:3 --vcd-clocks 40").ended(0);
     let text = place.text("cone.vcd");
     assert!(text.contains("#1440\n") && !text.contains("#1430\n"));
@@ -72,17 +69,10 @@ fn cosim_of_a_scene_takes_any_widths() {
 #[test]
 fn an_injected_fault_fails_with_exit_code_1() {
     let place = Place::new();
-    let cone = scene("cone.toml");
-    let fault = "--size 48x36 --inject-fault 0:2:20 --vcd fault.vcd";
-    let run = place.run(&format!("cosim {cone} {fault}")).ended(1);
-    run.says(&[
-        "cycle",
-        "pixel",
-        "hardware",
-        "golden",
-        "fault.vcd",
-        "reproduce",
-    ]);
+    let fault = "cosim scenes/cone.toml --size 48x36 --inject-fault 0:2:20 --vcd fault.vcd";
+    let parts = "cycle pixel hardware golden fault.vcd reproduce";
+    let parts: Vec<&str> = parts.split(' ').collect();
+    place.run(fault).ended(1).says(&parts);
     assert!(place.has("fault.vcd"));
 }
 
@@ -106,10 +96,7 @@ fn cosim_of_a_unit_in_icarus() {
 #[test]
 fn a_scene_in_icarus_has_waveforms_of_its_outputs() {
     let place = Place::new();
-    let cone = scene("cone.toml");
-    let report = place.json(&format!(
-        "cosim {cone} --size 32x24 --engine icarus --vcd cone.vcd"
-    ));
+    let report = place.json("cosim scenes/cone.toml --size 32x24 --engine icarus --vcd cone.vcd");
     assert_eq!(report["engine"], "icarus");
     assert_eq!(report["pixels"], 32 * 24);
     assert_eq!(report["mismatches"], 0);
@@ -123,19 +110,12 @@ fn the_engines_are_timed_side_by_side() {
     let rows = speeds.as_array().expect("a list");
     assert_eq!(rows.len(), 15);
     for row in rows {
-        assert_keys(
-            row,
-            "engine lanes work clocks_per_second ratio first_clock_seconds frame_seconds",
-        );
+        let keys = "engine lanes work clocks_per_second ratio first_clock_seconds frame_seconds";
+        assert_keys(row, keys);
     }
-    let engines = [
-        ("built-in", 1),
-        ("built-in", 4),
-        ("levelised", 1),
-        ("icarus", 1),
-        ("verilator", 1),
-    ];
-    for (row, (engine, lanes)) in rows.iter().zip(engines.into_iter().cycle()) {
+    let engines = "built-in built-in levelised icarus verilator".split(' ');
+    let engines = engines.zip([1, 4, 1, 1, 1]).cycle();
+    for (row, (engine, lanes)) in rows.iter().zip(engines) {
         assert_eq!(row["engine"], engine);
         assert_eq!(row["lanes"], lanes);
     }

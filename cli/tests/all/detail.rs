@@ -6,13 +6,9 @@ use serde_json::Value;
 #[test]
 fn a_divided_picture_is_the_whole_one() {
     let place = Place::new();
-    let file = |name: &str| place.path(name).display().to_string();
+    let line = "render scenes/teapot.toml --size 83x61 -o p.png --ids i.npy";
     let draw = |more: &str| {
-        let value = json(&format!(
-            "render scenes/teapot.toml --size 83x61 -o {} --ids {} {more}",
-            file("p.png"),
-            file("i.npy")
-        ));
+        let value = place.json(&format!("{line} {more}"));
         (value, place.bytes("p.png"), place.bytes("i.npy"))
     };
     let whole = draw("");
@@ -32,7 +28,6 @@ fn a_divided_picture_is_the_whole_one() {
 #[test]
 fn bad_splits_are_refused_and_write_nothing() {
     let place = Place::new();
-    let png = place.path("p.png");
     for (more, part) in [
         ("--split tiles:3", "zones:WxH or lines:N"),
         ("--split lines:0", "zones:WxH or lines:N"),
@@ -41,22 +36,18 @@ fn bad_splits_are_refused_and_write_nothing() {
         ("--split lines:2 --zone 16", "--zone"),
         ("--split lines:2 --model exact", "--model golden"),
     ] {
-        let scene = format!("scenes/teapot.toml --size 40x30 -o {}", png.display());
-        run(&format!("render {scene} {more}")).refused(&[part]);
+        let line = "render scenes/teapot.toml --size 40x30 -o p.png";
+        place.run(&format!("{line} {more}")).refused(&[part]);
     }
-    assert!(!png.exists());
+    assert!(!place.has("p.png"));
 }
 
 #[test]
 fn the_picture_of_what_is_left_is_the_picture() {
     let place = Place::new();
-    let file = |name: &str| place.path(name).display().to_string();
     let scene = "scenes/shadows/robot.toml --size 80x60";
-    json(&format!("render {scene} -o {}", file("whole.png")));
-    let value = json(&format!(
-        "detail {scene} --zone 16 --out {}",
-        file("detail")
-    ));
+    place.json(&format!("render {scene} -o whole.png"));
+    let value = place.json(&format!("detail {scene} --zone 16 --out detail"));
     assert_eq!(value["changed"]["pixels"], 0);
     assert!(place.bytes("detail/picture.png") == place.bytes("whole.png"));
     place.assert_files(&value);
@@ -88,12 +79,9 @@ zone = { width = 16, height = 16 }
 fn a_refined_stream_gives_the_same_picture_in_fewer_clocks() {
     let place = Place::new();
     place.write("machine.toml", ZONE);
+    let line = "machine scenes/shadows/robot.toml --machine machine.toml --emit-only";
     let [boxes, bounds, pixels] = ["box", "bounds", "pixels"].map(|refine| {
-        let value = json(&format!(
-            "machine scenes/shadows/robot.toml --machine {} --refine {refine} --emit-only --out {}",
-            place.path("machine.toml").display(),
-            place.path(refine).display()
-        ));
+        let value = place.json(&format!("{line} --refine {refine} --out {refine}"));
         let clocks = value["zone_clocks"][0]["total"].as_u64().expect("clocks");
         (clocks, place.bytes(&format!("{refine}/golden.png")))
     });

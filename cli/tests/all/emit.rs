@@ -1,6 +1,6 @@
 //! `imogene emit`: files, prefixes, JSON keys.
 
-use crate::common::{Place, assert_keys};
+use crate::common::{Place, assert_keys, columns};
 
 #[test]
 fn emit_reports_top_files_latency_and_ports() {
@@ -41,9 +41,8 @@ fn emit_split_writes_each_module_once_and_lists_them() {
 fn emit_puts_a_prefix_before_modules_and_files() {
     let place = Place::new();
     for (prefix, word) in [("narrow_", "16"), ("wide_", "24")] {
-        let report = place.json(&format!(
-            "emit square_root --format {word} --split --prefix {prefix} --out ."
-        ));
+        let options = format!("--format {word} --split --prefix {prefix} --out .");
+        let report = place.json(&format!("emit square_root {options}"));
         assert_eq!(report["top"], format!("{prefix}square_root"));
         let list = place.text(&format!("{prefix}square_root.f"));
         assert_eq!(list.lines().count(), 3);
@@ -71,18 +70,13 @@ fn emit_writes_a_whole_machine() {
     ] {
         assert!(text.contains(part), "{part}");
     }
-    for (line, part) in [
-        ("emit --out out", "<UNIT>"),
-        ("emit pe1 --machine m.toml --out out", "cannot be used with"),
-        (
-            "emit --machine none.toml --out out",
-            "none.toml: the machine description cannot be read",
-        ),
-        (
-            "synth --machine none.toml --target gowin",
-            "none.toml: the machine description cannot be read",
-        ),
-    ] {
+    let cases = "
+        emit --out out                           | <UNIT>
+        emit pe1 --machine m.toml --out out      | cannot be used with
+        emit --machine none.toml --out out       | none.toml: the machine description cannot be read
+        synth --machine none.toml --target gowin | none.toml: the machine description cannot be read
+    ";
+    for [line, part] in columns(cases) {
         place.run(line).refused(&[part]);
     }
 }

@@ -9,20 +9,17 @@ fn page() -> String {
 /// The lines of the tables that a command prints, without heads.
 fn rows(arguments: &str) -> Vec<String> {
     let text = run(&format!("bounds {arguments}")).ended(0).out;
-    text.lines()
-        .filter(|l| l.starts_with("| ") && l.contains(|c: char| c.is_ascii_digit()))
-        .filter(|l| !l.contains("depth word") && !l.contains("violations"))
-        .map(str::to_string)
-        .collect()
+    let is_row = |l: &&str| l.starts_with("| ") && l.contains(|c: char| c.is_ascii_digit());
+    let rows = text.lines().filter(is_row);
+    let rows = rows.filter(|l| !l.contains("depth word") && !l.contains("violations"));
+    rows.map(str::to_string).collect()
 }
 
 fn assert_documented(rows: &[String]) {
     let page = page();
     for row in rows {
-        assert!(
-            page.lines().any(|l| l == row),
-            "not in docs/error-bounds.md: {row}"
-        );
+        let is_there = page.lines().any(|l| l == row);
+        assert!(is_there, "not in docs/error-bounds.md: {row}");
     }
 }
 
@@ -31,17 +28,12 @@ fn assert_documented(rows: &[String]) {
 fn scenes_are_documented_as_they_are() {
     let folder = scene("");
     let entries = std::fs::read_dir(folder).expect("the scenes");
-    let mut files: Vec<String> = entries
-        .map(|e| e.unwrap().path().to_str().unwrap().to_string())
-        .filter(|path| path.ends_with(".toml"))
-        .collect();
+    let files = entries.map(|e| e.unwrap().path().to_str().unwrap().to_string());
+    let mut files: Vec<String> = files.filter(|path| path.ends_with(".toml")).collect();
     files.sort();
     let count = files.len();
-    let sizes = if is_full() {
-        "160x120,320x240,640x480,1024x768"
-    } else {
-        "160x120,320x240"
-    };
+    let more = if is_full() { ",640x480,1024x768" } else { "" };
+    let sizes = format!("160x120,320x240{more}");
     let rows = rows(&format!("{} --sizes {sizes}", files.join(" ")));
     let sizes = sizes.split(',').count();
     assert_eq!(rows.len(), 3 * sizes + 3 * sizes * count);
@@ -69,10 +61,7 @@ fn the_trial_is_documented_as_it_is() {
         let documented = page.lines().find(|l| l.starts_with(&format!("{name} |")));
         let documented = documented.unwrap_or_else(|| panic!("no row {name}"));
         assert!(documented.starts_with(&format!("{name} | 1000000 |")));
-        assert_eq!(
-            documented.split(" | ").nth(4),
-            Some("0"),
-            "violations in {documented}"
-        );
+        let violations = documented.split(" | ").nth(4);
+        assert_eq!(violations, Some("0"), "violations in {documented}");
     }
 }

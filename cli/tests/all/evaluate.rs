@@ -8,11 +8,9 @@ fn groups(report: &Value) -> Vec<&Value> {
     report["groups"].as_array().unwrap().iter().collect()
 }
 
-fn rows(report: &Value) -> Vec<&Value> {
-    let groups = groups(report).into_iter();
-    groups
-        .flat_map(|group| group["rows"].as_array().unwrap())
-        .collect()
+fn rows<'a>(report: &'a Value) -> Vec<&'a Value> {
+    let rows = |group: &'a Value| group["rows"].as_array().unwrap();
+    groups(report).into_iter().flat_map(rows).collect()
 }
 
 fn ours(report: &Value, group: &str, name: &str) -> f64 {
@@ -27,11 +25,7 @@ fn ours(report: &Value, group: &str, name: &str) -> f64 {
 fn the_page_of_the_documentation_is_what_the_command_makes() {
     let place = Place::new();
     let report = place.json("evaluate --out .");
-    for name in [
-        "evaluation.md",
-        "images/duplication.svg",
-        "images/operations.svg",
-    ] {
+    for name in "evaluation.md images/duplication.svg images/operations.svg".split(' ') {
         let shown = std::fs::read_to_string(repository("docs").join(name)).unwrap();
         let makes = "is not what `imogene evaluate --out DIR` makes";
         assert_eq!(place.text(name), shown, "docs/{name} {makes}");
@@ -55,26 +49,20 @@ fn assert_rows(report: &Value) {
     assert!(rows.len() > 150, "{} rows", rows.len());
     for row in rows {
         for key in ["name", "section", "unit", "why"] {
-            assert!(
-                row[key].as_str().is_some_and(|text| !text.is_empty()),
-                "{key}: {row}"
-            );
+            assert_ne!(row[key].as_str().expect("a text"), "", "{key}: {row}");
         }
         let number = |key: &str| row[key].as_f64();
         let ours = number("ours").unwrap_or_else(|| panic!("nothing counted: {row}"));
         assert!(ours.is_finite() && ours >= 0.0, "{row}");
         let printed = row["printed"]["value"].as_f64();
         match number("corrected").or(printed) {
-            Some(value) => assert!(
-                (number("difference").unwrap() - (ours - value)).abs() < 1e-9,
-                "{row}"
-            ),
+            Some(value) => {
+                let off = number("difference").unwrap() - (ours - value);
+                assert!(off.abs() < 1e-9, "{row}");
+            }
             None => assert!(number("difference").is_none(), "{row}"),
         }
-        assert!(
-            !row["printed"]["text"].as_str().unwrap().is_empty(),
-            "{row}"
-        );
+        assert_ne!(row["printed"]["text"].as_str().unwrap(), "", "{row}");
     }
     for one in report["omitted"].as_array().unwrap() {
         for key in ["name", "section", "printed", "why"] {
@@ -86,50 +74,35 @@ fn assert_rows(report: &Value) {
 fn assert_relations(report: &Value) {
     let of = |group: &str, name: &str| ours(report, group, name);
     // (20 + 32)^2 / 32^2, and as many in four times the size.
-    for name in [
-        "20 in 32: duplication factor",
-        "80 in 128: duplication factor",
-    ] {
-        assert!((of("duplication", name) - 2.640625).abs() < 1e-12);
-    }
-    let shares = ["one zone", "two zones", "four zones"]
-        .map(|n| of("duplication", &format!("20 in 32: {n}")));
+    let near = |name: &str, wanted: f64| {
+        let found = of("duplication", &format!("{name}: duplication factor"));
+        assert!((found - wanted).abs() < 1e-12, "{name}");
+    };
+    near("20 in 32", 2.640625);
+    near("80 in 128", 2.640625);
+    let shares = ["one zone", "two zones", "four zones"];
+    let shares = shares.map(|n| of("duplication", &format!("20 in 32: {n}")));
     assert!((shares.iter().sum::<f64>() - 1.0).abs() < 1e-12);
     // ((80 + 128 - 1) / 128)^2 by counting places and by the plans of the machine.
-    for name in [
-        "80 in 128, whole pixels: duplication factor",
-        "80 in 128, plans of our zone machine: duplication factor",
-    ] {
-        assert!(
-            (of("duplication", name) - (207.0f64 / 128.0).powi(2)).abs() < 1e-12,
-            "{name}"
-        );
-    }
+    near("80 in 128, whole pixels", (207.0f64 / 128.0).powi(2));
+    let plans = "80 in 128, plans of our zone machine";
+    near(plans, (207.0f64 / 128.0).powi(2));
     // Words of a patch processor on the bus: 24, 7 for each of four planes, and the id.
     assert_eq!(of("pipeline", "loading of a patch"), 24.0 + 7.0 * 4.0 + 1.0);
-    let [rate, zones] = [
-        "patches of 80 x 80, zones of 128",
-        "patches times zones, zones of 128",
-    ]
-    .map(|n| of("pipeline", n));
+    let rate = of("pipeline", "patches of 80 x 80, zones of 128");
+    let zones = of("pipeline", "patches times zones, zones of 128");
     assert!((zones / rate - 2.640625).abs() < 1e-9);
     // The frame has passes that show, and passes with idle processors: it is slower than the formula, but not by an
     // order.
-    let [formula, frame] = [
-        "patches of 100 processors",
-        "patches of 100 processors, clocks of a whole frame",
-    ]
-    .map(|n| of("pipeline", n));
-    assert!(
-        frame < formula && frame > formula / 10.0,
-        "{frame} {formula}"
-    );
+    let patches = "patches of 100 processors";
+    let formula = of("pipeline", patches);
+    let frame = of("pipeline", &format!("{patches}, clocks of a whole frame"));
+    let is_slower = frame < formula && frame > formula / 10.0;
+    assert!(is_slower, "{frame} {formula}");
     assert_eq!(of("storage", "quadric with three planes"), 10.0 + 3.0 * 4.0);
     assert_eq!(of("storage", "facet, words to send"), 7.0 * 3.0);
-    assert_eq!(
-        of("frame", "facet, all"),
-        of("frame", "product of two 4 x 4 matrices") + 117.0 + 33.0
-    );
+    let product = of("frame", "product of two 4 x 4 matrices");
+    assert_eq!(of("frame", "facet, all"), product + 117.0 + 33.0);
     assert_eq!(of("processors", "patch, four planes: PE1"), 8.0);
     assert_eq!(of("machine", "PE2 with memory, clocks between lines"), 15.0);
 }

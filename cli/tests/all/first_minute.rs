@@ -1,7 +1,7 @@
 //! The first minute with the program: a scene to begin with, names that need not be given, and answers that are not
 //! silent.
 
-use crate::common::{Place, Run, imogene, json, repository, run, scene};
+use crate::common::{Place, Run, json, repository, run};
 
 #[test]
 fn a_new_scene_draws_and_is_never_overwritten() {
@@ -29,23 +29,19 @@ fn a_new_scene_draws_and_is_never_overwritten() {
 #[test]
 fn render_names_its_files_after_the_scene_in_the_current_folder() {
     let place = Place::new();
-    let (cone, arm) = (scene("cone.toml"), scene("animation/arm.toml"));
-    let out = place
-        .run(&format!("render {cone} --size 40x30"))
-        .ended(0)
-        .out;
+    let cone = place.run("render scenes/cone.toml --size 40x30");
+    let out = cone.ended(0).out;
     assert!(out.ends_with("wrote cone.png\n"), "{out}");
     assert!(place.has("cone.png"));
-    let frames = format!("render {arm} --size 40x30 --frames 1..2");
-    place.run(&frames).ended(0);
+    let frames = "render scenes/animation/arm.toml --size 40x30 --frames 1..2";
+    place.run(frames).ended(0);
     assert!(place.has("arm/animation.png"));
 }
 
 #[test]
 fn one_is_written_without_an_s() {
-    let arm = scene("animation/arm.toml");
-    let frames = format!("render {arm} --size 40x30 --frames 2..2");
-    let out = Place::new().run(&frames).out;
+    let frames = "render scenes/animation/arm.toml --size 40x30 --frames 2..2";
+    let out = Place::new().run(frames).out;
     assert!(out.starts_with("1 frame of 40 x 30 pixels"), "{out}");
     let out = run("units").out;
     assert!(out.contains("latency:    1 clock\n"), "{out}");
@@ -71,12 +67,11 @@ fn a_unit_without_a_baseline_is_a_failed_check() {
     rows.retain(|row| row["unit"] != "shading_processor" && row["unit"] != "shadow_stage");
     let place = Place::new();
     place.write("baseline.json", baseline.to_string());
-    let file = place.path("baseline.json");
-    let check = format!("synth --baseline {} --check", file.display());
-    let failed = run(&format!("{check} shading_processor")).ended(1);
+    let check = "synth --baseline baseline.json --check";
+    let failed = place.run(&format!("{check} shading_processor")).ended(1);
     failed.says(&["shading_processor has no baseline"]);
     // Of all units, those without one are named before a tool is looked for.
-    let mut command = imogene(&format!("{check} --no-clock"));
+    let mut command = place.command(&format!("{check} --no-clock"));
     let tools = command
         .env("PATH", "")
         .env("IMOGENE_TOOLS", "no/such/folder");
@@ -88,7 +83,7 @@ fn a_unit_without_a_baseline_is_a_failed_check() {
 #[test]
 fn a_trade_of_a_scene_that_no_machine_draws_is_refused() {
     let place = Place::new();
-    let eye = scene("extremes/eye-on-quadric.toml");
+    let eye = "scenes/extremes/eye-on-quadric.toml";
     let trade = format!("trade {eye} --size 40x30 --points quick --no-cost --out out");
     let refused = place.run(&trade);
     refused.refused(&["the viewer lies exactly on this quadric"]);
@@ -98,7 +93,7 @@ fn a_trade_of_a_scene_that_no_machine_draws_is_refused() {
 #[test]
 fn processors_by_themselves_are_said_to_have_no_guard_bits() {
     let place = Place::new();
-    let mesh = scene("processors/mesh.toml");
+    let mesh = "scenes/processors/mesh.toml";
     let render = format!("render {mesh} --size 40x30 --model rtl --guards 10:0");
     place.run(&render).refused(&["imogene machine"]);
     assert!(!place.has("mesh.png"));

@@ -1,6 +1,6 @@
 //! `imogene fit` and machines of any widths on the command line.
 
-use crate::common::{Place, is_full, json, repository, run, scene};
+use crate::common::{Place, columns, is_full, repository, rows};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
@@ -9,11 +9,10 @@ use std::path::{Path, PathBuf};
 #[test]
 fn a_scene_is_fitted_emitted_and_compared() {
     let place = Place::new();
-    let out = place.path("fit").display().to_string();
     let costs = if is_full() { "" } else { "--no-cost" };
-    let report = json(&format!(
-        "fit scenes/cut-sphere.toml --size 48x36 --max-depth-error 0.5px --max-silhouette-errors 0 --out {out} {costs}"
-    ));
+    let limits = "--max-depth-error 0.5px --max-silhouette-errors 0";
+    let fit = format!("fit scenes/cut-sphere.toml --size 48x36 {limits} --out fit {costs}");
+    let report = place.json(&fit);
     for limit in report["limits"].as_array().unwrap() {
         let (measured, allowed) = (limit["measured"].as_f64(), limit["allowed"].as_f64());
         assert!(measured <= allowed, "{limit}");
@@ -29,15 +28,12 @@ fn a_scene_is_fitted_emitted_and_compared() {
         assert!(place.has(&format!("fit/{file}")), "{file}");
     }
     // The command that it names shows the same on the pins of the same Verilog.
-    let command = report["command"].as_str().unwrap();
-    let again = command.replacen("imogene ", "", 1);
-    run(&again.replace(" DIR", &format!(" {}", place.path("again").display()))).ended(0);
-    assert_eq!(
-        place.text("fit/beam_display.v"),
-        place.text("again/beam_display.v")
-    );
+    place.reproduced(&report["command"], "again");
+    let verilog = place.text("fit/beam_display.v");
+    assert_eq!(verilog, place.text("again/beam_display.v"));
     assert_eq!(place.bytes("fit/golden.png"), place.bytes("again/pins.png"));
     let contract = place.text("fit/contract.md");
+    let command = report["command"].as_str().unwrap();
     assert!(contract.contains("how it is known") && contract.contains(command));
 }
 
@@ -45,8 +41,7 @@ fn a_scene_is_fitted_emitted_and_compared() {
 fn the_form_of_the_root_is_that_of_the_target() {
     for (target, form) in [("ecp5-85k", "non-restoring"), ("ice40-hx8k", "restoring")] {
         let place = Place::new();
-        let scene = scene("cone.toml");
-        let fit = format!("fit {scene} --size 32x24 --max-depth-error 2px --no-cost --out .");
+        let fit = "fit scenes/cone.toml --size 32x24 --max-depth-error 2px --no-cost --out .";
         let report = place.json(&format!("{fit} --target {target}"));
         let chosen = report["machine"]["root_form"].as_str();
         assert_eq!(chosen.unwrap_or("restoring"), form, "{target}");
@@ -58,7 +53,7 @@ fn the_form_of_the_root_is_that_of_the_target() {
 #[test]
 fn a_budget_of_cells_takes_a_zone_machine() {
     let place = Place::new();
-    let scene = scene("crossing-cylinders.toml");
+    let scene = "scenes/crossing-cylinders.toml";
     let fit = format!("fit {scene} --size 32x24 --max-depth-error 2px --lit-sphere --out fit");
     let refused = place.run(&format!("{fit} --max-cells 1 --no-cost"));
     refused.refused(&["--max-cells", "--no-cost"]);
@@ -71,9 +66,8 @@ fn a_budget_of_cells_takes_a_zone_machine() {
     assert_eq!(report["machine"]["machine"], "zone");
     assert!(report["cost"]["cells"].as_u64() <= Some(most));
     assert_eq!(report["cosim"][0]["mismatches"], 0);
-    let none = place.run(&format!("{fit} --max-cells 500"));
-    none.ended(1)
-        .says(&["a beam machine takes", "a zone machine takes"]);
+    let none = place.run(&format!("{fit} --max-cells 500")).ended(1);
+    none.says(&["a beam machine takes", "a zone machine takes"]);
 }
 
 /// Shadows, meshes and more objects than a beam machine has processors, without an outside tool.
@@ -92,15 +86,13 @@ fn scenes_of_every_kind_are_fitted_to_the_pins() {
         ("cone", "--machine zone --min-fps 60", "zone"),
         ("extremes/sixteen-lights", "", "beam"),
     ] {
-        let out = place.path(&scene.replace('/', "-"));
-        let report = json(&format!(
-            "fit scenes/{scene}.toml --size 32x24 --no-cost --max-depth-error 2px --out {} {more}",
-            out.display()
-        ));
+        let out = scene.replace('/', "-");
+        let fit = format!("fit scenes/{scene}.toml --size 32x24 --no-cost --out {out}");
+        let report = place.json(&format!("{fit} --max-depth-error 2px {more}"));
         assert_eq!(report["machine"]["machine"], kind, "{scene}");
         assert_eq!(report["cosim"][0]["mismatches"], 0, "{scene}");
         assert_eq!(report["cost"], Value::Null, "{scene}");
-        assert!(out.join("machine.toml").is_file(), "{scene}");
+        assert!(place.has(&format!("{out}/machine.toml")), "{scene}");
     }
 }
 
@@ -131,10 +123,9 @@ fn scenes_go_to_the_pins_of_machines_that_are_made_for_them() {
     let place = Place::new();
     for (index, path) in scenes.iter().enumerate().skip(first).step_by(step) {
         let name = path.strip_prefix(&root).unwrap().display().to_string();
-        let fitted = place.run(&format!(
-            "--json --allow-missing fit {} --size 32x24 --max-depth-error 2px --no-cost --out {index}",
-            path.display()
-        ));
+        let options = format!("--size 32x24 --max-depth-error 2px --no-cost --out {index}");
+        let fit = format!("--json --allow-missing fit {}", path.display());
+        let fitted = place.run(&format!("{fit} {options}"));
         if NO_MACHINE.contains(&name.as_str()) {
             fitted.refused(&[]);
             continue;
@@ -148,53 +139,39 @@ fn scenes_go_to_the_pins_of_machines_that_are_made_for_them() {
 #[test]
 fn what_is_out_of_reach_fails_the_check_and_writes_nothing() {
     let place = Place::new();
-    let out = place.path("fit");
-    for (line, parts) in [
-        (
-            "scenes/cone.toml --max-depth-error 1px --no-cost --min-fps 1e6",
-            &["1000000 frames per second at 50 MHz"][..],
-        ),
-        (
-            "scenes/cut-sphere.toml --max-normal-error 0",
-            &["out of reach", "normal", "--widths depth="],
-        ),
-    ] {
-        let line = format!("fit {line} --size 32x24 --out {}", out.display());
-        run(&line).ended(1).says(parts);
-        assert!(!out.exists());
+    let cases = "
+        scenes/cone.toml --max-depth-error 1px --no-cost --min-fps 1e6 | 1000000 frames per second at 50 MHz
+        scenes/cut-sphere.toml --max-normal-error 0 | out of reach | normal | --widths depth=
+    ";
+    for row in rows(cases) {
+        let line = format!("fit {} --size 32x24 --out fit", row[0]);
+        place.run(&line).ended(1).says(&row[1..]);
+        assert!(!place.has("fit"));
     }
-    let line = "fit scenes/cone.toml --max-depth-error 1px --no-cost --min-fps 8000 --size 160x24";
-    let line = format!("{line} --out {}", out.display());
-    run(&line).ended(1).says(&["--pixels-per-clock 2 would do"]);
-    let two = json(&format!("{line} --pixels-per-clock 2"));
+    let line = "fit scenes/cone.toml --max-depth-error 1px --no-cost --min-fps 8000 --size 160x24 --out fit";
+    let refused = place.run(line).ended(1);
+    refused.says(&["--pixels-per-clock 2 would do"]);
+    let two = place.json(&format!("{line} --pixels-per-clock 2"));
     assert_eq!(two["cosim"][0]["mismatches"], 0);
 }
 
 #[test]
 fn bad_input_is_refused_with_what_would_be_accepted() {
-    for (line, part) in [
-        // Before the scene is read, and its truth found.
-        ("fit no-such-scene.toml", "--max-depth-error"),
-        ("fit scenes/cut-sphere.toml --max-depth-error 1m", "0.5px"),
-        ("fit scenes/cut-sphere.toml --max-face-errors 1.5", "0.1%"),
-        (
-            "fit scenes/cut-sphere.toml scenes/teapot.toml --max-depth-error 1",
-            "the same objects",
-        ),
-        (
-            "fit scenes/extremes/eye-barely-inside.toml --max-depth-error 1",
-            "would need 79 bits",
-        ),
-        (
-            "emit pe1 --widths depth=20 --slots 1",
-            "takes the unit beam",
-        ),
-        ("emit beam --widths depth=20 --slots 13", "3,0,2:"),
-        ("emit beam --widths depth=20", "--slots"),
-    ] {
-        let refused = run(&format!("{line} --out x")).refused(&[part]);
+    let cases = "
+        fit no-such-scene.toml                                            | --max-depth-error
+        fit scenes/cut-sphere.toml --max-depth-error 1m                   | 0.5px
+        fit scenes/cut-sphere.toml --max-face-errors 1.5                  | 0.1%
+        fit scenes/cut-sphere.toml scenes/teapot.toml --max-depth-error 1 | the same objects
+        fit scenes/extremes/eye-barely-inside.toml --max-depth-error 1    | would need 79 bits
+        emit pe1 --widths depth=20 --slots 1                              | takes the unit beam
+        emit beam --widths depth=20 --slots 13                            | 3,0,2:
+        emit beam --widths depth=20                                       | --slots
+    ";
+    for [line, part] in columns(cases) {
+        let place = Place::new();
+        let refused = place.run(&format!("{line} --out x")).refused(&[part]);
         assert_eq!(refused.out, "", "{line}");
-        assert!(!repository("x").exists());
+        assert!(!place.has("x"));
     }
 }
 
@@ -202,41 +179,28 @@ fn bad_input_is_refused_with_what_would_be_accepted() {
 #[test]
 fn solids_and_glass_go_to_the_pins() {
     let place = Place::new();
-    let out = |name: &str| place.path(name).display().to_string();
-    for (name, key, of_zones) in [
-        (
-            "solids/bracket",
-            "products = \"1-4,1-4\"",
-            "products = \"1-4\"",
-        ),
-        (
-            "solids/printed-example",
-            "products = \"2-1,2-1,2-1,2-1\"",
-            "products = \"2-1\"",
-        ),
-        ("glass/still-life", "layers = 3", "layers = 3"),
-    ] {
+    let cases = r#"
+        solids/bracket         | products = "1-4,1-4"         | products = "1-4"
+        solids/printed-example | products = "2-1,2-1,2-1,2-1" | products = "2-1"
+        glass/still-life       | layers = 3                   | layers = 3
+    "#;
+    for [name, key, of_zones] in columns(cases) {
         let scene = format!("scenes/{name}.toml");
-        let fitted = out(name);
-        let report = json(&format!(
-            "fit {scene} --max-depth-error 1px --no-cost --size 64x48 --out {fitted}"
-        ));
+        let fit =
+            format!("fit {scene} --max-depth-error 1px --no-cost --size 64x48 --out fit/{name}");
+        let report = place.json(&fit);
         assert_eq!(report["cosim"][0]["mismatches"], 0, "{scene}");
-        let machine = format!("{fitted}/machine.toml");
-        let text = std::fs::read_to_string(&machine).unwrap();
+        let machine = format!("fit/{name}/machine.toml");
+        let text = place.text(&machine);
         assert!(text.contains(key), "{scene}: {text}");
-        let again = out(&format!("again/{name}"));
-        run(&format!(
-            "machine {scene} --machine {machine} --out {again}"
-        ))
-        .ended(0);
-        let zones = json(&format!(
-            "fit {scene} --max-depth-error 1px --no-cost --size 64x48 --machine zone --out {fitted}"
-        ));
+        let again = format!("machine {scene} --machine {machine} --out again/{name}");
+        place.run(&again).ended(0);
+        let zones = place.json(&format!("{fit} --machine zone"));
         assert_eq!(zones["cosim"][0]["mismatches"], 0, "{scene}");
         // A zone machine draws one product after another.
-        let zone = format!("--machine machines/zone-320x240.toml --out {}", out("zone"));
-        run(&format!("machine {scene} {zone}")).refused(&[of_zones]);
+        let zone = "--machine machines/zone-320x240.toml --out zone";
+        let refused = place.run(&format!("machine {scene} {zone}"));
+        refused.refused(&[of_zones]);
     }
 }
 
@@ -244,33 +208,28 @@ fn solids_and_glass_go_to_the_pins() {
 #[test]
 fn small_objects_are_left_out_within_the_budget() {
     let place = Place::new();
-    let out = place.path("out").display().to_string();
     let fit = |budget: &str, more: &str| {
-        format!("fit scenes/shadows/robot.toml --size 96x72 --no-cost {budget} {more} --out {out}")
+        format!("fit scenes/shadows/robot.toml --size 96x72 --no-cost {budget} {more} --out out")
     };
     let budget = "--max-silhouette-errors 1% --max-face-errors 2%";
-    let whole = json(&fit(budget, ""));
-    let report = json(&fit(budget, "--leave-out 8"));
+    let whole = place.json(&fit(budget, ""));
+    let report = place.json(&fit(budget, "--leave-out 8"));
     assert_eq!(report["cosim"][0]["mismatches"], 0);
     let left_out = report["left_out"].as_array().unwrap();
     assert!((3..39).contains(&left_out.len()), "{left_out:?}");
     assert!(whole["left_out"].as_array().unwrap().is_empty());
     let clocks = |report: &Value| report["clocks_per_frame"].as_u64().unwrap();
     assert!(clocks(&report) < clocks(&whole));
-    let text = std::fs::read_to_string(format!("{out}/scene.toml")).unwrap();
+    let text = place.text("out/scene.toml");
     for name in left_out {
         let name = name.as_str().unwrap();
         assert!(!text.contains(&format!("name = \"{name}\"")), "{name}");
     }
     let missing = &report["measured"][0];
     assert!(missing["silhouette"].as_u64().unwrap() > 0, "{missing}");
-    let command = report["command"].as_str().unwrap();
-    let command = command.replacen("imogene ", "", 1);
-    let again = place.path("again").display().to_string();
-    run(&command.replace(" DIR", &format!(" {again}"))).ended(0);
-    let picture = |of: &str| std::fs::read(of).unwrap();
-    assert!(picture(&format!("{again}/pins.png")) == picture(&format!("{out}/golden.png")));
+    place.reproduced(&report["command"], "again");
+    assert!(place.bytes("again/pins.png") == place.bytes("out/golden.png"));
     let exact = "--max-silhouette-errors 0 --max-face-errors 0 --leave-out 8";
-    let refused = run(&fit(exact, "")).ended(1);
+    let refused = place.run(&fit(exact, "")).ended(1);
     refused.says(&["out of reach"]);
 }

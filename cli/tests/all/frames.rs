@@ -1,6 +1,8 @@
 //! `imogene render` on animations: frames, cameras, and what a failing frame leaves.
 
-use crate::common::{Place, Run, json, names_in, scene};
+use crate::common::{Place, Run, columns, json, names_in};
+
+const MOON: &str = "scenes/animation/moon.toml";
 
 /// Frames of a scene, drawn in a folder.
 fn frames(place: &Place, scene: &str, more: &str) -> Run {
@@ -62,18 +64,10 @@ fn place() -> Place {
 #[test]
 fn frames_preview_and_report_are_written() {
     let place = Place::new();
-    let moon = scene("animation/moon.toml");
-    let report = frames(&place, &moon, "-o moon --frames 5..7")
-        .ended(0)
-        .json();
-    let wanted = [
-        "animation.png",
-        "frame-0005.png",
-        "frame-0006.png",
-        "frame-0007.png",
-        "frames.json",
-    ];
-    assert_eq!(names_in(&place.path("moon")), wanted);
+    let drawn = frames(&place, MOON, "-o moon --frames 5..7");
+    let report = drawn.ended(0).json();
+    let wanted = "animation.png frame-0005.png frame-0006.png frame-0007.png frames.json";
+    assert_eq!(names_in(&place.path("moon")).join(" "), wanted);
     let kept: serde_json::Value = serde_json::from_str(&place.text("moon/frames.json")).unwrap();
     assert_eq!(kept, report);
     let list = report["frames"].as_array().unwrap();
@@ -95,9 +89,8 @@ fn frames_preview_and_report_are_written() {
 #[test]
 fn a_frame_is_the_picture_of_that_frame_alone() {
     let place = Place::new();
-    let moon = scene("animation/moon.toml");
-    frames(&place, &moon, "-o moon --frames 1..3").ended(0);
-    frames(&place, &moon, "-o alone.png --frame 3").ended(0);
+    frames(&place, MOON, "-o moon --frames 1..3").ended(0);
+    frames(&place, MOON, "-o alone.png --frame 3").ended(0);
     let third = place.bytes("moon/frame-0003.png");
     assert_eq!(third, place.bytes("alone.png"));
     assert!(third != place.bytes("moon/frame-0002.png"));
@@ -134,11 +127,7 @@ fn a_camera_is_chosen_by_its_name() {
 /// is written.
 #[test]
 fn a_frame_is_a_scene_of_its_own_for_other_commands() {
-    let of = |command: &str, frame: &str| {
-        json(&format!(
-            "{command} scenes/animation/moon.toml --size 32x24 {frame}"
-        ))
-    };
+    let of = |command: &str, frame: &str| json(&format!("{command} {MOON} --size 32x24 {frame}"));
     let report = of("cosim", "--frame 4");
     assert_eq!(report["mismatches"], 0);
     let command = report["reproduce"].as_str().expect("a command");
@@ -151,26 +140,15 @@ fn a_frame_is_a_scene_of_its_own_for_other_commands() {
 #[test]
 fn frames_that_there_are_not_are_refused() {
     let place = Place::new();
-    for (name, options, part) in [
-        (
-            "animation/moon",
-            "--frames 20..25",
-            "the animation has 24 frames",
-        ),
-        ("animation/moon", "--frame 25", "a number from 1 to 24"),
-        ("teapot", "--frames", "the scene has no images to play"),
-        (
-            "animation/moon",
-            "--frames 7..3",
-            "'7..3' is no range of frames",
-        ),
-        (
-            "animation/moon",
-            "--frames 1 --model rtl",
-            "--model golden or exact",
-        ),
-    ] {
-        let scene = scene(&format!("{name}.toml"));
+    let cases = "
+        animation/moon | --frames 20..25        | the animation has 24 frames
+        animation/moon | --frame 25             | a number from 1 to 24
+        teapot         | --frames               | the scene has no images to play
+        animation/moon | --frames 7..3          | '7..3' is no range of frames
+        animation/moon | --frames 1 --model rtl | --model golden or exact
+    ";
+    for [name, options, part] in columns(cases) {
+        let scene = format!("scenes/{name}.toml");
         frames(&place, &scene, &format!("-o out {options}")).refused(&[part]);
         assert!(!place.has("out"));
     }

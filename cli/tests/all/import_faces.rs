@@ -2,15 +2,10 @@
 
 use crate::common::{Place, Run, repository, scene};
 
-/// A file of the repository's parts, as a word of a command line.
-fn part(name: &str) -> String {
-    repository("parts").join(name).display().to_string()
-}
-
 /// Whatever is shipped is what the import writes.
 fn assert_shipped(name: &str, file: &str) -> serde_json::Value {
     let place = Place::new();
-    let report = place.json(&format!("import {} -o scene.toml", part(file)));
+    let report = place.json(&format!("import parts/{file} -o scene.toml"));
     let shipped = std::fs::read_to_string(scene(&format!("cad/{name}.toml"))).unwrap();
     assert_eq!(place.text("scene.toml"), shipped, "{name}");
     report
@@ -44,8 +39,8 @@ fn shipped_scene_of_a_step_file_is_what_the_import_writes() {
 fn every_shipped_step_file_is_drawn_as_the_tracer_sees_it() {
     let place = Place::new();
     for name in "cross-drilled fillet fixture flange hollow nut stand".split(' ') {
-        let step = part(&format!("{name}.step"));
-        place.run(&format!("import {step} -o {name}.toml")).ended(0);
+        let import = format!("import parts/{name}.step -o {name}.toml");
+        place.run(&import).ended(0);
         let value = place.json(&format!("trace {name}.toml --size 120x90"));
         let found = &value["scenes"][0]["comparison"];
         assert!(found["covered"].as_u64() > Some(1000), "{name}: {found}");
@@ -55,15 +50,10 @@ fn every_shipped_step_file_is_drawn_as_the_tracer_sees_it() {
 #[test]
 fn step_files_are_known_by_their_extension_or_by_what_the_user_says() {
     let place = Place::new();
-    let text = std::fs::read(part("hollow.step")).unwrap();
-    for (name, kind) in [
-        ("a.step", ""),
-        ("a.STP", ""),
-        ("a.p21", ""),
-        ("a.txt", "--as=step"),
-    ] {
-        place.write(name, &text);
-        let line = format!("import {name} {kind} -o scene.toml");
+    let text = std::fs::read(repository("parts/hollow.step")).unwrap();
+    for file in ["a.step", "a.STP", "a.p21", "a.txt --as=step"] {
+        place.write(file.split(' ').next().unwrap(), &text);
+        let line = format!("import {file} -o scene.toml");
         let lines = place.run(&line).ended(0).out;
         let counts = "10 faces of 1 solid: 10 exact, 0 approximated, 0 rejected\n";
         assert!(lines.starts_with(counts), "{lines}");
@@ -81,30 +71,16 @@ fn refused(place: &Place, line: &str, part: &str) {
 #[test]
 fn bad_step_files_are_refused_and_nothing_is_written() {
     let place = Place::new();
-    let good = std::fs::read_to_string(part("hollow.step")).unwrap();
+    let good = std::fs::read_to_string(repository("parts/hollow.step")).unwrap();
     let deep = format!("#9 = X({}", "(".repeat(1_000_000));
-    for (from, to, part) in [
-        (
-            "#15 = BREP_WITH_VOIDS",
-            "#15 = BREP_WITH_VOIDS(",
-            "bad.step:25:43: ",
-        ),
-        (
-            "(#165,#177)",
-            "(#165,#9177)",
-            "names `#9177`, which is not in the file; ",
-        ),
-        (
-            "ISO-10303-21;\nHEADER",
-            "HEADER",
-            "bad.step:1:1: this is no STEP file; ",
-        ),
-        (
-            "#16 = CLOSED_SHELL",
-            &deep,
-            "at most 32 lists inside each other",
-        ),
-    ] {
+    #[rustfmt::skip]
+    let cases = [
+        ("#15 = BREP_WITH_VOIDS", "#15 = BREP_WITH_VOIDS(", "bad.step:25:43: "),
+        ("(#165,#177)", "(#165,#9177)", "names `#9177`, which is not in the file; "),
+        ("ISO-10303-21;\nHEADER", "HEADER", "bad.step:1:1: this is no STEP file; "),
+        ("#16 = CLOSED_SHELL", &deep, "at most 32 lists inside each other"),
+    ];
+    for (from, to, part) in cases {
         assert!(good.contains(from), "{from}");
         place.write("bad.step", good.replacen(from, to, 1));
         refused(&place, "bad.step", part);
@@ -132,7 +108,7 @@ fn what_is_missing_decides_the_exit_code_of_the_import_and_of_the_scene() {
 #[test]
 fn a_deviation_of_zero_leaves_the_exact_faces() {
     let place = Place::new();
-    let list = part("cross-drilled.faces.toml");
+    let list = "parts/cross-drilled.faces.toml";
     let line = format!("import {list} --max-deviation 0 --json -o scene.toml");
     let report = place.run(&line).ended(1).json();
     assert_eq!(report["report"]["total"]["exact"], 2);
@@ -143,7 +119,7 @@ fn a_deviation_of_zero_leaves_the_exact_faces() {
 #[test]
 fn a_deviation_in_pixels_follows_the_view() {
     let place = Place::new();
-    let list = part("fillet.faces.toml");
+    let list = "parts/fillet.faces.toml";
     let deviation = |zoom: u32| {
         let options = format!("--max-deviation 0.5px --zoom {zoom} -o scene.toml");
         let report = place.json(&format!("import {list} {options}"));
@@ -161,7 +137,7 @@ fn bad_lists_and_options_are_refused_and_nothing_is_written() {
     let list = "format = 1\ntitle = \"t\"\n[vertices]\na = [0, 0]\n";
     place.write("bad.faces.toml", list);
     refused(&place, "bad.faces.toml", "bad.faces.toml:4:5: ");
-    let flange = part("flange.faces.toml");
+    let flange = "parts/flange.faces.toml";
     for length in ["-1", "nan", "wide", "px", "-1px"] {
         refused(&place, &format!("{flange} --max-deviation={length}"), "");
     }

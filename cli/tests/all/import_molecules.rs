@@ -1,6 +1,6 @@
 //! `imogene import` of molecules: formats, options, messages, and scenes that name their structure file.
 
-use crate::common::{Place, repository};
+use crate::common::{Place, columns, repository};
 use std::path::PathBuf;
 
 fn data(name: &str) -> PathBuf {
@@ -75,45 +75,17 @@ fn scenes_that_name_wrong_files_are_refused() {
     std::fs::copy(data("1A8O.cif"), place.path("a.cif")).unwrap();
     place.json("import a.cif --reference -o a.toml");
     let text = place.text("a.toml");
-    let model = "model = \"first\"";
-    for (good, wrong, problem) in [
-        (
-            "file = \"a.cif\"",
-            "file = \"b.cif\"",
-            "cannot read 'b.cif'",
-        ),
-        (
-            "file = \"a.cif\"",
-            "file = \"a.toml\"",
-            "a.toml: it is no structure, as the scene bad.toml says",
-        ),
-        (
-            "style = \"space-filling\"",
-            "style = \"sticks\"",
-            "a.cif: style: `sticks` is not known",
-        ),
-        (
-            model,
-            "model = 3",
-            "a.cif: it has no model 3; 1 or all would be accepted",
-        ),
-        (
-            model,
-            "model = 1.5",
-            "a number, \"first\" or \"all\" would be accepted",
-        ),
-        (model, "chain = \"A\"", "unknown field `chain`"),
-        (
-            model,
-            "residues = [\"9-1\"]",
-            "residues: the range 9-1 runs backwards",
-        ),
-        (
-            model,
-            "group = \"none\"",
-            "`none` is not a group of this scene",
-        ),
-    ] {
+    let cases = r#"
+        file = "a.cif" | file = "b.cif" | cannot read 'b.cif'
+        file = "a.cif" | file = "a.toml" | a.toml: it is no structure, as the scene bad.toml says
+        style = "space-filling" | style = "sticks" | a.cif: style: `sticks` is not known
+        model = "first" | model = 3 | a.cif: it has no model 3; 1 or all would be accepted
+        model = "first" | model = 1.5 | a number, "first" or "all" would be accepted
+        model = "first" | chain = "A" | unknown field `chain`
+        model = "first" | residues = ["9-1"] | residues: the range 9-1 runs backwards
+        model = "first" | group = "none" | `none` is not a group of this scene
+    "#;
+    for [good, wrong, problem] in columns(cases) {
         assert!(text.contains(good));
         place.write("bad.toml", text.replace(good, wrong));
         refused(&place, "render bad.toml", &[problem]);
@@ -124,22 +96,13 @@ fn scenes_that_name_wrong_files_are_refused() {
 fn nothing_that_is_left_is_told_with_what_would_be() {
     let place = Place::new();
     let file = data("1A8O.cif");
-    for (options, problem) in [
-        ("--chain Z", "it has no chain Z; A would be accepted"),
-        (
-            "--residue 1-9",
-            "no residue 1-9 in what is asked for; numbers from 151 to",
-        ),
-        ("--model 4", "it has no model 4; 1 or all would be accepted"),
-        (
-            "--assembly 2",
-            "it has no assembly 2; --assembly 1 would be accepted",
-        ),
-        (
-            "--residue HOH --without-water",
-            "water is drawn without --without-water, other residues without --residue",
-        ),
-    ] {
+    for [options, problem] in columns("
+        --chain Z | it has no chain Z; A would be accepted
+        --residue 1-9 | no residue 1-9 in what is asked for; numbers from 151 to
+        --model 4 | it has no model 4; 1 or all would be accepted
+        --assembly 2 | it has no assembly 2; --assembly 1 would be accepted
+        --residue HOH --without-water | water is drawn without --without-water, other residues without --residue
+    ") {
         let line = format!("import {} {options}", file.display());
         refused(&place, &line, &[problem]);
     }

@@ -1,6 +1,6 @@
 //! `imogene terrain` and `imogene import` of heights: files, reports, messages.
 
-use crate::common::Place;
+use crate::common::{Place, columns};
 
 #[test]
 fn heights_become_a_scene_and_a_picture() {
@@ -34,20 +34,15 @@ fn bad_files_and_options_are_refused() {
     let place = Place::new();
     place.write("bad.asc", "ncols 2\nnrows 2\ncellsize 5\n1 2 3 high\n");
     place.write("good.heights", "1 2\n3 5\n");
-    for (line, says) in [
-        ("import bad.asc", "bad.asc:4:7: `high`"),
-        (
-            "import good.heights --height-factor 0",
-            "height factor of 0",
-        ),
-        (
-            "import good.heights --region 0,0,3,3",
-            "within the grid of 2 x 2",
-        ),
-        ("import good.heights --eye-at 1,2", "three numbers"),
-        ("terrain --levels 11", "1 to 10"),
-        ("terrain --roughness 2", "0 (rough) to 1 (smooth)"),
-    ] {
+    let cases = "
+        import bad.asc                        | bad.asc:4:7: `high`
+        import good.heights --height-factor 0 | height factor of 0
+        import good.heights --region 0,0,3,3  | within the grid of 2 x 2
+        import good.heights --eye-at 1,2      | three numbers
+        terrain --levels 11                   | 1 to 10
+        terrain --roughness 2                 | 0 (rough) to 1 (smooth)
+    ";
+    for [line, says] in columns(cases) {
         place.run(&format!("{line} -o x.toml")).refused(&[says]);
         assert!(!place.has("x.toml"));
     }

@@ -16,9 +16,8 @@ fn ids(scene: &Path, (width, height): (usize, usize), options: &str) -> Vec<i32>
     place.run(&line).ended(0);
     let bytes = place.bytes("i.npy");
     let words = bytes[bytes.len() - 4 * width * height..].chunks_exact(4);
-    words
-        .map(|w| i32::from_le_bytes(w.try_into().unwrap()))
-        .collect()
+    let word = |w: &[u8]| i32::from_le_bytes(w.try_into().unwrap());
+    words.map(word).collect()
 }
 
 /// The colours of a picture, red, green and blue.
@@ -45,19 +44,15 @@ const SIZE: (usize, usize) = (240, 180);
 /// Most of the picture's width and height that is covered; nothing may touch its border.
 fn filled(ids: &[i32], what: &str) -> f64 {
     let (width, height) = SIZE;
-    let seen: Vec<[usize; 2]> = (0..ids.len())
-        .filter(|k| ids[*k] >= 0)
-        .map(|k| [k % width, k / width])
-        .collect();
+    let seen = (0..ids.len()).filter(|k| ids[*k] >= 0);
+    let seen: Vec<[usize; 2]> = seen.map(|k| [k % width, k / width]).collect();
     let [columns, lines] = [0, 1].map(|axis| {
         let places = seen.iter().map(|place| place[axis]);
         (places.clone().min().unwrap(), places.max().unwrap())
     });
-    assert!(
-        columns.0 > 0 && columns.1 + 1 < width,
-        "{what}: {columns:?}"
-    );
-    assert!(lines.0 > 0 && lines.1 + 1 < height, "{what}: {lines:?}");
+    let is_whole = |(low, high): (usize, usize), size: usize| low > 0 && high + 1 < size;
+    assert!(is_whole(columns, width), "{what}: {columns:?}");
+    assert!(is_whole(lines, height), "{what}: {lines:?}");
     let share = |(low, high): (usize, usize), size: usize| (high - low + 1) as f64 / size as f64;
     share(columns, width).max(share(lines, height))
 }
@@ -65,22 +60,11 @@ fn filled(ids: &[i32], what: &str) -> f64 {
 #[test]
 fn a_fitted_scene_fills_the_picture_and_is_whole() {
     let folder = tempfile::tempdir().unwrap();
-    let mut scenes: Vec<PathBuf> = [
-        "teapot.toml",
-        "orthographic.toml",
-        "molecule.toml",
-        "processors/mesh.toml",
-        "processors/polyhedron.toml",
-        "processors/tetrahedra.toml",
-        "animation/arm.toml",
-    ]
-    .map(scene)
-    .into();
-    for part in [
-        "parts/flange.step",
-        "parts/cross-drilled.step",
-        "scenes/molecules/helix.pdb",
-    ] {
+    let names = "teapot orthographic molecule processors/mesh processors/polyhedron processors/tetrahedra animation/arm";
+    let names = names.split(' ').map(|name| format!("{name}.toml"));
+    let mut scenes: Vec<PathBuf> = names.map(|name| scene(&name)).collect();
+    let parts = "parts/flange.step parts/cross-drilled.step scenes/molecules/helix.pdb";
+    for part in parts.split(' ') {
         let name = Path::new(part).with_extension("toml");
         let written = folder.path().join(name.file_name().unwrap());
         run(&format!("import {part} -o {}", written.display())).ended(0);
@@ -126,13 +110,10 @@ fn import_writes_the_camera_it_is_asked_for() {
 #[test]
 fn samples_are_the_mean_of_shifted_pictures() {
     let folder = tempfile::tempdir().unwrap();
+    let quarters = vec![-0.375, -0.125, 0.125, 0.375];
     for (name, count, places) in [
         ("teapot.toml", "4", vec![-0.25, 0.25]),
-        (
-            "orthographic.toml",
-            "16",
-            vec![-0.375, -0.125, 0.125, 0.375],
-        ),
+        ("orthographic.toml", "16", quarters),
     ] {
         let file = scene(name);
         let mut sums = vec![0u32; 3 * 64 * 48];
@@ -145,19 +126,14 @@ fn samples_are_the_mean_of_shifted_pictures() {
             }
         }
         let passes = (places.len() * places.len()) as u32;
-        let mean: Vec<u8> = sums
-            .iter()
-            .map(|s| ((s + passes / 2) / passes) as u8)
-            .collect();
+        let mean = sums.iter().map(|s| ((s + passes / 2) / passes) as u8);
+        let mean: Vec<u8> = mean.collect();
         let plain = colours(&file, "64x48", "");
         let drawn = colours(&file, "64x48", &format!("--samples {count}"));
         assert!(drawn == mean, "{name}");
         assert_ne!(drawn, plain);
-        let size = (64, 48);
-        assert_eq!(
-            ids(&file, size, &format!("--samples {count}")),
-            ids(&file, size, "")
-        );
+        let sampled = ids(&file, (64, 48), &format!("--samples {count}"));
+        assert_eq!(sampled, ids(&file, (64, 48), ""));
     }
 }
 
@@ -165,11 +141,7 @@ fn samples_are_the_mean_of_shifted_pictures() {
 #[test]
 fn half_pixels_are_the_odd_pixels_of_the_double_size() {
     let folder = tempfile::tempdir().unwrap();
-    let (width, height) = (40, 30);
-    let (small, large) = (
-        format!("{width}x{height}"),
-        format!("{}x{}", 2 * width, 2 * height),
-    );
+    let (width, height, small, large) = (40, 30, "40x30", "80x60");
     // A wide angle, under which half a pixel turns the line of sight by degrees.
     let wide = folder.path().join("wide.toml");
     let text = std::fs::read_to_string(scene("cut-sphere.toml")).unwrap();
@@ -185,22 +157,17 @@ fn half_pixels_are_the_odd_pixels_of_the_double_size() {
         let half = with_key(&file, "sample_at = [0.5, 0.5]", folder.path());
         let exact = "--model exact";
         let odd = |k: usize| (2 * (k / width) + 1) * 2 * width + 2 * (k % width) + 1;
-        let (found, double) = (
-            ids(&half, (width, height), exact),
-            ids(&file, (2 * width, 2 * height), exact),
-        );
+        let found = ids(&half, (width, height), exact);
+        let double = ids(&file, (2 * width, 2 * height), exact);
         let expected: Vec<i32> = (0..found.len()).map(|k| double[odd(k)]).collect();
         assert!(found == expected, "{}", file.display());
         assert_ne!(found, ids(&file, (width, height), exact));
         // The words of depth and normal are rounded for another size of pixel; light is the same.
-        let (found, double) = (colours(&half, &small, exact), colours(&file, &large, exact));
+        let (found, double) = (colours(&half, small, exact), colours(&file, large, exact));
         for (k, found) in found.chunks_exact(3).enumerate() {
             for (a, b) in found.iter().zip(&double[3 * odd(k)..]) {
-                assert!(
-                    a.abs_diff(*b) <= 1,
-                    "{}, pixel {k}: {a} {b}",
-                    file.display()
-                );
+                let name = file.display();
+                assert!(a.abs_diff(*b) <= 1, "{name}, pixel {k}: {a} {b}");
             }
         }
         run(&format!("raytrace {} --size {small}", half.display())).ended(0);

@@ -1,38 +1,26 @@
 //! `imogene machine`: from a scene and a description to the picture from the pins.
 
-use crate::common::{Place, Run, repository, run, scene};
-use imogene_studies::picture::write_png;
+use crate::common::{Place, Run, assert_has, columns, run, scene};
 
 /// A beam machine with a screen of 40 x 30 pixels, and a zone machine for it.
-const SMALL: [(&str, &str); 2] = [
-    (
-        "machine = \"beam\"\nobjects = 10\n",
-        "loader_words = 1024\ndepth_word = 18\nwidths = { g1 = 2, g2 = 3, normal = 14 }\n",
-    ),
-    (
-        "machine = \"zone\"\nobjects = 3\n",
-        "zone = { width = 16, height = 16 }\nsupersampling = 2\noverlay = true\n",
-    ),
+const SMALL: [&str; 2] = [
+    "machine = \"beam\"\nobjects = 10\nloader_words = 1024\ndepth_word = 18\nwidths = { g1 = 2, g2 = 3, normal = 14 }\n",
+    "machine = \"zone\"\nobjects = 3\nzone = { width = 16, height = 16 }\nsupersampling = 2\noverlay = true\n",
 ];
 const COMMON: &str = "planes = 3\nrows_per_stage = 6\nlights = 2\nmode = { columns = [40, 4, 4, 4], lines = [30, 2, 2, 40] }\n";
 
 #[test]
 fn the_pins_show_the_golden_picture() {
     let place = Place::new();
-    let stripes: Vec<u8> = (0..3 * 40 * 30)
-        .map(|byte| u8::from(byte / 3 % 11 == 4))
-        .collect();
-    write_png(&place.path("mask.png"), 40, 30, &stripes).expect("a picture");
-    let teapot = scene("teapot.toml");
-    for (head, tail) in SMALL {
-        place.write("m.toml", format!("{head}{COMMON}{tail}"));
-        let overlay = match tail.contains("overlay") {
+    place.write_mask("mask.png", 40, 30);
+    for own in SMALL {
+        place.write("m.toml", format!("{own}{COMMON}"));
+        let overlay = match own.contains("overlay") {
             true => "--overlay mask.png",
             false => "",
         };
-        let value = place.json(&format!(
-            "machine {teapot} --machine m.toml --engine built-in --out out {overlay}"
-        ));
+        let machine = "machine scenes/teapot.toml --machine m.toml --engine built-in --out out";
+        let value = place.json(&format!("{machine} {overlay}"));
         assert_eq!(value["equal"], true);
         assert_eq!(value["pixels_per_frame"], 1200);
         assert_eq!(value["report"]["mismatches"], 0);
@@ -48,10 +36,8 @@ const TINY: &str = "machine = \"beam\"\nobjects = 1\nplanes = 2\nlights = 2\nrow
 /// A run of that machine.
 fn tiny(place: &Place, more: &str) -> Run {
     place.write("tiny.toml", TINY);
-    let ellipsoid = scene("ellipsoid.toml");
-    place.run(&format!(
-        "machine {ellipsoid} --machine tiny.toml --out out {more}"
-    ))
+    let machine = "machine scenes/ellipsoid.toml --machine tiny.toml --out out";
+    place.run(&format!("{machine} {more}"))
 }
 
 #[test]
@@ -62,9 +48,7 @@ fn waveforms_go_from_the_bus_to_the_pins() {
     let nets = "--vcd-nets core.objects.decider,loader.comes";
     run(&format!("{window} {nets}")).ended(0);
     let text = place.text("pins.vcd");
-    for part in ["beam_display", "s_tvalid", "hsync", "loader", "comes"] {
-        assert!(text.contains(part), "{part}");
-    }
+    assert_has(&text, "beam_display | s_tvalid | hsync | loader | comes");
     let rises = text.lines().filter(|line| *line == "1!").count();
     assert_eq!(rises, 20);
     assert!(place.has("pins.gtkw"));
@@ -75,14 +59,12 @@ fn waveforms_go_from_the_bus_to_the_pins() {
     late.says(&["ended before frame:99"]);
     run("--vcd-at-mismatch").ended(0);
     assert!(!place.has("pins.vcd"), "nothing differs");
-    for (more, wanted) in [
-        ("--vcd-from line:6", "accepted: 0,0 to 7,5"),
-        ("--vcd-from 6", "frame:2,line:120"),
-        (
-            "--vcd-nets core.shade",
-            "core has objects, pixel_count, shading,",
-        ),
-    ] {
+    let cases = "
+        --vcd-from line:6     | accepted: 0,0 to 7,5
+        --vcd-from 6          | frame:2,line:120
+        --vcd-nets core.shade | core has objects, pixel_count, shading,
+    ";
+    for [more, wanted] in columns(cases) {
         run(more).refused(&[wanted]);
     }
 }
@@ -97,9 +79,8 @@ fn many_frames_of_a_scene_are_waited_for() {
 
 /// What the program says of scenes on a machine of which it writes the Verilog alone, and how it ends.
 fn emitted(place: &Place, scenes: &str, description: &str) -> Run {
-    place.run(&format!(
-        "machine {scenes} --machine {description} --emit-only --out out"
-    ))
+    let machine = format!("--machine {description} --emit-only --out out");
+    place.run(&format!("machine {scenes} {machine}"))
 }
 
 /// A description with the lines of an advice in place of its own.
@@ -119,81 +100,36 @@ fn the_lines_that_a_refusal_advises_are_accepted() {
     let place = Place::new();
     let tiny = "planes = 0\nmode = { columns = [40, 4, 4, 4], lines = [30, 2, 2, 2] }\n";
     let beam = format!("machine = \"beam\"\nobjects = 1\n{tiny}");
-    let zone = format!(
-        "machine = \"zone\"\nobjects = 1\nvolume_planes = 0\nzone = {{ width = 16, height = 16 }}\n{tiny}"
-    );
-    let beam_640 =
+    let zone =
+        "machine = \"zone\"\nobjects = 1\nvolume_planes = 0\nzone = { width = 16, height = 16 }\n";
+    let zone = &format!("{zone}{tiny}");
+    let large =
         "machine = \"beam\"\nobjects = 2\nplanes = 3\nloader_words = 50\nmode = \"640x480\"\n";
     let stream = format!("{beam}output = \"stream\"\n");
-    let few = ["objects = 10 ", "planes = ", "lights = 2 # was 1"];
     let slotted = beam.replace("objects = 1\nplanes = 0", "slots = \"3,0\"");
     let short = slotted.replace("3,0", "3:r9,0:p24");
     let suns = format!("{beam}suns = 1\n");
     let solid = zone.replace("objects = 1\n", "objects = 4\nproducts = \"2-1\"\n");
     let sphere = format!("{beam}lights = 0\nlit_sphere = {{ side = 128, materials = 1 }}\n");
-    let cases: [(&str, &str, &[&str]); 13] = [
-        ("orthographic", &sphere, &["objects = ", "lit_sphere = { "]),
-        (
-            "solids/bracket",
-            &zone,
-            &[
-                "products = \"1-4\"",
-                "objects = 6 # was 1",
-                "planes = 6 # was 0",
-            ],
-        ),
-        (
-            "solids/printed-example solids/bracket",
-            &solid,
-            &["products = \"2-4\" # was \"2-1\"", "objects = 7 # was 4"],
-        ),
-        ("teapot", &suns, &few),
-        ("teapot", &beam, &[few.as_slice(), &["mode = "]].concat()),
-        ("crossing-cylinders teapot", &stream, &few),
-        (
-            "teapot",
-            &slotted,
-            &["slots = \"3,2,", "objects = 10 # was 2", "lights = 2"],
-        ),
+    #[rustfmt::skip]
+    let cases = [
+        ("orthographic", &*sphere, "objects = | lit_sphere = {"),
+        ("solids/bracket", zone, "products = \"1-4\" | objects = 6 # was 1 | planes = 6 # was 0"),
+        ("solids/printed-example solids/bracket", &solid, "products = \"2-4\" # was \"2-1\" | objects = 7 # was 4"),
+        ("teapot", &suns, "objects = 10 # | planes = | lights = 2 # was 1"),
+        ("teapot", &beam, "objects = 10 # | planes = | lights = 2 # was 1 | mode ="),
+        ("crossing-cylinders teapot", &stream, "objects = 10 # | planes = | lights = 2 # was 1"),
+        ("teapot", &slotted, "slots = \"3,2, | objects = 10 # was 2 | lights = 2"),
         // What is too short becomes as long as the part of the scene needs; a slot that is added has the longest words.
-        (
-            "teapot",
-            &short,
-            &["slots = \"3:r21,2:p24,2,", "objects = 10 # was 2"],
-        ),
-        (
-            "teapot",
-            beam_640,
-            &["objects = 10 ", "lights = 2 # was 1", "loader_words = "],
-        ),
-        (
-            "shadows/robot teapot",
-            &beam,
-            &["objects = 39 ", "volumes = 157 ", "mode = "],
-        ),
-        (
-            "shadows/robot",
-            &zone,
-            &[
-                "volumes = 1 ",
-                "volume_planes = ",
-                "planes = ",
-                "lights = 2 ",
-            ],
-        ),
-        (
-            "zones/molecule-480",
-            &beam,
-            &["machine = \"zone\"", "zone = ", "lights = 2 "],
-        ),
-        (
-            "zones/molecule-480",
-            beam_640,
-            &["machine = \"zone\"", "# and no loader_words"],
-        ),
+        ("teapot", &short, "slots = \"3:r21,2:p24,2, | objects = 10 # was 2"),
+        ("teapot", large, "objects = 10 # | lights = 2 # was 1 | loader_words ="),
+        ("shadows/robot teapot", &beam, "objects = 39 # | volumes = 157 # | mode ="),
+        ("shadows/robot", zone, "volumes = 1 # | volume_planes = | planes = | lights = 2 #"),
+        ("zones/molecule-480", &beam, "machine = \"zone\" | zone = | lights = 2 #"),
+        ("zones/molecule-480", large, "machine = \"zone\" | # and no loader_words"),
     ];
     for (names, description, wanted) in cases {
-        let scenes = names.split(' ').map(|name| scene(&format!("{name}.toml")));
+        let scenes = names.split(' ').map(|name| format!("scenes/{name}.toml"));
         let scenes = scenes.collect::<Vec<String>>().join(" ");
         place.write("machine.toml", description);
         let said = emitted(&place, &scenes, "machine.toml").ended(2).said;
@@ -201,7 +137,7 @@ fn the_lines_that_a_refusal_advises_are_accepted() {
         let (first, advice) = said.split_once('\n').expect("lines of an advice");
         let lacks = "machine.toml: the machine has too little";
         assert!(first.contains(lacks), "{said}");
-        for line in wanted {
+        for line in wanted.split(" | ") {
             let is_advised = advice.lines().any(|found| found.starts_with(line));
             assert!(is_advised, "{line}: {said}");
         }
@@ -218,11 +154,8 @@ fn more_planes_than_any_machine_has_are_not_advised() {
     // An object has at most 12 cuts, but its shadow needs a plane more.
     let cut = |i: u32| {
         let (y, x) = (f64::from(i) / 12.0 * std::f64::consts::TAU + 0.05).sin_cos();
-        format!(
-            "{{ point = [{}, {}, 0], normal = [{x}, {y}, 0.1] }}",
-            0.8 * x,
-            0.8 * y
-        )
+        let (u, v) = (0.8 * x, 0.8 * y);
+        format!("{{ point = [{u}, {v}, 0], normal = [{x}, {y}, 0.1] }}")
     };
     let cuts = (0..12).map(cut).collect::<Vec<_>>().join(", ");
     let shadows = "kind = \"directional\"\nshadows = true";
@@ -231,14 +164,9 @@ fn more_planes_than_any_machine_has_are_not_advised() {
         text.replacen("kind = \"directional\"", shadows, 1)
     );
     place.write("planes.toml", cut);
-    let machine = repository("machines/zone-160x120.toml")
-        .display()
-        .to_string();
-    let refused = emitted(&place, "planes.toml", &machine).refused(&[
-        "planes.toml",
-        "the shadow of object 'many sides'",
-        "has 13 planes",
-    ]);
+    let shadow = "the shadow of object 'many sides'";
+    let refused = emitted(&place, "planes.toml", "machines/zone-160x120.toml");
+    let refused = refused.refused(&["planes.toml", shadow, "has 13 planes"]);
     assert!(!refused.said.contains(" = "), "{}", refused.said);
     // What is possible instead.
     place.run("render planes.toml --size 40x30").ended(0);
@@ -247,12 +175,11 @@ fn more_planes_than_any_machine_has_are_not_advised() {
 #[test]
 fn an_animation_is_shown_frame_by_frame() {
     let place = Place::new();
+    let machine = "--machine machines/zone-320x240.toml --emit-only";
+    let machine = format!("{machine} --out {}", place.folder().display());
     let run = |range: &str| {
-        run(&format!(
-            "machine scenes/animation/arm.toml --json --machine machines/zone-320x240.toml --emit-only \
-             --animation {range} --out {}",
-            place.folder().display()
-        ))
+        let line = format!("machine scenes/animation/arm.toml --json --animation {range}");
+        run(&format!("{line} {machine}"))
     };
     let value = run("9..11").ended(0).json();
     let shown = [9, 10, 11].map(|n| format!("scenes/animation/arm.toml --frame {n}"));
@@ -267,95 +194,41 @@ fn an_animation_is_shown_frame_by_frame() {
 fn what_a_machine_cannot_show_is_refused_and_leaves_nothing() {
     let place = Place::new();
     let refused = |scenes: &str, machine: &str, says: &str| {
-        let out = place.path("out").display().to_string();
-        let line = format!("machine {scenes} --machine {machine} --out {out}");
-        run(&line).refused(&[says]);
+        let line = format!("machine {scenes} --machine {machine} --out out");
+        place.run(&line).refused(&[says]);
         assert!(!place.has("out"), "{says}");
     };
-    let teapot = "scenes/teapot.toml";
-    let [tables, beam, zone] = ["beam-lit-sphere", "beam-160x120", "zone-160x120"]
-        .map(|name| format!("machines/{name}.toml"));
-    for (scenes, machine, says) in [
-        (teapot, "no/machine.toml", "give the path"),
-        ("scenes/shadows/robot.toml", &tables, "lights = 2 # was 0"),
-        ("scenes/glass/still-life.toml", &tables, "layers = "),
-        (
-            "scenes/teapot.toml scenes/crossing-cylinders.toml",
-            &tables,
-            "crossing-cylinders.toml: lights or materials are other ones",
-        ),
-        ("scenes/shadows/robot.toml", &beam, "objects = 39 # was 10"),
-        (
-            "scenes/shadows/sphere-surface.toml",
-            &beam,
-            "machine = \"zone\" # was \"beam\"",
-        ),
-        (
-            "scenes/processors/mesh.toml",
-            &zone,
-            "slots = \"3,3,3,3,facet3\"",
-        ),
-        (
-            "scenes/teapot.toml --overlay docs/images/trace.png",
-            &zone,
-            "overlay = true",
-        ),
-    ] {
+    let cases = r#"
+        scenes/teapot.toml | no/machine.toml | give the path
+        scenes/shadows/robot.toml | machines/beam-lit-sphere.toml | lights = 2 # was 0
+        scenes/glass/still-life.toml | machines/beam-lit-sphere.toml | layers = 3
+        scenes/teapot.toml scenes/crossing-cylinders.toml | machines/beam-lit-sphere.toml | crossing-cylinders.toml: lights or materials are other ones
+        scenes/shadows/robot.toml | machines/beam-160x120.toml | objects = 39 # was 10
+        scenes/shadows/sphere-surface.toml | machines/beam-160x120.toml | machine = "zone" # was "beam"
+        scenes/processors/mesh.toml | machines/zone-160x120.toml | slots = "3,3,3,3,facet3"
+        scenes/teapot.toml --overlay docs/images/trace.png | machines/zone-160x120.toml | overlay = true
+    "#;
+    for [scenes, machine, says] in columns(cases) {
         refused(scenes, machine, says);
     }
-    let own = place.path("own.toml").display().to_string();
-    for (line, scenes, says) in [
-        (
-            "depth_word = 7",
-            teapot,
-            "depth word of 7 bits: accepted are 8 to 32",
-        ),
-        (
-            "depth_word = 40",
-            teapot,
-            "depth word of 40 bits: accepted are 8 to 32",
-        ),
-        (
-            "widths = { g1 = 17 }",
-            teapot,
-            "guard bits 17:0: at most 16 each",
-        ),
-        (
-            "depth_word = 31\nwidths = { g2 = 3 }",
-            teapot,
-            "accepts at most 2",
-        ),
-        (
-            "widths = { plane = 20 }",
-            teapot,
-            "plane word of 20 bits: accepted are 24 to 36",
-        ),
-        ("root_form = \"linear\"", teapot, "0 to 2 corrections"),
-        ("root_form = \"iterative\"", teapot, "one pixel per clock"),
-        ("root_form = \"rows8\"", teapot, "`dropped` of the widths"),
-        (
-            "widths = { root = 16 }\nroot_form = \"leading17\"",
-            teapot,
-            "leading root of 17 bits: accepted are 1 to 16",
-        ),
-        (
-            "widths = { root = 16, dropped = 5 }\nroot_form = \"quadratic1\"",
-            teapot,
-            "quadratic root of 11 bits: accepted are 12 to 32",
-        ),
-        (
-            "overlay = true",
-            "scenes/teapot.toml --overlay docs/images/trace.png",
-            "the screen has 40 x 30",
-        ),
-        (
-            "overlay = true",
-            "scenes/teapot.toml --overlay README.md",
-            "a PNG picture",
-        ),
-    ] {
-        let text = format!("machine = \"beam\"\nobjects = 10\n{COMMON}{line}\n");
+    let cases = r#"
+        depth_word = 7 | scenes/teapot.toml | depth word of 7 bits: accepted are 8 to 32
+        depth_word = 40 | scenes/teapot.toml | depth word of 40 bits: accepted are 8 to 32
+        widths = { g1 = 17 } | scenes/teapot.toml | guard bits 17:0: at most 16 each
+        depth_word = 31; widths = { g2 = 3 } | scenes/teapot.toml | accepts at most 2
+        widths = { plane = 20 } | scenes/teapot.toml | plane word of 20 bits: accepted are 24 to 36
+        root_form = "linear" | scenes/teapot.toml | 0 to 2 corrections
+        root_form = "iterative" | scenes/teapot.toml | one pixel per clock
+        root_form = "rows8" | scenes/teapot.toml | `dropped` of the widths
+        widths = { root = 16 }; root_form = "leading17" | scenes/teapot.toml | leading root of 17 bits: accepted are 1 to 16
+        widths = { root = 16, dropped = 5 }; root_form = "quadratic1" | scenes/teapot.toml | quadratic root of 11 bits: accepted are 12 to 32
+        overlay = true | scenes/teapot.toml --overlay docs/images/trace.png | the screen has 40 x 30
+        overlay = true | scenes/teapot.toml --overlay docs/README.md | a PNG picture
+    "#;
+    for [line, scenes, says] in columns(cases) {
+        let lines = line.replace("; ", "\n");
+        let text = format!("machine = \"beam\"\nobjects = 10\n{COMMON}{lines}\n");
         place.write("own.toml", text);
-        refused(scenes, &own, says);
+        refused(scenes, "own.toml", says);
     }
 }

@@ -60,9 +60,8 @@ fn a_depth_word_can_be_turned_back_into_a_distance() {
     place.json("--allow-missing render scene.toml -o p.png --depth depth.npy");
     let bytes = place.bytes("depth.npy");
     let words = bytes[bytes.len() - 32 * 24 * 8..].chunks(8);
-    let words: Vec<i64> = words
-        .map(|w| i64::from_le_bytes(w.try_into().unwrap()))
-        .collect();
+    let words = words.map(|w| i64::from_le_bytes(w.try_into().unwrap()));
+    let words: Vec<i64> = words.collect();
     // The middle pixel looks at the nearest point of the ball, 9 units away.
     let word = words[12 * 32 + 16] as f64;
     let distance = 2.0 * near * 8_388_607.0 / (8_388_607.0 - word);

@@ -22,17 +22,14 @@ fn a_unit_has_the_parameters_that_are_given() {
     let two = mutants("--objects 2 --out two.md");
     assert!(two < mutants(""), "the default is four objects");
     let text = place.text("two.md");
-    assert!(
-        text.contains("imogene mutate decider --format 16 --objects 2 --stimuli"),
-        "{text}"
-    );
-    assert!(
-        text.contains("| decider | `--format 16 --objects 2` |"),
-        "{text}"
-    );
-    place
-        .run("mutate pe1 --objects 2")
-        .refused(&["the unit `pe1` has no parameter `objects`"]);
+    for part in [
+        "imogene mutate decider --format 16 --objects 2 --stimuli",
+        "| decider | `--format 16 --objects 2` |",
+    ] {
+        assert!(text.contains(part), "{text}");
+    }
+    let part = "the unit `pe1` has no parameter `objects`";
+    place.run("mutate pe1 --objects 2").refused(&[part]);
     let machine = "mutate scenes/cone.toml --machine machines/beam-48x32.toml --objects 2";
     place.run(machine).refused(&["--machine", "--objects"]);
 }

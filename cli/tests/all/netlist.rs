@@ -2,7 +2,7 @@
 //! and 'iverilog', and under `IMOGENE_FULL=1` 'verilator', 'g++' and the tools of `scripts/setup --synth`; fails
 //! without them.
 
-use crate::common::{is_full, json, run};
+use crate::common::{columns, is_full, json, run};
 
 fn check(unit: &str, engine: &str, target: &str, clocks: u32) {
     let report = json(&format!(
@@ -42,18 +42,13 @@ fn the_units_of_the_quadric_processor_agree_after_synthesis() {
 
 #[test]
 fn what_cannot_be_run_is_refused_by_name() {
-    for (line, part) in [
-        ("pe1 --netlist ice40-hx8k", "--engine icarus"),
-        ("pe1 --engine icarus --netlist xilinx7", "ice40-hx8k"),
-        (
-            "pe1 --engine icarus --netlist ecp6",
-            "there is no target `ecp6`",
-        ),
-        (
-            "scenes/cone.toml --engine icarus --netlist ice40-hx8k",
-            "--netlist takes a unit",
-        ),
-    ] {
+    let cases = "
+        pe1 --netlist ice40-hx8k                              | --engine icarus
+        pe1 --engine icarus --netlist xilinx7                 | ice40-hx8k
+        pe1 --engine icarus --netlist ecp6                    | there is no target `ecp6`
+        scenes/cone.toml --engine icarus --netlist ice40-hx8k | --netlist takes a unit
+    ";
+    for [line, part] in columns(cases) {
         run(&format!("cosim {line}")).refused(&[part]);
     }
 }

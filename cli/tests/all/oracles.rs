@@ -1,6 +1,6 @@
 //! `imogene raytrace`, `cracks` and `repair`.
 
-use crate::common::{HEAD, Place, SHEET, json, repository, run, scene};
+use crate::common::{HEAD, Place, SHEET, json, repository, run};
 use serde_json::Value;
 
 /// A folder with a scene in it that cannot be drawn.
@@ -13,10 +13,8 @@ fn place() -> Place {
 #[test]
 fn scenes_are_traced_and_refusals_are_listed() {
     let place = place();
-    let teapot = scene("teapot.toml");
-    let value = place.json(&format!(
-        "trace {teapot} sheet.toml --size 80x60 --out pictures --table table.md"
-    ));
+    let options = "--size 80x60 --out pictures --table table.md";
+    let value = place.json(&format!("trace scenes/teapot.toml sheet.toml {options}"));
     assert_eq!(value["holds"], true);
     let found = &value["scenes"][0]["comparison"];
     assert_eq!(found["pixels"], 4800);
@@ -44,7 +42,7 @@ fn what_the_check_announces_is_no_surprise() {
 #[test]
 fn what_cannot_be_traced_is_refused_and_leaves_nothing() {
     let place = place();
-    let ball = scene("ellipsoid.toml");
+    let ball = "scenes/ellipsoid.toml";
     for (line, part) in [
         ("trace no.toml", "no.toml"),
         ("trace sheet.toml -o picture.png", "vertex 2"),
@@ -54,7 +52,7 @@ fn what_cannot_be_traced_is_refused_and_leaves_nothing() {
         ("cracks BALL --width 9", "1..=8"),
         ("repair BALL --format 33", "8 to 32"),
     ] {
-        place.run(&line.replace("BALL", &ball)).refused(&[part]);
+        place.run(&line.replace("BALL", ball)).refused(&[part]);
     }
     assert!(!place.has("picture.png"));
 }
@@ -62,12 +60,11 @@ fn what_cannot_be_traced_is_refused_and_leaves_nothing() {
 #[test]
 fn cracks_are_searched_for_and_made() {
     let place = Place::new();
-    let (ball, teapot) = (scene("ellipsoid.toml"), scene("teapot.toml"));
-    let value = place.json(&format!("cracks {ball} --size 160x120 -o cracks.png"));
+    let value = place.json("cracks scenes/ellipsoid.toml --size 160x120 -o cracks.png");
     assert_eq!(value["cracks"].as_array().expect("a list").len(), 0);
     assert!(place.has("cracks.png"));
     let inject = "--size 160x120 --inject 40 --seed 5 --plot cracks.svg";
-    let value = place.json(&format!("cracks {teapot} {inject}"));
+    let value = place.json(&format!("cracks scenes/teapot.toml {inject}"));
     let drawn = place.text("cracks.svg");
     // A line for each sort in each of three panels, and the axes.
     assert!(drawn.starts_with("<svg") && drawn.matches("<polyline").count() >= 9);
@@ -103,16 +100,15 @@ fn the_teapot_parts_and_terrain_have_no_cracks() {
 #[test]
 fn short_words_are_repaired_to_the_exact_picture() {
     let place = Place::new();
-    let teapot = scene("teapot.toml");
-    let value = place.json(&format!(
-        "repair {teapot} --size 160x120 --format 16 -o picture.png --map map.png"
-    ));
+    let repair = "repair scenes/teapot.toml";
+    let options = "--size 160x120 --format 16 -o picture.png --map map.png";
+    let value = place.json(&format!("{repair} {options}"));
     assert_eq!(value["exact"]["differing_after"], 0);
     assert!(value["exact"]["differing_before"].as_u64() > Some(0));
     assert_eq!(value["leaves_the_rest"], true);
     let share = value["share"].as_f64().expect("a share");
     assert!(share > 0.0 && share < 0.1, "{share}");
     assert!(place.has("picture.png") && place.has("map.png"));
-    let value = place.json(&format!("repair {teapot} --size 80x60 --unchecked"));
+    let value = place.json(&format!("{repair} --size 80x60 --unchecked"));
     assert_eq!(value["exact"], Value::Null);
 }

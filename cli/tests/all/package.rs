@@ -5,10 +5,8 @@ use crate::common::{Place, assert_keys, json, run};
 #[test]
 fn contract_prints_json_or_markdown_and_writes_a_file() {
     let value = json("contract pe1 --format 16");
-    assert_keys(
-        &value,
-        "unit computes source parameters ports latency throughput reset ties error command",
-    );
+    let keys = "unit computes source parameters ports latency throughput reset ties error command";
+    assert_keys(&value, keys);
     let port = &value["ports"][4];
     assert_eq!(port["name"], "a");
     assert_eq!(port["width"], 18);

@@ -20,16 +20,13 @@ fn the_page_and_its_picture_are_what_the_command_makes() {
     let report = place.json("compare --out .");
     let page = std::fs::read_to_string(repository("docs/comparison.md")).unwrap();
     let tables = place.text("comparison.md");
-    assert!(
-        page.contains(tables.trim()),
-        "docs/comparison.md does not hold what the command prints:\n{tables}"
-    );
+    let lacks = "docs/comparison.md does not hold what the command prints";
+    assert!(page.contains(tables.trim()), "{lacks}:\n{tables}");
     let picture = place.bytes("comparison.png");
     assert!(picture.len() < 250_000, "{} bytes", picture.len());
-    assert!(
-        picture == std::fs::read(repository("docs/images/comparison.png")).unwrap(),
-        "docs/images/comparison.png is not what the command draws"
-    );
+    let shown = "docs/images/comparison.png";
+    let is_same = picture == std::fs::read(repository(shown)).unwrap();
+    assert!(is_same, "{shown} is not what the command draws");
     let figures: Value = serde_json::from_str(&place.text("comparison.json")).unwrap();
     assert_eq!(figures, report);
     assert_figures(&report);
@@ -69,10 +66,8 @@ fn assert_figures(report: &Value) {
     }
     for facets in facets {
         let work = &facets["facet_work"];
-        assert_eq!(
-            figure(work, "/contour/pixel_additions"),
-            5.0 * figure(work, "/contour/pixels")
-        );
+        let wanted = 5.0 * figure(work, "/contour/pixels");
+        assert_eq!(figure(work, "/contour/pixel_additions"), wanted);
         assert!(figure(work, "/contour/line_additions") < figure(work, "/processor_box_additions"));
     }
     assert!(figure(report, "/speed/ratio") > 0.0);

@@ -6,10 +6,8 @@ use crate::common::{Place, Run, assert_keys, imogene, json, run};
 fn a_proof_is_reported_with_the_keys_that_scripts_rely_on() {
     let reports = json("prove root-integers");
     assert_eq!(reports.as_array().map(Vec::len), Some(1));
-    assert_keys(
-        &reports[0],
-        "name statement method widths mutant result ok detail tools seconds folder",
-    );
+    let keys = "name statement method widths mutant result ok detail tools seconds folder";
+    assert_keys(&reports[0], keys);
     assert_eq!(reports[0]["result"], "proved");
 }
 

@@ -1,6 +1,6 @@
 //! `imogene sweep`: tables, figures, plots, refusals.
 
-use crate::common::{Place, json, run};
+use crate::common::{Place, json, rows, run};
 use serde_json::Value;
 
 #[test]
@@ -80,19 +80,13 @@ fn plots_figures_and_sections_are_written_once_for_each_sweep() {
 fn unknown_names_formats_and_folders_are_bad_input() {
     let place = Place::new();
     place.write("file", "");
-    for (line, parts) in [
-        (
-            "steep-plane steep",
-            &[
-                "no sweep `steep`",
-                "cylinder-axis, eye-distance",
-                "word-length",
-            ][..],
-        ),
-        ("thin --format 33", &["8 to 32"]),
-        ("steep-plane --out file/sub", &["file"]),
-    ] {
-        let refused = place.run(&format!("sweep {line}")).refused(parts);
-        assert_eq!(refused.out, "");
+    let cases = "
+        steep-plane steep          | no sweep `steep` | cylinder-axis, eye-distance | word-length
+        thin --format 33           | 8 to 32
+        steep-plane --out file/sub | file
+    ";
+    for row in rows(cases) {
+        let run = place.run(&format!("sweep {}", row[0]));
+        assert_eq!(run.refused(&row[1..]).out, "");
     }
 }

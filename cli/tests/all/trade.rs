@@ -10,8 +10,7 @@ fn trade(place: &Place, name: &str, more: &str) -> Run {
 
 fn sized_trade(place: &Place, name: &str, size: &str, more: &str) -> Run {
     let options = format!("--size {size} --points quick --no-cost");
-    let scene = scene(name);
-    place.run(&format!("--json trade {scene} {options} {more}"))
+    place.run(&format!("--json trade scenes/{name} {options} {more}"))
 }
 
 #[test]
@@ -54,11 +53,6 @@ fn every_point_is_a_machine_that_draws_its_picture_in_its_clocks() {
     let report: Value = serde_json::from_str(&place.text("out/trade.json")).unwrap();
     let points = report["points"].as_array().unwrap();
     let of = |id: &str| points.iter().find(|point| point["id"] == id).unwrap();
-    // What a command prints of a machine, with the folder of its files.
-    let shown = |command: &str, out: &str| {
-        let command = command.replacen("imogene ", "", 1);
-        place.json(&command.replace(" DIR", &format!(" {out}")))
-    };
     for id in [
         "w20-n16-g0.0-d3-r2",
         "w16-n16-g0.0-d0-z16k1-r2",
@@ -73,7 +67,8 @@ fn every_point_is_a_machine_that_draws_its_picture_in_its_clocks() {
         let name = scene("cut-sphere.toml");
         let cycles = [1, 2, 3].map(|times| {
             let names = vec![name.as_str(); times].join(" ");
-            let shown = shown(&command.replacen(&name, &names, 1), id);
+            let command = command.replacen(&name, &names, 1);
+            let shown = place.reproduced(&command.into(), id);
             assert_eq!(shown["report"]["mismatches"], 0, "{id}");
             shown["report"]["cycles"].as_u64().unwrap()
         });
@@ -87,15 +82,15 @@ fn every_point_is_a_machine_that_draws_its_picture_in_its_clocks() {
         }
     }
     let point = of("w24-n16-g0.0-d0-r1");
-    shown(point["emit"].as_str().unwrap(), "emitted");
+    place.reproduced(&point["emit"], "emitted");
     assert!(place.has("emitted/beam_stream.v"));
 }
 
 #[test]
 fn zones_and_widths_of_one_picture() {
     let place = Place::new();
-    let cone = scene("cone.toml");
-    let render = |more: &str| place.run(&format!("render {cone} --size 64x48 -o p.png {more}"));
+    let line = "render scenes/cone.toml --size 64x48 -o p.png";
+    let render = |more: &str| place.run(&format!("{line} {more}"));
     let picture = |more: &str| {
         render(more).ended(0);
         place.bytes("p.png")

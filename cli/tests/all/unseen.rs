@@ -51,9 +51,7 @@ fn what_nobody_sees_is_counted() {
 fn a_scene_that_does_not_fit_into_memory_is_refused_with_what_would_do() {
     let place = wall(60);
     let refused = render(&place, "--max-memory 48M");
-    let said = refused
-        .refused(&["preparing 3608 objects takes up to"])
-        .said;
+    let Run { said, .. } = refused.refused(&["preparing 3608 objects takes up to"]);
     assert!(!place.has("wall.png"));
     let mut words = said.split_whitespace();
     words.find(|word| *word == "--max-memory");

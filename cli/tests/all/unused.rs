@@ -90,11 +90,8 @@ fn unused_planes_and_slots_are_switched_off_by_the_words_of_the_document() {
     let sparse = sparse.replacen(shadows, "kind = \"directional\"", 1);
     let (sparse, _) = sparse.rsplit_once("cuts =").expect("planes");
     let mut images = vec![];
-    for (name, text) in [
-        ("full.toml", &*full),
-        ("sparse.toml", sparse),
-        ("again.toml", &full),
-    ] {
+    let names = ["full.toml", "sparse.toml", "again.toml"];
+    for (name, text) in names.into_iter().zip([&*full, sparse, &full]) {
         place.write(name, text);
         let document = place.json(&format!("prepare {name} --size {}x{}", SIZE.0, SIZE.1));
         let mut image = golden(text);
@@ -104,22 +101,12 @@ fn unused_planes_and_slots_are_switched_off_by_the_words_of_the_document() {
         image.beats.last_mut().expect("words").last = true;
         images.push(image);
     }
-    assert!(
-        images[0]
-            .lighting
-            .flags
-            .iter()
-            .any(|&flags| flags != u16::MAX),
-        "a shadow"
-    );
+    let mut flags = images[0].lighting.flags.iter();
+    assert!(flags.any(|&flags| flags != u16::MAX), "a shadow");
     assert_ne!(images[0].picture, images[1].picture);
     let options = PinsRun::plain(Engine::BuiltIn);
     let outcome = run(&machine(), &images, &options, || ()).expect("a machine that runs");
-    assert_eq!(
-        outcome.report.mismatches,
-        0,
-        "{:?}",
-        outcome.report.first_mismatches.first()
-    );
+    let first = outcome.report.first_mismatches.first();
+    assert_eq!(outcome.report.mismatches, 0, "{first:?}");
     assert!(outcome.shown.contains(&Some(1)) && outcome.picture == images[2].picture);
 }

@@ -8,10 +8,8 @@ use imogene_rtl::emit::{emit, raw};
 fn accepts(tool: &str, arguments: &[&str], request: &Request) {
     let output = run(tool, tool, arguments);
     let said = String::from_utf8_lossy(&output.stderr);
-    assert!(
-        output.status.success() && said.is_empty(),
-        "{request:?}: {said}"
-    );
+    let is_accepted = output.status.success() && said.is_empty();
+    assert!(is_accepted, "{request:?}: {said}");
 }
 
 #[test]
@@ -21,15 +19,8 @@ fn icarus_accepts_every_unit_without_a_warning() {
         let name = format!("icarus-{}-{}", request.unit.name(), request.depth_word);
         let file = write(&name, &emitted);
         let file = file.to_str().unwrap();
-        let arguments = [
-            "-g2005",
-            "-Wall",
-            "-s",
-            &emitted.top,
-            "-o",
-            "/dev/null",
-            file,
-        ];
+        let top = &emitted.top;
+        let arguments = ["-g2005", "-Wall", "-s", top, "-o", "/dev/null", file];
         accepts("iverilog", &arguments, &request);
     }
 }
@@ -78,10 +69,8 @@ fn equal_blocks_become_one_module() {
         ..Request::new(Unit::Beam)
     })
     .unwrap();
-    assert!(
-        more.modules.len() <= beam.modules.len(),
-        "a slot more is an instance more"
-    );
+    // A slot more is an instance more.
+    assert!(more.modules.len() <= beam.modules.len());
 }
 
 #[test]
@@ -93,11 +82,8 @@ fn ports_are_listed_as_they_stand() {
     .unwrap();
     let port = |name: &str| emitted.ports.iter().find(|port| port.name == name).unwrap();
     assert_eq!((port("f2_a2").width, port("f2_a2").signed), (48, true));
-    assert_eq!(
-        (port("plane_1_c").width, port("plane_1_kind").width),
-        (36, 2)
-    );
-    assert_eq!((port("zf").width, port("out_valid").width), (24, 1));
+    let widths = ["plane_1_c", "plane_1_kind", "zf", "out_valid"].map(|name| port(name).width);
+    assert_eq!(widths, [36, 2, 24, 1]);
     assert_eq!(emitted.latency, 24 + 11);
 }
 
@@ -145,9 +131,5 @@ fn the_root_network_takes_an_eighth_of_the_lines_of_the_raw_text() {
     let raw = raw.lines().count();
     let emitted = emit(&Request::new(Unit::SquareRoot)).unwrap();
     let lines = emitted.bundle().lines().count();
-    println!(
-        "raw {raw} lines, emitted {lines}, ratio {:.1}",
-        raw as f64 / lines as f64
-    );
     assert!(raw >= 8 * lines, "raw {raw}, emitted {lines}");
 }

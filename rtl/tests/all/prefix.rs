@@ -17,10 +17,9 @@ fn bench(radicands: &[u64]) -> String {
          \n  wide_square_root b (.clock(clock), .radicand(radicand), .root(wide), .remainder());\n\
          \n  initial begin\n",
     );
+    let clocks = "repeat (24) begin #1 clock = 1; #1 clock = 0; end";
     for radicand in radicands {
-        text += &format!(
-            "    radicand = 48'd{radicand}; repeat (24) begin #1 clock = 1; #1 clock = 0; end\n"
-        );
+        text += &format!("    radicand = 48'd{radicand}; {clocks}\n");
         text += "    $display(\"%0d %0d\", narrow, wide);\n";
     }
     text + "  end\nendmodule\n"
@@ -42,16 +41,11 @@ fn two_widths_of_one_unit_work_in_one_design() {
     arguments.push(&binary);
     arguments.extend(files.iter().map(String::as_str));
     let built = run("iverilog", "iverilog", &arguments);
-    assert!(
-        built.status.success(),
-        "{}",
-        String::from_utf8_lossy(&built.stderr)
-    );
+    let said = String::from_utf8_lossy(&built.stderr);
+    assert!(built.status.success(), "{said}");
     let said = run("vvp", "iverilog", &["-n", &binary]).stdout;
-    let expected: Vec<String> = radicands
-        .iter()
-        .map(|radicand| format!("{} {}", (radicand & 0xffff_ffff).isqrt(), radicand.isqrt()))
-        .collect();
+    let roots = |r: &u64| format!("{} {}", (r & 0xffff_ffff).isqrt(), r.isqrt());
+    let expected: Vec<String> = radicands.iter().map(roots).collect();
     let said = String::from_utf8(said).unwrap();
     assert_eq!(said.lines().collect::<Vec<_>>(), expected);
     // Without prefixes the same two texts do not go together.
@@ -68,12 +62,9 @@ fn a_prefix_changes_the_names_of_modules_and_nothing_else() {
         assert_eq!(named.top, format!("mine_{}", unit.name()));
         assert_eq!((&named.ports, named.latency), (&plain.ports, plain.latency));
         assert!(named.header.contains(" --prefix mine_ --out DIR"));
-        assert!(
-            named
-                .files()
-                .iter()
-                .all(|(file, text)| { file.starts_with("mine_") && text.starts_with("// mine_") })
-        );
+        for (file, text) in named.files() {
+            assert!(file.starts_with("mine_") && text.starts_with("// mine_"));
+        }
         let without = |text: &str| text.replace("mine_", "").replace(" --prefix ", "");
         assert_eq!(without(&named.bundle()), plain.bundle());
         for ((long, _), (short, _)) in named.modules.iter().zip(&plain.modules) {
@@ -87,9 +78,8 @@ fn a_prefix_that_begins_no_identifier_is_refused() {
     for prefix in ["", "1st_", "_a", "a-b", "a__b", "a b", "a$", "\u{e4}_"] {
         let refused = emit_with_prefix(&Request::new(Unit::Pe1), prefix).unwrap_err();
         let message = refused.to_string();
-        assert!(
-            message.contains(&format!("`{prefix}`")) && message.contains("begin with a letter"),
-            "{message}"
-        );
+        for part in [&format!("`{prefix}`"), "begin with a letter"] {
+            assert!(message.contains(part), "{message}");
+        }
     }
 }

@@ -6,9 +6,8 @@ use imogene_contract::object::{KINDS, ProductSlots};
 use imogene_contract::slots::FittedSlot;
 use imogene_contract::video::VideoMode;
 use imogene_contract::{Request, Unit};
-use imogene_rtl::emit::machine::{
-    Kind, MachineRequest, MachineWords, Output, ZoneShape, emit_machine,
-};
+use imogene_rtl::emit::machine::{Kind, MachineRequest, MachineWords};
+use imogene_rtl::emit::machine::{Output, ZoneShape, emit_machine};
 use imogene_rtl::emit::{Emitted, emit};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -28,10 +27,8 @@ fn found(files: &[PathBuf]) -> Vec<String> {
     assert!(output.status.success() && read == wanted, "{said}\n{HOW}");
     let is_found = |line: &&str| line.contains(": warning: ") || line.contains(": error: ");
     let findings = said.lines().filter(is_found);
-    findings
-        .filter(|line| !line.contains(" net 'unused"))
-        .map(str::to_owned)
-        .collect()
+    let findings = findings.filter(|line| !line.contains(" net 'unused"));
+    findings.map(str::to_owned).collect()
 }
 
 fn assert_clean(files: &[PathBuf]) {
@@ -70,12 +67,9 @@ fn machines() -> [Emitted; 3] {
         kind,
         ..FittedSlot::quadric(least)
     });
+    let zones = Kind::ZoneDisplay(zone, screen);
     let machines = [
-        (
-            Kind::ZoneDisplay(zone, screen),
-            quadrics.clone(),
-            vec![product],
-        ),
+        (zones, quadrics.clone(), vec![product]),
         (Kind::BeamDisplay(8, screen), quadrics, vec![product]),
         (Kind::BeamDisplay(10, screen), each.to_vec(), vec![]),
     ];
@@ -105,21 +99,16 @@ fn slang_finds_faults() {
     let emitted = emit(&Request::new(Unit::SquareRoot)).expect("legal parameters");
     let difference = "dividend - divisor";
     let test = "(trial & sign) != 26'd0";
+    let wires = "wire [25:0] divisor, dividend, trial,";
+    let narrow = "wire [24:0] trial; wire [25:0] divisor, dividend,";
+    let shifted = "dividend - (divisor << 26)";
     let faults = [
         (difference, "dividend - ", "error: expected"),
         (difference, "dividend - divider", "error: use of undeclared"),
-        (
-            difference,
-            "dividend - (divisor << 26)",
-            "shift-count-overflow",
-        ),
+        (difference, shifted, "shift-count-overflow"),
         (difference, "dividend", "unused-but-set-net"),
         ("live + 26'd1", "{1'b0, live} + 27'd1", "width-trunc"),
-        (
-            "wire [25:0] divisor, dividend, trial,",
-            "wire [24:0] trial; wire [25:0] divisor, dividend,",
-            "width-expand",
-        ),
+        (wires, narrow, "width-expand"),
         (test, "$signed(trial) < sign", "sign-compare"),
         (test, "trial & sign", "width-trunc"),
         ("assign divisor = {root, 2'd1};", "", "undriven-net"),

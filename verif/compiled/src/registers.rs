@@ -464,9 +464,8 @@ impl Writer<'_> {
         let places = place.saturating_sub(most)..place + words(stored);
         let loaded = self.loaded.range(places);
         let loaded = loaded.flat_map(|(place, values)| values.iter().map(move |v| (*place, *v)));
-        loaded
-            .filter(|(begin, loaded)| begin + words(*loaded) > place)
-            .collect()
+        let reaching = loaded.filter(|(begin, loaded)| begin + words(*loaded) > place);
+        reaching.collect()
     }
 
     fn store(&mut self, index: usize, step: &Step, value: Value, place: usize) {

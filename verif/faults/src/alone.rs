@@ -83,10 +83,8 @@ impl Around<'_> {
         let own = alone(module);
         let zeros = own.top.ports_of(Direction::In).flat_map(|port| {
             let at = |path| self.zeros.get(&format!("{path}{}", port.name)).copied();
-            let zeros = paths
-                .iter()
-                .map(at)
-                .fold(u64::MAX, |all, bits| all & bits.unwrap_or(0));
+            let zeros = paths.iter().map(at);
+            let zeros = zeros.fold(u64::MAX, |all, bits| all & bits.unwrap_or(0));
             let bits = (0..port.width).filter(move |bit| zeros >> bit & 1 == 1);
             bits.map(|bit| (port.name.clone(), bit))
         });

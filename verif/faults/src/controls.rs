@@ -155,9 +155,8 @@ impl Controls {
 
     /// What a mutant changes, as `f2.kept_b[3] stuck at 1 (pe2.rs:40)`.
     pub fn describe(&self, mutant: &Mutant) -> String {
-        let Control {
-            path, module, site, ..
-        } = &self.controls[mutant.control];
+        let control = &self.controls[mutant.control];
+        let (path, module, site) = (&control.path, &control.module, control.site);
         let register = |index: usize| module.registers[index].net;
         let (net, what) = match site.kind {
             SiteKind::Bits(net) => (net, format!("[{}]", mutant.bit)),
@@ -259,10 +258,8 @@ fn control(module: &mut Module, original: &Module, kind: SiteKind) -> usize {
             module.nodes[net.0].op = Op::Forward(Some(changed));
         }
         SiteKind::Enable(index) => {
-            let enable = module.registers[index]
-                .enable
-                .expect("a site with an enable");
-            let changed = masked(module, enable);
+            let enable = module.registers[index].enable;
+            let changed = masked(module, enable.expect("a site with an enable"));
             module.registers[index].enable = Some(changed);
         }
         SiteKind::Initial(index) => return index,

@@ -128,9 +128,8 @@ impl Clauses<'_> {
                 continue;
             };
             let missing = operands.map(Bit::gate).into_iter();
-            let missing: Vec<usize> = missing
-                .filter(|gate| !self.known.contains_key(gate))
-                .collect();
+            let missing = missing.filter(|gate| !self.known.contains_key(gate));
+            let missing: Vec<usize> = missing.collect();
             if !missing.is_empty() {
                 open.extend(missing);
                 continue;

@@ -112,9 +112,8 @@ impl CutBody {
 /// has the number 2.
 fn numbers(object: &Object, planes: usize) -> Vec<u8> {
     let discs = matches!(object.drawn_by(), Some(Processor::Paraboloid));
-    (0..planes as u8)
-        .map(|k| if discs { 2 } else { 2 + k })
-        .collect()
+    let number = |k| if discs { 2 } else { 2 + k };
+    (0..planes as u8).map(number).collect()
 }
 
 /// An object in its own frame.

@@ -140,19 +140,17 @@ impl Sight {
     /// The parameter at a depth.
     pub fn parameter(&self, depth: Interval) -> Interval {
         let one = Interval::point(1.0);
-        if self.perspective {
-            one / (one - depth)
-        } else {
-            depth
+        match self.perspective {
+            true => one / (one - depth),
+            false => depth,
         }
     }
 
     /// Depth at a parameter, exactly.
     pub fn exact_depth(&self, t: &BigRational) -> BigRational {
-        if self.perspective {
-            BigRational::one() - t.recip()
-        } else {
-            t.clone()
+        match self.perspective {
+            true => BigRational::one() - t.recip(),
+            false => t.clone(),
         }
     }
 }

@@ -13,7 +13,7 @@ use crate::interval::{Interval, about_all};
 use crate::trace::material;
 use crate::transform::{apply, placement};
 use imogene_algebra::rational::from_decimal;
-use imogene_scene::{Beam, Light, Material, Object, SceneFile};
+use imogene_scene::{Beam, Light, Material, SceneFile};
 use num_rational::BigRational;
 use num_traits::Zero;
 
@@ -81,20 +81,17 @@ impl Colours {
         let scene = scene.flattened();
         let sources: Option<Vec<Source>> = scene.lights.iter().map(Source::new).collect();
         let quick = |affine: &Affine| affine.each_ref().map(direction);
+        let materials = scene.objects.iter();
+        let materials = materials.map(|object| material(&scene, object).clone());
+        let level = |v: f64| Interval::point(255.0 * v).widened(0.5);
         (scene.camera.sample_at == [0.0; 2]).then_some(Colours {
             from: quick(&sight.from),
             along: quick(&sight.along),
             ambient: scene.ambient,
             half: scene.attenuation,
-            background: scene
-                .background
-                .map(|v| Interval::point(255.0 * v).widened(0.5)),
+            background: scene.background.map(level),
             sources: sources?,
-            materials: scene
-                .objects
-                .iter()
-                .map(|object: &Object| material(&scene, object).clone())
-                .collect(),
+            materials: materials.collect(),
         })
     }
 
@@ -192,8 +189,8 @@ impl Body {
         let Body::Cut(body) = self else { return None };
         let [x, y] = [x, y].map(|v| Interval::point(v as f64));
         let on = |[a, b, c]: &[[Interval; 4]; 3], k: usize| a[k] * x + b[k] * y + c[k];
-        let place: [Interval; 4] =
-            std::array::from_fn(|k| on(&body.quick.from, k) + t * on(&body.quick.along, k));
+        let at = |k: usize| on(&body.quick.from, k) + t * on(&body.quick.along, k);
+        let place: [Interval; 4] = std::array::from_fn(at);
         let gradient: [Interval; 4] = match number.checked_sub(2) {
             None => {
                 let form = body.quick.form?;

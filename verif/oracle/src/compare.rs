@@ -181,10 +181,8 @@ pub struct Pictures<'a> {
 /// Compares the pictures of a scene; the marks are those of the pixels, row-major.
 pub fn compare(pictures: &Pictures) -> (Comparison, Vec<Mark>) {
     let Pictures { tracer, bounds, .. } = pictures;
-    let (first, layers) = pictures
-        .pairs
-        .split_first()
-        .expect("there are opaque objects, or none");
+    let pairs = pictures.pairs.split_first();
+    let (first, layers) = pairs.expect("there are opaque objects, or none");
     let covered = |pair: &Pair| pair.traced.pixels.iter().flatten().count();
     let mut found = Comparison {
         pixels: first.traced.pixels.len(),
@@ -329,10 +327,9 @@ impl Judge<'_> {
         };
         let bound = |p: &TracedPixel| self.bound(p, (x, y)) + self.slack(p);
         if let Some(other) = self.tracer.alone(object, x as u32, y as u32) {
-            return other.number == golden.number
-                && (golden.depth - self.depth(&other)).abs() <= bound(&other)
-                && (self.depth(&other) - self.depth(traced)).abs()
-                    <= bound(&other) + bound(traced);
+            let (own, depth) = (bound(&other), self.depth(&other));
+            let is_it = other.number == golden.number && (golden.depth - depth).abs() <= own;
+            return is_it && (depth - self.depth(traced)).abs() <= own + bound(traced);
         }
         // Corners of a facet are on a grid, so that it may reach beyond its true edge.
         let mut about = (x.saturating_sub(1)..=x + 1)
@@ -355,9 +352,8 @@ impl Judge<'_> {
         let Some(object) = object.filter(|&object| self.bounds.is_of_facets(object)) else {
             return false;
         };
-        let near = self
-            .tracer
-            .facets_near(object, (x as u32, y as u32), CORNER);
+        let place = (x as u32, y as u32);
+        let near = self.tracer.facets_near(object, place, CORNER);
         near.into_iter().any(|(part, depth)| {
             let facet = TracedPixel {
                 object,

@@ -107,9 +107,8 @@ pub fn two_pixels(camera: &Camera, height: usize) -> f64 {
 /// The flagged pixels, line by line.
 pub fn cracks(buffers: &Buffers, rule: &Rule) -> Vec<Crack> {
     let pixels = (0..buffers.height).flat_map(|y| (0..buffers.width).map(move |x| (x, y)));
-    let mut found: Vec<Crack> = pixels
-        .filter_map(|(x, y)| crack_at(buffers, rule, x, y))
-        .collect();
+    let found = pixels.filter_map(|(x, y)| crack_at(buffers, rule, x, y));
+    let mut found: Vec<Crack> = found.collect();
     mark_notches(buffers, &mut found);
     found
 }
@@ -118,10 +117,11 @@ pub fn cracks(buffers: &Buffers, rule: &Rule) -> Vec<Crack> {
 fn mark_notches(buffers: &Buffers, found: &mut [Crack]) {
     let index = |c: &Crack| c.y * buffers.width + c.x;
     let flagged: HashMap<usize, usize> = found.iter().map(index).zip(0..).collect();
+    let face = &buffers.face;
     let alike = |pixel: usize| -> Vec<usize> {
-        about(pixel, buffers.width, buffers.height)
-            .filter(|&other| other != pixel && buffers.face[other] == buffers.face[pixel])
-            .collect()
+        let about = about(pixel, buffers.width, buffers.height);
+        let alike = about.filter(|&other| other != pixel && face[other] == face[pixel]);
+        alike.collect()
     };
     let touches = |c: &Crack| alike(index(c)).iter().any(|i| !flagged.contains_key(i));
     let mut open: Vec<usize> = (0..found.len()).filter(|&k| touches(&found[k])).collect();

@@ -31,6 +31,10 @@ struct Line {
     discriminant: Interval,
 }
 
+type Point = [Interval; 4];
+
+const TWO: Interval = Interval::point(2.0);
+
 /// `a + b u + c v + d u^2 + e u v + f v^2` about the middle of a cell.
 type Polynomial = [Interval; 6];
 
@@ -54,12 +58,9 @@ impl CutBody {
             std::array::from_fn(|k| a[k] * x + b[k] * y + c[k])
         };
         let (from, along) = (at(&lines.from), at(&lines.along));
-        let reach = (
-            Interval::within(cell.reach_x),
-            Interval::within(cell.reach_y),
-        );
+        let [u, v] = [cell.reach_x, cell.reach_y].map(Interval::within);
         let spread = |middle: &[Interval; 4], [a, b, _]: &[[Interval; 4]; 3]| -> [Interval; 4] {
-            std::array::from_fn(|k| middle[k] + a[k] * reach.0 + b[k] * reach.1)
+            std::array::from_fn(|k| middle[k] + a[k] * u + b[k] * v)
         };
         let [r, s, t, discriminant] = match &lines.form {
             None => [Interval::ZERO; 4],
@@ -74,7 +75,7 @@ impl CutBody {
                 let ([ux, uy, _], [vx, vy, _]) = (&lines.from, &lines.along);
                 let r = squares(form, &along, vx, vy);
                 let t = squares(form, &from, ux, uy);
-                let s = mixed(form, (&from, ux, uy), (&along, vx, vy));
+                let s = mixed(form, [&from, ux, uy], [&along, vx, vy]);
                 // In perspective T is the same for all lines, in parallel projection R.
                 let (constant, other) = match self.perspective {
                     true => (t[0], &r),
@@ -82,7 +83,7 @@ impl CutBody {
                 };
                 let square = square_of(&s);
                 let discriminant = std::array::from_fn(|k| square[k] - constant * other[k]);
-                [r, s, t, discriminant].map(|of| range(&of, reach))
+                [r, s, t, discriminant].map(|of| range(&of, (u, v)))
             }
         };
         Line {
@@ -133,8 +134,7 @@ impl CutBody {
         let open = Verdict::Open(start.lo);
         let there = !bounds.open && start.not_above(end) && start.hi < cell.last;
         let Line { r, s, t, .. } = *line;
-        let two = Interval::point(2.0);
-        let at_start = (r * start + two * s) * start + t;
+        let at_start = (r * start + TWO * s) * start + t;
         if at_start.hi <= 0.0 {
             return match bounds.number {
                 Some(number) if there => hit(start, number),
@@ -193,7 +193,7 @@ impl CutBody {
         let open_from = |t: Interval| Verdict::Open(t.lo.max(cell.first));
         let Line { r, s, t, .. } = *line;
         if r.is_zero() && !s.holds_zero() {
-            let only = -t / (Interval::point(2.0) * s);
+            let only = -t / (TWO * s);
             return match self.keeps(cell, line, only) {
                 Some(false) => Verdict::Absent,
                 Some(true) => hit(only, FACE_NEAR),
@@ -290,52 +290,25 @@ fn product(form: &[[Interval; 4]; 4], v: &[Interval; 4]) -> [Interval; 4] {
 }
 
 /// The quadric of `m + u a + v b`.
-fn squares(
-    form: &[[Interval; 4]; 4],
-    m: &[Interval; 4],
-    a: &[Interval; 4],
-    b: &[Interval; 4],
-) -> Polynomial {
-    let two = Interval::point(2.0);
+fn squares(form: &[Point; 4], m: &Point, a: &Point, b: &Point) -> Polynomial {
     let (to_m, to_a, to_b) = (product(form, m), product(form, a), product(form, b));
-    [
-        dot(m, &to_m),
-        two * dot(a, &to_m),
-        two * dot(b, &to_m),
-        dot(a, &to_a),
-        two * dot(a, &to_b),
-        dot(b, &to_b),
-    ]
+    let [am, bm, ab] = [dot(a, &to_m), dot(b, &to_m), dot(a, &to_b)].map(|v| TWO * v);
+    [dot(m, &to_m), am, bm, dot(a, &to_a), ab, dot(b, &to_b)]
 }
 
 /// The bilinear form of two points of first degree, of which one is constant.
-fn mixed(
-    form: &[[Interval; 4]; 4],
-    (m, ma, mb): (&[Interval; 4], &[Interval; 4], &[Interval; 4]),
-    (n, na, nb): (&[Interval; 4], &[Interval; 4], &[Interval; 4]),
-) -> Polynomial {
+fn mixed(form: &[Point; 4], [m, ma, mb]: [&Point; 3], [n, na, nb]: [&Point; 3]) -> Polynomial {
     let (to_m, to_n) = (product(form, m), product(form, n));
-    [
-        dot(m, &to_n),
-        dot(ma, &to_n) + dot(na, &to_m),
-        dot(mb, &to_n) + dot(nb, &to_m),
-        Interval::ZERO,
-        Interval::ZERO,
-        Interval::ZERO,
-    ]
+    let a = dot(ma, &to_n) + dot(na, &to_m);
+    let b = dot(mb, &to_n) + dot(nb, &to_m);
+    let zero = Interval::ZERO;
+    [dot(m, &to_n), a, b, zero, zero, zero]
 }
 
 /// The square of a polynomial of first degree.
 fn square_of([a, b, c, ..]: &Polynomial) -> Polynomial {
-    let two = Interval::point(2.0);
-    [
-        a.square(),
-        two * *a * *b,
-        two * *a * *c,
-        b.square(),
-        two * *b * *c,
-        c.square(),
-    ]
+    let [ab, ac, bc] = [(a, b), (a, c), (b, c)].map(|(u, v)| TWO * *u * *v);
+    [a.square(), ab, ac, b.square(), bc, c.square()]
 }
 
 fn range([a, b, c, d, e, f]: &Polynomial, (u, v): (Interval, Interval)) -> Interval {

@@ -64,11 +64,8 @@ impl Both {
 
     fn on(&self, cell: &Cell) -> Interval {
         let [a, b, c] = self.quick;
-        a * Interval::point(cell.x)
-            + b * Interval::point(cell.y)
-            + c
-            + a * Interval::within(cell.reach_x)
-            + b * Interval::within(cell.reach_y)
+        let at = a * Interval::point(cell.x) + b * Interval::point(cell.y) + c;
+        at + a * Interval::within(cell.reach_x) + b * Interval::within(cell.reach_y)
     }
 }
 

@@ -158,18 +158,14 @@ impl Breakable {
         let buffers = |frame: &Frame| Buffers::new(frame, range, self.z_max);
         let (broken, made) = self.broken(sort, count, seed);
         let searched = buffers(&broken);
-        let flagged: HashSet<usize> = cracks(&searched, rule)
-            .iter()
-            .map(|c| c.y * broken.width + c.x)
-            .collect();
+        let flagged = cracks(&searched, rule).into_iter();
+        let flagged: HashSet<usize> = flagged.map(|c| c.y * broken.width + c.x).collect();
         let whole = buffers(&self.frame);
         let is_deep = |index: &&usize| {
             let own = searched.distance[**index];
             let about = self.about(**index);
-            about
-                .iter()
-                .filter(|i| *i != *index)
-                .all(|i| own - whole.distance[*i] >= rule.min_distance)
+            let mut others = about.iter().filter(|i| *i != *index);
+            others.all(|i| own - whole.distance[*i] >= rule.min_distance)
         };
         let deep: Vec<&usize> = made.iter().filter(is_deep).collect();
         let found = made.iter().filter(|i| flagged.contains(i)).count();

@@ -165,10 +165,9 @@ impl Author {
             "elliptic_paraboloid" => 0.0,
             _ => from,
         };
-        let cuts = [(to, 1.0), (from, -1.0)]
-            .map(|(y, side)| cut([0.0, y, 0.0], [0.0, side, 0.0]))
-            .to_vec();
-        (shape, cuts)
+        let cuts = [(to, 1.0), (from, -1.0)];
+        let cuts = cuts.map(|(y, side)| cut([0.0, y, 0.0], [0.0, side, 0.0]));
+        (shape, cuts.to_vec())
     }
 
     fn endless(&mut self) -> (String, Vec<String>) {
@@ -190,9 +189,8 @@ impl Author {
             let at = |length: f64| std::array::from_fn(|k| if k == axis { length } else { 0.0 });
             cut(at(side * reach[axis]), at(side))
         };
-        (0..3)
-            .flat_map(|axis| [wall(axis, 1.0), wall(axis, -1.0)])
-            .collect()
+        let both = |axis| [wall(axis, 1.0), wall(axis, -1.0)];
+        (0..3).flat_map(both).collect()
     }
 
     fn place(&mut self) -> String {

@@ -78,9 +78,8 @@ fn draw_panel(area: &Area, (title, share): &Panel, scores: &[Score]) -> Outcome 
         let points = of_sort.map(|score| (score.min_distance, share(score)));
         let points: Vec<(f64, f64)> = points.collect();
         chart.draw_series(LineSeries::new(points.clone(), colour.stroke_width(2)))?;
-        let dots = points
-            .into_iter()
-            .map(|at| Circle::new(at, 3, colour.filled()));
+        let dot = |at| Circle::new(at, 3, colour.filled());
+        let dots = points.into_iter().map(dot);
         chart
             .draw_series(dots)?
             .label(label)

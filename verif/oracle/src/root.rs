@@ -58,15 +58,10 @@ impl Real {
     /// A root of a polynomial of second degree that has roots; the polynomial may open downwards.
     pub fn root(of: &Quadratic, greater: bool) -> Real {
         debug_assert!(!of.a.is_zero() && !of.discriminant().is_negative());
-        let of = if of.a.is_negative() {
-            Quadratic {
-                a: -&of.a,
-                b: -&of.b,
-                c: -&of.c,
-            }
-        } else {
-            of.clone()
-        };
+        let mut of = of.clone();
+        if of.a.is_negative() {
+            (of.a, of.b, of.c) = (-of.a, -of.b, -of.c);
+        }
         Real::Root { of, greater }
     }
 
@@ -93,17 +88,11 @@ impl Real {
         match (self, other) {
             (_, Real::Fraction(t)) => self.cmp_fraction(t),
             (Real::Fraction(t), _) => other.cmp_fraction(t).reverse(),
-            (
-                Real::Root { of: p, greater },
-                Real::Root {
-                    of: q,
-                    greater: other_greater,
-                },
-            ) => {
+            (Real::Root { of: p, greater: g }, Real::Root { of: q, greater: h }) => {
                 let is = |own: &Real, t| own.cmp_fraction(t) == Ordering::Equal;
                 match common_root(p, q) {
                     Common::Both if p.discriminant().is_zero() => Ordering::Equal,
-                    Common::Both => greater.cmp(other_greater),
+                    Common::Both => g.cmp(h),
                     Common::One(t) if is(self, &t) && is(other, &t) => Ordering::Equal,
                     _ => self.narrowed_until_apart(other),
                 }
@@ -134,13 +123,11 @@ impl Real {
                 // (-b -+ sqrt(d)) / a, the root between two whole numbers of units of 2^-bits.
                 let root: BigInt = (of.discriminant() << (2 * bits)).sqrt();
                 let next: BigInt = &root + 1;
-                let (low, high) = if *greater {
-                    (root, next)
-                } else {
-                    (-next, -root)
+                let (low, high) = match greater {
+                    true => (root, next),
+                    false => (-next, -root),
                 };
-                let fraction =
-                    |root: BigInt| BigRational::new(root - (&of.b << bits), &of.a << bits);
+                let fraction = |root| BigRational::new(root - (&of.b << bits), &of.a << bits);
                 (fraction(low), fraction(high))
             }
         }

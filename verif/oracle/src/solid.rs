@@ -80,30 +80,22 @@ impl SolidBody {
         (x, y): (i64, i64),
         ends: &Ends,
     ) -> Option<(u32, Solved)> {
-        let lines: Vec<(u32, &CutBody, Line)> = met
-            .iter()
-            .filter(|(object, _)| self.has(*object))
-            .map(|&(object, body)| (object, body, body.sight_line(x, y, ends)))
-            .collect();
-        let mut crossings: Vec<Crossing> = lines
-            .iter()
-            .flat_map(|(object, body, line)| {
-                let own = body.crossings(line).into_iter();
-                own.map(|(t, number)| Crossing::new(t, *object, number))
-            })
-            .filter(|crossing| ends.hold(&crossing.t))
-            .collect();
+        let own = met.iter().filter(|(object, _)| self.has(*object));
+        let lines = own.map(|&(object, body)| (object, body, body.sight_line(x, y, ends)));
+        let lines: Vec<(u32, &CutBody, Line)> = lines.collect();
+        let all = lines.iter().flat_map(|(object, body, line)| {
+            let own = body.crossings(line).into_iter();
+            own.map(|(t, number)| Crossing::new(t, *object, number))
+        });
+        let mut crossings: Vec<Crossing> = all.filter(|crossing| ends.hold(&crossing.t)).collect();
         crossings.sort_by(Crossing::compare);
         // A line may be within an object from the beginning.
         let first = || Real::Fraction(ends.first.clone());
-        let caps = lines
-            .iter()
-            .map(|(object, ..)| Crossing::new(first(), *object, FACE_NEAR_END));
-        crossings.splice(0..0, caps);
+        let cap = |(object, ..): &(u32, _, _)| Crossing::new(first(), *object, FACE_NEAR_END);
+        crossings.splice(0..0, lines.iter().map(cap));
         let is_in = |object: u32, at: &BigRational| {
-            lines
-                .iter()
-                .any(|(own, body, line)| *own == object && body.has(line, at))
+            let mut own = lines.iter().filter(|(own, ..)| *own == object);
+            own.any(|(_, body, line)| body.has(line, at))
         };
         let mut before = None;
         for (index, crossing) in crossings.iter().enumerate() {
@@ -153,10 +145,10 @@ impl SolidBody {
     /// What the scene file says of a point.
     fn contains(&self, operation: &Operation, is_in: &dyn Fn(u32) -> bool) -> bool {
         let holds = |operand: &Operand| match operand {
-            Operand::Object(name) => self
-                .members
-                .iter()
-                .any(|(own, object)| own == name && is_in(*object)),
+            Operand::Object(name) => {
+                let mut members = self.members.iter();
+                members.any(|(own, object)| own == name && is_in(*object))
+            }
             Operand::Operation(operation) => self.contains(operation, is_in),
         };
         let mut operands = operation.operands().iter();

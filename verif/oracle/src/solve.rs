@@ -90,8 +90,8 @@ impl CutBody {
             }
         }
         let last = line.ends.last.as_ref();
-        let nothing =
-            end.as_ref().is_some_and(|end| *end < start) || last.is_some_and(|last| start >= *last);
+        let ends_before = end.as_ref().is_some_and(|end| *end < start);
+        let nothing = ends_before || last.is_some_and(|last| start >= *last);
         (!nothing).then_some((start, number, end))
     }
 
@@ -161,9 +161,6 @@ fn dot(u: &Whole, v: &Whole) -> BigInt {
 }
 
 fn bilinear(form: &[Whole; 4], u: &Whole, v: &Whole) -> BigInt {
-    form.iter()
-        .zip(u)
-        .filter(|(_, a)| !a.is_zero())
-        .map(|(row, a)| a * dot(row, v))
-        .sum()
+    let rows = form.iter().zip(u).filter(|(_, a)| !a.is_zero());
+    rows.map(|(row, a)| a * dot(row, v)).sum()
 }

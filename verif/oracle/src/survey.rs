@@ -46,14 +46,12 @@ type Fate = Result<(Box<Compared>, CheckReport), String>;
 
 /// Looks at the first `scenes` ordinary scenes of a seed; `done` is called once for each, from any thread.
 pub fn survey(seed: u64, scenes: u64, format: Format, done: impl Fn() + Sync) -> Survey {
-    let fates: Vec<Fate> = (0..scenes)
-        .into_par_iter()
-        .map(|number| {
-            let fate = fate(&scene_text(seed, number), format);
-            done();
-            fate
-        })
-        .collect();
+    let fates = (0..scenes).into_par_iter().map(|number| {
+        let fate = fate(&scene_text(seed, number), format);
+        done();
+        fate
+    });
+    let fates: Vec<Fate> = fates.collect();
     let mut survey = Survey {
         seed,
         scenes,
@@ -92,10 +90,9 @@ impl Survey {
         self.announced += c.announced + c.tied + c.differences_inside;
         let wrong = c.announced + c.differences_outside + c.differences_inside;
         if !report.ok {
-            self.check_fails.push(finding(format!(
-                "{} pixels undecided, {wrong} differ from the traced picture",
-                report.undecided_pixels
-            )));
+            let open = report.undecided_pixels;
+            let what = format!("{open} pixels undecided, {wrong} differ from the traced picture");
+            self.check_fails.push(finding(what));
         }
         if !c.holds() {
             self.differing.push(finding(format!(

@@ -68,26 +68,20 @@ impl Tracer {
     pub fn new(scene: &SceneFile, range: &DepthRange, width: u32, height: u32) -> Tracer {
         let scene = scene.flattened();
         let sight = Sight::new(&scene.camera, range, width, height);
-        let bodies: Vec<Vec<(u32, Body)>> = scene
-            .objects
-            .par_iter()
-            .enumerate()
-            .map(|(id, object)| {
-                let bodies = Body::of(object, &sight).into_iter();
-                bodies.map(|body| (id as u32, body)).collect()
-            })
-            .collect();
+        let own = |(id, object)| -> Vec<(u32, Body)> {
+            let bodies = Body::of(object, &sight).into_iter();
+            bodies.map(|body| (id as u32, body)).collect()
+        };
+        let bodies: Vec<_> = scene.objects.par_iter().enumerate().map(own).collect();
+        let solids = scene.solids.iter();
+        let solids = solids.map(|solid| SolidBody::new(&solid.of, &scene.objects));
         let objects = (0..).zip(&scene.objects);
         let glass = objects.filter(|(_, object)| material(&scene, object).is_transparent());
         Tracer {
             glass: glass.map(|(id, _)| id).collect(),
             ends: sight.ends(),
             bodies: bodies.into_iter().flatten().collect(),
-            solids: scene
-                .solids
-                .iter()
-                .map(|solid| SolidBody::new(&solid.of, &scene.objects))
-                .collect(),
+            solids: solids.collect(),
             sight,
         }
     }
@@ -116,20 +110,17 @@ impl Tracer {
 
     fn picture(&self, all: &[u32], done: impl Fn() + Sync) -> Traced {
         let (width, height) = (self.sight.width, self.sight.height);
-        let cells: Vec<(u32, u32)> = (0..height)
-            .step_by(LARGEST as usize)
-            .flat_map(|y| (0..width).step_by(LARGEST as usize).map(move |x| (x, y)))
-            .collect();
-        let drawn: Vec<Vec<((u32, u32), Drawn)>> = cells
-            .par_iter()
-            .map(|&(x, y)| {
-                let to = [(x + LARGEST).min(width), (y + LARGEST).min(height)];
-                let mut pixels = vec![];
-                self.area([[x, y], to], all, &mut pixels);
-                done();
-                pixels
-            })
-            .collect();
+        let steps = |end: u32| (0..end).step_by(LARGEST as usize);
+        let cells = steps(height).flat_map(|y| steps(width).map(move |x| (x, y)));
+        let cells: Vec<(u32, u32)> = cells.collect();
+        let drawn = cells.par_iter().map(|&(x, y)| {
+            let to = [(x + LARGEST).min(width), (y + LARGEST).min(height)];
+            let mut pixels = vec![];
+            self.area([[x, y], to], all, &mut pixels);
+            done();
+            pixels
+        });
+        let drawn: Vec<Vec<((u32, u32), Drawn)>> = drawn.collect();
         let mut picture = Traced {
             width: width as usize,
             height: height as usize,
@@ -266,19 +257,18 @@ impl Tracer {
     /// A pixel in exact arithmetic.
     fn solve(&self, x: u32, y: u32, list: &[u32]) -> Option<TracedPixel> {
         let (x, y) = self.sight.place(x, y);
-        let (members, alone): (Vec<u32>, Vec<u32>) =
-            list.iter().partition(|&&index| self.is_member(index));
+        let is_member = |index: &&u32| self.is_member(**index);
+        let (members, alone): (Vec<u32>, Vec<u32>) = list.iter().partition(is_member);
         let alone = alone.iter().filter_map(|&index| {
             let (object, body) = &self.bodies[index as usize];
             Some((*object, body.solve(x, y, &self.ends)?))
         });
         let members = members.iter().map(|&index| &self.bodies[index as usize]);
-        let members: Vec<Member> = members
-            .filter_map(|(object, body)| match body {
-                Body::Cut(body) => Some((*object, &**body)),
-                Body::Facet(_) => None,
-            })
-            .collect();
+        let members = members.filter_map(|(object, body)| match body {
+            Body::Cut(body) => Some((*object, &**body)),
+            Body::Facet(_) => None,
+        });
+        let members: Vec<Member> = members.collect();
         let solids = self.solids.iter();
         let solids = solids.filter_map(|solid| solid.solve(&members, (x, y), &self.ends));
         // The lists are in the order of the scene: of two equal depths the first object is seen.

@@ -30,9 +30,8 @@ pub fn diagonal(factors: [BigRational; 3]) -> Matrix {
 
 /// The steps of a placement, the first applied first.
 pub fn placement(steps: &[Step]) -> Matrix {
-    steps
-        .iter()
-        .fold(identity(), |placed, step| times(&of_step(step), &placed))
+    let after = |placed: Matrix, step| times(&of_step(step), &placed);
+    steps.iter().fold(identity(), after)
 }
 
 fn of_step(step: &Step) -> Matrix {
@@ -111,10 +110,8 @@ pub fn times(left: &Matrix, right: &Matrix) -> Matrix {
 /// The image of a homogeneous vector.
 pub fn apply(matrix: &Matrix, vector: &Vector) -> Vector {
     matrix.each_ref().map(|row| {
-        let terms = row
-            .iter()
-            .zip(vector)
-            .filter(|(m, v)| !m.is_zero() && !v.is_zero());
+        let terms = row.iter().zip(vector);
+        let terms = terms.filter(|(m, v)| !m.is_zero() && !v.is_zero());
         terms.map(|(m, v)| m * v).sum()
     })
 }

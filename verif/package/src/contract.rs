@@ -116,15 +116,9 @@ impl Contract {
     /// The contract as a Markdown page.
     pub fn markdown(&self) -> String {
         let mut text = format!("# {}\n\nComputes {}.\n\n", self.unit, self.computes);
-        let clocks = if self.latency.clocks == 1 {
-            "clock"
-        } else {
-            "clocks"
-        };
-        let latency = format!(
-            "{} {clocks}, `{}`",
-            self.latency.clocks, self.latency.formula
-        );
+        let Latency { formula, clocks } = &self.latency;
+        let s = if *clocks == 1 { "" } else { "s" };
+        let latency = format!("{clocks} clock{s}, `{formula}`");
         text += "| | |\n|---|---|\n";
         for (what, value) in [
             ("source", self.source),
@@ -200,10 +194,8 @@ fn ports(request: &Request, ports: &[Port]) -> Result<Vec<PortEntry>, RequestErr
         let [short, long] = widths.map(|[width, next]| next - width);
         let line =
             |times: i64, width: i64, word: u32| formula(times, width - times * i64::from(word));
-        let [one, other] = [
-            line(short, widths[0][0], least),
-            line(long, widths[1][0], most),
-        ];
+        let one = line(short, widths[0][0], least);
+        let other = line(long, widths[1][0], most);
         // Cut to what the widest word leaves, or filled up to what every word has.
         match (short - long).signum() {
             0 => one,

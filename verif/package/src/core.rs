@@ -129,12 +129,8 @@ fn readme(units: &[Unit], clocks: usize) -> String {
         "\nDo not edit; made by:\n\n    imogene package {names}--clocks {clocks} --out DIR\n\n| unit | computes |\n|---|---|"
     );
     for unit in units {
-        let name = unit.name();
-        let _ = writeln!(
-            text,
-            "| [{name}]({name}/CONTRACT.md) | {} |",
-            unit.record().computes
-        );
+        let (name, computes) = (unit.name(), unit.record().computes);
+        let _ = writeln!(text, "| [{name}]({name}/CONTRACT.md) | {computes} |");
     }
     text
 }

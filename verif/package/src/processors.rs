@@ -87,24 +87,13 @@ pub fn markdown(processors: &[Processor]) -> String {
     text += "| processor | PE1 | PE2 | roots | multipliers | latency | formula | the source's count | difference | source |\n";
     text += "|---|---:|---:|---:|---:|---:|---|---|---|---|\n";
     for p in processors {
-        let name = if p.parameters.is_empty() {
-            format!("`{}`", p.unit)
-        } else {
-            format!("`{}`, {}", p.unit, p.parameters)
-        };
-        let _ = writeln!(
-            text,
-            "| {name} | {} | {} | {} | {} | {} | {} | {} | {} | {} |",
-            p.census.pe1,
-            p.census.pe2,
-            p.census.roots,
-            p.census.multipliers,
-            p.latency,
-            p.latency_formula,
-            p.source,
-            p.difference,
-            p.section
-        );
+        let comma = if p.parameters.is_empty() { "" } else { ", " };
+        let name = format!("`{}`{comma}{}", p.unit, p.parameters);
+        let c = p.census;
+        let counts = [c.pe1, c.pe2, c.roots, c.multipliers, p.latency];
+        let counts = counts.map(|count| count.to_string()).join(" | ");
+        let words = [p.latency_formula, &p.source, &p.difference, p.section];
+        let _ = writeln!(text, "| {name} | {counts} | {} |", words.join(" | "));
     }
     text
 }

@@ -163,10 +163,8 @@ impl Bench<'_> {
             groups: self.groups(|frame| {
                 let over = self.overlay.map(|plane| plane.over(&frame.image.picture));
                 let picture = over.as_ref().unwrap_or(&frame.image.picture);
-                let colours = picture.chunks_exact(3);
-                colours
-                    .map(|c| c.iter().copied().map(u64::from).collect())
-                    .collect()
+                let line = |colour: &[u8]| colour.iter().copied().map(u64::from).collect();
+                picture.chunks_exact(3).map(line).collect()
             }),
         }
     }
@@ -209,10 +207,8 @@ impl Bench<'_> {
     }
 
     fn run(&self) -> String {
-        format!(
-            "iverilog -g2005 -s bench -o bench.vvp {BENCH} {}.v && vvp -n bench.vvp",
-            self.top
-        )
+        let top = self.top;
+        format!("iverilog -g2005 -s bench -o bench.vvp {BENCH} {top}.v && vvp -n bench.vvp")
     }
 
     /// What the two sides of every stream and the pins do, one rule a line.
@@ -266,44 +262,27 @@ fn overlay(plane: &OverlayPlane) -> Words<'static> {
     }
 }
 
+#[rustfmt::skip]
 fn beat_fields(data: usize) -> [Field; 5] {
     [
-        (
-            "last",
-            1,
-            "1 in the last beat of a frame: s_tlast of a beam machine",
-        ),
-        (
-            "kind",
-            4,
-            "s_tdest: 0 word of an object processor, 1 of a volume processor, 2 of the shading processor, 3 material of an object, 4 command",
-        ),
+        ("last", 1, "1 in the last beat of a frame: s_tlast of a beam machine"),
+        ("kind", 4, "s_tdest: 0 word of an object processor, 1 of a volume processor, 2 of the shading processor, 3 material of an object, 4 command"),
         ("unit", 8, "s_tuser, bits 23..16: the processor"),
-        (
-            "address",
-            16,
-            "s_tuser, bits 15..0: address of the word, object of the material, or the command",
-        ),
+        ("address", 16, "s_tuser, bits 15..0: address of the word, object of the material, or the command"),
         ("data", data, "s_tdata: the word, in its low bits"),
     ]
 }
 
+#[rustfmt::skip]
 const SHADING_FIELDS: [Field; 2] = [
-    (
-        "address",
-        16,
-        "0 to 4 picture, view and background; 16 (j + 1) on light j; 4096 + 4 m on material m, with its share of the ambient light (section 8.1 of docs/architecture.md)",
-    ),
+    ("address", 16, "0 to 4 picture, view and background; 16 (j + 1) on light j; 4096 + 4 m on material m, with its share of the ambient light (section 8.1 of docs/architecture.md)"),
     ("data", 32, "the word"),
 ];
+#[rustfmt::skip]
 const PIXEL_FIELDS: [Field; 3] = [
     ("red", 8, "red"),
     ("green", 8, "green"),
-    (
-        "blue",
-        8,
-        "blue; line by line from the top, each from the left",
-    ),
+    ("blue", 8, "blue; line by line from the top, each from the left"),
 ];
 const OVERLAY_FIELDS: [Field; 1] = [(
     "pixels",

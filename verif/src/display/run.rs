@@ -181,9 +181,8 @@ impl<'a> Host<'a> {
         if let Some(beat) = beat.filter(|_| is_ready) {
             self.beat += 1;
             if beat.last {
-                outcome
-                    .taking
-                    .push(hardware.clocks - self.began[self.image]);
+                let began = self.began[self.image];
+                outcome.taking.push(hardware.clocks - began);
                 self.image += 1;
                 self.beat = 0;
                 self.wait = self.late;

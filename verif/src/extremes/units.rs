@@ -5,6 +5,7 @@ use super::{Extreme, driven};
 use crate::signal::Signal;
 use crate::subject::{Inputs, Subject};
 use imogene_contract::Unit;
+use std::iter::zip;
 
 #[rustfmt::skip]
 pub const CASES: &[Extreme] = &[
@@ -82,6 +83,12 @@ fn inputs(subject: &Subject, set: &[(&str, i64)]) -> Inputs {
     subject.inputs.iter().map(value).collect()
 }
 
+/// Values with the names of their ports.
+fn named<const N: usize>(names: &'static str, values: [i64; N]) -> [(&'static str, i64); N] {
+    let mut names = names.split(' ');
+    values.map(|value| (names.next().expect("a name for each value"), value))
+}
+
 /// Clocks that carry nothing, until the last result is out.
 fn flushed(subject: &Subject, mut stimulus: Vec<Inputs>) -> Vec<Inputs> {
     stimulus.extend(std::iter::repeat_n(inputs(subject, &[]), 40));
@@ -122,16 +129,8 @@ fn plane_ties(subject: &Subject) -> Vec<Inputs> {
     let all = every([&[0, 1, 2, 3], &[0, 1], &words, &words, &words]);
     let ordered = all.filter(|[_, _, zf, zb, _]| zb >= zf);
     let one = |[kind, surface, zf, zb, zp]: [i64; 5]| {
-        let set = [
-            ("kind", kind),
-            ("surface", surface),
-            ("number", 5),
-            ("zp", zp),
-            ("zf", zf),
-            ("zb", zb),
-            ("nb", 1),
-        ];
-        inputs(subject, &set)
+        let values = [kind, surface, 5, zp, zf, zb, 1];
+        inputs(subject, &named("kind surface number zp zf zb nb", values))
     };
     ordered.map(one).collect()
 }
@@ -152,27 +151,16 @@ fn plane_slopes(subject: &Subject) -> Vec<Inputs> {
 fn plane_past_its_word(subject: &Subject) -> Vec<Inputs> {
     let far = 1i64 << 23;
     let through = (far - 1) / 40;
-    let lines = [
-        (1, far - 20),
-        (-1, 20 - far),
-        (through, -2 * far),
-        (-through, 2 * far),
-        (0, (1 << 35) - 1),
-        (0, -(1 << 35)),
-    ];
-    let lines = lines.map(|(a, c)| plane_line(subject, a, c, 200));
-    flushed(subject, lines.concat())
+    let slopes = [1, -1, through, -through, 0, 0];
+    let [least, .., most] = LINES;
+    let starts = [far - 20, 20 - far, -2 * far, 2 * far, most, least];
+    let line = |(a, c)| plane_line(subject, a, c, 200);
+    flushed(subject, zip(slopes, starts).flat_map(line).collect())
 }
 
 fn lines_after_the_last(subject: &Subject) -> Vec<Inputs> {
-    let words = [
-        ("a2", 6),
-        ("b2", -10),
-        ("c", 7),
-        ("p0", 1 << 40),
-        ("i0", -(1 << 45)),
-        ("f", (1 << 47) - 5),
-    ];
+    let values = [6, -10, 7, 1 << 40, -(1 << 45), (1 << 47) - 5];
+    let words = named("a2 b2 c p0 i0 f", values);
     let with = |flags: &[(&str, i64)]| inputs(subject, &[flags, &words].concat());
     let mut line = vec![with(&[("valid", 1)]); 4];
     line[0] = with(&[("valid", 1), ("line", 1)]);
@@ -181,29 +169,16 @@ fn lines_after_the_last(subject: &Subject) -> Vec<Inputs> {
 }
 
 fn normal_words(subject: &Subject) -> Vec<Inputs> {
-    let words = [
-        (0, 0),
-        (0, -(1 << 15)),
-        (-(1 << 23), 0),
-        (-(1 << 23), -(1 << 15)),
-        ((1 << 23) - 1, -(1 << 15)),
-    ];
+    let (g, k) = (-(1 << 23), -(1 << 15));
+    let words = [(0, 0), (0, k), (g, 0), (g, k), (-1 - g, k)];
     let all = every([&[0, 1, 2, 3, 4], &[0, 1, (1 << 24) - 1], &[0, 1, 2, 15]]);
     let one = |[pair, root, number]: [i64; 3]| {
         let (g, k) = words[pair as usize];
-        let set = [
-            ("valid", 1),
-            ("start", 1),
-            ("number", number),
-            ("root", root),
-            ("gx_c", g),
-            ("gy_c", g),
-            ("gz_c", g),
-            ("kx", k),
-            ("ky", k),
-            ("kz", k),
-        ];
-        inputs(subject, &set)
+        let names = "valid start number root gx_c gy_c gz_c kx ky kz";
+        inputs(
+            subject,
+            &named(names, [1, 1, number, root, g, g, g, k, k, k]),
+        )
     };
     flushed(subject, all.map(one).collect())
 }
@@ -214,17 +189,11 @@ fn past_the_depth_word(subject: &Subject) -> Vec<Inputs> {
     let all = every([&[0, 1, 2, 3], &depths, &depths, &[0, 1]]);
     let ordered = all.filter(|[_, near, far, _]| near <= far);
     let one = |[class, near, far, inside]: [i64; 4]| {
-        let set = [
-            ("near_sum", near),
-            ("far_sum", far),
-            ("is_inside", inside),
-            ("in_box", 1),
-            ("object_class", class),
-            // The limits of no plane.
-            ("front", -(1 << 23)),
-            ("back", (1 << 23) - 1),
-        ];
-        inputs(subject, &set)
+        let names = "near_sum far_sum is_inside in_box object_class front back";
+        // The limits of no plane.
+        let [front, back] = [-(1 << 23), (1 << 23) - 1];
+        let values = [near, far, inside, 1, class, front, back];
+        inputs(subject, &named(names, values))
     };
     flushed(subject, ordered.map(one).collect())
 }
@@ -261,14 +230,13 @@ fn pixel(subject: &Subject, words: &[(&str, i64)]) -> Vec<Inputs> {
 }
 
 /// A pixel for each combination of values.
-fn pixels<const N: usize, const M: usize>(
+fn pixels<const N: usize, W: AsRef<[(&'static str, i64)]>>(
     subject: &Subject,
     lists: [&[i64]; N],
-    words: impl Fn([i64; N]) -> [(&'static str, i64); M],
+    words: impl Fn([i64; N]) -> W,
 ) -> Vec<Inputs> {
-    let all = every(lists);
-    all.flat_map(|values| pixel(subject, &words(values)))
-        .collect()
+    let one = |values| pixel(subject, words(values).as_ref());
+    every(lists).flat_map(one).collect()
 }
 
 fn patch_ties(subject: &Subject) -> Vec<Inputs> {
@@ -279,17 +247,11 @@ fn patch_ties(subject: &Subject) -> Vec<Inputs> {
     let ordered = all.filter(|[near, far, ..]| near <= far);
     let one = |[near, far, plane, pair]: [i64; 4]| {
         let [first, second] = kinds[pair as usize];
-        let set = [
-            ("near_sum", near),
-            ("far_sum", far),
-            ("is_inside", 1),
-            ("in_box", 1),
-            ("plane_0_zp", plane),
-            ("plane_1_zp", near.clamp(-FAR - 1, FAR)),
-            ("plane_0_kind", first),
-            ("plane_1_kind", second),
-        ];
-        inputs(subject, &set)
+        let names =
+            "near_sum far_sum is_inside in_box plane_0_zp plane_1_zp plane_0_kind plane_1_kind";
+        let face = near.clamp(-FAR - 1, FAR);
+        let values = [near, far, 1, 1, plane, face, first, second];
+        inputs(subject, &named(names, values))
     };
     let rest = std::iter::repeat_n(inputs(subject, &[]), subject.latency);
     ordered.map(one).chain(rest).collect()
@@ -297,34 +259,22 @@ fn patch_ties(subject: &Subject) -> Vec<Inputs> {
 
 fn contours_at_zero(subject: &Subject) -> Vec<Inputs> {
     let lists = [&[0, 1][..], &CONICS, &CONICS, &LINES];
+    let names =
+        "surface f2_f conic_0_f conic_1_f polar_0_c polar_1_c depth_0_c depth_1_c plane_0_nz";
     pixels(subject, lists, |[surface, front, back, polar]| {
-        [
-            ("surface", surface),
-            ("f2_f", 25),
-            ("conic_0_f", front),
-            ("conic_1_f", back),
-            ("polar_0_c", polar),
-            ("polar_1_c", -1 - polar),
-            ("depth_0_c", -5),
-            ("depth_1_c", 5),
-            ("plane_0_nz", -7),
-        ]
+        let other = -1 - polar;
+        named(names, [surface, 25, front, back, polar, other, -5, 5, -7])
     })
 }
 
 fn without_thickness(subject: &Subject) -> Vec<Inputs> {
     let lists = [&DEPTHS[..], &[-1, 0, 1], &[-1, 0]];
     pixels(subject, lists, |[depth, gap, half_plane]| {
-        [
-            ("plane_0_kind", 1),
-            ("plane_0_c", depth),
-            ("plane_1_kind", 2),
-            ("plane_1_c", depth + gap),
-            ("plane_2_kind", 3),
-            ("plane_2_c", half_plane),
-            ("plane_0_nz", -1),
-            ("plane_1_nz", 1),
-        ]
+        let kinds = named("plane_0_kind plane_1_kind plane_2_kind", [1, 2, 3]);
+        let places = [depth, depth + gap, half_plane];
+        let places = named("plane_0_c plane_1_c plane_2_c", places);
+        let normals = named("plane_0_nz plane_1_nz", [-1, 1]);
+        [&kinds[..], &places, &normals].concat()
     })
 }
 
@@ -351,46 +301,27 @@ fn sides_and_depths(
 fn sphere_depths(subject: &Subject) -> Vec<Inputs> {
     let lists = [&DEPTHS[..], &DEPTHS, &[-1, 0]];
     pixels(subject, lists, |[near, far, outline]| {
-        [
-            ("outline_f", outline),
-            ("front_f", near * BULGE_GUARD),
-            ("depth_sum", near + far),
-            ("nz_f", -(1 << 47)),
-        ]
+        let values = [outline, near * BULGE_GUARD, near + far, -(1 << 47)];
+        named("outline_f front_f depth_sum nz_f", values)
     })
 }
 
 fn cylinder_parts(subject: &Subject) -> Vec<Inputs> {
     let lists = [&[0, -1][..]; 6];
     pixels(subject, lists, |[disc_1, disc_0, sides @ ..]| {
-        [
-            ("side_0_c", sides[3]),
-            ("side_1_c", sides[2]),
-            ("side_2_c", sides[1]),
-            ("side_3_c", sides[0]),
-            ("disc_0_f", disc_0),
-            ("disc_1_f", disc_1),
-            ("body_f", -(1 << 46)),
-            ("lid_c", 1 << 20),
-            ("lid_nz", -9),
-        ]
+        let sides = named("side_3_c side_2_c side_1_c side_0_c", sides);
+        let values = [disc_0, disc_1, -(1 << 46), 1 << 20, -9];
+        let rest = named("disc_0_f disc_1_f body_f lid_c lid_nz", values);
+        [&sides[..], &rest].concat()
     })
 }
 
 fn volume_ties(subject: &Subject) -> Vec<Inputs> {
-    let names = ["object_class", "depth", "margin", "depth_shift", "f2_f"];
+    let names = "object_class depth margin depth_shift f2_f";
     let depths = [-FAR, -4, -3, -2, 0, 2, 3, 4, FAR - 1, FAR];
-    let margins = [0, 1, 5, FAR];
-    let lists = [
-        &[0, 1, 2, 3][..],
-        &depths,
-        &margins,
-        &[0, 1, 8],
-        &[-1, 0, 9],
-    ];
-    pixels(subject, lists, |values| {
-        std::array::from_fn::<_, 5, _>(|k| (names[k], values[k]))
-    })
+    let (classes, margins) = ([0, 1, 2, 3], [0, 1, 5, FAR]);
+    let lists = [&classes[..], &depths, &margins, &[0, 1, 8], &[-1, 0, 9]];
+    pixels(subject, lists, |values| named(names, values))
 }
 
 fn volume_planes(subject: &Subject) -> Vec<Inputs> {
@@ -415,9 +346,8 @@ fn carries(subject: &Subject) -> Vec<Inputs> {
     for split in 0..2 {
         for high in [0, -1, 1 << 22] {
             let word = high << 24 | low;
-            let names = ["a2", "b2", "c", "i0", "p0", "f"];
-            let mut words: Vec<(&str, i64)> = names.map(|name| (name, word)).to_vec();
-            words.extend([("split", split), ("used", 15)]);
+            let values = [word, word, word, word, word, word, split, 15];
+            let words = named("a2 b2 c i0 p0 f split used", values);
             let with = |flags: &[(&str, i64)]| inputs(subject, &[flags, &words].concat());
             list.push(with(&[("valid", 1), ("start", 1)]));
             for _ in 0..4 {
@@ -434,9 +364,9 @@ fn fields(subject: &Subject) -> Vec<Inputs> {
     let words = [-half, half - 2, -half, half - 1, -half, half - 1];
     let mut list: Vec<Inputs> = vec![];
     for (address, word) in (0..).zip((0..6).chain([3, 4, 5])) {
-        let load = [("load_valid", 1), ("load_address", address)];
-        let data = [("load_data", words[word])];
-        list.push(inputs(subject, &[&load[..], &data].concat()));
+        let values = [1, address, words[word]];
+        let words = named("load_valid load_address load_data", values);
+        list.push(inputs(subject, &words));
     }
     for odd in [1, 1, 0, 1] {
         list.push(inputs(subject, &[("field_start", 1), ("odd_field", odd)]));

@@ -135,11 +135,8 @@ pub(super) fn stage_words(request: &Request) -> Definitions {
     let stages = bits.div_ceil(rows);
     let numbers = [("K", bits), ("STAGES", stages), ("ROWS", rows)];
     let numbers = numbers.map(|(name, value)| (name.to_owned(), value.to_string()));
-    let words = [
-        ("PAIRS", "pairs"),
-        ("ROOTS", "root"),
-        ("REMAINDERS", "remainder"),
-    ];
+    let names = ["PAIRS", "ROOTS", "REMAINDERS"].into_iter();
+    let words = names.zip(["pairs", "root", "remainder"]);
     let words = words.map(|(name, port)| {
         let list = (1..=stages).rev();
         let list: Vec<String> = list.map(|k| format!("stages_{port}[{k}]")).collect();

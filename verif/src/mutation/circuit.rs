@@ -297,10 +297,8 @@ fn regrouped(design: &Design, alive: Vec<Key>) -> Vec<Group> {
     let keys: HashSet<Key> = alive.into_iter().collect();
     let groups = sites.chunks(GROUP).chain(power_up.chunks(usize::MAX));
     let groups: Vec<&[Site]> = groups.collect();
-    let groups = groups.into_par_iter();
-    groups
-        .map(|sites| Group::of(design, sites, |key| keys.contains(key)))
-        .collect()
+    let group = |sites| Group::of(design, sites, |key| keys.contains(key));
+    groups.into_par_iter().map(group).collect()
 }
 
 /// The first stimulus and clock that show each mutant, which these upsets make; `on_kill` is called for each that one

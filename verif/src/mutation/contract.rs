@@ -106,9 +106,8 @@ pub(super) fn counts_with(subject: &Subject, options: &Options) -> Vec<(String, 
     let or = |a: Vec<bool>, b: Vec<bool>| a.iter().zip(b).map(|(a, b)| *a | b).collect();
     let stated: Vec<bool> = stated.reduce(none, or);
     let unstated = names.iter().zip(stated).filter(|(_, is)| !is);
-    unstated
-        .map(|(name, _)| ((*name).clone(), names[flag].clone()))
-        .collect()
+    let beside = unstated.map(|(name, _)| ((*name).clone(), names[flag].clone()));
+    beside.collect()
 }
 
 /// Inputs that do not change while the unit works: the words of a zone, behind the raster of an object or a volume.
@@ -134,15 +133,10 @@ fn beginning(subject: &Subject) -> Beginning {
     match &subject.name[..] {
         // All words, then a picture, and the clocks of its first line.
         "memory_pe2" => {
-            let quiet = [
-                "load_valid",
-                "field_start",
-                "picture_start",
-                "line_start",
-                "pixel",
-            ];
-            let loads =
-                (0..WORDS).map(|word| vec![own("load_valid", 1), own("load_address", word)]);
+            let quiet = "load_valid field_start picture_start line_start pixel";
+            let quiet: Vec<&str> = quiet.split(' ').collect();
+            let load = |word| vec![own("load_valid", 1), own("load_address", word)];
+            let loads = (0..WORDS).map(load);
             let starts = ["picture_start", "line_start"].map(|name| vec![own(name, 1)]);
             let line = std::iter::repeat_n(vec![], 15);
             (named(&quiet), loads.chain(starts).chain(line).collect())

@@ -13,9 +13,8 @@ use crate::engine::{Engine, design::DesignError};
 use crate::random::generator;
 use crate::report::Report;
 use imogene_contract::Unit;
-use imogene_faults::{
-    Around, Controls, Judge, Known, Mutant, Site, Verdict, alone, power_up, sites,
-};
+use imogene_faults::{Around, Controls, Judge, Known, Mutant, Site, Verdict};
+use imogene_faults::{alone, power_up, sites};
 use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_hdl::{Design, Module};
 use imogene_plan::description::MachineDescription;
@@ -256,8 +255,7 @@ impl Group<'_> {
 /// Does a machine that begins otherwise come to hold the same, while the host does nothing?
 fn is_forgotten(good: &Arc<Compiled>, bad: &Arc<Compiled>) -> bool {
     let [mut good, mut bad] = [good, bad].map(Circuit::new);
-    let mut clocks = 0..IDLE;
-    clocks.any(|_| {
+    (0..IDLE).any(|_| {
         good.idle();
         bad.idle();
         good.is_like(&bad)

@@ -120,9 +120,8 @@ impl<'a> Judge<'a> {
         let facts = assume(folder, top, &subject.name)?;
         let netlist = read(&folder.join(ASSUMED))?;
         write(&folder.join(CUT), &cut(&netlist))?;
-        let mut initial = netlist
-            .lines()
-            .filter(|line| line.contains("attribute \\init "));
+        let lines = netlist.lines();
+        let mut initial = lines.filter(|line| line.contains("attribute \\init "));
         let begins_at_zero = initial.all(|line| {
             let bits = line.rsplit(['\'', ' ']).next().unwrap_or_default();
             !bits.contains(|c: char| c.is_ascii_digit() && c != '0')
@@ -167,14 +166,11 @@ impl<'a> Judge<'a> {
             return Ok(Fate::Equivalent);
         }
         // Nothing is stated of the outputs before the first result is there.
-        let time = format!(
-            "sat -tempinduct -set-init-zero -seq {} -maxsteps {STEPS}",
-            self.latency
-        );
-        let time = if self.begins_at_zero {
-            self.prove(mutant.number, ASSUMED, &mutant.command, &time)?
-        } else {
-            String::new()
+        let latency = self.latency;
+        let time = format!("sat -tempinduct -set-init-zero -seq {latency} -maxsteps {STEPS}");
+        let time = match self.begins_at_zero {
+            true => self.prove(mutant.number, ASSUMED, &mutant.command, &time)?,
+            false => String::new(),
         };
         if time.contains("SUCCESS") {
             return Ok(Fate::Equivalent);
@@ -186,9 +182,9 @@ impl<'a> Judge<'a> {
                 Proof::Proven(_) => "",
                 Proof::Failed => ", without the facts of its registers, whose proof failed",
             };
+            let seconds = self.seconds;
             format!(
-                "Undecided: no stimulus found a difference, and no proof within {} s{without}",
-                self.seconds
+                "Undecided: no stimulus found a difference, and no proof within {seconds} s{without}"
             )
         };
         Ok(Fate::Survived(reason))

@@ -68,20 +68,12 @@ pub fn markdown(reports: &[MutationReport], introduction: &str, command: &str) -
     text += "| unit | configuration | candidates | mutants | killed | equivalent | forgotten | surviving | score | longest life, clocks |\n";
     text += "|---|---|---:|---:|---:|---:|---:|---:|---:|---:|\n";
     for r in reports {
-        let _ = writeln!(
-            text,
-            "| {} | `{}` | {} | {} | {} | {} | {} | {} | {:.2} % | {} |",
-            r.unit,
-            r.options,
-            r.candidates,
-            r.mutants,
-            r.killed,
-            r.equivalent,
-            r.forgotten,
-            r.surviving.len(),
-            r.score,
-            r.longest_life
-        );
+        let others = [r.equivalent, r.forgotten, r.surviving.len()];
+        let counts = [&[r.candidates, r.mutants, r.killed], &others[..]].concat();
+        let counts: Vec<String> = counts.iter().map(usize::to_string).collect();
+        let (unit, options, life) = (&r.unit, &r.options, r.longest_life);
+        let row = format!("{unit} | `{options}` | {}", counts.join(" | "));
+        let _ = writeln!(text, "| {row} | {:.2} % | {life} |", r.score);
     }
     text += "\n*Candidates* are the mutants that are possible; where they are more than the mutants, Yosys picks them evenly \
              over\ncells, ports and source lines. *Longest life* is how much stimulus the hardest of the killed mutants took.\n";
@@ -122,11 +114,8 @@ fn groups(reports: &[MutationReport]) -> String {
                 shown.push(format!("{others} others"));
             }
             let MutationReport { unit, options, .. } = report;
-            let _ = writeln!(
-                text,
-                "- {unit} `{options}`: {}. {reason}.",
-                shown.join(", ")
-            );
+            let shown = shown.join(", ");
+            let _ = writeln!(text, "- {unit} `{options}`: {shown}. {reason}.");
         }
     }
     if text.is_empty() {

@@ -12,10 +12,8 @@ pub(super) struct Vectors {
 
 /// The stimuli of a unit of these seeds.
 pub(super) fn vectors(subject: &Subject, clocks: usize, seeds: Range<u64>) -> Vec<Vectors> {
-    let seeds = seeds.into_par_iter();
-    seeds
-        .map(|seed| Vectors::new(subject, &subject.seeded_stimulus(clocks, seed)))
-        .collect()
+    let of = |seed| Vectors::new(subject, &subject.seeded_stimulus(clocks, seed));
+    seeds.into_par_iter().map(of).collect()
 }
 
 impl Vectors {
@@ -24,9 +22,8 @@ impl Vectors {
         let mut golden = (subject.golden)();
         let expected = stimulus.iter().map(|inputs| {
             let stated = golden.clock(inputs).into_iter().zip(&subject.outputs);
-            stated
-                .map(|(value, signal)| Some(signal.bits(value?)))
-                .collect()
+            let bits = stated.map(|(value, signal)| Some(signal.bits(value?)));
+            bits.collect()
         });
         let expected = expected.collect();
         let words = stimulus.iter().map(|inputs| {

@@ -83,10 +83,7 @@ pub enum CosimError {
 
 /// The slots that a scene needs, with so many rows of the root network between registers: all have the same chain, and
 /// planes that an object does not use are of kind none.
-pub fn slots_for(
-    scene: &PreparedScene,
-    rows_per_stage: usize,
-) -> Result<Vec<FittedSlot>, CosimError> {
+pub fn slots_for(scene: &PreparedScene, rows: usize) -> Result<Vec<FittedSlot>, CosimError> {
     let count = scene.objects.len();
     if !(1..=MAX_OBJECTS).contains(&count) {
         return Err(CosimError::Objects(count));
@@ -97,8 +94,8 @@ pub fn slots_for(
         return Err(CosimError::Planes(planes));
     }
     let limit = scene.format.root_rows();
-    if !(1..=limit as usize).contains(&rows_per_stage) {
-        return Err(CosimError::Rows(rows_per_stage, limit));
+    if !(1..=limit as usize).contains(&rows) {
+        return Err(CosimError::Rows(rows, limit));
     }
     Ok(vec![FittedSlot::quadric(planes as u32); count])
 }
@@ -115,13 +112,10 @@ fn quadric_words(scene: &PreparedScene) -> Result<Vec<&QuadricWords>, CosimError
 }
 
 /// The unit that draws a scene in one zone, and the clocks in which it is loaded and draws.
-pub fn unit(
-    scene: &PreparedScene,
-    rows_per_stage: usize,
-) -> Result<(Request, Vec<Inputs>), CosimError> {
-    let slots = slots_for(scene, rows_per_stage)?;
+pub fn unit(scene: &PreparedScene, rows: usize) -> Result<(Request, Vec<Inputs>), CosimError> {
+    let slots = slots_for(scene, rows)?;
     let [width, height] = [scene.width, scene.height].map(i64::from);
-    let (planes, rows) = (slots[0].planes, rows_per_stage as u32);
+    let (planes, rows) = (slots[0].planes, rows as u32);
     let mut clocks: Vec<Inputs> = vec![];
     for (object, (words, slot)) in (0..).zip(quadric_words(scene)?.into_iter().zip(&slots)) {
         let words = with_planes(words, slot).for_zone(0, 0, width, height);
@@ -172,9 +166,8 @@ pub fn run_on(
 ) -> Result<(Report, Frame), CosimError> {
     let started = Instant::now();
     let words = quadric_words(scene)?.into_iter().zip(slots);
-    let words: Vec<QuadricWords> = words
-        .map(|(words, slot)| with_planes(words, slot))
-        .collect();
+    let words = words.map(|(words, slot)| with_planes(words, slot));
+    let words: Vec<QuadricWords> = words.collect();
     let latency = beam::latency(slots, &scene.format, options.rows_per_stage as u32);
     let bands = bands(scene, &design.machine, &words, latency as usize, options);
     let run = |band: &Band| band::run(band, &mut design.machine(), &pixel_done);
@@ -247,10 +240,8 @@ fn bands<'a>(
             trace: trace(first, lines),
         }
     };
-    split(height, most.min(long))
-        .into_iter()
-        .map(band)
-        .collect()
+    let parts = split(height, most.min(long)).into_iter();
+    parts.map(band).collect()
 }
 
 fn check_window(options: &Options, scene: &PreparedScene) -> Result<(), CosimError> {

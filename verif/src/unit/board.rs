@@ -55,10 +55,8 @@ fn turns(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let length = prop_oneof![6 => Just(5usize), 1 => 5usize..12];
     let words: Vec<_> = subject.inputs[1..].iter().map(word).collect();
     let idle = vec![0; subject.inputs.len()];
-    (
-        0..9usize,
-        proptest::collection::vec((length, words), clocks),
-    )
+    let words = proptest::collection::vec((length, words), clocks);
+    (0..9usize, words)
         .prop_map(move |(before, list)| {
             let each = list.into_iter().enumerate();
             let each = each.flat_map(|(index, (length, words))| {

@@ -60,16 +60,15 @@ fn stimulus(
     clocks: usize,
 ) -> BoxedStrategy<Vec<Inputs>> {
     let payload = (0i64..16, any::<[i16; 3]>());
-    let one =
-        (ids, proptest::collection::vec((depth, payload), count)).prop_map(|(ids, fields)| {
-            ids.into_iter()
-                .zip(fields)
-                .flat_map(|(id, (depth, (number, n)))| {
-                    let [nx, ny, nz] = n.map(i64::from);
-                    [depth, id, number, nx, ny, nz]
-                })
-                .collect::<Inputs>()
+    let fields = proptest::collection::vec((depth, payload), count);
+    let one = (ids, fields).prop_map(|(ids, fields)| {
+        let each = ids.into_iter().zip(fields);
+        let each = each.flat_map(|(id, (depth, (number, n)))| {
+            let [nx, ny, nz] = n.map(i64::from);
+            [depth, id, number, nx, ny, nz]
         });
+        each.collect::<Inputs>()
+    });
     proptest::collection::vec(one, clocks).boxed()
 }
 

@@ -37,12 +37,9 @@ fn sums(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let level = proptest::sample::select(levels.collect::<Vec<i64>>());
     let any_sum = word(&subject.inputs[0]);
     // Next to an end of the depth word but for one bit: a comparator that neglects that bit takes it for the end.
-    let near_end = (
-        proptest::sample::select(vec![-far, far]),
-        -1i64..=1,
-        0..subject.inputs[0].width - 1,
-    )
-        .prop_map(|(end, offset, bit)| (end + offset) ^ (1 << bit));
+    let ends = proptest::sample::select(vec![-far, far]);
+    let near_end = (ends, -1i64..=1, 0..subject.inputs[0].width - 1);
+    let near_end = near_end.prop_map(|(end, offset, bit)| (end + offset) ^ (1 << bit));
     let sum = || prop_oneof![3 => level.clone(), 2 => near_end.clone(), 1 => any_sum.clone()];
     let one = (sum(), sum(), 0i64..=1, 0i64..8, 0i64..4).prop_map(
         |(near, far, inside, in_box, class)| vec![near, far, inside, in_box.min(1), class],
@@ -128,25 +125,16 @@ fn cut_quadrics(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> 
     let width = subject.inputs[5].width;
     let end = (1i64 << (width - 1)) - 1;
     let numbers = (0i64..16, 0i64..16);
-    let one = (
-        sums(subject, 1),
-        limit(width),
-        limit(width),
-        numbers,
-        0i64..32,
-    );
-    let one = one.prop_map(move |(sums, front, back, numbers, removed)| {
+    let limits = (limit(width), limit(width));
+    let one = (sums(subject, 1), limits, numbers, 0i64..32);
+    let one = one.prop_map(move |(sums, (front, back), numbers, removed)| {
         let sums = sums[0].clone();
         let (near, far) = (sums[0].min(sums[1]), sums[0].max(sums[1]));
         let at = |limit: Limit| match limit {
             Limit::At(z) => z,
             Limit::AtRoot(is_far, flipped) => {
                 let z = if is_far { far } else { near }.clamp(-end, end);
-                if flipped < width - 1 {
-                    z ^ (1 << flipped)
-                } else {
-                    z
-                }
+                z ^ if flipped < width - 1 { 1 << flipped } else { 0 }
             }
         };
         let (front, back) = (at(front), at(back));
@@ -210,11 +198,8 @@ fn decisions(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let planes = proptest::collection::vec(plane(), planes);
     let one = ([sum(), sum()], [often(), often(), often()], planes).prop_map(
         |([a, b], [inside, there, in_order], planes)| {
-            let [near, far] = if in_order == 1 {
-                [a.min(b), a.max(b)]
-            } else {
-                [a, b]
-            };
+            let is_turned = in_order == 1 && a > b;
+            let [near, far] = if is_turned { [b, a] } else { [a, b] };
             let mut inputs = vec![near, far, inside, there];
             inputs.extend(planes.into_iter().flat_map(|(kind, zp)| [kind, zp]));
             inputs

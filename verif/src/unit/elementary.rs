@@ -103,16 +103,14 @@ pub(super) fn memory_pe2(format: Format) -> Description {
     Description::new(pictures, move || {
         let mut golden = Clocked {
             width,
-            words: [0; WORDS],
-            pe: None,
-            is_known: false,
-            busy: 0,
+            ..Clocked::default()
         };
         move |i: &[i64]| golden.clock(i)
     })
 }
 
 /// The golden processor, whose commands take their clocks one by one.
+#[derive(Default)]
 struct Clocked {
     width: u32,
     words: [i128; WORDS],
@@ -136,11 +134,8 @@ impl Clocked {
             }
             value = self.obey(i);
         }
-        vec![
-            Some(i64::from(self.busy == 0)),
-            Some(i64::from(value.is_some())),
-            value.flatten(),
-        ]
+        let flag = |flag: bool| Some(i64::from(flag));
+        vec![flag(self.busy == 0), flag(value.is_some()), value.flatten()]
     }
 
     /// Is there a pixel, and what is stated of it?
@@ -210,19 +205,18 @@ fn pictures(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let words = proptest::collection::vec(word(&subject.inputs[port::DATA]), WORDS);
     let shape = (any::<[bool; 2]>(), 1usize..9, 1usize..4, 0usize..3);
     let odd = (0usize..3, 0usize..9);
-    let picture = (words, shape, odd);
-    let picture =
-        picture.prop_map(
-            |(words, (kind, width, height, pause), (early, turn))| Picture {
-                words,
-                fields: kind[0].then_some([kind[1], !kind[1]]),
-                width,
-                height,
-                pause,
-                early,
-                turn,
-            },
-        );
+    let picture = (words, shape, odd).prop_map(|(words, shape, (early, turn))| {
+        let (kind, width, height, pause) = shape;
+        Picture {
+            words,
+            fields: kind[0].then_some([kind[1], !kind[1]]),
+            width,
+            height,
+            pause,
+            early,
+            turn,
+        }
+    });
     let noise = each(subject.inputs.iter().map(word).collect(), clocks);
     // A picture takes thirty clocks at least.
     let pictures = proptest::collection::vec(picture, clocks / 30 + 1);
@@ -247,28 +241,21 @@ struct Drawn {
 
 impl Drawn {
     fn picture(&mut self, picture: &Picture) {
-        let starts = picture
-            .fields
-            .map_or(vec![None], |fields| fields.map(Some).to_vec());
+        let fields = picture.fields.map(|fields| fields.map(Some).to_vec());
         self.load(picture);
-        for field in starts {
-            let at = if field.is_some() {
-                port::FIELD
-            } else {
-                port::PICTURE
+        for field in fields.unwrap_or(vec![None]) {
+            let (at, restore) = match field {
+                Some(_) => (port::FIELD, 6),
+                None => (port::PICTURE, 1),
             };
             let mut start = command(at);
             start[port::ODD] = field.unwrap_or_default().into();
-            let restore = if field.is_some() { 6 } else { 1 };
             self.command(start, restore, picture.pause);
             for _ in 0..picture.early {
                 self.command(command(port::PIXEL), 1, 0);
             }
             for line in 0..picture.height {
-                let is_long = match field {
-                    None => false,
-                    Some(is_odd) => is_odd || line > 0,
-                };
+                let is_long = field.is_some_and(|is_odd| is_odd || line > 0);
                 let clocks = if is_long { 27 } else { 15 };
                 self.command(command(port::LINE), clocks, picture.pause);
                 for _ in 0..picture.width {

@@ -196,10 +196,8 @@ pub(super) fn even_differences(
     let masks = ports.iter().map(|port| !i64::from(is_second(port)));
     let masks: Vec<i64> = masks.collect();
     let masked = move |mut words: Inputs| {
-        words
-            .iter_mut()
-            .zip(&masks)
-            .for_each(|(word, mask)| *word &= mask);
+        let each = words.iter_mut().zip(&masks);
+        each.for_each(|(word, mask)| *word &= mask);
         words
     };
     words.prop_map(masked).boxed()

@@ -99,16 +99,11 @@ fn writes(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     each(vec![write, address, word(&subject.inputs[2])], clocks)
 }
 
-pub(super) fn beam(
-    format: Format,
-    objects: usize,
-    planes: usize,
-    rows_per_stage: usize,
-) -> Description {
+pub(super) fn beam(format: Format, objects: usize, planes: usize, rows: usize) -> Description {
     let pictures = move |subject: &_, clocks| pictures(subject, clocks, planes, objects);
     Description::new(pictures, move || {
         let mut machine = Machine::new(format, objects, planes);
-        let clocks = 1 + latency(&format, planes, rows_per_stage as u32) + tree_latency(objects);
+        let clocks = 1 + latency(&format, planes, rows as u32) + tree_latency(objects);
         let mut late = late(clocks as usize);
         move |i: &[i64]| {
             // Before the first pixel can come out, valid is low as ever without one.

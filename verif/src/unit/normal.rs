@@ -43,9 +43,8 @@ fn normal(g: &mut Option<[Pe1; 3]>, i: &[i64], planes: usize) -> Option<[i64; 3]
     let g = scan(g, i, start, |g| g.iter_mut().for_each(Pe1::line_step))?;
     let linear = g.each_mut().map(|pe| pe.pixel() as i64);
     let planes = i[port::PLANES..].chunks(3).take(planes);
-    let constants: Vec<_> = planes
-        .map(|normal| read(normal, format, Ports::vector))
-        .collect();
+    let vector = |normal: &[i64]| read(normal, format, Ports::vector);
+    let constants: Vec<_> = planes.map(vector).collect();
     let (number, present) = (i[port::NUMBER] as u8, !bit(i[port::ABSENT]));
     let root = i[port::ROOT];
     let found = select(number, present, linear, root, &words, &constants, format);
@@ -75,10 +74,8 @@ fn words_held(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
         linear,
         prop_oneof![Just(0), Just(LOW), 0..=LOW],
     );
-    let factor = (
-        low_bit(subject.inputs[port::FACTORS].width - 1),
-        any::<bool>(),
-    );
+    let width = subject.inputs[port::FACTORS].width;
+    let factor = (low_bit(width - 1), any::<bool>());
     let factor = factor.prop_map(|(bit, negate)| if negate { -(1i64 << bit) } else { 1 << bit });
     let factor = factor.boxed();
     let shift = prop_oneof![Just(0i64), 0i64..4];

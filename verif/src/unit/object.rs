@@ -39,90 +39,59 @@ pub(super) fn quadric_words(class: Class, planes: usize) -> QuadricWords {
     }
 }
 
+/// What the words of a processor are likely to be.
+#[rustfmt::skip]
+fn plan(unit: Unit) -> &'static [(&'static str, Likely)] {
+    match unit {
+        Unit::FacetProcessor => &[("side_", Line), ("depth_", Depth(10))],
+        Unit::CurvedFacetProcessor => &[("side_", Conic), ("depth_", Bulge)],
+        Unit::SphereProcessor => &[("outline_", Conic), ("front_", Bulge), ("depth_sum", Depth(1))],
+        Unit::CylinderProcessor => &[("side_", Line), ("disc_", Conic), ("body_", Bulge), ("lid_", Depth(10))],
+        Unit::PatchProcessor => &[("f1_", Depth(0)), ("f2_", Conic), ("plane_0_kind", Any), ("plane_", Depth(0))],
+        Unit::FirstGenerationProcessor => &[("f1_", Depth(0)), ("f2_", Conic), ("depth_", Depth(0)), ("conic_", Conic), ("polar_", Line)],
+        Unit::QuadricProcessor => &[("f1_", Depth(0)), ("f2_", Conic), ("plane_", Depth(0))],
+        // About as many units as half a depth word has, over a denominator of a few hundred.
+        Unit::QuotientProcessor => &[("numerator_", Bulge), ("denominator_", Line), ("plane_", Depth(0))],
+        other => unreachable!("{other:?} hands on no single face"),
+    }
+}
+
 /// Depths, face and normal behind `out_valid`, as many clocks after the flags as the processor takes. Its words have
 /// the shape of these, and are likely what the plan says.
 pub(super) fn object_processor(request: &Request, format: Format) -> Description {
     use ProcessorWords as Words;
     let [planes, sides] = [request.planes, request.sides].map(|count| count as usize);
     let rows = request.rows_per_stage;
-    let (latency, words, plan): (u32, Words, &'static [(&str, Likely)]) = match request.unit {
+    let (latency, words) = match request.unit {
         Unit::FacetProcessor => {
-            let words = FacetWords {
-                edges: vec![Linear::default(); sides],
-                ..FacetWords::default()
-            };
-            let plan = &[("side_", Line), ("depth_", Depth(10))];
-            (facet::LATENCY, Words::Facet(words), plan)
+            let mut words = FacetWords::default();
+            words.edges.resize_with(sides, Linear::default);
+            (facet::LATENCY, Words::Facet(words))
         }
         Unit::CurvedFacetProcessor => {
-            let words = CurvedFacetWords {
-                sides: vec![Quadratic::default(); sides],
-                ..CurvedFacetWords::default()
-            };
-            let plan = &[("side_", Conic), ("depth_", Bulge)];
-            (curved_facet::LATENCY, Words::CurvedFacet(words), plan)
+            let mut words = CurvedFacetWords::default();
+            words.sides.resize_with(sides, Quadratic::default);
+            (curved_facet::LATENCY, Words::CurvedFacet(words))
         }
-        Unit::SphereProcessor => {
-            let words = Words::Sphere(SphereWords::default());
-            let plan = &[
-                ("outline_", Conic),
-                ("front_", Bulge),
-                ("depth_sum", Depth(1)),
-            ];
-            (sphere::LATENCY, words, plan)
-        }
-        Unit::CylinderProcessor => {
-            let words = Words::Cylinder(CylinderWords::default());
-            let plan = &[
-                ("side_", Line),
-                ("disc_", Conic),
-                ("body_", Bulge),
-                ("lid_", Depth(10)),
-            ];
-            (cylinder::LATENCY, words, plan)
-        }
+        Unit::SphereProcessor => (sphere::LATENCY, Words::Sphere(SphereWords::default())),
+        Unit::CylinderProcessor => (cylinder::LATENCY, Words::Cylinder(CylinderWords::default())),
         Unit::PatchProcessor => {
-            let words = Words::Patch(quadric_words(Class::Patch, planes));
-            let plan = &[
-                ("f1_", Depth(0)),
-                ("f2_", Conic),
-                ("plane_0_kind", Any),
-                ("plane_", Depth(0)),
-            ];
-            (patch::latency(&format, rows), words, plan)
+            let words = quadric_words(Class::Patch, planes);
+            (patch::latency(&format, rows), Words::Patch(words))
         }
         Unit::FirstGenerationProcessor => {
             let words = Words::FirstGeneration(FirstGenerationWords::default());
-            let plan = &[
-                ("f1_", Depth(0)),
-                ("f2_", Conic),
-                ("depth_", Depth(0)),
-                ("conic_", Conic),
-                ("polar_", Line),
-            ];
-            (first_generation::latency(&format, rows), words, plan)
+            (first_generation::latency(&format, rows), words)
         }
         Unit::QuadricProcessor => {
             let words = Words::Quadric(quadric_words(Class::Side, planes));
-            let plan = &[("f1_", Depth(0)), ("f2_", Conic), ("plane_", Depth(0))];
-            (quadric::latency(&format, planes, rows), words, plan)
+            (quadric::latency(&format, planes, rows), words)
         }
         Unit::QuotientProcessor => {
-            let words = QuotientWords {
-                planes: vec![PlaneWords::default(); planes],
-                ..QuotientWords::default()
-            };
-            // About as many units as half a depth word has, over a denominator of a few hundred.
-            let plan = &[
-                ("numerator_", Bulge),
-                ("denominator_", Line),
-                ("plane_", Depth(0)),
-            ];
-            (
-                quotient::latency(&format, planes, rows),
-                Words::Quotient(words),
-                plan,
-            )
+            let mut words = QuotientWords::default();
+            words.planes.resize_with(planes, PlaneWords::default);
+            let latency = quotient::latency(&format, planes, rows);
+            (latency, Words::Quotient(words))
         }
         other => unreachable!("{other:?} hands on no single face"),
     };
@@ -131,14 +100,8 @@ pub(super) fn object_processor(request: &Request, format: Format) -> Description
         let [nx, ny, nz] = p.normal.map(i64::from);
         [p.zf, p.zb, p.number.into(), nx, ny, nz]
     };
-    zone(
-        planned(plan),
-        format,
-        [0, latency],
-        words,
-        Ports::processor,
-        pixel,
-    )
+    let plan = planned(plan(request.unit));
+    zone(plan, format, [0, latency], words, Ports::processor, pixel)
 }
 
 pub(super) fn polyhedron_processor(format: Format, planes: usize) -> Description {
@@ -152,10 +115,8 @@ pub(super) fn polyhedron_processor(format: Format, planes: usize) -> Description
     };
     let plan = planned(&[("plane_", Depth(0))]);
     let clocks = [0, polyhedron::latency(planes)];
-    let words = PolyhedronWords {
-        planes: vec![PlaneWords::default(); planes],
-        ..PolyhedronWords::default()
-    };
+    let mut words = PolyhedronWords::default();
+    words.planes.resize_with(planes, PlaneWords::default);
     zone(plan, format, clocks, words, Ports::polyhedron, pixel)
 }
 

@@ -42,12 +42,9 @@ pub(super) fn iterative(format: Format) -> Description {
         let mut unit = IterativeRoot::new(format.root);
         move |i: &[i64]| {
             let shown = unit.clock(bit(i[0]), unsigned(i[1].into(), format.quadratic));
-            vec![
-                Some(shown.busy.into()),
-                Some(shown.done.into()),
-                Some(shown.root as i64),
-                Some(shown.remainder as i64),
-            ]
+            let [busy, done] = [shown.busy, shown.done].map(i64::from);
+            let values = [busy, done, shown.root as i64, shown.remainder as i64];
+            values.map(Some).to_vec()
         }
     })
 }
@@ -95,9 +92,8 @@ fn any_words(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
         .prop_map(move |(mut list, near)| {
             for (inputs, near) in list.iter_mut().zip(near) {
                 if let Some((value, by)) = near {
-                    inputs[F2..F2_VALUE]
-                        .iter_mut()
-                        .for_each(|step| *step >>= by);
+                    let steps = inputs[F2..F2_VALUE].iter_mut();
+                    steps.for_each(|step| *step >>= by);
                     inputs[F2_VALUE] = value;
                 }
                 // Second differences are even: they are twice a coefficient.
@@ -110,12 +106,9 @@ fn any_words(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
 }
 
 fn start(i: &[i64], format: &Format) -> (Pe1, Pe2) {
-    let f1 = read(&i[F1..], format, Ports::line);
+    let f1 = Pe1::object_start(&read(&i[F1..], format, Ports::line), format.sum);
     let f2 = read(&i[F2..], format, Ports::quadratic);
-    (
-        Pe1::object_start(&f1, format.sum),
-        Pe2::object_start(&f2, format.quadratic),
-    )
+    (f1, Pe2::object_start(&f2, format.quadratic))
 }
 
 fn depths(f1: i64, f2: i128, format: &Format) -> [i64; 4] {
@@ -123,10 +116,6 @@ fn depths(f1: i64, f2: i128, format: &Format) -> [i64; 4] {
     let radicand = unsigned(f2, format.quadratic);
     let found = root(Method::of(format.root_form), radicand, format.root).root;
     let root = unsigned(found.into(), format.root) as i64;
-    [
-        wrap64(f1 - root, format.sum),
-        wrap64(f1 + root, format.sum),
-        root,
-        i64::from(f2 >= 0),
-    ]
+    let [near, far] = [f1 - root, f1 + root].map(|sum| wrap64(sum, format.sum));
+    [near, far, root, i64::from(f2 >= 0)]
 }

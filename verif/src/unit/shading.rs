@@ -25,9 +25,8 @@ const LOAD: usize = 3;
 pub(super) fn shading_processor(format: Format, lights: usize, suns: usize) -> Description {
     let stimulus = move |subject: &_, clocks| {
         words_then_pixels(subject, clocks, lights, move |_, words| {
-            words.lights[lights - suns..]
-                .iter_mut()
-                .for_each(shine_from_afar);
+            let suns = words.lights[lights - suns..].iter_mut();
+            suns.for_each(shine_from_afar);
             words.load_words()
         })
     };
@@ -60,9 +59,8 @@ fn drawn(tables: &SphereTables, seed: u64) -> SphereTables {
     let mut state = seed;
     let white = if tables.nearest { 255 } else { 1020 };
     let mut level = || {
-        state = state
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1);
+        let product = state.wrapping_mul(6_364_136_223_846_793_005);
+        state = product.wrapping_add(1);
         (state >> 33) as u16 % (white + 1)
     };
     let entries = tables.entries.iter().map(|_| [(); 3].map(|()| level()));

@@ -89,27 +89,17 @@ pub(super) fn frame_store() -> Description {
             let asked = bit(i[6]).then(|| place(i[7], i[8]));
             let out = store.clock(arriving, bit(i[5]), asked);
             let part = |shift: u32| out.colour.map(|c| i64::from(c >> shift & 0xff));
-            vec![
-                Some(out.ready.into()),
-                Some(out.colour.is_some().into()),
-                part(16),
-                part(8),
-                part(0),
-                Some(out.swapped.into()),
-            ]
+            let flags = [out.ready, out.colour.is_some(), out.swapped];
+            let [ready, shown, swapped] = flags.map(|flag| Some(flag.into()));
+            vec![ready, shown, part(16), part(8), part(0), swapped]
         }
     })
 }
 
 /// Frames of a few pixels in any order, in pictures of any shape, while pixels are read and retraces come at any time.
 fn frames(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
-    let shape = prop_oneof![
-        Just((3i64, 2i64)),
-        Just((1, 4)),
-        Just((64, 64)),
-        Just((4095, 1)),
-        Just((8, 511))
-    ];
+    let of = |width: i64, height: i64| Just((width, height));
+    let shape = prop_oneof![of(3, 2), of(1, 4), of(64, 64), of(4095, 1), of(8, 511)];
     shape
         .prop_flat_map(move |(width, height)| {
             let spot = (0i64..3, 0i64..3).prop_map(move |(x, y)| {
@@ -138,9 +128,8 @@ pub(super) fn raster_control() -> Description {
             match raster.clock(bit(i[0]), i[1] as u16, i[2] as u16) {
                 Some(p) => {
                     let [start, line, last] = [p.start, p.line, p.last].map(i64::from);
-                    [1, start, line, p.x.into(), p.y.into(), last]
-                        .map(Some)
-                        .to_vec()
+                    let values = [1, start, line, p.x.into(), p.y.into(), last];
+                    values.map(Some).to_vec()
                 }
                 // Without a pixel only the flags are stated.
                 None => vec![Some(0), Some(0), Some(0), None, None, Some(0)],
@@ -181,13 +170,8 @@ pub(super) fn video_timing(mode: usize) -> Description {
 }
 
 fn shown(pixel: &Shown) -> Vec<i64> {
-    vec![
-        pixel.active.into(),
-        pixel.start.into(),
-        pixel.line.into(),
-        pixel.x.into(),
-        pixel.y.into(),
-    ]
+    let flags = [pixel.active, pixel.start, pixel.line].map(i64::from);
+    [&flags[..], &[pixel.x, pixel.y].map(i64::from)].concat()
 }
 
 /// Now and then a clock without `enable`.
@@ -246,11 +230,7 @@ fn write((width, height, kernel, pauses, noise): &Picture, clocks: &mut Vec<Inpu
             }
             inputs[1..6].copy_from_slice(&[1, x as i64, y as i64, line_end.into(), last.into()]);
             clocks.push(inputs);
-            let after_line = if line_end {
-                3usize.saturating_sub(*width).max(1)
-            } else {
-                0
-            };
+            let after_line = usize::from(line_end) * 3usize.saturating_sub(*width).max(1);
             let idle = pause() + after_line + if last { width + 2 } else { 0 };
             clocks.extend((0..idle).map(|_| {
                 let mut inputs = next();
@@ -263,26 +243,17 @@ fn write((width, height, kernel, pauses, noise): &Picture, clocks: &mut Vec<Inpu
 
 /// Small pictures one after the other.
 fn pictures(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
-    let noise = vec![
-        (0i64..4).boxed(),
-        Just(0).boxed(),
-        (0i64..4).boxed(),
-        (0i64..3).boxed(),
-        (0i64..=1).boxed(),
-        (0i64..=1).boxed(),
-        level(),
-        level(),
-        level(),
-    ];
+    let up_to = |most: i64| (0..=most).boxed();
+    let flags = [up_to(3), up_to(2), up_to(1), up_to(1)];
+    let noise = [vec![up_to(3), Just(0).boxed()], flags.to_vec()].concat();
+    let noise = [noise, vec![level(), level(), level()]].concat();
     let idle = prop_oneof![5 => Just(0usize), 1 => 1usize..4];
     let (pauses, noise) = (list(idle, 41), list(noise, 97));
     let picture = (1usize..8, 1usize..6, 0i64..4, pauses, noise);
     list(picture, clocks / 12 + 1)
         .prop_map(move |pictures| {
             let mut list = Vec::new();
-            pictures
-                .iter()
-                .for_each(|picture| write(picture, &mut list));
+            pictures.iter().for_each(|one| write(one, &mut list));
             list.truncate(clocks);
             list
         })

@@ -146,12 +146,8 @@ impl Ports {
     fn screen_box(&mut self, b: &mut ScreenBox) {
         *b = b.or_empty();
         let [x, y] = self.origin;
-        for (edge, first) in [
-            (&mut b.x0, x),
-            (&mut b.x1, x),
-            (&mut b.y0, y),
-            (&mut b.y1, y),
-        ] {
+        let edges = [&mut b.x0, &mut b.x1, &mut b.y0, &mut b.y1];
+        for (edge, first) in edges.into_iter().zip([x, x, y, y]) {
             self.number(edge, |word| word as i64);
             *edge -= first;
         }
@@ -277,9 +273,7 @@ impl Ports {
                 self.number(&mut q.normal_from, |word| word as i64);
                 self.planes(&mut q.planes);
             }
-            ProcessorWords::Member(_) => {
-                unreachable!("it has no hardware")
-            }
+            ProcessorWords::Member(_) => unreachable!("it has no hardware"),
         }
     }
 

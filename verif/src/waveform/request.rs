@@ -52,13 +52,11 @@ pub enum PlaceError {
 impl Place {
     /// Refuses a pixel that a picture of this size does not have.
     pub fn check(&self, width: usize, height: usize) -> Result<(), PlaceError> {
-        match self.column < width && self.line < height {
-            true => Ok(()),
-            false => Err(PlaceError::Pixel(
-                [self.column, self.line],
-                [width - 1, height - 1],
-            )),
+        if self.column < width && self.line < height {
+            return Ok(());
         }
+        let last = [width - 1, height - 1];
+        Err(PlaceError::Pixel([self.column, self.line], last))
     }
 }
 

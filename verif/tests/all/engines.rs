@@ -12,13 +12,8 @@ const CLOCKS: usize = 2_000;
 fn changed(name: &str, right: &str, wrong: &str, simulator: Simulator) -> Subject {
     let text = verilog(name, 24);
     assert!(text.contains(right), "{name} has no '{right}'");
-    with_verilog(
-        unit(name, 24),
-        simulator,
-        name,
-        &text.replacen(right, wrong, 1),
-    )
-    .expect("a unit")
+    let text = text.replacen(right, wrong, 1);
+    with_verilog(unit(name, 24), simulator, name, &text).expect("a unit")
 }
 
 #[test]
@@ -52,12 +47,8 @@ fn the_scoreboard_is_the_same() {
 
 #[test]
 fn an_undefined_bit_is_a_mismatch_without_a_value() {
-    let broken = changed(
-        "pe1",
-        "= line_begin + b;",
-        "= line_begin + b + 1'bx;",
-        Simulator::Icarus,
-    );
+    let (right, wrong) = ("= line_begin + b;", "= line_begin + b + 1'bx;");
+    let broken = changed("pe1", right, wrong, Simulator::Icarus);
     let (report, trace) = random::run(&broken, CLOCKS, 11, true);
     let undefined = |m: &&imogene_verif::report::Mismatch| m.hardware.is_none();
     let first = report.first_mismatches.iter().find(undefined);
@@ -91,12 +82,8 @@ fn compiled_units_are_the_levelised_ones() {
             let [mut here, mut there] = [&compiled, &levelised].map(|unit| (unit.hardware)());
             let stimulus = compiled.seeded_stimulus(CLOCKS, 7);
             for (clock, inputs) in stimulus.iter().enumerate() {
-                let name = unit.name();
-                assert_eq!(
-                    here.clock(inputs),
-                    there.clock(inputs),
-                    "{name} at {depth_word}, clock {clock}"
-                );
+                let place = format!("{} at {depth_word}, clock {clock}", unit.name());
+                assert_eq!(here.clock(inputs), there.clock(inputs), "{place}");
             }
         }
     }

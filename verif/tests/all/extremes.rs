@@ -33,10 +33,8 @@ fn the_documentation_states_the_same() {
     let rows = page.lines().filter(|line| line.starts_with("| `")).count();
     assert_eq!(rows, extremes::all().count());
     for extreme in extremes::all() {
-        let row = format!(
-            "| `{}` | {} | {} |",
-            extreme.name, extreme.item, extreme.outcome
-        );
+        let (name, item, outcome) = (extreme.name, extreme.item, extreme.outcome);
+        let row = format!("| `{name}` | {item} | {outcome} |");
         assert!(page.contains(&row), "docs/extremes.md lacks: {row}");
     }
 }

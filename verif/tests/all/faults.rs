@@ -6,8 +6,7 @@ use imogene_circuits::raster::{Flags, Linear, pe1};
 use imogene_contract::{Request, Unit};
 use imogene_golden::format::Format;
 use imogene_golden::machine::beam;
-use imogene_prepare::Framing;
-use imogene_prepare::{PreparedScene, prepare};
+use imogene_prepare::PreparedScene;
 use imogene_verif::engine::Engine;
 use imogene_verif::engine::circuit::Circuit;
 use imogene_verif::random;
@@ -45,10 +44,8 @@ fn a_broken_unit_is_reported_with_cycle_values_and_trace() {
     assert!(text.contains(&format!("cycle {}", first.cycle)), "{text}");
 
     let folder = tempfile::tempdir().unwrap();
-    let files = trace
-        .unwrap()
-        .write(&folder.path().join("pe1.vcd"))
-        .unwrap();
+    let path = folder.path().join("pe1.vcd");
+    let files = trace.unwrap().write(&path).unwrap();
     let vcd = std::fs::read_to_string(&files[0]).unwrap();
     for name in ["hardware", "golden", "mismatch", "stimulus"] {
         assert!(vcd.contains(name), "the trace has no {name}");
@@ -69,8 +66,7 @@ fn a_broken_unit_is_reported_with_cycle_values_and_trace() {
 /// Lanes in which an output of one is wrong in one clock.
 struct Planted {
     inner: Box<dyn Lanes>,
-    lane: usize,
-    clock: u64,
+    at: (usize, u64),
     clocks: u64,
 }
 
@@ -82,7 +78,7 @@ impl Lanes for Planted {
 
     fn outputs(&mut self, lane: usize, found: &mut Vec<Option<i64>>) {
         self.inner.outputs(lane, found);
-        if (lane, self.clocks) == (self.lane, self.clock + 1) {
+        if (lane, self.clocks - 1) == self.at {
             found[0] = found[0].map(|value| value ^ 1);
         }
     }
@@ -109,12 +105,10 @@ fn a_difference_is_found_in_its_lane_at_its_clock() {
         let mut broken = subject(&request).unwrap();
         let make = subject(&request).unwrap().lanes.unwrap();
         broken.lanes = Some(Box::new(move || {
-            let (inner, clocks) = (make(), 0);
             Box::new(Planted {
-                inner,
-                lane,
-                clock,
-                clocks,
+                inner: make(),
+                at: (lane, clock),
+                clocks: 0,
             })
         }));
         let outcomes = broken.run_all(&stimuli[..LANES], true);
@@ -188,8 +182,7 @@ fn every_scoreboard_finds_a_flipped_output_bit() {
 }
 
 pub(crate) fn teapot(width: u32, height: u32) -> PreparedScene {
-    let scene = scene("teapot.toml").frame(width, height).unwrap();
-    prepare(&scene, Format::BASE).unwrap()
+    crate::prepared(&scene("teapot.toml"), (width, height), Format::BASE).1
 }
 
 /// Bit 18 of f1's constant term of object 0, the pot's body.
@@ -268,10 +261,7 @@ fn a_window_begins_at_a_pixel_or_shows_a_mismatch_alone() {
     // Lines 18 to 35 are the second band.
     let report = run(at_pixel(5, 20), 60, None).unwrap();
     report.trace.unwrap().write(&path).unwrap();
-    assert_eq!(
-        clocks(&path),
-        (2 * 48 + 5..2 * 48 + 65).collect::<Vec<u64>>()
-    );
+    assert!(clocks(&path).into_iter().eq(2 * 48 + 5..2 * 48 + 65));
 
     let report = run(WindowStart::Mismatch, 60, None).unwrap();
     assert!(report.trace.is_none(), "nothing differs");
@@ -279,16 +269,12 @@ fn a_window_begins_at_a_pixel_or_shows_a_mismatch_alone() {
     let first = report.first_mismatches[0].cycle;
     report.trace.unwrap().write(&path).unwrap();
     let held = clocks(&path);
-    assert!(
-        held.contains(&first) && held.len() <= 300,
-        "{first}: {held:?}"
-    );
+    let is_short = held.contains(&first) && held.len() <= 300;
+    assert!(is_short, "{first}: {held:?}");
 
     let refused = run(at_pixel(48, 0), 60, None).unwrap_err();
-    assert_eq!(
-        refused.to_string(),
-        "there is no pixel 48,0 to trace from; accepted: 0,0 to 47,35"
-    );
+    let says = "there is no pixel 48,0 to trace from; accepted: 0,0 to 47,35";
+    assert_eq!(refused.to_string(), says);
 }
 
 /// Bands of 7 and of 8 lines run in threads of their own; each counts its own latency and knows its own lines.
@@ -306,24 +292,17 @@ fn every_band_reports_the_places_of_its_band() {
     assert!(good.passed(), "{:?}", good.first_mismatches);
     let slots = slots_for(&scene, 4).unwrap();
     let latency = u64::from(beam::latency(&slots, &scene.format, 4));
-    assert_eq!(
-        (good.pixels, good.cycles),
-        (48 * 36, 48 * 36 + 5 * (latency - 1))
-    );
+    assert_eq!(good.pixels, 48 * 36);
+    assert_eq!(good.cycles, 48 * 36 + 5 * (latency - 1));
 
     for object in 0..scene.objects.len() as u8 {
         let (report, broken) = run(Some(Fault { object, ..FAULT }));
-        let depths = frame.depth.iter().zip(&broken.depth);
-        let differs: Vec<bool> = depths.map(|(good, broken)| good != broken).collect();
-        let found = report
-            .first_mismatches
-            .iter()
-            .filter(|m| m.signal == "depth");
+        let depths = frame.depth.iter().zip(&broken.depth).enumerate();
+        let differs = depths.filter(|(_, (good, broken))| good != broken);
+        let wanted = differs.map(|(at, _)| at);
+        let found = report.first_mismatches.iter();
+        let found = found.filter(|m| m.signal == "depth");
         let places = found.map(|m| m.pixel.map(|(x, y)| (y * 48 + x) as usize).unwrap());
-        let wanted = differs
-            .iter()
-            .enumerate()
-            .filter_map(|(at, differs)| differs.then_some(at));
         let places: Vec<usize> = places.collect();
         assert_eq!(places, wanted.take(places.len()).collect::<Vec<_>>());
         assert!(!places.is_empty(), "object {object}");
@@ -343,8 +322,6 @@ fn faults_that_do_not_exist_are_refused() {
     };
     let outcome = run_scene(&scene, &options, Engine::BuiltIn, || ());
     let message = outcome.err().unwrap().to_string();
-    assert!(
-        message.contains("99:2:0") && message.contains("accepted"),
-        "{message}"
-    );
+    let is_told = message.contains("99:2:0") && message.contains("accepted");
+    assert!(is_told, "{message}");
 }

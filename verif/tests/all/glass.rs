@@ -1,13 +1,12 @@
 //! Transparent objects on machines of both kinds.
 
-use super::machines::{run, small};
+use super::machines::{host, run, small};
+use super::prepared;
 use imogene_golden::format::Format;
 use imogene_plan::description::{MachineDescription, MachineKind, Output};
 use imogene_plan::display::image;
 use imogene_plan::needs::enough;
 use imogene_plan::pace::clocks_per_frame;
-use imogene_prepare::{Framing, prepare};
-use imogene_verif::display::pins::PinsRun;
 use imogene_verif::display::request::{request_for, timing};
 use imogene_verif::engine::Engine;
 
@@ -27,10 +26,11 @@ fn glass_on_zone_machines() {
             output,
             ..asked.clone()
         };
-        let (width, height) = asked.drawn_size().expect("a mode");
-        let framed = [0, 1].map(|k| scenes[k].frame(width, height).expect("a valid size"));
-        let prepared = [0, 1].map(|k| prepare(&framed[k], Format::BASE).expect("fits the format"));
-        let pairs = [(&framed[0], &prepared[0]), (&framed[1], &prepared[1])];
+        let size = asked.drawn_size().expect("a mode");
+        let [glass, teapot] = &scenes
+            .each_ref()
+            .map(|file| prepared(file, size, Format::BASE));
+        let pairs = [(&glass.0, &glass.1), (&teapot.0, &teapot.1)];
         let machine = enough(&asked, &pairs).expect("a machine");
         assert_eq!((machine.machine, machine.layers), (MachineKind::Zone, 3));
         let images = pairs.map(|(framed, prepared)| image(framed, prepared, &machine));
@@ -44,23 +44,17 @@ fn glass_on_zone_machines() {
                 ..machine.clone()
             };
             let beam = enough(&beam, &pairs[..1]).expect("a machine");
-            let alike = image(&framed[0], &prepared[0], &beam).expect("fits the machine");
+            let alike = image(pairs[0].0, pairs[0].1, &beam).expect("fits the machine");
             assert!(alike.picture == glass.picture);
         }
         let both = [glass.clone(), teapot, glass.clone()];
-        let late = PinsRun {
-            stalls: Some(3),
-            late: 9000,
-            ..PinsRun::plain(Engine::BuiltIn)
-        };
-        run(&machine, &both, &late);
-        run(&machine, &both, &PinsRun::plain(Engine::BuiltIn));
+        run(&machine, &both, &host(Engine::BuiltIn, Some(3), 9000));
+        run(&machine, &both, &host(Engine::BuiltIn, None, 0));
         if output == Output::Stream {
             let cycles = [2, 3].map(|times| {
                 let images = vec![glass.clone(); times];
-                run(&machine, &images, &PinsRun::plain(Engine::BuiltIn))
-                    .report
-                    .cycles
+                let outcome = run(&machine, &images, &host(Engine::BuiltIn, None, 0));
+                outcome.report.cycles
             });
             let timing = timing(&request_for(&machine, &[], "")).expect("a machine");
             let clocks = clocks_per_frame(&machine, pairs[0].0, pairs[0].1, &timing);

@@ -1,10 +1,10 @@
 //! Several pixels of a line at once: each lane has the values that words moved to its pixels have, and machines stream
 //! the golden picture.
 
-use super::machines::{run, small};
-use imogene_circuits::raster::{
-    LANES_LATENCY, Laned, Linear, Quadratic, Scan, lane_scans, pe1, pe2,
-};
+use super::machines::{host, run, small};
+use super::prepared;
+use imogene_circuits::raster::{LANES_LATENCY, Laned, Scan, lane_scans};
+use imogene_circuits::raster::{Linear, Quadratic, pe1, pe2};
 use imogene_golden::format::Format;
 use imogene_golden::unit::lattice::Lattice;
 use imogene_golden::unit::{pe1::Linear as Line, pe2::Quadratic as Conic};
@@ -12,8 +12,7 @@ use imogene_hdl::{Bundle, Design, Int, Simulator, module};
 use imogene_plan::description::MachineDescription;
 use imogene_plan::display::{Image, image};
 use imogene_plan::needs::enough;
-use imogene_prepare::{Framing, prepare};
-use imogene_verif::display::pins::{self, PinsRun};
+use imogene_verif::display::pins;
 use imogene_verif::engine::Engine;
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -106,15 +105,9 @@ impl Zone {
         });
         let until_the_last = std::iter::repeat_n(None, LANES_LATENCY as usize + 1);
         for group in of_groups.chain(until_the_last) {
-            let flags = [
-                ("valid", group.is_some()),
-                ("start", group == Some(0)),
-                (
-                    "line",
-                    group.is_some_and(|group| group > 0 && group % columns == 0),
-                ),
-            ];
-            for (name, flag) in flags {
+            let begins_line = group.is_some_and(|group| group > 0 && group % columns == 0);
+            let (valid, start) = (group.is_some(), group == Some(0));
+            for (name, flag) in [("valid", valid), ("start", start), ("line", begins_line)] {
                 let port = simulator.port(name);
                 simulator.set(port, flag.into());
             }
@@ -156,14 +149,9 @@ fn several_pixels_per_clock_stream_the_golden_picture() {
         planes: 0,
         ..small("beam-stream.toml", 120, 20, 40)
     };
-    for scene in [
-        "teapot.toml",
-        "solids/bracket.toml",
-        "glass/still-life.toml",
-        "shadows/ball-before-ball.toml",
-    ] {
-        let framed = super::scene(scene).frame(120, 20).expect("a valid size");
-        let prepared = prepare(&framed, Format::BASE).expect("fits the format");
+    for name in "teapot solids/bracket glass/still-life shadows/ball-before-ball".split(' ') {
+        let scene = super::scene(&format!("{name}.toml"));
+        let (framed, prepared) = prepared(&scene, (120, 20), Format::BASE);
         let machine = enough(&asked, &[(&framed, &prepared)]).expect("a machine");
         let image = image(&framed, &prepared, &machine).expect("fits the machine");
         let blank = Image {
@@ -176,10 +164,7 @@ fn several_pixels_per_clock_stream_the_golden_picture() {
                 ..machine.clone()
             };
             machine.check("lanes").expect("lines that are long enough");
-            let stalling = PinsRun {
-                stalls: Some(7),
-                ..PinsRun::plain(Engine::BuiltIn)
-            };
+            let stalling = host(Engine::BuiltIn, Some(7), 0);
             run(&machine, std::slice::from_ref(&image), &stalling);
             let wrong = pins::run(&machine, std::slice::from_ref(&blank), &stalling, || ());
             assert!(wrong.expect("a machine that runs").report.mismatches > 300);

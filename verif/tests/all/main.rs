@@ -29,8 +29,10 @@ mod waveforms;
 mod zone_core;
 
 use imogene_contract::Request;
+use imogene_golden::format::Format;
+use imogene_prepare::{Framing, PreparedScene, prepare};
 use imogene_rtl::emit::emit;
-use imogene_scene::SceneFile;
+use imogene_scene::{FramedScene, SceneFile};
 use imogene_verif::engine::design::{DesignError, Source};
 use imogene_verif::engine::verilator::Model;
 use imogene_verif::report::Report;
@@ -58,6 +60,17 @@ fn scene(name: &str) -> SceneFile {
     SceneFile::read(&root().join("scenes").join(name)).expect("a valid scene")
 }
 
+/// A scene in a size, and its words in a format.
+fn prepared(
+    file: &SceneFile,
+    (width, height): (u32, u32),
+    format: Format,
+) -> (FramedScene, PreparedScene) {
+    let framed = file.frame(width, height).expect("a valid size");
+    let prepared = prepare(&framed, format).expect("fits the format");
+    (framed, prepared)
+}
+
 /// A unit of the catalogue with its default parameters.
 fn unit(name: &str, depth_word: u32) -> Subject {
     subject(&request(name, depth_word, &[])).expect("its defaults are legal")
@@ -65,9 +78,8 @@ fn unit(name: &str, depth_word: u32) -> Subject {
 
 /// A unit with these parameters.
 fn request(name: &str, depth_word: u32, options: &[(&'static str, u32)]) -> Request {
-    let options = options
-        .iter()
-        .map(|(option, value)| (*option, Some(*value)));
+    let options = options.iter();
+    let options = options.map(|(option, value)| (*option, Some(*value)));
     let request = Request::given(name, depth_word, &options.collect::<Vec<_>>());
     request.unwrap_or_else(|error| panic!("{name}: {error}"))
 }

@@ -28,12 +28,9 @@ fn chain(
         })
     };
     let first = run(&orders[0]);
+    let case = || format!("roots {near}, {far}, {planes:?}");
     for order in &orders[1..] {
-        assert_eq!(
-            run(order),
-            first,
-            "roots {near}, {far}, {planes:?}, {order:?}"
-        );
+        assert_eq!(run(order), first, "{}, {order:?}", case());
     }
     first
 }
@@ -72,8 +69,8 @@ fn decides_as_the_chain_in_every_order_of_up_to_four_planes() {
                 }
             }
         }
-        let configurations =
-            choices.len().pow(planes as u32) * levels.len() * (levels.len() + 1) / 2;
+        let roots = levels.len() * (levels.len() + 1) / 2;
+        let configurations = choices.len().pow(planes as u32) * roots;
         assert_eq!(compared, configurations as u64 - 2);
     }
 }

@@ -7,35 +7,22 @@ use imogene_verif::formal::runner::{ProofReport, Task, prove_all, select};
 use imogene_verif::formal::toolchain::{Driver, Toolchain};
 
 /// Proofs of the default run: each kind of property, each method.
-const REPRESENTATIVE: [&str; 12] = [
-    "root_lemma-64",
-    "root-integers",
-    "pe1-26",
-    "pe1-integers",
-    "pe2-32",
-    "pe2-integers",
-    "cut_plane-24",
-    "quadric_cut-24",
-    "raster_control-12",
-    "raster_control-integers",
-    "quadric_processor-n3-r1",
-    "visibility_node-24",
-];
+const REPRESENTATIVE: &str = "root_lemma-64 root-integers pe1-26 pe1-integers pe2-32 pe2-integers \
+    cut_plane-24 quadric_cut-24 raster_control-12 raster_control-integers quadric_processor-n3-r1 \
+    visibility_node-24";
 
 /// Jobs whose mutants are in the default run.
 const MUTATED: [&str; 4] = ["root_lemma-24", "pe1-26", "pe1-integers", "cut_plane-24"];
 
 fn toolchain() -> Toolchain {
-    let tools = if is_proof_run() {
-        Toolchain::find()
-    } else {
-        Toolchain::system()
+    let tools = match is_proof_run() {
+        true => Toolchain::find(),
+        false => Toolchain::system(),
     };
     let tools = tools.unwrap_or_else(|error| panic!("{error}"));
-    assert!(
-        !is_proof_run() || tools.driver != Driver::Smtbmc,
-        "SymbiYosys is missing; `scripts/setup --formal` installs it"
-    );
+    let is_right = !is_proof_run() || tools.driver != Driver::Smtbmc;
+    let remedy = "SymbiYosys is missing; `scripts/setup --formal` installs it";
+    assert!(is_right, "{remedy}");
     tools
 }
 
@@ -59,13 +46,11 @@ fn every_property_is_proved() {
     let jobs = if is_proof_run() {
         select("all", true).unwrap()
     } else {
-        let one = |name: &&str| select(name, false).unwrap().remove(0);
-        REPRESENTATIVE.iter().map(one).collect()
+        let one = |name: &str| select(name, false).unwrap().remove(0);
+        REPRESENTATIVE.split(' ').map(one).collect()
     };
-    let tasks: Vec<Task> = jobs
-        .into_iter()
-        .map(|job| Task { job, mutant: None })
-        .collect();
+    let tasks = jobs.into_iter().map(|job| Task { job, mutant: None });
+    let tasks: Vec<Task> = tasks.collect();
     let reports = prove_all(&tasks, &toolchain(), |_| ()).unwrap();
     assert_eq!(reports.len(), tasks.len());
     assert_all_ok(&reports);
@@ -73,10 +58,9 @@ fn every_property_is_proved() {
 
 #[test]
 fn every_mutant_is_refuted() {
-    let names = if is_proof_run() {
-        mutants::jobs()
-    } else {
-        MUTATED.into()
+    let names = match is_proof_run() {
+        true => mutants::jobs(),
+        false => MUTATED.into(),
     };
     let tasks: Vec<Task> = names.into_iter().flat_map(mutants_of).collect();
     assert!(tasks.len() > 15);
@@ -95,8 +79,6 @@ fn names_of_jobs_are_told_apart() {
     // Only for the full run, but named.
     assert!(select("square_root", false).unwrap().len() >= 2);
     let error = select("pe", true).unwrap_err().to_string();
-    assert!(
-        error.contains("`pe`") && error.contains("pe2-48"),
-        "{error}"
-    );
+    let is_told = error.contains("`pe`") && error.contains("pe2-48");
+    assert!(is_told, "{error}");
 }

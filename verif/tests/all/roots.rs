@@ -1,9 +1,8 @@
 //! The parameters of the root networks, beyond the catalogue too: any number of digits kept, any number of corrections,
 //! against the golden model on every radicand of a spread that holds each length and each decision boundary.
 
-use imogene_circuits::arith::{
-    square_root_leading, square_root_linear, square_root_quadratic, square_root_rows,
-};
+use imogene_circuits::arith::{square_root_leading, square_root_linear};
+use imogene_circuits::arith::{square_root_quadratic, square_root_rows};
 use imogene_golden::unit::root::{Method, root};
 use imogene_hdl::{Bits, Value};
 use imogene_verif::engine::circuit::Circuit;
@@ -14,15 +13,8 @@ fn radicands(bits: u32) -> Vec<u64> {
     let mut found: Vec<u64> = (0..600).collect();
     for place in 2..2 * bits {
         let first = 1u64 << place;
-        let spread = [
-            0,
-            1,
-            first / 3,
-            first / 2,
-            first / 2 + 1,
-            first - 2,
-            first - 1,
-        ];
+        let (third, half) = (first / 3, first / 2);
+        let spread = [0, 1, third, half, half + 1, first - 2, first - 1];
         found.extend(spread.map(|offset| first + offset));
         let n = 1u64.checked_shl(place / 2).unwrap_or(1) + (place as u64 * 37) % (1 << (place / 2));
         found.extend([n * n - 1, n * n, n * n + 2 * n]);
@@ -41,13 +33,10 @@ fn check(method: Method, bits: u32, build: impl Fn(Bits) -> Bits) {
         let radicand = radicands.get(clock).copied().unwrap_or(0);
         circuit.clock(&[radicand as i64]);
         if let Some(given) = (clock + 1).checked_sub(latency) {
-            let expected = root(method, radicands[given].into(), bits).root;
+            let given = radicands[given];
+            let expected = root(method, given.into(), bits).root;
             let found = circuit.value("root") as u64;
-            assert_eq!(
-                found, expected,
-                "{method} of {}, {bits} bits",
-                radicands[given]
-            );
+            assert_eq!(found, expected, "{method} of {given}, {bits} bits");
         }
     }
 }

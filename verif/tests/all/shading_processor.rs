@@ -5,16 +5,8 @@ use imogene_verif::unit::subject;
 
 #[test]
 fn every_number_of_lights() {
-    for (lights, suns) in [
-        (1, 0),
-        (1, 1),
-        (2, 0),
-        (2, 1),
-        (3, 0),
-        (3, 3),
-        (4, 0),
-        (4, 2),
-    ] {
+    let all = [(1, 1), (2, 1), (3, 3), (4, 2)].map(|(lights, some)| [(lights, 0), (lights, some)]);
+    for (lights, suns) in all.concat() {
         let options = [("lights", lights), ("suns", suns)];
         let subject = subject(&request("shading_processor", 24, &options)).unwrap();
         // Small numbers before a logarithm are rare.

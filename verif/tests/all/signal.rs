@@ -11,9 +11,7 @@ fn values_and_wires_agree() {
 #[test]
 fn a_delay_of_two() {
     let mut delay = Delay::new(2);
-    assert_eq!(
-        [1, 2, 3, 4].map(|v| delay.push(v)),
-        [None, None, Some(1), Some(2)]
-    );
+    let late = [1, 2, 3, 4].map(|v| delay.push(v));
+    assert_eq!(late, [None, None, Some(1), Some(2)]);
     assert_eq!(Delay::new(0).push(7), Some(7));
 }

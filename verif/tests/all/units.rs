@@ -12,10 +12,8 @@ use proptest::test_runner::{Config, TestRunner};
 
 /// Stimuli per configuration; `scripts/test --full` asks for more.
 fn cases() -> u32 {
-    std::env::var("IMOGENE_CASES").map_or(24, |text| {
-        text.parse()
-            .expect("IMOGENE_CASES is a number of stimuli per configuration")
-    })
+    let what = "IMOGENE_CASES is a number of stimuli per configuration";
+    std::env::var("IMOGENE_CASES").map_or(24, |text| text.parse().expect(what))
 }
 
 fn check(request: &Request, clocks: usize) {
@@ -30,12 +28,8 @@ fn check(request: &Request, clocks: usize) {
     let stimuli = vec((subject.stimulus)(&subject, clocks), LANES);
     let outcome = runner.run(&stimuli, |stimuli| {
         for (report, _) in subject.run_all(&stimuli, false) {
-            prop_assert!(
-                report.mismatches == 0,
-                "{name} {}: {}",
-                subject.options,
-                report.first_mismatches[0]
-            );
+            let first = report.first_mismatches.first();
+            prop_assert!(first.is_none(), "{name} {}: {first:?}", subject.options);
             prop_assert!(report.comparisons > 0, "{name}: nothing was compared");
         }
         Ok(())
@@ -66,14 +60,11 @@ fn every_unit_at_every_format() {
 #[test]
 fn root_networks_at_all_rows_per_stage() {
     for rows_per_stage in 1..=24 {
-        for unit in [
-            Unit::SquareRoot,
-            Unit::SquareRootNonRestoring,
-            Unit::SquareRootRows,
-            Unit::SquareRootLeading,
-        ] {
-            check_with(unit, &[("rows-per-stage", rows_per_stage)]);
-        }
+        let rows = [("rows-per-stage", rows_per_stage)];
+        check_with(Unit::SquareRoot, &rows);
+        check_with(Unit::SquareRootNonRestoring, &rows);
+        check_with(Unit::SquareRootRows, &rows);
+        check_with(Unit::SquareRootLeading, &rows);
     }
 }
 
@@ -163,9 +154,8 @@ fn both_sides_state_the_same_latency() {
         sphere, volume,
     };
     let words = Format::CATALOGUE.into_iter();
-    for (depth_word, root_form) in
-        words.flat_map(|word| forms().into_iter().map(move |f| (word, f)))
-    {
+    let all = words.flat_map(|word| forms().into_iter().map(move |f| (word, f)));
+    for (depth_word, root_form) in all {
         let words = MachineWords {
             root_form,
             ..MachineWords::of(depth_word)
@@ -185,20 +175,14 @@ fn both_sides_state_the_same_latency() {
                     };
                     request.latency() as u32
                 };
+                let first = first_generation::latency(&format, rows);
+                let quadric = quadric::latency(&format, planes, rows);
+                let quotient = quotient::latency(&format, planes, rows);
                 let pairs = [
-                    (
-                        Unit::QuadricProcessor,
-                        quadric::latency(&format, planes, rows),
-                    ),
-                    (
-                        Unit::QuotientProcessor,
-                        quotient::latency(&format, planes, rows),
-                    ),
+                    (Unit::QuadricProcessor, quadric),
+                    (Unit::QuotientProcessor, quotient),
                     (Unit::PatchProcessor, patch::latency(&format, rows)),
-                    (
-                        Unit::FirstGenerationProcessor,
-                        first_generation::latency(&format, rows),
-                    ),
+                    (Unit::FirstGenerationProcessor, first),
                     (Unit::PolyhedronProcessor, polyhedron::latency(planes)),
                     (Unit::QuadricVolume, volume::quadric_latency(&format, rows)),
                     (Unit::PolyhedralVolume, volume::polyhedral_latency()),
@@ -208,12 +192,8 @@ fn both_sides_state_the_same_latency() {
                     (Unit::CylinderProcessor, cylinder::LATENCY),
                 ];
                 for (unit, golden) in pairs {
-                    assert_eq!(
-                        stated(unit),
-                        golden,
-                        "{} {depth_word} {planes}",
-                        unit.name()
-                    );
+                    let name = unit.name();
+                    assert_eq!(stated(unit), golden, "{name} {depth_word} {planes}");
                 }
             }
         }

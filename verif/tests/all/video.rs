@@ -36,20 +36,11 @@ fn clock(hardware: &mut dyn Clocked, inputs: &[i64]) -> Vec<i64> {
 
 #[test]
 fn every_video_unit_is_its_golden_model() {
-    for name in [
-        "video_timing",
-        "pixel_fifo",
-        "frame_store",
-        "post_filter",
-        "overlay",
-        "accumulator",
-    ] {
+    let names = "video_timing pixel_fifo frame_store post_filter overlay accumulator";
+    for name in names.split(' ') {
         let (report, _) = random::run(&unit(name, 24), 20_000, 5, false);
-        assert_eq!(
-            report.mismatches, 0,
-            "{name}: {:?}",
-            report.first_mismatches
-        );
+        let first = &report.first_mismatches;
+        assert_eq!(report.mismatches, 0, "{name}: {first:?}");
         assert!(report.pixels > 1000, "{name}");
     }
 }
@@ -144,10 +135,8 @@ fn stream(
         if before[1] == 1 && !ready {
             assert_eq!(out[1..], before[1..], "what is not taken stays");
         }
-        assert!(
-            out[1] == 0 || out[3] == out[2] & 1,
-            "last goes with its word"
-        );
+        let is_of_word = out[1] == 0 || out[3] == out[2] & 1;
+        assert!(is_of_word, "last goes with its word");
         assert!(pushed.len() - taken.len() <= 64, "a queue of 64");
     }
     (pushed, taken)
@@ -160,18 +149,15 @@ fn no_pixel_is_lost_repeated_or_moved() {
         for stalls in [1, 2, 9, 200] {
             let (mut stalled, mut left) = (false, 0);
             let mut wants = Numbers(numbers.next());
-            let (pushed, taken) = stream(
-                flight,
-                3000,
-                |_| wants.below(8) > 0,
-                |_| {
-                    if left == 0 {
-                        (stalled, left) = (!stalled, 1 + numbers.below(stalls));
-                    }
-                    left -= 1;
-                    !stalled
-                },
-            );
+            let wants = |_| wants.below(8) > 0;
+            let ready = |_| {
+                if left == 0 {
+                    (stalled, left) = (!stalled, 1 + numbers.below(stalls));
+                }
+                left -= 1;
+                !stalled
+            };
+            let (pushed, taken) = stream(flight, 3000, wants, ready);
             assert!(taken.len() > 500 && pushed.len() - taken.len() <= 64);
             assert_eq!(taken, pushed[..taken.len()], "{flight} {stalls}");
         }
@@ -199,8 +185,10 @@ fn frames_are_shown_whole() {
     const WIDTH: usize = 7;
     const HEIGHT: usize = 5;
     const PIXELS: usize = WIDTH * HEIGHT;
-    let colour =
-        |frame: usize, place: usize| (frame * 0x40_1003 + place * 0x1_0107) as i64 & 0xff_ffff;
+    let colour = |frame: usize, place: usize| {
+        let word = frame * 0x40_1003 + place * 0x1_0107;
+        word as i64 & 0xff_ffff
+    };
     let mut numbers = Numbers(3);
     let mut hardware = (unit("frame_store", 24).hardware)();
     let mode = VideoMode {
@@ -341,10 +329,8 @@ fn means_are_exact() {
             }
             (0..3).for_each(|_| take(pause));
             let mean = |sum: i64| (sum + passes / 2).div_euclid(passes);
-            let expected = [
-                vec![7, mean(sum), 0, 255],
-                vec![8, mean(passes * 255 - sum), 0, 255],
-            ];
+            let of = |place, sum| vec![place, mean(sum), 0, 255];
+            let expected = [of(7, sum), of(8, passes * 255 - sum)];
             assert_eq!(means, expected, "{sum} of {passes}");
         }
     }

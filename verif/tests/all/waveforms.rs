@@ -40,11 +40,8 @@ impl Waves {
         let mut parser = Parser::new(BufReader::new(File::open(path).unwrap()));
         let header = parser.parse_header().unwrap();
         let (mut waves, mut names) = (Waves::default(), BTreeMap::new());
-        let mut open: Vec<(String, &ScopeItem)> = header
-            .items
-            .iter()
-            .map(|item| (String::new(), item))
-            .collect();
+        let items = header.items.iter();
+        let mut open: Vec<(String, &ScopeItem)> = items.map(|i| (String::new(), i)).collect();
         while let Some((around, item)) = open.pop() {
             match item {
                 ScopeItem::Scope(scope) => {
@@ -175,10 +172,9 @@ fn nets_of_a_scene_are_recorded_by_their_paths() {
 
     let refused = |nets: &[&str], engine| run(&options(nets), engine).unwrap_err().to_string();
     let said = refused(&["processors_1.quadrik"], Engine::BuiltIn);
-    assert!(
-        said.starts_with("there is no net or instance 'processors_1.quadrik': processors_1 has quadric, planes_0,"),
-        "{said}"
-    );
+    let says =
+        "there is no net or instance 'processors_1.quadrik': processors_1 has quadric, planes_0,";
+    assert!(said.starts_with(says), "{said}");
     let said = refused(&nets, Engine::Verilog(Simulator::Icarus));
     assert!(said.contains("built-in engine alone"), "{said}");
     let second = Options {
@@ -209,9 +205,8 @@ fn shown(machine: &MachineDescription, image: &Image, request: &WaveformRequest)
         waveforms: Some(request),
         ..PinsRun::plain(Engine::BuiltIn)
     };
-    run(machine, from_ref(image), &options, || ())
-        .unwrap()
-        .report
+    let outcome = run(machine, from_ref(image), &options, || ());
+    outcome.unwrap().report
 }
 
 const NAMES: [&str; 2] = ["imogene.beam_display", "imogene.zone_machine"];
@@ -233,29 +228,20 @@ fn a_window_of_pins_begins_at_a_frame_a_line_or_a_pixel() {
         ("16,12", [2, 16, 12]),
         ("line:3", [2, 0, 3]),
     ] {
-        let report = shown(
-            &machine,
-            &image,
-            &request(from, 60, &["core", "loader.comes"]),
-        );
+        let request = request(from, 60, &["core", "loader.comes"]);
+        let report = shown(&machine, &image, &request);
         assert_eq!(report.mismatches, 0);
         let waves = Waves::of(&report.trace.expect(from));
         let clocks = waves.clocks();
         assert_eq!(clocks.len(), 60, "{from}");
-        assert_eq!(
-            place(&waves, NAMES[0], clocks[0]),
-            wanted.map(Some),
-            "{from}"
-        );
+        let begin = place(&waves, NAMES[0], clocks[0]);
+        assert_eq!(begin, wanted.map(Some), "{from}");
         waves.changes("imogene.beam_display.inside.core.objects.processors_0.quadric.near_sum");
         let first = |signal| waves.at(&format!("{}.hardware.{signal}", NAMES[0]), clocks[0]);
         let [frame, column, line] = wanted.map(|n| n as usize);
         let red = [0, image.picture[3 * (line * 32 + column)]][frame - 1];
-        assert_eq!(
-            [first("de"), first("red")],
-            [Some(1), Some(red.into())],
-            "{from}"
-        );
+        let shown = [first("de"), first("red")];
+        assert_eq!(shown, [Some(1), Some(red.into())], "{from}");
     }
     let never = shown(&machine, &image, &request("frame:9", 60, &[]));
     assert!(never.trace.is_none());
@@ -279,26 +265,26 @@ fn the_pins_around_a_mismatch_are_recorded() {
         let net = |clock| waves.at("imogene.beam_display.inside.loader.comes", clock);
         assert_eq!(net(first.cycle), Some(0));
         assert_eq!(net(first.cycle - 1).is_some(), more == 0);
-        assert_eq!(
-            waves.at("imogene.beam_display.mismatch", first.cycle),
-            Some(1)
-        );
-        assert_eq!(
-            waves.at("imogene.beam_display.mismatch", first.cycle + 1),
-            Some(0)
-        );
+        let differs = |clock| waves.at("imogene.beam_display.mismatch", clock);
+        assert_eq!(differs(first.cycle), Some(1));
+        assert_eq!(differs(first.cycle + 1), Some(0));
     }
+}
+
+fn streamed_teapot() -> (MachineDescription, Image) {
+    let machine = MachineDescription {
+        output: Output::Stream,
+        ..small("zone-160x120.toml", 32, 24, 40)
+    };
+    let image = drawn("teapot.toml", &machine);
+    (machine, image)
 }
 
 /// What the bus shows at a clock is what the next edge meets: every beat that the host sends is taken where valid and
 /// ready are both 1.
 #[test]
 fn the_bus_shows_the_handshake() {
-    let machine = MachineDescription {
-        output: Output::Stream,
-        ..small("zone-160x120.toml", 32, 24, 40)
-    };
-    let image = drawn("teapot.toml", &machine);
+    let (machine, image) = streamed_teapot();
     let request = WaveformRequest {
         from: WindowStart::Usual,
         ..request("0,0", 5_000, &[])
@@ -322,15 +308,9 @@ fn the_bus_shows_the_handshake() {
 
 #[test]
 fn a_window_of_a_stream_begins_at_its_pixel() {
-    let machine = MachineDescription {
-        output: Output::Stream,
-        ..small("zone-160x120.toml", 32, 24, 40)
-    };
-    let image = drawn("teapot.toml", &machine);
-    let waves = shown(&machine, &image, &request("5,7", 40, &[]))
-        .trace
-        .unwrap();
-    let waves = Waves::of(&waves);
+    let (machine, image) = streamed_teapot();
+    let report = shown(&machine, &image, &request("5,7", 40, &[]));
+    let waves = Waves::of(&report.trace.unwrap());
     let first = waves.clocks()[0];
     assert_eq!(place(&waves, NAMES[1], first), [1, 5, 7].map(Some));
     let pixel = waves.at("imogene.zone_machine.hardware.m_tdata", first);
@@ -342,8 +322,6 @@ fn a_window_of_a_stream_begins_at_its_pixel() {
         ..PinsRun::plain(Engine::BuiltIn)
     };
     let refused = run(&machine, &[image], &options, || ()).unwrap_err();
-    assert!(
-        refused.to_string().contains("accepted: 0,0 to 31,23"),
-        "{refused}"
-    );
+    let refused = refused.to_string();
+    assert!(refused.contains("accepted: 0,0 to 31,23"), "{refused}");
 }

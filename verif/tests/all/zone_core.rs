@@ -9,8 +9,6 @@ use imogene_golden::machine::zone::beat::Beat;
 use imogene_golden::machine::zone::golden::{ShownPixel, ZoneMachineModel};
 use imogene_plan::zone::clocks::clocks;
 use imogene_plan::zone::plan::ZonePlan;
-use imogene_prepare::Framing;
-use imogene_prepare::prepare;
 use imogene_verif::display::Machine;
 use imogene_verif::display::request::{core_request, zone_timing};
 use imogene_verif::engine::Engine;
@@ -19,10 +17,8 @@ use imogene_verif::engine::simulator::Simulator;
 use imogene_verif::random::Stalls;
 use imogene_verif::report::Report;
 
-fn plan(scene: &str, (width, height): (u32, u32), machine: ZoneMachine) -> ZonePlan {
-    let framed = super::scene(scene).frame(width, height);
-    let framed = framed.expect("a valid size");
-    let prepared = prepare(&framed, Format::BASE).expect("fits the format");
+fn plan(scene: &str, size: (u32, u32), machine: ZoneMachine) -> ZonePlan {
+    let (_, prepared) = super::prepared(&super::scene(scene), size, Format::BASE);
     ZonePlan::of(&prepared, machine).expect("fits the machine")
 }
 
@@ -48,13 +44,12 @@ fn run(beats: &[Beat], machine: &ZoneMachine, engine: Engine, seed: Option<u64>)
     let mut golden = ZoneMachineModel::new(&Format::BASE, machine);
     let mut wanted = Vec::new();
     for beat in beats {
-        golden
-            .beat(beat, |pixel| wanted.push(pixel))
-            .expect("a stream");
+        let step = golden.beat(beat, |pixel| wanted.push(pixel));
+        step.expect("a stream");
     }
     let request = core_request(machine, &Format::BASE, ROWS_PER_STAGE);
-    let mut hardware =
-        Machine::of(MachineDesign::compile(engine, &request, &[], &[]).expect("a machine"));
+    let design = MachineDesign::compile(engine, &request, &[], &[]);
+    let mut hardware = Machine::of(design.expect("a machine"));
     let mut stalls = Stalls::new(seed);
     let mut report = Report::default();
     hardware.set("room", 0);
@@ -126,11 +121,8 @@ fn small_scenes_in_the_built_in_simulator() {
 fn scenes_with_shadows_in_verilator() {
     let engine = Engine::Verilog(Simulator::Verilator);
     for (objects, volumes, side) in [(3, 2, 24), (1, 5, 10), (4, 9, 40)] {
-        let plan = plan(
-            "shadows/robot.toml",
-            (96, 72),
-            machine(objects, volumes, side),
-        );
+        let machine = machine(objects, volumes, side);
+        let plan = plan("shadows/robot.toml", (96, 72), machine);
         check(&plan, engine, None);
         check(&plan, engine, Some(3));
     }

@@ -1,6 +1,7 @@
 //! Shared by the command line tests: command lines as a person types them.
 
 use assert_cmd::Command;
+use imogene_studies::picture::write_png;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
@@ -152,12 +153,41 @@ impl Place {
 
     /// Runs a command line in it.
     pub fn run(&self, line: &str) -> Run {
-        Run::of(imogene(line).current_dir(self.folder()))
+        Run::of(&mut self.command(line))
+    }
+
+    /// A command line in it, in which `scenes/cone.toml` and the like are files of the repository.
+    pub fn command(&self, line: &str) -> Command {
+        let folders = ["scenes/", "machines/", "parts/", "docs/"];
+        let word = |word: &str| match repository(word) {
+            path if folders.iter().any(|begin| word.starts_with(begin)) && path.exists() => {
+                path.display().to_string()
+            }
+            _ => word.to_owned(),
+        };
+        let words: Vec<String> = line.split_whitespace().map(word).collect();
+        let mut command = imogene(&words.join(" "));
+        command.current_dir(self.folder());
+        command
+    }
+
+    /// What a command that a report names says as JSON, its files in this folder.
+    pub fn reproduced(&self, command: &Value, folder: &str) -> Value {
+        let command = command.as_str().expect("a command");
+        let command = command.replacen("imogene ", "", 1);
+        self.json(&command.replace(" DIR", &format!(" {folder}")))
     }
 
     /// What a command says as JSON, run in it.
     pub fn json(&self, line: &str) -> Value {
         self.run(&format!("{line} --json")).ended(0).json()
+    }
+
+    /// Writes a plane for the overlay of a screen: stripes.
+    pub fn write_mask(&self, name: &str, width: usize, height: usize) {
+        let stripes = (0..3 * width * height).map(|byte| u8::from(byte / 3 % 11 == 4));
+        let stripes: Vec<u8> = stripes.collect();
+        write_png(&self.path(name), width, height, &stripes).expect("a picture");
     }
 
     /// Every file that a report names is in it.
@@ -173,11 +203,29 @@ impl Place {
 pub fn names_in(folder: &Path) -> Vec<String> {
     let entries = std::fs::read_dir(folder).expect("a folder");
     let name = |entry: std::io::Result<std::fs::DirEntry>| entry.expect("an entry").file_name();
-    let mut names: Vec<String> = entries
-        .map(|entry| name(entry).into_string().expect("a plain name"))
-        .collect();
+    let names = entries.map(|entry| name(entry).into_string().expect("a plain name"));
+    let mut names: Vec<String> = names.collect();
     names.sort();
     names
+}
+
+/// The rows of a table, one a line, as their cells between bars.
+pub fn rows(table: &str) -> impl Iterator<Item = Vec<&str>> {
+    let lines = table.lines().filter(|line| !line.trim().is_empty());
+    lines.map(|line| line.split('|').map(str::trim).collect())
+}
+
+/// The rows of a table that has so many columns.
+pub fn columns<const N: usize>(table: &str) -> impl Iterator<Item = [&str; N]> {
+    let cells = |row: Vec<_>| row.try_into();
+    rows(table).map(move |row| cells(row).unwrap_or_else(|row| panic!("{row:?}")))
+}
+
+/// Refuses a text that lacks a cell of a table.
+pub fn assert_has(text: &str, table: &str) {
+    for part in rows(table).flatten() {
+        assert!(text.contains(part), "no '{part}' in: {text}");
+    }
 }
 
 /// Refuses a document that lacks one of these keys.

@@ -1,7 +1,7 @@
 //! Command lines of the pages and of the help: all parse, quick ones run.
 
 use super::{documents, root};
-use crate::common::{Run, imogene};
+use crate::common::{Run, columns, imogene};
 use clap::error::ErrorKind;
 use imogene::help::{GROUPS, Group, command};
 use regex::Regex;
@@ -18,11 +18,8 @@ struct Line {
 
 /// What can be typed in a shell with the README's alias: without the remark behind it.
 fn without_remark(text: &str) -> String {
-    text.split(" #")
-        .next()
-        .unwrap_or_default()
-        .trim()
-        .to_owned()
+    let typed = text.split(" #").next().unwrap_or_default();
+    typed.trim().to_owned()
 }
 
 fn lines() -> Vec<Line> {
@@ -116,124 +113,65 @@ fn every_command_line_parses_and_uses_the_names_of_today() {
 }
 
 /// Beginnings of command lines that are not run here, with the reason. What begins otherwise is run.
-const NOT_RUN: [(&str, &str); 25] = [
-    (
-        "imogene board",
-        "Verilator, Yosys and nextpnr; cli/tests/all/board.rs runs it",
-    ),
-    (
-        "imogene demo",
-        "seconds to minutes; cli/tests/all/commands.rs runs it",
-    ),
-    (
-        "imogene fit",
-        "synthesis and Verilator; cli/tests/all/fit.rs runs it",
-    ),
-    ("imogene synth", "Yosys and nextpnr"),
-    ("imogene peers", "Yosys and nextpnr"),
-    (
-        "imogene prove",
-        "Yosys and z3; cli/tests/all/prove.rs runs it",
-    ),
-    ("imogene mutate", "minutes; cli/tests/all/mutate.rs runs it"),
-    (
-        "imogene cosim cut_plane --engine icarus",
-        "Icarus Verilog; cli/tests/all/commands.rs runs it",
-    ),
-    (
-        "imogene cosim quadric_pe --engine verilator",
-        "Verilator and Yosys; cli/tests/all/netlist.rs runs it",
-    ),
-    (
-        "imogene cosim scenes/teapot.toml --engine verilator",
-        "Verilator, a minute of compilation",
-    ),
-    (
-        "imogene raytrace scenes/*.toml",
-        "all scenes, minutes; cli/tests/all/oracles.rs traces some",
-    ),
-    ("imogene cosim extremes/NAME", "NAME stands for any extreme"),
-    (
-        "imogene cosim extremes",
-        "minutes; verif/tests/all/extremes.rs runs all of them",
-    ),
-    (
-        "imogene machine",
-        "Verilator, or minutes; cli/tests/all/machine.rs runs it",
-    ),
-    (
-        "imogene speed",
-        "all engines side by side; cli/tests/all/commands.rs runs it",
-    ),
-    (
-        "imogene trade SCENE --out DIR --engine hq",
-        "HyperQueue; cli/tests/all/trade_parts.rs runs it",
-    ),
-    (
-        "imogene trade SCENE --out DIR --points quick --target",
-        "Yosys and nextpnr",
-    ),
-    (
-        "imogene trade SCENE --out DIR --points roots",
-        "Yosys, where it is installed",
-    ),
-    (
-        "imogene trade scenes/teapot.toml --size 320x240 --out",
-        "Yosys and nextpnr",
-    ),
-    (
-        "imogene trade scenes/teapot.toml --size 320x240 --clock",
-        "Yosys and nextpnr",
-    ),
-    (
-        "imogene trade SCENE --out DIR --shard",
-        "cli/tests/all/trade.rs runs it",
-    ),
-    (
-        "imogene sweep",
-        "a minute each; cli/tests/all/sweep.rs runs them",
-    ),
-    ("imogene primitives", "cli/tests/all/compare.rs runs it"),
-    ("imogene evaluate", "cli/tests/all/evaluate.rs runs it"),
-    (
-        "imogene bounds scenes/*.toml",
-        "minutes; cli/tests/all/commands.rs runs it on two scenes",
-    ),
-];
+const NOT_RUN: &str = "
+    imogene board                                           | Verilator, Yosys and nextpnr; cli/tests/all/board.rs runs it
+    imogene demo                                            | seconds to minutes; cli/tests/all/commands.rs runs it
+    imogene fit                                             | synthesis and Verilator; cli/tests/all/fit.rs runs it
+    imogene synth                                           | Yosys and nextpnr
+    imogene peers                                           | Yosys and nextpnr
+    imogene prove                                           | Yosys and z3; cli/tests/all/prove.rs runs it
+    imogene mutate                                          | minutes; cli/tests/all/mutate.rs runs it
+    imogene cosim cut_plane --engine icarus                 | Icarus Verilog; cli/tests/all/commands.rs runs it
+    imogene cosim quadric_pe --engine verilator             | Verilator and Yosys; cli/tests/all/netlist.rs runs it
+    imogene cosim scenes/teapot.toml --engine verilator     | Verilator, a minute of compilation
+    imogene raytrace scenes/*.toml                          | all scenes, minutes; cli/tests/all/oracles.rs traces some
+    imogene cosim extremes/NAME                             | NAME stands for any extreme
+    imogene cosim extremes                                  | minutes; verif/tests/all/extremes.rs runs all of them
+    imogene machine                                         | Verilator, or minutes; cli/tests/all/machine.rs runs it
+    imogene speed                                           | all engines side by side; cli/tests/all/commands.rs runs it
+    imogene trade SCENE --out DIR --engine hq               | HyperQueue; cli/tests/all/trade_parts.rs runs it
+    imogene trade SCENE --out DIR --points quick --target   | Yosys and nextpnr
+    imogene trade SCENE --out DIR --points roots            | Yosys, where it is installed
+    imogene trade scenes/teapot.toml --size 320x240 --out   | Yosys and nextpnr
+    imogene trade scenes/teapot.toml --size 320x240 --clock | Yosys and nextpnr
+    imogene trade SCENE --out DIR --shard                   | cli/tests/all/trade.rs runs it
+    imogene sweep                                           | a minute each; cli/tests/all/sweep.rs runs them
+    imogene primitives                                      | cli/tests/all/compare.rs runs it
+    imogene evaluate                                        | cli/tests/all/evaluate.rs runs it
+    imogene bounds scenes/*.toml                            | minutes; cli/tests/all/commands.rs runs it on two scenes
+";
 
 /// Options that make a quick run of a long one, by the beginning of the command line; they stand behind its own,
 /// which they replace.
-const SMALLER: [(&str, &[&str]); 14] = [
-    ("imogene bounds --cases", &["--cases", "100"]),
-    (
-        "imogene bounds scenes",
-        &["--sizes", "40x30", "--formats", "24"],
-    ),
-    ("imogene shading scenes", &[]),
-    ("imogene shading", &["--cases", "4096"]),
-    ("imogene package", &["--clocks", "0"]),
-    ("imogene cosim scenes", &["--size", "40x30"]),
-    ("imogene cosim", &["--clocks", "500"]),
-    ("imogene trade", &["--size", "32x24", "--points", "quick"]),
-    ("imogene raytrace", &["--size", "40x30"]),
-    ("imogene detail", &["--size", "80x60", "--zone", "16"]),
-    ("imogene render", &["--size", "40x30"]),
-    ("imogene check", &["--size", "40x30"]),
-    ("imogene cracks", &["--size", "80x60"]),
-    ("imogene repair", &["--size", "40x30"]),
-];
+const SMALLER: &str = "
+    imogene bounds --cases | --cases 100
+    imogene bounds scenes  | --sizes 40x30 --formats 24
+    imogene shading scenes |
+    imogene shading        | --cases 4096
+    imogene package        | --clocks 0
+    imogene cosim scenes   | --size 40x30
+    imogene cosim          | --clocks 500
+    imogene trade          | --size 32x24 --points quick
+    imogene raytrace       | --size 40x30
+    imogene detail         | --size 80x60 --zone 16
+    imogene render         | --size 40x30
+    imogene check          | --size 40x30
+    imogene cracks         | --size 80x60
+    imogene repair         | --size 40x30
+";
 
 /// The words of a command line that is run, or nothing.
 fn to_run(line: &str) -> Option<Vec<String>> {
-    if NOT_RUN.iter().any(|(begin, _)| line.starts_with(begin)) {
+    if columns(NOT_RUN).any(|[begin, _]| line.starts_with(begin)) {
         return None;
     }
     let mut words = words(line);
-    let found = SMALLER.iter().find(|(begin, _)| line.starts_with(begin));
-    for pair in found.map_or(&[][..], |(_, options)| options).chunks(2) {
-        match words.iter().position(|word| word == pair[0]) {
-            Some(place) => words[place + 1] = pair[1].to_owned(),
-            None => words.extend(pair.iter().map(|word| (*word).to_owned())),
+    let found = columns(SMALLER).find(|[begin, _]| line.starts_with(begin));
+    let options = found.map_or("", |[_, options]| options).split_whitespace();
+    for pair in options.map(str::to_owned).collect::<Vec<_>>().chunks(2) {
+        match words.iter().position(|word| *word == pair[0]) {
+            Some(place) => words[place + 1].clone_from(&pair[1]),
+            None => words.extend_from_slice(pair),
         }
     }
     Some(words)
@@ -248,10 +186,8 @@ fn expanded(word: &str) -> Vec<String> {
     let paths = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
     let mut files: Vec<String> = paths.filter(|name| name.ends_with(".toml")).collect();
     files.sort();
-    files
-        .into_iter()
-        .map(|name| format!("{folder}/{name}"))
-        .collect()
+    let whole = |name| format!("{folder}/{name}");
+    files.into_iter().map(whole).collect()
 }
 
 /// In the order of the pages, so that one line can use what another wrote.
@@ -297,8 +233,7 @@ fn copy(from: &Path, to: &Path) {
 #[test]
 fn no_entry_of_the_tables_is_idle() {
     let lines = lines();
-    let begins = NOT_RUN.iter().map(|(begin, _)| begin);
-    for begin in begins.chain(SMALLER.iter().map(|(begin, _)| begin)) {
+    for [begin, _] in columns(NOT_RUN).chain(columns(SMALLER)) {
         let mut whole = lines.iter().filter(|line| line.is_whole);
         assert!(whole.any(|line| line.text.starts_with(begin)), "{begin}");
     }

@@ -23,9 +23,8 @@ fn anchors(text: &str) -> BTreeSet<String> {
         is_fenced ^= line.starts_with("```");
         !is_fenced && line.starts_with('#')
     });
-    headings
-        .map(|line| anchor(line.trim_start_matches('#')))
-        .collect()
+    let anchors = headings.map(|line| anchor(line.trim_start_matches('#')));
+    anchors.collect()
 }
 
 #[test]
@@ -42,10 +41,9 @@ fn every_link_leads_somewhere() {
             }
             count += 1;
             let (file, place) = target.split_once('#').unwrap_or((target, ""));
-            let path = if file.is_empty() {
-                root().join(&page)
-            } else {
-                folder.join(file)
+            let path = match file {
+                "" => root().join(&page),
+                _ => folder.join(file),
             };
             if !path.exists() {
                 problems.push(format!("{page}: {target}: there is no such file"));
@@ -65,21 +63,15 @@ fn every_link_leads_somewhere() {
 #[test]
 fn prose_ends_at_column_120() {
     let mut problems = vec![];
-    let others = [
-        "CHANGELOG.md",
-        "CONTRIBUTING.md",
-        "import/tests/data/README.md",
-        "ip/README.md",
-    ];
+    let others = "CHANGELOG.md CONTRIBUTING.md import/tests/data/README.md ip/README.md";
+    let others = others.split(' ');
     let others = others.map(|name| (name.to_owned(), read(name)));
     for (page, text) in documents().into_iter().chain(others) {
         let mut is_fenced = false;
         for (index, line) in text.lines().enumerate() {
             is_fenced ^= line.starts_with("```");
-            let is_wide = is_fenced
-                || ["|", "    ", "!["]
-                    .iter()
-                    .any(|begin| line.starts_with(begin));
+            let mut wide = ["|", "    ", "!["].iter();
+            let is_wide = is_fenced || wide.any(|begin| line.starts_with(begin));
             if !is_wide && line.chars().count() > 120 {
                 problems.push(format!("{page}:{}: {line}", index + 1));
             }
@@ -121,11 +113,9 @@ fn every_path_leads_to_a_file() {
     for (page, text) in documents() {
         for found in path.captures_iter(&text) {
             count += 1;
-            assert!(
-                root().join(&found[1]).exists(),
-                "{page}: {}: there is no such file",
-                &found[1]
-            );
+            let path = &found[1];
+            let is_there = root().join(path).exists();
+            assert!(is_there, "{page}: {path}: there is no such file");
         }
     }
     assert!(count > 100, "{count} paths");
@@ -136,13 +126,10 @@ fn every_path_leads_to_a_file() {
 fn the_index_names_every_page() {
     let pages: BTreeMap<String, String> = documents().into_iter().collect();
     assert!(pages["README.md"].contains("(docs/README.md)"));
-    for page in pages.keys().filter(|page| page.starts_with("docs/")) {
-        let name = page.trim_start_matches("docs/");
+    let names = pages.keys().filter_map(|page| page.strip_prefix("docs/"));
+    for name in names.filter(|name| *name != "README.md") {
         let is_named = pages["docs/README.md"].contains(&format!("({name})"));
-        assert!(
-            name == "README.md" || is_named,
-            "{page} is not in docs/README.md"
-        );
+        assert!(is_named, "docs/{name} is not in docs/README.md");
     }
 }
 
@@ -150,11 +137,8 @@ fn the_index_names_every_page() {
 fn the_readme_fits_a_screen_and_begins_with_the_two_commands() {
     let pages: BTreeMap<String, String> = documents().into_iter().collect();
     let readme = &pages["README.md"];
-    assert!(
-        readme.lines().count() <= 100,
-        "{} lines",
-        readme.lines().count()
-    );
+    let count = readme.lines().count();
+    assert!(count <= 100, "{count} lines");
     for line in readme.lines() {
         assert!(line.chars().count() <= 100, "{line}");
     }
@@ -169,11 +153,8 @@ fn the_page_of_commands_is_that_of_the_help() {
     let page = read("docs/commands.md");
     let command = command();
     for group in GROUPS {
-        assert!(
-            page.contains(&format!("## {}\n", group.title)),
-            "{}",
-            group.title
-        );
+        let title = group.title;
+        assert!(page.contains(&format!("## {title}\n")), "{title}");
         for (name, _) in group.commands() {
             let found = command.find_subcommand(name).expect("a command");
             let about = found.get_about().expect("a line of help");
@@ -191,26 +172,17 @@ fn the_page_of_resources_names_the_units_it_lacks() {
     let file = read("docs/resources.json");
     let figures: serde_json::Value = serde_json::from_str(&file).unwrap();
     let rows = figures["rows"].as_array().unwrap();
-    let with: BTreeSet<&str> = rows
-        .iter()
-        .map(|row| row["unit"].as_str().unwrap())
-        .collect();
+    let with = rows.iter().map(|row| row["unit"].as_str().unwrap());
+    let with: BTreeSet<&str> = with.collect();
     let units = json("units");
     let units = units.as_array().unwrap();
     let readme = read("README.md");
     assert!(readme.contains(&format!("{} units as Verilog", units.len())));
-    let units = units.iter();
-    let without: Vec<String> = units
-        .map(|unit| unit["name"].as_str().unwrap())
-        .filter(|name| !with.contains(name))
-        .map(|name| format!("`{name}`"))
-        .collect();
-    let sentence = format!(
-        "Units without figures here, and without a baseline for `imogene synth --check`: {}.",
-        without.join(", ")
-    );
-    assert!(
-        page.contains(&sentence),
-        "docs/resources.md lacks: {sentence}"
-    );
+    let names = units.iter().map(|unit| unit["name"].as_str().unwrap());
+    let without = names.filter(|name| !with.contains(name));
+    let without: Vec<String> = without.map(|name| format!("`{name}`")).collect();
+    let begin = "Units without figures here, and without a baseline for `imogene synth --check`";
+    let sentence = format!("{begin}: {}.", without.join(", "));
+    let is_there = page.contains(&sentence);
+    assert!(is_there, "docs/resources.md lacks: {sentence}");
 }

@@ -1,7 +1,7 @@
 //! Devices, pipes, links, modes, inputs, sets of files.
 
 use super::{make_pipe, picture, place, refused, render, shell};
-use crate::common::{names_in, repository, scene};
+use crate::common::{columns, names_in, repository, scene};
 use std::fs::{self, File};
 use std::os::unix::fs::{FileTypeExt, PermissionsExt, symlink};
 use std::path::Path;
@@ -123,16 +123,14 @@ fn no_two_outputs_are_one_file() {
 fn outputs_that_cannot_be_written_are_refused_in_words() {
     let place = place();
     fs::create_dir(place.path("folder")).unwrap();
-    for (line, said) in [
-        ("emit beam --out c.toml", "it is a file; a folder is wanted"),
-        ("emit beam --out c.toml/below", "'c.toml' is a file"),
-        (
-            "render c.toml -o folder",
-            "it is a folder; a file is wanted",
-        ),
-        ("render c.toml -o new/", "a folder; a file is wanted"),
-        ("render c.toml -o c.toml/x.png", "Not a directory"),
-    ] {
+    let cases = "
+        emit beam --out c.toml        | it is a file; a folder is wanted
+        emit beam --out c.toml/below  | 'c.toml' is a file
+        render c.toml -o folder       | it is a folder; a file is wanted
+        render c.toml -o new/         | a folder; a file is wanted
+        render c.toml -o c.toml/x.png | Not a directory
+    ";
+    for [line, said] in columns(cases) {
         refused(place.run(line), &[said]);
     }
     assert_eq!(place.names(), ["c.toml", "folder"]);

@@ -36,20 +36,17 @@ fn messages_are_short_whatever_they_quote() {
     let place = place();
     let own = place.text("c.toml");
     let name = "n".repeat(1 << 20);
+    let material = |name: &str| format!("[[materials]]\nname = \"{name}\"\ncolour = [1, 1, 2]\n");
+    let object = format!("[[objects]]\nname = \"{name}\"\nmaterial = \"{name}\"\n");
     for text in [
-        format!("{own}\nx = {}", "[".repeat(100_000)),
-        format!("{own}\nx = {}", "[ ".repeat(100_000)),
-        format!("{own}\n{}a = 1", "a.".repeat(500_000)),
-        format!("{own}\n[[materials]]\nname = \"{name}\"\ncolour = [1, 1, 2]\n"),
-        format!(
-            "{own}\n[[materials]]\nname = \"{}\"\ncolour = [1, 1, 2]\n",
-            "\\n".repeat(500_000)
-        ),
-        format!(
-            "{own}\n[[objects]]\nname = \"{name}\"\nmaterial = \"{name}\"\nkind = \"sphere\"\nradius = 1\n"
-        ),
+        format!("x = {}", "[".repeat(100_000)),
+        format!("x = {}", "[ ".repeat(100_000)),
+        format!("{}a = 1", "a.".repeat(500_000)),
+        material(&name),
+        material(&"\\n".repeat(500_000)),
+        object + "kind = \"sphere\"\nradius = 1\n",
     ] {
-        place.write("hostile.toml", text);
+        place.write("hostile.toml", format!("{own}\n{text}"));
         refused(place.run("render hostile.toml -o x.png"), &[]);
     }
     let path = format!("{}x", "long/".repeat(20_000));
@@ -68,14 +65,13 @@ fn wait_for_temporary_file(folder: &Path) {
     let begun = Instant::now();
     let is_temporary =
         |entry: fs::DirEntry| entry.file_name().to_string_lossy().starts_with(".imogene-");
-    while !fs::read_dir(folder)
-        .unwrap()
-        .any(|entry| entry.is_ok_and(is_temporary))
-    {
-        assert!(
-            begun.elapsed() < Duration::from_secs(60),
-            "no temporary file"
-        );
+    let is_there = || {
+        let mut entries = fs::read_dir(folder).unwrap();
+        entries.any(|entry| entry.is_ok_and(is_temporary))
+    };
+    while !is_there() {
+        let is_late = begun.elapsed() > Duration::from_secs(60);
+        assert!(!is_late, "no temporary file");
         std::thread::sleep(Duration::from_millis(2));
     }
 }

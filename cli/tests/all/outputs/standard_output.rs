@@ -1,7 +1,7 @@
 //! Standard output: the one file that it takes, its loss, and failures as documents.
 
 use super::{picture, place, refused, shell};
-use crate::common::{Run, imogene};
+use crate::common::{Run, columns, imogene};
 use std::fs::File;
 use std::process::{Command, Output, Stdio};
 
@@ -31,15 +31,13 @@ fn standard_output_takes_the_file_and_reports_go_to_standard_error() {
 #[test]
 fn standard_output_takes_one_file_and_no_document_beside_it() {
     let place = place();
-    for (line, said) in [
-        (
-            "render c.toml -o - --depth -",
-            "--output - is the same file",
-        ),
-        ("render c.toml -o - --json", "--json"),
-        ("cosim c.toml --vcd -", "several files"),
-        ("emit beam --out -", "several files"),
-    ] {
+    let cases = "
+        render c.toml -o - --depth - | --output - is the same file
+        render c.toml -o - --json    | --json
+        cosim c.toml --vcd -         | several files
+        emit beam --out -            | several files
+    ";
+    for [line, said] in columns(cases) {
         refused(place.run(line), &[said]);
     }
     assert_eq!(place.names(), ["c.toml"]);
@@ -104,21 +102,19 @@ fn failures_are_documents_too() {
 #[test]
 fn usage_is_refused_in_plain_words() {
     let place = place();
-    for (line, said) in [
-        ("bounds --cases 0", "1 or more"),
-        ("bounds --cases x", "a whole number is expected"),
-        ("render c.toml -o x --format nan", "8 to 32"),
-        ("emit pe1 --out x --format=", "8 to 32"),
-        (
-            "fit c.toml --out x --max-depth-error -1",
-            "is no limit of a depth",
-        ),
-        ("fit c.toml --out x --max-colour-error -1", "0 or more"),
-        ("fit c.toml --out x --max-normal-error nan", "0 or more"),
-        ("terrain --roughness -1 -o x", "-1"),
-        ("terrain --roughness rough -o x", "a number is expected"),
-        ("", "a command is expected"),
-    ] {
+    let cases = "
+        bounds --cases 0                          | 1 or more
+        bounds --cases x                          | a whole number is expected
+        render c.toml -o x --format nan           | 8 to 32
+        emit pe1 --out x --format=                | 8 to 32
+        fit c.toml --out x --max-depth-error -1   | is no limit of a depth
+        fit c.toml --out x --max-colour-error -1  | 0 or more
+        fit c.toml --out x --max-normal-error nan | 0 or more
+        terrain --roughness -1 -o x               | -1
+        terrain --roughness rough -o x            | a number is expected
+                                                  | a command is expected
+    ";
+    for [line, said] in columns(cases) {
         place.run(line).refused(&[said]);
     }
     assert_eq!(place.names(), ["c.toml"]);

@@ -5,10 +5,8 @@ use imogene_contract::slots::{FittedSlot, Products, Slots, parse, print};
 #[test]
 fn products_and_text_are_each_other() {
     let products = Products::try_from("2-1,1-16".to_owned()).unwrap();
-    assert_eq!(
-        (products.0[1].intersected, products.0[1].subtracted),
-        (1, 16)
-    );
+    let second = &products.0[1];
+    assert_eq!((second.intersected, second.subtracted), (1, 16));
     assert_eq!(String::from(products), "2-1,1-16");
     for text in ["", "2", "0-1", "1-17", "1-2-3", "a-1"] {
         let error = Products::try_from(text.to_owned()).unwrap_err();
@@ -32,25 +30,18 @@ fn the_longer_word_is_for_both() {
         dropped_rows: 7,
         ..MachineWords::of(16)
     };
-    assert_eq!(
-        short.words(&machine),
-        MachineWords {
-            root: 10,
-            plane: 20,
-            ..machine
-        }
-    );
-    assert_eq!(
-        FittedSlot::quadric(2).in_words(&short.words(&machine), &machine),
-        short
-    );
-    assert_eq!(
-        FittedSlot::quadric(2).in_words(&machine, &machine),
-        FittedSlot::quadric(2)
-    );
+    let own = MachineWords {
+        root: 10,
+        plane: 20,
+        ..machine
+    };
+    assert_eq!(short.words(&machine), own);
+    let quadric = FittedSlot::quadric(2);
+    assert_eq!(quadric.in_words(&own, &machine), short);
+    assert_eq!(quadric.in_words(&machine, &machine), quadric);
     let refused = |slot: FittedSlot| {
-        slot.refused(&machine)
-            .map(|(_, _, least, most)| (least, most))
+        let found = slot.refused(&machine);
+        found.map(|(_, _, least, most)| (least, most))
     };
     assert_eq!(refused(short), None);
     assert_eq!(refused(slot(Some(7), None)), Some((8, 12)));
@@ -79,20 +70,12 @@ fn text_and_slots_are_each_other() {
     assert_eq!((slots.0[0].root, slots.0[0].plane), (Some(14), Some(20)));
     assert_eq!((slots.0[1].root, slots.0[1].plane), (Some(9), None));
     assert_eq!(String::from(slots), short);
-    for text in [
-        "sphere1",
-        "facet2",
-        "patch",
-        "patch13",
-        "torus",
-        "polyhedron0",
-    ] {
+    for text in "sphere1 facet2 patch patch13 torus polyhedron0".split(' ') {
         let error = Slots::try_from(text.to_owned()).unwrap_err();
         assert!(error.to_string().contains("curved_facet2"), "{text}");
     }
-    for text in [
-        "", "3,", "v", "13", "-1", "2w", "2:", "2:r", "2:x3", "2:r3:r3", "r3",
-    ] {
+    let wrong = "3, v 13 -1 2w 2: 2:r 2:x3 2:r3:r3 r3";
+    for text in wrong.split(' ').chain([""]) {
         assert!(parse(text).unwrap_err().to_string().contains("3,0,2:"));
     }
 }

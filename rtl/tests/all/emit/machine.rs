@@ -76,20 +76,16 @@ fn slots_of_every_kind_and_own_words_are_emitted() {
     let others = "2:r5:p18,patch2,polyhedron6,facet3,curved_facet2,sphere,cylinder,first_generation,quotient1";
     let emitted = of(MachineWords::of(16), others).unwrap();
     let text = emitted.bundle();
-    assert!(text.contains(
-        "r and p bits of a shorter root and shorter planes: 2:r5:p18 patch2 polyhedron6"
-    ));
+    let shorter = "r and p bits of a shorter root and shorter planes: 2:r5:p18 patch2 polyhedron6";
+    assert!(text.contains(shorter));
     // Ten bits of f2, of which the words lie on a longer bus.
     assert!(text.contains("[9:0] f2_"), "{text}");
-    let short = of(OWN, "2:r9:p18,patch2:r16,1").unwrap();
-    assert_eq!(
-        short.latency,
-        of(OWN, "2:r9:p18,patch2:r16,1:r16").unwrap().latency
-    );
+    let latency = |text: &str| of(OWN, text).unwrap().latency;
+    let whole = latency("2:r9:p18,patch2:r16,1:r16");
+    assert_eq!(latency("2:r9:p18,patch2:r16,1"), whole);
     let refused = |text: &str| of(OWN, text).unwrap_err().to_string();
-    assert!(
-        refused("2:r18").contains("root of a slot = 18 is out of range; legal values are 4 to 17")
-    );
+    let root = "root of a slot = 18 is out of range; legal values are 4 to 17";
+    assert!(refused("2:r18").contains(root));
     assert!(refused("2:p17").contains("legal values are 18 to 29"));
     assert!(refused("sphere").contains("root beside another kind of slot"));
 }
@@ -148,6 +144,10 @@ fn a_machine_of_different_slots_waits_for_the_longest() {
     assert_eq!(emitted(&[0, 4, 3]).latency, 1 + (16 + 11) + 2);
 }
 
+fn shaped(zone_bits: usize, samples: usize) -> Kind {
+    Kind::ZoneMachine(ZoneShape { zone_bits, samples })
+}
+
 /// What makes a request a bad one.
 type Change = fn(&mut MachineRequest);
 
@@ -172,19 +172,8 @@ fn numbers_out_of_range_are_refused() {
         ),
         (|r| r.lights = 17, "lights = 17"),
         (|r| r.prefix = "9".into(), "prefix `9`"),
-        (
-            |r| {
-                r.kind = Kind::ZoneMachine(ZoneShape {
-                    zone_bits: 15,
-                    ..ZONE
-                })
-            },
-            "zone bits = 15",
-        ),
-        (
-            |r| r.kind = Kind::ZoneMachine(ZoneShape { samples: 3, ..ZONE }),
-            "samples = 3",
-        ),
+        (|r| r.kind = shaped(15, 1), "zone bits = 15"),
+        (|r| r.kind = shaped(8, 3), "samples = 3"),
     ];
     for (change, named) in cases {
         for kind in [Kind::Beam, Kind::ZoneMachine(ZONE)] {

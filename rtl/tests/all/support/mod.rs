@@ -34,10 +34,8 @@ pub fn requests() -> Vec<Request> {
         objects,
         ..Request::of(unit, depth_word)
     };
-    Unit::ALL
-        .into_iter()
-        .flat_map(|unit| shapes.map(|shape| request(unit, shape)))
-        .collect()
+    let of = |unit| shapes.map(|shape| request(unit, shape));
+    Unit::ALL.into_iter().flat_map(of).collect()
 }
 
 /// A fresh directory for a test.

@@ -1,9 +1,8 @@
 //! Random circuits: compiled, and in the levelised simulator, with every named net compared on every clock.
 
 use imogene_compiled::{Program, Simulation};
-use imogene_hdl::{
-    Bits, Design, Direction, Int, Simulator, Value, join, memory, module, read_only_memory,
-};
+use imogene_hdl::{Bits, Design, Direction, Int, Simulator, Value};
+use imogene_hdl::{join, memory, module, read_only_memory};
 use proptest::prelude::*;
 use std::sync::Arc;
 
@@ -60,11 +59,8 @@ const WIDTHS: [u32; 2] = [7, 33];
 fn rows(index: usize, number: u32, first: Bits, flag: Bits) -> Bits {
     let width = first.width();
     let last = (0..number % 11).fold((first, flag), |(word, flag), k| {
-        let taken = if number >> k & 0x1000 == 0 {
-            word
-        } else {
-            first
-        };
+        let is_first = number >> k & 0x1000 != 0;
+        let taken = if is_first { first } else { word };
         let own = Bits::new(u64::from(number) >> k & 1, 1);
         let inputs = (("word", taken), ("flag", flag), ("own", own));
         let at = format!("row_{index}_{k}");
@@ -160,11 +156,11 @@ fn build(recipe: &[Vec<Step>], inputs: Vec<Any>) -> (&'static str, Vec<Bits>) {
             }
             _ => a,
         };
-        let value = match value {
-            Any::Word(word) => Any::Word(word.named(&format!("value_{index}"))),
-            Any::Number(number) => Any::Number(number.named(&format!("value_{index}"))),
-        };
-        values.push(value);
+        let name = format!("value_{index}");
+        values.push(match value {
+            Any::Word(word) => Any::Word(word.named(&name)),
+            Any::Number(number) => Any::Number(number.named(&name)),
+        });
     }
     let last = values.iter().rev().take(3).map(|value| value.word());
     ("output", last.collect())
@@ -175,10 +171,8 @@ fn design(recipe: &Recipe) -> Design {
         let words = (("x", Bits::input(1)), ("y", Bits::input(18)));
         let numbers = (("a", Int::input(33)), ("b", Int::input(64)));
         module("top", "top", (words, numbers), |((x, y), (a, b))| {
-            build(
-                recipe,
-                vec![Any::Word(x), Any::Word(y), Any::Number(a), Any::Number(b)],
-            )
+            let inputs = [Any::Word(x), Any::Word(y), Any::Number(a), Any::Number(b)];
+            build(recipe, inputs.to_vec())
         });
     })
 }
@@ -192,20 +186,13 @@ fn steps(most: usize) -> impl Strategy<Value = Vec<Step>> {
 /// The paths of all nets with names, and of all ports of instances.
 fn paths(design: &Design) -> Vec<String> {
     fn walk(module: &imogene_hdl::Module, path: &str, found: &mut Vec<String>) {
-        found.extend(
-            module
-                .ports
-                .iter()
-                .map(|port| format!("{path}{}", port.name)),
-        );
+        let ports = module.ports.iter();
+        found.extend(ports.map(|port| format!("{path}{}", port.name)));
         let names = module.nets().filter_map(|(_, node)| node.name.as_ref());
         found.extend(names.map(|name| format!("{path}{name}")));
         for instance in &module.instances {
-            walk(
-                &instance.module,
-                &format!("{path}{}.", instance.name),
-                found,
-            );
+            let path = format!("{path}{}.", instance.name);
+            walk(&instance.module, &path, found);
         }
     }
     let mut found = vec![];

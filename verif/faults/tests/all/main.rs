@@ -3,9 +3,8 @@
 mod reached;
 
 use imogene_compiled::{Program, Simulation};
-use imogene_faults::{
-    Change, Contract, Controls, Judge, Known, Mutant, Upset, Verdict, power_up, sites,
-};
+use imogene_faults::{Change, Contract, Controls, Judge, Known, Mutant, Upset, Verdict};
+use imogene_faults::{power_up, sites};
 use imogene_hdl::{Bits, Design, Value, module, net};
 use std::sync::Arc;
 
@@ -22,21 +21,67 @@ fn adder() -> Design {
     })
 }
 
-/// What comes out one clock after each pair of inputs, and what is there before the first.
-fn run(program: &Arc<Program>, mutant: &Mutant) -> (u64, Vec<u64>) {
-    let mut simulation = Simulation::new(program);
-    for (register, word) in &mutant.upsets {
+/// A counter of so many bits that may stand still.
+fn counter(bits: u32) -> Design {
+    Design::of(|| {
+        module("counter", "top", ("enable", Bits::input(1)), |enable| {
+            let count = Bits::register(bits).named("count");
+            count.load_when(enable, count + Bits::new(1, bits));
+            ("value", count)
+        });
+    })
+}
+
+/// A circuit whose outputs tell its inputs of so many clocks alone.
+fn within(latency: usize) -> Contract {
+    Contract {
+        latency,
+        ..Contract::default()
+    }
+}
+
+/// All mutants but those of the power-up.
+fn controls(design: &Design) -> Controls {
+    Controls::new(design, &sites(design))
+}
+
+fn judge(controls: &Controls, design: &Design, contract: &Contract) -> Judge {
+    Judge::new(controls, &Known::new(design, contract))
+}
+
+/// The circuit with these upsets.
+fn simulation(controls: &Controls, upsets: &[Upset]) -> Simulation {
+    let mut simulation = Simulation::new(&Arc::new(Program::new(&controls.design, &[])));
+    for (register, word) in upsets {
         simulation.upset(0, *register, *word);
     }
-    let first = simulation.outputs()[0];
-    let pairs = (0..1 << WIDTH).flat_map(|a| (0..1 << WIDTH).map(move |b| [a, b]));
-    let results = pairs.map(|inputs| {
-        simulation.set_all(inputs);
+    simulation
+}
+
+/// What comes out, clock by clock.
+fn outputs<I: IntoIterator<Item = u64>>(
+    controls: &Controls,
+    upsets: &[Upset],
+    inputs: impl IntoIterator<Item = I>,
+) -> Vec<Vec<u64>> {
+    let mut simulation = simulation(controls, upsets);
+    let clocks = inputs.into_iter().map(|words| {
+        simulation.set_all(words);
         simulation.clock();
-        simulation.outputs()[0]
+        simulation.outputs().to_vec()
     });
-    let results = results.collect();
-    (first, results)
+    clocks.collect()
+}
+
+/// All pairs of inputs of the adder.
+fn pairs() -> impl Iterator<Item = [u64; 2]> {
+    (0..1 << WIDTH).flat_map(|a| (0..1 << WIDTH).map(move |b| [a, b]))
+}
+
+/// What comes out one clock after each pair of inputs.
+fn sums(controls: &Controls, mutant: &Mutant) -> Vec<u64> {
+    let outputs = outputs(controls, &mutant.upsets, pairs()).into_iter();
+    outputs.map(|words| words[0]).collect()
 }
 
 /// What a mutant must give, by its description.
@@ -63,28 +108,27 @@ fn expected(text: &str, a: u64, b: u64) -> u64 {
 
 #[test]
 fn mutants_do_what_they_say() {
-    let design = adder();
-    let controls = Controls::new(&design, &sites(&design));
-    let program = Arc::new(Program::new(&controls.design, &[]));
+    let controls = controls(&adder());
     let mutants = controls.mutants();
     // Four nets of three bits, each changed in three ways, and the operator.
     assert_eq!(mutants.len(), 4 * 3 * 3 + 1);
     for mutant in mutants {
         let text = controls.describe(&mutant);
-        let pairs = (0..1 << WIDTH).flat_map(|a| (0..1 << WIDTH).map(move |b| (a, b)));
-        let wanted: Vec<u64> = pairs.map(|(a, b)| expected(&text, a, b)).collect();
-        assert_eq!(run(&program, &mutant).1, wanted, "{text}");
+        let wanted: Vec<u64> = pairs().map(|[a, b]| expected(&text, a, b)).collect();
+        assert_eq!(sums(&controls, &mutant), wanted, "{text}");
     }
 }
 
+/// What a counter holds never leaves it: it is not judged by its last inputs alone.
 #[test]
 fn no_mutant_that_shows_is_called_equivalent() {
-    let design = adder();
-    let controls = Controls::new(&design, &sites(&design));
-    let judge = Judge::new(&controls, &Known::new(&design, &Contract::default()));
-    for mutant in controls.mutants() {
-        let text = controls.describe(&mutant);
-        assert_eq!(judge.judge(&mutant.upsets), Verdict::Differs, "{text}");
+    for (design, contract) in [(adder(), Contract::default()), (counter(2), within(4))] {
+        let controls = controls(&design);
+        let judge = judge(&controls, &design, &contract);
+        for mutant in controls.mutants() {
+            let text = format!("{}: {}", design.top.name, controls.describe(&mutant));
+            assert_eq!(judge.judge(&mutant.upsets), Verdict::Differs, "{text}");
+        }
     }
 }
 
@@ -92,16 +136,12 @@ fn no_mutant_that_shows_is_called_equivalent() {
 fn power_up_shows_before_the_first_clock_alone_and_is_forgotten() {
     let design = adder();
     let controls = Controls::new(&design, &power_up(&design));
-    let program = Arc::new(Program::new(&controls.design, &[]));
-    let contract = Contract {
-        latency: 1,
-        ..Contract::default()
-    };
-    let known = Known::new(&design, &contract);
+    let known = Known::new(&design, &within(1));
     for mutant in controls.mutants() {
         assert_eq!(mutant.change, Change::Initial);
-        let (first, results) = run(&program, &mutant);
+        let first = simulation(&controls, &mutant.upsets).outputs()[0];
         assert_eq!(first, 1 << mutant.bit);
+        let results = sums(&controls, &mutant);
         assert_eq!(results[1], 1, "{}", controls.describe(&mutant));
         assert!(known.is_forgotten(mutant.upsets[0].0, mutant.bit));
     }
@@ -110,18 +150,7 @@ fn power_up_shows_before_the_first_clock_alone_and_is_forgotten() {
 /// A counter keeps what it began with: nothing of it is forgotten.
 #[test]
 fn a_counter_forgets_nothing() {
-    let design = Design::of(|| {
-        module("counter", "top", ("enable", Bits::input(1)), |enable| {
-            let count = Bits::register(4).named("count");
-            count.load_when(enable, count + Bits::new(1, 4));
-            ("value", count)
-        });
-    });
-    let contract = Contract {
-        latency: 8,
-        ..Contract::default()
-    };
-    let known = Known::new(&design, &contract);
+    let known = Known::new(&counter(4), &within(8));
     assert!((0..4).all(|bit| !known.is_forgotten(0, bit)));
 }
 
@@ -134,13 +163,9 @@ fn a_difference_that_is_gone_before_the_first_result_is_none() {
             ("y", (a & one).reg())
         });
     });
-    let controls = Controls::new(&design, &sites(&design));
+    let controls = controls(&design);
     let verdict = |text: &str, latency: usize| {
-        let contract = Contract {
-            latency,
-            ..Contract::default()
-        };
-        let judge = Judge::new(&controls, &Known::new(&design, &contract));
+        let judge = judge(&controls, &design, &within(latency));
         let mutants = controls.mutants();
         let mut mutants = mutants.iter();
         let mutant = mutants.find(|mutant| controls.describe(mutant).starts_with(text));
@@ -150,28 +175,6 @@ fn a_difference_that_is_gone_before_the_first_result_is_none() {
     assert_eq!(verdict("one[0] stuck at 0", 2), Verdict::Differs);
     // One clock after the power-up the first state still shows.
     assert_eq!(verdict("one[0] stuck at 1", 1), Verdict::Differs);
-}
-
-/// What a counter holds never leaves it: it is not judged by its last inputs alone.
-#[test]
-fn no_mutant_of_a_counter_that_shows_is_called_equivalent() {
-    let design = Design::of(|| {
-        module("counter", "top", ("enable", Bits::input(1)), |enable| {
-            let count = Bits::register(2).named("count");
-            count.load_when(enable, count + Bits::new(1, 2));
-            ("value", count)
-        });
-    });
-    let contract = Contract {
-        latency: 4,
-        ..Contract::default()
-    };
-    let controls = Controls::new(&design, &sites(&design));
-    let judge = Judge::new(&controls, &Known::new(&design, &contract));
-    for mutant in controls.mutants() {
-        let text = controls.describe(&mutant);
-        assert_eq!(judge.judge(&mutant.upsets), Verdict::Differs, "{text}");
-    }
 }
 
 /// Keeps the word of the clock with `start`, and gives it a clock later beside a flag.
@@ -185,17 +188,23 @@ fn keeper() -> Design {
     })
 }
 
+/// A circuit that is started, and done two clocks later.
+fn started() -> Contract {
+    Contract {
+        quiet: vec!["start".to_owned()],
+        begins: vec![vec![("start".to_owned(), 1)]],
+        ..within(2)
+    }
+}
+
 fn verdicts(held: &[&str]) -> Vec<(String, Mutant, Verdict)> {
     let design = keeper();
     let contract = Contract {
-        quiet: vec!["start".to_owned()],
-        begins: vec![vec![("start".to_owned(), 1)]],
         held: held.iter().map(|name| (*name).to_owned()).collect(),
-        latency: 2,
-        ..Contract::default()
+        ..started()
     };
-    let controls = Controls::new(&design, &sites(&design));
-    let judge = Judge::new(&controls, &Known::new(&design, &contract));
+    let controls = controls(&design);
+    let judge = judge(&controls, &design, &contract);
     let mutants = controls.mutants().into_iter().map(|mutant| {
         let verdict = judge.judge(&mutant.upsets);
         (controls.describe(&mutant), mutant, verdict)
@@ -206,23 +215,9 @@ fn verdicts(held: &[&str]) -> Vec<(String, Mutant, Verdict)> {
 /// Zones of five clocks with a word each, which changes while nothing is under way: what comes out from the second
 /// clock of the first zone on.
 fn zones(upsets: &[Upset]) -> Vec<u64> {
-    let design = keeper();
-    let controls = Controls::new(&design, &sites(&design));
-    let program = Arc::new(Program::new(&controls.design, &[]));
-    let mut simulation = Simulation::new(&program);
-    for (register, word) in upsets {
-        simulation.upset(0, *register, *word);
-    }
-    let words = [1, 2, 0, 3, 1, 0, 2, 3];
-    let clocks = words
-        .iter()
-        .flat_map(|word| [1, 0, 0, 0, 0].map(|start| [start, *word]));
-    let outputs = clocks.map(|inputs| {
-        simulation.set_all(inputs);
-        simulation.clock();
-        simulation.outputs()[..2].to_vec()
-    });
-    let outputs: Vec<Vec<u64>> = outputs.collect();
+    let words = [1, 2, 0, 3, 1, 0, 2, 3].into_iter();
+    let clocks = words.flat_map(|word| [1, 0, 0, 0, 0].map(|start| [start, word]));
+    let outputs = outputs(&controls(&keeper()), upsets, clocks);
     // While the next word is already there and the last result is not yet out, nothing is asked.
     let asked = outputs.iter().enumerate().skip(1);
     let asked = asked.filter(|(clock, _)| clock % 5 != 0);

@@ -1,10 +1,9 @@
 //! Mutants that differ only in states that are never reached, or where nothing counts: each circuit has one that is
 //! proven equivalent and one that is not, and what is proven is run on every input of some clocks.
 
-use imogene_compiled::{Program, Simulation};
-use imogene_faults::{Contract, Controls, Judge, Known, Upset, Verdict, sites};
+use super::{controls, judge, outputs, started, within};
+use imogene_faults::{Contract, Verdict};
 use imogene_hdl::{Bits, Design, Simulator, Value, module, net};
-use std::sync::Arc;
 
 /// Counts to five and begins again; the values from six on are looked for in vain.
 fn counter() -> Design {
@@ -76,21 +75,6 @@ fn two_ways() -> Design {
     })
 }
 
-/// What comes out, clock by clock.
-fn outputs(design: &Controls, upsets: &[Upset], inputs: &[Vec<u64>]) -> Vec<Vec<u64>> {
-    let program = Arc::new(Program::new(&design.design, &[]));
-    let mut simulation = Simulation::new(&program);
-    for (register, word) in upsets {
-        simulation.upset(0, *register, *word);
-    }
-    let clocks = inputs.iter().map(|words| {
-        simulation.set_all(words.iter().copied());
-        simulation.clock();
-        simulation.outputs().to_vec()
-    });
-    clocks.collect()
-}
-
 /// Every input of some clocks, in an order that comes through most states.
 fn inputs(design: &Design, clocks: u64) -> Vec<Vec<u64>> {
     let widths = design.top.ports_of(imogene_hdl::Direction::In);
@@ -98,9 +82,8 @@ fn inputs(design: &Design, clocks: u64) -> Vec<Vec<u64>> {
     let mut state = 1u64;
     let clocks = (0..clocks).map(|_| {
         let words = widths.iter().map(|width| {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1);
+            let product = state.wrapping_mul(6_364_136_223_846_793_005);
+            state = product.wrapping_add(1);
             state >> (64 - width)
         });
         words.collect()
@@ -125,16 +108,15 @@ fn seen(design: &Design) -> Vec<Vec<u64>> {
 
 /// Judges every mutant; what is equivalent shows nothing. Which are equivalent?
 fn equivalent(design: &Design, contract: &Contract, counts: fn(&[u64]) -> usize) -> Vec<String> {
-    let controls = Controls::new(design, &sites(design));
-    let judge = Judge::new(&controls, &Known::new(design, contract));
-    let inputs = inputs(design, 2_000);
-    let good = outputs(&controls, &[], &inputs);
+    let controls = controls(design);
+    let judge = judge(&controls, design, contract);
+    let outputs = |upsets: &[_]| outputs(&controls, upsets, inputs(design, 2_000));
+    let good = outputs(&[]);
     let mutants = controls.mutants().into_iter();
     let equivalent = mutants.filter(|mutant| judge.judge(&mutant.upsets) == Verdict::Equivalent);
     let texts = equivalent.map(|mutant| {
         let text = controls.describe(&mutant);
-        let bad = outputs(&controls, &mutant.upsets, &inputs);
-        for (good, bad) in good.iter().zip(&bad) {
+        for (good, bad) in good.iter().zip(&outputs(&mutant.upsets)) {
             let count = counts(good);
             assert_eq!(good[..count], bad[..count], "{text}");
         }
@@ -169,14 +151,7 @@ fn a_counter_that_ends_never_comes_beyond() {
 
 #[test]
 fn what_is_left_at_rest_counts_nothing() {
-    let design = shifter();
-    let begins = |name: &str| Contract {
-        quiet: vec![name.to_owned()],
-        begins: vec![vec![(name.to_owned(), 1)]],
-        latency: 2,
-        ..Contract::default()
-    };
-    let texts = equivalent(&design, &begins("start"), all);
+    let texts = equivalent(&shifter(), &started(), all);
     // The bit that comes in from below never comes out.
     assert!(has(&texts, "moved[0] stuck at 1"), "{texts:?}");
     assert!(!has(&texts, "moved[7] stuck at 1"), "{texts:?}");
@@ -185,9 +160,8 @@ fn what_is_left_at_rest_counts_nothing() {
 #[test]
 fn a_word_that_is_not_valid_may_be_any() {
     let design = latch();
-    let counts_with = vec![("kept".to_owned(), "valid".to_owned())];
     let contract = Contract {
-        counts_with,
+        counts_with: vec![("kept".to_owned(), "valid".to_owned())],
         ..Contract::default()
     };
     let of_valid = |output: &[u64]| if output[0] == 1 { 2 } else { 1 };
@@ -201,12 +175,8 @@ fn a_word_that_is_not_valid_may_be_any() {
 #[test]
 fn short_words_are_told_from_all_others() {
     let design = two_ways();
-    let contract = Contract {
-        latency: 1,
-        ..Contract::default()
-    };
-    let controls = Controls::new(&design, &sites(&design));
-    let judge = Judge::new(&controls, &Known::new(&design, &contract));
+    let controls = controls(&design);
+    let judge = judge(&controls, &design, &within(1));
     let mutants = controls.mutants();
     let short = |start: &str| {
         let mut mutants = mutants.iter();

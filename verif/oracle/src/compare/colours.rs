@@ -18,13 +18,11 @@ impl Judge<'_> {
     fn layer(&self, at: (usize, usize), seen: &TracedPixel) -> Option<Layer> {
         let normal = self.pair.golden.normal[at.1 * self.pair.traced.width + at.0];
         let place = (at.0 as i64, at.1 as i64);
-        let off = self
-            .bounds
-            .normal(seen.object, seen.number, place, normal)?;
+        let (bounds, tracer) = (self.bounds, self.tracer);
+        let off = bounds.normal(seen.object, seen.number, place, normal)?;
         let reach = self.bound(seen, at) + self.slack(seen);
-        let (t, normal) =
-            self.tracer
-                .normal(at.0 as u32, at.1 as u32, seen, reach / self.bounds.z_max)?;
+        let share = reach / bounds.z_max;
+        let (t, normal) = tracer.normal(at.0 as u32, at.1 as u32, seen, share)?;
         Some(Layer {
             depth: self.depth(seen),
             reach,
@@ -46,10 +44,8 @@ fn levels(judges: &[Judge], colours: &Colours, at: (usize, usize)) -> Option<Lev
         None => Some(None),
         Some(pixel) => judge.layer(at, pixel).map(Some),
     };
-    let mut seen = judges
-        .iter()
-        .map(seen)
-        .collect::<Option<Vec<Option<Layer>>>>()?;
+    let seen: Option<Vec<Option<Layer>>> = judges.iter().map(seen).collect();
+    let mut seen = seen?;
     let surface = seen.remove(0);
     let mut layers: Vec<Layer> = seen.into_iter().flatten().collect();
     layers.sort_by(|a, b| b.depth.total_cmp(&a.depth));
@@ -61,11 +57,8 @@ fn levels(judges: &[Judge], colours: &Colours, at: (usize, usize)) -> Option<Lev
     if !apart || behind.is_some_and(|s| layers.iter().any(|layer| !is_told(s, layer))) {
         return None;
     }
-    let before: Vec<&Surface> = layers
-        .iter()
-        .filter(before)
-        .map(|layer| &layer.surface)
-        .collect();
+    let before = layers.iter().filter(before).map(|layer| &layer.surface);
+    let before: Vec<&Surface> = before.collect();
     let (x, y) = judges[0].tracer.sight.place(at.0 as u32, at.1 as u32);
     colours.seen((x, y), behind.map(|layer| &layer.surface), &before)
 }
@@ -74,14 +67,12 @@ impl Comparison {
     /// Compares the colours of pixels at which both pictures show the same; marks those that differ.
     pub(super) fn add_colours(&mut self, judges: &[Judge], painted: &Painted, marks: &mut [Mark]) {
         let (width, traced) = (judges[0].pair.traced.width, &judges[0].pair.traced);
-        let allowed: Vec<Option<Levels>> = (0..marks.len())
-            .into_par_iter()
-            .map(|index| {
-                let at = (index % width, index / width);
-                let alike = marks[index].is_alike();
-                alike.then(|| levels(judges, &painted.colours, at))?
-            })
-            .collect();
+        let of = |index: usize| {
+            let at = (index % width, index / width);
+            let alike = marks[index].is_alike();
+            alike.then(|| levels(judges, &painted.colours, at))?
+        };
+        let allowed: Vec<Option<Levels>> = (0..marks.len()).into_par_iter().map(of).collect();
         let golden = painted.golden.as_chunks::<3>().0;
         for (index, (allowed, &golden)) in allowed.into_iter().zip(golden).enumerate() {
             let Some(allowed) = allowed else { continue };

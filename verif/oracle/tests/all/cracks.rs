@@ -21,6 +21,13 @@ const CONVEX: [&str; 6] = [
      { point = [0, -1, 0], normal = [0, -1, 0] }, { point = [0, 0, 1], normal = [0, 0, 1] }, { point = [0, 0, -1], normal = [0, 0, -1] }]",
 ];
 
+fn rule(min_distance: f64, width: usize) -> Rule {
+    Rule {
+        min_distance,
+        width,
+    }
+}
+
 fn prepared(scene: &SceneFile, width: u32, height: u32) -> PreparedScene {
     prepare(&scene.frame(width, height).expect("framed"), Format::BASE).expect("prepared")
 }
@@ -36,35 +43,25 @@ fn drawn(scene: &SceneFile, prepared: &PreparedScene) -> (Frame, Buffers) {
 
 #[test]
 fn convex_solids_have_no_cracks_from_any_side() {
-    let views = [
-        [0.0, 0.0, 10.0],
-        [10.0, 1.0, 0.5],
-        [5.0, 4.0, 5.0],
-        [-6.0, -3.0, 7.0],
-        [0.1, 9.5, 3.0],
+    let views = "0, 0, 10; 10, 1, 0.5; 5, 4, 5; -6, -3, 7; 0.1, 9.5, 3";
+    let projections = [
+        "kind = \"perspective\"\nviewer_distance = 10",
+        "kind = \"orthographic\"\nhalf_depth = 4",
     ];
     for object in CONVEX {
-        for [x, y, z] in views {
-            for projection in [
-                "kind = \"perspective\"\nviewer_distance = 10",
-                "kind = \"orthographic\"\nhalf_depth = 4",
-            ] {
-                let camera = format!(
-                    "{projection}\neye = [{x:?}, {y:?}, {z:?}]\ntarget = [0, 0, 0]\nview_height = 4.8\n"
-                );
+        for eye in views.split("; ") {
+            for projection in projections {
+                let camera =
+                    format!("{projection}\neye = [{eye}]\ntarget = [0, 0, 0]\nview_height = 4.8\n");
                 let scene = scene(&camera, &[object]);
                 let prepared = prepared(&scene, 160, 120);
                 let (frame, buffers) = drawn(&scene, &prepared);
-                assert!(frame.covered() > 100, "{object} from {x} {y} {z}");
+                assert!(frame.covered() > 100, "{object} from {eye}");
                 // A thousandth of a pixel is far above the depth error.
                 let least = two_pixels(&scene.camera, 120) / 2000.0;
                 for (min_distance, width) in [(1000.0 * least, 1), (least, 1), (least, 3)] {
-                    let rule = Rule {
-                        min_distance,
-                        width,
-                    };
-                    let found = cracks(&buffers, &rule);
-                    assert_eq!(found, [], "{object} from {x} {y} {z}");
+                    let found = cracks(&buffers, &rule(min_distance, width));
+                    assert_eq!(found, [], "{object} from {eye}");
                 }
             }
         }
@@ -77,20 +74,13 @@ fn every_crack_of_a_convex_solid_is_found() {
     for object in CONVEX {
         let scene = scene(crate::common::PERSPECTIVE, &[object]);
         let breakable = Breakable::new(&prepared(&scene, 160, 120));
+        let range = DepthRange::of_camera(&scene.camera);
         for sort in [Sort::Points, Sort::Lines] {
             for min_distance in [0.01, 1.0, 100.0] {
-                let rule = Rule {
-                    min_distance,
-                    width: 1,
-                };
-                let score =
-                    breakable.score(&DepthRange::of_camera(&scene.camera), sort, 100, 7, &rule);
+                let score = breakable.score(&range, sort, 100, 7, &rule(min_distance, 1));
                 assert!(score.made > 5, "{object} {score:?}");
-                assert_eq!(
-                    (score.found, score.others),
-                    (score.made, 0),
-                    "{object} {score:?}"
-                );
+                let wanted = (score.made, 0);
+                assert_eq!((score.found, score.others), wanted, "{object} {score:?}");
             }
         }
     }
@@ -101,12 +91,10 @@ fn every_crack_of_a_convex_solid_is_found() {
 fn every_deep_crack_of_the_teapot_is_found() {
     let scene = crate::common::read("teapot");
     let breakable = Breakable::new(&prepared(&scene, 200, 150));
+    let range = DepthRange::of_camera(&scene.camera);
     for sort in [Sort::Points, Sort::Lines, Sort::Joints] {
-        let rule = Rule {
-            min_distance: two_pixels(&scene.camera, 150),
-            width: 1,
-        };
-        let score = breakable.score(&DepthRange::of_camera(&scene.camera), sort, 60, 3, &rule);
+        let rule = rule(two_pixels(&scene.camera, 150), 1);
+        let score = breakable.score(&range, sort, 60, 3, &rule);
         assert!(score.deep > 10, "{score:?}");
         assert_eq!(score.deep, score.deep_found, "{score:?}");
     }
@@ -131,10 +119,7 @@ fn edges_that_are_rounded_on_each_side_by_itself_are_found() {
             apart.objects[index] = prepared.objects[0].clone();
         }
         let tracer = Tracer::new(&scene, &framed.range, width, height);
-        let rule = Rule {
-            min_distance: two_pixels(&scene.camera, height as usize),
-            width: 1,
-        };
+        let rule = rule(two_pixels(&scene.camera, height as usize), 1);
         let count = |prepared: &PreparedScene| {
             let (_, buffers) = drawn(&scene, prepared);
             let mut found = cracks(&buffers, &rule);

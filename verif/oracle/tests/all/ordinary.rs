@@ -20,13 +20,7 @@ fn every_scene_is_read_and_no_two_are_the_same() {
     assert_eq!(texts[7], scene_text(1, 7));
     assert_ne!(texts[7], texts[8]);
     assert_ne!(texts[7], scene_text(2, 7));
-    for kind in [
-        "hyperbolic_cylinder",
-        "quadric",
-        "polyhedron",
-        "cone",
-        "\"g2\"",
-    ] {
+    for kind in "hyperbolic_cylinder quadric polyhedron cone \"g2\"".split(' ') {
         assert!(texts.iter().any(|text| text.contains(kind)), "{kind}");
     }
 }
@@ -44,11 +38,8 @@ fn ordinary_scenes_draw() {
         assert!(found.colours * 100 > 99 * found.pixels);
         // Nothing is really open in any of them.
         assert!(found.check_fails.is_empty(), "{:?}", found.check_fails);
-        assert!(
-            found.refused.len() as u64 * 50 <= scenes,
-            "{:?}",
-            found.refused
-        );
+        let refused = found.refused.len() as u64;
+        assert!(refused * 50 <= scenes, "{:?}", found.refused);
     }
 }
 
@@ -84,16 +75,12 @@ fn flown(scene: &SceneFile, from: [f64; 3], to: [f64; 3], part: f64) -> SceneFil
 fn a_flight_through_a_surface_is_drawn_from_beginning_to_end() {
     let of = |object: &str| scene(PERSPECTIVE, &[object]);
     let wall = format!("{SPHERE}\nmode = \"patch\"");
+    let eye = [2.63, 4.31, 11.17];
     let flights = [
         ("ball", of(SPHERE), [0.3, 0.2, 4.0], [0.1, 0.0, 0.2]),
         ("wall", of(&wall), [0.3, 0.2, 4.0], [0.1, 0.0, 0.2]),
         ("cone", of(CONE), [0.5, 1.0, 4.0], [0.1, -0.9, 0.1]),
-        (
-            "teapot",
-            read("teapot"),
-            [2.63, 4.31, 11.17],
-            [0.1, 0.3, 0.1],
-        ),
+        ("teapot", read("teapot"), eye, [0.1, 0.3, 0.1]),
     ];
     let steps = if is_long() { 200 } else { 20 };
     for (name, scene, from, to) in flights {

@@ -1,7 +1,6 @@
 use imogene_oracle::root::{Quadratic, Real};
-use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{Signed, Zero};
+use num_traits::Signed;
 use proptest::prelude::*;
 use std::cmp::Ordering;
 
@@ -30,33 +29,22 @@ fn equal_numbers_of_different_polynomials_are_equal() {
     let equal = Real::root(&one, false);
     assert_eq!(equal.compare(&Real::root(&two, true)), Ordering::Equal);
     assert_eq!(equal.compare(&Real::root(&minus, true)), Ordering::Equal);
-    assert_eq!(
-        Real::root(&one, true).compare(&Real::root(&two, true)),
-        Ordering::Greater
-    );
+    let greater = Real::root(&one, true).compare(&Real::root(&two, true));
+    assert_eq!(greater, Ordering::Greater);
     assert_eq!(equal.cmp_fraction(&fraction(2, 1)), Ordering::Equal);
     // sqrt(2) twice, and beside it.
     let irrational = root(1, 0, -2, true);
     assert_eq!(irrational.compare(&root(-3, 0, 6, true)), Ordering::Equal);
-    assert_eq!(
-        irrational.compare(&root(1, 0, -2, false)),
-        Ordering::Greater
-    );
-    let beside = polynomial(1, 0, -2);
-    let beside = Quadratic {
-        a: beside.a << 300,
-        b: BigInt::zero(),
-        c: (beside.c << 300) - 1,
-    };
-    assert_eq!(
-        irrational.compare(&Real::root(&beside, true)),
-        Ordering::Less
-    );
+    let least = irrational.compare(&root(1, 0, -2, false));
+    assert_eq!(least, Ordering::Greater);
+    let mut beside = polynomial(1, 0, -2);
+    beside.a <<= 300;
+    beside.c = (beside.c << 300) - 1;
+    let less = irrational.compare(&Real::root(&beside, true));
+    assert_eq!(less, Ordering::Less);
     // Double roots have no greater one.
-    assert_eq!(
-        root(1, -3, 9, true).compare(&root(1, -3, 9, false)),
-        Ordering::Equal
-    );
+    let double = root(1, -3, 9, true).compare(&root(1, -3, 9, false));
+    assert_eq!(double, Ordering::Equal);
 }
 
 proptest! {

@@ -50,14 +50,11 @@ fn every_golden_picture_is_the_traced_one_outside_the_band() {
         glass += c.transparent;
         solids += usize::from(!scene.solids.is_empty() && c.covered > 0);
         colours += c.colours_known;
-        assert!(
-            c.covered < 20 || c.depths > 0,
-            "{name}: no depth was compared"
-        );
-        assert!(
-            c.differences_inside * 20 <= c.band || is_without || c.band < 20 || c.tied > 0,
-            "{name}: {c:#?}"
-        );
+        let has_depths = c.covered < 20 || c.depths > 0;
+        assert!(has_depths, "{name}: no depth was compared");
+        let is_special = is_without || c.band < 20 || c.tied > 0;
+        let is_fine = c.differences_inside * 20 <= c.band || is_special;
+        assert!(is_fine, "{name}: {c:#?}");
     }
     assert!(compared >= 60, "{compared}");
     assert!(refused.is_empty(), "{refused:?}");
@@ -67,27 +64,24 @@ fn every_golden_picture_is_the_traced_one_outside_the_band() {
 
 #[test]
 fn a_scene_that_differs_is_one_whose_check_fails() {
-    for (name, scene) in crate::common::all() {
-        if !WITHOUT_BOUNDS.contains(&name.as_str()) {
-            continue;
-        }
+    let is_without = |(name, _): &(String, _)| WITHOUT_BOUNDS.contains(&name.as_str());
+    for (_, scene) in crate::common::all().filter(is_without) {
         let (framed, prepared) = words(&scene, (scene.image.width, scene.image.height));
         assert!(!check(&framed, &prepared).ok);
     }
 }
 
 /// A scene in the size of its picture, and its words.
-fn words(scene: &SceneFile, (width, height): (u32, u32)) -> (FramedScene, PreparedScene) {
+type Words = (FramedScene, PreparedScene);
+
+fn words(scene: &SceneFile, (width, height): (u32, u32)) -> Words {
     let framed = scene.frame(width, height).expect("framed");
     let prepared = prepare(&framed, Format::BASE).expect("prepared");
     (framed, prepared)
 }
 
 /// Its pictures, to hold others against the traced ones.
-fn draw<'a>(
-    scene: &SceneFile,
-    (framed, prepared): &'a (FramedScene, PreparedScene),
-) -> Pictures<'a> {
+fn draw<'a>(scene: &SceneFile, (framed, prepared): &'a Words) -> Pictures<'a> {
     let traced = trace(scene, framed, &|_| ());
     pictures(traced, scene, framed, prepared).expect("bounds")
 }
@@ -123,8 +117,7 @@ fn wrong_pictures_are_noticed() {
 type Fault = fn(&mut Frame);
 
 /// The golden picture of glass, with a fault in it.
-fn with_fault(words: &(FramedScene, PreparedScene), golden: &Frame, fault: Fault) -> Vec<u8> {
-    let (framed, prepared) = words;
+fn with_fault((framed, prepared): &Words, golden: &Frame, fault: Fault) -> Vec<u8> {
     let mut frame = golden.clone();
     fault(&mut frame);
     let shading = shader_words(framed, &prepared.format).expect("words");
@@ -173,19 +166,13 @@ fn wrong_pictures_of_glass_are_found() {
         println!("{what}: {marked}");
         assert!(found.colours_beyond_bound > 20, "{what}: {found:#?}");
         assert_eq!(marked, found.colours_beyond_bound, "{what}");
-        assert_eq!(
-            (found.differences_outside, found.depths_beyond_bound),
-            (0, 0),
-            "{what}"
-        );
+        let others = (found.differences_outside, found.depths_beyond_bound);
+        assert_eq!(others, (0, 0), "{what}");
     }
     drawn.painted = None;
     let most = 2 * right.depth_bound as i64 + 1;
-    drawn.pairs[3]
-        .golden
-        .depth
-        .iter_mut()
-        .for_each(|z| *z += most);
+    let depths = drawn.pairs[3].golden.depth.iter_mut();
+    depths.for_each(|z| *z += most);
     assert!(compare(&drawn).0.depths_beyond_bound > 100);
     drawn.pairs[3].golden.id.rotate_right(2);
     assert!(compare(&drawn).0.differences_outside > 20);
@@ -211,24 +198,17 @@ fn slivers_hold_and_wrong_pixels_of_a_mesh_are_found() {
     let far_from_all = |&i: &usize| {
         let (x, y) = (i % w as usize, i / w as usize);
         let beside = imogene_oracle::compare::is_in_band(&drawn.pairs[0].traced, x, y);
-        !beside
-            && golden.id[i] < 0
-            && drawn
-                .tracer
-                .facets_near(0, (x as u32, y as u32), 0.1)
-                .is_empty()
+        let facets = || drawn.tracer.facets_near(0, (x as u32, y as u32), 0.1);
+        !beside && golden.id[i] < 0 && facets().is_empty()
     };
     let mut wrong = 0;
     let alone: Vec<usize> = (0..golden.id.len()).filter(far_from_all).collect();
     for i in alone.into_iter().step_by(97) {
         let mut frame = golden.clone();
-        let like = golden
-            .id
-            .iter()
-            .position(|&id| id == 0)
-            .expect("something is seen");
-        (frame.id[i], frame.number[i], frame.depth[i]) =
-            (0, golden.number[like], golden.depth[like]);
+        let like = golden.id.iter().position(|&id| id == 0);
+        let like = like.expect("something is seen");
+        (frame.id[i], frame.number[i]) = (0, golden.number[like]);
+        frame.depth[i] = golden.depth[like];
         let found = against(&mut drawn, &frame);
         assert_eq!(found.differences_outside, 1, "pixel {i}");
         wrong += 1;

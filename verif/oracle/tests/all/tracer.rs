@@ -45,19 +45,20 @@ impl Rays {
         let not_before = |t: &Real, least: f64| {
             exact(least).is_none_or(|least| t.cmp_fraction(&least) != Ordering::Less)
         };
+        let not_behind = |t: &Real, most: f64| {
+            exact(most).is_none_or(|most| t.cmp_fraction(&most) != Ordering::Greater)
+        };
         let agrees = match (&verdict, &truth) {
             (Verdict::Absent, None) | (Verdict::Open(_), None) => true,
             (Verdict::Open(from), Some(found)) => not_before(&found.t, *from),
             (Verdict::Hit { t, number, .. }, Some(found)) => {
-                let not_behind =
-                    exact(t.hi).is_none_or(|most| found.t.cmp_fraction(&most) != Ordering::Greater);
-                *number == found.number && not_before(&found.t, t.lo) && not_behind
+                let is_within = not_before(&found.t, t.lo) && not_behind(&found.t, t.hi);
+                *number == found.number && is_within
             }
             _ => false,
         };
-        agrees
-            .then_some(())
-            .ok_or_else(|| format!("{cell:?} {column} {line}: {verdict:?}, in truth {truth:?}"))
+        let reason = || format!("{cell:?} {column} {line}: {verdict:?}, in truth {truth:?}");
+        agrees.then_some(()).ok_or_else(reason)
     }
 }
 
@@ -86,11 +87,8 @@ fn depths_are_those_of_closed_forms() {
     for (object, t, number) in cases {
         let found = Rays::new(&scene(PERSPECTIVE, &[&object])).solve(0, 32, 24);
         let found = found.unwrap_or_else(|| panic!("{object}: nothing seen"));
-        assert_eq!(
-            found.t.cmp_fraction(&t),
-            Ordering::Equal,
-            "{object}: {found:?}"
-        );
+        let order = found.t.cmp_fraction(&t);
+        assert_eq!(order, Ordering::Equal, "{object}: {found:?}");
         assert_eq!(found.number, number, "{object}");
     }
 }
@@ -111,8 +109,7 @@ fn a_sphere_is_hit_where_its_equation_says() {
             if let Some(found) = found {
                 hits += 1;
                 let expected = (10_000.0 - ((s * s - r * t) as f64).sqrt()) / r as f64;
-                let (low, high) = found.t.between(80);
-                for end in [low, high] {
+                for end in <[BigRational; 2]>::from(found.t.between(80)) {
                     let end = imogene_algebra::rational::to_f64(&end);
                     assert!((end - expected).abs() < 1e-12, "{column} {line}");
                 }
@@ -171,11 +168,8 @@ fn the_picture_is_that_of_every_object_at_every_pixel() {
                 }
                 let pixel = traced.pixels[(line * 64 + column) as usize];
                 let expected = nearest.map(|(object, found)| (object, found.number, found.part));
-                assert_eq!(
-                    pixel.map(|p| (p.object, p.number, p.part)),
-                    expected,
-                    "{column} {line}"
-                );
+                let own = pixel.map(|p| (p.object, p.number, p.part));
+                assert_eq!(own, expected, "{column} {line}");
                 if let Some(pixel) = pixel {
                     seen[pixel.object as usize] = true;
                 }

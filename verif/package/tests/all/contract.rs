@@ -4,6 +4,7 @@ use imogene_contract::words::DEPTH_WORDS;
 use imogene_contract::{Request, Unit};
 use imogene_package::contract::{RESET, contract};
 use imogene_rtl::emit::{Direction, emit};
+use serde_json::Value;
 use std::collections::BTreeMap;
 
 /// Shapes that change the ports: the base, none, and others.
@@ -29,10 +30,8 @@ fn every_port_has_a_meaning_and_its_formula_gives_its_width() {
     let line = |line: &str, word: usize| match line.split_once('W') {
         None => line.parse::<usize>().expect("a number"),
         Some((most, "")) if most.ends_with(" - ") => {
-            most.trim_end_matches(" - ")
-                .parse::<usize>()
-                .expect("a number")
-                - word
+            let most = most.trim_end_matches(" - ").parse::<usize>();
+            most.expect("a number") - word
         }
         Some((times, plus)) => {
             let times = times.parse().unwrap_or(1);
@@ -45,10 +44,9 @@ fn every_port_has_a_meaning_and_its_formula_gives_its_width() {
         };
         let lines = lines.trim_end_matches(')').split(", ");
         let lines = lines.map(|of| line(of, word));
-        if which == "min" {
-            lines.min()
-        } else {
-            lines.max()
+        match which {
+            "min" => lines.min(),
+            _ => lines.max(),
         }
     };
     for request in requests() {
@@ -62,12 +60,9 @@ fn every_port_has_a_meaning_and_its_formula_gives_its_width() {
         for (entry, port) in stated.iter().zip(&emitted) {
             let place = format!("{request:?}: {}", entry.name);
             assert!(!entry.meaning.is_empty(), "{place}");
+            assert_eq!(entry.name, port.name, "{place}");
             let expected = width(&entry.formula, request.depth_word as usize);
-            assert_eq!(
-                (&entry.name, expected),
-                (&port.name, Some(port.width)),
-                "{place}"
-            );
+            assert_eq!(expected, Some(port.width), "{place}");
         }
     }
 }
@@ -119,31 +114,20 @@ fn markdown_and_json_say_the_same() {
     for unit in Unit::ALL {
         let contract = contract(&Request::new(unit)).expect("a legal request");
         let page = contract.markdown();
-        let json: serde_json::Value =
-            serde_json::from_str(&contract.json()).expect("one JSON document");
-        for key in [
-            "computes",
-            "source",
-            "throughput",
-            "reset",
-            "ties",
-            "error",
-            "command",
-        ] {
+        let json: Value = serde_json::from_str(&contract.json()).expect("one JSON document");
+        for key in "computes source throughput reset ties error command".split(' ') {
             let text = json[key].as_str().expect("a text");
             assert!(page.contains(text), "{}: {key}", unit.name());
         }
         let ports = json["ports"].as_array().expect("a list of ports");
         assert_eq!(ports.len(), contract.ports.len());
         for port in ports {
+            let text = |key: &str| port[key].as_str().unwrap_or_else(|| panic!("no {key}"));
+            let [name, direction] = ["name", "direction"].map(text);
+            let [formula, format, meaning] = ["formula", "format", "meaning"].map(text);
+            let width = &port["width"];
             let row = format!(
-                "| `{}` | {} | {} | `{}` | {} | {} |",
-                port["name"].as_str().expect("a name"),
-                port["direction"].as_str().expect("a direction"),
-                port["width"],
-                port["formula"].as_str().expect("a formula"),
-                port["format"].as_str().expect("a format"),
-                port["meaning"].as_str().expect("a meaning"),
+                "| `{name}` | {direction} | {width} | `{formula}` | {format} | {meaning} |"
             );
             assert!(page.contains(&row), "{}: {row}", unit.name());
         }

@@ -48,10 +48,9 @@ fn committed_cores_are_those_of_this_source() {
     for (name, text) in package(&READ, 0).expect("every unit is packaged") {
         let path = folder.join(&name);
         let committed = std::fs::read_to_string(&path).unwrap_or_default();
-        assert!(
-            committed == text,
-            "ip/{name} is stale; run the command in ip/README.md"
-        );
+        let is_fresh = committed == text;
+        let remedy = "run the command in ip/README.md";
+        assert!(is_fresh, "ip/{name} is stale; {remedy}");
         left.remove(&path);
     }
     assert!(left.is_empty(), "nothing makes {left:?}; remove them");
@@ -70,12 +69,8 @@ fn simulate(files: &[File]) -> Output {
     let folder = tempfile::tempdir().expect("a scratch folder");
     write(folder.path(), files);
     let mut arguments = vec!["-g2005", "-sbench", "-o", "bench/bench.vvp"];
-    arguments.extend(
-        files
-            .iter()
-            .map(|(name, _)| name.as_str())
-            .filter(|n| n.ends_with(".v")),
-    );
+    let names = files.iter().map(|(name, _)| name.as_str());
+    arguments.extend(names.filter(|name| name.ends_with(".v")));
     let compiled = run("iverilog", &arguments, folder.path());
     assert!(compiled.status.success(), "{compiled:?}");
     run("vvp", &["-n", "bench.vvp"], &folder.path().join("bench"))
@@ -87,30 +82,25 @@ fn benches_of_the_machine_pass() {
         let files = core(unit, 300).expect("a core");
         let done = simulate(&files);
         let text = String::from_utf8_lossy(&done.stdout);
-        assert!(
-            done.status.success() && text.contains("DONE 0"),
-            "{}: {text}",
-            unit.name()
-        );
+        let passes = done.status.success() && text.contains("DONE 0");
+        assert!(passes, "{}: {text}", unit.name());
         // The mask is not empty: at least half of the clocks state every bit of some output.
-        let (_, mask) = files
-            .iter()
-            .find(|(n, _)| n == "bench/mask.hex")
-            .expect("a mask");
+        let mask = text_of(&files, "bench/mask.hex");
         let stated = mask.lines().filter(|line| line.ends_with('f')).count();
         assert!(stated >= 150, "{}: {stated} clocks", unit.name());
     }
 }
 
+fn text_of<'a>(files: &'a [File], name: &str) -> &'a str {
+    let found = files.iter().find(|(own, _)| own == name);
+    &found.expect("a vector file").1
+}
+
 /// Turns over the lowest bit of an expected value that is compared.
 fn spoil(files: &mut [File]) {
-    let text = |name: &str| {
-        let found = files.iter().find(|(n, _)| n == name);
-        found.expect("a vector file").1.clone()
-    };
-    let (mask, mut lines) = (text("bench/mask.hex"), Vec::new());
-    let mut todo = true;
-    for (line, mask) in text("bench/expected.hex").lines().zip(mask.lines()) {
+    let [mask, expected] = ["mask", "expected"].map(|n| text_of(files, &format!("bench/{n}.hex")));
+    let (mut lines, mut todo) = (Vec::new(), true);
+    for (line, mask) in expected.lines().zip(mask.lines()) {
         let mut line = line.to_owned();
         if todo && mask.ends_with('f') {
             let last = line.pop().and_then(|c| c.to_digit(16)).expect("a digit");
@@ -139,10 +129,8 @@ fn a_wrong_vector_fails_the_bench() {
 
 fn fusesoc(folder: &Path, target: &str, unit: Unit) -> Output {
     let program = Path::new(ROOT).join("target/tools/bin/fusesoc");
-    let (target, name) = (
-        format!("--target={target}"),
-        format!("imogene:ip:{}", unit.name()),
-    );
+    let target = format!("--target={target}");
+    let name = format!("imogene:ip:{}", unit.name());
     let arguments = ["--cores-root", "cores", "run", &target, &name];
     run(&program.to_string_lossy(), &arguments, folder)
 }
@@ -157,10 +145,8 @@ fn fusesoc_runs_every_core() {
         return;
     }
     let folder = tempfile::tempdir().expect("a scratch folder");
-    write(
-        &folder.path().join("cores"),
-        &package(&Unit::ALL, 500).expect("every unit"),
-    );
+    let files = package(&Unit::ALL, 500).expect("every unit");
+    write(&folder.path().join("cores"), &files);
     for unit in Unit::ALL {
         for target in ["lint", "sim"] {
             let done = fusesoc(folder.path(), target, unit);
@@ -189,9 +175,7 @@ fn fusesoc_reports_a_wrong_vector_and_a_lint_warning() {
         let done = fusesoc(folder.path(), target, Unit::CutPlane);
         let text = [done.stdout, done.stderr].concat();
         let text = String::from_utf8_lossy(&text);
-        assert!(
-            !done.status.success() && text.contains(reason),
-            "{target}: {text}"
-        );
+        let is_found = !done.status.success() && text.contains(reason);
+        assert!(is_found, "{target}: {text}");
     }
 }

@@ -82,14 +82,11 @@ impl Register<'_> {
 
 /// The options of a mutant, for the netlist with cut registers.
 pub fn cut_command(command: &str, cell: &str, netlist: &str) -> String {
-    let is_register = netlist
-        .lines()
-        .any(|line| line.trim_start().strip_prefix("cell $dff ") == Some(cell));
-    if !is_register {
+    let is_it = |line: &str| line.trim_start().strip_prefix("cell $dff ") == Some(cell);
+    if !netlist.lines().any(is_it) {
         return command.to_owned();
     }
     let place = |port: &str| format!("-cell {cell} -port {port} ");
-    command
-        .replace(&place("Q"), &format!("-cell {cell}$q -port Y "))
-        .replace(&place("D"), &format!("-cell {cell}$d -port A "))
+    let command = command.replace(&place("Q"), &format!("-cell {cell}$q -port Y "));
+    command.replace(&place("D"), &format!("-cell {cell}$d -port A "))
 }

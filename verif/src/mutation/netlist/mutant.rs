@@ -118,10 +118,11 @@ pub(super) fn all_mutants(
     let selector = selector(mutants.len());
     let mut script = format!("read_rtlil {NETLIST}\n");
     for mutant in mutants {
+        let control = format!("{} {}", selector.name, selector.width);
+        let (command, number) = (&mutant.command, mutant.number);
         let _ = writeln!(
             script,
-            "mutate -module {top} {} -ctrl {} {} {}",
-            mutant.command, selector.name, selector.width, mutant.number
+            "mutate -module {top} {command} -ctrl {control} {number}"
         );
     }
     script += "write_verilog -noattr mutants.v\n";

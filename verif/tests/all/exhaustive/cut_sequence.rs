@@ -38,13 +38,10 @@ enum Choice {
     Keeps,
 }
 
-const CHOICES: [Choice; 5] = [
-    Choice::Front,
-    Choice::Back,
-    Choice::None,
-    Choice::Misses,
-    Choice::Keeps,
-];
+const CHOICES: [Choice; 5] = {
+    use Choice::*;
+    [Front, Back, None, Misses, Keeps]
+};
 
 /// Weak orderings of `count` values as ranks: each rank up to the greatest is taken by one value at least.
 fn weak_orderings(count: usize) -> Vec<Vec<usize>> {
@@ -153,11 +150,8 @@ fn cut_in_hardware(
 /// Depths for ranks: steps of different size, the last at `top`.
 fn depths(ranks: &[usize], top: i64) -> Vec<i64> {
     let greatest = ranks.iter().max().copied().unwrap_or(0) as i64;
-    let below = |rank: usize| greatest - rank as i64;
-    ranks
-        .iter()
-        .map(|r| top - below(*r) * (3 + below(*r)))
-        .collect()
+    let below = ranks.iter().map(|rank| greatest - *rank as i64);
+    below.map(|below| top - below * (3 + below)).collect()
 }
 
 /// Every permutation of one set of planes; returns the permutations checked.
@@ -191,21 +185,17 @@ fn check(
 /// The planes of the choices, those with a depth at `depths` in turn.
 fn planes(choices: &[Choice], depths: &[i64]) -> Vec<Plane> {
     let mut own = depths.iter();
-    let mut plane = |choice: &Choice| match choice {
-        Choice::Front => (PlaneKind::Front, *own.next().expect("a depth")),
-        Choice::Back => (PlaneKind::Back, *own.next().expect("a depth")),
-        Choice::None => (PlaneKind::None, -1),
-        Choice::Misses => (PlaneKind::Perpendicular, -1),
-        Choice::Keeps => (PlaneKind::Perpendicular, 0),
+    let plane = |(choice, number): (&Choice, u8)| {
+        let (kind, zp) = match choice {
+            Choice::Front => (PlaneKind::Front, *own.next().expect("a depth")),
+            Choice::Back => (PlaneKind::Back, *own.next().expect("a depth")),
+            Choice::None => (PlaneKind::None, -1),
+            Choice::Misses => (PlaneKind::Perpendicular, -1),
+            Choice::Keeps => (PlaneKind::Perpendicular, 0),
+        };
+        Plane { kind, zp, number }
     };
-    choices
-        .iter()
-        .zip(2..)
-        .map(|(choice, number)| {
-            let (kind, zp) = plane(choice);
-            Plane { kind, zp, number }
-        })
-        .collect()
+    choices.iter().zip(2..).map(plane).collect()
 }
 
 /// Every ordering of the depths for one choice of planes; returns the sets and the permutations checked.

@@ -9,12 +9,10 @@ use imogene_golden::unit::depth_interval::Interval;
 use imogene_verif::engine::circuit::Circuit;
 use std::time::Instant;
 
-pub(crate) const KINDS: [PlaneKind; 4] = [
-    PlaneKind::None,
-    PlaneKind::Front,
-    PlaneKind::Back,
-    PlaneKind::Perpendicular,
-];
+pub(crate) const KINDS: [PlaneKind; 4] = {
+    use PlaneKind::*;
+    [None, Front, Back, Perpendicular]
+};
 
 /// A format of a depth word that is too small for a machine, but enough for one comparison.
 const fn small_format(depth: u32) -> Format {
@@ -41,14 +39,11 @@ fn by_sets(start: Interval, kind: PlaneKind, zp: i64, surface: bool, far: i64) -
         PlaneKind::Back => z <= zp,
         PlaneKind::Perpendicular => zp >= 0,
     };
-    let depths: Vec<i64> = if surface {
-        [start.zf, start.zb]
-            .into_iter()
-            .filter(|z| keeps(*z))
-            .collect()
-    } else {
-        (start.zf..=start.zb).filter(|z| keeps(*z)).collect()
+    let mut depths: Vec<i64> = match surface {
+        true => vec![start.zf, start.zb],
+        false => (start.zf..=start.zb).collect(),
     };
+    depths.retain(|z| keeps(*z));
     match (depths.first(), depths.last()) {
         (Some(front), Some(back)) => (*front, *back),
         _ => (far, far),

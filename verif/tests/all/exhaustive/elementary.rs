@@ -84,6 +84,23 @@ fn check<const N: usize>(
     pixels
 }
 
+/// The value of the next pixel of a golden processor, which begins a zone, a line, or neither.
+fn driven<P>(
+    start: impl Fn() -> P,
+    line_step: fn(&mut P),
+    pixel: fn(&mut P) -> i128,
+) -> impl FnMut(bool, bool) -> i128 {
+    let mut pe = start();
+    move |starts, line| {
+        match (starts, line) {
+            (true, _) => pe = start(),
+            (false, true) => line_step(&mut pe),
+            _ => {}
+        }
+        pixel(&mut pe)
+    }
+}
+
 /// Runs every zone of PE1 with these `a`; returns the pixels checked.
 fn check_pe1<const N: usize>(a: i64, side: i64) -> u64 {
     let words_in = || raster::Linear::input(N as u32);
@@ -93,15 +110,7 @@ fn check_pe1<const N: usize>(a: i64, side: i64) -> u64 {
     let pixels = pairs.map(|(b, c)| {
         let words = Linear::new(a.into(), b.into(), c.into());
         let start = || GoldenPe1::object_start(&words, N as u32);
-        let mut pe = start();
-        let golden = |starts, line| {
-            match (starts, line) {
-                (true, _) => pe = start(),
-                (false, true) => pe.line_step(),
-                _ => {}
-            }
-            pe.pixel()
-        };
+        let golden = driven(start, GoldenPe1::line_step, GoldenPe1::pixel);
         let exact = |x, y| a * x + b * y + c;
         check::<N>(&mut unit, &clocks, (&[a, b, c], 2..3), golden, exact)
     });
@@ -121,15 +130,7 @@ fn check_pe2<const N: usize>(a2: i64, b2: i64, side: i64) -> u64 {
         let (d, e) = (p0 - a, i0 - b);
         let words = Quadratic::new([a, b, c, d, e, f].map(i128::from));
         let start = || GoldenPe2::object_start(&words, N as u32);
-        let mut pe = start();
-        let golden = |starts, line| {
-            match (starts, line) {
-                (true, _) => pe = start(),
-                (false, true) => pe.line_step(),
-                _ => {}
-            }
-            pe.pixel()
-        };
+        let golden = driven(start, GoldenPe2::line_step, GoldenPe2::pixel);
         let exact = |x, y| a * x * x + b * y * y + c * x * y + d * x + e * y + f;
         let words = [a2, b2, c, i0, p0, f];
         check::<N>(&mut unit, &clocks, (&words, 3..6), golden, exact)

@@ -161,11 +161,8 @@ fn every_radicand_of_32_bits() {
             run(0, 1 << 20) + run((1 << 32) - (1 << 20), 1 << 32)
         };
         assert_eq!(count, if is_full_run() { 1 << 32 } else { 1 << 21 });
-        account(
-            &format!("{}, 32-bit radicands", unit.name()),
-            count,
-            started,
-        );
+        let name = format!("{}, 32-bit radicands", unit.name());
+        account(&name, count, started);
     }
 }
 
@@ -173,10 +170,9 @@ fn every_radicand_of_32_bits() {
 #[test]
 fn a_wrong_remainder_is_found() {
     let (model, latency) = compile("square_root", 16);
-    let wrong =
-        |[radicand, root, rest]: Vector| [radicand, root, rest ^ u64::from(radicand == 120)];
-    let outcome =
-        std::panic::catch_unwind(|| stream(&model, latency, boundaries(1, 20).map(wrong)));
+    let wrong = |[of, root, rest]: Vector| [of, root, rest ^ u64::from(of == 120)];
+    let wrong = || boundaries(1, 20).map(wrong);
+    let outcome = std::panic::catch_unwind(|| stream(&model, latency, wrong()));
     let message = outcome.expect_err("radicand 120 is expected wrongly");
     let message = message.downcast_ref::<String>().expect("a message");
     assert!(message.contains("radicand 120"), "{message}");

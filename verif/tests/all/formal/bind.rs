@@ -9,10 +9,8 @@ fn the_instance_goes_into_its_module() {
         "module p (input q);\nendmodule\n\nbind a p #(.N(1)) checks (\n    .q(q)\n);\n";
     let text = resolve("job", DESIGN, properties).unwrap();
     let first = &text[..text.find("module b").unwrap()];
-    assert!(
-        first.contains("p #(.N(1)) checks (\n    .q(q)\n);\n\nendmodule"),
-        "{text}"
-    );
+    let instance = "p #(.N(1)) checks (\n    .q(q)\n);\n\nendmodule";
+    assert!(first.contains(instance), "{text}");
     assert!(!text.contains("bind") && text.contains("module p (input q);"));
 }
 

@@ -100,10 +100,8 @@ fn simulated<K: Kernel>(stimulus: &[Vec<u64>]) -> Vec<Vec<u64>> {
     });
     let ended = simulation.run(Box::default(), most_time);
     ended.expect("rust-hdl checks the kernel and runs it to the end");
-    Arc::into_inner(found)
-        .expect("the bench has ended")
-        .into_inner()
-        .expect("one thread")
+    let found = Arc::into_inner(found).expect("the bench has ended");
+    found.into_inner().expect("one thread")
 }
 
 /// What the circuit calls a port, which has no name for its outputs together.
@@ -140,35 +138,26 @@ fn stimulus(widths: &[u32], clocks: usize) -> Vec<Vec<u64>> {
 /// The first clock at which a kernel and a circuit differ, with what they were given and gave.
 pub fn difference<K: Kernel>(circuit: &Design, clocks: usize) -> Option<String> {
     let mut simulator = Simulator::new(circuit);
-    let count = simulator.ports().len();
-    assert_eq!(
-        count,
-        K::INPUTS.len() + K::OUTPUTS.len(),
-        "every port has a counterpart"
-    );
+    let counterparts = K::INPUTS.len() + K::OUTPUTS.len();
+    assert_eq!(simulator.ports().len(), counterparts);
     let [inputs, outputs] = [K::INPUTS, K::OUTPUTS].map(|names| ports(&simulator, names));
-    let widths: Vec<u32> = K::INPUTS
-        .iter()
-        .map(|name| width(&simulator, name))
-        .collect();
+    let widths = K::INPUTS.iter().map(|name| width(&simulator, name));
+    let widths: Vec<u32> = widths.collect();
     let stimulus = stimulus(&widths, clocks);
     assert_covers(&widths, &stimulus);
     let simulated = simulated::<K>(&stimulus);
     assert_eq!(simulated.len(), clocks);
-    stimulus
-        .iter()
-        .zip(simulated)
-        .enumerate()
-        .find_map(|(clock, (words, kernel))| {
-            for (port, word) in inputs.iter().zip(words) {
-                simulator.set(*port, *word);
-            }
-            simulator.clock();
-            let circuit: Vec<u64> = outputs.iter().map(|port| simulator.get(*port)).collect();
-            let text =
-                || format!("clock {clock}: {words:x?} gives {kernel:x?}, the circuit {circuit:x?}");
-            (circuit != kernel).then(text)
-        })
+    let mut clocks = stimulus.iter().zip(simulated).enumerate();
+    clocks.find_map(|(clock, (words, kernel))| {
+        for (port, word) in inputs.iter().zip(words) {
+            simulator.set(*port, *word);
+        }
+        simulator.clock();
+        let circuit: Vec<u64> = outputs.iter().map(|port| simulator.get(*port)).collect();
+        let text =
+            || format!("clock {clock}: {words:x?} gives {kernel:x?}, the circuit {circuit:x?}");
+        (circuit != kernel).then(text)
+    })
 }
 
 /// Every combination of the flags, and the most negative word of each input.
@@ -180,9 +169,7 @@ fn assert_covers(widths: &[u32], stimulus: &[Vec<u64>]) {
     assert!((0..combinations).all(|all| stimulus.iter().any(|words| flags(words) == all)));
     for place in places(false) {
         let least = 1 << (widths[place] - 1);
-        assert!(
-            stimulus.iter().any(|words| words[place] == least),
-            "input {place}"
-        );
+        let is_met = stimulus.iter().any(|words| words[place] == least);
+        assert!(is_met, "input {place}");
     }
 }

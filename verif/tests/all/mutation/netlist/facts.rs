@@ -15,15 +15,11 @@ fn facts_name_wires_of_the_netlist() {
     assert_eq!(wires.len(), 6);
     let facts = Facts::of("square_root", &wires);
     assert_eq!(facts.inputs, ["!({a2} & 1)"]);
-    assert_eq!(
-        facts.registers,
-        ["{s[0].t.next_remainder} <= 2 * {s[0].t.next_root}"]
-    );
+    let row = "{s[0].t.next_remainder} <= 2 * {s[0].t.next_root}";
+    assert_eq!(facts.registers, [row]);
     let (verilog, connections) = facts.module("assert", &wires);
-    assert!(
-        verilog.contains("assert({64'd0, p1} <= 2 * {64'd0, p2});"),
-        "{verilog}"
-    );
+    let stated = "assert({64'd0, p1} <= 2 * {64'd0, p2});";
+    assert!(verilog.contains(stated), "{verilog}");
     assert!(connections.contains("connect \\p2 \\s[0].t.next_root"));
     assert_eq!(live("s[0].t", &wires), "{s[0].t.rows_0.next_live}");
 }

@@ -8,14 +8,11 @@ fn a_line_of_yosys_is_understood() {
     let [mutant] = found.as_slice() else {
         panic!("one mutant, not {}", found.len())
     };
-    assert_eq!(
-        mutant.command,
-        "-mode cnot1 -cell $add$unit.v:2$1 -port B -portbit 18 -ctrlbit 23"
-    );
-    assert_eq!(
-        mutant.text,
-        "cnot1 of B[18] by [23] (kept_b[18]) at $add$unit.v:2$1, line 2: assign next = a + b;"
-    );
+    let command = "-mode cnot1 -cell $add$unit.v:2$1 -port B -portbit 18 -ctrlbit 23";
+    assert_eq!(mutant.command, command);
+    let text =
+        "cnot1 of B[18] by [23] (kept_b[18]) at $add$unit.v:2$1, line 2: assign next = a + b;";
+    assert_eq!(mutant.text, text);
 }
 
 #[test]
