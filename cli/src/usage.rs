@@ -8,32 +8,14 @@ use imogene::arguments::Arguments;
 use imogene::help;
 
 /// What the parser says of numbers, and what a person is told.
-const IN_PLAIN_WORDS: [(&str, &str); 7] = [
-    (
-        " is not in 1..18446744073709551615",
-        " is too few; 1 or more is expected",
-    ),
-    (
-        "invalid digit found in string",
-        "a whole number is expected",
-    ),
-    (
-        "cannot parse integer from empty string",
-        "a whole number is expected",
-    ),
-    (
-        "number too large to fit in target type",
-        "the number is too large",
-    ),
-    (
-        "number too small to fit in target type",
-        "the number is too small",
-    ),
-    ("invalid float literal", "a number is expected, such as 0.5"),
-    (
-        "cannot parse float from empty string",
-        "a number is expected, such as 0.5",
-    ),
+const IN_PLAIN_WORDS: [&str; 7] = [
+    "is not in 1..18446744073709551615 => is too few; 1 or more is expected",
+    "invalid digit found in string => a whole number is expected",
+    "cannot parse integer from empty string => a whole number is expected",
+    "number too large to fit in target type => the number is too large",
+    "number too small to fit in target type => the number is too small",
+    "invalid float literal => a number is expected, such as 0.5",
+    "cannot parse float from empty string => a number is expected, such as 0.5",
 ];
 
 /// The arguments; or whether JSON was asked for, and the outcome of what was asked for instead of a command.
@@ -74,6 +56,10 @@ fn problem(error: &clap::Error) -> String {
     let text = error.render().to_string();
     let text = text.trim_end();
     let text = text.strip_prefix("error: ").unwrap_or(text);
-    let plain = |text: String, (said, meant): (&str, &str)| text.replace(said, meant);
-    IN_PLAIN_WORDS.into_iter().fold(text.to_owned(), plain)
+    let pairs = IN_PLAIN_WORDS
+        .iter()
+        .filter_map(|row| row.split_once(" => "));
+    pairs.fold(text.to_owned(), |text, (said, meant)| {
+        text.replace(said, meant)
+    })
 }

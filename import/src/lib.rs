@@ -1,5 +1,5 @@
-//! Readers of real data: each turns one kind of file into a [`SceneFile`] and says what it left out, what is exact and
-//! what is not.
+//! Readers of real data: each turns one kind of file into a [`SceneFile`](imogene_scene::SceneFile) and says what it
+//! left out, what is exact and what is not.
 //!
 //! ```
 //! use imogene_import::pdb::{Format, Options, read};

@@ -215,10 +215,7 @@ fn choose<'a>(
     target: Target,
     json: bool,
 ) -> Result<Choice<'a>> {
-    let rows: &[u32] = match options.min_mhz {
-        Some(_) => &ROWS,
-        None => &ROWS[..1],
-    };
+    let rows = options.min_mhz.map_or(&ROWS[..1], |_| &ROWS);
     let synthesised = if options.no_cost { 1 } else { SYNTHESISED };
     let mut candidates: Vec<(&Drawn, Fitted)> = vec![];
     for drawn in found.iter().take(synthesised) {

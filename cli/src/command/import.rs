@@ -38,7 +38,7 @@ pub fn run(options: &Import, json: bool) -> Result {
     };
     let mut imported = match kind {
         Kind::Structure(format) => structure(&bytes, format, options)?,
-        Kind::Faces => face_list(&bytes, options)?,
+        Kind::Faces => within(options, |asked| read(&bytes, &name(options), asked))?,
         Kind::Step => step(&bytes, options)?,
         Kind::Heights => heights(&bytes, options)?,
     };
@@ -119,11 +119,6 @@ fn relative(file: &Path, other: &Path) -> Result<String> {
         ))
     })?;
     Ok(text.replace('\\', "/"))
-}
-
-/// The scene of a face list.
-fn face_list(bytes: &[u8], options: &Import) -> Result<Imported> {
-    within(options, |asked| read(bytes, &name(options), asked))
 }
 
 /// The scene of a STEP file.

@@ -93,10 +93,7 @@ pub fn run(options: &Machine, json: bool) -> Result {
     files.add_text(&path, &output::json_text(&summary))?;
     files.finish()?;
     output::report(json, &summary, tell);
-    match &summary.report {
-        Some(report) => verdict(report),
-        None => Ok(()),
-    }
+    summary.report.as_ref().map_or(Ok(()), verdict)
 }
 
 /// The scenes and frames that are shown, in their order.

@@ -82,10 +82,7 @@ pub(super) fn shader(
 
 /// The words of the shading processor; lights that the scene has not got are dark.
 pub(super) fn shading_words(shader: &ShaderWords, machine: &MachineDescription) -> Vec<(u16, u32)> {
-    let lights = match &shader.sphere {
-        Some(_) => 0,
-        None => machine.lights as u16,
-    };
+    let lights = shader.sphere.as_ref().map_or(machine.lights as u16, |_| 0);
     // The colour of a light that sends nothing is black.
     let missing = shader.lights.len() as u16..lights;
     let first = missing.map(|light| LIGHT_ADDRESS + 16 * light);

@@ -36,10 +36,8 @@ pub struct OtherTables {
 /// When the tables of an image are other ones than those of the first.
 pub fn check_tables(images: &[Image]) -> Result<(), OtherTables> {
     let mut pairs = images.iter().map(|image| image.tables != images[0].tables);
-    match pairs.position(|is_other| is_other) {
-        Some(image) => Err(OtherTables { image }),
-        None => Ok(()),
-    }
+    let other = pairs.position(|is_other| is_other);
+    other.map_or(Ok(()), |image| Err(OtherTables { image }))
 }
 
 /// One image of a machine: the words that it is given and the picture that it then shows.

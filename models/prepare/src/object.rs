@@ -6,7 +6,7 @@ use super::error::{PrepareError, too_large};
 use super::forms::{LinearForm, QuadraticForm, inverse, sum, times};
 use super::perspective::ScreenQuadric;
 use super::prepared::{ExactForms, NeededWidths, PreparedQuadric, RoundingBounds};
-use super::projected::{Projected, unseen_note};
+use super::projected::Projected;
 use super::range::remedy;
 use super::rounding::{
     Anchor, linear_error, quadratic_error, round_contour, round_linear, round_quadratic,
@@ -39,7 +39,10 @@ pub(super) fn prepare_quadric(
     let class = classify(object, quadric, context)?;
     let edge_on = class == Class::Prism && object.surface == Surface::Patch;
     if window.is_empty() || edge_on {
-        let note = unseen_note(object, edge_on, context);
+        let note = match edge_on {
+            true => "a patch seen exactly edge-on: nothing to draw",
+            false => projected.unseen_note(object, context),
+        };
         return Ok(absent(&object.name, class, note));
     }
     let at = (window, &place.quadric);

@@ -162,7 +162,7 @@ pub(super) fn prepare_curved_facet(
     let region = Region::new(&object.quadric, &object.planes, object.surface);
     let window = region.screen_box(context.width, context.height, to_f64(&context.full_depth));
     if window.is_empty() {
-        let note = unseen_note(object, false, context);
+        let note = unseen_note(object, context);
         return Ok(PreparedParts::unseen(&object.name, note));
     }
     let (format, q) = (&context.format, &object.quadric);

@@ -4,7 +4,7 @@ use super::context::Context;
 use super::error::PrepareError;
 use super::ledger::Ledger;
 use super::prepared::{NeededWord, PreparedParts};
-use super::projected::{Projected, unseen_note};
+use super::projected::Projected;
 use super::seams::Place;
 use imogene_golden::object::polyhedron::PolyhedronWords;
 use imogene_golden::object::quadric::PlaneWords;
@@ -21,7 +21,7 @@ pub(super) fn prepare(
     context.refuse_fitted(&object.name)?;
     let window = &projected.window;
     if window.is_empty() {
-        let note = unseen_note(object, false, context);
+        let note = projected.unseen_note(object, context);
         return Ok(PreparedParts::unseen(&object.name, note));
     }
     let mut words = PolyhedronWords {

@@ -12,12 +12,16 @@ use imogene_algebra::rational::to_f64;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_scene::{FramedQuadric, Plane};
 use num_traits::Zero;
+use std::sync::OnceLock;
 
 pub(super) struct Projected {
     pub quadric: ScreenQuadric,
     pub planes: Vec<Plane>,
     pub region: Region,
     pub window: ScreenBox,
+    // Found when first asked for, and the same in any words.
+    depths: OnceLock<(f64, f64)>,
+    unseen: OnceLock<&'static str>,
 }
 
 impl Projected {
@@ -29,16 +33,25 @@ impl Projected {
             quadric,
             planes,
             region,
+            depths: OnceLock::new(),
+            unseen: OnceLock::new(),
         }
     }
 
     /// Least and greatest depth, in pixels, at which the object can be met on the screen; those of the depth word if it
     /// cannot.
     pub fn depths(&self, context: &Context) -> (f64, f64) {
-        let full = to_f64(&context.full_depth);
-        let domain = screen_domain(context.width, context.height, full);
-        let range = self.region.range_within(domain, 2, Search::FINE);
-        range.unwrap_or((-full, full))
+        *self.depths.get_or_init(|| {
+            let full = to_f64(&context.full_depth);
+            let domain = screen_domain(context.width, context.height, full);
+            let range = self.region.range_within(domain, 2, Search::FINE);
+            range.unwrap_or((-full, full))
+        })
+    }
+
+    /// Why nothing of the object is on the screen.
+    pub fn unseen_note(&self, object: &FramedQuadric, context: &Context) -> &'static str {
+        self.unseen.get_or_init(|| unseen_note(object, context))
     }
 
     /// Every plane of the object, in the order of the file.
@@ -92,14 +105,8 @@ pub const BEHIND_VIEWER: &str =
     "lies wholly behind the viewer, who looks from `eye` towards `target`: nothing to draw";
 
 /// Why nothing of an object is on the screen.
-pub(super) fn unseen_note(
-    object: &FramedQuadric,
-    edge_on: bool,
-    context: &Context,
-) -> &'static str {
-    if edge_on {
-        "a patch seen exactly edge-on: nothing to draw"
-    } else if !context.perspective || !is_empty_between(object, -1.0, 64.0, context) {
+pub(super) fn unseen_note(object: &FramedQuadric, context: &Context) -> &'static str {
+    if !context.perspective || !is_empty_between(object, -1.0, 64.0, context) {
         "outside the screen or its depth range: nothing to draw"
     } else if is_empty_between(object, -64.0, -1.0, context) {
         "its planes leave nothing of it: nothing to draw"

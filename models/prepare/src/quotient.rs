@@ -11,7 +11,7 @@ use super::forms::{LinearForm, QuadraticForm};
 use super::ledger::Ledger;
 use super::object::normals;
 use super::prepared::PreparedParts;
-use super::projected::{Projected, unseen_note};
+use super::projected::Projected;
 use super::rounding::{linear_error, quadratic_error, round_linear, round_quadratic};
 use super::seams::Place;
 use imogene_algebra::rational::{
@@ -60,7 +60,7 @@ pub(super) fn prepare(
 ) -> Result<PreparedParts, PrepareError> {
     let window = &projected.window;
     if window.is_empty() {
-        let note = unseen_note(object, false, context);
+        let note = projected.unseen_note(object, context);
         return Ok(PreparedParts::unseen(&object.name, note));
     }
     let mut ledger = Ledger::new(&object.name, *window, context);

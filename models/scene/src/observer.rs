@@ -1,6 +1,6 @@
 //! Where a camera stands in the scene, and how its pictures follow from that.
 
-use super::camera::{Camera, Lens};
+use super::camera::Camera;
 use super::error::SceneError;
 use super::limits::check_up;
 use super::transform::Transform;
@@ -80,11 +80,9 @@ impl FloatCamera {
     /// The camera of a picture of so many lines.
     pub fn of(camera: &Camera, height: u32) -> Result<FloatCamera, SceneError> {
         let sight = Sight::of(camera)?;
-        let (origin, pixels) = match camera.lens {
-            Lens::Perspective {
-                viewer_distance, ..
-            } => (&sight.eye, viewer_distance / camera.view_height),
-            Lens::Orthographic { .. } => (&sight.target, camera.view_height.recip()),
+        let (origin, pixels) = match camera.viewer_distance() {
+            Some(distance) => (&sight.eye, distance / camera.view_height),
+            None => (&sight.target, camera.view_height.recip()),
         };
         Ok(FloatCamera {
             origin: origin.each_ref().map(to_f64),

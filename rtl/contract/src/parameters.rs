@@ -24,10 +24,8 @@ pub struct Parameter {
 impl Parameter {
     /// Its legal values: `1 to W`.
     pub fn range(&self) -> String {
-        match self.most {
-            Some(most) => format!("{} to {most}", self.least),
-            None => format!("{} to W", self.least),
-        }
+        let most = self.most.map_or("W".to_owned(), |most| most.to_string());
+        format!("{} to {most}", self.least)
     }
 }
 

@@ -40,7 +40,7 @@ impl Held {
         };
         let mut gates = Gates::new();
         let any = Begin::any(levels, &mut gates);
-        let Some(flow) = held.from_start(levels, &gates, &any, latency) else {
+        let Some(flow) = held.since_start(levels, &gates, &any, latency) else {
             return held;
         };
         let sources = held.sources(levels, flow.begin(latency));
@@ -67,7 +67,7 @@ impl Held {
 
     /// A circuit over its latency, from the clock on with which the work begins, while inputs are held. Before it, as
     /// long, nothing was under way.
-    pub(crate) fn from_start(
+    pub(crate) fn since_start(
         &self,
         levels: &Levels,
         gates: &Gates,

@@ -188,7 +188,7 @@ impl Judge {
         let start = self.start.get_or_init(|| {
             let Reached { gates, begin, .. } = &self.of;
             let held = &self.known.held;
-            held.from_start(&self.levels, gates, begin, self.known.latency)
+            held.since_start(&self.levels, gates, begin, self.known.latency)
         });
         let Some(start) = start else { return false };
         let (mut gates, ends) = start.with(&self.levels, upsets, &[]);

@@ -47,10 +47,11 @@ const KNOWN_DIFFERENCES: [(&str, i64, i64, &str); 5] = [
     ),
 ];
 
+type Exact = Vec<Option<ExactPixel>>;
+
 /// A scene of the collection, of which the exact picture in depth words of one length is drawn once for all tests.
 fn pictures(name: &str, format: Format) -> Pictures {
-    static DRAWN: Mutex<BTreeMap<(String, u32), Vec<Option<ExactPixel>>>> =
-        Mutex::new(BTreeMap::new());
+    static DRAWN: Mutex<BTreeMap<(String, u32), Exact>> = Mutex::new(BTreeMap::new());
     let scene = scene_file(name).frame(SIZE.0, SIZE.1);
     let scene = scene.expect("a valid size");
     let prepared = prepare(&scene, format).expect("the scenes of the collection fit");

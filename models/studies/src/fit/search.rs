@@ -122,12 +122,12 @@ impl<T: Fn() + Sync> Search<'_, T> {
         let most = Format::MAX_DROPPED_ROWS.min(depth / 2);
         let (linear, quadratic) = (words.guard_linear, words.guard_quadratic);
         let mut shorten = |range, set: &dyn Fn(&mut MachineWords, u32)| {
-            let with = |bits| {
+            let least = self.least(range, |bits| {
                 let mut changed = words;
                 set(&mut changed, bits);
                 changed
-            };
-            words = with(self.least(range, with)?);
+            })?;
+            set(&mut words, least);
             Ok::<(), FitError>(())
         };
         shorten(NORMALS, &|words, bits| words.normal = bits)?;

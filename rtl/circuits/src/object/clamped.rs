@@ -35,10 +35,13 @@ impl Clamped {
         let width = sum.width() - 2;
         let own = |part: &str| format!("{name}_{part}");
         let [cap, face] = [CAP, face].map(|number| Bits::new(number, 4));
+        let root = sum.low(width);
+        let [low, far] = [near_end, far_end].map(|of| end(of, width));
+        let depth = is_low.select(low, is_far.select(far, root));
         Clamped {
             is_low,
             is_far,
-            depth: ends_or([is_low, is_far], sum.low(width)).named(&own("depth")),
+            depth: depth.named(&own("depth")),
             face: is_low.select(cap, face).named(&own("face")),
         }
     }
@@ -47,9 +50,4 @@ impl Clamped {
     pub fn is_visible(&self) -> Bits {
         !(self.is_low | self.is_far)
     }
-}
-
-fn ends_or([is_low, is_far]: [Bits; 2], root: Int) -> Int {
-    let [low, far] = [near_end, far_end].map(|of| end(of, root.width()));
-    is_low.select(low, is_far.select(far, root))
 }

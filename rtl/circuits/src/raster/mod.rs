@@ -44,10 +44,7 @@ impl Flags {
 
     /// 1 with the first pixel of any line. In a lane every line begins as a zone does, and no other one is told.
     pub(crate) fn first(&self) -> Bits {
-        match self.line {
-            Some(line) => self.start | line,
-            None => self.start,
-        }
+        self.line.map_or(self.start, |line| self.start | line)
     }
 }
 

@@ -90,9 +90,9 @@ impl Writer<'_> {
             Op::Literal(_) => (b, turned, a),
             _ => (a, sign, b),
         };
+        let (width, signed) = (self.module.node(a).width, self.module.node(a).signed);
         let [one, other] = match (self.names.get(a), self.names.get(b)) {
-            (Some(one), Some(other)) if self.is_wide_number(a) => {
-                let width = self.module.node(a).width;
+            (Some(one), Some(other)) if signed && width > 1 => {
                 // Numbers are compared as words whose signs have changed places: synthesis builds that as one chain of
                 // carries, and breaks it before the sign of a number.
                 let word = |sign: &Name, rest: &Name| {
@@ -104,10 +104,5 @@ impl Writer<'_> {
             _ => [a, b].map(|net| self.value(net, true)),
         };
         format!("{one} {sign} {other}")
-    }
-
-    fn is_wide_number(&self, net: Net) -> bool {
-        let node = self.module.node(net);
-        node.signed && node.width > 1
     }
 }

@@ -35,8 +35,8 @@ pub fn raster(
     lines: usize,
     mut value: impl FnMut(usize, usize) -> i128,
 ) -> Vec<Vec<i128>> {
-    let mut line = |y| (0..columns).map(|x| value(x, y)).collect();
-    (0..lines).map(|y| line(y)).collect()
+    let line = |y| (0..columns).map(|x| value(x, y)).collect();
+    (0..lines).map(line).collect()
 }
 
 /// Every value of a raster is the exact one modulo its width, and that of the closed form, which `at` gives too.

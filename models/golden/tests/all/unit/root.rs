@@ -265,7 +265,8 @@ fn monotonicity_of_the_specification() {
     assert_eq!(down(8, polynomial::quadratic_estimate), [104, 20, 1, 0]);
 
     let worst = |estimate, corrections| worst_percent(&all_roots(8, estimate, corrections), 4096);
-    let estimates: [(fn(u128) -> u64, &[f64]); 3] = [
+    type Worst = (fn(u128) -> u64, &'static [f64]);
+    let estimates: [Worst; 3] = [
         (polynomial::linear_estimate, &[6.07, 2.75, 2.05]),
         (estimate_with_full_square, &[2.61, 1.55]),
         (polynomial::quadratic_estimate, &[2.56, 1.55]),

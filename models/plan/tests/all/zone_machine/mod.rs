@@ -237,59 +237,23 @@ fn scenes_of_other_processors_are_drawn() {
 /// Slots that are not all alike: of the kinds of a scene, of fewer planes than some of its parts have, and both.
 #[test]
 fn slots_of_every_kind_draw_the_same() {
-    for (path, slots) in [
-        (
-            "scenes/processors/polyhedron.toml",
-            ["polyhedron8", "polyhedron6,polyhedron8,0", "0,8"],
-        ),
-        (
-            "scenes/processors/patch-processor.toml",
-            ["patch4", "2,patch0,patch12", "12,1"],
-        ),
-        (
-            "scenes/processors/tetrahedra.toml",
-            ["patch4,4", "4,patch4,2", "1,4"],
-        ),
-        (
-            "scenes/processors/mesh.toml",
-            ["facet4,facet3", "facet3", "3,facet4"],
-        ),
-        (
-            "scenes/processors/first-generation.toml",
-            [
-                "first_generation",
-                "1,first_generation,first_generation",
-                "0,first_generation",
-            ],
-        ),
-        (
-            "scenes/processors/paraboloids.toml",
-            [
-                "sphere,cylinder,0",
-                "0,cylinder,0,sphere,sphere",
-                "0,cylinder,sphere",
-            ],
-        ),
-        (
-            "scenes/processors/curved-facet.toml",
-            [
-                "curved_facet4",
-                "curved_facet4,curved_facet4",
-                "0,curved_facet4",
-            ],
-        ),
-        (
-            "scenes/extremes/eye-on-quadric.toml",
-            ["0,quotient2", "quotient12,1", "2,quotient1"],
-        ),
-        (
-            "scenes/shadows/robot.toml",
-            ["12,patch12", "3,patch3,polyhedron6", "0,0,2,6"],
-        ),
+    for row in [
+        "processors/polyhedron: polyhedron8 polyhedron6,polyhedron8,0 0,8",
+        "processors/patch-processor: patch4 2,patch0,patch12 12,1",
+        "processors/tetrahedra: patch4,4 4,patch4,2 1,4",
+        "processors/mesh: facet4,facet3 facet3 3,facet4",
+        "processors/first-generation: first_generation 1,first_generation,first_generation 0,first_generation",
+        "processors/paraboloids: sphere,cylinder,0 0,cylinder,0,sphere,sphere 0,cylinder,sphere",
+        "processors/curved-facet: curved_facet4 curved_facet4,curved_facet4 0,curved_facet4",
+        "extremes/eye-on-quadric: 0,quotient2 quotient12,1 2,quotient1",
+        "shadows/robot: 12,patch12 3,patch3,polyhedron6 0,0,2,6",
     ] {
-        let prepared = scene(path, (83, 61), Format::BASE);
+        let (path, slots) = row
+            .split_once(": ")
+            .expect("a scene and the slots of machines");
+        let prepared = scene(&format!("scenes/{path}.toml"), (83, 61), Format::BASE);
         let truth = Truth::of(&prepared, &prepared.slots());
-        for slots in slots {
+        for slots in slots.split(' ') {
             let slots = slots::parse(slots).expect("slots");
             for side in [9, 64] {
                 let machine = ZoneMachine {

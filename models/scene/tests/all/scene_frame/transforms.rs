@@ -159,8 +159,7 @@ fn rotations_turn_counter_clockwise() {
         (Axis::Vector([0.0, 0.0, -2.0]), [1.0, 0.0, 0.0], [0, -1, 0]),
     ];
     for (axis, from, to) in cases {
-        let image =
-            Transform::placement(&[turn(axis.clone(), 90.0)]).point(&from.map(from_decimal));
+        let image = Transform::placement(&[turn(axis, 90.0)]).point(&from.map(from_decimal));
         assert_eq!(image, to.map(integer), "{axis:?}");
     }
 }
