@@ -45,8 +45,8 @@ fn covering(part: &Part, compiled: &Compiled, u: f64, v: f64, off: f64) -> usize
     compiled.cells.iter().filter(has).count()
 }
 
-/// Asks places all over the torus, which is the first face; `inside` says which are of the face, `border` how far a place is from its border
-/// (radians).
+/// Asks places all over the torus, which is the first face; `inside` says which are of the face, `border` how far a
+/// place is from its border (radians).
 fn agrees(part: &Part, inside: impl Fn(f64, f64) -> bool, border: impl Fn(f64, f64) -> f64) {
     let compiled = &faces(part, 0)[0];
     let off = off(&compiled.verdict);

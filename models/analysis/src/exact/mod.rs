@@ -2,8 +2,8 @@
 //!
 //! The machine evaluates a depth as `f1 -+ sqrt(f2)` from coefficients that went through perspective. Here the line of
 //! sight is put into the camera-frame equation, the polynomial along the ray is solved, and numbers `(p + s sqrt(q)) /
-//! d` are compared exactly ([`real`]). Where ball arithmetic ([`ball`]) proves a sign, it stands for the exact one. Only
-//! the scene's camera frame is shared with the preparation.
+//! d` are compared exactly ([`real`]). Where ball arithmetic ([`ball`]) proves a sign, it stands for the exact one.
+//! Only the scene's camera frame is shared with the preparation.
 
 pub(crate) mod back;
 pub mod ball;
