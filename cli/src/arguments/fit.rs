@@ -8,6 +8,7 @@ use imogene_prepare::lit_sphere::SphereForm;
 use imogene_studies::fit::budget::{Budget, CountLimit, DepthLimit};
 use imogene_studies::fit::frames::Frames;
 use imogene_studies::fit::machine::Pace;
+use imogene_studies::fit::omission::LeaveOut;
 use imogene_verif::engine::Engine;
 use imogene_verif::engine::simulator::Simulator;
 use std::path::PathBuf;
@@ -43,10 +44,11 @@ pub struct Fit {
     /// Which machine; if not given, a beam machine for up to 16 processors, and a zone machine for more.
     #[arg(long, value_parser = choice(MACHINES))]
     pub machine: Option<MachineKind>,
-    /// Leave out the objects that are seen at fewer than so many pixels of every frame: the machine is fitted to the
-    /// others, for which a scene file is written, and the budget counts what is missing.
-    #[arg(long, value_name = "PIXELS")]
-    pub leave_out: Option<u64>,
+    /// Leave out the objects that are seen at fewer than so many pixels of every frame, or with auto those without
+    /// which the machine is smallest within the budget: the machine is fitted to the others, for which a scene file is
+    /// written, and the budget counts what is missing.
+    #[arg(long, value_name = "PIXELS|auto")]
+    pub leave_out: Option<LeaveOut>,
     /// Pixels of a line that a beam machine draws at once, 1, 2 or 4; it streams them.
     #[arg(long, value_name = "N", value_parser = choice(PIXELS))]
     pub pixels_per_clock: Option<u32>,

@@ -20,8 +20,9 @@ use imogene_rtl::emit::machine::emit_machine;
 use imogene_scene::SceneFile;
 use imogene_scene::animation::Playback;
 use imogene_studies::fit::budget::Budget;
-use imogene_studies::fit::frames::{Drawn, Frames, LeftOut};
+use imogene_studies::fit::frames::{Drawn, Frames};
 use imogene_studies::fit::machine::{self, Fitted};
+use imogene_studies::fit::omission::{LeaveOut, LeftOut, Omission};
 use imogene_studies::fit::search::{Outcome, search};
 use imogene_studies::fit::{FitError, proof};
 use imogene_synth::Target;
@@ -44,16 +45,26 @@ struct Choice<'a> {
     cost: Option<MachineCost>,
 }
 
+/// Frames with the words that keep to the budget, those first that should make the smallest machine.
+struct Search {
+    frames: Frames,
+    left_out: LeftOut,
+    found: Vec<Drawn>,
+}
+
 /// Finds, proves, emits and co-simulates the smallest machine; where a beam machine has too many cells, that of a zone
 /// machine.
 pub fn run(options: &Fit, json: bool) -> Result {
     let started = Instant::now();
     let target = Target::from_name(&options.target)?;
     let budget = options.budget();
-    let (mut frames, left_out) = frames(options)?;
+    let Search {
+        mut frames,
+        left_out,
+        mut found,
+    } = searched(options)?;
     let mut too_large: Vec<String> = vec![];
     loop {
-        let found = found(&frames, &budget)?;
         let choice = choose(&frames, &found, options, target, json)?;
         let Some(cells) = too_many(&choice, options) else {
             return finish(options, json, (&frames, left_out, choice), target, started);
@@ -68,6 +79,7 @@ pub fn run(options: &Fit, json: bool) -> Result {
                 "no machine that meets the budget has at most {most} logic cells of {target}: {taken}"
             )));
         }
+        found = self::found(&frames, &budget)?;
     }
 }
 
@@ -81,13 +93,12 @@ fn too_many(choice: &Choice, options: &Fit) -> Option<u64> {
 fn finish(
     options: &Fit,
     json: bool,
-    (frames, left_out, choice): (&Frames, Option<LeftOut>, Choice),
+    (frames, left_out, choice): (&Frames, LeftOut, Choice),
     target: Target,
     started: Instant,
 ) -> Result {
     let budget = options.budget();
-    let (left_out, scenes) = left_out.map_or((vec![], vec![]), |out| (out.names, out.scenes));
-    let scenes = scenes.into_iter().enumerate();
+    let scenes = left_out.scenes.into_iter().enumerate();
     let scenes =
         scenes.map(|(index, scene)| (frame_file(options, frames, "scene", index, "toml"), scene));
     let scenes: Vec<(PathBuf, SceneFile)> = scenes.collect();
@@ -117,7 +128,7 @@ fn finish(
         rows_per_stage: description.rows_per_stage,
         latency: emitted.latency,
         clocks_per_frame: choice.machine.clocks,
-        left_out,
+        left_out: left_out.names,
         limits,
         bounds,
         measured: choice.drawn.metrics.clone(),
@@ -141,10 +152,20 @@ fn finish(
 
 /// The machine that should be smallest, without its cost and unchecked.
 pub fn smallest(options: &Fit) -> Result<MachineDescription> {
-    let (frames, _) = frames(options)?;
-    let found = found(&frames, &options.budget())?;
+    let Search { frames, found, .. } = searched(options)?;
     let drawn = found.first().expect("a machine was found");
     Ok(fitted(&frames, drawn, ROWS[0], options)?.description)
+}
+
+impl Search {
+    fn new(frames: Frames, left_out: LeftOut, budget: &Budget) -> Result<Search> {
+        let found = found(&frames, budget)?;
+        Ok(Search {
+            frames,
+            left_out,
+            found,
+        })
+    }
 }
 
 /// The words that keep to a budget.
@@ -158,9 +179,13 @@ fn found(frames: &Frames, budget: &Budget) -> Result<Vec<Drawn>> {
     }
 }
 
-/// The frames, and what is left out of them.
-fn frames(options: &Fit) -> Result<(Frames, Option<LeftOut>)> {
-    options.budget().check()?;
+/// The frames, what is left out of them, and the words that keep to the budget.
+fn searched(options: &Fit) -> Result<Search> {
+    let budget = options.budget();
+    budget.check()?;
+    if let Some(leave_out) = options.leave_out {
+        leave_out.check(&budget)?;
+    }
     let mut files: Vec<(String, SceneFile)> = vec![];
     for path in &options.scenes {
         let file = molecules::read_scene(path)?;
@@ -187,11 +212,29 @@ fn frames(options: &Fit) -> Result<(Frames, Option<LeftOut>)> {
     })?;
     frames.lit_sphere = options.lit_sphere;
     frames.pixels_per_clock = options.pixels_per_clock.unwrap_or(1);
-    let left_out = match options.leave_out {
-        Some(pixels) => frames.leave_out(pixels, &files, options.kind())?,
-        None => None,
+    let Some(leave_out) = options.leave_out else {
+        return Search::new(frames, LeftOut::default(), &budget);
     };
-    Ok((frames, left_out))
+    let omission = Omission::new(&frames, &files, options.kind())?;
+    let counts = match leave_out {
+        LeaveOut::Below(pixels) => vec![omission.below(pixels)],
+        LeaveOut::Auto => omission.within(&budget)?,
+    };
+    let tried = counts
+        .into_iter()
+        .map(|objects| -> Result<(Fitted, Search)> {
+            let (frames, left_out) = omission.without(objects)?;
+            let search = Search::new(frames, left_out, &budget)?;
+            let machine = fitted(&search.frames, &search.found[0], ROWS[0], options)?;
+            Ok((machine, search))
+        });
+    let smallest = tried.reduce(|least, next| match (&least, &next) {
+        (Ok((smallest, _)), Ok((machine, _))) if !machine.is_smaller(smallest) => least,
+        (_, Ok(_)) => next,
+        _ => least,
+    });
+    let (_, search) = smallest.expect("a number of objects is tried")?;
+    Ok(search)
 }
 
 /// The message of a budget that no machine meets.

@@ -233,3 +233,28 @@ fn small_objects_are_left_out_within_the_budget() {
     let refused = place.run(&fit(exact, "")).ended(1);
     refused.says(&["out of reach"]);
 }
+
+/// As many objects are left out as make the smallest machine; the budget has to say how many pixels may lack one.
+#[test]
+fn the_budget_says_which_objects_are_left_out() {
+    let place = Place::new();
+    let fit = "fit scenes/teapot.toml --size 96x72 --no-cost --out out";
+    let budget = "--max-silhouette-errors 1% --max-face-errors 2%";
+    let slots = |report: &Value| report["slots"].as_str().unwrap().split(',').count();
+    let whole = place.json(&format!("{fit} {budget}"));
+    let report = place.json(&format!("{fit} {budget} --leave-out auto"));
+    let left_out = report["left_out"].as_array().unwrap().len();
+    assert!(left_out > 0);
+    assert_eq!(slots(&report) + left_out, slots(&whole));
+    assert_eq!(report["cosim"][0]["mismatches"], 0);
+    for limit in report["limits"].as_array().unwrap() {
+        let [measured, allowed] = ["measured", "allowed"].map(|key| limit[key].as_f64());
+        assert!(measured <= allowed, "{limit}");
+    }
+    place.reproduced(&report["command"], "again");
+    assert!(place.bytes("again/pins.png") == place.bytes("out/golden.png"));
+    let refused = place.run(&format!("{fit} --max-face-errors 2% --leave-out auto"));
+    refused.refused(&["--max-silhouette-errors", "--max-face-errors"]);
+    let refused = place.run(&format!("{fit} {budget} --leave-out few"));
+    refused.refused(&["few", "auto", "60"]);
+}

@@ -44,9 +44,9 @@ impl Truth {
     }
 
     /// Gives objects other indices; what has none is seen all the same, as an object that no picture shows.
-    pub fn renumber(&mut self, index: impl Fn(usize) -> Option<u32>) {
+    pub fn renumber(&mut self, indices: &[Option<u32>]) {
         for pixel in self.pixels.iter_mut().flatten() {
-            pixel.id = index(pixel.id as usize).unwrap_or(NO_OBJECT);
+            pixel.id = indices[pixel.id as usize].unwrap_or(NO_OBJECT);
         }
     }
 

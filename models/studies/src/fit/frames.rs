@@ -33,12 +33,22 @@ pub struct Frame {
 }
 
 impl Frame {
+    /// A framed scene with its truth.
+    pub(super) fn new(name: &str, scene: FramedScene, truth: Truth) -> Frame {
+        Frame {
+            name: name.to_owned(),
+            truth,
+            located: LocatedScene::new(&scene),
+            scene,
+        }
+    }
+
     fn prepare(&self, format: Format) -> Result<PreparedScene, PrepareError> {
         self.located.prepare(&self.scene, format, Options::HARDWARE)
     }
 
     /// In the base format with guard bits for every facet.
-    fn prepare_wide(&self) -> Result<PreparedScene, FitError> {
+    pub(super) fn prepare_wide(&self) -> Result<PreparedScene, FitError> {
         let wide = Format::BASE.with_guards(MOST_GUARDS.0, 0);
         let wide = wide.expect("guard bits of f1 within their range");
         self.prepare(wide).map_err(|source| self.refused(source))
@@ -75,20 +85,11 @@ pub struct Frames {
     pub is_whole: bool,
     /// Which machine they are for.
     pub(super) kind: MachineKind,
-    is_for_zones: bool,
+    pub(super) is_for_zones: bool,
     /// Its tables of lit-sphere shading, in the place of a shading processor.
     pub lit_sphere: Option<SphereForm>,
     /// Pixels of a line that it draws at once; several are streamed, by a beam machine.
     pub pixels_per_clock: u32,
-}
-
-/// What a machine is not made for.
-#[derive(Clone, Debug)]
-pub struct LeftOut {
-    /// Names of the objects.
-    pub names: Vec<String>,
-    /// The frames without them.
-    pub scenes: Vec<SceneFile>,
 }
 
 /// The frames in words, against their truth.
@@ -130,13 +131,11 @@ impl Frames {
         for ((name, _), scene) in files.iter().zip(&scenes) {
             check(name, scene, scenes[0].objects.len())?;
         }
-        let frames = files.iter().zip(scenes).map(|((name, _), scene)| Frame {
-            name: name.clone(),
-            truth: Truth::new(&scene, &line_done),
-            located: LocatedScene::new(&scene),
-            scene,
+        let frames = files.iter().zip(scenes).map(|((name, _), scene)| {
+            let truth = Truth::new(&scene, &line_done);
+            Frame::new(name, scene, truth)
         });
-        let mut frames = Frames {
+        let frames = Frames {
             all: frames.collect(),
             has_bounds: true,
             is_whole: true,
@@ -145,12 +144,11 @@ impl Frames {
             lit_sphere: None,
             pixels_per_clock: 1,
         };
-        frames.settle(kind)?;
-        Ok(frames)
+        frames.settled(kind)
     }
 
     /// Finds which machines show all frames, and which of them is meant.
-    fn settle(&mut self, kind: Option<MachineKind>) -> Result<(), FitError> {
+    pub(super) fn settled(mut self, kind: Option<MachineKind>) -> Result<Frames, FitError> {
         let (mut has_bounds, mut is_for_zones, mut processors) = (true, true, 0);
         for frame in &self.all {
             // What this format refuses no other words take: f2 and the planes grow with the depth word.
@@ -173,63 +171,7 @@ impl Frames {
             false => MachineKind::Beam,
         });
         (self.has_bounds, self.is_for_zones) = (has_bounds, is_for_zones);
-        Ok(())
-    }
-
-    /// Leaves out the objects that are seen at fewer than so many pixels of every frame: the machine is fitted to the
-    /// others, while the truth still shows all. Objects of solids and transparent ones stay, and so does the last one.
-    /// The frames without these objects, and their names; nothing where none is left out.
-    ///
-    /// # Errors
-    ///
-    /// When a frame cannot be framed without them.
-    pub fn leave_out(
-        &mut self,
-        pixels: u64,
-        files: &[(String, SceneFile)],
-        kind: Option<MachineKind>,
-    ) -> Result<Option<LeftOut>, FitError> {
-        let count = self.all[0].scene.objects.len();
-        let mut seen = vec![0; count];
-        let mut may_go = vec![true; count];
-        for frame in &self.all {
-            let own = frame.truth.seen(count);
-            for (most, own) in seen.iter_mut().zip(own) {
-                *most = own.max(*most);
-            }
-            let prepared = frame.prepare_wide()?;
-            let alone = prepared.slots_alone();
-            let is_alone = |object| alone.iter().any(|slot| slot.object == object);
-            (0..count).for_each(|object| may_go[object] &= is_alone(object));
-        }
-        let most_seen = seen.iter().copied().max().unwrap_or(0);
-        let goes = |object: usize| may_go[object] && seen[object] < pixels.min(most_seen);
-        let names = self.all[0].scene.objects.iter().enumerate();
-        let names = names.filter(|(object, _)| goes(*object));
-        let names: Vec<String> = names.map(|(_, object)| object.name().to_owned()).collect();
-        if names.is_empty() {
-            return Ok(None);
-        }
-        let mut kept = 0;
-        let kept = (0..count).map(|object| {
-            let index = (!goes(object)).then_some(kept);
-            kept += u32::from(index.is_some());
-            index
-        });
-        let kept: Vec<Option<u32>> = kept.collect();
-        let mut scenes = vec![];
-        for (frame, (name, file)) in self.all.iter_mut().zip(files) {
-            let mut file = file.clone();
-            file.objects.retain(|object| !names.contains(&object.name));
-            let framed = file.frame(frame.scene.width, frame.scene.height);
-            frame.scene = framed.map_err(|source| FitError::of(name, source))?;
-            frame.located = LocatedScene::new(&frame.scene);
-            frame.truth.renumber(|object| kept[object]);
-            scenes.push(file);
-        }
-        self.settle(kind)?;
-        self.is_whole = false;
-        Ok(Some(LeftOut { names, scenes }))
+        Ok(self)
     }
 
     /// The same frames for a zone machine; false, and nothing is changed, if it does not show all of them.

@@ -47,6 +47,14 @@ pub struct Fitted {
     pub clocks: u64,
 }
 
+impl Fitted {
+    /// True if its processors should take fewer logic cells than those of another, or as many and fewer clocks.
+    pub fn is_smaller(&self, other: &Fitted) -> bool {
+        let size = |fitted: &Fitted| (cells(&fitted.description), fitted.clocks);
+        size(self) < size(other)
+    }
+}
+
 /// The smallest machine of these words that shows all frames; `timing` gives the clocks of the passes of a zone
 /// machine.
 ///
@@ -356,7 +364,7 @@ fn in_zones(
     }
 }
 
-/// Logic cells of the processors of a zone machine, roughly.
+/// Logic cells of the processors of a machine, roughly.
 fn cells(machine: &MachineDescription) -> f64 {
     let of = |slot: &FittedSlot| estimate::of_slot(&machine.words(), slot);
     let objects: f64 = machine.slots().iter().map(of).sum();

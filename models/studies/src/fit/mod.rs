@@ -1,13 +1,14 @@
 //! The smallest machine that draws a scene, or every frame of an animation, within a budget of errors.
 //!
 //! [`budget`] says what is allowed, [`frames`] holds the pictures and their truth, [`search`](mod@search) finds the
-//! words that meet the budget, [`machine`](mod@machine) what stands around them, and [`proof`] says of the one that is
+//! words that meet the budget, [`omission`] what is left out of the scene, [`machine`](mod@machine) what stands around them, and [`proof`] says of the one that is
 //! taken what is proven by bounds and what by comparing every pixel. `docs/fit.md` is the user's page.
 
 pub mod budget;
 pub mod estimate;
 pub mod frames;
 pub mod machine;
+pub mod omission;
 pub mod proof;
 pub mod search;
 
@@ -72,6 +73,11 @@ pub enum FitError {
         /// The file.
         scene: String,
     },
+    /// Nothing says how much may be left out.
+    #[error(
+        "--leave-out auto takes out what the budget allows; give both --max-silhouette-errors and --max-face-errors"
+    )]
+    NoCounts,
     /// Nothing is limited.
     #[error(
         "the budget limits nothing; give at least one of --max-depth-error, --max-silhouette-errors, --max-face-errors, --max-colour-error, \

@@ -65,6 +65,12 @@ pub fn search(
     Ok(Outcome::Fits(found))
 }
 
+/// True if the most exact machine meets the budget.
+pub(super) fn is_possible(frames: &Frames, budget: &Budget) -> Result<bool, FitError> {
+    let drawn = frames.draw(&most_exact(DEPTHS.1), budget)?;
+    Ok(drawn.is_some_and(|drawn| drawn.fits()))
+}
+
 struct Search<'a, T: Fn() + Sync> {
     frames: &'a Frames,
     budget: &'a Budget,
