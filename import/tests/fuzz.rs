@@ -291,7 +291,7 @@ fn readers_survive_anything() {
         Err(_) if is_full => 5_000,
         Err(_) => 300,
     };
-    let texts = if is_full { 20_000 } else { 1_000 };
+    let texts = if is_full { 20_000 } else { 500 };
     let only = std::env::var("IMOGENE_FUZZ_READERS").ok();
     let is_asked = |reader: &&Reader| {
         let asked = only.as_ref();

@@ -1,8 +1,9 @@
 //! The smallest machine that draws a scene, or every frame of an animation, within a budget of errors.
 //!
 //! [`budget`] says what is allowed, [`frames`] holds the pictures and their truth, [`search`](mod@search) finds the
-//! words that meet the budget, [`omission`] what is left out of the scene, [`machine`](mod@machine) what stands around them, and [`proof`] says of the one that is
-//! taken what is proven by bounds and what by comparing every pixel. `docs/fit.md` is the user's page.
+//! words that meet the budget, [`omission`] what is left out of the scene, [`machine`](mod@machine) what stands around
+//! them, and [`proof`] says of the one that is taken what is proven by bounds and what by comparing every pixel.
+//! `docs/fit.md` is the user's page.
 
 pub mod budget;
 pub mod estimate;
