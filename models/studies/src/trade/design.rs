@@ -26,6 +26,9 @@ pub struct Accuracy {
     /// Entries along each side of the tables of lit-sphere shading; 0 with a shading processor.
     #[serde(default)]
     pub table_side: u32,
+    /// The nearest entry of a table is the colour.
+    #[serde(default)]
+    pub nearest_entry: bool,
     /// A machine of the catalogue instead of one that is as narrow as the scene allows: all other widths follow from
     /// the depth word, and all slots are alike.
     pub catalogue: bool,
@@ -98,7 +101,7 @@ impl Accuracy {
     pub fn tables(&self) -> Option<SphereForm> {
         (self.table_side > 0).then(|| SphereForm {
             places: self.table_side.ilog2(),
-            nearest: false,
+            nearest: self.nearest_entry,
         })
     }
 
@@ -106,6 +109,7 @@ impl Accuracy {
     fn has_lanes(&self) -> bool {
         let plain = Accuracy {
             table_side: self.table_side,
+            nearest_entry: self.nearest_entry,
             undersampling: self.undersampling,
             ..Accuracy::of_depth(self.depth)
         };
@@ -124,7 +128,8 @@ impl Accuracy {
             }
         }
         if self.table_side > 0 {
-            name += &format!("-t{}", self.table_side);
+            let nearest = if self.nearest_entry { "n" } else { "" };
+            name += &format!("-t{}{nearest}", self.table_side);
         }
         if !self.root_form.is_usual() {
             name += &format!("-{}", self.root_form);
@@ -239,6 +244,14 @@ fn lit(depth: u32, table_side: u32) -> Accuracy {
     changed(depth, |a| a.table_side = table_side)
 }
 
+/// The nearest entry of a table is the colour.
+fn nearest(accuracy: Accuracy) -> Accuracy {
+    Accuracy {
+        nearest_entry: true,
+        ..accuracy
+    }
+}
+
 const NO_ZONES: (&[usize], &[u32]) = (&[], &[]);
 
 fn quick() -> Vec<Design> {
@@ -326,9 +339,15 @@ fn full() -> Vec<Design> {
         add(lit(16, side), true, (&[1, 4], &[16]));
     }
     for depth in [12, 16, 20] {
+        add(nearest(lit(depth, 64)), true, shared);
+        add(nearest(lit(depth, 128)), true, (&[1, 4], &[16]));
+    }
+    for depth in [12, 16, 20] {
         add(supersampled(depth, 2, 64), false, shared);
+        add(nearest(supersampled(depth, 2, 64)), false, shared);
         add(preview(depth, 2, 64), true, (&[1, 2], &[16]));
         add(preview(depth, 4, 32), true, (&[1, 2], &[16]));
+        add(nearest(preview(depth, 4, 64)), true, (&[1, 2], &[16]));
     }
     all
 }

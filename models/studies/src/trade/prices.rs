@@ -134,7 +134,8 @@ fn seeds(points: &[Point]) -> Vec<usize> {
         if point.machine.is_some() {
             let accuracy = point.design.accuracy;
             let samples = accuracy.supersampling;
-            let words = (accuracy.normal, accuracy.catalogue, accuracy.table_side);
+            let tables = (accuracy.table_side, accuracy.nearest_entry);
+            let words = (accuracy.normal, accuracy.catalogue, tables);
             let root = (accuracy.root_form, point.design.rows_per_stage);
             let lanes = point.design.pixels_per_clock;
             let form = (point.design.zones.is_some(), lanes, samples, words, root);

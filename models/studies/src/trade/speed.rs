@@ -133,9 +133,10 @@ fn in_words(accuracy: &Accuracy) -> String {
         (1, side) => format!("{} samples of every pixel", side * side),
         (side, _) => format!("one pixel in {}", side * side),
     };
-    match accuracy.table_side {
-        0 => pixels,
-        _ => format!("{pixels}, by tables"),
+    match accuracy.tables() {
+        None => pixels,
+        Some(form) if form.nearest => format!("{pixels}, by the nearest entry of tables"),
+        Some(_) => format!("{pixels}, by tables"),
     }
 }
 
