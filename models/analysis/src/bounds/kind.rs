@@ -3,14 +3,17 @@
 //! By Sylvester's law the numbers of positive and negative squares of the quadratic part, and of the whole 4 x 4
 //! matrix, do not depend on the frame; together they name the type.
 
+use imogene_algebra::matrix::symmetric;
+use imogene_algebra::whole::common_denominator;
 use imogene_scene::Quadric;
-use num_rational::BigRational;
+use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
 
 /// The type of the surface Q = 0, named as in scene files where they have a name for it.
 pub fn quadric_kind(quadric: &Quadric) -> &'static str {
-    let matrix = quadric.matrix().map(Vec::from).to_vec();
-    let part: Vec<Vec<BigRational>> = matrix[..3].iter().map(|r| r[..3].to_vec()).collect();
+    let (whole, _) = common_denominator(quadric.coefficients());
+    let matrix = symmetric(whole.each_ref()).map(Vec::from).to_vec();
+    let part: Vec<Vec<BigInt>> = matrix[..3].iter().map(|r| r[..3].to_vec()).collect();
     named(unsigned(inertia(part)), unsigned(inertia(matrix)))
 }
 
@@ -40,7 +43,7 @@ fn named(part: (usize, usize), whole: (usize, usize)) -> &'static str {
 }
 
 /// Numbers of positive and negative squares of a symmetric matrix, by symmetric elimination.
-fn inertia(mut m: Vec<Vec<BigRational>>) -> (usize, usize) {
+fn inertia(mut m: Vec<Vec<BigInt>>) -> (usize, usize) {
     let mut counts = (0, 0);
     while !m.is_empty() {
         let n = m.len();
@@ -62,12 +65,12 @@ fn inertia(mut m: Vec<Vec<BigRational>>) -> (usize, usize) {
     counts
 }
 
-fn first_product(m: &[Vec<BigRational>]) -> Option<(usize, usize)> {
+fn first_product(m: &[Vec<BigInt>]) -> Option<(usize, usize)> {
     let pairs = (0..m.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
     pairs.into_iter().find(|&(i, j)| !m[i][j].is_zero())
 }
 
-fn add_row_and_column(m: &mut [Vec<BigRational>], i: usize, j: usize) {
+fn add_row_and_column(m: &mut [Vec<BigInt>], i: usize, j: usize) {
     let row = m[j].clone();
     for (to, from) in m[i].iter_mut().zip(&row) {
         *to += from;
@@ -78,9 +81,12 @@ fn add_row_and_column(m: &mut [Vec<BigRational>], i: usize, j: usize) {
     }
 }
 
-fn schur_complement(m: &[Vec<BigRational>], pivot: usize) -> Vec<Vec<BigRational>> {
+/// Times the magnitude of the pivot, so that nothing is divided.
+fn schur_complement(m: &[Vec<BigInt>], pivot: usize) -> Vec<Vec<BigInt>> {
     let rest: Vec<usize> = (0..m.len()).filter(|&k| k != pivot).collect();
-    let entry = |i: usize, j: usize| &m[i][j] - &m[i][pivot] * &m[pivot][j] / &m[pivot][pivot];
+    let square = &m[pivot][pivot];
+    let (size, sign) = (square.abs(), square.signum());
+    let entry = |i: usize, j: usize| &m[i][j] * &size - &m[i][pivot] * &m[pivot][j] * &sign;
     rest.iter()
         .map(|&i| rest.iter().map(|&j| entry(i, j)).collect())
         .collect()
