@@ -6,6 +6,7 @@
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
+use num_traits::float::FloatCore;
 use num_traits::{FromPrimitive, ToPrimitive, Zero};
 
 /// The integer `value` as a rational.
@@ -74,10 +75,20 @@ pub fn to_f64(value: &BigRational) -> f64 {
 /// The least `f64` that is not below `value`.
 pub fn to_f64_up(value: &BigRational) -> f64 {
     let nearest = to_f64(value);
-    if nearest.is_finite() && from_f64_exact(nearest) < *value {
+    if nearest.is_finite() && is_below(nearest, value) {
         nearest.next_up()
     } else {
         nearest
+    }
+}
+
+/// Is a finite float less than `value`; by whole numbers, so that nothing has to be reduced.
+fn is_below(float: f64, value: &BigRational) -> bool {
+    let (mantissa, exponent, sign) = float.integer_decode();
+    let product = value.denom() * mantissa * sign;
+    match exponent < 0 {
+        true => product < value.numer() << exponent.unsigned_abs(),
+        false => product << exponent < *value.numer(),
     }
 }
 

@@ -29,17 +29,6 @@ pub fn primitive<const N: usize>(values: [BigRational; N]) -> [BigRational; N] {
     numerators.map(|value| BigRational::from_integer(value / &divisor))
 }
 
-/// The positive factor that makes [`primitive`] values of these; 1 for zeros.
-pub fn primitive_scale<const N: usize>(values: [&BigRational; N]) -> BigRational {
-    let (numerators, denominator) = common_denominator(values);
-    let divisor = common_divisor(numerators.each_ref());
-    if divisor.is_zero() {
-        BigRational::one()
-    } else {
-        BigRational::new(denominator, divisor)
-    }
-}
-
 /// The greatest common divisor, from the smallest number upwards. Each number is divided by what has been found so
 /// far: mostly nothing remains, and then no divisor has to be searched.
 pub fn common_divisor<const N: usize>(mut values: [&BigInt; N]) -> BigInt {

@@ -6,7 +6,6 @@ use super::forms::{LinearForm, QuadraticForm};
 use super::prepared::{NeededWord, PreparedParts};
 use super::rounding::{Anchor, quadratic_error, round_quadratic, signed_bits};
 use imogene_algebra::rational::{fraction, integer, power_of_two};
-use imogene_algebra::whole::primitive_scale;
 use imogene_golden::format::word_max;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::object::slot::ProcessorWords;
@@ -102,7 +101,7 @@ impl<'a> Ledger<'a> {
         width: u32,
     ) -> Result<Quadratic, PrepareError> {
         let limit = BigRational::from_integer(BigInt::from(word_max(width)));
-        let whole = exact.scaled(&primitive_scale(exact.factors()));
+        let whole = exact.primitive();
         let greatest = whole.max_abs_on(&self.window);
         if greatest <= limit
             && let Ok(words) = round_quadratic(&whole, self.anchor)

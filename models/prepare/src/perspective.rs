@@ -2,7 +2,6 @@
 //! Exp. 7 and root order corrected).
 
 use super::forms::{LinearForm, QuadraticForm, sum, times, unreduced};
-use imogene_algebra::rational::integer;
 use imogene_algebra::whole::common_denominator;
 use imogene_scene::{FramedQuadric, Plane, Projection, Quadric};
 use num_bigint::BigInt;
@@ -94,25 +93,22 @@ impl ScreenQuadric {
 
     /// e x + f y + i, half the factor of z.
     pub fn polar(&self) -> LinearForm {
-        LinearForm::of_array([self.q.e.clone(), self.q.f.clone(), self.q.i.clone()])
+        let ([e, f, i], unit) = common_denominator([&self.q.e, &self.q.f, &self.q.i]);
+        LinearForm::over([e, f, i], unit)
     }
 
     /// The terms without z.
     pub fn depth_free_part(&self) -> QuadraticForm {
-        let (q, two) = (&self.q, integer(2));
-        QuadraticForm {
-            a: q.a.clone(),
-            b: q.b.clone(),
-            c: &two * &q.d,
-            d: &two * &q.g,
-            e: &two * &q.h,
-            f: q.j.clone(),
-        }
+        let q = &self.q;
+        let ([a, b, d, g, h, j], unit) = common_denominator([&q.a, &q.b, &q.d, &q.g, &q.h, &q.j]);
+        QuadraticForm::over([a, b, d * 2, g * 2, h * 2, j], unit)
     }
 
     /// f1: depth on the polar plane of the viewing direction. The factor of z^2 must not be zero.
     pub fn f1(&self) -> LinearForm {
-        self.polar().scaled(&-self.q.c.recip())
+        let q = &self.q;
+        let ([e, f, i, c], _) = common_denominator([&q.e, &q.f, &q.i, &q.c]);
+        LinearForm::over([e, f, i], -c)
     }
 
     /// f2: the depths are f1 -+ sqrt(f2). The factor of z^2 must not be zero.
@@ -128,29 +124,24 @@ impl ScreenQuadric {
             (&f * &i - &h * &c) * 2,
             &i * &i - &j * &c,
         ];
-        QuadraticForm::of_array(unreduced(factors, &square))
+        QuadraticForm::over(factors, square)
     }
 
     /// Half the outward normal *before* perspective, as `linear(x, y) + factor * z_p`, each component times the
     /// positive (D - z_p)/D.
     pub fn normal(&self) -> [(LinearForm, BigRational); 3] {
         let q = &self.q;
-        let ([_, _, c, _, e, f, g, h, i, j], unit) = common_denominator(q.coefficients());
+        let ([a, b, c, d, e, f, g, h, i, j], unit) = common_denominator(q.coefficients());
         let (n, m) = (self.inverse_distance.numer(), self.inverse_distance.denom());
-        let unit = unit * m;
-        let moved = |value: &BigInt, part: &BigInt| {
-            BigRational::new_raw(value * m + part * n, unit.clone())
+        let moved = |value: &BigInt, part: &BigInt| value * m + part * n;
+        let part = |[a, b, c, k]: [BigInt; 4], unit: BigInt| {
+            let linear = LinearForm::over([a, b, c], unit.clone());
+            (linear, BigRational::new_raw(k, unit))
         };
-        let form = |a: &BigRational, b: &BigRational, c: &BigRational| {
-            LinearForm::of_array([a.clone(), b.clone(), c.clone()])
-        };
-        [
-            (form(&q.a, &q.d, &q.g), q.e.clone()),
-            (form(&q.d, &q.b, &q.h), q.f.clone()),
-            (
-                LinearForm::of_array([moved(&e, &g), moved(&f, &h), moved(&i, &j)]),
-                moved(&c, &i),
-            ),
-        ]
+        let deep = [moved(&e, &g), moved(&f, &h), moved(&i, &j), moved(&c, &i)];
+        let deep = part(deep, &unit * m);
+        let across = [a, d.clone(), g, e];
+        let down = [d, b, h, f];
+        [part(across, unit.clone()), part(down, unit), deep]
     }
 }

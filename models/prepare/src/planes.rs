@@ -3,10 +3,11 @@
 
 use super::context::Context;
 use super::error::Steep;
-use super::forms::{LinearForm, inverse, times};
-use super::rounding::{linear_error, round_half_plane, round_linear, signed_bits};
+use super::forms::{LinearForm, greater, inverse, times};
+use super::memo::Few;
+use super::rounding::{Anchor, linear_error, round_half_plane, round_linear, signed_bits};
 use imogene_algebra::rational::{floor, from_f64_exact, integer, round_half_up, to_f64, to_f64_up};
-use imogene_algebra::whole::{greatest, primitive_scale};
+use imogene_algebra::whole::greatest;
 use imogene_golden::format::word_max;
 use imogene_golden::object::quadric::{PlaneWords, ScreenBox};
 use imogene_golden::unit::cut_plane::PlaneKind;
@@ -15,10 +16,32 @@ use imogene_scene::Plane;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
+use std::sync::Arc;
 
+/// A plane at one place of the screen, and what its words were found to be.
+pub(super) struct PlacedPlane {
+    projected: Plane,
+    /// By the depth word.
+    in_depth: Few<(u32, Anchor), InDepth>,
+    /// By the plane word.
+    across: Few<(u32, Anchor), Result<PreparedPlane, (i64, i64)>>,
+}
+
+/// The depth of a plane.
+#[derive(Clone)]
+struct InDepth {
+    /// Nothing where a coefficient is too large for any word.
+    word: Option<Linear>,
+    needed: u32,
+    bound: f64,
+}
+
+/// A plane in words; its normal is for others to say.
+#[derive(Clone)]
 pub(super) struct PreparedPlane {
     pub words: PlaneWords,
-    pub exact: LinearForm,
+    /// The half-plane form, exactly.
+    across: Option<Arc<LinearForm>>,
     pub bound: f64,
     pub needed: u32,
     pub steep: bool,
@@ -33,60 +56,110 @@ impl PreparedPlane {
     }
 }
 
-/// Prepares a plane, before perspective and after it, that has to decide between two depths (pixels), which are asked
-/// for only if the plane is steep. It is proven on a window, and rounded and scaled for the box around all objects that
-/// have it.
-pub(super) fn prepare_plane(
-    [original, projected]: [&Plane; 2],
-    (window, shared): (&ScreenBox, &ScreenBox),
-    depths: impl FnOnce() -> (f64, f64),
-    context: &Context,
-) -> Result<PreparedPlane, Steep> {
-    let normal = constant_normal(original, context.format.greatest_normal());
-    // The half-plane value; kept where it is not negative.
-    let value = context.to_pixels_linear(&LinearForm::of_array([
-        -&projected.a,
-        -&projected.b,
-        -&projected.d,
-    ]));
-    if projected.c.is_zero() {
-        let at = (window, shared);
-        return Ok(perpendicular(value, normal, at, context, false));
+impl PlacedPlane {
+    /// Of a plane after perspective.
+    pub fn of(projected: Plane) -> PlacedPlane {
+        PlacedPlane {
+            projected,
+            in_depth: Few::default(),
+            across: Few::default(),
+        }
     }
-    let depth = value.scaled(&times(&context.depth_scale, &inverse(&projected.c)));
-    let word = round_linear(&depth, context.anchor_of(shared)).ok();
-    let needed = bits_needed(&depth, word.as_ref(), window);
-    if let (Some(word), true) = (word, needed <= context.format.plane) {
-        let kind = if projected.c.is_negative() {
-            PlaneKind::Front
-        } else {
-            PlaneKind::Back
-        };
-        return Ok(PreparedPlane {
-            words: PlaneWords {
-                kind,
-                depth: word,
-                normal,
-            },
-            bound: to_f64_up(&linear_error(&word, &depth, 0, window)),
-            exact: depth,
-            needed,
-            steep: false,
+
+    /// The half-plane value; kept where it is not negative.
+    fn value(&self, context: &Context) -> LinearForm {
+        let Plane { a, b, d, .. } = &self.projected;
+        context.to_pixels_linear(&LinearForm::of_array([-a, -b, -d]))
+    }
+
+    /// The exact depth in depth words.
+    fn depth(&self, context: &Context) -> LinearForm {
+        let scale = times(&context.depth_scale, &inverse(&self.projected.c));
+        self.value(context).scaled(&scale)
+    }
+
+    /// What was rounded.
+    pub fn exact(&self, prepared: &PreparedPlane, context: &Context) -> LinearForm {
+        let across = prepared.across.as_deref().cloned();
+        across.unwrap_or_else(|| self.depth(context))
+    }
+
+    /// Prepares the plane, which has to decide between two depths (pixels), which are asked for only if it is steep. It
+    /// is proven on a window, and rounded and scaled for the box around all objects that have it; both are those of the
+    /// place.
+    pub fn words(
+        &self,
+        (window, shared): (&ScreenBox, &ScreenBox),
+        depths: impl FnOnce() -> (f64, f64),
+        context: &Context,
+    ) -> Result<PreparedPlane, Steep> {
+        let (format, anchor) = (&context.format, context.anchor_of(shared));
+        let gamma = &self.projected.c;
+        let steep = (!gamma.is_zero()).then(|| {
+            let in_depth = || InDepth::of(&self.depth(context), anchor, window);
+            self.in_depth.get((format.depth, anchor), in_depth)
         });
+        if let Some(in_depth) = &steep
+            && in_depth.needed <= format.plane
+            && let Some(depth) = in_depth.word
+        {
+            let kind = match gamma.is_negative() {
+                true => PlaneKind::Front,
+                false => PlaneKind::Back,
+            };
+            return Ok(PreparedPlane {
+                words: of_kind(kind, depth),
+                across: None,
+                bound: in_depth.bound,
+                needed: in_depth.needed,
+                steep: false,
+            });
+        }
+        let across = self.across.get((format.plane, anchor), || {
+            let value = self.value(context);
+            let form = match steep {
+                None => value,
+                Some(_) => perpendicular_if_proven(&value, gamma, depths(), window, context)?,
+            };
+            Ok(perpendicular(
+                form,
+                (window, shared),
+                context,
+                steep.is_some(),
+            ))
+        });
+        across.map_err(|(x, y)| Steep {
+            needed: steep.map_or(0, |in_depth| in_depth.needed),
+            available: format.plane,
+            x,
+            y,
+        })
     }
-    let refusal = |(x, y)| Steep {
-        needed,
-        available: context.format.plane,
-        x,
-        y,
-    };
-    let form = perpendicular_if_proven(&value, &projected.c, depths(), window, context)
-        .map_err(refusal)?;
-    Ok(perpendicular(form, normal, (window, shared), context, true))
+}
+
+impl InDepth {
+    fn of(depth: &LinearForm, anchor: Anchor, window: &ScreenBox) -> InDepth {
+        let word = round_linear(depth, anchor).ok();
+        let off = |word| to_f64_up(&linear_error(word, depth, 0, window));
+        InDepth {
+            needed: bits_needed(depth, word.as_ref(), window),
+            bound: word.as_ref().map_or(f64::INFINITY, off),
+            word,
+        }
+    }
+}
+
+fn of_kind(kind: PlaneKind, depth: Linear) -> PlaneWords {
+    let normal = [0; 3];
+    PlaneWords {
+        kind,
+        depth,
+        normal,
+    }
 }
 
 /// The plane's normal before perspective, its greatest component scaled to the greatest of its word.
-fn constant_normal(plane: &Plane, most: i16) -> [i16; 3] {
+pub(super) fn constant_normal(plane: &Plane, most: i16) -> [i16; 3] {
     let components = [&plane.a, &plane.b, &plane.c];
     let greatest = greatest(components);
     if greatest.is_zero() {
@@ -105,19 +178,21 @@ fn constant_normal(plane: &Plane, most: i16) -> [i16; 3] {
 fn bits_needed(exact: &LinearForm, word: Option<&Linear>, window: &ScreenBox) -> u32 {
     let rounded = word.map(|word| LinearForm::of_words(word).max_abs_on(window));
     let most = exact.max_abs_on(window);
-    signed_bits(&rounded.map_or(most.clone(), |rounded| rounded.max(most)))
+    signed_bits(&match rounded {
+        Some(rounded) => greater(rounded, most),
+        None => most,
+    })
 }
 
 /// The half-plane form. Its scale is free, so the exact integers are used whenever they fit the plane word.
 fn perpendicular(
     value: LinearForm,
-    normal: [i16; 3],
     (window, shared): (&ScreenBox, &ScreenBox),
     context: &Context,
     steep: bool,
 ) -> PreparedPlane {
     let limit = BigRational::from_integer(BigInt::from(word_max(context.format.plane)));
-    let whole = value.scaled(&primitive_scale([&value.a, &value.b, &value.c]));
+    let whole = value.primitive();
     let exact = if whole.max_abs_on(shared) <= limit {
         whole
     } else {
@@ -129,31 +204,23 @@ fn perpendicular(
         Ok(depth) => (exact, depth),
         // Far too steep for a word where there is but one column or line.
         Err(_) => {
-            let exact = on_its_only_line(exact, shared);
+            let exact = on_its_only_line(&exact, shared);
             let depth = round_half_plane(&exact, anchor).expect("scaled to the plane word");
             (exact, depth)
         }
     };
     PreparedPlane {
-        words: PlaneWords {
-            kind: PlaneKind::Perpendicular,
-            depth,
-            normal,
-        },
+        words: of_kind(PlaneKind::Perpendicular, depth),
         needed: bits_needed(&exact, Some(&depth), window),
         bound: to_f64_up(&linear_error(&depth, &exact, 0, window)),
-        exact,
+        across: Some(Arc::new(exact)),
         steep,
     }
 }
 
 /// The same values on a box of one column or line, without the slope across it.
-fn on_its_only_line(form: LinearForm, window: &ScreenBox) -> LinearForm {
-    let LinearForm {
-        mut a,
-        mut b,
-        mut c,
-    } = form;
+fn on_its_only_line(form: &LinearForm, window: &ScreenBox) -> LinearForm {
+    let [mut a, mut b, mut c] = form.factors();
     let mut drop_slope = |slope: &mut BigRational, from: i64, to: i64| {
         if from == to {
             c += std::mem::take(slope) * integer(from);
@@ -177,7 +244,8 @@ fn perpendicular_if_proven(
     let full = to_f64(&context.full_depth);
     let middle = from_f64_exact(0.5 * (near + far));
     let reach = from_f64_exact(0.5 * (far - near) + 1e-6 * full);
-    let form = LinearForm::of_array([value.a.clone(), value.b.clone(), &value.c - gamma * middle]);
+    let zero = BigRational::zero;
+    let form = value.minus(&LinearForm::of_array([zero(), zero(), gamma * middle]));
     let strip = gamma.abs() * reach;
     for y in window.y0..=window.y1 {
         let line = integer(y);
@@ -192,10 +260,11 @@ fn perpendicular_if_proven(
 
 /// The pixels of a line between which the expression passes zero, or where it is smallest.
 fn nearest_to_zero(form: &LinearForm, line: &BigRational, window: &ScreenBox) -> [i64; 2] {
-    if form.a.is_zero() {
+    let [a, b, c] = form.factors();
+    if a.is_zero() {
         return [window.x0, window.x1];
     }
-    let crossing = -(&form.b * line + &form.c) / &form.a;
+    let crossing = -(b * line + c) / a;
     let below = floor(&crossing)
         .to_i64()
         .unwrap_or(if crossing.is_negative() {

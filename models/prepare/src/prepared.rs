@@ -286,8 +286,6 @@ pub struct PreparedVolume {
     pub caster: Option<(usize, Beginning)>,
     /// Coefficient words for the whole screen.
     pub words: VolumeWords,
-    /// The unrounded expressions, before any margin.
-    pub exact: ExactForms,
     /// Greatest error of each expression on the screen box, the margin not counted.
     pub bounds: RoundingBounds,
     /// Bits that each accumulator needs on the screen box.

@@ -1,24 +1,32 @@
 //! A cut quadric on the screen: its expressions, its box, and why nothing of it may be there.
 
 use super::context::Context;
+use super::depth::Depth;
 use super::error::PrepareError;
 use super::extent::Extent;
+use super::memo::Few;
 use super::perspective::{ScreenQuadric, on_screen};
-use super::planes::{PreparedPlane, prepare_plane};
+use super::planes::{PlacedPlane, PreparedPlane, constant_normal};
+use super::rounding::Anchor;
 use super::screen_box::{Region, Search, screen_domain};
 use super::seams::Place;
 use crate::cell::Cell;
 use imogene_algebra::rational::to_f64;
 use imogene_golden::object::quadric::ScreenBox;
+use imogene_golden::unit::normal::NormalWords;
 use imogene_scene::{FramedQuadric, Plane};
+use num_bigint::BigInt;
 use num_traits::Zero;
 use std::sync::OnceLock;
 
 pub(super) struct Projected {
     pub quadric: ScreenQuadric,
-    pub planes: Vec<Plane>,
+    pub planes: Vec<PlacedPlane>,
     pub region: Region,
     pub window: ScreenBox,
+    pub depth: Depth,
+    /// Of the depth word, that of a component, the pixel of rounding and the greatest root.
+    pub normals: Few<(u32, u32, Anchor, BigInt), (NormalWords, f64)>,
     // Found when first asked for, and the same in any words.
     depths: OnceLock<(f64, f64)>,
     unseen: OnceLock<&'static str>,
@@ -31,8 +39,10 @@ impl Projected {
         Projected {
             window: window_of(&quadric, &region, &planes, context),
             quadric,
-            planes,
+            planes: planes.into_iter().map(PlacedPlane::of).collect(),
             region,
+            depth: Depth::default(),
+            normals: Few::default(),
             depths: OnceLock::new(),
             unseen: OnceLock::new(),
         }
@@ -64,14 +74,15 @@ impl Projected {
         let depths = || self.depths(context);
         let planes = object.planes.iter().zip(&self.planes).zip(&place.planes);
         let planes = planes.enumerate();
-        planes.map(move |(index, ((original, projected), shared))| {
-            let at = (&self.window, shared);
-            let plane = prepare_plane([original, projected], at, depths, context);
-            plane.map_err(|steep| PrepareError::SteepPlane {
+        planes.map(move |(index, ((original, placed), shared))| {
+            let plane = placed.words((&self.window, shared), depths, context);
+            let mut plane = plane.map_err(|steep| PrepareError::SteepPlane {
                 object: object.name.clone(),
                 plane: index,
                 steep,
-            })
+            })?;
+            plane.words.normal = constant_normal(original, context.format.greatest_normal());
+            Ok(plane)
         })
     }
 }

@@ -9,13 +9,13 @@
 //! [`quadratic_error`] are the exact greatest error of given words: the residual, rounded minus exact factor, is itself
 //! an expression of the same degree, and its range on the box is known exactly.
 
-use super::forms::{LinearForm, QuadraticForm};
-use imogene_algebra::rational::{integer, power_of_two, round_half_up};
+use super::forms::{Form, LinearForm, QuadraticForm};
+use imogene_algebra::rational::{integer, power_of_two};
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;
 use num_rational::BigRational;
-use num_traits::{Signed, ToPrimitive, Zero};
+use num_traits::ToPrimitive;
 
 /// The pixel about which coefficients are rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,33 +63,34 @@ impl Anchor {
     }
 }
 
-/// The word of a coefficient; that itself if it is beyond 95 bits: no word can hold it, and room is left so that moving
-/// the expression to another origin cannot overflow.
-fn word(value: &BigRational) -> Result<i128, BigRational> {
-    let word = round_half_up(value).to_i128();
-    let word = word.filter(|v| v.unsigned_abs() < 1 << 95);
-    word.ok_or_else(|| value.clone())
+/// The words of the coefficients about a pixel; one that is beyond 95 bits itself: no word can hold it, and room is
+/// left so that moving the expression to another origin cannot overflow.
+fn words<const N: usize>(centred: &Form<N>) -> Result<[i128; N], BigRational> {
+    let mut words = [0; N];
+    for (k, (word, rounded)) in words.iter_mut().zip(centred.rounded()).enumerate() {
+        let held = rounded.to_i128().filter(|v| v.unsigned_abs() < 1 << 95);
+        *word = held.ok_or_else(|| centred.factors()[k].clone())?;
+    }
+    Ok(words)
 }
 
 /// Rounds about the anchor and moves to the screen origin; the error is a coefficient that no word can hold.
 pub fn round_linear(form: &LinearForm, anchor: Anchor) -> Result<Linear, BigRational> {
     let centred = form.about(&integer(anchor.x), &integer(anchor.y));
-    let rounded = Linear::new(word(&centred.a)?, word(&centred.b)?, word(&centred.c)?);
-    Ok(rounded.from_zone(-anchor.x, -anchor.y))
+    let [a, b, c] = words(&centred)?;
+    Ok(Linear::new(a, b, c).from_zone(-anchor.x, -anchor.y))
 }
 
 /// The same for an expression of second degree.
 pub fn round_quadratic(form: &QuadraticForm, anchor: Anchor) -> Result<Quadratic, BigRational> {
     let centred = form.about(&integer(anchor.x), &integer(anchor.y));
-    let [a, b, c, d, e, f] = centred.factors().map(word);
-    let (a, b, c, d, e, f) = (a?, b?, c?, d?, e?, f?);
-    Ok(Quadratic { a, b, c, d, e, f }.from_zone(-anchor.x, -anchor.y))
+    Ok(Quadratic::new(words(&centred)?).from_zone(-anchor.x, -anchor.y))
 }
 
 /// Rounds an expression of which the sign alone counts: that of the other side has exactly opposite words, also where a
 /// factor lies between two words.
 pub fn round_half_plane(form: &LinearForm, anchor: Anchor) -> Result<Linear, BigRational> {
-    if !leads_downwards([&form.a, &form.b, &form.c]) {
+    if !form.leads_downwards() {
         return round_linear(form, anchor);
     }
     let Linear { a, b, c } = round_linear(&form.scaled(&integer(-1)), anchor)?;
@@ -98,16 +99,11 @@ pub fn round_half_plane(form: &LinearForm, anchor: Anchor) -> Result<Linear, Big
 
 /// The same for an expression of second degree.
 pub fn round_contour(form: &QuadraticForm, anchor: Anchor) -> Result<Quadratic, BigRational> {
-    if !leads_downwards(form.factors()) {
+    if !form.leads_downwards() {
         return round_quadratic(form, anchor);
     }
     let Quadratic { a, b, c, d, e, f } = round_quadratic(&form.scaled(&integer(-1)), anchor)?;
     Ok(Quadratic::new([a, b, c, d, e, f].map(|v| -v)))
-}
-
-fn leads_downwards<const N: usize>(factors: [&BigRational; N]) -> bool {
-    let leading = factors.into_iter().find(|factor| !factor.is_zero());
-    leading.is_some_and(|factor| factor.is_negative())
 }
 
 /// Greatest distance on the box, exactly, of the expression in words of `guards` guard bits from the one they were

@@ -10,7 +10,6 @@
 
 use crate::exact::ray::second_degree;
 use imogene_algebra::rational::{integer, power_of_two, to_f64};
-use imogene_algebra::whole::common_denominator;
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::unit::depth_interval::Class;
@@ -261,12 +260,12 @@ fn true_signs(
     window: &ScreenBox,
     reach: impl Fn(i64, i64) -> f64 + Sync,
 ) -> TrueSigns {
-    let (form, denominator) = common_denominator(exact.factors());
+    let (form, denominator) = exact.whole();
     let unit = denominator.to_f64().expect("a finite or infinite float");
     let line = |y: i64| {
         let mut line = TrueSigns::default();
         // Forward differences along the line.
-        let at = |x: i64| second_degree(&form, x, y);
+        let at = |x: i64| second_degree(form, x, y);
         let mut value = at(window.x0);
         let mut step = at(window.x0 + 1) - &value;
         let second: BigInt = &form[0] * 2;
@@ -275,7 +274,7 @@ fn true_signs(
             if value.sign() == Sign::NoSign {
                 line.ties += 1;
             } else {
-                let size = magnitude(&value, &denominator, unit);
+                let size = magnitude(&value, denominator, unit);
                 line.risk = line.risk.max(reach(x, y) / size);
             }
             value += &step;
@@ -353,8 +352,8 @@ impl Residuals {
         let f2 = f2.about(&x, &y);
         Residuals {
             anchor,
-            f1: [&f1.a, &f1.b, &f1.c].map(to_f64),
-            f2: [&f2.a, &f2.b, &f2.c, &f2.d, &f2.e, &f2.f].map(to_f64),
+            f1: f1.factors().each_ref().map(to_f64),
+            f2: f2.factors().each_ref().map(to_f64),
         }
     }
 

@@ -175,17 +175,18 @@ fn the_depth_solves_the_quadric_and_the_printed_factors_do_not() {
     let solves = |k: i64| {
         let f1 = screen.f1().scaled(&integer(k));
         let f2 = screen.f2().scaled(&integer(k * k));
+        let linear = f1.factors();
+        let [a, b, c] = &linear;
         let squared = [
-            &f1.a * &f1.a,
-            &f1.b * &f1.b,
-            &two * &f1.a * &f1.b,
-            &two * &f1.a * &f1.c,
-            &two * &f1.b * &f1.c,
-            &f1.c * &f1.c,
+            a * a,
+            b * b,
+            &two * a * b,
+            &two * a * c,
+            &two * b * c,
+            c * c,
         ];
-        let free = [f2.a, f2.b, f2.c, f2.d, f2.e, f2.f];
-        let constant = squared.into_iter().zip(free).map(|(s, f)| s - f);
-        let linear = [f1.a, f1.b, f1.c].map(|v| -v);
+        let constant = squared.into_iter().zip(f2.factors()).map(|(s, f)| s - f);
+        let linear = linear.map(|v| -v);
         constant.eq(of_quadric.clone()) && linear == z_terms
     };
     assert!(solves(1));

@@ -1,7 +1,6 @@
 //! In which range of the depth the words of a quadric hold what is computed.
 
 use crate::context::Context;
-use crate::forms::QuadraticForm;
 use crate::perspective::ScreenQuadric;
 use crate::screen_box::{Region, Search, screen_between};
 use imogene_algebra::rational::to_f64;
@@ -68,7 +67,7 @@ impl Computed {
     pub fn on(quadric: &ScreenQuadric, window: &ScreenBox, context: &Context) -> Computed {
         let full = to_f64(&context.full_depth);
         let over = |value: &BigRational| to_f64(value) / full;
-        let f1 = QuadraticForm::of_linear(&context.to_pixels_linear(&quadric.f1()));
+        let f1 = context.to_pixels_linear(&quadric.f1());
         let (least, greatest) = f1.range_on(window);
         let f1 = (over(&least), over(&greatest));
         let f2 = context.to_pixels_quadratic(&quadric.f2());

@@ -3,24 +3,24 @@
 use super::shadow::{ShadowPart, SourceInside, shadow_parts};
 use crate::cell::Cell;
 use crate::context::Context;
+use crate::depth::Depth;
+use crate::memo::Memo;
 use crate::perspective::{ScreenQuadric, project_plane};
+use crate::planes::PlacedPlane;
 use crate::prepared::Beginning;
 use crate::screen_box::{Region, Search};
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_scene::{FramedScene, Plane, Quadric, Surface};
-use std::collections::HashMap;
-use std::hash::Hash;
-use std::sync::{Arc, Mutex};
+use std::sync::Arc;
 
 /// A volume where objects can be seen.
 pub struct VolumePlace {
-    /// Its planes in the camera frame; it begins at the first.
-    pub planes: Vec<Plane>,
     /// It has planes alone.
     pub is_everywhere: bool,
-    /// Its quadric and its planes on the screen.
+    /// Its quadric and its planes on the screen; it begins at the first.
     pub screen: ScreenQuadric,
-    pub projected: Vec<Plane>,
+    pub planes: Vec<PlacedPlane>,
+    pub depth: Depth,
     pub window: ScreenBox,
     /// Least and greatest depth of the receivers.
     pub depths: (f64, f64),
@@ -36,11 +36,11 @@ impl VolumePlace {
         let (width, height) = (context.width, context.height);
         let (middle, reach) = (receivers.centre[2], receivers.half[2]);
         VolumePlace {
-            planes: planes.to_vec(),
             is_everywhere: quadric.is_everywhere(),
             window: region.box_within(*receivers, width, height, Search::COARSE),
             screen,
-            projected,
+            planes: projected.into_iter().map(PlacedPlane::of).collect(),
+            depth: Depth::default(),
             depths: (middle - reach, middle + reach),
         }
     }
@@ -80,27 +80,6 @@ impl Found {
             };
             let parts = shadow_parts(caster, &scene.sources[source].point)?;
             Ok(parts.iter().map(place).collect())
-        })
-    }
-}
-
-/// Values by their keys.
-pub struct Memo<K, V>(Mutex<HashMap<K, V>>);
-
-impl<K, V> Default for Memo<K, V> {
-    fn default() -> Self {
-        Memo(Mutex::default())
-    }
-}
-
-impl<K: Eq + Hash, V: Clone> Memo<K, V> {
-    pub fn get(&self, key: K, find: impl FnOnce() -> V) -> V {
-        let values = || self.0.lock().expect("no search ends within");
-        let known = values().get(&key).cloned();
-        known.unwrap_or_else(|| {
-            let value = find();
-            values().insert(key, value.clone());
-            value
         })
     }
 }

@@ -2,14 +2,13 @@
 
 use super::found::VolumePlace;
 use crate::context::Context;
+use crate::depth::{Asked, Exact};
 use crate::error::{PrepareError, too_large};
 use crate::forms::LinearForm;
-use crate::object::depth_words;
 use crate::perspective::ScreenQuadric;
-use crate::planes::{PreparedPlane, prepare_plane};
-use crate::prepared::{Beginning, ExactForms, NeededWidths, PreparedVolume, RoundingBounds};
+use crate::planes::PreparedPlane;
+use crate::prepared::{Beginning, NeededWidths, PreparedVolume, RoundingBounds};
 use crate::rounding::signed_bits;
-use imogene_algebra::rational::power_of_two;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::object::volume::{
     MAX_SHIFT, VolumeKind, VolumePlane, VolumeQuadric, VolumeWords,
@@ -45,12 +44,11 @@ pub(super) fn volume_words(
             ..empty(shape)
         }
     } else {
-        with_quadric(shape, &place.screen, &window, context)?
+        with_quadric(shape, context)?
     };
     prepared.words.screen_box = window;
-    for (index, (original, projected)) in place.planes.iter().zip(&place.projected).enumerate() {
-        let at = (&window, &window);
-        let plane = prepare_plane([original, projected], at, || depths, context);
+    for (index, plane) in place.planes.iter().enumerate() {
+        let plane = plane.words((&window, &window), || depths, context);
         let plane = plane.map_err(|steep| PrepareError::VolumeSteepPlane {
             volume: shape.name.clone(),
             plane: index,
@@ -66,34 +64,33 @@ pub(super) fn volume_words(
 }
 
 /// The volume with the words of its quadric, without planes.
-fn with_quadric(
-    shape: &Shape,
-    quadric: &ScreenQuadric,
-    window: &ScreenBox,
-    context: &Context,
-) -> Result<PreparedVolume, PrepareError> {
+fn with_quadric(shape: &Shape, context: &Context) -> Result<PreparedVolume, PrepareError> {
+    let place = shape.place;
     let refusal = || PrepareError::ViewerOnVolume(shape.name.clone());
-    let class = class_of(quadric).ok_or_else(refusal)?;
-    let (shift, core) = finest(|shift| {
-        let coarse = Context {
-            depth_scale: &context.depth_scale / power_of_two(u32::from(shift)),
-            ..context.clone()
+    let class = class_of(&place.screen).ok_or_else(refusal)?;
+    let words = |shift| {
+        let asked = Asked {
+            quadric: &place.screen,
+            class,
+            at: (&place.window, &place.window),
+            shift,
+            context,
+            exact: Exact::default(),
         };
-        depth_words(&shape.name, quadric, class, (window, window), &coarse).map(|(core, _)| core)
-    })
-    .map_err(|error| error.in_volume(&shape.name))?;
+        place.depth.words(&shape.name, &asked)
+    };
+    let (shift, core) = finest(words).map_err(|error| error.in_volume(&shape.name))?;
     let without = empty(shape);
     Ok(PreparedVolume {
         words: VolumeWords {
             quadric: Some(VolumeQuadric {
                 class,
-                f1: core.words.f1,
-                f2: core.words.f2,
+                f1: core.f1,
+                f2: core.f2,
                 shift,
             }),
             ..without.words
         },
-        exact: core.exact,
         bounds: core.bounds,
         needed: core.needed,
         notes: unit_note(shift),
@@ -131,7 +128,6 @@ fn empty(shape: &Shape) -> PreparedVolume {
             quadric: None,
             planes: vec![],
         },
-        exact: ExactForms::zero(),
         bounds: RoundingBounds::default(),
         needed: NeededWidths::default(),
         notes: vec!["meets nothing that can be seen".into()],
@@ -153,7 +149,6 @@ fn add_plane(prepared: &mut PreparedVolume, plane: PreparedPlane, index: usize) 
         kind: plane.words.kind,
         depth: plane.words.depth,
     });
-    prepared.exact.planes.push(plane.exact);
     prepared.bounds.planes.push(plane.bound);
     prepared.needed.plane = prepared.needed.plane.max(plane.needed);
     if plane.steep {

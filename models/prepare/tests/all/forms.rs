@@ -4,8 +4,7 @@ use imogene_prepare::forms::QuadraticForm;
 use proptest::prelude::*;
 
 fn form(v: [i64; 6]) -> QuadraticForm {
-    let [a, b, c, d, e, f] = v.map(integer);
-    QuadraticForm { a, b, c, d, e, f }
+    QuadraticForm::of_array(v.map(integer))
 }
 
 proptest! {

@@ -45,7 +45,7 @@ fn two_sides_of_a_line_or_a_contour_have_opposite_words() {
     // Rounding halves upwards would not do it.
     let [up, down] = sides.map(|form| round_linear(form, anchor).unwrap());
     assert_ne!(up.a, -down.a);
-    let quadratic = QuadraticForm { a, b, c, d, e, f };
+    let quadratic = QuadraticForm::of_array([a, b, c, d, e, f]);
     let other = quadratic.scaled(&integer(-1));
     let [one, other] = [&quadratic, &other].map(|form| round_contour(form, anchor).unwrap());
     let factors = |q: &Quadratic| [q.a, q.b, q.c, q.d, q.e, q.f];
@@ -64,7 +64,7 @@ proptest! {
         let unit = power_of_two(guards);
         let [a, b, c, dd, e, f] = n.map(|n| fraction(n, d));
         let linear = LinearForm::of_array([a.clone(), b.clone(), c.clone()]);
-        let quadratic = QuadraticForm { a, b, c, d: dd, e, f };
+        let quadratic = QuadraticForm::of_array([a, b, c, dd, e, f]);
         let l = round_linear(&linear.scaled(&unit), anchor).unwrap();
         let q = round_quadratic(&quadratic.scaled(&unit), anchor).unwrap();
         let error = linear_error(&l, &linear, guards, &window);

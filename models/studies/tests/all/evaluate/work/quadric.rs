@@ -29,23 +29,19 @@ fn depth_and_normal_are_those_of_the_exact_preparation() {
     let depth = depth(q).expect("it has a depth");
     assert!(!depth.is_front_view);
     let f1 = exact.f1();
-    for (found, expected) in depth.f1.iter().zip([&f1.a, &f1.b, &f1.c]) {
+    for (found, expected) in depth.f1.iter().zip(&f1.factors()) {
         assert_near(found.value, to_f64(expected));
     }
     let f2 = exact.f2();
-    let expected = [&f2.a, &f2.b, &f2.c, &f2.d, &f2.e, &f2.f];
-    for (found, expected) in depth.f2.iter().zip(expected) {
+    for (found, expected) in depth.f2.iter().zip(&f2.factors()) {
         assert_near(found.value, to_f64(expected));
     }
     let normal = normal(q, &depth.f1, number(0.001));
     for (component, (linear, k)) in exact.normal().into_iter().enumerate() {
         assert_near(normal.k[component].value, to_f64(&k));
-        for (found, (before, slope)) in normal.g[component].iter().zip([
-            (&linear.a, &f1.a),
-            (&linear.b, &f1.b),
-            (&linear.c, &f1.c),
-        ]) {
-            assert_near(found.value, to_f64(&(before + &k * slope)));
+        let exact = linear.plus(&f1.scaled(&k)).factors();
+        for (found, exact) in normal.g[component].iter().zip(&exact) {
+            assert_near(found.value, to_f64(exact));
         }
     }
 }
