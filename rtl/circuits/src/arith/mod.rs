@@ -20,11 +20,13 @@ mod square_root_non_restoring;
 mod square_root_quadratic;
 mod vector;
 
-pub use logarithm::{LOGARITHM, logarithm, logarithm_of_sum, power_of_two};
+pub use logarithm::{
+    LOGARITHM, LOGARITHM_OF_SUM, POWER_OF_TWO, logarithm, logarithm_of_sum, power_of_two,
+};
 pub use network::Network;
 pub use normalise::NORMALISED;
 pub(crate) use normalise::shifted_by;
-pub use product::product;
+pub use product::{PRODUCT, product};
 pub(crate) use quotient::{quotient, quotient_clocks};
 pub use reciprocal::reciprocal;
 pub use square_root::{Root, square_root, square_root_rows};

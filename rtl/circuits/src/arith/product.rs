@@ -7,11 +7,14 @@ const FACTOR: u32 = 18;
 /// Bits of the low part of a longer number, which has no sign.
 const LOW: u32 = FACTOR - 1;
 
+/// Latency of a product of long numbers.
+pub const PRODUCT: u32 = 4;
+
 /// The whole product, at most one multiplier or one sum between two registers; `a` has more than 18 bits, both at
 /// most 35.
 ///
-/// Latency 3: the products of the parts, the sum of those in the middle, the sum of all. Where `b` has at most 18 bits
-/// there is no middle, and a register stands before the products.
+/// Latency [`PRODUCT`]: a register before the products of the parts, these, the sum of those in the middle, the sum of
+/// all. Where `b` has at most 18 bits there is no middle, and it is one clock less.
 pub fn product(at: &str, a: Int, b: Int) -> Int {
     module("product", at, ports!(a, b), |(a, b)| {
         let whole = match b.width() > FACTOR {
@@ -46,6 +49,7 @@ fn of_half([low, high]: [Int; 2], b: Int) -> Int {
 }
 
 fn of_parts(a: [Int; 2], b: [Int; 2]) -> Int {
+    let [a, b] = [a, b].map(|parts| parts.map(Int::reg));
     net! {
         let low_product = (a[0] * b[0]).reg();
         let first_middle = (a[1] * b[0]).reg();

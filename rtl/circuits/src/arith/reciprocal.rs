@@ -7,6 +7,7 @@ const RECIPROCAL: Curve = Curve {
     function: |t| 1.0 / (1.0 + t),
     length: 1.0 / 16.0,
     fraction: 16,
+    wires: 0,
 };
 
 /// `1 / (1 + t)` in 18 bits, 16 of them after the point, of the 16 bits t after a point.

@@ -18,48 +18,83 @@ pub(super) struct Curve {
     pub length: f64,
     /// Bits of the value after the point.
     pub fraction: u32,
+    /// Registers before each multiplier, for the wires that lead to it.
+    pub wires: u32,
 }
 
 /// `c0 + ((c1 + ((c2 x) >> 14)) x >> 14)` at the 14 bits `x` of a place, the coefficients chosen by the segment;
 /// shifts round down.
 ///
 /// The coefficients are constants, chosen by a tree of multiplexers. Latency 5: coefficients, product, sum, product,
-/// sum.
+/// sum; and the registers before both multipliers. With these each coefficient is chosen when it is needed, for the
+/// number of the segment has fewer bits to keep.
 pub(super) fn segment_curve(at: &str, segment: Bits, place: Bits, curve: &Curve) -> Int {
     let inputs = ports!(segment, place);
     module("segment_curve", at, inputs, |(segment, place)| {
-        let segments = 0..1 << segment.width();
-        let width = VALUE + 2 * FACTOR;
-        let mut choices: Vec<Bits> = segments
-            .map(|index| Bits::new(curve.word(index), width))
-            .collect();
-        for level in 0..segment.width() {
-            let pairs = numbered(&format!("choice_{level}"), choices.chunks(2));
-            let choice = |(name, pair): (String, &[Bits])| {
-                let choice = segment.bit(level).select(pair[1], pair[0]);
-                choice.named(&name)
-            };
-            choices = pairs.map(choice).collect();
-        }
+        let ([bend, slope, base], clocks) = match curve.wires {
+            0 => (at_once(segment, curve), [1, 3]),
+            wires => (in_turn(segment, curve, wires), [0, 0]),
+        };
         let factor = |place: Bits| place.extend(FACTOR).int();
         let part = |product: Int| product.slice(PLACE + FACTOR - 1, PLACE).int();
         net! {
-            // Bits that all segments share stay constants, not registers.
-            let chosen = choices[0].reg().initially(curve.word(0));
-            let bend = chosen.low(FACTOR).int();
-            let slope = chosen.slice(2 * FACTOR - 1, FACTOR).int();
-            let base = chosen.slice(2 * FACTOR + VALUE - 1, 2 * FACTOR).int();
-            let place_1 = place.reg();
+            let place_1 = place.delay(1 + curve.wires);
             let kept_bend = (bend * factor(place_1)).reg();
             let place_2 = place_1.reg();
-            let slope_2 = slope.reg();
+            let slope_2 = slope.delay(clocks[0]);
             let kept_slope = (slope_2 + part(kept_bend)).reg();
-            let place_3 = place_2.reg();
-            let kept_rise = (kept_slope * factor(place_3)).reg();
+            let place_3 = place_2.delay(1 + curve.wires);
+            let kept_rise = (kept_slope.delay(curve.wires) * factor(place_3)).reg();
         }
-        let late = base.delayed_as("base_late", 3);
+        let late = base.delayed_as("base_late", clocks[1]);
         ("value", (late + part(kept_rise).extend(VALUE)).reg())
     })
+}
+
+/// Bend, slope and base, all chosen in the first clock.
+fn at_once(segment: Bits, curve: &Curve) -> [Int; 3] {
+    let chosen = chosen("choice", segment, curve, (0, VALUE + 2 * FACTOR));
+    net! {
+        let chosen = chosen;
+        let bend = chosen.low(FACTOR).int();
+        let slope = chosen.slice(2 * FACTOR - 1, FACTOR).int();
+        let base = chosen.slice(2 * FACTOR + VALUE - 1, 2 * FACTOR).int();
+    }
+    [bend, slope, base]
+}
+
+/// The same, each chosen in the clock before its use but the first, which has the registers of its multiplier.
+fn in_turn(segment: Bits, curve: &Curve, wires: u32) -> [Int; 3] {
+    let later = segment.delayed_as("segment_late", 1 + wires);
+    let last = later.delayed_as("segment_last", 2 + wires);
+    let bend = chosen("bend_choice", segment, curve, (0, FACTOR));
+    let first = curve.word(0) & ((1 << FACTOR) - 1);
+    let bend = (0..wires).fold(bend, |bend, _| bend.reg().initially(first));
+    net! {
+        let bend = bend;
+        let slope = chosen("slope_choice", later, curve, (FACTOR, FACTOR));
+        let base = chosen("base_choice", last, curve, (2 * FACTOR, VALUE));
+    }
+    [bend, slope, base].map(Bits::int)
+}
+
+/// So many bits from one on of the coefficients of a segment, in a register.
+fn chosen(name: &str, segment: Bits, curve: &Curve, (low, width): (u32, u32)) -> Bits {
+    let word = |index: u32| (curve.word(index) >> low) & ((1 << width) - 1);
+    let segments = 0..1 << segment.width();
+    let mut choices: Vec<Bits> = segments
+        .map(|index| Bits::new(word(index), width))
+        .collect();
+    for level in 0..segment.width() {
+        let pairs = numbered(&format!("{name}_{level}"), choices.chunks(2));
+        let choice = |(name, pair): (String, &[Bits])| {
+            let choice = segment.bit(level).select(pair[1], pair[0]);
+            choice.named(&name)
+        };
+        choices = pairs.map(choice).collect();
+    }
+    // Bits that all segments share stay constants, not registers.
+    choices[0].reg().initially(word(0))
 }
 
 impl Curve {

@@ -2,7 +2,7 @@
 
 use super::normalise::shifted;
 use crate::rows::alike;
-use imogene_hdl::{Bits, Int, Value, bundles, module, net, ports};
+use imogene_hdl::{Bits, Bundle, Int, Value, bundles, module, net, ports};
 
 alike! {
     /// A vector.
@@ -42,12 +42,13 @@ pub fn vector_normaliser(at: &str, vector: Vector) -> Full {
     })
 }
 
-/// Latency of a scalar product: the products, the sum of two, the sum of all.
-pub const SCALAR_PRODUCT: u32 = 3;
+/// Latency of a scalar product: a register before the products, the products, the sum of two, the sum of all.
+pub const SCALAR_PRODUCT: u32 = 4;
 
 /// The scalar product of two vectors, with two bits more than a product of components. Latency [`SCALAR_PRODUCT`].
 pub fn scalar_product(at: &str, a: Vector, b: Vector) -> Int {
     module("scalar_product", at, ports!(a, b), |(a, b)| {
+        let (a, b) = (a.registered(), b.registered());
         net! {
             let product_x = (a.x * b.x).reg();
             let product_y = (a.y * b.y).reg();

@@ -2,7 +2,7 @@
 
 use super::Fog;
 use super::clocks::LOGARITHMS;
-use crate::arith::{LOGARITHM, logarithm, logarithm_of_sum};
+use crate::arith::{LOGARITHM, LOGARITHM_OF_SUM, logarithm, logarithm_of_sum};
 use imogene_hdl::{Bits, Int, Value, join, module, net, ports};
 
 /// Bits of the sums.
@@ -13,8 +13,8 @@ pub(super) const LOSS_BITS: u32 = 26;
 /// The loss `log2(1 + d / k)`, 21 bits after the point, at most 32 less one unit; 0 if the attenuation is off.
 ///
 /// With `e = log2(d / k)` the loss is `max(e, 0) + log2(1 + 2^-|e|)`. `far` is what is left of the way to the far
-/// end, a clock after the pixel; logarithm and places of the line of sight come with the logarithms, and the loss 10
-/// clocks after them. Section 8.3 of the architecture.
+/// end, a clock after the pixel; logarithm and places of the line of sight come with the logarithms, and the loss by
+/// [`LOSS`](super::clocks::LOSS). Section 8.3 of the architecture.
 pub(super) fn attenuation(
     at: &str,
     fog: Fog,
@@ -39,7 +39,7 @@ pub(super) fn attenuation(
             let magnitude = kept_e.is_negative().select(opposite, kept_e).bits().reg();
             let fall = logarithm_of_sum("curve", magnitude);
         }
-        let late = kept_e.delayed_as("e_late", 5);
+        let late = kept_e.delayed_as("e_late", LOGARITHM_OF_SUM);
         net! {
             let rise = late.is_negative().select(zero, late).reg();
             let sum = (join([fall, Bits::new(0, 3)]).extend(SUM).int() + rise).reg();

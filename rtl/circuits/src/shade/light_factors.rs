@@ -1,10 +1,10 @@
 //! Diffuse and specular factor of one light.
 
 use super::attenuation::LOSS_BITS;
-use super::clocks::{FACTORS, PRODUCTS};
+use super::clocks::{FACTORS, HIGHLIGHT, LOGARITHMS, LOSS, PRODUCTS};
 use super::sent_light::Factors;
 use super::sight::Sight;
-use crate::arith::{Vector, logarithm, power_of_two, product, scalar_product};
+use crate::arith::{PRODUCT, Vector, logarithm, power_of_two, product, scalar_product};
 use imogene_hdl::{Bits, Int, Value, module, net, ports};
 
 /// Bits of a sum of logarithms.
@@ -61,8 +61,9 @@ pub(super) fn light_factors(
         }
         let diffuse_gate =
             (gate & kept_is_along).delayed_as("diffuse_gate", FACTORS - 1 - PRODUCTS - 2);
-        let specular_gate = gate.delayed_as("gate_late", 2) & is_positive(cosine);
-        let specular_gate = specular_gate.delayed_as("specular_gate", FACTORS - 1 - PRODUCTS - 4);
+        let specular_gate = gate.delayed_as("gate_late", PRODUCT - 1) & is_positive(cosine);
+        let specular_gate =
+            specular_gate.delayed_as("specular_gate", FACTORS - 2 - PRODUCTS - PRODUCT);
         let wide = |number: Int| number.extend(SUM);
         let light_log = wide(logarithm("light_logarithm", light_square.slice(35, 0)));
         let along_log = wide(logarithm("along_logarithm", kept_magnitude));
@@ -75,7 +76,7 @@ pub(super) fn light_factors(
             let kept_other = (normal_log + ray_log).reg();
             let kept_four = (kept_pair + kept_other).reg();
             let kept_pair_cut = (kept_pair - Int::new(20 << 20, SUM)).reg();
-            let kept_four_cut = (kept_four - Int::new(82 << 20, SUM)).delay(2);
+            let kept_four_cut = (kept_four - Int::new(82 << 20, SUM)).delay(PRODUCT - 1);
             let kept_diffuse = (kept_pair_cut - (along_log + along_log)).reg();
             let kept_specular = (kept_four_cut - (cosine_log + cosine_log)).reg();
             let is_less = kept_specular.slice(SUM - 1, LOSS_BITS).is(0);
@@ -85,12 +86,14 @@ pub(super) fn light_factors(
             let none = Bits::new(0, loss.width());
             sum.is_negative().select(none, loss).reg()
         };
-        let diffuse_loss = loss(kept_diffuse, kept_diffuse.bits()).delayed_as("diffuse_loss", 6);
+        let diffuse_loss = loss(kept_diffuse, kept_diffuse.bits());
+        let diffuse_loss = diffuse_loss.delayed_as("diffuse_loss", LOSS - LOGARITHMS - 4);
         net! {
             let kept_specular_loss = loss(kept_specular, specular_loss);
             let whole_power = product("power_product", signed(kept_specular_loss), signed(exponent));
         }
-        let power = whole_power.slice(POWER - 1, 0).delayed_as("power", 1);
+        let power = whole_power.slice(POWER - 1, 0);
+        let power = power.delayed_as("power", LOSS - HIGHLIGHT - (PRODUCT - 1));
         let loss = |loss: Bits| (loss.extend(POWER) + attenuation.extend(POWER)).reg();
         let diffuse = power_of_two("diffuse_power", loss(diffuse_loss));
         let specular = power_of_two("specular_power", loss(power));

@@ -3,10 +3,11 @@
 use super::light_factors::COMPONENT;
 use super::sight::Middle;
 use super::words::LightPlace;
-use crate::arith::{Vector, product, vector_normaliser};
+use crate::arith::{PRODUCT, Vector, product, vector_normaliser};
 use imogene_hdl::{Bits, Int, Value, module, net, ports};
 
-/// The vector from a point of the scene to a light, 7 clocks after place and depth of the point.
+/// The vector from a point of the scene to a light, by [`VECTORS`](super::clocks::VECTORS); its place on the screen
+/// comes a clock after its depth.
 pub(super) fn light_vector(at: &str, light: LightPlace, place: Middle, depth: Int) -> Vector {
     let inputs = (light, ("place", place), ("depth", depth));
     module("light_vector", at, inputs, |(light, place, depth)| {
@@ -36,8 +37,8 @@ pub(super) fn sun_vector(direction: Vector) -> Vector {
     })
 }
 
-/// `base - place - ((slope depth) >> 31)` with the depth in the high ones of 32 bits; the shift rounds down. Latency 4:
-/// the product, then the difference.
+/// `base - place - ((slope depth) >> 31)` with the depth in the high ones of 32 bits; the shift rounds down. Latency
+/// [`PRODUCT`] and one; the place comes a clock after the depth.
 fn light_component(at: &str, depth: Int, place: Int, (base, slope): (Int, Int)) -> Int {
     let inputs = ports!(depth, place, base, slope);
     module("light_component", at, inputs, |ports| {
@@ -45,7 +46,7 @@ fn light_component(at: &str, depth: Int, place: Int, (base, slope): (Int, Int)) 
         net! {
             let whole_product = product("deep", slope, depth);
             let kept_place = place.reg();
-            let kept_rest = (base.extend(COMPONENT) - kept_place).delay(2);
+            let kept_rest = (base.extend(COMPONENT) - kept_place).delay(PRODUCT - 2);
         }
         // What is left of the 31 places when the zeros below the depth are not multiplied.
         let places = depth.width() - 1;

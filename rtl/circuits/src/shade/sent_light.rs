@@ -21,19 +21,23 @@ bundles! {
     }
 }
 
+/// Latency of what is sent back: a product, a sum, a product, with a register before each product.
+pub(super) const SENT_LIGHT: u32 = 5;
+
 /// `colour (share diffuse + mirror specular)` for red, green, blue, 21 bits after the point.
 ///
-/// The sum of the products has 33 bits after the point, of which 16 are kept. Latency 3.
+/// The sum of the products has 33 bits after the point, of which 16 are kept. Latency [`SENT_LIGHT`].
 pub(super) fn sent_light(at: &str, factors: Factors, material: Material, colour: Colour) -> Colour {
     let inputs = (factors, material, ("colour", colour));
     module("sent_light", at, inputs, |(factors, material, colour)| {
-        net! { let mirrored = (factor(material.mirror) * factor(factors.specular)).reg(); }
+        let product = |one: Bits, other: Bits| (factor(one).reg() * factor(other).reg()).reg();
+        net! { let mirrored = product(material.mirror, factors.specular); }
         let level = |share: Bits, colour: Bits| {
             net! {
-                let diffused = (factor(share) * factor(factors.diffuse)).reg();
+                let diffused = product(share, factors.diffuse);
                 let sent = (diffused + mirrored).slice(33, 17).reg();
             }
-            (factor(sent) * factor(colour)).reg().bits()
+            product(sent, colour).bits()
         };
         let (share, [r, g, b]) = (material.share, colour.parts());
         let levels = [level(share.r, r), level(share.g, g), level(share.b, b)];

@@ -5,7 +5,7 @@ use super::attenuation::attenuation;
 use super::clocks::{FACTORS, HIGHLIGHT};
 use super::light_factors::light_factors;
 use super::light_vector::{light_vector, sun_vector};
-use super::sent_light::{Material, sent_light};
+use super::sent_light::{Material, SENT_LIGHT, sent_light};
 use super::sight::sight;
 use super::words::{light_store, sun_store, view_store};
 use crate::machine::LoadBus;
@@ -87,11 +87,14 @@ impl Shaded {
 /// The colour of every pixel by the formula of Phong, one pixel per clock, from depth, normal, material and the flags
 /// of the sources, with some lights at once.
 ///
-/// Latency 51. Words stay unchanged while pixels are inside. Section 8 of the architecture; Chaillou 1991, III.1.2.
+/// Latency 62. For the wires, a register stands before every multiplier, behind the load bus and behind the pixel.
+/// Words stay unchanged while pixels are inside. Section 8 of the architecture; Chaillou 1991, III.1.2.
 pub fn shading_processor(at: &str, point: Point, load: ShadingLoad, lights: Lights) -> Shaded {
     let inputs = (point, ("load", load));
     module("shading_processor", at, inputs, |(point, load)| {
-        let view = view_store("view_store", load.bus());
+        // A word comes to its store a clock late, and so does the pixel that it counts for.
+        let point = point.delayed(1);
+        let view = view_store("view_store", part(load, 0, LIGHT, 32).delayed(1));
         let (sight, ray_places) = sight("sight", point.pixel, point.normal, view.eye);
         let depth = &point.depth;
         let width = depth.width();
@@ -99,19 +102,18 @@ pub fn shading_processor(at: &str, point: Point, load: ShadingLoad, lights: Ligh
         // What is left of the way to the far end: all bits but the sign are inverted.
         let sign = Bits::new(1 << (width - 1), width);
         net! {
-            let kept_depth = depth.reg();
             let kept_far = left(!depth.bits() ^ sign).reg();
         }
         let ray = (sight.ray_log, ray_places);
         let loss = attenuation("attenuation", view.fog, kept_far, ray);
         let material = materials(load, point.material);
         let sent = (0..lights.count).map(|light| {
-            let bus = part(load, LIGHT + light * LIGHT_WORDS, LIGHT_WORDS, 28);
+            let bus = part(load, LIGHT + light * LIGHT_WORDS, LIGHT_WORDS, 28).delayed(1);
             let store = format!("light_stores_{light}");
             let (source, vector, colour) = if light + lights.suns < lights.count {
                 let (source, place, colour) = light_store(&store, bus);
                 let at = format!("vectors_{light}");
-                let vector = light_vector(&at, place, sight.place, kept_depth);
+                let vector = light_vector(&at, place, sight.place, *depth);
                 (source, vector, colour)
             } else {
                 let (source, direction, colour) = sun_store(&store, bus);
@@ -124,8 +126,8 @@ pub fn shading_processor(at: &str, point: Point, load: ShadingLoad, lights: Ligh
         });
         let sent: Vec<[Bits; 3]> = sent.collect();
         let is_far = depth.is(far_end(width) as u64);
-        let is_far = is_far.delayed_as("is_far", LATENCY as u32 - 1);
-        let ambient = material.ambient.delayed(3).parts();
+        let is_far = is_far.delayed_as("is_far", LATENCY as u32 - 2);
+        let ambient = material.ambient.parts();
         let background = view.background.parts();
         let [red, green, blue] = [0, 1, 2].map(|channel| {
             let sent = sent.iter().map(|levels| levels[channel]);
@@ -133,7 +135,7 @@ pub fn shading_processor(at: &str, point: Point, load: ShadingLoad, lights: Ligh
             is_far.select(background[channel], level).reg()
         });
         Shaded {
-            out_valid: point.valid.delayed_as("valid_late", LATENCY as u32),
+            out_valid: point.valid.delayed_as("valid_late", LATENCY as u32 - 1),
             red,
             green,
             blue,
@@ -148,29 +150,35 @@ struct Shares {
     own: Material,
 }
 
-/// Keeps the words of all materials in four memories, and gives those of one material when the pixel needs them.
+/// Keeps the words of all materials, and gives those of one material when the pixel needs them: what is needed at two
+/// clocks stands in two memories.
 fn materials(load: ShadingLoad, number: Bits) -> Shares {
-    let bus = part(load, MATERIAL, MATERIAL_WORDS * MOST_MATERIALS, 32);
+    let bus = part(load, MATERIAL, MATERIAL_WORDS * MOST_MATERIALS, 32).delayed(1);
     let early = number.delayed_as("material_early", EXPONENT);
     let late = early.delayed_as("material_late", SHARES - EXPONENT);
+    let last = late.delayed_as("material_last", SENT_LIGHT);
     let entry = bus.address.slice(9, 2);
-    let word = |index: u64, read: Bits| {
+    let kept = |name: &str, index: u64, (high, low): (u32, u32), read: Bits| {
         let write = bus.write & bus.address.low(2).is(index);
-        let (name, write) = (format!("materials_{index}"), (write, entry, bus.data));
-        let word = memory(&name, MOST_MATERIALS as usize, write, read).reg();
-        word.named(&format!("material_{index}"))
+        let write = (write, entry, bus.data.slice(high, low));
+        let store = format!("materials_{name}");
+        let word = memory(&store, MOST_MATERIALS as usize, write, read);
+        word.reg().named(&format!("material_{name}"))
     };
-    let [ambient, mirror, share] = [0, 1, 2].map(|index| word(index, late));
-    let last = word(3, early);
-    let low = |word: Bits| word.low(16);
-    let high = |word: Bits| word.slice(31, 16);
-    let blue = low(last).delayed_as("share_b", SHARES - EXPONENT);
+    let [low, high, all] = [(15, 0), (31, 16), (31, 0)];
+    let ambient = kept("ambient", 0, all, last);
+    let share = kept("share", 2, all, late);
+    let [low_of, high_of] = [|word: Bits| word.low(16), |word: Bits| word.slice(31, 16)];
     Shares {
-        exponent: last.slice(23, 16),
-        ambient: Colour::of([low(ambient), high(ambient), low(mirror)]),
+        exponent: kept("exponent", 3, (23, 16), early),
+        ambient: Colour::of([
+            low_of(ambient),
+            high_of(ambient),
+            kept("ambient_b", 1, low, last),
+        ]),
         own: Material {
-            mirror: high(mirror),
-            share: Colour::of([low(share), high(share), blue]),
+            mirror: kept("mirror", 1, high, late),
+            share: Colour::of([low_of(share), high_of(share), kept("share_b", 3, low, late)]),
         },
     }
 }
