@@ -10,6 +10,7 @@ mod generations;
 mod guards;
 mod kind_errors;
 mod light_errors;
+mod located;
 mod refusals;
 mod remedies;
 mod rounding;
