@@ -26,7 +26,7 @@ pub use logarithm::{
 pub use network::Network;
 pub use normalise::NORMALISED;
 pub(crate) use normalise::shifted_by;
-pub use product::{PRODUCT, product};
+pub use product::{PRODUCT, product, product_latency};
 pub(crate) use quotient::{quotient, quotient_clocks};
 pub use reciprocal::reciprocal;
 pub use square_root::{Root, square_root, square_root_rows};

@@ -10,11 +10,16 @@ const LOW: u32 = FACTOR - 1;
 /// Latency of a product of long numbers.
 pub const PRODUCT: u32 = 4;
 
+/// Latency of a product whose `b` has so many bits: where it is one factor, there is no sum of those in the middle.
+pub fn product_latency(b: u32) -> u32 {
+    if b > FACTOR { PRODUCT } else { PRODUCT - 1 }
+}
+
 /// The whole product, at most one multiplier or one sum between two registers; `a` has more than 18 bits, both at
 /// most 35.
 ///
-/// Latency [`PRODUCT`]: a register before the products of the parts, these, the sum of those in the middle, the sum of
-/// all. Where `b` has at most 18 bits there is no middle, and it is one clock less.
+/// Latency [`product_latency`]: a register before the products of the parts, these, the sum of those in the middle, the
+/// sum of all.
 pub fn product(at: &str, a: Int, b: Int) -> Int {
     module("product", at, ports!(a, b), |(a, b)| {
         let whole = match b.width() > FACTOR {

@@ -3,7 +3,7 @@
 use super::light_factors::COMPONENT;
 use super::sight::Middle;
 use super::words::LightPlace;
-use crate::arith::{PRODUCT, Vector, product, vector_normaliser};
+use crate::arith::{PRODUCT, Vector, product, product_latency, vector_normaliser};
 use imogene_hdl::{Bits, Int, Value, module, net, ports};
 
 /// The vector from a point of the scene to a light, by [`VECTORS`](super::clocks::VECTORS); its place on the screen
@@ -43,6 +43,8 @@ fn light_component(at: &str, depth: Int, place: Int, (base, slope): (Int, Int)) 
     let inputs = ports!(depth, place, base, slope);
     module("light_component", at, inputs, |ports| {
         let (depth, place, base, slope) = ports;
+        // The slope stays, so a product of a short depth may begin later.
+        let depth = depth.delay(PRODUCT - product_latency(depth.width()));
         net! {
             let whole_product = product("deep", slope, depth);
             let kept_place = place.reg();
