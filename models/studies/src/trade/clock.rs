@@ -20,7 +20,7 @@ const QUADRATIC: Delay = [3.95, 0.0345];
 const COMPARED: Delay = [4.9, 0.045];
 /// The shading processor for each of its lights: placed and routed with one, and a sixth longer with a second, as it
 /// was when one with two was last routed.
-const SHADING: Delay = [7.0, 1.4];
+const SHADING: Delay = [6.3, 1.3];
 /// Lit-sphere shading.
 const LIT_SPHERE: f64 = 6.0;
 
