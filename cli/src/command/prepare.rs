@@ -5,9 +5,11 @@ use crate::arguments::Scene;
 use crate::failure::Result;
 use crate::output;
 use imogene_algebra::rational::to_f64;
+use imogene_golden::format::Format;
 use imogene_golden::object::load::load_words;
 use imogene_golden::object::load_volume::load_volume;
 use imogene_golden::object::quadric::{MAX_PLANES, ScreenBox};
+use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::object::unused;
 use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::pe1::Linear;
@@ -15,17 +17,50 @@ use imogene_golden::unit::pe2::Quadratic;
 use imogene_prepare::volume::PreparedVolume;
 use imogene_prepare::{PreparedObject, PreparedParts, PreparedQuadric};
 use imogene_scene::FramedObject;
+use serde::Serialize;
 use serde_json::{Value, json};
+
+/// The words of a scene, keys in the order of their letters.
+#[derive(Serialize)]
+struct Report<'a> {
+    depth_scale: String,
+    format: Format,
+    height: u32,
+    objects: Vec<ObjectReport<'a>>,
+    unused: Value,
+    volumes: Vec<Value>,
+    width: u32,
+}
+
+#[derive(Serialize)]
+#[serde(untagged)]
+enum ObjectReport<'a> {
+    Quadric(Value),
+    Parts(PartsReport<'a>),
+}
+
+/// An object of other processors than quadric and patch: a list of their words, which can be longer than a number of a
+/// [`Value`].
+#[derive(Serialize)]
+struct PartsReport<'a> {
+    name: &'a str,
+    needed_bits: Value,
+    notes: &'a [String],
+    processor: &'static str,
+    processors: Vec<ProcessorWords>,
+    screen_box: &'a ScreenBox,
+}
 
 /// Shows the coefficient words of every object.
 pub fn run(options: &Scene, json: bool) -> Result {
     let (framed, scene) = load_scene(options)?;
-    let object = |(framed, o): (&FramedObject, &PreparedObject)| -> Value {
+    let object = |(framed, o)| {
+        let o: &PreparedObject = o;
         let Some(q) = o.quadric() else {
-            return parts(framed, o);
+            return ObjectReport::Parts(parts(framed, o));
         };
         let planes = q.words.planes.len().min(MAX_PLANES);
-        json!({
+        ObjectReport::Quadric(json!({
             "name": q.name,
             "processor": framed.processor(),
             "words": q.words.wrapped(&scene.format),
@@ -34,7 +69,7 @@ pub fn run(options: &Scene, json: bool) -> Result {
             "needed_bits": q.needed,
             "rounding_bounds": q.bounds,
             "notes": q.notes,
-        })
+        }))
     };
     let volume = |v: &PreparedVolume| -> Value {
         let f2 = v.words.quadric.map(|q| q.f2);
@@ -49,18 +84,18 @@ pub fn run(options: &Scene, json: bool) -> Result {
         })
     };
     let pairs = || framed.objects.iter().zip(&scene.objects);
-    let objects: Vec<Value> = pairs().map(object).collect();
+    let objects = pairs().map(object).collect();
     let volumes: Vec<Value> = scene.volumes.iter().map(volume).collect();
     if json {
-        output::json(&json!({
-            "width": scene.width,
-            "height": scene.height,
-            "format": scene.format,
-            "depth_scale": scene.depth_scale.to_string(),
-            "objects": objects,
-            "volumes": volumes,
-            "unused": unused::every_kind(),
-        }));
+        output::json(&Report {
+            depth_scale: scene.depth_scale.to_string(),
+            format: scene.format,
+            height: scene.height,
+            objects,
+            unused: json!(unused::every_kind()),
+            volumes,
+            width: scene.width,
+        });
         return Ok(());
     }
     output::text(format!(
@@ -85,26 +120,27 @@ pub fn run(options: &Scene, json: bool) -> Result {
     Ok(())
 }
 
-/// An object of other processors than quadric and patch: a list of their words.
-fn parts(framed: &FramedObject, o: &PreparedObject) -> Value {
+fn parts<'a>(framed: &FramedObject, o: &'a PreparedObject) -> PartsReport<'a> {
     let needed = match o {
         PreparedObject::Parts(parts) => json!(parts.needed),
         _ => json!([]),
     };
-    json!({
-        "name": o.name(),
-        "processor": framed.processor(),
-        "processors": o.words(),
-        "screen_box": o.screen_box(),
-        "needed_bits": needed,
-        "notes": o.notes(),
-    })
+    PartsReport {
+        name: o.name(),
+        needed_bits: needed,
+        notes: o.notes(),
+        processor: framed.processor(),
+        processors: o.words(),
+        screen_box: o.screen_box(),
+    }
 }
 
 fn describe_parts(framed: &FramedObject, o: &PreparedParts) {
     let (count, kind) = (o.words.len(), framed.processor());
     let heading = format!("{} ({count} of processor {kind})", o.name);
-    let words = o.words.iter().map(|words| format!("  {}", json!(words)));
+    let words = o.words.iter().map(serde_json::to_string);
+    let words =
+        words.map(|words| format!("  {}", words.expect("words have no unserialisable keys")));
     tell(&heading, &o.screen_box, words.collect(), &o.notes);
 }
 

@@ -84,6 +84,12 @@ fn the_longest_words_are_printed() {
     place.write("shadows.toml", shaded);
     let prepared = place.json("prepare shadows.toml --format 32");
     assert!(prepared["volumes"].as_array().unwrap().len() > 10);
+    // The denominator of a quotient is longer than 64 bits.
+    let near = scene("extremes/eye-barely-inside.toml");
+    for options in ["", "--json"] {
+        let prepare = format!("prepare {near} --size 96x72 {options}");
+        place.run(&prepare).ended(0);
+    }
 }
 
 /// Objects of the other processors: their words, widths and problems under stable keys, in every format.
