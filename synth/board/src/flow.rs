@@ -363,8 +363,12 @@ fn placed_once(
     let outcome = router.run(&[arguments, &own].concat(), folder);
     // A clock that is not reached ends the router with an error, behind its report.
     let Ok(text) = read(&report) else {
-        outcome?;
-        return Err(SynthError::tool(router.name, "").into());
+        let error = outcome.err();
+        let error = error.unwrap_or_else(|| SynthError::tool(router.name, ""));
+        return Err(match unplaced(&error.to_string()) {
+            Some(kind) => too_little(part, format!("more cells {kind} than find a place")),
+            None => error.into(),
+        });
     };
     let report = parse_report(&text)?;
     let mut clocks = report.clocks.iter();
@@ -377,6 +381,13 @@ fn placed_once(
     }
     outcome?;
     Ok(report)
+}
+
+/// The kind of cell that the router says it finds no place for, though the part has as many.
+pub fn unplaced(said: &str) -> Option<&str> {
+    let (_, cell) = said.split_once("Unable to find legal placement for cell")?;
+    let (_, kind) = cell.split_once("of type '")?;
+    Some(kind.split_once('\'')?.0)
 }
 
 /// The bitstream of a text in the folder.

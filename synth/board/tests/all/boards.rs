@@ -1,7 +1,7 @@
 //! The boards, and their clocks against the tools' own: those under `IMOGENE_FULL=1` alone, with the tools of
 //! `scripts/setup --synth --boards`.
 
-use imogene_board::{Board, BoardError, Dividers, Pll};
+use imogene_board::{Board, BoardError, Dividers, Pll, unplaced};
 use imogene_synth::tools::{NEXTPNR_ECP5, NEXTPNR_GOWIN, NEXTPNR_ICE40, Tool};
 use std::process::Command;
 
@@ -24,6 +24,14 @@ fn every_board_has_a_clock_near_to_that_of_its_first_mode() {
         let are_distinct = board.part.is_none() || sites.len() == count;
         assert!(are_distinct, "{name}: a pin twice");
     }
+}
+
+#[test]
+fn a_cell_without_a_place_is_told_by_its_kind() {
+    let said = "ERROR: Unable to find legal placement for cell 'core.words_0.59' of type 'RAM16SDP4' after 19901741 \
+        attempts, check constraints and utilisation.";
+    assert_eq!(unplaced(said), Some("RAM16SDP4"));
+    assert_eq!(unplaced("ERROR: cell type 'X' is unsupported"), None);
 }
 
 #[test]
