@@ -1,8 +1,9 @@
 //! What an ECP5 does in fewer cells than Yosys writes: the netlist is changed between Yosys and nextpnr.
 //!
-//! Clock for clock nothing changes: [registers] are moved into the cells before them, and choices into the
-//! [sums] that they follow or feed.
+//! Clock for clock nothing changes: [registers] are moved into the cells before them, or into the multipliers whose
+//! [factors] they hold, and choices into the [sums] that they follow or feed.
 
+mod factors;
 mod registers;
 mod sums;
 
@@ -17,6 +18,9 @@ use std::path::Path;
 const FLIP_FLOP: &str = "TRELLIS_FF";
 /// The type of a look-up table of an ECP5.
 const TABLE: &str = "LUT4";
+
+/// What is moved, by which a result is kept: it changes with every change of what is done.
+pub const FOLDS: &str = " output registers, registers of factors, choices in sums";
 
 /// Cells that a netlist does without.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -67,13 +71,14 @@ pub fn fold(path: &Path) -> Result<BTreeMap<String, Folded>, SynthError> {
 }
 
 fn fold_module(module: &mut Value) -> Folded {
-    let readers = readers(module);
-    let Some(cells) = module["cells"].as_object_mut() else {
-        return Folded::default();
+    let mut apply = |change: fn(&mut Cells, &Readers) -> u64| {
+        let readers = readers(module);
+        let cells = module["cells"].as_object_mut();
+        cells.map_or(0, |cells| change(cells, &readers))
     };
     Folded {
-        flip_flops: registers::fold(cells, &readers),
-        tables: sums::fold(cells, &readers),
+        flip_flops: apply(registers::fold) + apply(factors::fold),
+        tables: apply(sums::fold),
     }
 }
 

@@ -50,7 +50,7 @@ mod yosys;
 pub use cache::{Cache, digest, kept};
 pub use error::SynthError;
 pub use flow::{synthesise, synthesise_design};
-pub use fold::{Folded, fold};
+pub use fold::{FOLDS, Folded, fold};
 pub use netlist::{Netlist, cell_models, netlist};
 pub use nextpnr::{RouteReport, RoutedClock, parse_report};
 pub use report::{CriticalPath, Figures, SeedResult, SynthReport, median};

@@ -1,5 +1,6 @@
 //! The targets: a device, its synthesis command and its place and route command.
 
+use crate::fold::FOLDS;
 use imogene_contract::RootForm;
 use thiserror::Error;
 
@@ -152,7 +153,7 @@ impl Target {
     /// What a result depends on beside tools and their commands.
     pub(crate) fn steps(self) -> &'static str {
         match self.family() {
-            Family::Ecp5 => " output registers, choices in sums",
+            Family::Ecp5 => FOLDS,
             _ => "",
         }
     }

@@ -78,6 +78,16 @@ fn the_pins_of_a_board_show_an_animation() {
     let options = "--flat --mode 160x120 --animation 2..3 --frames 14";
     let found = board(&place, "simulation", "animation/moon.toml", options);
     assert_eq!(found["images"], 2);
+    let first = "board simulation scenes/animation/moon.toml --flat --animation 2..2 --sources-only --out first";
+    let first = place.json(first);
+    let words = |found: &Value| found["words"].as_u64().expect("a count");
+    // The planet stands still, and the moon has its colour in both images.
+    assert!(
+        words(&found) < 3 * words(&first) / 2,
+        "{} of {}",
+        words(&found),
+        words(&first)
+    );
     // 0.08 s at 60 frames a second.
     assert_eq!(found["frames_per_image"], 5);
     let pins = &found["pins"];

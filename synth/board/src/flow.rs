@@ -7,7 +7,7 @@ use crate::pll::Pll;
 use crate::top::{Sources, TOP};
 use imogene_synth::tools::{NEXTPNR_ECP5, NEXTPNR_GOWIN, NEXTPNR_ICE40, Tool, YOSYS};
 use imogene_synth::{
-    RouteReport, SynthError, TIMING_WEIGHT, digest, fold, kept, parse_report, run_yosys,
+    FOLDS, RouteReport, SynthError, TIMING_WEIGHT, digest, fold, kept, parse_report, run_yosys,
 };
 use imogene_tools::{FileError, Program, read, scratch, write};
 use serde::{Deserialize, Serialize};
@@ -259,7 +259,8 @@ pub fn route(board: &Board, pll: &Pll, sources: &Sources) -> Result<Built, Board
         constraints,
         &script,
         &arguments.join(" "),
-        "output registers, choices in sums, routed netlist or why there is none",
+        FOLDS,
+        "routed netlist or why there is none",
         &SEEDS.join(" "),
         &yosys.version,
         &router.version,

@@ -21,6 +21,13 @@ impl Kind {
     fn with_sides(&self, name: &str) -> impl Iterator<Item = String> {
         self.sides.iter().map(move |side| format!("{name}{side}"))
     }
+
+    /// The register of such a cell is in use.
+    fn is_used(&self, cell: &Value) -> bool {
+        let (parameter, value) = self.parameter;
+        let mut parameters = self.with_sides(parameter);
+        parameters.any(|name| cell["parameters"][name] == value)
+    }
 }
 
 /// A block memory with the register on these sides.
@@ -56,6 +63,13 @@ const KINDS: [Kind; 5] = [
     },
 ];
 
+/// One of the cells with a register in use.
+pub(super) fn has_output_register(cell: &Value) -> bool {
+    KINDS
+        .iter()
+        .any(|kind| cell["type"] == kind.cell && kind.is_used(cell))
+}
+
 /// Words of 36 bits are read.
 fn is_wide(memory: &Value) -> bool {
     let width = memory["parameters"]["DATA_WIDTH_B"].as_str();
@@ -80,7 +94,7 @@ pub(super) fn fold(cells: &mut Cells, readers: &Readers) -> u64 {
 }
 
 /// What flip-flops have in common that become one register: bits of the clock and of the enable.
-type Control = [Value; 2];
+pub(super) type Control = [Value; 2];
 
 /// The register that can stand behind a cell: what controls it, and the output port and flip-flop of each of its bits.
 struct Register {
@@ -96,11 +110,8 @@ fn register(cell: &Value, kind: &Kind, cells: &Cells, readers: &Readers) -> Opti
         bits.is_some_and(|bits| bits != &json!(["0"]))
     };
     let [output, clock, _, reset] = kind.names;
-    let (parameter, value) = kind.parameter;
-    let mut parameters = kind.with_sides(parameter);
-    let has_register = parameters.any(|name| cell["parameters"][name] == value);
     let is_meant = cell["type"] == kind.cell && (kind.is_meant)(cell);
-    if !is_meant || has_register || kind.with_sides(reset).any(is_reset) {
+    if !is_meant || kind.is_used(cell) || kind.with_sides(reset).any(is_reset) {
         return None;
     }
     let mut found: Option<Register> = None;
@@ -132,7 +143,7 @@ fn register(cell: &Value, kind: &Kind, cells: &Cells, readers: &Readers) -> Opti
 }
 
 /// What controls a flip-flop on a rising edge that starts at 0 and has no reset.
-fn control(cell: &Value) -> Option<Control> {
+pub(super) fn control(cell: &Value) -> Option<Control> {
     let parameter = |name: &str, default: &'static str| {
         let value = cell["parameters"][name].as_str();
         value.unwrap_or(default).trim().to_owned()

@@ -5,13 +5,16 @@ use crate::command::machine::{frames_of, images_of};
 use crate::command::read_scene;
 use crate::failure::Failure;
 use imogene_board::{Board, stays};
-use imogene_golden::machine::zone::beat::Beat;
+use imogene_contract::slots::FittedSlot;
+use imogene_contract::volume;
+use imogene_golden::machine::zone::beat::{Beat, kind};
 use imogene_plan::description::MachineDescription;
+use std::collections::HashMap;
 use std::path::Path;
 
 /// Images one after the other, again and again.
 pub(super) struct Film {
-    /// The words of all images.
+    /// The words of the first image, and of each other one those that change.
     pub(super) words: Vec<Beat>,
     /// The entries of the tables of its machine.
     pub(super) tables: Vec<u64>,
@@ -44,11 +47,13 @@ impl Film {
         let described = options.machine.as_deref().unwrap_or(scene);
         let images = images_of(&views, machine, described)?;
         let black = vec![0; images[0].picture.len()];
-        let words = images.iter().flat_map(|image| image.beats.clone());
         Ok(Film {
             black,
             tables: images[0].tables.clone(),
-            words: words.collect(),
+            words: changes(
+                images.iter().map(|image| image.beats.as_slice()),
+                &machine.slots(),
+            ),
             pictures: images
                 .iter()
                 .map(|image| seen(board, &image.picture))
@@ -70,6 +75,25 @@ impl Film {
         };
         &self.pictures[frame / self.stay as usize % self.pictures.len()]
     }
+}
+
+/// All words of the first of some images, and of each other one those that the machine does not hold: that an object or
+/// a volume is there is not held, and the last word ends the image.
+fn changes<'a>(images: impl Iterator<Item = &'a [Beat]>, slots: &[FittedSlot]) -> Vec<Beat> {
+    let mut held = HashMap::new();
+    let words = images.flatten().filter(|beat| {
+        let is_presence = match beat.kind {
+            kind::OBJECT => {
+                u64::from(beat.address) == slots[usize::from(beat.unit)].kind.presence()
+            }
+            kind::VOLUME => u64::from(beat.address) == volume::CONTROL,
+            _ => false,
+        };
+        let place = (beat.kind, beat.unit, beat.address);
+        let is_held = held.insert(place, beat.data) == Some(beat.data);
+        is_presence || beat.last || !is_held
+    });
+    words.copied().collect()
 }
 
 /// The frames of an animated scene, or the scene as it is written, each for so many seconds.

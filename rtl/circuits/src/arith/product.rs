@@ -8,7 +8,7 @@ const FACTOR: u32 = 18;
 const LOW: u32 = FACTOR - 1;
 
 /// Latency of a product of long numbers.
-pub const PRODUCT: u32 = 4;
+pub const PRODUCT: u32 = 5;
 
 /// Latency of a product whose `b` has so many bits: where it is one factor, there is no sum of those in the middle.
 pub fn product_latency(b: u32) -> u32 {
@@ -18,8 +18,8 @@ pub fn product_latency(b: u32) -> u32 {
 /// The whole product, at most one multiplier or one sum between two registers; `a` has more than 18 bits, both at
 /// most 35.
 ///
-/// Latency [`product_latency`]: a register before the products of the parts, these, the sum of those in the middle, the
-/// sum of all.
+/// Latency [`product_latency`]: a register before the products of the parts, these, a register behind them, the sum of
+/// those in the middle, the sum of all.
 pub fn product(at: &str, a: Int, b: Int) -> Int {
     module("product", at, ports!(a, b), |(a, b)| {
         let whole = match b.width() > FACTOR {
@@ -41,8 +41,8 @@ fn of_half([low, high]: [Int; 2], b: Int) -> Int {
         let low_part = low.reg();
         let high_part = high.reg();
         let factor = b.reg();
-        let low_product = (low_part * factor).reg();
-        let high_product = (high_part * factor).reg();
+        let low_product = (low_part * factor).delay(2);
+        let high_product = (high_part * factor).delay(2);
     }
     let width = high_product.width();
     let carried = low_product.slice(low_product.width() - 1, LOW).int();
@@ -56,10 +56,10 @@ fn of_half([low, high]: [Int; 2], b: Int) -> Int {
 fn of_parts(a: [Int; 2], b: [Int; 2]) -> Int {
     let [a, b] = [a, b].map(|parts| parts.map(Int::reg));
     net! {
-        let low_product = (a[0] * b[0]).reg();
-        let first_middle = (a[1] * b[0]).reg();
-        let second_middle = (a[0] * b[1]).reg();
-        let high_product = (a[1] * b[1]).reg();
+        let low_product = (a[0] * b[0]).delay(2);
+        let first_middle = (a[1] * b[0]).delay(2);
+        let second_middle = (a[0] * b[1]).delay(2);
+        let high_product = (a[1] * b[1]).delay(2);
     }
     let width = first_middle.width().max(second_middle.width()) + 1;
     let low_bits = low_product.slice(2 * LOW - 1, 0);

@@ -42,17 +42,18 @@ pub fn vector_normaliser(at: &str, vector: Vector) -> Full {
     })
 }
 
-/// Latency of a scalar product: a register before the products, the products, the sum of two, the sum of all.
-pub const SCALAR_PRODUCT: u32 = 4;
+/// Latency of a scalar product: a register before the products, the products, one behind them, the sum of two, the sum
+/// of all.
+pub const SCALAR_PRODUCT: u32 = 5;
 
 /// The scalar product of two vectors, with two bits more than a product of components. Latency [`SCALAR_PRODUCT`].
 pub fn scalar_product(at: &str, a: Vector, b: Vector) -> Int {
     module("scalar_product", at, ports!(a, b), |(a, b)| {
         let (a, b) = (a.registered(), b.registered());
         net! {
-            let product_x = (a.x * b.x).reg();
-            let product_y = (a.y * b.y).reg();
-            let product_z = (a.z * b.z).reg();
+            let product_x = (a.x * b.x).delay(2);
+            let product_y = (a.y * b.y).delay(2);
+            let product_z = (a.z * b.z).delay(2);
         }
         let wide = |product: Int| product.extend(product.width() + 2);
         net! {

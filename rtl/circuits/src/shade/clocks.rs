@@ -6,7 +6,7 @@ use crate::arith::{
 };
 
 /// Line of sight, normal and vectors to the lights in full words.
-pub(super) const VECTORS: u32 = 5 + NORMALISED;
+pub(super) const VECTORS: u32 = PRODUCT + 1 + NORMALISED;
 /// Scalar products.
 pub(super) const PRODUCTS: u32 = VECTORS + SCALAR_PRODUCT;
 /// Logarithms of scalar products.

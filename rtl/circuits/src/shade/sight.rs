@@ -1,6 +1,6 @@
 //! Line of sight and normal at a pixel.
 
-use super::clocks::LOGARITHMS;
+use super::clocks::{LOGARITHMS, VECTORS};
 use super::{Eye, factor};
 use crate::arith::{NORMALISED, Vector, logarithm, scalar_product, vector_normaliser};
 use crate::object::Normal;
@@ -60,8 +60,8 @@ pub(super) fn sight(at: &str, pixel: Pixel, normal: Normal, eye: Eye) -> (Sight,
     module("sight", at, inputs, |(pixel, normal, eye)| {
         let (place, ray) = line_of_sight(pixel, eye);
         let full = vector_normaliser("ray_normaliser", ray);
-        let ray = full.vector.delayed(3);
-        let normal = Vector::of(normal.parts()).delayed(5);
+        let ray = full.vector.delayed(VECTORS - 2 - NORMALISED);
+        let normal = Vector::of(normal.parts()).delayed(VECTORS - NORMALISED);
         let full_normal = vector_normaliser("normal_normaliser", normal).vector;
         let normal = full_normal.map(|part| part.extend(18));
         let normal_square = scalar_product("normal_square", normal, normal).bits();

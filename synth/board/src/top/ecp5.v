@@ -121,7 +121,7 @@ module DP16KD #(
 endmodule
 
 module MULT18X18D #(
-    parameter REG_OUTPUT_CLK = "NONE"
+    parameter REG_INPUTA_CLK = "NONE", REG_INPUTB_CLK = "NONE", REG_OUTPUT_CLK = "NONE"
 ) (
 {%- for name in ["A", "B", "C", "SRIA", "SRIB"] %}
     input  wire {% for bit in range(18) %}{{ name }}{{ bit }}, {% endfor %}
@@ -135,8 +135,11 @@ module MULT18X18D #(
     output wire SIGNEDP
 );
 {%- for name in ["A", "B"] %}
-    wire signed [18:0] factor_{{ name }} =
-        {SIGNED{{ name }} & {{ name }}17, {% for bit in range(17, -1, -1) %}{{ name }}{{ bit }}{{ ", " if not loop.last }}{% endfor -%} };
+    wire [17:0] now_{{ name }} = { {%- for bit in range(17, -1, -1) %}{{ name }}{{ bit }}{{ ", " if not loop.last }}{% endfor -%} };
+    reg [17:0] late_{{ name }} = 18'd0;
+    wire [17:0] used_{{ name }} = REG_INPUT{{ name }}_CLK == "CLK0" ? late_{{ name }} : now_{{ name }};
+    wire signed [18:0] factor_{{ name }} = {SIGNED{{ name }} & used_{{ name }}[17], used_{{ name }}};
+    always @(posedge CLK0) if (CE0) late_{{ name }} <= now_{{ name }};
 {%- endfor %}
     wire signed [37:0] product = factor_A * factor_B;
     reg [35:0] late = 36'd0;

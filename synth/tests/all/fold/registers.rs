@@ -120,3 +120,92 @@ fn a_cell_is_left_alone_unless_all_its_flip_flops_can_move() {
         assert!(module["cells"]["product"]["parameters"]["REG_OUTPUT_CLK"].is_null());
     }
 }
+
+/// A product with an output register of the nets 10, 12 and 11, which flip-flops take from the nets 30, 32 and 31.
+fn factors() -> Value {
+    json!({
+        "ports": { "out": { "direction": "output", "bits": [20] } },
+        "cells": {
+            "product": {
+                "type": "MULT18X18D", "parameters": { "REG_OUTPUT_CLK": "CLK0" },
+                "port_directions": { "P0": "output" },
+                "connections": {
+                    "A0": [10], "A1": [12], "A2": ["0"], "B0": [11], "P0": [20], "CLK0": [2], "CE0": ["1"],
+                },
+            },
+            "a": flip_flop(30, 10, json!({})),
+            "b": flip_flop(31, 11, json!({})),
+            "c": flip_flop(32, 12, json!({})),
+            "first": flip_flop(20, 30, json!({})),
+            "second": flip_flop(20, 31, json!({})),
+            "third": flip_flop(20, 32, json!({})),
+        },
+    })
+}
+
+#[test]
+fn flip_flops_that_only_delay_become_registers_of_factors() {
+    let mut module = factors();
+    assert_eq!(fold_module(&mut module), 3);
+    let cells = module["cells"].as_object().expect("cells");
+    assert_eq!(
+        cells.keys().collect::<Vec<_>>(),
+        ["first", "product", "second", "third"]
+    );
+    let product = &cells["product"];
+    assert_eq!(product["parameters"]["REG_INPUTA_CLK"], "CLK0");
+    assert_eq!(product["parameters"]["REG_INPUTB_CLK"], "CLK0");
+    for (port, bit) in [
+        ("A0", json!(30)),
+        ("A1", json!(32)),
+        ("A2", json!("0")),
+        ("B0", json!(31)),
+    ] {
+        assert_eq!(product["connections"][port], json!([bit]), "{port}");
+    }
+}
+
+#[test]
+fn a_flip_flop_that_is_read_elsewhere_stays_beside_the_register() {
+    let mut module = factors();
+    module["ports"]["out"]["bits"] = json!([20, 11]);
+    assert_eq!(fold_module(&mut module), 2);
+    assert_eq!(module["cells"]["b"], flip_flop(31, 11, json!({})));
+    assert_eq!(module["cells"]["product"]["connections"]["B0"], json!([31]));
+}
+
+#[test]
+fn a_multiplier_takes_the_registers_of_both_factors_or_none() {
+    let table = json!({
+        "type": "LUT4", "parameters": {}, "port_directions": { "Z": "output" }, "connections": { "Z": [31] },
+    });
+    let late = json!({ "CLKMUX": "INV" });
+    let mut enabled = flip_flop(31, 11, json!({ "CEMUX": "CE" }));
+    enabled["connections"]["CE"] = json!([5]);
+    for (what, path, value) in [
+        ("logic before a factor", "/cells/second", table.clone()),
+        (
+            "a factor of logic",
+            "/cells/product/connections/B0",
+            json!([31]),
+        ),
+        (
+            "a factor of 1",
+            "/cells/product/connections/A2",
+            json!(["1"]),
+        ),
+        ("falling edge", "/cells/b", flip_flop(31, 11, late)),
+        ("enable", "/cells/b", enabled),
+        ("other clock", "/cells/b/connections/CLK", json!([3])),
+        ("no output register", "/cells/product/parameters", json!({})),
+    ] {
+        let mut module = factors();
+        if what == "a factor of logic" {
+            module["cells"]["second"] = table.clone();
+        }
+        *module.pointer_mut(path).expect(what) = value;
+        let before = module.clone();
+        assert_eq!(fold_module(&mut module), 0, "{what}");
+        assert_eq!(module, before, "{what}");
+    }
+}
