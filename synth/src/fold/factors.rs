@@ -1,7 +1,7 @@
 //! Flip-flops before multipliers of an ECP5 become the input registers that these cells have.
 //!
-//! A factor must reach a multiplier that has an output register alone 3.5 ns before the clock, one with both 0.4 ns. A
-//! multiplier takes the register of a flip-flop that only delays another register: no logic then lies on the way to it.
+//! A factor must reach a multiplier that has an output register alone 3.5 ns before the clock. A flip-flop that only
+//! delays another register leaves the way to the multiplier the whole clock instead.
 
 use super::registers::{Control, control, has_output_register};
 use super::{Cells, FLIP_FLOP, Readers};
@@ -67,7 +67,7 @@ fn drivers(cells: &Cells) -> Drivers {
         .collect()
 }
 
-/// The bits of both factors that come from flip-flops; none unless the multiplier can have the registers of all of them.
+/// The bits of both factors that come from flip-flops; none unless the multiplier can have the registers of all.
 fn factors(cell: &Value, cells: &Cells, drivers: &Drivers) -> Option<Vec<Factor>> {
     let own: Control = ["CLK0", "CE0"].map(|port| cell["connections"][port].clone());
     let has_registers = FACTORS

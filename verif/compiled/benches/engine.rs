@@ -1,4 +1,4 @@
-//! Clocks of units as machine code that draw lines of pixels, in one lane and in four, and of mutants.
+//! Clocks of units as machine code that draw lines of pixels, in one lane and in more, and of mutants.
 
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
@@ -54,7 +54,8 @@ fn units(criterion: &mut Criterion) {
         let design = imogene_rtl::emit::design(&Request::new(unit)).expect("a unit by default");
         let rows = rows(unit, &design);
         let mut group = criterion.benchmark_group(unit.name());
-        for program in [Program::new(&design, &[]), Program::in_lanes(&design, &[])] {
+        for compile in [Program::new, Program::in_lanes, Program::on_one_stimulus] {
+            let program = compile(&design, &[]);
             let lanes = program.lanes();
             let mut simulation = Simulation::new(&Arc::new(program));
             let name = format!("lanes/{lanes}");
@@ -63,24 +64,26 @@ fn units(criterion: &mut Criterion) {
     }
 }
 
-/// Four mutants side by side; the rate is that of all four together.
+/// Mutants side by side; the rate is that of all together.
 fn mutants(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("mutants");
     for unit in [Unit::QuadricPe, Unit::QuadricProcessor] {
         let design = imogene_rtl::emit::design(&Request::of(unit, 16)).expect("a unit by default");
         let sites = sites(&design);
         let controls = Controls::new(&design, &sites[sites.len() / 2..][..SITES]);
-        let program = Arc::new(Program::in_lanes(&controls.design, &[]));
-        let lanes = program.lanes();
-        let mut simulation = Simulation::new(&program);
-        let mutants = controls.mutants();
-        for (lane, mutant) in mutants.iter().step_by(7).take(lanes).enumerate() {
-            for (register, word) in &mutant.upsets {
-                simulation.upset(lane, *register, *word);
+        let (mutants, rows) = (controls.mutants(), rows(unit, &design));
+        for compile in [Program::in_lanes, Program::on_one_stimulus] {
+            let program = Arc::new(compile(&controls.design, &[]));
+            let lanes = program.lanes();
+            let mut simulation = Simulation::new(&program);
+            for (lane, mutant) in mutants.iter().step_by(7).take(lanes).enumerate() {
+                for (register, word) in &mutant.upsets {
+                    simulation.upset(lane, *register, *word);
+                }
             }
+            let name = format!("{}/{lanes}", unit.name());
+            run(&mut group, &name, &mut simulation, (&rows, lanes));
         }
-        let rows = rows(unit, &design);
-        run(&mut group, unit.name(), &mut simulation, (&rows, lanes));
     }
 }
 

@@ -1,13 +1,13 @@
 //! Instructions of x86-64 with AVX2, as bytes: Intel's manual, volume 2, sections 2.3 (VEX) and 2.1 (memory operands).
 //!
 //! A selection is one instruction less, and its condition is found once for many, where the processor has the masks of
-//! AVX-512 (section 2.7, EVEX).
+//! AVX-512 (section 2.7, EVEX). In eight lanes all vectors are its own, of 512 bits, in twice as many registers.
 
 use crate::layout::Lanes;
 use crate::line::Two;
 
-/// Vector registers.
-pub(crate) const REGISTERS: usize = 16;
+/// Vector registers of AVX-512; AVX2 has half as many.
+pub(crate) const REGISTERS: usize = 32;
 
 /// A general register that holds an address; these are in the order in which a function takes them.
 pub(crate) type Base = u8;
@@ -15,7 +15,7 @@ pub(crate) const BLOCK: Base = 7;
 pub(crate) const SPILLED: Base = 6;
 pub(crate) const GIVEN: Base = 2;
 pub(crate) const CONSTANTS: Base = 1;
-/// The inputs of the first lane; those of the others are in the registers behind it.
+/// The inputs of the first lane, or of all; those of the others are in the registers behind it.
 pub(crate) const ROWS: Base = 8;
 
 /// Where a word is read: a vector register, or so many bytes behind an address.
@@ -42,10 +42,12 @@ pub(crate) const RIGHT: u8 = 2;
 const TOP_BITS: Code = Code(1, 1, 0, 0x50);
 const SELECT: Code = Code(3, 1, 0, 0x4b);
 /// A word in every lane.
-pub(crate) const SPREAD: Code = Code(2, 1, 0, 0x59);
+const SPREAD: Code = Code(2, 1, 0, 0x59);
 /// Two words side by side.
 pub(crate) const PAIR: Code = Code(1, 1, 0, 0x6c);
 const HALVES: Code = Code(3, 1, 0, 0x38);
+/// A mask as a vector, all ones in each of its lanes.
+const FROM_MASK: Code = Code(2, 2, 1, 0x38);
 /// The words of a vector with another in the lanes that a byte behind it names by its pairs of bits.
 pub(crate) const BLEND: Code = Code(3, 1, 0, 0x02);
 /// The top bits of a vector in a mask.
@@ -88,6 +90,8 @@ pub(crate) struct Assembler {
     pub(crate) bytes: Vec<u8>,
     pub(crate) lanes: Lanes,
     pub(crate) has_masks: bool,
+    /// All lanes get the inputs of the first.
+    pub(crate) shares_inputs: bool,
 }
 
 impl Assembler {
@@ -126,26 +130,59 @@ impl Assembler {
         }
     }
 
+    /// Of words of 64 bits.
     pub(crate) fn evex(&mut self, code: Code, reg: u8, first: u8, second: Operand, mask: u8) {
-        let Code(table, prefix, w, code) = code;
-        let beyond = |register: u8| (!register >> 3) & 1;
-        let beyond_second = match second {
-            Operand::Register(register) => beyond(register),
-            Operand::Memory(..) => 1,
+        let Code(table, prefix, _, byte) = code;
+        let lacks = |register: u8, bit: u32| (!register >> bit) & 1;
+        let [more, beyond] = match second {
+            Operand::Register(register) => [4, 3].map(|bit| lacks(register, bit)),
+            Operand::Memory(base, _) => [1, lacks(base, 3)],
         };
-        let registers = beyond(reg) << 7 | 1 << 6 | beyond_second << 5 | 1 << 4 | table;
-        let middle = w << 7 | (!first & 15) << 3 | 1 << 2 | prefix;
-        let last = u8::from(self.lanes == Lanes::Four) << 5 | 1 << 3 | mask;
-        self.bytes.extend([0x62, registers, middle, last, code]);
-        self.operand(reg, second);
+        let registers = lacks(reg, 3) << 7 | more << 6 | beyond << 5 | lacks(reg, 4) << 4 | table;
+        let middle = 1 << 7 | (!first & 15) << 3 | 1 << 2 | prefix;
+        let is_wide = self.lanes == Lanes::Eight;
+        // A constant or an input lies once, and is read into every lane.
+        let is_word = is_wide && matches!(second, Operand::Memory(CONSTANTS | ROWS, _));
+        let is_spread = is_word && byte != SPREAD.3;
+        let last = (self.lanes as u8) << 5 | u8::from(is_spread) << 4 | lacks(first, 4) << 3 | mask;
+        self.bytes.extend([0x62, registers, middle, last, byte]);
+        // There a distance of one byte counts words or vectors.
+        let unit = if is_word { 8 } else { 64 };
+        match second {
+            Operand::Memory(base, bytes)
+                if is_wide && bytes % unit == 0 && i8::try_from(bytes / unit).is_ok() =>
+            {
+                let reg = (reg & 7) << 3;
+                self.bytes
+                    .extend([0x40 | reg | base & 7, (bytes / unit) as u8]);
+            }
+            _ => self.operand(reg, second),
+        }
     }
 
     fn vector(&mut self, code: Code, reg: u8, first: u8, second: Operand) {
-        self.vex(code, self.lanes == Lanes::Four, reg, first, second);
+        match self.lanes {
+            Lanes::Eight => self.evex(code, reg, first, second, 0),
+            lanes => self.vex(code, lanes == Lanes::Four, reg, first, second),
+        }
+    }
+
+    /// How many vector registers there are.
+    pub(crate) fn registers(&self) -> usize {
+        match self.lanes {
+            Lanes::Eight => REGISTERS,
+            _ => REGISTERS / 2,
+        }
     }
 
     pub(crate) fn two(&mut self, how: Two, to: u8, a: u8, b: Operand) {
-        self.vector(code(how), to, a, b);
+        match (how, self.lanes) {
+            (Two::Equal | Two::Greater, Lanes::Eight) => {
+                self.vector(code(how), 0, a, b);
+                self.vector(FROM_MASK, to, 0, Operand::Register(0));
+            }
+            _ => self.vector(code(how), to, a, b),
+        }
     }
 
     pub(crate) fn shift(&mut self, way: u8, to: u8, a: u8, count: u32) {
@@ -167,19 +204,37 @@ impl Assembler {
 
     /// A whole vector.
     pub(crate) fn load(&mut self, to: u8, from: Operand) {
-        self.vex(LOAD, true, to, 0, from);
+        match (self.lanes, from) {
+            (Lanes::Eight, Operand::Memory(CONSTANTS, _)) => self.spread(to, from),
+            _ => self.whole(LOAD, to, from),
+        }
     }
 
     /// A whole vector.
     pub(crate) fn store(&mut self, from: u8, to: Operand) {
-        self.vex(STORE, true, from, 0, to);
+        self.whole(STORE, from, to);
+    }
+
+    /// One word in every lane.
+    pub(crate) fn spread(&mut self, to: u8, from: Operand) {
+        match self.lanes {
+            Lanes::Eight => self.evex(SPREAD, to, 0, from, 0),
+            _ => self.vex(SPREAD, true, to, 0, from),
+        }
+    }
+
+    fn whole(&mut self, code: Code, register: u8, place: Operand) {
+        match self.lanes {
+            Lanes::Eight => self.evex(code, register, 0, place, 0),
+            _ => self.vex(code, true, register, 0, place),
+        }
     }
 
     /// The words of the lanes alone.
     pub(crate) fn load_words(&mut self, lanes: Lanes, to: u8, from: Operand) {
         match lanes {
             Lanes::One => self.vex(LOAD_WORD, false, to, 0, from),
-            Lanes::Four => self.load(to, from),
+            _ => self.load(to, from),
         }
     }
 
@@ -187,7 +242,7 @@ impl Assembler {
     pub(crate) fn store_words(&mut self, lanes: Lanes, from: u8, to: Operand) {
         match lanes {
             Lanes::One => self.vex(STORE_WORD, false, from, 0, to),
-            Lanes::Four => self.store(from, to),
+            _ => self.store(from, to),
         }
     }
 
@@ -207,9 +262,15 @@ impl Assembler {
 
     /// Jumps if the top bit is 0 in every lane; gives the byte behind the jump.
     pub(crate) fn jump_unless(&mut self, which: u8) -> usize {
-        self.vector(TOP_BITS, 0, 0, Operand::Register(which));
-        let lanes = (1u8 << self.lanes.count()) - 1;
-        self.bytes.extend([0xa8, lanes]);
+        if self.lanes == Lanes::Eight {
+            self.evex(TO_MASK, 0, 0, Operand::Register(which), 0);
+            // Whether that mask is zero.
+            self.bytes.extend([0xc5, 0xf9, 0x98, 0xc0]);
+        } else {
+            self.vector(TOP_BITS, 0, 0, Operand::Register(which));
+            let lanes = (1u8 << self.lanes.count()) - 1;
+            self.bytes.extend([0xa8, lanes]);
+        }
         self.general([0x0f, 0x84], 0);
         self.bytes.len()
     }
@@ -222,7 +283,12 @@ impl Assembler {
 
     /// The addresses of the rows, from where they lie side by side (r8): the first comes last in its place.
     pub(crate) fn begin(&mut self) {
-        for lane in (0..self.lanes.count() as u8).rev() {
+        let rows = if self.shares_inputs {
+            1
+        } else {
+            self.lanes.count()
+        };
+        for lane in (0..rows as u8).rev() {
             self.bytes.extend([0x4d, 0x8b, 0x40 | lane << 3, 8 * lane]);
         }
     }

@@ -41,7 +41,7 @@ impl Body<'_> {
         }
         match self.lanes {
             Lanes::One => self.hand_inputs_side_by_side(&called),
-            Lanes::Four => called.iter().for_each(|part| self.hand_inputs(*part)),
+            _ => called.iter().for_each(|part| self.hand_inputs(*part)),
         }
         for &scope in &owned {
             for index in 0..self.scopes[scope].module.memories.len() {
@@ -62,7 +62,7 @@ impl Body<'_> {
                 let calls = groups.map(|group| (group.module.clone(), group.place));
                 calls.collect()
             }
-            Lanes::Four => {
+            _ => {
                 let parts = called.iter().map(|part| &self.scopes[*part]);
                 let calls = parts.map(|part| (part.module.clone(), part.spot.place));
                 calls.collect()

@@ -46,7 +46,7 @@ pub(crate) fn functions(
             lanes,
         }
     };
-    let of_parts = called.iter().map(|module| clock(module, Lanes::Four));
+    let of_parts = called.iter().map(|module| clock(module, lanes.of_called()));
     let mut functions: Vec<Function> = of_parts.collect();
     functions.push(clock(&design.top, lanes));
     functions.extend(read.map(|paths| Function {

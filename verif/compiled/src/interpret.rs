@@ -1,6 +1,7 @@
 //! The steps of a line one by one: for processors without AVX2, and the check of what the others run.
 
 use crate::functions::Function;
+use crate::layout::MOST_LANES;
 use crate::line::{Step, Value};
 
 /// What a function works on.
@@ -8,7 +9,7 @@ pub(crate) struct Work<'a> {
     pub(crate) words: &'a mut [u64],
     pub(crate) given: &'a mut [u64],
     /// The inputs of each lane.
-    pub(crate) rows: &'a [&'a [i64]; 4],
+    pub(crate) rows: &'a [&'a [i64]; MOST_LANES],
 }
 
 /// Runs a function for the block that begins at this word.
@@ -16,7 +17,7 @@ pub(crate) fn run(functions: &[Function], index: usize, begin: usize, work: &mut
     let function = &functions[index];
     let steps = &function.line.steps;
     let of_four = function.line.of_four();
-    let mut values: Vec<[u64; 4]> = Vec::with_capacity(steps.len());
+    let mut values: Vec<[u64; MOST_LANES]> = Vec::with_capacity(steps.len());
     while let Some(step) = steps.get(values.len()) {
         let lanes = match of_four[values.len()] {
             true => 4,
@@ -27,8 +28,8 @@ pub(crate) fn run(functions: &[Function], index: usize, begin: usize, work: &mut
             Step::OnlyIf(which, end) if top(which).is_some_and(|word| word >> 63 == 0) => {
                 // Of what is left out only constants are read behind it.
                 values.extend(steps[values.len()..end].iter().map(|step| match step {
-                    Step::Constant(words) => *words,
-                    _ => [0; 4],
+                    Step::Constant(words) => in_lanes(*words),
+                    _ => [0; MOST_LANES],
                 }));
             }
             _ => values.push(run_step(step, &values, begin, lanes, work)),
@@ -41,17 +42,22 @@ pub(crate) fn run(functions: &[Function], index: usize, begin: usize, work: &mut
     }
 }
 
+/// A constant in every lane; in more than four it is the same in each.
+fn in_lanes(words: [u64; 4]) -> [u64; MOST_LANES] {
+    std::array::from_fn(|lane| words[lane % 4])
+}
+
 fn run_step(
     step: &Step,
-    values: &[[u64; 4]],
+    values: &[[u64; MOST_LANES]],
     begin: usize,
     lanes: usize,
     work: &mut Work<'_>,
-) -> [u64; 4] {
+) -> [u64; MOST_LANES] {
     if let Step::Constant(words) = *step {
-        return words;
+        return in_lanes(words);
     }
-    let mut result = [0; 4];
+    let mut result = [0; MOST_LANES];
     for (lane, result) in result.iter_mut().enumerate().take(lanes) {
         let get = |value: Value| values[value.0 as usize][lane];
         let first = |value: Value| values[value.0 as usize][0];

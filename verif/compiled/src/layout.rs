@@ -1,9 +1,9 @@
 //! Where the state of a design lies: a block of words for each instance, the blocks of its parts within it.
 //!
-//! The inputs of the whole lie elsewhere, those of each lane in a row. In four lanes each word lies four times, side by
-//! side. Equal parts of what runs in one lane lie so, as many as there
-//! are: they run together. So do the small ones that stand in one module, as the rows of a root do: word by word those
-//! of all rows, so that what each row takes from the one before lies side by side too.
+//! The inputs of the whole lie elsewhere, those of each lane in a row. In four or eight lanes each word lies as often,
+//! side by side. Equal parts of what runs in one lane lie so, as many as there are, but for four at most: they run
+//! together. So do the small ones that stand in one module, as the rows of a root do: word by word those of all rows, so
+//! that what each row takes from the one before lies side by side too.
 
 use crate::word::kept;
 use imogene_hdl::{Design, Direction, Module};
@@ -18,13 +18,35 @@ const SMALL: usize = 60;
 pub(crate) enum Lanes {
     One,
     Four,
+    /// Of a whole program alone, where the processor has vectors of 512 bits.
+    Eight,
 }
 
+/// The most of them.
+pub(crate) const MOST_LANES: usize = Lanes::Eight.count();
+
 impl Lanes {
-    pub(crate) fn count(self) -> usize {
+    pub(crate) const fn count(self) -> usize {
         match self {
             Lanes::One => 1,
             Lanes::Four => 4,
+            Lanes::Eight => 8,
+        }
+    }
+
+    /// How many words a constant has: in eight lanes it is the same in all.
+    pub(crate) fn words_of_constant(self) -> usize {
+        match self {
+            Lanes::Eight => 1,
+            _ => 4,
+        }
+    }
+
+    /// Those of what is called by what has these.
+    pub(crate) fn of_called(self) -> Lanes {
+        match self {
+            Lanes::One => Lanes::Four,
+            lanes => lanes,
         }
     }
 }
@@ -36,7 +58,7 @@ pub(crate) struct Block {
     /// Of each memory the word that is read; its words lie behind, then one that is always 0 and one for writes that
     /// count nothing.
     pub(crate) memories: Vec<usize>,
-    /// Of the block of each instance, in one and in four lanes; in one lane those with functions lie in groups instead.
+    /// Of the block of each instance, in one lane and in more; in one lane those with functions lie in groups instead.
     parts: [Vec<usize>; 2],
     /// All words, likewise.
     sizes: [usize; 2],
@@ -52,7 +74,7 @@ impl Block {
     }
 }
 
-/// Equal parts of what runs in one lane, at most as many as there are lanes.
+/// Equal parts of what runs in one lane, four at most.
 pub(crate) struct Group {
     pub(crate) module: Arc<Module>,
     pub(crate) place: usize,
@@ -97,7 +119,8 @@ impl Layout {
             let block = layout.new_block(module, is_shared);
             layout.blocks.insert(Arc::as_ptr(module), block);
         }
-        layout.size = layout.block(&design.top).sizes[lanes as usize] * lanes.count();
+        let sizes = layout.block(&design.top).sizes;
+        layout.size = sizes[usize::from(lanes != Lanes::One)] * lanes.count();
         if lanes == Lanes::One {
             layout.group(&design.top, 0);
             // Rows are read four at a time, perhaps with words behind them.

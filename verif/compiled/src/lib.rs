@@ -5,7 +5,8 @@
 //! what the registers hold.
 //!
 //! The code is vectors of AVX2 with a word in each of four lanes. Equal parts of a design share a vector; a program
-//! [in lanes](Program::in_lanes) is four runs of the whole. A processor without AVX2 interprets the same steps.
+//! [in lanes](Program::in_lanes) is four runs of the whole; [on one stimulus](Program::on_one_stimulus) it is eight
+//! where the processor has AVX-512. A processor without AVX2 interprets the same steps.
 //!
 //! ```
 //! use imogene_compiled::{Simulation, Program};
@@ -44,11 +45,12 @@ pub use program::Program;
 
 use functions::Task;
 use interpret::Work;
+use layout::MOST_LANES;
 use std::sync::Arc;
 use word::kept;
 use words::Words;
 
-/// An instance of a design that runs clock by clock; in four lanes it is four of them.
+/// An instance of a design that runs clock by clock; in lanes it is as many of them.
 pub struct Simulation {
     program: Arc<Program>,
     words: Words,
@@ -67,23 +69,29 @@ impl Simulation {
         Simulation {
             words: program.power_up(),
             spilled: program.spilled(),
-            rows: vec![0; program.lanes() * program.inputs],
+            rows: vec![0; program.rows * program.inputs],
             given: program.given.map(|count| vec![0; count * program.lanes()]),
             is_read: [false; 2],
             program: program.clone(),
         }
     }
 
+    /// How many runs it is.
+    pub fn lanes(&self) -> usize {
+        self.program.lanes()
+    }
+
     /// Gives all inputs their words, in the order of the ports and in every lane; bits beyond a width count nothing.
     pub fn set_all(&mut self, words: impl IntoIterator<Item = u64>) {
         self.set_lane(0, words);
         let inputs = self.program.inputs;
-        for lane in 1..self.program.lanes() {
+        for lane in 1..self.program.rows {
             self.rows.copy_within(..inputs, lane * inputs);
         }
     }
 
     /// Gives all inputs of one lane their words, likewise.
+    /// Panics on another lane than the first if all get the same inputs.
     pub fn set_lane(&mut self, lane: usize, words: impl IntoIterator<Item = u64>) {
         let inputs = self.program.inputs;
         let row = &mut self.rows[lane * inputs..][..inputs];
@@ -146,9 +154,9 @@ impl Simulation {
     }
 
     /// With these inputs, or those that were set.
-    fn run(&mut self, task: Task, rows: Option<&[&[i64]; 4]>) {
+    fn run(&mut self, task: Task, rows: Option<&[&[i64]; MOST_LANES]>) {
         let inputs = self.program.inputs;
-        let last = self.program.lanes() - 1;
+        let last = self.program.rows - 1;
         let own = |lane: usize| &self.rows[lane.min(last) * inputs..][..inputs];
         let mut work = Work {
             words: &mut self.words,

@@ -3,6 +3,7 @@
 use crate::assemble::Assembler;
 use crate::functions::{Function, TASKS};
 use crate::interpret::Work;
+use crate::layout::Lanes;
 use crate::registers::{self, Constants};
 use crate::words::Words;
 use memmap2::{Mmap, MmapMut};
@@ -23,8 +24,13 @@ pub(crate) struct Machine {
 
 impl Machine {
     /// Nothing where the processor has no AVX2.
-    pub(crate) fn of(functions: &[Function]) -> Option<Machine> {
-        let [true, has_masks] = abilities() else {
+    pub(crate) fn of(functions: &[Function], lanes: Lanes, shares_inputs: bool) -> Option<Machine> {
+        let Abilities {
+            has_256_bits: true,
+            has_masks,
+            ..
+        } = abilities()
+        else {
             return None;
         };
         let (mut begins, mut constants, mut spilled) = (vec![], Constants::default(), 0);
@@ -34,6 +40,7 @@ impl Machine {
                 bytes,
                 lanes: function.lanes,
                 has_masks,
+                shares_inputs,
             };
             let begin = to.bytes.len();
             let is_outer = index + TASKS >= functions.len();
@@ -48,9 +55,13 @@ impl Machine {
         }
         let mut code = MmapMut::map_anon(bytes.len()).ok()?;
         code.copy_from_slice(&bytes);
-        let constants = constants.words.as_flattened();
+        let constants = constants
+            .words
+            .iter()
+            .flat_map(|all| &all[..lanes.words_of_constant()]);
+        let constants: Vec<u64> = constants.copied().collect();
         let mut words = Words::new(constants.len());
-        words.copy_from_slice(constants);
+        words.copy_from_slice(&constants);
         Some(Machine {
             code: code.make_exec().ok()?,
             begins,
@@ -85,15 +96,27 @@ impl Machine {
     }
 }
 
-/// AVX2, and the masks of AVX-512.
+/// What the processor has: vectors of AVX2, the masks of AVX-512, and its vectors.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Abilities {
+    pub(crate) has_256_bits: bool,
+    pub(crate) has_masks: bool,
+    pub(crate) has_512_bits: bool,
+}
+
 #[cfg(target_arch = "x86_64")]
-fn abilities() -> [bool; 2] {
+pub(crate) fn abilities() -> Abilities {
     use std::arch::is_x86_feature_detected as is_there;
+    let has_256_bits = is_there!("avx2");
     let has_masks = is_there!("avx512vl") && is_there!("avx512dq");
-    [is_there!("avx2"), has_masks]
+    Abilities {
+        has_256_bits,
+        has_masks,
+        has_512_bits: has_256_bits && has_masks && is_there!("avx512f"),
+    }
 }
 
 #[cfg(not(target_arch = "x86_64"))]
-fn abilities() -> [bool; 2] {
-    [false; 2]
+pub(crate) fn abilities() -> Abilities {
+    Abilities::default()
 }

@@ -3,7 +3,7 @@
 use crate::functions::{Function, TASKS, Task, functions};
 use crate::interpret::{self, Work};
 use crate::layout::{Lanes, Layout, Register};
-use crate::machine::Machine;
+use crate::machine::{Machine, abilities};
 use crate::words::Words;
 use imogene_hdl::{Design, Direction};
 
@@ -13,6 +13,8 @@ pub struct Program {
     /// If the processor has AVX2.
     machine: Option<Machine>,
     lanes: Lanes,
+    /// How many rows of inputs there are.
+    pub(crate) rows: usize,
     size: usize,
     /// By their numbers in the design.
     pub(crate) registers: Vec<Register>,
@@ -31,15 +33,24 @@ impl Program {
     /// Without AVX2 the steps of the code are interpreted.
     /// Panics with the name of a value in a loop without a register, or with a point that the design does not have.
     pub fn new(design: &Design, points: &[String]) -> Program {
-        Program::of(design, points, Lanes::One)
+        Program::of(design, points, Lanes::One, false)
     }
 
     /// As [`Program::new`], for four runs side by side at the price of one.
     pub fn in_lanes(design: &Design, points: &[String]) -> Program {
-        Program::of(design, points, Lanes::Four)
+        Program::of(design, points, Lanes::Four, false)
     }
 
-    fn of(design: &Design, points: &[String], lanes: Lanes) -> Program {
+    /// The same for runs that all get the same inputs: eight with AVX-512, else four.
+    pub fn on_one_stimulus(design: &Design, points: &[String]) -> Program {
+        let lanes = match abilities().has_512_bits {
+            true => Lanes::Eight,
+            false => Lanes::Four,
+        };
+        Program::of(design, points, lanes, true)
+    }
+
+    fn of(design: &Design, points: &[String], lanes: Lanes, shares_inputs: bool) -> Program {
         let layout = Layout::of(design, lanes);
         let outputs = design.top.ports_of(Direction::Out);
         let outputs: Vec<String> = outputs.map(|port| port.name.clone()).collect();
@@ -47,7 +58,8 @@ impl Program {
         Program {
             inputs: design.top.ports_of(Direction::In).count(),
             given: [outputs.len(), points.len()],
-            machine: Machine::of(&functions),
+            machine: Machine::of(&functions, lanes, shares_inputs),
+            rows: if shares_inputs { 1 } else { lanes.count() },
             functions,
             lanes,
             size: layout.size,
@@ -67,7 +79,7 @@ impl Program {
         self.machine.as_ref().map(|machine| &machine.code[..])
     }
 
-    /// How many runs lie side by side: 1 or 4.
+    /// How many runs lie side by side: 1, 4 or 8.
     pub fn lanes(&self) -> usize {
         self.lanes.count()
     }
@@ -89,7 +101,8 @@ impl Program {
     /// Room for what does not fit into registers.
     pub(crate) fn spilled(&self) -> Words {
         let machine = self.machine.as_ref();
-        Words::new(4 * machine.map_or(0, |machine| machine.spilled))
+        let vector = self.lanes.of_called().count();
+        Words::new(vector * machine.map_or(0, |machine| machine.spilled))
     }
 
     /// Does a task with the words of an instance; only the other tasks than the clock give words.

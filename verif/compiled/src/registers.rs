@@ -2,10 +2,10 @@
 
 use crate::assemble::{
     Assembler, BLEND, BLOCK, CONSTANTS, GIVEN, LEFT, LOAD_HIGH, LOAD_INDEX, LOAD_SCALAR, MASKS,
-    Operand, PAIR, READ, REGISTERS, RIGHT, ROWS, SELECT_BY_MASK, SPILLED, SPREAD, STORE_SCALAR,
-    TO_MASK, WRITE,
+    Operand, PAIR, READ, REGISTERS, RIGHT, ROWS, SELECT_BY_MASK, SPILLED, STORE_SCALAR, TO_MASK,
+    WRITE,
 };
-use crate::layout::Lanes;
+use crate::layout::{Lanes, MOST_LANES};
 use crate::line::{Line, Step, Value};
 use std::collections::{BTreeMap, HashMap};
 
@@ -57,6 +57,7 @@ pub(crate) fn write(
     let (lanes, of_four) = (to.lanes, line.of_four());
     let lanes_of = |is_four: bool| if is_four { Lanes::Four } else { lanes };
     let mut writer = Writer {
+        vector: 8 * lanes.of_called().count(),
         lanes: of_four.into_iter().map(lanes_of).collect(),
         to,
         constants,
@@ -98,6 +99,8 @@ fn uses(steps: &[Step]) -> Vec<Vec<usize>> {
 struct Writer<'a> {
     to: &'a mut Assembler,
     constants: &'a mut Constants,
+    /// Bytes of a vector.
+    vector: usize,
     /// Of each value.
     lanes: Vec<Lanes>,
     register: Vec<Option<u8>>,
@@ -136,7 +139,7 @@ impl Writer<'_> {
                 let from = self.fetch(a);
                 let into = self.result(index, step);
                 let from = Operand::Register(from);
-                self.to.vex(SPREAD, true, into, 0, from);
+                self.to.spread(into, from);
             }
             Step::Gather([a, b, c, d]) => {
                 self.keep(step);
@@ -150,7 +153,7 @@ impl Writer<'_> {
                 self.release(index, step);
                 self.hold(into, value);
             }
-            Step::Input(input) if self.to.lanes == Lanes::One => {
+            Step::Input(input) if self.to.shares_inputs || self.to.lanes == Lanes::One => {
                 self.home[index] = Some(Home::Input(input));
             }
             Step::Input(input) => {
@@ -313,7 +316,7 @@ impl Writer<'_> {
 
     /// Of a vector that is spilled, and a word in it.
     fn bytes(&self, slot: usize, lane: usize) -> i32 {
-        (32 * slot + 8 * lane) as i32
+        (self.vector * slot + 8 * lane) as i32
     }
 
     fn spill_at(&self, slot: usize) -> Operand {
@@ -322,7 +325,10 @@ impl Writer<'_> {
 
     fn place(&self, home: Home) -> Operand {
         match home {
-            Home::Constant(index) => Operand::Memory(CONSTANTS, 32 * index as i32),
+            Home::Constant(index) => {
+                let words = self.to.lanes.words_of_constant();
+                Operand::Memory(CONSTANTS, (8 * words * index) as i32)
+            }
             Home::State(place) => Operand::Memory(BLOCK, 8 * place as i32),
             Home::Input(input) => input_at(0, input),
             Home::Spilled(slot) => self.spill_at(slot),
@@ -348,6 +354,7 @@ impl Writer<'_> {
         let home = self.home[value.0 as usize].expect("a value lies somewhere");
         let from = self.place(home);
         match home {
+            Home::Input(_) if self.to.shares_inputs => self.to.spread(register, from),
             // A vector across two words that were stored one by one would wait for both.
             Home::State(_) | Home::Input(_) => {
                 (self.to).load_words(self.lanes[value.0 as usize], register, from)
@@ -371,16 +378,21 @@ impl Writer<'_> {
         match (self.register_of(value), home) {
             (None, Some(home @ Home::Constant(_))) => self.place(home),
             (None, Some(home @ Home::Spilled(_))) if is_last => self.place(home),
-            (None, Some(home)) if is_last && lanes == Lanes::Four => self.place(home),
+            // Into every lane there is no way from memory alone but of AVX-512.
+            (None, Some(Home::Input(_))) if self.to.shares_inputs && lanes == Lanes::Four => {
+                Operand::Register(self.fetch(value))
+            }
+            (None, Some(home)) if is_last && lanes != Lanes::One => self.place(home),
             _ => Operand::Register(self.fetch(value)),
         }
     }
 
     /// A register for anything, which is busy from now on.
     fn take(&mut self) -> u8 {
-        let free = (0..REGISTERS).find(|r| self.held[*r].is_none() && !self.is_busy[*r]);
+        let all = 0..self.to.registers();
+        let free = (all.clone()).find(|r| self.held[*r].is_none() && !self.is_busy[*r]);
         let register = free.unwrap_or_else(|| {
-            let others = (0..REGISTERS).filter(|register| !self.is_busy[*register]);
+            let others = all.filter(|register| !self.is_busy[*register]);
             let last = others.max_by_key(|register| self.next_use(*register));
             let register = last.expect("a step reads less than there is");
             let value = self.held[register].take().expect("it holds a value").0 as usize;
@@ -460,7 +472,7 @@ impl Writer<'_> {
     /// The values that were loaded from places to which this one is stored.
     fn loaded_at(&self, place: usize, stored: Value) -> Vec<(usize, Value)> {
         let words = |value: Value| self.lanes[value.0 as usize].count();
-        let most = Lanes::Four.count() - 1;
+        let most = MOST_LANES - 1;
         let places = place.saturating_sub(most)..place + words(stored);
         let loaded = self.loaded.range(places);
         let loaded = loaded.flat_map(|(place, values)| values.iter().map(move |v| (*place, *v)));

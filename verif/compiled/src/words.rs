@@ -1,21 +1,21 @@
-//! Words that begin at a line of four, so that no vector lies across two lines of a cache.
+//! Words that begin at a line of eight, so that no vector lies across two lines of a cache.
 
 use std::ops::{Deref, DerefMut, Range};
 
-/// Words whose first lies at a multiple of 32 bytes.
+/// Words whose first lies at a multiple of 64 bytes.
 pub(crate) struct Words {
     words: Vec<u64>,
     begin: usize,
 }
 
 /// Words more than are wanted, of which as many stand before the first as its place asks for.
-const MORE: usize = 3;
+const MORE: usize = 7;
 
 impl Words {
     pub(crate) fn new(count: usize) -> Words {
         let words = vec![0u64; count + MORE];
         Words {
-            begin: words.as_ptr().align_offset(32),
+            begin: words.as_ptr().align_offset(64),
             words,
         }
     }

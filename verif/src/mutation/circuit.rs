@@ -62,7 +62,7 @@ pub fn run(
     let campaign = Campaign {
         subject,
         clocks: options.clocks,
-        bare: Arc::new(Program::in_lanes(design, &[])),
+        bare: Arc::new(Program::on_one_stimulus(design, &[])),
         on_done: &on_done,
     };
     let end = options.stimuli;
@@ -257,7 +257,7 @@ impl Group {
         let mut mutants = controls.mutants();
         mutants.retain(|mutant| wanted(&controls.key(mutant)));
         Group {
-            program: Arc::new(Program::in_lanes(&controls.design, &[])),
+            program: Arc::new(Program::on_one_stimulus(&controls.design, &[])),
             is_of_power_up: sites.iter().all(Site::is_of_power_up),
             controls,
             mutants,

@@ -266,4 +266,45 @@ proptest! {
             lanes.iter_mut().for_each(Simulator::clock);
         }
     }
+
+    /// What differs between the runs is what registers hold: of each run another one holds something else at first.
+    #[test]
+    fn runs_on_one_stimulus_are_those_of_one_lane(
+        recipe in (steps(40), steps(80), steps(20)).prop_map(|(top, part, inner)| vec![top, part, inner]),
+        stimulus in prop::collection::vec(any::<[u64; 4]>(), 1..12),
+        upset in any::<u64>(),
+    ) {
+        let design = design(&recipe);
+        let paths = paths(&design);
+        let count = registers(&design.top);
+        let alone = Arc::new(Program::new(&design, &paths));
+        for program in [
+            Program::on_one_stimulus(&design, &paths),
+            Program::on_one_stimulus(&design, &paths).interpreted(),
+        ] {
+            let mut together = Simulation::new(&Arc::new(program));
+            let lanes = together.lanes();
+            let mut single: Vec<Simulation> = (0..lanes).map(|_| Simulation::new(&alone)).collect();
+            for (lane, single) in single.iter_mut().enumerate().filter(|_| count > 0) {
+                let (register, word) = (lane * 7 % count, upset.rotate_left(9 * lane as u32));
+                together.upset(lane, register, word);
+                single.upset(0, register, word);
+            }
+            for words in &stimulus {
+                together.set_all(*words);
+                for (lane, single) in single.iter_mut().enumerate() {
+                    single.set_all(*words);
+                    let points = together.points()[lane..].iter().step_by(lanes);
+                    prop_assert!(points.eq(single.points()), "lane {}", lane);
+                    single.clock();
+                }
+                together.clock();
+            }
+        }
+    }
+}
+
+fn registers(module: &imogene_hdl::Module) -> usize {
+    let parts = module.instances.iter();
+    parts.map(|part| registers(&part.module)).sum::<usize>() + module.registers.len()
 }
