@@ -121,7 +121,11 @@ fn words_then_pixels(
             let (mut words, pixels) = sequence(seed, depth, lights, gaps.len());
             let idle: Inputs = vec![0; count];
             let mut list: Vec<Inputs> = vec![];
-            for (address, word) in loaded(seed, &mut words) {
+            let mut loads = loaded(seed, &mut words);
+            // The first pixel follows any word at once.
+            let last = seed as usize % loads.len();
+            loads.rotate_left(last);
+            for (address, word) in loads {
                 let mut inputs = idle.clone();
                 inputs[count - 2] = address.into();
                 inputs[count - 1] = word.into();
