@@ -1,5 +1,6 @@
 //! Arguments of the commands that simulate.
 
+use super::given::Given;
 use super::parse::{Choices, choice};
 use super::scene::{SceneWords, Size, View, size};
 use super::unit::Shape;
@@ -21,6 +22,9 @@ pub(super) const ENGINES: Choices<Engine> = &[
 /// Arguments of `cosim`.
 #[derive(Debug, Args)]
 pub struct Cosim {
+    /// First, for what is parsed is taken away.
+    #[command(flatten)]
+    pub given: Given,
     /// Scene file, a unit as listed by `imogene units`, or a named extreme: extremes/NAME, or extremes for all.
     pub subject: String,
     /// What runs the hardware.
@@ -62,6 +66,9 @@ pub struct Cosim {
 /// Arguments of `speed`.
 #[derive(Debug, Args)]
 pub struct Speed {
+    /// First, for what is parsed is taken away.
+    #[command(flatten)]
+    pub given: Given,
     /// Unit, as listed by `imogene units`, or a scene file of quadrics: the beam machine that draws it, loaded first.
     #[arg(default_value = "quadric_processor")]
     pub unit: String,

@@ -13,7 +13,7 @@ pub struct Synth {
     #[arg(required_unless_present_any = ["table", "check", "machine"])]
     pub unit: Option<String>,
     /// Whole machine in the place of a unit, as those in machines/, placed and routed as one.
-    #[arg(long, value_name = "FILE.toml", conflicts_with_all = ["unit", "table", "check", "widths"])]
+    #[arg(long, value_name = "FILE.toml", conflicts_with_all = ["unit", "table", "check", "widths", "format", "parameters"])]
     pub machine: Option<PathBuf>,
     /// Device: ice40-hx8k, ice40-up5k, ecp5-45k, ecp5-85k, xilinx7, gowin, or transistors.
     #[arg(long, value_name = "T", required_unless_present_any = ["table", "check"])]
@@ -32,7 +32,7 @@ pub struct Synth {
     pub fresh: bool,
     /// Make the resource table of the documentation instead, its figures as JSON and its picture; it fixes units,
     /// targets and seeds. Rows of the same Verilog and tools keep their figures.
-    #[arg(long, conflicts_with_all = ["unit", "target", "seeds", "widths"])]
+    #[arg(long, conflicts_with_all = ["unit", "target", "seeds", "widths", "format", "parameters"])]
     pub table: bool,
     /// File of the table; its figures go beside it as .json, its picture into images/.
     #[arg(
@@ -46,7 +46,7 @@ pub struct Synth {
     /// baseline.
     #[arg(
         long,
-        conflicts_with_all = ["table", "seeds", "format", "root-form", "planes", "rows-per-stage", "objects", "digits", "corrections", "widths"]
+        conflicts_with_all = ["table", "seeds", "format", "parameters", "widths"]
     )]
     pub check: bool,
     /// File to check against.

@@ -140,7 +140,7 @@ pub struct Emit {
     pub unit: Option<String>,
     /// Whole machine in the place of a unit, as those in machines/; with a scene `imogene machine` writes it, with what
     /// it is loaded with.
-    #[arg(long, value_name = "FILE.toml", conflicts_with_all = ["unit", "widths"])]
+    #[arg(long, value_name = "FILE.toml", conflicts_with_all = ["unit", "widths", "format", "parameters"])]
     pub machine: Option<PathBuf>,
     /// Parameters.
     #[command(flatten)]

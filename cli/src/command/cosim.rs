@@ -17,6 +17,7 @@ use std::path::Path;
 
 pub fn run(options: &Cosim, json: bool) -> Result {
     if extremes::is_meant(&options.subject) {
+        options.given.of_neither("an extreme")?;
         return extremes::run(&options.subject, json);
     }
     let mut report = if Unit::from_name(&options.subject).is_ok() {
@@ -34,22 +35,8 @@ pub fn run(options: &Cosim, json: bool) -> Result {
 }
 
 fn run_unit(options: &Cosim) -> Result<Report> {
+    options.given.of_unit()?;
     let request = options.shape.request(&options.subject)?;
-    if options.inject_fault.is_some() {
-        return Err(Failure::Input(
-            "--inject-fault flips a coefficient bit of a scene's object; give a scene file".into(),
-        ));
-    }
-    if !options.view.options().is_empty() {
-        return Err(Failure::Input(
-            "--camera and --frame choose a view of a scene; give a scene file".into(),
-        ));
-    }
-    if !options.words.is_none() {
-        return Err(Failure::Input(
-            "--guards and --widths are those of a scene's machine; give a scene file".into(),
-        ));
-    }
     let subject = match (&options.netlist, options.engine) {
         (None, engine) => engine.unit(&request)?,
         (Some(_), Engine::BuiltIn) => {
@@ -65,12 +52,6 @@ fn run_unit(options: &Cosim) -> Result<Report> {
         }
     };
     let waves = &options.waves;
-    if waves.vcd_from.is_some() || !waves.vcd_nets.is_empty() {
-        return Err(Failure::Input(
-            "--vcd-from and --vcd-nets are for a scene or a machine; the waveforms of a unit are the ports, in the first stimulus that differs, or the first"
-                .into(),
-        ));
-    }
     let wants_trace = waves.vcd.is_some();
     let (mut report, trace) = random::run(&subject, options.clocks, options.seed, wants_trace);
     let is_wanted = !waves.vcd_at_mismatch || report.mismatches > 0;
@@ -86,11 +67,6 @@ fn run_unit(options: &Cosim) -> Result<Report> {
 }
 
 fn run_scene(options: &Cosim) -> Result<Report> {
-    if options.netlist.is_some() {
-        return Err(Failure::Input(
-            "--netlist takes a unit; a scene runs on the emitted Verilog of a whole machine".into(),
-        ));
-    }
     let path = Path::new(&options.subject);
     if path.extension().is_none() && !path.exists() {
         let names = Unit::ALL.map(Unit::name).join(", ");
@@ -99,6 +75,7 @@ fn run_scene(options: &Cosim) -> Result<Report> {
             options.subject
         )));
     }
+    options.given.of_scene()?;
     if !options.shape.others.root_form.is_usual() {
         return Err(Failure::Input(format!(
             "--root-form is that of a unit; of a scene's machine give --widths depth={},root_form={}",

@@ -17,6 +17,7 @@ pub fn run(options: &Speed, json: bool) -> Result {
     let path = Path::new(&options.unit);
     let is_scene = Unit::from_name(&options.unit).is_err() && path.extension().is_some();
     let (request, clocks) = if is_scene {
+        options.given.of_scene()?;
         let file = molecules::read_scene(path)?;
         let format = Format::new(options.shape.format)?;
         let (_, prepared) = frame_in(&file, None, format)?;

@@ -121,6 +121,14 @@ fn usage_and_parameters_out_of_range() {
         cosim pe1 --format 7                                               | 7 | 8 to 32
         cosim nothing                                                      | nothing | pe1
         cosim pe1 --widths depth=20                                        | --widths | scene
+        cosim pe1 --size 20x20                                             | --size | a scene, not for a unit
+        cosim x.toml --clocks 10                                           | --clocks | a unit, not for a scene
+        cosim x.toml --objects 3                                           | --objects | a unit, not for a scene
+        cosim extremes --engine icarus                                     | --engine | not for an extreme
+        speed x.toml --planes 3                                            | --planes | a unit, not for a scene
+        emit --machine x.toml --planes 3 --out out                         | --machine | --planes
+        synth --machine x.toml --target ecp5-45k --objects 3               | --machine | --objects
+        synth --table --format 20                                          | --table | --format
         synth pe1 --target ecp5-45k --widths depth=20 --slots 1            | --widths | beam | pe1
         synth beam --target ecp5-45k --widths depth=20 --slots 1 --seeds 9 | --widths | --seeds
         synth --check --rows-per-stage 3                                   | --check | --rows-per-stage

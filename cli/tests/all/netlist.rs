@@ -46,7 +46,7 @@ fn what_cannot_be_run_is_refused_by_name() {
         pe1 --netlist ice40-hx8k                              | --engine icarus
         pe1 --engine icarus --netlist xilinx7                 | ice40-hx8k
         pe1 --engine icarus --netlist ecp6                    | there is no target `ecp6`
-        scenes/cone.toml --engine icarus --netlist ice40-hx8k | --netlist takes a unit
+        scenes/cone.toml --engine icarus --netlist ice40-hx8k | --netlist is for a unit, not for a scene
     ";
     for [line, part] in columns(cases) {
         run(&format!("cosim {line}")).refused(&[part]);

@@ -2,8 +2,8 @@
 //!
 //! The inputs of the whole lie elsewhere, those of each lane in a row. In four or eight lanes each word lies as often,
 //! side by side. Equal parts of what runs in one lane lie so, as many as there are, but for four at most: they run
-//! together. So do the small ones that stand in one module, as the rows of a root do: word by word those of all rows, so
-//! that what each row takes from the one before lies side by side too.
+//! together. So do the small ones that stand in one module, as the rows of a root do: word by word those of all rows,
+//! so that what each row takes from the one before lies side by side too.
 
 use crate::word::kept;
 use imogene_hdl::{Design, Direction, Module};
