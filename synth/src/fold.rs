@@ -43,6 +43,14 @@ impl Folded {
 }
 
 impl Target {
+    /// What a result depends on beside tools and their commands.
+    pub(crate) fn steps(self) -> &'static str {
+        match self.family() {
+            Family::Ecp5 => FOLDS,
+            _ => "",
+        }
+    }
+
     /// Changes a netlist in a file to one of fewer cells, where the family has such cells; by module, how many fewer.
     pub(crate) fn fold(self, netlist: &Path) -> Result<BTreeMap<String, Folded>, SynthError> {
         match self.family() {

@@ -1,6 +1,5 @@
 //! The targets: a device, its synthesis command and its place and route command.
 
-use crate::fold::FOLDS;
 use imogene_contract::RootForm;
 use thiserror::Error;
 
@@ -148,14 +147,6 @@ impl Target {
     /// Architecture of its device.
     pub const fn family(self) -> Family {
         self.row().1
-    }
-
-    /// What a result depends on beside tools and their commands.
-    pub(crate) fn steps(self) -> &'static str {
-        match self.family() {
-            Family::Ecp5 => FOLDS,
-            _ => "",
-        }
     }
 
     /// Commands that synthesise the module `top` and leave only cells of the target.
