@@ -90,6 +90,12 @@ fn fold_module(module: &mut Value) -> Folded {
     }
 }
 
+/// A port is a bit of the one of this name.
+fn is_bit(port: &str, name: &str) -> bool {
+    let number = port.strip_prefix(name);
+    number.is_some_and(|number| number.parse::<u8>().is_ok())
+}
+
 /// Cells by name.
 type Cells = Map<String, Value>;
 

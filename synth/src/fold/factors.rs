@@ -4,7 +4,7 @@
 //! delays another register leaves the way to the multiplier the whole clock instead.
 
 use super::registers::{Control, control, has_output_register};
-use super::{Cells, FLIP_FLOP, Readers};
+use super::{Cells, FLIP_FLOP, Readers, is_bit};
 use serde_json::{Value, json};
 use std::collections::HashMap;
 
@@ -78,10 +78,7 @@ fn factors(cell: &Value, cells: &Cells, drivers: &Drivers) -> Option<Vec<Factor>
     }
     let mut found = vec![];
     for (port, bits) in cell["connections"].as_object()? {
-        let is_factor = FACTORS.iter().any(|side| {
-            let number = port.strip_prefix(side);
-            number.is_some_and(|number| number.parse::<u8>().is_ok())
-        });
+        let is_factor = FACTORS.iter().any(|side| is_bit(port, side));
         if !is_factor || bits == &json!(["0"]) {
             continue;
         }

@@ -3,7 +3,7 @@
 //! Yosys leaves such flip-flops in logic. A block memory then needs 5.8 ns to its word, 1.0 ns with its own register; a
 //! multiplier 3.9 ns and a way to the flip-flop, 3.5 ns with its own. Clock for clock the outputs are the same.
 
-use super::{Cells, FLIP_FLOP, Readers};
+use super::{Cells, FLIP_FLOP, Readers, is_bit};
 use serde_json::{Value, json};
 
 /// A cell with an output register: its type, the sides that the register has, the names that its outputs, clock, enable
@@ -116,10 +116,7 @@ fn register(cell: &Value, kind: &Kind, cells: &Cells, readers: &Readers) -> Opti
     }
     let mut found: Option<Register> = None;
     for (port, net) in cell["connections"].as_object()? {
-        let is_output = kind.with_sides(output).any(|name| {
-            let number = port.strip_prefix(&name);
-            number.is_some_and(|number| number.parse::<u8>().is_ok())
-        });
+        let is_output = kind.with_sides(output).any(|name| is_bit(port, &name));
         let readers = net[0].as_u64().and_then(|net| readers.get(&net));
         let Some(readers) = readers.filter(|_| is_output) else {
             continue;
