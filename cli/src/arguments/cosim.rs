@@ -22,7 +22,7 @@ pub(super) const ENGINES: Choices<Engine> = &[
 /// Arguments of `cosim`.
 #[derive(Debug, Args)]
 pub struct Cosim {
-    /// First, for what is parsed is taken away.
+    /// It stands first: the parser takes away what the fields behind it have read.
     #[command(flatten)]
     pub given: Given,
     /// Scene file, a unit as listed by `imogene units`, or a named extreme: extremes/NAME, or extremes for all.
@@ -66,7 +66,7 @@ pub struct Cosim {
 /// Arguments of `speed`.
 #[derive(Debug, Args)]
 pub struct Speed {
-    /// First, for what is parsed is taken away.
+    /// It stands first: the parser takes away what the fields behind it have read.
     #[command(flatten)]
     pub given: Given,
     /// Unit, as listed by `imogene units`, or a scene file of quadrics: the beam machine that draws it, loaded first.

@@ -44,10 +44,7 @@ pub struct Synth {
     pub out: PathBuf,
     /// Synthesise the rows of the table again, or those of UNIT or --target; exit code 1 if one got worse than the
     /// baseline.
-    #[arg(
-        long,
-        conflicts_with_all = ["table", "seeds", "format", "parameters", "widths"]
-    )]
+    #[arg(long, conflicts_with_all = ["table", "seeds", "format", "parameters", "widths"])]
     pub check: bool,
     /// File to check against.
     #[arg(

@@ -144,7 +144,8 @@ impl Simulation {
     /// first. Gives the outputs after it, as [`Simulation::outputs`] does from then on. What was set stays as it was.
     /// Panics if a row has not as many words as there are inputs.
     pub fn step(&mut self, rows: &[&[i64]]) -> &[u64] {
-        let row = |lane: usize| *rows.get(lane).unwrap_or(&rows[0]);
+        let count = self.program.rows;
+        let row = |lane: usize| *rows[..rows.len().min(count)].get(lane).unwrap_or(&rows[0]);
         let rows = std::array::from_fn(row);
         for task in [Task::Clock, Task::Outputs] {
             self.run(task, Some(&rows));

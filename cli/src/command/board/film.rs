@@ -6,8 +6,8 @@ use crate::command::read_scene;
 use crate::failure::Failure;
 use imogene_board::{Board, stays};
 use imogene_contract::slots::FittedSlot;
-use imogene_contract::volume;
 use imogene_golden::machine::zone::beat::{Beat, kind};
+use imogene_golden::machine::zone::decode::presence;
 use imogene_plan::description::MachineDescription;
 use std::collections::HashMap;
 use std::path::Path;
@@ -83,10 +83,8 @@ fn changes<'a>(images: impl Iterator<Item = &'a [Beat]>, slots: &[FittedSlot]) -
     let mut held = HashMap::new();
     let words = images.flatten().filter(|beat| {
         let is_presence = match beat.kind {
-            kind::OBJECT => {
-                u64::from(beat.address) == slots[usize::from(beat.unit)].kind.presence()
-            }
-            kind::VOLUME => u64::from(beat.address) == volume::CONTROL,
+            kind::OBJECT => beat.address == presence(slots.get(usize::from(beat.unit))),
+            kind::VOLUME => beat.address == presence(None),
             _ => false,
         };
         let place = (beat.kind, beat.unit, beat.address);

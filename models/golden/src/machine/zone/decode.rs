@@ -9,6 +9,11 @@ use imogene_contract::shading::MOST_MATERIALS;
 use imogene_contract::slots::FittedSlot;
 use imogene_contract::volume;
 
+/// Address of the word that says that there is an object in a slot, or, without one, a volume.
+pub fn presence(slot: Option<&FittedSlot>) -> u16 {
+    slot.map_or(volume::CONTROL, |slot| slot.kind.presence()) as u16
+}
+
 /// Words of one processor; they hold until written again.
 #[derive(Clone, Debug)]
 pub struct Registers {
@@ -50,9 +55,7 @@ impl Registers {
             return false;
         };
         *word = data;
-        let of_object = self.slot.as_ref().map(|slot| slot.kind.presence() as u16);
-        let tells = of_object.unwrap_or(volume::CONTROL as u16);
-        self.present |= address == tells;
+        self.present |= address == presence(self.slot.as_ref());
         true
     }
 
