@@ -48,8 +48,9 @@ pub(super) fn light_factors(
             let is_before = is_positive(kept_exact) | (kept_exact.is(0) & kept_rest);
             let kept_lit = kept_turned.select(kept_exact.is_negative(), is_before).reg();
             let along = normal_high.slice(34, 10).int();
-            let opposite = Int::new(0, 25) - along;
-            let kept_along = sight.turned.select(opposite, along).reg();
+            let kept_unturned = along.reg();
+            let opposite = Int::new(0, 25) - kept_unturned;
+            let kept_along = kept_turned.select(opposite, kept_unturned).reg();
             let kept_magnitude = kept_along.slice(23, 0).reg();
             let kept_is_along = is_positive(kept_along).reg();
             let back = ray_light.slice(36, 12).int();
@@ -59,8 +60,8 @@ pub(super) fn light_factors(
             let cosine = kept_difference.slice(49, 20).int();
             let gate = kept_lit & reach;
         }
-        let diffuse_gate =
-            (gate & kept_is_along).delayed_as("diffuse_gate", FACTORS - 1 - PRODUCTS - 2);
+        let diffuse_gate = gate.delayed_as("gate_along", 1) & kept_is_along;
+        let diffuse_gate = diffuse_gate.delayed_as("diffuse_gate", FACTORS - 1 - PRODUCTS - 3);
         let specular_gate = gate.delayed_as("gate_late", PRODUCT - 1) & is_positive(cosine);
         let specular_gate =
             specular_gate.delayed_as("specular_gate", FACTORS - 2 - PRODUCTS - PRODUCT);
@@ -75,7 +76,7 @@ pub(super) fn light_factors(
             let kept_pair = pair.reg();
             let kept_other = (normal_log + ray_log).reg();
             let kept_four = (kept_pair + kept_other).reg();
-            let kept_pair_cut = (kept_pair - Int::new(20 << 20, SUM)).reg();
+            let kept_pair_cut = (kept_pair - Int::new(20 << 20, SUM)).delay(2);
             let kept_four_cut = (kept_four - Int::new(82 << 20, SUM)).delay(PRODUCT - 1);
             let kept_diffuse = (kept_pair_cut - (along_log + along_log)).reg();
             let kept_specular = (kept_four_cut - (cosine_log + cosine_log)).reg();
@@ -87,7 +88,7 @@ pub(super) fn light_factors(
             sum.is_negative().select(none, loss).reg()
         };
         let diffuse_loss = loss(kept_diffuse, kept_diffuse.bits());
-        let diffuse_loss = diffuse_loss.delayed_as("diffuse_loss", LOSS - LOGARITHMS - 4);
+        let diffuse_loss = diffuse_loss.delayed_as("diffuse_loss", LOSS - LOGARITHMS - 5);
         net! {
             let kept_specular_loss = loss(kept_specular, specular_loss);
             let whole_power = product("power_product", signed(kept_specular_loss), signed(exponent));
