@@ -35,12 +35,13 @@ pub(super) fn of_objects<'a>(
             return UNSEEN;
         }
         let cuts = object.cuts.len() as u64;
-        let corners = match &object.shape {
-            Shape::Mesh(mesh) => mesh.vertices.len() as u64,
-            _ => 0,
+        // A face that is not plane is two facets, each with a shadow.
+        let (corners, parts) = match &object.shape {
+            Shape::Mesh(mesh) => (mesh.vertices.len() as u64, 2 * mesh.faces.len() as u64),
+            _ => (0, 1 + cuts),
         };
         let volumes = match object.casts_shadow {
-            true => sources * (1 + cuts),
+            true => sources * parts,
             false => 0,
         };
         OBJECT + CUT * cuts + CORNER * corners + VOLUME * volumes

@@ -275,6 +275,8 @@ pub enum Beginning {
     PolarPlane,
     /// At this cut plane.
     Cut(usize),
+    /// At this facet of a mesh.
+    Facet(usize),
 }
 
 /// One volume: words, and what is known of them.

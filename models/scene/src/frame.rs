@@ -259,7 +259,7 @@ fn framed_object(
     let ball = |radius: f64| Box::new(FramedSphere::new(name, material, radius, &to_camera()));
     Ok(match (&object.shape, object.drawn_by()) {
         (Shape::Mesh(mesh), _) => {
-            let mesh = FramedMesh::new(name, material, mesh, &to_camera());
+            let mesh = FramedMesh::new((name, material), mesh, &to_camera(), object.casts_shadow);
             FramedObject::Mesh(Box::new(mesh))
         }
         (Shape::Polyhedron, _) | (_, None) => FramedObject::Polyhedron(cut()),

@@ -145,6 +145,14 @@ impl FramedObject {
         }
     }
 
+    /// Whether it keeps the light of sources with shadows off others.
+    pub fn casts_shadow(&self) -> bool {
+        match self {
+            Self::Mesh(mesh) => mesh.casts_shadow,
+            _ => self.caster().is_some(),
+        }
+    }
+
     /// The true object as a cut quadric; a mesh is none, and what is left out has none any more.
     pub fn cut_quadric(&self) -> Option<FramedQuadric> {
         match self {

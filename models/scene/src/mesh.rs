@@ -25,6 +25,8 @@ pub struct FramedMesh {
     pub normals: Option<Vec<[i16; 3]>>,
     /// Facets in the order of the file; a face that is not plane, or not convex, is two of them.
     pub facets: Vec<FramedFacet>,
+    /// Whether it keeps the light of sources with shadows off others.
+    pub casts_shadow: bool,
 }
 
 /// One flat facet.
@@ -50,10 +52,10 @@ pub(super) enum Face {
 impl FramedMesh {
     /// A mesh whose faces are checked.
     pub(super) fn new(
-        name: &str,
-        material: usize,
+        (name, material): (&str, usize),
         mesh: &Mesh,
         to_camera: &Transform,
+        casts_shadow: bool,
     ) -> FramedMesh {
         let local: Vec<Point> = mesh.vertices.iter().map(|v| v.map(from_decimal)).collect();
         let vertices: Vec<Point> = local.iter().map(|v| to_camera.point(v)).collect();
@@ -75,6 +77,7 @@ impl FramedMesh {
             vertices,
             normals: (!mesh.normals.is_empty()).then(|| mesh.normals.iter().map(turned).collect()),
             facets,
+            casts_shadow,
         }
     }
 }

@@ -7,7 +7,9 @@
 //!
 //! A point of the segment is `a source + b point`, a and b not negative. The planes leave an interval of it, and a
 //! quadratic form in (a, b) that is not positive somewhere in that interval, the visible point itself not counted, is a
-//! solid in the way. The signs are first told in ball arithmetic, and in exact numbers where that leaves one open.
+//! solid in the way. A facet of a mesh is in the way of a point beyond its plane, and not outside of any plane through
+//! the source and one of its sides; of its own points if the viewer sees its other side. The signs are first told in
+//! ball arithmetic, and in exact numbers where that leaves one open.
 
 use super::ball::{Ball, balls, exponent};
 use super::number::Number;
@@ -15,13 +17,16 @@ use super::ray::{first_degree, ray_points};
 use super::real::SurdReal;
 use super::render::View;
 use super::surd::Surd;
+use imogene_algebra::rational::integer;
 use imogene_algebra::vector;
 use imogene_algebra::whole::common_denominator;
 use imogene_golden::machine::lighting::{ALL_SOURCES, Lighting};
 use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR, FACE_PLANE};
-use imogene_scene::{FramedObject, FramedScene, FramedSource, Plane, Quadric, Surface};
+use imogene_scene::{
+    FramedMesh, FramedObject, FramedScene, FramedSource, Plane, Projection, Quadric, Surface,
+};
 use num_bigint::BigInt;
-use num_traits::Zero;
+use num_traits::{Signed, Zero};
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
@@ -33,9 +38,14 @@ pub fn lighting(scene: &FramedScene, line_done: impl Fn() + Sync) -> Lighting {
     let view = View::new(scene);
     let objects = scene.objects.iter().enumerate();
     let casters: Vec<Caster> = objects.filter_map(Caster::of).collect();
+    let meshes = scene.objects.iter().filter_map(|object| match object {
+        FramedObject::Mesh(mesh) if mesh.casts_shadow => Some(&**mesh),
+        _ => None,
+    });
+    let meshes: Vec<&FramedMesh> = meshes.collect();
     let sources = scene.sources.iter();
     let sources: Vec<Source> = sources
-        .map(|source| Source::new(source, &casters))
+        .map(|source| Source::new(source, &casters, (&meshes, &viewer(scene))))
         .collect();
     let (constant, slope) = ray_points(scene);
     let line = |y: i64| {
@@ -65,6 +75,16 @@ pub fn lighting(scene: &FramedScene, line_done: impl Fn() + Sync) -> Lighting {
             .flat_map_iter(line)
             .collect(),
     }
+}
+
+/// The viewer as a homogeneous point.
+fn viewer(scene: &FramedScene) -> Vector<BigInt> {
+    let [zero, one] = [0, 1].map(integer);
+    let point = match &scene.projection {
+        Projection::Perspective { distance } => [&zero, &zero, &-distance, &one],
+        Projection::Orthographic { .. } => [&zero, &zero, &-&one, &zero],
+    };
+    common_denominator(point).0
 }
 
 /// A visible point.
@@ -171,6 +191,87 @@ struct Source {
     /// Every caster as the source sees it.
     exact: Vec<Lit<BigInt>>,
     near: Vec<Lit<Ball>>,
+    /// Facets that it does not see edge-on.
+    facets: Vec<Facet>,
+}
+
+/// What is beyond a facet as a source sees it: where the first plane, its own, is negative and the others, through the
+/// source and one side each, are not positive.
+struct Facet {
+    exact: Vec<Vector<BigInt>>,
+    near: Vec<Vector<Ball>>,
+    /// The viewer and the source see different sides of it.
+    is_unlit: bool,
+}
+
+impl Facet {
+    fn new(
+        corners: &[Vector<BigInt>],
+        source: &Vector<BigInt>,
+        viewer: &Vector<BigInt>,
+    ) -> Option<Facet> {
+        let own = through([&corners[0], &corners[1], &corners[2]]);
+        let at_source = vector::dot(&own, source).signum();
+        if at_source.is_zero() {
+            return None;
+        }
+        let mut exact = vec![own.map(|v| v * &at_source)];
+        for (k, corner) in corners.iter().enumerate() {
+            let [next, other] = [1, 2].map(|ahead| &corners[(k + ahead) % corners.len()]);
+            let side = through([source, corner, next]);
+            let outwards = -vector::dot(&side, other).signum();
+            exact.push(side.map(|v| v * &outwards));
+        }
+        Some(Facet {
+            near: exact.iter().map(balls).collect(),
+            is_unlit: vector::dot(&exact[0], viewer).is_negative(),
+            exact,
+        })
+    }
+
+    fn is_in_the_way(&self, point: &Seen) -> bool {
+        let near = self.is_beyond(&self.near, &point.near);
+        near.unwrap_or_else(|| self.is_beyond(&self.exact, &point.exact).expect(EXACT))
+    }
+
+    fn is_beyond<N: Number>(
+        &self,
+        planes: &[Vector<N::Factor>],
+        point: &Vector<N>,
+    ) -> Option<bool> {
+        let mut all = Some(true);
+        for (index, plane) in planes.iter().enumerate() {
+            let value = dot(plane, point);
+            match value.known_sign() {
+                Some(Ordering::Greater) => return Some(false),
+                Some(Ordering::Equal) if index == 0 && !self.is_unlit => return Some(false),
+                Some(_) => {}
+                None => all = None,
+            }
+        }
+        all
+    }
+}
+
+/// The plane through three homogeneous points.
+fn through([u, v, w]: [&Vector<BigInt>; 3]) -> Vector<BigInt> {
+    std::array::from_fn(|k| {
+        let [a, b, c] = [1, 2, 3].map(|ahead| (k + ahead) % 4);
+        let part = |p: &Vector<BigInt>| [a, b, c].map(|at| p[at].clone());
+        let minor = vector::dot(part(u), vector::cross(part(v), part(w)));
+        // Turning four columns by one changes the sign of a determinant.
+        if k % 2 == 0 { minor } else { -minor }
+    })
+}
+
+/// The corners of each facet, as homogeneous points.
+fn facets(mesh: &FramedMesh) -> impl Iterator<Item = Vec<Vector<BigInt>>> {
+    let homogeneous = |&corner: &usize| {
+        let ([x, y, z], w) = common_denominator(mesh.vertices[corner].each_ref());
+        [x, y, z, w]
+    };
+    let facets = mesh.facets.iter();
+    facets.map(move |facet| facet.corners.iter().map(homogeneous).collect())
 }
 
 /// What a solid has at a source s: Q s, s'Qs and p.s of each plane.
@@ -196,14 +297,22 @@ impl<F> Lit<F> {
 }
 
 impl Source {
-    fn new(source: &FramedSource, casters: &[Caster]) -> Source {
+    fn new(
+        source: &FramedSource,
+        casters: &[Caster],
+        (meshes, viewer): (&[&FramedMesh], &Vector<BigInt>),
+    ) -> Source {
         let (point, _) = common_denominator(source.point.each_ref());
         debug_assert!(point.iter().any(|v| !v.is_zero()));
         let near = balls(&point);
         let exact =
             |caster: &Caster| Lit::new(&caster.solid.exact, &point, |u, v| vector::dot(u, v));
         let cone = source.cone.as_ref();
+        let facets = meshes.iter().flat_map(|mesh| facets(mesh));
         Source {
+            facets: facets
+                .filter_map(|corners| Facet::new(&corners, &point, viewer))
+                .collect(),
             casts: source.shadows,
             cone: cone.map(|c| Both::new(&c.quadric, std::slice::from_ref(&c.plane))),
             exact: casters.iter().map(exact).collect(),
@@ -220,6 +329,9 @@ impl Source {
     }
 
     fn is_blocked(&self, point: &Seen, casters: &[Caster]) -> bool {
+        if self.facets.iter().any(|facet| facet.is_in_the_way(point)) {
+            return true;
+        }
         let face = |caster: &Caster| (caster.object == point.object).then_some(point.face);
         let mut open = vec![];
         for (index, (caster, lit)) in casters.iter().zip(&self.near).enumerate() {

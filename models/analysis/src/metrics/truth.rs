@@ -8,11 +8,14 @@ use imogene_algebra::rational::{integer, to_f64};
 use imogene_golden::format::Format;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::Lighting;
+use imogene_golden::unit::depth_interval::{FACE_NEAR_END, FACE_PLANE};
 use imogene_prepare::perspective::full_depth;
 use imogene_scene::FramedScene;
 
 /// Index of an object that no picture shows; that of the background is another.
 const NO_OBJECT: u32 = u32::MAX - 1;
+/// Number of a face that no picture shows.
+const NO_FACE: u8 = u8::MAX;
 
 /// What is truly seen, in words of the base format.
 #[derive(Clone, Debug)]
@@ -47,6 +50,22 @@ impl Truth {
     pub fn renumber(&mut self, indices: &[Option<u32>]) {
         for pixel in self.pixels.iter_mut().flatten() {
             pixel.id = indices[pixel.id as usize].unwrap_or(NO_OBJECT);
+        }
+    }
+
+    /// Takes planes with these indices out of an object: those behind them move up, and a point of theirs is seen all
+    /// the same, as one of a face that no picture shows.
+    pub fn renumber_planes(&mut self, object: u32, out: &[usize]) {
+        let of_object = self.pixels.iter_mut().flatten();
+        for pixel in of_object.filter(|pixel| pixel.id == object) {
+            if !(FACE_PLANE..FACE_NEAR_END).contains(&pixel.number) {
+                continue;
+            }
+            let plane = usize::from(pixel.number - FACE_PLANE);
+            pixel.number = match out.contains(&plane) {
+                true => NO_FACE,
+                false => pixel.number - out.iter().filter(|out| **out < plane).count() as u8,
+            };
         }
     }
 

@@ -1,6 +1,6 @@
 //! What is found of volumes the first time that a scene is prepared, and is the same in any words.
 
-use super::shadow::{ShadowPart, SourceInside, shadow_parts};
+use super::shadow::{ShadowPart, SourceInside, mesh_shadow_parts, shadow_parts};
 use crate::cell::Cell;
 use crate::context::Context;
 use crate::depth::Depth;
@@ -10,7 +10,7 @@ use crate::planes::PlacedPlane;
 use crate::prepared::Beginning;
 use crate::screen_box::{Region, Search};
 use imogene_golden::object::quadric::ScreenBox;
-use imogene_scene::{FramedScene, Plane, Quadric, Surface};
+use imogene_scene::{FramedObject, FramedScene, Plane, Quadric, Surface};
 use std::sync::Arc;
 
 /// A volume where objects can be seen.
@@ -69,7 +69,6 @@ impl Found {
     ) -> ShadowPlaces {
         let bits = [receivers.centre, receivers.half].map(|at| at.map(f64::to_bits));
         self.shadows.get((source, object, bits), || {
-            let caster = scene.objects[object].caster().expect("it casts a shadow");
             let place = |ShadowPart {
                              quadric,
                              planes,
@@ -78,7 +77,11 @@ impl Found {
                 let place = VolumePlace::new(quadric, planes, receivers, context);
                 (*beginning, place)
             };
-            let parts = shadow_parts(caster, &scene.sources[source].point)?;
+            let point = &scene.sources[source].point;
+            let parts = match &scene.objects[object] {
+                FramedObject::Mesh(mesh) => mesh_shadow_parts(mesh, point),
+                object => shadow_parts(object.caster().expect("it casts a shadow"), point)?,
+            };
             Ok(parts.iter().map(place).collect())
         })
     }

@@ -33,7 +33,7 @@ pub fn pairs(scene: &FramedScene) -> Vec<(usize, usize)> {
     sources
         .flat_map(|(source, _)| {
             let casters = scene.objects.iter().enumerate();
-            let casters = casters.filter(|(_, object)| object.caster().is_some());
+            let casters = casters.filter(|(_, object)| object.casts_shadow());
             casters.map(move |(object, _)| (source, object))
         })
         .collect()
@@ -99,9 +99,9 @@ pub(super) fn prepare_volumes(
     let shadows: Vec<Result<Shadow, PrepareError>> = pairs
         .par_iter()
         .filter_map(|&(source, object)| {
-            let framed = scene.objects[object].caster()?;
             let own = &prepared[object];
-            let casts = why_no_shadow(framed, context).is_none();
+            let framed = scene.objects[object].caster();
+            let casts = framed.is_none_or(|framed| why_no_shadow(framed, context).is_none());
             let found = casts.then(|| {
                 let point = &scene.sources[source].point;
                 let kept = known.shadow(source, object, point, &receivers);
@@ -146,9 +146,10 @@ fn note_what_casts_none(scene: &FramedScene, objects: &mut [PreparedObject], con
             FramedObject::FirstGeneration(q) | FramedObject::CurvedFacet(q) if !q.casts_shadow => {
                 None
             }
+            FramedObject::Mesh(_) => None,
             _ => Some(
                 "casts no shadow: there are no shadow volumes of what its processor draws; \
-                 quadrics, patches and polyhedra cast shadows",
+                 quadrics, patches, polyhedra and meshes cast shadows",
             ),
         };
         if let Some(why) = why {
@@ -207,7 +208,8 @@ fn shadow(
 }
 
 /// How far the depth at which the object is drawn can be from the true one where its shadow begins, in counts: on the
-/// cut plane, or on the quadric, whose root is at most the square root of its error off, and by what its network takes.
+/// cut plane, or on the quadric, whose root is at most the square root of its error off, and by what its network takes;
+/// on a facet as far as its words are rounded, and not its corners.
 fn face_error(beginning: Beginning, object: &PreparedObject) -> f64 {
     let Some(quadric) = object.quadric() else {
         // Words of a plane alone, each rounded by half a bit at most about a pixel that is nowhere farther than the
@@ -218,6 +220,7 @@ fn face_error(beginning: Beginning, object: &PreparedObject) -> f64 {
     let bounds = &quadric.bounds;
     match beginning {
         Beginning::Cut(index) => bounds.planes.get(index).copied().unwrap_or(0.0),
+        Beginning::Facet(_) => unreachable!("a mesh has no quadric"),
         Beginning::PolarPlane => {
             let root = bounds.root_error(bounds.greatest_root);
             bounds.f1 + bounds.dropped_f1 + (bounds.f2 + bounds.dropped_f2).sqrt() + root

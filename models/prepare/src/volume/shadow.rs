@@ -16,13 +16,14 @@
 //!
 //! "Kept by cut j" depends on the direction of the ray alone: it is a plane through the source. The union is exact
 //! except inside the solid itself, where nothing is seen. A polyhedron, whose Q is zero, has the volumes of its lit
-//! faces, without a cone.
+//! faces, without a cone. A facet of a mesh has one, whichever of its sides the source sees: its own plane is the cut,
+//! and the others go through its sides.
 
 use crate::prepared::Beginning;
 use imogene_algebra::matrix::{Matrix4, SYMMETRIC, image};
-use imogene_algebra::vector::dot;
+use imogene_algebra::vector::{cross, dot, minus};
 use imogene_algebra::whole::common_denominator;
-use imogene_scene::{FramedQuadric, Plane, Quadric};
+use imogene_scene::{FramedFacet, FramedMesh, FramedQuadric, Plane, Quadric};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
@@ -70,6 +71,34 @@ pub fn shadow_parts(
     Ok(parts)
 }
 
+/// The parts of a mesh's shadow: one of each facet that the source does not see edge-on.
+pub fn mesh_shadow_parts(mesh: &FramedMesh, source: &[BigRational; 4]) -> Vec<ShadowPart> {
+    let facets = mesh.facets.iter().enumerate();
+    let parts = facets.filter_map(|(index, facet)| {
+        let everywhere = Matrix4::default();
+        let part = Rays::of(everywhere, around(mesh, facet), source).beyond_cut(0)?;
+        Some(ShadowPart {
+            beginning: Beginning::Facet(index),
+            ..part
+        })
+    });
+    parts.collect()
+}
+
+/// The plane of a facet, and one at a right angle to it through each of its sides, not positive on the facet.
+fn around(mesh: &FramedMesh, facet: &FramedFacet) -> Vec<Vector> {
+    let corner = |k: usize| &mesh.vertices[facet.corners[k % facet.corners.len()]];
+    let through = |normal: &[BigRational; 3], point: &[BigRational; 3]| {
+        let [a, b, c] = normal;
+        common_denominator([a, b, c, &-dot(normal, point)]).0
+    };
+    let side = |k: usize| minus(corner(k + 1), corner(k));
+    let normal = cross(side(0), side(1));
+    let sides = (0..facet.corners.len()).map(|k| through(&cross(side(k), &normal), corner(k)));
+    let own = [through(&normal, corner(0))];
+    own.into_iter().chain(sides).collect()
+}
+
 struct Rays {
     q: Matrix4<BigInt>,
     /// s'Qs.
@@ -83,13 +112,16 @@ struct Rays {
 
 impl Rays {
     fn new(object: &FramedQuadric, source: &[BigRational; 4]) -> Rays {
-        let (source, _) = common_denominator(source.each_ref());
         let q = object.quadric.clone().primitive().matrix();
         let q = q.map(|row| row.map(|value| value.to_integer()));
-        let polar = image(&q, &source);
         let planes = object.planes.iter();
-        let whole = planes.map(|plane| common_denominator(plane.coefficients()).0);
-        let planes: Vec<Vector> = whole.collect();
+        let planes = planes.map(|plane| common_denominator(plane.coefficients()).0);
+        Rays::of(q, planes.collect(), source)
+    }
+
+    fn of(q: Matrix4<BigInt>, planes: Vec<Vector>, source: &[BigRational; 4]) -> Rays {
+        let (source, _) = common_denominator(source.each_ref());
+        let polar = image(&q, &source);
         Rays {
             at_source: dot(&polar, &source),
             planes_at_source: planes.iter().map(|plane| dot(plane, &source)).collect(),

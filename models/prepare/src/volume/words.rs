@@ -9,6 +9,7 @@ use crate::perspective::ScreenQuadric;
 use crate::planes::PreparedPlane;
 use crate::prepared::{Beginning, NeededWidths, PreparedVolume, RoundingBounds};
 use crate::rounding::signed_bits;
+use imogene_golden::object::facet::SUBPIXEL;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::object::volume::{
     MAX_SHIFT, VolumeKind, VolumePlane, VolumeQuadric, VolumeWords,
@@ -16,6 +17,9 @@ use imogene_golden::object::volume::{
 use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::depth_interval::Class;
 use num_traits::{Signed, Zero};
+
+/// Of a pixel, that much two roundings of a corner take at most.
+const CORNERS: f64 = (1 << SUBPIXEL) as f64;
 
 /// A volume that is to have words.
 pub(super) struct Shape<'a> {
@@ -160,19 +164,24 @@ fn add_plane(prepared: &mut PreparedVolume, plane: PreparedPlane, index: usize) 
 
 /// The margin keeps a lit face out of the volume that begins at it; it is one more than the words of face and volume
 /// can be apart. Seen from its dark side a face lies at the end of such a volume, which is moved away by as much, so
-/// that the face is all inside. Planes through the source separate parts of one shadow, where a margin would leave a
-/// gap: it is taken off their constants again. On a perpendicular plane the margin has no hold; where the volume begins
-/// at one, 1 off its constant makes it open.
+/// that the face is all inside. Corners of a facet are rounded, and with them where it meets the next one: its margin is
+/// what its depth changes over as much of the screen. Planes through the source separate parts of one shadow, where a
+/// margin would leave a gap: it is taken off their constants again. On a perpendicular plane the margin has no hold;
+/// where the volume begins at one, 1 off its constant makes it open.
 fn keep_off_beginning(prepared: &mut PreparedVolume, face_error: f64) {
     let own = prepared.bounds.planes.first().copied().unwrap_or(0.0);
-    let at_cut = matches!(prepared.caster, Some((_, Beginning::Cut(_))));
+    let begins_at = prepared.caster.map(|(_, beginning)| beginning);
+    let at_cut = matches!(begins_at, Some(Beginning::Cut(_) | Beginning::Facet(_)));
     let [first, others @ ..] = prepared.words.planes.as_mut_slice() else {
         return;
     };
-    let own = match first.kind {
-        PlaneKind::Perpendicular => {
+    let own = match (first.kind, begins_at) {
+        (PlaneKind::Perpendicular, _) => {
             first.depth.c -= 1;
             0.0
+        }
+        (_, Some(Beginning::Facet(_))) => {
+            own + (first.depth.a.abs() + first.depth.b.abs()) as f64 / CORNERS
         }
         _ => own,
     };

@@ -261,18 +261,37 @@ fn a_cut_patch_casts_no_shadow_and_says_so() {
     assert!(open.objects[0].notes()[0].contains("casts no shadow: the shadow of a cut patch"));
 }
 
-/// Facets have no shadow volumes: where a light casts shadows, each mesh says that it has none, and elsewhere nothing.
+/// What the first generation draws has no shadow volumes: where a light casts shadows, it says so, unless it is
+/// told to cast none; a mesh has one of each facet, unless it is told so.
 #[test]
-fn a_mesh_casts_no_shadow_and_says_so() {
-    let text = include_str!("../../../../scenes/processors/mesh.toml");
-    let notes = |text: &str| {
-        let framed = scene(text).frame(64, 48).expect("valid");
+fn what_has_no_shadow_volumes_says_so() {
+    let of = |text: &str, quiet: bool| {
+        let lit = text.replacen("[[lights]]\n", "[[lights]]\nshadows = true\n", 1);
+        let mut file = scene(&lit);
+        for object in &mut file.objects {
+            object.casts_shadow = !quiet;
+        }
+        let framed = file.frame(64, 48).expect("valid");
         let prepared = prepare(&framed, Format::BASE).expect("prepared");
         let notes = prepared.objects.iter().map(|o| o.notes().join(" "));
-        notes.collect::<Vec<String>>()
+        let says = |note: String| note.contains("casts no shadow: there are no shadow volumes");
+        (
+            notes.map(says).collect::<Vec<bool>>(),
+            prepared.volumes.len(),
+        )
     };
-    let says = |note: &String| note.contains("casts no shadow: there are no shadow volumes");
-    assert!(!notes(text).iter().any(says));
-    let lit = text.replacen("[[lights]]\n", "[[lights]]\nshadows = true\n", 1);
-    assert!(notes(&lit).iter().all(says), "{:?}", notes(&lit));
+    let mesh = include_str!("../../../../scenes/processors/mesh.toml");
+    let (notes, volumes) = of(mesh, false);
+    assert!(
+        !notes.contains(&true) && volumes > 10,
+        "{notes:?}, {volumes}"
+    );
+    assert_eq!(of(mesh, true), (vec![false; notes.len()], 0));
+    let first = include_str!("../../../../scenes/processors/first-generation.toml");
+    let (notes, volumes) = of(first, false);
+    assert!(
+        notes.contains(&true) && volumes == 0,
+        "{notes:?}, {volumes}"
+    );
+    assert_eq!(of(first, true), (vec![false; notes.len()], 0));
 }

@@ -3,13 +3,15 @@
 
 use crate::pictures::Pictures;
 use imogene_algebra::rational::{from_f64_exact, integer, power_of_two};
+use imogene_algebra::vector::{cross, dot, minus};
 use imogene_analysis::exact::render::{DEPTH_FRACTION, ExactPixel};
 use imogene_golden::object::volume::VolumeKind;
 use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::depth_interval::{Class, FACE_PLANE};
 use imogene_prepare::volume::{Beginning, PreparedVolume};
-use imogene_scene::FramedScene;
-use num_traits::ToPrimitive;
+use imogene_scene::{FramedObject, FramedScene, Projection};
+use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive};
 
 const UNIT: i128 = 1 << DEPTH_FRACTION;
 
@@ -95,23 +97,39 @@ fn plane_state(volume: &PreparedVolume, index: usize, (x, y): Place, depths: Dep
 }
 
 /// At its own beginning a shadow is open, and the margin is proven to keep it so: a cut face that faces the light is
-/// outside the volume that begins at it, one that faces away is at the volume's end, inside.
+/// outside the volume that begins at it, one that faces away is at the volume's end, inside; of a facet the side counts
+/// that is seen.
 fn begins_at_face(
     volume: &PreparedVolume,
-    face: (usize, u8),
+    seen: &ExactPixel,
     framed: &FramedScene,
 ) -> Option<State> {
-    let (object, Beginning::Cut(cut)) = volume.caster? else {
-        return None;
-    };
-    if face != (object, FACE_PLANE + cut as u8) {
-        return None;
-    }
+    let (object, beginning) = volume.caster?;
     let [x, y, z, w] = &framed.sources[usize::from(volume.words.source)].point;
-    let p = &framed.objects[object].caster()?.planes[cut];
-    let side = &p.a * x + &p.b * y + &p.c * z + &p.d * w;
-    let faces_light = side > integer(0);
-    Some(if faces_light { State::Out } else { State::In })
+    let is_lit = match (beginning, &framed.objects[object]) {
+        (Beginning::Cut(cut), caster) if seen.number == FACE_PLANE + cut as u8 => {
+            let p = &caster.caster()?.planes[cut];
+            &p.a * x + &p.b * y + &p.c * z + &p.d * w > integer(0)
+        }
+        (Beginning::Facet(facet), FramedObject::Mesh(mesh)) if seen.part as usize == facet => {
+            let corner = |k: usize| &mesh.vertices[mesh.facets[facet].corners[k]];
+            let normal = cross(minus(corner(1), corner(0)), minus(corner(2), corner(0)));
+            let away = dot(&normal, corner(0));
+            let side = |[x, y, z]: [&BigRational; 3], w: &BigRational| {
+                let [a, b, c] = &normal;
+                (a * x + b * y + c * z - &away * w).is_positive()
+            };
+            let [zero, one] = [0, 1].map(integer);
+            let viewer = match &framed.projection {
+                Projection::Perspective { distance } => side([&zero, &zero, &-distance], &one),
+                Projection::Orthographic { .. } => side([&zero, &zero, &-&one], &zero),
+            };
+            viewer == side([x, y, z], w)
+        }
+        _ => return None,
+    };
+    let own = seen.id as usize == object;
+    own.then_some(if is_lit { State::Out } else { State::In })
 }
 
 fn volume_state(
@@ -128,8 +146,7 @@ fn volume_state(
     let planes = 0..volume.words.planes.len();
     let mut parts = vec![quadric_state(volume, (x, y), depths)];
     parts.extend(planes.map(|index| plane_state(volume, index, (x, y), depths)));
-    let face = (exact.id as usize, exact.number);
-    if let Some(known) = begins_at_face(volume, face, &pictures.scene) {
+    if let Some(known) = begins_at_face(volume, exact, &pictures.scene) {
         parts[1] = known;
     }
     let mut first = [State::Out, State::Unknown].into_iter();

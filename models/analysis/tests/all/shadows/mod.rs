@@ -7,6 +7,7 @@
 
 mod compare;
 mod decide;
+mod meshes;
 mod polyhedra;
 mod quadrics;
 
