@@ -44,9 +44,9 @@ pub struct Fit {
     /// Which machine; if not given, a beam machine for up to 16 processors, and a zone machine for more.
     #[arg(long, value_parser = choice(MACHINES))]
     pub machine: Option<MachineKind>,
-    /// Leave out the objects that are seen at fewer than so many pixels of every frame, or with auto those without
-    /// which the machine is smallest within the budget: the machine is fitted to the others, for which a scene file is
-    /// written, and the budget counts what is missing.
+    /// Leave out what fewer than so many pixels of every frame show: objects, and cut planes without which fewer pixels
+    /// show something else; or with auto what makes the machine smallest within the budget. The machine is fitted to
+    /// what is left, for which a scene file is written, and the budget counts the difference.
     #[arg(long, value_name = "PIXELS|auto")]
     pub leave_out: Option<LeaveOut>,
     /// Pixels of a line that a beam machine draws at once, 1, 2 or 4; it streams them.

@@ -129,6 +129,7 @@ fn finish(
         latency: emitted.latency,
         clocks_per_frame: choice.machine.clocks,
         left_out: left_out.names,
+        left_out_planes: left_out.planes,
         limits,
         bounds,
         measured: choice.drawn.metrics.clone(),
@@ -215,25 +216,23 @@ fn searched(options: &Fit) -> Result<Search> {
     let Some(leave_out) = options.leave_out else {
         return Search::new(frames, LeftOut::default(), &budget);
     };
-    let omission = Omission::new(&frames, &files, options.kind())?;
-    let counts = match leave_out {
-        LeaveOut::Below(pixels) => vec![omission.below(pixels)],
+    let omission = Omission::new(&frames, &files, options.kind(), (leave_out, &budget))?;
+    let choices = match leave_out {
+        LeaveOut::Below(_) => vec![omission.all().to_vec()],
         LeaveOut::Auto => omission.within(&budget)?,
     };
-    let tried = counts
-        .into_iter()
-        .map(|objects| -> Result<(Fitted, Search)> {
-            let (frames, left_out) = omission.without(objects)?;
-            let search = Search::new(frames, left_out, &budget)?;
-            let machine = fitted(&search.frames, &search.found[0], ROWS[0], options)?;
-            Ok((machine, search))
-        });
+    let tried = choices.iter().map(|parts| -> Result<(Fitted, Search)> {
+        let (frames, left_out) = omission.without(parts)?;
+        let search = Search::new(frames, left_out, &budget)?;
+        let machine = fitted(&search.frames, &search.found[0], ROWS[0], options)?;
+        Ok((machine, search))
+    });
     let smallest = tried.reduce(|least, next| match (&least, &next) {
         (Ok((smallest, _)), Ok((machine, _))) if !machine.is_smaller(smallest) => least,
         (_, Ok(_)) => next,
         _ => least,
     });
-    let (_, search) = smallest.expect("a number of objects is tried")?;
+    let (_, search) = smallest.expect("something is tried")?;
     Ok(search)
 }
 

@@ -234,6 +234,70 @@ fn small_objects_are_left_out_within_the_budget() {
     refused.says(&["out of reach"]);
 }
 
+/// A sphere whose second cut is the first once more, whose third removes nothing, and whose last takes a sliver off.
+const SPARE_CUTS: &str = r#"
+format = 1
+title = "Sphere with spare cuts"
+image = { width = 96, height = 72 }
+camera = { kind = "perspective", eye = [2, 3, 9], target = [0, 0, 0], viewer_distance = 10, view_height = 2.6 }
+lights = [{ kind = "directional", from = [-3, 5, 7] }]
+materials = [{ name = "grey", colour = [0.5, 0.5, 0.5] }]
+
+[[objects]]
+name = "ball"
+kind = "sphere"
+radius = 1
+mode = "solid"
+material = "grey"
+cuts = [
+    { point = [0, 0.5, 0], normal = [0, 1, 0] },
+    { point = [0, 0.5, 0], normal = [0, 2, 0] },
+    { point = [0, -2, 0], normal = [0, -1, 0] },
+    { point = [0.96, 0, 0], normal = [1, 0, 0] },
+]
+"#;
+
+/// Planes that change nothing go within a budget of nothing, of two equal ones the second; one that takes a sliver off
+/// goes where the budget allows its pixels.
+#[test]
+fn cut_planes_are_left_out_within_the_budget() {
+    let place = Place::new();
+    place.write("ball.toml", SPARE_CUTS);
+    let cuts = |report: &Value| -> Vec<u64> {
+        let planes = report["left_out_planes"].as_array().unwrap().iter();
+        let planes = planes.inspect(|plane| assert_eq!(plane["object"], "ball"));
+        planes.map(|plane| plane["cut"].as_u64().unwrap()).collect()
+    };
+    let errors = |report: &Value| {
+        let measured = &report["measured"][0];
+        ["silhouette", "visible_part"].map(|key| measured[key].as_u64().unwrap())
+    };
+    let exact = "--max-silhouette-errors 0 --max-face-errors 0";
+    let some = "--max-silhouette-errors 1% --max-face-errors 2%";
+    for (budget, leave_out, left, slots) in [
+        (exact, "1", vec![1, 2], "2"),
+        (some, "60", vec![1, 2, 3], "1"),
+        (some, "auto", vec![1, 2, 3], "1"),
+        (exact, "0", vec![], "4"),
+    ] {
+        let fit = format!("fit ball.toml {budget} --leave-out {leave_out} --no-cost --out out");
+        let report = place.json(&fit);
+        assert_eq!(cuts(&report), left, "{fit}");
+        assert!(
+            report["slots"].as_str().unwrap().starts_with(slots),
+            "{fit}"
+        );
+        assert_eq!(report["cosim"][0]["mismatches"], 0, "{fit}");
+        assert_eq!(errors(&report) == [0, 0], budget == exact, "{fit}");
+        place.reproduced(&report["command"], "again");
+        assert!(place.bytes("again/pins.png") == place.bytes("out/golden.png"));
+    }
+    let refused = place.run(&format!(
+        "fit ball.toml {exact} --leave-out 60 --no-cost --out out"
+    ));
+    refused.ended(1).says(&["out of reach"]);
+}
+
 /// As many objects are left out as make the smallest machine; the budget has to say how many pixels may lack one.
 #[test]
 fn the_budget_says_which_objects_are_left_out() {

@@ -10,6 +10,7 @@ use imogene_plan::description::{MachineDescription, MachineKind};
 use imogene_rtl::emit::Emitted;
 use imogene_studies::fit::budget::Budget;
 use imogene_studies::fit::frames::Drawn;
+use imogene_studies::fit::omission::LeftPlane;
 use imogene_studies::fit::proof::{Bounds, Proven};
 use imogene_studies::kit::DrawError;
 use imogene_studies::kit::page::text;
@@ -35,6 +36,8 @@ pub struct FitReport<'a> {
     pub clocks_per_frame: u64,
     /// Objects that the machine does not show.
     pub left_out: Vec<String>,
+    /// Cut planes of the others that it does not have.
+    pub left_out_planes: Vec<LeftPlane>,
     pub limits: Vec<Proven>,
     /// None where objects have none.
     pub bounds: Option<Bounds>,

@@ -164,9 +164,9 @@ fn add_plane(prepared: &mut PreparedVolume, plane: PreparedPlane, index: usize) 
 
 /// The margin keeps a lit face out of the volume that begins at it; it is one more than the words of face and volume
 /// can be apart. Seen from its dark side a face lies at the end of such a volume, which is moved away by as much, so
-/// that the face is all inside. Corners of a facet are rounded, and with them where it meets the next one: its margin is
-/// what its depth changes over as much of the screen. Planes through the source separate parts of one shadow, where a
-/// margin would leave a gap: it is taken off their constants again. On a perpendicular plane the margin has no hold;
+/// that the face is all inside. Corners of a facet are rounded, and with them where it meets the next one: its margin
+/// is what its depth changes over as much of the screen. Planes through the source separate parts of one shadow, where
+/// a margin would leave a gap: it is taken off their constants again. On a perpendicular plane the margin has no hold;
 /// where the volume begins at one, 1 off its constant makes it open.
 fn keep_off_beginning(prepared: &mut PreparedVolume, face_error: f64) {
     let own = prepared.bounds.planes.first().copied().unwrap_or(0.0);

@@ -49,9 +49,8 @@ impl Frame {
 
     /// In the base format with guard bits for every facet.
     pub(super) fn prepare_wide(&self) -> Result<PreparedScene, FitError> {
-        let wide = Format::BASE.with_guards(MOST_GUARDS.0, 0);
-        let wide = wide.expect("guard bits of f1 within their range");
-        self.prepare(wide).map_err(|source| self.refused(source))
+        let prepared = self.prepare(wide());
+        prepared.map_err(|source| self.refused(source))
     }
 
     /// What the machine shows.
@@ -72,6 +71,17 @@ impl Frame {
     pub(super) fn refused(&self, source: impl Into<Cause>) -> FitError {
         FitError::of(&self.name, source)
     }
+}
+
+/// The base format with guard bits for every facet.
+fn wide() -> Format {
+    let wide = Format::BASE.with_guards(MOST_GUARDS.0, 0);
+    wide.expect("guard bits of f1 within their range")
+}
+
+/// A scene without its truth, in the base format with guard bits for every facet.
+pub(super) fn prepared_wide(scene: &FramedScene) -> Result<PreparedScene, PrepareError> {
+    LocatedScene::new(scene).prepare(scene, wide(), Options::HARDWARE)
 }
 
 /// All frames of an animation, or the one of a picture.

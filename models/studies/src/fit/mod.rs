@@ -12,6 +12,7 @@ pub mod machine;
 pub mod omission;
 pub mod proof;
 pub mod search;
+mod spare;
 
 use imogene_files::text::counted;
 use imogene_plan::description::DescriptionError;

@@ -1,22 +1,33 @@
-//! Objects that a machine is not made for: those that are seen least, and their shadows.
+//! What a machine is not made for: the objects that are seen least, with their shadows, and the cut planes that are
+//! missed least.
 //!
 //! The truth still shows them, so each pixel that lacks one is an error that the budget has to allow. Objects of solids
-//! and transparent ones stay, and so do those that are seen most.
+//! and transparent ones stay as they are, and so do the objects that are seen most.
 
 use super::FitError;
 use super::budget::Budget;
+use super::estimate;
 use super::frames::{Frame, Frames};
 use super::search::is_possible;
+use super::spare::{View, spare_planes};
+use imogene_contract::MachineWords;
+use imogene_contract::slots::FittedSlot;
+use imogene_golden::format::Format;
+use imogene_golden::machine::beam;
+use imogene_golden::slots::{own_kind, required};
 use imogene_plan::description::MachineKind;
-use imogene_prepare::Framing;
+use imogene_prepare::{Framing, PreparedScene};
 use imogene_scene::SceneFile;
+use rayon::prelude::*;
+use serde::Serialize;
+use std::collections::BTreeMap;
 use std::fmt;
 use std::str::FromStr;
 
 /// How much is left out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LeaveOut {
-    /// What is seen at fewer pixels of every frame.
+    /// What fewer pixels of every frame show.
     Below(u64),
     /// What makes the smallest machine within the budget.
     Auto,
@@ -43,6 +54,15 @@ impl LeaveOut {
             _ => Ok(()),
         }
     }
+
+    /// What is at stake at no fewer pixels of a frame of `pixels` stays.
+    fn over(self, budget: &Budget, pixels: usize) -> u64 {
+        let counts = [budget.silhouette, budget.faces].into_iter().flatten();
+        match self {
+            Self::Below(pixels) => pixels,
+            Self::Auto => counts.map(|count| count.of(pixels) as u64).sum::<u64>() + 1,
+        }
+    }
 }
 
 impl fmt::Display for LeaveOut {
@@ -59,17 +79,33 @@ impl fmt::Display for LeaveOut {
 pub struct LeftOut {
     /// Names of the objects.
     pub names: Vec<String>,
+    /// Planes of the objects that stay.
+    pub planes: Vec<LeftPlane>,
     /// The frames without them; nothing where none is left out.
     pub scenes: Vec<SceneFile>,
 }
 
-/// Frames of which objects can be left out.
+/// A cut plane that is left out.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct LeftPlane {
+    /// Name of its object.
+    pub object: String,
+    /// Index among the cuts of the object.
+    pub cut: usize,
+}
+
+/// An object, or one of its cut planes.
+pub type Part = (usize, Option<usize>);
+/// Pixels of the frame that shows most of it, or of what is missed with it.
+type AtStake = (u64, Part);
+
+/// Frames of which something can be left out.
 pub struct Omission<'a> {
     frames: &'a Frames,
     files: &'a [(String, SceneFile)],
     kind: Option<MachineKind>,
-    /// Pixels of the frame that shows most of it, and index, of each object that may go; the least first.
-    may_go: Vec<(u64, usize)>,
+    /// What may go: first where the fewest pixels of any frame are at stake for a logic cell.
+    may_go: Vec<Part>,
 }
 
 impl<'a> Omission<'a> {
@@ -82,10 +118,14 @@ impl<'a> Omission<'a> {
         frames: &'a Frames,
         files: &'a [(String, SceneFile)],
         kind: Option<MachineKind>,
+        (leave_out, budget): (LeaveOut, &Budget),
     ) -> Result<Omission<'a>, FitError> {
+        let over = leave_out.over(budget, frames.all[0].truth.pixels.len());
         let count = frames.all[0].scene.objects.len();
         let mut seen = vec![0; count];
         let mut may_go = vec![true; count];
+        let mut pictures = vec![];
+        let mut cells = vec![];
         for frame in &frames.all {
             for (most, own) in seen.iter_mut().zip(frame.truth.seen(count)) {
                 *most = own.max(*most);
@@ -98,80 +138,161 @@ impl<'a> Omission<'a> {
             for (may_go, is_alone) in may_go.iter_mut().zip(is_alone) {
                 *may_go &= is_alone;
             }
+            cells = cells_of(&prepared, count);
+            let size = [frame.scene.width, frame.scene.height].map(|side| side as usize);
+            let picture =
+                beam::render(&prepared.slots(), &prepared.format, size[0], size[1], || ());
+            pictures.push(picture);
         }
         let most_seen = seen.iter().copied().max().unwrap_or(0);
+        let planes = (0..count).into_par_iter().filter(|object| may_go[*object]);
+        let planes = planes.flat_map_iter(|object| {
+            let all = frames.all.iter().zip(files).zip(&pictures);
+            let views =
+                all.map(|((frame, (_, file)), picture)| View::of(object, frame, file, picture));
+            let views: Option<Vec<View>> = views.collect();
+            let spare = views.map_or(vec![], |views| spare_planes(&views, over));
+            let spare = spare.into_iter();
+            spare.map(move |spare| (spare.pixels, (object, Some(spare.plane))))
+        });
+        let planes: Vec<AtStake> = planes.collect();
         let objects = seen.into_iter().enumerate();
-        let goes = objects.filter(|&(object, seen)| may_go[object] && seen < most_seen);
-        let mut may_go: Vec<(u64, usize)> = goes.map(|(object, seen)| (seen, object)).collect();
-        may_go.sort_unstable();
+        let goes = objects.filter(|&(object, seen)| may_go[object] && seen < most_seen.min(over));
+        let objects = goes.map(|(object, seen)| (seen, (object, None)));
+        let mut may_go: Vec<AtStake> = objects.chain(planes).collect();
+        let of_a_cell = |&(pixels, (object, plane)): &AtStake| {
+            let [whole, each] = cells[object];
+            pixels as f64 / plane.map_or(whole, |_| each)
+        };
+        // Planes of an object stay in the order in which it loses them.
+        may_go.sort_by(|a, b| of_a_cell(a).total_cmp(&of_a_cell(b)));
         Ok(Omission {
             frames,
             files,
             kind,
-            may_go,
+            may_go: may_go.into_iter().map(|(_, part)| part).collect(),
         })
     }
 
-    /// Objects that are seen at fewer pixels of every frame.
-    pub fn below(&self, pixels: u64) -> usize {
-        self.may_go.partition_point(|(seen, _)| *seen < pixels)
+    /// All that may go.
+    pub fn all(&self) -> &[Part] {
+        &self.may_go
     }
 
-    /// Numbers of objects that can be left out within a budget, in quarters of the most, from none on.
+    /// What can be left out within a budget: in quarters of the most, from nothing on, and in quarters of the most
+    /// objects alone, since an object can hide what another one's plane takes away.
     ///
     /// # Errors
     ///
     /// When a frame cannot be drawn.
-    pub fn within(&self, budget: &Budget) -> Result<Vec<usize>, FitError> {
-        let (mut most, mut over) = (0, self.may_go.len() + 1);
+    pub fn within(&self, budget: &Budget) -> Result<Vec<Vec<Part>>, FitError> {
+        let objects = self.may_go.iter().filter(|(_, plane)| plane.is_none());
+        let objects: Vec<Part> = objects.copied().collect();
+        let mut found = vec![vec![]];
+        for parts in [&self.may_go, &objects] {
+            let most = self.most_within(budget, parts)?;
+            found.extend((1..=4).map(|quarter| parts[..most * quarter / 4].to_vec()));
+        }
+        found.dedup();
+        Ok(found)
+    }
+
+    /// How many of these parts, from the first on, can be left out within a budget.
+    fn most_within(&self, budget: &Budget, parts: &[Part]) -> Result<usize, FitError> {
+        let (mut most, mut over) = (0, parts.len() + 1);
         while most + 1 < over {
             let middle = (most + over) / 2;
-            match is_possible(&self.without(middle)?.0, budget)? {
+            match is_possible(&self.without(&parts[..middle])?.0, budget)? {
                 true => most = middle,
                 false => over = middle,
             }
         }
-        let mut quarters: Vec<usize> = (0..=4).map(|part| most * part / 4).collect();
-        quarters.dedup();
-        Ok(quarters)
+        Ok(most)
     }
 
-    /// The frames without so many of the objects that are seen least.
+    /// The frames without these parts.
     ///
     /// # Errors
     ///
     /// When a frame cannot be framed without them.
-    pub fn without(&self, objects: usize) -> Result<(Frames, LeftOut), FitError> {
+    pub fn without(&self, parts: &[Part]) -> Result<(Frames, LeftOut), FitError> {
         let frames = self.frames;
         let mut goes = vec![false; frames.all[0].scene.objects.len()];
-        for &(_, object) in &self.may_go[..objects] {
-            goes[object] = true;
+        let mut planes: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        for &(object, plane) in parts {
+            match plane {
+                None => goes[object] = true,
+                Some(plane) => planes.entry(object).or_default().push(plane),
+            }
         }
-        let named = frames.all[0].scene.objects.iter().zip(&goes);
-        let names = named.filter(|(_, goes)| **goes);
-        let names: Vec<String> = names.map(|(object, _)| object.name().to_owned()).collect();
+        planes.retain(|object, _| !goes[*object]);
+        let name = |object: usize| frames.all[0].scene.objects[object].name().to_owned();
+        let out = goes.iter().enumerate().filter(|(_, goes)| **goes);
+        let names: Vec<String> = out.map(|(object, _)| name(object)).collect();
         let (mut all, mut scenes) = (vec![], vec![]);
-        for (frame, (name, file)) in frames.all.iter().zip(self.files) {
+        for (frame, (file_name, file)) in frames.all.iter().zip(self.files) {
             let mut file = file.clone();
-            file.objects.retain(|object| !names.contains(&object.name));
-            let scene = file.frame(frame.scene.width, frame.scene.height);
-            let scene = scene.map_err(|source| FitError::of(name, source))?;
             let mut truth = frame.truth.clone();
+            file.objects.retain(|object| !names.contains(&object.name));
+            for (&object, out) in &planes {
+                truth.renumber_planes(object as u32, out);
+                let name = name(object);
+                let cut = file.objects.iter_mut().find(|cut| cut.name == name);
+                without(&mut cut.expect("an object that stays").cuts, out);
+            }
             truth.renumber(&indices(&goes));
-            all.push(Frame::new(name, scene, truth));
+            let scene = file.frame(frame.scene.width, frame.scene.height);
+            let scene = scene.map_err(|source| FitError::of(file_name, source))?;
+            all.push(Frame::new(file_name, scene, truth));
             scenes.push(file);
         }
-        if names.is_empty() {
+        let is_whole = parts.is_empty();
+        if is_whole {
             scenes.clear();
         }
-        let is_whole = names.is_empty();
         let frames = Frames {
             all,
             is_whole,
             ..*frames
         };
-        Ok((frames.settled(self.kind)?, LeftOut { names, scenes }))
+        let planes = planes.into_iter().flat_map(|(object, mut cuts)| {
+            cuts.sort_unstable();
+            let object = name(object);
+            cuts.into_iter().map(move |cut| LeftPlane {
+                object: object.clone(),
+                cut,
+            })
+        });
+        let left_out = LeftOut {
+            names,
+            planes: planes.collect(),
+            scenes,
+        };
+        Ok((frames.settled(self.kind)?, left_out))
     }
+}
+
+/// Estimated logic cells of each object's processors, and of one of its planes, in words of the base format.
+fn cells_of(prepared: &PreparedScene, objects: usize) -> Vec<[f64; 2]> {
+    let words = MachineWords::of(Format::BASE.depth);
+    // What has no processor saves next to nothing.
+    let mut cells = vec![[1.0; 2]; objects];
+    for slot in prepared.slots_alone() {
+        let Some(own) = required(&own_kind(slot.words)) else {
+            continue;
+        };
+        let with = |planes: u32| estimate::of_slot(&words, &FittedSlot { planes, ..own });
+        let [whole, each] = &mut cells[slot.object];
+        *whole += with(own.planes);
+        *each += with(own.planes) - with(own.planes.saturating_sub(1));
+    }
+    cells
+}
+
+/// Takes the items with these indices out.
+fn without<T>(items: &mut Vec<T>, out: &[usize]) {
+    let mut index = 0..;
+    items.retain(|_| !index.next().is_some_and(|index| out.contains(&index)));
 }
 
 /// The index that each object has among those that stay.
