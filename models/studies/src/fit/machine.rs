@@ -364,10 +364,14 @@ fn in_zones(
     }
 }
 
+/// Logic cells around an object processor at 24 bits: its store of words and its node of the decider.
+const AROUND_SLOT: f64 = 210.0;
+
 /// Logic cells of the processors of a machine, roughly.
 fn cells(machine: &MachineDescription) -> f64 {
     let of = |slot: &FittedSlot| estimate::of_slot(&machine.words(), slot);
-    let objects: f64 = machine.slots().iter().map(of).sum();
+    let around = AROUND_SLOT / 24.0 * f64::from(machine.depth_word);
+    let objects: f64 = machine.slots().iter().map(|slot| of(slot) + around).sum();
     let volume = of(&FittedSlot::quadric(machine.volume_planes as u32));
     objects + machine.volumes as f64 * volume
 }

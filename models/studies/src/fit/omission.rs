@@ -94,6 +94,9 @@ pub struct LeftPlane {
     pub cut: usize,
 }
 
+/// Parts that are too much for the budget, behind which others are looked at.
+const PASSED_OVER: usize = 3;
+
 /// An object, or one of its cut planes.
 pub type Part = (usize, Option<usize>);
 /// Pixels of the frame that shows most of it, or of what is missed with it.
@@ -190,24 +193,34 @@ impl<'a> Omission<'a> {
         let objects: Vec<Part> = objects.copied().collect();
         let mut found = vec![vec![]];
         for parts in [&self.may_go, &objects] {
-            let most = self.most_within(budget, parts)?;
-            found.extend((1..=4).map(|quarter| parts[..most * quarter / 4].to_vec()));
+            let parts = self.most_within(budget, parts)?;
+            found.extend((1..=4).map(|quarter| parts[..parts.len() * quarter / 4].to_vec()));
         }
         found.dedup();
         Ok(found)
     }
 
-    /// How many of these parts, from the first on, can be left out within a budget.
-    fn most_within(&self, budget: &Budget, parts: &[Part]) -> Result<usize, FitError> {
-        let (mut most, mut over) = (0, parts.len() + 1);
-        while most + 1 < over {
-            let middle = (most + over) / 2;
-            match is_possible(&self.without(&parts[..middle])?.0, budget)? {
-                true => most = middle,
-                false => over = middle,
+    /// The parts of these, from the first on, that can be left out within a budget; some that are too much are passed
+    /// over.
+    fn most_within(&self, budget: &Budget, parts: &[Part]) -> Result<Vec<Part>, FitError> {
+        let mut parts = parts.to_vec();
+        let mut most = 0;
+        for _ in 0..=PASSED_OVER {
+            let mut over = parts.len() + 1;
+            while most + 1 < over {
+                let middle = (most + over) / 2;
+                match is_possible(&self.without(&parts[..middle])?.0, budget)? {
+                    true => most = middle,
+                    false => over = middle,
+                }
             }
+            if most == parts.len() {
+                break;
+            }
+            parts.remove(most);
         }
-        Ok(most)
+        parts.truncate(most);
+        Ok(parts)
     }
 
     /// The frames without these parts.
