@@ -44,12 +44,16 @@ impl<'a> View<'a> {
         picture: &'a Picture,
     ) -> Option<View<'a>> {
         let name = frame.scene.objects[index].name();
+        let own = file.objects.iter().find(|object| object.name == name)?;
+        let planes = own.cuts.len();
+        if planes == 0 {
+            return None;
+        }
         let mut file = file.clone();
         file.objects.retain(|object| object.name == name);
         file.solids.clear();
         let size = (frame.scene.width, frame.scene.height);
-        let planes = file.objects.first()?.cuts.len();
-        let whole = (planes > 0).then(|| drawn(&file, size, planes)).flatten()?;
+        let whole = drawn(&file, size, planes)?;
         Some(View {
             picture,
             object: i32::try_from(index).expect("an index of an object"),
