@@ -13,7 +13,7 @@ use imogene_files::Outputs;
 use imogene_files::text::counted;
 use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_plan::description::{MachineDescription, Output};
-use imogene_plan::display::{DisplayError, Image, check_tables, refined_image};
+use imogene_plan::display::{DisplayError, Image, check_tables, images as images_on};
 use imogene_plan::needs;
 use imogene_plan::zone::clocks::clocks;
 use imogene_plan::zone::refine::Refinement;
@@ -61,23 +61,26 @@ pub fn run(options: &Machine, json: bool) -> Result {
         let place = (options.out.as_path(), &mut files);
         add_bench(&machine, &top, &scenes, &images, overlay, place)?;
     }
-    let mode = machine.video_mode().map_or((0, 0), |mode| {
-        (mode.clocks(), mode.line.active * mode.frame.active)
-    });
+    let clocks_per_frame = machine.video_mode().map(|mode| mode.clocks());
+    let (columns, lines) = machine.frame_size().unwrap_or_default();
+    let fields = machine.fields().len();
+    let scene_of = |image: &Option<usize>| image.map(|image| image / fields);
     let plans = images.iter().filter_map(|image| image.plan.as_ref());
     let mut summary = MachineReport {
         machine: &machine,
         top,
         scenes: scenes.into_iter().map(|scene| scene.name).collect(),
-        clocks_per_frame: (machine.output == Output::Pins).then_some(mode.0),
-        pixels_per_frame: mode.1,
+        clocks_per_frame: clocks_per_frame.filter(|_| machine.output == Output::Pins),
+        pixels_per_frame: columns * lines,
         words: images.iter().map(|image| image.beats.len()).collect(),
         zone_clocks: plans
             .filter_map(|plan| timing.map(|timing| clocks(plan, &timing)))
             .collect(),
         taking: outcome.as_ref().map_or(vec![], |o| o.taking.clone()),
         loading: outcome.as_ref().map_or(vec![], |o| o.loading.clone()),
-        shown: outcome.as_ref().map_or(vec![], |o| o.shown.clone()),
+        shown: outcome
+            .as_ref()
+            .map_or(vec![], |o| o.shown.iter().map(scene_of).collect()),
         equal: outcome
             .as_ref()
             .map(|o| golden.as_ref() == Some(&o.picture)),
@@ -173,12 +176,14 @@ fn images(
     }
     let all: Vec<_> = scenes.iter().map(Scene::parts).collect();
     needs::check(machine, &all).map_err(|error| named(&path.display(), &error))?;
-    let image = |scene: &Scene| {
-        let image = refined_image(&scene.framed, &scene.prepared, machine, refine);
-        image.map_err(|error| named(&scene.name, &error))
+    let of_scene = |scene: &Scene| {
+        let images = images_on(&scene.framed, &scene.prepared, machine, refine);
+        images.map_err(|error| named(&scene.name, &error))
     };
-    let images = scenes.iter().map(image).collect::<Result<Vec<_>, _>>()?;
-    check_tables(&images).map_err(|error| named(&scenes[error.image].name, &error))?;
+    let images = scenes.iter().map(of_scene).collect::<Result<Vec<_>, _>>()?;
+    let images = images.concat();
+    let scene_of = |image: usize| &scenes[image / machine.fields().len()];
+    check_tables(&images).map_err(|error| named(&scene_of(error.image).name, &error))?;
     Ok(images)
 }
 

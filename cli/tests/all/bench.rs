@@ -95,10 +95,15 @@ fn the_bench_of_several_pixels_per_clock_finds_every_pixel() {
     let common: String = lines.chain([mode]).collect();
     for pixels in [2, 4] {
         let place = Place::new();
-        let lanes = format!("pixels_per_clock = {pixels}\n");
+        // Of the one a whole picture for each scene, of the other two fields.
+        let fields = pixels / 2;
+        let lanes = format!(
+            "pixels_per_clock = {pixels}\ninterlaced = {}\n",
+            fields == 2
+        );
         let (out, _) = emitted(&place, &format!("{BEAM}{common}{STREAM}{lanes}"), "");
-        let parts = ["2 frames of 768 pixels", " 0 differences"];
-        run(&out, "bench.v", true, &parts);
+        let frames = format!("{} frames of {} pixels", 2 * fields, 768 / fields);
+        run(&out, "bench.v", true, &[&frames, " 0 differences"]);
         let pixels = words(&out.join("pixels.hex"));
         let wrong = [&pixels[..7], &["12_34_56".to_owned()], &pixels[8..]].concat();
         std::fs::write(out.join("pixels.hex"), wrong.join("\n")).expect("a file");

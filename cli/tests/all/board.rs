@@ -237,7 +237,8 @@ fn a_machine_that_does_not_fit_is_refused_with_what_runs_out() {
     }
     let excess = "does not fit hx8k ct256: it takes";
     let parts = [excess, "of 7680", "--flat"];
-    refused("cone.toml", "hx8k-evb SCENE --no-simulation", &parts);
+    let tables = "hx8k-evb SCENE --lit-sphere=16 --no-simulation";
+    refused("cut-sphere.toml", tables, &parts);
 }
 
 #[test]

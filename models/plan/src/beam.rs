@@ -17,7 +17,9 @@ use imogene_golden::object::quadric::MAX_PLANES;
 use imogene_golden::object::slot::{ProcessorWords, Slot};
 use imogene_golden::object::unused::empty_slot;
 use imogene_golden::object::volume::{VolumePlane, VolumeWords};
+use imogene_golden::object::words::Words;
 use imogene_golden::slots::{own_kind, required, required_of_quadric, takes};
+use imogene_golden::unit::lattice::Lattice;
 use imogene_prepare::PreparedScene;
 use imogene_prepare::lit_sphere::sphere_words;
 use imogene_prepare::shader::{ShaderError, flat_words, material_numbers, shader_words};
@@ -228,13 +230,29 @@ pub(super) fn placed(
     Ok(parts.chain(members).chain(layers).collect())
 }
 
-/// The words of a whole frame of a beam machine, tables first; processors without an object are emptied.
+/// How many words a frame of a beam machine has.
+pub(super) fn beam_word_count(
+    scene: &FramedScene,
+    prepared: &PreparedScene,
+    machine: &MachineDescription,
+) -> Result<usize> {
+    let words = beam_words(scene, prepared, machine, &machine.fields()[0])?;
+    Ok(words.len())
+}
+
+/// The words of a frame of a beam machine that has these pixels of the picture, tables first; processors without an
+/// object are emptied.
 pub(super) fn beam_words(
     scene: &FramedScene,
     prepared: &PreparedScene,
     machine: &MachineDescription,
+    pixels: &Lattice,
 ) -> Result<Vec<Beat>> {
     let shader = shader(scene, &prepared.format, machine)?;
+    let shader = match machine.interlaced {
+        true => shader.on_field(pixels.y0 as u16),
+        false => shader,
+    };
     let shading = shading_words(&shader, machine);
     let materials = material_numbers(scene);
     let slots = machine.slots();
@@ -249,7 +267,8 @@ pub(super) fn beam_words(
         let weight = u64::from(part.weight.unwrap_or(0)) << MOST_MATERIALS.ilog2();
         let material = weight | u64::from(materials[part.object]);
         beats.push(Beat::new(kind::MATERIAL, 0, place as u16, material));
-        let words = load_slot(&part.words, format, slots.get(place).unwrap_or(&needed));
+        let words = part.words.on(pixels);
+        let words = load_slot(&words, format, slots.get(place).unwrap_or(&needed));
         beats.extend(words.iter().map(load(kind::OBJECT, place)));
         if let Some(is_empty) = is_empty.get_mut(place) {
             *is_empty = false;
@@ -261,7 +280,7 @@ pub(super) fn beam_words(
         }
     }
     for (place, words) in volumes.iter().enumerate() {
-        let (mut words, planes) = (words.clone(), machine.volume_planes);
+        let (mut words, planes) = (words.on(pixels), machine.volume_planes);
         words.planes.resize(planes, VolumePlane::default());
         let words = load_volume(&words, format, planes);
         beats.extend(words.iter().map(load(kind::VOLUME, place)));

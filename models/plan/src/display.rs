@@ -14,6 +14,7 @@ use imogene_golden::machine::shader::{ShaderWords, shade_picture};
 use imogene_golden::machine::zone::beat::Beat;
 use imogene_golden::machine::zone::golden::{StreamError, ZoneMachineModel};
 use imogene_golden::object::slot::Slot;
+use imogene_golden::unit::lattice::Lattice;
 use imogene_prepare::PreparedScene;
 use imogene_prepare::shader::material_numbers;
 use imogene_scene::FramedScene;
@@ -40,9 +41,11 @@ pub fn check_tables(images: &[Image]) -> Result<(), OtherTables> {
     other.map_or(Ok(()), |image| Err(OtherTables { image }))
 }
 
-/// One image of a machine: the words that it is given and the picture that it then shows.
+/// One image of a machine: the words that it is given and the picture that it then shows, or a field of it.
 #[derive(Clone, Debug)]
 pub struct Image {
+    /// The pixels of the picture that it shows.
+    pub pixels: Lattice,
     /// The command stream of a zone machine, or the words of a beam machine.
     pub beats: Vec<Beat>,
     /// Visible surfaces, at every sample.
@@ -57,7 +60,7 @@ pub struct Image {
     pub plan: Option<ZonePlan>,
 }
 
-/// The image of a prepared scene, without an overlay.
+/// The image of a prepared scene, or its first field, without an overlay.
 ///
 /// # Errors
 ///
@@ -67,21 +70,28 @@ pub fn image(
     prepared: &PreparedScene,
     machine: &MachineDescription,
 ) -> Result<Image> {
-    refined_image(scene, prepared, machine, Refinement::Box)
+    let mut images = images(scene, prepared, machine, Refinement::Box)?;
+    Ok(images.swap_remove(0))
 }
 
-/// The same picture; the host of a zone machine leaves out of each zone what the refinement finds.
-pub fn refined_image(
+/// The images of a prepared scene: both fields of an interlaced machine, else one. The host of a zone machine leaves
+/// out of each zone what the refinement finds.
+///
+/// # Errors
+///
+/// As of [`image`].
+pub fn images(
     scene: &FramedScene,
     prepared: &PreparedScene,
     machine: &MachineDescription,
     refinement: Refinement,
-) -> Result<Image> {
+) -> Result<Vec<Image>> {
     check_size(scene, machine)?;
     needs::check(machine, &[(scene, prepared)])?;
     let shader = shader(scene, &prepared.format, machine)?;
     let numbers = material_numbers(scene);
     let (width, height) = (prepared.width as usize, prepared.height as usize);
+    let fields = machine.fields();
     let (beats, frame, lighting, plan) = match machine.machine {
         MachineKind::Zone => {
             let plan = zone_plan(scene, prepared, machine, refinement)?;
@@ -89,7 +99,7 @@ pub fn refined_image(
             let (frame, lighting) = ZoneMachineModel::new(&prepared.format, &plan.machine)
                 .frame(beats.iter().copied(), width, height)
                 .unwrap_or_else(|error: StreamError| unreachable!("the stream of a plan: {error}"));
-            (beats, frame, lighting, Some(plan))
+            (vec![beats], frame, lighting, Some(plan))
         }
         MachineKind::Beam => {
             let parts = beam_slots(prepared, &prepared.slots_alone(), &machine.slots())?;
@@ -99,17 +109,26 @@ pub fn refined_image(
             let slots: Vec<Slot> = alone.chain(members).chain(layers).collect();
             let frame = beam::render(&slots, &prepared.format, width, height, || ());
             let lighting = prepared.light(&frame, || ());
-            (beam_words(scene, prepared, machine)?, frame, lighting, None)
+            let beats = fields.iter();
+            let beats = beats.map(|pixels| beam_words(scene, prepared, machine, pixels));
+            (beats.collect::<Result<_>>()?, frame, lighting, None)
         }
     };
-    Ok(Image {
+    let image = Image {
+        pixels: fields[0],
         tables: table_words(&shader),
         picture: finished(&frame, &lighting, &numbers, &shader, machine),
-        beats,
+        beats: vec![],
         frame,
         lighting,
         plan,
-    })
+    };
+    let images = fields.into_iter().zip(beats).map(|(pixels, beats)| Image {
+        pixels,
+        beats,
+        ..image.clone()
+    });
+    Ok(images.collect())
 }
 
 /// The plan of a frame of a zone machine, with the words of its shading processor.

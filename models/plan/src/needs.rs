@@ -1,7 +1,7 @@
 //! Has a machine what scenes need? If not, the lines of a description that has.
 
 use super::beam::{
-    DisplayError, Result, beam_slots, beam_words, members, placed, volumes, zone_slots,
+    DisplayError, Result, beam_slots, beam_word_count, members, placed, volumes, zone_slots,
 };
 use super::description::{
     MachineDescription, MachineKind, Mode, Output, OwnMode, SMALLEST_SIDE, ZoneSize,
@@ -322,7 +322,7 @@ fn enlarge(
 /// Gives a beam machine room for the words of a scene, in its loader and in the vertical blanking in which they are
 /// copied.
 fn make_room(machine: &mut MachineDescription, (framed, prepared): Scene) -> Result<()> {
-    let words = beam_words(framed, prepared, machine)?.len();
+    let words = beam_word_count(framed, prepared, machine)?;
     if machine.loader_words() < words {
         machine.loader_words = Some(words);
     }
@@ -359,6 +359,7 @@ fn share_processors(enough: &mut MachineDescription, beam: &MachineDescription) 
         products: beam.products.clone(),
         layers: 0,
         pixels_per_clock: 1,
+        interlaced: false,
         mode: beam.mode.clone(),
         ..enough.clone()
     };

@@ -70,6 +70,7 @@ pub fn shader_words(scene: &FramedScene, format: &Format) -> Result<ShaderWords,
     Ok(ShaderWords {
         depth: format.depth,
         size: [scene.width as u16, scene.height as u16],
+        is_field: false,
         perspective: view.perspective,
         view_shift: view.shift,
         distance: view.distance,

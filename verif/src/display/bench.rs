@@ -6,6 +6,7 @@ use imogene_contract::object::Kind;
 use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_golden::machine::zone::beat::{Beat, kind};
 use imogene_golden::object::quotient;
+use imogene_golden::unit::lattice::Lattice;
 use imogene_plan::description::{MachineDescription, MachineKind, Output};
 use imogene_plan::display::Image;
 use minijinja::{Environment, context};
@@ -127,6 +128,11 @@ impl Bench<'_> {
         self.machine.machine == MachineKind::Beam
     }
 
+    fn frame_size(&self) -> (u64, u64) {
+        let size = self.machine.frame_size();
+        size.expect("a description that was checked")
+    }
+
     fn has_pins(&self) -> bool {
         self.machine.output == Output::Pins
     }
@@ -163,8 +169,13 @@ impl Bench<'_> {
             groups: self.groups(|frame| {
                 let over = self.overlay.map(|plane| plane.over(&frame.image.picture));
                 let picture = over.as_ref().unwrap_or(&frame.image.picture);
-                let line = |colour: &[u8]| colour.iter().copied().map(u64::from).collect();
-                picture.chunks_exact(3).map(line).collect()
+                let colour = |colour: &[u8]| colour.iter().copied().map(u64::from).collect();
+                let Lattice { y0, dy, .. } = frame.image.pixels;
+                let lines = picture.chunks_exact(3 * mode(self.machine).line.active as usize);
+                let lines = lines.skip(y0 as usize).step_by(dy as usize);
+                lines
+                    .flat_map(|line| line.chunks_exact(3).map(colour))
+                    .collect()
             }),
         }
     }
@@ -178,7 +189,7 @@ impl Bench<'_> {
     }
 
     fn description(&self, words: &[Words]) -> Value {
-        let mode = mode(self.machine);
+        let (width, height) = self.frame_size();
         let mut first = vec![0; 3];
         let mut frame = |number: usize, frame: &BenchFrame| {
             let mut entry = json!({ "scene": frame.scene });
@@ -196,8 +207,8 @@ impl Bench<'_> {
             "verilog": format!("{}.v", self.top),
             "bench": BENCH,
             "run": self.run(),
-            "width": mode.line.active,
-            "height": mode.frame.active,
+            "width": width,
+            "height": height,
             "clock": "clock, rising edge; no reset: registers start from their initial values",
             "handshake": self.handshake(),
             "words": words.iter().map(Words::description).collect::<Vec<_>>(),
@@ -226,7 +237,7 @@ impl Bench<'_> {
     }
 
     fn bench(&self, data: usize, beats: usize) -> Result<String, BenchError> {
-        let mode = mode(self.machine);
+        let (mode, (width, height)) = (mode(self.machine), self.frame_size());
         let zone = self.machine.zone;
         let zone = zone.map_or(0, |zone| u64::from(zone.width * zone.height));
         let colour = self.overlay.map(|plane| plane.colour);
@@ -237,8 +248,8 @@ impl Bench<'_> {
             files => context! { beats => BEATS, pixels => PIXELS, overlay => OVERLAY, description => DESCRIPTION },
             beats,
             frames => self.frames.len(),
-            width => mode.line.active,
-            height => mode.frame.active,
+            width,
+            height,
             data,
             padded => data.next_multiple_of(4),
             patience => 4 * (mode.clocks() + zone + 1000),

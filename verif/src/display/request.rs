@@ -24,7 +24,10 @@ pub fn request_for(machine: &MachineDescription, tables: &[u64], command: &str) 
     };
     let shape = || shape(&machine.zone_machine());
     let loader_bits = || machine.loader_words().next_power_of_two().trailing_zeros() as usize;
-    let [width, height] = [mode.line.active, mode.frame.active].map(|n| n as usize);
+    let size = machine
+        .frame_size()
+        .expect("a description that was checked");
+    let (width, height) = (size.0 as usize, size.1 as usize);
     let kind = match (machine.machine, machine.output) {
         (MachineKind::Zone, Picture::Pins) => Kind::ZoneDisplay(shape(), output),
         (MachineKind::Zone, Picture::Stream) => Kind::ZoneMachine(shape()),

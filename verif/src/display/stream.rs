@@ -6,6 +6,7 @@ use super::run::{Host, PinsOutcome, PinsRun};
 use super::waves::Spot;
 use crate::random::Stalls;
 use crate::report::place;
+use imogene_golden::unit::lattice::Lattice;
 use imogene_plan::description::{MachineDescription, MachineKind};
 use imogene_plan::display::Image;
 use std::time::Instant;
@@ -115,6 +116,8 @@ struct Taker<'a> {
     frame: Vec<u8>,
     seen: Vec<bool>,
     count: usize,
+    /// Pixels of a frame.
+    pixels: usize,
     /// Image of this frame, and of the next.
     on: Option<usize>,
     next: Option<usize>,
@@ -135,6 +138,7 @@ impl<'a> Taker<'a> {
             frame: vec![0; 3 * pixels],
             seen: vec![false; pixels],
             count: 0,
+            pixels: pixels / machine.fields().len(),
             on: first,
             next: first.map(|_| 1),
             outcome: PinsOutcome::default(),
@@ -160,10 +164,13 @@ impl<'a> Taker<'a> {
     /// The place of the first pixel of a clock in the frame, row by row; one that is beyond its end is of a wrong
     /// machine.
     fn place(&self, beat: &Beat) -> usize {
-        match self.is_beam {
-            true => self.count,
-            false => (beat.user >> 12) as usize * self.width + (beat.user & 0xfff) as usize,
-        }
+        let image = self.on.and_then(|on| self.images.get(on));
+        let field = image.map_or(Lattice::zone(0, 0), |image| image.pixels);
+        let (x, y) = match self.is_beam {
+            true => (self.count % self.width, self.count / self.width),
+            false => ((beat.user & 0xfff) as usize, (beat.user >> 12) as usize),
+        };
+        (y * field.dy as usize + field.y0 as usize) * self.width + x
     }
 
     /// Where the stream is, with the first pixel that it offers.
@@ -184,7 +191,7 @@ impl<'a> Taker<'a> {
         let last = self.seen.len() - 1;
         let at = self.place(beat);
         let colours = (at..at + self.ports.len()).map(|at| Some(self.colour(at.min(last))));
-        let user = self.is_beam.then(|| (at == 0).into());
+        let user = self.is_beam.then(|| (self.count == 0).into());
         let ends = self.ends(at + self.ports.len() - 1);
         colours.chain([user, Some(ends.into())]).collect()
     }
@@ -201,7 +208,7 @@ impl<'a> Taker<'a> {
     fn ends(&self, at: usize) -> bool {
         match self.is_beam {
             true => at % self.width == self.width - 1,
-            false => self.count == self.seen.len() - 1,
+            false => self.count == self.pixels - 1,
         }
     }
 
@@ -211,7 +218,7 @@ impl<'a> Taker<'a> {
         let ends = self.ends(at + beat.colours.len() - 1);
         self.check("m_tlast", clock, beat.is_last == ends);
         if self.is_beam {
-            self.check("m_tuser", clock, (beat.user == 1) == (at == 0));
+            self.check("m_tuser", clock, (beat.user == 1) == (self.count == 0));
         }
         let pixels = self.seen.len();
         for (lane, colour) in beat.colours.iter().enumerate() {
@@ -222,7 +229,7 @@ impl<'a> Taker<'a> {
         }
         self.outcome.report.pixels += beat.colours.len() as u64;
         self.count += beat.colours.len();
-        if self.count < pixels {
+        if self.count < self.pixels {
             return false;
         }
         self.finish();

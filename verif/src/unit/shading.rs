@@ -119,6 +119,7 @@ fn words_then_pixels(
     (any::<u64>(), gaps)
         .prop_map(move |(seed, gaps)| {
             let (mut words, pixels) = sequence(seed, depth, lights, gaps.len());
+            words.is_field = seed & 3 == 0;
             let idle: Inputs = vec![0; count];
             let mut list: Vec<Inputs> = vec![];
             let mut loads = loaded(seed, &mut words);

@@ -7,6 +7,7 @@ mod equivalence;
 mod exhaustive;
 mod extremes;
 mod faults;
+mod fields;
 mod fitted;
 mod formal;
 mod glass;

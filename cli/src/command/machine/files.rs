@@ -47,7 +47,9 @@ pub(super) fn add_bench(
     overlay: Option<&OverlayPlane>,
     (out, files): (&Path, &mut Outputs),
 ) -> Result {
-    let frames = scenes.iter().zip(images).map(|(scene, image)| BenchFrame {
+    let fields = machine.fields().len();
+    let scenes = scenes.iter().flat_map(|scene| vec![scene; fields]);
+    let frames = scenes.zip(images).map(|(scene, image)| BenchFrame {
         scene: &scene.name,
         image,
     });

@@ -19,7 +19,7 @@ pub(super) struct MachineReport<'a> {
     /// Clocks of a frame on the pins, none of a stream; and pixels of it, one per clock within a line.
     pub(super) clocks_per_frame: Option<u64>,
     pub(super) pixels_per_frame: u64,
-    /// Words of each scene's frame.
+    /// Words of each frame.
     pub(super) words: Vec<usize>,
     /// Clocks of each scene's frame in a zone machine, by the formula.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -27,7 +27,7 @@ pub(super) struct MachineReport<'a> {
     /// Clocks from the first word of each scene until the machine took the last one, and until it came on the screen.
     pub(super) taking: Vec<u64>,
     pub(super) loading: Vec<u64>,
-    /// Which scene each frame on the pins showed.
+    /// Which scene each frame showed.
     pub(super) shown: Vec<Option<usize>>,
     /// The picture of the pins is the golden picture, byte for byte.
     pub(super) equal: Option<bool>,

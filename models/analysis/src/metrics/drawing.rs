@@ -70,19 +70,34 @@ impl Drawing {
 
     /// The same picture with `side x side` pixels for each of its own.
     pub fn enlarged(&self, side: usize) -> Drawing {
-        let (frame, lines) = (&self.frame, self.frame.height * side);
-        let columns = frame.width * side;
-        let mut large = Frame::background(columns, lines, 0);
+        let Frame { width, height, .. } = self.frame;
+        self.shown((width * side, height * side), |x, y| (x / side, y / side))
+    }
+
+    /// The same picture with every even line in the place of the odd one below it as well.
+    pub fn of_even_lines(&self) -> Drawing {
+        let Frame { width, height, .. } = self.frame;
+        self.shown((width, height), |x, y| (x, y / 2 * 2))
+    }
+
+    /// A picture of another size, each of whose pixels is that of this one at a place.
+    fn shown(
+        &self,
+        (columns, lines): (usize, usize),
+        place: impl Fn(usize, usize) -> (usize, usize),
+    ) -> Drawing {
+        let mut shown = Frame::background(columns, lines, 0);
         let (mut backs, mut rgb) = (vec![], vec![]);
         for at in 0..columns * lines {
-            let from = at / columns / side * frame.width + at % columns / side;
-            copy(&mut large, at..at + 1, frame, from..from + 1);
+            let (x, y) = place(at % columns, at / columns);
+            let from = y * self.frame.width + x;
+            copy(&mut shown, at..at + 1, &self.frame, from..from + 1);
             backs.push(self.backs[from]);
             rgb.extend(&self.rgb[3 * from..3 * from + 3]);
         }
         Drawing {
             format: self.format,
-            frame: large,
+            frame: shown,
             backs,
             numbered: self.numbered.clone(),
             rgb,

@@ -8,6 +8,7 @@ use imogene_contract::{DeciderForm, MachineWords, RootForm, volume};
 use imogene_golden::format::{FittedError, Format};
 use imogene_golden::machine::post_filter::Kernel;
 use imogene_golden::machine::zone::ZoneMachine;
+use imogene_golden::unit::lattice::Lattice;
 use imogene_golden::widths::OwnWidths;
 use imogene_prepare::lit_sphere::SphereForm;
 use imogene_scene::{is_default, number, text_or_table};
@@ -168,6 +169,9 @@ pub struct MachineDescription {
     /// Pixels of a line that a beam machine draws at once: 1, 2 or 4.
     #[serde(default = "number::<_, 1>", skip_serializing_if = "is_one")]
     pub pixels_per_clock: u32,
+    /// A picture of a beam machine is two frames, its even lines and its odd ones.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub interlaced: bool,
     /// Samples of a pixel along each side, in a zone machine: the mean of 1, 2 x 2 or 4 x 4 is shown.
     #[serde(default = "number::<_, 1>")]
     pub supersampling: u32,
@@ -226,6 +230,23 @@ impl MachineDescription {
         let mode = self.video_mode()?;
         let size = |pixels: u64| pixels as u32 * self.supersampling;
         Some((size(mode.line.active), size(mode.frame.active)))
+    }
+
+    /// The pixels of each frame of a picture: all of them, or those of both fields.
+    pub fn fields(&self) -> Vec<Lattice> {
+        match self.interlaced {
+            false => vec![Lattice::zone(0, 0)],
+            true => [0, 1].map(|first| Lattice::lines(2, first)).to_vec(),
+        }
+    }
+
+    /// Columns and lines of a frame as it leaves; none if its mode is not one.
+    pub fn frame_size(&self) -> Option<(u64, u64)> {
+        let mode = self.video_mode()?;
+        Some((
+            mode.line.active,
+            mode.frame.active >> u32::from(self.interlaced),
+        ))
     }
 
     /// The numbers of the video mode; none if it is not a mode.

@@ -65,6 +65,7 @@ impl MachineDescription {
             self.check_products()?;
             self.check_samples(&mode)?;
             self.check_lanes(&mode, &format)?;
+            self.check_fields(&mode)?;
             self.check_output(&mode)?;
             self.check_kind()
         };
@@ -222,6 +223,26 @@ impl MachineDescription {
             ));
         }
         Ok(())
+    }
+
+    fn check_fields(&self, mode: &VideoMode) -> Checked {
+        let is_fast = self.machine == MachineKind::Beam && self.output == Output::Stream;
+        match (
+            self.interlaced,
+            is_fast,
+            mode.frame.active.is_multiple_of(2),
+        ) {
+            (false, ..) | (true, true, true) => Ok(()),
+            (true, false, _) => {
+                let accepted = "false, or output = \"stream\" in a beam machine";
+                refuse("interlaced", true, accepted)
+            }
+            (true, true, false) => {
+                let lines = mode.frame.active;
+                let accepted = "an even number of lines";
+                refuse("interlaced", format!("on {lines} lines"), accepted)
+            }
+        }
     }
 
     /// Clocks that no processor takes more of, with those from the line to its lanes.

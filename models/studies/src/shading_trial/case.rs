@@ -29,6 +29,7 @@ impl Case {
         let mut words = ShaderWords {
             depth,
             size,
+            is_field: false,
             perspective: !random.one_in(5),
             view_shift: random.below(8) as u8,
             distance: 1 + random.magnitude(131_070.0, 12) as u32,

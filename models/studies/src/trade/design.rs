@@ -36,6 +36,9 @@ pub struct Accuracy {
     pub supersampling: u32,
     /// Pixels along each side that show one that is drawn, 1, 2 or 4: a preview.
     pub undersampling: u32,
+    /// Fields: every other line is drawn, and shown twice.
+    #[serde(default)]
+    pub interlaced: bool,
 }
 
 /// Processors that share the objects, zone by zone.
@@ -111,6 +114,7 @@ impl Accuracy {
             table_side: self.table_side,
             nearest_entry: self.nearest_entry,
             undersampling: self.undersampling,
+            interlaced: self.interlaced,
             ..Accuracy::of_depth(self.depth)
         };
         [12, 16, 20, 24].contains(&self.depth) && *self == plain && self.undersampling < 4
@@ -126,6 +130,9 @@ impl Accuracy {
             if number > 1 {
                 name += &format!("-{letter}{number}");
             }
+        }
+        if self.interlaced {
+            name += "-i";
         }
         if self.table_side > 0 {
             let nearest = if self.nearest_entry { "n" } else { "" };
@@ -240,6 +247,10 @@ fn preview(depth: u32, side: u32, table_side: u32) -> Accuracy {
     })
 }
 
+fn interlaced(depth: u32, table_side: u32) -> Accuracy {
+    changed(depth, |a| (a.interlaced, a.table_side) = (true, table_side))
+}
+
 fn lit(depth: u32, table_side: u32) -> Accuracy {
     changed(depth, |a| a.table_side = table_side)
 }
@@ -263,6 +274,7 @@ fn quick() -> Vec<Design> {
         points(of(16), true, (&[1], &[16]), &[1, 2]),
         points(supersampled(16, 2, 0), false, (&[2], &[16]), &[1]),
         points(preview(16, 2, 0), true, NO_ZONES, &[1]),
+        points(interlaced(16, 0), true, NO_ZONES, &[1]),
         with_lanes(points(lit(16, 32), true, (&[2], &[16]), &[1])),
     ];
     [beams.concat(), others.concat()].concat()
@@ -331,6 +343,11 @@ fn full() -> Vec<Design> {
         for depth in [8, 10, 12, 14, 16] {
             add(preview(depth, side, 0), true, (&[1, 2], &[16]));
         }
+    }
+    for depth in [12, 16, 20] {
+        add(interlaced(depth, 0), true, NO_ZONES);
+        add(interlaced(depth, 64), true, NO_ZONES);
+        add(nearest(interlaced(depth, 64)), true, NO_ZONES);
     }
     for depth in [12, 14, 16, 18, 20, 24] {
         add(lit(depth, 64), true, shared);

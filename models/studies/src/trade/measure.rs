@@ -43,6 +43,9 @@ pub fn measure<'a>(views: &'a Views, accuracy: &Accuracy) -> Result<Measured<'a>
     if accuracy.undersampling > 1 {
         drawing = drawing.enlarged(accuracy.undersampling as usize);
     }
+    if accuracy.interlaced {
+        drawing = drawing.of_even_lines();
+    }
     let (metrics, map) = compare(views.truth(accuracy), &drawing);
     let (columns, samples) = (drawing.frame.width, accuracy.supersampling as usize);
     let rgb = mean_of_samples(&drawing.rgb, columns, samples);
@@ -74,6 +77,7 @@ impl Measured<'_> {
         let beam = MachineDescription {
             output: Output::Stream,
             pixels_per_clock: design.pixels_per_clock,
+            interlaced: design.accuracy.interlaced,
             ..smallest(&self.widths, frames, design.rows_per_stage, size)
         };
         let beam = match design.accuracy.tables() {
@@ -117,11 +121,15 @@ impl Measured<'_> {
     /// Bits that change from clock to clock while objects are drawn.
     pub fn toggles(&self, machine: &MachineDescription) -> Result<Toggles, String> {
         let (format, rows) = (&self.prepared.format, machine.rows_per_stage);
-        let height = self.prepared.height;
+        let fields = machine.fields();
+        let height = self.prepared.height / fields.len() as u32;
         if machine.machine == MachineKind::Beam {
             let step = machine.pixels_per_clock;
             let lane = |first: u32| {
-                let pixels = Lattice::columns(step.into(), first.into());
+                let pixels = Lattice {
+                    dy: fields[0].dy,
+                    ..Lattice::columns(step.into(), first.into())
+                };
                 let slots = self.prepared.quadrics();
                 Part {
                     slots: slots.map(|(_, object)| object.words.on(&pixels)).collect(),

@@ -188,6 +188,7 @@ const COLUMNS: &str = "
     g2=design/accuracy/guard_quadratic dropped=design/accuracy/dropped_rows root_form=design/accuracy/root_form
     table_side=design/accuracy/table_side nearest_entry=design/accuracy/nearest_entry
     supersampling=design/accuracy/supersampling undersampling=design/accuracy/undersampling
+    interlaced=design/accuracy/interlaced
     rows_per_stage=design/rows_per_stage pixels_per_clock=design/pixels_per_clock zone=design/zones/side
     processors=design/zones/processors refused
     covered=errors/covered missing=errors/missing extra=errors/extra

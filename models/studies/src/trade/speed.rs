@@ -129,6 +129,7 @@ impl Class {
 /// What the machines of a class draw.
 fn in_words(accuracy: &Accuracy) -> String {
     let pixels = match (accuracy.undersampling, accuracy.supersampling) {
+        (1, 1) if accuracy.interlaced => "every other line".into(),
         (1, 1) => "every pixel once".into(),
         (1, side) => format!("{} samples of every pixel", side * side),
         (side, _) => format!("one pixel in {}", side * side),

@@ -34,8 +34,9 @@ bundles! {
 pub(super) fn line_of_sight(pixel: Pixel, eye: Eye) -> (Middle, Vector) {
     let place = |at: Bits, size: Bits| (join([at, Bits::new(0, 1)]) - size).reg().int();
     net! {
+        let line = eye.is_field.select(pixel.y.left(1), pixel.y);
         let place_x = place(pixel.x, eye.size_x);
-        let place_y = place(pixel.y, eye.size_y);
+        let place_y = place(line, eye.size_y);
     }
     let along = |place: Int| {
         net! {

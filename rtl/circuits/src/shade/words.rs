@@ -12,6 +12,7 @@ bundle! {
         size_x: Bits(13), "columns of the picture";
         size_y: Bits(13), "lines of the picture";
         perspective: Bits(1), "lines of sight meet in the eye";
+        is_field: Bits(1), "the lines of the picture count by two";
         view_shift: Bits(4), "places that coordinates are shifted to the right";
         distance: Bits(17), "distance of the eye";
     }
@@ -49,6 +50,7 @@ pub(super) fn view_store(at: &str, bus: LoadBus) -> View {
             size_x: bus.bits(SIZE, 12, 0),
             size_y: bus.bits(SIZE, 28, 16),
             perspective: bus.bits(VIEW, 0, 0),
+            is_field: bus.bits(VIEW, 2, 2),
             view_shift: bus.bits(VIEW, 7, 4),
             distance: bus.bits(DISTANCE, 16, 0),
         },

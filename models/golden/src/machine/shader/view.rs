@@ -64,14 +64,13 @@ impl Sight {
 
 /// Half pixels from the middle of the picture, 13 bits.
 pub(super) fn place(words: &ShaderWords, pixel: &Pixel) -> [i64; 2] {
-    let from_middle = |at: u16, size: u16| {
-        let place = 2 * i64::from(at) - i64::from(size);
+    let from_middle = |at: i64, size: u16| {
+        let place = 2 * at - i64::from(size);
         place << 51 >> 51
     };
-    [
-        from_middle(pixel.x, words.size[0]),
-        from_middle(pixel.y, words.size[1]),
-    ]
+    let (x, y) = (i64::from(pixel.x), i64::from(pixel.y));
+    let y = if words.is_field { 2 * y } else { y };
+    [from_middle(x, words.size[0]), from_middle(y, words.size[1])]
 }
 
 pub(super) fn ray(words: &ShaderWords, place: [i64; 2]) -> [i64; 3] {

@@ -38,6 +38,8 @@ pub struct ShaderWords {
     pub depth: u32,
     /// Columns and lines of the picture, at most 4096: the point (0, 0) of the camera frame is in the middle.
     pub size: [u16; 2],
+    /// A pixel's line is that of a field: the lines of the picture count by two.
+    pub is_field: bool,
     /// Lines of sight meet in the eye; otherwise they are parallel.
     pub perspective: bool,
     /// Places that pixel coordinates, in 1/64 pixels, are shifted to the right in a line of sight, 0 to 15.
@@ -99,6 +101,16 @@ impl ShaderWords {
         }
     }
 
+    /// The words for the lines `first, first + 2, ..` of the picture alone.
+    pub fn on_field(self, first: u16) -> ShaderWords {
+        let [columns, lines] = self.size;
+        ShaderWords {
+            size: [columns, lines - 2 * first],
+            is_field: true,
+            ..self
+        }
+    }
+
     /// The depth of the background.
     pub(super) fn far_end(&self) -> i64 {
         (1 << (self.depth - 1)) - 1
@@ -111,6 +123,7 @@ impl ShaderWords {
             0 => self.size = [bits(0, 13) as u16, bits(16, 13) as u16],
             1 => {
                 self.perspective = bits(0, 1) == 1;
+                self.is_field = bits(2, 1) == 1;
                 self.view_shift = bits(4, 4) as u8;
                 let offset = self.attenuation.unwrap_or(self.offset_when_on);
                 self.attenuation = (bits(1, 1) == 1).then_some(offset);
@@ -149,6 +162,7 @@ impl ShaderWords {
         let attenuation = offset as u32 & 0x3fff_ffff;
         let view = u32::from(self.perspective)
             | u32::from(self.attenuation.is_some()) << 1
+            | u32::from(self.is_field) << 2
             | u32::from(self.view_shift) << 4;
         let mut words = vec![
             (0, columns | lines << 16),

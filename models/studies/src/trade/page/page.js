@@ -24,6 +24,7 @@ const columns = [
   ["r", "R", "Rows of the root network per register stage", "design.rows_per_stage", whole],
   ["s", "s", "Samples of a pixel along each side", "design.accuracy.supersampling", whole],
   ["p", "p", "Pixels along each side that show one that is drawn", "design.accuracy.undersampling", whole],
+  ["i", "i", "Fields: every other line is drawn, and shown twice", "design.accuracy.interlaced", whole],
   ["c", "c", "Pixels of a line that a beam machine draws at once", "design.pixels_per_clock", whole],
   ["zone", "zone", "Side of a zone in pixels; none in a beam machine", "design.zones.side", whole],
   ["objects", "objects", "Object processors of a zone machine", "design.zones.processors", whole],
@@ -44,7 +45,7 @@ const columns = [
 ].map(([key, heading, title, path, write]) => ({ key, heading, title, path, write }));
 const byKey = new Map(columns.map(column => [column.key, column]));
 // The name tells these; they have no column of their own.
-const inName = ["n", "g1", "g2", "d", "s", "p", "c", "t", "zone", "objects", "routed", "mpps"];
+const inName = ["n", "g1", "g2", "d", "s", "p", "i", "c", "t", "zone", "objects", "routed", "mpps"];
 const ofCost = ["cells"];
 const isKnown = column => data.points.some(point => get(point, column.path) != null);
 const shown = columns.filter(column => !inName.includes(column.key) && (!ofCost.includes(column.key) || isKnown(column)));

@@ -284,7 +284,7 @@ fn points_tell_speed_area_and_accuracy() {
     let csv = trade.csv();
     assert_eq!(csv.lines().count(), 1 + trade.points.len());
     let columns = csv.lines().next().unwrap().split(',').count();
-    assert_eq!(columns, 59);
+    assert_eq!(columns, 60);
     let fronts = FRONTS.iter().map(|front| draw(&trade, front).unwrap());
     for plot in fronts {
         for entry in &trade.points {

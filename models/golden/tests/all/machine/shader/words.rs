@@ -18,6 +18,7 @@ fn loading_gives_back_the_words() {
     };
     let mut words = ShaderWords {
         size: [4096, 1],
+        is_field: true,
         perspective: true,
         view_shift: 9,
         distance: 131_071,

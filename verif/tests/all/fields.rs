@@ -1,0 +1,72 @@
+//! Interlaced machines: both fields of a picture leave it, and each of their pixels is that of the whole picture.
+
+use super::machines::{host, run, small};
+use super::prepared;
+use imogene_golden::format::Format;
+use imogene_plan::description::MachineDescription;
+use imogene_plan::display::{Image, images};
+use imogene_plan::needs::enough;
+use imogene_plan::zone::refine::Refinement;
+use imogene_verif::display::pins;
+use imogene_verif::engine::Engine;
+
+/// The fields of a scene on a machine of so many pixels per clock that has what the scene wants.
+fn fields(
+    name: &str,
+    asked: &MachineDescription,
+    pixels_per_clock: u32,
+) -> (MachineDescription, Vec<Image>) {
+    let asked = MachineDescription {
+        pixels_per_clock,
+        ..asked.clone()
+    };
+    let scene = super::scene(&format!("{name}.toml"));
+    let size = asked.drawn_size().expect("a mode");
+    let (framed, prepared) = prepared(&scene, size, asked.format().expect("a format"));
+    let machine = enough(&asked, &[(&framed, &prepared)]).expect("a machine");
+    machine.check("fields").expect("lines that are long enough");
+    let images = images(&framed, &prepared, &machine, Refinement::Box);
+    (machine, images.expect("fits the machine"))
+}
+
+/// Quadrics cut by planes, solids, glass, shadows, meshes, paraboloids; lights far and near; with stalls on both sides.
+#[test]
+fn fields_are_the_lines_of_the_whole_picture() {
+    let asked = MachineDescription {
+        objects: 1,
+        planes: 0,
+        interlaced: true,
+        ..small("beam-stream.toml", 120, 20, 40)
+    };
+    assert_eq!(asked.format().expect("a format"), Format::BASE);
+    let scenes = "teapot solids/bracket glass/still-life shadows/ball-before-ball light/colonnade \
+                  processors/mesh processors/paraboloids";
+    for name in scenes.split_whitespace() {
+        for pixels_per_clock in [1, 2] {
+            let (machine, images) = fields(name, &asked, pixels_per_clock);
+            assert_eq!(images.len(), 2);
+            assert_eq!(images[0].picture, images[1].picture);
+            let stalling = host(Engine::BuiltIn, Some(7), 0);
+            let outcome = run(&machine, &images, &stalling);
+            assert_eq!(outcome.shown.last(), Some(&Some(1)), "{name}");
+            // The words of a field show its lines and no others.
+            let mut exchanged = images.clone();
+            (exchanged[0].pixels, exchanged[1].pixels) = (images[1].pixels, images[0].pixels);
+            let wrong = pins::run(&machine, &exchanged, &stalling, || ());
+            let wrong = wrong.expect("a machine that runs").report.mismatches;
+            assert!(wrong > 50, "{name}: {wrong}");
+        }
+    }
+}
+
+/// Tables of colours turn normals towards the viewer by the line of sight, which goes with the line of the picture.
+#[test]
+fn fields_are_lit_by_tables() {
+    let asked = MachineDescription {
+        output: imogene_plan::description::Output::Stream,
+        interlaced: true,
+        ..small("beam-lit-sphere.toml", 64, 48, 40)
+    };
+    let (machine, images) = fields("teapot", &asked, 1);
+    run(&machine, &images, &host(Engine::BuiltIn, None, 0));
+}
