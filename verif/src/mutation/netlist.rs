@@ -156,10 +156,6 @@ impl<'a> Judge<'a> {
     }
 
     fn survivor(&self, mutant: &Mutant) -> Result<Fate, ToolError> {
-        if mutant.port == "CLK" {
-            let reason = "It changes the clock of a register, which the proofs do not model";
-            return Ok(Fate::Survived(reason.into()));
-        }
         let command = cut_command(&mutant.command, &mutant.cell, &self.netlist);
         let cut = self.prove(mutant.number, CUT, &command, "sat")?;
         if cut.contains("SUCCESS") {

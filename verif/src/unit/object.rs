@@ -100,8 +100,68 @@ pub(super) fn object_processor(request: &Request, format: Format) -> Description
         let [nx, ny, nz] = p.normal.map(i64::from);
         [p.zf, p.zb, p.number.into(), nx, ny, nz]
     };
-    let plan = planned(plan(request.unit));
-    zone(plan, format, [0, latency], words, Ports::processor, pixel)
+    let unit = request.unit;
+    let plan = planned(plan(unit));
+    let stimulus = move |subject: &Subject, clocks| {
+        let zones = plan(subject, clocks);
+        match unit {
+            Unit::SphereProcessor => backs_near_the_end(subject, zones),
+            Unit::QuadricProcessor | Unit::PatchProcessor | Unit::FirstGenerationProcessor => {
+                roots_near_the_end(subject, zones)
+            }
+            _ => zones,
+        }
+    };
+    zone(
+        stimulus,
+        format,
+        [0, latency],
+        words,
+        Ports::processor,
+        pixel,
+    )
+}
+
+/// The same zones of a quadric, but that in one of eight both roots are flat, and one of them one bit away from the
+/// least word.
+fn roots_near_the_end(
+    subject: &Subject,
+    zones: BoxedStrategy<Vec<Inputs>>,
+) -> BoxedStrategy<Vec<Inputs>> {
+    let surface = Surface::of(subject).expect("words of a quadric");
+    let width = subject.outputs[1].width;
+    let flat = (0u32..8, 0..width - 1, any::<bool>(), any::<i64>());
+    (zones, flat)
+        .prop_map(move |(mut zone, (chance, bit, is_far, at))| {
+            let depth = (1 << bit) - (1 << (width - 1));
+            for inputs in zone.iter_mut().filter(|_| chance == 0) {
+                surface.level(inputs, is_far, at, depth);
+            }
+            zone
+        })
+        .boxed()
+}
+
+/// The same zones of a sphere, but that in one of eight its front is flat and its back one bit away from the least
+/// word.
+fn backs_near_the_end(
+    subject: &Subject,
+    zones: BoxedStrategy<Vec<Inputs>>,
+) -> BoxedStrategy<Vec<Inputs>> {
+    let place = |name| subject.inputs.iter().position(|signal| signal.name == name);
+    let place = |name| place(name).expect("a word of a sphere");
+    let (first, front, sum) = (place("front_a2"), place("front_f"), place("depth_sum"));
+    let width = subject.outputs[1].width;
+    (zones, 0u32..8, 0..width - 1)
+        .prop_map(move |(mut zone, chance, bit)| {
+            for inputs in zone.iter_mut().filter(|_| chance == 0) {
+                inputs[first..front].fill(0);
+                let back = (1 << bit) - (1 << (width - 1));
+                inputs[sum] = (inputs[front] >> (width - 2)) + back;
+            }
+            zone
+        })
+        .boxed()
 }
 
 pub(super) fn polyhedron_processor(format: Format, planes: usize) -> Description {
@@ -215,24 +275,24 @@ struct Surface {
     /// The first word of the linear part, and the last one of the quadratic part, which follows it.
     linear: usize,
     constant: usize,
-    shift: usize,
+    /// Of a volume.
+    shift: Option<usize>,
 }
 
 impl Surface {
-    /// Nothing if the volume has none.
+    /// Nothing if there are none.
     fn of(subject: &Subject) -> Option<Surface> {
         let ports = &subject.inputs;
         let place = |name| ports.iter().position(|signal| signal.name == name);
         Some(Surface {
             linear: place("f1_a")?,
             constant: place("f2_f")?,
-            shift: place("depth_shift")?,
+            shift: place("depth_shift"),
         })
     }
 
-    /// Makes both depths of the quadric constant, of any root, and puts one of them near the visible point: the lowest
-    /// digit of the root decides.
-    fn flatten(&self, inputs: &mut Inputs, is_far: bool, at: i64, width: u32) {
+    /// Makes both depths of the quadric constant, of any root, and one of them this.
+    fn level(&self, inputs: &mut Inputs, is_far: bool, at: i64, depth: i64) {
         let drawn = inputs[self.constant];
         let drawn = if drawn < 0 { !drawn } else { drawn };
         let root = drawn.isqrt();
@@ -243,12 +303,17 @@ impl Surface {
             1 => (root * root).saturating_add(2 * root),
             _ => drawn,
         };
-        let unit = inputs[self.shift];
-        let end = 1i64 << (width - 1);
-        let depth = ((at >> 2).rem_euclid(2 * end) - end) >> unit;
         inputs[self.linear..=self.constant].fill(0);
         inputs[self.constant] = radicand;
         inputs[self.linear + 2] = if is_far { depth - root } else { depth + root };
+    }
+
+    /// The same, and the visible point is near it: the lowest digit of the root decides.
+    fn flatten(&self, inputs: &mut Inputs, is_far: bool, at: i64, width: u32) {
+        let unit = self.shift.map_or(0, |place| inputs[place]);
+        let end = 1i64 << (width - 1);
+        let depth = ((at >> 2).rem_euclid(2 * end) - end) >> unit;
+        self.level(inputs, is_far, at, depth);
         let point = (depth << unit) + inputs[DEPTH].rem_euclid(5 << unit) - (2 << unit);
         inputs[DEPTH] = point.clamp(-end, end - 1);
     }

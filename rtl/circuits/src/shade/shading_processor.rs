@@ -200,15 +200,15 @@ fn level(sent: Vec<Bits>, ambient: Bits) -> Bits {
     let width = SENT.max(SENT - 1 + sent.len().ilog2());
     let ambient = ambient.extend(width).left(FRACTION - LEVEL);
     let rounded = ambient + Bits::new(1 << (FRACTION - 1), width);
-    let sums = sent.chunks(2).map(|pair| {
-        let pair = pair.iter().map(|level| level.extend(width));
-        pair.reduce(|one, other| one + other).expect("a light")
-    });
-    let sums: Vec<Bits> = sums.collect();
-    net! { let first_sum = (sums[0] + rounded).reg(); }
-    let high = sums[1..].iter();
-    let sum = high.fold(first_sum, |low, high| low + high.reg());
-    net! { let level_sum = sum.reg(); }
+    let sent = sent.into_iter().map(|level| level.extend(width));
+    let parts: Vec<Bits> = sent.chain([rounded]).collect();
+    let sum = |parts: &[Bits]| {
+        let parts = parts.iter().copied();
+        let sum = parts.reduce(|one, other| one + other);
+        sum.expect("a light").reg()
+    };
+    let sums: Vec<Bits> = parts.chunks(2).map(sum).collect();
+    net! { let level_sum = sum(&sums); }
     let is_less = level_sum.slice(width - 1, FRACTION + LEVEL).is(0);
     let brightest = Bits::new((1 << LEVEL) - 1, LEVEL);
     is_less.select(level_sum.slice(FRACTION + LEVEL - 1, FRACTION), brightest)

@@ -83,7 +83,8 @@ fn made(tile: &Tile, mapped: &Mapped, folder: &Path) -> Result<(Layout, LayoutTe
         let path = folder.join(name);
         std::fs::create_dir_all(&path).map_err(FileError::at(path))?;
     }
-    write(&folder.join(format!("source/{top}.v")), &mapped.verilog)?;
+    let source = with_plain_names(&mapped.verilog);
+    write(&folder.join(format!("source/{top}.v")), &source)?;
     write(&folder.join("project_vars.sh"), SETTINGS)?;
     for step in STEPS {
         let said = QFLOW.run([step, "-T", TECHNOLOGY, top.as_str()], folder);
@@ -105,6 +106,18 @@ fn made(tile: &Tile, mapped: &Mapped, folder: &Path) -> Result<(Layout, LayoutTe
     ]);
     let layout = layout.map_err(|what| BoardError::Layout(what.to_owned()))?;
     Ok((layout, LayoutTexts { verilog, def }))
+}
+
+/// A netlist without escaped names: the flow writes them in two ways, and its tool for times does not find one of them
+/// by the other.
+pub fn with_plain_names(verilog: &str) -> String {
+    let (before, escaped) = verilog.split_once('\\').unwrap_or((verilog, ""));
+    let plain = escaped.split_terminator('\\').map(|text| {
+        let (name, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
+        let name = name.replace(|c: char| !c.is_ascii_alphanumeric(), "_");
+        format!("{name} {rest}")
+    });
+    before.to_owned() + &plain.collect::<String>()
 }
 
 /// What the texts of the flow say: layout, netlist, reports of routing, times, rules and comparison.

@@ -14,6 +14,9 @@ const COMPILER_VARIABLE: &str = "IMOGENE_CXXFLAGS";
 
 /// Options that shape the code; a change of them makes new libraries.
 const VERILATOR_OPTIONS: &str = "--cc -O3 --x-assign fast -Wno-fatal -Wno-lint -Wno-style";
+/// Verilator 5.006 makes wrong code of a netlist of a thousand mutants in this pass. A witness does without it; where
+/// Verilator's speed is measured it has all its passes.
+const WITHOUT_DATAFLOW: &str = "-fno-dfg";
 /// No symbol of one library may stand for that of another in the same process, hence the hidden and not unique symbols.
 const COMPILER_OPTIONS: &str = "-std=c++17 -O2 -fPIC -fvisibility=hidden -fno-gnu-unique -w";
 /// Verilator's run time, compiled once for all designs.
@@ -71,7 +74,10 @@ pub(super) fn library(source: &Source, more: &str) -> Result<PathBuf, ToolError>
     let [verilog, shim] = &sources(source);
     let tools = tools()?;
     let compiler = compiler_options(tools, more);
-    let options = format!("{VERILATOR_OPTIONS}\n{}", compiler.join(" "));
+    let verilator = VERILATOR_OPTIONS.split(' ');
+    let verilator = verilator.chain(more.is_empty().then_some(WITHOUT_DATAFLOW));
+    let verilator: Vec<&str> = verilator.collect();
+    let options = format!("{}\n{}", verilator.join(" "), compiler.join(" "));
     let name = digest([&**verilog, shim, &tools.versions, &options]);
     let cache = cache_folder();
     let path = cache.join(format!("{name}.so"));
@@ -80,8 +86,7 @@ pub(super) fn library(source: &Source, more: &str) -> Result<PathBuf, ToolError>
         write(&folder.join("design.v"), verilog)?;
         write(&folder.join("shim.cpp"), shim)?;
         let placing = format!("--prefix {CLASS} --top-module {WRAPPER} --Mdir cpp design.v");
-        let options = VERILATOR_OPTIONS.split(' ').chain(placing.split(' '));
-        VERILATOR.run(options, folder)?;
+        VERILATOR.run(verilator.into_iter().chain(placing.split(' ')), folder)?;
         link(folder, &compiler, &run_time)
     })?;
     Ok(path)

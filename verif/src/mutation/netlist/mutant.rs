@@ -28,20 +28,24 @@ pub struct Mutant {
     pub text: String,
 }
 
-/// The mutants of a list, with the lines of the Verilog `text` they come from; refuses a line without mode, cell, port
-/// or bit.
+/// The port of a register that no mutant changes: no proof knows a clock that is made by logic.
+const CLOCK: &str = "CLK";
+
+/// The mutants of a list, with the lines of the Verilog `text` they come from, without those of clocks; refuses a line
+/// without mode, cell, port or bit.
 pub fn parse(list: &str, text: &str) -> Result<Vec<Mutant>, MutationError> {
     let lines: Vec<&str> = text.lines().collect();
-    list.lines()
-        .filter(|line| line.starts_with("mutate "))
-        .zip(1..)
-        .map(|(line, number)| {
-            one(line, number, &lines).ok_or_else(|| MutationError::List(line.to_owned()))
-        })
-        .collect()
+    let listed = list.lines().filter(|line| line.starts_with("mutate "));
+    let mutant = |line: &str| one(line, &lines).ok_or_else(|| MutationError::List(line.to_owned()));
+    let mut mutants = listed.map(mutant).collect::<Result<Vec<_>, _>>()?;
+    mutants.retain(|mutant| mutant.port != CLOCK);
+    for (mutant, number) in mutants.iter_mut().zip(1..) {
+        mutant.number = number;
+    }
+    Ok(mutants)
 }
 
-fn one(line: &str, number: usize, lines: &[&str]) -> Option<Mutant> {
+fn one(line: &str, lines: &[&str]) -> Option<Mutant> {
     let words: Vec<&str> = line.split_whitespace().skip(1).collect();
     let pairs: Vec<(&str, &str)> = words.chunks(2).map(|p| (p[0], p[1])).collect();
     let all = |option: &str| {
@@ -67,7 +71,7 @@ fn one(line: &str, number: usize, lines: &[&str]) -> Option<Mutant> {
         text += &format!(", line {line}: {source}");
     }
     Some(Mutant {
-        number,
+        number: 0,
         cell: cell.to_owned(),
         port: port.to_owned(),
         command: command.collect::<Vec<_>>().join(" "),
