@@ -38,7 +38,7 @@ pub use screen::{Screen, ScreenError, Shown, Tick};
 pub use simulate::{Pins, simulate, simulate_gates};
 pub use stays::stays;
 pub use tile::cells::{Library, Mapped, cell_delays};
-pub use tile::layout::{Layout, LayoutTexts, lay_out, layout, with_plain_names};
+pub use tile::layout::{Layout, LayoutTexts, lay_out, layout, with_short_names};
 pub use tile::{About, Tile};
 pub use tmds::{Channels, Decoder, TmdsError};
 pub use top::{Display, MODELS, Sources, sources};

@@ -207,7 +207,8 @@ fn level(sent: Vec<Bits>, ambient: Bits) -> Bits {
         let sum = parts.reduce(|one, other| one + other);
         sum.expect("a light").reg()
     };
-    let sums: Vec<Bits> = parts.chunks(2).map(sum).collect();
+    let pair = |(place, pair)| sum(pair).named(&format!("pair_sum_{place}"));
+    let sums: Vec<Bits> = parts.chunks(2).enumerate().map(pair).collect();
     net! { let level_sum = sum(&sums); }
     let is_less = level_sum.slice(width - 1, FRACTION + LEVEL).is(0);
     let brightest = Bits::new((1 << LEVEL) - 1, LEVEL);

@@ -6,6 +6,7 @@ use crate::error::BoardError;
 use imogene_synth::kept;
 use imogene_tools::{FileError, Program, read, scratch, write};
 use serde::{Deserialize, Serialize};
+use std::collections::HashMap;
 use std::path::Path;
 
 /// The flow: placement by graywolf, routing by qrouter, times by vesta, layout and extraction by magic, comparison by
@@ -83,7 +84,7 @@ fn made(tile: &Tile, mapped: &Mapped, folder: &Path) -> Result<(Layout, LayoutTe
         let path = folder.join(name);
         std::fs::create_dir_all(&path).map_err(FileError::at(path))?;
     }
-    let source = with_plain_names(&mapped.verilog);
+    let source = with_short_names(&mapped.verilog);
     write(&folder.join(format!("source/{top}.v")), &source)?;
     write(&folder.join("project_vars.sh"), SETTINGS)?;
     for step in STEPS {
@@ -108,16 +109,18 @@ fn made(tile: &Tile, mapped: &Mapped, folder: &Path) -> Result<(Layout, LayoutTe
     Ok((layout, LayoutTexts { verilog, def }))
 }
 
-/// A netlist without escaped names: the flow writes them in two ways, and its tool for times does not find one of them
-/// by the other.
-pub fn with_plain_names(verilog: &str) -> String {
+/// A netlist without escaped names, and with none that is long: a tool of the flow (rc2dly of qflow 1.3.17) has no room
+/// for the end of a name of 24 or 40 letters, and the next one does not find it then.
+pub fn with_short_names(verilog: &str) -> String {
     let (before, escaped) = verilog.split_once('\\').unwrap_or((verilog, ""));
-    let plain = escaped.split_terminator('\\').map(|text| {
+    let mut numbers: HashMap<&str, usize> = HashMap::new();
+    let short = escaped.split_terminator('\\').map(|text| {
         let (name, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
-        let name = name.replace(|c: char| !c.is_ascii_alphanumeric(), "_");
-        format!("{name} {rest}")
+        let next = numbers.len();
+        let number = *numbers.entry(name).or_insert(next);
+        format!("net_{number} {rest}")
     });
-    before.to_owned() + &plain.collect::<String>()
+    before.to_owned() + &short.collect::<String>()
 }
 
 /// What the texts of the flow say: layout, netlist, reports of routing, times, rules and comparison.

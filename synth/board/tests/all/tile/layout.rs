@@ -1,4 +1,4 @@
-use imogene_board::{Layout, layout, with_plain_names};
+use imogene_board::{Layout, layout, with_short_names};
 
 const DEF: &str =
     "UNITS DISTANCE MICRONS 100 ;\n\nDIEAREA ( -320 -300 ) ( 52800 38300 ) ;\nNETS 3780 ;\n";
@@ -31,9 +31,9 @@ fn reports_of_the_flow_are_read() {
 }
 
 #[test]
-fn the_flow_is_given_no_escaped_names() {
-    let given = "wire \\tile.planes[1].next[10] ;\nINVX1 a ( .A(\\tile.b ), .Y(c[2]) );\n";
-    let plain = "wire tile_planes_1__next_10_ ;\nINVX1 a ( .A(tile_b ), .Y(c[2]) );\n";
-    assert_eq!(with_plain_names(given), plain);
-    assert_eq!(with_plain_names("wire a;\n"), "wire a;\n");
+fn the_flow_is_given_short_names() {
+    let given = "wire \\tile.planes[1].next[10] ;\nINVX1 a ( .A(\\tile.b ), .Y(c[2]), .B(\\tile.planes[1].next[10] ) );\n";
+    let short = "wire net_0 ;\nINVX1 a ( .A(net_1 ), .Y(c[2]), .B(net_0 ) );\n";
+    assert_eq!(with_short_names(given), short);
+    assert_eq!(with_short_names("wire a;\n"), "wire a;\n");
 }
