@@ -63,7 +63,7 @@ fn kills(
     let text = all_mutants(folder, top, mutants)?;
     let mut inputs = subject.inputs.clone();
     inputs.push(selector(mutants.len()));
-    let model = Model::compile(&Source {
+    let model = Model::compile_without_dataflow(&Source {
         top,
         text: &text,
         inputs: &inputs,

@@ -14,9 +14,6 @@ const COMPILER_VARIABLE: &str = "IMOGENE_CXXFLAGS";
 
 /// Options that shape the code; a change of them makes new libraries.
 const VERILATOR_OPTIONS: &str = "--cc -O3 --x-assign fast -Wno-fatal -Wno-lint -Wno-style";
-/// Verilator 5.006 makes wrong code of a netlist of a thousand mutants in this pass. A witness does without it; where
-/// Verilator's speed is measured it has all its passes.
-const WITHOUT_DATAFLOW: &str = "-fno-dfg";
 /// No symbol of one library may stand for that of another in the same process, hence the hidden and not unique symbols.
 const COMPILER_OPTIONS: &str = "-std=c++17 -O2 -fPIC -fvisibility=hidden -fno-gnu-unique -w";
 /// Verilator's run time, compiled once for all designs.
@@ -69,13 +66,14 @@ fn build_folder() -> Option<PathBuf> {
         .map(Path::to_path_buf)
 }
 
-/// The library of a design, compiled with more options than ours unless it is kept.
-pub(super) fn library(source: &Source, more: &str) -> Result<PathBuf, ToolError> {
+/// The library of a design, made with more options of Verilator and of the compiler than ours unless it is kept.
+pub(super) fn library(source: &Source, [verilator, more]: [&str; 2]) -> Result<PathBuf, ToolError> {
     let [verilog, shim] = &sources(source);
     let tools = tools()?;
     let compiler = compiler_options(tools, more);
-    let verilator = VERILATOR_OPTIONS.split(' ');
-    let verilator = verilator.chain(more.is_empty().then_some(WITHOUT_DATAFLOW));
+    let verilator = VERILATOR_OPTIONS
+        .split(' ')
+        .chain(verilator.split_whitespace());
     let verilator: Vec<&str> = verilator.collect();
     let options = format!("{}\n{}", verilator.join(" "), compiler.join(" "));
     let name = digest([&**verilog, shim, &tools.versions, &options]);
