@@ -9,8 +9,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 const BEAM: &str = "machine = \"beam\"\nobjects = 2\n";
-const ZONE: &str = "machine = \"zone\"\nobjects = 2\nzone = { width = 20, height = 16 }\n";
-const COMMON: &str = "planes = 3\nlights = 2\nrows_per_stage = 6\nmode = { columns = [32, 4, 4, 4], lines = [24, 2, 2, 20] }\n";
+const ZONE: &str = "machine = \"zone\"\nobjects = 2\nzone = { width = 20, height = 8 }\n";
+const COMMON: &str = "planes = 3\nlights = 2\nrows_per_stage = 6\nmode = { columns = [32, 4, 4, 4], lines = [12, 2, 2, 20] }\n";
 const STREAM: &str = "output = \"stream\"\n";
 
 /// The files of a machine for two scenes, one after the other, and their description, in a folder.
@@ -74,22 +74,22 @@ fn the_bench_that_is_written_finds_every_pixel() {
         format!("{ZONE}{COMMON}{STREAM}{odd}"),
     ] {
         let place = Place::new();
-        place.write_mask("mask.png", 32, 24);
+        place.write_mask("mask.png", 32, 12);
         let options = match description.contains("overlay") {
             true => "--overlay mask.png",
             false => "",
         };
         let (out, _) = emitted(&place, &description, options);
         let beats = words(&out.join("beats.hex")).len();
-        let wanted = format!("2 frames of 768 pixels, {beats} beats: 0 differences");
+        let wanted = format!("2 frames of 384 pixels, {beats} beats: 0 differences");
         run(&out, "bench.v", true, &[&wanted]);
-        assert_eq!(words(&out.join("pixels.hex")).len(), 2 * 768);
+        assert_eq!(words(&out.join("pixels.hex")).len(), 2 * 384);
     }
 }
 
 #[test]
 fn the_bench_of_several_pixels_per_clock_finds_every_pixel() {
-    let mode = "mode = { columns = [96, 4, 4, 4], lines = [8, 2, 2, 20] }\n";
+    let mode = "mode = { columns = [96, 4, 4, 4], lines = [4, 2, 2, 20] }\n";
     let lines = COMMON.split_inclusive('\n');
     let lines = lines.filter(|line| !line.starts_with("mode"));
     let common: String = lines.chain([mode]).collect();
@@ -102,7 +102,7 @@ fn the_bench_of_several_pixels_per_clock_finds_every_pixel() {
             fields == 2
         );
         let (out, _) = emitted(&place, &format!("{BEAM}{common}{STREAM}{lanes}"), "");
-        let frames = format!("{} frames of {} pixels", 2 * fields, 768 / fields);
+        let frames = format!("{} frames of {} pixels", 2 * fields, 384 / fields);
         run(&out, "bench.v", true, &[&frames, " 0 differences"]);
         let pixels = words(&out.join("pixels.hex"));
         let wrong = [&pixels[..7], &["12_34_56".to_owned()], &pixels[8..]].concat();
@@ -151,7 +151,7 @@ fn the_bench_that_is_written_sees_what_is_wrong() {
 const BY_HAND: &str = r#"
 module bench;
     reg [79:0] beats [0:99999];
-    reg [23:0] pixels [0:2*768-1];
+    reg [23:0] pixels [0:2*384-1];
     reg clock = 0;
     always #1 clock = ~clock;
     reg [31:0] random = 32'h2545f491;
@@ -196,11 +196,11 @@ module bench;
 `else
         if (m_tvalid && m_tready) begin
             place = m_tuser[23:12] * 32 + m_tuser[11:0];
-            if (m_tlast !== (taken == 767)) wrong = wrong + 1;
+            if (m_tlast !== (taken == 383)) wrong = wrong + 1;
 `endif
-            if (m_tdata !== pixels[frame * 768 + place]) wrong = wrong + 1;
+            if (m_tdata !== pixels[frame * 384 + place]) wrong = wrong + 1;
             taken = taken + 1;
-            if (taken == 768) begin
+            if (taken == 384) begin
                 $display("frame %0d: %0d wrong", frame, wrong);
                 taken = 0;
                 frame = frame + 1;
