@@ -4,11 +4,12 @@
 //! fails in states that are never reached.
 
 use crate::frame::{CONTROL, Reached, Word, bit_of, constant, less};
-use crate::gates::{Bit, Gates, NO, YES};
-use crate::solve::{Answer, CONFLICTS, ask};
+use crate::gates::{Bit, Gates, YES};
+use crate::solve::possible;
 use imogene_hdl::Levels;
+use std::collections::HashMap;
 
-/// Bits of flags and short registers, at most: their pairs grow with the square.
+/// Bits of flags and short registers of all modules, at most: their pairs grow with the square.
 const BITS: usize = 64;
 
 /// Gates of a clock, at most: beyond, the proofs take minutes.
@@ -83,13 +84,13 @@ pub(crate) fn facts(levels: &Levels, mut of: Reached, seen: &[Vec<u64>]) -> Vec<
         let after = |register: usize| &of.clock.end.registers[register];
         let broken = facts.iter().map(|fact| !fact.holds(&mut of.gates, after));
         let broken: Vec<Bit> = broken.collect();
-        let any = broken.iter().fold(NO, |any, bit| of.gates.or(any, *bit));
-        let is_broken = match ask(&of.gates, any, &assumed, CONFLICTS, &broken) {
-            Answer::Never => return facts,
-            Answer::When(values) => values,
-            // What is left may be too much for the solver.
-            Answer::Unknown => return vec![],
+        // What is left may be too much for the solver.
+        let Some(is_broken) = possible(&of.gates, &broken, &assumed) else {
+            return vec![];
         };
+        if !is_broken.contains(&true) {
+            return facts;
+        }
         let mut is_broken = is_broken.into_iter();
         facts.retain(|_| is_broken.next() == Some(false));
     }
@@ -126,12 +127,25 @@ fn never(levels: &Levels, states: &[Vec<u64>]) -> Vec<Fact> {
     never.map(|literal| Fact::Apart([literal; 2])).collect()
 }
 
-/// Pairs of bits of short registers at values at which they were never seen together.
+/// Pairs of bits of short registers, the first ones of all or two of one module, at values at which they were never
+/// seen together.
 fn pairs(levels: &Levels, states: &[Vec<u64>]) -> Vec<Fact> {
-    let literals = literals(levels, CONTROL, BITS);
+    let names = levels.points.iter();
+    let names = names.map(|(name, point)| (point.place, name.rsplit_once('.')));
+    let names: HashMap<u32, Option<(&str, &str)>> = names.collect();
+    let module = |literal: &Literal| {
+        let name = names.get(&levels.flops[literal.register].output);
+        Some(name.copied().flatten()?.0)
+    };
+    let literals = literals(levels, CONTROL, usize::MAX);
+    let modules: Vec<Option<&str>> = literals.iter().map(module).collect();
     let mut facts = vec![];
     for (index, a) in literals.iter().enumerate() {
-        let others = literals[index + 1..].iter();
+        let is_near = |b: &usize| {
+            *b < 2 * BITS || (modules[index].is_some() && modules[index] == modules[*b])
+        };
+        let others = (index + 1..literals.len()).filter(is_near);
+        let others = others.map(|b| &literals[b]);
         let others = others.filter(|b| (a.register, a.bit) != (b.register, b.bit));
         let is_seen = |b: &Literal| states.iter().any(|state| a.is_in(state) && b.is_in(state));
         let apart = others.filter(|b| !is_seen(b));

@@ -11,6 +11,16 @@ const GATES: usize = 400_000;
 /// The value of each bit of each register that never changes.
 pub(crate) type Constants = Vec<Vec<Option<bool>>>;
 
+/// Gives the bits that never change their values; `registers` are those without controls.
+pub(crate) fn fix(constants: &Constants, levels: &Levels, begin: &mut Begin, registers: &[usize]) {
+    for (register, constants) in registers.iter().zip(constants) {
+        let bits = begin.at_mut(levels.flops[*register].output).iter_mut();
+        for (bit, constant) in bits.zip(constants) {
+            *bit = constant.map_or(*bit, Bit::of);
+        }
+    }
+}
+
 /// How the work of a circuit begins.
 #[derive(Clone, Default)]
 pub(crate) struct Idle {
@@ -48,12 +58,7 @@ impl Idle {
 
     /// The state before the work, with no input but those that are free; `registers` are those without controls.
     pub(crate) fn begin(&self, levels: &Levels, mut begin: Begin, registers: &[usize]) -> Begin {
-        for (register, constants) in registers.iter().zip(&self.constants) {
-            let bits = begin.at_mut(levels.flops[*register].output).iter_mut();
-            for (bit, constant) in bits.zip(constants) {
-                *bit = constant.map_or(*bit, Bit::of);
-            }
-        }
+        fix(&self.constants, levels, &mut begin, registers);
         self.hush(levels, &mut begin);
         begin
     }

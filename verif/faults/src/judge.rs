@@ -10,7 +10,9 @@ use crate::controls::{Controls, Upset};
 use crate::flow::{State, Unrolled, keeps_nothing};
 use crate::frame::{Begin, End, Frame, Reached, constant, state_pairs, upset, zip};
 use crate::gates::{Bit, Gates, NO};
+use crate::idle::fix;
 use crate::known::Known;
+use crate::phases::Phases;
 use crate::rest::Rest;
 use crate::solve::{CONFLICTS, Verdict, equality};
 use imogene_hdl::Levels;
@@ -28,6 +30,8 @@ pub struct Judge {
     state: HashMap<usize, State>,
     known: Known,
     keeps_nothing: bool,
+    /// The clock with all constants at their values.
+    fixed: Frame,
     /// A clock of the work, where inputs are held and registers hold them.
     work: Option<Frame>,
     /// The circuit over its latency, made when it is first wanted: from any clock, from the beginning of the work, and
@@ -54,6 +58,9 @@ impl Judge {
         let held_bits = !known.held.is_empty();
         let work = held_bits.then(|| known.held.work(&levels, of.begin.clone(), &of.registers));
         let work = work.map(|begin| begin.clock(&levels, &mut of.gates));
+        let mut begin = of.begin.clone();
+        fix(&known.constants, &levels, &mut begin, &of.registers);
+        let fixed = begin.clock(&levels, &mut of.gates);
         let state = State::of(&levels, &of.begin);
         let keeps_nothing = keeps_nothing(&of.gates, &of.clock.end, &state, known.latency);
         of.gates = of.gates.frozen();
@@ -63,6 +70,7 @@ impl Judge {
             state,
             known: known.clone(),
             keeps_nothing,
+            fixed,
             work,
             rest: OnceLock::new(),
             flow: OnceLock::new(),
@@ -91,7 +99,8 @@ impl Judge {
     pub fn judge(&self, upsets: &[Upset]) -> Verdict {
         let verdict = self.by_clocks(upsets, CONFLICTS);
         let phases = self.known.phases.as_ref();
-        match phases.is_some_and(|phases| phases.are_same(&self.levels, &self.of, upsets)) {
+        let is_same = |phases: &Phases| phases.are_same(&self.levels, &self.of, upsets);
+        match verdict != Verdict::Equivalent && phases.is_some_and(is_same) {
             true => Verdict::Equivalent,
             false => verdict,
         }
@@ -102,7 +111,9 @@ impl Judge {
         let mut gates = self.of.gates.clone();
         let bad = self.with(&self.of.clock, upsets, &mut gates);
         let of_a_clock = self.of_a_clock(&bad, &mut gates, conflicts);
-        if of_a_clock == Verdict::Equivalent && self.known.always_holds {
+        let is_same =
+            of_a_clock == Verdict::Equivalent || self.is_same_by_constants(upsets, conflicts);
+        if is_same && self.known.always_holds {
             return Verdict::Equivalent;
         }
         if self.is_same_at_work(upsets) || self.is_same_from_rest(upsets) {
@@ -226,10 +237,36 @@ impl Judge {
         equality(pairs, &self.of.assumed, gates, conflicts)
     }
 
+    /// Are outputs and next states equal after a clock that begins with all constants at their values, constants among
+    /// these states? Then nothing counts that is read beside a constant which hides it.
+    fn is_same_by_constants(&self, upsets: &[Upset], conflicts: u64) -> bool {
+        let mut gates = self.of.gates.clone();
+        let good = &self.fixed.end;
+        let bad = self.with(&self.fixed, upsets, &mut gates);
+        let mut pairs = zip(&good.outputs, &bad.outputs);
+        for (register, constants) in self.of.registers.iter().zip(&self.known.constants) {
+            let words = zip(&good.registers[*register], &bad.registers[*register]);
+            let constant = words.into_iter().zip(constants);
+            let constant = constant.filter(|(_, constant)| constant.is_some());
+            pairs.extend(constant.map(|(pair, _)| pair));
+        }
+        let pairs = self.with_read(pairs, [good, &bad], &gates);
+        equality(pairs, &self.of.assumed, &mut gates, conflicts) == Verdict::Equivalent
+    }
+
     /// Outputs of circuit and mutant, and next states of all bits that either of them reads for an output.
     fn pairs(&self, bad: &End, gates: &Gates) -> Vec<(Bit, Bit)> {
         let good = &self.of.clock.end;
-        let mut pairs: Vec<(Bit, Bit)> = zip(&good.outputs, &bad.outputs);
+        self.with_read(zip(&good.outputs, &bad.outputs), [good, bad], gates)
+    }
+
+    /// The same pairs, and the next states of all bits that are read for them.
+    fn with_read(
+        &self,
+        mut pairs: Vec<(Bit, Bit)>,
+        [good, bad]: [&End; 2],
+        gates: &Gates,
+    ) -> Vec<(Bit, Bit)> {
         let mut is_seen = vec![false; gates.len()];
         let mut is_taken = HashSet::new();
         let mut done = 0;

@@ -42,7 +42,8 @@ pub struct Contract {
 pub struct Known {
     pub(crate) zeros: Vec<(usize, u32)>,
     zeros_beside: Vec<((usize, u64), (usize, u32))>,
-    constants: Constants,
+    /// What never changes.
+    pub(crate) constants: Constants,
     remainders: Vec<[usize; 2]>,
     restores: bool,
     facts: Vec<Fact>,

@@ -6,7 +6,7 @@
 use crate::controls::Upset;
 use crate::frame::{CONTROL, Reached, Word, constant, differ, free, upset};
 use crate::gates::{Bit, Gates, NO, YES};
-use crate::solve::{Answer, CONFLICTS, ask};
+use crate::solve::{Answer, CONFLICTS, ask, possible};
 use imogene_hdl::Levels;
 
 /// Phases, at most.
@@ -161,15 +161,9 @@ impl Phases {
         }
         goals.retain(|(_, broken)| *broken != NO);
         let (goals, bits): (Vec<Goal>, Vec<Bit>) = goals.into_iter().unzip();
-        let any = bits.iter().fold(NO, |any, bit| gates.or(any, *bit));
-        match ask(&gates, any, &assumed, CONFLICTS, &bits) {
-            Answer::Never => Some(vec![]),
-            Answer::When(values) => {
-                let broken = goals.into_iter().zip(values).filter(|(_, is)| *is);
-                Some(broken.map(|(goal, _)| goal).collect())
-            }
-            Answer::Unknown => None,
-        }
+        let can = possible(&gates, &bits, &assumed)?;
+        let broken = goals.into_iter().zip(can).filter(|(_, can)| *can);
+        Some(broken.map(|(goal, _)| goal).collect())
     }
 
     /// Is each phase there?

@@ -79,15 +79,8 @@ pub(crate) fn ask(
     if wanted == NO {
         return Answer::Never;
     }
-    let mut clauses = Clauses {
-        gates,
-        solver: Solver::new(SolverOpts::default(), Effort { left: conflicts }),
-        known: HashMap::new(),
-    };
-    for bit in assumed.iter().chain([&wanted]) {
-        let literal = clauses.literal(*bit);
-        clauses.solver.add_clause_reuse(&mut vec![literal]);
-    }
+    let mut clauses = Clauses::of(gates, assumed, conflicts);
+    clauses.assume(wanted);
     let asked = asked.iter().map(|bit| clauses.literal(*bit));
     let asked: Vec<Lit> = asked.collect();
     let found = clauses.solver.solve_limited(&[]);
@@ -101,7 +94,47 @@ pub(crate) fn ask(
     }
 }
 
+/// Can each of these bits be 1 in some case in which others are 1? Nothing if the solver gives up.
+pub(crate) fn possible(gates: &Gates, wanted: &[Bit], assumed: &[Bit]) -> Option<Vec<bool>> {
+    let mut clauses = Clauses::of(gates, assumed, CONFLICTS);
+    let wanted = wanted.iter().map(|bit| clauses.literal(*bit));
+    let wanted: Vec<Lit> = wanted.collect();
+    let mut found = vec![false; wanted.len()];
+    loop {
+        // One of those that no case showed so far.
+        let open = wanted.iter().zip(&found).filter(|(_, found)| !**found);
+        let mut open: Vec<Lit> = open.map(|(literal, _)| *literal).collect();
+        clauses.solver.add_clause_reuse(&mut open);
+        clauses.solver.cb_mut().left = CONFLICTS;
+        let answer = clauses.solver.solve_limited(&[]);
+        if answer == lbool::FALSE {
+            return Some(found);
+        } else if answer != lbool::TRUE {
+            return None;
+        }
+        for (literal, found) in wanted.iter().zip(&mut found) {
+            *found |= clauses.solver.value_lit(*literal) == lbool::TRUE;
+        }
+    }
+}
+
 impl Clauses<'_> {
+    /// Of a case in which these bits are 1.
+    fn of<'a>(gates: &'a Gates, assumed: &[Bit], conflicts: u64) -> Clauses<'a> {
+        let mut clauses = Clauses {
+            gates,
+            solver: Solver::new(SolverOpts::default(), Effort { left: conflicts }),
+            known: HashMap::new(),
+        };
+        assumed.iter().for_each(|bit| clauses.assume(*bit));
+        clauses
+    }
+
+    fn assume(&mut self, bit: Bit) {
+        let literal = self.literal(bit);
+        self.solver.add_clause_reuse(&mut vec![literal]);
+    }
+
     fn literal(&mut self, bit: Bit) -> Lit {
         self.write(bit.gate());
         self.written(bit)

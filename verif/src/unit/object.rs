@@ -7,6 +7,7 @@ use super::words::Ports;
 use crate::signal::Signal;
 use crate::stimulus::{depth, word};
 use crate::subject::{Inputs, Subject};
+use imogene_contract::words::FRONT_PLANE;
 use imogene_contract::{Request, Unit};
 use imogene_golden::format::Format;
 use imogene_golden::object::curved_facet::{self, CurvedFacetWords};
@@ -29,6 +30,9 @@ use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;
 use proptest::prelude::*;
+
+/// The kind of a plane that cuts away what lies before it; a kind without this bit does not.
+const FRONT: i64 = FRONT_PLANE as i64;
 
 /// Of a quadric with so many planes.
 pub(super) fn quadric_words(class: Class, planes: usize) -> QuadricWords {
@@ -106,9 +110,13 @@ pub(super) fn object_processor(request: &Request, format: Format) -> Description
         let zones = plan(subject, clocks);
         match unit {
             Unit::SphereProcessor => backs_near_the_end(subject, zones),
-            Unit::QuadricProcessor | Unit::PatchProcessor | Unit::FirstGenerationProcessor => {
+            Unit::QuadricProcessor => {
+                fronts_near_the_end(subject, roots_near_the_end(subject, zones))
+            }
+            Unit::PatchProcessor | Unit::FirstGenerationProcessor => {
                 roots_near_the_end(subject, zones)
             }
+            Unit::QuotientProcessor => fronts_near_the_end(subject, zones),
             _ => zones,
         }
     };
@@ -136,6 +144,34 @@ fn roots_near_the_end(
             let depth = (1 << bit) - (1 << (width - 1));
             for inputs in zone.iter_mut().filter(|_| chance == 0) {
                 surface.level(inputs, is_far, at, depth);
+            }
+            zone
+        })
+        .boxed()
+}
+
+/// The same zones of an object with planes, but that in one of eight the first plane is a flat front one bit away from
+/// the least word, before most others.
+fn fronts_near_the_end(
+    subject: &Subject,
+    zones: BoxedStrategy<Vec<Inputs>>,
+) -> BoxedStrategy<Vec<Inputs>> {
+    let place = |name: &str| subject.inputs.iter().position(|signal| signal.name == name);
+    let kinds = (0..).map_while(|plane| place(&format!("plane_{plane}_kind")));
+    let kinds: Vec<usize> = kinds.collect();
+    let Some(constant) = place("plane_0_c") else {
+        return zones;
+    };
+    let width = subject.outputs[1].width;
+    (zones, 0u32..8, 0..width - 1)
+        .prop_map(move |(mut zone, chance, bit)| {
+            for inputs in zone.iter_mut().filter(|_| chance == 0) {
+                for kind in &kinds {
+                    inputs[*kind] &= !FRONT;
+                }
+                inputs[kinds[0]] = FRONT;
+                inputs[constant - 2..constant].fill(0);
+                inputs[constant] = (1 << bit) - (1 << (width - 1));
             }
             zone
         })

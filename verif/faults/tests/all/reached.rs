@@ -58,6 +58,26 @@ fn latch() -> Design {
     })
 }
 
+/// A flag that never rises, and a word beside it that is seen where it is 1; in more phases than are looked at.
+fn hidden() -> Design {
+    Design::of(|| {
+        let inputs = (("go", Bits::input(1)), ("word", Bits::input(12)));
+        module("hidden", "top", inputs, |(go, word)| {
+            net! {
+                let flag = Bits::register(1);
+                let rises = flag & word.top();
+                let kept = word.reg();
+                let turned = kept ^ Bits::new(5, 12);
+                let turned_late = turned.reg();
+                let low = word.low(6).reg();
+                let high = word.high(6).reg();
+            }
+            flag.load_when(go, rises);
+            (("y", flag.select(turned_late, kept)), ("z", low ^ high))
+        });
+    })
+}
+
 /// A word plus one, where a word of up to sixteen bits takes another way to the same.
 fn two_ways() -> Design {
     Design::of(|| {
@@ -170,6 +190,16 @@ fn a_word_that_is_not_valid_may_be_any() {
     assert!(!has(&texts, "kept enable stuck at 0"), "{texts:?}");
     let texts = equivalent(&design, &Contract::default(), all);
     assert!(!has(&texts, "kept enable stuck at 1"), "{texts:?}");
+}
+
+#[test]
+fn what_a_constant_hides_counts_nothing() {
+    let texts = equivalent(&hidden(), &Contract::default(), all);
+    assert!(has(&texts, "turned[3] stuck at 1"), "{texts:?}");
+    assert!(!has(&texts, "kept[3] stuck at 1"), "{texts:?}");
+    // Then the flag is no constant.
+    assert!(!has(&texts, "rises[0] stuck at 1"), "{texts:?}");
+    assert!(!has(&texts, "rises[0] inverted"), "{texts:?}");
 }
 
 #[test]
