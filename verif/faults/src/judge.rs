@@ -30,8 +30,8 @@ pub struct Judge {
     state: HashMap<usize, State>,
     known: Known,
     keeps_nothing: bool,
-    /// The clock with all constants at their values.
-    fixed: Frame,
+    /// The clock with all constants at their values, where there are any.
+    fixed: Option<Frame>,
     /// A clock of the work, where inputs are held and registers hold them.
     work: Option<Frame>,
     /// The circuit over its latency, made when it is first wanted: from any clock, from the beginning of the work, and
@@ -58,9 +58,12 @@ impl Judge {
         let held_bits = !known.held.is_empty();
         let work = held_bits.then(|| known.held.work(&levels, of.begin.clone(), &of.registers));
         let work = work.map(|begin| begin.clock(&levels, &mut of.gates));
-        let mut begin = of.begin.clone();
-        fix(&known.constants, &levels, &mut begin, &of.registers);
-        let fixed = begin.clock(&levels, &mut of.gates);
+        let mut constants = known.constants.iter().flatten();
+        let fixed = constants.any(Option::is_some).then(|| {
+            let mut begin = of.begin.clone();
+            fix(&known.constants, &levels, &mut begin, &of.registers);
+            begin.clock(&levels, &mut of.gates)
+        });
         let state = State::of(&levels, &of.begin);
         let keeps_nothing = keeps_nothing(&of.gates, &of.clock.end, &state, known.latency);
         of.gates = of.gates.frozen();
@@ -240,9 +243,12 @@ impl Judge {
     /// Are outputs and next states equal after a clock that begins with all constants at their values, constants among
     /// these states? Then nothing counts that is read beside a constant which hides it.
     fn is_same_by_constants(&self, upsets: &[Upset], conflicts: u64) -> bool {
+        let Some(fixed) = &self.fixed else {
+            return false;
+        };
         let mut gates = self.of.gates.clone();
-        let good = &self.fixed.end;
-        let bad = self.with(&self.fixed, upsets, &mut gates);
+        let good = &fixed.end;
+        let bad = self.with(fixed, upsets, &mut gates);
         let mut pairs = zip(&good.outputs, &bad.outputs);
         for (register, constants) in self.of.registers.iter().zip(&self.known.constants) {
             let words = zip(&good.registers[*register], &bad.registers[*register]);
