@@ -112,10 +112,9 @@ fn start(i: &[i64], format: &Format) -> (Pe1, Pe2) {
 }
 
 fn depths(f1: i64, f2: i128, format: &Format) -> [i64; 4] {
-    // Where f2 is negative an approximation can have a digit more, which is not handed on.
-    let radicand = unsigned(f2, format.quadratic);
-    let found = root(Method::of(format.root_form), radicand, format.root).root;
-    let root = unsigned(found.into(), format.root) as i64;
+    // The network does not see the sign of f2.
+    let radicand = unsigned(f2, format.quadratic - 1);
+    let root = root(Method::of(format.root_form), radicand, format.root).root as i64;
     let [near, far] = [f1 - root, f1 + root].map(|sum| wrap64(sum, format.sum));
     [near, far, root, i64::from(f2 >= 0)]
 }

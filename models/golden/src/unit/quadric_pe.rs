@@ -37,15 +37,15 @@ impl QuadricDepths {
     }
 }
 
-/// The root of f2 as the network of a format finds it, of no meaning where f2 is negative: alone there an approximation
-/// can have more digits than the network.
+/// The root of f2 as the network of a format finds it; of no meaning where f2 is negative, whose sign the network does
+/// not see.
 fn root_of(f2: i64, format: &Format) -> i64 {
-    let radicand = (f2 as u128) & ((1 << format.quadratic) - 1);
+    let radicand = (f2 as u128) & ((1 << (format.quadratic - 1)) - 1);
     // The network without its last rows: floor(sqrt(q / 4^d)) = floor(sqrt(q)) / 2^d, rounded down.
     let (rows, dropped) = (format.root_rows(), format.dropped_rows);
     let method = Method::of(format.root_form);
     let found = root(method, radicand >> (2 * dropped), rows);
-    ((found.root & ((1 << rows) - 1)) << dropped) as i64
+    (found.root << dropped) as i64
 }
 
 impl Format {

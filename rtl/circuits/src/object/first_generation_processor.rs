@@ -65,7 +65,7 @@ pub fn first_generation_processor(
         };
         let seen = contour_choice("choice", roots, contours);
         let root = root.delayed_as("root_late", 3);
-        let normal = (quadric.gradients, quadric.shift, words.normals);
+        let normal = (quadric.gradients, quadric.shift, Some(words.normals));
         visible(late.delayed(5), seen, root, normal)
     })
 }

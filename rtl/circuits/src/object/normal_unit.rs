@@ -8,7 +8,7 @@ use imogene_contract::words::{CAP, FAR_ROOT, FIRST_PLANE, NEAR_ROOT};
 use imogene_hdl::{Bits, Bundle, Int, Ports, Value, bundle, bundles, module, net};
 
 bundle! {
-    /// The visible face of a pixel.
+    /// The visible face of a pixel. The number of a bare surface has one bit: its faces are roots.
     Face(root) {
         number: Bits(4),
             "visible face: 0 near root, 1 far root, 2 + i plane i, 15 near end; with the flags of its pixel";
@@ -38,8 +38,9 @@ bundles! {
 /// cap the direction to the viewer, else zero.
 ///
 /// With `rs = root >> shift`, of which the low bits of a positive number are used, a component is the high bits of
-/// `g(x, y) - (k rs >> 6)` on the near face and of `g(x, y) + (k rs >> 6)` on the far one, rounded down. Latency 4: the
-/// shifted root, its sign, the products, the sums. Section 2.4.2.
+/// `g(x, y) - (k rs >> 6)` on the near face and of `g(x, y) + (k rs >> 6)` on the far one, rounded down. A number of one
+/// bit says that there are no other faces. Latency 4: the shifted root, its sign, the products, the sums.
+/// Section 2.4.2.
 pub fn normal_unit(at: &str, flags: Flags, face: Face, words: NormalWords) -> Normal {
     let inputs = (flags, face, words);
     module("normal_unit", at, inputs, |(flags, face, words)| {
@@ -54,14 +55,19 @@ pub fn normal_unit(at: &str, flags: Flags, face: Face, words: NormalWords) -> No
             let is_near = is(NEAR_ROOT).reg();
             let scaled_root = is_near.select(Int::new(0, width) - kept_root, kept_root).reg();
             let is_absent = face.absent.reg();
-            let is_root = (is(NEAR_ROOT) | is(FAR_ROOT)).reg();
-            let is_quadric = (is_root & !is_absent).delay(2);
         }
         let zero = Normal::of([Int::new(0, width); 3]);
-        let to_viewer = Int::new(-(1 << (width - 1)) + 1, width);
-        let fixed = constant_normal(face.number, to_viewer, &words.planes);
-        let fixed = ("constant", fixed).delayed(1).bare();
-        let fixed = ("fixed", is_absent.select(zero, fixed)).delayed(2).bare();
+        let (is_root, fixed) = if face.number.width() == 1 {
+            (Bits::new(1, 1), zero)
+        } else {
+            net! { let is_root = (is(NEAR_ROOT) | is(FAR_ROOT)).reg(); }
+            let to_viewer = Int::new(-(1 << (width - 1)) + 1, width);
+            let fixed = constant_normal(face.number, to_viewer, &words.planes);
+            let fixed = ("constant", fixed).delayed(1).bare();
+            let fixed = is_absent.select(zero, fixed);
+            (is_root, ("fixed", fixed).delayed(2).bare())
+        };
+        net! { let is_quadric = (is_root & !is_absent).delay(2); }
         let component = |name: &str, g: Linear, k: Int, fixed: Int| {
             let change = Change {
                 scaled_root,

@@ -34,7 +34,7 @@ pub fn patch_processor(at: &str, scan: Scan, words: Patch, network: Network) -> 
         let planes = planes.map(|(at, plane)| plane.at(&at, late, network.depth));
         let seen = patch_decider("decider", roots, planes.collect());
         let root = root.delayed_as("root_late", 3);
-        let normal = (quadric.gradients, quadric.shift, vec![]);
+        let normal = (quadric.gradients, quadric.shift, None);
         visible(late.delayed(5), seen, root, normal)
     })
 }

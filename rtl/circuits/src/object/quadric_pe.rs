@@ -34,7 +34,9 @@ pub fn quadric_pe(
         let f2 = pe2("f2", flags, f2);
         let late = flags.delayed(stages);
         let f1 = pe1("f1", late, f1).high(sum);
-        let radicand = f2.high(2 * network.rows).bits();
+        // Without its sign, which says that the root means nothing: the first row has one place less to look at.
+        let radicand = f2.high(2 * network.rows).low(2 * network.rows - 1).bits();
+        let radicand = radicand.extend(2 * network.rows);
         let found = network.root("square_root", radicand);
         let root = found.extend(network.digits);
         let root = root.left(network.digits - network.rows);

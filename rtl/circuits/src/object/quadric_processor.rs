@@ -46,7 +46,7 @@ pub(super) fn cut_by_planes(
     let (levels, wait) = (levels(planes.len()), levels_beyond(planes.len()));
     let half_spaces: Vec<HalfSpace> = planes.iter().map(|plane| plane.half_space).collect();
     let normals = planes.iter().map(|plane| plane.normal).collect();
-    let words = (gradients, shift, normals);
+    let words = (gradients, shift, Some(normals));
     let start = flags.delayed(2 + wait - levels);
     let limits = Limits::of(start, &half_spaces, roots.depth());
     let seen = quadric_cut("cut", roots.delayed(wait), object_class, limits);

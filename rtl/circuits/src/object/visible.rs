@@ -82,19 +82,21 @@ pub(super) fn object_processor<W: Ports>(
 }
 
 /// What is seen of a quadric with its normal, from the flags and the root beside it; words of the normal, places that
-/// the root is shifted for it, and the normals of the planes. Latency 4.
+/// the root is shifted for it, and the normals of the planes, `None` for a bare surface. Latency 4.
 pub(super) fn visible(
     flags: Flags,
     seen: Seen,
     root: Bits,
-    (gradients, shift, planes): (Gradients, Bits, Vec<Normal>),
+    (gradients, shift, planes): (Gradients, Bits, Option<Vec<Normal>>),
 ) -> Visible {
+    let number = seen.number;
     let face = Face {
-        number: seen.number,
+        number: planes.as_ref().map_or_else(|| number.low(1), |_| number),
         absent: seen.zf.equals(absent(seen.zf.width())),
         root,
         shift,
     };
+    let planes = planes.unwrap_or_default();
     let words = NormalWords { gradients, planes };
     let (out_valid, late) = (("out_valid", flags.valid), seen).delayed(4).bare();
     late.with(out_valid, normal_unit("normal", flags, face, words))
