@@ -19,7 +19,7 @@ module normal_unit (
     reg signed [15:0] kept_root = 16'sd0, scaled_root = 16'sd0, constant_nx_late_1 = 16'sd0,
         constant_ny_late_1 = 16'sd0, constant_nz_late_1 = 16'sd0, fixed_nx_late_1 = 16'sd0, fixed_nx_late_2 = 16'sd0,
         fixed_ny_late_1 = 16'sd0, fixed_ny_late_2 = 16'sd0, fixed_nz_late_1 = 16'sd0, fixed_nz_late_2 = 16'sd0;
-    wire is_near_test, is_quadric, test_4, test_3, test_2, test;
+    wire is_near_test, test_4, test_3, test_2, test, is_quadric;
     reg is_near = 1'd0, is_absent = 1'd0, is_root = 1'd0;
 
     normal_component component_x (
@@ -37,11 +37,11 @@ module normal_unit (
     assign shifted_root = root >> shift;
     assign low_root = shifted_root[14:0];
     assign is_near_test = number == 4'd0;
-    assign is_quadric = is_quadric_kept[1];
     assign test_4 = number == 4'd2;
     assign test_3 = number == 4'd3;
     assign test_2 = number == 4'd4;
     assign test = number == 4'd15;
+    assign is_quadric = is_quadric_kept[1];
     wire unused = &{1'b0, shifted_root[23:15]};
 
     always @(posedge clock) begin
@@ -53,7 +53,6 @@ module normal_unit (
         scaled_root <= is_near ? (16'sd0 - kept_root) : kept_root;
         is_absent <= absent;
         is_root <= is_near_test | (number == 4'd1);
-        is_quadric_kept <= {is_quadric_kept[0], is_root & ~is_absent};
         constant_nx_late_1 <= test ? 16'sd0 : test_2 ? plane_2_nx : test_3 ? plane_1_nx : test_4 ? plane_0_nx : 16'sd0;
         constant_ny_late_1 <= test ? 16'sd0 : test_2 ? plane_2_ny : test_3 ? plane_1_ny : test_4 ? plane_0_ny : 16'sd0;
         constant_nz_late_1 <= test ? -16'sd32767 : test_2 ? plane_2_nz : test_3 ? plane_1_nz : test_4 ? plane_0_nz : 16'sd0;
@@ -63,5 +62,6 @@ module normal_unit (
         fixed_ny_late_2 <= fixed_ny_late_1;
         fixed_nz_late_1 <= is_absent ? 16'sd0 : constant_nz_late_1;
         fixed_nz_late_2 <= fixed_nz_late_1;
+        is_quadric_kept <= {is_quadric_kept[0], is_root & ~is_absent};
     end
 endmodule

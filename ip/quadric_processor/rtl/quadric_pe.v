@@ -28,7 +28,8 @@ module quadric_pe (
         .c(f1_c), .value(f1_value));
 
     square_root square_root (
-        .clock(clock), .radicand(f2_value), .root(square_root_root), .remainder(unused_square_root_remainder));
+        .clock(clock), .radicand({1'd0, f2_value[46:0]}), .root(square_root_root),
+        .remainder(unused_square_root_remainder));
 
     assign step = {2'd0, square_root_root};
     assign is_outside = is_outside_kept[24];

@@ -7,7 +7,7 @@ use super::words::Ports;
 use crate::signal::Signal;
 use crate::stimulus::{depth, word};
 use crate::subject::{Inputs, Subject};
-use imogene_contract::words::FRONT_PLANE;
+use imogene_contract::words::{FRONT_PLANE, far_end, saturated_near};
 use imogene_contract::{Request, Unit};
 use imogene_golden::format::Format;
 use imogene_golden::object::curved_facet::{self, CurvedFacetWords};
@@ -110,13 +110,12 @@ pub(super) fn object_processor(request: &Request, format: Format) -> Description
         let zones = plan(subject, clocks);
         match unit {
             Unit::SphereProcessor => backs_near_the_end(subject, zones),
-            Unit::QuadricProcessor => {
-                fronts_near_the_end(subject, roots_near_the_end(subject, zones))
+            Unit::PatchProcessor | Unit::QuotientProcessor => {
+                faces_beside_planes(subject, faces_near_the_end(subject, zones))
             }
-            Unit::PatchProcessor | Unit::FirstGenerationProcessor => {
-                roots_near_the_end(subject, zones)
+            Unit::QuadricProcessor | Unit::FirstGenerationProcessor => {
+                fronts_near_the_end(subject, faces_near_the_end(subject, zones))
             }
-            Unit::QuotientProcessor => fronts_near_the_end(subject, zones),
             _ => zones,
         }
     };
@@ -130,24 +129,66 @@ pub(super) fn object_processor(request: &Request, format: Format) -> Description
     )
 }
 
-/// The same zones of a quadric, but that in one of eight both roots are flat, and one of them one bit away from the
+/// What is free of a flat surface: which face is meant, and what changes it nowhere.
+type Drawn = (bool, [i64; 2]);
+
+/// Makes a surface flat, with one of its faces at a depth.
+type Level = Box<dyn Fn(&mut Inputs, Drawn, i64)>;
+
+/// Of a quadric, whose near or far root it is, or of a quotient, whose denominator may be as great as can be.
+fn level(subject: &Subject) -> Level {
+    if let Some(surface) = Surface::of(subject) {
+        let level = move |inputs: &mut Inputs, (is_far, [at, _]): Drawn, depth| {
+            surface.level(inputs, (is_far, at), depth);
+        };
+        return Box::new(level);
+    }
+    let place = |name| place(subject, name).expect("a word of a quotient");
+    let (numerator, denominator) = (place("numerator_f"), place("denominator_c"));
+    let most = subject.inputs[denominator].width - 1;
+    Box::new(move |inputs, (is_down, [drawn, rest]), depth| {
+        let power = 1i64 << (drawn & 63).min(most.into());
+        // The least denominator alone has a magnitude of so many bits.
+        let others = if power >> most == 1 { 0 } else { power - 1 };
+        let divisor = power | (drawn >> 6 & others);
+        let sign = if is_down || power >> most == 1 { -1 } else { 1 };
+        inputs[numerator - 5..numerator].fill(0);
+        inputs[numerator] = sign * (depth * divisor + rest.rem_euclid(divisor));
+        inputs[denominator - 2..denominator].fill(0);
+        inputs[denominator] = sign * divisor;
+    })
+}
+
+/// The same zones of a surface, but that in one of eight both faces are flat, and one of them one bit away from the
 /// least word.
-fn roots_near_the_end(
+fn faces_near_the_end(
     subject: &Subject,
     zones: BoxedStrategy<Vec<Inputs>>,
 ) -> BoxedStrategy<Vec<Inputs>> {
-    let surface = Surface::of(subject).expect("words of a quadric");
+    let level = level(subject);
     let width = subject.outputs[1].width;
-    let flat = (0u32..8, 0..width - 1, any::<bool>(), any::<i64>());
+    let flat = (0u32..8, 0..width - 1, any::<Drawn>());
     (zones, flat)
-        .prop_map(move |(mut zone, (chance, bit, is_far, at))| {
+        .prop_map(move |(mut zone, (chance, bit, drawn))| {
             let depth = (1 << bit) - (1 << (width - 1));
             for inputs in zone.iter_mut().filter(|_| chance == 0) {
-                surface.level(inputs, is_far, at, depth);
+                level(inputs, drawn, depth);
             }
             zone
         })
         .boxed()
+}
+
+/// Where a word stands among the inputs.
+fn place(subject: &Subject, name: &str) -> Option<usize> {
+    subject.inputs.iter().position(|signal| signal.name == name)
+}
+
+/// Where the kind and the constant of each plane stand among the inputs.
+fn planes(subject: &Subject) -> Vec<[usize; 2]> {
+    let word = |n, word| place(subject, &format!("plane_{n}_{word}"));
+    let plane = |n: u32| Some([word(n, "kind")?, word(n, "c")?]);
+    (0..).map_while(plane).collect()
 }
 
 /// The same zones of an object with planes, but that in one of eight the first plane is a flat front one bit away from
@@ -156,25 +197,67 @@ fn fronts_near_the_end(
     subject: &Subject,
     zones: BoxedStrategy<Vec<Inputs>>,
 ) -> BoxedStrategy<Vec<Inputs>> {
-    let place = |name: &str| subject.inputs.iter().position(|signal| signal.name == name);
-    let kinds = (0..).map_while(|plane| place(&format!("plane_{plane}_kind")));
-    let kinds: Vec<usize> = kinds.collect();
-    let Some(constant) = place("plane_0_c") else {
+    let planes = planes(subject);
+    let of_contours = place(subject, "depth_0_c");
+    let Some(constant) = planes
+        .first()
+        .map(|[_, constant]| *constant)
+        .or(of_contours)
+    else {
         return zones;
     };
     let width = subject.outputs[1].width;
     (zones, 0u32..8, 0..width - 1)
         .prop_map(move |(mut zone, chance, bit)| {
             for inputs in zone.iter_mut().filter(|_| chance == 0) {
-                for kind in &kinds {
-                    inputs[*kind] &= !FRONT;
+                planes.iter().for_each(|[kind, _]| inputs[*kind] &= !FRONT);
+                if let Some([kind, _]) = planes.first() {
+                    inputs[*kind] = FRONT;
                 }
-                inputs[kinds[0]] = FRONT;
                 inputs[constant - 2..constant].fill(0);
                 inputs[constant] = (1 << bit) - (1 << (width - 1));
             }
             zone
         })
+        .boxed()
+}
+
+/// The same zones of a surface with planes, but that in one of eight one plane alone is there, flat, often beyond an
+/// end, and a flat face in it or one bit away from it.
+fn faces_beside_planes(
+    subject: &Subject,
+    zones: BoxedStrategy<Vec<Inputs>>,
+) -> BoxedStrategy<Vec<Inputs>> {
+    let planes = planes(subject);
+    if planes.is_empty() {
+        return zones;
+    }
+    let level = level(subject);
+    let width = subject.outputs[1].width;
+    let (least, far) = (saturated_near(width), far_end(width));
+    let one_bit = (0..width - 1).prop_map(move |bit| least + (1 << bit));
+    let end = prop_oneof![-far..=far, Just(least), Just(far), one_bit];
+    let plane = (0..planes.len(), 1..=2i64, end);
+    let bits = [0..width, 0..width];
+    (zones, 0u32..8, plane, bits, -1..=1i64, any::<Drawn>())
+        .prop_map(
+            move |(mut zone, chance, (n, kind, end), bits, side, drawn)| {
+                let [beyond, beside] = bits.map(|bit| 1i64 << bit);
+                for inputs in zone.iter_mut().filter(|_| chance == 0) {
+                    planes.iter().for_each(|[kind, _]| inputs[*kind] = 0);
+                    let [own_kind, constant] = planes[n];
+                    inputs[own_kind] = kind;
+                    inputs[constant - 2..constant].fill(0);
+                    inputs[constant] = match end {
+                        end if end == far => far + beyond,
+                        end if end == least => least - beyond,
+                        inside => inside,
+                    };
+                    level(inputs, drawn, (end + side * beside).clamp(least, far));
+                }
+                zone
+            },
+        )
         .boxed()
 }
 
@@ -184,8 +267,7 @@ fn backs_near_the_end(
     subject: &Subject,
     zones: BoxedStrategy<Vec<Inputs>>,
 ) -> BoxedStrategy<Vec<Inputs>> {
-    let place = |name| subject.inputs.iter().position(|signal| signal.name == name);
-    let place = |name| place(name).expect("a word of a sphere");
+    let place = |name| place(subject, name).expect("a word of a sphere");
     let (first, front, sum) = (place("front_a2"), place("front_f"), place("depth_sum"));
     let width = subject.outputs[1].width;
     (zones, 0u32..8, 0..width - 1)
@@ -318,17 +400,15 @@ struct Surface {
 impl Surface {
     /// Nothing if there are none.
     fn of(subject: &Subject) -> Option<Surface> {
-        let ports = &subject.inputs;
-        let place = |name| ports.iter().position(|signal| signal.name == name);
         Some(Surface {
-            linear: place("f1_a")?,
-            constant: place("f2_f")?,
-            shift: place("depth_shift"),
+            linear: place(subject, "f1_a")?,
+            constant: place(subject, "f2_f")?,
+            shift: place(subject, "depth_shift"),
         })
     }
 
     /// Makes both depths of the quadric constant, of any root, and one of them this.
-    fn level(&self, inputs: &mut Inputs, is_far: bool, at: i64, depth: i64) {
+    fn level(&self, inputs: &mut Inputs, (is_far, at): (bool, i64), depth: i64) {
         let drawn = inputs[self.constant];
         let drawn = if drawn < 0 { !drawn } else { drawn };
         let root = drawn.isqrt();
@@ -349,7 +429,7 @@ impl Surface {
         let unit = self.shift.map_or(0, |place| inputs[place]);
         let end = 1i64 << (width - 1);
         let depth = ((at >> 2).rem_euclid(2 * end) - end) >> unit;
-        self.level(inputs, is_far, at, depth);
+        self.level(inputs, (is_far, at), depth);
         let point = (depth << unit) + inputs[DEPTH].rem_euclid(5 << unit) - (2 << unit);
         inputs[DEPTH] = point.clamp(-end, end - 1);
     }
