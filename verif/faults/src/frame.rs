@@ -63,6 +63,16 @@ impl Begin {
         }
     }
 
+    /// The same with any inputs, and all words in full width.
+    pub(crate) fn at_power_up(levels: &Levels, gates: &mut Gates) -> Begin {
+        let mut begin = Begin::initial(levels);
+        for flop in &levels.flops {
+            begin.words[flop.output as usize].resize(flop.width as usize, NO);
+        }
+        begin.with_inputs(levels, gates);
+        begin
+    }
+
     /// Any inputs, and any words from the memories.
     fn with_inputs(&mut self, levels: &Levels, gates: &mut Gates) {
         let inputs = levels.inputs().iter().map(|port| (port.place, port.width));

@@ -8,6 +8,7 @@ use crate::held::Held;
 use crate::idle::{Constants, Idle};
 use crate::phases::Phases;
 use crate::solve::{Answer, CONFLICTS, ask};
+use crate::unseen::Unseen;
 use imogene_hdl::{Design, Direction, Levels, PortRecord};
 
 /// What a circuit may rely on.
@@ -53,6 +54,8 @@ pub struct Known {
     pub(crate) latency: usize,
     /// Is each bit of each register forgotten once work began?
     forgotten: Vec<Vec<bool>>,
+    /// Is what each register holds at power-up seen nowhere?
+    unseen: Vec<bool>,
     /// What holds while the circuit works.
     pub(crate) held: Held,
     /// What holds before.
@@ -105,6 +108,7 @@ impl Known {
             zeros,
             zeros_beside: zeros_beside.collect(),
             forgotten: vec![],
+            unseen: vec![],
             held: Held::default(),
         };
         known.drop_unproven(&levels);
@@ -116,6 +120,7 @@ impl Known {
             known.phases = Phases::of(&levels, known.any_clock(&levels), counts_with);
         }
         known.forgotten = known.forgotten(&levels);
+        known.unseen = known.unseen(&levels, &counts_with(design, contract));
         let inputs: Vec<usize> = contract.held.iter().filter_map(place).collect();
         if !inputs.is_empty() && levels.stores.is_empty() && known.forgets_all() {
             let begins = known.idle.quiet.clone();
@@ -130,9 +135,9 @@ impl Known {
     }
 
     /// Is what a bit of a register holds at power-up without meaning: does nothing depend on it once work began and
-    /// the latency passed?
+    /// the latency passed, or does nothing that counts ever show it?
     pub fn is_forgotten(&self, register: usize, bit: u32) -> bool {
-        self.forgotten[register][bit as usize]
+        self.unseen[register] || self.forgotten[register][bit as usize]
     }
 
     /// Is nothing left of any state once work began and the latency passed?
@@ -230,6 +235,23 @@ impl Known {
             }
         }
         forgotten
+    }
+
+    /// Of registers that are not forgotten, whether what they hold at power-up is seen nowhere.
+    fn unseen(&self, levels: &Levels, counts_with: &[Option<usize>]) -> Vec<bool> {
+        let of = &self.any_clock(levels);
+        let unseen = Unseen {
+            levels,
+            zeros: &self.zeros,
+            counts_with,
+            clocks: self.latency + 2,
+            of,
+        };
+        let registers = self.forgotten.iter().enumerate();
+        let is_unseen = |(register, bits): (usize, &Vec<bool>)| {
+            self.always_holds && bits.contains(&false) && unseen.is(register)
+        };
+        registers.map(is_unseen).collect()
     }
 
     /// Do the remainders hold at power-up?

@@ -38,6 +38,7 @@ mod phases;
 mod rest;
 mod sites;
 mod solve;
+mod unseen;
 
 pub use alone::{Around, alone};
 pub use controls::{Change, Controls, Key, Mutant, Upset};

@@ -7,6 +7,7 @@ use crate::controls::Upset;
 use crate::frame::{CONTROL, Reached, Word, constant, differ, free, upset};
 use crate::gates::{Bit, Gates, NO, YES};
 use crate::solve::{Answer, CONFLICTS, ask, possible};
+use crate::unseen::ports;
 use imogene_hdl::Levels;
 
 /// Phases, at most.
@@ -186,13 +187,7 @@ impl Phases {
         bad: &[Bit],
         gates: &mut Gates,
     ) -> Vec<(Goal, Bit)> {
-        let mut first = 0;
-        let ports = levels.outputs().iter().map(|port| {
-            let place = first;
-            first += port.width as usize;
-            place..first
-        });
-        let ports: Vec<std::ops::Range<usize>> = ports.collect();
+        let ports = ports(levels);
         let goals = ports.iter().enumerate().map(|(index, port)| {
             let [a, b] = [good, bad].map(|outputs| outputs[port.clone()].to_vec());
             let differs = differ(gates, &a, &b);

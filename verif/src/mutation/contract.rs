@@ -83,30 +83,44 @@ pub(super) fn states(subject: &Subject, design: &Design, options: &Options) -> V
     states.into_iter().collect()
 }
 
-/// Outputs that the golden model states only beside a flag of 1, and the flag: an output called `valid`, or ending so.
+/// Outputs that the golden model does not always state, and of each a flag of one bit that is 1 whenever it does.
 pub(super) fn counts_with(subject: &Subject, options: &Options) -> Vec<(String, String)> {
-    let names: Vec<&String> = subject.outputs.iter().map(|signal| &signal.name).collect();
-    let Some(flag) = names.iter().position(|name| name.ends_with("valid")) else {
-        return vec![];
-    };
+    let outputs = &subject.outputs;
+    let flags = outputs.iter().enumerate();
+    let flags: Vec<usize> = flags
+        .filter(|(_, signal)| signal.width == 1)
+        .map(|(flag, _)| flag)
+        .collect();
+    let none = || vec![(false, vec![false; flags.len()]); outputs.len()];
     let stimuli = (0..SEEN.min(options.stimuli)).into_par_iter();
-    let stated = stimuli.map(|seed| {
+    // Of each output whether it was not stated, and beside which flags that were not 1 it was.
+    let seen = stimuli.fold(none, |mut seen, seed| {
         let mut golden = (subject.golden)();
-        let mut stated = vec![false; names.len()];
         for inputs in subject.seeded_stimulus(options.clocks, seed) {
-            let outputs = golden.clock(&inputs);
-            if outputs[flag] != Some(1) {
-                let found = stated.iter_mut().zip(&outputs);
-                found.for_each(|(stated, output)| *stated |= output.is_some());
+            let words = golden.clock(&inputs);
+            for (word, (is_open, without)) in words.iter().zip(&mut seen) {
+                *is_open |= word.is_none();
+                let flags = flags.iter().zip(without).filter(|_| word.is_some());
+                flags.for_each(|(flag, without)| *without |= words[*flag] != Some(1));
             }
         }
-        stated
+        seen
     });
-    let none = || vec![false; names.len()];
-    let or = |a: Vec<bool>, b: Vec<bool>| a.iter().zip(b).map(|(a, b)| *a | b).collect();
-    let stated: Vec<bool> = stated.reduce(none, or);
-    let unstated = names.iter().zip(stated).filter(|(_, is)| !is);
-    let beside = unstated.map(|(name, _)| ((*name).clone(), names[flag].clone()));
+    let seen = seen.reduce(none, |mut all, one| {
+        for ((is_open, without), (other, others)) in all.iter_mut().zip(one) {
+            *is_open |= other;
+            without.iter_mut().zip(others).for_each(|(a, b)| *a |= b);
+        }
+        all
+    });
+    let beside = outputs
+        .iter()
+        .zip(seen)
+        .filter_map(|(output, (is_open, without))| {
+            let mut flags = flags.iter().zip(without);
+            let (flag, _) = flags.find(|(_, without)| is_open && !without)?;
+            Some((output.name.clone(), outputs[*flag].name.clone()))
+        });
     beside.collect()
 }
 

@@ -325,13 +325,15 @@ pub(super) fn accumulator() -> Description {
     })
 }
 
-/// Passes over a few pixels in any order, each pixel at its own pass; the last pass as often as it can be.
+/// Passes over a few pixels in any order, each pixel at its own pass; the last pass as often as it can be, now and then
+/// before all have come. How many there are is told with the last one alone.
 fn passes(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let place = prop_oneof![4 => 0i64..3, 1 => 4094i64..4096];
     let one = (
         prop_oneof![1 => Just(0i64), 9 => Just(1)],
         place,
-        prop_oneof![15 => Just(false), 1 => Just(true)],
+        [15u32, 7].map(|seldom| prop_oneof![seldom => Just(false), 1 => Just(true)]),
+        any::<bool>(),
         [level(), level(), level()],
     );
     (any::<bool>(), list(one, clocks))
@@ -339,23 +341,26 @@ fn passes(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
             let most = if fine { 16 } else { 4 };
             let mut done = std::collections::BTreeMap::<i64, u32>::new();
             let mut before = [None; 3];
-            let each = list.into_iter().map(|(valid, place, again, colour)| {
-                // A pixel comes again after 4 clocks at the earliest.
-                let valid = valid == 1 && !before.contains(&Some(place));
-                before = [before[1], before[2], valid.then_some(place)];
-                let passes = done.entry(place).or_default();
-                let first = *passes == most || again;
-                if valid {
-                    *passes = if first { 1 } else { *passes + 1 };
-                }
-                let last = *passes == most;
-                let flags = [fine, valid].map(i64::from);
-                let mut inputs = flags.to_vec();
-                inputs.push(place);
-                inputs.extend([first, last].map(i64::from));
-                inputs.extend(colour);
-                inputs
-            });
+            let each = list
+                .into_iter()
+                .map(|(valid, place, [again, early], other, colour)| {
+                    // A pixel comes again after 4 clocks at the earliest.
+                    let valid = valid == 1 && !before.contains(&Some(place));
+                    before = [before[1], before[2], valid.then_some(place)];
+                    let passes = done.entry(place).or_default();
+                    let first = *passes == most || again;
+                    if valid {
+                        *passes = if first { 1 } else { *passes + 1 };
+                    }
+                    let last = early || *passes == most;
+                    let fine = if last { fine } else { other };
+                    let flags = [fine, valid].map(i64::from);
+                    let mut inputs = flags.to_vec();
+                    inputs.push(place);
+                    inputs.extend([first, last].map(i64::from));
+                    inputs.extend(colour);
+                    inputs
+                });
             each.collect()
         })
         .boxed()

@@ -5,7 +5,7 @@ mod reached;
 use imogene_compiled::{Program, Simulation};
 use imogene_faults::{Change, Contract, Controls, Judge, Known, Mutant, Upset, Verdict};
 use imogene_faults::{power_up, sites};
-use imogene_hdl::{Bits, Design, Value, module, net};
+use imogene_hdl::{Bits, Design, Levels, Value, memory, module, net};
 use std::sync::Arc;
 
 const WIDTH: u32 = 3;
@@ -152,6 +152,45 @@ fn power_up_shows_before_the_first_clock_alone_and_is_forgotten() {
 fn a_counter_forgets_nothing() {
     let known = Known::new(&counter(4), &within(8));
     assert!((0..4).all(|bit| !known.is_forgotten(0, bit)));
+}
+
+/// Which registers hold at power-up what nothing shows: those of a word that is kept, of its flag, and of a word on its
+/// way into a memory. The flag comes with the word, or with an input of its own.
+fn unseen(flag_of_its_own: bool, counts_with: &[(&str, &str)]) -> Vec<bool> {
+    let design = Design::of(|| {
+        let inputs = (("load", Bits::input(1)), ("a", Bits::input(WIDTH)));
+        let inputs = (inputs, ("other", Bits::input(1)), ("at", Bits::input(2)));
+        module("keeper", "top", inputs, |((load, a), other, at)| {
+            let (kept, flag) = (Bits::register(WIDTH), Bits::register(1));
+            kept.load_when(load, a);
+            let comes = if flag_of_its_own { other } else { load };
+            flag.load_when(comes, Bits::new(1, 1));
+            let write = (load.reg(), at, a.reg());
+            let stored = memory("store", 4, write, at);
+            (("valid", flag), ("y", kept), ("stored", stored))
+        });
+    });
+    let names = |(output, flag): &(&str, &str)| (output.to_string(), flag.to_string());
+    let contract = Contract {
+        counts_with: counts_with.iter().map(names).collect(),
+        ..within(2)
+    };
+    let known = Known::new(&design, &contract);
+    let registers = Levels::of(&design).flops.len();
+    (0..registers)
+        .map(|register| known.is_forgotten(register, 0))
+        .collect()
+}
+
+/// What is written before anything came is no word: the memory keeps nothing of it. A word that is kept is shown unless
+/// it counts beside its flag alone, and the flag comes no earlier.
+#[test]
+fn power_up_that_nothing_shows_is_found() {
+    let beside = [("y", "valid")];
+    // kept, flag, and behind them whether and what is written.
+    assert_eq!(unseen(false, &beside), [true, false, false, true]);
+    assert_eq!(unseen(false, &[]), [false, false, false, true]);
+    assert_eq!(unseen(true, &beside), [false, false, false, true]);
 }
 
 /// A register holds 1 from the first clock on, and 0 before: what takes it for 1 differs in no result.

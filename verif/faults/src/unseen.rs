@@ -1,0 +1,146 @@
+//! What registers hold at power-up that nothing shows: two circuits that differ in it alone.
+
+use crate::frame::{Begin, End, Frame, Reached, Word, bit_of, differ, free, zero_inputs, zip};
+use crate::gates::{Bit, Gates};
+use crate::solve::{CONFLICTS, Verdict, equality};
+use imogene_hdl::Levels;
+use std::ops::Range;
+
+/// Gates of all clocks, at most: each register is looked at by itself.
+const GATES: usize = 400_000;
+
+/// A circuit, and what of its outputs counts.
+pub(crate) struct Unseen<'a> {
+    pub(crate) levels: &'a Levels,
+    /// Bits of inputs that are 0.
+    pub(crate) zeros: &'a [(usize, u32)],
+    /// Of each output, the one without which it counts nothing.
+    pub(crate) counts_with: &'a [Option<usize>],
+    /// Clocks in which a difference has to be gone.
+    pub(crate) clocks: usize,
+    /// A clock from any state that is reached.
+    pub(crate) of: &'a Reached,
+}
+
+impl Unseen<'_> {
+    /// Is what a register holds at power-up seen nowhere?
+    pub(crate) fn is(&self, register: usize) -> bool {
+        if self.clocks * self.levels.code.len() * 16 > GATES {
+            return false;
+        }
+        let mut flags = (0..self.levels.flops.len()).filter(|flag| self.width(*flag) == 1);
+        self.is_gone(register) || flags.any(|flag| self.is_behind(register, flag))
+    }
+
+    fn width(&self, register: usize) -> u32 {
+        self.levels.flops[register].width
+    }
+
+    /// Is it gone soon after power-up?
+    fn is_gone(&self, register: usize) -> bool {
+        let levels = self.levels;
+        let mut gates = Gates::new();
+        let mut begin = Begin::at_power_up(levels, &mut gates);
+        let other = free(self.width(register), &mut gates);
+        let mut others = vec![(levels.flops[register].output, other)];
+        let (mut pairs, mut assumed) = (vec![], vec![]);
+        for _ in 0..self.clocks {
+            assumed.extend(zero_inputs(self.zeros, levels, &begin));
+            let clock = begin.clock(levels, &mut gates);
+            let bad = clock.with(levels, others.into_iter(), &mut gates);
+            pairs.extend(self.outputs(&clock.end, &bad, &mut gates));
+            others = vec![];
+            for (index, store) in levels.stores.iter().enumerate() {
+                let [good, bad] = [&clock.end, &bad].map(|end| &end.memories[index]);
+                let taken = good.len() - clock.at(store.address).len();
+                pairs.extend(zip(&good[..taken].to_vec(), &bad[..taken].to_vec()));
+                if good[taken..] != bad[taken..] {
+                    others.push((store.output, free(store.width, &mut gates)));
+                }
+            }
+            for (flop, words) in levels.flops.iter().zip(registers(&clock, &bad)) {
+                if words[0] != words[1] {
+                    others.push((flop.output, words[1].clone()));
+                }
+            }
+            begin = begin.after(&clock.end, levels, &mut gates);
+        }
+        // What is left has to be equal, whatever it looks like.
+        pairs.extend(
+            others
+                .iter()
+                .flat_map(|(place, bad)| zip(begin.at(*place), bad)),
+        );
+        equality(pairs, &assumed, &mut gates, CONFLICTS) == Verdict::Equivalent
+    }
+
+    /// Does it differ only while a flag is as at power-up, and shows nothing then?
+    fn is_behind(&self, register: usize, flag: usize) -> bool {
+        let (levels, of) = (self.levels, self.of);
+        let is_up = levels.words[levels.flops[flag].output as usize] == 1;
+        let rest = |word: &Word| {
+            if is_up {
+                bit_of(word, 0)
+            } else {
+                !bit_of(word, 0)
+            }
+        };
+        if flag == register {
+            return false;
+        }
+        let mut gates = of.gates.clone();
+        let place = levels.flops[register].output;
+        let other = free(self.width(register), &mut gates);
+        let bad = of
+            .clock
+            .with(levels, [(place, other)].into_iter(), &mut gates);
+        let at_rest = rest(of.begin.at(levels.flops[flag].output));
+        let assumed = [&of.assumed[..], &[at_rest]].concat();
+        let mut pairs = self.outputs(&of.clock.end, &bad, &mut gates);
+        let memories = of.clock.end.memories.iter().zip(&bad.memories);
+        pairs.extend(memories.flat_map(|(good, bad)| zip(good, bad)));
+        for (index, [good, bad]) in registers(&of.clock, &bad).enumerate() {
+            if index != register {
+                pairs.extend(zip(good, bad));
+                continue;
+            }
+            let differs = differ(&mut gates, good, bad);
+            let is_shown = !rest(&of.clock.end.registers[flag]);
+            pairs.push((gates.and(differs, is_shown), Bit::of(false)));
+        }
+        equality(pairs, &assumed, &mut gates, CONFLICTS) == Verdict::Equivalent
+    }
+
+    /// The bits of the outputs, where they count.
+    fn outputs(&self, good: &End, bad: &End, gates: &mut Gates) -> Vec<(Bit, Bit)> {
+        let mut pairs = vec![];
+        let ports = ports(self.levels);
+        for (port, flag) in ports.iter().zip(self.counts_with) {
+            for place in port.clone() {
+                let both = [good, bad].map(|end| match flag {
+                    Some(flag) => gates.and(good.outputs[ports[*flag].start], end.outputs[place]),
+                    None => end.outputs[place],
+                });
+                pairs.push(both.into());
+            }
+        }
+        pairs
+    }
+}
+
+/// What each register holds after a clock of two circuits.
+fn registers<'a>(good: &'a Frame, bad: &'a End) -> impl Iterator<Item = [&'a Word; 2]> {
+    let pairs = good.end.registers.iter().zip(&bad.registers);
+    pairs.map(|(good, bad)| [good, bad])
+}
+
+/// Where the bits of each output are.
+pub(crate) fn ports(levels: &Levels) -> Vec<Range<usize>> {
+    let mut first = 0;
+    let ports = levels.outputs().iter().map(|port| {
+        let place = first;
+        first += port.width as usize;
+        place..first
+    });
+    ports.collect()
+}
