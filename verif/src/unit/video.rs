@@ -98,8 +98,14 @@ pub(super) fn frame_store() -> Description {
 
 /// Frames of a few pixels in any order, in pictures of any shape, while pixels are read and retraces come at any time.
 fn frames(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
-    let of = |width: i64, height: i64| Just((width, height));
-    let shape = prop_oneof![of(3, 2), of(1, 4), of(64, 64), of(4095, 1), of(8, 511)];
+    let pixels = FRAME_PIXELS as i64;
+    // All the pixels there are, or so few that they come again.
+    let full = (0u32..12, 0..pixels).prop_map(move |(bit, below): (u32, i64)| {
+        let power = 1i64 << bit;
+        let width = power | below & (power - 1);
+        (width, pixels / width)
+    });
+    let shape = prop_oneof![Just((3, 2)), Just((1, 4)), full];
     shape
         .prop_flat_map(move |(width, height)| {
             let spot = (0i64..3, 0i64..3).prop_map(move |(x, y)| {
