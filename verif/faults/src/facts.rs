@@ -71,12 +71,17 @@ pub(crate) fn facts(levels: &Levels, mut of: Reached, seen: &[Vec<u64>]) -> Vec<
     let flops = levels.flops.iter();
     let initial = flops.map(|flop| levels.words[flop.output as usize]);
     let states: Vec<Vec<u64>> = seen.iter().cloned().chain([initial.collect()]).collect();
-    let mut facts = [
-        greatest(levels, &states),
-        never(levels, &states),
-        pairs(levels, &states),
-    ]
-    .concat();
+    let never = never(levels, &states);
+    let pairs = pairs(levels, &states);
+    let all = [greatest(levels, &states), never.clone(), pairs].concat();
+    let mut proven = [all, never]
+        .into_iter()
+        .map(|facts| proven(levels, &mut of, facts));
+    proven.find_map(|facts| facts).unwrap_or_default()
+}
+
+/// Those of some facts that are proven; nothing if they are too much for the solver.
+fn proven(levels: &Levels, of: &mut Reached, mut facts: Vec<Fact>) -> Option<Vec<Fact>> {
     loop {
         let before = |register: usize| of.begin.at(levels.flops[register].output);
         let assumed = facts.iter().map(|fact| fact.holds(&mut of.gates, before));
@@ -84,12 +89,9 @@ pub(crate) fn facts(levels: &Levels, mut of: Reached, seen: &[Vec<u64>]) -> Vec<
         let after = |register: usize| &of.clock.end.registers[register];
         let broken = facts.iter().map(|fact| !fact.holds(&mut of.gates, after));
         let broken: Vec<Bit> = broken.collect();
-        // What is left may be too much for the solver.
-        let Some(is_broken) = possible(&of.gates, &broken, &assumed) else {
-            return vec![];
-        };
+        let is_broken = possible(&of.gates, &broken, &assumed)?;
         if !is_broken.contains(&true) {
-            return facts;
+            return Some(facts);
         }
         let mut is_broken = is_broken.into_iter();
         facts.retain(|_| is_broken.next() == Some(false));

@@ -32,16 +32,17 @@ when the unit's own stimulus shows a difference from the golden model. It is *eq
 which is proven in one of these ways:
 
 - outputs and next states are those of the unit for every input and every state that the unit can come to; of these
-  states, bounds of registers and pairs of bits are guessed from a simulation and proven by induction;
+  states, bounds of registers and pairs of bits are guessed from a simulation and proven by induction; of the next
+  states only those count that are read, and none is read beside a constant that hides it;
 - the unit keeps nothing longer than its latency, and the outputs are the same for all inputs of that time;
 - the words of an object or a volume are held over a zone, and the clocks of a zone are the same;
 - the unit rests until its work begins and rests again after its latency, and does the same in between;
 - registers differ only in phases of the work in which nothing that counts reads them; an output that the golden model
-  states beside a `valid` of 1 alone counts only there;
+  states beside a flag of 1 alone, such as `valid`, counts only there;
 - results of words of more than 16, 20 or 24 bits are the same, and all shorter words were run.
 
 A mutant is *forgotten* when it changes the state at power-up and it is proven that nothing of it is left once the work
-began. The score is the share of the killed among the killed and the surviving.
+began, or that no output that counts shows it before it is gone or while a flag is down. The score is the share of the killed among the killed and the surviving.
 
 A mutant runs on up to 20 000 stimuli of 150 clocks; where a counter needs longer ones, on as many clocks. Proofs are
 tried after 150 stimuli with half the effort, and after 3 000. The solver gives up after 10 000 conflicts, or earlier,
