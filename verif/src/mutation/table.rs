@@ -42,7 +42,8 @@ which is proven in one of these ways:
 - results of words of more than 16, 20 or 24 bits are the same, and all shorter words were run.
 
 A mutant is *forgotten* when it changes the state at power-up and it is proven that nothing of it is left once the work
-began, or that no output that counts shows it before it is gone or while a flag is down. The score is the share of the killed among the killed and the surviving.
+began, or that no output that counts shows it before it is gone or while a flag is down. The score is the share of the
+killed among the killed and the surviving.
 
 A mutant runs on up to 20 000 stimuli of 150 clocks; where a counter needs longer ones, on as many clocks. Proofs are
 tried after 150 stimuli with half the effort, and after 3 000. The solver gives up after 10 000 conflicts, or earlier,

@@ -40,8 +40,8 @@ impl Network {
         self.form.latency(self.rows, self.rows_per_stage)
     }
 
-    /// The computed digits of the root. An approximation has no more of them, because the radicand is below half of what
-    /// the network takes.
+    /// The computed digits of the root. An approximation has no more of them, because the radicand is below half of
+    /// what the network takes.
     pub(crate) fn root(&self, at: &str, radicand: Bits) -> Bits {
         let rows = self.rows_per_stage;
         match self.form {

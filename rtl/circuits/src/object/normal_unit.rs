@@ -38,8 +38,8 @@ bundles! {
 /// cap the direction to the viewer, else zero.
 ///
 /// With `rs = root >> shift`, of which the low bits of a positive number are used, a component is the high bits of
-/// `g(x, y) - (k rs >> 6)` on the near face and of `g(x, y) + (k rs >> 6)` on the far one, rounded down. A number of one
-/// bit says that there are no other faces. Latency 4: the shifted root, its sign, the products, the sums.
+/// `g(x, y) - (k rs >> 6)` on the near face and of `g(x, y) + (k rs >> 6)` on the far one, rounded down. A number of
+/// one bit says that there are no other faces. Latency 4: the shifted root, its sign, the products, the sums.
 /// Section 2.4.2.
 pub fn normal_unit(at: &str, flags: Flags, face: Face, words: NormalWords) -> Normal {
     let inputs = (flags, face, words);
