@@ -7,7 +7,7 @@ use super::words::Ports;
 use crate::signal::Signal;
 use crate::stimulus::{depth, word};
 use crate::subject::{Inputs, Subject};
-use imogene_contract::words::{FRONT_PLANE, far_end, saturated_near};
+use imogene_contract::words::{BACK_PLANE, FRONT_PLANE, far_end, saturated_near};
 use imogene_contract::{Request, Unit};
 use imogene_golden::format::Format;
 use imogene_golden::object::curved_facet::{self, CurvedFacetWords};
@@ -198,12 +198,9 @@ fn fronts_near_the_end(
     zones: BoxedStrategy<Vec<Inputs>>,
 ) -> BoxedStrategy<Vec<Inputs>> {
     let planes = planes(subject);
-    let of_contours = place(subject, "depth_0_c");
-    let Some(constant) = planes
-        .first()
-        .map(|[_, constant]| *constant)
-        .or(of_contours)
-    else {
+    // The first generation has contours, and the depth of a plane that is always a front.
+    let of_plane = planes.first().map(|[_, constant]| *constant);
+    let Some(constant) = of_plane.or(place(subject, "depth_0_c")) else {
         return zones;
     };
     let width = subject.outputs[1].width;
@@ -237,7 +234,8 @@ fn faces_beside_planes(
     let (least, far) = (saturated_near(width), far_end(width));
     let one_bit = (0..width - 1).prop_map(move |bit| least + (1 << bit));
     let end = prop_oneof![1 => -far..=far, 2 => Just(least), 2 => Just(far), 1 => one_bit];
-    let plane = (0..planes.len(), 1..=2i64, end);
+    let kind = FRONT..=BACK_PLANE as i64;
+    let plane = (0..planes.len(), kind, end);
     let beside = prop_oneof![Just(0), 0..width];
     let bits = (0..width, beside);
     (zones, 0u32..4, plane, bits, -1..=1i64, any::<Drawn>())
