@@ -108,7 +108,7 @@ fn usage_and_parameters_out_of_range() {
         emit pe1 --root-form linear2 --out out                             | pe1 | root-form
         cosim quadric_volume --format 16 --root-form leading17             | leading root = 17 | 1 to 16
         cosim x.toml --root-form linear2                                   | --root-form | --widths depth=24,root_form=linear2
-        render x.toml --widths depth=24,root_form=iterative                | iterative | one pixel per clock
+        emit beam --root-form iterative --out out                          | iterative | streams its picture
         render x.toml --widths depth=11,root_form=quadratic1               | quadratic root of 11 bits | 12 to 32
         emit pe3 --out out                                                 | pe3 | pe2
         emit pe1 --prefix 1st- --out out                                   | 1st- | begin with a letter

@@ -218,7 +218,7 @@ fn what_a_machine_cannot_show_is_refused_and_leaves_nothing() {
         depth_word = 31; widths = { g2 = 3 } | scenes/teapot.toml | accepts at most 2
         widths = { plane = 20 } | scenes/teapot.toml | plane word of 20 bits: accepted are 24 to 36
         root_form = "linear" | scenes/teapot.toml | 0 to 2 corrections
-        root_form = "iterative" | scenes/teapot.toml | one pixel per clock
+        root_form = "iterative" | scenes/teapot.toml | output = "stream" in a beam machine
         root_form = "rows8" | scenes/teapot.toml | `dropped` of the widths
         widths = { root = 16 }; root_form = "leading17" | scenes/teapot.toml | leading root of 17 bits: accepted are 1 to 16
         widths = { root = 16, dropped = 5 }; root_form = "quadratic1" | scenes/teapot.toml | quadratic root of 11 bits: accepted are 12 to 32

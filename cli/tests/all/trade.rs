@@ -58,6 +58,7 @@ fn every_point_is_a_machine_that_draws_its_picture_in_its_clocks() {
         "w16-n16-g0.0-d0-z16k1-r2",
         "w16-n16-g0.0-d0-s2-z16k2-r1",
         "w16-n16-g0.0-d0-p2-r1",
+        "w12-n16-g0.0-d0-iterative-r1",
         "w16-n16-g0.0-d0-t32-r1",
         "w16-n16-g0.0-d0-t32-c2-r1",
         "w16-n16-g0.0-d0-t32-z16k2-r1",

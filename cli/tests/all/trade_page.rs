@@ -117,11 +117,11 @@ fn the_filter_keeps_what_it_says() {
     let (widths, rows) = (column(&document, "w"), column(&document, "r"));
     assert_eq!(widths, [20.0, 20.0, 24.0]);
     assert!(rows.iter().all(|r| *r == 1.0));
-    assert!(document.contains("3 of 21 points"));
+    assert!(document.contains("3 of 22 points"));
     // Marks of the others are faint.
     let mark = "<circle data-point=\"([^\"]*)\"[^>]*class=\"out\"";
     let names: BTreeSet<String> = all(mark, &document).into_iter().collect();
-    assert_eq!(names.len(), 21 - 3);
+    assert_eq!(names.len(), 22 - 3);
     assert_eq!(column(&opened("#filter=g2.4"), "w"), [16.0, 16.0]);
 }
 

@@ -40,7 +40,8 @@ pub fn clocks_per_frame(
             let words = beam_word_count(scene, prepared, machine)? as u64;
             let line = u64::from(scene.width / machine.pixels_per_clock);
             let pixels = line * u64::from(scene.height) / machine.fields().len() as u64;
-            Ok(pixels + u64::from(timing.latency) + words + TURN)
+            let pace = u64::from(machine.words().clocks_per_pixel());
+            Ok((pixels - 1) * pace + 1 + u64::from(timing.latency) + words + TURN)
         }
         MachineKind::Zone => {
             let plan = zone_plan(scene, prepared, machine, Refinement::Box)?;

@@ -45,6 +45,11 @@ impl MachineWords {
         }
     }
 
+    /// Clocks from one pixel to the next, at least.
+    pub const fn clocks_per_pixel(&self) -> u32 {
+        self.root_form.clocks(self.root - self.dropped_rows)
+    }
+
     /// The shortest root that a processor of these words may have.
     pub fn least_root(&self) -> u32 {
         LEAST_ROOT.max(self.dropped_rows + self.root_form.least_digits())

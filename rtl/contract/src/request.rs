@@ -34,6 +34,11 @@ pub enum RequestError {
         /// The unit.
         unit: &'static str,
     },
+    /// A root of many clocks where a pixel comes on every clock.
+    #[error(
+        "the root form iterative takes a clock for each digit of a pixel; accepted in a single processor, and in a beam machine that streams its picture, one pixel at a time"
+    )]
+    Serial,
     /// No unit has this name.
     #[error("there is no unit `{name}`; the units are {}", names())]
     Unit {
@@ -203,6 +208,9 @@ impl Request {
         }
         if let Some((word, bits, least, most)) = self.root_form.refused(self.depth_word) {
             in_range(word, bits as usize, least, most)?;
+        }
+        if self.unit == Unit::Beam && self.root_form.clocks(self.depth_word) > 1 {
+            return Err(RequestError::Serial);
         }
         if self.unit == Unit::CardDecider {
             let inputs = (self.objects * self.cards) as usize;

@@ -1,4 +1,4 @@
-//! Forms of the square root in an object processor, which takes a root every clock.
+//! Forms of the square root in an object processor.
 
 use crate::parameters::CORRECTIONS;
 use crate::unit::Unit;
@@ -8,7 +8,8 @@ use std::fmt;
 use std::str::FromStr;
 use thiserror::Error;
 
-/// A form of the root: `restoring`, `non-restoring`, `linear2`, `quadratic1`, `leading8`.
+/// A form of the root: `restoring`, `non-restoring`, `iterative`, `linear2`, `quadratic1`, `leading8`. All but the
+/// iterative one take a root every clock.
 #[derive(
     Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize,
 )]
@@ -19,6 +20,8 @@ pub enum RootForm {
     Restoring,
     /// The exact root by non-restoring rows.
     NonRestoring,
+    /// The exact root by one restoring row, a clock for each digit.
+    Iterative,
     /// Straight lines, and so many corrections.
     Linear(u32),
     /// Parabolas, and so many corrections.
@@ -32,10 +35,13 @@ type Row = (&'static str, Unit, Option<[u32; 2]>, fn(u32) -> RootForm);
 
 const COUNTS: Option<[u32; 2]> = Some([0, CORRECTIONS.most.expect("a number")]);
 
-const ROWS: [Row; 5] = [
+const ROWS: [Row; 6] = [
     ("restoring", Unit::SquareRoot, None, |_| RootForm::Restoring),
     ("non-restoring", Unit::SquareRootNonRestoring, None, |_| {
         RootForm::NonRestoring
+    }),
+    ("iterative", Unit::SquareRootIterative, None, |_| {
+        RootForm::Iterative
     }),
     ("linear", Unit::SquareRootLinear, COUNTS, RootForm::Linear),
     (
@@ -61,18 +67,13 @@ pub enum RootFormError {
     /// A number that the form does not have.
     #[error("'{0}': a {1} root takes {2} to {3} {4}")]
     Range(String, String, u32, u32, &'static str),
-    /// A form for many clocks to a pixel.
-    #[error(
-        "'{0}': the iterative root takes a clock for each digit, and a processor of a machine draws one pixel per clock; accepted: {FORMS}"
-    )]
-    Serial(String),
     /// The first rows, which have a word of their own.
     #[error("'{0}': rows are left out by `dropped` of the widths; accepted: {FORMS}")]
     Rows(String),
 }
 
 /// What messages say of the forms.
-const FORMS: &str = "restoring, non-restoring, linear0 to linear2 and quadratic0 to quadratic2 by their corrections, leading1 to leading32 by the digits that are kept";
+const FORMS: &str = "restoring, non-restoring, iterative, linear0 to linear2 and quadratic0 to quadratic2 by their corrections, leading1 to leading32 by the digits that are kept";
 
 impl FromStr for RootForm {
     type Err = RootFormError;
@@ -82,7 +83,6 @@ impl FromStr for RootForm {
         let number = &text[name.len()..];
         let Some(&(_, unit, numbers, of)) = ROWS.iter().find(|row| row.0 == name) else {
             return Err(match name {
-                "iterative" => RootFormError::Serial(text.into()),
                 "rows" => RootFormError::Rows(text.into()),
                 _ => RootFormError::Unknown(text.into()),
             });
@@ -132,9 +132,10 @@ impl RootForm {
         match self {
             RootForm::Restoring => (&ROWS[0], 0),
             RootForm::NonRestoring => (&ROWS[1], 0),
-            RootForm::Linear(corrections) => (&ROWS[2], corrections),
-            RootForm::Quadratic(corrections) => (&ROWS[3], corrections),
-            RootForm::Leading(digits) => (&ROWS[4], digits),
+            RootForm::Iterative => (&ROWS[2], 0),
+            RootForm::Linear(corrections) => (&ROWS[3], corrections),
+            RootForm::Quadratic(corrections) => (&ROWS[4], corrections),
+            RootForm::Leading(digits) => (&ROWS[5], digits),
         }
     }
 
@@ -145,7 +146,16 @@ impl RootForm {
 
     /// True if it gives every computed digit of the true root, rounded down.
     pub const fn is_exact(self) -> bool {
-        matches!(self, RootForm::Restoring | RootForm::NonRestoring)
+        use RootForm::{Iterative, NonRestoring, Restoring};
+        matches!(self, Restoring | NonRestoring | Iterative)
+    }
+
+    /// Clocks from one root of so many computed digits to the next.
+    pub const fn clocks(self, digits: u32) -> u32 {
+        match self {
+            RootForm::Iterative => digits,
+            _ => 1,
+        }
     }
 
     /// The unit that takes the root.
@@ -164,7 +174,7 @@ impl RootForm {
         let approximate =
             |parts: [f64; 3], count: u32| (parts[count.min(2) as usize], f64::from(3 + count));
         match self {
-            RootForm::Restoring | RootForm::NonRestoring => (0.0, 1.0),
+            RootForm::Restoring | RootForm::NonRestoring | RootForm::Iterative => (0.0, 1.0),
             RootForm::Linear(corrections) => approximate(LINEAR, corrections),
             RootForm::Quadratic(corrections) => approximate(QUADRATIC, corrections),
             RootForm::Leading(digits) => (f64::exp2(1.0 - f64::from(digits)), 1.0),
@@ -181,6 +191,7 @@ impl RootForm {
     pub fn least_digits(self) -> u32 {
         match self {
             RootForm::Restoring | RootForm::NonRestoring => 1,
+            RootForm::Iterative => 2,
             RootForm::Linear(_) | RootForm::Quadratic(_) => self.unit().least_word(),
             RootForm::Leading(digits) => digits,
         }
@@ -192,6 +203,12 @@ impl RootForm {
         let least = self.least_digits();
         let word = match self {
             RootForm::Restoring | RootForm::NonRestoring => return None,
+            RootForm::Iterative => (
+                "computed part of an iterative root",
+                digits,
+                least,
+                MOST_DEPTH,
+            ),
             RootForm::Linear(_) => ("computed part of a linear root", digits, least, MOST_DEPTH),
             RootForm::Quadratic(_) => (
                 "computed part of a quadratic root",

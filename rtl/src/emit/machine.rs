@@ -184,10 +184,18 @@ impl MachineRequest {
             in_range("samples", zone.samples, 1, most)?;
         }
         self.check_lanes()?;
+        if self.words.clocks_per_pixel() > 1 && !self.is_serial() {
+            return Err(RequestError::Serial);
+        }
         match self.prefix.as_str() {
             "" => Ok(()),
             prefix => check_prefix(prefix),
         }
+    }
+
+    /// True if it can wait between pixels.
+    fn is_serial(&self) -> bool {
+        matches!(self.kind, Kind::BeamStream(..)) && self.pixels_per_clock == 1
     }
 
     fn check_lanes(&self) -> Result<(), RequestError> {
@@ -366,9 +374,11 @@ impl MachineRequest {
         }
         if let Kind::BeamStream(_, width, height) = self.kind {
             let lanes = self.pixels_per_clock;
-            lines.push(format!(
-                "pictures of {width} x {height} pixels, {lanes} per clock"
-            ));
+            let pace = match self.words.clocks_per_pixel() {
+                1 => format!("{lanes} per clock"),
+                clocks => format!("one every {clocks} clocks"),
+            };
+            lines.push(format!("pictures of {width} x {height} pixels, {pace}"));
         }
         lines
     }

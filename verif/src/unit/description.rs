@@ -9,6 +9,7 @@ use imogene_golden::format::Format;
 use imogene_hdl::Direction;
 use imogene_rtl::emit::design;
 use proptest::strategy::{BoxedStrategy, Strategy};
+use std::iter;
 
 /// The inputs of a unit.
 pub(super) fn inputs(request: &Request) -> Vec<Signal> {
@@ -35,6 +36,31 @@ impl Description {
             golden: Box::new(move || Box::new(start())),
             stimulus: Box::new(stimulus),
             longest: 0,
+        }
+    }
+
+    /// With so many clocks from each clock of a stimulus to the next, on which nothing begins: flags come first.
+    pub(super) fn apart(self, clocks: u32) -> Description {
+        if clocks == 1 {
+            return self;
+        }
+        let clocks = clocks as usize;
+        let spread = move |list: Vec<Inputs>| {
+            let waits = |inputs: Inputs| {
+                let idle = [&[0; FLAGS], &inputs[FLAGS..]].concat();
+                iter::once(inputs).chain(iter::repeat_n(idle, clocks - 1))
+            };
+            list.into_iter().flat_map(waits).collect()
+        };
+        let close = self.stimulus;
+        let stimulus = move |subject: &Subject, count: usize| {
+            close(subject, count.div_ceil(clocks))
+                .prop_map(spread)
+                .boxed()
+        };
+        Description {
+            stimulus: Box::new(stimulus),
+            ..self
         }
     }
 
@@ -113,6 +139,9 @@ pub(super) fn zones(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Input
     };
     any_raster(subject, clocks).prop_map(held).boxed()
 }
+
+/// Ports of flags.
+const FLAGS: usize = 3;
 
 /// Ports before the first word: the flags, then the column and the line.
 pub(super) const WORDS: usize = 5;

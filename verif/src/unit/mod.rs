@@ -46,7 +46,7 @@ pub fn subject(request: &Request) -> Result<Subject, RequestError> {
         golden,
         stimulus,
         longest,
-    } = describe(&request);
+    } = describe(&request).apart(request.root_form.clocks(request.depth_word));
     Ok(Subject {
         name: request.unit.name().to_owned(),
         engine: BUILT_IN,

@@ -86,7 +86,11 @@ fn shortened_and_corrected_roots_of_every_parameter() {
 fn forms() -> Vec<RootForm> {
     let corrected = (0..=2).flat_map(|count| [RootForm::Linear(count), RootForm::Quadratic(count)]);
     let leading = [1, 5, 16].map(RootForm::Leading);
-    let exact = [RootForm::Restoring, RootForm::NonRestoring];
+    let exact = [
+        RootForm::Restoring,
+        RootForm::NonRestoring,
+        RootForm::Iterative,
+    ];
     exact.into_iter().chain(corrected).chain(leading).collect()
 }
 

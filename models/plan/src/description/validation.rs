@@ -205,6 +205,12 @@ impl MachineDescription {
 
     fn check_lanes(&self, mode: &VideoMode, format: &Format) -> Checked {
         let (lanes, width) = (self.pixels_per_clock, mode.line.active);
+        let is_fast = self.machine == MachineKind::Beam && self.output == Output::Stream;
+        if self.words().clocks_per_pixel() > 1 && (lanes > 1 || !is_fast) {
+            let accepted = "another form, or output = \"stream\" in a beam machine of one pixel per clock: \
+                            an iterative root takes a clock for each digit";
+            return refuse("root_form", self.root_form, accepted);
+        }
         let refuse = |accepted: &str| refuse("pixels_per_clock", lanes, accepted);
         if ![1, 2, 4].contains(&lanes) {
             return refuse("1, 2 or 4");

@@ -34,7 +34,7 @@ pub fn estimate(machine: &MachineDescription, target: &str) -> Option<f64> {
     let rows_of_stage = REGISTERS + rows * delay(ROOT_ROW, words.root);
     let polynomial = delay(POLYNOMIAL, words.root);
     let root = match words.root_form {
-        RootForm::Restoring | RootForm::NonRestoring => rows_of_stage,
+        RootForm::Restoring | RootForm::NonRestoring | RootForm::Iterative => rows_of_stage,
         RootForm::Linear(_) | RootForm::Quadratic(_) => polynomial,
         RootForm::Leading(_) => rows_of_stage.max(polynomial),
     };

@@ -263,6 +263,15 @@ fn nearest(accuracy: Accuracy) -> Accuracy {
     }
 }
 
+/// A machine that draws a pixel in as many clocks as roots have digits.
+fn serial(accuracy: Accuracy) -> Vec<Design> {
+    let accuracy = Accuracy {
+        root_form: RootForm::Iterative,
+        ..accuracy
+    };
+    points(accuracy, true, NO_ZONES, &[1])
+}
+
 const NO_ZONES: (&[usize], &[u32]) = (&[], &[]);
 
 fn quick() -> Vec<Design> {
@@ -275,6 +284,7 @@ fn quick() -> Vec<Design> {
         points(supersampled(16, 2, 0), false, (&[2], &[16]), &[1]),
         points(preview(16, 2, 0), true, NO_ZONES, &[1]),
         points(interlaced(16, 0), true, NO_ZONES, &[1]),
+        serial(of(12)),
         with_lanes(points(lit(16, 32), true, (&[2], &[16]), &[1])),
     ];
     [beams.concat(), others.concat()].concat()
@@ -283,7 +293,11 @@ fn quick() -> Vec<Design> {
 fn roots() -> Vec<Design> {
     let corrected = (0..=2).flat_map(|count| [RootForm::Linear(count), RootForm::Quadratic(count)]);
     let leading = [4, 6, 8, 12].map(RootForm::Leading);
-    let exact = [RootForm::Restoring, RootForm::NonRestoring];
+    let exact = [
+        RootForm::Restoring,
+        RootForm::NonRestoring,
+        RootForm::Iterative,
+    ];
     let forms = exact.into_iter().chain(corrected).chain(leading);
     let forms: Vec<RootForm> = forms.collect();
     let of = |depth| {
@@ -365,6 +379,11 @@ fn full() -> Vec<Design> {
         add(preview(depth, 2, 64), true, (&[1, 2], &[16]));
         add(preview(depth, 4, 32), true, (&[1, 2], &[16]));
         add(nearest(preview(depth, 4, 64)), true, (&[1, 2], &[16]));
+    }
+    for depth in [12, 16, 20, 24] {
+        for accuracy in [lit(depth, 0), lit(depth, 64), nearest(lit(depth, 64))] {
+            all.extend(serial(accuracy));
+        }
     }
     all
 }

@@ -1,8 +1,8 @@
 //! A root network of any form.
 
 use super::{
-    square_root, square_root_leading, square_root_linear, square_root_non_restoring,
-    square_root_quadratic,
+    square_root, square_root_iterative, square_root_leading, square_root_linear,
+    square_root_non_restoring, square_root_quadratic,
 };
 use imogene_contract::{MachineWords, RootForm};
 use imogene_hdl::{Bits, Value};
@@ -40,13 +40,14 @@ impl Network {
         self.form.latency(self.rows, self.rows_per_stage)
     }
 
-    /// The computed digits of the root. An approximation has no more of them, because the radicand is below half of
-    /// what the network takes.
-    pub(crate) fn root(&self, at: &str, radicand: Bits) -> Bits {
+    /// The computed digits of the root of a radicand, which is `valid` on the clocks of pixels. An approximation has no
+    /// more of them, because the radicand is below half of what the network takes.
+    pub(crate) fn root(&self, at: &str, valid: Bits, radicand: Bits) -> Bits {
         let rows = self.rows_per_stage;
         match self.form {
             RootForm::Restoring => square_root(at, radicand, rows).root,
             RootForm::NonRestoring => square_root_non_restoring(at, radicand, rows).root,
+            RootForm::Iterative => square_root_iterative(at, valid, radicand).result.root,
             RootForm::Linear(corrections) => {
                 square_root_linear(at, radicand, corrections).low(self.rows)
             }

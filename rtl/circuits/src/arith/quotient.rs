@@ -15,7 +15,7 @@ bundle! {
     /// What a row takes, and, called `next`, what it leaves.
     Division(denominator, digits) {
         denominator: Bits(denominator), "size of the denominator";
-        rest: Bits(denominator), "what is left of the dividend so far";
+        rest: Bits(denominator - 1), "what is left of the dividend so far: less than the denominator";
         digits: Bits(digits), "bits of the dividend that are not used yet, and behind them the digits found";
     }
 }
@@ -47,7 +47,7 @@ pub fn quotient(at: &str, (numerator, denominator): (Int, Int), rows_per_stage: 
         }
         let division = Division {
             denominator: size_late,
-            rest,
+            rest: rest.low(rest.width() - 1),
             digits: dividend.low(bits).bits(),
         };
         let rows = (0..bits).step_by(rows_per_stage as usize);

@@ -24,7 +24,7 @@ bundles! {
     }
 }
 
-/// Draws frame after frame of `width` by `height` pixels over AXI4-Stream, as fast as the receiver takes them: the
+/// Draws frame after frame of `width` by `height` pixels over AXI4-Stream, as fast as the receiver takes them and roots are found: the
 /// objects of a beam machine, without a screen's timing. `last` comes with the last word of a frame. Several pixels at
 /// once are neighbours, pixel 0 the leftmost; they divide the width.
 ///
@@ -43,7 +43,8 @@ pub fn beam_stream(
         let [room, is_busy] = [(); 2].map(|()| Bits::forward(1));
         let lanes = machine.objects.lanes;
         let groups = (size.0 / u64::from(lanes), size.1);
-        let frames = frame_scan("scan", (room, is_busy), groups, u64::from(latency) + 2);
+        let (pace, drain) = (machine.objects.words.clocks_per_pixel(), latency + 2);
+        let frames = frame_scan("scan", (room, is_busy), groups, pace, drain.into());
         let loaded = frame_loader("loader", beat, last, frames.retrace, machine.loader_places);
         is_busy.drive(loaded.is_busy);
         let words = (loaded.take, loaded.load);

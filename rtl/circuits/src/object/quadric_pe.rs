@@ -19,7 +19,8 @@ bundle! {
 /// started late enough to meet the root. With it the flags as the PE1 has them. What f1 has beyond the bits of a depth
 /// and f2 beyond two for each row are guard bits below the last one: they are dropped, rounding down.
 ///
-/// Latency that of the network and 2. Section 2.4.2.
+/// Latency that of the network and 2. With an iterative root flags with a pixel are as many clocks apart as it has
+/// digits, or more. Section 2.4.2.
 pub fn quadric_pe(
     at: &str,
     flags: Flags,
@@ -37,7 +38,7 @@ pub fn quadric_pe(
         // Without its sign, which says that the root means nothing: the first row has one place less to look at.
         let radicand = f2.high(2 * network.rows).low(2 * network.rows - 1).bits();
         let radicand = radicand.extend(2 * network.rows);
-        let found = network.root("square_root", radicand);
+        let found = network.root("square_root", flags.delayed(1).valid, radicand);
         let root = found.extend(network.digits);
         let root = root.left(network.digits - network.rows);
         net! {

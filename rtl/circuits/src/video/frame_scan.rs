@@ -15,7 +15,7 @@ bundles! {
 }
 
 /// Frames of `width` by `height` pixels left to right, top to bottom, on clocks on which there is `room` behind the
-/// pipeline. It is empty `drain` clocks after the last pixel of a frame; the next one waits while words are copied
+/// pipeline, `pace` clocks apart or more. It is empty `drain` clocks after the last pixel of a frame; the next one waits while words are copied
 /// (`is_busy`). Latency 1.
 ///
 /// # Panics
@@ -25,6 +25,7 @@ pub fn frame_scan(
     at: &str,
     (room, is_busy): (Bits, Bits),
     (width, height): (u64, u64),
+    pace: u32,
     drain: u64,
 ) -> Scanned {
     module(
@@ -40,7 +41,7 @@ pub fn frame_scan(
                 let retrace = Bits::register(1);
                 let column = Bits::register(COORDINATE);
                 let row = Bits::register(COORDINATE);
-                let issued = running & room;
+                let issued = paced(running & room, pace);
                 let at_left = column.is(0);
                 let at_right = column.is(width - 1);
                 let at_top = row.is(0);
@@ -72,4 +73,20 @@ pub fn frame_scan(
             }
         },
     )
+}
+
+/// What is asked, `pace` clocks after it was 1 or later.
+fn paced(asked: Bits, pace: u32) -> Bits {
+    if pace == 1 {
+        return asked;
+    }
+    let clocks = |value: u32| Bits::new(value.into(), pace.ilog2() + 1);
+    net! {
+        let pause = Bits::register(pace.ilog2() + 1);
+        let is_over = pause.is(0);
+    }
+    let issued = asked & is_over;
+    let less = is_over.select(pause, pause - clocks(1));
+    pause.load(issued.select(clocks(pace - 1), less));
+    issued
 }

@@ -46,6 +46,7 @@ impl Method {
         match form {
             RootForm::Restoring => Method::Restoring,
             RootForm::NonRestoring => Method::NonRestoring,
+            RootForm::Iterative => Method::Iterative,
             RootForm::Linear(corrections) => Method::Linear { corrections },
             RootForm::Quadratic(corrections) => Method::Quadratic { corrections },
             RootForm::Leading(kept) => Method::Leading { kept },
