@@ -103,7 +103,7 @@ pub(super) fn zone_slots(
         let given = |given: &&FittedSlot| given.kind != Kind::Quadric && takes(given, &slot.words);
         let needed = |given| {
             let (needed, _) = beam_slot(prepared, slot.clone(), given)?;
-            Ok::<_, DisplayError>(FittedSlot::of(needed.kind, needed.planes))
+            Ok::<_, DisplayError>(needed)
         };
         let (own, other) = (needed(slots.iter().find(given))?, needed(None)?);
         let is_there = |needed: &FittedSlot| slots.iter().any(|slot| slot.holds(needed));
@@ -146,7 +146,11 @@ pub(super) fn members(prepared: &PreparedScene, products: &[ProductSlots]) -> Ve
         let own = in_slots(product, own.split_at(intersected).into());
         members.extend(own.into_iter().map(|(place, slot)| {
             let needed = required(&slot.words).expect("a quadric processor draws it");
-            (first + place, prepared.in_needed(needed, &slot), slot)
+            (
+                first + place,
+                prepared.in_needed(needed, slot.object, &slot.words),
+                slot,
+            )
         }));
         first += product.count();
     }
@@ -180,7 +184,7 @@ fn beam_slot(
             let needed = required_of_quadric(&words);
             let words = ProcessorWords::Quadric(words);
             let slot = Slot { words, ..slot };
-            Ok((prepared.in_needed(needed, &slot), slot))
+            Ok((prepared.in_needed(needed, slot.object, &slot.words), slot))
         }
         Err(AsQuadricError::Processor(_) | AsQuadricError::GuardBits { .. })
             if required(words).is_some() =>
@@ -199,7 +203,7 @@ fn of_own_kind(prepared: &PreparedScene, slot: Slot) -> (FittedSlot, Slot) {
     let words = own_kind(slot.words);
     let own = required(&words).expect("words of a processor that has slots");
     let slot = Slot { words, ..slot };
-    (prepared.in_needed(own, &slot), slot)
+    (prepared.in_needed(own, slot.object, &slot.words), slot)
 }
 
 /// Words of every volume of the scene, for processors of so many planes.

@@ -6,7 +6,7 @@ use super::beam::{
 use super::description::{
     MachineDescription, MachineKind, Mode, Output, OwnMode, SMALLEST_SIDE, ZoneSize,
 };
-use super::zone::plan::PlanError;
+use super::zone::plan::{Pass, PlanError, ZonePlan};
 use imogene_contract::object::{Kind, ProductSlots};
 use imogene_contract::slots::{FittedSlot, Slots};
 use imogene_golden::machine::shader::MOST_LIGHTS;
@@ -17,6 +17,7 @@ use imogene_prepare::lit_sphere::shadowed_lights;
 use imogene_prepare::shader::ShaderError;
 use imogene_prepare::{PreparedScene, Product};
 use imogene_scene::FramedScene;
+use std::cmp::Reverse;
 
 /// A scene in the camera frame, and its words.
 type Scene<'a, 'b> = (&'a FramedScene, &'b PreparedScene);
@@ -77,29 +78,80 @@ pub fn enough(machine: &MachineDescription, scenes: &[Scene]) -> Result<MachineD
     Ok(enough)
 }
 
-/// A beam machine with the slots that it has, each in as few bits as hold what the scenes need of it.
+/// A machine with the slots that it has, each in as few bits as hold what the scenes need of it. A zone machine takes as
+/// many passes as before.
 ///
 /// # Errors
 ///
 /// When it does not show one of them.
 pub fn narrowed(machine: &MachineDescription, scenes: &[Scene]) -> Result<MachineDescription> {
+    let plans = match machine.machine {
+        MachineKind::Beam => vec![],
+        MachineKind::Zone => zone_plans(machine, scenes)?,
+    };
     let mut slots = machine.slots();
     let mut needed: Vec<Option<FittedSlot>> = vec![None; slots.len()];
-    for (_, prepared) in scenes {
-        for (place, own, _) in placed(prepared, machine)? {
-            let most = needed[place].map_or(own, |most| most.or(&own));
-            needed[place] = Some(most);
+    let mut add = |place: usize, own: &FittedSlot| {
+        let most = needed[place].map_or(*own, |most| most.or(own));
+        needed[place] = Some(most);
+    };
+    match machine.machine {
+        MachineKind::Beam => {
+            for (_, prepared) in scenes {
+                let parts = placed(prepared, machine)?;
+                parts.iter().for_each(|(place, own, _)| add(*place, own));
+            }
         }
+        MachineKind::Zone => plans.iter().for_each(|plan| shared_needs(plan, &mut add)),
     }
     for (slot, needed) in slots.iter_mut().zip(needed) {
         if let Some(FittedSlot { root, plane, .. }) = needed {
             (slot.root, slot.plane) = (root, plane);
         }
     }
-    Ok(MachineDescription {
+    let narrow = MachineDescription {
         slots: Some(Slots(slots)),
         ..machine.clone()
-    })
+    };
+    let passes = |plans: &[ZonePlan]| -> usize { plans.iter().map(ZonePlan::draw_passes).sum() };
+    let is_slower = !plans.is_empty() && passes(&zone_plans(&narrow, scenes)?) > passes(&plans);
+    Ok(if is_slower { machine.clone() } else { narrow })
+}
+
+fn zone_plans(machine: &MachineDescription, scenes: &[Scene]) -> Result<Vec<ZonePlan>> {
+    let plan = |(_, prepared): &Scene| ZonePlan::of(prepared, machine.zone_machine());
+    Ok(scenes.iter().map(plan).collect::<Result<_, _>>()?)
+}
+
+/// What the passes of a zone machine need of its slots that are of no product: of each pass the part that needs the
+/// most bits goes to the first slot that has its planes.
+fn shared_needs(plan: &ZonePlan, add: &mut dyn FnMut(usize, &FittedSlot)) {
+    let slots = &plan.machine.slots[..plan.machine.alone()];
+    let fewest_planes = |needed: &FittedSlot| {
+        let holding = slots.iter().filter(|slot| slot.holds(needed));
+        holding.map(|slot| slot.planes).min()
+    };
+    let passes = plan.zones.iter().flat_map(|zone| plan.passes(zone, false));
+    for pass in passes {
+        let Pass::Draw { parts, .. } = pass else {
+            continue;
+        };
+        let alone = parts.iter().filter(|(place, _)| *place < slots.len());
+        let needs = alone.map(|(_, part)| plan.parts[*part as usize].needed);
+        let mut needs: Vec<FittedSlot> = needs.collect();
+        needs.sort_by_key(|needed| Reverse((fewest_planes(needed), needed.bits())));
+        let mut free = vec![true; slots.len()];
+        for needed in &needs {
+            let mut places = (0..slots.len()).filter(|&place| free[place]);
+            let place = places.find(|&place| slots[place].holds(needed));
+            let place = place.expect("as many slots as parts");
+            free[place] = false;
+            add(place, needed);
+        }
+    }
+    for (place, layer) in (plan.machine.slots.len()..).zip(&plan.layers) {
+        add(place, &layer.needed);
+    }
 }
 
 /// Checks that there are machines of a kind that show a scene.
@@ -195,7 +247,10 @@ fn add_shared(machine: &mut MachineDescription, prepared: &PreparedScene) -> Res
     let mut layers = alone.split_off(alone.len() - machine.layers);
     let members = alone.split_off(machine.slots_alone());
     let needed_layers = of_slots(prepared, &prepared.layers, &layers)?.into_iter();
-    let needed_layers = needed_layers.map(|slot| FittedSlot::of(slot.kind, slot.planes));
+    let needed_layers = needed_layers.enumerate().map(|(place, needed)| {
+        let given = layers.get(place).filter(|given| given.holds(&needed));
+        given.copied().unwrap_or(needed.in_all_bits())
+    });
     let needed_layers: Vec<FittedSlot> = needed_layers.collect();
     let (needed, of_members) = zone_slots(prepared, &alone)?;
     let most = |slots: &[FittedSlot]| slots.iter().map(|slot| slot.planes).max();
@@ -211,10 +266,13 @@ fn add_shared(machine: &mut MachineDescription, prepared: &PreparedScene) -> Res
         return Ok(planes.map(|planes| planes as usize));
     }
     for needed in needed {
+        if alone.iter().any(|slot| slot.holds(&needed)) {
+            continue;
+        }
         let own = alone.iter_mut().filter(|slot| slot.kind == needed.kind);
         match own.max_by_key(|slot| slot.planes) {
             Some(slot) => *slot = slot.or(&needed),
-            None => alone.push(needed),
+            None => alone.push(needed.in_all_bits()),
         }
     }
     // Any of these may be given any member.

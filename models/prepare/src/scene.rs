@@ -114,10 +114,10 @@ impl PreparedScene {
         slots.map(|(_, o)| required_of_quadric(&o.words)).collect()
     }
 
-    /// The slot with as few bits as are proven to hold every value of the part where it is drawn; those of the format
+    /// The slot with as few bits as are proven to hold every value of a part of an object where it is drawn; those of the format
     /// where nothing is proven.
-    pub fn in_needed(&self, slot: FittedSlot, part: &Slot) -> FittedSlot {
-        let words = match &part.words {
+    pub fn in_needed(&self, slot: FittedSlot, object: usize, words: &ProcessorWords) -> FittedSlot {
+        let words = match words {
             ProcessorWords::Quadric(words) | ProcessorWords::Patch(words) => words,
             ProcessorWords::Member(member) => member.own(),
             _ => return slot,
@@ -127,7 +127,8 @@ impl PreparedScene {
             let forms = (&own.f1, &own.f2, &own.planes, own.screen_box);
             forms == (&words.f1, &words.f2, &words.planes, words.screen_box)
         };
-        match self.objects[part.object].quadric().filter(is_own) {
+        let object = self.objects.get(object).and_then(|object| object.quadric());
+        match object.filter(is_own) {
             Some(object) => object.needed.slot(slot, &self.format.widths()),
             None => slot,
         }

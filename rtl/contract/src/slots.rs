@@ -60,9 +60,25 @@ impl FittedSlot {
         }
     }
 
-    /// Is it for what needs the other: of its kind, with as many planes?
+    /// Is it for what needs the other: of its kind, with as many planes and bits?
     pub fn holds(&self, needed: &FittedSlot) -> bool {
-        self.kind == needed.kind && self.planes >= needed.planes
+        let is_long = |own: Option<u32>, needed: Option<u32>| {
+            own.is_none_or(|own| needed.is_some_and(|needed| needed <= own))
+        };
+        self.kind == needed.kind
+            && self.planes >= needed.planes
+            && is_long(self.root, needed.root)
+            && is_long(self.plane, needed.plane)
+    }
+
+    /// Bits of its root and of the words of its planes; those of the machine are more than any other.
+    pub fn bits(&self) -> [u32; 2] {
+        [self.root, self.plane].map(|own| own.unwrap_or(u32::MAX))
+    }
+
+    /// The same slot in the words of its machine.
+    pub const fn in_all_bits(&self) -> FittedSlot {
+        FittedSlot::of(self.kind, self.planes)
     }
 
     /// Its words in a machine of these.

@@ -6,6 +6,7 @@ use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_golden::widths::OwnWidths;
 use imogene_plan::description::{MachineDescription, Output, Smoothing, ZoneSize};
 use imogene_plan::display::{Image, image};
+use imogene_plan::needs::{enough, narrowed};
 use imogene_scene::SceneFile;
 use imogene_verif::display::pins::{self, PinsOutcome, PinsRun};
 use imogene_verif::display::request::request_for;
@@ -122,6 +123,48 @@ fn of_words(name: &str, words: &str) -> MachineDescription {
         root_form: own.root_form,
         rows_per_stage: 5,
         ..machine
+    }
+}
+
+/// Slots of fewer bits than their machine draw the same picture; one bit less, and they are not enough.
+#[test]
+fn slots_of_zone_machines_in_words_of_their_own() {
+    let scenes = [
+        ("teapot", 4),
+        ("shadows/robot", 4),
+        ("glass/still-life", 2),
+        ("solids/bracket", 1),
+    ];
+    for (name, objects) in scenes {
+        let machine = MachineDescription {
+            objects,
+            ..of_words("zone-160x120.toml", "depth_word = 18")
+        };
+        let size = machine.drawn_size().expect("a mode");
+        let format = machine.format().expect("a format");
+        let (framed, prepared) = prepared(&scene(&format!("{name}.toml")), size, format);
+        let scenes = [(&framed, &prepared)];
+        let wide = enough(&machine, &scenes).expect("a machine");
+        let narrow = narrowed(&wide, &scenes).expect("a machine");
+        narrow.check(name).expect("a machine");
+        assert_eq!(
+            enough(&narrow, &scenes).expect("a machine"),
+            narrow,
+            "{name}"
+        );
+        let images = [&wide, &narrow].map(|of| image(&framed, &prepared, of).expect("a picture"));
+        assert!(images[0].picture == images[1].picture, "{name}");
+        run(&narrow, &images[1..], &PinsRun::plain(Engine::BuiltIn));
+        let mut slots = narrow.slots();
+        let longest = slots.iter().filter_map(|slot| slot.root).max();
+        assert!(longest.is_some(), "{name}: no short root");
+        let longest = slots.iter_mut().filter(|slot| slot.root == longest);
+        longest.for_each(|slot| slot.root = slot.root.map(|bits| bits - 1));
+        let less = MachineDescription {
+            slots: Some(Slots(slots)),
+            ..narrow
+        };
+        assert_ne!(enough(&less, &scenes).expect("a machine"), less, "{name}");
     }
 }
 

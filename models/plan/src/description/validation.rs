@@ -93,12 +93,11 @@ impl MachineDescription {
         };
         let is_short = |slot: &&FittedSlot| slot.root.or(slot.plane).is_some();
         let is_shared = self.machine == MachineKind::Zone;
-        if let Some(short) = slots.iter().find(is_short).filter(|_| is_shared) {
-            return refuse(
-                "slots",
-                short,
-                "no bits of its own in a slot of a zone machine",
-            );
+        let members = slots.iter().rev().skip(self.layers);
+        let mut members = members.take(self.slots_of_products());
+        if let Some(short) = members.find(is_short).filter(|_| is_shared) {
+            let accepted = "no bits of its own in a slot of a product of a zone machine";
+            return refuse("slots", short, accepted);
         }
         let is_other = |slot: &&FittedSlot| !matches!(slot.kind, Kind::Quadric | Kind::Patch);
         let other = slots.iter().find(is_other);

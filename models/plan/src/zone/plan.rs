@@ -213,6 +213,11 @@ impl ZonePlan {
         draws.chain(lights).chain([show])
     }
 
+    /// Draw passes of a frame.
+    pub fn draw_passes(&self) -> usize {
+        self.zones.iter().map(|zone| self.draws(zone).len()).sum()
+    }
+
     /// Processors and parts of each draw pass over a zone. Objects go in their order, products as there is a place.
     fn draws(&self, zone: &Zone) -> Vec<Vec<(usize, u32)>> {
         // Without objects that are in no solid there may be no processor for them.

@@ -18,14 +18,18 @@ pub struct Part {
     pub object: u16,
     /// Words for the whole screen, those of the kind of its slots.
     pub words: ProcessorWords,
+    /// What its slot has to have.
+    pub needed: FittedSlot,
     /// Of a transparent one its part of what is seen, in 255ths.
     pub weight: Option<u8>,
 }
 
 impl Part {
-    fn of(slot: &Slot, words: ProcessorWords) -> Part {
+    fn of(scene: &PreparedScene, slot: &Slot, words: ProcessorWords) -> Part {
+        let needed = required(&words).expect("a kind that has slots");
         Part {
             object: slot.object as u16,
+            needed: scene.in_needed(needed, slot.object, &words),
             words,
             weight: slot.weight,
         }
@@ -58,7 +62,7 @@ pub(super) fn parts(scene: &PreparedScene, machine: &ZoneMachine) -> Result<Vec<
         let words = &slot.words;
         let words = words.on_quadric_processor(&scene.format, planes as usize);
         let words = words.map_err(|why| refused(scene, slot, why))?;
-        Ok(Part::of(slot, ProcessorWords::Quadric(words)))
+        Ok(Part::of(scene, slot, ProcessorWords::Quadric(words)))
     });
     alone.chain(members).collect()
 }
@@ -82,10 +86,12 @@ fn refused(scene: &PreparedScene, slot: &Slot, why: AsQuadricError) -> PlanError
 fn part_of(scene: &PreparedScene, slot: Slot, slots: &[FittedSlot]) -> Result<Part> {
     let own = own_kind(slot.words.clone());
     let needed = required(&own);
-    let has_own = |needed: &FittedSlot| slots.iter().any(|slot| slot.holds(needed));
-    let other = needed.filter(|needed| needed.kind != Kind::Quadric);
-    if other.is_some_and(|needed| has_own(&needed)) {
-        return Ok(Part::of(&slot, own));
+    let has_place = |needed: &FittedSlot| slots.iter().any(|slot| slot.holds(needed));
+    if needed.is_some_and(|needed| needed.kind != Kind::Quadric) {
+        let part = Part::of(scene, &slot, own);
+        if has_place(&part.needed) {
+            return Ok(part);
+        }
     }
     let quadrics = slots.iter().filter(|slot| slot.kind == Kind::Quadric);
     let planes = quadrics.map(|slot| slot.planes as usize).max();
@@ -97,7 +103,13 @@ fn part_of(scene: &PreparedScene, slot: Slot, slots: &[FittedSlot]) -> Result<Pa
         slots: slots::print(slots),
     };
     match (words, needed) {
-        (Ok(words), _) if planes.is_some() => Ok(Part::of(&slot, ProcessorWords::Quadric(words))),
+        (Ok(words), _) if planes.is_some() => {
+            let part = Part::of(scene, &slot, ProcessorWords::Quadric(words));
+            match has_place(&part.needed) {
+                true => Ok(part),
+                false => Err(no_slot(part.needed)),
+            }
+        }
         (Ok(_), needed) => Err(no_slot(needed.unwrap_or(FittedSlot::NONE))),
         (Err(AsQuadricError::Processor(_)), Some(needed)) => Err(no_slot(needed)),
         (Err(why), _) => Err(refused(scene, &slot, why)),
@@ -105,8 +117,8 @@ fn part_of(scene: &PreparedScene, slot: Slot, slots: &[FittedSlot]) -> Result<Pa
 }
 
 /// The processors and parts of one draw pass after another, until all parts that are in no solid are drawn: each
-/// part goes to the free slot that is for it and has the fewest planes. Parts of one object keep their order, in
-/// the slots of a pass too, because of two that are equally deep the first is seen.
+/// part goes to the free slot that is for it and has the fewest planes, and of these the fewest bits. Parts of one object
+/// keep their order, in the slots of a pass too, because of two that are equally deep the first is seen.
 pub(super) fn shared_out(
     all: &[Part],
     parts: &[u32],
@@ -125,10 +137,10 @@ pub(super) fn shared_out(
                 Some(&(slot, last)) if all[last as usize].object == part.object => slot + 1,
                 _ => 0,
             };
-            let needed = required(&part.words).expect("a kind that has slots");
-            let places =
-                (after..slots.len()).filter(|&place| free[place] && slots[place].holds(&needed));
-            let Some(place) = places.min_by_key(|&place| slots[place].planes) else {
+            let places = after..slots.len();
+            let places = places.filter(|&place| free[place] && slots[place].holds(&part.needed));
+            let size = |slot: &FittedSlot| (slot.planes, slot.bits());
+            let Some(place) = places.min_by_key(|&place| size(&slots[place])) else {
                 waits = Some(part.object);
                 return true;
             };

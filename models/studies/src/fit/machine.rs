@@ -96,7 +96,13 @@ pub fn machine(
                 clocks,
             }
         }
-        MachineKind::Zone => of_zones(&smallest, frames, drawn, pace, timing)?,
+        MachineKind::Zone => {
+            let found = of_zones(&smallest, frames, drawn, pace, timing)?.description;
+            let description = narrowed(&found, &scenes).map_err(refused)?;
+            let side = description.zone.map_or(SIDES[0], |zone| zone.width);
+            let plans = plans(&description, side, frames, drawn)?;
+            in_zones(description, &[(side, plans)], timing)
+        }
     };
     found.description.check("the fitted machine")?;
     Ok(found)
@@ -252,7 +258,7 @@ fn of_zones(
 ) -> Result<Fitted, FitError> {
     let sizes = PROCESSORS.map(|objects| PROCESSORS.map(|volumes| (objects, volumes)));
     let sizes = sizes.as_flattened();
-    let mut tried: Vec<(MachineDescription, Vec<Vec<ZonePlan>>)> = vec![];
+    let mut tried: Vec<(MachineDescription, Vec<InZones>)> = vec![];
     let own = own_kinds(&drawn.prepared).map(Some);
     for slots in std::iter::once(None).chain(own) {
         let one = MachineDescription {
@@ -267,8 +273,9 @@ fn of_zones(
         if !tried.is_empty() && base.check("").is_err() {
             continue;
         }
-        let plans = SIDES.map(|side| plans(&base, side, frames, drawn));
-        tried.push((base, plans.into_iter().collect::<Result<_, _>>()?));
+        let in_zones = |side| Ok((side, plans(&base, side, frames, drawn)?));
+        let plans: Result<_, FitError> = SIDES.into_iter().map(in_zones).collect();
+        tried.push((base, plans?));
     }
     let machines = tried.iter().flat_map(|(base, plans)| {
         let sizes = sizes.iter().filter(|of| base.volumes > 0 || of.1 == 1);
@@ -341,23 +348,25 @@ fn with_processors(
     }
 }
 
+/// Side of zones, and the frames in them.
+type InZones = (u32, Vec<ZonePlan>);
+
 /// A machine with the side of its zones at which its slowest frame is fastest.
 fn in_zones(
     machine: MachineDescription,
-    plans: &[Vec<ZonePlan>],
+    plans: &[InZones],
     timing: &dyn Fn(&MachineDescription) -> ZoneTiming,
 ) -> Fitted {
     let timing = timing(&machine);
-    let slowest = |plans: &[ZonePlan], side: u32| {
+    let slowest = |(side, plans): &InZones| {
         let of_frame = |plan: &ZonePlan| {
             let mut plan = plan.clone();
-            plan.machine = with_side(&machine, side).zone_machine();
+            plan.machine = with_side(&machine, *side).zone_machine();
             clocks(&plan, &timing).total
         };
         plans.iter().map(of_frame).max().unwrap_or(0)
     };
-    let sides = SIDES.into_iter().zip(plans);
-    let timed = sides.map(|(side, plans)| (slowest(plans, side), side));
+    let timed = plans.iter().map(|of| (slowest(of), of.0));
     let (clocks, side) = timed.min().expect("there are sides");
     Fitted {
         clocks: clocks.max(screen_clocks(&machine)),

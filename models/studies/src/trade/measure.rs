@@ -103,10 +103,9 @@ impl Measured<'_> {
         if found.machine != asked.machine {
             return Err("more objects or volumes than a beam machine has processors".into());
         }
-        let has_own = found.machine == MachineKind::Beam && !design.accuracy.catalogue;
-        let found = match has_own {
-            true => narrowed(&found, &scenes).map_err(|e| e.to_string())?,
-            false => found,
+        let found = match design.accuracy.catalogue {
+            true => found,
+            false => narrowed(&found, &scenes).map_err(|e| e.to_string())?,
         };
         found.check("its machine").map_err(|e| e.to_string())?;
         Ok(found)

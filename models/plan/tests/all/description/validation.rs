@@ -69,10 +69,12 @@ fn what_is_refused_names_the_key_and_what_is_accepted() {
     let shared = slotted.replace("beam", "zone") + "zone = { width = 8, height = 8 }\n";
     let other = MachineDescription::parse(&shared.replace("0v", "facet4"), "m.toml").unwrap();
     assert_eq!(print(&other.zone_machine().slots), "3,facet4,2");
-    let own = refusal(&shared.replace("0v", "0:r20"));
-    assert!(
-        own.contains("slots is 0:r20; accepted: no bits of its own in a slot of a zone machine")
-    );
+    let own = shared.replace("0v", "0:r20");
+    let short = MachineDescription::parse(&own, "m.toml").unwrap();
+    assert_eq!(print(&short.zone_machine().slots), "3,0:r20,2");
+    assert!(refusal(&format!("{own}products = \"1-1\"\n")).contains(
+        "slots is 0:r20; accepted: no bits of its own in a slot of a product of a zone machine"
+    ));
     let rows = "widths = { root = 16, dropped = 4 }\nrows_per_stage = 13\n";
     assert!(refusal(&format!("{BEAM}{rows}")).contains("accepted: 1 to 12"));
     let text = format!("{BEAM}depth_word = 30\nwidths = {{ g2 = 5 }}\n");
