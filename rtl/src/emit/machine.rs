@@ -132,7 +132,7 @@ impl Kind {
                 "the picture of a scene, every pixel drawn when the screen wants it, on the pins of a screen"
             }
             Self::BeamStream(..) => {
-                "the picture of a scene, frame after frame over AXI4-Stream, as many pixels on every clock as it is built for"
+                "the picture of a scene, frame after frame over AXI4-Stream, at the pace that it is built for"
             }
         }
     }
