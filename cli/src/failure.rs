@@ -18,6 +18,8 @@ pub enum Failure {
     Check(String),
     /// Bad input or usage: exit code 2.
     Input(String),
+    /// Bad input with lines that are to be copied, which nothing shortens: exit code 2.
+    Advice(String),
     /// What a library refused, or an output that cannot be written, with its causes: exit code 2.
     Error(Box<dyn Error>),
     /// Nobody reads the output any more. That is said by the exit code alone, as by a program that the signal ended.
@@ -42,7 +44,7 @@ impl Failure {
     pub fn exit_code(&self) -> u8 {
         match self {
             Failure::Check(_) => 1,
-            Failure::Input(_) | Failure::Error(_) => 2,
+            Failure::Input(_) | Failure::Advice(_) | Failure::Error(_) => 2,
             Failure::ClosedPipe => 141,
         }
     }
@@ -51,6 +53,7 @@ impl Failure {
     pub fn message(&self) -> Option<String> {
         match self {
             Failure::Check(message) => Some(lines(message)),
+            Failure::Advice(message) => Some(message.clone()),
             Failure::Input(message) => Some(shortened(&lines(message), MESSAGE)),
             Failure::Error(error) => Some(shortened(&lines(&with_causes(error.as_ref())), MESSAGE)),
             Failure::ClosedPipe => None,
@@ -74,8 +77,8 @@ impl fmt::Display for Failure {
         let message = self.message().unwrap_or_default();
         match self {
             Failure::Check(_) => write!(f, "check failed: {message}"),
-            Failure::Input(_) | Failure::Error(_) => write!(f, "error: {message}"),
             Failure::ClosedPipe => Ok(()),
+            _ => write!(f, "error: {message}"),
         }
     }
 }

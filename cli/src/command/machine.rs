@@ -175,7 +175,8 @@ fn images(
         }
     }
     let all: Vec<_> = scenes.iter().map(Scene::parts).collect();
-    needs::check(machine, &all).map_err(|error| named(&path.display(), &error))?;
+    needs::check(machine, &all)
+        .map_err(|error| Failure::Advice(format!("{}: {error}", path.display())))?;
     let of_scene = |scene: &Scene| {
         let images = images_on(&scene.framed, &scene.prepared, machine, refine);
         images.map_err(|error| named(&scene.name, &error))

@@ -125,6 +125,7 @@ fn the_lines_that_a_refusal_advises_are_accepted() {
         ("teapot", large, "objects = 10 # | lights = 2 # was 1 | loader_words ="),
         ("shadows/robot teapot", &beam, "objects = 39 # | volumes = 157 # | mode ="),
         ("shadows/robot", zone, "volumes = 1 # | volume_planes = | planes = | lights = 2 #"),
+        ("processors/mesh", &beam, "slots = \"78xfacet3\" | objects = 78 # was 1"),
         ("zones/molecule-480", &beam, "machine = \"zone\" | zone = | lights = 2 #"),
         ("zones/molecule-480", large, "machine = \"zone\" | # and no loader_words"),
     ];

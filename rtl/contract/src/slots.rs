@@ -1,9 +1,10 @@
 //! Slots of a fitted machine, and as text: the planes of each, as in `3,0,2`; those of other kinds by their names, as
-//! in `patch2,sphere`; behind it the words that are shorter than those of the machine, as in `2:r14:p20`.
+//! in `patch2,sphere`; before one how many there are of it, as in `64xfacet3`; behind it the words that are shorter than
+//! those of the machine, as in `2:r14:p20`.
 
 use crate::machine_words::MachineWords;
 use crate::object::{KINDS, Kind, ProductSlots};
-use crate::words::{MOST_MEMBERS, MOST_PLANES, WordRange};
+use crate::words::{MOST_MEMBERS, MOST_OBJECTS, MOST_PLANES, WordRange};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use thiserror::Error;
@@ -168,19 +169,31 @@ fn longer(one: Option<u32>, other: Option<u32>) -> Option<u32> {
     one.zip(other).map(|(one, other)| one.max(other))
 }
 
+/// Slots that are counted rather than written one by one.
+const LEAST_COUNTED: usize = 4;
+
 /// Text that names no slots.
 #[derive(Debug, Error, PartialEq, Eq)]
 #[error(
     "'{0}' is no slot; expected a list such as 3,0,2: the planes of each slot, 0 to {MOST_PLANES}, \
      patch3, polyhedron6, facet3, curved_facet2, sphere, cylinder, first_generation or quotient2, \
-     and behind one the bits of a shorter root and of shorter plane words, as in 2:r14:p20"
+     before one how many there are of it, as in 64xfacet3, and behind one the bits of a shorter root and of shorter plane words, as in 2:r14:p20"
 )]
 pub struct SlotsError(String);
 
 /// Reads slots.
 pub fn parse(text: &str) -> Result<Vec<FittedSlot>, SlotsError> {
-    let slot = |text: &str| slot(text).ok_or_else(|| SlotsError(text.to_owned()));
-    text.split(',').map(slot).collect()
+    let slots = |text: &str| alike(text).ok_or_else(|| SlotsError(text.to_owned()));
+    let slots: Result<Vec<_>, _> = text.split(',').map(slots).collect();
+    slots.map(|slots| slots.concat())
+}
+
+/// One slot, or several: `64xfacet3`.
+fn alike(text: &str) -> Option<Vec<FittedSlot>> {
+    let (count, shape) = text.split_once('x').unwrap_or(("1", text));
+    let count = count.parse().ok();
+    let count = count.filter(|count| (1..=MOST_OBJECTS).contains(count))?;
+    Some(vec![slot(shape)?; count as usize])
 }
 
 fn slot(text: &str) -> Option<FittedSlot> {
@@ -220,8 +233,12 @@ fn any_kind(shape: &str) -> Option<FittedSlot> {
 
 /// The text that [`parse`] reads back.
 pub fn print(slots: &[FittedSlot]) -> String {
-    let slots: Vec<String> = slots.iter().map(FittedSlot::to_string).collect();
-    slots.join(",")
+    let runs = slots.chunk_by(|one, next| one == next);
+    let runs = runs.map(|run| match run.len() {
+        count if count < LEAST_COUNTED => vec![run[0].to_string(); count].join(","),
+        count => format!("{count}x{}", run[0]),
+    });
+    runs.collect::<Vec<String>>().join(",")
 }
 
 impl fmt::Display for FittedSlot {

@@ -70,11 +70,17 @@ fn text_and_slots_are_each_other() {
     assert_eq!((slots.0[0].root, slots.0[0].plane), (Some(14), Some(20)));
     assert_eq!((slots.0[1].root, slots.0[1].plane), (Some(9), None));
     assert_eq!(String::from(slots), short);
+    // Equal ones are counted from four on.
+    assert_eq!(
+        planes("2,3x2:r9,250xfacet3").unwrap(),
+        "2,2:r9,2:r9,2:r9,250xfacet3"
+    );
+    assert_eq!(planes("3x1,1,sphere").unwrap(), "4x1,sphere");
     for text in "sphere1 facet2 patch patch13 torus polyhedron0".split(' ') {
         let error = Slots::try_from(text.to_owned()).unwrap_err();
         assert!(error.to_string().contains("curved_facet2"), "{text}");
     }
-    let wrong = "3, v 13 -1 2w 2: 2:r 2:x3 2:r3:r3 r3";
+    let wrong = "3, v 13 -1 2w 2: 2:r 2:x3 2:r3:r3 r3 0x3 257x3 x3 2x 2x2x2";
     for text in wrong.split(' ').chain([""]) {
         assert!(parse(text).unwrap_err().to_string().contains("3,0,2:"));
     }
