@@ -85,34 +85,34 @@ pub fn enough(machine: &MachineDescription, scenes: &[Scene]) -> Result<MachineD
 ///
 /// When it does not show one of them.
 pub fn narrowed(machine: &MachineDescription, scenes: &[Scene]) -> Result<MachineDescription> {
+    let slots = machine.slots();
+    let mut slots: Vec<FittedSlot> = slots.iter().map(FittedSlot::in_all_bits).collect();
+    let with = |slots: &[FittedSlot]| MachineDescription {
+        slots: Some(Slots(slots.to_vec())),
+        ..machine.clone()
+    };
+    let wide = with(&slots);
     let plans = match machine.machine {
         MachineKind::Beam => vec![],
-        MachineKind::Zone => zone_plans(machine, scenes)?,
+        MachineKind::Zone => zone_plans(&wide, scenes)?,
     };
-    let mut slots = machine.slots();
-    let mut needed: Vec<Option<FittedSlot>> = vec![None; slots.len()];
-    let mut add = |place: usize, own: &FittedSlot| {
-        let most = needed[place].map_or(*own, |most| most.or(own));
-        needed[place] = Some(most);
-    };
-    match machine.machine {
-        MachineKind::Beam => {
-            for (_, prepared) in scenes {
-                let parts = placed(prepared, machine)?;
-                parts.iter().for_each(|(place, own, _)| add(*place, own));
-            }
+    let mut needs: Vec<(usize, FittedSlot)> = plans.iter().flat_map(shared_needs).collect();
+    if machine.machine == MachineKind::Beam {
+        for (_, prepared) in scenes {
+            let parts = placed(prepared, &wide)?.into_iter();
+            needs.extend(parts.map(|(place, needed, _)| (place, needed)));
         }
-        MachineKind::Zone => plans.iter().for_each(|plan| shared_needs(plan, &mut add)),
     }
-    for (slot, needed) in slots.iter_mut().zip(needed) {
-        if let Some(FittedSlot { root, plane, .. }) = needed {
+    let mut most: Vec<Option<FittedSlot>> = vec![None; slots.len()];
+    for (place, needed) in needs {
+        most[place] = Some(most[place].map_or(needed, |most| most.or(&needed)));
+    }
+    for (slot, most) in slots.iter_mut().zip(most) {
+        if let Some(FittedSlot { root, plane, .. }) = most {
             (slot.root, slot.plane) = (root, plane);
         }
     }
-    let narrow = MachineDescription {
-        slots: Some(Slots(slots)),
-        ..machine.clone()
-    };
+    let narrow = with(&slots);
     let passes = |plans: &[ZonePlan]| -> usize { plans.iter().map(ZonePlan::draw_passes).sum() };
     let is_slower = !plans.is_empty() && passes(&zone_plans(&narrow, scenes)?) > passes(&plans);
     Ok(if is_slower { machine.clone() } else { narrow })
@@ -125,12 +125,14 @@ fn zone_plans(machine: &MachineDescription, scenes: &[Scene]) -> Result<Vec<Zone
 
 /// What the passes of a zone machine need of its slots that are of no product: of each pass the part that needs the
 /// most bits goes to the first slot that has its planes.
-fn shared_needs(plan: &ZonePlan, add: &mut dyn FnMut(usize, &FittedSlot)) {
+fn shared_needs(plan: &ZonePlan) -> Vec<(usize, FittedSlot)> {
     let slots = &plan.machine.slots[..plan.machine.alone()];
     let fewest_planes = |needed: &FittedSlot| {
         let holding = slots.iter().filter(|slot| slot.holds(needed));
         holding.map(|slot| slot.planes).min()
     };
+    let of_layers = plan.layers.iter().map(|layer| layer.needed);
+    let mut all: Vec<(usize, FittedSlot)> = (plan.machine.slots.len()..).zip(of_layers).collect();
     let passes = plan.zones.iter().flat_map(|zone| plan.passes(zone, false));
     for pass in passes {
         let Pass::Draw { parts, .. } = pass else {
@@ -141,17 +143,15 @@ fn shared_needs(plan: &ZonePlan, add: &mut dyn FnMut(usize, &FittedSlot)) {
         let mut needs: Vec<FittedSlot> = needs.collect();
         needs.sort_by_key(|needed| Reverse((fewest_planes(needed), needed.bits())));
         let mut free = vec![true; slots.len()];
-        for needed in &needs {
+        for needed in needs {
             let mut places = (0..slots.len()).filter(|&place| free[place]);
-            let place = places.find(|&place| slots[place].holds(needed));
+            let place = places.find(|&place| slots[place].holds(&needed));
             let place = place.expect("as many slots as parts");
             free[place] = false;
-            add(place, needed);
+            all.push((place, needed));
         }
     }
-    for (place, layer) in (plan.machine.slots.len()..).zip(&plan.layers) {
-        add(place, &layer.needed);
-    }
+    all
 }
 
 /// Checks that there are machines of a kind that show a scene.
