@@ -78,8 +78,8 @@ pub fn enough(machine: &MachineDescription, scenes: &[Scene]) -> Result<MachineD
     Ok(enough)
 }
 
-/// A machine with the slots that it has, each in as few bits as hold what the scenes need of it. A zone machine takes as
-/// many passes as before.
+/// A machine with the slots that it has, each in as few bits as hold what the scenes need of it. A zone machine takes
+/// as many passes as before.
 ///
 /// # Errors
 ///

@@ -24,9 +24,9 @@ bundles! {
     }
 }
 
-/// Draws frame after frame of `width` by `height` pixels over AXI4-Stream, as fast as the receiver takes them and roots are found: the
-/// objects of a beam machine, without a screen's timing. `last` comes with the last word of a frame. Several pixels at
-/// once are neighbours, pixel 0 the leftmost; they divide the width.
+/// Draws frame after frame of `width` by `height` pixels over AXI4-Stream, as fast as the receiver takes them and roots
+/// are found: the objects of a beam machine, without a screen's timing. `last` comes with the last word of a frame.
+/// Several pixels at once are neighbours, pixel 0 the leftmost; they divide the width.
 ///
 /// Between two frames the pipeline runs empty, and the words of a new frame are copied if its last one has come.
 /// `docs/machines.md`.
