@@ -114,8 +114,8 @@ impl PreparedScene {
         slots.map(|(_, o)| required_of_quadric(&o.words)).collect()
     }
 
-    /// The slot with as few bits as are proven to hold every value of a part of an object where it is drawn; those of the
-    /// format where nothing is proven.
+    /// The slot with as few bits as are proven to hold every value of a part of an object where it is drawn; those of
+    /// the format where nothing is proven.
     pub fn in_needed(&self, slot: FittedSlot, object: usize, words: &ProcessorWords) -> FittedSlot {
         let words = match words {
             ProcessorWords::Quadric(words) | ProcessorWords::Patch(words) => words,

@@ -1,6 +1,6 @@
 //! Slots of a fitted machine, and as text: the planes of each, as in `3,0,2`; those of other kinds by their names, as
-//! in `patch2,sphere`; before one how many there are of it, as in `64xfacet3`; behind it the words that are shorter than
-//! those of the machine, as in `2:r14:p20`.
+//! in `patch2,sphere`; before one how many there are of it, as in `64xfacet3`; behind it the words that are shorter
+//! than those of the machine, as in `2:r14:p20`.
 
 use crate::machine_words::MachineWords;
 use crate::object::{KINDS, Kind, ProductSlots};

@@ -117,8 +117,8 @@ fn part_of(scene: &PreparedScene, slot: Slot, slots: &[FittedSlot]) -> Result<Pa
 }
 
 /// The processors and parts of one draw pass after another, until all parts that are in no solid are drawn: each
-/// part goes to the free slot that is for it and has the fewest planes, and of these the fewest bits. Parts of one object
-/// keep their order, in the slots of a pass too, because of two that are equally deep the first is seen.
+/// part goes to the free slot that is for it and has the fewest planes, and of these the fewest bits. Parts of one
+/// object keep their order, in the slots of a pass too, because of two that are equally deep the first is seen.
 pub(super) fn shared_out(
     all: &[Part],
     parts: &[u32],

@@ -15,8 +15,8 @@ bundles! {
 }
 
 /// Frames of `width` by `height` pixels left to right, top to bottom, on clocks on which there is `room` behind the
-/// pipeline, `pace` clocks apart or more. It is empty `drain` clocks after the last pixel of a frame; the next one waits
-/// while words are copied (`is_busy`). Latency 1.
+/// pipeline, `pace` clocks apart or more. It is empty `drain` clocks after the last pixel of a frame; the next one
+/// waits while words are copied (`is_busy`). Latency 1.
 ///
 /// # Panics
 ///
