@@ -10,12 +10,12 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::ops::Range;
 
-const SIZE: (u32, u32) = (860, 520);
+const SIZE: (u32, u32) = (930, 520);
 /// Share of the values that is room around them.
 const ROOM: f64 = 0.05;
 const TITLE: &str = "The fastest machines of every area and accuracy";
 /// Room on the right, for the names of the classes.
-const NAMES: i32 = 190;
+const NAMES: i32 = 260;
 /// Lines of a name.
 const LINE: i32 = 16;
 /// Colours of the classes, the best first.
@@ -136,7 +136,7 @@ fn in_words(accuracy: &Accuracy) -> String {
     };
     match accuracy.tables() {
         None => pixels,
-        Some(form) if form.nearest => format!("{pixels}, by the nearest entry of tables"),
+        Some(form) if form.nearest => format!("{pixels}, by nearest entries"),
         Some(_) => format!("{pixels}, by tables"),
     }
 }
