@@ -206,7 +206,7 @@ fn what_a_machine_cannot_show_is_refused_and_leaves_nothing() {
         scenes/teapot.toml scenes/crossing-cylinders.toml | machines/beam-lit-sphere.toml | crossing-cylinders.toml: lights or materials are other ones
         scenes/shadows/robot.toml | machines/beam-160x120.toml | objects = 39 # was 10
         scenes/shadows/sphere-surface.toml | machines/beam-160x120.toml | machine = "zone" # was "beam"
-        scenes/processors/mesh.toml | machines/zone-160x120.toml | slots = "3,3,3,3,facet3"
+        scenes/processors/mesh.toml | machines/zone-160x120.toml | slots = "4x3,facet3"
         scenes/teapot.toml --overlay docs/images/trace.png | machines/zone-160x120.toml | overlay = true
     "#;
     for [scenes, machine, says] in columns(cases) {
