@@ -28,7 +28,7 @@ fn slots_that_would_do_are_named() {
             message.starts_with("object '") && message.contains(&format!("a slot such as {what}")),
             "{message}"
         );
-        assert!(message.contains("the machine has 12,12,12,12 for objects in no solid"));
+        assert!(message.contains("the machine has 4x12 for objects in no solid"));
     }
     let facets = ZoneMachine {
         slots: vec![FittedSlot::of(Kind::Facet, 4)],
