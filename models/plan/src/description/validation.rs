@@ -64,6 +64,7 @@ impl MachineDescription {
             self.check_sphere()?;
             self.check_products()?;
             self.check_samples(&mode)?;
+            self.check_root_form()?;
             self.check_lanes(&mode, &format)?;
             self.check_fields(&mode)?;
             self.check_output(&mode)?;
@@ -202,14 +203,23 @@ impl MachineDescription {
         Ok(())
     }
 
-    fn check_lanes(&self, mode: &VideoMode, format: &Format) -> Checked {
-        let (lanes, width) = (self.pixels_per_clock, mode.line.active);
-        let is_fast = self.machine == MachineKind::Beam && self.output == Output::Stream;
-        if self.words().clocks_per_pixel() > 1 && (lanes > 1 || !is_fast) {
+    /// True for a beam machine that streams its picture: it may draw as slowly or as fast as it is built for.
+    fn is_beam_stream(&self) -> bool {
+        self.machine == MachineKind::Beam && self.output == Output::Stream
+    }
+
+    fn check_root_form(&self) -> Checked {
+        let is_serial = self.words().clocks_per_pixel() > 1;
+        if is_serial && (self.pixels_per_clock > 1 || !self.is_beam_stream()) {
             let accepted = "another form, or output = \"stream\" in a beam machine of one pixel per clock: \
                             an iterative root takes a clock for each digit";
             return refuse("root_form", self.root_form, accepted);
         }
+        Ok(())
+    }
+
+    fn check_lanes(&self, mode: &VideoMode, format: &Format) -> Checked {
+        let (lanes, width) = (self.pixels_per_clock, mode.line.active);
         let refuse = |accepted: &str| refuse("pixels_per_clock", lanes, accepted);
         if ![1, 2, 4].contains(&lanes) {
             return refuse("1, 2 or 4");
@@ -217,7 +227,7 @@ impl MachineDescription {
         if lanes == 1 {
             return Ok(());
         }
-        if self.machine == MachineKind::Zone || self.output == Output::Pins {
+        if !self.is_beam_stream() {
             return refuse("1, or output = \"stream\" in a beam machine");
         }
         let least = u64::from(lanes * self.longest_processor(format));
@@ -231,10 +241,9 @@ impl MachineDescription {
     }
 
     fn check_fields(&self, mode: &VideoMode) -> Checked {
-        let is_fast = self.machine == MachineKind::Beam && self.output == Output::Stream;
         match (
             self.interlaced,
-            is_fast,
+            self.is_beam_stream(),
             mode.frame.active.is_multiple_of(2),
         ) {
             (false, ..) | (true, true, true) => Ok(()),
