@@ -11,19 +11,21 @@ module plane_limits (
 );
 
     wire signed [35:0] plane_value;
-    wire is_in_word;
-    wire signed [23:0] saturated, clamped;
+    reg is_in_word = 1'd0, is_before = 1'd0;
+    reg signed [23:0] near_word = 24'sd0;
+    wire signed [23:0] clamped;
 
     pe1_w36 plane (
         .clock(clock), .valid(valid), .start(start), .line(line), .a(a), .b(b), .c(c), .value(plane_value));
 
-    assign is_in_word = (plane_value[35:23] == 13'd0) | (plane_value[35:23] == 13'd8191);
-    assign saturated = plane_value[35] ? 24'sh800000 : 24'sd8388607;
-    assign clamped = is_in_word ? plane_value[23:0] : saturated;
+    assign clamped = is_in_word ? near_word : is_before ? 24'sh800000 : 24'sd8388607;
 
     always @(posedge clock) begin
+        is_in_word <= (plane_value[35:23] == 13'd0) | (plane_value[35:23] == 13'd8191);
+        is_before <= plane_value[35];
+        near_word <= plane_value[23:0];
         front <= (kind == 2'd1) ? clamped : 24'sh800000;
         back <= (kind == 2'd2) ? clamped : 24'sd8388607;
-        removed <= (kind == 2'd3) & plane_value[35];
+        removed <= (kind == 2'd3) & is_before;
     end
 endmodule

@@ -98,7 +98,7 @@ module quadric_processor (
 
     wire signed [25:0] quadric_near_sum, quadric_far_sum;
     wire [23:0] quadric_root;
-    wire quadric_is_inside, quadric_late_valid, quadric_late_start, quadric_late_line, in_box, planes_0_removed,
+    wire quadric_is_inside, quadric_early_valid, quadric_early_start, quadric_early_line, in_box, planes_0_removed,
         planes_1_removed, planes_2_removed, nodes_0_removed, registers_0_removed, nodes_1_removed;
     reg [25:0] in_box_late = 26'd0;
     wire signed [23:0] planes_0_front, planes_0_back, planes_1_front, planes_1_back, planes_2_front, planes_2_back,
@@ -107,7 +107,7 @@ module quadric_processor (
         nodes_1_front_number, nodes_1_back_number, cut_number;
     reg [23:0] root_late_1 = 24'd0, root_late_2 = 24'd0, root_late_3 = 24'd0, root_late_4 = 24'd0,
         root_late_5 = 24'd0;
-    reg [6:0] valid_late = 7'd0, start_late = 7'd0, line_late = 7'd0;
+    reg [7:0] valid_late = 8'd0, start_late = 8'd0, line_late = 8'd0;
     reg [3:0] out_valid_late = 4'd0, number_late_1 = 4'd0, number_late_2 = 4'd0, number_late_3 = 4'd0,
         number_late_4 = 4'd0;
     reg signed [23:0] zf_late_1 = 24'sd0, zf_late_2 = 24'sd0, zf_late_3 = 24'sd0, zf_late_4 = 24'sd0,
@@ -117,20 +117,20 @@ module quadric_processor (
         .clock(clock), .valid(valid), .start(start), .line(line), .f1_a(f1_a), .f1_b(f1_b), .f1_c(f1_c),
         .f2_a2(f2_a2), .f2_b2(f2_b2), .f2_c(f2_c), .f2_i0(f2_i0), .f2_p0(f2_p0), .f2_f(f2_f),
         .near_sum(quadric_near_sum), .far_sum(quadric_far_sum), .root(quadric_root), .is_inside(quadric_is_inside),
-        .late_valid(quadric_late_valid), .late_start(quadric_late_start), .late_line(quadric_late_line));
+        .early_valid(quadric_early_valid), .early_start(quadric_early_start), .early_line(quadric_early_line));
 
     plane_limits planes_0 (
-        .clock(clock), .valid(quadric_late_valid), .start(quadric_late_start), .line(quadric_late_line),
+        .clock(clock), .valid(quadric_early_valid), .start(quadric_early_start), .line(quadric_early_line),
         .kind(plane_0_kind), .a(plane_0_a), .b(plane_0_b), .c(plane_0_c), .front(planes_0_front),
         .back(planes_0_back), .removed(planes_0_removed));
 
     plane_limits planes_1 (
-        .clock(clock), .valid(quadric_late_valid), .start(quadric_late_start), .line(quadric_late_line),
+        .clock(clock), .valid(quadric_early_valid), .start(quadric_early_start), .line(quadric_early_line),
         .kind(plane_1_kind), .a(plane_1_a), .b(plane_1_b), .c(plane_1_c), .front(planes_1_front),
         .back(planes_1_back), .removed(planes_1_removed));
 
     plane_limits planes_2 (
-        .clock(clock), .valid(quadric_late_valid), .start(quadric_late_start), .line(quadric_late_line),
+        .clock(clock), .valid(quadric_early_valid), .start(quadric_early_start), .line(quadric_early_line),
         .kind(plane_2_kind), .a(plane_2_a), .b(plane_2_b), .c(plane_2_c), .front(planes_2_front),
         .back(planes_2_back), .removed(planes_2_removed));
 
@@ -160,7 +160,7 @@ module quadric_processor (
         .removed(nodes_1_removed), .zf(cut_zf), .zb(cut_zb), .number(cut_number));
 
     normal_unit normal (
-        .clock(clock), .valid(valid_late[6]), .start(start_late[6]), .line(line_late[6]), .number(cut_number),
+        .clock(clock), .valid(valid_late[7]), .start(start_late[7]), .line(line_late[7]), .number(cut_number),
         .absent(cut_zf == 24'sd8388607), .root(root_late_5), .shift(shift), .gx_a(gx_a), .gx_b(gx_b), .gx_c(gx_c),
         .gy_a(gy_a), .gy_b(gy_b), .gy_c(gy_c), .gz_a(gz_a), .gz_b(gz_b), .gz_c(gz_c), .kx(kx), .ky(ky), .kz(kz),
         .plane_0_nx(plane_0_nx), .plane_0_ny(plane_0_ny), .plane_0_nz(plane_0_nz), .plane_1_nx(plane_1_nx),
@@ -180,10 +180,10 @@ module quadric_processor (
         root_late_3 <= root_late_2;
         root_late_4 <= root_late_3;
         root_late_5 <= root_late_4;
-        valid_late <= {valid_late[5:0], quadric_late_valid};
-        start_late <= {start_late[5:0], quadric_late_start};
-        line_late <= {line_late[5:0], quadric_late_line};
-        out_valid_late <= {out_valid_late[2:0], valid_late[6]};
+        valid_late <= {valid_late[6:0], quadric_early_valid};
+        start_late <= {start_late[6:0], quadric_early_start};
+        line_late <= {line_late[6:0], quadric_early_line};
+        out_valid_late <= {out_valid_late[2:0], valid_late[7]};
         zf_late_1 <= cut_zf;
         zf_late_2 <= zf_late_1;
         zf_late_3 <= zf_late_2;

@@ -85,7 +85,7 @@ pub fn processor_signals(
     let limits = end - 7 - tree_levels(planes) as usize;
     for i in 0..planes {
         let point = format!("planes_{i}.plane.value");
-        add(&format!("plane_{i}"), format.plane, limits - 1, &point);
+        add(&format!("plane_{i}"), format.plane, limits - 2, &point);
     }
     let depths = [("zf", w), ("zb", w), ("number", 4)];
     for (name, width) in depths {

@@ -59,9 +59,9 @@ pub(super) fn quadric_pe(format: Format, rows_per_stage: usize) -> Description {
     let root_latency = format.root_latency(rows_per_stage as u32) as usize;
     Description::new(any_words, move || {
         let mut zone = None;
-        let (mut late, mut late_flags) = (late(root_latency + 2), late(root_latency));
+        let (mut late, mut early) = (late(root_latency + 2), late((root_latency - 1).max(1)));
         move |i: &[i64]| {
-            let flags = late_flags.push([i[0], i[1], i[2]]);
+            let flags = early.push([i[0], i[1], i[2]]);
             let line_step = |(f1, f2): &mut (Pe1, Pe2)| {
                 f1.line_step();
                 f2.line_step();

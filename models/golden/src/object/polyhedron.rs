@@ -45,7 +45,7 @@ pub struct PolyhedronPixel {
 /// Latency in clocks from the raster flags to the outputs: pe1, saturation, tree, the two ends, what is between
 /// them, normals.
 pub fn latency(planes: usize) -> u32 {
-    tree_levels(planes) + 5
+    tree_levels(planes) + 6
 }
 
 impl PolyhedronWords {

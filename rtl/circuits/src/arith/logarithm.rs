@@ -14,19 +14,16 @@ const LOG_CURVE: Curve = Curve {
     function: |t| (1.0 + t).log2(),
     length: 1.0 / 32.0,
     fraction: 20,
-    wires: 1,
 };
 const POWER: Curve = Curve {
     function: |t| (-t).exp2(),
     length: 1.0 / 8.0,
     fraction: 17,
-    wires: 1,
 };
 const FALL: Curve = Curve {
     function: |t| (1.0 + (-t).exp2()).log2(),
     length: 0.25,
     fraction: 18,
-    wires: 1,
 };
 
 /// `log2(number)` in 28 bits, 20 of them after the point; 0 has none. The number has 20 bits at least.

@@ -18,60 +18,41 @@ pub(super) struct Curve {
     pub length: f64,
     /// Bits of the value after the point.
     pub fraction: u32,
-    /// Registers before each multiplier, for the wires that lead to it.
-    pub wires: u32,
 }
 
 /// `c0 + ((c1 + ((c2 x) >> 14)) x >> 14)` at the 14 bits `x` of a place, the coefficients chosen by the segment;
 /// shifts round down.
 ///
-/// The coefficients are constants, chosen by a tree of multiplexers. Latency 5: coefficients, product, sum, product,
-/// sum; and the registers before both multipliers. With these each coefficient is chosen when it is needed, for the
-/// number of the segment has fewer bits to keep.
+/// The coefficients are constants, chosen by a tree of multiplexers. Latency 7: coefficients, product, sum, product,
+/// sum; and a register before each multiplier, for the wires that lead to it. Each coefficient is chosen when it is
+/// needed, for the number of the segment has fewer bits to keep.
 pub(super) fn segment_curve(at: &str, segment: Bits, place: Bits, curve: &Curve) -> Int {
     let inputs = ports!(segment, place);
     module("segment_curve", at, inputs, |(segment, place)| {
-        let ([bend, slope, base], clocks) = match curve.wires {
-            0 => (at_once(segment, curve), [1, 3]),
-            wires => (in_turn(segment, curve, wires), [0, 0]),
-        };
+        let [bend, slope, base] = coefficients(segment, curve);
         let factor = |place: Bits| place.extend(FACTOR).int();
         let part = |product: Int| product.slice(PLACE + FACTOR - 1, PLACE).int();
         net! {
-            let place_1 = place.delay(1 + curve.wires);
+            let place_1 = place.delay(2);
             let kept_bend = (bend * factor(place_1)).reg();
             let place_2 = place_1.reg();
-            let slope_2 = slope.delay(clocks[0]);
+            let slope_2 = slope;
             let kept_slope = (slope_2 + part(kept_bend)).reg();
-            let place_3 = place_2.delay(1 + curve.wires);
-            let kept_rise = (kept_slope.delay(curve.wires) * factor(place_3)).reg();
+            let place_3 = place_2.delay(2);
+            let kept_rise = (kept_slope.reg() * factor(place_3)).reg();
         }
-        let late = base.delayed_as("base_late", clocks[1]);
-        ("value", (late + part(kept_rise).extend(VALUE)).reg())
+        ("value", (base + part(kept_rise).extend(VALUE)).reg())
     })
 }
 
-/// Bend, slope and base, all chosen in the first clock.
-fn at_once(segment: Bits, curve: &Curve) -> [Int; 3] {
-    let chosen = chosen("choice", segment, curve, (0, VALUE + 2 * FACTOR));
-    net! {
-        let chosen = chosen;
-        let bend = chosen.low(FACTOR).int();
-        let slope = chosen.slice(2 * FACTOR - 1, FACTOR).int();
-        let base = chosen.slice(2 * FACTOR + VALUE - 1, 2 * FACTOR).int();
-    }
-    [bend, slope, base]
-}
-
-/// The same, each chosen in the clock before its use but the first, which has the registers of its multiplier.
-fn in_turn(segment: Bits, curve: &Curve, wires: u32) -> [Int; 3] {
-    let later = segment.delayed_as("segment_late", 1 + wires);
-    let last = later.delayed_as("segment_last", 2 + wires);
+/// Bend, slope and base, each chosen in the clock before its use but the first, for the register of its multiplier.
+fn coefficients(segment: Bits, curve: &Curve) -> [Int; 3] {
+    let later = segment.delayed_as("segment_late", 2);
+    let last = later.delayed_as("segment_last", 3);
     let bend = chosen("bend_choice", segment, curve, (0, FACTOR));
     let first = curve.word(0) & ((1 << FACTOR) - 1);
-    let bend = (0..wires).fold(bend, |bend, _| bend.reg().initially(first));
     net! {
-        let bend = bend;
+        let bend = bend.reg().initially(first);
         let slope = chosen("slope_choice", later, curve, (FACTOR, FACTOR));
         let base = chosen("base_choice", last, curve, (2 * FACTOR, VALUE));
     }

@@ -33,22 +33,32 @@ pub fn show_control(at: &str, go: Bits, room: Bits, window: Window) -> Issued {
     let inputs = (ports!(go, room), window);
     module("show_control", at, inputs, |((go, room), window)| {
         let word = |value: u64| Bits::new(value, COORDINATE);
-        let last = |count: Bits| (count - word(1)).reg();
+        let before = |count: Bits| (count - word(2)).reg();
+        let flag = || Bits::register(1);
         net! {
-            let running = Bits::register(1);
+            let running = flag();
             let column = Bits::register(COORDINATE);
             let row = Bits::register(COORDINATE);
             let issue = running & room;
-            let last_column = last(window.width);
-            let last_row = last(window.height);
-            let line_ends = column.equals(last_column);
-            let zone_ends = line_ends & row.equals(last_row);
+            // Known one pixel before.
+            let in_last_column = flag();
+            let in_last_row = flag();
+            let column_before = before(window.width);
+            let row_before = before(window.height);
+            let one_column = window.width.is(1).reg();
+            let one_row = window.height.is(1).reg();
+            let line_ends = issue & in_last_column;
+            let ends = line_ends & in_last_row;
+            let column_is_last = one_column | (!go & column.equals(column_before));
+            let row_is_last = one_row | (!go & row.equals(row_before));
+            let next_column = (go | in_last_column).select(word(0), column + word(1));
+            let next_row = go.select(word(0), row + word(1));
         }
-        let ends = issue & zone_ends;
         running.load_when(go | ends, go);
-        let next_column = (go | line_ends).select(word(0), column + word(1));
         column.load_when(go | issue, next_column);
-        row.load_when(go | (issue & line_ends), go.select(word(0), row + word(1)));
+        in_last_column.load_when(go | issue, column_is_last);
+        row.load_when(go | line_ends, next_row);
+        in_last_row.load_when(go | line_ends, row_is_last);
         let place = [window.x0 + column, window.y0 + row];
         Issued {
             issue,

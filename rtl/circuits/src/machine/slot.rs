@@ -23,7 +23,7 @@ pub(super) fn slot_clocks(slot: &FittedSlot, root: &Network) -> u32 {
         Kind::Quadric => root.latency() + 11 + levels_beyond(slot.planes as usize),
         Kind::Patch => root.latency() + 9,
         Kind::FirstGeneration => root.latency() + 9,
-        Kind::Polyhedron => levels(slot.planes as usize) + 5,
+        Kind::Polyhedron => levels(slot.planes as usize) + 6,
         Kind::Facet | Kind::CurvedFacet | Kind::Cylinder => 3,
         Kind::Sphere => 4,
         Kind::Quotient => {

@@ -71,8 +71,8 @@ fn seen(scan: TileScan, words: &TileWords) -> (Bits, Bits) {
     let [a, b, c, d, e, f] = words.f2;
     let f2 = [2 * a, 2 * b, c, e + b, d + a, f].map(|word| constant(word, widths.quadratic));
     let f = (linear(words.f1, widths.linear), Quadratic::of(f2));
-    let (depths, late) = quadric_pe("quadric", scan.flags, f, root);
-    let late = late.delayed(1);
+    let (depths, early) = quadric_pe("quadric", scan.flags, f, root);
+    let late = early.delayed(2);
     let roots = Roots {
         near_sum: depths.near_sum,
         far_sum: depths.far_sum,

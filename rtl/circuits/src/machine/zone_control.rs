@@ -4,15 +4,15 @@ use super::{Beat, COORDINATE, Window, WordBus};
 use imogene_contract::command_stream::{
     COMMAND, DRAW, LIGHT, OBJECT_WORD, ORIGIN, SHOW, SIZE, VOLUME_WORD,
 };
-use imogene_hdl::{Bits, Bundle, Value, bundle, bundles, module, net};
+use imogene_hdl::{Bits, Bundle, Int, Value, bundle, bundles, module, net};
 
 bundle! {
     /// The pass over a zone.
     Pass() {
-        begin_pass: Bits(1), "a pass begins, when all words have reached their stores: counters to zero, words are taken over";
-        take_objects: Bits(1), "a drawing pass begins";
-        take_volumes: Bits(1), "a lighting pass begins";
-        go: Bits(1), "one clock later: the raster of a drawing or lighting pass starts";
+        begin_pass: Bits(1), "a pass begins, when all words have reached their stores: counters to zero";
+        take_objects: Bits(1), "one clock later: a drawing pass takes its words";
+        take_volumes: Bits(1), "one clock later: a lighting pass takes its words";
+        go: Bits(1), "the raster of a drawing or lighting pass starts";
         show_go: Bits(1), "one clock later: a showing pass starts";
         is_drawing: Bits(1), "a drawing pass runs";
         is_lighting: Bits(1), "a lighting pass runs";
@@ -55,7 +55,10 @@ pub fn zone_control(at: &str, beat: Beat, pass_ends: Bits, waits: Waits) -> Cont
     module("zone_control", at, inputs, |(beat, pass_ends)| {
         let (kind, address, data) = (beat.tdest, beat.tuser.low(16), beat.tdata);
         let flag = || Bits::register(1);
-        let counter = |clocks: u32| Bits::register(clocks.max(1).ilog2() + 1);
+        let counter = |clocks: u32| {
+            let width = clocks.max(1).ilog2() + 2;
+            Int::register(width).initially((1 << width) - 1)
+        };
         net! {
             let is_drawing = flag();
             let is_lighting = flag();
@@ -65,8 +68,8 @@ pub fn zone_control(at: &str, beat: Beat, pass_ends: Bits, waits: Waits) -> Cont
             let is_coefficient = kind.is(OBJECT_WORD) | kind.is(VOLUME_WORD);
             let is_idle = !(is_drawing | is_lighting | is_showing);
             let is_command = kind.is(COMMAND);
-            let may_end = is_idle & (is_command | draining.is(0));
-            let is_ready = is_coefficient.select(settling.is(0), may_end);
+            let may_end = is_idle & (is_command | draining.is_negative());
+            let is_ready = is_coefficient.select(settling.is_negative(), may_end);
             let taken = beat.tvalid & is_ready;
             let is_obeyed = taken & is_command;
         }
@@ -88,18 +91,22 @@ pub fn zone_control(at: &str, beat: Beat, pass_ends: Bits, waits: Waits) -> Cont
         count_down(settling, settles, waits.settle);
         count_down(draining, pass_ends & is_showing, waits.drain);
         let shown = |high: u32, low: u32| data.slice(high, low).reg_when(shows);
-        let low = |command: u64| data.low(COORDINATE).reg_when(obeyed(command));
-        let upper = data.slice(2 * COORDINATE - 1, COORDINATE);
-        let high = |command: u64| upper.reg_when(obeyed(command));
         let tvalid = taken;
+        let load = WordBus::of(Beat { tvalid, ..beat }).registered();
+        // So many registers stand far away: the window follows a clock later, in time for the pass after it.
+        net! { let was_obeyed = is_obeyed.reg(); }
+        let coordinate = |command: u64, low: u32| {
+            let is_set = was_obeyed & load.address.is(command);
+            load.data.slice(low + COORDINATE - 1, low).reg_when(is_set)
+        };
         Control {
             ready: is_ready,
-            load: WordBus::of(Beat { tvalid, ..beat }).registered(),
+            load,
             pass: Pass {
                 begin_pass: begins,
-                take_objects: begins & is_drawing,
-                take_volumes: begins & is_lighting,
-                go: (begins & (is_drawing | is_lighting)).reg(),
+                take_objects: (begins & is_drawing).reg(),
+                take_volumes: (begins & is_lighting).reg(),
+                go: begins & (is_drawing | is_lighting),
                 show_go: (begins & is_showing).reg(),
                 is_drawing,
                 is_lighting,
@@ -110,19 +117,18 @@ pub fn zone_control(at: &str, beat: Beat, pass_ends: Bits, waits: Waits) -> Cont
                 sample: shown(8, 3),
             },
             window: Window {
-                x0: low(ORIGIN),
-                y0: high(ORIGIN),
-                width: low(SIZE),
-                height: high(SIZE),
+                x0: coordinate(ORIGIN, 0),
+                y0: coordinate(ORIGIN, COORDINATE),
+                width: coordinate(SIZE, 0),
+                height: coordinate(SIZE, COORDINATE),
             },
         }
     })
 }
 
-/// A counter that is set to so many clocks and goes down to 0.
-fn count_down(counter: Bits, starts: Bits, clocks: u32) {
-    let width = counter.width();
-    let less = counter - Bits::new(1, width);
-    let next = starts.select(Bits::new(clocks.into(), width), less);
-    counter.load_when(starts | !counter.is(0), next);
+/// A counter that goes down through so many clocks until its sign says that they are over.
+fn count_down(counter: Int, starts: Bits, clocks: u32) {
+    let word = |value: i64| Int::new(value, counter.width());
+    let next = starts.select(word(i64::from(clocks) - 1), counter - word(1));
+    counter.load_when(starts | !counter.is_negative(), next);
 }

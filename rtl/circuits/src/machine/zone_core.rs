@@ -123,7 +123,8 @@ pub fn zone_core(at: &str, beat: Beat, room: Bits, machine: &ZoneCore, drain: u3
             let Raster { mut scan, last } = raster;
             scan.flags.valid = scan.flags.valid & runs;
             let last = last & runs;
-            Raster { scan, last }
+            // So many processors want registers of their own to start from.
+            Raster { scan, last }.registered()
         };
         let (draw, light) = (of(pass.is_drawing), of(pass.is_lighting));
         let show = show_control("show", pass.show_go, room, window);

@@ -44,7 +44,8 @@ pub fn first_generation_processor(
     object_processor(KIND, at, (scan, words), |scan, words| {
         let quadric = words.quadric;
         let f = (quadric.f1, quadric.f2);
-        let (roots, root, late) = roots(scan, quadric.screen_box, f, network);
+        let (roots, root, early) = roots(scan, quadric.screen_box, f, network);
+        let late = early.delayed(1);
         let holds = |value: Int| !value.is_negative();
         // A clock behind the planes, whose depths are clamped: no flag begins all polynomials at once.
         let later = late.delayed(1);

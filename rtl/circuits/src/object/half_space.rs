@@ -45,7 +45,7 @@ impl HalfSpace {
         }
     }
 
-    /// What it leaves with a number of its face, 2 clocks after its flags.
+    /// What it leaves with a number of its face, 3 clocks after its flags.
     pub(super) fn limits(self, at: &str, flags: Flags, depth: u32, number: u64) -> Limits {
         let (front, back, removed) = plane_limits(at, flags, self, depth);
         let number = Bits::new(number, 4);
@@ -62,22 +62,23 @@ impl HalfSpace {
 /// A plane by a PE1, clamped to a depth word as that of [`plane_depth`], as a front limit, a back one, or 1 where it
 /// removes the pixel. Where it is no such plane, a depth that loses to every other.
 ///
-/// Latency 2. Section 2.4.2.
+/// Latency 3. Section 2.4.2.
 fn plane_limits(at: &str, flags: Flags, words: HalfSpace, depth: u32) -> (Int, Int, Bits) {
     let inputs = (flags, ("", words));
     module("plane_limits", at, inputs, |(flags, words)| {
         let plane = pe1("plane", flags, words.linear);
         let [lowest, last] = [end(saturated_near, depth), absent(depth)];
         net! {
-            let is_in_word = fits(plane, depth);
-            let saturated = plane.is_negative().select(lowest, last);
-            let clamped = is_in_word.select(plane.low(depth), saturated);
+            let is_in_word = fits(plane, depth).reg();
+            let is_before = plane.is_negative().reg();
+            let near_word = plane.low(depth).reg();
+            let clamped = is_in_word.select(near_word, is_before.select(lowest, last));
         }
         let is = |kind: u64| words.kind.is(kind);
         (
             ("front", is(FRONT_PLANE).select(clamped, lowest).reg()),
             ("back", is(BACK_PLANE).select(clamped, last).reg()),
-            ("removed", (is(PERPENDICULAR) & plane.is_negative()).reg()),
+            ("removed", (is(PERPENDICULAR) & is_before).reg()),
         )
     })
 }

@@ -22,7 +22,7 @@ impl Limits {
     }
 
     /// Those of planes: a tree over the greatest depth of the front planes and the least of the back planes. At equal
-    /// depths the smaller index wins. `2 + ceil(log2 planes)` clocks after the flags.
+    /// depths the smaller index wins. `3 + ceil(log2 planes)` clocks after the flags.
     pub(crate) fn of(flags: Flags, planes: &[HalfSpace], depth: u32) -> Limits {
         if planes.is_empty() {
             return Limits::none(depth);

@@ -29,7 +29,8 @@ pub fn patch_processor(at: &str, scan: Scan, words: Patch, network: Network) -> 
     object_processor(KIND, at, (scan, words), |scan, words| {
         let quadric = words.quadric;
         let f = (quadric.f1, quadric.f2);
-        let (roots, root, late) = roots(scan, quadric.screen_box, f, network);
+        let (roots, root, early) = roots(scan, quadric.screen_box, f, network);
+        let late = early.delayed(1);
         let planes = numbered("planes", words.planes);
         let planes = planes.map(|(at, plane)| plane.at(&at, late, network.depth));
         let seen = patch_decider("decider", roots, planes.collect());

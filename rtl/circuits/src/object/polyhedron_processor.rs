@@ -37,7 +37,7 @@ bundles! {
 /// For every pixel the front and back depth of a convex solid of planes, with faces and normals; the normal of an end
 /// of the depth word is the direction to it.
 ///
-/// A solid without thickness is there. Latency `ceil(log2 planes) + 5`. The words stay unchanged until that many clocks
+/// A solid without thickness is there. Latency `ceil(log2 planes) + 6`. The words stay unchanged until that many clocks
 /// after the last flags of a zone. Annex A.
 pub fn polyhedron_processor(at: &str, scan: Scan, words: Polyhedron, depth: u32) -> BothFaces {
     let inputs = (scan, words);
@@ -46,7 +46,7 @@ pub fn polyhedron_processor(at: &str, scan: Scan, words: Polyhedron, depth: u32)
         let limits = Limits::of(scan.flags, &planes, depth);
         let levels = levels(words.planes.len());
         let in_box = words.screen_box.contains(scan.pixel);
-        let in_box = in_box.delayed_as("in_box_late", levels + 2);
+        let in_box = in_box.delayed_as("in_box_late", levels + 3);
         let kept = half_spaces("half_spaces", limits, in_box);
         let normals: Vec<Normal> = words.planes.iter().map(|plane| plane.normal).collect();
         let normal = |at: &str, number: Bits, sign: i64| {
@@ -54,7 +54,7 @@ pub fn polyhedron_processor(at: &str, scan: Scan, words: Polyhedron, depth: u32)
             let end_nz = Int::new(sign * ((1 << (width - 1)) - 1), width);
             plane_normal(at, number, end_nz, &normals)
         };
-        let out_valid = scan.flags.valid.delayed_as("valid_late", levels + 5);
+        let out_valid = scan.flags.valid.delayed_as("valid_late", levels + 6);
         let seen = kept.seen().delayed(1);
         BothFaces {
             front: seen.front(out_valid),

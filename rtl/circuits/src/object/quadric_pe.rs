@@ -16,8 +16,8 @@ bundle! {
 }
 
 /// `f1 - r` and `f1 + r` with `r = floor(sqrt(f2))`, or an approximation: a PE2, the root network behind it, and a PE1
-/// started late enough to meet the root. With it the flags as the PE1 has them. What f1 has beyond the bits of a depth
-/// and f2 beyond two for each row are guard bits below the last one: they are dropped, rounding down.
+/// started late enough to meet the root. With it the flags a clock before the PE1 has them. What f1 has beyond the bits
+/// of a depth and f2 beyond two for each row are guard bits below the last one: they are dropped, rounding down.
 ///
 /// Latency that of the network and 2. With an iterative root flags with a pixel are as many clocks apart as it has
 /// digits, or more. Section 2.4.2.
@@ -33,8 +33,8 @@ pub fn quadric_pe(
     module("quadric_pe", at, inputs, |(flags, f1, f2)| {
         let (stages, sum) = (network.latency(), depth_sum(network.depth));
         let f2 = pe2("f2", flags, f2);
-        let late = flags.delayed(stages);
-        let f1 = pe1("f1", late, f1).high(sum);
+        let early = flags.delayed(stages - 1);
+        let f1 = pe1("f1", early.delayed(1), f1).high(sum);
         // Without its sign, which says that the root means nothing: the first row has one place less to look at.
         let radicand = f2.high(2 * network.rows).low(2 * network.rows - 1).bits();
         let radicand = radicand.extend(2 * network.rows);
@@ -54,7 +54,7 @@ pub fn quadric_pe(
             root: kept_root,
             is_inside: !is_outside,
         };
-        let meaning = "flags ceil(W / R) clocks later, for a PE1 that is to meet the sums";
-        (depths, ("late", late, meaning))
+        let meaning = "flags 3 clocks before the sums, for planes that are to meet them";
+        (depths, ("early", early, meaning))
     })
 }

@@ -28,13 +28,13 @@ pub fn quadric_processor(at: &str, scan: Scan, words: Words, network: Network) -
     object_processor(KIND, at, (scan, words), |scan, words| {
         let quadric = words.quadric;
         let f = (quadric.f1, quadric.f2);
-        let (roots, root, late) = roots(scan, quadric.screen_box, f, network);
+        let (roots, root, early) = roots(scan, quadric.screen_box, f, network);
         let (found, normal) = ((roots, root), (quadric.gradients, quadric.shift));
-        cut_by_planes(late, found, words.object_class, normal, words.planes)
+        cut_by_planes(early, found, words.object_class, normal, words.planes)
     })
 }
 
-/// What planes leave of a quadric, from the flags of two clocks before its roots and what changes its normal, which
+/// What planes leave of a quadric, from the flags of three clocks before its roots and what changes its normal, which
 /// come together. Latency 9 from the roots, and [`levels_beyond`].
 pub(super) fn cut_by_planes(
     flags: Flags,
@@ -51,5 +51,5 @@ pub(super) fn cut_by_planes(
     let limits = Limits::of(start, &half_spaces, roots.depth());
     let seen = quadric_cut("cut", roots.delayed(wait), object_class, limits);
     let root = root.delayed_as("root_late", 5 + wait);
-    visible(flags.delayed(7 + wait), seen, root, words)
+    visible(flags.delayed(8 + wait), seen, root, words)
 }

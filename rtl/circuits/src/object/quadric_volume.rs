@@ -3,7 +3,7 @@
 use super::{Answer, Bounds, Network, Roots, VolumePoint, Widths, roots};
 use crate::raster::{Linear, Quadratic, Scan};
 use imogene_contract::words::{FRONT, PRISM, SIDE};
-use imogene_hdl::{Bits, Int, Value, bundles, module, net};
+use imogene_hdl::{Bits, Bundle, Int, Value, bundles, module, net};
 
 bundles! {
     /// Words of a volume of a quadric and planes.
@@ -34,7 +34,8 @@ pub fn quadric_volume(
     let inputs = (scan, point, words);
     module("quadric_volume", at, inputs, |(scan, point, words)| {
         let f = (words.f1, words.f2);
-        let (roots, _, late) = roots(scan, words.bounds.screen_box, f, network);
+        let (roots, _, early) = roots(scan, words.bounds.screen_box, f, network);
+        let late = early.delayed(1);
         // A depth of the quadric is at or before another one exactly if it is at or before that one rounded down to
         // its unit.
         let depths = point.depths();

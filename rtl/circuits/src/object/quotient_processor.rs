@@ -67,9 +67,9 @@ pub fn quotient_processor(at: &str, scan: Scan, words: Quotient, network: Networ
             in_box: in_box.delayed_as("in_box_late", clocks + 2),
         };
         let normal = (words.gradients, words.shift);
-        let late = scan.flags.delayed(clocks);
+        let early = scan.flags.delayed(clocks - 1);
         let found = (roots, kept_behind.bits());
-        cut_by_planes(late, found, object_class, normal, words.planes)
+        cut_by_planes(early, found, object_class, normal, words.planes)
     })
 }
 

@@ -21,7 +21,7 @@ impl Roots {
     }
 }
 
-/// Both depths of a quadric beside the test of its screen box; with them the root, and the flags two clocks before.
+/// Both depths of a quadric beside the test of its screen box; with them the root, and the flags three clocks before.
 ///
 /// Latency `ceil(rows / rows_per_stage) + 2`.
 pub(super) fn roots(
@@ -30,7 +30,7 @@ pub(super) fn roots(
     words: (Linear, Quadratic),
     network: Network,
 ) -> (Roots, Bits, Flags) {
-    let (depths, late) = quadric_pe("quadric", scan.flags, words, network);
+    let (depths, early) = quadric_pe("quadric", scan.flags, words, network);
     let in_box = screen_box.contains(scan.pixel);
     let roots = Roots {
         near_sum: depths.near_sum,
@@ -38,5 +38,5 @@ pub(super) fn roots(
         is_inside: depths.is_inside,
         in_box: in_box.delayed_as("in_box_late", network.latency() + 2),
     };
-    (roots, depths.root, late)
+    (roots, depths.root, early)
 }

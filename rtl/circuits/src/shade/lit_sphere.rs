@@ -23,7 +23,7 @@ const COORDINATE: u32 = 16;
 /// Bits of the length of a normal of full words, the sum of its components without their signs.
 const LENGTH: u32 = 17;
 /// Clock of a pixel at which its entries are asked for.
-const ASKED: u32 = 23;
+const ASKED: u32 = 25;
 
 /// The tables of [`lit_sphere`] and of [`lit_sphere_nearest`].
 #[derive(Clone, Debug)]
@@ -53,7 +53,7 @@ bundles! {
 /// the normal: all lights and the viewer count as infinitely far. Which lights reach it says the number of the table.
 /// Between the entries of the octahedral map colours are of first degree in each of the two triangles of a cell.
 ///
-/// Latency 31. Words stay unchanged while pixels are inside. Section 8.4 of the architecture.
+/// Latency 33. Words stay unchanged while pixels are inside. Section 8.4 of the architecture.
 pub fn lit_sphere(at: &str, point: SpherePoint, load: ShadingLoad, tables: &Tables) -> Shaded {
     let inputs = (point, ("load", load));
     module("lit_sphere", at, inputs, |(point, load)| {
@@ -280,12 +280,12 @@ fn turned(normal: Normal, ray: Vector) -> [Bits; 3] {
     [length, late_sum.bits(), late_difference.bits()]
 }
 
-/// The cell of a direction in tables of this size. Latency 10.
+/// The cell of a direction in tables of this size. Latency 12.
 fn map_cell(at: &str, facing: Facing, places: u32) -> Cell {
     module("map_cell", at, facing, |facing| {
         let part = reciprocal("reciprocal", facing.length.low(COORDINATE));
         let place = |name: &str, number: Int| {
-            let late = number.delayed_as(&format!("{name}_late"), 5);
+            let late = number.delayed_as(&format!("{name}_late"), 7);
             let product = (late * part).reg().named(&format!("{name}_product"));
             let middle = Int::new(1 << (COORDINATE - 1), product.width() - LENGTH);
             let moved = product.slice(product.width() - 1, LENGTH).int() + middle;

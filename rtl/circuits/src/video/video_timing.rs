@@ -106,22 +106,33 @@ fn video_scan(at: &str, enable: Bits, mode: &VideoMode, ahead: u64) -> Scan {
     module("video_scan", at, ("enable", enable), |enable| {
         let (line, frame) = (mode.line, mode.frame);
         let begin = ahead % (line.total() * frame.total());
+        let [column_0, row_0] = [begin % line.total(), begin / line.total()];
         let position = |begin: u64| Bits::register(POSITION).initially(begin);
+        let flag = |begin: bool| Bits::register(1).initially(begin.into());
         let word = |value: u64| Bits::new(value, POSITION);
         net! {
-            let column = position(begin % line.total());
-            let row = position(begin / line.total());
+            let column = position(column_0);
+            let row = position(row_0);
             // Known one clock before.
-            let line_ends = Bits::register(1).initially(u64::from(begin % line.total() == line.total() - 1));
+            let line_ends = flag(column_0 == line.total() - 1);
+            let is_left = flag(column_0 == line.blank());
+            let is_top = flag(row_0 == frame.blank());
+            let in_line = flag(column_0 >= line.blank());
+            let in_frame = flag(row_0 >= frame.blank());
+            let left_comes = column.is(line.blank() - 1);
+            let top_comes = row.is(frame.blank() - 1);
             let frame_ends = row.is(frame.total() - 1);
             let next_row = frame_ends.select(word(0), row + word(1));
-            let is_shown = !(column.less(word(line.blank())) | row.less(word(frame.blank())));
-            let is_left = column.is(line.blank());
-            let is_top = row.is(frame.blank());
+            let row_ends = enable & line_ends;
+            let is_shown = in_line & in_frame;
         }
         line_ends.load_when(enable, column.is(line.total() - 2));
         column.load_when(enable, line_ends.select(word(0), column + word(1)));
-        row.load_when(enable, line_ends.select(next_row, row));
+        row.load_when(row_ends, next_row);
+        is_left.load_when(enable, left_comes);
+        is_top.load_when(row_ends, top_comes);
+        in_line.load_when(enable & (left_comes | line_ends), left_comes);
+        in_frame.load_when(row_ends & (top_comes | frame_ends), top_comes);
         let pixel = |position: Bits, blank: u64| {
             let place = (position - word(blank)).low(COORDINATE);
             let none = Bits::new(0, COORDINATE);
