@@ -59,6 +59,7 @@ pub(super) fn quadric_pe(format: Format, rows_per_stage: usize) -> Description {
     let root_latency = format.root_latency(rows_per_stage as u32) as usize;
     Description::new(any_words, move || {
         let mut zone = None;
+        // Outputs are read behind the edge: a flag without a register stands where one with a register would.
         let (mut late, mut early) = (late(root_latency + 2), late((root_latency - 1).max(1)));
         move |i: &[i64]| {
             let flags = early.push([i[0], i[1], i[2]]);

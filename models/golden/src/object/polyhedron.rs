@@ -42,7 +42,7 @@ pub struct PolyhedronPixel {
     pub back_normal: [i16; 3],
 }
 
-/// Latency in clocks from the raster flags to the outputs: pe1, saturation, tree, the two ends, what is between
+/// Latency in clocks from the raster flags to the outputs: pe1, saturation in two, tree, the two ends, what is between
 /// them, normals.
 pub fn latency(planes: usize) -> u32 {
     tree_levels(planes) + 6
