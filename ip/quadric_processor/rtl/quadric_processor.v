@@ -97,7 +97,7 @@ module quadric_processor (
 );
 
     wire signed [25:0] quadric_near_sum, quadric_far_sum;
-    wire [23:0] quadric_root;
+    wire [23:0] quadric_root, shifted_root;
     wire quadric_is_inside, quadric_early_valid, quadric_early_start, quadric_early_line, in_box, planes_0_removed,
         planes_1_removed, planes_2_removed, nodes_0_removed, registers_0_removed, nodes_1_removed;
     reg [25:0] in_box_late = 26'd0;
@@ -105,9 +105,9 @@ module quadric_processor (
         nodes_0_front, nodes_0_back, registers_0_front, registers_0_back, nodes_1_front, nodes_1_back, cut_zf, cut_zb;
     wire [3:0] nodes_0_front_number, nodes_0_back_number, registers_0_front_number, registers_0_back_number,
         nodes_1_front_number, nodes_1_back_number, cut_number;
-    reg [23:0] root_late_1 = 24'd0, root_late_2 = 24'd0, root_late_3 = 24'd0, root_late_4 = 24'd0,
-        root_late_5 = 24'd0;
     reg [7:0] valid_late = 8'd0, start_late = 8'd0, line_late = 8'd0;
+    reg [14:0] scaled_root_1 = 15'd0, scaled_root_2 = 15'd0, scaled_root_3 = 15'd0, scaled_root_4 = 15'd0,
+        scaled_root_5 = 15'd0;
     reg [3:0] out_valid_late = 4'd0, number_late_1 = 4'd0, number_late_2 = 4'd0, number_late_3 = 4'd0,
         number_late_4 = 4'd0;
     reg signed [23:0] zf_late_1 = 24'sd0, zf_late_2 = 24'sd0, zf_late_3 = 24'sd0, zf_late_4 = 24'sd0,
@@ -161,28 +161,30 @@ module quadric_processor (
 
     normal_unit normal (
         .clock(clock), .valid(valid_late[7]), .start(start_late[7]), .line(line_late[7]), .number(cut_number),
-        .absent(cut_zf == 24'sd8388607), .root(root_late_5), .shift(shift), .gx_a(gx_a), .gx_b(gx_b), .gx_c(gx_c),
+        .absent(cut_zf == 24'sd8388607), .scaled_root(scaled_root_5), .gx_a(gx_a), .gx_b(gx_b), .gx_c(gx_c),
         .gy_a(gy_a), .gy_b(gy_b), .gy_c(gy_c), .gz_a(gz_a), .gz_b(gz_b), .gz_c(gz_c), .kx(kx), .ky(ky), .kz(kz),
         .plane_0_nx(plane_0_nx), .plane_0_ny(plane_0_ny), .plane_0_nz(plane_0_nz), .plane_1_nx(plane_1_nx),
         .plane_1_ny(plane_1_ny), .plane_1_nz(plane_1_nz), .plane_2_nx(plane_2_nx), .plane_2_ny(plane_2_ny),
         .plane_2_nz(plane_2_nz), .nx(nx), .ny(ny), .nz(nz));
 
     assign in_box = (((x >= box_x0) & (box_x1 >= x)) & (y >= box_y0)) & (box_y1 >= y);
+    assign shifted_root = quadric_root >> shift;
     assign out_valid = out_valid_late[3];
     assign zf = zf_late_4;
     assign zb = zb_late_4;
     assign number = number_late_4;
+    wire unused = &{1'b0, shifted_root[23:15]};
 
     always @(posedge clock) begin
         in_box_late <= {in_box_late[24:0], in_box};
-        root_late_1 <= quadric_root;
-        root_late_2 <= root_late_1;
-        root_late_3 <= root_late_2;
-        root_late_4 <= root_late_3;
-        root_late_5 <= root_late_4;
         valid_late <= {valid_late[6:0], quadric_early_valid};
         start_late <= {start_late[6:0], quadric_early_start};
         line_late <= {line_late[6:0], quadric_early_line};
+        scaled_root_1 <= shifted_root[14:0];
+        scaled_root_2 <= scaled_root_1;
+        scaled_root_3 <= scaled_root_2;
+        scaled_root_4 <= scaled_root_3;
+        scaled_root_5 <= scaled_root_4;
         out_valid_late <= {out_valid_late[2:0], valid_late[7]};
         zf_late_1 <= cut_zf;
         zf_late_2 <= zf_late_1;

@@ -82,7 +82,8 @@ pub fn design(p: &Request) -> Design {
         }),
         Unit::NormalUnit => alone(|| {
             let words = NormalWords::input(widths, planes);
-            normal_unit("top", Flags::input(), Face::input(depth), words)
+            let root = scaled_root_width(depth, widths.normal);
+            normal_unit("top", Flags::input(), Face::input(root), words)
         }),
         Unit::QuadricProcessor => alone(|| {
             let words = Words::input(widths, planes);

@@ -263,7 +263,7 @@ units! {
         computes "the colour of every pixel by Phong shading under several lights";
         ties "a normal at a right angle to the line of sight is not turned; a light in the plane of the surface adds nothing; half a level is rounded up";
         error "within one level of 8 bits of the formula in real numbers on the same integer words (docs/shading.md)";
-    LitSphere "lit_sphere" [TABLE_PLACES, TABLES] "33", "one pixel per clock, without a bubble; words change only when the pipeline has drained", "architecture, 8.4";
+    LitSphere "lit_sphere" [TABLE_PLACES, TABLES] "36", "one pixel per clock, without a bubble; words change only when the pipeline has drained", "architecture, 8.4";
         computes "the colour of every pixel from a table of the direction of its normal, one for each material and each way in which lights reach it";
         ties "a normal at a right angle to the line of sight is not turned; half a level is rounded up";
         error "measured in docs/shading.md: lights and viewer count as infinitely far, and between entries colours are of first degree";

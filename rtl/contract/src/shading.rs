@@ -3,7 +3,7 @@
 /// Clocks from a pixel to its colour.
 pub const LATENCY: usize = 64;
 /// The same of lit-sphere shading.
-pub const LIT_SPHERE_LATENCY: u32 = 33;
+pub const LIT_SPHERE_LATENCY: u32 = 36;
 /// The same of tables of `2^places` by `2^places` entries, between them or of the nearest one.
 pub const fn table_latency(places: u32, nearest: bool) -> u32 {
     if nearest {

@@ -20,10 +20,9 @@ mod port {
     pub const NUMBER: usize = 3;
     pub const ABSENT: usize = 4;
     pub const ROOT: usize = 5;
-    pub const SHIFT: usize = 6;
-    pub const WORDS: usize = 7;
-    pub const FACTORS: usize = 16;
-    pub const PLANES: usize = 19;
+    pub const WORDS: usize = 6;
+    pub const FACTORS: usize = 15;
+    pub const PLANES: usize = 18;
 }
 
 pub(super) fn normal_unit(planes: usize) -> Description {
@@ -37,8 +36,7 @@ pub(super) fn normal_unit(planes: usize) -> Description {
 /// The normal of a clock with a pixel.
 fn normal(g: &mut Option<[Pe1; 3]>, i: &[i64], planes: usize) -> Option<[i64; 3]> {
     let format = &Format::BASE;
-    let mut words = read(&i[port::WORDS..], format, Ports::normal);
-    words.shift = i[port::SHIFT] as u8;
+    let words = read(&i[port::WORDS..], format, Ports::normal);
     let start = || words.g.map(|g| Pe1::object_start(&g, 24));
     let g = scan(g, i, start, |g| g.iter_mut().for_each(Pe1::line_step))?;
     let linear = g.each_mut().map(|pe| pe.pixel() as i64);
@@ -61,7 +59,7 @@ fn low_bit(width: u32) -> impl Strategy<Value = u32> {
 /// Half of the stimuli have words where a product decides by its lowest bit: factors and roots of one bit, and a `g`
 /// whose low bits are those of `c` alone, often all of them 0 or 1.
 fn words_held(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
-    let held: Vec<_> = subject.inputs[port::SHIFT..].iter().map(word).collect();
+    let held: Vec<_> = subject.inputs[port::WORDS..].iter().map(word).collect();
     let linear = &subject.inputs[port::WORDS..port::FACTORS];
     let linear: Vec<_> = linear.iter().map(word).collect();
     let root = &subject.inputs[port::ROOT];
@@ -78,13 +76,11 @@ fn words_held(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let factor = (low_bit(width - 1), any::<bool>());
     let factor = factor.prop_map(|(bit, negate)| if negate { -(1i64 << bit) } else { 1 << bit });
     let factor = factor.boxed();
-    let shift = prop_oneof![Just(0i64), 0i64..4];
-    let exact = proptest::option::of((shift, [factor.clone(), factor.clone(), factor]));
+    let exact = proptest::option::of([factor.clone(), factor.clone(), factor]);
     (held, exact, proptest::collection::vec(moving, clocks))
         .prop_map(|(mut held, exact, list)| {
-            if let Some((shift, factors)) = exact {
-                held[0] = shift;
-                held[port::FACTORS - port::SHIFT..][..3].copy_from_slice(&factors);
+            if let Some(factors) = exact {
+                held[port::FACTORS - port::WORDS..][..3].copy_from_slice(&factors);
             }
             let clock = |(flags, number, absent, root, mut linear, low)| {
                 let (flags, linear): ([i64; 3], &mut Vec<i64>) = (flags, &mut linear);
@@ -93,8 +89,8 @@ fn words_held(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
                     let c = linear.iter_mut().skip(2).step_by(3);
                     c.for_each(|word| *word |= low);
                 }
-                let words = [&linear[..], &held[port::FACTORS - port::SHIFT..]].concat();
-                [&flags[..], &[number, absent, root, held[0]], &words].concat()
+                let words = [&linear[..], &held[port::FACTORS - port::WORDS..]].concat();
+                [&flags[..], &[number, absent, root], &words].concat()
             };
             let mut list: Vec<Inputs> = list.into_iter().map(clock).collect();
             list[0][..3].copy_from_slice(&[1, 1, 0]);

@@ -7,7 +7,7 @@ use crate::culling::volume::volume_with_planes;
 use imogene_contract::shading::MOST_MATERIALS;
 use imogene_contract::slots::FittedSlot;
 use imogene_golden::machine::zone::ID_BITS;
-use imogene_golden::machine::zone::beat::{Beat, ID_ADDRESS, command, kind};
+use imogene_golden::machine::zone::beat::{Beat, OBJECT_ID, command, kind};
 use imogene_golden::object::load::{LoadWord, load_words};
 use imogene_golden::object::load_slot::load_slot;
 use imogene_golden::object::load_volume::load_volume;
@@ -126,7 +126,7 @@ fn beat(kind: u8, unit: usize) -> impl Fn(LoadWord) -> Beat {
 }
 
 fn id(unit: usize, id: u64) -> Beat {
-    Beat::new(kind::OBJECT, unit as u8, ID_ADDRESS, id)
+    Beat::new(kind::OBJECT, unit as u8, OBJECT_ID, id)
 }
 
 fn command_of(pass: &Pass, zone: &Zone) -> Beat {

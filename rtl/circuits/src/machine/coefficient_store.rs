@@ -103,7 +103,7 @@ impl LoadBus {
 
     /// The id of the object, written to its own address on the bus, as it was taken over.
     pub fn held_id(self, take: Bits) -> Bits {
-        net! { let next_id = self.bits(OBJECT_ID, 11, 0); }
+        net! { let next_id = self.bits(OBJECT_ID.into(), 11, 0); }
         next_id.reg_when(take)
     }
 

@@ -1,7 +1,7 @@
 //! Words on their way to the processors of a machine.
 
 use super::{Load, VolumeLoad};
-use imogene_contract::command_stream::{MATERIAL_WORD, OBJECT_WORD, SHADING_WORD, VOLUME_WORD};
+use imogene_contract::command_stream::kind;
 use imogene_hdl::{Bits, Bundle, Value, bundle, module, net};
 
 bundle! {
@@ -28,12 +28,12 @@ bundle! {
 impl WordBus {
     /// The word of a beat.
     pub fn of(beat: Beat) -> WordBus {
-        let is = |kind: u64| beat.tvalid & beat.tdest.is(kind);
+        let is = |kind: u8| beat.tvalid & beat.tdest.is(kind.into());
         WordBus {
-            object: is(OBJECT_WORD),
-            volume: is(VOLUME_WORD),
-            shading: is(SHADING_WORD),
-            material: is(MATERIAL_WORD),
+            object: is(kind::OBJECT),
+            volume: is(kind::VOLUME),
+            shading: is(kind::SHADING),
+            material: is(kind::MATERIAL),
             unit: beat.tuser.slice(23, 16),
             address: beat.tuser.low(16),
             data: beat.tdata,

@@ -1,9 +1,7 @@
 //! Carries out the command stream of a zone machine.
 
 use super::{Beat, COORDINATE, Window, WordBus};
-use imogene_contract::command_stream::{
-    COMMAND, DRAW, LIGHT, OBJECT_WORD, ORIGIN, SHOW, SIZE, VOLUME_WORD,
-};
+use imogene_contract::command_stream::{command, kind};
 use imogene_hdl::{Bits, Bundle, Int, Value, bundle, bundles, module, net};
 
 bundle! {
@@ -53,7 +51,8 @@ pub struct Waits {
 pub fn zone_control(at: &str, beat: Beat, pass_ends: Bits, waits: Waits) -> Control {
     let inputs = (("s", beat), ("pass_ends", pass_ends));
     module("zone_control", at, inputs, |(beat, pass_ends)| {
-        let (kind, address, data) = (beat.tdest, beat.tuser.low(16), beat.tdata);
+        let (address, data) = (beat.tuser.low(16), beat.tdata);
+        let is = |kind: u8| beat.tdest.is(kind.into());
         let flag = || Bits::register(1);
         let counter = |clocks: u32| {
             let width = clocks.max(1).ilog2() + 2;
@@ -65,19 +64,19 @@ pub fn zone_control(at: &str, beat: Beat, pass_ends: Bits, waits: Waits) -> Cont
             let is_showing = flag();
             let settling = counter(waits.settle);
             let draining = counter(waits.drain);
-            let is_coefficient = kind.is(OBJECT_WORD) | kind.is(VOLUME_WORD);
+            let is_coefficient = is(kind::OBJECT) | is(kind::VOLUME);
             let is_idle = !(is_drawing | is_lighting | is_showing);
-            let is_command = kind.is(COMMAND);
+            let is_command = is(kind::COMMAND);
             let may_end = is_idle & (is_command | draining.is_negative());
             let is_ready = is_coefficient.select(settling.is_negative(), may_end);
             let taken = beat.tvalid & is_ready;
             let is_obeyed = taken & is_command;
         }
-        let obeyed = |command: u64| is_obeyed & address.is(command);
+        let obeyed = |command: u16| is_obeyed & address.is(command.into());
         net! {
-            let draws = obeyed(DRAW);
-            let lights = obeyed(LIGHT);
-            let shows = obeyed(SHOW);
+            let draws = obeyed(command::DRAW);
+            let lights = obeyed(command::LIGHT);
+            let shows = obeyed(command::SHOW);
             let scans = draws | lights;
             let begins = (scans | shows).delay(2);
         }
@@ -95,8 +94,8 @@ pub fn zone_control(at: &str, beat: Beat, pass_ends: Bits, waits: Waits) -> Cont
         let load = WordBus::of(Beat { tvalid, ..beat }).registered();
         // So many registers stand far away: the window follows a clock later, in time for the pass after it.
         net! { let was_obeyed = is_obeyed.reg(); }
-        let coordinate = |command: u64, low: u32| {
-            let is_set = was_obeyed & load.address.is(command);
+        let coordinate = |command: u16, low: u32| {
+            let is_set = was_obeyed & load.address.is(command.into());
             load.data.slice(low + COORDINATE - 1, low).reg_when(is_set)
         };
         Control {
@@ -117,10 +116,10 @@ pub fn zone_control(at: &str, beat: Beat, pass_ends: Bits, waits: Waits) -> Cont
                 sample: shown(8, 3),
             },
             window: Window {
-                x0: coordinate(ORIGIN, 0),
-                y0: coordinate(ORIGIN, COORDINATE),
-                width: coordinate(SIZE, 0),
-                height: coordinate(SIZE, COORDINATE),
+                x0: coordinate(command::ORIGIN, 0),
+                y0: coordinate(command::ORIGIN, COORDINATE),
+                width: coordinate(command::SIZE, 0),
+                height: coordinate(command::SIZE, COORDINATE),
             },
         }
     })

@@ -174,7 +174,7 @@ fn blended(
             pixel,
             object: bus,
             look: Look {
-                write: bus.writes(OBJECT_ID),
+                write: bus.writes(OBJECT_ID.into()),
                 data: bus.data.slice(ID + MATERIAL + LEVEL - 1, ID),
             },
             load,

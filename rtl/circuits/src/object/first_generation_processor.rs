@@ -5,7 +5,7 @@ use super::{
     plane_depth, roots, visible,
 };
 use crate::raster::{Linear, Quadratic, Scan, pe1, pe2};
-use imogene_hdl::{Bits, Bundle, Int, Value, bundles, net};
+use imogene_hdl::{Bits, Bundle, Int, bundles, net};
 
 bundles! {
     /// Words of a quadric between a front plane (0) and a back plane (1).
@@ -65,8 +65,7 @@ pub fn first_generation_processor(
             middle_kept: front_middle & back_middle,
         };
         let seen = contour_choice("choice", roots, contours);
-        let root = root.delayed_as("root_late", 3);
         let normal = (quadric.gradients, quadric.shift, Some(words.normals));
-        visible(late.delayed(5), seen, root, normal)
+        visible(late.delayed(5), seen, (root, 3), normal)
     })
 }

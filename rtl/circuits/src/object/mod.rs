@@ -41,7 +41,7 @@ pub use half_space::{HalfSpace, Limits, PlaneAt, half_space_test};
 pub use half_spaces::half_spaces;
 pub use interval::Interval;
 pub use normal::Normal;
-pub use normal_unit::{Face, NormalWords, normal_unit};
+pub use normal_unit::{Face, NormalWords, normal_unit, scaled_root_width};
 pub use patch_decider::patch_decider;
 pub use patch_processor::{Patch, patch_processor};
 pub use plane_depth::plane_depth;

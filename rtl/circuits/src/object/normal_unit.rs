@@ -9,17 +9,17 @@ use imogene_hdl::{Bits, Bundle, Int, Ports, Value, bundle, bundles, module, net}
 
 bundle! {
     /// The visible face of a pixel. The number of a bare surface has one bit: its faces are roots.
-    Face(root) {
+    Face(scaled_root) {
         number: Bits(4),
             "visible face: 0 near root, 1 far root, 2 + i plane i, 15 near end; with the flags of its pixel";
         absent: Bits(1), "nothing is seen at the pixel: the normal is zero";
-        root: Bits(root), "r = floor(sqrt(f2)) of the pixel";
-        shift: Bits(5), "places the root is shifted right for the normal";
+        scaled_root: Bits(scaled_root),
+            "floor(sqrt(f2)) of the pixel shifted right for the normal, the low bits of a positive number";
     }
 
     /// What decides a component besides its own words.
     Change(width) {
-        scaled_root: Int(width), "scaled root, its sign changed on the near face, beside the flags";
+        signed_root: Int(width), "scaled root, its sign changed on the near face, a clock before the flags";
         is_quadric: Bits(1), "the face is the quadric's, one clock later";
         fixed: Int(width), "the component of any other face, one clock later";
     }
@@ -37,10 +37,9 @@ bundles! {
 /// The normal of the visible face: of the quadric from its polar plane and the root, of a plane its constant, of the
 /// cap the direction to the viewer, else zero.
 ///
-/// With `rs = root >> shift`, of which the low bits of a positive number are used, a component is the high bits of
-/// `g(x, y) - (k rs >> 6)` on the near face and of `g(x, y) + (k rs >> 6)` on the far one, rounded down. A number of
-/// one bit says that there are no other faces. Latency 4: the shifted root, its sign, the products, the sums.
-/// Section 2.4.2.
+/// With the scaled root `rs` a component is the high bits of `g(x, y) - (k rs >> 6)` on the near face and of
+/// `g(x, y) + (k rs >> 6)` on the far one, rounded down. A number of one bit says that there are no other faces.
+/// Latency 4: the sign of the root, the inputs of the multipliers, the products, the sums. Section 2.4.2.
 pub fn normal_unit(at: &str, flags: Flags, face: Face, words: NormalWords) -> Normal {
     let inputs = (flags, face, words);
     module("normal_unit", at, inputs, |(flags, face, words)| {
@@ -49,11 +48,8 @@ pub fn normal_unit(at: &str, flags: Flags, face: Face, words: NormalWords) -> No
         let is = |number: u64| face.number.is(number);
         let late = flags.delayed(2);
         net! {
-            let shifted_root = face.root.right_by(face.shift);
-            let low_root = shifted_root.low(shifted_root.width().min(width - 1));
-            let kept_root = low_root.extend(width).int().reg();
-            let is_near = is(NEAR_ROOT).reg();
-            let scaled_root = is_near.select(Int::new(0, width) - kept_root, kept_root).reg();
+            let scaled_root = face.scaled_root.extend(width).int();
+            let signed_root = is(NEAR_ROOT).select(Int::new(0, width) - scaled_root, scaled_root).reg();
             let is_absent = face.absent.reg();
         }
         let zero = Normal::of([Int::new(0, width); 3]);
@@ -70,7 +66,7 @@ pub fn normal_unit(at: &str, flags: Flags, face: Face, words: NormalWords) -> No
         net! { let is_quadric = (is_root & !is_absent).delay(2); }
         let component = |name: &str, g: Linear, k: Int, fixed: Int| {
             let change = Change {
-                scaled_root,
+                signed_root,
                 is_quadric,
                 fixed,
             };
@@ -83,6 +79,11 @@ pub fn normal_unit(at: &str, flags: Flags, face: Face, words: NormalWords) -> No
         ]);
         ("", normal, "visible face")
     })
+}
+
+/// Bits of a scaled root: those of a root or of a positive number of a normal.
+pub fn scaled_root_width(root: u32, normal: u32) -> u32 {
+    root.min(normal - 1)
 }
 
 /// The normal of a face that is none of the quadric: of a plane its own, of the cap `cap_nz` along the line of sight,
@@ -104,8 +105,11 @@ fn normal_component(at: &str, flags: Flags, (g, k): (Linear, Int), change: Chang
         let value = pe1("g", flags, g);
         // Of the product of two numbers the bits that stand beside those of g.
         let point = 2 * width - whole - 2;
+        // Delays alone, which multipliers can have as their input registers.
         net! {
-            let kept_change = (k * change.scaled_root).reg();
+            let k_late = k.reg();
+            let signed_root_late = change.signed_root.reg();
+            let kept_change = (k_late * signed_root_late).reg();
             let sum = value + kept_change.slice(point + whole - 1, point).int();
         }
         let component = change.is_quadric.select(sum.high(width), change.fixed);

@@ -5,7 +5,7 @@ use super::{
 };
 use crate::raster::Scan;
 use crate::rows::numbered;
-use imogene_hdl::{Bundle, Value, bundles};
+use imogene_hdl::{Bundle, bundles};
 
 bundles! {
     /// Words of a bare surface cut by planes.
@@ -34,8 +34,7 @@ pub fn patch_processor(at: &str, scan: Scan, words: Patch, network: Network) -> 
         let planes = numbered("planes", words.planes);
         let planes = planes.map(|(at, plane)| plane.at(&at, late, network.depth));
         let seen = patch_decider("decider", roots, planes.collect());
-        let root = root.delayed_as("root_late", 3);
         let normal = (quadric.gradients, quadric.shift, None);
-        visible(late.delayed(5), seen, root, normal)
+        visible(late.delayed(5), seen, (root, 3), normal)
     })
 }

@@ -6,7 +6,7 @@ use super::{
 };
 use crate::raster::{Flags, Scan};
 use crate::tree::levels;
-use imogene_hdl::{Bits, Bundle, Value};
+use imogene_hdl::{Bits, Bundle};
 
 /// Name of the module, and what numbers of faces it gives.
 const KIND: (&str, &str) = (
@@ -50,6 +50,5 @@ pub(super) fn cut_by_planes(
     let start = flags.delayed(2 + wait - levels);
     let limits = Limits::of(start, &half_spaces, roots.depth());
     let seen = quadric_cut("cut", roots.delayed(wait), object_class, limits);
-    let root = root.delayed_as("root_late", 5 + wait);
-    visible(flags.delayed(8 + wait), seen, root, words)
+    visible(flags.delayed(8 + wait), seen, (root, 5 + wait), words)
 }

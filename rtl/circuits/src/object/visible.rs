@@ -2,10 +2,10 @@
 
 use super::ends::absent;
 use super::normal::Normal;
-use super::normal_unit::{Face, NormalWords, normal_unit};
+use super::normal_unit::{Face, NormalWords, normal_unit, scaled_root_width};
 use super::words::Gradients;
 use crate::raster::{Flags, Scan};
-use imogene_hdl::{Bits, Bundle, Int, Ports, Value, bundle, bundles, module};
+use imogene_hdl::{Bits, Bundle, Int, Ports, Value, bundle, bundles, module, net};
 
 bundle! {
     /// An object on a line of sight.
@@ -81,20 +81,23 @@ pub(super) fn object_processor<W: Ports>(
     }
 }
 
-/// What is seen of a quadric with its normal, from the flags and the root beside it; words of the normal, places that
-/// the root is shifted for it, and the normals of the planes, `None` for a bare surface. Latency 4.
+/// What is seen of a quadric with its normal, from the flags beside it and the root some clocks before; words of the
+/// normal, places that the root is shifted for it, and the normals of the planes, `None` for a bare surface. Latency 4.
 pub(super) fn visible(
     flags: Flags,
     seen: Seen,
-    root: Bits,
+    (root, before): (Bits, u32),
     (gradients, shift, planes): (Gradients, Bits, Option<Vec<Normal>>),
 ) -> Visible {
     let number = seen.number;
+    let width = scaled_root_width(root.width(), gradients.factors.kx.width());
+    net! { let shifted_root = root.right_by(shift); }
+    let scaled_root = shifted_root.low(width);
+    let scaled_root = scaled_root.delayed_as("scaled_root", before);
     let face = Face {
         number: planes.as_ref().map_or_else(|| number.low(1), |_| number),
         absent: seen.zf.equals(absent(seen.zf.width())),
-        root,
-        shift,
+        scaled_root,
     };
     let planes = planes.unwrap_or_default();
     let words = NormalWords { gradients, planes };

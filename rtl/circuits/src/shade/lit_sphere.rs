@@ -23,7 +23,7 @@ const COORDINATE: u32 = 16;
 /// Bits of the length of a normal of full words, the sum of its components without their signs.
 const LENGTH: u32 = 17;
 /// Clock of a pixel at which its entries are asked for.
-const ASKED: u32 = 25;
+const ASKED: u32 = 27;
 
 /// The tables of [`lit_sphere`] and of [`lit_sphere_nearest`].
 #[derive(Clone, Debug)]
@@ -53,7 +53,8 @@ bundles! {
 /// the normal: all lights and the viewer count as infinitely far. Which lights reach it says the number of the table.
 /// Between the entries of the octahedral map colours are of first degree in each of the two triangles of a cell.
 ///
-/// Latency 33. Words stay unchanged while pixels are inside. Section 8.4 of the architecture.
+/// For the wires, both factors of every product come through registers of their own, which multipliers can have as
+/// theirs. Latency 36. Words stay unchanged while pixels are inside. Section 8.4 of the architecture.
 pub fn lit_sphere(at: &str, point: SpherePoint, load: ShadingLoad, tables: &Tables) -> Shaded {
     let inputs = (point, ("load", load));
     module("lit_sphere", at, inputs, |(point, load)| {
@@ -167,12 +168,12 @@ bundle! {
 }
 
 /// The direction of a normal: turned towards the viewer, and at a right angle to the axis of the view at most.
-/// Latency 13.
+/// Latency 14.
 fn facing(at: &str, pixel: Pixel, normal: Normal, eye: Eye) -> Facing {
     let inputs = (pixel, normal, eye);
     module("map_direction", at, inputs, |(pixel, normal, eye)| {
         let ray = line_of_sight(pixel, eye).1;
-        let words = turned(normal, ray).to_vec();
+        let words = turned(normal.delayed(3), ray.delayed(1)).to_vec();
         let full = shifted_by(words, None, &[4, 3, 2, 1, 0]);
         Facing {
             length: full.words[0],
@@ -194,7 +195,7 @@ fn map_square(at: &str, pixel: Pixel, normal: Normal, eye: Eye, places: u32) -> 
             z: eye.perspective.select(ray.z, along).reg(),
             ..ray
         };
-        let [length, sum, difference] = turned(normal, ray);
+        let [length, sum, difference] = turned(normal.delayed(2), ray);
         let none = Bits::new(0, places);
         let from_corner = |number: Bits| (number + length.extend(number.width())).reg();
         net! {
@@ -234,15 +235,14 @@ fn map_row(at: &str, number: Bits, length: Bits) -> Bits {
 }
 
 /// Of a normal that is turned towards the viewer: its length, the sum of its components without their signs, of which z
-/// counts where it looks towards the viewer; x + y; and x - y. The line of sight comes 2 clocks later. Latency 8.
+/// counts where it looks towards the viewer; x + y; and x - y. Latency 6.
 fn turned(normal: Normal, ray: Vector) -> [Bits; 3] {
     let long = normal.nx.width() + 1;
-    let kept = normal.delayed(2);
-    let [x, y, z] = kept.delayed(3).parts();
+    let [x, y, z] = normal.delayed(3).parts();
     net! {
-        let product_x = (kept.nx * ray.x).reg();
-        let product_y = (kept.ny * ray.y).reg();
-        let product_z = (kept.nz * ray.z).reg();
+        let product_x = (normal.nx * ray.x).reg();
+        let product_y = (normal.ny * ray.y).reg();
+        let product_z = (normal.nz * ray.z).reg();
     }
     let wide = |product: Int| product.extend(product.width() + 2);
     net! {
@@ -280,12 +280,13 @@ fn turned(normal: Normal, ray: Vector) -> [Bits; 3] {
     [length, late_sum.bits(), late_difference.bits()]
 }
 
-/// The cell of a direction in tables of this size. Latency 12.
+/// The cell of a direction in tables of this size. Latency 13.
 fn map_cell(at: &str, facing: Facing, places: u32) -> Cell {
     module("map_cell", at, facing, |facing| {
         let part = reciprocal("reciprocal", facing.length.low(COORDINATE));
+        let part = part.reg().named("part_late");
         let place = |name: &str, number: Int| {
-            let late = number.delayed_as(&format!("{name}_late"), 7);
+            let late = number.delayed_as(&format!("{name}_late"), 8);
             let product = (late * part).reg().named(&format!("{name}_product"));
             let middle = Int::new(1 << (COORDINATE - 1), product.width() - LENGTH);
             let moved = product.slice(product.width() - 1, LENGTH).int() + middle;
@@ -358,7 +359,8 @@ fn corners(at: &str, cell: Cell, table: Bits, load: ShadingLoad, tables: &Tables
     })
 }
 
-/// The level at a place between three corners, rounded. Latency 4: the differences, the products, their sum, the level.
+/// The level at a place between three corners, rounded. Latency 5: the differences, the factors, the products, their
+/// sum, the level.
 fn between(at: &str, [near, middle, far]: [Bits; 3], [more, less]: [Bits; 2]) -> Bits {
     let inputs = ports!(near, middle, far, more, less);
     module(
@@ -372,12 +374,14 @@ fn between(at: &str, [near, middle, far]: [Bits; 3], [more, less]: [Bits; 2]) ->
             net! {
                 let rise = (wide(middle) - wide(near)).reg();
                 let rest = (wide(far) - wide(middle)).reg();
-                let more_late = more.reg();
-                let less_late = less.reg();
-                let first_part = (rise * place(more_late)).reg();
-                let second_part = (rest * place(less_late)).reg();
+                let rise_late = rise.reg();
+                let rest_late = rest.reg();
+                let more_late = more.delay(2);
+                let less_late = less.delay(2);
+                let first_part = (rise_late * place(more_late)).reg();
+                let second_part = (rest_late * place(less_late)).reg();
                 let risen = (first_part + second_part).reg();
-                let near_late = near.delay(3).extend(SUM).left(BETWEEN) + Bits::new(1 << (BETWEEN + 1), SUM);
+                let near_late = near.delay(4).extend(SUM).left(BETWEEN) + Bits::new(1 << (BETWEEN + 1), SUM);
                 let level = (near_late + risen.extend(SUM).bits()).reg();
             }
             ("level", level.slice(BETWEEN + ENTRY_LEVEL - 1, BETWEEN + 2))

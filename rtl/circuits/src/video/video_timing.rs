@@ -4,14 +4,14 @@ use super::COORDINATE;
 use imogene_contract::video::{self, Span, VideoMode};
 use imogene_hdl::{Bits, Value, bundle, module, net};
 
-/// Bits of a position in the raster.
+/// Greatest number of bits of a position in the raster.
 const POSITION: u32 = video::POSITION as u32;
 
 bundle! {
     /// Where a scan is.
-    Scan() {
-        column: Bits(POSITION), "clock of the line that the next enabled clock gives on the other outputs";
-        row: Bits(POSITION), "line of the frame, likewise";
+    Scan(column, row) {
+        column: Bits(column), "clock of the line that the next enabled clock gives on the other outputs";
+        row: Bits(row), "line of the frame, likewise";
         active: Bits(1), "the position is shown";
         start: Bits(1), "first pixel of the frame";
         line: Bits(1), "first pixel of any other line";
@@ -88,6 +88,11 @@ pub fn video_timing(at: &str, enable: Bits, mode: &VideoMode, lead: u64) -> Scre
     })
 }
 
+/// Bits of a number below `values`.
+fn bits(values: u64) -> u32 {
+    values.next_power_of_two().ilog2().max(1)
+}
+
 fn check(what: &str, span: Span) {
     assert!(
         (1..1 << COORDINATE).contains(&span.active)
@@ -107,12 +112,15 @@ fn video_scan(at: &str, enable: Bits, mode: &VideoMode, ahead: u64) -> Scan {
         let (line, frame) = (mode.line, mode.frame);
         let begin = ahead % (line.total() * frame.total());
         let [column_0, row_0] = [begin % line.total(), begin / line.total()];
-        let position = |begin: u64| Bits::register(POSITION).initially(begin);
+        let position = |span: Span, begin: u64| Bits::register(bits(span.total())).initially(begin);
         let flag = |begin: bool| Bits::register(1).initially(begin.into());
-        let word = |value: u64| Bits::new(value, POSITION);
+        let after = |position: Bits, ends: Bits| {
+            let [zero, one] = [0, 1].map(|value| Bits::new(value, position.width()));
+            ends.select(zero, position + one)
+        };
         net! {
-            let column = position(column_0);
-            let row = position(row_0);
+            let column = position(line, column_0);
+            let row = position(frame, row_0);
             // Known one clock before.
             let line_ends = flag(column_0 == line.total() - 1);
             let is_left = flag(column_0 == line.blank());
@@ -122,21 +130,25 @@ fn video_scan(at: &str, enable: Bits, mode: &VideoMode, ahead: u64) -> Scan {
             let left_comes = column.is(line.blank() - 1);
             let top_comes = row.is(frame.blank() - 1);
             let frame_ends = row.is(frame.total() - 1);
-            let next_row = frame_ends.select(word(0), row + word(1));
+            let next_row = after(row, frame_ends);
             let row_ends = enable & line_ends;
             let is_shown = in_line & in_frame;
         }
         line_ends.load_when(enable, column.is(line.total() - 2));
-        column.load_when(enable, line_ends.select(word(0), column + word(1)));
+        column.load_when(enable, after(column, line_ends));
         row.load_when(row_ends, next_row);
         is_left.load_when(enable, left_comes);
         is_top.load_when(row_ends, top_comes);
         in_line.load_when(enable & (left_comes | line_ends), left_comes);
         in_frame.load_when(row_ends & (top_comes | frame_ends), top_comes);
-        let pixel = |position: Bits, blank: u64| {
-            let place = (position - word(blank)).low(COORDINATE);
-            let none = Bits::new(0, COORDINATE);
-            is_shown.select(place, none).reg_when(enable)
+        let pixel = |position: Bits, span: Span| {
+            let width = bits(span.active);
+            let place = (position - Bits::new(span.blank(), position.width())).low(width);
+            let none = Bits::new(0, width);
+            is_shown
+                .select(place, none)
+                .reg_when(enable)
+                .extend(COORDINATE)
         };
         Scan {
             column,
@@ -144,8 +156,8 @@ fn video_scan(at: &str, enable: Bits, mode: &VideoMode, ahead: u64) -> Scan {
             active: is_shown.reg_when(enable),
             start: (is_shown & is_left & is_top).reg_when(enable),
             line: (is_shown & is_left & !is_top).reg_when(enable),
-            x: pixel(column, line.blank()),
-            y: pixel(row, frame.blank()),
+            x: pixel(column, line),
+            y: pixel(row, frame),
             retrace: (column.is(0) & row.is(0)).reg_when(enable),
         }
     })

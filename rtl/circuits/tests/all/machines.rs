@@ -6,7 +6,7 @@ use imogene_circuits::machines::{beam_display, beam_stream};
 use imogene_circuits::object::Widths;
 use imogene_circuits::shade::{Lights, Shading};
 use imogene_circuits::video::Output;
-use imogene_contract::command_stream::SHADING_WORD;
+use imogene_contract::command_stream::kind;
 use imogene_contract::shading::BACKGROUND;
 use imogene_contract::slots::FittedSlot;
 use imogene_contract::video::{Span, VideoMode};
@@ -60,7 +60,7 @@ fn pixels(design: &Design, valid: &str, levels: &[&str]) -> Vec<u64> {
     let is_stream = design.top.ports.iter().any(|port| port.name == "m_tready");
     let word = [
         ("s_tlast", 1),
-        ("s_tdest", SHADING_WORD),
+        ("s_tdest", kind::SHADING.into()),
         ("s_tuser", BACKGROUND),
         ("s_tdata", BACKGROUND_WORD),
     ];

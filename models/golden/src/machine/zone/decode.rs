@@ -1,6 +1,6 @@
 //! Coefficient registers as a processor holds them, and what their bits mean.
 
-use super::beat::ID_ADDRESS;
+use super::beat::OBJECT_ID;
 use crate::format::Format;
 use crate::object::slot::ProcessorWords;
 use crate::object::volume::VolumeWords;
@@ -47,7 +47,7 @@ impl Registers {
 
     /// Writes a word; false if there is none at this address.
     pub fn write(&mut self, address: u16, data: u64) -> bool {
-        if self.slot.is_some() && address == ID_ADDRESS {
+        if self.slot.is_some() && address == OBJECT_ID {
             self.id = data;
             return true;
         }

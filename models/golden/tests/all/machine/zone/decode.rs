@@ -1,7 +1,7 @@
 use crate::common::*;
 use imogene_contract::object::{KINDS, Kind};
 use imogene_contract::slots::FittedSlot;
-use imogene_golden::machine::zone::beat::ID_ADDRESS;
+use imogene_golden::machine::zone::beat::OBJECT_ID;
 use imogene_golden::machine::zone::decode::Registers;
 use imogene_golden::object::load::load_words;
 use imogene_golden::object::load_slot::load_slot;
@@ -132,8 +132,8 @@ fn a_shared_processor_has_an_object_once_its_word_is_written() {
 fn there_are_as_many_words_as_planes_need() {
     let mut registers = Registers::of_object(&FittedSlot::quadric(2));
     assert!(registers.write(37, 1) && !registers.write(38, 1));
-    assert!(registers.write(ID_ADDRESS, 0x1fff) && registers.id() == 0xfff);
+    assert!(registers.write(OBJECT_ID, 0x1fff) && registers.id() == 0xfff);
     let mut registers = Registers::of_volume(1);
     assert!(registers.write(16, 1) && !registers.write(17, 1));
-    assert!(!registers.write(ID_ADDRESS, 1));
+    assert!(!registers.write(OBJECT_ID, 1));
 }

@@ -2,7 +2,7 @@ use imogene_contract::object::ProductSlots;
 use imogene_contract::slots::FittedSlot;
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::ZoneMachine;
-use imogene_golden::machine::zone::beat::{Beat, ID_ADDRESS, command, kind};
+use imogene_golden::machine::zone::beat::{Beat, OBJECT_ID, command, kind};
 use imogene_golden::machine::zone::golden::{ShownPixel, StreamError, ZoneMachineModel};
 
 fn machine() -> ZoneMachine {
@@ -43,7 +43,7 @@ fn sheet(unit: u8, depth: u64, id: u64) -> Vec<Beat> {
     let mut beats: Vec<Beat> = (0..31).map(|address| word(address, 0)).collect();
     let set = [(2, depth), (21, 3 << 12), (22, 3 << 12), (23, 2)];
     beats.extend(set.map(|(address, data)| word(address, data)));
-    beats.push(word(ID_ADDRESS, id));
+    beats.push(word(OBJECT_ID, id));
     beats
 }
 
