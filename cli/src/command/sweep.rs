@@ -21,7 +21,9 @@ pub fn run(options: &arguments::Sweep, json: bool) -> Result {
     let format = Format::new(options.format)?;
     let steps: usize = chosen.iter().map(|sweep| sweep.scenes(format).len()).sum();
     let sweeps: Vec<SweepResult> = output::during(steps as u64, "steps", |bar| {
-        let sweeps = chosen.iter().map(|sweep| sweep.run(format, || bar.inc(1)));
+        let sweeps = chosen
+            .iter()
+            .map(|sweep| sweep.run(format, |_| true, || bar.inc(1)));
         sweeps.collect()
     });
     let files = options.out.as_ref().map(|folder| write(folder, &sweeps));

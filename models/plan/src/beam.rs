@@ -234,16 +234,6 @@ pub(super) fn placed(
     Ok(parts.chain(members).chain(layers).collect())
 }
 
-/// How many words a frame of a beam machine has.
-pub(super) fn beam_word_count(
-    scene: &FramedScene,
-    prepared: &PreparedScene,
-    machine: &MachineDescription,
-) -> Result<usize> {
-    let words = beam_words(scene, prepared, machine, &machine.fields()[0])?;
-    Ok(words.len())
-}
-
 /// The words of a frame of a beam machine that has these pixels of the picture, tables first; processors without an
 /// object are emptied.
 pub(super) fn beam_words(

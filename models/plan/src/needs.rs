@@ -1,7 +1,7 @@
 //! Has a machine what scenes need? If not, the lines of a description that has.
 
 use super::beam::{
-    DisplayError, Result, beam_slots, beam_word_count, members, placed, volumes, zone_slots,
+    DisplayError, Result, beam_slots, beam_words, members, placed, volumes, zone_slots,
 };
 use super::description::{
     MachineDescription, MachineKind, Mode, Output, OwnMode, SMALLEST_SIDE, ZoneSize,
@@ -380,7 +380,7 @@ fn enlarge(
 /// Gives a beam machine room for the words of a scene, in its loader and in the vertical blanking in which they are
 /// copied.
 fn make_room(machine: &mut MachineDescription, (framed, prepared): Scene) -> Result<()> {
-    let words = beam_word_count(framed, prepared, machine)?;
+    let words = beam_words(framed, prepared, machine, &machine.fields()[0])?.len();
     if machine.loader_words() < words {
         machine.loader_words = Some(words);
     }

@@ -8,6 +8,7 @@ use imogene_contract::tile::{
 use imogene_contract::video::VideoMode;
 use imogene_golden::format::{FittedError, Format};
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
+use imogene_golden::object::range::bits;
 use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::depth_interval::{Class, FACE_NEAR};
 use imogene_golden::unit::pe1::Linear;
@@ -236,11 +237,6 @@ fn widths(
         ..words
     };
     Format::fitted(&words).map(|_| words)
-}
-
-fn bits(number: i128) -> u32 {
-    let magnitude = if number < 0 { !number } else { number };
-    129 - magnitude.leading_zeros()
 }
 
 struct Shading {

@@ -9,15 +9,15 @@ use imogene_algebra::rational::{from_decimal, integer, to_f64};
 use serde::{Deserialize, Serialize};
 
 /// Height in millimetres of the film that focal lengths are for: 24 x 36.
-pub const FILM_HEIGHT: i64 = 24;
+const FILM_HEIGHT: i64 = 24;
 /// Shortest focal length in millimetres; its vertical field of view is 170.5 degrees.
-pub const SHORTEST_FOCAL: f64 = 1.0;
+pub(super) const SHORTEST_FOCAL: f64 = 1.0;
 /// Longest focal length in millimetres; its vertical field of view is 0.14 degrees.
-pub const LONGEST_FOCAL: f64 = 10_000.0;
+pub(super) const LONGEST_FOCAL: f64 = 10_000.0;
 /// Narrowest vertical field of view in degrees.
-pub const NARROWEST_FIELD: f64 = 0.1;
+const NARROWEST_FIELD: f64 = 0.1;
 /// Widest vertical field of view in degrees; at 180 the window has no end.
-pub const WIDEST_FIELD: f64 = 170.0;
+const WIDEST_FIELD: f64 = 170.0;
 
 /// The observer: it looks from `eye` towards `target`, with `up` upwards in the picture.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

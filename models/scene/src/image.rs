@@ -4,9 +4,6 @@ use super::keys::{Three, is_default, is_yes, number, require, yes};
 use super::step::{Rotation, Scale, Step, StepKeys};
 use serde::{Deserialize, Serialize};
 
-/// Seconds that a frame is shown unless its image says otherwise: the 25 images a second of the source.
-pub const FRAME_DURATION: f64 = 0.04;
-
 /// One image of an animation, of one frame or of several in-between frames.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -86,8 +83,9 @@ pub enum MoveFrame {
     Own,
 }
 
+/// Seconds that a frame is shown unless its image says otherwise: the 25 images a second of the source.
 fn frame_duration() -> f64 {
-    FRAME_DURATION
+    0.04
 }
 
 #[derive(Deserialize)]

@@ -10,13 +10,13 @@ use super::step::Step;
 use std::collections::HashMap;
 
 /// Most images of an animation.
-pub const MAX_IMAGES: usize = 10_000;
+const MAX_IMAGES: usize = 10_000;
 /// Most frames of one image, and of a whole animation.
-pub const MAX_FRAMES: u32 = 100_000;
+const MAX_FRAMES: u32 = 100_000;
 /// Seconds that a frame is shown at least.
-pub const SHORTEST_FRAME: f64 = 0.001;
+const SHORTEST_FRAME: f64 = 0.001;
 /// Seconds that a frame is shown at most.
-pub const LONGEST_FRAME: f64 = 60.0;
+const LONGEST_FRAME: f64 = 60.0;
 
 pub(super) fn check_images(file: &SceneFile, names: &Names) -> Checked {
     check_count("images", file.images.len(), "images", MAX_IMAGES)?;

@@ -61,22 +61,16 @@ mod text;
 mod transform;
 mod validation;
 
-pub use camera::{
-    Camera, FILM_HEIGHT, LONGEST_FOCAL, Lens, NARROWEST_FIELD, SHORTEST_FOCAL, WIDEST_FIELD,
-};
+pub use camera::{Camera, Lens};
 pub use error::{SceneError, in_plain_words, line_and_column};
 pub use file::{FORMAT_VERSION, ImageSize, Material, SceneFile};
 pub use frame::{FramedLight, FramedScene};
 pub use framed::{Absence, Absent, FramedObject, Unseen};
 pub use group::{Group, Node};
-pub use image::{Action, FRAME_DURATION, KeyImage, MoveFrame};
-pub use image_validation::{LONGEST_FRAME, MAX_FRAMES, MAX_IMAGES, SHORTEST_FRAME};
+pub use image::{Action, KeyImage, MoveFrame};
 pub use keys::{is_default, number, text_or_table};
 pub use light::{Aim, Beam, Light};
-pub use limits::{
-    LARGEST_HALF_ANGLE, MAX_CUTS, MAX_IMAGE_SIDE, MAX_INTENSITY, MAX_LIGHTS, MAX_MAGNITUDE,
-    MAX_SPECULAR_EXPONENT, SMALLEST_HALF_ANGLE,
-};
+pub use limits::MAX_CUTS;
 pub use look::{Look, MARGIN, Side, fitting, fitting_from};
 pub use mesh::{FramedFacet, FramedMesh};
 pub use molecule::Molecule;
@@ -89,7 +83,7 @@ pub use quadric::{FramedQuadric, Quadric};
 pub use range::{CutOff, DepthRange, End, Projection, RangeOrigin, RangeReport};
 pub use reach::Body;
 pub use shape::{Cut, Mesh, Processor, Shape, Surface};
-pub use solid::{FramedSolid, MAX_LEAVES, Operand, Operation, Solid, Tree};
+pub use solid::{FramedSolid, Operand, Operation, Solid, Tree};
 pub use source::{FramedSource, SpotCone};
 pub use step::{Axis, Rotation, Scale, Step};
 pub use transform::{Transform, WholeInverse, WholeTransform, rotation_matrix};

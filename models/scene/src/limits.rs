@@ -3,32 +3,33 @@
 use super::error::SceneError;
 use super::step::{Axis, Step};
 use imogene_algebra::vector::{cross, dot, normalised};
+use std::fmt::Display;
 
 /// Most cut planes of one object.
 pub const MAX_CUTS: usize = 12;
 /// Most columns or lines of a picture.
-pub const MAX_IMAGE_SIDE: u32 = 4096;
+pub(super) const MAX_IMAGE_SIDE: u32 = 4096;
 /// Most light sources: a pixel carries one flag for each (thesis section 4.1.3).
-pub const MAX_LIGHTS: usize = 16;
+pub(super) const MAX_LIGHTS: usize = 16;
 /// Shortest length of a camera, in scene units; below it `f64` pictures of it lose their meaning.
 const SHORTEST_LENGTH: f64 = 1e-30;
 /// Largest magnitude of any number of a scene; beyond it `f64` directions lose their meaning.
-pub const MAX_MAGNITUDE: f64 = 1e12;
+pub(super) const MAX_MAGNITUDE: f64 = 1e12;
 /// Largest exponent of a highlight.
-pub const MAX_SPECULAR_EXPONENT: u32 = 200;
+pub(super) const MAX_SPECULAR_EXPONENT: u32 = 200;
 /// Largest factor of a light's colour.
-pub const MAX_INTENSITY: f64 = 10.0;
+pub(super) const MAX_INTENSITY: f64 = 10.0;
 /// Smallest angle between the axis of a spot and its cone, in degrees.
-pub const SMALLEST_HALF_ANGLE: f64 = 0.1;
+pub(super) const SMALLEST_HALF_ANGLE: f64 = 0.1;
 /// Largest angle between the axis of a spot and its cone, in degrees; at 90 the cone is a plane.
-pub const LARGEST_HALF_ANGLE: f64 = 89.0;
+pub(super) const LARGEST_HALF_ANGLE: f64 = 89.0;
 /// Sine of the angle under which `up` counts as parallel to the viewing direction.
 const PARALLEL: f64 = 1e-9;
 
 pub(super) type Checked = Result<(), SceneError>;
 
 /// Refuses what is not sound: with the place, the problem and what would be accepted.
-pub(super) fn unless<P: Into<String>, Q: Into<String>, R: Into<String>>(
+pub(super) fn unless<P: Display, Q: Display, R: Display>(
     is_sound: bool,
     say: impl FnOnce() -> (P, Q, R),
 ) -> Checked {
@@ -82,8 +83,8 @@ pub(super) fn check_length(place: &str, value: f64) -> Checked {
 }
 
 /// Refuses a value that is not within; `accepted` says what is.
-pub(super) fn check_within<T: PartialOrd + std::fmt::Display>(
-    place: impl Into<String>,
+pub(super) fn check_within<T: PartialOrd + Display>(
+    place: impl Display,
     value: T,
     [least, most]: [T; 2],
     accepted: &str,

@@ -42,21 +42,9 @@ pub struct Molecule {
 }
 
 impl Default for Molecule {
+    /// As it is without any other key than `file`.
     fn default() -> Self {
-        Self {
-            file: String::new(),
-            name: None,
-            group: None,
-            style: space_filling(),
-            colour: element(),
-            model: first(),
-            alternates: best(),
-            hydrogens: true,
-            water: true,
-            chains: vec![],
-            residues: vec![],
-            assembly: None,
-        }
+        toml::from_str("file = \"\"").expect("all other keys may be left out")
     }
 }
 

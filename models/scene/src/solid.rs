@@ -4,7 +4,7 @@ use super::keys::text_or_table;
 use serde::{Deserialize, Deserializer, Serialize};
 
 /// Most objects that the tree of a solid names.
-pub const MAX_LEAVES: usize = 64;
+pub(super) const MAX_LEAVES: usize = 64;
 
 /// A solid: its objects are not seen by themselves.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -2,6 +2,7 @@
 
 use imogene_analysis::metrics::ZoneScene;
 use imogene_golden::format::Format;
+use imogene_plan::split::{Division, Piece};
 use imogene_prepare::error::PrepareError;
 use imogene_prepare::rounding::Anchor;
 use imogene_prepare::{Options, prepare_with};
@@ -17,25 +18,22 @@ pub fn zones(
     format: Format,
     side: u32,
 ) -> Result<Vec<ZoneScene>, PrepareError> {
-    let (width, height, side) = (scene.width as usize, scene.height as usize, side as usize);
-    let mut all = vec![];
-    for y in (0..height).step_by(side) {
-        for x in (0..width).step_by(side) {
-            let size = (side.min(width - x), side.min(height - y));
-            let anchor = Anchor {
-                x: (x + size.0 / 2) as i64,
-                y: (y + size.1 / 2) as i64,
-            };
-            let options = Options {
-                anchor: Some(anchor),
-                ..Options::ROOTS
-            };
-            all.push(ZoneScene {
-                first: (x, y),
-                size,
-                prepared: prepare_with(scene, format, options)?,
-            });
-        }
-    }
-    Ok(all)
+    let (width, height) = (side, side);
+    let pieces = Division::Zones { width, height }.pieces(scene.width, scene.height);
+    let zone = |piece: Piece| {
+        let anchor = Anchor {
+            x: i64::from(piece.x0 + piece.width / 2),
+            y: i64::from(piece.y0 + piece.height / 2),
+        };
+        let options = Options {
+            anchor: Some(anchor),
+            ..Options::ROOTS
+        };
+        Ok(ZoneScene {
+            first: (piece.x0 as usize, piece.y0 as usize),
+            size: (piece.width as usize, piece.height as usize),
+            prepared: prepare_with(scene, format, options)?,
+        })
+    };
+    pieces.into_iter().map(zone).collect()
 }

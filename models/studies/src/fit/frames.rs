@@ -5,6 +5,7 @@ use super::{Cause, FitError};
 use crate::kit::words::{drawn, narrowest};
 use imogene_analysis::metrics::{Drawing, Metrics, Truth, measure};
 use imogene_contract::MachineWords;
+use imogene_files::text::counted;
 use imogene_golden::format::Format;
 use imogene_plan::description::MachineKind;
 use imogene_plan::display::DisplayError;
@@ -245,16 +246,15 @@ impl Frames {
 }
 
 fn check(name: &str, scene: &FramedScene, expected: usize) -> Result<(), FitError> {
-    let (scene, count) = (name.to_owned(), scene.objects.len());
-    match count {
-        0 => Err(FitError::Empty { scene }),
-        _ if count == expected => Ok(()),
-        _ => Err(FitError::Objects {
-            scene,
-            count,
-            expected,
-        }),
-    }
+    let problem = match scene.objects.len() {
+        0 => "there is no object, and no machine to fit".to_owned(),
+        count if count == expected => return Ok(()),
+        count => format!(
+            "{}, but the first frame has {expected}; the frames of an animation have the same objects in the same order",
+            counted(count, "object")
+        ),
+    };
+    Err(FitError::of(name, problem))
 }
 
 /// Widths that follow from the depth word, with the guard bits of others.

@@ -14,7 +14,6 @@ pub mod proof;
 pub mod search;
 mod spare;
 
-use imogene_files::text::counted;
 use imogene_plan::description::DescriptionError;
 use thiserror::Error;
 
@@ -24,7 +23,8 @@ pub type Cause = Box<dyn std::error::Error + Send + Sync>;
 /// Why nothing can be fitted.
 #[derive(Debug, Error)]
 pub enum FitError {
-    /// A scene that is none at this size, that no machine takes whatever its words, or that none shows.
+    /// A scene that is none at this size or not of one animation with the others, that no machine takes whatever its
+    /// words, or that none shows.
     #[error("{scene}: {source}")]
     Scene {
         /// The file.
@@ -56,25 +56,6 @@ pub enum FitError {
     /// Not a machine: too large a picture.
     #[error(transparent)]
     Description(#[from] DescriptionError),
-    /// Frames that are not of one animation.
-    #[error(
-        "{scene}: {}, but the first frame has {expected}; the frames of an animation have the same objects in the same order",
-        counted(.count.to_owned(), "object")
-    )]
-    Objects {
-        /// The file.
-        scene: String,
-        /// Its objects.
-        count: usize,
-        /// Those of the first frame.
-        expected: usize,
-    },
-    /// A scene without an object.
-    #[error("{scene}: there is no object, and no machine to fit")]
-    Empty {
-        /// The file.
-        scene: String,
-    },
     /// Nothing says how much may be left out.
     #[error(
         "--leave-out auto takes out what the budget allows; give both --max-silhouette-errors and --max-face-errors"

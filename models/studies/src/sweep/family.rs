@@ -87,13 +87,8 @@ impl Sweep {
         steps.map(scene).collect()
     }
 
-    /// Runs every step; `done` is called once for each, from any thread.
-    pub fn run(&self, format: Format, done: impl Fn() + Sync) -> SweepResult {
-        self.run_some(format, |_| true, done)
-    }
-
-    /// Runs the steps whose parameter is wanted.
-    pub fn run_some(
+    /// Runs the steps whose parameter is wanted; `done` is called once for each, from any thread.
+    pub fn run(
         &self,
         format: Format,
         wanted: impl Fn(&str) -> bool,

@@ -180,45 +180,37 @@ impl Space {
     }
 }
 
-/// The points of the same pixels: beam machines if asked for, zone machines of all these processors and sides, each
-/// with these rows to a stage.
+/// Processors and sides of the zone machines that are measured.
+type InZones = (&'static [usize], &'static [u32]);
+
+const NO_ZONES: InZones = (&[], &[]);
+
+/// The points of the same pixels: beam machines of so many pixels per clock, zone machines of all these processors and
+/// sides, each with these rows to a stage.
 fn points(
     accuracy: Accuracy,
-    has_beam: bool,
-    (processors, sides): (&[usize], &[u32]),
+    lanes: &[u32],
+    (processors, sides): InZones,
     rows: &[u32],
 ) -> Vec<Design> {
-    let of_side = |&side: &u32| {
-        let zones = move |&processors: &usize| Some(Zones { processors, side });
-        processors.iter().map(zones)
+    let mut all = vec![];
+    let mut add = |zones, lanes: &[u32]| {
+        for &rows_per_stage in rows {
+            all.extend(lanes.iter().map(|&pixels_per_clock| Design {
+                accuracy,
+                zones,
+                rows_per_stage,
+                pixels_per_clock,
+            }));
+        }
     };
-    let forms = has_beam.then_some(None).into_iter();
-    let forms = forms.chain(sides.iter().flat_map(of_side));
-    let of_form = |zones: Option<Zones>| {
-        rows.iter().map(move |&rows_per_stage| Design {
-            accuracy,
-            zones,
-            rows_per_stage,
-            pixels_per_clock: 1,
-        })
-    };
-    forms.flat_map(of_form).collect()
-}
-
-/// The beam machines among points with two and with four pixels per clock besides.
-fn with_lanes(points: Vec<Design>) -> Vec<Design> {
-    let of_point = |point: Design| {
-        let lanes: &[u32] = if point.zones.is_none() {
-            &[1, 2, 4]
-        } else {
-            &[1]
-        };
-        lanes.iter().map(move |&pixels_per_clock| Design {
-            pixels_per_clock,
-            ..point
-        })
-    };
-    points.into_iter().flat_map(of_point).collect()
+    add(None, lanes);
+    for &side in sides {
+        for &processors in processors {
+            add(Some(Zones { processors, side }), &[1]);
+        }
+    }
+    all
 }
 
 /// A fitted machine of a depth word that is changed.
@@ -269,23 +261,21 @@ fn serial(accuracy: Accuracy) -> Vec<Design> {
         root_form: RootForm::Iterative,
         ..accuracy
     };
-    points(accuracy, true, NO_ZONES, &[1])
+    points(accuracy, &[1], NO_ZONES, &[1])
 }
-
-const NO_ZONES: (&[usize], &[u32]) = (&[], &[]);
 
 fn quick() -> Vec<Design> {
     let of = Accuracy::of_depth;
     let (guards, dropped) = (guarded(16, (2, 4), 0), guarded(20, (0, 0), 3));
     let beams = [of(10), of(12), guards, of(20), dropped, of(24)];
-    let beams = beams.map(|accuracy| points(accuracy, true, NO_ZONES, &[1, 2]));
+    let beams = beams.map(|accuracy| points(accuracy, &[1], NO_ZONES, &[1, 2]));
     let others = [
-        points(of(16), true, (&[1], &[16]), &[1, 2]),
-        points(supersampled(16, 2, 0), false, (&[2], &[16]), &[1]),
-        points(preview(16, 2, 0), true, NO_ZONES, &[1]),
-        points(interlaced(16, 0), true, NO_ZONES, &[1]),
+        points(of(16), &[1], (&[1], &[16]), &[1, 2]),
+        points(supersampled(16, 2, 0), &[], (&[2], &[16]), &[1]),
+        points(preview(16, 2, 0), &[1], NO_ZONES, &[1]),
+        points(interlaced(16, 0), &[1], NO_ZONES, &[1]),
         serial(of(12)),
-        with_lanes(points(lit(16, 32), true, (&[2], &[16]), &[1])),
+        points(lit(16, 32), &LANES, (&[2], &[16]), &[1]),
     ];
     [beams.concat(), others.concat()].concat()
 }
@@ -305,10 +295,12 @@ fn roots() -> Vec<Design> {
         forms.iter().map(of_form)
     };
     let accuracies = [24, 16].into_iter().flat_map(of);
-    let designs = accuracies.flat_map(|accuracy| points(accuracy, true, NO_ZONES, &[4]));
+    let designs = accuracies.flat_map(|accuracy| points(accuracy, &[1], NO_ZONES, &[4]));
     designs.collect()
 }
 
+/// Pixels per clock.
+const LANES: [u32; 3] = [1, 2, 4];
 /// Rows of the root network to a stage.
 const ROWS: [u32; 2] = [1, 4];
 /// Guard bits of f1 and f2, and digits not computed.
@@ -322,14 +314,15 @@ const EXACTNESS: [((u32, u32), u32); 5] = [
 
 fn full() -> Vec<Design> {
     let mut all = vec![];
-    let mut add = |accuracy: Accuracy, has_beam, zones| {
-        let points = points(accuracy, has_beam, zones, &ROWS);
-        all.extend(match accuracy.has_lanes() {
-            true => with_lanes(points),
-            false => points,
-        });
+    let mut add = |accuracy: Accuracy, has_beam: bool, zones| {
+        let lanes = match (has_beam, accuracy.has_lanes()) {
+            (false, _) => &LANES[..0],
+            (true, false) => &LANES[..1],
+            (true, true) => &LANES,
+        };
+        all.extend(points(accuracy, lanes, zones, &ROWS));
     };
-    let shared: (&[usize], &[u32]) = (&[1, 2, 4, 8], &[16, 32, 64]);
+    let shared: InZones = (&[1, 2, 4, 8], &[16, 32, 64]);
     for depth in [8, 10, 12, 14, 16, 18, 20, 22, 24] {
         for (guards, dropped) in EXACTNESS {
             let zones = match (guards, dropped) {

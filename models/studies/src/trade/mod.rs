@@ -19,6 +19,7 @@ pub mod shrink;
 pub mod speed;
 pub mod view;
 
+use std::path::Path;
 use thiserror::Error;
 
 /// Why there is no result.
@@ -27,29 +28,19 @@ pub enum TradeError {
     /// The scene at this size.
     #[error(transparent)]
     Scene(#[from] imogene_scene::SceneError),
-    /// An object that no machine of quadric processors draws.
-    #[error(
-        "object '{object}': drawn by the processor \"{processor}\"; trade measures machines of quadric processors, \
-         which draw every object of a quadric: leave `processor` out"
-    )]
-    Processor {
-        /// Name of the object.
-        object: String,
-        /// Its processor.
-        processor: &'static str,
-    },
+    /// An object that no machine of quadric processors draws, or a file that cannot be read.
+    #[error("{0}")]
+    Refused(String),
     /// A file that cannot be written.
     #[error(transparent)]
     Write(#[from] crate::kit::picture::WriteError),
-    /// A file that cannot be read.
-    #[error("cannot read '{file}': {problem}")]
-    Read {
-        /// Which.
-        file: String,
-        /// Why.
-        problem: String,
-    },
     /// A plot or the page.
     #[error(transparent)]
     Draw(#[from] crate::kit::DrawError),
+}
+
+impl TradeError {
+    fn unreadable(file: &Path, problem: impl std::fmt::Display) -> TradeError {
+        TradeError::Refused(format!("cannot read '{}': {problem}", file.display()))
+    }
 }

@@ -103,23 +103,17 @@ impl Pictures<'_> {
         let (width, height) = self.size;
         let exact = is_map.then(|| exact_png(width, height, &rgb)).flatten();
         let png = exact.unwrap_or_else(|| self.reducer.png(width, height, &rgb));
-        png.map_err(|error| unreadable(self.folder, name, error))
-    }
-}
-
-fn unreadable(folder: &Path, name: &str, problem: impl std::fmt::Display) -> TradeError {
-    TradeError::Read {
-        file: folder.join(name).display().to_string(),
-        problem: problem.to_string(),
+        png.map_err(|error| TradeError::unreadable(&self.folder.join(name), error))
     }
 }
 
 /// Red, green and blue of a picture of this size.
 fn read(folder: &Path, name: &str, size: (u32, u32)) -> Result<Vec<u8>, TradeError> {
-    let (info, rgb) = read_png(&folder.join(name)).map_err(|e| unreadable(folder, name, e))?;
+    let path = folder.join(name);
+    let (info, rgb) = read_png(&path).map_err(|error| TradeError::unreadable(&path, error))?;
     let wanted = (size.0, size.1, png::ColorType::Rgb);
     if (info.width, info.height, info.color_type) != wanted {
-        return Err(unreadable(folder, name, "not a picture of this run"));
+        return Err(TradeError::unreadable(&path, "not a picture of this run"));
     }
     Ok(rgb)
 }

@@ -145,9 +145,9 @@ struct Kept {
     point: Point,
 }
 
-/// A folder of results: a file for each point, whole or not there, taken again only by the same run.
+/// The folder of the results of a request: a file for each point, whole or not there, taken again only by the same run.
 pub(super) struct Store<'a> {
-    pub folder: &'a Path,
+    pub request: &'a Request<'a>,
     /// What its results must belong to.
     pub key: Key,
 }
@@ -155,7 +155,8 @@ pub(super) struct Store<'a> {
 impl Store<'_> {
     /// The file of a point.
     pub fn path(&self, id: &str) -> PathBuf {
-        self.folder.join("points").join(format!("{id}.json"))
+        let points = self.request.out.join("points");
+        points.join(format!("{id}.json"))
     }
 
     /// A point that is finished and belongs to this run.
@@ -164,7 +165,7 @@ impl Store<'_> {
         let kept: Kept = serde_json::from_slice(&bytes).ok()?;
         let point = kept.point;
         let files = [&point.picture, &point.map, &point.machine_file].into_iter();
-        let is_there = |name: &String| self.folder.join(name).is_file();
+        let is_there = |name: &String| self.request.out.join(name).is_file();
         let is_whole = files.flatten().all(is_there);
         (kept.key == self.key && point.id == id && is_whole).then_some(point)
     }

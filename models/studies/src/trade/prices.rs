@@ -2,7 +2,7 @@
 
 use super::TradeError;
 use super::design::Design;
-use super::point::{Cost, Point, Pricing, Request, Store};
+use super::point::{Cost, Point, Pricing, Store};
 use super::report::{Trade, assemble};
 use imogene_plan::description::MachineDescription;
 use std::collections::{BTreeMap, BTreeSet};
@@ -12,16 +12,10 @@ const TOGETHER: usize = 16;
 
 type Outcome = Result<(), TradeError>;
 
-/// Finds costs, and keeps them.
-pub(super) struct Prices<'a> {
-    pub request: &'a Request<'a>,
-    pub store: &'a Store<'a>,
-}
-
-impl Prices<'_> {
+impl Store<'_> {
     /// All points with their costs. Some are synthesised, all others estimated from them; then, until there are no
     /// more, those that are on the front of speed, which move as they become known.
-    pub fn trade(&self, empty: &Trade, mut points: Vec<Point>) -> Result<Trade, TradeError> {
+    pub(super) fn trade(&self, empty: &Trade, mut points: Vec<Point>) -> Result<Trade, TradeError> {
         let seeds = seeds(&points);
         self.find(&mut points, &seeds, Pricing::Synthesised)?;
         self.estimate(&mut points, &seeds)?;
@@ -102,7 +96,7 @@ impl Prices<'_> {
                     _ => &mut point.cost_synthesised,
                 };
                 *place = cost.or(*place);
-                self.store.keep(point)?;
+                self.keep(point)?;
             }
         }
         Ok(())

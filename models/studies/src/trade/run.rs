@@ -6,7 +6,6 @@ use super::design::Design;
 use super::measure::{Measured, measure};
 pub use super::point::Request;
 use super::point::{Key, Point, Store};
-use super::prices::Prices;
 use super::report::Trade;
 use super::view::Views;
 use crate::kit::picture::{write_png, write_whole};
@@ -33,7 +32,6 @@ type Files = (String, String);
 
 /// A scene.
 struct Subject<'a> {
-    request: &'a Request<'a>,
     views: Views,
     store: Store<'a>,
 }
@@ -58,11 +56,7 @@ pub fn run(request: &Request) -> Result<Trade, TradeError> {
         legend: map::legend(),
         ..Trade::default()
     };
-    let prices = Prices {
-        request,
-        store: &subject.store,
-    };
-    prices.trade(&empty, subject.points()?)
+    subject.store.trade(&empty, subject.points()?)
 }
 
 /// Refuses what [`run`] would refuse before it measures anything.
@@ -88,10 +82,11 @@ impl<'a> Subject<'a> {
         let views = Views::new(request.file, request.size)?;
         let mut objects = views.whole().objects.iter();
         if let Some(other) = objects.find(|o| o.quadric().is_none()) {
-            return Err(TradeError::Processor {
-                object: other.name().to_owned(),
-                processor: other.processor(),
-            });
+            let (name, processor) = (other.name(), other.processor());
+            return Err(TradeError::Refused(format!(
+                "object '{name}': drawn by the processor \"{processor}\"; trade measures machines of quadric \
+                 processors, which draw every object of a quadric: leave `processor` out"
+            )));
         }
         let key = Key {
             scene: digest(request.file.to_toml()?),
@@ -100,19 +95,13 @@ impl<'a> Subject<'a> {
             target: request.target.to_owned(),
             program: request.program.to_owned(),
         };
-        Ok(Subject {
-            request,
-            views,
-            store: Store {
-                folder: request.out,
-                key,
-            },
-        })
+        let store = Store { request, key };
+        Ok(Subject { views, store })
     }
 
     /// File of the true picture, which is another for every scene and size.
     fn truth_file(&self) -> String {
-        let (width, height) = self.request.size;
+        let (width, height) = self.store.request.size;
         let key = &self.store.key;
         let own = digest(format!("{} {}", key.scene, key.program));
         format!("pictures/truth-{width}x{height}-{}.png", &own[..8])
@@ -120,7 +109,7 @@ impl<'a> Subject<'a> {
 
     fn write_truth(&self) -> Result<(), TradeError> {
         let truth = self.views.whole_truth();
-        let path = self.request.out.join(self.truth_file());
+        let path = self.store.request.out.join(self.truth_file());
         Ok(write_png(&path, truth.width, truth.height, &truth.rgb)?)
     }
 
@@ -130,7 +119,7 @@ impl<'a> Subject<'a> {
             if !self.is_kept(group) {
                 self.measure(group)?;
             }
-            (self.request.done)(group.len() as u64);
+            (self.store.request.done)(group.len() as u64);
             Ok(())
         })
     }
@@ -144,13 +133,11 @@ impl<'a> Subject<'a> {
     fn points(&self) -> Result<Vec<Point>, TradeError> {
         let point = |design: &Design| {
             let id = design.name();
-            let point = self.store.take(&id).ok_or_else(|| TradeError::Read {
-                file: self.store.path(&id).display().to_string(),
-                problem: "it was changed during the run; run the command again".into(),
-            })?;
-            Ok(self.with_commands(point))
+            let changed = "it was changed during the run; run the command again";
+            let lost = || TradeError::unreadable(&self.store.path(&id), changed);
+            Ok(self.with_commands(self.store.take(&id).ok_or_else(lost)?))
         };
-        self.request.designs.iter().map(point).collect()
+        self.store.request.designs.iter().map(point).collect()
     }
 
     fn measure(&self, group: Group) -> Result<(), TradeError> {
@@ -159,9 +146,9 @@ impl<'a> Subject<'a> {
         let name = accuracy.name();
         let files = (format!("pictures/{name}.png"), format!("maps/{name}.png"));
         if let Ok(measured) = &measured {
-            let (width, height) = self.request.size;
+            let (width, height) = self.store.request.size;
             for (file, rgb) in [(&files.0, &measured.rgb), (&files.1, &measured.map)] {
-                let path = self.request.out.join(file);
+                let path = self.store.request.out.join(file);
                 write_png(&path, width as usize, height as usize, rgb)?;
             }
         }
@@ -177,7 +164,7 @@ impl<'a> Subject<'a> {
             if let Some((file, machine)) = point.machine_file.as_ref().zip(point.machine.as_ref()) {
                 let (id, machine) = (&point.id, machine.to_toml());
                 let text = format!("# The machine of the point {id}\n{machine}");
-                let path = self.request.out.join(file);
+                let path = self.store.request.out.join(file);
                 write_whole(&path, |out| out.write_all(text.as_bytes()))?;
             }
             self.store.keep(&point)?;
@@ -187,7 +174,7 @@ impl<'a> Subject<'a> {
 
     fn point(&self, design: &Design, measured: &Measured, files: &Files) -> Result<Point, String> {
         let machine = measured.machine(design)?;
-        let timing = (self.request.timing)(&machine);
+        let timing = (self.store.request.timing)(&machine);
         let is_beam = machine.machine == MachineKind::Beam;
         let id = design.name();
         Ok(Point {
@@ -203,7 +190,7 @@ impl<'a> Subject<'a> {
                 true => Some(measured.toggles(&machine)?),
                 false => None,
             },
-            mhz_estimated: clock::estimate(&machine, self.request.target),
+            mhz_estimated: clock::estimate(&machine, self.store.request.target),
             picture: Some(files.0.clone()),
             map: Some(files.1.clone()),
             machine_file: Some(format!("machines/{id}.toml")),
@@ -215,16 +202,16 @@ impl<'a> Subject<'a> {
 
     /// The point with the commands that make it again, which depend on the folder.
     fn with_commands(&self, point: Point) -> Point {
-        let scene = quoted(self.request.name);
+        let scene = quoted(self.store.request.name);
         let Some(file) = &point.machine_file else {
-            let (width, height) = self.request.size;
+            let (width, height) = self.store.request.size;
             let widths = widths::print(&point.design.accuracy.widest());
             let command = format!(
                 "imogene render {scene} --size {width}x{height} --model golden --widths {widths} -o picture.png"
             );
             return Point { command, ..point };
         };
-        let file = quoted(&self.request.out.join(file).display().to_string());
+        let file = quoted(&self.store.request.out.join(file).display().to_string());
         let command = format!("imogene machine {scene} --machine {file} --out DIR");
         Point {
             emit: Some(command.replace(" --out", " --emit-only --out")),
