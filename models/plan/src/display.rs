@@ -156,9 +156,13 @@ fn table_words(shader: &ShaderWords) -> Vec<u64> {
 }
 
 fn check_size(scene: &FramedScene, machine: &MachineDescription) -> Result<()> {
-    let picture = (scene.width, scene.height);
+    let (width, height) = (scene.width, scene.height);
     match machine.drawn_size() {
-        Some(screen) if screen != picture => Err(DisplayError::Size(picture, screen)),
+        Some((columns, lines)) if (columns, lines) != (width, height) => {
+            Err(DisplayError::Refused(format!(
+                "a picture of {width}x{height} on a screen of {columns}x{lines}; frame the scene for the screen"
+            )))
+        }
         _ => Ok(()),
     }
 }

@@ -69,7 +69,7 @@ pub fn tile_words(
     let drawn = reached.map(|by| Drawn::of(quadric, &whole, by, &format));
     let seen = drawn[0].seen.around(&drawn[1].seen);
     let start = [seen.x0 as u64, seen.y0 as u64];
-    let window = [seen.x1 - seen.x0 + 1, seen.y1 - seen.y0 + 1].map(|side| side as u64);
+    let window = seen.size().map(|side| side as u64);
     if (0..2).any(|axis| window[axis] >= screen[axis]) {
         return Err(TileError::Room(window, screen));
     }
@@ -160,7 +160,7 @@ impl Drawn {
             first.depth.c += i128::from(by);
         }
         let (mut seen, mut depth, mut longest) = (ScreenBox::EMPTY, [i64::MAX, i64::MIN], 0.0);
-        for (x, y) in pixels(within) {
+        for (x, y) in within.each() {
             if !has_root(&words, x, y, format) {
                 continue;
             }
@@ -180,11 +180,6 @@ impl Drawn {
             longest,
         }
     }
-}
-
-fn pixels(within: &ScreenBox) -> impl Iterator<Item = (i64, i64)> {
-    let columns = within.x0..=within.x1;
-    (within.y0..=within.y1).flat_map(move |y| columns.clone().map(move |x| (x, y)))
 }
 
 /// Whether the quadric is there at a pixel, with a root that has a word.
@@ -217,7 +212,7 @@ fn widths(
 ) -> Result<MachineWords, FittedError> {
     let format = widest(&prepared.format)?;
     let (mut quadratic, mut plane) = (0, format.depth);
-    for (x, y) in pixels(window) {
+    for (x, y) in window.each() {
         quadratic = bits(quadric.f2.wrapped_at(x, y, WIDE)).max(quadratic);
         if !has_root(quadric, x, y, &format) {
             continue;

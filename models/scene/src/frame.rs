@@ -9,7 +9,7 @@
 //! Directions of the camera and rotations other than quarter turns are computed once in `f64`; their matrix entries
 //! are then taken as exact, so that everything derived from them is exact.
 
-use super::camera::{Camera, Lens};
+use super::camera::{Camera, Lens, Sight};
 use super::error::SceneError;
 use super::file::{Material, SceneFile};
 use super::framed::FramedObject;
@@ -17,10 +17,8 @@ use super::light::{Beam, Light};
 use super::limits::check_image_size;
 use super::mesh::FramedMesh;
 use super::object::Object;
-use super::observer::Sight;
 use super::paraboloids::{FramedCylinder, FramedSphere};
-use super::plane::Plane;
-use super::quadric::{FramedQuadric, Quadric, implicit};
+use super::quadric::{FramedQuadric, Plane, Quadric, implicit};
 use super::range::{DepthRange, Projection};
 use super::shape::{Processor, Shape};
 use super::solid::{FramedSolid, Solid, Tree};

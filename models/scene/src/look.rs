@@ -1,10 +1,9 @@
 //! Another look at a scene: from a side, turned, nearer, or so that all of it fills the picture.
 
-use super::camera::{Camera, Lens};
+use super::camera::{Camera, Lens, Sight};
 use super::error::SceneError;
 use super::file::SceneFile;
 use super::light::Beam;
-use super::observer::Sight;
 use super::reach::Body;
 use super::step::{Axis, Rotation};
 use super::transform::rotation_matrix;

@@ -5,8 +5,7 @@
 //! the tangent of its half angle. The object *is* the exact sphere or cylinder with these numbers.
 
 use super::error::SceneError;
-use super::plane::Plane;
-use super::quadric::{FramedQuadric, Quadric};
+use super::quadric::{FramedQuadric, Plane, Quadric};
 use super::shape::Surface;
 use super::transform::Transform;
 use imogene_algebra::rational::{from_decimal, from_f64_exact, integer, to_f64};

@@ -1,8 +1,7 @@
 //! Light sources as shadows and spots need them: exact, in the camera frame.
 
 use super::light::{Aim, Beam, Light};
-use super::plane::Plane;
-use super::quadric::Quadric;
+use super::quadric::{Plane, Quadric};
 use super::transform::{Transform, sine_and_cosine};
 use imogene_algebra::matrix::image;
 use imogene_algebra::rational::{from_decimal, from_f64_exact, integer};

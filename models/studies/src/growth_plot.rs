@@ -1,9 +1,10 @@
 //! Clocks of a frame over the size of the zones, as a picture.
 
 use crate::kit::DrawError;
-use crate::kit::plot::{Area, COLOURS, FONT, GREY, Outcome, series_labels, span, svg};
+use crate::kit::plot::{Area, COLOURS, GREY, Outcome, chart, series_labels, span, svg};
 use imogene_plan::zone::growth::Growth;
 use plotters::prelude::*;
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 const SIZE: (u32, u32) = (760, 520);
@@ -18,18 +19,11 @@ fn draw(area: &Area, title: &str, rows: &[Growth]) -> Outcome {
     let side = |row: &Growth| f64::from(row.side).log2();
     let clocks = |row: &Growth| (row.clocks.total as f64).log2();
     let wider = |range: Range<f64>, margin: f64| range.start - margin..range.end + margin;
-    let mut counts: Vec<usize> = rows.iter().map(|row| row.object_processors).collect();
-    counts.sort_unstable();
-    counts.dedup();
-    let mut chart = ChartBuilder::on(area)
-        .margin(14)
-        .caption(title, (FONT, 20))
-        .x_label_area_size(44)
-        .y_label_area_size(84)
-        .build_cartesian_2d(
-            wider(span(rows.iter().map(side)), 0.2),
-            wider(span(rows.iter().map(clocks)), 0.3),
-        )?;
+    let counts: BTreeSet<usize> = rows.iter().map(|row| row.object_processors).collect();
+    let mut chart = chart(area, 14, (title, 20), [44, 84]).build_cartesian_2d(
+        wider(span(rows.iter().map(side)), 0.2),
+        wider(span(rows.iter().map(clocks)), 0.3),
+    )?;
     let power = |value: &f64| format!("{:.0}", value.exp2());
     chart
         .configure_mesh()
@@ -41,7 +35,7 @@ fn draw(area: &Area, title: &str, rows: &[Growth]) -> Outcome {
         .light_line_style(TRANSPARENT)
         .bold_line_style(GREY)
         .draw()?;
-    for (&count, colour) in counts.iter().zip(COLOURS.into_iter().cycle()) {
+    for (count, colour) in counts.into_iter().zip(COLOURS.into_iter().cycle()) {
         let own = rows.iter().filter(|row| row.object_processors == count);
         let curve: Vec<(f64, f64)> = own.map(|row| (side(row), clocks(row))).collect();
         let dots = curve.clone().into_iter();

@@ -24,15 +24,9 @@ impl Bits {
     /// What an object of the quadric or the patch processor needs on its screen box, from every pixel of it; nothing if
     /// the box is empty.
     pub fn of(words: &QuadricWords, format: &Format) -> Bits {
-        let window = words.screen_box;
-        if window.is_empty() {
-            return Bits::default();
-        }
         let mut found = Found::default();
-        for y in window.y0..=window.y1 {
-            for x in window.x0..=window.x1 {
-                found.visit(words, format, x, y);
-            }
+        for (x, y) in words.screen_box.each() {
+            found.visit(words, format, x, y);
         }
         found.bits()
     }

@@ -15,10 +15,11 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 /// What became of an object.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Fate {
     /// It is drawn.
+    #[default]
     Drawn,
     /// It is at no pixel, alone on the screen.
     Nowhere,
@@ -27,7 +28,7 @@ pub enum Fate {
 }
 
 /// One object, as it was and as it is.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct ReducedObject {
     /// Name in the scene.
     pub name: String,
@@ -137,17 +138,10 @@ fn reduce(object: &PreparedObject, seen: u64, format: &Format, pixels: u64) -> R
     let drawn: u64 = parts.iter().map(|drawn| drawn.len() as u64).sum();
     let mut reduced = ReducedObject {
         name: object.name().to_owned(),
-        fate: Fate::Drawn,
         processors: [before.len() as u64, 0],
-        visited: [0; 2],
-        planes: [0; 2],
-        plane_depths: [0; 2],
         drawn,
         seen,
-        changed: 0,
-        bits: None,
-        words: vec![],
-        faces: vec![],
+        ..ReducedObject::default()
     };
     before.iter().for_each(|words| reduced.count(words, 0));
     if drawn == 0 || drawn < pixels {

@@ -1,6 +1,5 @@
 //! What a machine with a screen is made of.
 
-use super::lit_sphere::LitSphere;
 use imogene_contract::object::ProductSlots;
 use imogene_contract::slots::{FittedSlot, Products, Slots};
 use imogene_contract::video::{Span, VideoMode};
@@ -10,7 +9,7 @@ use imogene_golden::machine::post_filter::Kernel;
 use imogene_golden::machine::zone::ZoneMachine;
 use imogene_golden::unit::lattice::Lattice;
 use imogene_golden::widths::OwnWidths;
-use imogene_prepare::lit_sphere::SphereForm;
+use imogene_prepare::lit_sphere::{SphereForm, most_tables};
 use imogene_scene::{is_default, number, text_or_table};
 use serde::{Deserialize, Deserializer, Serialize};
 
@@ -101,6 +100,48 @@ impl<'de> Deserialize<'de> for Mode {
     fn deserialize<D: Deserializer<'de>>(input: D) -> Result<Mode, D::Error> {
         let wanted = "the name of a mode or a table of its numbers";
         text_or_table(input, wanted, Mode::Named, Mode::Own)
+    }
+}
+
+/// Entries along each side of the smallest tables.
+pub(crate) const SMALLEST_SIDE: u32 = 16;
+
+/// Shading by tables of the direction of the normal (`docs/architecture.md`, section 8.4).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table")]
+pub struct LitSphere {
+    /// Entries along each side of a table: 16, 32, 64 or 128.
+    pub side: u32,
+    /// Materials, each with a table, and with twice as many for each light of the machine.
+    pub materials: usize,
+    /// The nearest entry is the colour, and nothing stands between entries.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub nearest: bool,
+}
+
+impl LitSphere {
+    /// Bits of a coordinate in a table.
+    pub fn places(&self) -> u32 {
+        self.side.max(1).ilog2()
+    }
+
+    /// What its tables are like.
+    pub fn form(&self) -> SphereForm {
+        SphereForm {
+            places: self.places(),
+            nearest: self.nearest,
+        }
+    }
+
+    /// Tables of this side at most.
+    pub fn most_tables(&self) -> u32 {
+        most_tables(self.places())
+    }
+
+    /// True if there are tables for its materials and the flags of so many lights.
+    pub fn has_room(&self, lights: usize) -> bool {
+        let most = self.most_tables().checked_shr(lights as u32);
+        self.materials <= most.unwrap_or(0) as usize
     }
 }
 

@@ -56,7 +56,7 @@ impl Duplication {
 ///
 /// Of n interleaved groups, h lines touch the smaller of n and h wherever they are; the source has no formula for them.
 pub fn expected(window: &ScreenBox, division: Division) -> [f64; 2] {
-    let size = [window.x1 - window.x0 + 1, window.y1 - window.y0 + 1].map(|n| n as f64);
+    let size = window.size().map(|n| n as f64);
     match division {
         Division::Zones { width, height } => {
             let zone = [width, height].map(f64::from);

@@ -77,16 +77,14 @@ impl DrawnPiece {
     fn draw_object(&mut self, object: usize, words: &ProcessorWords, format: &Format) {
         let window = *words.screen_box();
         let frame = &mut self.frame;
-        for y in window.y0..=window.y1 {
-            for x in window.x0..=window.x1 {
-                let pixel = words.at(x, y, format);
-                let at = y as usize * frame.width + x as usize;
-                if pixel.zf < frame.depth[at] {
-                    frame.depth[at] = pixel.zf;
-                    frame.id[at] = object as i32;
-                    frame.number[at] = pixel.number;
-                    frame.normal[at] = pixel.normal;
-                }
+        for (x, y) in window.each() {
+            let pixel = words.at(x, y, format);
+            let at = y as usize * frame.width + x as usize;
+            if pixel.zf < frame.depth[at] {
+                frame.depth[at] = pixel.zf;
+                frame.id[at] = object as i32;
+                frame.number[at] = pixel.number;
+                frame.normal[at] = pixel.normal;
             }
         }
         self.work.loads += 1;
@@ -101,13 +99,10 @@ impl DrawnPiece {
             // Outside of a light is dark, also outside its box.
             VolumeKind::Light => ScreenBox::of_screen(self.piece.width, self.piece.height),
         };
-        for y in told.y0..=told.y1 {
-            for x in told.x0..=told.x1 {
-                let at = y as usize * self.frame.width + x as usize;
-                let is_inside =
-                    window.contains(x, y) && own.holds(x, y, self.frame.depth[at], format);
-                self.flags[at] = words.after(self.flags[at], is_inside);
-            }
+        for (x, y) in told.each() {
+            let at = y as usize * self.frame.width + x as usize;
+            let is_inside = window.contains(x, y) && own.holds(x, y, self.frame.depth[at], format);
+            self.flags[at] = words.after(self.flags[at], is_inside);
         }
         self.work.volume_loads += u64::from(!window.is_empty());
         self.work.volume_pixels += window.pixels();

@@ -3,7 +3,7 @@
 use super::EvaluateError;
 use super::duplication::{Edges, formula, touched};
 use super::row::Evaluation;
-use crate::kit::plot::{Area, COLOURS, FONT, GREY, Outcome, series_labels, svg};
+use crate::kit::plot::{Area, COLOURS, GREY, Outcome, chart, series_labels, svg};
 use plotters::coord::ranged1d::SegmentValue;
 use plotters::prelude::*;
 
@@ -24,12 +24,13 @@ pub fn duplication_plot() -> Result<String, EvaluateError> {
 }
 
 fn draw_duplication(area: &Area) -> Outcome {
-    let mut chart = ChartBuilder::on(area)
-        .margin(14)
-        .caption("Zones that a box touches, mean over all places", (FONT, 20))
-        .x_label_area_size(44)
-        .y_label_area_size(58)
-        .build_cartesian_2d(0.0..1.5, 0.0..6.5)?;
+    let mut chart = chart(
+        area,
+        14,
+        ("Zones that a box touches, mean over all places", 20),
+        [44, 58],
+    )
+    .build_cartesian_2d(0.0..1.5, 0.0..6.5)?;
     chart
         .configure_mesh()
         .x_desc("side of the box over side of the zone")
@@ -90,11 +91,7 @@ pub fn operations_plot(evaluation: &Evaluation) -> Result<String, EvaluateError>
 
 fn draw_operations(area: &Area, bars: &[Bar]) -> Outcome {
     let most = bars.iter().flat_map(|bar| bar.1).fold(1.0, f64::max);
-    let mut chart = ChartBuilder::on(area)
-        .margin(14)
-        .caption("Operations to prepare an object", (FONT, 20))
-        .x_label_area_size(44)
-        .y_label_area_size(58)
+    let mut chart = chart(area, 14, ("Operations to prepare an object", 20), [44, 58])
         .build_cartesian_2d((0..bars.len() - 1).into_segmented(), 0.0..1.35 * most)?;
     let label = |place: &SegmentValue<usize>| match place {
         SegmentValue::CenterOf(at) => bars.get(*at).map_or("", |bar| &bar.0).to_owned(),

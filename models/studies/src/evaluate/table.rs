@@ -47,7 +47,7 @@ struct Line {
     name: String,
     section: Option<String>,
     printed: Source,
-    corrected: Option<Amount>,
+    corrected: Option<String>,
     ours: String,
     unit: Option<String>,
     why: Option<String>,
@@ -59,13 +59,6 @@ enum Source {
     Number(f64),
     Text(String),
     Sum { sum: String },
-}
-
-#[derive(Deserialize)]
-#[serde(untagged)]
-enum Amount {
-    Number(f64),
-    Sum(String),
 }
 
 /// What a source counts in a processor: PE1, PE2, roots, multipliers; and why ours has others.
@@ -136,10 +129,7 @@ impl<'a> Sums<'a> {
             Source::Text(text) => Printed::from(text.as_str()),
             Source::Sum { sum } => Printed::from(self.value(sum)?),
         };
-        let corrected = line.corrected.as_ref().map(|corrected| match corrected {
-            Amount::Number(value) => Ok(*value),
-            Amount::Sum(sum) => self.value(sum),
-        });
+        let corrected = line.corrected.as_ref().map(|sum| self.value(sum));
         let section = of(&line.section, &usual.section);
         let names = [&*line.name, &*section, &*of(&line.unit, &usual.unit)];
         let ours = self.value(&line.ours)?;

@@ -156,7 +156,7 @@ impl<'a> Omission<'a> {
             let views: Option<Vec<View>> = views.collect();
             let spare = views.map_or(vec![], |views| spare_planes(&views, over));
             let spare = spare.into_iter();
-            spare.map(move |spare| (spare.pixels, (object, Some(spare.plane))))
+            spare.map(move |(pixels, plane)| (pixels, (object, Some(plane))))
         });
         let planes: Vec<AtStake> = planes.collect();
         let objects = seen.into_iter().enumerate();

@@ -10,14 +10,9 @@ use imogene_prepare::{Framing, PreparedScene};
 use imogene_scene::SceneFile;
 use std::collections::BTreeMap;
 
-/// A cut plane, and the pixels of the frame that shows most of its loss, with the planes lost before it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct SparePlane {
-    /// Index among the cuts of the object.
-    pub plane: usize,
-    /// Pixels of the picture that show something else without it.
-    pub pixels: u64,
-}
+/// The pixels of the frame that shows most of the loss of a cut plane, with the planes lost before it, and the index of
+/// the plane among the cuts of its object.
+type SparePlane = (u64, usize);
 
 /// An object in a frame.
 pub(super) struct View<'a> {
@@ -138,19 +133,16 @@ pub(super) fn spare_planes(views: &[View], over: u64) -> Vec<SparePlane> {
             for view in views {
                 most = view.changed(&left)?.max(most);
             }
-            Some(SparePlane {
-                plane,
-                pixels: most,
-            })
+            Some((most, plane))
         });
-        let least = tried.min_by_key(|tried| tried.pixels);
-        let Some(mut least) = least.filter(|least| least.pixels < over) else {
+        let least = tried.min_by_key(|(pixels, _)| *pixels);
+        let Some((pixels, least)) = least.filter(|(pixels, _)| *pixels < over) else {
             break;
         };
         // Two planes can make up for a third: it still goes after those that it was missed less than.
-        least.pixels = spare.last().map_or(0, |last| last.pixels).max(least.pixels);
-        kept.retain(|plane| *plane != least.plane);
-        spare.push(least);
+        let before = spare.last().map_or(0, |(pixels, _)| *pixels);
+        kept.retain(|plane| *plane != least);
+        spare.push((pixels.max(before), least));
     }
     spare
 }

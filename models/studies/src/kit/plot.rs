@@ -44,6 +44,19 @@ pub fn svg(
     Ok(text)
 }
 
+/// A chart on an area: its margin, its title and the height of that, and the room of the labels at the axes.
+pub fn chart<'a, 'b>(
+    area: &'a Area<'b>,
+    margin: u32,
+    (title, height): (&str, u32),
+    [x, y]: [u32; 2],
+) -> ChartBuilder<'a, 'b, SVGBackend<'b>> {
+    let mut chart = ChartBuilder::on(area);
+    chart.margin(margin).caption(title, (FONT, height));
+    chart.x_label_area_size(x).y_label_area_size(y);
+    chart
+}
+
 /// The names of the series, in the upper left corner.
 pub fn series_labels<'a, 'b: 'a, X: Ranged, Y: Ranged>(
     chart: &mut ChartContext<'a, SVGBackend<'b>, Cartesian2d<X, Y>>,

@@ -102,10 +102,7 @@ impl Sum {
 
 fn scan(words: &FacetWords, format: &Format, sum: &mut Sum) {
     let window = words.screen_box;
-    if window.is_empty() {
-        return;
-    }
-    let (width, height) = (window.x1 - window.x0 + 1, window.y1 - window.y0 + 1);
+    let [width, height] = window.size();
     let zone = words.for_zone(window.x0, window.y0, width, height);
     for y in 0..height {
         for x in 0..width {

@@ -64,7 +64,7 @@ pub struct Ratios {
 }
 
 /// All figures of a step; the keys are stable.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct Figures {
     /// Depth word.
     pub depth_word: u32,
@@ -106,7 +106,6 @@ pub fn measure(scene: &FramedScene, prepared: &PreparedScene) -> Figures {
         guards: [prepared.format.guard_linear, prepared.format.guard_quadratic],
         words_per_pixel,
         needed: report.widths.needed.clone(),
-        covered: 0,
         undecided: report.undecided_pixels,
         normals_undetermined: report.bounds.normals_undetermined,
         bounds: Bounds {
@@ -115,8 +114,6 @@ pub fn measure(scene: &FramedScene, prepared: &PreparedScene) -> Figures {
             silhouette_px: report.bounds.silhouette_px,
             normal_deg: report.bounds.normal_deg,
         },
-        observed: Observed::default(),
-        ratios: Ratios::default(),
         check_failed: (!report.ok).then(|| {
             format!(
                 "check fails: a silhouette may be displaced by {:.2} pixels, that is a pixel or more",
@@ -124,7 +121,7 @@ pub fn measure(scene: &FramedScene, prepared: &PreparedScene) -> Figures {
             )
         }),
         problems: problems.collect(),
-        violations: vec![],
+        ..Figures::default()
     };
     compare_pixels(&mut figures, scene, prepared);
     for (object, (_, words)) in report.objects.iter().zip(prepared.quadrics()) {

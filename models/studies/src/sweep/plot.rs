@@ -7,7 +7,7 @@ use super::measure::Figures;
 use super::record::Axis;
 use super::record::{Notice, Record, SweepResult};
 use crate::kit::DrawError;
-use crate::kit::plot::{Area, COLOURS, FONT, GREY, Outcome, span, svg};
+use crate::kit::plot::{Area, COLOURS, FONT, GREY, Outcome, chart, span, svg};
 use plotters::prelude::*;
 
 const PANEL: (u32, u32) = (470, 430);
@@ -193,12 +193,8 @@ fn draw_panel(area: &Area<'_>, panel: &Panel, result: &SweepResult) -> Outcome {
     let top = high + 0.09 * (high - low);
     let margin = 0.03 * (places.high - places.low);
     let (left, right) = (places.low - margin, places.high + margin);
-    let mut chart = ChartBuilder::on(area)
-        .margin(12)
-        .caption(panel.title, (FONT, 17))
-        .x_label_area_size(44)
-        .y_label_area_size(56)
-        .build_cartesian_2d(left..right, low..top)?;
+    let mut chart =
+        chart(area, 12, (panel.title, 17), [44, 56]).build_cartesian_2d(left..right, low..top)?;
     let decades = |span: f64| span as usize + 2;
     let columns = match result.axis.logarithmic {
         true => decades(right - left),

@@ -2,7 +2,7 @@
 
 use super::TradeError;
 use super::plot::draw;
-use super::report::{FRONTS, Trade};
+use super::report::{Entry, FRONTS, Trade};
 use super::shrink::{Reducer, exact_png};
 use super::speed;
 use crate::kit::page::rendered;
@@ -24,17 +24,22 @@ pub fn page(trade: &Trade, folder: &Path) -> Result<String, TradeError> {
     let plots = FRONTS.iter().map(|front| draw(trade, front));
     let plots = plots.collect::<Result<Vec<String>, TradeError>>()?;
     let size = (trade.width, trade.height);
-    let source = Pictures {
-        folder,
-        size,
-        reducer: Reducer::new(&read(folder, &trade.truth, size)?),
+    let reducer = Reducer::new(&read(&folder.join(&trade.truth), size)?);
+    // In few colours; a map as it is, for it has few.
+    let embed = |name: &str, is_map: bool| {
+        let path = folder.join(name);
+        let rgb = read(&path, size)?;
+        let exact = is_map.then(|| exact_png(size, &rgb)).flatten();
+        let png = exact.unwrap_or_else(|| reducer.png(size, &rgb));
+        let png = png.map_err(|error| TradeError::unreadable(&path, error))?;
+        Ok(format!("data:image/png;base64,{}", STANDARD.encode(png)))
     };
     let data = json!({
         "measure": trade.measure,
         "target": trade.target,
         "points": trade.points,
-        "pictures": pictures(trade, &source)?,
-        "truth": data_uri(&source.png(&trade.truth, false)?),
+        "pictures": pictures(trade, embed)?,
+        "truth": embed(&trade.truth, false)?,
     });
     let values = context! {
         trade => Serde(json!({
@@ -71,49 +76,28 @@ fn legend(trade: &Trade) -> Vec<Value> {
     trade.legend.iter().map(entry).collect()
 }
 
-/// Every picture and map once, under the name of its file.
-fn pictures(trade: &Trade, source: &Pictures) -> Result<BTreeMap<String, String>, TradeError> {
+/// Every picture and map once, embedded, under the name of its file.
+fn pictures(
+    trade: &Trade,
+    embed: impl Fn(&str, bool) -> Result<String, TradeError>,
+) -> Result<BTreeMap<&str, String>, TradeError> {
     let mut all = BTreeMap::new();
-    for entry in &trade.points {
-        for (name, is_map) in [(&entry.point.picture, false), (&entry.point.map, true)] {
-            let Some(name) = name.as_ref().filter(|name| !all.contains_key(*name)) else {
-                continue;
-            };
-            all.insert(name.clone(), data_uri(&source.png(name, is_map)?));
+    for Entry { point, .. } in &trade.points {
+        for (name, is_map) in [(&point.picture, false), (&point.map, true)] {
+            if let Some(name) = name.as_deref().filter(|name| !all.contains_key(name)) {
+                all.insert(name, embed(name, is_map)?);
+            }
         }
     }
     Ok(all)
 }
 
-fn data_uri(png: &[u8]) -> String {
-    format!("data:image/png;base64,{}", STANDARD.encode(png))
-}
-
-/// The pictures of a folder, in few colours.
-struct Pictures<'a> {
-    folder: &'a Path,
-    size: (u32, u32),
-    reducer: Reducer,
-}
-
-impl Pictures<'_> {
-    /// A picture as PNG; a map as it is, for it has few colours.
-    fn png(&self, name: &str, is_map: bool) -> Result<Vec<u8>, TradeError> {
-        let rgb = read(self.folder, name, self.size)?;
-        let (width, height) = self.size;
-        let exact = is_map.then(|| exact_png(width, height, &rgb)).flatten();
-        let png = exact.unwrap_or_else(|| self.reducer.png(width, height, &rgb));
-        png.map_err(|error| TradeError::unreadable(&self.folder.join(name), error))
-    }
-}
-
 /// Red, green and blue of a picture of this size.
-fn read(folder: &Path, name: &str, size: (u32, u32)) -> Result<Vec<u8>, TradeError> {
-    let path = folder.join(name);
-    let (info, rgb) = read_png(&path).map_err(|error| TradeError::unreadable(&path, error))?;
+fn read(path: &Path, size: (u32, u32)) -> Result<Vec<u8>, TradeError> {
+    let (info, rgb) = read_png(path).map_err(|error| TradeError::unreadable(path, error))?;
     let wanted = (size.0, size.1, png::ColorType::Rgb);
     if (info.width, info.height, info.color_type) != wanted {
-        return Err(TradeError::unreadable(&path, "not a picture of this run"));
+        return Err(TradeError::unreadable(path, "not a picture of this run"));
     }
     Ok(rgb)
 }

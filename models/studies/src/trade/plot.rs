@@ -2,7 +2,7 @@
 
 use super::TradeError;
 use super::report::{Entry, Front, Trade, hardware};
-use crate::kit::plot::{Area, FONT, Outcome, roomy, svg};
+use crate::kit::plot::{Area, FONT, Outcome, chart, roomy, svg};
 use plotters::prelude::*;
 
 const SIZE: (u32, u32) = (420, 270);
@@ -90,12 +90,7 @@ fn label(front: &Front, place: f64) -> String {
 fn draw_dots(area: &Area, trade: &Trade, front: &Front, dots: &[Dot]) -> Outcome {
     let x = roomy(dots.iter().map(|dot| dot.x), ROOM);
     let y = roomy(dots.iter().map(|dot| dot.y), ROOM);
-    let mut chart = ChartBuilder::on(area)
-        .margin(10)
-        .caption(front.title, (FONT, 15))
-        .x_label_area_size(36)
-        .y_label_area_size(46)
-        .build_cartesian_2d(x, y)?;
+    let mut chart = chart(area, 10, (front.title, 15), [36, 46]).build_cartesian_2d(x, y)?;
     chart
         .configure_mesh()
         .light_line_style(TRANSPARENT)

@@ -27,7 +27,7 @@ impl Reducer {
     }
 
     /// A picture in these colours, as PNG.
-    pub fn png(&self, width: u32, height: u32, rgb: &[u8]) -> Encoded {
+    pub fn png(&self, size: (u32, u32), rgb: &[u8]) -> Encoded {
         let mut known: HashMap<[u8; 3], u8> = HashMap::new();
         let index = |c: &[u8]| {
             let colour = [c[0], c[1], c[2]];
@@ -35,12 +35,12 @@ impl Reducer {
             *known.entry(colour).or_insert_with(find)
         };
         let indices: Vec<u8> = rgb.chunks_exact(3).map(index).collect();
-        encode(width, height, &self.palette, &indices)
+        encode(size, &self.palette, &indices)
     }
 }
 
 /// A picture of at most 256 colours without any change, as PNG; `None` if it has more.
-pub fn exact_png(width: u32, height: u32, rgb: &[u8]) -> Option<Encoded> {
+pub fn exact_png(size: (u32, u32), rgb: &[u8]) -> Option<Encoded> {
     let mut known: HashMap<[u8; 3], usize> = HashMap::new();
     let mut palette = vec![];
     let mut indices = Vec::with_capacity(rgb.len() / 3);
@@ -52,10 +52,10 @@ pub fn exact_png(width: u32, height: u32, rgb: &[u8]) -> Option<Encoded> {
         });
         indices.push(u8::try_from(index).ok()?);
     }
-    Some(encode(width, height, &palette, &indices))
+    Some(encode(size, &palette, &indices))
 }
 
-fn encode(width: u32, height: u32, palette: &[u8], indices: &[u8]) -> Encoded {
+fn encode((width, height): (u32, u32), palette: &[u8], indices: &[u8]) -> Encoded {
     let mut bytes = vec![];
     let mut encoder = png::Encoder::new(&mut bytes, width, height);
     encoder.set_color(png::ColorType::Indexed);

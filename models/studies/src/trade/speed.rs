@@ -4,7 +4,7 @@ use super::TradeError;
 use super::design::Accuracy;
 use super::plot::{hardware_title, marked};
 use super::report::{Entry, Trade, hardware};
-use crate::kit::plot::{Area, FONT, GREY, Outcome, roomy, svg};
+use crate::kit::plot::{Area, FONT, GREY, Outcome, chart, roomy, svg};
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -52,7 +52,7 @@ pub fn draw(trade: &Trade) -> Result<String, TradeError> {
     dots.sort_by_key(|dot| dot.is_on_front());
     let classes = (0..trade.classes.len()).filter_map(|class| Class::of(trade, class));
     let classes: Vec<Class> = classes.collect();
-    let draw = |area: &Area| chart(area, trade, &dots, &classes);
+    let draw = |area: &Area| draw_plane(area, trade, &dots, &classes);
     let text = svg("cannot draw a plot", SIZE, draw)?;
     let names = dots.iter().map(|dot| &*dot.entry.point.id);
     Ok(marked(&text, names))
@@ -144,15 +144,11 @@ fn in_words(accuracy: &Accuracy) -> String {
 /// The plane of area and the power of ten of the frames per second.
 type Plane<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
-fn chart(area: &Area, trade: &Trade, dots: &[Dot], classes: &[Class]) -> Outcome {
+fn draw_plane(area: &Area, trade: &Trade, dots: &[Dot], classes: &[Class]) -> Outcome {
     let x = roomy(dots.iter().map(|dot| dot.place.0), ROOM);
     let y = roomy(dots.iter().map(|dot| dot.place.1), ROOM);
-    let mut plane = ChartBuilder::on(area)
-        .margin(12)
+    let mut plane = chart(area, 12, (TITLE, 16), [40, 64])
         .margin_right(NAMES)
-        .caption(TITLE, (FONT, 16))
-        .x_label_area_size(40)
-        .y_label_area_size(64)
         .build_cartesian_2d(x.clone(), y.clone())?;
     plane
         .configure_mesh()

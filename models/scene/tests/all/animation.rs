@@ -1,4 +1,4 @@
-use imogene_scene::animation::moves::{Moves, Part};
+use imogene_scene::animation::{Moves, Part};
 use imogene_scene::{Axis, MoveFrame, Rotation, Scale, Step};
 
 fn turn(axis: Axis, degrees: f64) -> Step {
