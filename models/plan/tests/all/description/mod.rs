@@ -1,3 +1,3 @@
 mod keys;
-mod lit_sphere;
+mod machine;
 mod validation;
