@@ -40,17 +40,6 @@ impl Bits {
             plane: self.plane.max(other.plane),
         }
     }
-
-    /// A format with these words and everything else as it was: what the object's own processor could be.
-    pub fn narrowed(&self, format: &Format) -> Format {
-        Format {
-            sum: self.sum.max(2),
-            quadratic: self.quadratic.max(2),
-            root: self.root.max(format.dropped_rows + 1),
-            plane: self.plane.max(2),
-            ..*format
-        }
-    }
 }
 
 /// Values at the pixels visited so far.

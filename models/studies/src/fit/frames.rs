@@ -198,7 +198,7 @@ impl Frames {
     pub fn draw(&self, wide: &MachineWords, budget: &Budget) -> Result<Option<Drawn>, FitError> {
         let in_widths = |widths: &MachineWords| self.in_widths(widths);
         let found = match self.has_bounds {
-            true => narrowest(wide, in_widths, PreparedScene::needed)?,
+            true => narrowest(wide, in_widths)?,
             false => {
                 let widths = following(wide);
                 in_widths(&widths)?.map(|prepared| (widths, prepared))

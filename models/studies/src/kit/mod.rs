@@ -8,12 +8,7 @@ pub mod words;
 
 use thiserror::Error;
 
-/// A plot or a page that the library does not make.
+/// A plot or a page that the library does not make: what, and why not.
 #[derive(Debug, Error)]
-#[error("{what}: {problem}")]
-pub struct DrawError {
-    /// What cannot be made.
-    pub what: String,
-    /// Why not.
-    pub problem: String,
-}
+#[error("{0}: {1}")]
+pub struct DrawError(String, String);

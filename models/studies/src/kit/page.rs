@@ -17,10 +17,7 @@ pub fn rendered(what: &str, template: &str, values: Value) -> Result<String, Dra
 }
 
 fn failed(what: &str, error: &Error) -> DrawError {
-    DrawError {
-        what: what.into(),
-        problem: format!("{error:#}"),
-    }
+    DrawError(what.into(), format!("{error:#}"))
 }
 
 /// A text from its template, over values by their keys in JSON; `what` begins the message if it cannot be made.

@@ -37,10 +37,7 @@ pub fn svg(
         Ok(area.present()?)
     };
     let drawn: Outcome = on_white(SVGBackend::with_string(&mut text, size).into_drawing_area());
-    drawn.map_err(|problem| DrawError {
-        what: what.into(),
-        problem: problem.to_string(),
-    })?;
+    drawn.map_err(|problem| DrawError(what.into(), problem.to_string()))?;
     Ok(text)
 }
 

@@ -41,23 +41,22 @@ pub const fn widest(
     }
 }
 
-/// The narrowest widths that take all parts of a picture, and the parts in them. `prepared` gives the parts, or nothing
-/// if a word is too short for one.
-pub fn narrowest<T, E>(
+/// The narrowest widths that take all scenes, and the scenes in them. `prepared` gives the scenes, or nothing if a word
+/// is too short for one.
+pub fn narrowest<E>(
     wide: &MachineWords,
-    prepared: impl Fn(&MachineWords) -> Result<Option<Vec<T>>, E>,
-    needed: impl Fn(&T) -> NeededWidths,
-) -> Result<Option<(MachineWords, Vec<T>)>, E> {
+    prepared: impl Fn(&MachineWords) -> Result<Option<Vec<PreparedScene>>, E>,
+) -> Result<Option<(MachineWords, Vec<PreparedScene>)>, E> {
     let Some(in_wide) = prepared(wide)? else {
         return Ok(None);
     };
-    let each = in_wide.iter().map(needed);
+    let each = in_wide.iter().map(PreparedScene::needed);
     let most = each.fold(NeededWidths::default(), |most, one| most.or(&one));
     let mut widths = most.narrowed(wide);
     // The root of the rounded words may need a bit more in the narrower word; never more than the wide one has.
     while widths != *wide {
-        if let Some(parts) = prepared(&widths)? {
-            return Ok(Some((widths, parts)));
+        if let Some(scenes) = prepared(&widths)? {
+            return Ok(Some((widths, scenes)));
         }
         widths.root = (widths.root + 1).min(wide.root);
         widths.plane = (widths.plane + 1).min(wide.plane);

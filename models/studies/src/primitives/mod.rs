@@ -16,10 +16,9 @@ use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::Lighting;
 use imogene_golden::object::slot::Slot;
 use imogene_prepare::Framing;
-use imogene_prepare::error::PrepareError;
+use imogene_prepare::animator::FrameProblem;
 use imogene_prepare::prepare;
-use imogene_scene::{FramedObject, FramedScene, Processor, SceneError, SceneFile};
-use thiserror::Error;
+use imogene_scene::{FramedObject, FramedScene, Processor, SceneFile};
 
 /// Greatest distance of a fair polygon from its circle, in pixels.
 pub const FAIR_ERROR: f64 = 0.5;
@@ -56,17 +55,6 @@ impl Variant {
             Variant::Quadrics => "quadrics".into(),
         }
     }
-}
-
-/// A scene that cannot be compared.
-#[derive(Debug, Error)]
-pub enum CompareError {
-    /// The scene at this size.
-    #[error(transparent)]
-    Scene(#[from] SceneError),
-    /// A variant of it does not fit the machine.
-    #[error(transparent)]
-    Prepare(#[from] PrepareError),
 }
 
 /// A variant as it was drawn.
@@ -108,7 +96,7 @@ impl Subject {
         file: &SceneFile,
         size: (u32, u32),
         format: Format,
-    ) -> Result<Subject, CompareError> {
+    ) -> Result<Subject, FrameProblem> {
         let framed = file.frame(size.0, size.1)?;
         let round = by(file, Processor::Paraboloid).frame(size.0, size.1)?;
         let radius = |object: &FramedObject| match object {
@@ -129,7 +117,7 @@ impl Subject {
 
     /// Draws a variant.
     /// Fails if an object of it does not fit the machine.
-    pub fn draw(&self, variant: Variant) -> Result<Drawn, CompareError> {
+    pub fn draw(&self, variant: Variant) -> Result<Drawn, FrameProblem> {
         let sides = |object: usize| match variant {
             Variant::Facets(sides) => Some(sides),
             Variant::FairFacets => Some(fair_sides(self.radii[object])),

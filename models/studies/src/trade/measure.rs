@@ -170,9 +170,9 @@ fn prepared(
         Err(problem) if *widths == wide => Err(problem),
         prepared => Ok(prepared.ok().map(|prepared| vec![prepared])),
     };
-    let found = narrowest(&wide, in_widths, PreparedScene::needed)?;
-    let (widths, mut parts) = found.expect("a refusal of the widest words is an error");
-    Ok((widths, parts.remove(0)))
+    let found = narrowest(&wide, in_widths)?;
+    let (widths, mut scenes) = found.expect("a refusal of the widest words is an error");
+    Ok((widths, scenes.remove(0)))
 }
 
 fn in_format(scene: &FramedScene, widths: &MachineWords) -> Result<PreparedScene, String> {
