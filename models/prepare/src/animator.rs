@@ -6,7 +6,7 @@ use crate::error::PrepareError;
 use crate::range::frame_keeping;
 use crate::scene::PreparedScene;
 use imogene_golden::format::Format;
-use imogene_scene::animation::{FrameOf, Playback};
+use imogene_scene::animation::{FrameOf, Playback, PlaybackError};
 use imogene_scene::{
     Camera, FramedObject, FramedScene, Object, RangeOrigin, SceneError, SceneFile,
 };
@@ -58,7 +58,10 @@ pub struct FrameError {
 /// Why a frame cannot be drawn, or an animation cannot be played.
 #[derive(Debug, Error)]
 pub enum FrameProblem {
-    /// There are no frames, or the scene cannot be had as the actions leave it.
+    /// There are no frames, or the actions cannot be done.
+    #[error(transparent)]
+    Playback(#[from] PlaybackError),
+    /// The scene cannot be had as the actions leave it.
     #[error(transparent)]
     Scene(#[from] SceneError),
     /// The words are too short for it.

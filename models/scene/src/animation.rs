@@ -3,17 +3,38 @@
 //! [`Playback`] says which frames there are and what the scene is in each of them, again as a
 //! [`SceneFile`].
 
-use super::error::SceneError;
 use super::file::SceneFile;
 use super::image::{Action, KeyImage, MoveFrame};
 use super::step::{Rotation, Scale, Step};
 use imogene_algebra::rational::{from_decimal, integer, to_f64};
 use std::collections::HashMap;
+use thiserror::Error;
 
 /// Most steps that the actions of a chain of images may add to one placement, those that are one step counted once.
 ///
 /// Every turn that is not a quarter lengthens the exact entries of a placement by the digits of a sine.
 pub const MAX_MOVES: usize = 64;
+
+/// A scene whose images cannot be played.
+#[derive(Debug, Error)]
+pub enum PlaybackError {
+    /// There is nothing to play.
+    #[error(
+        "the scene has no images to play; `[[images]]`, at least one of them active, are needed for frames"
+    )]
+    NoFrames,
+    /// An element was moved in too many ways.
+    #[error(
+        "image `{image}`: the placement of `{target}` has more than {MAX_MOVES} steps by then; \
+         a chain of images may add {MAX_MOVES} to each placement, turns about one axis one after the other counted once"
+    )]
+    TooManyMoves {
+        /// The image.
+        image: String,
+        /// What is moved.
+        target: String,
+    },
+}
 
 /// Which frame of which image.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,7 +64,7 @@ impl<'a> Playback<'a> {
     /// # Errors
     ///
     /// Without any active image.
-    pub fn new(file: &'a SceneFile) -> Result<Playback<'a>, SceneError> {
+    pub fn new(file: &'a SceneFile) -> Result<Playback<'a>, PlaybackError> {
         let images = || file.images.iter().enumerate();
         let named: HashMap<&str, usize> = images().map(|(i, own)| (&*own.name, i)).collect();
         let parent = |image: &KeyImage| {
@@ -57,10 +78,7 @@ impl<'a> Playback<'a> {
         let active = images().filter(|(_, image)| image.active);
         let frames: Vec<(usize, Part)> = active.flat_map(of_image).collect();
         if frames.is_empty() {
-            return Err(SceneError(
-                "the scene has no images to play; `[[images]]`, at least one of them active, are needed for frames"
-                    .into(),
-            ));
+            return Err(PlaybackError::NoFrames);
         }
         Ok(Playback {
             file,
@@ -102,7 +120,7 @@ impl<'a> Playback<'a> {
     /// # Panics
     ///
     /// If there is no such frame.
-    pub fn scene(&self, index: usize) -> Result<SceneFile, SceneError> {
+    pub fn scene(&self, index: usize) -> Result<SceneFile, PlaybackError> {
         let (image, part) = self.frames[index];
         let chain = std::iter::successors(Some(image), |image| self.parents[*image]);
         let mut chain: Vec<usize> = chain.collect();
@@ -113,13 +131,9 @@ impl<'a> Playback<'a> {
             let image = &self.file.images[ancestor];
             for action in &image.actions {
                 let done = state.act(action, part, self.file);
-                done.map_err(|target| {
-                    SceneError(format!(
-                        "image `{}`: the placement of `{target}` has more than {MAX_MOVES} steps by then; \
-                         a chain of images may add {MAX_MOVES} to each placement, turns about one axis one after the \
-                         other counted once",
-                        image.name
-                    ))
+                done.map_err(|target| PlaybackError::TooManyMoves {
+                    image: image.name.clone(),
+                    target: target.to_owned(),
                 })?;
             }
         }
@@ -127,7 +141,7 @@ impl<'a> Playback<'a> {
     }
 
     /// All frames as scenes, each under the name of the file and its place in it.
-    pub fn scenes(&self, file: &str) -> Result<Vec<(String, SceneFile)>, SceneError> {
+    pub fn scenes(&self, file: &str) -> Result<Vec<(String, SceneFile)>, PlaybackError> {
         let named = |index: usize| {
             let of = self.frame(index);
             let place = format!("frame {} of {}", of.step, of.steps);

@@ -3,31 +3,104 @@
 use std::fmt::Display;
 use thiserror::Error;
 
-/// A scene that is refused, or cannot be written. The message says what is wrong, where, and what would be accepted.
+/// A scene that is refused. Every message says what is wrong, where, and what would be accepted.
 #[derive(Debug, Error)]
-#[error("{0}")]
-pub struct SceneError(pub(super) String);
+pub enum SceneError {
+    /// The file cannot be opened or read.
+    #[error(
+        "{file}: the scene file cannot be read ({source}); give the path of a readable TOML scene file"
+    )]
+    Unreadable {
+        /// Path as given by the caller.
+        file: String,
+        /// The system's reason.
+        source: std::io::Error,
+    },
+    /// The file is not text.
+    #[error("{file}:{line}: byte {offset} is not UTF-8 text; a scene file is a TOML text in UTF-8")]
+    NotText {
+        /// Path as given by the caller.
+        file: String,
+        /// Line that holds the first bad byte, from 1.
+        line: usize,
+        /// Position of the first bad byte in the file, from 0.
+        offset: usize,
+    },
+    /// The text is not TOML, or a key or a value is not one of the format.
+    #[error("{file}:{line}:{column}: {problem}\n  {line} | {text}")]
+    Syntax {
+        /// Path as given by the caller.
+        file: String,
+        /// Line of the first character concerned, from 1.
+        line: usize,
+        /// Column of that character, from 1.
+        column: usize,
+        /// What is wrong and what would be accepted.
+        problem: String,
+        /// The line itself.
+        text: String,
+    },
+    /// A value is of the right type and cannot be used.
+    #[error("{place}: {problem}; {accepted}")]
+    Value {
+        /// The part of the scene and its key, for instance ``object `lid`, cuts[0].normal``.
+        place: String,
+        /// What is wrong, with the value.
+        problem: String,
+        /// What would be accepted.
+        accepted: String,
+    },
+    /// An error inside a named file.
+    #[error("{file}: {error}")]
+    InFile {
+        /// Path as given by the caller.
+        file: String,
+        /// The error itself.
+        error: Box<SceneError>,
+    },
+    /// The scene cannot be written as TOML.
+    #[error("the scene cannot be written as TOML ({source})")]
+    Unwritable {
+        /// The writer's reason.
+        source: toml::ser::Error,
+    },
+}
 
 impl SceneError {
-    /// A value of the right type that cannot be used; its place is the part of the scene and its key, for instance
-    /// ``object `lid`, cuts[0].normal``.
     pub(super) fn value(
         place: impl Display,
         problem: impl Display,
         accepted: impl Display,
     ) -> Self {
-        Self(format!("{place}: {problem}; {accepted}"))
+        Self::Value {
+            place: place.to_string(),
+            problem: problem.to_string(),
+            accepted: accepted.to_string(),
+        }
+    }
+
+    /// The same error with the name of the file it was found in.
+    pub(super) fn in_file(self, file: &str) -> Self {
+        match self {
+            Self::Value { .. } => Self::InFile {
+                file: file.to_owned(),
+                error: Box::new(self),
+            },
+            located => located,
+        }
     }
 
     /// The TOML reader's error, placed on its line.
     pub(super) fn syntax(file: &str, text: &str, error: &toml::de::Error) -> Self {
         let start = error.span().map_or(0, |span| span.start);
         let (line, column) = line_and_column(text, start);
-        let problem = in_plain_words(error.message());
-        let text = around(text.lines().nth(line - 1).unwrap_or(""), column);
-        Self(format!(
-            "{file}:{line}:{column}: {problem}\n  {line} | {text}"
-        ))
+        Self::Syntax {
+            file: file.to_owned(),
+            line,
+            column,
+            problem: in_plain_words(error.message()),
+            text: around(text.lines().nth(line - 1).unwrap_or(""), column),
+        }
     }
 }
 

@@ -16,19 +16,17 @@ impl SceneFile {
     /// Reads and checks a scene file.
     pub fn read(path: &Path) -> Result<Self, SceneError> {
         let file = path.display().to_string();
-        let unreadable = |source| {
-            SceneError(format!(
-                "{file}: the scene file cannot be read ({source}); give the path of a readable TOML scene file"
-            ))
+        let unreadable = |source| SceneError::Unreadable {
+            file: file.clone(),
+            source,
         };
         let bytes = imogene_files::read(path, MAX_BYTES).map_err(unreadable)?;
         check_memory(bytes.len() as u64).map_err(unreadable)?;
         let text = std::str::from_utf8(&bytes).map_err(|error| {
             let offset = error.valid_up_to();
             let (line, _) = line_and_column(&String::from_utf8_lossy(&bytes[..offset]), offset);
-            SceneError(format!(
-                "{file}:{line}: byte {offset} is not UTF-8 text; a scene file is a TOML text in UTF-8"
-            ))
+            let file = file.clone();
+            SceneError::NotText { file, line, offset }
         })?;
         Self::parse(text, &file)
     }
@@ -48,16 +46,14 @@ impl SceneFile {
                 "cameras[{index}] has no `name`; each of `[[cameras]]` needs one, `[camera]` alone may go without"
             ))));
         }
-        let problem = |problem| SceneError(format!("{file}: {problem}"));
-        scene.validate_text().map_err(problem)?;
+        scene.validate_text().map_err(|error| error.in_file(file))?;
         Ok(scene)
     }
 
     /// The scene as the text of a scene file; [`SceneFile::parse`] reads it back as the same scene.
     pub fn to_toml(&self) -> Result<String, SceneError> {
         self.validate_text()?;
-        let unwritable = |why| SceneError(format!("the scene cannot be written as TOML ({why})"));
-        toml::to_string(self).map_err(unwritable)
+        toml::to_string(self).map_err(|source| SceneError::Unwritable { source })
     }
 }
 
@@ -98,13 +94,13 @@ fn check_version(table: &DeTable, text: &str, file: &str) -> Result<(), SceneErr
     }
     let table: toml::Table =
         toml::from_str(text).map_err(|error| SceneError::syntax(file, text, &error))?;
-    let problem = match table.get("format") {
-        None if table.is_empty() => "the file is empty".to_owned(),
-        None => "the version of the format is missing".to_owned(),
-        Some(toml::Value::Integer(FORMAT_VERSION)) => return Ok(()),
-        Some(other) => format!("version {other} is not known"),
-    };
     let accepted = format!("this program reads `format = {FORMAT_VERSION}`");
-    let place = format!("{file}: format");
-    Err(SceneError::value(place, problem, accepted))
+    let refuse =
+        |problem: String| Err(SceneError::value("format", problem, accepted).in_file(file));
+    match table.get("format") {
+        None if table.is_empty() => refuse("the file is empty".into()),
+        None => refuse("the version of the format is missing".into()),
+        Some(toml::Value::Integer(FORMAT_VERSION)) => Ok(()),
+        Some(other) => refuse(format!("version {other} is not known")),
+    }
 }

@@ -1,8 +1,8 @@
 //! Descriptions as text.
 
+use super::error::DescriptionError;
 use super::keys::{Places, key};
 use super::machine::{MachineDescription, most_planes};
-use super::validation::DescriptionError;
 use imogene_contract::slots::Slots;
 use imogene_scene::{in_plain_words, line_and_column};
 use serde::Deserialize;
@@ -12,8 +12,12 @@ use toml::de::DeTable;
 /// A key that has to be given, and is not.
 fn missing(name: &str, file: &str) -> Option<DescriptionError> {
     let (key, accepted) = key(name)?;
-    let problem = format!("{file}: {key} is missing; accepted: {accepted}");
-    Some(DescriptionError(problem))
+    Some(DescriptionError::Value {
+        place: file.into(),
+        key,
+        value: "missing".into(),
+        accepted,
+    })
 }
 
 /// What the reader says of a text, with the key that it speaks of and what that accepts where its value is of another
@@ -37,12 +41,16 @@ fn unread(
     }
     let mut of_types = ["invalid", "missing", "expected"].into_iter();
     let is_of_type = of_types.any(|word| said.starts_with(word));
-    let problem = match around() {
-        Some((key, accepted)) if is_of_type => format!("{key}: {said}; accepted: {accepted}"),
-        Some((key, _)) => format!("{key}: {said}"),
-        None => said,
-    };
-    DescriptionError(format!("{file}:{line}:{column}: {problem}"))
+    DescriptionError::Syntax {
+        file: file.into(),
+        line,
+        column,
+        problem: match around() {
+            Some((key, accepted)) if is_of_type => format!("{key}: {said}; accepted: {accepted}"),
+            Some((key, _)) => format!("{key}: {said}"),
+            None => said,
+        },
+    }
 }
 
 /// Most bytes of a description, which has a dozen lines.
@@ -56,10 +64,11 @@ impl MachineDescription {
     /// When the file cannot be read, is no description, or a value is out of its range.
     pub fn read(path: &Path) -> Result<MachineDescription, DescriptionError> {
         let file = path.display().to_string();
-        let text = imogene_files::read_text(path, MAX_BYTES).map_err(|why| {
-            DescriptionError(format!(
-                "{file}: the machine description cannot be read ({why}); give the path of a readable TOML file"
-            ))
+        let text = imogene_files::read_text(path, MAX_BYTES).map_err(|source| {
+            DescriptionError::Unreadable {
+                file: file.clone(),
+                source,
+            }
         })?;
         Self::parse(&text, &file)
     }

@@ -1,5 +1,6 @@
 //! What a machine description may say.
 
+use super::error::DescriptionError;
 use super::keys::{MAX_ZONE_PIXELS, SPHERE, key_of, modes};
 use super::machine::{MachineDescription, MachineKind, Output, Smoothing, most_planes};
 use imogene_contract::object::Kind;
@@ -11,12 +12,6 @@ use imogene_golden::machine::shader::MOST_LIGHTS;
 use imogene_golden::machine::zone::{MAX_PICTURE, SAMPLES};
 use imogene_golden::object::quadric::{MAX_PLANES, after_root};
 use imogene_golden::unit::root::Method;
-use thiserror::Error;
-
-/// Why a description is refused: where, what is wrong, and what would be accepted.
-#[derive(Debug, Error)]
-#[error("{0}")]
-pub struct DescriptionError(pub(super) String);
 
 /// Pixels of a screen at most.
 const MAX_SCREEN_PIXELS: u64 = 1 << 22;
@@ -56,7 +51,11 @@ impl MachineDescription {
     pub(super) fn check_at(&self, place: &dyn Fn(&str) -> String) -> Result<(), DescriptionError> {
         let format = self.format().map_err(|problem| {
             let key = key_of(&problem);
-            DescriptionError(format!("{}: {key}: {problem}", place(key)))
+            DescriptionError::Widths {
+                place: place(key),
+                key,
+                problem,
+            }
         })?;
         let checks = || {
             self.check_counts(format.root_rows() as usize)?;
@@ -71,11 +70,11 @@ impl MachineDescription {
             self.check_output(&mode)?;
             self.check_kind()
         };
-        checks().map_err(|Refusal(key, value, accepted)| {
-            DescriptionError(format!(
-                "{}: {key} is {value}; accepted: {accepted}",
-                place(key)
-            ))
+        checks().map_err(|Refusal(key, value, accepted)| DescriptionError::Value {
+            place: place(key),
+            key,
+            value,
+            accepted,
         })
     }
 
