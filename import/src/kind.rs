@@ -1,6 +1,6 @@
 //! What a file is, by what it holds and else by what it is called, and files compressed with gzip.
 
-use crate::error::{Result, unusable};
+use crate::error::{Error, ImportError};
 use crate::pdb::Format;
 use flate2::read::MultiGzDecoder;
 use std::io::Read;
@@ -142,17 +142,19 @@ pub fn is_compressed(bytes: &[u8]) -> bool {
 
 /// What was compressed, if it takes at most so many bytes; several members are one file. `file` is the name that
 /// messages give it.
-pub fn unpack(bytes: &[u8], limit: u64, file: &str) -> Result<Vec<u8>> {
+pub fn unpack(bytes: &[u8], limit: u64, file: &str) -> Result<Vec<u8>, ImportError> {
     let mut unpacked = vec![];
     let mut decoder = MultiGzDecoder::new(bytes).take(limit + 1);
-    let count = decoder.read_to_end(&mut unpacked).map_err(|error| {
-        let accepted = "a whole file compressed with gzip would be accepted";
-        unusable(file, format!("it cannot be unpacked ({error})"), accepted)
-    })?;
-    if count as u64 > limit {
-        let problem = format!("it unpacks to more than {limit} bytes");
-        let accepted = format!("up to {limit} bytes would be accepted");
-        return Err(unusable(file, problem, accepted));
-    }
-    Ok(unpacked)
+    let (problem, accepted) = match decoder.read_to_end(&mut unpacked) {
+        Ok(count) if count as u64 <= limit => return Ok(unpacked),
+        Ok(_) => (
+            format!("it unpacks to more than {limit} bytes"),
+            format!("up to {limit} bytes would be accepted"),
+        ),
+        Err(error) => (
+            format!("it cannot be unpacked ({error})"),
+            "a whole file compressed with gzip would be accepted".to_owned(),
+        ),
+    };
+    Err(ImportError::of(file)(Error::whole(problem, accepted)))
 }

@@ -1,11 +1,11 @@
 //! From the words of a face list to a model; every refusal names its line and column.
 
 use super::curve::{Curve, Ellipse};
-use super::keys::{EdgeKeys, FORMAT_VERSION, FaceKeys, ListKeys, Name, SurfaceKeys};
+use super::keys::*;
 use super::model::{COINCIDENT, Edge, EdgeUse, Face, Model, Solid};
 use super::surface::{Form, Surface};
 use super::vector::{Vector, across, distance, frame, hull, length, minus, reach, unit};
-use crate::error::{ImportError, Result, Source, unusable};
+use crate::error::{Error, Result};
 use imogene_scene::Material;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::fmt::Display;
@@ -14,93 +14,99 @@ use toml::Spanned;
 /// Most faces, and most edges, of a list.
 pub const MAX_PARTS: usize = 20_000;
 
-pub fn build(source: Source) -> Result<Model> {
-    let keys: ListKeys = toml::from_str(source.text).map_err(|error| {
-        source.error_at(
-            error.span().unwrap_or(0..0).start,
-            error.message().trim_end().replace('\n', ", "),
-            "a face list as docs/cad-faces.md describes it is needed",
-        )
+/// The model of a face list.
+pub fn build(text: &str) -> Result<Model> {
+    let read = toml::from_str(text).map_err(|error| Flaw {
+        at: error.span().unwrap_or(0..0).start,
+        problem: error.message().trim_end().replace('\n', ", "),
+        accepted: "a face list as docs/cad-faces.md describes it is needed".to_owned(),
+    });
+    let model = read.and_then(model).map_err(|flaw| {
+        let bytes = text.as_bytes();
+        Error::at(bytes, flaw.at, flaw.problem, flaw.accepted)
     })?;
+    let accepted = "at least one face with edges, or a sphere, and a box around them of at least a millionth of a unit are needed";
+    let refused = || Error::whole("the faces have no size", accepted);
+    model.assembled().ok_or_else(refused)
+}
+
+fn model(keys: ListKeys) -> Checked<Model> {
     let version = *keys.format.as_ref();
     if version != FORMAT_VERSION {
         let problem = format!("version {version} of the format is not known");
         let accepted = format!("this program reads `format = {FORMAT_VERSION}`");
-        return Err(source.error(&keys.format, problem, accepted));
+        return Err(flaw(&keys.format, problem, accepted));
     }
-    let vertices = Vertices::of(source, &keys.vertices)?;
-    let edges = edges(&source, &keys, &vertices)?;
-    let faces = faces(&source, &keys.faces, &edges)?;
-    let materials = materials(&source, &keys.materials)?;
-    let solids = solids(&source, &keys, &materials)?;
-    let model = Model {
+    let vertices = Vertices::of(&keys.vertices)?;
+    let edges = edges(&keys, &vertices)?;
+    let faces = faces(&keys.faces, &edges)?;
+    let materials = materials(&keys.materials)?;
+    let solids = solids(&keys, &materials)?;
+    Ok(Model {
         title: keys.title,
         materials,
         edges,
         faces,
         solids,
         ..Model::default()
-    };
-    let accepted = "at least one face with edges, or a sphere, and a box around them of at least a millionth of a unit are needed";
-    let refused = || unusable(source.file, "the faces have no size", accepted);
-    model.assembled().ok_or_else(refused)
+    })
 }
 
 /// Refuses too many parts by their names.
-fn few<'k>(
-    source: &Source,
-    mut names: impl ExactSizeIterator<Item = &'k Name>,
-    what: &str,
-) -> Result<()> {
+fn few<'k>(mut names: impl ExactSizeIterator<Item = &'k Name>, what: &str) -> Checked<()> {
     let problem = format!("{} {what}", names.len());
     let accepted = format!("at most {MAX_PARTS} are possible; a larger assembly is several lists");
     let extra = names.nth(MAX_PARTS);
-    extra.map_or(Ok(()), |name| Err(source.error(name, problem, accepted)))
+    extra.map_or(Ok(()), |name| Err(flaw(name, problem, accepted)))
 }
 
 /// Refuses an empty name and one that is taken.
-fn unique(source: &Source, names: &mut HashSet<String>, name: &Name, what: &str) -> Result<()> {
+fn unique(names: &mut HashSet<String>, name: &Name, what: &str) -> Checked<()> {
     let text = name.as_ref();
     if text.trim().is_empty() || text.starts_with('-') {
         let accepted = "a name that is not empty and does not begin with `-` is needed";
-        return Err(source.error(name, format!("`{text}` is no name of a {what}"), accepted));
+        return Err(flaw(
+            name,
+            format!("`{text}` is no name of a {what}"),
+            accepted,
+        ));
     }
     if !names.insert(text.clone()) {
         let problem = format!("the name `{text}` is taken by an earlier {what}");
-        return Err(source.error(name, problem, "every name must be unique"));
+        return Err(flaw(name, problem, "every name must be unique"));
     }
     Ok(())
 }
 
-fn edges(source: &Source, keys: &ListKeys, vertices: &Vertices) -> Result<Vec<Edge>> {
-    few(source, keys.edges.iter().map(|key| &key.name), "edges")?;
+fn edges(keys: &ListKeys, vertices: &Vertices) -> Checked<Vec<Edge>> {
+    few(keys.edges.iter().map(|key| &key.name), "edges")?;
     let mut names = HashSet::new();
     let edge = |keys: &EdgeKeys| {
-        unique(source, &mut names, &keys.name, "edge")?;
+        unique(&mut names, &keys.name, "edge")?;
         keys.edge(vertices)
     };
     keys.edges.iter().map(edge).collect()
 }
 
-fn faces(source: &Source, keys: &[FaceKeys], edges: &[Edge]) -> Result<Vec<Face>> {
-    few(source, keys.iter().map(|key| &key.name), "faces")?;
+fn faces(keys: &[FaceKeys], edges: &[Edge]) -> Checked<Vec<Face>> {
+    few(keys.iter().map(|key| &key.name), "faces")?;
     let edge_names = edges.iter().map(|edge| edge.name.as_str());
     let by_name: HashMap<&str, usize> = edge_names.zip(0..).collect();
     let mut names = HashSet::new();
     let mut faces = vec![];
     for key in keys {
-        unique(source, &mut names, &key.name, "face")?;
-        let surface = surface(source, &key.surface)?;
+        unique(&mut names, &key.name, "face")?;
+        let surface = surface(&key.surface)?;
         let name = key.name.as_ref().clone();
-        let edge_loop = |list| edge_loop(source, list, &by_name, edges);
-        let loops: Vec<Vec<EdgeUse>> = key.loops.iter().map(edge_loop).collect::<Result<_>>()?;
+        let edge_loop = |list| edge_loop(list, &by_name, edges);
+        let loops: Vec<Vec<EdgeUse>> = key.loops.iter().map(edge_loop).collect::<Checked<_>>()?;
         let form = &surface.form;
         let is_endless = matches!(form, Form::Plane | Form::Cylinder(_) | Form::Cone(_));
         if loops.is_empty() && is_endless {
             let surface = surface.name();
             let problem = format!("face `{name}` has no loop, and a {surface} is endless");
             let accepted = "`loops = [[\"edge\", ...], ...]` is needed; a whole sphere or torus alone has none";
-            return Err(source.error(&key.name, problem, accepted));
+            return Err(flaw(&key.name, problem, accepted));
         }
         faces.push(Face {
             name,
@@ -115,18 +121,17 @@ fn faces(source: &Source, keys: &[FaceKeys], edges: &[Edge]) -> Result<Vec<Face>
 
 /// The edges of a loop, each of which begins where the one before it ends.
 fn edge_loop(
-    source: &Source,
     list: &Spanned<Vec<Name>>,
     by_name: &HashMap<&str, usize>,
     edges: &[Edge],
-) -> Result<Vec<EdgeUse>> {
+) -> Checked<Vec<EdgeUse>> {
     let names = list.as_ref();
     let mut uses = vec![];
     for name in names {
         let text = name.as_ref().as_str();
         let plain = text.strip_prefix('-').unwrap_or(text);
         let forward = plain.len() == text.len();
-        let edge = *by_name.get(plain).ok_or_else(|| source.error(
+        let edge = *by_name.get(plain).ok_or_else(|| flaw(
             name,
             format!("`{plain}` is not an edge of this list"),
             "the name of an edge, with `-` in front if it is passed from its end to its start, is needed",
@@ -134,7 +139,11 @@ fn edge_loop(
         uses.push(EdgeUse { edge, forward });
     }
     let Some(first) = uses.first() else {
-        return Err(source.error(list, "the loop has no edge", "at least one edge is needed"));
+        return Err(flaw(
+            list,
+            "the loop has no edge",
+            "at least one edge is needed",
+        ));
     };
     if edges[first.edge].vertices.is_none() && uses.len() == 1 {
         return Ok(uses);
@@ -148,47 +157,47 @@ fn edge_loop(
         let (text, after) = (name.as_ref(), names[next].as_ref());
         let (Some([_, end]), Some([start, _])) = (ends(uses[index]), ends(uses[next])) else {
             let problem = format!("a closed edge stands in one loop with others, at `{text}`");
-            return Err(source.error(name, problem, "a closed edge is a loop of its own"));
+            return Err(flaw(name, problem, "a closed edge is a loop of its own"));
         };
         if end != start {
             let problem = format!("`{text}` does not end where `{after}` begins");
             let accepted = "the edges of a loop follow each other from vertex to vertex and come back to the first";
-            return Err(source.error(name, problem, accepted));
+            return Err(flaw(name, problem, accepted));
         }
     }
     Ok(uses)
 }
 
-fn materials(source: &Source, keys: &[Spanned<Material>]) -> Result<Vec<Material>> {
+fn materials(keys: &[Spanned<Material>]) -> Checked<Vec<Material>> {
     let mut names = HashSet::new();
     for material in keys {
         let m = material.as_ref();
         let name = Spanned::new(material.span(), m.name.clone());
-        unique(source, &mut names, &name, "material")?;
+        unique(&mut names, &name, "material")?;
         let [r, g, b] = m.colour;
         let shares = [m.ambient, m.diffuse, m.specular, r, g, b];
         if let Some(value) = shares.iter().find(|v| !(0.0..=1.0).contains(*v)) {
             let problem = format!("{value} in material `{}` is out of range", m.name);
             let accepted = "colours and shares are numbers from 0 to 1";
-            return Err(source.error(material, problem, accepted));
+            return Err(flaw(material, problem, accepted));
         }
     }
     Ok(keys.iter().map(|m| m.as_ref().clone()).collect())
 }
 
-fn solids(source: &Source, keys: &ListKeys, materials: &[Material]) -> Result<Vec<Solid>> {
+fn solids(keys: &ListKeys, materials: &[Material]) -> Checked<Vec<Solid>> {
     let faces = keys.faces.iter().map(|face| face.name.as_ref().as_str());
     let index: HashMap<&str, usize> = faces.zip(0..).collect();
     let mut owned = vec![false; keys.faces.len()];
     let mut names = HashSet::new();
     let mut solids = vec![];
     for key in &keys.solids {
-        unique(source, &mut names, &key.name, "solid")?;
+        unique(&mut names, &key.name, "solid")?;
         let material = key.material.as_ref();
         if !materials.iter().any(|m| m.name == *material) {
             let problem = format!("`{material}` is not a material of this list");
             let accepted = "the name of an entry of `[[materials]]` is needed";
-            return Err(source.error(&key.material, problem, accepted));
+            return Err(flaw(&key.material, problem, accepted));
         }
         let face = |name: &Name| {
             let text = name.as_ref();
@@ -197,19 +206,23 @@ fn solids(source: &Source, keys: &ListKeys, materials: &[Material]) -> Result<Ve
                 Some(_) => format!("face `{text}` has a solid already"),
                 None => format!("`{text}` is not a face of this list"),
             };
-            Err(source.error(name, problem, "every face belongs to exactly one solid"))
+            Err(flaw(
+                name,
+                problem,
+                "every face belongs to exactly one solid",
+            ))
         };
         solids.push(Solid {
             name: key.name.as_ref().clone(),
             material: material.clone(),
-            faces: key.faces.iter().map(face).collect::<Result<_, _>>()?,
+            faces: key.faces.iter().map(face).collect::<Checked<_>>()?,
         });
     }
     if let Some(lost) = owned.iter().position(|owned| !owned) {
         let name = &keys.faces[lost].name;
         let problem = format!("face `{}` belongs to no solid", name.as_ref());
         let accepted = "every face belongs to exactly one of `[[solids]]`";
-        return Err(source.error(name, problem, accepted));
+        return Err(flaw(name, problem, accepted));
     }
     Ok(solids)
 }
@@ -233,7 +246,7 @@ const KINDS: [(&str, &[&str], &[&str]); 5] = [
     ("torus", &["centre", "axis"], &["major", "minor"]),
 ];
 
-pub fn surface(source: &Source, keys: &Spanned<SurfaceKeys>) -> Result<Surface> {
+pub fn surface(keys: &Spanned<SurfaceKeys>) -> Checked<Surface> {
     let own = keys.as_ref();
     let kind = own.kind.as_ref().as_str();
     let known = KINDS.iter().find(|(name, ..)| *name == kind);
@@ -243,7 +256,7 @@ pub fn surface(source: &Source, keys: &Spanned<SurfaceKeys>) -> Result<Surface> 
         let accepted = format!(
             "plane, cylinder, cone, sphere, and as names of what is not drawn {others}, are possible"
         );
-        return Err(source.error(&own.kind, problem, accepted));
+        return Err(flaw(&own.kind, problem, accepted));
     }
     let (_, vectors, sizes) = *known.unwrap_or(&("", &[], &[]));
     let allowed = [vectors, sizes].concat();
@@ -253,7 +266,7 @@ pub fn surface(source: &Source, keys: &Spanned<SurfaceKeys>) -> Result<Surface> 
             "" => "its name alone is possible".to_owned(),
             allowed => format!("it has {allowed}"),
         };
-        return Err(source.error(keys, format!("a {kind} has no `{key}`"), accepted));
+        return Err(flaw(keys, format!("a {kind} has no `{key}`"), accepted));
     }
     // A torus whose numbers are not all given is named only.
     if vectors.is_empty() || (kind == "torus" && given.len() < allowed.len()) {
@@ -261,16 +274,16 @@ pub fn surface(source: &Source, keys: &Spanned<SurfaceKeys>) -> Result<Surface> 
     }
     let missing = |key: &str| {
         let problem = format!("a {kind} needs `{key}`");
-        source.error(keys, problem, "this key is needed")
+        flaw(keys, problem, "this key is needed")
     };
     let vector = |key: &str| own.vector(key).ok_or_else(|| missing(key));
-    let origin = source.point(vector(vectors[0])?)?;
+    let origin = point(vector(vectors[0])?)?;
     let axis = match vectors.get(1) {
-        Some(key) => source.direction(vector(key)?)?,
+        Some(key) => direction(vector(key)?)?,
         None => [0.0, 0.0, 1.0],
     };
-    let size = |key: &&str| size(source, key, own.number(key).ok_or_else(|| missing(key))?);
-    let numbers: Vec<f64> = sizes.iter().map(size).collect::<Result<_>>()?;
+    let size = |key: &&str| size(key, own.number(key).ok_or_else(|| missing(key))?);
+    let numbers: Vec<f64> = sizes.iter().map(size).collect::<Checked<_>>()?;
     let form = match (kind, &numbers[..]) {
         ("cylinder", [radius]) => Form::Cylinder(*radius),
         ("cone", [angle]) => Form::Cone(*angle),
@@ -282,15 +295,15 @@ pub fn surface(source: &Source, keys: &Spanned<SurfaceKeys>) -> Result<Surface> 
 }
 
 /// A length above 0, or the angle of a cone in radians.
-fn size(source: &Source, key: &str, value: &Spanned<f64>) -> Result<f64> {
+fn size(key: &str, value: &Spanned<f64>) -> Checked<f64> {
     let number = *value.as_ref();
     if key != "half_angle" {
-        source.lengths(value, &[number])?;
+        lengths(value, &[number])?;
         return Ok(number);
     }
     if !(0.1..=89.9).contains(&number) {
         let problem = format!("{number} degrees between axis and surface is out of range");
-        return Err(source.error(value, problem, "0.1 to 89.9 degrees are possible"));
+        return Err(flaw(value, problem, "0.1 to 89.9 degrees are possible"));
     }
     Ok(number.to_radians())
 }
@@ -308,34 +321,29 @@ const EDGE_KINDS: [(&str, &[&str]); 4] = [
 ];
 
 /// Names and places of the vertices of a list.
-pub struct Vertices<'a> {
-    source: Source<'a>,
+pub struct Vertices {
     index: HashMap<String, usize>,
     points: Vec<Vector>,
     /// Size of the box around them, for tolerances.
     size: f64,
 }
 
-impl<'a> Vertices<'a> {
-    pub fn of(
-        source: Source<'a>,
-        keys: &BTreeMap<String, Spanned<Vector>>,
-    ) -> Result<Vertices<'a>> {
-        let points = keys.values().map(|p| source.point(p));
-        let points: Vec<Vector> = points.collect::<Result<_>>()?;
+impl Vertices {
+    pub fn of(keys: &BTreeMap<String, Spanned<Vector>>) -> Checked<Vertices> {
+        let points = keys.values().map(|p| point(p));
+        let points: Vec<Vector> = points.collect::<Checked<_>>()?;
         Ok(Vertices {
-            source,
             index: keys.keys().cloned().zip(0..).collect(),
             size: hull(&points).map_or(0.0, |[low, high]| distance(low, high)),
             points,
         })
     }
 
-    fn find(&self, name: &Spanned<String>) -> Result<usize> {
+    fn find(&self, name: &Spanned<String>) -> Checked<usize> {
         self.index.get(name.as_ref()).copied().ok_or_else(|| {
             let problem = format!("`{}` is not a vertex of this list", name.as_ref());
             let accepted = "the name of an entry of `[vertices]` is needed";
-            self.source.error(name, problem, accepted)
+            flaw(name, problem, accepted)
         })
     }
 }
@@ -345,35 +353,34 @@ fn needed<T>(value: &Option<T>) -> &T {
 }
 
 impl EdgeKeys {
-    pub fn edge(&self, all: &Vertices) -> Result<Edge> {
-        let source = &all.source;
+    pub fn edge(&self, all: &Vertices) -> Checked<Edge> {
         let vertices = self.vertices(all)?;
         let kind = self.kind.as_ref();
         let Some((kind, allowed)) = EDGE_KINDS.iter().find(|(name, _)| name == kind) else {
             let problem = format!("`{kind}` is not a kind of edge");
             let accepted = "line, circle, ellipse and points are possible";
-            return Err(source.error(&self.kind, problem, accepted));
+            return Err(flaw(&self.kind, problem, accepted));
         };
         for (key, is) in self.given() {
             if is && !allowed.contains(&key) {
                 let problem = format!("`{key}` is no key of kind \"{kind}\"");
-                return Err(self.error(source, problem, "only the keys of its kind are possible"));
+                return Err(self.error(problem, "only the keys of its kind are possible"));
             }
             if !is && allowed.contains(&key) {
                 let problem = format!("kind \"{kind}\" needs `{key}`");
-                return Err(self.error(source, problem, "this key is needed"));
+                return Err(self.error(problem, "this key is needed"));
             }
         }
         let ends = vertices.map(|ends| ends.map(|index| all.points[index]));
         let one_vertex = vertices.is_some_and(|[a, b]| a == b);
         let curve = match *kind {
             "line" => self.line(ends, all)?,
-            "points" => self.points(ends, source)?,
+            "points" => self.points(ends)?,
             _ => {
-                let ellipse = self.ellipse(ends, source)?;
+                let ellipse = self.ellipse(ends)?;
                 let missed = MISSED * ellipse.radii[0].max(ellipse.radii[1]);
                 let arc = ellipse.arc(ends, one_vertex, [missed, 1e-7 * all.size]);
-                arc.map_err(|(problem, accepted)| self.error(source, problem, accepted))?
+                arc.map_err(|(problem, accepted)| self.error(problem, accepted))?
             }
         };
         Ok(Edge {
@@ -384,69 +391,68 @@ impl EdgeKeys {
         })
     }
 
-    fn error(&self, source: &Source, problem: impl Display, accepted: &str) -> ImportError {
+    fn error(&self, problem: impl Display, accepted: &str) -> Flaw {
         let name = &self.name;
         let problem = format!("edge `{}`: {problem}", name.as_ref());
-        source.error(name, problem, accepted)
+        flaw(name, problem, accepted)
     }
 
-    fn vertices(&self, all: &Vertices) -> Result<Option<[usize; 2]>> {
+    fn vertices(&self, all: &Vertices) -> Checked<Option<[usize; 2]>> {
         let find = |name| all.find(name);
         match (&self.start, &self.end) {
             (None, None) => Ok(None),
             (Some(start), Some(end)) => Ok(Some([find(start)?, find(end)?])),
             _ => {
                 let accepted = "both are needed, or none for a closed edge";
-                Err(self.error(&all.source, "it has one of `start` and `end`", accepted))
+                Err(self.error("it has one of `start` and `end`", accepted))
             }
         }
     }
 
-    fn line(&self, ends: Option<[Vector; 2]>, all: &Vertices) -> Result<Curve> {
-        let source = &all.source;
+    fn line(&self, ends: Option<[Vector; 2]>, all: &Vertices) -> Checked<Curve> {
         let Some([from, to]) = ends else {
             let accepted = "`start` and `end` are needed";
-            return Err(self.error(source, "a line has two ends", accepted));
+            return Err(self.error("a line has two ends", accepted));
         };
         if distance(from, to) <= COINCIDENT * all.size {
             let accepted = "two vertices at different places are needed";
-            return Err(self.error(source, "the line has no length", accepted));
+            return Err(self.error("the line has no length", accepted));
         }
         Ok(Curve::Line { from, to })
     }
 
     /// A circle begins at its first end, wherever its frame does; an ellipse has its own frame.
-    fn ellipse(&self, ends: Option<[Vector; 2]>, source: &Source) -> Result<Ellipse> {
-        let centre = source.point(needed(&self.centre))?;
-        let normal = source.direction(needed(&self.axis))?;
+    fn ellipse(&self, ends: Option<[Vector; 2]>) -> Checked<Ellipse> {
+        let centre = point(needed(&self.centre))?;
+        let normal = direction(needed(&self.axis))?;
         let (x, radii) = if let Some(radius) = &self.radius {
             let radii = [*radius.as_ref(); 2];
-            source.lengths(radius, &radii[..1])?;
+            lengths(radius, &radii[..1])?;
             let x = match ends {
                 Some([from, _]) => across(minus(from, centre), normal),
                 None => frame(normal, 0.0)[0],
             };
             if length(x) <= COINCIDENT * radii[0] {
                 let accepted = "a vertex on the circle is needed";
-                return Err(self.error(source, "the start is the centre", accepted));
+                return Err(self.error("the start is the centre", accepted));
             }
             (x, radii)
         } else {
-            let x = across(source.direction(needed(&self.x))?, normal);
+            let x = across(direction(needed(&self.x))?, normal);
             if length(x) < 1e-9 {
                 let accepted = "a direction across it is needed";
-                return Err(self.error(source, "`x` is along `axis`", accepted));
+                return Err(self.error("`x` is along `axis`", accepted));
             }
             let radii = needed(&self.radii);
-            source.lengths(radii, radii.as_ref())?;
+            lengths(radii, radii.as_ref())?;
             (x, *radii.as_ref())
         };
         Ok(Ellipse::new(centre, normal, unit(x), radii))
     }
 
-    fn points(&self, ends: Option<[Vector; 2]>, source: &Source) -> Result<Curve> {
+    fn points(&self, ends: Option<[Vector; 2]>) -> Checked<Curve> {
         let list = needed(&self.points);
-        source.checked(list, list.as_ref().as_flattened())?;
+        checked(list, list.as_ref().as_flattened())?;
         let mut points = list.as_ref().clone();
         if let Some([from, to]) = ends {
             points.insert(0, from);
@@ -457,7 +463,7 @@ impl EdgeKeys {
         if !(least..=MAX_POINTS).contains(&points.len()) {
             let problem = format!("{} points", points.len());
             let accepted = "at least three for a closed edge, with the ends at least two otherwise, and at most 2000 are possible";
-            return Err(self.error(source, problem, accepted));
+            return Err(self.error(problem, accepted));
         }
         let size = reach(points.iter().copied(), points[0]);
         for k in 0..points.len() - usize::from(!closed) {
@@ -465,7 +471,7 @@ impl EdgeKeys {
                 let problem = format!("{:?} follows itself", points[k]);
                 let accepted =
                     "different points are needed, and a closed edge does not repeat its first";
-                return Err(self.error(source, problem, accepted));
+                return Err(self.error(problem, accepted));
             }
         }
         Ok(Curve::through(points, closed, COINCIDENT * size))

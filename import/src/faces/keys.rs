@@ -1,7 +1,6 @@
 //! The words of a face list. `docs/cad-faces.md` is its user's page.
 
 use super::vector::{Vector, length, unit};
-use crate::error::{ImportError, Result, Source};
 use imogene_scene::Material;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -134,50 +133,60 @@ impl SurfaceKeys {
 /// Largest coordinate and radius, scene units: beyond it double precision has no micrometres left in a metre.
 pub const MAX_NUMBER: f64 = 1e9;
 
-impl Source<'_> {
-    pub fn error<T>(
-        &self,
-        value: &Spanned<T>,
-        problem: impl ToString,
-        accepted: impl ToString,
-    ) -> ImportError {
-        self.error_at(value.span().start, problem, accepted)
-    }
+/// What is wrong at a byte of a list, and what would be accepted.
+pub struct Flaw {
+    pub at: usize,
+    pub problem: String,
+    pub accepted: String,
+}
 
-    /// Numbers of a value, which have to be finite and not too large.
-    pub fn checked<T>(&self, value: &Spanned<T>, numbers: &[f64]) -> Result<()> {
-        let Some(wrong) = numbers.iter().find(|v| v.is_nan() || v.abs() > MAX_NUMBER) else {
-            return Ok(());
-        };
-        let least = -MAX_NUMBER;
-        let accepted = format!("finite numbers from {least:e} to {MAX_NUMBER:e} are possible");
-        Err(self.error(value, format!("{wrong} is out of range"), accepted))
-    }
+pub type Checked<T> = Result<T, Flaw>;
 
-    pub fn point(&self, value: &Spanned<Vector>) -> Result<Vector> {
-        self.checked(value, value.as_ref())?;
-        Ok(*value.as_ref())
+pub fn flaw<T>(value: &Spanned<T>, problem: impl ToString, accepted: impl ToString) -> Flaw {
+    Flaw {
+        at: value.span().start,
+        problem: problem.to_string(),
+        accepted: accepted.to_string(),
     }
+}
 
-    /// A vector of length 1 along a written one.
-    pub fn direction(&self, value: &Spanned<Vector>) -> Result<Vector> {
-        let vector = self.point(value)?;
-        if length(vector) < 1e-9 {
-            let accepted = "a vector with at least one number other than 0 is needed";
-            return Err(self.error(value, format!("{vector:?} has no direction"), accepted));
+/// Numbers of a value, which have to be finite and not too large.
+pub fn checked<T>(value: &Spanned<T>, numbers: &[f64]) -> Checked<()> {
+    let Some(wrong) = numbers.iter().find(|v| v.is_nan() || v.abs() > MAX_NUMBER) else {
+        return Ok(());
+    };
+    let least = -MAX_NUMBER;
+    let accepted = format!("finite numbers from {least:e} to {MAX_NUMBER:e} are possible");
+    Err(flaw(value, format!("{wrong} is out of range"), accepted))
+}
+
+pub fn point(value: &Spanned<Vector>) -> Checked<Vector> {
+    checked(value, value.as_ref())?;
+    Ok(*value.as_ref())
+}
+
+/// A vector of length 1 along a written one.
+pub fn direction(value: &Spanned<Vector>) -> Checked<Vector> {
+    let vector = point(value)?;
+    if length(vector) < 1e-9 {
+        let accepted = "a vector with at least one number other than 0 is needed";
+        return Err(flaw(
+            value,
+            format!("{vector:?} has no direction"),
+            accepted,
+        ));
+    }
+    Ok(unit(vector))
+}
+
+/// Lengths above 0.
+pub fn lengths<T>(value: &Spanned<T>, lengths: &[f64]) -> Checked<()> {
+    for length in lengths {
+        checked(value, &[*length])?;
+        if *length < 1e-9 {
+            let problem = format!("{length} is not above 0");
+            return Err(flaw(value, problem, "a length above 0 is needed"));
         }
-        Ok(unit(vector))
     }
-
-    /// Lengths above 0.
-    pub fn lengths<T>(&self, value: &Spanned<T>, lengths: &[f64]) -> Result<()> {
-        for length in lengths {
-            self.checked(value, &[*length])?;
-            if *length < 1e-9 {
-                let problem = format!("{length} is not above 0");
-                return Err(self.error(value, problem, "a length above 0 is needed"));
-            }
-        }
-        Ok(())
-    }
+    Ok(())
 }

@@ -37,7 +37,7 @@ pub use curve::{Arc, Curve, Ellipse, PlaneOf, Polyline};
 pub use step::Beside;
 pub use surface::{Form, Implicit, Surface};
 
-use crate::error::{Result, Source, unusable};
+use crate::error::{Error, ImportError, Result, text};
 use crate::kit::Imported;
 use compile::{quadric_face, torus_face};
 use courses::Courses;
@@ -72,8 +72,9 @@ const DEFAULT_DEVIATION: f64 = 1e-3;
 const DEFAULT_BANDS: f64 = 2e-4;
 
 /// Reads a face list and compiles it to a scene.
-pub fn read(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Imported> {
-    imported(&compile(bytes, file, options)?, file, &[])
+pub fn read(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Imported, ImportError> {
+    let part = compile(bytes, file, options)?;
+    imported(&part, file, &[]).map_err(ImportError::of(file))
 }
 
 /// Reads a STEP file and compiles it to a scene; what the file says of itself is the entry `step` of the report.
@@ -83,11 +84,12 @@ pub fn read_step(
     file: &str,
     options: &FaceOptions,
     beside: Beside,
-) -> Result<Imported> {
-    let (model, summary) = step::build(bytes, file, beside)?;
+) -> Result<Imported, ImportError> {
+    let refused = ImportError::of(file);
+    let (model, summary) = step::build(bytes, beside).map_err(&refused)?;
     let part = compile_model(model, options);
     debug_assert_eq!(summary.placed_faces, part.model.faces.len());
-    let mut imported = imported(&part, file, &summary.missing)?;
+    let mut imported = imported(&part, file, &summary.missing).map_err(&refused)?;
     // What is missing first in one line, then in detail.
     imported.notes.splice(1..1, summary.notes());
     imported.report["step"] = serde_json::to_value(summary).expect("a summary has plain keys");
@@ -100,7 +102,7 @@ fn imported(part: &Part, file: &str, missing: &[String]) -> Result<Imported> {
     let mut scene = scene.ok_or_else(|| {
         let problem = format!("no face can be drawn: {}", notes.join("; "));
         let accepted = "at least one face on a plane, cylinder, cone, sphere or torus is needed";
-        unusable(file, problem, accepted)
+        Error::whole(problem, accepted)
     })?;
     let parts = (!missing.is_empty()).then(|| counted(missing.len(), "part or placement"));
     let lacks: Vec<String> = report.rejected().into_iter().chain(parts).collect();
@@ -109,7 +111,7 @@ fn imported(part: &Part, file: &str, missing: &[String]) -> Result<Imported> {
         scene.incomplete = Some(format!("{} of {name} missing", lacks.join(" and ")));
     }
     let valid = scene.validate();
-    valid.map_err(|error| unusable(file, error.to_string(), "another part is needed"))?;
+    valid.map_err(|error| Error::whole(error.to_string(), "another part is needed"))?;
     let too_large = scene::look_from_elsewhere(&mut scene, &part.model);
     if !too_large.is_empty() {
         let names = too_large.join(", ");
@@ -125,15 +127,15 @@ fn imported(part: &Part, file: &str, missing: &[String]) -> Result<Imported> {
 }
 
 /// Reads a face list and compiles each of its solids.
-pub fn compile(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Part> {
-    let source = Source::of(bytes, file, "a face list is a TOML text in UTF-8")?;
-    let model = build::build(source)?;
+pub fn compile(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Part, ImportError> {
+    let list = text(bytes, "a face list is a TOML text in UTF-8");
+    let model = list.and_then(build::build).map_err(ImportError::of(file))?;
     Ok(compile_model(model, options))
 }
 
 /// Reads a STEP file without others beside it and compiles each of its solids.
-pub fn compile_step(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Part> {
-    let (model, _) = step::build(bytes, file, &|_| None)?;
+pub fn compile_step(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Part, ImportError> {
+    let (model, _) = step::build(bytes, &|_| None).map_err(ImportError::of(file))?;
     Ok(compile_model(model, options))
 }
 

@@ -2,7 +2,7 @@
 
 use super::columns::Columns;
 use super::words::{Word, Words, listed};
-use crate::error::{ImportError, Result, unusable};
+use crate::error::{Error, Result};
 use crate::kit::short;
 use indexmap::IndexSet;
 use std::collections::HashMap;
@@ -84,7 +84,7 @@ pub struct Assemblies {
     pub parts: Vec<Part>,
     pub operators: HashMap<String, Rows>,
     /// Why they cannot be used, if they cannot: told to those who ask for one.
-    pub problem: Option<ImportError>,
+    pub problem: Option<Error>,
 }
 
 impl Assemblies {
@@ -95,18 +95,18 @@ impl Assemblies {
     }
 
     /// Chains and operators of the parts of one of them.
-    pub fn find(&mut self, name: &str, file: &str) -> Result<Vec<Moved>> {
+    pub fn find(&mut self, name: &str) -> Result<Vec<Moved>> {
         if let Some(problem) = self.problem.take() {
             return Err(problem);
         }
         let names = self.names();
         if names.is_empty() {
-            return Err(unusable(file, "it describes no assembly", AS_THEY_STAND));
+            return Err(Error::whole("it describes no assembly", AS_THEY_STAND));
         }
         if !names.contains(&name) {
             let accepted = format!("--assembly {} would be accepted", listed(names));
             let problem = format!("it has no assembly {name}");
-            return Err(unusable(file, problem, accepted));
+            return Err(Error::whole(problem, accepted));
         }
         let parts = self.parts.iter().filter(|part| part.assembly == name);
         let moved = |part: &Part| {
@@ -115,7 +115,7 @@ impl Assemblies {
                 Copies::Expression(text) => expand(text, &self.operators),
             };
             let problem = |problem| format!("assembly {name}: {problem}");
-            let operators = operators.map_err(|e| unusable(file, problem(e), AS_THEY_STAND))?;
+            let operators = operators.map_err(|e| Error::whole(problem(e), AS_THEY_STAND))?;
             Ok((part.chains.clone(), operators))
         };
         parts.map(moved).collect()
@@ -196,7 +196,7 @@ pub struct Biomt {
     /// Molecules that the next part is of.
     molecules: Vec<String>,
     parts: Vec<Lines>,
-    problem: Option<ImportError>,
+    problem: Option<Error>,
 }
 
 /// Chains and operators of some molecules.
@@ -275,14 +275,14 @@ impl Biomt {
     }
 
     /// What the remarks say.
-    pub fn assemblies(mut self, words: &mut Words, file: &str) -> Assemblies {
+    pub fn assemblies(mut self, words: &mut Words) -> Assemblies {
         let mut parts = vec![];
         for lines in self.parts {
             let whole = lines.operators.iter().all(|(_, seen)| *seen == [true; 3]);
             if !whole && self.problem.is_none() {
                 let problem =
                     "REMARK 350 has an operator without its lines BIOMT1, BIOMT2 and BIOMT3";
-                self.problem = Some(unusable(file, problem, AS_THEY_STAND));
+                self.problem = Some(Error::whole(problem, AS_THEY_STAND));
             }
             let operators: Vec<Operator> = lines.operators.into_iter().map(|(o, _)| o).collect();
             for assembly in lines.molecules {

@@ -1,7 +1,7 @@
 //! Which atoms are bonded: those near enough for their covalent radii, and those that the file says are.
 
 use super::structure::{Atom, End};
-use crate::error::{Result, unusable};
+use crate::error::{Error, Result};
 use imogene_algebra::vector::{length, minus};
 use std::collections::{HashMap, HashSet};
 
@@ -30,13 +30,8 @@ type Cell = [i64; 3];
 
 /// Finds the bonds of the atoms of one model, which are copies that end at `copies`; what the file says holds within
 /// each copy.
-pub fn find(
-    atoms: &[Atom],
-    copies: &[usize],
-    connections: &[[End; 2]],
-    file: &str,
-) -> Result<Bonds> {
-    let mut pairs = by_distance(atoms, file)?;
+pub fn find(atoms: &[Atom], copies: &[usize], connections: &[[End; 2]]) -> Result<Bonds> {
+    let mut pairs = by_distance(atoms)?;
     let mut said: Vec<[usize; 2]> = vec![];
     if !connections.is_empty() {
         let starts = std::iter::once(&0).chain(copies);
@@ -71,7 +66,7 @@ pub fn find(
 }
 
 /// Pairs by distance, found in a grid of cells that are as wide as the longest bond.
-fn by_distance(atoms: &[Atom], file: &str) -> Result<Vec<[usize; 2]>> {
+fn by_distance(atoms: &[Atom]) -> Result<Vec<[usize; 2]>> {
     let radii = atoms.iter().map(|a| a.element.covalent());
     let width = 2.0 * radii.fold(0.0, f64::max) + TOLERANCE;
     let cell = |atom: &Atom| -> Cell { atom.place.map(|v| (v / width).floor() as i64) };
@@ -86,7 +81,7 @@ fn by_distance(atoms: &[Atom], file: &str) -> Result<Vec<[usize; 2]>> {
             );
             let accepted =
                 "--style space-filling, or one model and one alternate location, would be accepted";
-            return Err(unusable(file, problem, accepted));
+            return Err(Error::whole(problem, accepted));
         }
     }
     let mut pairs = vec![];

@@ -5,7 +5,7 @@ use super::assembly::Moved;
 use super::options::{Alternates, ModelChoice, Options, Residues};
 use super::structure::{Atom, Structure, is_water};
 use super::words::{Word, Words, listed};
-use crate::error::{ImportError, Result, unusable};
+use crate::error::{Error, Result};
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
@@ -38,16 +38,12 @@ pub struct Chosen {
 }
 
 /// The models and atoms that the options ask for.
-pub fn choose(
-    structure: &mut Structure,
-    file: &str,
-    options: &Options,
-) -> Result<(Vec<Chosen>, LeftOut)> {
+pub fn choose(structure: &mut Structure, options: &Options) -> Result<(Vec<Chosen>, LeftOut)> {
     let mut left_out = LeftOut::default();
-    let wanted = models(structure, file, options.model)?;
-    let selection = Selection::new(structure, &wanted, options, file)?;
+    let wanted = models(structure, options.model)?;
+    let selection = Selection::new(structure, &wanted, options)?;
     let assembly = options.assembly.as_deref();
-    let parts = assembly.map(|name| structure.assemblies.find(name, file));
+    let parts = assembly.map(|name| structure.assemblies.find(name));
     let parts = parts.transpose()?;
     let mut chosen = vec![];
     let models = std::mem::take(&mut structure.models);
@@ -67,7 +63,7 @@ pub fn choose(
         left_out.hydrogens += keep(&mut atoms, |atom| options.hydrogens || !is_hydrogen(atom));
         let end = atoms.len();
         let (atoms, copies) = match &parts {
-            Some(parts) => copied(&atoms, parts, words, file)?,
+            Some(parts) => copied(&atoms, parts, words)?,
             None => (atoms, vec![end]),
         };
         chosen.push(Chosen {
@@ -77,13 +73,13 @@ pub fn choose(
         });
     }
     if chosen.iter().all(|c| c.atoms.is_empty()) {
-        return Err(nothing_left(&left_out, options, file));
+        return Err(nothing_left(&left_out, options));
     }
     Ok((chosen, left_out))
 }
 
 /// Why nothing is left, and what would leave something.
-fn nothing_left(left_out: &LeftOut, options: &Options, file: &str) -> ImportError {
+fn nothing_left(left_out: &LeftOut, options: &Options) -> Error {
     let hydrogens = "hydrogens are drawn without --without-hydrogens";
     let as_they_stand = "the coordinates as they stand without --assembly";
     let reasons = [
@@ -95,11 +91,11 @@ fn nothing_left(left_out: &LeftOut, options: &Options, file: &str) -> ImportErro
     ];
     let ways = reasons.iter().filter(|(count, _)| *count > 0);
     let ways: Vec<&str> = ways.map(|(_, way)| *way).collect();
-    unusable(file, "the options leave no atom", ways.join(", "))
+    Error::whole("the options leave no atom", ways.join(", "))
 }
 
 /// Places of the models asked for.
-fn models(structure: &Structure, file: &str, choice: ModelChoice) -> Result<Vec<usize>> {
+fn models(structure: &Structure, choice: ModelChoice) -> Result<Vec<usize>> {
     match choice {
         ModelChoice::First => Ok(vec![0]),
         ModelChoice::All => Ok((0..structure.models.len()).collect()),
@@ -109,7 +105,7 @@ fn models(structure: &Structure, file: &str, choice: ModelChoice) -> Result<Vec<
             found.map(|index| vec![index]).ok_or_else(|| {
                 let problem = format!("it has no model {number}");
                 let numbers = listed(numbers().map(|n| n.to_string()));
-                unusable(file, problem, format!("{numbers} or all would be accepted"))
+                Error::whole(problem, format!("{numbers} or all would be accepted"))
             })
         }
     }
@@ -124,12 +120,7 @@ fn keep(atoms: &mut Vec<Atom>, asked: impl FnMut(&Atom) -> bool) -> usize {
 
 /// The copies of an assembly, and where each ends. Their chains are called as the archive calls them: `A-2` is what
 /// operator 2 makes of chain A.
-fn copied(
-    atoms: &[Atom],
-    parts: &[Moved],
-    words: &mut Words,
-    file: &str,
-) -> Result<(Vec<Atom>, Vec<usize>)> {
+fn copied(atoms: &[Atom], parts: &[Moved], words: &mut Words) -> Result<(Vec<Atom>, Vec<usize>)> {
     let (mut copies, mut ends) = (vec![], vec![]);
     for (chains, operators) in parts {
         let chains: HashSet<Word> = chains.iter().copied().collect();
@@ -138,7 +129,7 @@ fn copied(
         if copies.len() + members.len() * operators.len() > MOST_ATOMS {
             let problem = format!("the assembly has more than {MOST_ATOMS} atoms");
             let accepted = "--chain and --residue take a part of it";
-            return Err(unusable(file, problem, accepted));
+            return Err(Error::whole(problem, accepted));
         }
         for operator in operators {
             let mut names: HashMap<Word, Word> = HashMap::new();
@@ -172,12 +163,7 @@ struct Selection {
 
 impl Selection {
     /// Each chain and residue must be in one of the models at these places.
-    fn new(
-        structure: &Structure,
-        models: &[usize],
-        options: &Options,
-        file: &str,
-    ) -> Result<Selection> {
+    fn new(structure: &Structure, models: &[usize], options: &Options) -> Result<Selection> {
         let words = &structure.words;
         let atoms = || models.iter().flat_map(|m| &structure.models[*m].atoms);
         let mut there: HashSet<Word> = HashSet::new();
@@ -190,7 +176,7 @@ impl Selection {
                 let there: BTreeSet<&str> = there.iter().map(|word| words.text(*word)).collect();
                 let there = listed(there.into_iter().filter(|chain| !chain.is_empty()));
                 let problem = format!("it has no chain {name}");
-                unusable(file, problem, format!("{there} would be accepted"))
+                Error::whole(problem, format!("{there} would be accepted"))
             })
         };
         let mut selection = Selection {
@@ -207,7 +193,7 @@ impl Selection {
             let own = there.iter().filter(|one| matches(residues, **one, words));
             let found: Vec<(Word, Word)> = own.copied().collect();
             if found.is_empty() {
-                return Err(no_residue(residues, &there, words, file));
+                return Err(no_residue(residues, &there, words));
             }
             asked.extend(found);
         }
@@ -244,12 +230,7 @@ fn digits(text: &str) -> Option<i64> {
     text.trim_end_matches(is_code).parse().ok()
 }
 
-fn no_residue(
-    residues: &Residues,
-    there: &BTreeSet<(Word, Word)>,
-    words: &Words,
-    file: &str,
-) -> ImportError {
+fn no_residue(residues: &Residues, there: &BTreeSet<(Word, Word)>, words: &Words) -> Error {
     let numbers = || there.iter().filter_map(|(n, _)| digits(words.text(*n)));
     let names: BTreeSet<&str> = there.iter().map(|(_, name)| words.text(*name)).collect();
     let numbers = match (numbers().min(), numbers().max()) {
@@ -258,7 +239,7 @@ fn no_residue(
     };
     let problem = format!("it has no residue {residues} in what is asked for");
     let accepted = format!("{numbers}names {} would be accepted", listed(names));
-    unusable(file, problem, accepted)
+    Error::whole(problem, accepted)
 }
 
 /// Leaves one location of each atom, all of a residue from the same alternate as far as it has them; how many others

@@ -1,12 +1,11 @@
 //! Lines of fixed columns.
 
-use crate::error::{ImportError, Place, Result};
+use crate::error::{Error, Place, Result};
 use crate::kit::decimal;
 use std::borrow::Cow;
 
 /// One line of a file: a character in each column, where anything that is not ASCII counts as one.
 pub struct Columns<'a> {
-    file: &'a str,
     number: usize,
     text: Cow<'a, [u8]>,
 }
@@ -18,23 +17,27 @@ fn plain(c: u8) -> u8 {
 
 impl<'a> Columns<'a> {
     /// The line of a number, counted from 1, without its end.
-    pub fn new(file: &'a str, number: usize, line: &'a [u8]) -> Columns<'a> {
+    pub fn new(number: usize, line: &'a [u8]) -> Columns<'a> {
         let text = if line.is_ascii() {
             Cow::Borrowed(line)
         } else {
             let plain = |c: char| if c.is_ascii() { c as u8 } else { b'?' };
             Cow::Owned(String::from_utf8_lossy(line).chars().map(plain).collect())
         };
-        Columns { file, number, text }
+        Columns { number, text }
     }
 
     /// What is wrong at a column, or where the line ends if it ends before.
-    pub fn error(&self, column: usize, problem: String, accepted: String) -> ImportError {
+    pub fn error(&self, column: usize, problem: String, accepted: String) -> Error {
         let place = Place {
             line: self.number,
             column: column.min(self.text.len() + 1),
         };
-        ImportError::new(self.file, Some(place), problem, accepted)
+        Error {
+            place: Some(place),
+            problem,
+            accepted,
+        }
     }
 
     /// The characters of the columns `first` to `last`, counted from 1; fewer if the line is shorter.

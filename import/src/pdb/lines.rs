@@ -4,7 +4,7 @@ use super::assembly::Biomt;
 use super::columns::Columns;
 use super::structure::{Atom, End, Model, Serial, Structure};
 use super::words::Repeated;
-use crate::error::{Result, unusable};
+use crate::error::{Error, Result};
 
 #[derive(Default)]
 struct Reading {
@@ -17,7 +17,7 @@ struct Reading {
     number: Repeated,
 }
 
-pub fn read(bytes: &[u8], file: &str) -> Result<Structure> {
+pub fn read(bytes: &[u8]) -> Result<Structure> {
     let mut reading = Reading {
         next_model: Some(1),
         ..Reading::default()
@@ -26,7 +26,7 @@ pub fn read(bytes: &[u8], file: &str) -> Result<Structure> {
     let end = if bytes.contains(&b'\n') { b'\n' } else { b'\r' };
     for (index, line) in bytes.split(|c| *c == end).enumerate() {
         let line = line.strip_suffix(b"\r").unwrap_or(line);
-        reading.line(&Columns::new(file, index + 1, line), line)?;
+        reading.line(&Columns::new(index + 1, line), line)?;
     }
     let mut structure = reading.structure;
     if structure.title.is_empty() {
@@ -34,9 +34,9 @@ pub fn read(bytes: &[u8], file: &str) -> Result<Structure> {
     }
     if structure.models.is_empty() {
         let accepted = "a structure in the PDB format with at least one atom would be accepted";
-        return Err(unusable(file, "it has no ATOM or HETATM line", accepted));
+        return Err(Error::whole("it has no ATOM or HETATM line", accepted));
     }
-    structure.assemblies = reading.biomt.assemblies(&mut structure.words, file);
+    structure.assemblies = reading.biomt.assemblies(&mut structure.words);
     Ok(structure)
 }
 

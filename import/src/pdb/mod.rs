@@ -21,7 +21,7 @@ mod words;
 pub use options::{Alternates, Colouring, ModelChoice, Options, Residues, Style};
 pub use report::Contents;
 
-use crate::error::{Result, unusable};
+use crate::error::{Error, ImportError, Result};
 use crate::kit::Imported;
 use imogene_scene::{Molecule, SceneFile};
 use structure::Structure;
@@ -38,26 +38,32 @@ pub enum Format {
 }
 
 impl Format {
-    fn read(self, bytes: &[u8], file: &str) -> Result<Structure> {
+    fn read(self, bytes: &[u8]) -> Result<Structure> {
         let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         match self {
-            Format::Bcif => bcif::read(bytes, file),
+            Format::Bcif => bcif::read(bytes),
             _ if text.starts_with(&[0xff, 0xfe]) || text.starts_with(&[0xfe, 0xff]) => {
                 let accepted = "text in UTF-8 would be accepted";
-                Err(unusable(file, "this is text in UTF-16", accepted))
+                Err(Error::whole("this is text in UTF-16", accepted))
             }
-            Format::Pdb => lines::read(text, file),
-            Format::Mmcif => cif::read(text, file),
+            Format::Pdb => lines::read(text),
+            Format::Mmcif => cif::read(text),
         }
     }
 }
 
 /// Reads the bytes of a structure; `file` is the name that messages give it.
-pub fn read(bytes: &[u8], format: Format, file: &str, options: &Options) -> Result<Imported> {
-    let mut structure = format.read(bytes, file)?;
+pub fn read(
+    bytes: &[u8],
+    format: Format,
+    file: &str,
+    options: &Options,
+) -> Result<Imported, ImportError> {
+    let refused = ImportError::of(file);
+    let mut structure = format.read(bytes).map_err(&refused)?;
     let count = Contents::of(&structure);
-    let (chosen, left_out) = choose::choose(&mut structure, file, options)?;
-    let drawn = scene::build(&structure, &chosen, file, options)?;
+    let (chosen, left_out) = choose::choose(&mut structure, options).map_err(&refused)?;
+    let drawn = scene::build(&structure, &chosen, file, options).map_err(&refused)?;
     let (report, notes) = report::report(&structure, &count, &chosen, &left_out, &drawn, options);
     Ok(Imported {
         scene: drawn.scene,
@@ -67,8 +73,9 @@ pub fn read(bytes: &[u8], format: Format, file: &str, options: &Options) -> Resu
 }
 
 /// What the bytes of a structure hold; `file` is the name that messages give it.
-pub fn contents(bytes: &[u8], format: Format, file: &str) -> Result<Contents> {
-    Ok(Contents::of(&format.read(bytes, file)?))
+pub fn contents(bytes: &[u8], format: Format, file: &str) -> Result<Contents, ImportError> {
+    let structure = format.read(bytes).map_err(ImportError::of(file))?;
+    Ok(Contents::of(&structure))
 }
 
 /// Adds the objects of a molecule to a scene, as [`read`] makes them, and the materials that the scene has not.
@@ -78,11 +85,10 @@ pub fn add(
     bytes: &[u8],
     format: Format,
     file: &str,
-) -> Result<()> {
-    let options = Options::of(molecule).map_err(|problem| {
-        let accepted = "see docs/scene-format.md for the keys of [[molecules]]";
-        unusable(file, problem, accepted)
-    })?;
+) -> Result<(), ImportError> {
+    let accepted = "see docs/scene-format.md for the keys of [[molecules]]";
+    let options = Options::of(molecule).map_err(|problem| Error::whole(problem, accepted));
+    let options = options.map_err(ImportError::of(file))?;
     let read = read(bytes, format, file, &options)?.scene;
     let known = scene.materials.len();
     for material in read.materials {

@@ -120,7 +120,7 @@ pub fn build(
     for model in with_sticks {
         let (balls, others) = rest.split_at(model.atoms.len());
         rest = others;
-        let found = bonds::find(&model.atoms, &model.copies, &structure.connections, file)?;
+        let found = bonds::find(&model.atoms, &model.copies, &structure.connections)?;
         for pair in &found.pairs {
             let ends = pair.map(|k| (&model.atoms[k], &balls[k]));
             sticks.extend(cylinders(ends, camera.eye, &mut names));

@@ -3,7 +3,7 @@
 use super::cell::Cells;
 use super::grid::{Corners, HeightGrid, is_plane, twist};
 use super::map::{IMAGE, Map, VIEW};
-use crate::error::{Result, unusable};
+use crate::error::{Error, Result};
 use imogene_algebra::rational::{from_decimal, to_f64};
 use imogene_algebra::vector::{dot, length, minus, square};
 use imogene_golden::format::Format;
@@ -120,8 +120,8 @@ impl Map<'_> {
                 break;
             }
             let framed = scene.frame(scene.image.width, scene.image.height);
-            let framed = framed
-                .map_err(|e| unusable(self.file, e.to_string(), "see docs/scene-format.md"))?;
+            let framed =
+                framed.map_err(|e| Error::whole(e.to_string(), "see docs/scene-format.md"))?;
             let mut again = vec![];
             for (object, _) in refused(&framed, Format::BASE, Options::default()) {
                 let cell = owners[object];

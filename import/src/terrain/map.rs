@@ -2,7 +2,7 @@
 
 use super::grid::HeightGrid;
 use super::options::TerrainOptions;
-use crate::error::{Result, unusable};
+use crate::error::{Error, Result};
 use crate::kit::material;
 use imogene_algebra::rational::{fraction, from_decimal, integer, to_f64};
 use imogene_algebra::vector::length;
@@ -29,7 +29,6 @@ pub(super) const IMAGE: ImageSize = ImageSize {
 pub(super) const VIEW: f64 = 0.8;
 
 pub(super) struct Map<'a> {
-    pub file: &'a str,
     pub options: &'a TerrainOptions,
     pub step: [BigRational; 2],
     /// Scene coordinates of the first node: x and z.
@@ -42,10 +41,10 @@ pub(super) struct Map<'a> {
 }
 
 impl<'a> Map<'a> {
-    pub fn new(grid: &HeightGrid, file: &'a str, options: &'a TerrainOptions) -> Result<Map<'a>> {
+    pub fn new(grid: &HeightGrid, options: &'a TerrainOptions) -> Result<Map<'a>> {
         let factor = options.height_factor;
         let problem = "no node of the region has a height";
-        let none = || unusable(file, problem, "choose another region");
+        let none = || Error::whole(problem, "choose another region");
         let (low, high) = grid.range().ok_or_else(none)?;
         let heights = match factor > 0.0 {
             true => (low * factor, high * factor),
@@ -69,7 +68,6 @@ impl<'a> Map<'a> {
             outside(eye[2], -half[1], half[1]),
         ]);
         Ok(Map {
-            file,
             options,
             first,
             heights,

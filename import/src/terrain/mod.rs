@@ -17,10 +17,11 @@ pub use grid::{Corners, twist};
 pub use options::{Region, TerrainOptions};
 pub use random_field::heights_text;
 
-use crate::error::Result;
+use crate::error::ImportError;
 use crate::kit::Imported;
 
 /// The scene of a file of heights; `file` is the name that messages give it.
-pub fn import(bytes: &[u8], file: &str, options: &TerrainOptions) -> Result<Imported> {
-    scene::scene_of(&read::read(bytes, file)?, file, options)
+pub fn import(bytes: &[u8], file: &str, options: &TerrainOptions) -> Result<Imported, ImportError> {
+    let made = read::read(bytes).and_then(|grid| scene::scene_of(&grid, options));
+    made.map_err(ImportError::of(file))
 }

@@ -1,17 +1,16 @@
 //! Readers of height grids: ESRI ASCII grids, and plain rows of numbers.
 
 use super::grid::{HeightGrid, MAX_NODES};
-use crate::error::{ImportError, Result, Source, unusable};
+use crate::error::{Error, Result, text};
 use crate::kind::{KEYS, is_grid_keyword};
 use crate::kit::decimal;
 
 /// Largest magnitude of a height or a distance.
 const MAX_NUMBER: f64 = 1e8;
 
-/// Reads a grid of either format; `file` is the name that messages give it. A text that begins with a keyword of the
-/// header is an ESRI ASCII grid.
-pub fn read(bytes: &[u8], file: &str) -> Result<HeightGrid> {
-    let reader = Source::of(bytes, file, "a grid of heights is plain text")?;
+/// Reads a grid of either format. A text that begins with a keyword of the header is an ESRI ASCII grid.
+pub fn read(bytes: &[u8]) -> Result<HeightGrid> {
+    let reader = Reader(text(bytes, "a grid of heights is plain text")?);
     let first = reader.words().next();
     let grid = match first.is_some_and(is_grid_keyword) {
         true => reader.esri()?,
@@ -19,7 +18,7 @@ pub fn read(bytes: &[u8], file: &str) -> Result<HeightGrid> {
     };
     if grid.heights.iter().all(Option::is_none) {
         let accepted = "the four corners of at least one cell are needed";
-        return Err(unusable(file, "no node has a height", accepted));
+        return Err(Error::whole("no node has a height", accepted));
     }
     Ok(grid)
 }
@@ -27,20 +26,23 @@ pub fn read(bytes: &[u8], file: &str) -> Result<HeightGrid> {
 /// The header of an ESRI ASCII grid so far; index as in [`KEYS`].
 type Header = [Option<f64>; KEYS.len()];
 
-impl<'a> Source<'a> {
+/// The text of a grid.
+struct Reader<'a>(&'a str);
+
+impl<'a> Reader<'a> {
     /// What is wrong at a word, which is a piece of the text.
-    fn malformed(&self, word: &str, problem: impl ToString, accepted: &str) -> ImportError {
-        let at = word.as_ptr() as usize - self.text.as_ptr() as usize;
-        self.error_at(at, problem, accepted)
+    fn malformed(&self, word: &str, problem: impl ToString, accepted: &str) -> Error {
+        let at = word.as_ptr() as usize - self.0.as_ptr() as usize;
+        Error::at(self.0.as_bytes(), at, problem, accepted)
     }
 
-    fn refused(&self, word: &str, problem: &str, accepted: &str) -> ImportError {
+    fn refused(&self, word: &str, problem: &str, accepted: &str) -> Error {
         self.malformed(word, format!("{} {problem}", shown(word)), accepted)
     }
 
     /// Every word of the text.
     fn words(&self) -> impl Iterator<Item = &'a str> + use<'a> {
-        self.text.lines().flat_map(words)
+        self.0.lines().flat_map(words)
     }
 
     fn number(&self, word: &str, what: &str) -> Result<f64> {
@@ -75,10 +77,10 @@ impl<'a> Source<'a> {
         if columns.saturating_mul(rows) > MAX_NODES {
             let problem = format!("{columns} x {rows} nodes");
             let accepted = format!("at most {MAX_NODES} are read");
-            return Err(unusable(self.file, problem, accepted));
+            return Err(Error::whole(problem, accepted));
         }
         let mut heights = Vec::with_capacity(columns * rows);
-        let mut last = &self.text[..0];
+        let mut last = &self.0[..0];
         for word in all {
             last = word;
             if heights.len() == columns * rows {
@@ -137,15 +139,14 @@ impl<'a> Source<'a> {
     fn count(&self, header: &Header, key: usize) -> Result<usize> {
         let problem = || format!("the header has no {}", KEYS[key]);
         let value = header[key].map(|n| n as usize);
-        value.ok_or_else(|| unusable(self.file, problem(), "`ncols N` and `nrows N` are needed"))
+        value.ok_or_else(|| Error::whole(problem(), "`ncols N` and `nrows N` are needed"))
     }
 
     fn esri_step(&self, header: &Header) -> Result<[f64; 2]> {
         match (header[6], header[7], header[8]) {
             (Some(size), None, None) => Ok([size, size]),
             (None, Some(dx), Some(dy)) => Ok([dx, dy]),
-            _ => Err(unusable(
-                self.file,
+            _ => Err(Error::whole(
                 "the header does not say once how far the nodes are apart",
                 "`cellsize N`, or `dx N` and `dy N`, are needed",
             )),
@@ -156,7 +157,7 @@ impl<'a> Source<'a> {
         let mut step = None;
         let mut heights: Vec<Option<f64>> = vec![];
         let (mut columns, mut rows) = (0, 0);
-        for line in self.text.lines() {
+        for line in self.0.lines() {
             let mut row = words(line).peekable();
             if let Some(first) = row.next_if_eq(&"step") {
                 if step.is_some() || rows > 0 {
@@ -176,7 +177,7 @@ impl<'a> Source<'a> {
                 heights.push(known.transpose()?);
                 if heights.len() > MAX_NODES {
                     let accepted = format!("at most {MAX_NODES} are read");
-                    return Err(unusable(self.file, "too many heights", &accepted));
+                    return Err(Error::whole("too many heights", &accepted));
                 }
             }
             let count = heights.len() - before;
@@ -190,7 +191,7 @@ impl<'a> Source<'a> {
         if columns < 2 || rows < 2 {
             let problem = format!("{rows} rows of {columns} heights");
             let accepted = "at least 2 rows of 2 are needed, a row on each line (or the header of an ESRI ASCII grid)";
-            return Err(unusable(self.file, problem, accepted));
+            return Err(Error::whole(problem, accepted));
         }
         Ok(HeightGrid {
             columns,

@@ -7,7 +7,7 @@ use super::grid::HeightGrid;
 use super::map::{BANDS, Map};
 use super::options::{Region, TerrainOptions};
 use super::ruled::ruled_pieces;
-use crate::error::{ImportError, Result, unusable};
+use crate::error::{Error, Result};
 use crate::kit::{Imported, object};
 use imogene_algebra::rational::{from_decimal, to_f64};
 use imogene_scene::{Object, Scale, Shape, Step, Surface};
@@ -15,14 +15,14 @@ use serde_json::json;
 
 pub const MAX_CELLS: usize = 1 << 14;
 
-/// The scene of a grid; `file` is the name that messages give it.
-pub fn scene_of(grid: &HeightGrid, file: &str, options: &TerrainOptions) -> Result<Imported> {
-    let grid = chosen(grid, file, options)?;
-    let map = Map::new(&grid, file, options)?;
+/// The scene of a grid.
+pub fn scene_of(grid: &HeightGrid, options: &TerrainOptions) -> Result<Imported> {
+    let grid = chosen(grid, options)?;
+    let map = Map::new(&grid, options)?;
     let mut cells = map.cells(&grid);
     if cells.is_empty() {
         let accepted = "a cell needs its four corners";
-        return Err(unusable(file, "no cell has all four heights", accepted));
+        return Err(Error::whole("no cell has all four heights", accepted));
     }
     let flat = map.choose_facets(&mut cells);
     let (by_facets, left_out) = map.replace_refused(&mut cells)?;
@@ -32,7 +32,7 @@ pub fn scene_of(grid: &HeightGrid, file: &str, options: &TerrainOptions) -> Resu
     }
     if scene.objects.is_empty() {
         let accepted = "an eye and a target that see the terrain are needed";
-        return Err(unusable(file, "every cell lies behind the eye", accepted));
+        return Err(Error::whole("every cell lies behind the eye", accepted));
     }
     let holes = (grid.columns - 1) * (grid.rows - 1) - cells.len();
     let notes = notes(holes, flat, by_facets, left_out);
@@ -74,7 +74,7 @@ fn notes(holes: usize, flat: usize, by_facets: usize, left_out: usize) -> Vec<St
 }
 
 /// The nodes that are asked for.
-fn chosen(grid: &HeightGrid, file: &str, options: &TerrainOptions) -> Result<HeightGrid> {
+fn chosen(grid: &HeightGrid, options: &TerrainOptions) -> Result<HeightGrid> {
     let whole = [grid.columns, grid.rows];
     let (first, nodes) = ([0, 0], whole);
     let Region { first, nodes } = options.region.unwrap_or(Region { first, nodes });
@@ -91,7 +91,7 @@ fn chosen(grid: &HeightGrid, file: &str, options: &TerrainOptions) -> Result<Hei
         let accepted = format!(
             "at least two nodes a side within the grid of {width} x {depth} nodes are needed"
         );
-        return Err(unusable(file, problem, accepted));
+        return Err(Error::whole(problem, accepted));
     }
     let part = grid.part(first, nodes, every);
     let cells = (part.columns - 1) * (part.rows - 1);
@@ -99,7 +99,7 @@ fn chosen(grid: &HeightGrid, file: &str, options: &TerrainOptions) -> Result<Hei
         let accepted = format!(
             "at most {MAX_CELLS} are possible; take a region, or every second or third node"
         );
-        return Err(unusable(file, format!("{cells} cells"), accepted));
+        return Err(Error::whole(format!("{cells} cells"), accepted));
     }
     Ok(part)
 }
@@ -176,10 +176,10 @@ impl Map<'_> {
         Some(vec![bilinear_piece(&cell.corners, outwards)?])
     }
 
-    fn digits(&self) -> ImportError {
+    fn digits(&self) -> Error {
         let problem = "the heights, the distance of nodes and the eye have too many digits together for exact surfaces";
         let accepted = "about 5 significant digits each are possible";
-        unusable(self.file, problem, accepted)
+        Error::whole(problem, accepted)
     }
 
     /// Index of the colour of a cell: its mean height.

@@ -14,13 +14,13 @@ mod topology;
 mod units;
 
 use super::model::Model;
-use crate::error::{ImportError, Result, unusable};
+use crate::error::{Error, ImportError, Result};
 use assembly::Assembly;
 use colours::colours;
 use placement::Placement;
 use reader::{Found, Reader, Summary};
 use std::collections::{HashMap, HashSet};
-use step21::{Error, Exchange, Kind, Value, decoded};
+use step21::{Exchange, Kind, Value, decoded};
 
 /// Most files that place each other's parts.
 const DEEPEST_FILE: usize = 8;
@@ -28,15 +28,14 @@ const DEEPEST_FILE: usize = 8;
 /// Reads the file of a name that stands beside the first; `None` if there is none.
 pub type Beside<'b> = &'b dyn Fn(&str) -> Option<Vec<u8>>;
 
-pub fn build(bytes: &[u8], file: &str, beside: Beside) -> Result<(Model, Summary)> {
+pub fn build(bytes: &[u8], beside: Beside) -> Result<(Model, Summary)> {
     let mut found = Found::default();
-    let read = read(&mut found, bytes, Placement::IN_PLACE, beside, 0);
-    read.map_err(|error| of_file(file, error))?;
+    read(&mut found, bytes, Placement::IN_PLACE, beside, 0)?;
     let (mut model, mut summary) = (found.topology.model, found.summary);
     if model.faces.is_empty() {
         let accepted =
             "a MANIFOLD_SOLID_BREP, BREP_WITH_VOIDS or SHELL_BASED_SURFACE_MODEL is needed";
-        return Err(unusable(file, nothing(&summary), accepted));
+        return Err(Error::whole(nothing(&summary), accepted));
     }
     summary.placed_faces = model.faces.len();
     if model.title.is_empty() {
@@ -45,13 +44,9 @@ pub fn build(bytes: &[u8], file: &str, beside: Beside) -> Result<(Model, Summary
     model.z_up = true;
     let model = model.assembled().ok_or_else(|| {
         let accepted = "a box around them of at least a millionth of a millimetre is needed";
-        unusable(file, "the faces have no size", accepted)
+        Error::whole("the faces have no size", accepted)
     })?;
     Ok((model, summary))
-}
-
-fn of_file(file: &str, error: Error) -> ImportError {
-    ImportError::new(file, error.place, error.problem, error.accepted)
 }
 
 /// Why a file has no face.
@@ -70,7 +65,7 @@ fn read(
     base: Placement,
     beside: Beside,
     depth: usize,
-) -> Result<(), Error> {
+) -> Result<()> {
     let exchange = Exchange::parse(bytes)?;
     let assembly = Assembly::read(&exchange);
     let placed = assembly.placed()?;
@@ -111,7 +106,8 @@ fn read(
             };
             let inner = read(found, &bytes, place, beside, depth + 1);
             let Summary { missing, files, .. } = &mut found.summary;
-            missing.extend(inner.err().map(|error| of_file(&name, error).to_string()));
+            let inner = inner.map_err(ImportError::of(&name));
+            missing.extend(inner.err().map(|error| error.to_string()));
             if !files.contains(&name) {
                 files.push(name);
             }

@@ -6,7 +6,7 @@ use super::cif::{
     ATOMS, Atoms, Table, Tables, WANTED, columns, finish, instead_of_atoms, kept, no_atoms,
 };
 use super::structure::Structure;
-use crate::error::{Result, unusable};
+use crate::error::{Error, Result};
 use decode::{Budget, Values, array, decode, get, text};
 use rmpv::ValueRef;
 
@@ -33,9 +33,9 @@ impl Column<'_> {
 }
 
 /// Reads the first block that has atoms.
-pub fn read(bytes: &[u8], file: &str) -> Result<Structure> {
+pub fn read(bytes: &[u8]) -> Result<Structure> {
     let accepted = "a whole file in the BinaryCIF format, version 0.3, would be accepted";
-    let refuse = |problem: String| unusable(file, problem, accepted);
+    let refuse = |problem: String| Error::whole(problem, accepted);
     let mut rest = bytes;
     let root = rmpv::decode::read_value_ref(&mut rest)
         .map_err(|error| refuse(format!("it is not MessagePack: {error}")))?;
@@ -50,11 +50,11 @@ pub fn read(bytes: &[u8], file: &str) -> Result<Structure> {
             continue;
         }
         structure.remarks.other_blocks = place + 1 < blocks.len();
-        let blame = |_: usize, problem: String, accepted: &str| unusable(file, problem, accepted);
+        let blame = |_: usize, problem: String, accepted: &str| Error::whole(problem, accepted);
         finish(&mut structure, &tables, &blame);
         return Ok(structure);
     }
-    Err(no_atoms(other, file))
+    Err(no_atoms(other))
 }
 
 /// The atoms of a block, and its other categories.

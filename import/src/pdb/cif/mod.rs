@@ -12,7 +12,7 @@ pub use table::{Cell, Table, Tables, finish};
 
 use super::structure::Structure;
 use super::words::plain;
-use crate::error::{ImportError, Result, unusable};
+use crate::error::{Error, Result};
 use token::{Token, Tokens};
 
 pub const ATOMS: &str = "_atom_site";
@@ -31,9 +31,9 @@ pub fn columns(items: &[String]) -> Option<[Option<usize>; WANTED.len()]> {
     columns[..3].iter().all(Option::is_some).then_some(columns)
 }
 
-pub fn read(bytes: &[u8], file: &str) -> Result<Structure> {
+pub fn read(bytes: &[u8]) -> Result<Structure> {
     let mut reader = Reader {
-        tokens: Tokens { file, bytes, at: 0 },
+        tokens: Tokens { bytes, at: 0 },
         name: String::new(),
         tables: Tables::new(),
         other: None,
@@ -42,7 +42,7 @@ pub fn read(bytes: &[u8], file: &str) -> Result<Structure> {
     reader.blocks()?;
     let mut structure = reader.structure;
     if structure.models.is_empty() {
-        return Err(no_atoms(reader.other, file));
+        return Err(no_atoms(reader.other));
     }
     finish(&mut structure, &reader.tables, &|at, problem, accepted| {
         reader.tokens.malformed(at, problem, accepted)
@@ -54,10 +54,10 @@ pub fn read(bytes: &[u8], file: &str) -> Result<Structure> {
 }
 
 /// Why a file without atoms is refused.
-pub fn no_atoms(other: Option<&str>, file: &str) -> ImportError {
+pub fn no_atoms(other: Option<&str>) -> Error {
     let problem = other.unwrap_or("it has no atom in the category _atom_site");
     let accepted = "a structure in the PDBx/mmCIF format, with atoms in _atom_site.Cartn_x, _y and _z, would be accepted";
-    unusable(file, problem, accepted)
+    Error::whole(problem, accepted)
 }
 
 /// What a category says of a file that has no atoms.

@@ -4,7 +4,7 @@ use super::super::assembly::{Copies, IDENTITY, Part, Rows};
 use super::super::structure::{End, Structure};
 use super::super::words::{Words, plain};
 use super::atoms::number;
-use crate::error::{ImportError, Result};
+use crate::error::{Error, Result};
 use std::collections::HashMap;
 
 /// A value and where it begins in its file; nothing where the file has `?` or `.`.
@@ -62,7 +62,7 @@ const BONDS: [&str; 4] = ["covale", "disulf", "metalc", "modres"];
 const HERE: &str = "1_555";
 
 /// Makes the error of a value: where it begins, what is wrong, what would be accepted.
-pub type Blame<'a> = &'a dyn Fn(usize, String, &str) -> ImportError;
+pub type Blame<'a> = &'a dyn Fn(usize, String, &str) -> Error;
 
 /// Fills in all but the atoms.
 pub fn finish(structure: &mut Structure, tables: &Tables, blame: Blame) {

@@ -1,6 +1,6 @@
 //! The words of a CIF text (S. R. Hall and others, "The crystallographic information file", version 1.1).
 
-use crate::error::{ImportError, Place, Result};
+use crate::error::{Error, Place, Result};
 
 /// A word, with its text where it has one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,9 +19,8 @@ pub enum Token<'a> {
     Quoted(&'a [u8]),
 }
 
-/// A whole text; `file` is the name that messages give it.
+/// A whole text.
 pub struct Tokens<'a> {
-    pub file: &'a str,
     pub bytes: &'a [u8],
     /// Where the next word is looked for.
     pub at: usize,
@@ -130,12 +129,14 @@ impl<'a> Tokens<'a> {
         offset: usize,
         problem: impl ToString,
         accepted: impl ToString,
-    ) -> ImportError {
+    ) -> Error {
         // Old Macintosh files end their lines with a carriage return alone.
         let bytes = self.bytes;
         let end = if bytes.contains(&b'\n') { b'\n' } else { b'\r' };
-        let place = Place::of(bytes, offset, end);
-        ImportError::new(self.file, Some(place), problem, accepted)
+        Error {
+            place: Some(Place::of(bytes, offset, end)),
+            ..Error::whole(problem, accepted)
+        }
     }
 }
 
