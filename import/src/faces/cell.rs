@@ -4,6 +4,7 @@
 use super::curve::PlaneOf;
 use super::surface::Implicit;
 use super::vector::{Vector, cross, dot, length, minus};
+use std::cell::RefCell;
 
 /// What became of a face.
 #[derive(Clone, Debug, PartialEq)]
@@ -75,47 +76,48 @@ impl Separator {
     }
 }
 
-/// All planes of a part.
+/// All planes of a part; whoever has a part of it may add to them.
 #[derive(Debug)]
 pub struct Planes {
-    all: Vec<PlaneOf>,
+    all: RefCell<Vec<PlaneOf>>,
     tolerance: f64,
 }
 
 impl Planes {
     /// None yet; two planes within `tolerance` (a length) over a part of size 1 / 1e-9 of it are one.
     pub fn new(tolerance: f64) -> Planes {
-        let all = vec![];
+        let all = RefCell::default();
         Planes { all, tolerance }
     }
 
     /// The index of the plane through a point; an earlier description of the same plane is used again.
-    pub fn find_or_add(&mut self, point: Vector, normal: Vector) -> usize {
+    pub fn find_or_add(&self, point: Vector, normal: Vector) -> usize {
         let normal = clean(normal);
+        let mut all = self.all.borrow_mut();
         let same = |(other, along): &PlaneOf| {
             length(cross(*along, normal)) <= 1e-9
                 && dot(minus(point, *other), *along).abs() <= self.tolerance
         };
-        self.all.iter().position(same).unwrap_or_else(|| {
-            self.all.push((point, normal));
-            self.all.len() - 1
+        all.iter().position(same).unwrap_or_else(|| {
+            all.push((point, normal));
+            all.len() - 1
         })
     }
 
     /// A point and the unit normal of a plane; a face on the other side has the opposite one.
     pub fn get(&self, index: usize) -> PlaneOf {
-        self.all[index]
+        self.all.borrow()[index]
     }
 
     /// Whether a point is on the side of a plane's normal.
     pub fn is_positive(&self, index: usize, p: Vector) -> bool {
-        let (point, normal) = self.all[index];
+        let (point, normal) = self.get(index);
         dot(minus(p, point), normal) > 0.0
     }
 
     /// A plane as a separator.
     pub fn separator(&self, index: usize) -> Separator {
-        let (point, normal) = self.all[index];
+        let (point, normal) = self.get(index);
         Separator::Plane((normal, dot(normal, point)))
     }
 }

@@ -1,6 +1,7 @@
 //! Two numbers (u, v) for each point of a surface: planes cut out the lines u = constant.
 
-use super::cell::{Planes, Separator};
+use super::cell::Separator;
+use super::curve::PlaneOf;
 use super::polynomial::{harmonic, quadratic};
 use super::surface::{Form, Surface};
 use super::vector::*;
@@ -117,27 +118,25 @@ impl Chart {
     }
 
     /// The plane of the line u, with its normal eastwards.
-    pub fn meridian_plane(&self, u: f64, planes: &mut Planes) -> usize {
+    pub fn meridian_plane(&self, u: f64) -> PlaneOf {
         let Surface { origin, axis, .. } = self.surface;
-        if self.is_round() {
-            planes.find_or_add(origin, cross(axis, self.radial(u)))
-        } else {
-            planes.find_or_add(along(origin, u, self.e[0]), self.e[0])
+        match self.is_round() {
+            true => (origin, cross(axis, self.radial(u))),
+            false => (along(origin, u, self.e[0]), self.e[0]),
         }
     }
 
     /// The plane of the line v, with its normal northwards.
-    pub fn parallel_plane(&self, v: f64, planes: &mut Planes) -> usize {
-        if self.is_round() {
-            self.level_plane(self.meridian(v).1, planes)
-        } else {
-            planes.find_or_add(along(self.surface.origin, v, self.e[1]), self.e[1])
+    pub fn parallel_plane(&self, v: f64) -> PlaneOf {
+        match self.is_round() {
+            true => self.level_plane(self.meridian(v).1),
+            false => (along(self.surface.origin, v, self.e[1]), self.e[1]),
         }
     }
 
     /// The plane across the axis at a height, with its normal along the axis.
-    pub fn level_plane(&self, height: f64, planes: &mut Planes) -> usize {
-        planes.find_or_add(self.on_axis(height), self.surface.axis)
+    pub fn level_plane(&self, height: f64) -> PlaneOf {
+        (self.on_axis(height), self.surface.axis)
     }
 
     /// The cone, cylinder or nothing that joins the circles of two parallels, and that is `None` if both are in one

@@ -16,31 +16,31 @@ use imogene_scene::MAX_CUTS;
 
 impl Task<'_> {
     /// The separators of a face on a quadric: the planes of its edges, and of a cone the plane between its nappes.
-    pub fn parting(&self, planes: &mut Planes) -> Made<Parting> {
+    pub fn parting(&self) -> Made<Parting> {
         let surface = &self.face().surface;
         let mut parting = Parting::default();
         for edge_use in self.face().border() {
             for curve in &self.courses.of(edge_use.edge)?.pieces {
-                let plane = self.plane_of(edge_use, curve, planes)?;
-                let separator = parting.plane(planes, plane, EDGE);
+                let plane = self.plane_of(edge_use, curve)?;
+                let separator = parting.plane(self.planes, plane, EDGE);
                 let course = on_sphere(curve, surface).unwrap_or_else(|| curve.clone());
                 parting.border(separator, course, edge_use.forward);
             }
         }
         if surface.is_cone() {
-            let nappes = planes.find_or_add(surface.origin, surface.axis);
-            parting.plane(planes, nappes, AUXILIARY);
+            let nappes = self.planes.find_or_add(surface.origin, surface.axis);
+            parting.plane(self.planes, nappes, AUXILIARY);
         }
         Ok(parting)
     }
 
-    fn plane_of(&self, edge_use: EdgeUse, curve: &Curve, planes: &mut Planes) -> Made<usize> {
+    fn plane_of(&self, edge_use: EdgeUse, curve: &Curve) -> Made<usize> {
         let surface = &self.face().surface;
         if let Some((point, normal)) = curve.plane() {
-            return Ok(planes.find_or_add(point, normal));
+            return Ok(self.planes.find_or_add(point, normal));
         }
         let generator = self.courses.generator(self.index, edge_use.edge);
-        let plane = generator.or_else(|| upright(curve, surface, planes));
+        let plane = generator.or_else(|| upright(curve, surface, self.planes));
         plane.ok_or_else(|| {
             let edge = &self.model.edges[edge_use.edge].name;
             format!(
@@ -51,27 +51,27 @@ impl Task<'_> {
     }
 }
 
-pub fn quadric_face(task: Task, planes: &mut Planes) -> Made<Compiled> {
+pub fn quadric_face(task: Task) -> Made<Compiled> {
     let surface = &task.face().surface;
     let none = || format!("a {} is no quadric", surface.name());
     let implicit = surface.implicit().ok_or_else(none)?;
     let deviation = task.deviation()?;
-    let border = task.parting(planes)?;
+    let border = task.parting()?;
     let mut parting = border.clone();
-    parting.split(planes, &between_loops(task.model, task.face()));
+    parting.split(task.planes, &between_loops(task.model, task.face()));
     let cell = |parting: &Parting, term: &Term| Cell {
         quadric: Some(implicit),
         flat: None,
         cuts: parting.cuts(term),
     };
-    let cells = match terms(task, &mut parting, planes, MAX_CUTS, &[]) {
+    let cells = match terms(task, &mut parting, MAX_CUTS, &[]) {
         Ok(terms) => Ok(terms.iter().map(|term| cell(&parting, term)).collect()),
-        Err(_) => slabs::cells(task, &border, &Band::whole(surface), None, planes),
+        Err(_) => slabs::cells(task, &border, &Band::whole(surface), None),
     };
     task.compiled(cells, deviation)
 }
 
-pub fn torus_face(task: Task, planes: &mut Planes) -> Made<Compiled> {
+pub fn torus_face(task: Task) -> Made<Compiled> {
     if task.courses.max_deviation == 0.0 {
         return Err("a torus is not exact, and a deviation of 0 is accepted".into());
     }
@@ -79,14 +79,14 @@ pub fn torus_face(task: Task, planes: &mut Planes) -> Made<Compiled> {
     let rings = Rings::of(task.model, surface, most)
         .ok_or_else(|| format!("more than {MOST} bands would be needed to be within {most:.3e}"))?;
     let off = task.deviation()?;
-    let parting = task.parting(planes)?;
+    let parting = task.parting()?;
     let bands = rings.bands(&Chart::of(surface, None));
-    let cells = slabs::cells(task, &parting, &bands, None, planes);
+    let cells = slabs::cells(task, &parting, &bands, None);
     task.compiled(cells, off.max(rings.deviation))
 }
 
 /// The plane through a straight edge across its surface, which it follows within the accepted deviation.
-fn upright(curve: &Curve, surface: &Surface, planes: &mut Planes) -> Option<usize> {
+fn upright(curve: &Curve, surface: &Surface, planes: &Planes) -> Option<usize> {
     let [from, to] = curve.ends();
     let middle = surface.nearest(times(0.5, plus(from, to)))?;
     let across = cross(minus(to, from), surface.normal_at(middle)?);

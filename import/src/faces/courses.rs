@@ -43,7 +43,7 @@ pub struct Courses {
 
 impl Courses {
     /// The courses of the edges of a model, with deviations of at most these, in scene units.
-    pub fn new(model: &Model, planes: &mut Planes, max_deviation: f64, bands: f64) -> Courses {
+    pub fn new(model: &Model, planes: &Planes, max_deviation: f64, bands: f64) -> Courses {
         let course = |edge| course(model, edge, max_deviation, bands);
         let mut generators = Generators::new();
         for face in 0..model.faces.len() {
@@ -246,7 +246,7 @@ struct Line {
 }
 
 /// Pairs the generators of a face in the order of their angles; an odd one is paired with the first.
-pub fn pair_generators(model: &Model, face: usize, planes: &mut Planes, found: &mut Generators) {
+pub fn pair_generators(model: &Model, face: usize, planes: &Planes, found: &mut Generators) {
     let surface = &model.faces[face].surface;
     if !matches!(surface.form, Form::Cylinder(_) | Form::Cone(_)) {
         return;

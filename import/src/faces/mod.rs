@@ -145,13 +145,13 @@ fn compile_model(mut model: Model, options: &FaceOptions) -> Part {
     let size = model.size();
     let [asked, bands] = [DEFAULT_DEVIATION, DEFAULT_BANDS]
         .map(|share| options.max_deviation.unwrap_or(share * size));
-    let mut planes = Planes::new(model::COINCIDENT * size);
+    let planes = Planes::new(model::COINCIDENT * size);
     // The planes of faces first: an edge that lies in one takes its numbers.
     for (origin, normal) in model.faces.iter().filter_map(|face| face.surface.plane()) {
         planes.find_or_add(origin, normal);
     }
-    let courses = Courses::new(&model, &mut planes, asked, bands);
-    let solid = |solid| compile_solid(&model, solid, &courses, &mut planes, options);
+    let courses = Courses::new(&model, &planes, asked, bands);
+    let solid = |solid| compile_solid(&model, solid, &courses, &planes, options);
     let solids = (0..model.solids.len()).map(solid).collect();
     Part {
         model,
@@ -165,7 +165,7 @@ fn compile_solid(
     model: &Model,
     solid: usize,
     courses: &Courses,
-    planes: &mut Planes,
+    planes: &Planes,
     options: &FaceOptions,
 ) -> Compilation {
     if !options.no_volumes
@@ -179,14 +179,15 @@ fn compile_solid(
         let task = Task {
             model,
             courses,
+            planes,
             index: *index,
         };
         let made = match (&face.refused, &face.surface.form) {
             (Some(reason), _) => Err(reason.clone()),
-            (_, Form::Plane) => plane_face::plane_face(task, planes),
-            (_, Form::Torus(..)) => torus_face(task, planes),
+            (_, Form::Plane) => plane_face::plane_face(task),
+            (_, Form::Torus(..)) => torus_face(task),
             (_, Form::Other(name)) => Err(format!("{} is no quadric", with_article(name))),
-            _ => quadric_face(task, planes),
+            _ => quadric_face(task),
         };
         made.unwrap_or_else(|reason| Compiled {
             verdict: Verdict::Rejected(reason),

@@ -62,7 +62,7 @@ impl Parting {
     }
 
     /// Adds planes that divide and are no edges; false if all are there already, or too many.
-    pub fn split(&mut self, planes: &mut Planes, new: &[PlaneOf]) -> bool {
+    pub fn split(&mut self, planes: &Planes, new: &[PlaneOf]) -> bool {
         let before = self.separators.len();
         for (point, normal) in new {
             let index = planes.find_or_add(*point, *normal);
@@ -165,7 +165,6 @@ const MOST_SAMPLES: usize = 100_000;
 pub fn terms(
     task: Task,
     parting: &mut Parting,
-    planes: &mut Planes,
     most: usize,
     conics: &[(usize, Conic)],
 ) -> Result<Vec<Term>, String> {
@@ -173,10 +172,10 @@ pub fn terms(
         return Err("its border has too many pieces for the search".into());
     }
     let start = parting.clone();
-    match attempt(task, parting, planes, most, conics, false) {
+    match attempt(task, parting, most, conics, false) {
         Err(Trouble::Unresolved(_)) if task.face().surface.is_plane() => {
             *parting = start;
-            attempt(task, parting, planes, most, conics, true)
+            attempt(task, parting, most, conics, true)
         }
         other => other,
     }
@@ -199,7 +198,6 @@ enum Trouble {
 fn attempt(
     task: Task,
     parting: &mut Parting,
-    planes: &mut Planes,
     most: usize,
     conics: &[(usize, Conic)],
     halves: bool,
@@ -230,7 +228,7 @@ fn attempt(
                 new
             }
         };
-        if !parting.split(planes, &new) {
+        if !parting.split(task.planes, &new) {
             break;
         }
     }

@@ -2,7 +2,7 @@
 //! exactly.
 
 use super::band::Band;
-use super::cell::{Cell, Compiled, Made, Planes, Separator};
+use super::cell::{Cell, Compiled, Made, Separator};
 use super::courses::MAX_PIECES;
 use super::cover::Term;
 use super::curve::{Curve, PlaneOf};
@@ -19,28 +19,28 @@ const SIDES: usize = MAX_CUTS - 2;
 /// A plane that is nearer to parallel than this (cosine) to the face does not bound it; one upright on it does instead.
 const TOO_FLAT: f64 = 0.99;
 
-pub fn plane_face(task: Task, planes: &mut Planes) -> Made<Compiled> {
+pub fn plane_face(task: Task) -> Made<Compiled> {
     let surface = &task.face().surface;
-    let flat = planes.find_or_add(surface.origin, surface.axis);
-    let border = border(task, true, planes)?;
+    let flat = task.planes.find_or_add(surface.origin, surface.axis);
+    let border = border(task, true)?;
     let mut searched = border.parting.clone();
-    searched.split(planes, &border.chords);
-    if let Ok(terms) = terms(task, &mut searched, planes, SIDES, &border.conics) {
+    searched.split(task.planes, &border.chords);
+    if let Ok(terms) = terms(task, &mut searched, SIDES, &border.conics) {
         let cells = terms.iter().map(|term| cell(&searched, term, flat));
         return task.compiled(Ok(cells.collect()), border.deviation);
     }
     let bands = Band::whole(surface);
-    if let Ok(cells) = slabs::cells(task, &border.parting, &bands, Some(flat), planes) {
+    if let Ok(cells) = slabs::cells(task, &border.parting, &bands, Some(flat)) {
         return task.compiled(Ok(cells), border.deviation);
     }
     // A polygon can always be taken apart.
-    let polygon = self::border(task, false, planes)?;
-    let cells = slabs::cells(task, &polygon.parting, &bands, Some(flat), planes);
+    let polygon = self::border(task, false)?;
+    let cells = slabs::cells(task, &polygon.parting, &bands, Some(flat));
     task.compiled(cells, polygon.deviation)
 }
 
 /// The border of a face, with conics or with chords in their place.
-fn border<'a>(task: Task<'a>, conics: bool, planes: &mut Planes) -> Made<Border<'a>> {
+fn border<'a>(task: Task<'a>, conics: bool) -> Made<Border<'a>> {
     let mut border = Border {
         task,
         with_conics: conics,
@@ -50,7 +50,7 @@ fn border<'a>(task: Task<'a>, conics: bool, planes: &mut Planes) -> Made<Border<
         deviation: task.deviation()?,
     };
     for edge_use in task.face().border() {
-        border.edge(edge_use, planes)?;
+        border.edge(edge_use)?;
     }
     Ok(border)
 }
@@ -93,7 +93,13 @@ impl Border<'_> {
         (from, unit(cross(minus(to, from), self.normal())))
     }
 
-    fn edge(&mut self, edge_use: EdgeUse, planes: &mut Planes) -> Made<()> {
+    /// The separator of a plane that has an edge.
+    fn wall(&mut self, (point, normal): PlaneOf) -> usize {
+        let plane = self.task.planes.find_or_add(point, normal);
+        self.parting.plane(self.task.planes, plane, EDGE)
+    }
+
+    fn edge(&mut self, edge_use: EdgeUse) -> Made<()> {
         let course = self.task.courses.of(edge_use.edge)?;
         let pieces = match &course.chords {
             Some((chords, off)) => {
@@ -105,18 +111,15 @@ impl Border<'_> {
         for curve in pieces {
             let plane = curve.plane().filter(|(_, normal)| self.is_steep(*normal));
             let separator = match (curve, plane) {
-                (Curve::Line { from, to }, _) => Some(self.side(edge_use.edge, *from, *to, planes)),
-                (_, Some((point, normal))) => {
-                    let plane = planes.find_or_add(point, normal);
-                    Some(self.parting.plane(planes, plane, EDGE))
-                }
+                (Curve::Line { from, to }, _) => Some(self.side(edge_use.edge, *from, *to)),
+                (_, Some(plane)) => Some(self.wall(plane)),
                 _ => self.conic(edge_use.edge, curve),
             };
             match separator {
                 Some(separator) => self
                     .parting
                     .border(separator, curve.clone(), edge_use.forward),
-                None => self.chords_of(edge_use, curve, planes)?,
+                None => self.chords_of(edge_use, curve)?,
             }
         }
         Ok(())
@@ -124,8 +127,13 @@ impl Border<'_> {
 
     /// The separator of a straight edge: the neighbour's plane if it has one that is not too flat, or one upright on
     /// the face.
-    fn side(&mut self, edge: usize, from: Vector, to: Vector, planes: &mut Planes) -> usize {
-        let (model, courses, index) = (self.task.model, self.task.courses, self.task.index);
+    fn side(&mut self, edge: usize, from: Vector, to: Vector) -> usize {
+        let Task {
+            model,
+            courses,
+            planes,
+            index,
+        } = self.task;
         let mut own = None;
         for other in model.neighbours(index, edge) {
             own = own.or(match model.faces[other].surface.plane() {
@@ -134,11 +142,10 @@ impl Border<'_> {
             });
         }
         let steep = own.filter(|plane| self.is_steep(planes.get(*plane).1));
-        let plane = steep.unwrap_or_else(|| {
-            let (point, normal) = self.upright(from, to);
-            planes.find_or_add(point, normal)
-        });
-        self.parting.plane(planes, plane, EDGE)
+        match steep {
+            Some(plane) => self.parting.plane(planes, plane, EDGE),
+            None => self.wall(self.upright(from, to)),
+        }
     }
 
     /// The separator of a curved edge in the plane: the neighbour's quadric, or the cylinder upright on a circle or
@@ -168,7 +175,7 @@ impl Border<'_> {
     }
 
     /// A curve in the plane that is no conic becomes a chain of chords within the accepted deviation.
-    fn chords_of(&mut self, edge_use: EdgeUse, curve: &Curve, planes: &mut Planes) -> Made<()> {
+    fn chords_of(&mut self, edge_use: EdgeUse, curve: &Curve) -> Made<()> {
         let most = self.task.courses.max_deviation;
         let (chain, off) = chain(&curve.sampled(64), most);
         if chain.len() > MAX_PIECES || off > most {
@@ -180,9 +187,7 @@ impl Border<'_> {
         self.deviation = self.deviation.max(off);
         for pair in chain.windows(2) {
             let (from, to) = (pair[0], pair[1]);
-            let (point, normal) = self.upright(from, to);
-            let plane = planes.find_or_add(point, normal);
-            let separator = self.parting.plane(planes, plane, EDGE);
+            let separator = self.wall(self.upright(from, to));
             self.parting
                 .border(separator, Curve::Line { from, to }, edge_use.forward);
         }

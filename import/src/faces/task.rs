@@ -1,6 +1,6 @@
 //! From a face to cells: what all faces need.
 
-use super::cell::{Cell, Compiled, Made, Verdict};
+use super::cell::{Cell, Compiled, Made, Planes, Verdict};
 use super::courses::Courses;
 use super::model::{COINCIDENT, Face, Model};
 use super::vector::*;
@@ -12,6 +12,7 @@ const PLACES: usize = 64;
 pub struct Task<'a> {
     pub model: &'a Model,
     pub courses: &'a Courses,
+    pub planes: &'a Planes,
     pub index: usize,
 }
 

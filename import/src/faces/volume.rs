@@ -21,12 +21,13 @@ struct Body {
 }
 
 /// The one cell that is the whole solid, if there is one.
-pub fn volume(model: &Model, solid: usize, courses: &Courses, planes: &mut Planes) -> Option<Cell> {
+pub fn volume(model: &Model, solid: usize, courses: &Courses, planes: &Planes) -> Option<Cell> {
     let faces = &model.solids[solid].faces;
     let exact = |index: &usize| {
         let task = Task {
             model,
             courses,
+            planes,
             index: *index,
         };
         task.deviation().is_ok_and(|off| off <= model.rounding())
@@ -47,7 +48,7 @@ pub fn volume(model: &Model, solid: usize, courses: &Courses, planes: &mut Plane
     (fits && proven(model, faces, &body, planes)).then_some(body.cell)
 }
 
-fn body(model: &Model, faces: &[usize], planes: &mut Planes) -> Option<Body> {
+fn body(model: &Model, faces: &[usize], planes: &Planes) -> Option<Body> {
     let mut body = Body::default();
     let cuts = &mut body.cell.cuts;
     for face in faces.iter().map(|face| &model.faces[*face]) {

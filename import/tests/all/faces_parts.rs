@@ -102,7 +102,7 @@ fn polylines_pass_between_their_ends() {
 
 #[test]
 fn one_plane_has_one_description_whichever_way_it_faces() {
-    let mut planes = Planes::new(1e-9);
+    let planes = Planes::new(1e-9);
     let first = planes.find_or_add([0.0, 1.0, 0.0], [0.0, 1.0, 0.0]);
     let again = planes.find_or_add([5.0, 1.0, -3.0], [0.0, -1.0, 0.0]);
     assert_eq!(again, first);

@@ -3,7 +3,7 @@
 use super::lines::Slabs;
 use super::strips::{Crossing, Strip};
 use crate::faces::band::OVERLAP;
-use crate::faces::cell::{Planes, Separator};
+use crate::faces::cell::Separator;
 use crate::faces::surface::Form;
 use crate::faces::vector::Vector;
 use std::f64::consts::TAU;
@@ -60,7 +60,7 @@ impl Slabs<'_> {
 
     /// What bounds a strip in a band, besides the slab: one cell, or two if it lies between two conics; `None` if
     /// these are too near.
-    pub fn keys(&self, strip: &Strip, part: &Part, planes: &mut Planes) -> Option<Vec<Key>> {
+    pub fn keys(&self, strip: &Strip, part: &Part) -> Option<Vec<Key>> {
         let separators = &self.parting.separators;
         let side = |crossing: &Crossing| -> Side {
             let separator = self.rails[crossing.rail].separator;
@@ -70,7 +70,7 @@ impl Slabs<'_> {
         let mut key = Key {
             band: part.band,
             sides: vec![],
-            planes: self.band_planes(part, planes),
+            planes: self.band_planes(part),
         };
         let least = 1e-9 * (part.ends[1] - part.ends[0]).min(1.0);
         for end in 0..2 {
@@ -86,12 +86,11 @@ impl Slabs<'_> {
                 key.sides.push(side);
             }
             if self.parallels {
-                let plane = self.chart.parallel_plane(range[end], planes);
-                key.planes
-                    .push((plane, planes.is_positive(plane, part.sample)));
+                let parallel = self.chart.parallel_plane(range[end]);
+                key.planes.push(self.cut(parallel, part.sample));
             }
         }
-        let mut keys = self.between_conics(strip, key, planes)?;
+        let mut keys = self.between_conics(strip, key)?;
         for (end, crossing) in strip.ends.iter().enumerate() {
             let (Some(crossing), Some(range)) = (crossing, ranges[end]) else {
                 continue;
@@ -108,7 +107,7 @@ impl Slabs<'_> {
             }
             let parts = [(beyond, Some(own)), (near, None)];
             let part = |key: Key| match key.sides.contains(&own) {
-                true => self.halves(&key, strip, parts, planes),
+                true => self.halves(&key, strip, parts),
                 false => vec![key],
             };
             keys = keys.into_iter().flat_map(part).collect();
@@ -117,7 +116,7 @@ impl Slabs<'_> {
     }
 
     /// A strip that lies between two conics as two cells; `None` if these are too near.
-    fn between_conics(&self, strip: &Strip, key: Key, planes: &mut Planes) -> Option<Vec<Key>> {
+    fn between_conics(&self, strip: &Strip, key: Key) -> Option<Vec<Key>> {
         let separators = &self.parting.separators;
         let is_conic = |(k, _): &&Side| matches!(separators[*k], Separator::Quadric(_));
         let conics: Vec<Side> = key.sides.iter().filter(is_conic).copied().collect();
@@ -135,24 +134,18 @@ impl Slabs<'_> {
             false => (other, one),
         };
         let parts = [(low, Some(upper)), (high, Some(lower))];
-        Some(self.halves(&key, strip, parts, planes))
+        Some(self.halves(&key, strip, parts))
     }
 
     /// A cell as two, parted by the parallel half way between a v in each, and each without one of the sides.
-    fn halves(
-        &self,
-        key: &Key,
-        strip: &Strip,
-        parts: [(f64, Option<Side>); 2],
-        planes: &mut Planes,
-    ) -> Vec<Key> {
+    fn halves(&self, key: &Key, strip: &Strip, parts: [(f64, Option<Side>); 2]) -> Vec<Key> {
         let at = 0.5 * (parts[0].0 + parts[1].0);
-        let plane = self.chart.parallel_plane(at, planes);
+        let plane = self.chart.parallel_plane(at);
         let half = |(v, without): (f64, Option<Side>)| {
             let mut half = key.clone();
             half.sides.retain(|side| Some(*side) != without);
             let inside = self.chart.point(self.middle(strip.slab), v);
-            half.planes.push((plane, planes.is_positive(plane, inside)));
+            half.planes.push(self.cut(plane, inside));
             half
         };
         parts.map(half).to_vec()
@@ -179,11 +172,10 @@ impl Slabs<'_> {
     }
 
     /// The planes that a part has besides those of the border: of its band, and of a cone that between its nappes.
-    fn band_planes(&self, part: &Part, planes: &mut Planes) -> Vec<(usize, bool)> {
+    fn band_planes(&self, part: &Part) -> Vec<(usize, bool)> {
         if self.chart.surface.is_cone() {
-            let plane = self.chart.parallel_plane(0.0, planes);
             let inside = self.chart.on_axis(self.size);
-            return vec![(plane, planes.is_positive(plane, inside))];
+            return vec![self.cut(self.chart.parallel_plane(0.0), inside)];
         }
         if !part.ends[0].is_finite() {
             return vec![];
@@ -194,8 +186,7 @@ impl Slabs<'_> {
             let border = self.bands[part.band].beyond;
             let share = if part.goes_on[end] { OVERLAP } else { border };
             let height = heights[end] + share * (heights[end] - heights[1 - end]);
-            let plane = self.chart.level_plane(height, planes);
-            (plane, planes.is_positive(plane, inside))
+            self.cut(self.chart.level_plane(height), inside)
         };
         [0, 1].map(plane).to_vec()
     }

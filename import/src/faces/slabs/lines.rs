@@ -2,10 +2,11 @@
 
 use crate::faces::arrangement::Boundary;
 use crate::faces::band::Band;
+use crate::faces::cell::Planes;
 use crate::faces::chart::Chart;
-use crate::faces::curve::Curve;
+use crate::faces::curve::{Curve, PlaneOf};
 use crate::faces::parting::Parting;
-use crate::faces::vector::range;
+use crate::faces::vector::{Vector, range};
 use std::f64::consts::TAU;
 
 /// Greatest gap between the ends of two pieces of a border that follow each other, in sizes of the part or radians.
@@ -73,6 +74,7 @@ impl Rail {
 
 /// A face divided by lines u = constant.
 pub struct Slabs<'a> {
+    pub planes: &'a Planes,
     pub parting: &'a Parting,
     pub bands: &'a [Band],
     /// The plane of a face that is flat.
@@ -90,6 +92,12 @@ pub struct Slabs<'a> {
 impl Slabs<'_> {
     pub fn slabs(&self) -> usize {
         self.limits.len().saturating_sub(1)
+    }
+
+    /// A plane, and the side of it on which a point is.
+    pub fn cut(&self, (origin, normal): PlaneOf, inside: Vector) -> (usize, bool) {
+        let plane = self.planes.find_or_add(origin, normal);
+        (plane, self.planes.is_positive(plane, inside))
     }
 
     pub fn middle(&self, slab: usize) -> f64 {

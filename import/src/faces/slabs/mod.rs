@@ -12,7 +12,7 @@ mod sectors;
 mod strips;
 
 use super::band::Band;
-use super::cell::{Cell, Made, Planes};
+use super::cell::{Cell, Made};
 use super::chart::{Chart, free_pole};
 use super::curve::Curve;
 use super::parting::Parting;
@@ -30,7 +30,6 @@ pub fn cells(
     parting: &Parting,
     bands: &[Band],
     flat: Option<usize>,
-    planes: &mut Planes,
 ) -> Made<Vec<Cell>> {
     let surface = &task.face().surface;
     let mut border = parting.boundaries.iter();
@@ -47,6 +46,7 @@ pub fn cells(
         rails: rails.map(|own| Rail::of(own, &chart)).collect(),
         limits: vec![],
         parallels: false,
+        planes: task.planes,
         parting,
         bands,
         flat,
@@ -57,7 +57,7 @@ pub fn cells(
     for round in 0..=MAX_HALVINGS {
         slabs.limits = slabs.limits(&more);
         slabs.parallels = round > 0;
-        match slabs.cells(planes)? {
+        match slabs.cells()? {
             Ok(cells) => return Ok(cells),
             Err(crowded) => more.extend(crowded),
         }
@@ -67,13 +67,13 @@ pub fn cells(
 
 impl Slabs<'_> {
     /// The cells, or the u of slabs that have to be halved.
-    fn cells(&self, planes: &mut Planes) -> Made<Result<Vec<Cell>, Vec<f64>>> {
+    fn cells(&self) -> Made<Result<Vec<Cell>, Vec<f64>>> {
         let strips = self.strips()?;
         let mut runs: Vec<Run> = vec![];
         let mut crowded = vec![];
         for strip in strips.iter().filter(|strip| strip.inside) {
             for part in self.bands_of(strip) {
-                let keys = self.keys(strip, &part, planes);
+                let keys = self.keys(strip, &part);
                 if keys.is_none() {
                     crowded.push(self.middle(strip.slab));
                 }
@@ -92,14 +92,14 @@ impl Slabs<'_> {
         let mut cells = vec![];
         for run in &runs {
             for (span, sample) in self.sectors(run) {
-                let cell = self.cell(run, span, sample, planes);
-                if self.takes_others(&cell, &strips, planes) {
+                let cell = self.cell(run, span, sample);
+                if self.takes_others(&cell, &strips) {
                     crowded.push(0.5 * (span[0] + span[1]));
                 }
                 cells.push(cell);
             }
         }
-        crowded.extend(self.lost(&cells, &strips, planes));
+        crowded.extend(self.lost(&cells, &strips));
         let is_whole = crowded.is_empty();
         crowded.retain(|u| u.is_finite());
         Ok(if is_whole { Ok(cells) } else { Err(crowded) })

@@ -3,7 +3,7 @@
 use super::keys::Key;
 use super::lines::{Slabs, WIDEST_GAP};
 use super::strips::Strip;
-use crate::faces::cell::{Cell, Planes, Separator};
+use crate::faces::cell::{Cell, Separator};
 use crate::faces::chart::nearest_turn;
 use crate::faces::vector::Vector;
 use std::f64::consts::TAU;
@@ -85,7 +85,7 @@ impl Slabs<'_> {
         (0..parts as usize).map(sector).collect()
     }
 
-    pub fn cell(&self, run: &Run, span: [f64; 2], sample: Vector, planes: &mut Planes) -> Cell {
+    pub fn cell(&self, run: &Run, span: [f64; 2], sample: Vector) -> Cell {
         let parting = self.parting;
         let mut cell = Cell {
             quadric: self.bands[run.key.band].quadric,
@@ -100,7 +100,7 @@ impl Slabs<'_> {
             }
         }
         if span[0].is_finite() {
-            cell.cuts.extend(self.sides(span, sample, planes));
+            cell.cuts.extend(self.sides(span, sample));
         }
         cell.cuts.sort_unstable();
         cell.cuts.dedup();
@@ -109,23 +109,22 @@ impl Slabs<'_> {
 
     /// The planes at both ends of a span: those of edges that are there, if together they keep nothing else of the
     /// line v.
-    pub fn sides(&self, span: [f64; 2], sample: Vector, planes: &mut Planes) -> [(usize, bool); 2] {
+    pub fn sides(&self, span: [f64; 2], sample: Vector) -> [(usize, bool); 2] {
         let v = self.chart.coordinates(sample)[1];
         let width = span[1] - span[0];
-        let edges = span.map(|u| self.edge_at(u, span, v, planes));
+        let edges = span.map(|u| self.edge_at(u, span, v));
         let meridians = [0, 1].map(|end| {
-            let plane = self.chart.meridian_plane(span[end], planes);
             // The normal of a plane that was there before may point the other way.
             let inwards = if end == 0 { 1e-3 } else { -1e-3 } * width;
             let beside = self.chart.point(span[end] + inwards, v);
-            (plane, planes.is_positive(plane, beside))
+            self.cut(self.chart.meridian_plane(span[end]), beside)
         });
         let own = [0, 1].map(|end| edges[end].unwrap_or(meridians[end]));
         let elsewhere = |k: u32| {
             let u = span[1] + (TAU - width) * (f64::from(k) + 0.5) / f64::from(PROBES);
             let p = self.chart.point(u, v);
             own.iter()
-                .all(|(plane, side)| planes.is_positive(*plane, p) == *side)
+                .all(|(plane, side)| self.planes.is_positive(*plane, p) == *side)
         };
         if !self.chart.is_round() || edges == [None; 2] || !(0..PROBES).any(elsewhere) {
             own
@@ -135,7 +134,7 @@ impl Slabs<'_> {
     }
 
     /// The plane of an upright edge at an end of a span, if it has all of the span on one side.
-    fn edge_at(&self, u: f64, span: [f64; 2], v: f64, planes: &Planes) -> Option<(usize, bool)> {
+    fn edge_at(&self, u: f64, span: [f64; 2], v: f64) -> Option<(usize, bool)> {
         let narrow = 2.0 * self.narrow();
         let mut upright = self.rails.iter().filter(|rail| rail.is_upright(narrow));
         upright.find_map(|rail| {
@@ -146,7 +145,7 @@ impl Slabs<'_> {
             let plane = self.parting.planes[rail.separator];
             let plane = plane.filter(|_| off.abs() <= narrow)?;
             let shares = [0.02, 0.5, 0.98].map(|share| span[0] + share * (span[1] - span[0]));
-            let sides = shares.map(|u| planes.is_positive(plane, self.chart.point(u, v)));
+            let sides = shares.map(|u| self.planes.is_positive(plane, self.chart.point(u, v)));
             (sides == [sides[0]; 3]).then_some((plane, sides[0]))
         })
     }
@@ -157,20 +156,20 @@ impl Slabs<'_> {
     }
 
     /// Slabs with places of the face that no cell has.
-    pub fn lost(&self, cells: &[Cell], strips: &[Strip], planes: &Planes) -> Vec<f64> {
+    pub fn lost(&self, cells: &[Cell], strips: &[Strip]) -> Vec<f64> {
         if self.is_exact() {
             return vec![];
         }
-        let taken = |p: &Vector| cells.iter().any(|cell| cell.takes(*p, planes));
+        let taken = |p: &Vector| cells.iter().any(|cell| cell.takes(*p, self.planes));
         let inside = self.probed(strips, true);
         let lost = inside.filter(|(_, places)| !places.iter().all(taken));
         lost.map(|(middle, _)| middle).collect()
     }
 
     /// Whether a cell has places of strips that are not of the face.
-    pub fn takes_others(&self, cell: &Cell, strips: &[Strip], planes: &Planes) -> bool {
+    pub fn takes_others(&self, cell: &Cell, strips: &[Strip]) -> bool {
         let mut outside = self.probed(strips, false).flat_map(|(_, places)| places);
-        !self.is_exact() && outside.any(|p| cell.takes(p, planes))
+        !self.is_exact() && outside.any(|p| cell.takes(p, self.planes))
     }
 
     /// For each strip that is of the face, or is not, the middle of its slab and places of it.
