@@ -4,7 +4,6 @@
 //! `docs/cad-faces.md` is the user's page.
 
 mod arrangement;
-mod band;
 pub mod bezier;
 mod build;
 mod canonical;
@@ -27,7 +26,6 @@ mod scene;
 mod slabs;
 mod step;
 mod surface;
-mod task;
 pub mod vector;
 mod volume;
 
@@ -39,12 +37,11 @@ pub use surface::{Form, Implicit, Surface};
 
 use crate::error::{Error, ImportError, Result, text};
 use crate::kit::Imported;
-use compile::{quadric_face, torus_face};
+use compile::{Task, quadric_face, torus_face};
 use courses::Courses;
 use imogene_files::text::counted;
 use model::Model;
 use step21::with_article;
-use task::Task;
 
 /// What the user asks of the compiler.
 #[derive(Clone, Copy, Debug, Default)]

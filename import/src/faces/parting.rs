@@ -3,10 +3,10 @@
 
 use super::arrangement::{Boundary, Division, MAX_SEPARATORS, Sample};
 use super::cell::{Planes, Separator};
+use super::compile::Task;
 use super::cover::{Conflict, Term, cover};
 use super::curve::{Curve, Ellipse, PlaneOf};
 use super::surface::{Form, Implicit, Surface};
-use super::task::Task;
 use super::vector::*;
 use std::f64::consts::PI;
 

@@ -1,15 +1,15 @@
 //! Faces in a plane: solids without thickness, two opposite cut planes with one more quadric at most, which are drawn
 //! exactly.
 
-use super::band::Band;
 use super::cell::{Cell, Compiled, Made, Separator};
+use super::compile::Task;
 use super::courses::MAX_PIECES;
 use super::cover::Term;
 use super::curve::{Curve, PlaneOf};
 use super::model::EdgeUse;
 use super::parting::{Conic, EDGE, Parting, terms};
+use super::rings::Band;
 use super::slabs;
-use super::task::Task;
 use super::vector::{Vector, along, cross, distance, dot, minus, unit};
 use imogene_scene::MAX_CUTS;
 

@@ -1,16 +1,40 @@
-//! Bands of cones for a torus, which meet in circles of it.
+//! Bands, parts of a surface between two parallels, and those of cones for a torus, which meet in circles of it.
 //!
 //! The bands are the same for all faces of one torus, and as far as the angles are quarters of a turn for all tori
 //! with one radius of the tube. An edge across them, a circle about the tube, becomes the chords of the bands for the
 //! plane face beside it.
 
-use super::band::{Band, OVERLAP};
 use super::chart::Chart;
 use super::curve::Curve;
 use super::model::{Face, Model};
-use super::surface::{Form, Surface};
+use super::surface::{Form, Implicit, Surface};
 use super::vector::{Vector, dot, minus, range};
 use std::f64::consts::{FRAC_PI_2, TAU};
+
+/// Share of its height by which a band goes on under or over the next, so that the rounding of both leaves no pixel to
+/// neither. Out there a chord is a twelfth of the deviation off.
+pub const OVERLAP: f64 = 0.02;
+
+/// A part of the surface between two parallels, drawn as one quadric.
+#[derive(Clone, Debug)]
+pub struct Band {
+    /// Its quadric; nothing on a plane.
+    pub quadric: Option<Implicit>,
+    /// Least and greatest v.
+    pub ends: [f64; 2],
+    /// Share of its height by which it goes on beyond the border of its face, within the deviation.
+    pub beyond: f64,
+}
+
+impl Band {
+    pub fn whole(surface: &Surface) -> Vec<Band> {
+        vec![Band {
+            quadric: surface.implicit(),
+            ends: [f64::NEG_INFINITY, f64::INFINITY],
+            beyond: 0.0,
+        }]
+    }
+}
 
 /// Most bands of a quarter of the tube.
 const MAX_BANDS: f64 = 1e5;

@@ -1,9 +1,8 @@
 //! The planes and the quadric that bound a strip within a slab.
 
-use super::lines::Slabs;
-use super::strips::{Crossing, Strip};
-use crate::faces::band::OVERLAP;
+use super::strips::{Crossing, Slabs, Strip};
 use crate::faces::cell::Separator;
+use crate::faces::rings::OVERLAP;
 use crate::faces::surface::Form;
 use crate::faces::vector::Vector;
 use std::f64::consts::TAU;

@@ -7,19 +7,18 @@
 //! ends.
 
 mod keys;
-mod lines;
 mod sectors;
 mod strips;
 
-use super::band::Band;
 use super::cell::{Cell, Made};
 use super::chart::{Chart, free_pole};
+use super::compile::Task;
 use super::curve::Curve;
 use super::parting::Parting;
-use super::task::Task;
+use super::rings::Band;
 use super::vector::{minus, unit};
-use lines::{Rail, Slabs};
 use sectors::{Run, join};
+use strips::{Rail, Slabs};
 
 /// Most times that slabs are halved.
 const MAX_HALVINGS: usize = 6;

@@ -1,8 +1,7 @@
 //! Neighbouring slabs that have a cell in common, and the sectors that their cells become.
 
 use super::keys::Key;
-use super::lines::{Slabs, WIDEST_GAP};
-use super::strips::Strip;
+use super::strips::{Slabs, Strip, WIDEST_GAP};
 use crate::faces::cell::{Cell, Separator};
 use crate::faces::chart::nearest_turn;
 use crate::faces::vector::Vector;

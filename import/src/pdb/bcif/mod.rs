@@ -3,7 +3,7 @@
 mod decode;
 
 use super::cif::{
-    ATOMS, Atoms, Table, Tables, WANTED, columns, finish, instead_of_atoms, kept, no_atoms,
+    ATOMS, Atoms, Row, Tables, WANTED, columns, finish, instead_of_atoms, kept, no_atoms,
 };
 use super::structure::Structure;
 use crate::error::{Error, Result};
@@ -118,17 +118,20 @@ fn read_columns<'a>(
     Ok(columns)
 }
 
-fn table(columns: &[Column], rows: usize) -> Table {
-    let mut table = Table::new(columns.iter().map(|column| column.item.clone()).collect());
+fn table(columns: &[Column], rows: usize) -> Vec<Row> {
     let mut text = String::new();
-    // A category without columns has no rows, whatever it says.
-    for row in 0..if columns.is_empty() { 0 } else { rows } {
+    let row = |place| {
+        let mut row = Row::default();
         for column in columns {
-            column.write(row, &mut text);
-            table.push_row([(text.as_bytes(), 0)]);
+            column.write(place, &mut text);
+            row.set(&column.item, (text.as_bytes(), 0));
         }
-    }
-    table
+        row
+    };
+    // A category without columns has no rows, whatever it says.
+    (0..if columns.is_empty() { 0 } else { rows })
+        .map(row)
+        .collect()
 }
 
 fn push_atoms(given: &[Column], rows: usize, structure: &mut Structure) -> Result<(), String> {

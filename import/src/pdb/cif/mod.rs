@@ -8,7 +8,7 @@ mod table;
 mod token;
 
 pub use atoms::{Atoms, WANTED};
-pub use table::{Cell, Table, Tables, finish};
+pub use table::{Cell, Row, Tables, finish};
 
 use super::structure::Structure;
 use super::words::plain;
@@ -147,9 +147,9 @@ impl<'a> Reader<'a> {
         };
         self.notice(&category);
         if let Some(name) = kept(&category) {
-            let table = self.tables.entry(name).or_default();
-            table.items.push(item);
-            table.push_row([value]);
+            let rows = self.tables.entry(name).or_default();
+            rows.resize_with(rows.len().max(1), Row::default);
+            rows[0].set(&item, value);
         }
         Ok(())
     }
@@ -160,11 +160,8 @@ impl<'a> Reader<'a> {
 
     /// Takes over the atom whose items stood one by one.
     fn only_atom(&mut self) -> Result<()> {
-        let Some(table) = self.tables.remove(ATOMS) else {
-            return Ok(());
-        };
         let mut atoms = Atoms::default();
-        for row in table.rows() {
+        for row in self.tables.remove(ATOMS).into_iter().flatten() {
             let cells = WANTED.map(|item| row.value(item));
             if cells[..3].iter().any(|(text, _)| !text.is_empty()) {
                 self.atom(&mut atoms, cells.map(|(text, at)| (text.as_bytes(), at)))?;
@@ -209,9 +206,14 @@ impl<'a> Reader<'a> {
             }
             (None | Some(ATOMS), _) => self.rows(width, |_, _| Ok(())),
             (Some(name), _) => {
-                let mut table = Table::new(items);
-                self.rows(width, |_, row| {
-                    table.push_row(row.iter().copied());
+                let mut table = vec![];
+                self.rows(width, |_, cells| {
+                    let mut row = Row::default();
+                    items
+                        .iter()
+                        .zip(cells)
+                        .for_each(|(item, cell)| row.set(item, *cell));
+                    table.push(row);
                     Ok(())
                 })?;
                 self.tables.insert(name, table);

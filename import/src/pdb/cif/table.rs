@@ -10,48 +10,25 @@ use std::collections::HashMap;
 /// A value and where it begins in its file; nothing where the file has `?` or `.`.
 pub type Cell<'a> = (&'a [u8], usize);
 
-/// Items, and a row of values for each entry of the category.
+/// The categories of a block by their names, with a row for each entry.
+pub type Tables = HashMap<&'static str, Vec<Row>>;
+
+/// An entry of a category: values by their items, with where they begin. Of an item that is there twice the first counts.
 #[derive(Debug, Default)]
-pub struct Table {
-    pub items: Vec<String>,
-    values: Vec<(String, usize)>,
-}
+pub struct Row(HashMap<String, (String, usize)>);
 
-/// The categories of a block by their names.
-pub type Tables = HashMap<&'static str, Table>;
-
-#[derive(Clone, Copy)]
-pub struct Row<'a> {
-    table: &'a Table,
-    values: &'a [(String, usize)],
-}
-
-impl Table {
-    pub fn new(items: Vec<String>) -> Table {
-        let values = vec![];
-        Table { items, values }
+impl Row {
+    pub fn set(&mut self, item: &str, (bytes, at): Cell) {
+        let text = || (String::from_utf8_lossy(bytes).into_owned(), at);
+        self.0.entry(item.to_owned()).or_insert_with(text);
     }
 
-    pub fn push_row<'a>(&mut self, row: impl IntoIterator<Item = Cell<'a>>) {
-        let text = |(bytes, at)| (String::from_utf8_lossy(bytes).into_owned(), at);
-        self.values.extend(row.into_iter().map(text));
+    /// A value and where it begins; nothing if there is no such item.
+    pub fn value(&self, item: &str) -> (&str, usize) {
+        self.0.get(item).map_or(("", 0), |(text, at)| (text, *at))
     }
 
-    pub fn rows(&self) -> impl Iterator<Item = Row<'_>> {
-        let (table, width) = (self, self.items.len().max(1));
-        let rows = self.values.chunks_exact(width);
-        rows.map(move |values| Row { table, values })
-    }
-}
-
-impl<'a> Row<'a> {
-    /// A value and where it begins; nothing if the table has no such item.
-    pub fn value(&self, item: &str) -> (&'a str, usize) {
-        let column = self.table.items.iter().position(|name| name == item);
-        column.map_or(("", 0), |k| (self.values[k].0.as_str(), self.values[k].1))
-    }
-
-    pub fn text(&self, item: &str) -> &'a str {
+    pub fn text(&self, item: &str) -> &str {
         self.value(item).0
     }
 }
@@ -66,7 +43,7 @@ pub type Blame<'a> = &'a dyn Fn(usize, String, &str) -> Error;
 
 /// Fills in all but the atoms.
 pub fn finish(structure: &mut Structure, tables: &Tables, blame: Blame) {
-    let rows = |name| tables.get(name).into_iter().flat_map(Table::rows);
+    let rows = |name| tables.get(name).into_iter().flatten();
     let text = |name, item| {
         let found = rows(name).map(|row| row.text(item)).next();
         let line = found.unwrap_or_default().replace(['\r', '\n'], " ");
@@ -92,7 +69,7 @@ pub fn finish(structure: &mut Structure, tables: &Tables, blame: Blame) {
     }
 }
 
-fn connection(structure: &mut Structure, row: Row) {
+fn connection(structure: &mut Structure, row: &Row) {
     let kind = row.text("conn_type_id");
     if !BONDS.iter().any(|bond| kind.eq_ignore_ascii_case(bond)) {
         return;
@@ -122,7 +99,7 @@ fn connection(structure: &mut Structure, row: Row) {
     }
 }
 
-fn part(row: Row, words: &mut Words) -> Part {
+fn part(row: &Row, words: &mut Words) -> Part {
     let chains = row.text("asym_id_list").split(',').map(str::trim);
     let chains = chains.filter(|chain| !chain.is_empty());
     Part {
@@ -132,7 +109,7 @@ fn part(row: Row, words: &mut Words) -> Part {
     }
 }
 
-fn operator(row: Row, blame: Blame) -> Result<Rows> {
+fn operator(row: &Row, blame: Blame) -> Result<Rows> {
     let mut rows = IDENTITY;
     for (i, line) in rows.iter_mut().enumerate() {
         for (j, value) in line.iter_mut().enumerate() {
