@@ -247,24 +247,33 @@ struct Line {
 
 /// Pairs the generators of a face in the order of their angles; an odd one is paired with the first.
 pub fn pair_generators(model: &Model, face: usize, planes: &Planes, found: &mut Generators) {
-    let surface = &model.faces[face].surface;
-    if !matches!(surface.form, Form::Cylinder(_) | Form::Cone(_)) {
+    let Surface { axis, form, .. } = &model.faces[face].surface;
+    if !matches!(form, Form::Cylinder(_) | Form::Cone(_)) {
         return;
     }
-    let lines = lines(model, face);
-    let distinct = distinct(&lines, surface.axis);
+    let mut lines = lines(model, face);
+    let first = lines.first().map_or([0.0; 3], |line| line.out);
+    let side = cross(axis, first);
+    let angle = |line: &Line| {
+        let angle = dot(line.out, side).atan2(dot(line.out, first));
+        positive_angle(angle + 1e-9)
+    };
+    lines.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
+    // Lines that are one and the same generator.
+    let distinct = lines.chunk_by(|a, b| angle(b) - angle(a) <= 1e-8);
+    let distinct: Vec<&[Line]> = distinct.collect();
     for pair in distinct.chunks(2) {
-        let [a, b] = [&pair[0], pair.get(1).unwrap_or(&distinct[0])].map(|group| &lines[group[0]]);
-        let normal = match surface.form {
+        let [a, b] = [pair[0], pair.get(1).unwrap_or(&distinct[0])].map(|group| &group[0]);
+        let normal = match form {
             // Alone: the plane through the axis.
-            _ if distinct.len() == 1 => cross(surface.axis, a.out),
+            _ if distinct.len() == 1 => cross(axis, a.out),
             Form::Cone(_) => cross(a.direction, b.direction),
-            _ => cross(surface.axis, minus(b.point, a.point)),
+            _ => cross(axis, &minus(b.point, a.point)),
         };
         // A straight edge on the axis is no generator, and has no plane.
         if length(normal) > 0.0 {
             let plane = planes.find_or_add(a.point, unit(normal));
-            let edges = pair.iter().flatten().map(|line| lines[*line].edge);
+            let edges = pair.iter().copied().flatten().map(|line| line.edge);
             found.extend(edges.map(|edge| ((face, edge), plane)));
         }
     }
@@ -289,26 +298,4 @@ fn lines(model: &Model, face: usize) -> Vec<Line> {
         });
     }
     lines
-}
-
-/// Lines that are one and the same generator, in groups, by their angle.
-fn distinct(lines: &[Line], axis: Vector) -> Vec<Vec<usize>> {
-    let Some(first) = lines.first() else {
-        return vec![];
-    };
-    let side = cross(axis, first.out);
-    let angle = |k: usize| {
-        let angle = dot(lines[k].out, side).atan2(dot(lines[k].out, first.out));
-        positive_angle(angle + 1e-9)
-    };
-    let mut order: Vec<usize> = (0..lines.len()).collect();
-    order.sort_by(|i, j| angle(*i).total_cmp(&angle(*j)));
-    let mut groups: Vec<Vec<usize>> = vec![];
-    for k in order {
-        match groups.last_mut() {
-            Some(group) if angle(k) - angle(group[0]) <= 1e-8 => group.push(k),
-            _ => groups.push(vec![k]),
-        }
-    }
-    groups
 }

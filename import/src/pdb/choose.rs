@@ -272,21 +272,11 @@ fn locate(atoms: &mut Vec<Atom>, choice: &Alternates, words: &Words) -> usize {
     keep(atoms, |_| flags.next().expect("one for each atom"))
 }
 
-/// What speaks for an alternate of a residue.
-#[derive(Default)]
-struct Votes {
-    occupancy: f64,
-    atoms: usize,
-    /// Atoms of which it is the location that stands first in the file.
-    firsts: usize,
-    /// Where it stands first in the file.
-    order: Option<usize>,
-}
-
 /// The alternates of a residue, the best first: the one asked for, then those of the highest mean occupancy, then
-/// those listed first.
+/// those that most atoms have first in the file, then those that stand first in it.
 fn ranking(groups: &BTreeMap<Word, Vec<usize>>, atoms: &[Atom], asked: Option<Word>) -> Vec<Word> {
-    let mut votes: BTreeMap<Word, Votes> = BTreeMap::new();
+    // The atoms of each alternate, and their places among the locations of their atom.
+    let mut alternates: BTreeMap<Word, Vec<(usize, usize)>> = BTreeMap::new();
     for members in groups.values() {
         // An atom with one location and no letter belongs to all alternates.
         if let [only] = members[..]
@@ -295,24 +285,27 @@ fn ranking(groups: &BTreeMap<Word, Vec<usize>>, atoms: &[Atom], asked: Option<Wo
             continue;
         }
         for (k, index) in members.iter().enumerate() {
-            let entry = votes.entry(atoms[*index].alternate).or_default();
-            entry.occupancy += f64::from(atoms[*index].occupancy);
-            entry.atoms += 1;
-            entry.firsts += usize::from(k == 0);
-            entry.order = Some(entry.order.map_or(*index, |order| order.min(*index)));
+            let own = alternates.entry(atoms[*index].alternate).or_default();
+            own.push((*index, k));
         }
     }
-    let asked = |alternate: Word| asked != Some(alternate);
-    let mut ranked: Vec<(Word, Votes)> = votes.into_iter().collect();
-    ranked.sort_by(|(a, v), (b, w)| {
-        let (mean, other) = (v.occupancy / v.atoms as f64, w.occupancy / w.atoms as f64);
-        asked(*a)
-            .cmp(&asked(*b))
-            .then(other.total_cmp(&mean))
-            .then(w.firsts.cmp(&v.firsts))
-            .then(v.order.cmp(&w.order))
+    let mut ranked: Vec<Word> = alternates.keys().copied().collect();
+    let mean = |own: &[(usize, usize)]| {
+        let occupancies = own
+            .iter()
+            .map(|(index, _)| f64::from(atoms[*index].occupancy));
+        occupancies.sum::<f64>() / own.len() as f64
+    };
+    let firsts = |own: &[(usize, usize)]| own.iter().filter(|(_, k)| *k == 0).count();
+    ranked.sort_by(|a, b| {
+        let [own, other] = [a, b].map(|alternate| &alternates[alternate][..]);
+        (Some(*a) != asked)
+            .cmp(&(Some(*b) != asked))
+            .then(mean(other).total_cmp(&mean(own)))
+            .then(firsts(other).cmp(&firsts(own)))
+            .then(own.iter().min().cmp(&other.iter().min()))
     });
-    ranked.into_iter().map(|(alternate, _)| alternate).collect()
+    ranked
 }
 
 fn one_location(atoms: &[Atom], members: &[usize], asked: Option<Word>, keep: &mut [bool]) {

@@ -51,6 +51,7 @@ pub fn report(
         chains.insert(structure.words.text(atom.chain));
     }
     let remarks = &structure.remarks;
+    let spheres = atoms().count();
     let shown: Vec<i64> = chosen.iter().map(|c| c.number).collect();
     let (low, high) = (drawn.extent.0.map(short), drawn.extent.1.map(short));
     let guessed = atoms().map(|atom| atom.element);
@@ -59,7 +60,7 @@ pub fn report(
     let value = json!({
         "title": drawn.scene.title,
         "atoms_read": read.atoms,
-        "atoms_drawn": drawn.spheres,
+        "atoms_drawn": spheres,
         "left_out": left_out,
         "models": read.models,
         "models_drawn": shown,
@@ -71,8 +72,8 @@ pub fn report(
         "elements_unknown": remarks.no_element,
         "bonds": drawn.bonds.pairs.len(),
         "bonds_from_file_alone": drawn.bonds.connected,
-        "spheres": drawn.spheres,
-        "cylinders": drawn.cylinders,
+        "spheres": spheres,
+        "cylinders": drawn.scene.objects.len() - spheres,
         "box": { "low": low, "high": high },
     });
     let bonds = match drawn.bonds.pairs.len() {
@@ -84,9 +85,9 @@ pub fn report(
     let mut notes = vec![match &options.assembly {
         Some(name) => format!(
             "assembly {name}: {} drawn, of {atoms} in the file, {of_all}{bonds}",
-            counted(drawn.spheres, "atom")
+            counted(spheres, "atom")
         ),
-        None => format!("{} of {atoms} drawn, {of_all}{bonds}", drawn.spheres),
+        None => format!("{spheres} of {atoms} drawn, {of_all}{bonds}"),
     }];
     // How many there are of something, and what became of them.
     let told = |count: usize, one: &str, rest: &str| {

@@ -23,10 +23,8 @@ const MOST_COLOURS: usize = 240;
 
 /// What became of the chosen atoms.
 pub struct Drawn {
+    /// The spheres of all atoms, then the cylinders of bonds; a bond between two colours has two.
     pub scene: SceneFile,
-    pub spheres: usize,
-    /// Cylinders; a bond between two colours has two.
-    pub cylinders: usize,
     pub bonds: Bonds,
     /// Least and greatest coordinates of the spheres.
     pub extent: ([f64; 3], [f64; 3]),
@@ -129,13 +127,10 @@ pub fn build(
         all.connected += found.connected;
         all.left_out += found.left_out;
     }
-    let (spheres, cylinders) = (objects.len(), sticks.len());
     objects.extend(sticks);
     let title = title(structure, file);
     Ok(Drawn {
         scene: scene(title, camera, axes, materials.list, objects),
-        spheres,
-        cylinders,
         bonds: all,
         extent: framing::bounding_box(&balls),
     })
