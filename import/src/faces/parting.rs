@@ -74,9 +74,8 @@ impl Parting {
     /// One sample of every piece of a surface, of a part of a size.
     pub fn samples(&self, surface: &Surface, size: f64) -> Result<Vec<Sample>, &'static str> {
         let division = Division {
+            parting: self,
             surface,
-            separators: &self.separators,
-            boundaries: &self.boundaries,
             size,
         };
         division.samples()

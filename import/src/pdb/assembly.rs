@@ -204,7 +204,8 @@ pub struct Biomt {
 struct Lines {
     molecules: Vec<String>,
     chains: Vec<String>,
-    operators: Vec<(Operator, [bool; 3])>,
+    /// Numbers that have not been read are none.
+    operators: Vec<Operator>,
 }
 
 impl Biomt {
@@ -252,13 +253,11 @@ impl Biomt {
         }
         let part = self.parts.last_mut().expect("begun");
         let name = columns.field(20, 23);
-        let is_new = part.operators.last().is_none_or(|(o, _)| o.name != name);
-        if is_new {
-            let rows = Rows::default();
-            part.operators.push((Operator { name, rows }, [false; 3]));
+        if part.operators.last().is_none_or(|o| o.name != name) {
+            let rows = [[f64::NAN; 4]; 3];
+            part.operators.push(Operator { name, rows });
         }
-        let (operator, seen) = part.operators.last_mut().expect("there is one");
-        seen[row] = true;
+        let operator = part.operators.last_mut().expect("there is one");
         for (k, first) in [24, 34, 44, 54].into_iter().enumerate() {
             let last = if k == 3 { 68 } else { first + 9 };
             let number = columns.number(first, last);
@@ -278,18 +277,17 @@ impl Biomt {
     pub fn assemblies(mut self, words: &mut Words) -> Assemblies {
         let mut parts = vec![];
         for lines in self.parts {
-            let whole = lines.operators.iter().all(|(_, seen)| *seen == [true; 3]);
-            if !whole && self.problem.is_none() {
+            let mut numbers = lines.operators.iter().flat_map(|o| o.rows.as_flattened());
+            if numbers.any(|number| number.is_nan()) && self.problem.is_none() {
                 let problem =
                     "REMARK 350 has an operator without its lines BIOMT1, BIOMT2 and BIOMT3";
                 self.problem = Some(Error::whole(problem, AS_THEY_STAND));
             }
-            let operators: Vec<Operator> = lines.operators.into_iter().map(|(o, _)| o).collect();
             for assembly in lines.molecules {
                 parts.push(Part {
                     assembly,
                     chains: lines.chains.iter().map(|c| words.keep(c)).collect(),
-                    copies: Copies::List(operators.clone()),
+                    copies: Copies::List(lines.operators.clone()),
                 });
             }
         }

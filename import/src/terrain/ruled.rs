@@ -110,34 +110,20 @@ fn plane(z: &Corners, [u, v]: Corner) -> Option<[f64; 10]> {
     surface(&[zero, -along_u, integer(1), -along_v, integer(-2) * height])
 }
 
-/// Factors of `xy, x, y^2, yz, y, z, 1` of the surface on the edges y = 0 and y = 1: with z as height,
-/// `[b + ye (a - b)] xy - ye a x + [xe (b - a) + c] y^2 - y z + [xe (a - b) - ye c + z00] y + ye z - ye z00`.
-fn implicit(z: &Corners, [xe, ye]: &Point) -> [BigRational; 7] {
+/// On the northern and the southern edge, y = 0 and y = 1: with z as height,
+/// `[b + ye (a - b)] xy - ye a x + [xe (b - a) + c] y^2 - y z + [xe (a - b) - ye c + z00] y + ye z - ye z00`. The factor
+/// of the height over the cell is `ye - y`; its sign is made positive, so that the ground is below as in the other forms.
+fn ruled(z: &Corners, [xe, ye]: &Point) -> Option<[f64; 10]> {
+    debug_assert!(!twist(z).is_zero());
     let low = &z[0][0];
     let (a, b, c) = (&z[0][1] - low, &z[1][1] - &z[1][0], &z[1][0] - low);
     let less = &a - &b;
-    [
-        &b + ye * &less,
-        -(ye * &a),
-        &c - xe * &less,
-        integer(-1),
-        xe * &less - ye * &c + low,
-        ye.clone(),
-        -(ye * low),
-    ]
-}
-
-/// On the northern and the southern edge. The factor of the height over the cell is `ye - y`; its sign is made
-/// positive, so that the ground is below as in the other forms.
-fn ruled(z: &Corners, eye: &Point) -> Option<[f64; 10]> {
-    debug_assert!(!twist(z).is_zero());
-    let factors = implicit(z, eye);
-    let sign = if factors[5].is_positive() { 1 } else { -1 };
-    let [uv, u, vv, vz, v, height, one] = factors;
-    let [uv, vz, u, height, v] = [uv, vz, u, height, v].map(|f| f * fraction(sign, 2));
-    let [vv, one] = [vv, one].map(|f| f * integer(sign));
-    let written = [&vv, &uv, &vz, &u, &height, &v, &one];
-    let [vv, uv, vz, u, height, v, one] = proportional(written)?;
+    let sign = if ye.is_positive() { 1 } else { -1 };
+    let (uv, v) = (&b + ye * &less, xe * &less - ye * &c + low);
+    let halves = [uv, integer(-1), -(ye * &a), ye.clone(), v].map(|f| f * fraction(sign, 2));
+    let [vv, one] = [&c - xe * &less, -(ye * low)].map(|f| f * integer(sign));
+    let [uv, vz, u, height, v] = &halves;
+    let [vv, uv, vz, u, height, v, one] = proportional([&vv, uv, vz, u, height, v, &one])?;
     Some([0.0, 0.0, vv, 0.0, uv, vz, u, height, v, one])
 }
 

@@ -2,6 +2,7 @@
 
 use super::placement::{Placement, placement};
 use super::units::{Context, Measure, context};
+use indexmap::IndexMap;
 use std::collections::{HashMap, HashSet};
 use step21::{Args, Entity, Error, Exchange, Result};
 
@@ -36,8 +37,8 @@ type Ends = [(usize, Placement); 2];
 pub struct Assembly<'a> {
     file: &'a Exchange<'a>,
     measure: Measure,
-    representations: Vec<Args<'a>>,
-    index: HashMap<u64, usize>,
+    /// By the numbers of their entities.
+    representations: IndexMap<u64, Args<'a>>,
     group: Vec<usize>,
     links: HashMap<usize, Vec<Link>>,
     /// Products by their groups: the number and the name.
@@ -76,8 +77,7 @@ impl<'a> Assembly<'a> {
         let mut all = Assembly {
             file,
             measure: Measure::of(file),
-            representations: vec![],
-            index: HashMap::new(),
+            representations: IndexMap::new(),
             group: vec![],
             links: HashMap::new(),
             products: HashMap::new(),
@@ -91,9 +91,8 @@ impl<'a> Assembly<'a> {
             };
             let whole = entity.complex.then_some("REPRESENTATION");
             if let Some(args) = entity.find(&[whole.unwrap_or(record.name)]) {
-                all.index.insert(entity.id, all.representations.len());
                 all.group.push(all.representations.len());
-                all.representations.push(args);
+                all.representations.insert(entity.id, args);
             }
         }
         all.join();
@@ -110,7 +109,8 @@ impl<'a> Assembly<'a> {
     }
 
     fn find(&self, entity: Entity) -> Option<usize> {
-        self.index.get(&entity.id).map(|index| self.group[*index])
+        let index = self.representations.get_index_of(&entity.id);
+        index.map(|index| self.group[index])
     }
 
     /// Relationships without a placement: joined representations are a group, with the number of the first of them.
@@ -125,7 +125,8 @@ impl<'a> Assembly<'a> {
             let Some(ends) = self.keep("a relationship is left out", found) else {
                 continue;
             };
-            if let [Some(one), Some(other)] = ends.map(|end| self.index.get(&end.id).copied()) {
+            let ends = ends.map(|end| self.representations.get_index_of(&end.id));
+            if let [Some(one), Some(other)] = ends {
                 let (one, other) = (self.first(one), self.first(other));
                 self.group[one.max(other)] = one.min(other);
             }
@@ -193,7 +194,8 @@ impl<'a> Assembly<'a> {
 
     fn component(&self, placed: &Args<'a>, wholes: &HashMap<u64, u64>) -> Result<Option<Ends>> {
         let ends = relation(placed)?;
-        let [Some(first), Some(second)] = ends.map(|end| self.index.get(&end.id).copied()) else {
+        let ends = ends.map(|end| self.representations.get_index_of(&end.id));
+        let [Some(first), Some(second)] = ends else {
             return Ok(None);
         };
         let last = if placed.entity.complex { 0 } else { 4 };
@@ -226,7 +228,7 @@ impl<'a> Assembly<'a> {
 
     fn mapped(&self, index: usize, item: &Args<'a>) -> Result<Option<Ends>> {
         let map = item.named(1, &["REPRESENTATION_MAP"])?;
-        let Some(source) = self.index.get(&map.entity(1)?.id).copied() else {
+        let Some(source) = self.representations.get_index_of(&map.entity(1)?.id) else {
             return Ok(None);
         };
         let inner = self.frame(source, &map, 0)?;
@@ -296,7 +298,7 @@ impl<'a> Assembly<'a> {
                 waiting.push((link.child, place.after(&link.place), depth + 1, link.id));
             }
         }
-        match self.representations.first() {
+        match self.representations.values().next() {
             Some(first) if placed.is_empty() => Err(first.error(
                 "it is placed in itself, or in nothing that is a part",
                 "parts that contain each other in one direction are needed",
