@@ -1,30 +1,25 @@
 //! Why a file was not read.
 
-pub use step21::Place;
-pub(crate) use step21::{Error, Result};
+pub(crate) use step21::Result;
+pub use step21::{Error, Place};
 
 /// Why a file was not read.
 #[derive(Debug, thiserror::Error)]
-#[error("{file}{}: {problem}; {accepted}", .place.map_or(String::new(), |p| format!(":{}:{}", p.line, p.column)))]
+#[error("{file}:{}{error}", if error.place.is_some() { "" } else { " " })]
 pub struct ImportError {
     /// Name of the file.
     pub file: String,
-    /// Where its text is not what its format asks for; nothing if it cannot be used as a whole.
-    pub place: Option<Place>,
-    /// What is wrong.
-    pub problem: String,
-    /// What would be accepted.
-    pub accepted: String,
+    /// What is wrong with it, and where its text is not what its format asks for; nowhere if it cannot be used as a
+    /// whole.
+    pub error: Error,
 }
 
 impl ImportError {
     /// Makes the refusal of a file of what is wrong with it.
     pub(crate) fn of(file: &str) -> impl Fn(Error) -> ImportError {
-        move |error| ImportError {
-            file: file.to_owned(),
-            place: error.place,
-            problem: error.problem,
-            accepted: error.accepted,
+        move |error| {
+            let file = file.to_owned();
+            ImportError { file, error }
         }
     }
 }

@@ -27,6 +27,6 @@ mod kit;
 pub mod pdb;
 pub mod terrain;
 
-pub use error::{ImportError, Place};
+pub use error::{Error, ImportError, Place};
 pub use kind::{Kind, is_compressed, is_scene, kinds, unpack};
 pub use kit::Imported;

@@ -86,14 +86,14 @@ fn structure(bytes: &[u8], format: Format) -> Outcome {
         assembly: Some("1".into()),
         ..pdb::Options::default()
     });
-    match (outcome(plain), assembly.map_err(|error| error.place)) {
+    match (outcome(plain), assembly.map_err(|error| error.error.place)) {
         (Outcome::Read, Err(Some(place))) => Outcome::Malformed(place.line, place.column),
         (plain, _) => plain,
     }
 }
 
 fn outcome(read: Result<imogene_import::Imported, ImportError>) -> Outcome {
-    match read.map_err(|error| error.place) {
+    match read.map_err(|error| error.error.place) {
         Ok(imported) => {
             // What was read can be written.
             let toml = imported.scene.to_toml();

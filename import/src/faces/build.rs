@@ -16,14 +16,14 @@ pub const MAX_PARTS: usize = 20_000;
 
 /// The model of a face list.
 pub fn build(text: &str) -> Result<Model> {
-    let read = toml::from_str(text).map_err(|error| Flaw {
-        at: error.span().unwrap_or(0..0).start,
-        problem: error.message().trim_end().replace('\n', ", "),
-        accepted: "a face list as docs/cad-faces.md describes it is needed".to_owned(),
+    let read = toml::from_str(text).map_err(|error| {
+        let problem = error.message().trim_end().replace('\n', ", ");
+        let accepted = "a face list as docs/cad-faces.md describes it is needed";
+        Flaw::new(error.span().unwrap_or(0..0), [problem, accepted.to_owned()])
     });
     let model = read.and_then(model).map_err(|flaw| {
-        let bytes = text.as_bytes();
-        Error::at(bytes, flaw.at, flaw.problem, flaw.accepted)
+        let [problem, accepted] = flaw.as_ref();
+        Error::at(text.as_bytes(), flaw.span().start, problem, accepted)
     })?;
     let accepted = "at least one face with edges, or a sphere, and a box around them of at least a millionth of a unit are needed";
     let refused = || Error::whole("the faces have no size", accepted);
@@ -65,11 +65,8 @@ fn unique(names: &mut HashSet<String>, name: &Name, what: &str) -> Checked<()> {
     let text = name.as_ref();
     if text.trim().is_empty() || text.starts_with('-') {
         let accepted = "a name that is not empty and does not begin with `-` is needed";
-        return Err(flaw(
-            name,
-            format!("`{text}` is no name of a {what}"),
-            accepted,
-        ));
+        let problem = format!("`{text}` is no name of a {what}");
+        return Err(flaw(name, problem, accepted));
     }
     if !names.insert(text.clone()) {
         let problem = format!("the name `{text}` is taken by an earlier {what}");
@@ -139,11 +136,8 @@ fn edge_loop(
         uses.push(EdgeUse { edge, forward });
     }
     let Some(first) = uses.first() else {
-        return Err(flaw(
-            list,
-            "the loop has no edge",
-            "at least one edge is needed",
-        ));
+        let accepted = "at least one edge is needed";
+        return Err(flaw(list, "the loop has no edge", accepted));
     };
     if edges[first.edge].vertices.is_none() && uses.len() == 1 {
         return Ok(uses);
@@ -206,11 +200,8 @@ fn solids(keys: &ListKeys, materials: &[Material]) -> Checked<Vec<Solid>> {
                 Some(_) => format!("face `{text}` has a solid already"),
                 None => format!("`{text}` is not a face of this list"),
             };
-            Err(flaw(
-                name,
-                problem,
-                "every face belongs to exactly one solid",
-            ))
+            let accepted = "every face belongs to exactly one solid";
+            Err(flaw(name, problem, accepted))
         };
         solids.push(Solid {
             name: key.name.as_ref().clone(),
@@ -330,7 +321,7 @@ pub struct Vertices {
 
 impl Vertices {
     pub fn of(keys: &BTreeMap<String, Spanned<Vector>>) -> Checked<Vertices> {
-        let points = keys.values().map(|p| point(p));
+        let points = keys.values().map(point);
         let points: Vec<Vector> = points.collect::<Checked<_>>()?;
         Ok(Vertices {
             index: keys.keys().cloned().zip(0..).collect(),

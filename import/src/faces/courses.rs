@@ -268,7 +268,7 @@ pub fn pair_generators(model: &Model, face: usize, planes: &Planes, found: &mut 
             // Alone: the plane through the axis.
             _ if distinct.len() == 1 => cross(axis, a.out),
             Form::Cone(_) => cross(a.direction, b.direction),
-            _ => cross(axis, &minus(b.point, a.point)),
+            _ => cross(axis, minus(b.point, a.point)),
         };
         // A straight edge on the axis is no generator, and has no plane.
         if length(normal) > 0.0 {

@@ -133,21 +133,13 @@ impl SurfaceKeys {
 /// Largest coordinate and radius, scene units: beyond it double precision has no micrometres left in a metre.
 pub const MAX_NUMBER: f64 = 1e9;
 
-/// What is wrong at a byte of a list, and what would be accepted.
-pub struct Flaw {
-    pub at: usize,
-    pub problem: String,
-    pub accepted: String,
-}
+/// What is wrong with a value of a list, and what would be accepted.
+pub type Flaw = Spanned<[String; 2]>;
 
 pub type Checked<T> = Result<T, Flaw>;
 
 pub fn flaw<T>(value: &Spanned<T>, problem: impl ToString, accepted: impl ToString) -> Flaw {
-    Flaw {
-        at: value.span().start,
-        problem: problem.to_string(),
-        accepted: accepted.to_string(),
-    }
+    Flaw::new(value.span(), [problem.to_string(), accepted.to_string()])
 }
 
 /// Numbers of a value, which have to be finite and not too large.
@@ -170,11 +162,8 @@ pub fn direction(value: &Spanned<Vector>) -> Checked<Vector> {
     let vector = point(value)?;
     if length(vector) < 1e-9 {
         let accepted = "a vector with at least one number other than 0 is needed";
-        return Err(flaw(
-            value,
-            format!("{vector:?} has no direction"),
-            accepted,
-        ));
+        let problem = format!("{vector:?} has no direction");
+        return Err(flaw(value, problem, accepted));
     }
     Ok(unit(vector))
 }

@@ -128,22 +128,17 @@ impl Border<'_> {
     /// The separator of a straight edge: the neighbour's plane if it has one that is not too flat, or one upright on
     /// the face.
     fn side(&mut self, edge: usize, from: Vector, to: Vector) -> usize {
-        let Task {
-            model,
-            courses,
-            planes,
-            index,
-        } = self.task;
+        let Task { model, courses, .. } = self.task;
         let mut own = None;
-        for other in model.neighbours(index, edge) {
+        for other in model.neighbours(self.task.index, edge) {
             own = own.or(match model.faces[other].surface.plane() {
-                Some((origin, normal)) => Some(planes.find_or_add(origin, normal)),
+                Some((origin, normal)) => Some(self.task.planes.find_or_add(origin, normal)),
                 None => courses.generator(other, edge),
             });
         }
-        let steep = own.filter(|plane| self.is_steep(planes.get(*plane).1));
+        let steep = own.filter(|plane| self.is_steep(self.task.planes.get(*plane).1));
         match steep {
-            Some(plane) => self.parting.plane(planes, plane, EDGE),
+            Some(plane) => self.parting.plane(self.task.planes, plane, EDGE),
             None => self.wall(self.upright(from, to)),
         }
     }

@@ -10,9 +10,8 @@ use crate::kit::short;
 #[derive(Debug, PartialEq, Eq)]
 pub struct Element {
     pub symbol: &'static str,
-    covalent: u16,
-    bondi: u16,
-    alvarez: u16,
+    /// Covalent, and two of van der Waals: by Bondi, and by Alvarez.
+    radii: [u16; 3],
     colour: u32,
 }
 
@@ -21,12 +20,9 @@ pub struct Element {
 pub const UNKNOWN: Element = element("?", [150, 0, 200], 0xff1493);
 
 const fn element(symbol: &'static str, radii: [u16; 3], colour: u32) -> Element {
-    let [covalent, bondi, alvarez] = radii;
     Element {
         symbol,
-        covalent,
-        bondi,
-        alvarez,
+        radii,
         colour,
     }
 }
@@ -138,12 +134,12 @@ pub const ELEMENTS: [Element; 99] = [
 impl Element {
     /// Radius of its sphere when it touches what it is not bonded to, in angstroms.
     pub fn van_der_waals(&self) -> f64 {
-        known(&[self.bondi, self.alvarez, UNKNOWN.alvarez])
+        known(&self.radii[1..], UNKNOWN.radii[2])
     }
 
     /// Its share of the length of a bond, in angstroms.
     pub fn covalent(&self) -> f64 {
-        known(&[self.covalent, UNKNOWN.covalent])
+        known(&self.radii[..1], UNKNOWN.radii[0])
     }
 
     /// Red, green and blue, 0 to 1.
@@ -159,14 +155,14 @@ impl Element {
 
     /// One of the radii is that of [`UNKNOWN`], because the sources have none.
     pub fn is_guessed(&self) -> bool {
-        self.covalent == 0 || (self.bondi == 0 && self.alvarez == 0) || *self == UNKNOWN
+        self.radii[0] == 0 || self.radii[1..] == [0, 0] || *self == UNKNOWN
     }
 }
 
-/// The first radius that the sources have, in angstroms.
-fn known(radii: &[u16]) -> f64 {
+/// The first radius that the sources have, or that of what is unknown, in angstroms.
+fn known(radii: &[u16], unknown: u16) -> f64 {
     let radius = radii.iter().find(|radius| **radius > 0);
-    f64::from(*radius.expect("the last is not 0")) / 100.0
+    f64::from(*radius.unwrap_or(&unknown)) / 100.0
 }
 
 /// The element of a symbol in any case; deuterium and tritium are hydrogen.

@@ -101,7 +101,7 @@ faces = ["side", "floor"] | faces = ["side"] | :34:8: face `floor` belongs to no
         let message = import(LIST.replacen(&from, &to, 1).as_bytes()).unwrap_err();
         says(&message, &expected);
         let mut ways = "needed possible has reads must belongs follow".split(' ');
-        let is_said = ways.any(|way| message.accepted.contains(way));
+        let is_said = ways.any(|way| message.error.accepted.contains(way));
         assert!(is_said, "{message}");
     }
 }

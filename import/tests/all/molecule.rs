@@ -88,7 +88,11 @@ fn a_bad_coordinate_is_refused_where_it_stands() {
         let column = column.parse().expect("a number");
         let text = format!("REMARK\n{}", ONE.replace(&good, &wrong));
         let error = read(text.as_bytes(), "f.pdb", &Options::default()).unwrap_err();
-        assert_eq!(error.place, Some(Place { line: 2, column }), "{wrong}");
+        assert_eq!(
+            error.error.place,
+            Some(Place { line: 2, column }),
+            "{wrong}"
+        );
         says(&error, &problem);
         says(&error, "would be accepted");
     }
