@@ -2,8 +2,7 @@
 
 use super::error::{Error, Result};
 use super::parser::Exchange;
-use super::text::shortened;
-use super::text::{decoded, with_article};
+use super::text::{decoded, shortened, with_article};
 use super::value::{Instance, Kind, Record, Value};
 use std::fmt::Display;
 use std::ops::Deref;

@@ -118,12 +118,8 @@ pub fn material(materials: &mut Vec<Material>, colour: Option<Colour>) -> String
     let [r, g, b] = rgb.map(|share| (255.0 * share).round() as u8);
     let name = colour.map_or("grey".to_owned(), |_| format!("#{r:02x}{g:02x}{b:02x}"));
     if !materials.iter().any(|m| m.name == name) {
-        materials.push(crate::kit::material(
-            name.clone(),
-            rgb,
-            [0.15, 0.8, 0.5],
-            40,
-        ));
+        let shares = [0.15, 0.8, 0.5];
+        materials.push(crate::kit::material(name.clone(), rgb, shares, 40));
     }
     name
 }
