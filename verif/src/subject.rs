@@ -6,75 +6,26 @@ use crate::signal::Signal;
 use crate::waveform::{Group, Sample, Trace};
 use proptest::strategy::BoxedStrategy;
 use rayon::prelude::*;
-use std::hint::black_box;
 use std::time::Instant;
 
 /// One clock's values of the input ports, in their order.
 pub type Inputs = Vec<i64>;
 
-/// A clocked design or its golden model: inputs before the edge, outputs after it. An output is `None` where the engine
-/// shows an undefined bit, or where the golden model states nothing (before the first start, in an invalid clock).
-pub trait Clocked: Send {
-    /// One clock.
-    fn clock(&mut self, inputs: &[i64]) -> Vec<Option<i64>>;
-
-    /// So many clocks, after each of which the outputs are read and left aside.
-    fn run(&mut self, stimulus: &[Inputs]) {
-        for inputs in stimulus {
-            black_box(self.clock(inputs));
-        }
-    }
-}
-
-impl<F: FnMut(&[i64]) -> Vec<Option<i64>> + Send> Clocked for F {
-    fn clock(&mut self, inputs: &[i64]) -> Vec<Option<i64>> {
-        self(inputs)
-    }
-}
+/// A golden model: inputs before the edge, outputs after it. An output is `None` where nothing is stated (before the
+/// first start, in an invalid clock).
+pub type Golden = Box<dyn FnMut(&[i64]) -> Vec<Option<i64>> + Send>;
 
 /// Runs of a design side by side, at the price of one: each has its lane, and inputs and outputs of its own.
-pub trait Lanes: Send {
+pub trait Hardware: Send {
     /// One clock of all lanes, each with its inputs; fewer than there are lanes will do.
     fn clock(&mut self, inputs: &[&[i64]]);
 
-    /// The outputs of a lane after it, in the place of others.
+    /// The outputs of a lane after it, in the place of others; `None` where the engine shows an undefined bit.
     fn outputs(&mut self, lane: usize, found: &mut Vec<Option<i64>>);
-
-    /// As many clocks as the first stimulus has, each lane with one that is as long. After each of them the outputs are
-    /// read and left aside.
-    fn run(&mut self, stimuli: &[&[Inputs]]);
 }
 
 /// Lanes of an engine that has some.
 pub const LANES: usize = 4;
-
-/// An instance that runs by itself.
-struct Alone {
-    instance: Box<dyn Clocked>,
-    found: Vec<Option<i64>>,
-}
-
-impl Lanes for Alone {
-    fn clock(&mut self, inputs: &[&[i64]]) {
-        self.found = self.instance.clock(inputs[0]);
-    }
-
-    fn outputs(&mut self, _: usize, found: &mut Vec<Option<i64>>) {
-        std::mem::swap(found, &mut self.found);
-    }
-
-    fn run(&mut self, stimuli: &[&[Inputs]]) {
-        stimuli
-            .iter()
-            .for_each(|stimulus| self.instance.run(stimulus));
-    }
-}
-
-/// Makes fresh instances of a design, or of its golden model.
-pub type Maker = Box<dyn Fn() -> Box<dyn Clocked> + Sync>;
-
-/// Makes [`LANES`] fresh instances of a design side by side.
-pub type LanesMaker = Box<dyn Fn() -> Box<dyn Lanes> + Sync>;
 
 /// Random stimulus of about so many clocks, biased to the edges.
 pub type Stimulus = Box<dyn Fn(&Subject, usize) -> BoxedStrategy<Vec<Inputs>> + Sync>;
@@ -89,12 +40,12 @@ pub struct Subject {
     pub inputs: Vec<Signal>,
     /// Output ports.
     pub outputs: Vec<Signal>,
-    /// A fresh instance of the hardware.
-    pub hardware: Maker,
-    /// The same in lanes, if the engine has some.
-    pub lanes: Option<LanesMaker>,
+    /// Runs of the hardware that the engine can do side by side: 1 or [`LANES`].
+    pub lanes: usize,
+    /// Fresh hardware for as many runs.
+    pub hardware: Box<dyn Fn(usize) -> Box<dyn Hardware> + Sync>,
     /// A fresh instance of the golden model.
-    pub golden: Maker,
+    pub golden: Box<dyn Fn() -> Golden + Sync>,
     /// Random stimulus of about this many clocks, biased to the edges.
     pub stimulus: Stimulus,
     /// Clocks of a stimulus that reaches every state, where that is many.
@@ -106,17 +57,6 @@ pub struct Subject {
 }
 
 impl Subject {
-    /// Fresh hardware for one run, or for several in an engine with lanes.
-    pub(crate) fn hardware_in(&self, lanes: usize) -> Box<dyn Lanes> {
-        match &self.lanes {
-            Some(side_by_side) if lanes > 1 => side_by_side(),
-            _ => {
-                let (instance, found) = ((self.hardware)(), vec![]);
-                Box::new(Alone { instance, found })
-            }
-        }
-    }
-
     /// Runs hardware and golden model over a stimulus and compares every output on every clock.
     ///
     /// `record` also keeps the waveforms.
@@ -128,11 +68,7 @@ impl Subject {
     /// The same over several stimuli, each of which begins from reset; those that the engine has lanes for run side by
     /// side.
     pub fn run_all<S: AsRef<[Inputs]> + Sync>(&self, stimuli: &[S], record: bool) -> Vec<Outcome> {
-        let lanes = match self.lanes {
-            Some(_) => LANES,
-            None => 1,
-        };
-        let groups = stimuli.par_chunks(lanes);
+        let groups = stimuli.par_chunks(self.lanes);
         let outcomes = groups.flat_map_iter(|group| self.run_group(group, record));
         outcomes.collect()
     }
@@ -174,7 +110,7 @@ impl Subject {
         mut seen: impl FnMut(usize, u64, Seen),
     ) -> Vec<Report> {
         let started = Instant::now();
-        let mut hardware = self.hardware_in(stimuli.len());
+        let mut hardware = (self.hardware)(stimuli.len());
         let mut runs: Vec<Run<I>> = stimuli
             .into_iter()
             .map(|mut stimulus| {
@@ -202,7 +138,7 @@ impl Subject {
                 let clock = Seen {
                     stimulus: inputs.as_ref(),
                     hardware: &found,
-                    golden: &run.golden.clock(inputs.as_ref()),
+                    golden: &(run.golden)(inputs.as_ref()),
                 };
                 seen(lane, run.report.cycles, clock);
                 self.score(&clock, &mut run.report);
@@ -248,7 +184,7 @@ struct Run<I: Iterator> {
     stimulus: I,
     inputs: Option<I::Item>,
     is_over: bool,
-    golden: Box<dyn Clocked>,
+    golden: Golden,
     report: Report,
 }
 

@@ -1,11 +1,8 @@
 //! Co-simulation of machines with everything between the object processors and the picture.
 
 pub mod bench;
-mod machine;
 pub mod pins;
 pub mod request;
 mod run;
 pub mod stream;
 mod waves;
-
-pub use machine::Machine;

@@ -1,12 +1,11 @@
 //! A machine with its screen against golden pictures: the pins on every clock.
 
-use super::Machine;
 use super::request::{mode, request_for};
 use super::run::Host;
 use super::stream;
 use super::waves::{Spot, Waves};
 use crate::engine::design::DesignError;
-use crate::engine::machine::MachineDesign;
+use crate::engine::machine::{Machine, MachineDesign};
 use crate::signal::Delay;
 use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_golden::machine::video_timing::{Shown, VideoTiming};
@@ -25,12 +24,12 @@ pub fn run(
     frame_done: impl FnMut(),
 ) -> Result<PinsOutcome, DesignError> {
     let design = options.design(machine, images)?;
-    run_in(design, machine, images, options, frame_done)
+    run_in(&design, machine, images, options, frame_done)
 }
 
 /// The same in a machine that was made of this description.
 pub fn run_in(
-    design: MachineDesign,
+    design: &MachineDesign,
     machine: &MachineDescription,
     images: &[Image],
     options: &PinsRun,

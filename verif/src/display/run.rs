@@ -1,11 +1,10 @@
 //! How a machine is shown, its host, which sends words over AXI4-Stream, and what came of it.
 
-use super::Machine;
 use super::request::{mode, request_for};
 use super::waves::Waves;
 use crate::engine::Engine;
 use crate::engine::design::DesignError;
-use crate::engine::machine::MachineDesign;
+use crate::engine::machine::{Machine, MachineDesign};
 use crate::random::Stalls;
 use crate::report::Report;
 use crate::waveform::{WaveformRequest, WindowStart};
@@ -67,7 +66,7 @@ impl PinsRun<'_> {
         let nets = self.waveforms.map_or(&[][..], |waveforms| &waveforms.nets);
         let tables = images.first().map_or(&[][..], |image| &image.tables);
         let request = request_for(machine, tables, "");
-        MachineDesign::compile(self.engine, &request, &[], nets)
+        MachineDesign::compile(self.engine, &request, vec![], nets)
     }
 
     /// The waveforms that are wanted, of a machine of whose outputs some are compared.

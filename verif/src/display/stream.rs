@@ -1,9 +1,9 @@
 //! A machine without a screen: its pixels over AXI4-Stream against golden pictures, with a receiver that may stall.
 
-use super::Machine;
 use super::request::mode;
 use super::run::{Host, PinsOutcome, PinsRun};
 use super::waves::Spot;
+use crate::engine::machine::Machine;
 use crate::random::Stalls;
 use crate::report::place;
 use imogene_golden::unit::lattice::Lattice;

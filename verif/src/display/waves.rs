@@ -2,7 +2,7 @@
 //!
 //! A clock shows what the next rising edge meets: the outputs since the last edge, and the inputs set for the next.
 
-use super::Machine;
+use crate::engine::machine::Machine;
 use crate::signal::Signal;
 use crate::waveform::{Group, Place, Sample, Trace, WaveformRequest, WindowStart};
 
@@ -114,7 +114,7 @@ impl Waves {
             };
             let (compared, others) = (found(compared), found(others));
             let nets = match is_recorded || reads_ahead {
-                true => hardware.nets(),
+                true => hardware.probe(0).1,
                 false => vec![],
             };
             vec![Sample {

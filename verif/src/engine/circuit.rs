@@ -2,11 +2,10 @@
 
 use super::design::{self, Instance};
 use crate::signal::Signal;
-use crate::subject::{Clocked, Inputs, LANES, Lanes};
+use crate::subject::Hardware;
 use imogene_compiled::{Program, Simulation};
 use imogene_faults::Upset;
 use imogene_hdl::{self as hdl, Design, Direction, Simulator};
-use std::hint::black_box;
 use std::sync::Arc;
 
 /// A design as machine code with its outputs in their order; its instances share it.
@@ -123,24 +122,7 @@ impl Instance for Circuit {
     }
 }
 
-impl Clocked for Circuit {
-    fn clock(&mut self, inputs: &[i64]) -> Vec<Option<i64>> {
-        Circuit::clock(self, inputs);
-        let outputs = self.design.outputs.iter().zip(self.simulation.outputs());
-        outputs
-            .map(|(signal, bits)| Some(signal.value(*bits)))
-            .collect()
-    }
-
-    fn run(&mut self, stimulus: &[Inputs]) {
-        for inputs in stimulus {
-            Circuit::clock(self, inputs);
-            black_box(self.simulation.outputs());
-        }
-    }
-}
-
-impl Lanes for Circuit {
+impl Hardware for Circuit {
     fn clock(&mut self, inputs: &[&[i64]]) {
         self.simulation.step(inputs);
     }
@@ -151,19 +133,6 @@ impl Lanes for Circuit {
         let outputs = self.design.outputs.iter().zip(words);
         found.clear();
         found.extend(outputs.map(|(signal, bits)| Some(signal.value(*bits))));
-    }
-
-    fn run(&mut self, stimuli: &[&[Inputs]]) {
-        let [first, others @ ..] = stimuli else {
-            return;
-        };
-        for (clock, inputs) in first.iter().enumerate() {
-            let mut rows: [&[i64]; LANES] = [inputs; LANES];
-            for (row, stimulus) in rows[1..].iter_mut().zip(others) {
-                *row = &stimulus[clock];
-            }
-            black_box(self.simulation.step(&rows));
-        }
     }
 }
 

@@ -2,11 +2,10 @@
 
 use super::nets::NetError;
 use crate::signal::Signal;
-use crate::subject::{Clocked, Inputs, Subject};
+use crate::subject::{Hardware, Subject};
 use crate::waveform::PlaceError;
 use imogene_contract::RequestError;
 use imogene_tools::ToolError;
-use std::hint::black_box;
 use std::path::PathBuf;
 use std::sync::Arc;
 use thiserror::Error;
@@ -88,7 +87,7 @@ pub(crate) fn driven(subject: Subject, engine: &'static str, design: Box<dyn Des
     let outputs: Arc<[Signal]> = subject.outputs.clone().into();
     Subject {
         engine,
-        hardware: Box::new(move || {
+        hardware: Box::new(move |_| {
             Box::new(Driven {
                 instance: design.instance(),
                 words: vec![0; masks.len()],
@@ -97,7 +96,7 @@ pub(crate) fn driven(subject: Subject, engine: &'static str, design: Box<dyn Des
                 outputs: outputs.clone(),
             })
         }),
-        lanes: None,
+        lanes: 1,
         ..subject
     }
 }
@@ -112,28 +111,17 @@ struct Driven {
     found: Vec<Option<u64>>,
 }
 
-impl Driven {
-    fn drive(&mut self, inputs: &[i64]) {
-        for ((word, mask), value) in self.words.iter_mut().zip(&*self.masks).zip(inputs) {
+impl Hardware for Driven {
+    fn clock(&mut self, inputs: &[&[i64]]) {
+        for ((word, mask), value) in self.words.iter_mut().zip(&*self.masks).zip(inputs[0]) {
             *word = *value as u64 & mask;
         }
         self.instance.clock(&self.words, &mut self.found);
     }
-}
 
-impl Clocked for Driven {
-    fn clock(&mut self, inputs: &[i64]) -> Vec<Option<i64>> {
-        self.drive(inputs);
+    fn outputs(&mut self, _: usize, found: &mut Vec<Option<i64>>) {
         let outputs = self.outputs.iter().zip(&self.found);
-        outputs
-            .map(|(signal, bits)| bits.map(|bits| signal.value(bits)))
-            .collect()
-    }
-
-    fn run(&mut self, stimulus: &[Inputs]) {
-        for inputs in stimulus {
-            self.drive(inputs);
-            black_box(&self.found);
-        }
+        found.clear();
+        found.extend(outputs.map(|(signal, bits)| Some(signal.value((*bits)?))));
     }
 }

@@ -1,11 +1,11 @@
-//! A machine, or a beam machine with signals inside its slots, in any engine.
+//! A machine in any engine, seen through its ports, with signals inside where the engine shows them.
 
 use super::circuit::Compiled;
 use super::design::{Design, DesignError, Instance, Source};
-use super::nets::{NetError, select, values};
+use super::nets::{NetError, select};
 use super::{Engine, ProbeSignal};
 use crate::signal::Signal;
-use imogene_golden::object::load::LoadWord;
+use imogene_golden::machine::zone::beat::Beat;
 use imogene_hdl::{self as hdl, Direction};
 use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
 
@@ -18,40 +18,47 @@ pub struct MachineDesign {
     pub inputs: Vec<Signal>,
     /// Output ports.
     pub outputs: Vec<Signal>,
+    /// Signals inside each slot that the engine shows: slot by slot the first of the points.
+    pub inside: Vec<ProbeSignal>,
     /// Nets inside that were wanted, by their paths: the last of the points.
     pub nets: Vec<Signal>,
 }
 
 impl MachineDesign {
-    /// Compiles a machine, with the points inside that will be asked for; the built-in engine alone shows them. `nets`
-    /// are paths of more of them, as [`select`] takes them.
+    /// Compiles a machine, with these signals inside each slot and these nets, paths as [`select`] takes them. The
+    /// built-in engine alone shows either: others leave out the signals and refuse nets.
     pub fn compile(
         engine: Engine,
         request: &MachineRequest,
-        points: &[String],
+        inside: Vec<ProbeSignal>,
         nets: &[String],
     ) -> Result<MachineDesign, DesignError> {
         let circuit = request.design()?;
         let [inputs, outputs] = ports(&circuit);
         let nets = select(&circuit.top, nets)?;
-        let design = match engine {
+        let (design, inside): (Box<dyn Design>, _) = match engine {
             Engine::BuiltIn => {
-                let nets = nets.iter().map(|net| &net.name);
-                let points: Vec<String> = points.iter().chain(nets).cloned().collect();
-                Box::new(Compiled::of(&circuit, &points))
+                let slots = 0..request.slots.len();
+                let path = |slot, probe: &ProbeSignal| format!("processors_{slot}.{}", probe.point);
+                let own = slots.flat_map(|slot| inside.iter().map(move |probe| path(slot, probe)));
+                let points = own.chain(nets.iter().map(|net| net.name.clone()));
+                let points: Vec<String> = points.collect();
+                (Box::new(Compiled::of(&circuit, &points)), inside)
             }
             Engine::Verilog(_) if !nets.is_empty() => return Err(NetError::Engine.into()),
             Engine::Verilog(simulator) => {
                 let emitted = emit_machine(request)?;
-                simulator.compile(&Source {
+                let design = simulator.compile(&Source {
                     top: &emitted.top,
                     text: &emitted.bundle(),
                     inputs: &inputs,
                     outputs: &outputs,
-                })?
+                })?;
+                (design, vec![])
             }
         };
         Ok(MachineDesign {
+            inside,
             nets,
             ..MachineDesign::of(&circuit, design)
         })
@@ -65,13 +72,9 @@ impl MachineDesign {
             name: circuit.top.name.clone(),
             inputs,
             outputs,
+            inside: vec![],
             nets: vec![],
         }
-    }
-
-    /// A fresh instance: registers have their initial values.
-    pub fn instance(&self) -> Box<dyn Instance> {
-        self.design.instance()
     }
 }
 
@@ -80,89 +83,99 @@ fn ports(circuit: &hdl::Design) -> [Vec<Signal>; 2] {
     [Direction::In, Direction::Out].map(|way| circuit.top.ports_of(way).map(Signal::of).collect())
 }
 
-/// Values of the outputs of a beam machine: whether a pixel is there, its depth word, slot of the visible object,
-/// number and normal of its visible face; `None` where the engine shows an undefined bit.
-pub type Outputs = [Option<i64>; 7];
-
-/// A compiled beam machine.
-pub struct BeamDesign {
-    /// The machine.
-    pub machine: MachineDesign,
-    /// What runs it.
-    pub engine: Engine,
-    /// Signals inside a slot that the engine shows.
-    inside: Vec<ProbeSignal>,
+/// One running machine. Inputs keep their values until set again.
+pub struct Machine<'a> {
+    running: Box<dyn Instance>,
+    /// What it is made of.
+    pub design: &'a MachineDesign,
+    given: Vec<u64>,
+    found: Vec<Option<u64>>,
+    /// Clocks given.
+    pub clocks: u64,
 }
 
-impl BeamDesign {
-    /// Compiles a machine; each slot has these signals inside, which the built-in engine shows, and so are these nets.
-    pub fn compile(
-        engine: Engine,
-        request: &MachineRequest,
-        mut inside: Vec<ProbeSignal>,
-        nets: &[String],
-    ) -> Result<BeamDesign, DesignError> {
-        if engine != Engine::BuiltIn {
-            inside.clear();
-        }
-        let path = |slot, probe: &ProbeSignal| format!("processors_{slot}.{}", probe.point);
-        let slots = 0..request.slots.len();
-        let points = slots.flat_map(|slot| inside.iter().map(move |probe| path(slot, probe)));
-        let points: Vec<String> = points.collect();
-        Ok(BeamDesign {
-            machine: MachineDesign::compile(engine, request, &points, nets)?,
-            engine,
-            inside,
-        })
-    }
-
-    /// A fresh machine: every slot is empty.
-    pub fn machine(&self) -> Beam<'_> {
-        Beam {
-            instance: self.machine.instance(),
-            given: [0; 7],
-            design: self,
+impl Machine<'_> {
+    /// A fresh instance of a design: registers have their initial values.
+    pub fn of(design: &MachineDesign) -> Machine<'_> {
+        Machine {
+            running: design.design.instance(),
+            given: vec![0; design.inputs.len()],
+            found: vec![Some(0); design.outputs.len()],
+            design,
+            clocks: 0,
         }
     }
-}
 
-/// One beam machine that runs clock by clock.
-pub struct Beam<'a> {
-    instance: Box<dyn Instance>,
-    given: [u64; 7],
-    design: &'a BeamDesign,
-}
-
-impl Beam<'_> {
-    /// Writes one coefficient word; takes a clock.
-    pub fn load(&mut self, object: u8, word: LoadWord) {
-        let words = [0, 0, 0, 1, object.into(), word.address.into(), word.bits];
-        self.instance.clock(&words, &mut [None; 7]);
+    /// Sets an input. Panics when there is no such port.
+    pub fn set(&mut self, port: &str, value: i64) {
+        let place = place(&self.design.inputs, port);
+        self.given[place] = self.design.inputs[place].bits(value);
     }
 
-    /// One clock without a write: whether a zone starts, its pixels per line and its lines.
-    pub fn clock(&mut self, [go, width, height]: [u64; 3]) -> Outputs {
-        let mut found = [None; 7];
-        self.given = [go, width, height, 0, 0, 0, 0];
-        self.instance.clock(&self.given, &mut found);
-        let signals = &self.design.machine.outputs;
-        std::array::from_fn(|k| found[k].map(|bits| signals[k].value(bits)))
+    /// Puts a beat on its command stream, or none.
+    pub fn offer(&mut self, beat: Option<&Beat>) {
+        self.set("s_tvalid", i64::from(beat.is_some()));
+        if let Some(beat) = beat {
+            self.set("s_tdest", beat.kind.into());
+            let user = i64::from(beat.unit) << 16 | i64::from(beat.address);
+            self.set("s_tuser", user);
+            self.set("s_tdata", beat.data as i64);
+        }
     }
 
-    /// The signals inside a slot that this engine shows; none where it shows only ports.
-    pub fn inside(&self) -> &[ProbeSignal] {
-        &self.design.inside
+    /// Place of an output, for [`Machine::at`]. Panics when there is no such port.
+    pub fn output(&self, port: &str) -> usize {
+        place(&self.design.outputs, port)
     }
 
-    /// Values of the signals of [`Beam::inside`] in one slot after the last clock, and of the nets of the machine.
+    /// The output at a place after the last clock; `None` where the engine shows an undefined bit.
+    pub fn at(&self, place: usize) -> Option<i64> {
+        self.found[place].map(|bits| self.design.outputs[place].value(bits))
+    }
+
+    /// An output by its name. Panics when there is no such port.
+    pub fn get(&self, port: &str) -> Option<i64> {
+        self.at(self.output(port))
+    }
+
+    /// True if an output of one bit is 1.
+    pub fn is_set(&self, port: &str) -> bool {
+        self.get(port) == Some(1)
+    }
+
+    /// The inputs that are set for the next clock, in the order of the ports.
+    pub fn inputs(&self) -> Vec<i64> {
+        let given = self.design.inputs.iter().zip(&self.given);
+        given.map(|(port, bits)| port.value(*bits)).collect()
+    }
+
+    /// Values of the signals inside a slot, and of the nets of the machine, before an edge with the inputs that are
+    /// set; none where the engine shows only ports.
     pub fn probe(&mut self, slot: usize) -> (Vec<i64>, Vec<Option<i64>>) {
-        let BeamDesign {
-            inside, machine, ..
-        } = self.design;
-        let points = self.instance.points(&self.given);
-        let nets = points.len() - machine.nets.len();
+        let MachineDesign { inside, nets, .. } = self.design;
+        let points = self.running.points(&self.given);
         let own = points.iter().skip(slot * inside.len()).zip(inside);
         let own = own.map(|(bits, probe)| probe.signal.value(*bits));
-        (own.collect(), values(&machine.nets, &points[nets..]))
+        let last = nets.iter().zip(&points[points.len() - nets.len()..]);
+        let last = last.map(|(net, bits)| Some(net.value(*bits)));
+        (own.collect(), last.collect())
     }
+
+    /// One clock.
+    pub fn clock(&mut self) {
+        self.running.clock(&self.given, &mut self.found);
+        self.clocks += 1;
+    }
+
+    /// One clock with these words on its inputs, in the order of the ports.
+    pub fn clock_with(&mut self, words: &[u64]) {
+        self.given.copy_from_slice(words);
+        self.clock();
+    }
+}
+
+/// There are a few ports, so that no table is faster.
+fn place(ports: &[Signal], port: &str) -> usize {
+    let place = ports.iter().position(|signal| signal.name == port);
+    place.unwrap_or_else(|| panic!("no port `{port}`"))
 }

@@ -1,7 +1,7 @@
 //! Engines that run the hardware: the circuits themselves, compiled or levelised in process, and the emitted Verilog in
 //! Icarus Verilog or Verilator.
 //!
-//! A unit runs behind [`Clocked`](crate::subject::Clocked), a machine behind [`Instance`](design::Instance); both get
+//! A unit runs behind [`Hardware`](crate::subject::Hardware), a machine behind [`Instance`](design::Instance); both get
 //! the same stimulus and the same scoreboard in every engine. [`design`] is what the simulators of Verilog have in
 //! common.
 

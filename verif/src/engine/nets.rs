@@ -44,12 +44,6 @@ pub fn select(top: &Module, paths: &[String]) -> Result<Vec<Signal>, NetError> {
     }
 }
 
-/// The values of nets.
-pub(crate) fn values(nets: &[Signal], bits: &[u64]) -> Vec<Option<i64>> {
-    let values = nets.iter().zip(bits);
-    values.map(|(net, bits)| Some(net.value(*bits))).collect()
-}
-
 struct Walk<'a> {
     paths: &'a [String],
     /// Those that are there.

@@ -30,7 +30,7 @@ impl Simulator {
     pub fn compile(self, source: &Source) -> Result<Box<dyn Design>, DesignError> {
         Ok(match self {
             Simulator::Icarus => Box::new(IcarusDesign::compile(source)?),
-            Simulator::Verilator => Box::new(Model::compile(source)?),
+            Simulator::Verilator => Box::new(Model::compile(source, ["", ""])?),
         })
     }
 }

@@ -92,7 +92,7 @@ impl Entrant {
             let source = Source::of(&subject, &emitted.top, &text);
             let design = match simulator {
                 Simulator::Icarus => simulator.compile(&source)?,
-                Simulator::Verilator => Box::new(Model::compile_with(&source, FASTEST)?),
+                Simulator::Verilator => Box::new(Model::compile(&source, ["", FASTEST])?),
             };
             Ok(driven(subject, simulator.name(), design))
         };
@@ -116,7 +116,7 @@ impl Entrant {
         let started = Instant::now();
         let subject = make()?;
         let first = random::stimuli(&subject, 1, 1).concat();
-        subject.hardware_in(lanes).run(&vec![&first[..]; lanes]);
+        (subject.hardware)(lanes).clock(&vec![&first[0][..]; lanes]);
         Ok(Entrant {
             subject,
             lanes,
@@ -232,15 +232,21 @@ impl Entrant {
 
     /// The hardware alone, through the stimuli again and again.
     fn alone(&self, stimuli: &[&[Inputs]], most: Duration) -> Sample {
-        let mut hardware = self.subject.hardware_in(self.lanes);
+        let mut hardware = (self.subject.hardware)(self.lanes);
         let length = stimuli[0].len();
+        let mut rows: [&[i64]; LANES] = [&[]; LANES];
+        let rows = &mut rows[..self.lanes];
         let started = Instant::now();
         let mut clocks = 0;
         for begin in (0..length).step_by(CHUNK).cycle() {
             let chunk = begin..length.min(begin + CHUNK);
-            let stimuli = stimuli.iter().map(|stimulus| &stimulus[chunk.clone()]);
-            hardware.run(&stimuli.collect::<Vec<_>>());
             clocks += chunk.len() * self.lanes;
+            for clock in chunk {
+                for (row, stimulus) in rows.iter_mut().zip(stimuli) {
+                    *row = &stimulus[clock];
+                }
+                hardware.clock(rows);
+            }
             if started.elapsed() >= most {
                 break;
             }

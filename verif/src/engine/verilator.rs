@@ -33,22 +33,9 @@ pub struct Model {
 }
 
 impl Model {
-    /// Compiles a design, or takes the library that is kept from before.
-    pub fn compile(source: &Source) -> Result<Model, DesignError> {
-        Model::made(source, ["", ""])
-    }
-
-    /// The same without a pass of Verilator 5.006 that makes wrong code of a netlist of a thousand mutants.
-    pub fn compile_without_dataflow(source: &Source) -> Result<Model, DesignError> {
-        Model::made(source, ["-fno-dfg", ""])
-    }
-
-    /// The same with more options of the C++ compiler.
-    pub fn compile_with(source: &Source, options: &str) -> Result<Model, DesignError> {
-        Model::made(source, ["", options])
-    }
-
-    fn made(source: &Source, options: [&str; 2]) -> Result<Model, DesignError> {
+    /// Compiles a design with more options of Verilator and of the C++ compiler, or takes the library that is kept from
+    /// before.
+    pub fn compile(source: &Source, options: [&str; 2]) -> Result<Model, DesignError> {
         let path = build::library(source, options)?;
         let load = |source| DesignError::Load {
             path: path.clone(),

@@ -122,7 +122,7 @@ impl Shown<'_> {
             ..PinsRun::plain(Engine::BuiltIn)
         };
         let hardware = MachineDesign::of(design, Box::new(compiled.clone()));
-        Ok(run_in(hardware, self.machine, self.images, &options, || ())?.report)
+        Ok(run_in(&hardware, self.machine, self.images, &options, || ())?.report)
     }
 
     /// A plane for a run: pixels and colour drawn by its number; every second one has what the one before has not.

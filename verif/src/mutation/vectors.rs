@@ -21,7 +21,7 @@ impl Vectors {
     pub(super) fn new(subject: &Subject, stimulus: &[Inputs]) -> Vectors {
         let mut golden = (subject.golden)();
         let expected = stimulus.iter().map(|inputs| {
-            let stated = golden.clock(inputs).into_iter().zip(&subject.outputs);
+            let stated = golden(inputs).into_iter().zip(&subject.outputs);
             let bits = stated.map(|(value, signal)| Some(signal.bits(value?)));
             bits.collect()
         });

@@ -3,7 +3,7 @@
 use super::golden::{GoldenMachine, probe_values};
 use super::options::Options;
 use crate::engine::ProbeSignal;
-use crate::engine::machine::{Beam, MachineDesign, Outputs};
+use crate::engine::machine::{Machine, MachineDesign};
 use crate::report::Report;
 use crate::signal::Delay;
 use crate::waveform::{Group, Sample, Trace};
@@ -31,18 +31,23 @@ pub(super) struct Band<'a> {
 /// What a band gives: counts, the hardware's lines and the waveforms.
 pub(super) type Part = (Report, Frame, Option<Trace>);
 
+/// Values of the outputs of a beam machine: whether a pixel is there, its depth word, slot of the visible object,
+/// number and normal of its visible face; `None` where the engine shows an undefined bit.
+type Outputs = [Option<i64>; 7];
+
 /// Loads a machine and runs a band on it.
-pub(super) fn run(band: &Band, machine: &mut Beam, pixel_done: &impl Fn()) -> Part {
+pub(super) fn run(band: &Band, pixel_done: &impl Fn()) -> Part {
+    let mut machine = Machine::of(band.machine);
     for object in 0..band.objects.len() {
         for word in band.load_words(object) {
-            machine.load(object as u8, word);
+            machine.clock_with(&[0, 0, 0, 1, object as u64, word.address.into(), word.bits]);
         }
     }
-    let mut scan = Scan::new(band, machine.inside());
+    let mut scan = Scan::new(band);
+    let [width, lines] = [band.scene.width as usize, band.lines].map(|pixels| pixels as u64);
     for clock in 0..band.clocks() {
-        let size = [band.scene.width as u64, band.lines as u64];
-        let outputs = machine.clock([u64::from(clock == 0), size[0], size[1]]);
-        if scan.clock(clock, &outputs, |object| machine.probe(object)) {
+        machine.clock_with(&[u64::from(clock == 0), width, lines, 0, 0, 0, 0]);
+        if scan.clock(clock, &mut machine) {
             pixel_done();
         }
     }
@@ -61,9 +66,9 @@ struct Scan<'a> {
 }
 
 impl<'a> Scan<'a> {
-    fn new(band: &'a Band, signals: &[ProbeSignal]) -> Scan<'a> {
+    fn new(band: &'a Band) -> Scan<'a> {
         let (width, format) = (band.scene.width as usize, &band.scene.format);
-        let recorder = |begin| Recorder::new(band, begin, signals.to_vec());
+        let recorder = |begin| Recorder::new(band, begin, band.machine.inside.clone());
         Scan {
             band,
             golden: GoldenMachine::new(&band.objects, format, width),
@@ -75,13 +80,9 @@ impl<'a> Scan<'a> {
     }
 
     /// Compares one clock; true if the hardware gave a pixel.
-    fn clock(
-        &mut self,
-        clock: usize,
-        outputs: &Outputs,
-        probe: impl FnOnce(usize) -> (Vec<i64>, Vec<Option<i64>>),
-    ) -> bool {
+    fn clock(&mut self, clock: usize, machine: &mut Machine) -> bool {
         let Scan { band, report, .. } = self;
+        let outputs = &std::array::from_fn(|place| machine.at(place));
         let traced = band.trace.map(|_| band.options.traced);
         let next = (clock < band.pixels()).then(|| self.golden.pixel(traced));
         let (visible, values) = next.map_or((None, None), |(seen, values)| (Some(seen), values));
@@ -89,7 +90,7 @@ impl<'a> Scan<'a> {
         let index = clock.wrapping_sub(band.latency - 1);
         band.score(outputs, stated, index, report);
         if let Some(recorder) = &mut self.recorder {
-            let inside = probe(recorder.object);
+            let inside = machine.probe(recorder.object);
             let golden = recorder.align(values.map(|values| probe_values(&values)));
             band.score_inside(recorder, clock, &inside.0, &golden, report);
             recorder.clock(outputs, stated, inside, golden, report);

@@ -13,7 +13,7 @@ pub mod zone;
 pub use options::{Fault, Options};
 
 use crate::engine::design::DesignError;
-use crate::engine::machine::{BeamDesign, MachineDesign};
+use crate::engine::machine::MachineDesign;
 use crate::engine::{Engine, processor_signals};
 use crate::report::Report;
 use crate::subject::Inputs;
@@ -152,13 +152,15 @@ pub fn run(
     let inside = processor_signals(&scene.format, planes, rows);
     let nets = options.trace.as_ref().map_or(&[][..], |trace| &trace.nets);
     let request = MachineRequest::fitted(scene.format.widths(), rows, slots.clone());
-    let design = BeamDesign::compile(engine, &request, inside, nets)?;
-    run_on(&design, &slots, scene, options, pixel_done)
+    let design = MachineDesign::compile(engine, &request, inside, nets)?;
+    let (mut report, frame) = run_on(&design, &slots, scene, options, pixel_done)?;
+    report.engine = engine.name().into();
+    Ok((report, frame))
 }
 
 /// The same through a compiled machine of these slots, in whose words `scene` was prepared.
 pub fn run_on(
-    design: &BeamDesign,
+    design: &MachineDesign,
     slots: &[FittedSlot],
     scene: &PreparedScene,
     options: &Options,
@@ -169,13 +171,10 @@ pub fn run_on(
     let words = words.map(|(words, slot)| with_planes(words, slot));
     let words: Vec<QuadricWords> = words.collect();
     let latency = beam::latency(slots, &scene.format, options.rows_per_stage as u32);
-    let bands = bands(scene, &design.machine, &words, latency as usize, options);
-    let run = |band: &Band| band::run(band, &mut design.machine(), &pixel_done);
+    let bands = bands(scene, design, &words, latency as usize, options);
+    let run = |band: &Band| band::run(band, &pixel_done);
     let parts: Vec<Part> = bands.par_iter().map(run).collect();
-    let mut report = Report {
-        engine: design.engine.name().into(),
-        ..Report::default()
-    };
+    let mut report = Report::default();
     let mut frame = Frame::background(scene.width as usize, 0, scene.format.z_max());
     for (part, lines, trace) in parts {
         report.absorb(part);

@@ -3,7 +3,7 @@
 use super::words::Ports;
 use crate::signal::{Delay, Signal};
 use crate::stimulus::hold;
-use crate::subject::{Inputs, Maker, Stimulus, Subject};
+use crate::subject::{Golden, Inputs, Stimulus, Subject};
 use imogene_contract::Request;
 use imogene_golden::format::Format;
 use imogene_hdl::Direction;
@@ -20,7 +20,7 @@ pub(super) fn inputs(request: &Request) -> Vec<Signal> {
 /// Golden model and stimulus of a unit; ports and hardware are those of its circuit.
 pub(super) struct Description {
     /// Takes the inputs and gives the outputs in the order of the ports.
-    pub(super) golden: Maker,
+    pub(super) golden: Box<dyn Fn() -> Golden + Sync>,
     pub(super) stimulus: Stimulus,
     /// Clocks of a stimulus that reaches every state.
     pub(super) longest: usize,

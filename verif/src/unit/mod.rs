@@ -19,7 +19,7 @@ use crate::engine::design::{DesignError, driven};
 use crate::engine::simulator::with_verilog;
 use crate::engine::{BUILT_IN, Engine, LEVELISED};
 use crate::signal::Signal;
-use crate::subject::Subject;
+use crate::subject::{LANES, Subject};
 use description::Description;
 use imogene_contract::{MachineWords, Request, RequestError, Unit};
 use imogene_golden::format::Format;
@@ -52,14 +52,14 @@ pub fn subject(request: &Request) -> Result<Subject, RequestError> {
         engine: BUILT_IN,
         inputs: top.ports_of(Direction::In).map(Signal::of).collect(),
         outputs: top.ports_of(Direction::Out).map(Signal::of).collect(),
-        hardware: Box::new(move || {
-            let compiled = alone.get_or_init(|| Compiled::of(&design(), &[]));
+        lanes: LANES,
+        hardware: Box::new(move |runs| {
+            let compiled = match runs {
+                1 => alone.get_or_init(|| Compiled::of(&design(), &[])),
+                _ => side_by_side.get_or_init(|| Compiled::in_lanes(&design())),
+            };
             Box::new(Circuit::new(compiled))
         }),
-        lanes: Some(Box::new(move || {
-            let compiled = side_by_side.get_or_init(|| Compiled::in_lanes(&design()));
-            Box::new(Circuit::new(compiled))
-        })),
         golden,
         stimulus,
         longest,

@@ -12,21 +12,31 @@ use imogene_verif::engine::circuit::Circuit;
 use imogene_verif::random;
 use imogene_verif::report::Report;
 use imogene_verif::scene::{Fault, Options, run as run_scene, slots_for};
-use imogene_verif::subject::{Inputs, LANES, Lanes, Subject};
+use imogene_verif::subject::{Hardware, Inputs, LANES, Subject};
 use imogene_verif::unit::{subject, units};
 use imogene_verif::waveform::{Place, WaveformRequest, WindowStart};
 use std::path::Path;
 
 /// A PE1 wired wrongly: at a line start it is given the pixel increment in place of the line increment.
+struct Crossed(Circuit);
+
+impl Hardware for Crossed {
+    fn clock(&mut self, inputs: &[&[i64]]) {
+        let i = inputs[0];
+        self.0.clock(&[i[0], i[1], i[2], i[3], i[3], i[5]]);
+    }
+
+    fn outputs(&mut self, lane: usize, found: &mut Vec<Option<i64>>) {
+        self.0.outputs(lane, found);
+    }
+}
+
 fn broken_pe1() -> Subject {
     let mut broken = subject(&Request::new(Unit::Pe1)).unwrap();
-    broken.lanes = None;
-    broken.hardware = Box::new(|| {
-        let mut unit = Circuit::of(|| pe1("top", Flags::input(), Linear::input(26)));
-        Box::new(move |i: &[i64]| {
-            unit.clock(&[i[0], i[1], i[2], i[3], i[3], i[5]]);
-            vec![Some(unit.output(0))]
-        })
+    broken.lanes = 1;
+    broken.hardware = Box::new(|_| {
+        let unit = Circuit::of(|| pe1("top", Flags::input(), Linear::input(26)));
+        Box::new(Crossed(unit))
     });
     broken
 }
@@ -63,14 +73,14 @@ fn a_broken_unit_is_reported_with_cycle_values_and_trace() {
     assert!((72.0..120.0).contains(&clock), "{clock} pixels a clock");
 }
 
-/// Lanes in which an output of one is wrong in one clock.
-struct Planted {
-    inner: Box<dyn Lanes>,
-    at: (usize, u64),
+/// Hardware whose first output is wrong in some lanes and clocks.
+struct Planted<F> {
+    inner: Box<dyn Hardware>,
+    is_wrong: F,
     clocks: u64,
 }
 
-impl Lanes for Planted {
+impl<F: Fn(usize, u64) -> bool + Send> Hardware for Planted<F> {
     fn clock(&mut self, inputs: &[&[i64]]) {
         self.inner.clock(inputs);
         self.clocks += 1;
@@ -78,13 +88,9 @@ impl Lanes for Planted {
 
     fn outputs(&mut self, lane: usize, found: &mut Vec<Option<i64>>) {
         self.inner.outputs(lane, found);
-        if (lane, self.clocks - 1) == self.at {
+        if (self.is_wrong)(lane, self.clocks - 1) {
             found[0] = found[0].map(|value| value ^ 1);
         }
-    }
-
-    fn run(&mut self, stimuli: &[&[Inputs]]) {
-        self.inner.run(stimuli);
     }
 }
 
@@ -103,14 +109,14 @@ fn a_difference_is_found_in_its_lane_at_its_clock() {
     let counts: Vec<_> = one_by_one.map(|report| count(&report)).collect();
     for (lane, clock) in [(0, 85), (1, 35), (2, 119), (3, 59)] {
         let mut broken = subject(&request).unwrap();
-        let make = subject(&request).unwrap().lanes.unwrap();
-        broken.lanes = Some(Box::new(move || {
+        let make = subject(&request).unwrap().hardware;
+        broken.hardware = Box::new(move |runs| {
             Box::new(Planted {
-                inner: make(),
-                at: (lane, clock),
+                inner: make(runs),
+                is_wrong: move |own, now| (own, now) == (lane, clock),
                 clocks: 0,
             })
-        }));
+        });
         let outcomes = broken.run_all(&stimuli[..LANES], true);
         let all = outcomes.iter().map(|(report, _)| count(report));
         assert!(all.eq(counts[..LANES].iter().copied()));
@@ -137,12 +143,12 @@ fn many_stimuli_have_one_report_in_lanes_and_alone() {
             let mut inner = make();
             Box::new(move |inputs: &[i64]| {
                 let differs = i64::from(inputs[3] % 64 == 5);
-                let stated = inner.clock(inputs).into_iter();
+                let stated = inner(inputs).into_iter();
                 stated.map(|value| Some(value? ^ differs)).collect()
             })
         });
         if !is_in_lanes {
-            broken.lanes = None;
+            broken.lanes = 1;
         }
         let (report, trace) = random::run(&broken, 40_000, 3, true);
         let counts = [report.cycles, report.pixels, report.comparisons];
@@ -163,17 +169,12 @@ fn every_scoreboard_finds_a_flipped_output_bit() {
         let stimulus = good.seeded_stimulus(120, 3);
         let make = subject(&request).unwrap().hardware;
         let mut broken = subject(&request).unwrap();
-        broken.lanes = None;
-        broken.hardware = Box::new(move || {
-            let mut inner = make();
-            let mut clock = 0;
-            Box::new(move |inputs: &[i64]| {
-                let mut outputs = inner.clock(inputs);
-                clock += 1;
-                if clock % 7 == 0 {
-                    outputs[0] = outputs[0].map(|value| value ^ 1);
-                }
-                outputs
+        broken.lanes = 1;
+        broken.hardware = Box::new(move |runs| {
+            Box::new(Planted {
+                inner: make(runs),
+                is_wrong: |_, clock| clock % 7 == 6,
+                clocks: 0,
             })
         });
         assert_eq!(good.run(&stimulus, false).0.mismatches, 0, "{name}");

@@ -8,7 +8,7 @@ use imogene_golden::machine::beam;
 use imogene_prepare::{PreparedScene, prepare};
 use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
 use imogene_verif::engine::Engine;
-use imogene_verif::engine::machine::BeamDesign;
+use imogene_verif::engine::machine::MachineDesign;
 use imogene_verif::engine::simulator::Simulator;
 use imogene_verif::report::Report;
 use imogene_verif::scene::{Fault, Options, run_on};
@@ -61,7 +61,7 @@ fn run(index: usize, fault: Option<Fault>) -> Report {
     let (prepared, slots, rows) = prepared(index);
     let engine = Engine::Verilog(Simulator::Verilator);
     let request = request(&prepared, &slots, rows);
-    let design = BeamDesign::compile(engine, &request, vec![], &[]).unwrap();
+    let design = MachineDesign::compile(engine, &request, vec![], &[]).unwrap();
     let options = Options {
         fault,
         ..Options::plain(rows as usize, 1)

@@ -457,7 +457,7 @@ fn no_machine_uses_what_it_reads_while_it_writes_it() {
         };
         let upset = MachineDesign::of(&design, Box::new(upset));
         let options = PinsRun::plain(Engine::BuiltIn);
-        let outcome = pins::run_in(upset, &machine, &images, &options, || ());
+        let outcome = pins::run_in(&upset, &machine, &images, &options, || ());
         let report = outcome.expect("a machine that runs").report;
         let first = report.first_mismatches;
         assert_eq!(report.mismatches, 0, "{name}: {first:?}");

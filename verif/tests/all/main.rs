@@ -37,7 +37,7 @@ use imogene_scene::{FramedScene, SceneFile};
 use imogene_verif::engine::design::{DesignError, Source};
 use imogene_verif::engine::verilator::Model;
 use imogene_verif::report::Report;
-use imogene_verif::subject::Subject;
+use imogene_verif::subject::{Hardware, Subject};
 use imogene_verif::unit::subject;
 use std::path::{Path, PathBuf};
 
@@ -93,7 +93,15 @@ fn verilog(name: &str, depth_word: u32) -> String {
 
 /// Verilog of a unit in Verilator.
 fn compiled(unit: &Subject, text: &str) -> Result<Model, DesignError> {
-    Model::compile(&Source::of(unit, &unit.name, text))
+    Model::compile(&Source::of(unit, &unit.name, text), ["", ""])
+}
+
+/// The outputs of hardware that runs alone, after a clock.
+fn clock(hardware: &mut dyn Hardware, inputs: &[i64]) -> Vec<Option<i64>> {
+    let mut found = vec![];
+    hardware.clock(&[inputs]);
+    hardware.outputs(0, &mut found);
+    found
 }
 
 /// Runs so many stimuli, in which nothing differs.

@@ -43,7 +43,7 @@ fn decides_as_the_chain_in_every_order_of_up_to_four_planes() {
     for planes in 0..=4usize {
         let options = [("planes", planes as u32)];
         let subject = subject(&request("patch_decider", 16, &options)).unwrap();
-        let mut hardware = (subject.hardware)();
+        let mut hardware = (subject.hardware)(1);
         let orders = permutations(&(0..planes).collect::<Vec<_>>());
         let levels: Vec<i64> = (0..planes as i64 + 2).collect();
         let mut choices: Vec<Plane> = levels.iter().flat_map(|&z| [(1, z), (2, z)]).collect();
@@ -59,7 +59,7 @@ fn decides_as_the_chain_in_every_order_of_up_to_four_planes() {
                     let mut inputs = vec![near, far, 1, 1];
                     inputs.extend(drawn.iter().flat_map(|&(kind, zp)| [kind, zp]));
                     expected.push_back(chain(near, far, &drawn, &orders, &format));
-                    let found = hardware.clock(&inputs);
+                    let found = crate::clock(hardware.as_mut(), &inputs);
                     if expected.len() == 3 {
                         let face = expected.pop_front().unwrap();
                         let wanted = [face.zf, face.zb, face.nf.into()].map(Some);

@@ -9,7 +9,7 @@ use imogene_golden::machine::video_timing as golden;
 use imogene_hdl::{Bits, Value};
 use imogene_verif::engine::circuit::Circuit;
 use imogene_verif::random;
-use imogene_verif::subject::Clocked;
+use imogene_verif::subject::Hardware;
 use imogene_verif::unit::subject;
 
 /// A reproducible source of numbers.
@@ -29,8 +29,8 @@ impl Numbers {
 }
 
 /// The values after a clock, by port; all are defined in the built-in engine.
-fn clock(hardware: &mut dyn Clocked, inputs: &[i64]) -> Vec<i64> {
-    let values = hardware.clock(inputs);
+fn clock(hardware: &mut dyn Hardware, inputs: &[i64]) -> Vec<i64> {
+    let values = crate::clock(hardware, inputs);
     values.into_iter().map(|v| v.expect("a value")).collect()
 }
 
@@ -113,7 +113,7 @@ fn stream(
     mut wants: impl FnMut(usize) -> bool,
     mut ready: impl FnMut(usize) -> bool,
 ) -> (Vec<i64>, Vec<i64>) {
-    let mut hardware = (unit("pixel_fifo", 24).hardware)();
+    let mut hardware = (unit("pixel_fifo", 24).hardware)(1);
     let (mut pushed, mut taken) = (Vec::new(), Vec::new());
     let mut flying = vec![false; clocks + flight + 1];
     let mut out = vec![1, 0, 0, 0];
@@ -190,7 +190,7 @@ fn frames_are_shown_whole() {
         word as i64 & 0xff_ffff
     };
     let mut numbers = Numbers(3);
-    let mut hardware = (unit("frame_store", 24).hardware)();
+    let mut hardware = (unit("frame_store", 24).hardware)(1);
     let mode = VideoMode {
         line: Span::new(WIDTH as u64, 1, 1, 1),
         frame: Span::new(HEIGHT as u64, 0, 1, 0),
@@ -257,7 +257,7 @@ fn frames_are_shown_whole() {
 #[test]
 fn filtered_pictures_are_the_convolution() {
     let mut numbers = Numbers(9);
-    let mut hardware = (unit("post_filter", 24).hardware)();
+    let mut hardware = (unit("post_filter", 24).hardware)(1);
     let shapes = [(1, 1), (1, 5), (2, 2), (5, 1), (9, 7), (33, 20), (2048, 3)];
     for (width, height) in shapes {
         for kernel in 0..4 {
@@ -307,7 +307,7 @@ fn filtered_pictures_are_the_convolution() {
 /// Every sum of a pass count has the rounded mean: each step of 0 to 255 in 16 passes.
 #[test]
 fn means_are_exact() {
-    let mut hardware = (unit("accumulator", 24).hardware)();
+    let mut hardware = (unit("accumulator", 24).hardware)(1);
     for (fine, passes) in [(0, 4), (1, 16)] {
         for sum in 0..=passes * 255 {
             // Levels as even as they can be, in two places by turns and two pauses, so that a place comes again after 4

@@ -9,10 +9,9 @@ use imogene_golden::machine::zone::beat::Beat;
 use imogene_golden::machine::zone::golden::{ShownPixel, ZoneMachineModel};
 use imogene_plan::zone::clocks::clocks;
 use imogene_plan::zone::plan::ZonePlan;
-use imogene_verif::display::Machine;
 use imogene_verif::display::request::{core_request, zone_timing};
 use imogene_verif::engine::Engine;
-use imogene_verif::engine::machine::MachineDesign;
+use imogene_verif::engine::machine::{Machine, MachineDesign};
 use imogene_verif::engine::simulator::Simulator;
 use imogene_verif::random::Stalls;
 use imogene_verif::report::Report;
@@ -48,8 +47,9 @@ fn run(beats: &[Beat], machine: &ZoneMachine, engine: Engine, seed: Option<u64>)
         step.expect("a stream");
     }
     let request = core_request(machine, &Format::BASE, ROWS_PER_STAGE);
-    let design = MachineDesign::compile(engine, &request, &[], &[]);
-    let mut hardware = Machine::of(design.expect("a machine"));
+    let design = MachineDesign::compile(engine, &request, vec![], &[]);
+    let design = design.expect("a machine");
+    let mut hardware = Machine::of(&design);
     let mut stalls = Stalls::new(seed);
     let mut report = Report::default();
     hardware.set("room", 0);
