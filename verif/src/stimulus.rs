@@ -1,9 +1,10 @@
 //! Random stimulus biased to where arithmetic breaks: the ends of the word, powers of two, ties.
 
 use crate::signal::Signal;
-use crate::subject::Inputs;
+use crate::subject::{Inputs, Stimuli};
 use proptest::prelude::*;
 use proptest::sample::select;
+use std::fmt::Debug;
 
 /// A word of a signal: half uniform, half at or next to an edge or a power of two.
 pub fn word(signal: &Signal) -> BoxedStrategy<i64> {
@@ -24,8 +25,16 @@ pub fn word(signal: &Signal) -> BoxedStrategy<i64> {
         .boxed()
 }
 
+/// What a function makes of drawn values.
+pub fn mapped<S: Strategy + 'static, T: Debug>(
+    of: S,
+    how: impl Fn(S::Value) -> T + 'static,
+) -> BoxedStrategy<T> {
+    of.prop_map(how).boxed()
+}
+
 /// Independent values, one for each port, anew on every clock.
-pub fn each(ports: Vec<BoxedStrategy<i64>>, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+pub fn each(ports: Vec<BoxedStrategy<i64>>, clocks: usize) -> Stimuli {
     proptest::collection::vec(ports, clocks).boxed()
 }
 
@@ -43,16 +52,14 @@ pub fn flags() -> BoxedStrategy<[i64; 3]> {
 }
 
 /// Flags on the first three ports, words on the others.
-pub fn raster(ports: &[Signal], clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+pub fn raster(ports: &[Signal], clocks: usize) -> Stimuli {
     let rest: Vec<_> = ports[3..].iter().map(word).collect();
-    proptest::collection::vec((flags(), rest), clocks)
-        .prop_map(|list| {
-            let one = |(flags, rest): ([i64; 3], Inputs)| [&flags[..], &rest].concat();
-            let mut list: Vec<Inputs> = list.into_iter().map(one).collect();
-            list[0][..3].copy_from_slice(&[1, 1, 0]);
-            list
-        })
-        .boxed()
+    mapped(proptest::collection::vec((flags(), rest), clocks), |list| {
+        let one = |(flags, rest): ([i64; 3], Inputs)| [&flags[..], &rest].concat();
+        let mut list: Vec<Inputs> = list.into_iter().map(one).collect();
+        list[0][..3].copy_from_slice(&[1, 1, 0]);
+        list
+    })
 }
 
 /// Clocks with a pixel between two in which words change, where that takes a pause.
@@ -111,7 +118,7 @@ pub fn depth(width: u32) -> BoxedStrategy<i64> {
 /// Ordered depths zf <= zb of an interval as units receive it: within the near and far end.
 pub fn interval(width: u32) -> BoxedStrategy<(i64, i64)> {
     let low = -((1i64 << (width - 1)) - 1);
-    (depth(width), depth(width))
-        .prop_map(move |(a, b)| (a.min(b).max(low), a.max(b).max(low)))
-        .boxed()
+    mapped((depth(width), depth(width)), move |(a, b)| {
+        (a.min(b).max(low), a.max(b).max(low))
+    })
 }

@@ -27,8 +27,11 @@ pub trait Hardware: Send {
 /// Lanes of an engine that has some.
 pub const LANES: usize = 4;
 
+/// A random stimulus.
+pub type Stimuli = BoxedStrategy<Vec<Inputs>>;
+
 /// Random stimulus of about so many clocks, biased to the edges.
-pub type Stimulus = Box<dyn Fn(&Subject, usize) -> BoxedStrategy<Vec<Inputs>> + Sync>;
+pub type Stimulus = Box<dyn Fn(&Subject, usize) -> Stimuli + Sync>;
 
 /// A unit with both descriptions and a stimulus that reaches its edges.
 pub struct Subject {

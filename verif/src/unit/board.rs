@@ -1,8 +1,8 @@
 //! What stands between a machine and the connectors of a board.
 
 use super::description::{Description, bit, late};
-use crate::stimulus::{each, word};
-use crate::subject::{Inputs, Subject};
+use crate::stimulus::{each, mapped, word};
+use crate::subject::{Stimuli, Subject};
 use imogene_golden::machine::sequencer::{SceneSequencer, Word};
 use imogene_golden::machine::tmds::{Sent, TmdsEncoder, TmdsSerialiser};
 use proptest::prelude::*;
@@ -24,11 +24,12 @@ pub(super) fn tmds_encoder() -> Description {
 }
 
 /// Runs of pixels and of blanking; levels anew on every clock or alike for a while, as in a picture.
-fn lines(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+fn lines(subject: &Subject, clocks: usize) -> Stimuli {
     let run = (any::<bool>(), any::<bool>(), 1usize..60);
     let words = each(subject.inputs[1..].iter().map(word).collect(), clocks);
-    (proptest::collection::vec(run, clocks), words)
-        .prop_map(move |(runs, words)| {
+    mapped(
+        (proptest::collection::vec(run, clocks), words),
+        move |(runs, words)| {
             let each = runs.into_iter();
             let flags = each.flat_map(|(de, alike, length)| {
                 (0..length).map(move |place| (de, alike && place > 0))
@@ -39,8 +40,8 @@ fn lines(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
                 vec![de.into(), level, word[1]]
             });
             each.take(clocks).collect()
-        })
-        .boxed()
+        },
+    )
 }
 
 pub(super) fn tmds_serialiser() -> Description {
@@ -51,22 +52,20 @@ pub(super) fn tmds_serialiser() -> Description {
 }
 
 /// Words that stand for five clocks, now and then for more; before the first, clocks without one.
-fn turns(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+fn turns(subject: &Subject, clocks: usize) -> Stimuli {
     let length = prop_oneof![6 => Just(5usize), 1 => 5usize..12];
     let words: Vec<_> = subject.inputs[1..].iter().map(word).collect();
     let idle = vec![0; subject.inputs.len()];
     let words = proptest::collection::vec((length, words), clocks);
-    (0..9usize, words)
-        .prop_map(move |(before, list)| {
-            let each = list.into_iter().enumerate();
-            let each = each.flat_map(|(index, (length, words))| {
-                let inputs = [vec![(index as i64 + 1) % 2], words].concat();
-                std::iter::repeat_n(inputs, length)
-            });
-            let before = std::iter::repeat_n(idle.clone(), before);
-            before.chain(each).take(clocks).collect()
-        })
-        .boxed()
+    mapped((0..9usize, words), move |(before, list)| {
+        let each = list.into_iter().enumerate();
+        let each = each.flat_map(|(index, (length, words))| {
+            let inputs = [vec![(index as i64 + 1) % 2], words].concat();
+            std::iter::repeat_n(inputs, length)
+        });
+        let before = std::iter::repeat_n(idle.clone(), before);
+        before.chain(each).take(clocks).collect()
+    })
 }
 
 pub(super) fn scene_sequencer() -> Description {
@@ -86,7 +85,7 @@ pub(super) fn scene_sequencer() -> Description {
 }
 
 /// A receiver that stalls now and then, long memories and images among short ones, short stays and long ones.
-fn stalls(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+fn stalls(subject: &Subject, clocks: usize) -> Stimuli {
     let lengths = || prop_oneof![Just(1u32), Just(5), Just(1000), Just(1 << SEQUENCE)];
     let stays = prop_oneof![Just(0i64), Just(1), word(&subject.inputs[2])];
     let of_length = move |(words, image, stays): (u32, u32, i64)| {

@@ -4,7 +4,7 @@
 use super::description::{Description, bit, late, stated};
 use crate::signal::Signal;
 use crate::stimulus::{depth, each, word};
-use crate::subject::{Inputs, Subject};
+use crate::subject::{Inputs, Stimuli, Subject};
 use imogene_golden::format::Format;
 use imogene_golden::machine::csg::{self, Extent, front, skew};
 use imogene_golden::machine::decider::{Visible, decide, latency};
@@ -35,7 +35,7 @@ pub(super) fn flat(v: Visible) -> [i64; FIELDS] {
 
 /// Inputs with ids in random order, scattered, neighbours or all the same, and depths that often tie. In some stimuli
 /// two depths and two ids are all there is, so that inputs of different clocks tie too.
-fn objects(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+fn objects(subject: &Subject, clocks: usize) -> Stimuli {
     let count = subject.inputs.len() / FIELDS;
     let width = subject.inputs[0].width;
     let ids: Vec<i64> = (0..256).collect();
@@ -58,7 +58,7 @@ fn stimulus(
     depth: BoxedStrategy<i64>,
     count: usize,
     clocks: usize,
-) -> BoxedStrategy<Vec<Inputs>> {
+) -> Stimuli {
     let payload = (0i64..16, any::<[i16; 3]>());
     let fields = proptest::collection::vec((depth, payload), count);
     let one = (ids, fields).prop_map(|(ids, fields)| {
@@ -136,7 +136,7 @@ pub(super) fn csg_product(format: Format, intersected: usize, subtracted: usize)
 
 /// Intervals on few levels, so that ends meet; wide ones for the objects that are intersected, narrow ones for those
 /// taken away; some absent, some of any words, which the rule covers too.
-fn solids(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+fn solids(subject: &Subject, clocks: usize) -> Stimuli {
     let width = subject.inputs[0].width;
     let far = (1i64 << (width - 1)) - 1;
     let one = |ports: &[Signal]| {
@@ -188,7 +188,7 @@ pub(super) fn shadow_stage(volumes: usize) -> Description {
 
 /// Sources that are all different, or few, so that volumes of a source meet; answers mostly such that the flag stays,
 /// since one volume among many would hide the others.
-fn answers(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+fn answers(subject: &Subject, clocks: usize) -> Stimuli {
     let count = (subject.inputs.len() - 1) / VOLUME;
     let before = prop_oneof![Just(0xffff), word(&subject.inputs[0])];
     let source = prop_oneof![0i64..16, 0i64..3];
@@ -257,7 +257,7 @@ pub(super) fn transparency_pipeline(layers: usize) -> Description {
 }
 
 /// Depths that often tie, layers mostly before the surface, components and weights with their ends.
-fn blends(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+fn blends(subject: &Subject, clocks: usize) -> Stimuli {
     let width = subject.inputs[0].width;
     let far = (1i64 << (width - 1)) - 1;
     let ports = subject.inputs.iter().enumerate();

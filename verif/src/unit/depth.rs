@@ -1,9 +1,9 @@
 //! The units that planes cut with: the depth of a plane, one cut, all cuts of a quadric, and the decider of patches.
 
 use super::description::{Description, bit, last_pixel, late, stated, zones};
-use super::words::{Ports, class, plane_kind, read};
+use super::words::{Ports, read};
 use crate::stimulus::{depth, interval, word};
-use crate::subject::{Inputs, Subject};
+use crate::subject::{Inputs, Stimuli, Subject};
 use imogene_golden::format::Format;
 use imogene_golden::unit::cut_plane::{PlaneKind, cut};
 use imogene_golden::unit::depth_interval::{Class, Interval, halves};
@@ -30,7 +30,7 @@ fn interval_of(i: &[i64]) -> Interval {
 }
 
 /// Near and far sums around the ends of the depth word; half the time ordered, as they are in a machine.
-fn sums(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+fn sums(subject: &Subject, clocks: usize) -> Stimuli {
     let far = (1i64 << (subject.inputs[0].width - 3)) - 1;
     let low = [-3 * far].into_iter().chain(-far - 2..=-far + 1);
     let levels = low.chain(-1..=1).chain(far - 1..=far + 1).chain([3 * far]);
@@ -62,7 +62,7 @@ pub(super) fn cut_plane(format: Format) -> Description {
     Description::new(cuts, move || {
         let mut late = late(LATENCY);
         move |i: &[i64]| {
-            let kind = plane_kind(i[0]);
+            let kind = PlaneKind::ALL[i[0] as usize];
             let start = interval_of(&i[4..]);
             let left = cut(start, kind, i[3], i[2] as u8, bit(i[1]), &format);
             stated(late.push(flat(&left)))
@@ -77,7 +77,7 @@ fn plane_at(width: u32, zf: i64, zb: i64) -> impl Strategy<Value = i64> {
     prop_oneof![2 => depth(width), 1 => flipped]
 }
 
-fn cuts(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+fn cuts(subject: &Subject, clocks: usize) -> Stimuli {
     let width = subject.inputs[3].width;
     let one = (
         (0i64..4, 0i64..2, 2i64..14, 0i64..16, 0i64..16),
@@ -97,8 +97,9 @@ pub(super) fn quadric_cut(format: Format) -> Description {
         move |i: &[i64]| {
             let roots = early.push([i[0], i[1], i[2], i[3], i[4]]);
             let seen = roots.map(|[near, far, is_inside, in_box, object_class]| {
+                let class = Class::ALL[object_class as usize];
                 let whole = match bit(in_box) {
-                    true => halves(class(object_class), near, far, !bit(is_inside), &format),
+                    true => halves(class, near, far, !bit(is_inside), &format),
                     false => [(); 2].map(|()| Interval::absent(&format)).into(),
                 };
                 let planes = [
@@ -106,7 +107,7 @@ pub(super) fn quadric_cut(format: Format) -> Description {
                     (PlaneKind::Back, i[7], i[8]),
                     (PlaneKind::Perpendicular, -i[9], 0),
                 ];
-                let is_surface = class(object_class) == Class::Patch;
+                let is_surface = class == Class::Patch;
                 let left = |half: Interval| {
                     planes.into_iter().fold(half, |left, (kind, zp, number)| {
                         cut(left, kind, zp, number as u8, is_surface, &format)
@@ -121,7 +122,7 @@ pub(super) fn quadric_cut(format: Format) -> Description {
 }
 
 /// Roots in order, and two clocks later limits about them.
-fn cut_quadrics(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+fn cut_quadrics(subject: &Subject, clocks: usize) -> Stimuli {
     let width = subject.inputs[5].width;
     let end = (1i64 << (width - 1)) - 1;
     let numbers = (0i64..16, 0i64..16);
@@ -179,7 +180,7 @@ pub(super) fn patch_decider(format: Format) -> Description {
             let there = visible(near, far, bit(i[2]) && bit(i[3]), &format);
             let left = i[DECIDER_PORTS..]
                 .chunks(2)
-                .map(|plane| kept(plane_kind(plane[0]), plane[1], near, far))
+                .map(|plane| kept(PlaneKind::ALL[plane[0] as usize], plane[1], near, far))
                 .fold(there, Faces::and);
             let face = late.push(decide(near, far, left, &format));
             stated(face.map(|face| [face.zf, face.zb, face.nf.into()]))
@@ -189,7 +190,7 @@ pub(super) fn patch_decider(format: Format) -> Description {
 
 /// Roots and planes on a few levels about zero and about both ends, so that ties are common; some roots in the other
 /// order, to which sums beyond their width come.
-fn decisions(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+fn decisions(subject: &Subject, clocks: usize) -> Stimuli {
     let width = subject.outputs[0].width;
     let sum = || prop_oneof![8 => depth(width), 1 => word(&subject.inputs[0])];
     let often = || prop_oneof![6 => Just(1i64), 1 => Just(0)];

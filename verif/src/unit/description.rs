@@ -2,13 +2,13 @@
 
 use super::words::Ports;
 use crate::signal::{Delay, Signal};
-use crate::stimulus::hold;
-use crate::subject::{Golden, Inputs, Stimulus, Subject};
+use crate::stimulus::{hold, mapped};
+use crate::subject::{Golden, Inputs, Stimuli, Stimulus, Subject};
 use imogene_contract::Request;
 use imogene_golden::format::Format;
 use imogene_hdl::Direction;
 use imogene_rtl::emit::design;
-use proptest::strategy::{BoxedStrategy, Strategy};
+use proptest::strategy::Strategy;
 use std::iter;
 
 /// The inputs of a unit.
@@ -29,7 +29,7 @@ pub(super) struct Description {
 impl Description {
     /// A golden model that `start` makes afresh, as a function of the inputs of a clock.
     pub(super) fn new<G: FnMut(&[i64]) -> Vec<Option<i64>> + Send + 'static>(
-        stimulus: impl Fn(&Subject, usize) -> BoxedStrategy<Vec<Inputs>> + Sync + 'static,
+        stimulus: impl Fn(&Subject, usize) -> Stimuli + Sync + 'static,
         start: impl Fn() -> G + Sync + 'static,
     ) -> Description {
         Description {
@@ -54,9 +54,7 @@ impl Description {
         };
         let close = self.stimulus;
         let stimulus = move |subject: &Subject, count: usize| {
-            close(subject, count.div_ceil(clocks))
-                .prop_map(spread)
-                .boxed()
+            mapped(close(subject, count.div_ceil(clocks)), spread)
         };
         Description {
             stimulus: Box::new(stimulus),
@@ -126,12 +124,12 @@ pub(super) fn last_pixel<P>(
 }
 
 /// A stimulus of raster flags on the first three ports and words on the others.
-pub(super) fn any_raster(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+pub(super) fn any_raster(subject: &Subject, clocks: usize) -> Stimuli {
     crate::stimulus::raster(&subject.inputs, clocks)
 }
 
 /// The same with words that change with the start of a zone alone.
-pub(super) fn zones(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+pub(super) fn zones(subject: &Subject, clocks: usize) -> Stimuli {
     let words = 3..subject.inputs.len();
     let held = move |mut list: Vec<Inputs>| {
         hold(&mut list, words.clone(), 0);
@@ -150,7 +148,7 @@ pub(super) const WORDS: usize = 5;
 /// from the ports over `words` of the same shape; `pixel` gives the outputs at a pixel of the zone, from what the ports
 /// show `entry` clocks after the flags.
 pub(super) fn zone<W: Clone + Send + Sync + 'static, const N: usize>(
-    stimulus: impl Fn(&Subject, usize) -> BoxedStrategy<Vec<Inputs>> + Sync + 'static,
+    stimulus: impl Fn(&Subject, usize) -> Stimuli + Sync + 'static,
     format: Format,
     [entry, latency]: [u32; 2],
     words: W,

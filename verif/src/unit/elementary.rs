@@ -2,8 +2,8 @@
 
 use super::description::{Description, any_raster, bit, last_pixel, zones};
 use super::words::{Ports, read};
-use crate::stimulus::{each, word};
-use crate::subject::{Inputs, Subject};
+use crate::stimulus::{each, mapped, word};
+use crate::subject::{Inputs, Stimuli, Subject};
 use imogene_golden::format::Format;
 use imogene_golden::unit::interlaced::MemoryPe2;
 use imogene_golden::unit::pe1::Pe1;
@@ -201,7 +201,7 @@ struct Picture {
 
 /// Loaded pictures one after the other; the raster waits for `ready` and now and then a clock longer. While the
 /// processor is busy anything is asked of it.
-fn pictures(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+fn pictures(subject: &Subject, clocks: usize) -> Stimuli {
     let words = proptest::collection::vec(word(&subject.inputs[port::DATA]), WORDS);
     let shape = (any::<[bool; 2]>(), 1usize..9, 1usize..4, 0usize..3);
     let odd = (0usize..3, 0usize..9);
@@ -220,16 +220,14 @@ fn pictures(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let noise = each(subject.inputs.iter().map(word).collect(), clocks);
     // A picture takes thirty clocks at least.
     let pictures = proptest::collection::vec(picture, clocks / 30 + 1);
-    (pictures, noise)
-        .prop_map(move |(pictures, noise)| {
-            let mut drawn = Drawn::default();
-            pictures.iter().for_each(|picture| drawn.picture(picture));
-            let Drawn { list, is_busy } = drawn;
-            let each = list.into_iter().zip(is_busy).zip(noise);
-            each.map(|((inputs, is_busy), noise)| if is_busy { noise } else { inputs })
-                .collect()
-        })
-        .boxed()
+    mapped((pictures, noise), move |(pictures, noise)| {
+        let mut drawn = Drawn::default();
+        pictures.iter().for_each(|picture| drawn.picture(picture));
+        let Drawn { list, is_busy } = drawn;
+        let each = list.into_iter().zip(is_busy).zip(noise);
+        each.map(|((inputs, is_busy), noise)| if is_busy { noise } else { inputs })
+            .collect()
+    })
 }
 
 /// The clocks of pictures, and in which the processor is busy.

@@ -2,17 +2,13 @@
 
 use super::description::WORDS;
 use crate::signal::Signal;
-use crate::stimulus::word;
-use crate::subject::{Inputs, Subject};
+use crate::stimulus::{mapped, word};
+use crate::subject::{Inputs, Stimuli, Subject};
 use proptest::prelude::*;
 
 /// One zone of random width, anywhere on the screen, with one set of words on the ports from [`WORDS`] on; every
 /// eleventh clock is a gap, in which the raster stands still. Screen boxes are drawn in pixels of the zone.
-pub(super) fn held(
-    ports: &[Signal],
-    words: BoxedStrategy<Inputs>,
-    clocks: usize,
-) -> BoxedStrategy<Vec<Inputs>> {
+pub(super) fn held(ports: &[Signal], words: BoxedStrategy<Inputs>, clocks: usize) -> Stimuli {
     let names = ports[WORDS..].iter().map(|port| port.name.as_str());
     let axis = names.map(|name| match name {
         "box_x0" | "box_x1" => Some(0),
@@ -22,8 +18,9 @@ pub(super) fn held(
     let axis: Vec<Option<usize>> = axis.collect();
     // A first line of one pixel: a step that is late by a clock shows.
     let is_short = prop_oneof![3 => Just(false), 1 => Just(true)];
-    (words, 1i64..24, is_short, [first_pixel(), first_pixel()])
-        .prop_map(move |(mut words, width, is_short, origin)| {
+    mapped(
+        (words, 1i64..24, is_short, [first_pixel(), first_pixel()]),
+        move |(mut words, width, is_short, origin)| {
             let before = if is_short { width - 1 } else { 0 };
             for (word, axis) in words.iter_mut().zip(&axis) {
                 *word = axis.map_or(*word, |axis| (*word + origin[axis]).min(LAST_PIXEL));
@@ -42,8 +39,8 @@ pub(super) fn held(
                 raster.chain(words.iter().copied()).collect()
             };
             (0..clocks as i64).map(clock).collect()
-        })
-        .boxed()
+        },
+    )
 }
 
 /// The last column, or line, that there can be.
@@ -162,16 +159,14 @@ fn sized(ports: &[Signal]) -> BoxedStrategy<Inputs> {
     let words: Vec<_> = words.collect();
     let ports = ports.iter().map(|port| (port.clone(), bits(port)));
     let ports: Vec<_> = ports.collect();
-    (1u32..64, words)
-        .prop_map(move |(size, words)| {
-            let each = ports.iter().zip(words);
-            let each = each.map(|((port, bits), (other, drawn))| match bits {
-                Some(bits) => port.value((drawn >> (64 - (size + bits).min(port.width))) as u64),
-                None => other,
-            });
-            each.collect()
-        })
-        .boxed()
+    mapped((1u32..64, words), move |(size, words)| {
+        let each = ports.iter().zip(words);
+        let each = each.map(|((port, bits), (other, drawn))| match bits {
+            Some(bits) => port.value((drawn >> (64 - (size + bits).min(port.width))) as u64),
+            None => other,
+        });
+        each.collect()
+    })
 }
 
 /// A polynomial that is the same everywhere, positive where its sign counts; a box around all.
@@ -207,7 +202,7 @@ pub(super) fn even_differences(
 /// evenly.
 pub(super) fn planned(
     plan: &'static [(&str, Likely)],
-) -> impl Fn(&Subject, usize) -> BoxedStrategy<Vec<Inputs>> + Sync + 'static {
+) -> impl Fn(&Subject, usize) -> Stimuli + Sync + 'static {
     move |subject, clocks| {
         let words = words(&subject.inputs, subject.outputs[1].width, plan);
         held(&subject.inputs, planes_any_kind(words, subject), clocks)
@@ -225,13 +220,14 @@ pub(super) fn planes_any_kind(
     if kinds.is_empty() {
         return words;
     }
-    (words, proptest::collection::vec(0i64..4, kinds.len()))
-        .prop_map(move |(mut words, drawn)| {
+    mapped(
+        (words, proptest::collection::vec(0i64..4, kinds.len())),
+        move |(mut words, drawn)| {
             let kinds = kinds.iter().zip(drawn);
             kinds.for_each(|(&place, kind)| words[place] = kind);
             words
-        })
-        .boxed()
+        },
+    )
 }
 
 /// A word that `likely` says of its polynomial.
@@ -300,7 +296,5 @@ fn near_an_end(most: i64, far: i64, guard: u32) -> BoxedStrategy<i64> {
         _ => (1i64 << (guard - 1), 1),
     };
     let rest = prop_oneof![2 => Just(0), 1 => -step..=step, 1 => half - step..=half + step];
-    (depth, rest)
-        .prop_map(move |(v, rest)| (v << guard) + rest)
-        .boxed()
+    mapped((depth, rest), move |(v, rest)| (v << guard) + rest)
 }

@@ -2,19 +2,20 @@
 
 use super::decision::flat;
 use super::description::{Description, WORDS, behind_valid, bit, inputs, late};
-use super::object::{plausible, quadric_words};
-use super::words::Ports;
+use super::object::plausible;
 use crate::scene::golden::GoldenMachine;
 use crate::signal::Signal;
-use crate::stimulus::{each, word};
-use crate::subject::{Inputs, Subject};
+use crate::stimulus::{each, mapped, word};
+use crate::subject::{Inputs, Stimuli, Subject};
 use imogene_contract::object::{BOX_COLUMNS, PLANES, words};
+use imogene_contract::slots::FittedSlot;
 use imogene_contract::{Request, Unit};
 use imogene_golden::format::Format;
 use imogene_golden::machine::decider::{Visible, latency as tree_latency};
 use imogene_golden::machine::raster::RasterControl;
+use imogene_golden::object::load_slot::held;
 use imogene_golden::object::quadric::{QuadricWords, latency};
-use imogene_golden::unit::depth_interval::Class;
+use imogene_golden::object::slot::ProcessorWords;
 use proptest::prelude::*;
 
 /// Where the words of the box and the control word begin (`docs/architecture.md`, section 7).
@@ -57,14 +58,6 @@ impl Slot {
             *word = data as u64;
         }
     }
-
-    /// The values of the coefficient ports.
-    fn values(&self, ports: &[Signal], places: &[(usize, u32)]) -> Vec<i64> {
-        let value = |(signal, &(address, low)): (&Signal, &(usize, u32))| {
-            signal.value(self.0[address] >> low)
-        };
-        ports.iter().zip(places).map(value).collect()
-    }
 }
 
 /// The words on the load bus that give the coefficient ports these values.
@@ -85,14 +78,15 @@ pub(super) fn coefficient_store(format: Format, planes: usize) -> Description {
             if bit(i[0]) {
                 slot.write(i[1], i[2]);
             }
-            let values = slot.values(&ports, &places);
-            values.into_iter().map(Some).collect()
+            let values = ports.iter().zip(&places);
+            let values = values.map(|(port, (address, low))| port.value(slot.0[*address] >> low));
+            values.map(Some).collect()
         }
     })
 }
 
 /// Writes to every address and just beyond, now and then none.
-fn writes(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+fn writes(subject: &Subject, clocks: usize) -> Stimuli {
     let addresses = subject.outputs.len() as i64;
     let write = prop_oneof![4 => Just(1i64), 1 => Just(0)].boxed();
     let address = prop_oneof![9 => 0..addresses, 1 => 0i64..256].boxed();
@@ -115,9 +109,8 @@ pub(super) fn beam(format: Format, objects: usize, planes: usize, rows: usize) -
 /// The golden machine: slots, raster and processors. Words do not change while a zone is drawn.
 struct Machine {
     format: Format,
-    planes: usize,
-    ports: Vec<Signal>,
-    places: Vec<(usize, u32)>,
+    /// What each slot is.
+    kind: FittedSlot,
     slots: Vec<Slot>,
     raster: RasterControl,
     zone: Option<GoldenMachine>,
@@ -127,9 +120,7 @@ impl Machine {
     fn new(format: Format, objects: usize, planes: usize) -> Machine {
         Machine {
             format,
-            planes,
-            ports: coefficients(format.depth, planes),
-            places: places(planes),
+            kind: FittedSlot::quadric(planes as u32),
             slots: vec![Slot::new(planes); objects],
             raster: RasterControl::default(),
             zone: None,
@@ -151,25 +142,21 @@ impl Machine {
     }
 
     fn words(&self, slot: &Slot) -> QuadricWords {
-        let values = slot.values(&self.ports, &self.places);
-        let mut words = quadric_words(Class::Side, self.planes);
-        Ports::of(Some(&values), &self.format).quadric_processor(&mut words);
-        words
+        match held(&slot.0, &self.format, &self.kind) {
+            ProcessorWords::Quadric(words) => words,
+            other => unreachable!("{other:?} in a slot of a quadric"),
+        }
     }
 }
 
 /// Every slot loaded with a plausible object, the last one sometimes left alone; then one zone in `clocks` clocks.
-fn pictures(
-    subject: &Subject,
-    clocks: usize,
-    planes: usize,
-    objects: usize,
-) -> BoxedStrategy<Vec<Inputs>> {
+fn pictures(subject: &Subject, clocks: usize, planes: usize, objects: usize) -> Stimuli {
     let data = subject.inputs[6].clone();
     let ports = coefficients(subject.outputs[1].width, planes);
     let words = proptest::collection::vec(plausible(&ports), objects);
-    (words, 1i64..24, any::<bool>())
-        .prop_map(move |(words, width, skip_last)| {
+    mapped(
+        (words, 1i64..24, any::<bool>()),
+        move |(words, width, skip_last)| {
             let mut list: Vec<Inputs> = Vec::new();
             let loaded = objects - usize::from(skip_last && objects > 1);
             for (object, values) in words[..loaded].iter().enumerate() {
@@ -183,6 +170,6 @@ fn pictures(
                 list.push(vec![i64::from(clock == 0), width, height, 0, 0, 0, 0]);
             }
             list
-        })
-        .boxed()
+        },
+    )
 }

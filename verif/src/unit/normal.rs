@@ -2,8 +2,8 @@
 
 use super::description::{Description, bit, late, scan, stated};
 use super::words::{Ports, read};
-use crate::stimulus::{flags, hold, word};
-use crate::subject::{Inputs, Subject};
+use crate::stimulus::{flags, hold, mapped, word};
+use crate::subject::{Inputs, Stimuli, Subject};
 use imogene_golden::format::Format;
 use imogene_golden::unit::normal::select;
 use imogene_golden::unit::pe1::Pe1;
@@ -58,7 +58,7 @@ fn low_bit(width: u32) -> impl Strategy<Value = u32> {
 ///
 /// Half of the stimuli have words where a product decides by its lowest bit: factors and roots of one bit, and a `g`
 /// whose low bits are those of `c` alone, often all of them 0 or 1.
-fn words_held(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+fn words_held(subject: &Subject, clocks: usize) -> Stimuli {
     let held: Vec<_> = subject.inputs[port::WORDS..].iter().map(word).collect();
     let linear = &subject.inputs[port::WORDS..port::FACTORS];
     let linear: Vec<_> = linear.iter().map(word).collect();
@@ -77,8 +77,9 @@ fn words_held(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let factor = factor.prop_map(|(bit, negate)| if negate { -(1i64 << bit) } else { 1 << bit });
     let factor = factor.boxed();
     let exact = proptest::option::of([factor.clone(), factor.clone(), factor]);
-    (held, exact, proptest::collection::vec(moving, clocks))
-        .prop_map(|(mut held, exact, list)| {
+    mapped(
+        (held, exact, proptest::collection::vec(moving, clocks)),
+        |(mut held, exact, list)| {
             if let Some(factors) = exact {
                 held[port::FACTORS - port::WORDS..][..3].copy_from_slice(&factors);
             }
@@ -96,6 +97,6 @@ fn words_held(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
             list[0][..3].copy_from_slice(&[1, 1, 0]);
             hold(&mut list, port::WORDS..port::FACTORS, WORDS_LATER + 1);
             list
-        })
-        .boxed()
+        },
+    )
 }

@@ -5,8 +5,8 @@ use super::likely::Likely::{self, Any, Bulge, Conic, Depth, Line, UpTo};
 use super::likely::{even_differences, held, planes_any_kind, planned, words};
 use super::words::Ports;
 use crate::signal::Signal;
-use crate::stimulus::{depth, word};
-use crate::subject::{Inputs, Subject};
+use crate::stimulus::{depth, mapped, word};
+use crate::subject::{Inputs, Stimuli, Subject};
 use imogene_contract::words::{BACK_PLANE, FRONT_PLANE, far_end, saturated_near};
 use imogene_contract::{Request, Unit};
 use imogene_golden::format::Format;
@@ -35,7 +35,7 @@ use proptest::prelude::*;
 const FRONT: i64 = FRONT_PLANE as i64;
 
 /// Of a quadric with so many planes.
-pub(super) fn quadric_words(class: Class, planes: usize) -> QuadricWords {
+fn quadric_words(class: Class, planes: usize) -> QuadricWords {
     QuadricWords {
         class,
         planes: vec![PlaneWords::default(); planes],
@@ -161,22 +161,17 @@ fn level(subject: &Subject) -> Level {
 
 /// The same zones of a surface, but that in one of eight both faces are flat, and one of them one bit away from the
 /// least word.
-fn faces_near_the_end(
-    subject: &Subject,
-    zones: BoxedStrategy<Vec<Inputs>>,
-) -> BoxedStrategy<Vec<Inputs>> {
+fn faces_near_the_end(subject: &Subject, zones: Stimuli) -> Stimuli {
     let level = level(subject);
     let width = subject.outputs[1].width;
     let flat = (0u32..8, 0..width - 1, any::<Drawn>());
-    (zones, flat)
-        .prop_map(move |(mut zone, (chance, bit, drawn))| {
-            let depth = (1 << bit) - (1 << (width - 1));
-            for inputs in zone.iter_mut().filter(|_| chance == 0) {
-                level(inputs, drawn, depth);
-            }
-            zone
-        })
-        .boxed()
+    mapped((zones, flat), move |(mut zone, (chance, bit, drawn))| {
+        let depth = (1 << bit) - (1 << (width - 1));
+        for inputs in zone.iter_mut().filter(|_| chance == 0) {
+            level(inputs, drawn, depth);
+        }
+        zone
+    })
 }
 
 /// Where a word stands among the inputs.
@@ -193,10 +188,7 @@ fn planes(subject: &Subject) -> Vec<[usize; 2]> {
 
 /// The same zones of an object with planes, but that in one of eight the first plane is a flat front one bit away from
 /// the least word, before most others.
-fn fronts_near_the_end(
-    subject: &Subject,
-    zones: BoxedStrategy<Vec<Inputs>>,
-) -> BoxedStrategy<Vec<Inputs>> {
+fn fronts_near_the_end(subject: &Subject, zones: Stimuli) -> Stimuli {
     let planes = planes(subject);
     // The first generation has contours, and the depth of a plane that is always a front.
     let of_plane = planes.first().map(|[_, constant]| *constant);
@@ -204,8 +196,9 @@ fn fronts_near_the_end(
         return zones;
     };
     let width = subject.outputs[1].width;
-    (zones, 0u32..8, 0..width - 1)
-        .prop_map(move |(mut zone, chance, bit)| {
+    mapped(
+        (zones, 0u32..8, 0..width - 1),
+        move |(mut zone, chance, bit)| {
             for inputs in zone.iter_mut().filter(|_| chance == 0) {
                 planes.iter().for_each(|[kind, _]| inputs[*kind] &= !FRONT);
                 if let Some([kind, _]) = planes.first() {
@@ -215,16 +208,13 @@ fn fronts_near_the_end(
                 inputs[constant] = (1 << bit) - (1 << (width - 1));
             }
             zone
-        })
-        .boxed()
+        },
+    )
 }
 
 /// The same zones of a surface with planes, but that in one of four one plane alone is there, flat, often beyond an
 /// end, and a flat face in it or one bit away from it.
-fn faces_beside_planes(
-    subject: &Subject,
-    zones: BoxedStrategy<Vec<Inputs>>,
-) -> BoxedStrategy<Vec<Inputs>> {
+fn faces_beside_planes(subject: &Subject, zones: Stimuli) -> Stimuli {
     let planes = planes(subject);
     if planes.is_empty() {
         return zones;
@@ -238,47 +228,44 @@ fn faces_beside_planes(
     let plane = (0..planes.len(), kind, end);
     let beside = prop_oneof![Just(0), 0..width];
     let bits = (0..width, beside);
-    (zones, 0u32..4, plane, bits, -1..=1i64, any::<Drawn>())
-        .prop_map(
-            move |(mut zone, chance, (n, kind, end), bits, side, drawn)| {
-                let (beyond, beside) = (1i64 << bits.0, 1i64 << bits.1);
-                for inputs in zone.iter_mut().filter(|_| chance == 0) {
-                    planes.iter().for_each(|[kind, _]| inputs[*kind] = 0);
-                    let [own_kind, constant] = planes[n];
-                    inputs[own_kind] = kind;
-                    inputs[constant - 2..constant].fill(0);
-                    inputs[constant] = match end {
-                        end if end == far => far + beyond,
-                        end if end == least => least - beyond,
-                        inside => inside,
-                    };
-                    level(inputs, drawn, (end + side * beside).clamp(least, far));
-                }
-                zone
-            },
-        )
-        .boxed()
+    mapped(
+        (zones, 0u32..4, plane, bits, -1..=1i64, any::<Drawn>()),
+        move |(mut zone, chance, (n, kind, end), bits, side, drawn)| {
+            let (beyond, beside) = (1i64 << bits.0, 1i64 << bits.1);
+            for inputs in zone.iter_mut().filter(|_| chance == 0) {
+                planes.iter().for_each(|[kind, _]| inputs[*kind] = 0);
+                let [own_kind, constant] = planes[n];
+                inputs[own_kind] = kind;
+                inputs[constant - 2..constant].fill(0);
+                inputs[constant] = match end {
+                    end if end == far => far + beyond,
+                    end if end == least => least - beyond,
+                    inside => inside,
+                };
+                level(inputs, drawn, (end + side * beside).clamp(least, far));
+            }
+            zone
+        },
+    )
 }
 
 /// The same zones of a sphere, but that in one of eight its front is flat and its back one bit away from the least
 /// word.
-fn backs_near_the_end(
-    subject: &Subject,
-    zones: BoxedStrategy<Vec<Inputs>>,
-) -> BoxedStrategy<Vec<Inputs>> {
+fn backs_near_the_end(subject: &Subject, zones: Stimuli) -> Stimuli {
     let place = |name| place(subject, name).expect("a word of a sphere");
     let (first, front, sum) = (place("front_a2"), place("front_f"), place("depth_sum"));
     let width = subject.outputs[1].width;
-    (zones, 0u32..8, 0..width - 1)
-        .prop_map(move |(mut zone, chance, bit)| {
+    mapped(
+        (zones, 0u32..8, 0..width - 1),
+        move |(mut zone, chance, bit)| {
             for inputs in zone.iter_mut().filter(|_| chance == 0) {
                 inputs[first..front].fill(0);
                 let back = (1 << bit) - (1 << (width - 1));
                 inputs[sum] = (inputs[front] >> (width - 2)) + back;
             }
             zone
-        })
-        .boxed()
+        },
+    )
 }
 
 pub(super) fn polyhedron_processor(format: Format, planes: usize) -> Description {
@@ -355,7 +342,7 @@ pub(super) fn polyhedral_volume(format: Format, planes: usize) -> Description {
 
 /// Words held over a zone, and a visible depth that changes every clock: at the parts of the volume, at the ends, or
 /// anything.
-fn points(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+fn points(subject: &Subject, clocks: usize) -> Stimuli {
     let width = subject.inputs[DEPTH].width;
     let plan = [
         ("f1_", Depth(0)),
@@ -368,12 +355,13 @@ fn points(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let near = 12_000i64.min((1 << (width - 1)) - 1);
     let point = prop_oneof![3 => -near..near, 2 => -12i64..12, 1 => depth(width)];
     let surface = Surface::of(subject);
-    (
-        held(&subject.inputs, words, clocks),
-        proptest::collection::vec(point, clocks),
-        proptest::option::of((any::<bool>(), any::<i64>())),
-    )
-        .prop_map(move |(mut list, points, flat)| {
+    mapped(
+        (
+            held(&subject.inputs, words, clocks),
+            proptest::collection::vec(point, clocks),
+            proptest::option::of((any::<bool>(), any::<i64>())),
+        ),
+        move |(mut list, points, flat)| {
             for (inputs, point) in list.iter_mut().zip(points) {
                 // The golden model takes no more than half the depth word.
                 inputs[DEPTH + 1] &= (1 << (width - 1)) - 1;
@@ -383,8 +371,8 @@ fn points(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
                 }
             }
             list
-        })
-        .boxed()
+        },
+    )
 }
 
 /// Where the words of a quadric stand among the inputs.

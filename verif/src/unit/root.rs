@@ -2,8 +2,8 @@
 
 use super::description::{Description, bit, late, scan, stated};
 use super::words::{Ports, read};
-use crate::stimulus::{each, hold, radicand, raster};
-use crate::subject::{Inputs, Subject};
+use crate::stimulus::{each, hold, mapped, radicand, raster};
+use crate::subject::{Stimuli, Subject};
 use imogene_golden::format::{Format, wrap64};
 use imogene_golden::unit::pe1::Pe1;
 use imogene_golden::unit::pe2::Pe2;
@@ -33,7 +33,7 @@ pub(super) fn network(format: Format, method: Method, rows_per_stage: usize) -> 
     })
 }
 
-fn radicands(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+fn radicands(subject: &Subject, clocks: usize) -> Stimuli {
     each(vec![radicand(&subject.inputs[0])], clocks)
 }
 
@@ -50,7 +50,7 @@ pub(super) fn iterative(format: Format) -> Description {
 }
 
 /// Starts at any time, many of them during the work and some beside `done`.
-fn starts(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+fn starts(subject: &Subject, clocks: usize) -> Stimuli {
     let start = prop_oneof![3 => Just(1i64), 1 => Just(0i64)].boxed();
     each(vec![start, radicand(&subject.inputs[1])], clocks)
 }
@@ -83,14 +83,15 @@ const F2_VALUE: usize = 11;
 ///
 /// Half of the time f2 begins at or beside a square and goes on in small steps, where the root tells one radicand from
 /// the next.
-fn any_words(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+fn any_words(subject: &Subject, clocks: usize) -> Stimuli {
     let rows = subject.latency - 2;
     let words = subject.inputs.len();
     let f2 = &subject.inputs[F2_VALUE];
     let near = (radicand(f2), f2.width - 4..f2.width);
     let near = proptest::collection::vec(proptest::option::of(near), clocks);
-    (raster(&subject.inputs, clocks), near)
-        .prop_map(move |(mut list, near)| {
+    mapped(
+        (raster(&subject.inputs, clocks), near),
+        move |(mut list, near)| {
             for (inputs, near) in list.iter_mut().zip(near) {
                 if let Some((value, by)) = near {
                     let steps = inputs[F2..F2_VALUE].iter_mut();
@@ -102,8 +103,8 @@ fn any_words(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
             }
             hold(&mut list, F1..words, rows + 1);
             list
-        })
-        .boxed()
+        },
+    )
 }
 
 fn start(i: &[i64], format: &Format) -> (Pe1, Pe2) {

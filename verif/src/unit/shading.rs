@@ -1,7 +1,8 @@
 //! The shading processor, and shading by a table.
 
 use super::description::{Description, behind_valid, bit, late};
-use crate::subject::{Inputs, Subject};
+use crate::stimulus::mapped;
+use crate::subject::{Inputs, Stimuli, Subject};
 use imogene_contract::shading::table_latency;
 use imogene_golden::format::Format;
 use imogene_golden::machine::shader::{
@@ -72,7 +73,7 @@ fn drawn(tables: &SphereTables, seed: u64) -> SphereTables {
 
 /// Words that are loaded, and the colours of pixels so many clocks later.
 fn described(
-    stimulus: impl Fn(&Subject, usize) -> BoxedStrategy<Vec<Inputs>> + Sync + 'static,
+    stimulus: impl Fn(&Subject, usize) -> Stimuli + Sync + 'static,
     words: ShaderWords,
     latency: u32,
 ) -> Description {
@@ -112,47 +113,45 @@ fn words_then_pixels(
     clocks: usize,
     lights: usize,
     loaded: impl Fn(u64, &mut ShaderWords) -> Vec<(u16, u32)> + 'static,
-) -> BoxedStrategy<Vec<Inputs>> {
+) -> Stimuli {
     let depth = subject.inputs[port::DEPTH].width;
     let count = subject.inputs.len();
     let gaps = proptest::collection::vec(0u8..4, clocks + LATENCY as usize);
-    (any::<u64>(), gaps)
-        .prop_map(move |(seed, gaps)| {
-            let (mut words, pixels) = sequence(seed, depth, lights, gaps.len());
-            words.is_field = seed & 3 == 0;
-            let idle: Inputs = vec![0; count];
-            let mut list: Vec<Inputs> = vec![];
-            let mut loads = loaded(seed, &mut words);
-            // The first pixel follows any word at once.
-            let last = seed as usize % loads.len();
-            loads.rotate_left(last);
-            for (address, word) in loads {
-                let mut inputs = idle.clone();
-                inputs[count - 2] = address.into();
-                inputs[count - 1] = word.into();
-                if gaps[list.len() % gaps.len()] == 0 {
-                    // A word on the bus that is not valid is not loaded.
-                    let mut other = inputs.clone();
-                    other[count - 1] ^= 0xffff_ffff;
-                    list.push(other);
-                }
-                inputs[count - LOAD] = 1;
-                list.push(inputs);
+    mapped((any::<u64>(), gaps), move |(seed, gaps)| {
+        let (mut words, pixels) = sequence(seed, depth, lights, gaps.len());
+        words.is_field = seed & 3 == 0;
+        let idle: Inputs = vec![0; count];
+        let mut list: Vec<Inputs> = vec![];
+        let mut loads = loaded(seed, &mut words);
+        // The first pixel follows any word at once.
+        let last = seed as usize % loads.len();
+        loads.rotate_left(last);
+        for (address, word) in loads {
+            let mut inputs = idle.clone();
+            inputs[count - 2] = address.into();
+            inputs[count - 1] = word.into();
+            if gaps[list.len() % gaps.len()] == 0 {
+                // A word on the bus that is not valid is not loaded.
+                let mut other = inputs.clone();
+                other[count - 1] ^= 0xffff_ffff;
+                list.push(other);
             }
-            for (gap, p) in gaps.iter().zip(pixels) {
-                let mut inputs = idle.clone();
-                inputs[port::VALID] = i64::from(*gap > 0);
-                let place = [p.x.into(), p.y.into(), p.depth, p.material.into()];
-                inputs[port::PIXEL..port::NORMAL].copy_from_slice(&place);
-                inputs[port::NORMAL..port::FLAGS].copy_from_slice(&p.normal.map(i64::from));
-                if count > port::FLAGS + LOAD {
-                    inputs[port::FLAGS] = p.flags.into();
-                }
-                list.push(inputs);
+            inputs[count - LOAD] = 1;
+            list.push(inputs);
+        }
+        for (gap, p) in gaps.iter().zip(pixels) {
+            let mut inputs = idle.clone();
+            inputs[port::VALID] = i64::from(*gap > 0);
+            let place = [p.x.into(), p.y.into(), p.depth, p.material.into()];
+            inputs[port::PIXEL..port::NORMAL].copy_from_slice(&place);
+            inputs[port::NORMAL..port::FLAGS].copy_from_slice(&p.normal.map(i64::from));
+            if count > port::FLAGS + LOAD {
+                inputs[port::FLAGS] = p.flags.into();
             }
-            list
-        })
-        .boxed()
+            list.push(inputs);
+        }
+        list
+    })
 }
 
 /// Makes a light directional; its direction fills its words.

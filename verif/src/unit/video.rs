@@ -3,8 +3,8 @@
 
 use super::description::{Description, behind_valid, bit, late};
 use crate::signal::Delay;
-use crate::stimulus::each;
-use crate::subject::{Inputs, Subject};
+use crate::stimulus::{each, mapped};
+use crate::subject::{Inputs, Stimuli, Subject};
 use imogene_contract::video::{LEAD, VideoMode};
 use imogene_contract::words::COORDINATE;
 use imogene_golden::machine::accumulator::{self, Accumulator, PassPixel};
@@ -36,22 +36,21 @@ pub(super) fn pixel_fifo() -> Description {
 fn runs(clocks: usize) -> BoxedStrategy<Vec<bool>> {
     let length = prop_oneof![6 => 1usize..5, 1 => 60usize..140];
     let run = (any::<bool>(), length);
-    list(run, clocks)
-        .prop_map(move |runs| {
-            let each = runs.into_iter();
-            each.flat_map(|(flag, length)| std::iter::repeat_n(flag, length))
-                .take(clocks)
-                .collect()
-        })
-        .boxed()
+    mapped(list(run, clocks), move |runs| {
+        let each = runs.into_iter();
+        each.flat_map(|(flag, length)| std::iter::repeat_n(flag, length))
+            .take(clocks)
+            .collect()
+    })
 }
 
 /// A pipeline of any legal latency that obeys `room`, and a receiver that stalls.
-fn pipelines(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+fn pipelines(_: &Subject, clocks: usize) -> Stimuli {
     let words = list((0i64..1 << 24, 0i64..=1), clocks);
-    (0..=LEAD, runs(clocks), runs(clocks), words)
-        .prop_map(|(flight, wanted, ready, words)| pipeline(flight, &wanted, &ready, &words))
-        .boxed()
+    mapped(
+        (0..=LEAD, runs(clocks), runs(clocks), words),
+        |(flight, wanted, ready, words)| pipeline(flight, &wanted, &ready, &words),
+    )
 }
 
 /// The stimulus of a pipeline of `flight` clocks that starts a pixel wherever it is wanted and there is room.
@@ -97,7 +96,7 @@ pub(super) fn frame_store() -> Description {
 }
 
 /// Frames of a few pixels in any order, in pictures of any shape, while pixels are read and retraces come at any time.
-fn frames(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+fn frames(_: &Subject, clocks: usize) -> Stimuli {
     let pixels = FRAME_PIXELS as i64;
     // All the pixels there are, or so few that they come again.
     let full = (0u32..12, 0..pixels).prop_map(move |(bit, below): (u32, i64)| {
@@ -146,7 +145,7 @@ pub(super) fn raster_control() -> Description {
 }
 
 /// Requests at random times, small zones so that many end, now and then a long line or a high column.
-fn any_zones(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+fn any_zones(_: &Subject, clocks: usize) -> Stimuli {
     let go = prop_oneof![2 => Just(0i64), 1 => Just(1)];
     let sides = prop_oneof![
         24 => (1i64..6, 1i64..6),
@@ -181,7 +180,7 @@ fn shown(pixel: &Shown) -> Vec<i64> {
 }
 
 /// Now and then a clock without `enable`.
-fn mostly_enabled(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+fn mostly_enabled(_: &Subject, clocks: usize) -> Stimuli {
     let enable = prop_oneof![15 => Just(1i64), 1 => Just(0)];
     each(vec![enable.boxed()], clocks)
 }
@@ -248,7 +247,7 @@ fn write((width, height, kernel, pauses, noise): &Picture, clocks: &mut Vec<Inpu
 }
 
 /// Small pictures one after the other.
-fn pictures(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+fn pictures(_: &Subject, clocks: usize) -> Stimuli {
     let up_to = |most: i64| (0..=most).boxed();
     let flags = [up_to(3), up_to(2), up_to(1), up_to(1)];
     let noise = [vec![up_to(3), Just(0).boxed()], flags.to_vec()].concat();
@@ -256,14 +255,12 @@ fn pictures(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let idle = prop_oneof![5 => Just(0usize), 1 => 1usize..4];
     let (pauses, noise) = (list(idle, 41), list(noise, 97));
     let picture = (1usize..8, 1usize..6, 0i64..4, pauses, noise);
-    list(picture, clocks / 12 + 1)
-        .prop_map(move |pictures| {
-            let mut list = Vec::new();
-            pictures.iter().for_each(|one| write(one, &mut list));
-            list.truncate(clocks);
-            list
-        })
-        .boxed()
+    mapped(list(picture, clocks / 12 + 1), move |pictures| {
+        let mut list = Vec::new();
+        pictures.iter().for_each(|one| write(one, &mut list));
+        list.truncate(clocks);
+        list
+    })
 }
 
 /// Words of the plane of the catalogue.
@@ -287,7 +284,7 @@ pub(super) fn overlay() -> Description {
 }
 
 /// Words written and pixels read at a few places near the ends of the plane and of the coordinates, so that they meet.
-fn planes(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+fn planes(_: &Subject, clocks: usize) -> Stimuli {
     let address = prop_oneof![3 => 0i64..3, 1 => 1021i64..1024];
     let write = (0i64..=1, address, 0i64..1 << 32);
     let shown = (prop_oneof![1 => Just(0i64), 5 => Just(1)], 0i64..1 << 24);
@@ -333,7 +330,7 @@ pub(super) fn accumulator() -> Description {
 
 /// Passes over a few pixels in any order, each pixel at its own pass; the last pass as often as it can be, now and then
 /// before all have come. How many there are is told with the last one alone.
-fn passes(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+fn passes(_: &Subject, clocks: usize) -> Stimuli {
     let place = prop_oneof![4 => 0i64..3, 1 => 4094i64..4096];
     let one = (
         prop_oneof![1 => Just(0i64), 9 => Just(1)],
@@ -342,32 +339,30 @@ fn passes(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
         any::<bool>(),
         [level(), level(), level()],
     );
-    (any::<bool>(), list(one, clocks))
-        .prop_map(|(fine, list)| {
-            let most = if fine { 16 } else { 4 };
-            let mut done = std::collections::BTreeMap::<i64, u32>::new();
-            let mut before = [None; 3];
-            let each = list
-                .into_iter()
-                .map(|(valid, place, [again, early], other, colour)| {
-                    // A pixel comes again after 4 clocks at the earliest.
-                    let valid = valid == 1 && !before.contains(&Some(place));
-                    before = [before[1], before[2], valid.then_some(place)];
-                    let passes = done.entry(place).or_default();
-                    let first = *passes == most || again;
-                    if valid {
-                        *passes = if first { 1 } else { *passes + 1 };
-                    }
-                    let last = early || *passes == most;
-                    let fine = if last { fine } else { other };
-                    let flags = [fine, valid].map(i64::from);
-                    let mut inputs = flags.to_vec();
-                    inputs.push(place);
-                    inputs.extend([first, last].map(i64::from));
-                    inputs.extend(colour);
-                    inputs
-                });
-            each.collect()
-        })
-        .boxed()
+    mapped((any::<bool>(), list(one, clocks)), |(fine, list)| {
+        let most = if fine { 16 } else { 4 };
+        let mut done = std::collections::BTreeMap::<i64, u32>::new();
+        let mut before = [None; 3];
+        let each = list
+            .into_iter()
+            .map(|(valid, place, [again, early], other, colour)| {
+                // A pixel comes again after 4 clocks at the earliest.
+                let valid = valid == 1 && !before.contains(&Some(place));
+                before = [before[1], before[2], valid.then_some(place)];
+                let passes = done.entry(place).or_default();
+                let first = *passes == most || again;
+                if valid {
+                    *passes = if first { 1 } else { *passes + 1 };
+                }
+                let last = early || *passes == most;
+                let fine = if last { fine } else { other };
+                let flags = [fine, valid].map(i64::from);
+                let mut inputs = flags.to_vec();
+                inputs.push(place);
+                inputs.extend([first, last].map(i64::from));
+                inputs.extend(colour);
+                inputs
+            });
+        each.collect()
+    })
 }

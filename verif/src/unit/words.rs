@@ -136,11 +136,9 @@ impl Ports {
     fn quadratic_of(&mut self, q: &mut Quadratic, width: u32) {
         let mut p = q.preconditioned(width);
         let words = [&mut p.a2, &mut p.b2, &mut p.c, &mut p.i0, &mut p.p0];
-        for word in words.into_iter().chain([&mut p.f]) {
-            self.word(word, width);
-        }
-        let (a, b) = (p.a2 / 2, p.b2 / 2);
-        *q = Quadratic::new([a, b, p.c, p.p0 - a, p.i0 - b, p.f]);
+        let words = words.into_iter().chain([&mut p.f]);
+        words.for_each(|word| self.word(word, width));
+        *q = Quadratic::of_preconditioned(&p);
     }
 
     fn screen_box(&mut self, b: &mut ScreenBox) {
@@ -162,13 +160,13 @@ impl Ports {
     fn class(&mut self, value: &mut Class) {
         let mut word = *value as i64;
         self.number(&mut word, |word| word as i64);
-        *value = class(word);
+        *value = Class::ALL[word as usize];
     }
 
     fn plane(&mut self, kind: &mut PlaneKind, depth: &mut Linear) {
         let mut word = *kind as i64;
         self.number(&mut word, |word| word as i64);
-        *kind = plane_kind(word);
+        *kind = PlaneKind::ALL[word as usize];
         self.line(depth);
     }
 
@@ -201,7 +199,7 @@ impl Ports {
         self.number(&mut normal.shift, |word| word as u8);
     }
 
-    pub fn quadric_processor(&mut self, q: &mut QuadricWords) {
+    fn quadric_processor(&mut self, q: &mut QuadricWords) {
         self.quadric(&mut q.f1, &mut q.f2, &mut q.normal, &mut q.screen_box);
         self.class(&mut q.class);
         self.planes(&mut q.planes);
@@ -293,15 +291,4 @@ impl Ports {
             self.number(&mut q.shift, |word| word as u8);
         }
     }
-}
-
-/// How an object lies, by its word.
-pub(super) fn class(word: i64) -> Class {
-    [Class::Side, Class::Front, Class::Patch, Class::Prism][word as usize]
-}
-
-/// How a plane lies, by its word.
-pub(super) fn plane_kind(word: i64) -> PlaneKind {
-    use PlaneKind::{Back, Front, None, Perpendicular};
-    [None, Front, Back, Perpendicular][word as usize]
 }
