@@ -54,12 +54,12 @@ pub struct Around<'a> {
 impl Around<'_> {
     /// Of a design from power-up on.
     pub fn of(design: &Design) -> Around<'_> {
-        let levels = Levels::of(design);
+        let levels = Arc::new(Levels::of(design));
         let registers: Vec<usize> = (0..levels.flops.len()).collect();
         let mut gates = Gates::new();
         let any = Begin::any(&levels, &mut gates);
-        let begin = Idle::of(&levels, &[], &[]).begin(&levels, any, &registers);
-        let frame = begin.clock(&levels, &mut gates);
+        let begin = Idle::of(&levels, &[], &[]).begin(any, &registers);
+        let frame = begin.clock(&mut gates);
         let zeros = levels.points.iter().map(|(path, point)| {
             let word = frame.at(point.place).iter().enumerate();
             let others = word.filter(|(_, bit)| **bit != NO);

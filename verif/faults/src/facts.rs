@@ -64,7 +64,8 @@ impl Fact {
 
 /// The facts that hold in all of these states and at power-up, and are proven to hold after a clock before which they
 /// and what else is known hold.
-pub(crate) fn facts(levels: &Levels, mut of: Reached, seen: &[Vec<u64>]) -> Vec<Fact> {
+pub(crate) fn facts(mut of: Reached, seen: &[Vec<u64>]) -> Vec<Fact> {
+    let levels = &of.begin.levels.clone();
     if of.gates.len() > GATES {
         return vec![];
     }
@@ -74,16 +75,14 @@ pub(crate) fn facts(levels: &Levels, mut of: Reached, seen: &[Vec<u64>]) -> Vec<
     let never = never(levels, &states);
     let pairs = pairs(levels, &states);
     let all = [greatest(levels, &states), never.clone(), pairs].concat();
-    let mut proven = [all, never]
-        .into_iter()
-        .map(|facts| proven(levels, &mut of, facts));
+    let mut proven = [all, never].into_iter().map(|facts| proven(&mut of, facts));
     proven.find_map(|facts| facts).unwrap_or_default()
 }
 
 /// Those of some facts that are proven; nothing if they are too much for the solver.
-fn proven(levels: &Levels, of: &mut Reached, mut facts: Vec<Fact>) -> Option<Vec<Fact>> {
+fn proven(of: &mut Reached, mut facts: Vec<Fact>) -> Option<Vec<Fact>> {
     loop {
-        let before = |register: usize| of.begin.at(levels.flops[register].output);
+        let before = |register: usize| of.begin.register(register);
         let assumed = facts.iter().map(|fact| fact.holds(&mut of.gates, before));
         let assumed: Vec<Bit> = assumed.chain(of.assumed.iter().copied()).collect();
         let after = |register: usize| &of.clock.end.registers[register];

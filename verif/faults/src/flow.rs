@@ -5,9 +5,8 @@
 //! latency. If it is equal over these, it is equal for ever.
 
 use crate::controls::Upset;
-use crate::frame::{Begin, End, Frame, Word, upset, zero_inputs};
+use crate::frame::{Begin, End, Frame, Word, zero_inputs};
 use crate::gates::{Bit, Gates, NO};
-use imogene_hdl::Levels;
 use std::collections::HashMap;
 
 /// Gates in all clocks, at most: beyond, a proof takes minutes.
@@ -29,8 +28,8 @@ pub(crate) enum State {
 
 impl State {
     /// Which state each input gate is, if it is one.
-    pub(crate) fn of(levels: &Levels, begin: &Begin) -> HashMap<usize, State> {
-        let mut state = HashMap::new();
+    pub(crate) fn of(begin: &Begin) -> HashMap<usize, State> {
+        let (levels, mut state) = (&begin.levels, HashMap::new());
         for (index, flop) in levels.flops.iter().enumerate() {
             for (place, bit) in begin.at(flop.output).iter().enumerate() {
                 state.insert(bit.gate(), State::Register(index, place));
@@ -72,13 +71,12 @@ impl Unrolled {
     /// So many clocks; nothing if that is too large. `fix` fixes inputs of a clock, by its number and the clocks
     /// before.
     pub(crate) fn new(
-        levels: &Levels,
         gates: &Gates,
         begin: &Begin,
         clocks: usize,
         fix: impl Fn(usize, &mut Begin, &[(Begin, Frame)]),
     ) -> Option<Unrolled> {
-        if gates.len().max(levels.code.len() * 16) * clocks > GATES {
+        if gates.len().max(begin.levels.code.len() * 16) * clocks > GATES {
             return None;
         }
         let mut gates = gates.clone();
@@ -86,10 +84,10 @@ impl Unrolled {
         for index in 0..clocks {
             let mut begin = match all.last() {
                 None => begin.clone(),
-                Some((begin, last)) => begin.clone().after(&last.end, levels, &mut gates),
+                Some((begin, last)) => begin.clone().after(&last.end, &mut gates),
             };
             fix(index, &mut begin, &all);
-            let clock = begin.clock(levels, &mut gates);
+            let clock = begin.clock(&mut gates);
             all.push((begin, clock));
         }
         Some(Unrolled {
@@ -110,17 +108,15 @@ impl Unrolled {
     }
 
     /// Bits that are 1 where these inputs are 0 in every clock.
-    pub(crate) fn zeros(&self, zeros: &[(usize, u32)], levels: &Levels) -> Vec<Bit> {
-        let begins = self.clocks.iter().map(|(begin, _)| begin);
-        begins
-            .flat_map(|begin| zero_inputs(zeros, levels, begin))
-            .collect()
+    pub(crate) fn zeros(&self, zeros: &[(usize, u32)]) -> Vec<Bit> {
+        let clocks = self.clocks.iter();
+        let zeros = clocks.flat_map(|(begin, _)| zero_inputs(zeros, begin));
+        zeros.collect()
     }
 
     /// Does nothing that is seen, and nothing that is left, depend on what a register begins with?
-    pub(crate) fn is_dead(&self, levels: &Levels, register: usize) -> bool {
-        let begin = self.begin(0).at(levels.flops[register].output);
-        let depends = self.gates.depending_on(begin);
+    pub(crate) fn is_dead(&self, register: usize) -> bool {
+        let depends = self.gates.depending_on(self.begin(0).register(register));
         let outputs = self.clocks.iter().flat_map(|(_, clock)| &clock.end.outputs);
         let mut seen = outputs.chain(self.end().registers.iter().flatten());
         !seen.any(|bit| depends[bit.gate()])
@@ -128,22 +124,16 @@ impl Unrolled {
 
     /// What the mutant that upsets make comes to in each clock, beside the circuit, and all gates; it begins with other
     /// words at some places.
-    pub(crate) fn with(
-        &self,
-        levels: &Levels,
-        upsets: &[Upset],
-        first: &[(u32, Word)],
-    ) -> (Gates, Vec<[End; 2]>) {
+    pub(crate) fn with(&self, upsets: &[Upset], first: &[(u32, Word)]) -> (Gates, Vec<[End; 2]>) {
         let mut gates = self.gates.clone();
         let mut ends: Vec<[End; 2]> = vec![];
         for (begin, clock) in &self.clocks {
             let first = first.iter().filter(|_| ends.is_empty()).cloned();
             let state = ends.last().map_or(&[][..], |[_, end]| &end.registers);
-            let state = levels.flops.iter().zip(state);
+            let state = begin.levels.flops.iter().zip(state);
             let state = state.map(|(flop, word)| (flop.output, word.clone()));
             let others = state.filter(|(place, word)| begin.at(*place) != word);
-            let others = others.chain(first).chain(upset(levels, upsets));
-            let end = clock.with(levels, others, &mut gates);
+            let end = clock.with(upsets, others.chain(first), &mut gates);
             ends.push([clock.end.clone(), end]);
         }
         (gates, ends)

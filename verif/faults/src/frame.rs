@@ -3,6 +3,7 @@
 use crate::controls::Upset;
 use crate::gates::{Bit, Gates, NO, YES};
 use imogene_hdl::{Code, Flop, Kind, Levels, Store};
+use std::sync::Arc;
 
 /// Bits of a word, the lowest first; those beyond are 0.
 pub(crate) type Word = Vec<Bit>;
@@ -13,6 +14,7 @@ pub(crate) const CONTROL: u32 = 6;
 /// The words that one clock begins with: inputs, and what registers and memories hold.
 #[derive(Clone)]
 pub(crate) struct Begin {
+    pub(crate) levels: Arc<Levels>,
     words: Vec<Word>,
 }
 
@@ -46,37 +48,39 @@ pub(crate) fn constant(value: u64) -> Word {
 
 impl Begin {
     /// Any inputs and any state.
-    pub(crate) fn any(levels: &Levels, gates: &mut Gates) -> Begin {
+    pub(crate) fn any(levels: &Arc<Levels>, gates: &mut Gates) -> Begin {
         let mut begin = Begin::initial(levels);
         for flop in &levels.flops {
             begin.words[flop.output as usize] = free(flop.width, gates);
         }
-        begin.with_inputs(levels, gates);
+        begin.with_inputs(gates);
         begin
     }
 
     /// The state at power-up.
-    pub(crate) fn initial(levels: &Levels) -> Begin {
+    pub(crate) fn initial(levels: &Arc<Levels>) -> Begin {
         let words = levels.words.iter().map(|word| constant(*word));
         Begin {
             words: words.collect(),
+            levels: levels.clone(),
         }
     }
 
     /// The same with any inputs, and all words in full width.
-    pub(crate) fn at_power_up(levels: &Levels, gates: &mut Gates) -> Begin {
+    pub(crate) fn at_power_up(levels: &Arc<Levels>, gates: &mut Gates) -> Begin {
         let mut begin = Begin::initial(levels);
         for flop in &levels.flops {
             begin.words[flop.output as usize].resize(flop.width as usize, NO);
         }
-        begin.with_inputs(levels, gates);
+        begin.with_inputs(gates);
         begin
     }
 
     /// Any inputs, and any words from the memories.
-    fn with_inputs(&mut self, levels: &Levels, gates: &mut Gates) {
-        let inputs = levels.inputs().iter().map(|port| (port.place, port.width));
-        let stores = levels.stores.iter();
+    fn with_inputs(&mut self, gates: &mut Gates) {
+        let inputs = self.levels.inputs().iter();
+        let inputs = inputs.map(|port| (port.place, port.width));
+        let stores = self.levels.stores.iter();
         let stores = stores.map(|store| (store.output, store.width));
         for (place, width) in inputs.chain(stores) {
             self.words[place as usize] = free(width, gates);
@@ -84,11 +88,11 @@ impl Begin {
     }
 
     /// What follows a clock, with any inputs.
-    pub(crate) fn after(mut self, end: &End, levels: &Levels, gates: &mut Gates) -> Begin {
-        for (flop, word) in levels.flops.iter().zip(&end.registers) {
+    pub(crate) fn after(mut self, end: &End, gates: &mut Gates) -> Begin {
+        for (flop, word) in self.levels.flops.iter().zip(&end.registers) {
             self.words[flop.output as usize] = word.clone();
         }
-        self.with_inputs(levels, gates);
+        self.with_inputs(gates);
         self
     }
 
@@ -97,13 +101,29 @@ impl Begin {
         &self.words[place as usize]
     }
 
-    /// The word at a place, to be fixed.
-    pub(crate) fn at_mut(&mut self, place: u32) -> &mut Word {
-        &mut self.words[place as usize]
+    /// What a register holds.
+    pub(crate) fn register(&self, index: usize) -> &Word {
+        self.at(self.levels.flops[index].output)
+    }
+
+    /// The same, to be fixed.
+    pub(crate) fn register_mut(&mut self, index: usize) -> &mut Word {
+        &mut self.words[self.levels.flops[index].output as usize]
+    }
+
+    /// What an input is given.
+    pub(crate) fn input(&self, index: usize) -> &Word {
+        self.at(self.levels.inputs()[index].place)
+    }
+
+    /// The same, to be fixed.
+    pub(crate) fn input_mut(&mut self, index: usize) -> &mut Word {
+        &mut self.words[self.levels.inputs()[index].place as usize]
     }
 
     /// One clock.
-    pub(crate) fn clock(&self, levels: &Levels, gates: &mut Gates) -> Frame {
+    pub(crate) fn clock(&self, gates: &mut Gates) -> Frame {
+        let levels = &self.levels;
         let mut words = self.words.clone();
         for code in &levels.code {
             let from = code.from.map(|place| &words[place as usize]);
@@ -119,12 +139,17 @@ impl Begin {
             registers,
             memories,
         };
-        Frame { words, end }
+        Frame {
+            levels: levels.clone(),
+            words,
+            end,
+        }
     }
 }
 
 /// All words of a clock.
 pub(crate) struct Frame {
+    levels: Arc<Levels>,
     words: Vec<Word>,
     /// What it comes to.
     pub(crate) end: End,
@@ -136,15 +161,21 @@ impl Frame {
         &self.words[place as usize]
     }
 
-    /// The same clock where these places begin with other words.
+    /// The same clock with these upsets, and where these places begin with other words.
     pub(crate) fn with(
         &self,
-        levels: &Levels,
-        others: impl Iterator<Item = (u32, Word)>,
+        upsets: &[Upset],
+        others: impl IntoIterator<Item = (u32, Word)>,
         gates: &mut Gates,
     ) -> End {
+        let levels = &self.levels;
         let mut changed: Vec<Option<Word>> = vec![None; self.words.len()];
-        others.for_each(|(place, word)| changed[place as usize] = Some(word));
+        for (place, word) in others {
+            changed[place as usize] = Some(word);
+        }
+        for (register, value) in upsets {
+            changed[levels.flops[*register].output as usize] = Some(constant(*value));
+        }
         for code in &levels.code {
             let mut places = code.from.iter();
             if places.any(|place| changed[*place as usize].is_some()) {
@@ -175,14 +206,8 @@ impl Frame {
     }
 
     /// Does nothing that is seen, and no other register, depend on what a register begins with?
-    pub(crate) fn is_dead(
-        &self,
-        levels: &Levels,
-        begin: &Begin,
-        gates: &Gates,
-        register: usize,
-    ) -> bool {
-        let depends = gates.depending_on(begin.at(levels.flops[register].output));
+    pub(crate) fn is_dead(&self, begin: &Begin, gates: &Gates, register: usize) -> bool {
+        let depends = gates.depending_on(begin.register(register));
         let others = self.end.registers.iter().enumerate();
         let others = others.filter(|(index, _)| *index != register);
         let mut seen = others.flat_map(|(_, word)| word).chain(&self.end.outputs);
@@ -196,22 +221,9 @@ impl Frame {
 }
 
 /// Bits that are 1 where these bits of inputs are 0.
-pub(crate) fn zero_inputs(
-    zeros: &[(usize, u32)],
-    levels: &Levels,
-    begin: &Begin,
-) -> impl Iterator<Item = Bit> {
+pub(crate) fn zero_inputs(zeros: &[(usize, u32)], begin: &Begin) -> impl Iterator<Item = Bit> {
     let zeros = zeros.iter();
-    zeros.map(|(index, bit)| !bit_of(begin.at(levels.inputs()[*index].place), *bit))
-}
-
-/// The words that upsets put into registers.
-pub(crate) fn upset<'a>(
-    levels: &'a Levels,
-    upsets: &'a [Upset],
-) -> impl Iterator<Item = (u32, Word)> + 'a {
-    let upsets = upsets.iter();
-    upsets.map(|(register, value)| (levels.flops[*register].output, constant(*value)))
+    zeros.map(|(index, bit)| !bit_of(begin.input(*index), *bit))
 }
 
 /// What some registers hold after a clock.

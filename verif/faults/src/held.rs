@@ -1,10 +1,11 @@
 //! What the registers of a circuit hold while it works, of inputs that are held so long and of constants.
 
 use crate::flow::Unrolled;
-use crate::frame::{Begin, Word, constant};
+use crate::frame::{Begin, constant};
 use crate::gates::{Bit, Gates, NO};
 use imogene_hdl::Levels;
 use std::collections::HashMap;
+use std::sync::Arc;
 
 /// What bits of registers are once the latency passed after the beginning, whatever was before, and stay while the
 /// circuit works. Registers are counted without controls.
@@ -28,7 +29,7 @@ enum Source {
 impl Held {
     /// Of a design without controls.
     pub(crate) fn of(
-        levels: &Levels,
+        levels: &Arc<Levels>,
         begins: Vec<usize>,
         inputs: Vec<usize>,
         latency: usize,
@@ -40,10 +41,10 @@ impl Held {
         };
         let mut gates = Gates::new();
         let any = Begin::any(levels, &mut gates);
-        let Some(flow) = held.since_start(levels, &gates, &any, latency) else {
+        let Some(flow) = held.since_start(&gates, &any, latency) else {
             return held;
         };
-        let sources = held.sources(levels, flow.begin(latency));
+        let sources = held.sources(flow.begin(latency));
         for (register, word) in flow.end().registers.iter().enumerate() {
             for (place, bit) in word.iter().enumerate() {
                 if let Some(source) = source(&sources, *bit) {
@@ -53,11 +54,10 @@ impl Held {
         }
         let registers: Vec<usize> = (0..levels.flops.len()).collect();
         loop {
-            let work = held.work(levels, any.clone(), &registers);
-            let work = work.clock(levels, &mut gates);
+            let work = held.work(any.clone(), &registers).clock(&mut gates);
             let count = held.bits.len();
             held.bits.retain(|(register, place, source)| {
-                work.end.registers[*register].get(*place) == Some(&source.bit(levels, &any))
+                work.end.registers[*register].get(*place) == Some(&source.bit(&any))
             });
             if held.bits.len() == count {
                 return held;
@@ -69,42 +69,33 @@ impl Held {
     /// long, nothing was under way.
     pub(crate) fn since_start(
         &self,
-        levels: &Levels,
         gates: &Gates,
         begin: &Begin,
         latency: usize,
     ) -> Option<Unrolled> {
-        let place = |input: &usize| levels.inputs()[*input].place;
         let clocks = 2 * latency + 1;
-        Unrolled::new(levels, gates, begin, clocks, |index, begin, before| {
+        Unrolled::new(gates, begin, clocks, |index, begin, before| {
             if index <= latency {
                 let begins = u64::from(index == latency);
                 for input in &self.begins {
-                    *begin.at_mut(place(input)) = constant(begins);
+                    *begin.input_mut(*input) = constant(begins);
                 }
             }
             if let Some((start, _)) = before.get(latency) {
-                self.hold(levels, start, begin);
+                for input in &self.inputs {
+                    *begin.input_mut(*input) = start.input(*input).clone();
+                }
             }
         })
     }
 
     /// Which bit of an input each gate is, of those that are held.
-    fn sources(&self, levels: &Levels, any: &Begin) -> HashMap<usize, (usize, usize)> {
+    fn sources(&self, any: &Begin) -> HashMap<usize, (usize, usize)> {
         let inputs = self.inputs.iter().flat_map(|input| {
-            let word: &Word = any.at(levels.inputs()[*input].place);
-            let bits = word.iter().enumerate();
+            let bits = any.input(*input).iter().enumerate();
             bits.map(|(place, bit)| (bit.gate(), (*input, place)))
         });
         inputs.collect()
-    }
-
-    /// Holds the inputs of a clock in another.
-    fn hold(&self, levels: &Levels, first: &Begin, begin: &mut Begin) {
-        for input in &self.inputs {
-            let place = levels.inputs()[*input].place;
-            *begin.at_mut(place) = first.at(place).clone();
-        }
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -112,10 +103,9 @@ impl Held {
     }
 
     /// What a clock of the work begins with, of a design with controls beside these registers.
-    pub(crate) fn work(&self, levels: &Levels, mut begin: Begin, registers: &[usize]) -> Begin {
+    pub(crate) fn work(&self, mut begin: Begin, registers: &[usize]) -> Begin {
         for (register, place, source) in &self.bits {
-            let bit = source.bit(levels, &begin);
-            begin.at_mut(levels.flops[registers[*register]].output)[*place] = bit;
+            begin.register_mut(registers[*register])[*place] = source.bit(&begin);
         }
         begin
     }
@@ -130,11 +120,11 @@ fn source(sources: &HashMap<usize, (usize, usize)>, bit: Bit) -> Option<Source> 
 }
 
 impl Source {
-    fn bit(self, levels: &Levels, begin: &Begin) -> Bit {
+    fn bit(self, begin: &Begin) -> Bit {
         match self {
             Source::Constant(bit) => bit,
             Source::Input(input, place, is_inverted) => {
-                let bit = begin.at(levels.inputs()[input].place)[place];
+                let bit = begin.input(input)[place];
                 if is_inverted { !bit } else { bit }
             }
         }

@@ -4,6 +4,7 @@ use crate::frame::{Begin, CONTROL, End, constant};
 use crate::gates::{Bit, Gates, NO};
 use imogene_hdl::Levels;
 use std::collections::HashSet;
+use std::sync::Arc;
 
 /// Gates of all clocks of a beginning, at most: each register is looked at by itself.
 const GATES: usize = 400_000;
@@ -11,10 +12,13 @@ const GATES: usize = 400_000;
 /// The value of each bit of each register that never changes.
 pub(crate) type Constants = Vec<Vec<Option<bool>>>;
 
+/// Bits of registers.
+type Bits = HashSet<(usize, usize)>;
+
 /// Gives the bits that never change their values; `registers` are those without controls.
-pub(crate) fn fix(constants: &Constants, levels: &Levels, begin: &mut Begin, registers: &[usize]) {
+pub(crate) fn fix(constants: &Constants, begin: &mut Begin, registers: &[usize]) {
     for (register, constants) in registers.iter().zip(constants) {
-        let bits = begin.at_mut(levels.flops[*register].output).iter_mut();
+        let bits = begin.register_mut(*register).iter_mut();
         for (bit, constant) in bits.zip(constants) {
             *bit = constant.map_or(*bit, Bit::of);
         }
@@ -35,7 +39,7 @@ pub(crate) struct Idle {
 impl Idle {
     /// What never changes from power-up on while these inputs are quiet: all that is held at power-up but for what one
     /// clock may change, until there is none.
-    pub(crate) fn of(levels: &Levels, zeros: &[(usize, u32)], quiet: &[usize]) -> Idle {
+    pub(crate) fn of(levels: &Arc<Levels>, zeros: &[(usize, u32)], quiet: &[usize]) -> Idle {
         let registers: Vec<usize> = (0..levels.flops.len()).collect();
         let mut idle = Idle {
             quiet: quiet.to_vec(),
@@ -46,10 +50,9 @@ impl Idle {
             let mut gates = Gates::new();
             let mut begin = Begin::any(levels, &mut gates);
             for (index, bit) in zeros {
-                begin.at_mut(levels.inputs()[*index].place)[*bit as usize] = NO;
+                begin.input_mut(*index)[*bit as usize] = NO;
             }
-            let begin = idle.begin(levels, begin, &registers);
-            let end = begin.clock(levels, &mut gates).end;
+            let end = idle.begin(begin, &registers).clock(&mut gates).end;
             if !idle.drop_changing(&end, &registers) {
                 return idle;
             }
@@ -57,9 +60,9 @@ impl Idle {
     }
 
     /// The state before the work, with no input but those that are free; `registers` are those without controls.
-    pub(crate) fn begin(&self, levels: &Levels, mut begin: Begin, registers: &[usize]) -> Begin {
-        fix(&self.constants, levels, &mut begin, registers);
-        self.hush(levels, &mut begin);
+    pub(crate) fn begin(&self, mut begin: Begin, registers: &[usize]) -> Begin {
+        fix(&self.constants, &mut begin, registers);
+        self.hush(&mut begin);
         begin
     }
 
@@ -87,46 +90,42 @@ impl Idle {
     }
 
     /// Makes the inputs 0 that are so before the work.
-    fn hush(&self, levels: &Levels, begin: &mut Begin) {
+    fn hush(&self, begin: &mut Begin) {
         for input in &self.quiet {
-            *begin.at_mut(levels.inputs()[*input].place) = constant(0);
+            *begin.input_mut(*input) = constant(0);
         }
     }
 
     /// Gives inputs their words in a clock of the beginning; those that were quiet before are so without one.
-    pub(crate) fn fix(&self, levels: &Levels, clock: usize, begin: &mut Begin) {
+    pub(crate) fn fix(&self, clock: usize, begin: &mut Begin) {
         let Some(words) = self.begins.get(clock) else {
             return;
         };
-        self.hush(levels, begin);
+        self.hush(begin);
         for (input, word) in words {
-            *begin.at_mut(levels.inputs()[*input].place) = constant(*word);
+            *begin.input_mut(*input) = constant(*word);
         }
     }
 
     /// Is what a register holds at power-up without meaning: do two circuits that differ in it alone hold the same once
     /// the work began and the latency passed?
-    pub(crate) fn forgets(&self, levels: &Levels, register: usize, latency: usize) -> bool {
+    pub(crate) fn forgets(&self, levels: &Arc<Levels>, register: usize, latency: usize) -> bool {
         let clocks = self.begins.len() + latency.max(1) - 1;
         if self.begins.is_empty() || clocks * levels.code.len() * 16 > GATES {
             return false;
         }
         let bits = 0..levels.flops[register].width as usize;
-        let own: HashSet<(usize, usize)> = bits.map(|bit| (register, bit)).collect();
+        let own: Bits = bits.map(|bit| (register, bit)).collect();
         self.spread(levels, own)
             .is_some_and(|differs| self.is_gone(levels, &differs, clocks))
     }
 
     /// What differs before the work if these bits do; nothing if that comes to a memory.
-    fn spread(
-        &self,
-        levels: &Levels,
-        mut differs: HashSet<(usize, usize)>,
-    ) -> Option<HashSet<(usize, usize)>> {
+    fn spread(&self, levels: &Arc<Levels>, mut differs: Bits) -> Option<Bits> {
         loop {
             let mut gates = Gates::new();
             let (begin, sources) = self.differing(levels, &differs, &mut gates);
-            let end = begin.clock(levels, &mut gates).end;
+            let end = begin.clock(&mut gates).end;
             let depends = gates.depending(&sources);
             if end.memories.iter().flatten().any(|bit| depends[bit.gate()]) {
                 return None;
@@ -144,18 +143,18 @@ impl Idle {
     }
 
     /// Is a difference of these bits gone after the clocks of the beginning and those after it?
-    fn is_gone(&self, levels: &Levels, differs: &HashSet<(usize, usize)>, clocks: usize) -> bool {
+    fn is_gone(&self, levels: &Arc<Levels>, differs: &Bits, clocks: usize) -> bool {
         let mut gates = Gates::new();
         let (mut begin, sources) = self.differing(levels, differs, &mut gates);
         let mut kept: Vec<Bit> = vec![];
         for clock in 0..clocks {
-            self.fix(levels, clock, &mut begin);
-            let end = begin.clock(levels, &mut gates).end;
+            self.fix(clock, &mut begin);
+            let end = begin.clock(&mut gates).end;
             kept.extend(end.memories.iter().flatten());
             if clock + 1 == clocks {
                 kept.extend(end.registers.iter().flatten());
             }
-            begin = begin.after(&end, levels, &mut gates);
+            begin = begin.after(&end, &mut gates);
         }
         let depends = gates.depending(&sources);
         kept.iter().all(|bit| !depends[bit.gate()])
@@ -164,18 +163,17 @@ impl Idle {
     /// A clock before the work in which these bits may be anything, and the gates of these bits.
     fn differing(
         &self,
-        levels: &Levels,
-        differs: &HashSet<(usize, usize)>,
+        levels: &Arc<Levels>,
+        differs: &Bits,
         gates: &mut Gates,
     ) -> (Begin, Vec<usize>) {
         let any = Begin::any(levels, gates);
         let registers: Vec<usize> = (0..levels.flops.len()).collect();
-        let mut begin = self.begin(levels, any.clone(), &registers);
+        let mut begin = self.begin(any.clone(), &registers);
         let mut sources = vec![];
         for (register, place) in differs {
-            let output = levels.flops[*register].output;
-            let bit = any.at(output)[*place];
-            begin.at_mut(output)[*place] = bit;
+            let bit = any.register(*register)[*place];
+            begin.register_mut(*register)[*place] = bit;
             sources.push(bit.gate());
         }
         (begin, sources)

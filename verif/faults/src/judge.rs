@@ -8,7 +8,7 @@
 
 use crate::controls::{Controls, Upset};
 use crate::flow::{State, Unrolled, keeps_nothing};
-use crate::frame::{Begin, End, Frame, Reached, constant, state_pairs, upset, zip};
+use crate::frame::{Begin, End, Frame, Reached, constant, state_pairs, zip};
 use crate::gates::{Bit, Gates, NO};
 use crate::idle::fix;
 use crate::known::Known;
@@ -17,14 +17,13 @@ use crate::rest::Rest;
 use crate::solve::{CONFLICTS, Verdict, equality};
 use imogene_hdl::Levels;
 use std::collections::{HashMap, HashSet};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// Bits of words that are few enough to be tried all.
 const SHORT: [u32; 3] = [16, 20, 24];
 
 /// Judges the mutants of a design with controls.
 pub struct Judge {
-    levels: Levels,
     of: Reached,
     /// Which state each input gate is, if it is one.
     state: HashMap<usize, State>,
@@ -44,31 +43,31 @@ pub struct Judge {
 impl Judge {
     /// Of a design with controls, of which this is known without them.
     pub fn new(controls: &Controls, known: &Known) -> Judge {
-        let levels = Levels::of(&controls.design);
+        let levels = Arc::new(Levels::of(&controls.design));
         let mut gates = Gates::new();
         let mut begin = Begin::any(&levels, &mut gates);
         let held: HashSet<usize> = controls.registers().collect();
         for register in &held {
             let place = levels.flops[*register].output;
-            *begin.at_mut(place) = constant(levels.words[place as usize]);
+            *begin.register_mut(*register) = constant(levels.words[place as usize]);
         }
         let registers = (0..levels.flops.len()).filter(|index| !held.contains(index));
         let registers: Vec<usize> = registers.collect();
-        let mut of = known.clock(&levels, gates, begin, registers);
-        let held_bits = !known.held.is_empty();
-        let work = held_bits.then(|| known.held.work(&levels, of.begin.clone(), &of.registers));
-        let work = work.map(|begin| begin.clock(&levels, &mut of.gates));
+        let mut of = known.clock(gates, begin, registers);
+        let work = (!known.held.is_empty()).then(|| {
+            let begin = known.held.work(of.begin.clone(), &of.registers);
+            begin.clock(&mut of.gates)
+        });
         let mut constants = known.constants.iter().flatten();
         let fixed = constants.any(Option::is_some).then(|| {
             let mut begin = of.begin.clone();
-            fix(&known.constants, &levels, &mut begin, &of.registers);
-            begin.clock(&levels, &mut of.gates)
+            fix(&known.constants, &mut begin, &of.registers);
+            begin.clock(&mut of.gates)
         });
-        let state = State::of(&levels, &of.begin);
+        let state = State::of(&of.begin);
         let keeps_nothing = keeps_nothing(&of.gates, &of.clock.end, &state, known.latency);
         of.gates = of.gates.frozen();
         Judge {
-            levels,
             of,
             state,
             known: known.clone(),
@@ -89,7 +88,7 @@ impl Judge {
             return self.by_clocks(upsets, few) == Verdict::Equivalent;
         }
         let mut gates = self.of.gates.clone();
-        let bad = self.with(&self.of.clock, upsets, &mut gates);
+        let bad = self.of.clock.with(upsets, [], &mut gates);
         self.known.always_holds && self.of_a_clock(&bad, &mut gates, few) == Verdict::Equivalent
     }
 
@@ -102,7 +101,7 @@ impl Judge {
     pub fn judge(&self, upsets: &[Upset]) -> Verdict {
         let verdict = self.by_clocks(upsets, CONFLICTS);
         let phases = self.known.phases.as_ref();
-        let is_same = |phases: &Phases| phases.are_same(&self.levels, &self.of, upsets);
+        let is_same = |phases: &Phases| phases.are_same(&self.of, upsets);
         match verdict != Verdict::Equivalent && phases.is_some_and(is_same) {
             true => Verdict::Equivalent,
             false => verdict,
@@ -112,7 +111,7 @@ impl Judge {
     /// The same without a look at the phases of the work.
     fn by_clocks(&self, upsets: &[Upset], conflicts: u64) -> Verdict {
         let mut gates = self.of.gates.clone();
-        let bad = self.with(&self.of.clock, upsets, &mut gates);
+        let bad = self.of.clock.with(upsets, [], &mut gates);
         let of_a_clock = self.of_a_clock(&bad, &mut gates, conflicts);
         let is_same =
             of_a_clock == Verdict::Equivalent || self.is_same_by_constants(upsets, conflicts);
@@ -135,16 +134,16 @@ impl Judge {
     /// Bits of words, where the mutant can differ for words of no more bits alone: what all of these show decides. The
     /// circuit has one input, and each result comes from one word of it.
     pub fn short(&self, upsets: &[Upset]) -> Option<u32> {
-        let [input] = self.levels.inputs() else {
+        let [input] = self.of.begin.levels.inputs() else {
             return None;
         };
         let mut gates = self.of.gates.clone();
-        let bad = self.with(&self.of.clock, upsets, &mut gates);
+        let bad = self.of.clock.with(upsets, [], &mut gates);
         if !self.forgets(&bad, &gates) {
             return None;
         }
         let flow = self.flow()?;
-        let (all, ends) = flow.with(&self.levels, upsets, &[]);
+        let (all, ends) = flow.with(upsets, &[]);
         let later = (1..=self.known.latency).flat_map(|clock| flow.begin(clock).at(input.place));
         let later: Vec<usize> = later.map(|bit| bit.gate()).collect();
         let depends = all.depending(&later);
@@ -162,15 +161,11 @@ impl Judge {
         })
     }
 
-    fn with(&self, good: &Frame, upsets: &[Upset], gates: &mut Gates) -> End {
-        good.with(&self.levels, upset(&self.levels, upsets), gates)
-    }
-
     /// The circuit over its latency.
     fn flow(&self) -> Option<&Unrolled> {
         let Reached { gates, begin, .. } = &self.of;
         let clocks = self.known.latency + 1;
-        let make = || Unrolled::new(&self.levels, gates, begin, clocks, |_, _, _| ());
+        let make = || Unrolled::new(gates, begin, clocks, |_, _, _| ());
         self.flow.get_or_init(make).as_ref()
     }
 
@@ -179,10 +174,10 @@ impl Judge {
         let Some(flow) = self.flow() else {
             return false;
         };
-        let (mut gates, ends) = flow.with(&self.levels, upsets, &[]);
+        let (mut gates, ends) = flow.with(upsets, &[]);
         let last = ends.last().expect("there is a first clock");
         let pairs = zip(&last[0].outputs, &last[1].outputs);
-        let zeros = flow.zeros(&self.known.zeros, &self.levels);
+        let zeros = flow.zeros(&self.known.zeros);
         equality(pairs, &zeros, &mut gates, conflicts) == Verdict::Equivalent
     }
 
@@ -193,7 +188,7 @@ impl Judge {
             return false;
         };
         let mut gates = self.of.gates.clone();
-        let bad = self.with(work, upsets, &mut gates);
+        let bad = work.with(upsets, [], &mut gates);
         let pairs = state_pairs(&self.of.registers, &work.end, &bad);
         let pairs = pairs.chain(zip(&work.end.outputs, &bad.outputs)).collect();
         if equality(pairs, &self.of.assumed, &mut gates, CONFLICTS) != Verdict::Equivalent {
@@ -202,24 +197,22 @@ impl Judge {
         let start = self.start.get_or_init(|| {
             let Reached { gates, begin, .. } = &self.of;
             let held = &self.known.held;
-            held.since_start(&self.levels, gates, begin, self.known.latency)
+            held.since_start(gates, begin, self.known.latency)
         });
         let Some(start) = start else { return false };
-        let (mut gates, ends) = start.with(&self.levels, upsets, &[]);
+        let (mut gates, ends) = start.with(upsets, &[]);
         let [good, bad] = ends.last().expect("there is a first clock");
         let state = state_pairs(&self.of.registers, good, bad);
         let pairs = self.results(&ends).chain(state).collect();
-        let zeros = start.zeros(&self.known.zeros, &self.levels);
+        let zeros = start.zeros(&self.known.zeros);
         equality(pairs, &zeros, &mut gates, CONFLICTS / 10) == Verdict::Equivalent
     }
 
     /// Does the mutant do what the circuit does from rest to rest?
     fn is_same_from_rest(&self, upsets: &[Upset]) -> bool {
-        let rest = self
-            .rest
-            .get_or_init(|| Rest::of(&self.levels, &self.of, &self.known.idle, self.known.latency));
-        rest.as_ref()
-            .is_some_and(|rest| rest.is_same(&self.levels, upsets))
+        let make = || Rest::of(&self.of, &self.known.idle, self.known.latency);
+        let rest = self.rest.get_or_init(make).as_ref();
+        rest.is_some_and(|rest| rest.is_same(upsets))
     }
 
     /// The outputs from the beginning of the work on: before the first result nothing counts but the first output,
@@ -248,7 +241,7 @@ impl Judge {
         };
         let mut gates = self.of.gates.clone();
         let good = &fixed.end;
-        let bad = self.with(fixed, upsets, &mut gates);
+        let bad = fixed.with(upsets, [], &mut gates);
         let mut pairs = zip(&good.outputs, &bad.outputs);
         for (register, constants) in self.of.registers.iter().zip(&self.known.constants) {
             let words = zip(&good.registers[*register], &bad.registers[*register]);

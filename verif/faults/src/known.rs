@@ -10,6 +10,7 @@ use crate::phases::Phases;
 use crate::solve::{Answer, CONFLICTS, ask};
 use crate::unseen::Unseen;
 use imogene_hdl::{Design, Direction, Levels, PortRecord};
+use std::sync::Arc;
 
 /// What a circuit may rely on.
 #[derive(Clone, Debug, Default)]
@@ -66,7 +67,7 @@ pub struct Known {
 impl Known {
     /// Of a design without controls.
     pub fn new(design: &Design, contract: &Contract) -> Known {
-        let levels = Levels::of(design);
+        let levels = Arc::new(Levels::of(design));
         let place = |name: &String| {
             let mut ports = design.top.ports_of(Direction::In);
             ports.position(|port| port.name == *name)
@@ -114,10 +115,10 @@ impl Known {
         known.drop_unproven(&levels);
         if known.always_holds {
             if !contract.seen.is_empty() {
-                known.facts = facts(&levels, known.any_clock(&levels), &contract.seen);
+                known.facts = facts(known.any_clock(&levels), &contract.seen);
             }
             let counts_with = counts_with(design, contract);
-            known.phases = Phases::of(&levels, known.any_clock(&levels), counts_with);
+            known.phases = Phases::of(known.any_clock(&levels), counts_with);
         }
         known.forgotten = known.forgotten(&levels);
         known.unseen = known.unseen(&levels, &counts_with(design, contract));
@@ -149,23 +150,17 @@ impl Known {
     }
 
     /// A clock of the design, with any inputs from any state that is reached.
-    fn any_clock(&self, levels: &Levels) -> Reached {
+    fn any_clock(&self, levels: &Arc<Levels>) -> Reached {
         let mut gates = Gates::new();
         let begin = Begin::any(levels, &mut gates);
-        self.clock(levels, gates, begin, (0..levels.flops.len()).collect())
+        self.clock(gates, begin, (0..levels.flops.len()).collect())
     }
 
     /// The clock with this beginning, of a design with controls beside these registers.
-    pub(crate) fn clock(
-        &self,
-        levels: &Levels,
-        mut gates: Gates,
-        begin: Begin,
-        registers: Vec<usize>,
-    ) -> Reached {
-        let assumed = self.bits(levels, &begin, &registers, &mut gates);
+    pub(crate) fn clock(&self, mut gates: Gates, begin: Begin, registers: Vec<usize>) -> Reached {
+        let assumed = self.bits(&begin, &registers, &mut gates);
         Reached {
-            clock: begin.clock(levels, &mut gates),
+            clock: begin.clock(&mut gates),
             gates,
             begin,
             assumed,
@@ -174,32 +169,24 @@ impl Known {
     }
 
     /// Bits that are 1 in every state that is reached; `registers` are those without controls.
-    fn bits(
-        &self,
-        levels: &Levels,
-        begin: &Begin,
-        registers: &[usize],
-        gates: &mut Gates,
-    ) -> Vec<Bit> {
-        let mut bits: Vec<Bit> = zero_inputs(&self.zeros, levels, begin).collect();
+    fn bits(&self, begin: &Begin, registers: &[usize], gates: &mut Gates) -> Vec<Bit> {
+        let mut bits: Vec<Bit> = zero_inputs(&self.zeros, begin).collect();
         for ((beside, word), zero) in &self.zeros_beside {
-            let beside = begin.at(levels.inputs()[*beside].place);
-            let is_other = differ(gates, beside, &constant(*word));
+            let is_other = differ(gates, begin.input(*beside), &constant(*word));
             let zero = [*zero];
-            let is_zero = zero_inputs(&zero, levels, begin);
+            let is_zero = zero_inputs(&zero, begin);
             bits.extend(is_zero.map(|is| gates.or(is_other, is)));
         }
         for (register, constants) in registers.iter().zip(&self.constants) {
-            let word = begin.at(levels.flops[*register].output);
-            let pairs = word.iter().zip(constants);
+            let pairs = begin.register(*register).iter().zip(constants);
             let constant = pairs.filter_map(|(bit, constant)| Some((bit, (*constant)?)));
             bits.extend(constant.map(|(bit, is)| if is { *bit } else { !*bit }));
         }
         for pair in &self.remainders {
-            let words = pair.map(|index| begin.at(levels.flops[registers[index]].output));
+            let words = pair.map(|index| begin.register(registers[index]));
             bits.push(self.is_remainder(gates, *pair, words));
         }
-        let word = |register: usize| begin.at(levels.flops[registers[register]].output);
+        let word = |register: usize| begin.register(registers[register]);
         bits.extend(self.facts.iter().map(|fact| fact.holds(gates, word)));
         bits
     }
@@ -226,7 +213,7 @@ impl Known {
     }
 
     /// Bits of registers that are forgotten, by their structure in any state, or by what holds before the work.
-    fn forgotten(&self, levels: &Levels) -> Vec<Vec<bool>> {
+    fn forgotten(&self, levels: &Arc<Levels>) -> Vec<Vec<bool>> {
         let first = self.idle.begins.first().map_or(&[][..], |clock| clock);
         let mut forgotten = forgotten(levels, first, self.latency);
         for (register, bits) in forgotten.iter_mut().enumerate() {
@@ -238,10 +225,9 @@ impl Known {
     }
 
     /// Of registers that are not forgotten, whether what they hold at power-up is seen nowhere.
-    fn unseen(&self, levels: &Levels, counts_with: &[Option<usize>]) -> Vec<bool> {
+    fn unseen(&self, levels: &Arc<Levels>, counts_with: &[Option<usize>]) -> Vec<bool> {
         let of = &self.any_clock(levels);
         let unseen = Unseen {
-            levels,
             zeros: &self.zeros,
             counts_with,
             clocks: self.latency + 2,
@@ -255,11 +241,11 @@ impl Known {
     }
 
     /// Do the remainders hold at power-up?
-    fn holds_at_power_up(&self, levels: &Levels) -> bool {
+    fn holds_at_power_up(&self, levels: &Arc<Levels>) -> bool {
         let initial = Begin::initial(levels);
         let mut gates = Gates::new();
         self.remainders.iter().all(|pair| {
-            let words = pair.map(|index| initial.at(levels.flops[index].output));
+            let words = pair.map(|index| initial.register(index));
             self.is_remainder(&mut gates, *pair, words) == YES
         })
     }
@@ -268,7 +254,7 @@ impl Known {
     ///
     /// Those that are left need not hold at power-up: where they do not, they hold in some state, and a circuit that
     /// keeps nothing comes to the same results from there.
-    fn drop_unproven(&mut self, levels: &Levels) {
+    fn drop_unproven(&mut self, levels: &Arc<Levels>) {
         loop {
             let mut of = self.any_clock(levels);
             let end = &of.clock.end;
@@ -285,7 +271,7 @@ impl Known {
             }
             self.always_holds = self.holds_at_power_up(levels);
             if !self.always_holds {
-                let state = State::of(levels, &of.begin);
+                let state = State::of(&of.begin);
                 let some_state = ask(&of.gates, YES, &of.assumed, CONFLICTS, &[]);
                 let hold_in_some_state = matches!(some_state, Answer::When(_));
                 if !hold_in_some_state || !keeps_nothing(&of.gates, end, &state, self.latency) {
@@ -316,21 +302,21 @@ fn at_most_twice(gates: &mut Gates, a: &Word, b: &Word) -> Bit {
 
 /// Bits of registers that are forgotten: two circuits that differ in them alone differ in no others before a clock
 /// with these inputs at 1, and in none once the latency passed after it.
-fn forgotten(levels: &Levels, begins: &[(usize, u64)], latency: usize) -> Vec<Vec<bool>> {
+fn forgotten(levels: &Arc<Levels>, begins: &[(usize, u64)], latency: usize) -> Vec<Vec<bool>> {
     let mut gates = Gates::new();
     let mut begin = Begin::any(levels, &mut gates);
     let registers = levels.flops.iter();
     let registers = registers.map(|flop| begin.at(flop.output).clone());
     let registers: Vec<Word> = registers.collect();
-    let before = begin.clock(levels, &mut gates).end;
+    let before = begin.clock(&mut gates).end;
     for (input, word) in begins {
-        *begin.at_mut(levels.inputs()[*input].place) = constant(*word);
+        *begin.input_mut(*input) = constant(*word);
     }
-    let mut end = begin.clock(levels, &mut gates).end;
+    let mut end = begin.clock(&mut gates).end;
     let mut kept: Word = end.memories.concat();
     for _ in 1..latency.max(1) {
-        begin = begin.after(&end, levels, &mut gates);
-        end = begin.clock(levels, &mut gates).end;
+        begin = begin.after(&end, &mut gates);
+        end = begin.clock(&mut gates).end;
         kept.extend(end.memories.iter().flatten());
     }
     kept.extend(end.registers.iter().flatten());

@@ -4,7 +4,7 @@
 //! found from above: all in every phase, less what a clock may break, until nothing is broken or an output differs.
 
 use crate::controls::Upset;
-use crate::frame::{CONTROL, Reached, Word, constant, differ, free, upset};
+use crate::frame::{CONTROL, Reached, Word, constant, differ, free};
 use crate::gates::{Bit, Gates, NO, YES};
 use crate::solve::{Answer, CONFLICTS, ask, possible};
 use crate::unseen::ports;
@@ -42,12 +42,8 @@ type Alike = Vec<Option<Vec<bool>>>;
 impl Phases {
     /// Of a circuit: all to which it comes from the first one, whatever is in its long registers. There are none if
     /// they are too many.
-    pub(crate) fn of(
-        levels: &Levels,
-        mut of: Reached,
-        counts_with: Vec<Option<usize>>,
-    ) -> Option<Phases> {
-        let end = &of.clock.end;
+    pub(crate) fn of(mut of: Reached, counts_with: Vec<Option<usize>>) -> Option<Phases> {
+        let (levels, end) = (&of.begin.levels, &of.clock.end);
         if of.gates.len() > GATES || !levels.stores.is_empty() {
             return None;
         }
@@ -66,7 +62,7 @@ impl Phases {
             .flat_map(|index| end.registers[*index].clone())
             .collect();
         while phases.seen.len() <= PHASES {
-            let before = |index: usize| of.begin.at(levels.flops[index].output);
+            let before = |index: usize| of.begin.register(index);
             let before = phases.phases(&mut of.gates, before);
             let is_before = before.iter().fold(NO, |any, is| of.gates.or(any, *is));
             let seen = phases.phases(&mut of.gates, |index: usize| &end.registers[index]);
@@ -92,10 +88,10 @@ impl Phases {
     }
 
     /// Does a mutant show nothing that counts?
-    pub(crate) fn are_same(&self, levels: &Levels, of: &Reached, upsets: &[Upset]) -> bool {
+    pub(crate) fn are_same(&self, of: &Reached, upsets: &[Upset]) -> bool {
         let mut alike: Alike = vec![None; of.registers.len()];
         for _ in 0..ATTEMPTS {
-            let Some(broken) = self.broken(levels, of, upsets, &alike) else {
+            let Some(broken) = self.broken(of, upsets, &alike) else {
                 return false;
             };
             if broken.is_empty() {
@@ -118,18 +114,12 @@ impl Phases {
     }
 
     /// What a clock may break before which all is alike that has to be; nothing if the solver gives up.
-    fn broken(
-        &self,
-        levels: &Levels,
-        of: &Reached,
-        upsets: &[Upset],
-        alike: &Alike,
-    ) -> Option<Vec<Goal>> {
-        let mut gates = of.gates.clone();
-        let before = |index: usize| of.begin.at(levels.flops[of.registers[index]].output);
+    fn broken(&self, of: &Reached, upsets: &[Upset], alike: &Alike) -> Option<Vec<Goal>> {
+        let (levels, mut gates) = (&of.begin.levels, of.gates.clone());
+        let before = |index: usize| of.begin.register(of.registers[index]);
         let phases_before = self.phases(&mut gates, before);
         let mut assumed = of.assumed.clone();
-        let mut others: Vec<(u32, Word)> = upset(levels, upsets).collect();
+        let mut others = vec![];
         for (index, phases) in alike.iter().enumerate() {
             let Some(phases) = phases else { continue };
             let flop = &levels.flops[of.registers[index]];
@@ -139,7 +129,7 @@ impl Phases {
             assumed.extend(alike.map(|(phase, _)| !gates.and(*phase, differs)));
             others.push((flop.output, word));
         }
-        let bad = of.clock.with(levels, others.into_iter(), &mut gates);
+        let bad = of.clock.with(upsets, others, &mut gates);
         let good = &of.clock.end;
         let after = |index: usize| &good.registers[of.registers[index]];
         let phases_after = self.phases(&mut gates, after);

@@ -5,11 +5,10 @@
 
 use crate::controls::Upset;
 use crate::flow::Unrolled;
-use crate::frame::{Begin, Frame, Reached, Word, free, state_pairs, upset, zip};
+use crate::frame::{Begin, Frame, Reached, Word, free, state_pairs, zip};
 use crate::gates::{Gates, NO};
 use crate::idle::Idle;
 use crate::solve::{CONFLICTS, Verdict, equality};
-use imogene_hdl::Levels;
 
 /// A clock of rest, and the work from there.
 pub(crate) struct Rest {
@@ -24,7 +23,8 @@ pub(crate) struct Rest {
 
 impl Rest {
     /// Of a circuit without memories whose work begins with one bit and ends with the latency.
-    pub(crate) fn of(levels: &Levels, of: &Reached, idle: &Idle, latency: usize) -> Option<Rest> {
+    pub(crate) fn of(of: &Reached, idle: &Idle, latency: usize) -> Option<Rest> {
+        let levels = &of.begin.levels;
         let [input] = idle.quiet[..] else {
             return None;
         };
@@ -33,27 +33,27 @@ impl Rest {
         }
         let mut idle = idle.of_control();
         loop {
-            let begin = idle.begin(levels, of.begin.clone(), &of.registers);
+            let begin = idle.begin(of.begin.clone(), &of.registers);
             let mut gates = of.gates.clone();
-            let clock = begin.clock(levels, &mut gates);
+            let clock = begin.clock(&mut gates);
             let words = levels.flops.iter().map(|flop| free(flop.width, &mut gates));
             let words: Vec<Word> = words.collect();
             let gates = gates.frozen();
             let fix = |clock, begin: &mut Begin, _: &[(Begin, Frame)]| {
                 if clock == 0 {
-                    idle.fix(levels, 0, begin);
+                    idle.fix(0, begin);
                 }
             };
-            let work = Unrolled::new(levels, &gates, &begin, latency, fix)?;
+            let work = Unrolled::new(&gates, &begin, latency, fix)?;
             let ends = [&clock.end, work.end()];
             if ends.map(|end| idle.drop_changing(end, &of.registers)) != [false; 2] {
                 continue;
             }
             let is_dead = |index: &usize| {
-                let mut bits = begin.at(levels.flops[*index].output).iter();
+                let mut bits = begin.register(*index).iter();
                 bits.all(|bit| bit.gate() != NO.gate())
-                    && work.is_dead(levels, *index)
-                    && clock.is_dead(levels, &begin, &gates, *index)
+                    && work.is_dead(*index)
+                    && clock.is_dead(&begin, &gates, *index)
             };
             let registers = of.registers.iter().copied();
             let (dead, kept): (Vec<usize>, Vec<usize>) = registers.partition(is_dead);
@@ -69,17 +69,16 @@ impl Rest {
     }
 
     /// Does a mutant do the same?
-    pub(crate) fn is_same(&self, levels: &Levels, upsets: &[Upset]) -> bool {
+    pub(crate) fn is_same(&self, upsets: &[Upset]) -> bool {
         let mut gates = self.gates.clone();
-        let others = self.dead.iter().cloned().chain(upset(levels, upsets));
-        let bad = self.clock.with(levels, others, &mut gates);
+        let bad = (self.clock).with(upsets, self.dead.iter().cloned(), &mut gates);
         let pairs = state_pairs(&self.kept, &self.clock.end, &bad);
         let outputs = zip(&self.clock.end.outputs, &bad.outputs);
         let pairs = pairs.chain(outputs).collect();
         if equality(pairs, &[], &mut gates, CONFLICTS) != Verdict::Equivalent {
             return false;
         }
-        let (mut gates, ends) = self.work.with(levels, upsets, &self.dead);
+        let (mut gates, ends) = self.work.with(upsets, &self.dead);
         let outputs = ends.iter();
         let outputs = outputs.flat_map(|[good, bad]| zip(&good.outputs, &bad.outputs));
         let [good, bad] = ends.last().expect("there is a first clock");

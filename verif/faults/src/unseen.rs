@@ -11,7 +11,6 @@ const GATES: usize = 400_000;
 
 /// A circuit, and what of its outputs counts.
 pub(crate) struct Unseen<'a> {
-    pub(crate) levels: &'a Levels,
     /// Bits of inputs that are 0.
     pub(crate) zeros: &'a [(usize, u32)],
     /// Of each output, the one without which it counts nothing.
@@ -25,29 +24,26 @@ pub(crate) struct Unseen<'a> {
 impl Unseen<'_> {
     /// Is what a register holds at power-up seen nowhere?
     pub(crate) fn is(&self, register: usize) -> bool {
-        if self.clocks * self.levels.code.len() * 16 > GATES {
+        let levels = &self.of.begin.levels;
+        if self.clocks * levels.code.len() * 16 > GATES {
             return false;
         }
-        let mut flags = (0..self.levels.flops.len()).filter(|flag| self.width(*flag) == 1);
+        let mut flags = (0..levels.flops.len()).filter(|flag| levels.flops[*flag].width == 1);
         self.is_gone(register) || flags.any(|flag| self.is_behind(register, flag))
-    }
-
-    fn width(&self, register: usize) -> u32 {
-        self.levels.flops[register].width
     }
 
     /// Is it gone soon after power-up?
     fn is_gone(&self, register: usize) -> bool {
-        let levels = self.levels;
+        let levels = &self.of.begin.levels;
         let mut gates = Gates::new();
         let mut begin = Begin::at_power_up(levels, &mut gates);
-        let other = free(self.width(register), &mut gates);
-        let mut others = vec![(levels.flops[register].output, other)];
+        let flop = &levels.flops[register];
+        let mut others = vec![(flop.output, free(flop.width, &mut gates))];
         let (mut pairs, mut assumed) = (vec![], vec![]);
         for _ in 0..self.clocks {
-            assumed.extend(zero_inputs(self.zeros, levels, &begin));
-            let clock = begin.clock(levels, &mut gates);
-            let bad = clock.with(levels, others.into_iter(), &mut gates);
+            assumed.extend(zero_inputs(self.zeros, &begin));
+            let clock = begin.clock(&mut gates);
+            let bad = clock.with(&[], others, &mut gates);
             pairs.extend(self.outputs(&clock.end, &bad, &mut gates));
             others = vec![];
             for (index, store) in levels.stores.iter().enumerate() {
@@ -63,38 +59,30 @@ impl Unseen<'_> {
                     others.push((flop.output, words[1].clone()));
                 }
             }
-            begin = begin.after(&clock.end, levels, &mut gates);
+            begin = begin.after(&clock.end, &mut gates);
         }
         // What is left has to be equal, whatever it looks like.
-        pairs.extend(
-            others
-                .iter()
-                .flat_map(|(place, bad)| zip(begin.at(*place), bad)),
-        );
+        let left = others.iter();
+        pairs.extend(left.flat_map(|(place, bad)| zip(begin.at(*place), bad)));
         equality(pairs, &assumed, &mut gates, CONFLICTS) == Verdict::Equivalent
     }
 
     /// Does it differ only while a flag is as at power-up, and shows nothing then?
     fn is_behind(&self, register: usize, flag: usize) -> bool {
-        let (levels, of) = (self.levels, self.of);
-        let is_up = levels.words[levels.flops[flag].output as usize] == 1;
-        let rest = |word: &Word| {
-            if is_up {
-                bit_of(word, 0)
-            } else {
-                !bit_of(word, 0)
-            }
-        };
         if flag == register {
             return false;
         }
+        let (levels, of) = (&self.of.begin.levels, self.of);
+        let is_up = levels.words[levels.flops[flag].output as usize] == 1;
+        let rest = |word: &Word| match bit_of(word, 0) {
+            bit if is_up => bit,
+            bit => !bit,
+        };
         let mut gates = of.gates.clone();
-        let place = levels.flops[register].output;
-        let other = free(self.width(register), &mut gates);
-        let bad = of
-            .clock
-            .with(levels, [(place, other)].into_iter(), &mut gates);
-        let at_rest = rest(of.begin.at(levels.flops[flag].output));
+        let flop = &levels.flops[register];
+        let other = (flop.output, free(flop.width, &mut gates));
+        let bad = of.clock.with(&[], [other], &mut gates);
+        let at_rest = rest(of.begin.register(flag));
         let assumed = [&of.assumed[..], &[at_rest]].concat();
         let mut pairs = self.outputs(&of.clock.end, &bad, &mut gates);
         let memories = of.clock.end.memories.iter().zip(&bad.memories);
@@ -114,7 +102,7 @@ impl Unseen<'_> {
     /// The bits of the outputs, where they count.
     fn outputs(&self, good: &End, bad: &End, gates: &mut Gates) -> Vec<(Bit, Bit)> {
         let mut pairs = vec![];
-        let ports = ports(self.levels);
+        let ports = ports(&self.of.begin.levels);
         for (port, flag) in ports.iter().zip(self.counts_with) {
             for place in port.clone() {
                 let both = [good, bad].map(|end| match flag {
