@@ -5,10 +5,7 @@
 //! the output is never 1, or gives a clock at which it is. So the two circuits give equal outputs for every sequence of
 //! inputs of any length.
 
-use crate::engine::design::DesignError;
-use imogene_contract::{Request, Unit};
-use imogene_hdl::{Levels, Module};
-use imogene_rtl::emit::{design, emit, raw};
+use imogene_hdl::Module;
 use imogene_tools::{ToolError, YOSYS_ABC, scratch, write, yosys};
 
 /// What was found.
@@ -29,21 +26,6 @@ pub struct Text<'a> {
     pub top: &'a str,
     /// All modules.
     pub verilog: &'a str,
-}
-
-/// Compares the emitted text of a unit with rust-hdl's own.
-fn compare_unit(request: &Request) -> Result<Verdict, DesignError> {
-    let printed = raw(request)?;
-    let emitted = emit(request)?;
-    let theirs = Text {
-        top: "top",
-        verilog: &printed,
-    };
-    let ours = Text {
-        top: &emitted.top,
-        verilog: &emitted.bundle(),
-    };
-    Ok(compare(theirs, ours)?)
 }
 
 /// Compares two texts from their initial values on.
@@ -77,47 +59,6 @@ pub fn compare(one: Text, other: Text) -> Result<Verdict, ToolError> {
         }
         _ => Verdict::Open,
     })
-}
-
-/// A unit and what was found of it.
-pub struct Row {
-    /// Unit.
-    pub unit: Unit,
-    /// Bits of its registers.
-    pub bits: u32,
-    /// What was found; nothing of a unit with a memory, which has too many bits.
-    pub verdict: Option<Verdict>,
-}
-
-impl Row {
-    /// Compares a unit at a depth word.
-    pub fn of(unit: Unit, depth_word: u32) -> Result<Row, DesignError> {
-        let request = Request::of(unit, depth_word);
-        let design = design(&request)?;
-        Ok(Row {
-            unit,
-            bits: Levels::of(&design)
-                .flops
-                .iter()
-                .map(|flop| flop.width)
-                .sum(),
-            verdict: match memory_bits(&design.top) {
-                0 => Some(compare_unit(&request)?),
-                _ => None,
-            },
-        })
-    }
-
-    /// The row of the table of all units.
-    pub fn markdown(&self) -> String {
-        let verdict = match self.verdict {
-            Some(Verdict::Equal) => "equal",
-            Some(Verdict::Differs(_)) => "differs",
-            Some(Verdict::Open) => "open",
-            None => "has a memory",
-        };
-        format!("| {} | {} | {verdict} |", self.unit.name(), self.bits)
-    }
 }
 
 /// Bits of all block memories in a module. Each is a register to a proof.

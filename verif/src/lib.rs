@@ -3,7 +3,7 @@
 //! The only place where `rtl` and `models` meet. A [`subject::Subject`] puts a unit's hardware and golden model side by
 //! side and compares every output on every clock; [`unit`](mod@unit) has one for each unit, [`scene`] does the same for
 //! a whole machine drawing a scene. [`waveform`] writes the waveforms of both. The hardware runs in an [`engine`];
-//! [`mutation`] measures what the stimuli notice; [`equivalence`] proves the emitted text equal to rust-hdl's own.
+//! [`mutation`] measures what the stimuli notice; [`equivalence`] proves two texts the same circuit.
 //!
 //! ```
 //! use imogene_contract::{Request, RequestError, Unit};

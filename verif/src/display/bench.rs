@@ -12,7 +12,6 @@ use imogene_plan::display::Image;
 use minijinja::{Environment, context};
 use serde_json::{Value, json};
 use std::fmt::Write;
-use thiserror::Error;
 
 const TEMPLATE: &str = include_str!("bench/bench.v");
 
@@ -22,11 +21,6 @@ const PIXELS: &str = "pixels.hex";
 const OVERLAY: &str = "overlay.hex";
 const BENCH: &str = "bench.v";
 const DESCRIPTION: &str = "bench.json";
-
-/// The bench cannot be written from its template.
-#[derive(Debug, Error)]
-#[error("the bench cannot be written from its template: {0}")]
-pub struct BenchError(#[from] minijinja::Error);
 
 /// A frame that a bench sends, and what it expects then.
 pub struct BenchFrame<'a> {
@@ -102,7 +96,7 @@ impl Words<'_> {
 
 impl Bench<'_> {
     /// The files, each with its name.
-    pub fn files(&self) -> Result<Vec<(&'static str, String)>, BenchError> {
+    pub fn files(&self) -> Vec<(&'static str, String)> {
         let format = self.machine.format();
         let format = format.expect("a description that was checked");
         let slots = self.machine.slots();
@@ -120,8 +114,8 @@ impl Bench<'_> {
         let description = serde_json::to_string_pretty(&self.description(&words));
         let description = description.expect("every key is a string");
         files.push((DESCRIPTION, description + "\n"));
-        files.push((BENCH, self.bench(data, words[0].count())?));
-        Ok(files)
+        files.push((BENCH, self.bench(data, words[0].count())));
+        files
     }
 
     fn is_beam(&self) -> bool {
@@ -236,7 +230,7 @@ impl Bench<'_> {
         rules.concat()
     }
 
-    fn bench(&self, data: usize, beats: usize) -> Result<String, BenchError> {
+    fn bench(&self, data: usize, beats: usize) -> String {
         let (mode, (width, height)) = (mode(self.machine), self.frame_size());
         let zone = self.machine.zone;
         let zone = zone.map_or(0, |zone| u64::from(zone.width * zone.height));
@@ -259,7 +253,7 @@ impl Bench<'_> {
             overlay => self.overlay.map(|plane| plane.words.len()),
             overlay_colour => colour,
         });
-        Ok(text? + "\n")
+        text.expect("the template has these names alone") + "\n"
     }
 }
 

@@ -7,41 +7,28 @@ use super::words::Ports;
 use crate::signal::Signal;
 use crate::stimulus::{depth, mapped, word};
 use crate::subject::{Inputs, Stimuli, Subject};
+use imogene_contract::object::Kind;
+use imogene_contract::slots::FittedSlot;
 use imogene_contract::words::{BACK_PLANE, FRONT_PLANE, far_end, saturated_near};
 use imogene_contract::{Request, Unit};
 use imogene_golden::format::Format;
-use imogene_golden::object::curved_facet::{self, CurvedFacetWords};
-use imogene_golden::object::cylinder::{self, CylinderWords};
-use imogene_golden::object::facet::{self, FacetWords};
-use imogene_golden::object::first_generation::{self, FirstGenerationWords};
-use imogene_golden::object::patch;
+use imogene_golden::object::load_slot::held as held_by;
 use imogene_golden::object::polyhedron::{self, PolyhedronWords};
-use imogene_golden::object::quadric::{self, PlaneWords, QuadricWords};
-use imogene_golden::object::quotient::{self, QuotientWords};
+use imogene_golden::object::quadric::{self, PlaneWords};
 use imogene_golden::object::screen_box::ScreenBox;
 use imogene_golden::object::slot::ProcessorWords;
-use imogene_golden::object::sphere::{self, SphereWords};
 use imogene_golden::object::volume::{
     FROM_DEPTH, VolumeKind, VolumePlane, VolumeQuadric, VolumeWords, polyhedral_latency,
     quadric_latency,
 };
 use imogene_golden::object::words::Object;
-use imogene_golden::unit::depth_interval::Class;
-use imogene_golden::unit::pe1::Linear;
-use imogene_golden::unit::pe2::Quadratic;
+use imogene_golden::object::{
+    curved_facet, cylinder, facet, first_generation, patch, quotient, sphere,
+};
 use proptest::prelude::*;
 
 /// The kind of a plane that cuts away what lies before it; a kind without this bit does not.
 const FRONT: i64 = FRONT_PLANE as i64;
-
-/// Of a quadric with so many planes.
-fn quadric_words(class: Class, planes: usize) -> QuadricWords {
-    QuadricWords {
-        class,
-        planes: vec![PlaneWords::default(); planes],
-        ..QuadricWords::default()
-    }
-}
 
 /// What the words of a processor are likely to be.
 #[rustfmt::skip]
@@ -60,51 +47,40 @@ fn plan(unit: Unit) -> &'static [(&'static str, Likely)] {
     }
 }
 
-/// Depths, face and normal behind `out_valid`, as many clocks after the flags as the processor takes. Its words have
-/// the shape of these, and are likely what the plan says.
+/// Depths, face and normal behind `out_valid`, as many clocks after the flags as the processor takes. Its words are
+/// likely what the plan says.
 pub(super) fn object_processor(request: &Request, format: Format) -> Description {
-    use ProcessorWords as Words;
-    let [planes, sides] = [request.planes, request.sides].map(|count| count as usize);
-    let rows = request.rows_per_stage;
-    let (latency, words) = match request.unit {
-        Unit::FacetProcessor => {
-            let mut words = FacetWords::default();
-            words.edges.resize_with(sides, Linear::default);
-            (facet::LATENCY, Words::Facet(words))
-        }
-        Unit::CurvedFacetProcessor => {
-            let mut words = CurvedFacetWords::default();
-            words.sides.resize_with(sides, Quadratic::default);
-            (curved_facet::LATENCY, Words::CurvedFacet(words))
-        }
-        Unit::SphereProcessor => (sphere::LATENCY, Words::Sphere(SphereWords::default())),
-        Unit::CylinderProcessor => (cylinder::LATENCY, Words::Cylinder(CylinderWords::default())),
-        Unit::PatchProcessor => {
-            let words = quadric_words(Class::Patch, planes);
-            (patch::latency(&format, rows), Words::Patch(words))
-        }
-        Unit::FirstGenerationProcessor => {
-            let words = Words::FirstGeneration(FirstGenerationWords::default());
-            (first_generation::latency(&format, rows), words)
-        }
-        Unit::QuadricProcessor => {
-            let words = Words::Quadric(quadric_words(Class::Side, planes));
-            (quadric::latency(&format, planes, rows), words)
-        }
-        Unit::QuotientProcessor => {
-            let mut words = QuotientWords::default();
-            words.planes.resize_with(planes, PlaneWords::default);
-            let latency = quotient::latency(&format, planes, rows);
-            (latency, Words::Quotient(words))
-        }
+    let (unit, rows) = (request.unit, request.rows_per_stage);
+    let count = match unit.has("sides") {
+        true => request.sides,
+        false => request.planes,
+    };
+    let planes = count as usize;
+    let (kind, latency) = match unit {
+        Unit::FacetProcessor => (Kind::Facet, facet::LATENCY),
+        Unit::CurvedFacetProcessor => (Kind::CurvedFacet, curved_facet::LATENCY),
+        Unit::SphereProcessor => (Kind::Sphere, sphere::LATENCY),
+        Unit::CylinderProcessor => (Kind::Cylinder, cylinder::LATENCY),
+        Unit::PatchProcessor => (Kind::Patch, patch::latency(&format, rows)),
+        Unit::FirstGenerationProcessor => (
+            Kind::FirstGeneration,
+            first_generation::latency(&format, rows),
+        ),
+        Unit::QuadricProcessor => (Kind::Quadric, quadric::latency(&format, planes, rows)),
+        Unit::QuotientProcessor => (Kind::Quotient, quotient::latency(&format, planes, rows)),
         other => unreachable!("{other:?} hands on no single face"),
     };
-    let pixel = |words: &Words, [x, y]: [i64; 2], format: &Format, _: &[i64]| {
+    // Words of its shape.
+    let words = held_by(
+        &vec![0; kind.words(planes)],
+        &format,
+        &FittedSlot::of(kind, count),
+    );
+    let pixel = |words: &ProcessorWords, [x, y]: [i64; 2], format: &Format, _: &[i64]| {
         let p = words.at(x, y, format);
         let [nx, ny, nz] = p.normal.map(i64::from);
         [p.zf, p.zb, p.number.into(), nx, ny, nz]
     };
-    let unit = request.unit;
     let plan = planned(plan(unit));
     let stimulus = move |subject: &Subject, clocks| {
         let zones = plan(subject, clocks);

@@ -2,8 +2,11 @@
 //! unit at the base format and at the shortest under `IMOGENE_PROOFS=1`; small units at the base format otherwise.
 
 use super::{is_proof_run, root, verilog};
-use imogene_contract::Unit;
-use imogene_verif::equivalence::{Row, Text, Verdict, compare};
+use imogene_contract::{Request, Unit};
+use imogene_hdl::Levels;
+use imogene_rtl::emit::{design, emit, raw};
+use imogene_verif::engine::design::DesignError;
+use imogene_verif::equivalence::{Text, Verdict, compare, memory_bits};
 
 /// Units that take seconds.
 const SMALL: [Unit; 7] = [
@@ -15,6 +18,61 @@ const SMALL: [Unit; 7] = [
     Unit::Decider,
     Unit::RasterControl,
 ];
+
+/// Compares the emitted text of a unit with rust-hdl's own.
+fn compare_unit(request: &Request) -> Result<Verdict, DesignError> {
+    let printed = raw(request)?;
+    let emitted = emit(request)?;
+    let theirs = Text {
+        top: "top",
+        verilog: &printed,
+    };
+    let ours = Text {
+        top: &emitted.top,
+        verilog: &emitted.bundle(),
+    };
+    Ok(compare(theirs, ours)?)
+}
+
+/// A unit and what was found of it.
+struct Row {
+    unit: Unit,
+    /// Of its registers.
+    bits: u32,
+    /// What was found; nothing of a unit with a memory, which has too many bits.
+    verdict: Option<Verdict>,
+}
+
+impl Row {
+    /// Compares a unit at a depth word.
+    fn of(unit: Unit, depth_word: u32) -> Result<Row, DesignError> {
+        let request = Request::of(unit, depth_word);
+        let design = design(&request)?;
+        Ok(Row {
+            unit,
+            bits: Levels::of(&design)
+                .flops
+                .iter()
+                .map(|flop| flop.width)
+                .sum(),
+            verdict: match memory_bits(&design.top) {
+                0 => Some(compare_unit(&request)?),
+                _ => None,
+            },
+        })
+    }
+
+    /// The row of the table of all units.
+    fn markdown(&self) -> String {
+        let verdict = match self.verdict {
+            Some(Verdict::Equal) => "equal",
+            Some(Verdict::Differs(_)) => "differs",
+            Some(Verdict::Open) => "open",
+            None => "has a memory",
+        };
+        format!("| {} | {} | {verdict} |", self.unit.name(), self.bits)
+    }
+}
 
 /// The rows of the table at a depth word, of units that are all proven equal where rust-hdl prints them.
 fn rows(depth_word: u32) -> Vec<String> {

@@ -60,7 +60,7 @@ pub(super) fn add_bench(
         frames: &frames,
         overlay,
     };
-    for (name, text) in bench.files()? {
+    for (name, text) in bench.files() {
         files.add_text(&out.join(name), &text)?;
     }
     Ok(())
