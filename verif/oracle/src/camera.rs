@@ -12,7 +12,7 @@ use crate::interval::Interval;
 use crate::transform::{Vector, apply, placement, unit};
 use crate::verdict::{Cell, Ends};
 use imogene_algebra::rational::{from_decimal, from_f64_exact, integer, to_f64};
-use imogene_scene::{Camera, DepthRange, Lens, Step};
+use imogene_scene::{Camera, DepthRange, Lens};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 use std::ops::{Mul, Sub};
@@ -40,34 +40,11 @@ impl Sight {
     ///
     /// They go through the places of pixels at which the camera samples.
     pub fn new(camera: &Camera, range: &DepthRange, width: u32, height: u32) -> Sight {
-        let mut sight = Sight::through_whole_places(camera, range, width, height);
-        let [column, line, start] = match sight.perspective {
-            true => &mut sight.along,
-            false => &mut sight.from,
-        };
-        let halves = camera.sample_at.map(|v| from_decimal(v) * integer(2));
-        for (axis, halves) in [column, line].into_iter().zip(&halves) {
-            for (sum, part) in start.iter_mut().zip(axis) {
-                *sum += &*part * halves;
-            }
-        }
-        sight
-    }
-
-    /// Through places (X, Y) alone.
-    fn through_whole_places(camera: &Camera, range: &DepthRange, width: u32, height: u32) -> Sight {
-        let lines = integer(i64::from(height));
-        let Camera {
-            eye,
-            target,
-            up,
-            view_height,
-            ..
-        } = camera;
-        let observer = Observer::placed(eye, target, up, &camera.node.place);
+        let observer = Observer::of(camera);
         let [right, down, forward] = screen_axes(observer.view, observer.up);
-        let half_pixel = from_decimal(*view_height) / (lines * integer(2));
-        let (from, along, perspective) = match camera.lens {
+        let half_pixel = from_decimal(camera.view_height) / integer(2 * i64::from(height));
+        // Through places (X, Y).
+        let (mut from, mut along, perspective) = match camera.lens {
             Lens::Perspective {
                 viewer_distance, ..
             } => {
@@ -89,6 +66,16 @@ impl Sight {
                 ([right, down, origin], along, false)
             }
         };
+        let [column, line, start] = match perspective {
+            true => &mut along,
+            false => &mut from,
+        };
+        let halves = camera.sample_at.map(|v| from_decimal(v) * integer(2));
+        for (axis, halves) in [column, line].into_iter().zip(&halves) {
+            for (sum, part) in start.iter_mut().zip(axis) {
+                *sum += &*part * halves;
+            }
+        }
         Sight {
             width,
             height,
@@ -180,7 +167,11 @@ struct Observer {
 
 impl Observer {
     /// The observer after the steps of its placement; without any its directions are the written numbers.
-    fn placed(eye: &[f64; 3], target: &[f64; 3], up: &[f64; 3], steps: &[Step]) -> Observer {
+    fn of(camera: &Camera) -> Observer {
+        let Camera {
+            eye, target, up, ..
+        } = camera;
+        let steps = &camera.node.place;
         if steps.is_empty() {
             return Observer {
                 eye: point(eye),

@@ -9,7 +9,7 @@
 
 use crate::body::Body;
 use crate::camera::{Affine, Sight, point};
-use crate::interval::{Interval, about_all};
+use crate::interval::{Interval, about_all, dot};
 use crate::trace::material;
 use crate::transform::{apply, placement};
 use imogene_algebra::rational::from_decimal;
@@ -122,7 +122,7 @@ impl Colours {
         let (from, along) = (on(&self.from), on(&self.along));
         let way = along.map(|v| surface.t * v);
         let place = each(|k| from[k] + way[k]);
-        let distance = sum(way.iter().map(|v| v.square())).sqrt();
+        let distance = length(way);
         let part = self.half.map(Interval::point);
         let part = part.map_or(Interval::point(1.0), |half| half / (distance + half));
         let viewer = unit(along.map(|v| -v)).map(|v| v.widened(VIEW));
@@ -194,12 +194,12 @@ impl Body {
         let gradient: [Interval; 4] = match number.checked_sub(2) {
             None => {
                 let form = body.quick.form?;
-                form.map(|row| sum(row.into_iter().zip(place).map(|(a, b)| a * b)))
+                form.map(|row| dot(&row, &place))
             }
             Some(plane) => *body.quick.planes.get(usize::from(plane))?,
         };
-        let rows = || body.frame.iter().zip(gradient);
-        let normal = unit(each(|k| sum(rows().map(|(row, own)| row[k] * own))));
+        let column = |k: usize| body.frame.map(|row| row[k]);
+        let normal = unit(each(|k| dot(&column(k), &gradient)));
         normal.iter().all(|v| v.width() < 1.0).then_some(normal)
     }
 }
@@ -208,17 +208,13 @@ fn each(of: impl Fn(usize) -> Interval) -> [Interval; 3] {
     std::array::from_fn(of)
 }
 
-fn sum(terms: impl Iterator<Item = Interval>) -> Interval {
-    terms.fold(Interval::ZERO, |sum, term| sum + term)
-}
-
-fn dot(a: &Direction, b: &Direction) -> Interval {
-    sum(a.iter().zip(b).map(|(a, b)| *a * *b))
+fn length(vector: Direction) -> Interval {
+    let [x, y, z] = vector.map(Interval::square);
+    (x + y + z).sqrt()
 }
 
 fn unit(vector: Direction) -> Direction {
-    let length = sum(vector.iter().map(|v| v.square())).sqrt();
-    vector.map(|v| v / length)
+    vector.map(|v| v / length(vector))
 }
 
 fn direction([x, y, z, _]: &[BigRational; 4]) -> Direction {

@@ -5,7 +5,7 @@
 //! (there is no other structure of space).
 
 use crate::body::{Body, CutBody};
-use crate::interval::Interval;
+use crate::interval::{Interval, dot};
 use crate::verdict::{Cell, Verdict};
 use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END};
 use imogene_scene::Surface;
@@ -279,10 +279,6 @@ fn roots(line: &Line) -> [Interval; 2] {
         true => [one, other],
         false => [other, one],
     }
-}
-
-fn dot(u: &[Interval; 4], v: &[Interval; 4]) -> Interval {
-    u[0] * v[0] + u[1] * v[1] + u[2] * v[2] + u[3] * v[3]
 }
 
 fn product(form: &[[Interval; 4]; 4], v: &[Interval; 4]) -> [Interval; 4] {

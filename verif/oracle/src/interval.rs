@@ -5,7 +5,7 @@
 //! is the whole line.
 
 use num_rational::BigRational;
-use num_traits::{FromPrimitive, ToPrimitive, Zero};
+use num_traits::{FromPrimitive, ToPrimitive};
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -200,13 +200,13 @@ impl Div for Interval {
     }
 }
 
-/// The interval of zero for a rational zero, which keeps exact zeros exact.
+/// The narrowest intervals about exact values; exact zeros stay so.
 pub fn about_all<const N: usize>(values: &[BigRational; N]) -> [Interval; N] {
-    values.each_ref().map(|v| {
-        if v.is_zero() {
-            Interval::ZERO
-        } else {
-            Interval::about(v)
-        }
-    })
+    values.each_ref().map(Interval::about)
+}
+
+/// The sum of the products of numbers of each.
+pub(crate) fn dot<const N: usize>(u: &[Interval; N], v: &[Interval; N]) -> Interval {
+    let products = u.iter().zip(v).map(|(u, v)| *u * *v);
+    products.fold(Interval::ZERO, Interval::add)
 }
