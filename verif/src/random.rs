@@ -9,7 +9,6 @@ use rayon::prelude::*;
 use std::ops::Range;
 use std::time::Instant;
 
-/// The generator of a seed.
 pub(crate) fn generator(seed: u64) -> TestRng {
     let mut bytes = [0u8; 32];
     bytes[..8].copy_from_slice(&seed.to_le_bytes());

@@ -1,7 +1,7 @@
 //! Random stimulus biased to where arithmetic breaks: the ends of the word, powers of two, ties.
 
 use crate::signal::Signal;
-use crate::subject::{Inputs, Stimuli};
+use crate::subject::{Inputs, Stimuli, Subject};
 use proptest::prelude::*;
 use proptest::sample::select;
 use std::fmt::Debug;
@@ -52,8 +52,8 @@ pub fn flags() -> BoxedStrategy<[i64; 3]> {
 }
 
 /// Flags on the first three ports, words on the others.
-pub fn raster(ports: &[Signal], clocks: usize) -> Stimuli {
-    let rest: Vec<_> = ports[3..].iter().map(word).collect();
+pub fn raster(subject: &Subject, clocks: usize) -> Stimuli {
+    let rest: Vec<_> = subject.inputs[3..].iter().map(word).collect();
     mapped(proptest::collection::vec((flags(), rest), clocks), |list| {
         let one = |(flags, rest): ([i64; 3], Inputs)| [&flags[..], &rest].concat();
         let mut list: Vec<Inputs> = list.into_iter().map(one).collect();

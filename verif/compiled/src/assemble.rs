@@ -217,10 +217,7 @@ impl Assembler {
 
     /// One word in every lane.
     pub(crate) fn spread(&mut self, to: u8, from: Operand) {
-        match self.lanes {
-            Lanes::Eight => self.evex(SPREAD, to, 0, from, 0),
-            _ => self.vex(SPREAD, true, to, 0, from),
-        }
+        self.whole(SPREAD, to, from);
     }
 
     fn whole(&mut self, code: Code, register: u8, place: Operand) {

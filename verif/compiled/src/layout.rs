@@ -22,7 +22,6 @@ pub(crate) enum Lanes {
     Eight,
 }
 
-/// The most of them.
 pub(crate) const MOST_LANES: usize = Lanes::Eight.count();
 
 impl Lanes {
@@ -68,7 +67,6 @@ pub(crate) struct Block {
 }
 
 impl Block {
-    /// Of a register.
     pub(crate) fn register(&self, index: usize) -> usize {
         self.inputs + index
     }

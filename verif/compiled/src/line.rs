@@ -35,7 +35,6 @@ pub(crate) enum Two {
 }
 
 impl Two {
-    /// Of two words.
     pub(crate) fn of(self, a: u64, b: u64) -> u64 {
         let mask = |is_so: bool| if is_so { ONES } else { 0 };
         let by = |count: u64| u32::try_from(count).unwrap_or(u32::MAX);
@@ -96,7 +95,6 @@ pub(crate) enum Step {
 }
 
 impl Step {
-    /// The values that it reads.
     pub(crate) fn reads(&self) -> impl Iterator<Item = Value> {
         use Step::*;
         let reads = match *self {

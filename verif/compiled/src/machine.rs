@@ -12,7 +12,6 @@ use memmap2::{Mmap, MmapMut};
 #[cfg(target_arch = "x86_64")]
 type Entry = unsafe extern "sysv64" fn(*mut u64, *mut u64, *mut u64, *const u64, *const *const i64);
 
-/// Functions as machine code.
 pub(crate) struct Machine {
     pub(crate) code: Mmap,
     /// Where each function begins.

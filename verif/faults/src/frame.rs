@@ -96,32 +96,26 @@ impl Begin {
         self
     }
 
-    /// The word at a place.
     pub(crate) fn at(&self, place: u32) -> &Word {
         &self.words[place as usize]
     }
 
-    /// What a register holds.
     pub(crate) fn register(&self, index: usize) -> &Word {
         self.at(self.levels.flops[index].output)
     }
 
-    /// The same, to be fixed.
     pub(crate) fn register_mut(&mut self, index: usize) -> &mut Word {
         &mut self.words[self.levels.flops[index].output as usize]
     }
 
-    /// What an input is given.
     pub(crate) fn input(&self, index: usize) -> &Word {
         self.at(self.levels.inputs()[index].place)
     }
 
-    /// The same, to be fixed.
     pub(crate) fn input_mut(&mut self, index: usize) -> &mut Word {
         &mut self.words[self.levels.inputs()[index].place as usize]
     }
 
-    /// One clock.
     pub(crate) fn clock(&self, gates: &mut Gates) -> Frame {
         let levels = &self.levels;
         let mut words = self.words.clone();
@@ -156,7 +150,6 @@ pub(crate) struct Frame {
 }
 
 impl Frame {
-    /// The word at a place.
     pub(crate) fn at(&self, place: u32) -> &Word {
         &self.words[place as usize]
     }
@@ -277,12 +270,10 @@ pub(crate) fn free(width: u32, gates: &mut Gates) -> Word {
     (0..width).map(|_| gates.input()).collect()
 }
 
-/// A bit of a word.
 pub(crate) fn bit_of(word: &Word, index: u32) -> Bit {
     word.get(index as usize).copied().unwrap_or(NO)
 }
 
-/// The result of an operation.
 fn value(code: &Code, [x, y, z]: [&Word; 3], gates: &mut Gates) -> Word {
     let width = 64 - code.mask.leading_zeros();
     let count = code.count;
@@ -351,7 +342,6 @@ fn product(gates: &mut Gates, x: &Word, y: &Word, width: u32) -> Word {
     all
 }
 
-/// Is the first word less?
 pub(crate) fn less(gates: &mut Gates, x: &Word, y: &Word, width: u32) -> Bit {
     (0..width).fold(NO, |borrow, index| {
         let (x, y) = (bit_of(x, index), bit_of(y, index));
@@ -360,7 +350,6 @@ pub(crate) fn less(gates: &mut Gates, x: &Word, y: &Word, width: u32) -> Bit {
     })
 }
 
-/// Do two words differ?
 pub(crate) fn differ(gates: &mut Gates, a: &Word, b: &Word) -> Bit {
     let width = a.len().max(b.len()) as u32;
     (0..width).fold(NO, |any, index| {

@@ -14,7 +14,6 @@ pub(crate) const NO: Bit = Bit(0);
 pub(crate) const YES: Bit = Bit(1);
 
 impl Bit {
-    /// The number of its gate.
     pub(crate) fn gate(self) -> usize {
         (self.0 >> 1) as usize
     }
@@ -36,7 +35,6 @@ impl Not for Bit {
     }
 }
 
-/// Some gates.
 #[derive(Clone, Default)]
 struct Table {
     /// Operands, those of a gate before it; two times 0 is an input.
@@ -44,7 +42,6 @@ struct Table {
     known: HashMap<[Bit; 2], Bit>,
 }
 
-/// All gates.
 #[derive(Clone)]
 pub(crate) struct Gates {
     /// Those that copies share.

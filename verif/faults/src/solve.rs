@@ -30,12 +30,10 @@ struct Clauses<'a> {
     known: HashMap<usize, Lit>,
 }
 
-/// What the solver says.
 pub(crate) enum Answer {
     Never,
     /// In some case, in which the bits that were asked for have these values.
     When(Vec<bool>),
-    /// It gave up.
     Unknown,
 }
 

@@ -21,7 +21,6 @@ pub fn scene_text(seed: u64, number: u64) -> String {
     author(number).scene(seed, number, &glass)
 }
 
-/// The glass of a scene.
 enum Glass {
     None,
     /// The first object.
@@ -47,7 +46,6 @@ const ENDLESS: [(&str, usize); 4] = [
     ("quadric", 0),
 ];
 
-/// Its material.
 const GLASS: &str =
     "\n[[materials]]\nname = \"glass\"\ncolour = [0.4, 0.8, 0.9]\nopacity = 0.35\nexponent = 60\n";
 

@@ -298,7 +298,6 @@ impl Tracer {
     }
 }
 
-/// The material of an object.
 pub(crate) fn material<'a>(scene: &'a SceneFile, object: &Object) -> &'a Material {
     let mut materials = scene.materials.iter();
     let own = materials.find(|material| material.name == object.material);

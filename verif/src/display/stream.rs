@@ -79,7 +79,7 @@ pub(super) fn run(
             );
         }
         hardware.clock();
-        taker.see_swap(&hardware, is_beam, &host);
+        taker.see_swap(&hardware, &host);
     }
     let all = seen_last == wanted;
     taker.check("frames of the last image", hardware.clocks, all);
@@ -147,11 +147,11 @@ impl<'a> Taker<'a> {
 
     /// A swap comes while the last pixels of the old frame may still wait in the queue: it is for the frame after this
     /// one.
-    fn see_swap(&mut self, hardware: &Machine, is_beam: bool, host: &Host) {
-        if !is_beam || !hardware.is_set("swapped") {
+    fn see_swap(&mut self, hardware: &Machine, host: &Host) {
+        if !self.is_beam || !hardware.is_set("swapped") {
             return;
         }
-        let image = self.next.or(self.on).map_or(0, |image| image + 1);
+        let image = self.next.map_or(0, |image| image + 1);
         self.next = Some(image);
         if self.count == 0 {
             self.on = self.next;
@@ -225,27 +225,18 @@ impl<'a> Taker<'a> {
             let (is_inside, at) = (at + lane < pixels, (at + lane).min(pixels - 1));
             let is_new = is_inside && !std::mem::replace(&mut self.seen[at], true);
             self.check("a pixel once", clock, is_new);
-            self.compare((self.ports[lane], *colour), at, clock);
+            for (channel, shift) in [16, 8, 0].into_iter().enumerate() {
+                self.frame[3 * at + channel] = (colour >> shift) as u8;
+            }
+            let (place, golden) = (place(at, self.width), self.colour(at));
+            let report = &mut self.outcome.report;
+            report.compare(clock, place, self.ports[lane], Some(*colour), golden);
         }
         self.outcome.report.pixels += beat.colours.len() as u64;
         self.count += beat.colours.len();
         if self.count < self.pixels {
             return false;
         }
-        self.finish();
-        true
-    }
-
-    fn compare(&mut self, (port, colour): (&str, i64), at: usize, clock: u64) {
-        for (channel, shift) in [16, 8, 0].into_iter().enumerate() {
-            self.frame[3 * at + channel] = (colour >> shift) as u8;
-        }
-        let (place, golden) = (place(at, self.width), self.colour(at));
-        let report = &mut self.outcome.report;
-        report.compare(clock, place, port, Some(colour), golden);
-    }
-
-    fn finish(&mut self) {
         self.outcome.shown.push(self.on);
         self.outcome.picture.clone_from(&self.frame);
         self.seen.fill(false);
@@ -256,6 +247,7 @@ impl<'a> Taker<'a> {
                 self.next = Some(next + 1);
             }
         }
+        true
     }
 
     fn check(&mut self, what: &str, clock: u64, holds: bool) {

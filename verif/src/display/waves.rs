@@ -41,7 +41,6 @@ const SPOT: [(&str, u32); 3] = [
     ("place.line", 16),
 ];
 
-/// Keeps the waveforms.
 pub(super) struct Waves {
     trace: Trace,
     clocks: u64,

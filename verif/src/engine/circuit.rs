@@ -8,46 +8,46 @@ use imogene_faults::Upset;
 use imogene_hdl::{self as hdl, Design, Direction, Simulator};
 use std::sync::Arc;
 
-/// A design as machine code with its outputs in their order; its instances share it.
+/// A design as machine code with its outputs in their order; its instances and copies share it.
+#[derive(Clone)]
 pub struct Compiled {
     program: Arc<Program>,
-    outputs: Vec<Signal>,
+    outputs: Arc<[Signal]>,
     /// Registers that hold other words at power-up, in every lane.
-    upsets: Vec<Upset>,
+    upsets: Arc<[Upset]>,
 }
 
 impl Compiled {
     /// Compiles a design, with the points inside that will be asked for.
     /// Panics with a point that the design does not have.
-    pub fn of(design: &Design, points: &[String]) -> Arc<Compiled> {
+    pub fn of(design: &Design, points: &[String]) -> Compiled {
         Compiled::with(design, Program::new(design, points))
     }
 
     /// The same, for runs side by side.
-    pub fn in_lanes(design: &Design) -> Arc<Compiled> {
+    pub fn in_lanes(design: &Design) -> Compiled {
         Compiled::with(design, Program::in_lanes(design, &[]))
     }
 
-    fn with(design: &Design, program: Program) -> Arc<Compiled> {
+    fn with(design: &Design, program: Program) -> Compiled {
         let outputs = design.top.ports_of(Direction::Out);
-        Arc::new(Compiled {
+        Compiled {
             program: Arc::new(program),
             outputs: outputs.map(Signal::of).collect(),
-            upsets: vec![],
-        })
+            upsets: Arc::default(),
+        }
     }
 
     /// The same with registers that hold other words at power-up.
-    pub fn upset(&self, upsets: &[Upset]) -> Arc<Compiled> {
-        Arc::new(Compiled {
-            program: self.program.clone(),
-            outputs: self.outputs.clone(),
-            upsets: upsets.to_vec(),
-        })
+    pub fn upset(&self, upsets: &[Upset]) -> Compiled {
+        Compiled {
+            upsets: upsets.into(),
+            ..self.clone()
+        }
     }
 }
 
-impl design::Design for Arc<Compiled> {
+impl design::Design for Compiled {
     fn instance(&self) -> Box<dyn Instance> {
         Box::new(Circuit::new(self))
     }
@@ -55,16 +55,16 @@ impl design::Design for Arc<Compiled> {
 
 /// A compiled circuit, or as many side by side as its program has lanes.
 pub struct Circuit {
-    design: Arc<Compiled>,
+    design: Compiled,
     simulation: Simulation,
 }
 
 impl Circuit {
     /// A fresh instance.
-    pub fn new(design: &Arc<Compiled>) -> Circuit {
+    pub fn new(design: &Compiled) -> Circuit {
         let mut simulation = Simulation::new(&design.program);
         for lane in 0..design.program.lanes() {
-            for (register, word) in &design.upsets {
+            for (register, word) in &*design.upsets {
                 simulation.upset(lane, *register, *word);
             }
         }

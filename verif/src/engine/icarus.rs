@@ -54,7 +54,6 @@ impl Design for IcarusDesign {
     }
 }
 
-/// A running design.
 struct IcarusInstance {
     /// None when the process could not be started or has ended: nothing is defined then.
     process: Option<Process>,

@@ -35,6 +35,7 @@ pub fn contract(subject: &Subject, design: &Design) -> Contract {
     };
     let points = Levels::of(design).points;
     let (quiet, begins) = beginning(subject);
+    let even = |address| (("load_address".into(), address), ("load_data".into(), 0));
     let remainders = points
         .iter()
         .filter_map(|(path, _)| Some((path, path.strip_suffix(".next_remainder")?)));
@@ -43,22 +44,16 @@ pub fn contract(subject: &Subject, design: &Design) -> Contract {
         zeros: subject.inputs.iter().filter_map(zero).collect(),
         quiet,
         begins,
-        zeros_beside: zeros_beside(subject),
+        // The second differences that a PE2 with a memory is loaded with are even.
+        zeros_beside: match &subject.name[..] {
+            "memory_pe2" => [0, 1].map(even).to_vec(),
+            _ => vec![],
+        },
         held: held(subject),
         remainders: pairs.collect(),
         restores: subject.name != "square_root_non_restoring",
         latency: subject.latency + usize::from(subject.name == "programmable_pe"),
         ..Contract::default()
-    }
-}
-
-/// The second differences that a PE2 with a memory is loaded with are even.
-fn zeros_beside(subject: &Subject) -> Vec<((String, u64), (String, u32))> {
-    let name = |port: &str| port.to_owned();
-    let even = |address| ((name("load_address"), address), (name("load_data"), 0));
-    match &subject.name[..] {
-        "memory_pe2" => [0, 1].map(even).to_vec(),
-        _ => vec![],
     }
 }
 

@@ -109,7 +109,7 @@ impl Shown<'_> {
     fn report(
         &self,
         design: &Design,
-        compiled: &Arc<Compiled>,
+        compiled: &Compiled,
         run: u64,
         end: u64,
     ) -> Result<Report, MutationError> {
@@ -192,7 +192,7 @@ fn alone_judge(alone: &Design, known: &Known, sites: &[Site]) -> Alone {
 /// Mutants of one compilation.
 struct Group<'a> {
     controls: &'a Controls,
-    compiled: Arc<Compiled>,
+    compiled: Compiled,
     mutants: Vec<Mutant>,
     /// None of mutants at power-up.
     alone: Option<Alone>,
@@ -253,7 +253,7 @@ impl Group<'_> {
 }
 
 /// Does a machine that begins otherwise come to hold the same, while the host does nothing?
-fn is_forgotten(good: &Arc<Compiled>, bad: &Arc<Compiled>) -> bool {
+fn is_forgotten(good: &Compiled, bad: &Compiled) -> bool {
     let [mut good, mut bad] = [good, bad].map(Circuit::new);
     (0..IDLE).any(|_| {
         good.idle();

@@ -43,7 +43,15 @@ pub fn run(
     let (mutants, candidates) = elaborate(folder, top, text, options)?;
     let kills = kills(subject, top, folder, &mutants, options)?;
     let judge = Judge::new(folder, top, subject, options)?;
-    let fates = judge.judge(&mutants, kills, &on_done)?;
+    let fates = mutants.par_iter().zip(kills).map(|(mutant, kill)| {
+        let fate = match kill {
+            Some(kill) => Fate::Killed(kill),
+            None => judge.survivor(mutant)?,
+        };
+        on_done();
+        Ok::<_, ToolError>(fate)
+    });
+    let fates: Vec<Fate> = fates.collect::<Result<_, _>>()?;
     let mut report = MutationReport::of(&subject.name, &subject.options);
     for (mutant, fate) in mutants.iter().zip(fates) {
         report.count(fate, options.clocks, || mutant.text.clone());
@@ -137,24 +145,6 @@ impl<'a> Judge<'a> {
             netlist,
             seconds: options.proof_seconds,
         })
-    }
-
-    /// The fate of each mutant; `kills` says where those that are dead were killed.
-    fn judge(
-        &self,
-        mutants: &[Mutant],
-        kills: Vec<Option<Kill>>,
-        on_done: &(impl Fn() + Sync),
-    ) -> Result<Vec<Fate>, MutationError> {
-        let judged = mutants.par_iter().zip(kills).map(|(mutant, kill)| {
-            let fate = match kill {
-                Some(kill) => Fate::Killed(kill),
-                None => self.survivor(mutant)?,
-            };
-            on_done();
-            Ok(fate)
-        });
-        judged.collect()
     }
 
     fn survivor(&self, mutant: &Mutant) -> Result<Fate, ToolError> {

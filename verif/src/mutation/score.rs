@@ -148,7 +148,6 @@ impl MutationReport {
         }
     }
 
-    /// After the last mutant.
     pub(super) fn ended(self, started: Instant) -> MutationReport {
         let judged = (self.killed + self.surviving.len()).max(1);
         MutationReport {

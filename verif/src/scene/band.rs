@@ -13,7 +13,6 @@ use imogene_golden::object::load::{LoadWord, load_words};
 use imogene_golden::object::quadric::QuadricWords;
 use imogene_prepare::PreparedScene;
 
-/// What one band runs.
 pub(super) struct Band<'a> {
     pub scene: &'a PreparedScene,
     pub machine: &'a MachineDesign,

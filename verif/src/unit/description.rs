@@ -2,16 +2,14 @@
 
 use super::words::Ports;
 use crate::signal::{Delay, Signal};
-use crate::stimulus::{hold, mapped};
+use crate::stimulus::{hold, mapped, raster};
 use crate::subject::{Golden, Inputs, Stimuli, Stimulus, Subject};
 use imogene_contract::Request;
 use imogene_golden::format::Format;
 use imogene_hdl::Direction;
 use imogene_rtl::emit::design;
-use proptest::strategy::Strategy;
 use std::iter;
 
-/// The inputs of a unit.
 pub(super) fn inputs(request: &Request) -> Vec<Signal> {
     let design = design(request).expect("a legal request");
     design.top.ports_of(Direction::In).map(Signal::of).collect()
@@ -123,22 +121,16 @@ pub(super) fn last_pixel<P>(
     }
 }
 
-/// A stimulus of raster flags on the first three ports and words on the others.
-pub(super) fn any_raster(subject: &Subject, clocks: usize) -> Stimuli {
-    crate::stimulus::raster(&subject.inputs, clocks)
-}
-
-/// The same with words that change with the start of a zone alone.
+/// A [`raster`] with words that change with the start of a zone alone.
 pub(super) fn zones(subject: &Subject, clocks: usize) -> Stimuli {
     let words = 3..subject.inputs.len();
     let held = move |mut list: Vec<Inputs>| {
         hold(&mut list, words.clone(), 0);
         list
     };
-    any_raster(subject, clocks).prop_map(held).boxed()
+    mapped(raster(subject, clocks), held)
 }
 
-/// Ports of flags.
 const FLAGS: usize = 3;
 
 /// Ports before the first word: the flags, then the column and the line.

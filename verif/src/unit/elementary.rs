@@ -1,8 +1,8 @@
 //! The elementary processors: PE1, PE2, the programmable one and the one with a coefficient memory.
 
-use super::description::{Description, any_raster, bit, last_pixel, zones};
+use super::description::{Description, bit, last_pixel, zones};
 use super::words::{Ports, read};
-use crate::stimulus::{each, mapped, word};
+use crate::stimulus::{each, mapped, raster, word};
 use crate::subject::{Inputs, Stimuli, Subject};
 use imogene_golden::format::Format;
 use imogene_golden::unit::interlaced::MemoryPe2;
@@ -41,7 +41,7 @@ pub(super) fn pe2(format: Format) -> Description {
 }
 
 pub(super) fn programmable_pe(format: Format) -> Description {
-    Description::new(any_raster, move || {
+    Description::new(raster, move || {
         let mut pe: Option<Programmable> = None;
         let mut inside = None;
         move |i: &[i64]| {
@@ -176,7 +176,6 @@ impl Clocked {
     }
 }
 
-/// A command on a clock.
 fn command(at: usize) -> Inputs {
     let mut inputs = vec![0; port::COUNT];
     inputs[at] = 1;

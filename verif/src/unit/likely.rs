@@ -66,7 +66,6 @@ pub(super) enum Likely {
     Conic,
     /// A number from 0 to this one.
     UpTo(i64),
-    /// Anything.
     Any,
 }
 
@@ -273,7 +272,6 @@ fn spread(most: i64, guard: u32) -> BoxedStrategy<i64> {
     (-most..=most).prop_map(move |v| v << guard).boxed()
 }
 
-/// The largest depth.
 fn far_end(depth_word: u32) -> i64 {
     (1 << (depth_word - 1)) - 1
 }

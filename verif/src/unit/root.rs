@@ -89,22 +89,19 @@ fn any_words(subject: &Subject, clocks: usize) -> Stimuli {
     let f2 = &subject.inputs[F2_VALUE];
     let near = (radicand(f2), f2.width - 4..f2.width);
     let near = proptest::collection::vec(proptest::option::of(near), clocks);
-    mapped(
-        (raster(&subject.inputs, clocks), near),
-        move |(mut list, near)| {
-            for (inputs, near) in list.iter_mut().zip(near) {
-                if let Some((value, by)) = near {
-                    let steps = inputs[F2..F2_VALUE].iter_mut();
-                    steps.for_each(|step| *step >>= by);
-                    inputs[F2_VALUE] = value;
-                }
-                // Second differences are even: they are twice a coefficient.
-                inputs[F2..F2 + 2].iter_mut().for_each(|step| *step &= !1);
+    mapped((raster(subject, clocks), near), move |(mut list, near)| {
+        for (inputs, near) in list.iter_mut().zip(near) {
+            if let Some((value, by)) = near {
+                let steps = inputs[F2..F2_VALUE].iter_mut();
+                steps.for_each(|step| *step >>= by);
+                inputs[F2_VALUE] = value;
             }
-            hold(&mut list, F1..words, rows + 1);
-            list
-        },
-    )
+            // Second differences are even: they are twice a coefficient.
+            inputs[F2..F2 + 2].iter_mut().for_each(|step| *step &= !1);
+        }
+        hold(&mut list, F1..words, rows + 1);
+        list
+    })
 }
 
 fn start(i: &[i64], format: &Format) -> (Pe1, Pe2) {

@@ -4,7 +4,6 @@ use crate::engine::design::Source;
 use crate::signal::Signal;
 use std::fmt::Write;
 
-/// Name of the wrapper module.
 pub(super) const WRAPPER: &str = "imogene_wrapper";
 /// Class that Verilator makes of it.
 pub(super) const CLASS: &str = "Vimogene";

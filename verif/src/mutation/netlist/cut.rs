@@ -6,7 +6,6 @@ use std::fmt::Write as _;
 /// Port numbers of the cut registers begin here, beyond those of any unit.
 const FIRST_PORT: usize = 10_000;
 
-/// A register of a netlist.
 struct Register<'a> {
     cell: &'a str,
     width: &'a str,
