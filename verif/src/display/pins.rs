@@ -11,6 +11,7 @@ use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_golden::machine::video_timing::{Shown, VideoTiming};
 use imogene_plan::description::{MachineDescription, MachineKind, Output};
 use imogene_plan::display::Image;
+use std::sync::Arc;
 use std::time::Instant;
 
 pub use super::run::{PinsOutcome, PinsRun};
@@ -29,7 +30,7 @@ pub fn run(
 
 /// The same in a machine that was made of this description.
 pub fn run_in(
-    design: &MachineDesign,
+    design: &Arc<MachineDesign>,
     machine: &MachineDescription,
     images: &[Image],
     options: &PinsRun,

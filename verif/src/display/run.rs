@@ -11,6 +11,7 @@ use crate::waveform::{WaveformRequest, WindowStart};
 use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_plan::description::MachineDescription;
 use imogene_plan::display::Image;
+use std::sync::Arc;
 use std::time::Instant;
 
 /// How to run.
@@ -58,7 +59,7 @@ impl PinsRun<'_> {
         &self,
         machine: &MachineDescription,
         images: &[Image],
-    ) -> Result<MachineDesign, DesignError> {
+    ) -> Result<Arc<MachineDesign>, DesignError> {
         let mode = mode(machine);
         if let Some(WindowStart::At(place)) = self.waveforms.map(|waveforms| waveforms.from) {
             place.check(mode.line.active as usize, mode.frame.active as usize)?;

@@ -38,18 +38,17 @@ impl Compiled {
         }
     }
 
+    /// Instances of it.
+    pub fn design(self) -> design::Design {
+        Box::new(move || Box::new(Circuit::new(&self)))
+    }
+
     /// The same with registers that hold other words at power-up.
     pub fn upset(&self, upsets: &[Upset]) -> Compiled {
         Compiled {
             upsets: upsets.into(),
             ..self.clone()
         }
-    }
-}
-
-impl design::Design for Compiled {
-    fn instance(&self) -> Box<dyn Instance> {
-        Box::new(Circuit::new(self))
     }
 }
 
@@ -137,39 +136,33 @@ impl Hardware for Circuit {
 }
 
 /// A circuit in the simulator of `imogene-hdl`, which interprets it level by level: the check of the compiled one.
-pub struct Levelised {
-    /// The circuit.
-    pub design: Design,
-    /// Memories upset what is read while it is written.
-    pub upsets_collisions: bool,
-}
-
-impl design::Design for Levelised {
-    fn instance(&self) -> Box<dyn Instance> {
-        let mut simulator = Simulator::new(&self.design);
-        if self.upsets_collisions {
+/// Memories may upset what is read while it is written.
+pub fn levelised(design: Design, upsets_collisions: bool) -> design::Design {
+    Box::new(move || {
+        let mut simulator = Simulator::new(&design);
+        if upsets_collisions {
             simulator = simulator.with_upset_collisions();
         }
         let ports = |way| {
-            let ports = self.design.top.ports_of(way);
+            let ports = design.top.ports_of(way);
             ports.map(|port| simulator.port(&port.name)).collect()
         };
         let [inputs, outputs] = [Direction::In, Direction::Out].map(ports);
-        Box::new(LevelisedInstance {
+        Box::new(Levelised {
             inputs,
             outputs,
             simulator,
         })
-    }
+    })
 }
 
-struct LevelisedInstance {
+struct Levelised {
     simulator: Simulator,
     inputs: Vec<hdl::Port>,
     outputs: Vec<hdl::Port>,
 }
 
-impl Instance for LevelisedInstance {
+impl Instance for Levelised {
     fn clock(&mut self, inputs: &[u64], outputs: &mut [Option<u64>]) {
         for (port, word) in self.inputs.iter().zip(inputs) {
             self.simulator.set(*port, *word);

@@ -2,12 +2,11 @@
 
 use super::nets::NetError;
 use crate::signal::Signal;
-use crate::subject::{Hardware, Subject};
+use crate::subject::Subject;
 use crate::waveform::PlaceError;
 use imogene_contract::RequestError;
 use imogene_tools::ToolError;
 use std::path::PathBuf;
-use std::sync::Arc;
 use thiserror::Error;
 
 /// Why a design cannot be run.
@@ -60,11 +59,8 @@ impl<'a> Source<'a> {
     }
 }
 
-/// A compiled design; makes any number of instances.
-pub trait Design: Send + Sync {
-    /// A fresh instance: registers have their initial values.
-    fn instance(&self) -> Box<dyn Instance>;
-}
+/// A compiled design: makes any number of instances, whose registers have their initial values.
+pub type Design = Box<dyn Fn() -> Box<dyn Instance> + Send + Sync>;
 
 /// One instance of a design.
 pub trait Instance: Send {
@@ -77,51 +73,5 @@ pub trait Instance: Send {
     /// these inputs are for. None where the engine shows ports alone.
     fn points(&mut self, _inputs: &[u64]) -> &[u64] {
         &[]
-    }
-}
-
-/// Puts a design in an engine in the place of the subject's hardware.
-pub(crate) fn driven(subject: Subject, engine: &'static str, design: Box<dyn Design>) -> Subject {
-    let masks = subject.inputs.iter().map(|signal| signal.bits(-1));
-    let masks: Arc<[u64]> = masks.collect();
-    let outputs: Arc<[Signal]> = subject.outputs.clone().into();
-    Subject {
-        engine,
-        hardware: Box::new(move |_| {
-            Box::new(Driven {
-                instance: design.instance(),
-                words: vec![0; masks.len()],
-                found: vec![None; outputs.len()],
-                masks: masks.clone(),
-                outputs: outputs.clone(),
-            })
-        }),
-        lanes: 1,
-        ..subject
-    }
-}
-
-/// An instance whose ports are values of signals.
-struct Driven {
-    instance: Box<dyn Instance>,
-    /// The bits of each input.
-    masks: Arc<[u64]>,
-    outputs: Arc<[Signal]>,
-    words: Vec<u64>,
-    found: Vec<Option<u64>>,
-}
-
-impl Hardware for Driven {
-    fn clock(&mut self, inputs: &[&[i64]]) {
-        for ((word, mask), value) in self.words.iter_mut().zip(&*self.masks).zip(inputs[0]) {
-            *word = *value as u64 & mask;
-        }
-        self.instance.clock(&self.words, &mut self.found);
-    }
-
-    fn outputs(&mut self, _: usize, found: &mut Vec<Option<i64>>) {
-        let outputs = self.outputs.iter().zip(&self.found);
-        found.clear();
-        found.extend(outputs.map(|(signal, bits)| Some(signal.value((*bits)?))));
     }
 }

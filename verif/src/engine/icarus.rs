@@ -17,48 +17,36 @@ use tempfile::TempDir;
 const BENCH: &str = "imogene_bench";
 const COMPILED: &str = "design.vvp";
 
-/// A design compiled by Icarus Verilog.
-#[derive(Clone)]
-pub struct IcarusDesign {
-    folder: Arc<TempDir>,
-    inputs: Arc<[Signal]>,
-    outputs: Arc<[Signal]>,
-}
-
-impl IcarusDesign {
-    /// Compiles a design.
-    pub fn compile(source: &Source) -> Result<IcarusDesign, DesignError> {
-        let folder = scratch().map_err(ToolError::from)?;
-        for (name, text) in [("design.v", source.text), ("bench.v", &bench(source))] {
-            write(&folder.path().join(name), text).map_err(ToolError::from)?;
-        }
-        let arguments = ["-g2005", "-s", BENCH, "-o", COMPILED, "bench.v", "design.v"];
-        ICARUS.run(arguments, folder.path())?;
-        // Found missing here, and not when the first instance starts.
-        VVP.run(["-V"], folder.path())?;
-        Ok(IcarusDesign {
-            folder: Arc::new(folder),
-            inputs: source.inputs.into(),
-            outputs: source.outputs.into(),
-        })
+/// Compiles a design.
+pub fn compile(source: &Source) -> Result<Design, DesignError> {
+    let folder = scratch().map_err(ToolError::from)?;
+    for (name, text) in [("design.v", source.text), ("bench.v", &bench(source))] {
+        write(&folder.path().join(name), text).map_err(ToolError::from)?;
     }
-}
-
-impl Design for IcarusDesign {
-    fn instance(&self) -> Box<dyn Instance> {
+    let arguments = ["-g2005", "-s", BENCH, "-o", COMPILED, "bench.v", "design.v"];
+    ICARUS.run(arguments, folder.path())?;
+    // Found missing here, and not when the first instance starts.
+    VVP.run(["-V"], folder.path())?;
+    let folder = Arc::new(folder);
+    let [inputs, outputs] = [source.inputs, source.outputs].map(Arc::<[Signal]>::from);
+    Ok(Box::new(move || {
         Box::new(IcarusInstance {
-            process: start(self.folder.path()),
-            design: self.clone(),
+            process: start(folder.path()),
+            _folder: folder.clone(),
+            inputs: inputs.clone(),
+            outputs: outputs.clone(),
             line: String::new(),
         })
-    }
+    }))
 }
 
 struct IcarusInstance {
     /// None when the process could not be started or has ended: nothing is defined then.
     process: Option<Process>,
     /// Keeps what is compiled until the last instance is gone.
-    design: IcarusDesign,
+    _folder: Arc<TempDir>,
+    inputs: Arc<[Signal]>,
+    outputs: Arc<[Signal]>,
     line: String,
 }
 
@@ -100,7 +88,7 @@ impl Drop for Process {
 impl Instance for IcarusInstance {
     fn clock(&mut self, inputs: &[u64], outputs: &mut [Option<u64>]) {
         self.line.clear();
-        for (word, signal) in inputs.iter().zip(&*self.design.inputs) {
+        for (word, signal) in inputs.iter().zip(&*self.inputs) {
             let digits = signal.width.div_ceil(4) as usize;
             let _ = write!(self.line, "{word:0digits$x} ");
         }
@@ -111,7 +99,7 @@ impl Instance for IcarusInstance {
         };
         let outcome = process.exchange(&mut self.line);
         let mut fields = self.line.split_ascii_whitespace();
-        for (place, signal) in outputs.iter_mut().zip(&*self.design.outputs) {
+        for (place, signal) in outputs.iter_mut().zip(&*self.outputs) {
             let field = fields.next();
             let field = field.filter(|bits| bits.len() == signal.width as usize);
             *place = field.and_then(|bits| u64::from_str_radix(bits, 2).ok());

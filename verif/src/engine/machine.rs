@@ -5,13 +5,15 @@ use super::design::{Design, DesignError, Instance, Source};
 use super::nets::{NetError, select};
 use super::{Engine, ProbeSignal};
 use crate::signal::Signal;
+use crate::subject::{Hardware, Subject};
 use imogene_golden::machine::zone::beat::Beat;
 use imogene_hdl::{self as hdl, Direction};
 use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
+use std::sync::Arc;
 
-/// A compiled machine; makes any number of instances.
+/// A compiled machine, or a unit; makes any number of instances.
 pub struct MachineDesign {
-    design: Box<dyn Design>,
+    design: Design,
     /// Name of its top module.
     pub name: String,
     /// Input ports without the clock.
@@ -32,18 +34,18 @@ impl MachineDesign {
         request: &MachineRequest,
         inside: Vec<ProbeSignal>,
         nets: &[String],
-    ) -> Result<MachineDesign, DesignError> {
+    ) -> Result<Arc<MachineDesign>, DesignError> {
         let circuit = request.design()?;
         let [inputs, outputs] = ports(&circuit);
         let nets = select(&circuit.top, nets)?;
-        let (design, inside): (Box<dyn Design>, _) = match engine {
+        let (design, inside) = match engine {
             Engine::BuiltIn => {
                 let slots = 0..request.slots.len();
                 let path = |slot, probe: &ProbeSignal| format!("processors_{slot}.{}", probe.point);
                 let own = slots.flat_map(|slot| inside.iter().map(move |probe| path(slot, probe)));
                 let points = own.chain(nets.iter().map(|net| net.name.clone()));
                 let points: Vec<String> = points.collect();
-                (Box::new(Compiled::of(&circuit, &points)), inside)
+                (Compiled::of(&circuit, &points).design(), inside)
             }
             Engine::Verilog(_) if !nets.is_empty() => return Err(NetError::Engine.into()),
             Engine::Verilog(simulator) => {
@@ -57,24 +59,42 @@ impl MachineDesign {
                 (design, vec![])
             }
         };
-        Ok(MachineDesign {
-            inside,
-            nets,
-            ..MachineDesign::of(&circuit, design)
-        })
-    }
-
-    /// A circuit in something that runs it.
-    pub fn of(circuit: &hdl::Design, design: Box<dyn Design>) -> MachineDesign {
-        let [inputs, outputs] = ports(circuit);
-        MachineDesign {
+        Ok(Arc::new(MachineDesign {
             design,
             name: circuit.top.name.clone(),
             inputs,
             outputs,
+            inside,
+            nets,
+        }))
+    }
+
+    /// A circuit in something that runs it.
+    pub fn of(circuit: &hdl::Design, design: Design) -> Arc<MachineDesign> {
+        MachineDesign::with(&circuit.top.name, ports(circuit), design)
+    }
+
+    fn with(name: &str, [inputs, outputs]: [Vec<Signal>; 2], design: Design) -> Arc<MachineDesign> {
+        Arc::new(MachineDesign {
+            design,
+            name: name.to_owned(),
+            inputs,
+            outputs,
             inside: vec![],
             nets: vec![],
-        }
+        })
+    }
+}
+
+/// Puts a design in an engine in the place of the subject's hardware.
+pub(crate) fn driven(subject: Subject, engine: &'static str, design: Design) -> Subject {
+    let ports = [&subject.inputs, &subject.outputs].map(Vec::clone);
+    let design = MachineDesign::with(&subject.name, ports, design);
+    Subject {
+        engine,
+        hardware: Box::new(move |_| Box::new(Machine::of(&design))),
+        lanes: 1,
+        ..subject
     }
 }
 
@@ -84,24 +104,24 @@ fn ports(circuit: &hdl::Design) -> [Vec<Signal>; 2] {
 }
 
 /// One running machine. Inputs keep their values until set again.
-pub struct Machine<'a> {
+pub struct Machine {
     running: Box<dyn Instance>,
     /// What it is made of.
-    pub design: &'a MachineDesign,
+    pub design: Arc<MachineDesign>,
     given: Vec<u64>,
     found: Vec<Option<u64>>,
     /// Clocks given.
     pub clocks: u64,
 }
 
-impl Machine<'_> {
+impl Machine {
     /// A fresh instance of a design: registers have their initial values.
-    pub fn of(design: &MachineDesign) -> Machine<'_> {
+    pub fn of(design: &Arc<MachineDesign>) -> Machine {
         Machine {
-            running: design.design.instance(),
+            running: (design.design)(),
             given: vec![0; design.inputs.len()],
             found: vec![Some(0); design.outputs.len()],
-            design,
+            design: design.clone(),
             clocks: 0,
         }
     }
@@ -152,7 +172,7 @@ impl Machine<'_> {
     /// Values of the signals inside a slot, and of the nets of the machine, before an edge with the inputs that are
     /// set; none where the engine shows only ports.
     pub fn probe(&mut self, slot: usize) -> (Vec<i64>, Vec<Option<i64>>) {
-        let MachineDesign { inside, nets, .. } = self.design;
+        let MachineDesign { inside, nets, .. } = &*self.design;
         let points = self.running.points(&self.given);
         let own = points.iter().skip(slot * inside.len()).zip(inside);
         let own = own.map(|(bits, probe)| probe.signal.value(*bits));
@@ -171,6 +191,25 @@ impl Machine<'_> {
     pub fn clock_with(&mut self, words: &[u64]) {
         self.given.copy_from_slice(words);
         self.clock();
+    }
+}
+
+impl Hardware for Machine {
+    fn clock(&mut self, inputs: &[&[i64]]) {
+        for ((word, port), value) in self
+            .given
+            .iter_mut()
+            .zip(&self.design.inputs)
+            .zip(inputs[0])
+        {
+            *word = port.bits(*value);
+        }
+        Machine::clock(self);
+    }
+
+    fn outputs(&mut self, _: usize, found: &mut Vec<Option<i64>>) {
+        found.clear();
+        found.extend((0..self.found.len()).map(|place| self.at(place)));
     }
 }
 

@@ -1,7 +1,8 @@
 //! Verilog in a simulator.
 
-use super::design::{Design, DesignError, Source, driven};
-use super::icarus::IcarusDesign;
+use super::design::{Design, DesignError, Source};
+use super::icarus;
+use super::machine::driven;
 use super::verilator::Model;
 use crate::subject::Subject;
 
@@ -27,11 +28,11 @@ impl Simulator {
     }
 
     /// Compiles a design.
-    pub fn compile(self, source: &Source) -> Result<Box<dyn Design>, DesignError> {
-        Ok(match self {
-            Simulator::Icarus => Box::new(IcarusDesign::compile(source)?),
-            Simulator::Verilator => Box::new(Model::compile(source, ["", ""])?),
-        })
+    pub fn compile(self, source: &Source) -> Result<Design, DesignError> {
+        match self {
+            Simulator::Icarus => icarus::compile(source),
+            Simulator::Verilator => Ok(Model::compile(source, ["", ""])?.design()),
+        }
     }
 }
 

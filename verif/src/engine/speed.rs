@@ -1,6 +1,7 @@
 //! How fast the engines run a unit: clocks per second of the hardware alone, with the scoreboard, and with waveforms.
 
-use super::design::{DesignError, Source, driven};
+use super::design::{DesignError, Source};
+use super::machine::driven;
 use super::simulator::Simulator;
 use super::verilator::Model;
 use crate::random;
@@ -92,7 +93,7 @@ impl Entrant {
             let source = Source::of(&subject, &emitted.top, &text);
             let design = match simulator {
                 Simulator::Icarus => simulator.compile(&source)?,
-                Simulator::Verilator => Box::new(Model::compile(&source, ["", FASTEST])?),
+                Simulator::Verilator => Model::compile(&source, ["", FASTEST])?.design(),
             };
             Ok(driven(subject, simulator.name(), design))
         };

@@ -59,6 +59,11 @@ impl Model {
         }
     }
 
+    /// Instances of it.
+    pub fn design(self) -> Design {
+        Box::new(move || Box::new(self.instance()))
+    }
+
     /// A fresh instance: registers have their initial values.
     pub fn instance(&self) -> VerilatedUnit {
         VerilatedUnit {
@@ -89,12 +94,6 @@ impl VerilatedUnit {
         assert_eq!(outputs.len(), self.model.outputs, "words of the outputs");
         // SAFETY: the state is alive, and both slices have the lengths for which the library was compiled.
         unsafe { (self.model.clock)(self.state, inputs.as_ptr(), outputs.as_mut_ptr()) }
-    }
-}
-
-impl Design for Model {
-    fn instance(&self) -> Box<dyn Instance> {
-        Box::new(Model::instance(self))
     }
 }
 

@@ -121,7 +121,7 @@ impl Shown<'_> {
             stops: Some(end),
             ..PinsRun::plain(Engine::BuiltIn)
         };
-        let hardware = MachineDesign::of(design, Box::new(compiled.clone()));
+        let hardware = MachineDesign::of(design, compiled.clone().design());
         Ok(run_in(&hardware, self.machine, self.images, &options, || ())?.report)
     }
 

@@ -12,10 +12,11 @@ use imogene_golden::machine::frame::Frame;
 use imogene_golden::object::load::{LoadWord, load_words};
 use imogene_golden::object::quadric::QuadricWords;
 use imogene_prepare::PreparedScene;
+use std::sync::Arc;
 
 pub(super) struct Band<'a> {
     pub scene: &'a PreparedScene,
-    pub machine: &'a MachineDesign,
+    pub machine: &'a Arc<MachineDesign>,
     /// Clocks from `go` to the first pixel.
     pub latency: usize,
     /// The words of each slot, with as many planes as the slot has.

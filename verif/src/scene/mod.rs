@@ -29,6 +29,7 @@ use imogene_golden::object::words::Words;
 use imogene_prepare::{PreparedObject, PreparedScene};
 use imogene_rtl::emit::machine::MachineRequest;
 use rayon::prelude::*;
+use std::sync::Arc;
 use std::time::Instant;
 use thiserror::Error;
 
@@ -160,7 +161,7 @@ pub fn run(
 
 /// The same through a compiled machine of these slots, in whose words `scene` was prepared.
 pub fn run_on(
-    design: &MachineDesign,
+    design: &Arc<MachineDesign>,
     slots: &[FittedSlot],
     scene: &PreparedScene,
     options: &Options,
@@ -198,7 +199,7 @@ fn with_planes(words: &QuadricWords, slot: &FittedSlot) -> QuadricWords {
 /// clocks after `go`.
 fn bands<'a>(
     scene: &'a PreparedScene,
-    machine: &'a MachineDesign,
+    machine: &'a Arc<MachineDesign>,
     words: &[QuadricWords],
     latency: usize,
     options: &'a Options,

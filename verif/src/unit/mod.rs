@@ -14,8 +14,9 @@ mod shading;
 mod video;
 pub mod words;
 
-use crate::engine::circuit::{Circuit, Compiled, Levelised};
-use crate::engine::design::{DesignError, driven};
+use crate::engine::circuit::{self, Circuit, Compiled};
+use crate::engine::design::DesignError;
+use crate::engine::machine::driven;
 use crate::engine::simulator::with_verilog;
 use crate::engine::{BUILT_IN, Engine, LEVELISED};
 use crate::signal::Signal;
@@ -70,11 +71,8 @@ pub fn subject(request: &Request) -> Result<Subject, RequestError> {
 
 /// The same in the simulator of `imogene-hdl`, where memories may upset what is read while it is written.
 pub fn levelised(request: &Request, upsets_collisions: bool) -> Result<Subject, RequestError> {
-    let design = Levelised {
-        design: design(request)?,
-        upsets_collisions,
-    };
-    Ok(driven(subject(request)?, LEVELISED, Box::new(design)))
+    let design = circuit::levelised(design(request)?, upsets_collisions);
+    Ok(driven(subject(request)?, LEVELISED, design))
 }
 
 impl Engine {

@@ -11,7 +11,7 @@ use imogene_scene::SceneFile;
 use imogene_verif::display::pins::{self, PinsOutcome, PinsRun};
 use imogene_verif::display::request::request_for;
 use imogene_verif::engine::Engine;
-use imogene_verif::engine::circuit::Levelised;
+use imogene_verif::engine::circuit::levelised;
 use imogene_verif::engine::machine::MachineDesign;
 use imogene_verif::engine::simulator::Simulator;
 use std::collections::BTreeSet;
@@ -451,11 +451,7 @@ fn no_machine_uses_what_it_reads_while_it_writes_it() {
         let scenes = ["ball-before-ball", "ball-from-the-right"];
         let images = scenes.map(|scene| drawn(&format!("shadows/{scene}.toml"), &machine));
         let design = request_for(&machine, &[], "").design().expect("a machine");
-        let upset = Levelised {
-            design: design.clone(),
-            upsets_collisions: true,
-        };
-        let upset = MachineDesign::of(&design, Box::new(upset));
+        let upset = MachineDesign::of(&design, levelised(design.clone(), true));
         let options = PinsRun::plain(Engine::BuiltIn);
         let outcome = pins::run_in(&upset, &machine, &images, &options, || ());
         let report = outcome.expect("a machine that runs").report;
