@@ -8,7 +8,6 @@ use crate::held::Held;
 use crate::idle::{Constants, Idle};
 use crate::phases::Phases;
 use crate::solve::{Answer, CONFLICTS, ask};
-use crate::unseen::Unseen;
 use imogene_hdl::{Design, Direction, Levels, PortRecord};
 use std::sync::Arc;
 
@@ -53,6 +52,8 @@ pub struct Known {
     pub(crate) always_holds: bool,
     /// Clocks from an input to its result.
     pub(crate) latency: usize,
+    /// Of each output, the one without which it counts nothing.
+    pub(crate) counts_with: Vec<Option<usize>>,
     /// Is each bit of each register forgotten once work began?
     forgotten: Vec<Vec<bool>>,
     /// Is what each register holds at power-up seen nowhere?
@@ -100,6 +101,7 @@ impl Known {
             facts: vec![],
             always_holds: true,
             latency: contract.latency,
+            counts_with: counts_with(design, contract),
             constants: Idle::of(&levels, &zeros, &[]).constants,
             idle: Idle {
                 begins,
@@ -117,11 +119,10 @@ impl Known {
             if !contract.seen.is_empty() {
                 known.facts = facts(known.any_clock(&levels), &contract.seen);
             }
-            let counts_with = counts_with(design, contract);
-            known.phases = Phases::of(known.any_clock(&levels), counts_with);
+            known.phases = Phases::of(known.any_clock(&levels), known.counts_with.clone());
         }
         known.forgotten = known.forgotten(&levels);
-        known.unseen = known.unseen(&levels, &counts_with(design, contract));
+        known.unseen = known.unseen(&levels);
         let inputs: Vec<usize> = contract.held.iter().filter_map(place).collect();
         if !inputs.is_empty() && levels.stores.is_empty() && known.forgets_all() {
             let begins = known.idle.quiet.clone();
@@ -225,17 +226,11 @@ impl Known {
     }
 
     /// Of registers that are not forgotten, whether what they hold at power-up is seen nowhere.
-    fn unseen(&self, levels: &Arc<Levels>, counts_with: &[Option<usize>]) -> Vec<bool> {
-        let of = &self.any_clock(levels);
-        let unseen = Unseen {
-            zeros: &self.zeros,
-            counts_with,
-            clocks: self.latency + 2,
-            of,
-        };
+    fn unseen(&self, levels: &Arc<Levels>) -> Vec<bool> {
+        let of = self.any_clock(levels);
         let registers = self.forgotten.iter().enumerate();
         let is_unseen = |(register, bits): (usize, &Vec<bool>)| {
-            self.always_holds && bits.contains(&false) && unseen.is(register)
+            self.always_holds && bits.contains(&false) && self.is_unseen(&of, register)
         };
         registers.map(is_unseen).collect()
     }

@@ -7,8 +7,8 @@ use crate::controls::Upset;
 use crate::frame::{CONTROL, Reached, Word, constant, differ, free};
 use crate::gates::{Bit, Gates, NO, YES};
 use crate::solve::{Answer, CONFLICTS, ask, possible};
-use crate::unseen::ports;
 use imogene_hdl::Levels;
+use std::ops::Range;
 
 /// Phases, at most.
 const PHASES: usize = 256;
@@ -187,4 +187,15 @@ impl Phases {
         });
         goals.collect()
     }
+}
+
+/// Where the bits of each output are.
+pub(crate) fn ports(levels: &Levels) -> Vec<Range<usize>> {
+    let mut first = 0;
+    let ports = levels.outputs().iter().map(|port| {
+        let place = first;
+        first += port.width as usize;
+        place..first
+    });
+    ports.collect()
 }

@@ -2,49 +2,43 @@
 
 use crate::frame::{Begin, End, Frame, Reached, Word, bit_of, differ, free, zero_inputs, zip};
 use crate::gates::{Bit, Gates};
+use crate::known::Known;
+use crate::phases::ports;
 use crate::solve::{CONFLICTS, Verdict, equality};
 use imogene_hdl::Levels;
-use std::ops::Range;
+use std::sync::Arc;
 
 /// Gates of all clocks, at most: each register is looked at by itself.
 const GATES: usize = 400_000;
 
-/// A circuit, and what of its outputs counts.
-pub(crate) struct Unseen<'a> {
-    /// Bits of inputs that are 0.
-    pub(crate) zeros: &'a [(usize, u32)],
-    /// Of each output, the one without which it counts nothing.
-    pub(crate) counts_with: &'a [Option<usize>],
-    /// Clocks in which a difference has to be gone.
-    pub(crate) clocks: usize,
-    /// A clock from any state that is reached.
-    pub(crate) of: &'a Reached,
-}
-
-impl Unseen<'_> {
-    /// Is what a register holds at power-up seen nowhere?
-    pub(crate) fn is(&self, register: usize) -> bool {
-        let levels = &self.of.begin.levels;
-        if self.clocks * levels.code.len() * 16 > GATES {
+impl Known {
+    /// Is what a register holds at power-up seen nowhere? `of` is a clock from any state that is reached.
+    pub(crate) fn is_unseen(&self, of: &Reached, register: usize) -> bool {
+        let levels = &of.begin.levels;
+        if self.clocks() * levels.code.len() * 16 > GATES {
             return false;
         }
         let mut flags = (0..levels.flops.len()).filter(|flag| levels.flops[*flag].width == 1);
-        self.is_gone(register) || flags.any(|flag| self.is_behind(register, flag))
+        self.is_gone(levels, register) || flags.any(|flag| self.is_behind(of, register, flag))
+    }
+
+    /// In which a difference has to be gone.
+    fn clocks(&self) -> usize {
+        self.latency + 2
     }
 
     /// Is it gone soon after power-up?
-    fn is_gone(&self, register: usize) -> bool {
-        let levels = &self.of.begin.levels;
+    fn is_gone(&self, levels: &Arc<Levels>, register: usize) -> bool {
         let mut gates = Gates::new();
         let mut begin = Begin::at_power_up(levels, &mut gates);
         let flop = &levels.flops[register];
         let mut others = vec![(flop.output, free(flop.width, &mut gates))];
         let (mut pairs, mut assumed) = (vec![], vec![]);
-        for _ in 0..self.clocks {
-            assumed.extend(zero_inputs(self.zeros, &begin));
+        for _ in 0..self.clocks() {
+            assumed.extend(zero_inputs(&self.zeros, &begin));
             let clock = begin.clock(&mut gates);
             let bad = clock.with(&[], others, &mut gates);
-            pairs.extend(self.outputs(&clock.end, &bad, &mut gates));
+            pairs.extend(self.outputs(levels, [&clock.end, &bad], &mut gates));
             others = vec![];
             for (index, store) in levels.stores.iter().enumerate() {
                 let [good, bad] = [&clock.end, &bad].map(|end| &end.memories[index]);
@@ -68,11 +62,11 @@ impl Unseen<'_> {
     }
 
     /// Does it differ only while a flag is as at power-up, and shows nothing then?
-    fn is_behind(&self, register: usize, flag: usize) -> bool {
+    fn is_behind(&self, of: &Reached, register: usize, flag: usize) -> bool {
         if flag == register {
             return false;
         }
-        let (levels, of) = (&self.of.begin.levels, self.of);
+        let levels = &of.begin.levels;
         let is_up = levels.words[levels.flops[flag].output as usize] == 1;
         let rest = |word: &Word| match bit_of(word, 0) {
             bit if is_up => bit,
@@ -84,7 +78,7 @@ impl Unseen<'_> {
         let bad = of.clock.with(&[], [other], &mut gates);
         let at_rest = rest(of.begin.register(flag));
         let assumed = [&of.assumed[..], &[at_rest]].concat();
-        let mut pairs = self.outputs(&of.clock.end, &bad, &mut gates);
+        let mut pairs = self.outputs(levels, [&of.clock.end, &bad], &mut gates);
         let memories = of.clock.end.memories.iter().zip(&bad.memories);
         pairs.extend(memories.flat_map(|(good, bad)| zip(good, bad)));
         for (index, [good, bad]) in registers(&of.clock, &bad).enumerate() {
@@ -100,13 +94,15 @@ impl Unseen<'_> {
     }
 
     /// The bits of the outputs, where they count.
-    fn outputs(&self, good: &End, bad: &End, gates: &mut Gates) -> Vec<(Bit, Bit)> {
+    fn outputs(&self, levels: &Levels, ends: [&End; 2], gates: &mut Gates) -> Vec<(Bit, Bit)> {
         let mut pairs = vec![];
-        let ports = ports(&self.of.begin.levels);
-        for (port, flag) in ports.iter().zip(self.counts_with) {
+        let ports = ports(levels);
+        for (port, flag) in ports.iter().zip(&self.counts_with) {
             for place in port.clone() {
-                let both = [good, bad].map(|end| match flag {
-                    Some(flag) => gates.and(good.outputs[ports[*flag].start], end.outputs[place]),
+                let both = ends.map(|end| match flag {
+                    Some(flag) => {
+                        gates.and(ends[0].outputs[ports[*flag].start], end.outputs[place])
+                    }
                     None => end.outputs[place],
                 });
                 pairs.push(both.into());
@@ -120,15 +116,4 @@ impl Unseen<'_> {
 fn registers<'a>(good: &'a Frame, bad: &'a End) -> impl Iterator<Item = [&'a Word; 2]> {
     let pairs = good.end.registers.iter().zip(&bad.registers);
     pairs.map(|(good, bad)| [good, bad])
-}
-
-/// Where the bits of each output are.
-pub(crate) fn ports(levels: &Levels) -> Vec<Range<usize>> {
-    let mut first = 0;
-    let ports = levels.outputs().iter().map(|port| {
-        let place = first;
-        first += port.width as usize;
-        place..first
-    });
-    ports.collect()
 }

@@ -214,7 +214,8 @@ fn length(vector: Direction) -> Interval {
 }
 
 fn unit(vector: Direction) -> Direction {
-    vector.map(|v| v / length(vector))
+    let length = length(vector);
+    vector.map(|v| v / length)
 }
 
 fn direction([x, y, z, _]: &[BigRational; 4]) -> Direction {

@@ -36,7 +36,7 @@ pub const CLOSE_LEVELS: f64 = 4.0;
 /// Differences that are listed.
 const LISTED: usize = 16;
 
-/// What a pixel is; of several pictures the last of these.
+/// What a pixel is; of several pictures the last of these. The first two show the same face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Mark {
     /// Alike, outside the band.
@@ -55,13 +55,6 @@ pub enum Mark {
     Depth,
     /// The same faces in a colour beyond its bound.
     Colour,
-}
-
-impl Mark {
-    /// Whether both pictures show the same face.
-    fn is_alike(self) -> bool {
-        self <= Mark::Band
-    }
 }
 
 /// A picture of opaque objects, or of one transparent object alone: as it is traced, the golden one, and what is
@@ -163,6 +156,12 @@ impl Comparison {
         self.differences_outside == 0
             && self.depths_beyond_bound == 0
             && self.colours_beyond_bound == 0
+    }
+
+    fn list(&mut self, difference: Difference) {
+        if self.first.len() < LISTED {
+            self.first.push(difference);
+        }
     }
 }
 
@@ -284,7 +283,11 @@ impl Judge<'_> {
                 number: golden.number[index],
                 depth: golden.depth[index] as f64,
             },
-            traced: self.of_tracer(seen),
+            traced: Seen {
+                object: seen.map_or(-1, |pixel| i64::from(pixel.object)),
+                number: seen.map_or(0, |pixel| pixel.number),
+                depth: seen.map_or(self.bounds.z_max, |pixel| self.depth(&pixel)),
+            },
             bound: None,
             colour: None,
         }
@@ -364,22 +367,6 @@ impl Judge<'_> {
             let bound = self.bound(&facet, (x, y)) + self.slack(&facet);
             (golden.depth - self.depth(&facet)).abs() <= bound
         })
-    }
-
-    fn of_tracer(&self, seen: Option<TracedPixel>) -> Seen {
-        Seen {
-            object: seen.map_or(-1, |pixel| i64::from(pixel.object)),
-            number: seen.map_or(0, |pixel| pixel.number),
-            depth: seen.map_or(self.bounds.z_max, |pixel| self.depth(&pixel)),
-        }
-    }
-}
-
-impl Comparison {
-    fn list(&mut self, difference: Difference) {
-        if self.first.len() < LISTED {
-            self.first.push(difference);
-        }
     }
 }
 

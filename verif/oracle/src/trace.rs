@@ -217,8 +217,8 @@ impl Tracer {
         }
         let left = self.left(list, area);
         let list: Vec<u32> = left.iter().map(|(index, _)| *index).collect();
-        if is_small(area) {
-            let [[x0, y0], [x1, y1]] = area;
+        let [[x0, y0], [x1, y1]] = area;
+        if x1 - x0 <= SMALLEST && y1 - y0 <= SMALLEST {
             for y in y0..y1 {
                 for x in x0..x1 {
                     pixels.push(((x, y), self.pixel(x, y, &list)));
@@ -306,10 +306,6 @@ pub(crate) fn material<'a>(scene: &'a SceneFile, object: &Object) -> &'a Materia
 
 /// Pixels from one column and line to before another.
 type Area = [[u32; 2]; 2];
-
-fn is_small([[x0, y0], [x1, y1]]: Area) -> bool {
-    x1 - x0 <= SMALLEST && y1 - y0 <= SMALLEST
-}
 
 fn quarters([[x0, y0], [x1, y1]]: Area) -> Vec<Area> {
     let (x, y) = ((x0 + x1).div_ceil(2), (y0 + y1).div_ceil(2));

@@ -150,16 +150,6 @@ impl Run<'_> {
         }
     }
 
-    /// Follows the pins through the picture.
-    fn see_place(&mut self, shown: &Shown) {
-        let pixel = (shown.x.into(), shown.y.into());
-        self.spot.pixel = shown.active.then_some(pixel);
-        if shown.start {
-            self.spot.frame += 1;
-            self.spot.is_scene = self.on.is_some();
-        }
-    }
-
     fn see_swap(&mut self, hardware: &Machine, host: &Host) {
         if hardware.at(self.swapped) == Some(1) {
             let next = self.next.map_or(0, |image| image + 1);
@@ -182,10 +172,15 @@ impl Run<'_> {
         let Some((shown, hsync, vsync)) = self.late.push(scanned) else {
             return false;
         };
-        self.see_place(&shown);
+        let [x, y] = [shown.x, shown.y].map(usize::from);
+        self.spot.pixel = shown.active.then_some((x, y));
+        if shown.start {
+            self.spot.frame += 1;
+            self.spot.is_scene = self.on.is_some();
+        }
         let image = self.on.and_then(|on| self.images.get(on));
         let expected = image.map_or(&self.black, |image| &image.picture);
-        let at = 3 * (usize::from(shown.y) * self.width + usize::from(shown.x));
+        let at = 3 * (y * self.width + x);
         let plane = self.overlay.filter(|_| self.is_overlaid);
         let over = plane.and_then(|plane| plane.colour_at(at / 3));
         let colour = |channel: usize| match (shown.active, over) {
@@ -198,7 +193,7 @@ impl Run<'_> {
         let wanted = [red, green, blue, hsync, vsync, de];
         self.wanted = Some(wanted);
         let found = self.places.map(|place| hardware.at(place));
-        let pixel = shown.active.then_some((shown.x.into(), shown.y.into()));
+        let pixel = shown.active.then_some((x as i64, y as i64));
         let report = &mut self.outcome.report;
         for ((pin, found), golden) in PINS.iter().zip(found).zip(wanted) {
             report.compare(hardware.clocks, pixel, pin, found, golden);

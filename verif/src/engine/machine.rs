@@ -196,12 +196,8 @@ impl Machine {
 
 impl Hardware for Machine {
     fn clock(&mut self, inputs: &[&[i64]]) {
-        for ((word, port), value) in self
-            .given
-            .iter_mut()
-            .zip(&self.design.inputs)
-            .zip(inputs[0])
-        {
+        let given = self.given.iter_mut().zip(&self.design.inputs);
+        for ((word, port), value) in given.zip(inputs[0]) {
             *word = port.bits(*value);
         }
         Machine::clock(self);

@@ -127,8 +127,8 @@ fn describe(p: &Request) -> Description {
         | Unit::SphereProcessor
         | Unit::CylinderProcessor => object::object_processor(p, format),
         Unit::PolyhedronProcessor => object::polyhedron_processor(format, planes),
-        Unit::QuadricVolume => object::quadric_volume(format, planes, rows),
-        Unit::PolyhedralVolume => object::polyhedral_volume(format, planes),
+        Unit::QuadricVolume => object::volume(format, planes, Some(rows)),
+        Unit::PolyhedralVolume => object::volume(format, planes, None),
         Unit::RasterControl => video::raster_control(),
         Unit::CoefficientStore => machine::coefficient_store(format, planes),
         Unit::Beam => machine::beam(format, objects, planes, rows),

@@ -286,15 +286,20 @@ pub(super) fn plausible(ports: &[Signal]) -> BoxedStrategy<Vec<i64>> {
 /// The visible depth comes in before the words.
 const DEPTH: usize = WORDS;
 
-/// Whether the visible point is inside.
-fn volume(format: Format, planes: usize, clocks: [u32; 2], has_quadric: bool) -> Description {
+/// Whether the visible point is inside; with a quadric, whose root network has so many rows in a stage, or without.
+pub(super) fn volume(format: Format, planes: usize, rows_per_stage: Option<usize>) -> Description {
+    let latency = rows_per_stage.map(|rows| quadric_latency(&format, rows as u32));
+    let clocks = match latency {
+        Some(latency) => [latency - FROM_DEPTH, latency],
+        None => [0, polyhedral_latency()],
+    };
     // Shadow or light, and whose: the flags behind the processor are told, not the processor.
     let words = VolumeWords {
         kind: VolumeKind::Shadow,
         source: 0,
         screen_box: ScreenBox::EMPTY,
         margin: 0,
-        quadric: has_quadric.then_some(VolumeQuadric::EVERYWHERE),
+        quadric: latency.map(|_| VolumeQuadric::EVERYWHERE),
         planes: vec![VolumePlane::default(); planes],
     };
     let read = |ports: &mut Ports, words: &mut VolumeWords| {
@@ -305,15 +310,6 @@ fn volume(format: Format, planes: usize, clocks: [u32; 2], has_quadric: bool) ->
         [words.holds(x, y, i[DEPTH], format).into()]
     };
     zone(points, format, clocks, words, read, pixel)
-}
-
-pub(super) fn quadric_volume(format: Format, planes: usize, rows_per_stage: usize) -> Description {
-    let latency = quadric_latency(&format, rows_per_stage as u32);
-    volume(format, planes, [latency - FROM_DEPTH, latency], true)
-}
-
-pub(super) fn polyhedral_volume(format: Format, planes: usize) -> Description {
-    volume(format, planes, [0, polyhedral_latency()], false)
 }
 
 /// Words held over a zone, and a visible depth that changes every clock: at the parts of the volume, at the ends, or

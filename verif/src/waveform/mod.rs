@@ -41,7 +41,7 @@ pub struct Sample {
 
 /// A recorded trace: groups, and one sample per group for each recorded clock. Only the clocks of a window and those
 /// around the first mismatch are kept.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Trace {
     groups: Vec<Group>,
     window: Range<u64>,
@@ -57,9 +57,7 @@ impl Trace {
         Trace {
             groups,
             window,
-            mismatch: None,
-            clocks: Vec::new(),
-            recent: VecDeque::new(),
+            ..Trace::default()
         }
     }
 

@@ -69,8 +69,8 @@ impl Comparison {
         let (width, traced) = (judges[0].pair.traced.width, &judges[0].pair.traced);
         let of = |index: usize| {
             let at = (index % width, index / width);
-            let alike = marks[index].is_alike();
-            alike.then(|| levels(judges, &painted.colours, at))?
+            let is_alike = marks[index] <= Mark::Band;
+            is_alike.then(|| levels(judges, &painted.colours, at))?
         };
         let allowed: Vec<Option<Levels>> = (0..marks.len()).into_par_iter().map(of).collect();
         let golden = painted.golden.as_chunks::<3>().0;
