@@ -4,74 +4,30 @@ use crate::description::{Board, Family};
 use crate::error::BoardError;
 use num_rational::Ratio;
 use num_traits::{Signed, ToPrimitive};
-use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// A frequency in Hz.
 type Hertz = Ratio<i128>;
 
 const MEGA: i128 = 1_000_000;
 
-/// The dividers of a PLL.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(untagged)]
-pub enum Dividers {
-    /// ECP5: the oscillator runs at input / `reference` x `feedback` x `looped`, the fast clock at its `fast`th part,
-    /// the pixels at its `pixel`th.
-    Ecp5 {
-        /// Of the input.
-        reference: i128,
-        /// In the feedback.
-        feedback: i128,
-        /// Of the output that is fed back: the fast clock, or one of its own where it differs.
-        looped: i128,
-        /// Of the fast clock.
-        fast: i128,
-        /// Of the clock of the pixels.
-        pixel: i128,
-    },
-    /// iCE40: input / (`divr` + 1) x (`divf` + 1) / 2^`divq`.
-    Ice40 {
-        /// Of the input, less 1.
-        divr: i128,
-        /// In the feedback, less 1.
-        divf: i128,
-        /// Of the output, as a power of two.
-        divq: i128,
-        /// Range of the filter for the phase detector.
-        filter: u32,
-    },
-    /// Gowin: the fast clock is input / (`input` + 1) x (`feedback` + 1), its oscillator `output` times that; a divider
-    /// makes the fifth part of it for the pixels.
-    Gowin {
-        /// Of the input, less 1.
-        input: i128,
-        /// In the feedback, less 1.
-        feedback: i128,
-        /// Of the output.
-        output: i128,
-    },
-    /// 7 series: input / `reference` x `feedback` / `output`, both in eighths.
-    Xilinx7 {
-        /// Of the input.
-        reference: i128,
-        /// In the feedback, in eighths.
-        feedback: i128,
-        /// Of the output, in eighths.
-        output: i128,
-    },
-    /// No PLL: the clock of the board, as a board that is only simulated has it.
-    None,
-}
+/// The dividers of a PLL, by their names in the template of its family (`top/clock_*.v`), whose search says what they
+/// are.
+pub type Dividers = BTreeMap<&'static str, i128>;
+
+/// What a PLL can make: the clock of the pixels, its rank among equal clocks, and the dividers. The first of equal ones
+/// has the fastest phase detector, and the feedback of an output that is there anyway.
+type Candidate = (Hertz, (i128, bool), Dividers);
 
 /// A PLL.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pll {
     input: i128,
     wanted: i128,
     ratio: i128,
     /// The clock of the pixels in Hz, exactly.
     pub pixel_hertz: Hertz,
-    /// Its dividers.
+    /// Its dividers; none where the clock is that of the board, as a board that is only simulated has it.
     pub dividers: Dividers,
 }
 
@@ -89,12 +45,12 @@ impl Pll {
             Some(Family::Ice40) => ice40(input),
             Some(Family::Gowin) => gowin(board, input, ratio),
             Some(Family::Xilinx7) => xilinx7(input, wanted),
-            None => vec![(Ratio::from(wanted), Dividers::None)],
+            None => vec![(Ratio::from(wanted), (0, false), Dividers::new())],
         };
         let distance = |pixel: &Hertz| (pixel - wanted).abs();
         let candidates = candidates.into_iter();
-        let best = candidates.min_by_key(|(pixel, dividers)| (distance(pixel), dividers.rank()));
-        let (pixel_hertz, dividers) =
+        let best = candidates.min_by_key(|(pixel, rank, _)| (distance(pixel), *rank));
+        let (pixel_hertz, _, dividers) =
             best.ok_or(BoardError::NoClock(wanted_hertz, board.clock.hertz))?;
         Ok(Pll {
             input,
@@ -131,29 +87,6 @@ fn mhz(hertz: Hertz) -> f64 {
     (hertz / MEGA).to_f64().unwrap_or(f64::NAN)
 }
 
-impl Dividers {
-    /// Of equal clocks the one with the fastest phase detector, and with the feedback of an output that is there
-    /// anyway.
-    fn rank(&self) -> (i128, bool) {
-        match *self {
-            Dividers::Ecp5 {
-                reference,
-                looped,
-                fast,
-                ..
-            } => (reference, looped != fast),
-            Dividers::Ice40 { divr, .. } => (divr, false),
-            Dividers::Xilinx7 {
-                reference,
-                feedback,
-                output,
-            } => (reference, feedback % 8 > 0 || output % 8 > 0),
-            Dividers::Gowin { input, .. } => (input, false),
-            Dividers::None => (0, false),
-        }
-    }
-}
-
 /// Is the frequency between these numbers of kHz?
 fn within(hertz: Hertz, least: i128, most: i128) -> bool {
     (Ratio::from(1000 * least)..=Ratio::from(1000 * most)).contains(&hertz)
@@ -169,10 +102,13 @@ fn within_each(
     each.filter(move |(_, clock)| within(*clock, least, most))
 }
 
-/// All dividers within the limits of the sysCLOCK PLL of the ECP5 (family data sheet; those of `ecppll`): phase
+/// ECP5: the oscillator runs at input / `reference` x `feedback` x `looped`, the fast clock at its `fast`th part, the
+/// pixels at its `pixel`th; what is fed back is the fast clock, or an output of its own where `looped` differs.
+///
+/// All dividers within the limits of the sysCLOCK PLL (family data sheet; those of `ecppll`): phase
 /// detector from 3.125 MHz, oscillator 400 to 800 MHz, outputs 3.125 to 400 MHz, dividers 1 to 128, that of the
 /// feedback to 80.
-fn ecp5(input: i128, wanted: i128, ratio: i128) -> Vec<(Hertz, Dividers)> {
+fn ecp5(input: i128, wanted: i128, ratio: i128) -> Vec<Candidate> {
     let input = Ratio::from(input);
     let mut found = Vec::new();
     for (reference, detected) in within_each(1..=128, |by| input / by, (3_125, 400_000)) {
@@ -186,14 +122,14 @@ fn ecp5(input: i128, wanted: i128, ratio: i128) -> Vec<(Hertz, Dividers)> {
                     && outputs.iter().all(|&output| within(output, 3_125, 400_000));
                 let factors = factors(product, fast, oscillator).filter(|_| is_legal);
                 if let Some((feedback, looped)) = factors {
-                    let dividers = Dividers::Ecp5 {
-                        reference,
-                        feedback,
-                        looped,
-                        fast,
-                        pixel: fast * ratio,
-                    };
-                    found.push((outputs[1], dividers));
+                    let dividers = Dividers::from([
+                        ("reference", reference),
+                        ("feedback", feedback),
+                        ("looped", looped),
+                        ("fast", fast),
+                        ("pixel", fast * ratio),
+                    ]);
+                    found.push((outputs[1], (reference, looped != fast), dividers));
                 }
             }
         }
@@ -212,9 +148,11 @@ fn factors(product: i128, fast: i128, oscillator: Hertz) -> Option<(i128, i128)>
     Some((product / looped, looped))
 }
 
-/// All dividers within the limits of the PLL of the iCE40 with simple feedback (those of `icepll`): phase detector 10
+/// iCE40: input / (`divr` + 1) x (`divf` + 1) / 2^`divq`; `filter` is the range of the filter for the phase detector.
+///
+/// All dividers within the limits of the PLL with simple feedback (those of `icepll`): phase detector 10
 /// to 133 MHz, oscillator 533 to 1066 MHz, output 16 to 275 MHz.
-fn ice40(input: i128) -> Vec<(Hertz, Dividers)> {
+fn ice40(input: i128) -> Vec<Candidate> {
     let input = Ratio::from(input);
     let mut found = Vec::new();
     for (divr, detected) in within_each(0..=15, |by| input / (by + 1), (10_000, 133_000)) {
@@ -222,23 +160,26 @@ fn ice40(input: i128) -> Vec<(Hertz, Dividers)> {
         for (divf, oscillator) in within_each(0..=127, oscillator, (533_000, 1_066_000)) {
             let output = |by: i128| oscillator / (1 << by);
             for (divq, output) in within_each(1..=6, output, (16_000, 275_000)) {
-                let dividers = Dividers::Ice40 {
-                    divr,
-                    divf,
-                    divq,
-                    filter: filter(detected),
-                };
-                found.push((output, dividers));
+                let filter = filter(detected);
+                let dividers = [
+                    ("divr", divr),
+                    ("divf", divf),
+                    ("divq", divq),
+                    ("filter", filter),
+                ];
+                found.push((output, (divr, false), Dividers::from(dividers)));
             }
         }
     }
     found
 }
 
-/// All dividers within the limits of the MMCM of the 7 series, speed grade 1 (Artix-7 data sheet): phase detector 10 to
+/// 7 series: input / `reference` x `feedback` / `output`, both in eighths.
+///
+/// All dividers within the limits of the MMCM, speed grade 1 (Artix-7 data sheet): phase detector 10 to
 /// 450 MHz, oscillator 600 to 1200 MHz, output from 4.69 MHz; dividers of feedback and output in eighths, from 2 to 64
 /// and from 2 to 128.
-fn xilinx7(input: i128, wanted: i128) -> Vec<(Hertz, Dividers)> {
+fn xilinx7(input: i128, wanted: i128) -> Vec<Candidate> {
     let input = Ratio::from(input);
     let mut found = Vec::new();
     for (reference, detected) in within_each(1..=106, |by| input / by, (10_000, 450_000)) {
@@ -249,12 +190,13 @@ fn xilinx7(input: i128, wanted: i128) -> Vec<(Hertz, Dividers)> {
             for output in [exact.floor().to_integer(), exact.ceil().to_integer()] {
                 let made = oscillator * 8 / output.max(1);
                 if (16..=1024).contains(&output) && within(made, 4_690, 800_000) {
-                    let dividers = Dividers::Xilinx7 {
-                        reference,
-                        feedback,
-                        output,
-                    };
-                    found.push((made, dividers));
+                    let dividers = [
+                        ("reference", reference),
+                        ("feedback", feedback),
+                        ("output", output),
+                    ];
+                    let is_apart = feedback % 8 > 0 || output % 8 > 0;
+                    found.push((made, (reference, is_apart), Dividers::from(dividers)));
                 }
             }
         }
@@ -263,9 +205,9 @@ fn xilinx7(input: i128, wanted: i128) -> Vec<(Hertz, Dividers)> {
 }
 
 /// The range of the filter, as `icepll` has it.
-fn filter(detected: Hertz) -> u32 {
+fn filter(detected: Hertz) -> i128 {
     let bounds = [17, 26, 44, 66, 101].map(|mhz| Ratio::from(mhz * MEGA));
-    1 + bounds.iter().filter(|&&bound| detected >= bound).count() as u32
+    1 + bounds.iter().filter(|&&bound| detected >= bound).count() as i128
 }
 
 /// Limits of the rPLL in kHz (family data sheets): phase detector, oscillator, output.
@@ -282,8 +224,9 @@ const GOWIN: [(&str, [(i128, i128); 3]); 2] = [
 /// What the oscillator can be divided by.
 const GOWIN_OUTPUTS: [i128; 11] = [2, 4, 8, 16, 32, 48, 64, 80, 96, 112, 128];
 
-/// All dividers within the limits of the rPLL of the part.
-fn gowin(board: &Board, input: i128, ratio: i128) -> Vec<(Hertz, Dividers)> {
+/// Gowin: the fast clock is input / (`input` + 1) x (`feedback` + 1), its oscillator `output` times that; a divider makes
+/// the fifth part of it for the pixels. All dividers within the limits of the rPLL of the part.
+fn gowin(board: &Board, input: i128, ratio: i128) -> Vec<Candidate> {
     let device = board.part.as_ref().map_or("", |part| &part.device);
     let mut parts = GOWIN.into_iter();
     let Some((_, [detector, oscillator, fast])) = parts.find(|(name, _)| device.starts_with(name))
@@ -298,12 +241,8 @@ fn gowin(board: &Board, input: i128, ratio: i128) -> Vec<(Hertz, Dividers)> {
             let mut outputs = GOWIN_OUTPUTS.into_iter();
             let output = outputs.find(|&output| keeps(made * output, oscillator));
             if let Some(output) = output {
-                let dividers = Dividers::Gowin {
-                    input,
-                    feedback,
-                    output,
-                };
-                found.push((made / ratio, dividers));
+                let dividers = [("input", input), ("feedback", feedback), ("output", output)];
+                found.push((made / ratio, (input, false), Dividers::from(dividers)));
             }
         }
     }

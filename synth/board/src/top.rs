@@ -2,7 +2,7 @@
 
 use crate::description::{Board, Family, Part, Video};
 use crate::error::BoardError;
-use crate::pll::{Dividers, Pll};
+use crate::pll::Pll;
 use crate::tile::rendered;
 use imogene_contract::{Request, Unit};
 use imogene_golden::machine::zone::beat::Beat;
@@ -55,12 +55,12 @@ pub fn sources(board: &Board, pll: &Pll, display: &Display) -> Result<Sources, B
         Ok(())
     };
     add(include_str!("top/core.v"), core(board, display)?)?;
-    let clock = match pll.dividers {
-        Dividers::Ecp5 { .. } => include_str!("top/clock_ecp5.v"),
-        Dividers::Ice40 { .. } => include_str!("top/clock_ice40.v"),
-        Dividers::Gowin { .. } => include_str!("top/clock_gowin.v"),
-        Dividers::Xilinx7 { .. } => include_str!("top/clock_xilinx7.v"),
-        Dividers::None => include_str!("top/clock_none.v"),
+    let clock = match board.part.as_ref().map(|part| part.family) {
+        Some(Family::Ecp5) => include_str!("top/clock_ecp5.v"),
+        Some(Family::Ice40) => include_str!("top/clock_ice40.v"),
+        Some(Family::Gowin) => include_str!("top/clock_gowin.v"),
+        Some(Family::Xilinx7) => include_str!("top/clock_xilinx7.v"),
+        None => include_str!("top/clock_none.v"),
     };
     add(clock, clocks(board, pll))?;
     match &board.video {
@@ -161,7 +161,7 @@ fn clocks(board: &Board, pll: &Pll) -> Value {
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
     };
     context! {
-        pll => Value::from(Serde(pll.dividers)), pad => board.clock.pad, series => board.part.as_ref().map(Part::series),
+        pll => Value::from(Serde(&pll.dividers)), pad => board.clock.pad, series => board.part.as_ref().map(Part::series),
         input_mhz => decimal(pll.input_mhz()), fast => decimal(pll.fast_mhz()), pixel => decimal(pll.pixel_mhz()),
         period => format!("{:.3}", 1000.0 / pll.input_mhz()),
     }
