@@ -1,43 +1,30 @@
 //! Arguments of every command.
 
 mod accuracy;
-mod board;
-mod cosim;
 mod fit;
-mod frames;
 mod given;
 mod import;
-mod look;
 mod machine;
-mod oracle;
 mod parse;
-mod proof;
 mod scene;
 mod synth;
-mod trade;
 mod unit;
-mod waves;
+mod verify;
 
-pub use accuracy::{Bounds, Evaluate, Shading, Sweep};
-pub use board::Board;
+pub use accuracy::{Bounds, Cracks, Evaluate, Raytrace, Repair, Shading, Sweep};
 use clap::{Parser, Subcommand};
-pub use cosim::{Cosim, Speed};
-pub use fit::{Fit, MACHINE_FILE, lit_sphere};
-pub use frames::FrameRange;
+pub use fit::{Fit, MACHINE_FILE, Trade, TradeEngine, lit_sphere};
 pub use given::Given;
 pub use import::{Deviation, Import, Terrain, kind_name};
-pub use look::LookOptions;
-pub use machine::Machine;
-pub use oracle::{Cracks, Raytrace, Repair};
-pub use parse::option;
-pub use proof::{Mutate, Prove};
+pub use machine::{Board, Machine};
+pub use parse::{FrameRange, option};
 pub use scene::{
-    Check, Detail, Model, New, Primitives, Render, Scene, SceneWords, Size, Split, View,
+    Check, Detail, LookOptions, Model, New, Primitives, Render, Scene, SceneWords, Size, Split,
+    View,
 };
 pub use synth::{Peers, Synth};
-pub use trade::{Trade, TradeEngine};
 pub use unit::{Contract, Demo, Emit, Fitted, Package, Parameters, Processors, Roots, Shape};
-pub use waves::Waves;
+pub use verify::{Cosim, Mutate, Prove, Speed, Waves};
 
 /// Hardware that draws quadrics, proven against a golden model.
 ///

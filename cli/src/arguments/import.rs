@@ -1,7 +1,7 @@
 //! Arguments of `import`, and of `terrain`.
 
-use super::look::LookOptions;
 use super::parse::{Choices, choice, list, name};
+use super::scene::LookOptions;
 use clap::Args;
 use imogene_import::Kind;
 use imogene_import::pdb::{Alternates, Colouring, Format, ModelChoice, Options, Residues, Style};
