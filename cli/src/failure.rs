@@ -40,6 +40,18 @@ impl Failure {
         Failure::Input(format!("{}: {problem}", path.display()))
     }
 
+    /// A check that fails unless it holds.
+    ///
+    /// # Errors
+    ///
+    /// When it does not hold.
+    pub fn unless(holds: bool, problem: impl FnOnce() -> String) -> Result {
+        match holds {
+            true => Ok(()),
+            false => Err(Failure::Check(problem())),
+        }
+    }
+
     /// The process exit code.
     pub fn exit_code(&self) -> u8 {
         match self {

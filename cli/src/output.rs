@@ -60,6 +60,25 @@ pub fn told(json: bool, report: &impl Serialize, template: &str) -> Result {
     Ok(())
 }
 
+/// A report with the files that were written of it.
+#[derive(Serialize)]
+pub struct Written<T> {
+    #[serde(flatten)]
+    pub report: T,
+    pub files: Vec<PathBuf>,
+}
+
+/// The same, with the files that were written.
+pub fn written(json: bool, report: impl Serialize, files: Vec<PathBuf>, template: &str) -> Result {
+    if json {
+        self::json(&Written { report, files });
+        return Ok(());
+    }
+    text(page(template, &report)?);
+    wrote(&files);
+    Ok(())
+}
+
 /// What a template makes of values, without the end of its last line.
 pub fn page(template: &str, values: impl Serialize) -> Result<String> {
     let mut page = imogene_studies::kit::page::text("the report cannot be told", template, values)?;

@@ -11,13 +11,12 @@ use imogene_studies::trial::TrialReport;
 ///
 /// When a level is farther off.
 pub fn of_levels(errors: &ShadingErrors) -> Result {
-    if errors.beyond == 0 {
-        return Ok(());
-    }
-    Err(Failure::Check(format!(
-        "{} levels differ by more than 1 from the formula, by {} at most; the worst case: {:?}",
-        errors.beyond, errors.greatest, errors.worst
-    )))
+    let (beyond, greatest, worst) = (errors.beyond, errors.greatest, &errors.worst);
+    Failure::unless(beyond == 0, || {
+        format!(
+            "{beyond} levels differ by more than 1 from the formula, by {greatest} at most; the worst case: {worst:?}"
+        )
+    })
 }
 
 /// No error may be beyond its bound in any format; the seed makes the cases again.

@@ -20,7 +20,7 @@ use imogene_plan::description::MachineDescription;
 use imogene_rtl::emit::machine::emit_machine;
 use imogene_studies::picture::Preview;
 use imogene_verif::display::request::request_for;
-use report::{BoardReport, SLACK, Shown, tell};
+use report::{BoardReport, SLACK, Shown, finish};
 
 /// Makes a board that shows a scene.
 pub fn run(options: &arguments::Board, json: bool) -> Result<(), Failure> {
@@ -66,12 +66,11 @@ pub fn run(options: &arguments::Board, json: bool) -> Result<(), Failure> {
         let name = format!("{}.core", work.board.name);
         files.add_text(&options.out.join(name), &text)?;
     }
-    report.files = files.paths();
-    let path = options.out.join("board.json");
-    report.files.push(path.clone());
-    files.add_text(&path, &output::json_text(&report))?;
-    files.finish()?;
-    output::report(json, &report, tell);
+    let template = concat!(
+        include_str!("board/pins.txt"),
+        include_str!("board/board.txt")
+    );
+    finish(options, &work.board, &report, files, json, template)?;
     report.verdict()
 }
 
@@ -131,7 +130,6 @@ impl Work<'_> {
             bitstream: None,
             netlist: None,
             command,
-            files: vec![],
         }
     }
 

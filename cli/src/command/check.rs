@@ -6,16 +6,7 @@ use crate::failure::{Failure, Result};
 use crate::output;
 use imogene_analysis::bounds::{CheckReport, check};
 use imogene_studies::picture;
-use serde::Serialize;
-use std::path::{Path, PathBuf};
-
-/// What was found; the keys are stable.
-#[derive(Serialize)]
-struct Output {
-    #[serde(flatten)]
-    report: CheckReport,
-    files: Vec<PathBuf>,
-}
+use std::path::Path;
 
 /// Shows what a scene needs and how exact its picture is.
 pub fn run(options: &Check, json: bool) -> Result {
@@ -23,19 +14,15 @@ pub fn run(options: &Check, json: bool) -> Result {
     let is_picture = map.map(is_picture).transpose()?;
     let (framed, prepared) = load_scene(&options.scene)?;
     let report = check(&framed, &prepared);
-    let files: Vec<PathBuf> = options.map.iter().cloned().collect();
     if let Some((path, is_picture)) = map.zip(is_picture) {
         write_map(path, is_picture, &report.marks(), prepared.width as usize)?;
     }
-    let output = Output { report, files };
-    output::told(json, &output, include_str!("check.txt"))?;
-    verdict(&output.report)
+    let files = options.map.iter().cloned().collect();
+    output::written(json, &report, files, include_str!("check.txt"))?;
+    verdict(&report)
 }
 
 fn verdict(report: &CheckReport) -> Result {
-    if report.ok {
-        return Ok(());
-    }
     let adrift = report.objects.iter().filter(|o| o.undecided.adrift > 0);
     let why = match output::joined(adrift.map(|o| format!("'{}'", o.name)), ", ") {
         none if none.is_empty() => "a word wraps".to_owned(),
@@ -43,7 +30,7 @@ fn verdict(report: &CheckReport) -> Result {
             format!("the outline of {adrift} may be a pixel or more away from the true one")
         }
     };
-    Err(Failure::Check(format!("{why}; see the objects' problems")))
+    Failure::unless(report.ok, || format!("{why}; see the objects' problems"))
 }
 
 /// Whether a map is a picture, or else an array.

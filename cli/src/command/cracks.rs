@@ -13,7 +13,6 @@ use imogene_oracle::trace::Tracer;
 use imogene_prepare::PreparedScene;
 use imogene_scene::DepthRange;
 use serde::Serialize;
-use std::path::PathBuf;
 
 /// Minimum distances that are tried with cracks made on purpose, as powers of two of the one asked for.
 const POWERS: std::ops::RangeInclusive<i32> = -2..=6;
@@ -27,7 +26,6 @@ struct CrackReport {
     crack_width: usize,
     cracks: Vec<Crack>,
     scores: Vec<ScoreRow>,
-    files: Vec<PathBuf>,
 }
 
 #[derive(Serialize)]
@@ -75,29 +73,21 @@ pub fn run(options: &Cracks, json: bool) -> Result {
         crack_width: rule.width,
         cracks: found,
         scores,
-        files: files.finish()?,
     };
-    output::told(json, &report, include_str!("cracks.md"))?;
-    match closed(&report) {
-        _ if options.inject.is_some() => missed(&report),
-        0 => Ok(()),
-        n => Err(Failure::Check(format!("cracks: {}", counted(n, "pixel")))),
+    output::written(json, &report, files.finish()?, include_str!("cracks.md"))?;
+    if options.inject.is_some() {
+        // With cracks made on purpose the check is that every deep one is found.
+        let missed = |s: &ScoreRow| s.score.deep - s.score.deep_found;
+        let missed: usize = report.scores.iter().map(missed).sum();
+        return Failure::unless(missed == 0, || {
+            format!("{missed} deep cracks were not found")
+        });
     }
-}
-
-/// Flagged pixels that are neither the end of a notch nor an opening of the scene.
-fn closed(report: &CrackReport) -> usize {
-    let cracks = report.cracks.iter();
-    cracks.filter(|c| c.is_of_the_drawing()).count()
-}
-
-/// With cracks made on purpose the check is that every deep one is found.
-fn missed(report: &CrackReport) -> Result {
-    let missed = |s: &ScoreRow| s.score.deep - s.score.deep_found;
-    match report.scores.iter().map(missed).sum() {
-        0 => Ok(()),
-        n => Err(Failure::Check(format!("{n} deep cracks were not found"))),
-    }
+    let open = report.cracks.iter().filter(|c| c.is_of_the_drawing());
+    let pixels = open.count();
+    Failure::unless(pixels == 0, || {
+        format!("cracks: {}", counted(pixels, "pixel"))
+    })
 }
 
 fn scores(

@@ -88,10 +88,9 @@ pub fn run(options: &Demo, json: bool) -> Result {
     files.finish()?;
     output::report(json, &summary, tell);
     verdict(&summary.report)?;
-    match summary.pictures_identical {
-        true => Ok(()),
-        false => Err(Failure::Check("pins.png and golden.png differ".into())),
-    }
+    Failure::unless(summary.pictures_identical, || {
+        "pins.png and golden.png differ".into()
+    })
 }
 
 /// The same scene in a small picture, with the waveforms of a processor: its inside is compared as well.

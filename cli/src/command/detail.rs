@@ -34,7 +34,6 @@ struct DetailReport<'a> {
     zone_streams: Vec<ZoneStream>,
     /// Why there is none.
     zone_refusal: Option<String>,
-    files: Vec<PathBuf>,
 }
 
 #[derive(Serialize)]
@@ -72,17 +71,16 @@ pub fn run(options: &Detail, json: bool) -> Result {
         changed: report.changed,
         zone_streams: streams,
         zone_refusal: refusal,
-        files,
     };
-    output::told(json, &summary, include_str!("detail.txt"))?;
-    match options.pixels == 0 && report.changed != Changed::default() {
-        true => Err(Failure::Check(format!(
-            "{}: {} other than before, and none may be",
-            summary.scene,
-            counted(report.changed.pixels, "pixel")
-        ))),
-        false => Ok(()),
-    }
+    output::written(json, &summary, files, include_str!("detail.txt"))?;
+    let holds = options.pixels > 0 || report.changed == Changed::default();
+    Failure::unless(holds, || {
+        let pixels = counted(report.changed.pixels, "pixel");
+        format!(
+            "{}: {pixels} other than before, and none may be",
+            summary.scene
+        )
+    })
 }
 
 fn rows<'a>(report: &'a Report, prepared: &PreparedScene) -> Vec<Row<'a>> {

@@ -2,7 +2,7 @@
 
 use crate::arguments::Evaluate;
 use crate::failure::{Failure, Result};
-use crate::output;
+use crate::output::{self, Written};
 use imogene_golden::format::Format;
 use imogene_package::processors::processors;
 use imogene_studies::evaluate::{
@@ -10,16 +10,7 @@ use imogene_studies::evaluate::{
     markdown, operations_plot, page, zone_machine,
 };
 use imogene_verif::display::request::{core_request, zone_timing};
-use serde::Serialize;
 use std::path::{Path, PathBuf};
-
-/// All that is counted; the keys are stable.
-#[derive(Serialize)]
-struct Report {
-    #[serde(flatten)]
-    evaluation: Evaluation,
-    files: Vec<PathBuf>,
-}
 
 /// Counts the cost tables of the sources again, prints them, and writes page, figures and pictures if there is a folder
 /// for them.
@@ -29,7 +20,11 @@ pub fn run(options: &Evaluate, json: bool) -> Result {
     let out = options.out.as_ref();
     let files = out.map(|folder| write(folder, &evaluation, &page));
     let files = files.transpose()?.unwrap_or_default();
-    output::report(json, &Report { evaluation, files }, |report| {
+    let report = Written {
+        report: evaluation,
+        files,
+    };
+    output::report(json, &report, |report| {
         output::text(page.trim_end());
         output::wrote(&report.files);
     });

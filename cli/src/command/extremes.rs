@@ -29,10 +29,8 @@ pub fn run(subject: &str, json: bool) -> Result {
         output::json(&findings);
     }
     let failed = findings.iter().filter(|f| !f.held).map(|f| &f.name);
-    match output::joined(failed, ", ") {
-        none if none.is_empty() => Ok(()),
-        failed => Err(Failure::Check(format!("not as stated: {failed}"))),
-    }
+    let failed = output::joined(failed, ", ");
+    Failure::unless(failed.is_empty(), || format!("not as stated: {failed}"))
 }
 
 fn chosen(subject: &str) -> Result<Vec<&'static Extreme>> {

@@ -407,12 +407,10 @@ fn frame_file(options: &Fit, frames: &Frames, name: &str, index: usize, end: &st
 
 fn verdict(report: &FitReport) -> Result {
     let mismatches: u64 = report.cosim.iter().map(|r| r.mismatches).sum();
-    if mismatches == 0 {
-        return Ok(());
-    }
-    Err(Failure::Check(format!(
-        "{} between the fitted hardware and the golden model; please report the command: {}",
-        counted(mismatches, "difference"),
-        report.reproduce
-    )))
+    Failure::unless(mismatches == 0, || {
+        let (differences, command) = (counted(mismatches, "difference"), &report.reproduce);
+        format!(
+            "{differences} between the fitted hardware and the golden model; please report the command: {command}"
+        )
+    })
 }

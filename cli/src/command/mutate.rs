@@ -39,7 +39,7 @@ pub fn run(options: &Mutate, json: bool) -> Result {
                 Some(_) => of_netlist(&request, &scale)?,
             };
             if !json {
-                output::text(describe(&report));
+                output::text(output::page(LINE, &report)?);
             }
             reports.push(report);
         }
@@ -85,8 +85,9 @@ fn of_machine(path: &Path, options: &Mutate, json: bool) -> Result {
     let report = output::during(mutants::count(&design), "mutants", |bar| {
         mutants::run(&shown, &design, report, || bar.inc(1))
     })?;
+    let line = output::page(LINE, &report)?;
     let reports = [report];
-    output::report(json, &reports, |[report]| output::text(describe(report)));
+    output::report(json, &reports, |_| output::text(line));
     verdict(&reports)
 }
 
@@ -108,29 +109,16 @@ fn of_netlist(request: &Request, options: &Options) -> Result<MutationReport> {
     Ok(report?)
 }
 
-fn describe(report: &MutationReport) -> String {
-    format!(
-        "{}: {} of {}, {} killed, {} equivalent, {} forgotten, {} surviving: score {:.2} % ({:.1} s)",
-        report.unit,
-        counted(report.mutants, "mutant"),
-        report.candidates,
-        report.killed,
-        report.equivalent,
-        report.forgotten,
-        report.surviving.len(),
-        report.score,
-        report.seconds
-    )
-}
+/// A report in one line.
+const LINE: &str = r#"{{ unit }}: {{ mutants|counted("mutant") }} of {{ candidates }}, {{ killed }} killed, {{ equivalent }} equivalent, {{ forgotten }} forgotten, {{ surviving|length }} surviving: score {{ score|fixed(2) }} % ({{ seconds|fixed(1) }} s)"#;
 
 fn verdict(reports: &[MutationReport]) -> Result {
     let count: usize = reports.iter().map(|report| report.surviving.len()).sum();
-    if count == 0 {
-        return Ok(());
-    }
-    Err(Failure::Check(format!(
-        "surviving and not proven equivalent: {}\n{}",
-        counted(count, "mutant"),
-        table::survivors(reports).trim_end()
-    )))
+    Failure::unless(count == 0, || {
+        let (mutants, list) = (counted(count, "mutant"), table::survivors(reports));
+        format!(
+            "surviving and not proven equivalent: {mutants}\n{}",
+            list.trim_end()
+        )
+    })
 }

@@ -11,7 +11,7 @@ use imogene_oracle::compare::{CLOSE_LEVELS, Comparison, Mark};
 use imogene_oracle::ordinary::scene_text;
 use imogene_oracle::paint;
 use imogene_oracle::run::{Outcome, run as trace};
-use imogene_oracle::survey::{Finding, survey};
+use imogene_oracle::survey::survey;
 use imogene_oracle::table::{Row, table};
 use imogene_prepare::Options;
 use serde::Serialize;
@@ -66,13 +66,10 @@ pub fn run(options: &Raytrace, json: bool) -> Result {
     } else {
         output::wrote(&files);
     }
-    match failed {
-        0 => Ok(()),
-        n => Err(Failure::Check(format!(
-            "of {}, {n} differ from the traced picture where they must not",
-            counted(options.scenes.len(), "scene")
-        ))),
-    }
+    Failure::unless(failed == 0, || {
+        let scenes = counted(options.scenes.len(), "scene");
+        format!("of {scenes}, {failed} differ from the traced picture where they must not")
+    })
 }
 
 /// Looks at scenes made at random.
@@ -80,45 +77,23 @@ fn random(scenes: u64, options: &Raytrace, format: Format, json: bool) -> Result
     let found = output::during(scenes, "random scenes", |bar| {
         survey(options.seed, scenes, format, || bar.inc(1))
     });
-    let lists = [
-        ("refused", &found.refused),
-        ("fails its check", &found.check_fails),
-        ("DIFFERS", &found.differing),
-    ];
     if let Some(folder) = &options.out {
         let mut files = output::files();
-        for finding in lists.iter().flat_map(|(_, list)| *list) {
+        for finding in [&found.refused, &found.check_fails, &found.differing]
+            .into_iter()
+            .flatten()
+        {
             let file = folder.join(format!("{}-{}.toml", options.seed, finding.number));
             let text = scene_text(options.seed, finding.number);
             files.add_text(&file, &text)?;
         }
         files.finish()?;
     }
-    if json {
-        output::json(&found);
-    } else {
-        for (what, list) in lists {
-            for Finding { number, what: why } in list {
-                output::text(format!("scene {number} {what}: {why}"));
-            }
-        }
-        output::text(format!(
-            "{scenes} scenes, {} pixels, colours of {}, {} pixels of glass: {} refused, {} fail their check, {} differ \
-             from the traced picture where they must not",
-            found.pixels,
-            found.colours,
-            found.transparent,
-            found.refused.len(),
-            found.check_fails.len(),
-            found.differing.len()
-        ));
-    }
-    match found.differing.len() {
-        0 => Ok(()),
-        n => Err(Failure::Check(format!(
-            "{n} of {scenes} scenes differ from the traced picture where they must not"
-        ))),
-    }
+    output::told(json, &found, include_str!("survey.txt"))?;
+    let differing = found.differing.len();
+    Failure::unless(differing == 0, || {
+        format!("{differing} of {scenes} scenes differ from the traced picture where they must not")
+    })
 }
 
 type Drawn = Option<(Frame, Vec<Mark>)>;

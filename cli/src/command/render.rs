@@ -42,7 +42,6 @@ struct RenderReport {
     range: RangeReport,
     #[serde(skip_serializing_if = "Option::is_none")]
     split: Option<SplitReport>,
-    files: Vec<PathBuf>,
 }
 
 /// Writes what was drawn, and tells of it.
@@ -67,9 +66,9 @@ fn finish(
         absent: Absent::of(&framed.objects),
         range: framed.range.report(prepared.format.z_max()),
         split,
-        files: write(options, frame, rgb)?,
     };
-    output::told(json, &report, include_str!("render/picture.txt"))
+    let files = write(options, frame, rgb)?;
+    output::written(json, report, files, include_str!("render/picture.txt"))
 }
 
 pub fn run(options: &Render, json: bool) -> Result {
@@ -124,12 +123,12 @@ fn drawn_as_it_is(failing: &[Failing]) -> Result {
     for Failing { object, reason } in failing {
         output::warning(format!("object '{object}': {reason}"));
     }
-    match failing.len() {
-        0 => Ok(()),
-        n => Err(Failure::Check(format!(
-            "{n} of the objects may not be drawn as they are; `imogene check` says more, and a longer depth word (--format) may help"
-        ))),
-    }
+    Failure::unless(failing.is_empty(), || {
+        let count = failing.len();
+        format!(
+            "{count} of the objects may not be drawn as they are; `imogene check` says more, and a longer depth word (--format) may help"
+        )
+    })
 }
 
 /// The scene with coefficients that are rounded anew for each zone.

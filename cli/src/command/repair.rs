@@ -28,7 +28,6 @@ struct Report {
     leaves_the_rest: bool,
     /// The comparison with the whole exact picture.
     exact: Option<Exact>,
-    files: Vec<PathBuf>,
 }
 
 #[derive(Serialize)]
@@ -53,17 +52,14 @@ pub fn run(options: &Repair, json: bool) -> Result {
         leaves_the_rest: repaired.leaves_the_rest(),
         repair: repaired.report.clone(),
         exact,
-        files: write(options, &framed, &prepared, &repaired)?,
     };
-    output::told(json, &report, include_str!("repair.txt"))?;
+    let files = write(options, &framed, &prepared, &repaired)?;
+    output::written(json, &report, files, include_str!("repair.txt"))?;
     let differing = report.exact.as_ref().map_or(0, |e| e.differing_after);
-    if differing > 0 || !report.leaves_the_rest {
-        return Err(Failure::Check(format!(
-            "the repaired picture differs from the exact one at {}",
-            counted(differing, "pixel")
-        )));
-    }
-    Ok(())
+    Failure::unless(differing == 0 && report.leaves_the_rest, || {
+        let pixels = counted(differing, "pixel");
+        format!("the repaired picture differs from the exact one at {pixels}")
+    })
 }
 
 fn compare(framed: &FramedScene, prepared: &PreparedScene, repaired: &Repaired) -> Exact {

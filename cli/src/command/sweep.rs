@@ -69,11 +69,7 @@ fn verdict(sweeps: &[SweepResult]) -> Result {
         sweep.violations.iter().map(of)
     });
     let broken: Vec<String> = broken.collect();
-    match broken.len() {
-        0 => Ok(()),
-        n => {
-            let broken = broken.concat();
-            Err(Failure::Check(format!("{n} rules are broken:{broken}")))
-        }
-    }
+    Failure::unless(broken.is_empty(), || {
+        format!("{} rules are broken:{}", broken.len(), broken.concat())
+    })
 }

@@ -1,13 +1,14 @@
 //! What is told of a board.
 
+use crate::arguments;
 use crate::failure::Failure;
-use crate::output;
+use crate::output::{self, Written};
 use imogene_board::{Board, Pins, Routed};
+use imogene_files::Outputs;
 use imogene_files::text::counted;
 use imogene_plan::description::MachineDescription;
 use serde::Serialize;
 use std::collections::BTreeMap;
-use std::path::PathBuf;
 
 /// A board and what it shows; the keys are stable.
 #[derive(Serialize)]
@@ -35,7 +36,6 @@ pub(super) struct BoardReport<'a> {
     /// What they show in simulation of the routed netlist.
     pub(super) netlist: Option<Shown>,
     pub(super) command: String,
-    pub(super) files: Vec<PathBuf>,
 }
 
 /// Clocks that are simulated beside whole frames.
@@ -79,21 +79,6 @@ impl Shown {
             transitions: channels.map(|channels| channels.transitions),
         }
     }
-
-    pub(super) fn tell(&self, of: &str) {
-        output::text(format!(
-            "  {of}: {} of {}, {}",
-            counted(self.pixels as u64, "pixel"),
-            counted(self.frames as u64, "frame"),
-            counted(self.differing as u64, "differing one")
-        ));
-        if let (Some(words), Some(disparity)) = (self.words, self.disparity) {
-            output::text(format!(
-                "    {} of each DVI channel, ones less zeros within {disparity}",
-                counted(words as u64, "word")
-            ));
-        }
-    }
 }
 
 impl BoardReport<'_> {
@@ -102,53 +87,48 @@ impl BoardReport<'_> {
         let shown = [&self.pins, &self.bitstream, &self.netlist]
             .into_iter()
             .flatten();
-        match shown.map(|shown| shown.differing).sum::<usize>() {
-            0 => Ok(()),
-            count => Err(Failure::Check(format!(
-                "{} on the pins of the board; please report the command: {}",
-                counted(count as u64, "differing pixel"),
-                self.command
-            ))),
-        }
+        let differing: usize = shown.map(|shown| shown.differing).sum();
+        Failure::unless(differing == 0, || {
+            let (pixels, command) = (counted(differing, "differing pixel"), &self.command);
+            format!("{pixels} on the pins of the board; please report the command: {command}")
+        })
     }
 }
 
-pub(super) fn tell(report: &BoardReport) {
-    output::text(format!("{}: {}", report.board.name, report.board.about));
-    output::text(format!(
-        "  pixels at {} Hz, {:+.3} % from the mode; {} of {}",
-        report.pixel_hertz,
-        report.pixel_deviation_percent,
-        counted(report.words as u64, "word"),
-        counted(report.images as u64, "image")
-    ));
-    if let Some(pins) = &report.pins {
-        pins.tell("pins in simulation");
+/// Writes a report as the last of the files, and tells of it by a template.
+pub(super) fn finish(
+    options: &arguments::Board,
+    board: &Board,
+    report: &impl Serialize,
+    mut files: Outputs,
+    json: bool,
+    template: &str,
+) -> Result<(), Failure> {
+    #[derive(Serialize)]
+    struct Told<'a, T> {
+        name: &'a str,
+        read_back: &'static str,
+        #[serde(flatten)]
+        report: &'a T,
     }
-    let routed = report.routed.as_ref().map(|routed| &routed.utilisation);
-    if let Some(cells) = routed.or(report.synthesised.as_ref()) {
-        let used = cells.iter().filter(|(_, (used, _))| *used > 0);
-        let used = used.map(|(name, (used, all))| format!("{used} of {all} {name}"));
-        output::text(format!("  {}", output::joined(used, ", ")));
-    }
-    if let Some(routed) = &report.routed {
-        for clock in &routed.clocks {
-            output::text(format!(
-                "  {}: {:.1} MHz, {:.3} MHz asked for",
-                clock.clock, clock.achieved_mhz, clock.wanted_mhz
-            ));
-        }
-        output::text(format!(
-            "  bitstream of {}, {}",
-            counted(routed.bytes as u64, "byte"),
-            report.board.read_back()
-        ));
-    }
-    if let Some(bitstream) = &report.bitstream {
-        bitstream.tell("pins of the bitstream");
-    }
-    if let Some(netlist) = &report.netlist {
-        netlist.tell("pins of the routed netlist");
-    }
-    output::wrote(&report.files);
+    let path = options.out.join("board.json");
+    let paths = [files.paths(), vec![path.clone()]].concat();
+    let written = Written {
+        report,
+        files: paths,
+    };
+    files.add_text(&path, &output::json_text(&written))?;
+    files.finish()?;
+    let (name, read_back) = (&board.name, board.read_back());
+    let told = Told {
+        name,
+        read_back,
+        report,
+    };
+    let page = output::page(template, told)?;
+    output::report(json, &written, |written| {
+        output::text(page);
+        output::wrote(&written.files);
+    });
+    Ok(())
 }

@@ -1,7 +1,7 @@
 //! A tile of a shared chip that shows a scene.
 
 use super::choice::{command, machine, mode_of, screen};
-use super::report::{SLACK, Shown};
+use super::report::{SLACK, Shown, finish};
 use crate::arguments::{self, MACHINE_FILE, Size, View};
 use crate::command::{frame_in, read_scene};
 use crate::failure::Failure;
@@ -50,7 +50,6 @@ struct TileReport<'a> {
     layout: Option<Layout>,
     layout_pins: Option<Shown>,
     command: String,
-    files: Vec<PathBuf>,
 }
 
 /// Makes a tile that shows a scene.
@@ -93,17 +92,12 @@ pub fn run(options: &arguments::Board, board: &Board, json: bool) -> Result<(), 
         layout: None,
         layout_pins: None,
         command,
-        files: vec![],
     };
     if !options.sources_only {
         work.check(&mut report, &mut files)?;
     }
-    report.files = files.paths();
-    let path = options.out.join("board.json");
-    report.files.push(path.clone());
-    files.add_text(&path, &output::json_text(&report))?;
-    files.finish()?;
-    output::report(json, &report, tell);
+    let template = concat!(include_str!("pins.txt"), include_str!("tile.txt"));
+    finish(options, board, &report, files, json, template)?;
     report.verdict()
 }
 
@@ -268,52 +262,4 @@ impl TileReport<'_> {
             ))),
         }
     }
-}
-
-fn tell(report: &TileReport) {
-    let board = report.board;
-    output::text(format!("{}: {}", board.name, board.about));
-    let [width, height] = report.window;
-    output::text(format!("  a window of {width}x{height} pixels"));
-    let frames = |of: &str, shown: &Option<Shown>| {
-        if let Some(shown) = shown {
-            shown.tell(of);
-        }
-    };
-    frames("pins in simulation", &report.pins);
-    if let (Some(cells), Some(percent), Some(tiles)) =
-        (&report.cells, report.percent_of_tiles, &board.tiles)
-    {
-        output::text(format!(
-            "  {} of sky130: {:.0} um2, {percent:.1} % of {} tiles",
-            counted(cells.count(), "cell"),
-            cells.area,
-            tiles.size
-        ));
-    }
-    if let Some(gates) = &report.gates {
-        output::text(format!(
-            "  {} of 180 nm: {:.0} um2",
-            counted(gates.count(), "cell"),
-            gates.area
-        ));
-    }
-    frames("pins of the cells of 180 nm", &report.gate_pins);
-    if let Some(layout) = &report.layout {
-        let [width, height] = layout.micrometres;
-        output::text(format!(
-            "  layout of {width:.1} x {height:.1} um: {}, {} of which {} not routed, longest path {:.2} ns",
-            counted(layout.cells, "cell"),
-            counted(layout.nets, "net"),
-            layout.unrouted,
-            layout.longest_ns
-        ));
-        output::text(format!(
-            "    {} to the netlist, {} of its rules",
-            counted(layout.differences, "difference"),
-            counted(layout.rule_errors, "error")
-        ));
-    }
-    frames("pins of the layout", &report.layout_pins);
-    output::wrote(&report.files);
 }

@@ -116,18 +116,14 @@ fn summary(checks: &[RowCheck]) -> String {
 fn verdict(checks: &[RowCheck], options: &Synth) -> Result {
     let is_worse = |check: &&RowCheck| check.verdict == Verdict::Worse;
     let worse: Vec<String> = checks.iter().filter(is_worse).map(complaint).collect();
-    if worse.is_empty() {
-        return Ok(());
-    }
-    Err(Failure::Check(format!(
-        "{} of {} worse than {} by more than {} % (Fmax {} %):\n{}",
-        worse.len(),
-        counted(checks.len(), "row"),
-        options.baseline.display(),
-        options.tolerance,
-        options.clock_tolerance,
-        worse.join("\n")
-    )))
+    Failure::unless(worse.is_empty(), || {
+        let (rows, file) = (counted(checks.len(), "row"), options.baseline.display());
+        let (percent, clock) = (options.tolerance, options.clock_tolerance);
+        let (count, list) = (worse.len(), worse.join("\n"));
+        format!(
+            "{count} of {rows} worse than {file} by more than {percent} % (Fmax {clock} %):\n{list}"
+        )
+    })
 }
 
 /// The figures of a row that got worse.
