@@ -5,9 +5,9 @@
 //! slab the separators keep their order, so that each piece of a slab is one strip between two of them. Every connected
 //! region of the surface is open and thus has a strip in some slab: no region is without a sample, whatever its shape.
 
+use super::cell::Separator;
 use super::chart::{Chart, nearest_turn};
 use super::curve::Curve;
-use super::parting::Parting;
 use super::surface::{Form, Surface};
 use super::vector::{Vector, between, dot, positive_angle};
 use std::f64::consts::TAU;
@@ -58,10 +58,11 @@ fn span(chart: &Chart, curve: &Curve) -> Option<Span> {
     is_upright.then(|| [angles[0], angles.windows(2).map(turn).sum()])
 }
 
-/// A surface that is divided, of a part of a size in scene units.
 pub struct Division<'a> {
-    pub parting: &'a Parting,
     pub surface: &'a Surface,
+    pub separators: &'a [Separator],
+    pub boundaries: &'a [Boundary],
+    /// Size of the part, scene units.
     pub size: f64,
 }
 
@@ -77,8 +78,8 @@ struct Crossing {
 impl Division<'_> {
     /// One sample of every piece.
     pub fn samples(&self) -> Result<Vec<Sample>, &'static str> {
-        let chart = Chart::free(self.surface, &self.parting.separators);
-        let curves = self.parting.boundaries.iter().map(|own| &own.curve);
+        let chart = Chart::free(self.surface, self.separators);
+        let curves = self.boundaries.iter().map(|own| &own.curve);
         let spans: Vec<Option<Span>> = curves.map(|curve| span(&chart, curve)).collect();
         let line = |u| (u, self.crossings(&chart, u, &spans));
         let lines: Vec<_> = self.middles(&chart).into_iter().map(line).collect();
@@ -91,15 +92,11 @@ impl Division<'_> {
     }
 
     fn middles(&self, chart: &Chart) -> Vec<f64> {
-        let ends = self
-            .parting
-            .boundaries
-            .iter()
-            .flat_map(|own| own.curve.ends());
+        let ends = self.boundaries.iter().flat_map(|own| own.curve.ends());
         let mut limits: Vec<f64> = ends.map(|end| chart.u_of(end)).collect();
-        for (index, separator) in self.parting.separators.iter().enumerate() {
+        for (index, separator) in self.separators.iter().enumerate() {
             limits.extend(chart.turns(separator));
-            for other in &self.parting.separators[index + 1..] {
+            for other in &self.separators[index + 1..] {
                 limits.extend(chart.meetings(separator, other));
             }
         }
@@ -123,7 +120,7 @@ impl Division<'_> {
 
     fn crossings(&self, chart: &Chart, u: f64, spans: &[Option<Span>]) -> Vec<Crossing> {
         let mut all = vec![];
-        for (index, separator) in self.parting.separators.iter().enumerate() {
+        for (index, separator) in self.separators.iter().enumerate() {
             for w in chart.crossings(u, separator) {
                 if !w.is_finite() {
                     continue;
@@ -135,7 +132,7 @@ impl Division<'_> {
                 let p = chart.point(u, w);
                 // The other nappe of a cone has no edge.
                 let is_there = !self.surface.is_cone() || w > 0.0;
-                let edges = self.parting.boundaries.iter().zip(spans);
+                let edges = self.boundaries.iter().zip(spans);
                 for (own, span) in edges.filter(|(own, _)| is_there && own.separator == index) {
                     if let Some([from, sweep]) = span {
                         let way = positive_angle((u - from) * sweep.signum());
@@ -207,7 +204,7 @@ impl Division<'_> {
         let nappe = !self.surface.is_cone() || w > 0.0;
         let point = chart.point(u, w);
         let mut sides = 0;
-        for (index, separator) in self.parting.separators.iter().enumerate() {
+        for (index, separator) in self.separators.iter().enumerate() {
             sides |= u128::from(separator.is_positive(point)) << index;
         }
         Some(Sample {

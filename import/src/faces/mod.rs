@@ -26,6 +26,7 @@ mod scene;
 mod slabs;
 mod step;
 mod surface;
+mod task;
 pub mod vector;
 mod volume;
 
@@ -37,11 +38,12 @@ pub use surface::{Form, Implicit, Surface};
 
 use crate::error::{Error, ImportError, Result, text};
 use crate::kit::Imported;
-use compile::{Task, quadric_face, torus_face};
+use compile::{quadric_face, torus_face};
 use courses::Courses;
 use imogene_files::text::counted;
 use model::Model;
 use step21::with_article;
+use task::Task;
 
 /// What the user asks of the compiler.
 #[derive(Clone, Copy, Debug, Default)]

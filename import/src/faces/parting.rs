@@ -3,10 +3,10 @@
 
 use super::arrangement::{Boundary, Division, MAX_SEPARATORS, Sample};
 use super::cell::{Planes, Separator};
-use super::compile::Task;
 use super::cover::{Conflict, Term, cover};
 use super::curve::{Curve, Ellipse, PlaneOf};
 use super::surface::{Form, Implicit, Surface};
+use super::task::Task;
 use super::vector::*;
 use std::f64::consts::PI;
 
@@ -74,8 +74,9 @@ impl Parting {
     /// One sample of every piece of a surface, of a part of a size.
     pub fn samples(&self, surface: &Surface, size: f64) -> Result<Vec<Sample>, &'static str> {
         let division = Division {
-            parting: self,
             surface,
+            separators: &self.separators,
+            boundaries: &self.boundaries,
             size,
         };
         division.samples()

@@ -2,7 +2,6 @@
 //! exactly.
 
 use super::cell::{Cell, Compiled, Made, Separator};
-use super::compile::Task;
 use super::courses::MAX_PIECES;
 use super::cover::Term;
 use super::curve::{Curve, PlaneOf};
@@ -10,6 +9,7 @@ use super::model::EdgeUse;
 use super::parting::{Conic, EDGE, Parting, terms};
 use super::rings::Band;
 use super::slabs;
+use super::task::Task;
 use super::vector::{Vector, along, cross, distance, dot, minus, unit};
 use imogene_scene::MAX_CUTS;
 

@@ -4,12 +4,12 @@
 //! are the faces.
 
 use super::cell::{Cell, Planes, Separator};
-use super::compile::Task;
 use super::courses::Courses;
 use super::curve::Curve;
 use super::model::{COINCIDENT, Model, border};
 use super::parting::{EDGE, Parting};
 use super::surface::Surface;
+use super::task::Task;
 use super::vector::{Vector, distance, dot, minus};
 use imogene_scene::MAX_CUTS;
 

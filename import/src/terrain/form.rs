@@ -2,7 +2,7 @@
 
 use super::cell::Cells;
 use super::grid::{Corners, HeightGrid, is_plane, twist};
-use super::scene::{IMAGE, Map, VIEW};
+use super::map::{IMAGE, Map, VIEW};
 use crate::error::{Error, Result};
 use imogene_algebra::rational::{from_decimal, to_f64};
 use imogene_algebra::vector::{dot, length, minus, square};

@@ -5,6 +5,7 @@ mod cell;
 pub mod exact;
 mod form;
 mod grid;
+mod map;
 pub mod random_field;
 mod read;
 pub mod ruled;

@@ -12,10 +12,10 @@ mod strips;
 
 use super::cell::{Cell, Made};
 use super::chart::{Chart, free_pole};
-use super::compile::Task;
 use super::curve::Curve;
 use super::parting::Parting;
 use super::rings::Band;
+use super::task::Task;
 use super::vector::{minus, unit};
 use sectors::{Run, join};
 use strips::{Rail, Slabs};
