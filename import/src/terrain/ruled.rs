@@ -111,8 +111,9 @@ fn plane(z: &Corners, [u, v]: Corner) -> Option<[f64; 10]> {
 }
 
 /// On the northern and the southern edge, y = 0 and y = 1: with z as height,
-/// `[b + ye (a - b)] xy - ye a x + [xe (b - a) + c] y^2 - y z + [xe (a - b) - ye c + z00] y + ye z - ye z00`. The factor
-/// of the height over the cell is `ye - y`; its sign is made positive, so that the ground is below as in the other forms.
+/// `[b + ye (a - b)] xy - ye a x + [xe (b - a) + c] y^2 - y z + [xe (a - b) - ye c + z00] y + ye z - ye z00`. The
+/// factor of the height over the cell is `ye - y`; its sign is made positive, so that the ground is below as in other
+/// forms.
 fn ruled(z: &Corners, [xe, ye]: &Point) -> Option<[f64; 10]> {
     debug_assert!(!twist(z).is_zero());
     let low = &z[0][0];

@@ -224,8 +224,8 @@ const GOWIN: [(&str, [(i128, i128); 3]); 2] = [
 /// What the oscillator can be divided by.
 const GOWIN_OUTPUTS: [i128; 11] = [2, 4, 8, 16, 32, 48, 64, 80, 96, 112, 128];
 
-/// Gowin: the fast clock is input / (`input` + 1) x (`feedback` + 1), its oscillator `output` times that; a divider makes
-/// the fifth part of it for the pixels. All dividers within the limits of the rPLL of the part.
+/// Gowin: the fast clock is input / (`input` + 1) x (`feedback` + 1), its oscillator `output` times that; a divider
+/// makes the fifth part of it for the pixels. All dividers within the limits of the rPLL of the part.
 fn gowin(board: &Board, input: i128, ratio: i128) -> Vec<Candidate> {
     let device = board.part.as_ref().map_or("", |part| &part.device);
     let mut parts = GOWIN.into_iter();

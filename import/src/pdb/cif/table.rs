@@ -13,7 +13,8 @@ pub type Cell<'a> = (&'a [u8], usize);
 /// The categories of a block by their names, with a row for each entry.
 pub type Tables = HashMap<&'static str, Vec<Row>>;
 
-/// An entry of a category: values by their items, with where they begin. Of an item that is there twice the first counts.
+/// An entry of a category: values by their items, with where they begin. Of an item that is there twice the first
+/// counts.
 #[derive(Debug, Default)]
 pub struct Row(HashMap<String, (String, usize)>);
 
