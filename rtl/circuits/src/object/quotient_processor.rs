@@ -56,7 +56,7 @@ pub fn quotient_processor(at: &str, scan: Scan, words: Quotient, network: Networ
             let kept_near_sum = sum(found.word, near_is_before, near_is_behind).reg();
             let kept_far_sum = sum(found.word, far_is_before, far_is_behind).reg();
             let behind = found.word.extend(depth + 1) - words.normal_from.extend(depth + 1);
-            let kept_behind = behind.is_negative().select(Int::new(0, depth), behind.low(depth)).reg();
+            let kept_behind = behind.is_negative().select(Int::new(0, depth), behind.low(depth)).bits().reg();
             let object_class = words.is_solid.select(Bits::new(SIDE, 2), Bits::new(PATCH, 2));
         }
         let in_box = words.screen_box.contains(scan.pixel);
@@ -68,7 +68,7 @@ pub fn quotient_processor(at: &str, scan: Scan, words: Quotient, network: Networ
         };
         let normal = (words.gradients, words.shift);
         let early = scan.flags.delayed(clocks - 1);
-        let found = (roots, kept_behind.bits());
+        let found = (roots, kept_behind);
         cut_by_planes(early, found, object_class, normal, words.planes)
     })
 }
