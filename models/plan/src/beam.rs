@@ -34,15 +34,33 @@ pub enum DisplayError {
         "the machine has too little for what it is to show; these lines in its description, in place of its own, would do:\n{0}"
     )]
     Needs(String),
-    /// More planes or tables than there are, or a picture of another size than the screen.
-    #[error("{0}")]
-    Refused(String),
+    /// An object, or whose volume it is, with more planes than any processor has.
+    #[error(
+        "{0} has {1} planes, and no processor of a machine more than {MAX_PLANES}; fewer cuts of the object would do"
+    )]
+    Planes(String, usize),
     /// The zones cannot be planned, or an object is not for the processors of the machine.
     #[error(transparent)]
     Plan(#[from] PlanError),
     /// The shading processor cannot be loaded.
     #[error(transparent)]
     Shader(#[from] ShaderError),
+    /// More tables of lit-sphere shading than there are.
+    #[error(
+        "{materials} materials, {lights} lights with shadows: lit-sphere shading has {most} tables at most, one for each \
+         material and twice as many for each of these lights; without lit_sphere the machine takes them"
+    )]
+    Tables {
+        /// Materials.
+        materials: usize,
+        /// Lights with volumes.
+        lights: usize,
+        /// Tables of the smallest side.
+        most: u32,
+    },
+    /// The picture has another size than the screen, in samples.
+    #[error("a picture of {}x{} on a screen of {}x{}; frame the scene for the screen", .0.0, .0.1, .1.0, .1.1)]
+    Size((u32, u32), (u32, u32)),
 }
 
 /// What a machine is given, or why it cannot show a scene.
@@ -104,19 +122,11 @@ pub(super) fn zone_slots(
     Ok((alone.collect::<Result<_>>()?, members.into_iter().max()))
 }
 
-/// An object, or whose volume it is, has more planes than any processor.
-fn too_many_planes(whose: &str, planes: usize) -> DisplayError {
-    DisplayError::Refused(format!(
-        "{whose} has {planes} planes, and no processor of a machine more than {MAX_PLANES}; fewer cuts of the object \
-         would do"
-    ))
-}
-
 /// Why an object has no words for a processor of quadrics.
 fn refused(object: String, why: AsQuadricError) -> DisplayError {
     match why {
         AsQuadricError::Planes { needed, .. } => {
-            too_many_planes(&format!("object '{object}'"), needed)
+            DisplayError::Planes(format!("object '{object}'"), needed)
         }
         why => PlanError::Object(object, why).into(),
     }
@@ -199,7 +209,7 @@ fn of_own_kind(prepared: &PreparedScene, slot: Slot) -> (FittedSlot, Slot) {
 /// Words of every volume of the scene, for processors of so many planes.
 pub(super) fn volumes(prepared: &PreparedScene, planes: usize) -> Result<Vec<VolumeWords>> {
     plan::volumes(prepared, planes, |volume, why| match why {
-        AsQuadricError::Planes { needed, .. } => too_many_planes(&volume, needed),
+        AsQuadricError::Planes { needed, .. } => DisplayError::Planes(volume, needed),
         why => PlanError::Volume(volume, why).into(),
     })
 }

@@ -156,13 +156,9 @@ fn table_words(shader: &ShaderWords) -> Vec<u64> {
 }
 
 fn check_size(scene: &FramedScene, machine: &MachineDescription) -> Result<()> {
-    let (width, height) = (scene.width, scene.height);
+    let picture = (scene.width, scene.height);
     match machine.drawn_size() {
-        Some((columns, lines)) if (columns, lines) != (width, height) => {
-            Err(DisplayError::Refused(format!(
-                "a picture of {width}x{height} on a screen of {columns}x{lines}; frame the scene for the screen"
-            )))
-        }
+        Some(screen) if screen != picture => Err(DisplayError::Size(picture, screen)),
         _ => Ok(()),
     }
 }

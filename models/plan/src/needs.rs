@@ -230,10 +230,11 @@ fn add_tables(machine: &mut MachineDescription, (framed, prepared): Scene) -> Re
     while !sphere.has_room(lights) {
         if sphere.side <= SMALLEST_SIDE {
             let most = sphere.most_tables();
-            return Err(DisplayError::Refused(format!(
-                "{materials} materials, {lights} lights with shadows: lit-sphere shading has {most} tables at most, one \
-                 for each material and twice as many for each of these lights; without lit_sphere the machine takes them"
-            )));
+            return Err(DisplayError::Tables {
+                materials,
+                lights,
+                most,
+            });
         }
         sphere.side /= 2;
     }
