@@ -259,7 +259,7 @@ units! {
         computes "the addresses of the words of images, which it sends over AXI4-Stream one after the other, each as often as it stays";
         ties NO_TIES;
         error EXACT;
-    ShadingProcessor "shading_processor" [LIGHTS, SUNS] "64", "one pixel per clock, without a bubble; words change only when the pipeline has drained", "Chaillou 1991, III.1.2; Nyiri 1994, 1.2.4";
+    ShadingProcessor "shading_processor" [LIGHTS, SUNS] "66", "one pixel per clock, without a bubble; words change only when the pipeline has drained", "Chaillou 1991, III.1.2; Nyiri 1994, 1.2.4";
         computes "the colour of every pixel by Phong shading under several lights";
         ties "a normal at a right angle to the line of sight is not turned; a light in the plane of the surface adds nothing; half a level is rounded up";
         error "within one level of 8 bits of the formula in real numbers on the same integer words (docs/shading.md)";

@@ -1,7 +1,7 @@
 //! Words of the shading processor and their addresses.
 
 /// Clocks from a pixel to its colour.
-pub const LATENCY: usize = 64;
+pub const LATENCY: usize = 66;
 /// The same of lit-sphere shading.
 pub const LIT_SPHERE_LATENCY: u32 = 36;
 /// The same of tables of `2^places` by `2^places` entries, between them or of the nearest one.

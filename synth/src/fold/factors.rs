@@ -1,7 +1,7 @@
 //! Flip-flops before multipliers of an ECP5 become the input registers that these cells have.
 //!
 //! A factor must reach a multiplier that has an output register alone 3.5 ns before the clock. A flip-flop that only
-//! delays another register leaves the way to the multiplier the whole clock instead.
+//! delays another register or a constant leaves the way to the multiplier the whole clock instead.
 
 use super::registers::{Control, control, has_output_register};
 use super::{Cells, FLIP_FLOP, Readers, is_bit};
@@ -86,9 +86,11 @@ fn factors(cell: &Value, cells: &Cells, drivers: &Drivers) -> Option<Vec<Factor>
         let name = drivers.get(&net)?;
         let flip_flop = &cells[name];
         let from = &flip_flop["connections"]["DI"];
-        let delayed = from[0].as_u64().and_then(|net| drivers.get(&net));
-        let is_delay =
-            delayed.is_some_and(|name| is_registered(&cells[name])) && control(flip_flop)? == own;
+        let is_kept = |net| {
+            let delayed = drivers.get(&net);
+            delayed.is_some_and(|name| is_registered(&cells[name]))
+        };
+        let is_delay = from[0].as_u64().is_none_or(is_kept) && control(flip_flop)? == own;
         let (port, flip_flop) = (port.clone(), name.clone());
         found.push(is_delay.then(|| Factor {
             port,

@@ -16,12 +16,13 @@ const REGISTERS: f64 = 1.2;
 const POLYNOMIAL: Delay = [9.6, 0.335];
 /// Sums of the polynomials of second degree: PE2 of accumulators of 24, 32, 48 and 64 bits, 4.77 to 6.15 ns.
 const QUADRATIC: Delay = [3.95, 0.0345];
-/// The normal, and what compares depths: `normal_unit`, `plane_depth` and `decider` of 16 and of 24 bits, 5.1 to 6 ns.
-const COMPARED: Delay = [4.9, 0.045];
-/// The shading processor for each of its lights: placed and routed with one, 150.3 MHz, and with two, 101.6 MHz.
-const SHADING: Delay = [3.45, 3.2];
-/// Lit-sphere shading.
-const LIT_SPHERE: f64 = 6.0;
+/// What compares depths, the slowest that takes one: `decider` of 16 and of 24 bits, 5.13 and 5.5 ns.
+const COMPARED: Delay = [4.4, 0.046];
+/// The shading processor for each of its lights: placed and routed with one, 155.0 MHz, and with two, 153.0 MHz.
+const SHADING: Delay = [6.36, 0.09];
+/// Lit-sphere shading between entries and by the nearest one, 180.0 and 164.5 MHz.
+const BETWEEN: f64 = 5.56;
+const NEAREST: f64 = 6.08;
 
 fn delay([fixed, bit]: Delay, bits: u32) -> f64 {
     fixed + bit * f64::from(bits)
@@ -40,7 +41,8 @@ pub fn estimate(machine: &MachineDescription, target: &str) -> Option<f64> {
     };
     let shading = match (machine.lights, machine.lit_sphere) {
         (0, None) => 0.0,
-        (0, Some(_)) => LIT_SPHERE,
+        (0, Some(form)) if form.nearest => NEAREST,
+        (0, Some(_)) => BETWEEN,
         (lights, _) => delay(SHADING, lights as u32),
     };
     let delays = [

@@ -50,9 +50,8 @@ fn coefficients(segment: Bits, curve: &Curve) -> [Int; 3] {
     let later = segment.delayed_as("segment_late", 2);
     let last = later.delayed_as("segment_last", 3);
     let bend = chosen("bend_choice", segment, curve, (0, FACTOR));
-    let first = curve.word(0) & ((1 << FACTOR) - 1);
     net! {
-        let bend = bend.reg().initially(first);
+        let bend = bend.reg();
         let slope = chosen("slope_choice", later, curve, (FACTOR, FACTOR));
         let base = chosen("base_choice", last, curve, (2 * FACTOR, VALUE));
     }

@@ -21,8 +21,9 @@ bundles! {
     }
 }
 
-/// Latency of what is sent back: a product, a sum, a product, with a register before each product.
-pub(super) const SENT_LIGHT: u32 = 5;
+/// Latency of what is sent back: a product, a sum, a product, with a register before each product and, for the wires
+/// to what adds it, two behind.
+pub(super) const SENT_LIGHT: u32 = 7;
 
 /// `colour (share diffuse + mirror specular)` for red, green, blue, 21 bits after the point.
 ///
@@ -30,7 +31,8 @@ pub(super) const SENT_LIGHT: u32 = 5;
 pub(super) fn sent_light(at: &str, factors: Factors, material: Material, colour: Colour) -> Colour {
     let inputs = (factors, material, ("colour", colour));
     module("sent_light", at, inputs, |(factors, material, colour)| {
-        let product = |one: Bits, other: Bits| (factor(one).reg() * factor(other).reg()).reg();
+        let product =
+            |one: Bits, other: Bits| (factor(one).reg() * factor(other).reg()).reg().reg();
         net! { let mirrored = product(material.mirror, factors.specular); }
         let level = |share: Bits, colour: Bits| {
             net! {

@@ -87,7 +87,7 @@ impl Shaded {
 /// The colour of every pixel by the formula of Phong, one pixel per clock, from depth, normal, material and the flags
 /// of the sources, with some lights at once.
 ///
-/// Latency 64. For the wires, a register stands before every multiplier, behind products that are added, behind the
+/// Latency 66. For the wires, a register stands before every multiplier, behind products that are added, behind the
 /// load bus and behind the pixel.
 /// Words stay unchanged while pixels are inside. Section 8 of the architecture; Chaillou 1991, III.1.2.
 pub fn shading_processor(at: &str, point: Point, load: ShadingLoad, lights: Lights) -> Shaded {

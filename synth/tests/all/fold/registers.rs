@@ -166,6 +166,18 @@ fn flip_flops_that_only_delay_become_registers_of_factors() {
 }
 
 #[test]
+fn a_flip_flop_that_takes_a_constant_becomes_one_too() {
+    let mut module = factors();
+    module["cells"]["c"]["connections"]["DI"] = json!(["1"]);
+    assert_eq!(fold_module(&mut module), 3);
+    assert!(module["cells"]["c"].is_null());
+    assert_eq!(
+        module["cells"]["product"]["connections"]["A1"],
+        json!(["1"])
+    );
+}
+
+#[test]
 fn a_flip_flop_that_is_read_elsewhere_stays_beside_the_register() {
     let mut module = factors();
     module["ports"]["out"]["bits"] = json!([20, 11]);
