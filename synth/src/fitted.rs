@@ -22,6 +22,8 @@ use modules::{Module, below, is_of, modules, ports};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, HashMap};
+use std::sync::atomic::AtomicUsize;
+use std::sync::atomic::Ordering::Relaxed;
 
 /// What a machine takes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -37,26 +39,28 @@ pub struct MachineCost {
 }
 
 /// Units that can be the slowest; `square_root` stands for the whole network.
-const CRITICAL: [&str; 12] = [
-    "normal_unit",
-    "plane_limits",
-    "quadric_cut",
+const CRITICAL: [&str; 14] = [
+    "pe2",
     "square_root",
     "square_root_non_restoring",
     "square_root_linear",
     "square_root_quadratic",
     "square_root_leading",
+    "patch_decider",
     "contour_choice",
     "half_spaces",
     "half_space_node",
+    "decider",
     "shading_processor",
+    "lit_sphere",
+    "lit_sphere_nearest",
 ];
 
 /// The kind of result that depends on Yosys alone.
 const OWN_CELLS: &str = "own cells of parts";
 
 /// The costs of machines, in their order, as sums of such parts; `done` is called with how many of how many modules
-/// are known.
+/// and clocks are known.
 ///
 /// # Errors
 ///
@@ -130,8 +134,13 @@ impl Knowledge {
                 missing.push((machine, of_machine));
             }
         }
-        let finished = std::sync::atomic::AtomicUsize::new(own.len());
-        let count = wanted.len();
+        let units: BTreeMap<String, Emitted> = match with_clock {
+            true => machines.iter().flat_map(critical).collect(),
+            false => BTreeMap::new(),
+        };
+        let count = wanted.len() + units.len();
+        let finished = AtomicUsize::new(own.len());
+        let tell = |more: usize| done(finished.fetch_add(more, Relaxed) + more, count);
         let found: Vec<Vec<(String, Resources)>> = missing
             .par_iter()
             .map(|(machine, batch)| {
@@ -141,17 +150,19 @@ impl Knowledge {
                 for &(ref digest, resources) in &results {
                     key(OWN_CELLS, digest).store(&Own { resources })?;
                 }
-                let before = finished.fetch_add(batch.len(), std::sync::atomic::Ordering::Relaxed);
-                done(before + batch.len(), count);
+                tell(batch.len());
                 Ok(results)
             })
             .collect::<Result<_, SynthError>>()?;
         own.extend(found.into_iter().flatten());
-        let clocks = if with_clock {
-            clocks(machines, target, &programs, &key)?
-        } else {
-            HashMap::new()
+        let clock = |(digest, unit): (String, Emitted)| {
+            let kept = key("clock, 1 seed", &digest);
+            let clock = clock_of(&unit, target, &programs, &kept)?;
+            tell(1);
+            Ok(clock.map(|clock| (digest, clock)))
         };
+        let clocks: Result<Vec<_>, SynthError> = units.into_par_iter().map(clock).collect();
+        let clocks = clocks?.into_iter().flatten().collect();
         Ok(Knowledge {
             parts,
             target,
@@ -165,7 +176,7 @@ impl Knowledge {
         let own = own.map(|module| (module.instances, self.own[&module.digest]));
         let units = critical(machine);
         // One that does not fit has no clock, nor has the machine then.
-        let clocks = units.iter().map(|unit| self.clocks.get(&unit_digest(unit)));
+        let clocks = units.iter().map(|(digest, _)| self.clocks.get(digest));
         let clocks: Option<Vec<&f64>> = clocks.collect();
         let clock = clocks.and_then(|clocks| clocks.into_iter().copied().reduce(f64::min));
         MachineCost {
@@ -238,16 +249,17 @@ fn synthesise_apart(
     asked.iter().map(read).collect()
 }
 
-/// The units of a machine that can be the slowest, as designs of their own: of variants that differ in their planes,
-/// the largest.
-fn critical(machine: &Emitted) -> Vec<Emitted> {
+/// The units of a machine that can be the slowest, as designs of their own behind their digests: of variants, the
+/// largest.
+fn critical(machine: &Emitted) -> Vec<(String, Emitted)> {
     let largest = |kind: &&str| {
         let modules = machine.modules.iter();
         let variants = modules.filter(|(name, _)| is_of(name, kind));
-        variants.max_by_key(|(_, text)| text.len())
+        variants.max_by_key(|(_, text)| (text.len(), text))
     };
     let found = CRITICAL.iter().filter_map(largest);
-    found.map(|(name, _)| unit(machine, name)).collect()
+    let units = found.map(|(name, _)| unit(machine, name));
+    units.map(|unit| (unit_digest(&unit), unit)).collect()
 }
 
 /// One module of a machine and all below it.
@@ -275,30 +287,20 @@ fn unit_digest(unit: &Emitted) -> String {
     }
 }
 
-/// Places and routes every critical unit alone, with one seed.
-fn clocks(
-    machines: &[Emitted],
+/// The clock of a unit placed and routed alone with one seed, or what is kept of it; none if it does not fit.
+fn clock_of(
+    unit: &Emitted,
     target: Target,
     programs: &Programs,
-    key: &(dyn Fn(&str, &str) -> Kept + Sync),
-) -> Result<HashMap<String, f64>, SynthError> {
-    let units: BTreeMap<String, Emitted> = machines
-        .iter()
-        .flat_map(critical)
-        .map(|unit| (unit_digest(&unit), unit))
-        .collect();
-    let clock = |(digest, unit): (String, Emitted)| {
-        let kept = key("clock, 1 seed", &digest);
-        if let Some(clock) = kept.load::<Option<f64>>() {
-            return Ok(clock.map(|clock| (digest, clock)));
-        }
-        let folder = scratch()?;
-        let harness = harness::verilog(&unit);
-        let bench = Bench::of(programs, target, folder.path(), &unit, &harness)?;
-        let clock = bench.report(1)?.fmax_mhz;
-        kept.store(&clock)?;
-        Ok(clock.map(|clock| (digest, clock)))
-    };
-    let clocks: Result<Vec<_>, SynthError> = units.into_par_iter().map(clock).collect();
-    Ok(clocks?.into_iter().flatten().collect())
+    kept: &Kept,
+) -> Result<Option<f64>, SynthError> {
+    if let Some(clock) = kept.load::<Option<f64>>() {
+        return Ok(clock);
+    }
+    let folder = scratch()?;
+    let harness = harness::verilog(unit);
+    let bench = Bench::of(programs, target, folder.path(), unit, &harness)?;
+    let clock = bench.report(1)?.fmax_mhz;
+    kept.store(&clock)?;
+    Ok(clock)
 }

@@ -90,8 +90,10 @@ impl Target {
     const fn row(self) -> (&'static str, Family, &'static str) {
         // Wide look-up tables take a fifth more cells of ECP5 and give no more clock (docs/synthesis.md).
         const ECP5: &str = "synth_ecp5 -nowidelut -top {top}";
+        // Products by Booth's recoding take three tables of four (docs/synthesis.md).
+        const HX8K: &str = "hierarchy -top {top}; proc; booth; synth_ice40 -top {top}";
         match self {
-            Self::Ice40Hx8k => ("ice40-hx8k", Family::Ice40, "synth_ice40 -top {top}"),
+            Self::Ice40Hx8k => ("ice40-hx8k", Family::Ice40, HX8K),
             Self::Ice40Up5k => (
                 "ice40-up5k",
                 Family::Ice40,

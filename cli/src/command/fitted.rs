@@ -102,7 +102,7 @@ pub fn costs_of(
     target: Target,
     with_clock: bool,
 ) -> Result<Vec<MachineCost>> {
-    let bar = output::progress(0, "modules in synthesis");
+    let bar = output::progress(0, "modules and clocks");
     let done = |known, of| {
         bar.set_length(of as u64);
         bar.set_position(known as u64);

@@ -49,7 +49,12 @@ pub fn run(options: &Trade, json: bool) -> Result {
         costs: &|machines, pricing| costs(machines, target, pricing, options),
         with_clock: options.clock,
         timing: &timing_of,
-        done: &|points| bar.inc(points),
+        done: &|points| {
+            bar.inc(points);
+            if Some(bar.position()) == bar.length() {
+                bar.finish_and_clear();
+            }
+        },
     };
     if let Some(shard) = options.shard {
         let points = run::run_shard(&asked, shard)?;

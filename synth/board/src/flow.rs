@@ -134,11 +134,16 @@ impl Part {
                  setattr -mod -unset keep_hierarchy A:keep_hierarchy; flatten; opt_clean; write_json {NETLIST}"
             ),
             _ => {
-                let products = match self.has_multipliers() {
-                    true => format!("hierarchy -top {TOP}; proc; {KEPT_PRODUCTS}; "),
-                    false => String::new(),
+                let products = match self.family {
+                    Family::Xilinx7 => "opt_clean",
+                    Family::Ice40 if self.has_multipliers() => KEPT_PRODUCTS,
+                    // Why by Booth's recoding: docs/synthesis.md.
+                    _ => "booth",
                 };
-                format!("read_verilog board.v; {products}{synthesis} -top {TOP} -json {NETLIST}")
+                format!(
+                    "read_verilog board.v; hierarchy -top {TOP}; proc; {products}; \
+                     {synthesis} -top {TOP} -json {NETLIST}"
+                )
             }
         }
     }
