@@ -20,7 +20,7 @@ const FLIP_FLOP: &str = "TRELLIS_FF";
 const TABLE: &str = "LUT4";
 
 /// What is moved, by which a result is kept: it changes with every change of what is done.
-pub const FOLDS: &str = " output registers, registers of factors, choices in sums";
+pub const FOLDS: &str = " output registers, registers of factors and constants, choices in sums";
 
 /// Cells that a netlist does without.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -178,7 +178,14 @@ impl Target {
     pub(crate) const fn place_and_route(self) -> Option<PlaceAndRoute> {
         let (arguments, goal_mhz): (&[&str], u32) = match self {
             Self::Ice40Hx8k => (
-                &["--hx8k", "--package", "ct256", "--pcf-allow-unconstrained"],
+                &[
+                    "--hx8k",
+                    "--package",
+                    "ct256",
+                    "--pcf-allow-unconstrained",
+                    // Moves cells once more behind the placer: products reach 6 % more.
+                    "--opt-timing",
+                ],
                 300,
             ),
             Self::Ice40Up5k => (
