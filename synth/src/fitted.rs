@@ -275,8 +275,8 @@ fn unit(machine: &Emitted, name: &str) -> Emitted {
     }
 }
 
-/// What tells a unit from others of another clock. In a shading processor of directional lights the depth word is in its
-/// own text alone, and the slowest paths are below it: it is routed once for all depth words.
+/// What tells a unit from others of another clock. In a shading processor of directional lights the depth word is in
+/// its own text alone, and the slowest paths are below it: it is routed once for all depth words.
 fn unit_digest(unit: &Emitted) -> String {
     match unit.modules.split_last() {
         Some((_, below)) if is_of(&unit.top, "shading_processor") => {

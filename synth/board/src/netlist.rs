@@ -46,10 +46,10 @@ const MODELLED: [Model; 8] = [
     ),
     (
         "MULT18X18D",
-        &["REG_OUTPUT_CLK"],
+        &["REG_INPUTA_CLK", "REG_INPUTB_CLK", "REG_OUTPUT_CLK"],
         &[
-            ("REG_INPUTA_CLK", &["NONE"]),
-            ("REG_INPUTB_CLK", &["NONE"]),
+            ("REG_INPUTA_CLK", &["NONE", "CLK0"]),
+            ("REG_INPUTB_CLK", &["NONE", "CLK0"]),
             ("REG_PIPELINE_CLK", &["NONE"]),
             ("REG_OUTPUT_CLK", &["NONE", "CLK0"]),
             ("MULT_BYPASS", &["DISABLED"]),

@@ -40,3 +40,15 @@ fn what_no_model_does_is_refused() {
     let mut other = json!({"type": "ALU54B", "parameters": {}});
     assert_eq!(settle(&mut other).unwrap_err(), "no model of a ALU54B");
 }
+
+#[test]
+fn a_multiplier_may_have_registers_before_and_behind_but_none_inside() {
+    let registers =
+        json!({"REG_INPUTA_CLK": "CLK0", "REG_INPUTB_CLK": "CLK0", "REG_OUTPUT_CLK": "CLK0"});
+    let mut cell = json!({"type": "MULT18X18D", "parameters": registers});
+    settle(&mut cell).expect("a model");
+    assert_eq!(cell["parameters"], registers);
+    cell["parameters"]["REG_PIPELINE_CLK"] = "CLK0".into();
+    let problem = "no model of a MULT18X18D whose REG_PIPELINE_CLK is \"CLK0\"";
+    assert_eq!(settle(&mut cell).unwrap_err(), problem);
+}
