@@ -265,7 +265,8 @@ pub fn route(board: &Board, pll: &Pll, sources: &Sources) -> Result<Built, Board
         &script,
         &arguments.join(" "),
         FOLDS,
-        "routed netlist or why there is none",
+        // What there is a model of decides what is kept.
+        &digest(include_str!("netlist.rs")),
         &SEEDS.join(" "),
         &yosys.version,
         &router.version,
