@@ -195,9 +195,10 @@ fn what_is_in_the_part_shows_the_golden_picture() {
         ("ulx3s-12", "netlist"),
     ] {
         let place = Place::new();
-        // Six multipliers of the part and its tables of colours in the second.
+        // Multipliers of the part and tables of colours; in the last the registers that multipliers have, too.
         let (scene, options) = match name {
             "icebreaker" => ("boards/egg.toml", "--lit-sphere=32:nearest"),
+            "ulx3s-12" => ("boards/egg.toml", "--lit-sphere=32"),
             _ => ("ellipsoid.toml", "--flat"),
         };
         let found = board(&place, name, scene, options);
