@@ -255,6 +255,7 @@ fn critical(machine: &Emitted) -> Vec<(String, Emitted)> {
     let largest = |kind: &&str| {
         let modules = machine.modules.iter();
         let variants = modules.filter(|(name, _)| is_of(name, kind));
+        // Texts of one length differ in their widths.
         variants.max_by_key(|(_, text)| (text.len(), text))
     };
     let found = CRITICAL.iter().filter_map(largest);
