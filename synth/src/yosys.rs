@@ -55,12 +55,25 @@ pub struct Statistics {
     pub area: Option<f64>,
 }
 
+/// The pass that makes products by Booth's recoding. A Yosys without it makes them of all digits.
+const BOOTH: &str = "booth; ";
+
 /// Runs a script of Yosys in a folder; file names in it are relative to the folder.
 ///
 /// # Errors
 ///
 /// When Yosys refuses its input.
 pub fn run(tool: &Tool, folder: &Path, script: &str) -> Result<(), SynthError> {
+    match run_all(tool, folder, script) {
+        Err(SynthError::Tool { message, .. }) if message.contains("No such command: booth") => {
+            run_all(tool, folder, &script.replace(BOOTH, ""))
+        }
+        ran => ran,
+    }
+}
+
+/// Runs a script with every pass that it names.
+fn run_all(tool: &Tool, folder: &Path, script: &str) -> Result<(), SynthError> {
     let arguments = ["-q", "-l", "yosys.log", "-p", script];
     tool.run(&arguments, folder).map_err(|error| match error {
         SynthError::Tool { message, .. } if message.is_empty() => {
