@@ -93,14 +93,14 @@ fn the_bench_of_several_pixels_per_clock_finds_every_pixel() {
     let lines = COMMON.split_inclusive('\n');
     let lines = lines.filter(|line| !line.starts_with("mode"));
     let common: String = lines.chain([mode]).collect();
-    for pixels in [2, 4] {
+    // A whole picture for each scene, or two fields.
+    let cases = [
+        ("pixels_per_clock = 2\n", 1),
+        ("pixels_per_clock = 4\ninterlaced = true\n", 2),
+        ("pixels_per_clock = 2\nmodules = 4\n", 1),
+    ];
+    for (lanes, fields) in cases {
         let place = Place::new();
-        // Of the one a whole picture for each scene, of the other two fields.
-        let fields = pixels / 2;
-        let lanes = format!(
-            "pixels_per_clock = {pixels}\ninterlaced = {}\n",
-            fields == 2
-        );
         let (out, _) = emitted(&place, &format!("{BEAM}{common}{STREAM}{lanes}"), "");
         let frames = format!("{} frames of {} pixels", 2 * fields, 384 / fields);
         run(&out, "bench.v", true, &[&frames, " 0 differences"]);

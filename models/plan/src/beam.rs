@@ -8,7 +8,7 @@ use imogene_contract::shading::MOST_MATERIALS;
 use imogene_contract::slots::FittedSlot;
 use imogene_golden::format::Format;
 use imogene_golden::machine::shader::{LIGHT_ADDRESS, ShaderWords};
-use imogene_golden::machine::zone::beat::{Beat, kind};
+use imogene_golden::machine::zone::beat::{Beat, command, kind};
 use imogene_golden::object::as_quadric::AsQuadricError;
 use imogene_golden::object::load::LoadWord;
 use imogene_golden::object::load_slot::load_slot;
@@ -234,18 +234,55 @@ pub(super) fn placed(
     Ok(parts.chain(members).chain(layers).collect())
 }
 
-/// The words of a frame of a beam machine that has these pixels of the picture, tables first; processors without an
-/// object are emptied.
-pub(super) fn beam_words(
+/// The words of a frame of a beam machine that has these pixels of the picture. Of several graphics modules those come
+/// first that are of one alone, and those of all modules last.
+pub(super) fn frame_words(
+    scene: &FramedScene,
+    prepared: &PreparedScene,
+    machine: &MachineDescription,
+    pixels: &Lattice,
+) -> Result<Vec<Beat>> {
+    let lines = machine.lines_of_modules(pixels);
+    let words = lines.iter();
+    let words = words.map(|lines| module_words(scene, prepared, machine, lines));
+    let words = words.collect::<Result<Vec<_>>>()?;
+    let mut beats = match words.as_slice() {
+        [words] => words.clone(),
+        words => of_modules(words),
+    };
+    if let Some(beat) = beats.last_mut() {
+        beat.last = true;
+    }
+    Ok(beats)
+}
+
+/// One list of words of the lists of several modules, which are of the same addresses.
+fn of_modules(words: &[Vec<Beat>]) -> Vec<Beat> {
+    let chosen = |modules: u64| Beat::command(command::MODULES, modules);
+    let is_of_all = |place: usize| words.iter().all(|own| own[place] == words[0][place]);
+    let places = 0..words[0].len();
+    let (of_all, own): (Vec<usize>, Vec<usize>) = places.partition(|&place| is_of_all(place));
+    let mut beats = vec![];
+    for (module, words) in words.iter().enumerate() {
+        beats.push(chosen(1 << module));
+        beats.extend(own.iter().map(|&place| words[place]));
+    }
+    beats.push(chosen((1 << words.len()) - 1));
+    beats.extend(of_all.into_iter().map(|place| words[0][place]));
+    beats
+}
+
+/// The words of a graphics module, tables first; processors without an object are emptied.
+fn module_words(
     scene: &FramedScene,
     prepared: &PreparedScene,
     machine: &MachineDescription,
     pixels: &Lattice,
 ) -> Result<Vec<Beat>> {
     let shader = shader(scene, &prepared.format, machine)?;
-    let shader = match machine.interlaced {
-        true => shader.on_field(pixels.y0 as u16),
-        false => shader,
+    let shader = match pixels.dy {
+        1 => shader,
+        _ => shader.on_lines(pixels.y0 as u16),
     };
     let shading = shading_words(&shader, machine);
     let materials = material_numbers(scene);
@@ -278,9 +315,6 @@ pub(super) fn beam_words(
         words.planes.resize(planes, VolumePlane::default());
         let words = load_volume(&words, format, planes);
         beats.extend(words.iter().map(load(kind::VOLUME, place)));
-    }
-    if let Some(beat) = beats.last_mut() {
-        beat.last = true;
     }
     Ok(beats)
 }

@@ -1,7 +1,7 @@
 //! What a machine with a screen shows of a scene, and the words that it is given.
 
 pub use super::beam::DisplayError;
-use super::beam::{Result, beam_slots, beam_words, shader, shading_words};
+use super::beam::{Result, beam_slots, frame_words, shader, shading_words};
 use super::description::{MachineDescription, MachineKind, Smoothing};
 use super::needs;
 use super::zone::plan::ZonePlan;
@@ -110,7 +110,7 @@ pub fn images(
             let frame = beam::render(&slots, &prepared.format, width, height, || ());
             let lighting = prepared.light(&frame, || ());
             let beats = fields.iter();
-            let beats = beats.map(|pixels| beam_words(scene, prepared, machine, pixels));
+            let beats = beats.map(|pixels| frame_words(scene, prepared, machine, pixels));
             (beats.collect::<Result<_>>()?, frame, lighting, None)
         }
     };

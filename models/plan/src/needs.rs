@@ -1,7 +1,7 @@
 //! Has a machine what scenes need? If not, the lines of a description that has.
 
 use super::beam::{
-    DisplayError, Result, beam_slots, beam_words, members, placed, volumes, zone_slots,
+    DisplayError, Result, beam_slots, frame_words, members, placed, volumes, zone_slots,
 };
 use super::description::{
     MachineDescription, MachineKind, Mode, Output, OwnMode, SMALLEST_SIDE, ZoneSize,
@@ -66,6 +66,7 @@ pub fn enough(machine: &MachineDescription, scenes: &[Scene]) -> Result<MachineD
         // More pixels per clock than its lines take are not why objects are shared.
         let of_one_lane = MachineDescription {
             pixels_per_clock: 1,
+            modules: 1,
             ..enough.clone()
         };
         if of_one_lane.check("").is_err() {
@@ -380,7 +381,7 @@ fn enlarge(
 /// Gives a beam machine room for the words of a scene, in its loader and in the vertical blanking in which they are
 /// copied.
 fn make_room(machine: &mut MachineDescription, (framed, prepared): Scene) -> Result<()> {
-    let words = beam_words(framed, prepared, machine, &machine.fields()[0])?.len();
+    let words = frame_words(framed, prepared, machine, &machine.fields()[0])?.len();
     if machine.loader_words() < words {
         machine.loader_words = Some(words);
     }
@@ -417,6 +418,7 @@ fn share_processors(enough: &mut MachineDescription, beam: &MachineDescription) 
         products: beam.products.clone(),
         layers: 0,
         pixels_per_clock: 1,
+        modules: 1,
         interlaced: false,
         mode: beam.mode.clone(),
         ..enough.clone()

@@ -1,7 +1,7 @@
 //! Clocks from frame to frame of a machine that streams its pictures, when every frame has new words and the receiver
 //! never stalls.
 
-use super::beam::{Result, beam_words};
+use super::beam::{Result, frame_words};
 use super::description::{MachineDescription, MachineKind};
 use super::display::zone_plan;
 use super::zone::clocks::{ZoneTiming, clocks};
@@ -37,9 +37,10 @@ pub fn clocks_per_frame(
 ) -> Result<u64> {
     match machine.machine {
         MachineKind::Beam => {
-            let words = beam_words(scene, prepared, machine, &machine.fields()[0])?;
+            let words = frame_words(scene, prepared, machine, &machine.fields()[0])?;
             let line = u64::from(scene.width / machine.pixels_per_clock);
-            let pixels = line * u64::from(scene.height) / machine.fields().len() as u64;
+            let groups = machine.modules as usize * machine.fields().len();
+            let pixels = line * u64::from(scene.height) / groups as u64;
             let pace = u64::from(machine.words().clocks_per_pixel());
             Ok((pixels - 1) * pace + 1 + u64::from(timing.latency) + words.len() as u64 + TURN)
         }

@@ -4,10 +4,11 @@ use crate::arith::*;
 use crate::machine::*;
 use crate::object::*;
 use crate::raster::*;
+use crate::rows::PerLane;
 use crate::shade::*;
 use crate::video::*;
 use imogene_contract::slots::FittedSlot;
-use imogene_contract::video::{LEAD, VideoMode};
+use imogene_contract::video::{LEAD, MERGED, MERGED_WORDS, VideoMode};
 use imogene_contract::{DeciderForm, MachineWords, Request, Unit};
 use imogene_hdl::{Bits, Design, Value};
 
@@ -194,6 +195,16 @@ pub fn design(p: &Request) -> Design {
         Unit::TmdsSerialiser => alone(|| tmds_serialiser("top", Symbols::input())),
         Unit::SceneSequencer => alone(|| scene_sequencer("top", Sequence::input())),
         Unit::PixelFifo => alone(|| pixel_fifo("top", Queue::input(3 * LEVEL), 6, LEAD as u32)),
+        Unit::LineMerger => alone(|| {
+            let (modules, words) = (MERGED as u32, MERGED_WORDS as u64);
+            let lines = ModuleStream {
+                tvalid: Bits::input(1),
+                tdata: PerLane::of(modules, |_| Bits::input(3 * LEVEL)),
+                tuser: Bits::input(1),
+                tlast: Bits::input(1),
+            };
+            line_merger("top", lines, Bits::input(1), Group { modules, words })
+        }),
         Unit::FrameStore => alone(|| frame_store("top", PixelStream::input(), Asked::input(), 12)),
         Unit::PostFilter => alone(|| post_filter("top", Bits::input(2), Picture::input(), 11)),
         Unit::Overlay => alone(|| {

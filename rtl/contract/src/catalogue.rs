@@ -231,6 +231,10 @@ units! {
         computes "a queue from a pipeline that cannot stall to an AXI4-Stream receiver that can";
         ties NO_TIES;
         error EXACT;
+    LineMerger "line_merger" [] "2", "the lines of 4 modules of 16 pixels each in 16 clocks, 4 neighbours per clock", "Nyiri 1994, 2.4.4 and 4.1.3";
+        computes "the lines of graphics modules that draw side by side, one after the other";
+        ties NO_TIES;
+        error EXACT;
     FrameStore "frame_store" [] "5", "one pixel per clock out, and one in while a frame is not whole", "architecture, 8";
         computes "the last whole frame that came, while the next one comes";
         ties "a retrace in the clock of the last pixel of a frame comes too early for it";

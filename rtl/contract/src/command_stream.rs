@@ -26,6 +26,8 @@ pub mod command {
     pub const LIGHT: u16 = 3;
     /// A showing pass.
     pub const SHOW: u16 = 4;
+    /// Of a beam machine of several graphics modules: those that the words behind it are for, a bit each.
+    pub const MODULES: u16 = 5;
 
     /// Bit of draw and light: the first one of the zone.
     pub const FIRST: u64 = 1;

@@ -79,6 +79,10 @@ pub struct MachineRequest {
     pub sphere: Option<Tables>,
     /// Pixels of a line that a beam machine that streams draws at once: 1, 2 or 4.
     pub pixels_per_clock: usize,
+    /// Graphics modules of a beam machine that streams, each with every so-manieth line: 1, 2 or 4.
+    pub modules: usize,
+    /// A frame is a field of two: the lines of a module are as many times two apart.
+    pub interlaced: bool,
     /// Before the name of every module; may be empty.
     pub prefix: String,
     /// The command line that makes the same text, for the header.
@@ -159,6 +163,8 @@ impl MachineRequest {
             suns: 0,
             sphere: None,
             pixels_per_clock: 1,
+            modules: 1,
+            interlaced: false,
             prefix: String::new(),
             command: String::new(),
         }
@@ -200,13 +206,37 @@ impl MachineRequest {
 
     fn check_lanes(&self) -> Result<(), RequestError> {
         let lanes = self.pixels_per_clock;
-        let Kind::BeamStream(bits, width, _) = self.kind else {
+        let Kind::BeamStream(bits, width, height) = self.kind else {
+            in_range("graphics modules", self.modules, 1, 1)?;
             return in_range("pixels per clock", lanes, 1, 1);
         };
         // 3 is the only number between the least and the greatest that is none.
         in_range("pixels per clock", lanes, 1, if lanes == 3 { 2 } else { 4 })?;
         let rest = width % lanes;
         in_range("pixels of a line beyond the last whole clock", rest, 0, 0)?;
+        let modules = self.modules;
+        in_range(
+            "graphics modules",
+            modules,
+            1,
+            if modules == 3 { 2 } else { 4 },
+        )?;
+        in_range(
+            "lines beyond the last of all modules",
+            height % modules,
+            0,
+            0,
+        )?;
+        if modules > 1 {
+            let rest = width % (lanes * modules);
+            in_range("pixels of a line beyond the last that leave", rest, 0, 0)?;
+            in_range(
+                "clocks in which a line leaves",
+                width / (lanes * modules),
+                2,
+                u32::MAX,
+            )?;
+        }
         let least = self.beam(bits).least_line();
         in_range("clocks of a line", width / lanes, least, u32::MAX)
     }
@@ -272,6 +302,10 @@ impl MachineRequest {
             },
             shading: self.shading(),
             loader_places: loader_bits as u32,
+            modules: self.modules as u32,
+            line_shift: (self.modules << usize::from(self.interlaced))
+                .ilog2()
+                .saturating_sub(1),
         }
     }
 
@@ -373,10 +407,14 @@ impl MachineRequest {
             lines.push(format!("smoothing {smoothing}, overlay {overlay}"));
         }
         if let Kind::BeamStream(_, width, height) = self.kind {
-            let lanes = self.pixels_per_clock;
+            let lanes = self.pixels_per_clock * self.modules;
+            if self.modules > 1 {
+                lines.push(format!("{} graphics modules", self.modules));
+            }
             let pace = match self.words.clocks_per_pixel() {
                 1 => format!("{lanes} per clock"),
-                clocks => format!("one every {clocks} clocks"),
+                clocks if lanes == 1 => format!("one every {clocks} clocks"),
+                clocks => format!("{lanes} every {clocks} clocks"),
             };
             lines.push(format!("pictures of {width} x {height} pixels, {pace}"));
         }

@@ -142,6 +142,7 @@ const CASES: &str = "
     beam                       | width 2, height 2                           | go 1                               | valid
     video_timing               |                                             | enable 1                           | frame_start
     pixel_fifo                 | data 7                                      | started 1, push 1                  | m_tvalid
+    line_merger                |                                             | s_tvalid 1, s_tlast 1              | m_tvalid
     tmds_encoder               |                                             | de 1                               | word
     tmds_serialiser            | word 1                                      | turn 1                             | pair
     scene_sequencer            |                                             | m_tready 1                         | m_tvalid

@@ -220,7 +220,7 @@ impl Bench<'_> {
     fn handshake(&self) -> Vec<&'static str> {
         let rules = match (self.is_beam(), self.has_pins()) {
             (true, true) => [HOST, BEAM, BEAM_PINS, PINS],
-            (true, false) if self.machine.pixels_per_clock > 1 => {
+            (true, false) if self.machine.pixels_at_once() > 1 => {
                 [HOST, BEAM, BEAM_STREAM, STREAM_OF_SEVERAL]
             }
             (true, false) => [HOST, BEAM, BEAM_STREAM, STREAM],
@@ -249,7 +249,7 @@ impl Bench<'_> {
             patience => 4 * (mode.clocks() + zone + 1000),
             beam => self.is_beam(),
             pins => self.has_pins(),
-            lanes => self.machine.pixels_per_clock,
+            lanes => self.machine.pixels_at_once(),
             overlay => self.overlay.map(|plane| plane.words.len()),
             overlay_colour => colour,
         });
@@ -271,7 +271,7 @@ fn overlay(plane: &OverlayPlane) -> Words<'static> {
 fn beat_fields(data: usize) -> [Field; 5] {
     [
         ("last", 1, "1 in the last beat of a frame: s_tlast of a beam machine"),
-        ("kind", 4, "s_tdest: 0 word of an object processor, 1 of a volume processor, 2 of the shading processor, 3 material of an object, 4 command"),
+        ("kind", 4, "s_tdest: 0 word of an object processor, 1 of a volume processor, 2 of the shading processor, 3 material of an object, 4 command: of several modules, address 5 chooses those that the words behind it are for"),
         ("unit", 8, "s_tuser, bits 23..16: the processor"),
         ("address", 16, "s_tuser, bits 15..0: address of the word, object of the material, or the command"),
         ("data", data, "s_tdata: the word, in its low bits"),

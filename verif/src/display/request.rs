@@ -55,6 +55,8 @@ pub fn request_for(machine: &MachineDescription, tables: &[u64], command: &str) 
             entries: tables.to_vec(),
         }),
         pixels_per_clock: machine.pixels_per_clock as usize,
+        modules: machine.modules as usize,
+        interlaced: machine.interlaced,
         prefix: String::new(),
         command: command.to_owned(),
     }

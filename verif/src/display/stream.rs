@@ -32,7 +32,7 @@ pub(super) fn run(
     options: &PinsRun,
     mut frame_done: impl FnMut(),
 ) -> PinsOutcome {
-    let stream = stream(machine.pixels_per_clock as usize);
+    let stream = stream(machine.pixels_at_once() as usize);
     let compared: Vec<&str> = stream.iter().map(String::as_str).collect();
     let mut waves = options.waves(&hardware, &compared);
     let started = Instant::now();

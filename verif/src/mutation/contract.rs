@@ -4,6 +4,7 @@
 use super::score::Options;
 use crate::signal::Signal;
 use crate::subject::Subject;
+use imogene_contract::video::MERGED;
 use imogene_faults::Contract;
 use imogene_hdl::{Design, Levels, Port, Simulator};
 use rayon::prelude::*;
@@ -149,6 +150,11 @@ fn beginning(subject: &Subject) -> Beginning {
             let starts = ["picture_start", "line_start"].map(|name| vec![own(name, 1)]);
             let line = std::iter::repeat_n(vec![], 15);
             (named(&quiet), loads.chain(starts).chain(line).collect())
+        }
+        // A word of each module.
+        "line_merger" => {
+            let pixels = vec![own("s_tvalid", 1), own("s_tlast", 0)];
+            (named(&["s_tvalid"]), vec![pixels; MERGED])
         }
         // Two clocks of blanking.
         "tmds_encoder" => (vec![], vec![vec![own("de", 0)]; 2]),

@@ -137,6 +137,7 @@ fn describe(p: &Request) -> Description {
         Unit::TmdsSerialiser => board::tmds_serialiser(),
         Unit::SceneSequencer => board::scene_sequencer(),
         Unit::PixelFifo => video::pixel_fifo(),
+        Unit::LineMerger => video::line_merger(),
         Unit::FrameStore => video::frame_store(),
         Unit::PostFilter => video::post_filter(),
         Unit::Overlay => video::overlay(),

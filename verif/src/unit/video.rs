@@ -5,10 +5,11 @@ use super::description::{Description, behind_valid, bit, late};
 use crate::signal::Delay;
 use crate::stimulus::{each, mapped};
 use crate::subject::{Inputs, Stimuli, Subject};
-use imogene_contract::video::{LEAD, VideoMode};
+use imogene_contract::video::{LEAD, MERGED, MERGED_WORDS, VideoMode};
 use imogene_contract::words::COORDINATE;
 use imogene_golden::machine::accumulator::{self, Accumulator, PassPixel};
 use imogene_golden::machine::frame_store::{Arriving, FrameStore};
+use imogene_golden::machine::line_merger::LineMerger;
 use imogene_golden::machine::overlay::{Covered, Overlay};
 use imogene_golden::machine::pixel_fifo::PixelFifo;
 use imogene_golden::machine::post_filter::{FilterPixel, Kernel, PostFilter};
@@ -70,6 +71,56 @@ pub fn pipeline(
         vec![started.into(), push.into(), *data, *last, (*ready).into()]
     })
     .collect()
+}
+
+/// Gives a merger what stands on its ports.
+fn merge(merger: &mut LineMerger, i: &[i64]) {
+    let (valid, pixels, told) = (bit(i[0]), &i[1..=MERGED], &i[1 + MERGED..]);
+    let pixels: Vec<u32> = pixels.iter().map(|&pixel| pixel as u32).collect();
+    let coming = valid.then_some((&pixels[..], bit(told[0]), bit(told[1])));
+    merger.clock(coming, bit(told[2]));
+}
+
+pub(super) fn line_merger() -> Description {
+    Description::new(modules, || {
+        let mut merger = LineMerger::new(MERGED);
+        move |i: &[i64]| {
+            merge(&mut merger, i);
+            let leaving = merger.leaving().map(|leaving| {
+                let ends = [leaving.first, leaving.last].map(i64::from);
+                let pixels = leaving.pixels.iter().map(|&pixel| i64::from(pixel));
+                let told: Vec<i64> = pixels.chain(ends).collect();
+                <[i64; MERGED + 2]>::try_from(told).expect("a pixel for each module")
+            });
+            [
+                vec![Some(merger.is_ready().into())],
+                behind_valid(Some(leaving)),
+            ]
+            .concat()
+        }
+    })
+}
+
+/// Frames of two lines of each module, of modules that stall as the merger and its receiver want.
+fn modules(_: &Subject, clocks: usize) -> Stimuli {
+    let pixels = list(list(0i64..1 << 24, MERGED), clocks);
+    let drawn = (runs(clocks), runs(clocks), pixels);
+    mapped(drawn, |(wanted, ready, pixels)| {
+        let mut merger = LineMerger::new(MERGED);
+        let width = MERGED * MERGED_WORDS;
+        let mut place = 0;
+        let each = wanted.into_iter().zip(ready).zip(pixels);
+        let each = each.map(|((valid, ready), pixels)| {
+            let (first, last) = (place == 0, place % width == width - 1);
+            let taken = valid && merger.is_ready();
+            let told = [first, last, ready].map(i64::from);
+            let inputs = [&[valid.into()][..], &pixels, &told].concat();
+            merge(&mut merger, &inputs);
+            place = (place + usize::from(taken)) % (2 * width);
+            inputs
+        });
+        each.collect()
+    })
 }
 
 /// Pixels of a frame of the catalogue's store.

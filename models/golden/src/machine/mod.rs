@@ -8,6 +8,7 @@ pub mod decider;
 pub mod frame;
 pub mod frame_store;
 pub mod lighting;
+pub mod line_merger;
 pub mod overlay;
 pub mod pixel_fifo;
 pub mod post_filter;

@@ -14,7 +14,7 @@ pub(super) const MAX_ZONE_PIXELS: u32 = 1 << 14;
 pub type Key = (&'static str, String);
 
 /// All keys in their order.
-pub fn keys() -> [Key; 25] {
+pub fn keys() -> [Key; 26] {
     let up_to = |most: usize| format!("0 to {most}");
     let depths = format!("{} to {}", Format::DEPTHS.start(), Format::DEPTHS.end());
     let zone = format!("{{ width = 32, height = 32 }}, of 1 to {MAX_ZONE_PIXELS} pixels");
@@ -53,6 +53,7 @@ pub fn keys() -> [Key; 25] {
         ("mode", modes()),
         ("output", "\"pins\" or \"stream\"".into()),
         ("pixels_per_clock", "1, 2 or 4".into()),
+        ("modules", "1, 2 or 4".into()),
         ("interlaced", "true or false".into()),
         ("supersampling", "1, 2 or 4".into()),
         ("smoothing", "\"none\", \"2x2\" or \"3x3\"".into()),

@@ -210,6 +210,9 @@ pub struct MachineDescription {
     /// Pixels of a line that a beam machine draws at once: 1, 2 or 4.
     #[serde(default = "number::<_, 1>", skip_serializing_if = "is_one")]
     pub pixels_per_clock: u32,
+    /// Graphics modules of a beam machine, each with every so-manieth line: 1, 2 or 4.
+    #[serde(default = "number::<_, 1>", skip_serializing_if = "is_one")]
+    pub modules: u32,
     /// A picture of a beam machine is two frames, its even lines and its odd ones.
     #[serde(default, skip_serializing_if = "is_default")]
     pub interlaced: bool,
@@ -281,6 +284,22 @@ impl MachineDescription {
         }
     }
 
+    /// Pixels that leave a machine that streams on a clock.
+    pub fn pixels_at_once(&self) -> u32 {
+        self.pixels_per_clock * self.modules
+    }
+
+    /// The pixels of each graphics module in a frame.
+    pub(crate) fn lines_of_modules(&self, frame: &Lattice) -> Vec<Lattice> {
+        let modules = i64::from(self.modules);
+        let lines = |module: i64| Lattice {
+            y0: frame.y0 + module * frame.dy,
+            dy: modules * frame.dy,
+            ..*frame
+        };
+        (0..modules).map(lines).collect()
+    }
+
     /// Columns and lines of a frame as it leaves; none if its mode is not one.
     pub fn frame_size(&self) -> Option<(u64, u64)> {
         let mode = self.video_mode()?;
@@ -328,7 +347,8 @@ impl MachineDescription {
         let objects: usize = words.map(|words| words + 1 + 4).sum();
         let volumes = self.volumes * volume::words(self.volume_planes);
         let words = objects + volumes + 8 + 16 * self.lights;
-        self.loader_words.unwrap_or(words.next_power_of_two())
+        let words = words.next_power_of_two() * self.modules as usize;
+        self.loader_words.unwrap_or(words)
     }
 
     /// The deciding part of a zone machine.

@@ -67,6 +67,7 @@ impl MachineDescription {
             self.check_root_form()?;
             self.check_lanes(&mode, &format)?;
             self.check_fields(&mode)?;
+            self.check_modules(&mode)?;
             self.check_output(&mode)?;
             self.check_kind()
         };
@@ -235,6 +236,29 @@ impl MachineDescription {
             return refuse(&format!(
                 "on lines of a multiple of {lanes} pixels, and {least} at least: all processors have begun a line before \
                  the next one begins"
+            ));
+        }
+        Ok(())
+    }
+
+    fn check_modules(&self, mode: &VideoMode) -> Checked {
+        let modules = self.modules;
+        let refuse = |accepted: &str| refuse("modules", modules, accepted);
+        if ![1, 2, 4].contains(&modules) {
+            return refuse("1, 2 or 4");
+        }
+        if modules == 1 {
+            return Ok(());
+        }
+        if !self.is_beam_stream() {
+            return refuse("1, or output = \"stream\" in a beam machine");
+        }
+        let (width, height) = (mode.line.active, mode.frame.active);
+        let at_once = u64::from(modules * self.pixels_per_clock);
+        let lines = u64::from(modules) * self.fields().len() as u64;
+        if !width.is_multiple_of(at_once) || width < 2 * at_once || !height.is_multiple_of(lines) {
+            return refuse(&format!(
+                "on lines of a multiple of {at_once} pixels, more than {at_once}, and a multiple of {lines} lines"
             ));
         }
         Ok(())

@@ -150,6 +150,7 @@ pub fn smallest(
         mode: mode(size),
         output: Output::Pins,
         pixels_per_clock: 1,
+        modules: 1,
         interlaced: false,
         supersampling: 1,
         smoothing: Smoothing::None,

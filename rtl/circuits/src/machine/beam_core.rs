@@ -6,7 +6,7 @@ use super::{
     Lit, MATERIAL, Objects, SHADING, Surface, Volumes, WordBus, all_sources, object_array,
     volume_array,
 };
-use crate::raster::{Scan, lane_pixel, lanes_latency};
+use crate::raster::{COORDINATE, Pixel, Scan, lane_pixel, lanes_latency};
 use crate::rows::{PerLane, in_lane, numbered};
 use crate::shade::{
     self, BLEND_LATENCY, Point, Shaded, Shading, ShadingLoad, transparency_pipeline,
@@ -31,9 +31,22 @@ pub struct BeamMachine {
     pub shading: Shading,
     /// Address bits of the words that it keeps for the next frame.
     pub loader_places: u32,
+    /// Graphics modules, each with every so-manieth line; a power of two.
+    pub modules: u32,
+    /// The lines of a module or field are `2^(1 + n)` apart; 0 where they are not apart.
+    pub line_shift: u32,
 }
 
 impl BeamMachine {
+    /// The pixel that a shading processor is told of: what counts lines by two counts them by so many.
+    pub(super) fn shaded_pixel(&self, scan: Scan, clocks: u32, at: &str) -> Pixel {
+        let pixel = pixel_count(at, scan, clocks);
+        Pixel {
+            y: pixel.y.left(self.line_shift).low(COORDINATE),
+            ..pixel
+        }
+    }
+
     /// Clocks from a pixel to its colour.
     pub fn latency(&self) -> u32 {
         self.surfaces() + self.shading.latency() + BLEND_LATENCY * self.layers.len() as u32
@@ -137,7 +150,7 @@ fn blended(
         objects: &machine.objects,
         shading: &machine.shading,
     };
-    let mut pixel = pixel_count("layer_pixels", scan, machine.surfaces());
+    let mut pixel = machine.shaded_pixel(scan, machine.surfaces(), "layer_pixels");
     let slots = numbered("layers", &machine.layers).enumerate();
     let layers = slots.map(|(index, (at, slot))| {
         let own = first + index as u64;
@@ -185,7 +198,7 @@ fn shaded_surface(
     let own_material = load.data.low(MATERIAL);
     let write = (load.material, load.address.low(SLOT), own_material);
     let wait = machine.decided() - machine.nearest();
-    let pixel = pixel_count("pixel_count", scan, machine.decided());
+    let pixel = machine.shaded_pixel(scan, machine.decided(), "pixel_count");
     let lanes = machine.objects.lanes;
     PerLane::of(lanes, |lane| {
         let (valid, seen) = seen.0[lane as usize];

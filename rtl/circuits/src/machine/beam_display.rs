@@ -32,7 +32,13 @@ pub fn beam_display(
     module("beam_display", at, inputs, |(beat, last, overlay)| {
         let colour = Colour::of([(); 3].map(|()| Bits::forward(LEVEL)));
         let (wanted, pins) = video_output("screen", colour, overlay, output, machine.latency());
-        let loaded = frame_loader("loader", beat, last, wanted.retrace, machine.loader_places);
+        let loaded = frame_loader(
+            "loader",
+            beat,
+            last,
+            wanted.retrace,
+            (machine.loader_places, 1),
+        );
         let flags = Flags {
             valid: wanted.need,
             start: wanted.start,

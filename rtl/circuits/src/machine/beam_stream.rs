@@ -1,9 +1,11 @@
 //! Beam machine that streams its picture.
 
 use super::{BeamMachine, Beat, beam_core, frame_loader};
-use crate::rows::PerLane;
+use crate::rows::{PerLane, numbered};
 use crate::shade::Shaded;
-use crate::video::{LEVEL, Queue, Queued, Scanned, frame_scan, pixel_fifo};
+use crate::video::{
+    Group, LEVEL, Merged, ModuleStream, Queue, Queued, Scanned, frame_scan, line_merger, pixel_fifo,
+};
 use imogene_hdl::{Bits, Value, bundles, join, module};
 
 /// Address bits of the queue of pixels at least.
@@ -28,6 +30,10 @@ bundles! {
 /// are found: the objects of a beam machine, without a screen's timing. `last` comes with the last word of a frame.
 /// Several pixels at once are neighbours, pixel 0 the leftmost; they divide the width.
 ///
+/// Several graphics modules run side by side, on the same clocks: each has all that a beam machine has for its objects
+/// and draws every so-manieth line. One loader, one scan and one queue serve them all, and their lines leave one behind
+/// the other, with as many pixels on a clock as all of them draw.
+///
 /// Between two frames the pipeline runs empty, and the words of a new frame are copied if its last one has come.
 /// `docs/machines.md`.
 pub fn beam_stream(
@@ -42,25 +48,67 @@ pub fn beam_stream(
         let latency = machine.latency();
         let [room, is_busy] = [(); 2].map(|()| Bits::forward(1));
         let lanes = machine.objects.lanes;
-        let groups = (size.0 / u64::from(lanes), size.1);
+        let modules = machine.modules;
+        let groups = (size.0 / u64::from(lanes), size.1 / u64::from(modules));
         let (pace, drain) = (machine.objects.words.clocks_per_pixel(), latency + 2);
         let frames = frame_scan("scan", (room, is_busy), groups, pace, drain.into());
-        let loaded = frame_loader("loader", beat, last, frames.retrace, machine.loader_places);
+        let kept = (machine.loader_places, modules);
+        let loaded = frame_loader("loader", beat, last, frames.retrace, kept);
         is_busy.drive(loaded.is_busy);
-        let words = (loaded.take, loaded.load);
-        let shaded = beam_core("core", frames.scan, words, machine);
-        let (queued, pixels) = queues(&frames, &shaded, ready, latency);
+        let core = |at: &str, load| beam_core(at, frames.scan, (loaded.take, load), machine);
+        let shaded = match loaded.chosen {
+            None => core("core", loaded.load),
+            Some(chosen) => PerLane(
+                numbered("cores", 0..modules)
+                    .flat_map(|(at, index)| {
+                        core(&at, loaded.load.when(chosen.slice(index, index))).0
+                    })
+                    .collect(),
+            ),
+        };
+        let takes = Bits::forward(1);
+        let (queued, pixels) = queues(&frames, &shaded, takes, latency);
         room.drive(queued.room);
-        Streamed {
-            s_tready: loaded.s_tready,
+        let leaving = Merged {
+            s_tready: ready,
             m_tvalid: queued.m_tvalid,
             m_tdata: pixels,
             m_tuser: queued.m_tdata.top(),
             m_tlast: queued.m_tlast,
+        };
+        let leaving = match modules {
+            1 => leaving,
+            modules => merged(
+                leaving,
+                ready,
+                Group {
+                    modules,
+                    words: groups.0 / u64::from(modules),
+                },
+            ),
+        };
+        takes.drive(leaving.s_tready);
+        Streamed {
+            s_tready: loaded.s_tready,
+            m_tvalid: leaving.m_tvalid,
+            m_tdata: leaving.m_tdata,
+            m_tuser: leaving.m_tuser,
+            m_tlast: leaving.m_tlast,
             swapped: loaded.take,
             refused: loaded.refused,
         }
     })
+}
+
+/// The lines of all modules, one behind the other.
+fn merged(lines: Merged, ready: Bits, group: Group) -> Merged {
+    let lines = ModuleStream {
+        tvalid: lines.m_tvalid,
+        tdata: lines.m_tdata,
+        tuser: lines.m_tuser,
+        tlast: lines.m_tlast,
+    };
+    line_merger("merger", lines, ready, group)
 }
 
 /// Queues of two pixels each, all at the same place, long enough for pixels on every clock; and the pixels that leave.

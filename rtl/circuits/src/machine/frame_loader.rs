@@ -1,6 +1,7 @@
 //! A whole frame of words waits in a memory, and goes to the processors in the vertical blanking.
 
 use super::{Beat, WordBus};
+use imogene_contract::command_stream::{command, kind};
 use imogene_hdl::{Bits, Bundle, Value, bundles, join, memory, module, net};
 
 bundles! {
@@ -8,6 +9,7 @@ bundles! {
     Loaded {
         s_tready: Bits as "s_tready", "the beat is taken";
         load: WordBus as "load", "the load bus";
+        chosen: Option<Bits> as "chosen", "modules that the word on it is for";
         take: Bits as "take", "all words of a frame are there";
         is_busy: Bits as "is_busy", "words are being copied, until they are all at work";
         refused: Bits as "refused", "a frame of more words than the memory keeps came to its end, and is forgotten";
@@ -15,13 +17,20 @@ bundles! {
 }
 
 /// Takes the words of the next frame while the present one is drawn, `2^places` of them at most, and copies them to the
-/// machine in the vertical blanking, one per clock. Commands are ignored.
+/// machine in the vertical blanking, one per clock. Of several `modules` a command chooses those that the words behind
+/// it are for, the last one for those of the next frame too; other commands are ignored.
 ///
 /// After the last word `s_tready` is low until all words are copied. A `retrace` before the last word changes nothing:
 /// the frame before is drawn again, and no picture mixes two frames. n words are at work n + 7 clocks after `retrace`:
 /// registers stand between the memory and all processors, and before each of them.
 /// Chaillou 1991, IV.4.5: the loading memory M2 and its automaton.
-pub fn frame_loader(at: &str, beat: Beat, last: Bits, retrace: Bits, places: u32) -> Loaded {
+pub fn frame_loader(
+    at: &str,
+    beat: Beat,
+    last: Bits,
+    retrace: Bits,
+    (places, modules): (u32, u32),
+) -> Loaded {
     let inputs = (("s", beat), ("s_tlast", last), ("retrace", retrace));
     module("frame_loader", at, inputs, |(beat, last, retrace)| {
         let count = |value: u64| Bits::new(value, places + 1);
@@ -71,9 +80,20 @@ pub fn frame_loader(at: &str, beat: Beat, last: Bits, retrace: Bits, places: u32
         Loaded {
             s_tready: !is_whole,
             load: WordBus::of(copied).registered(),
+            chosen: (modules > 1).then(|| chosen(copied, modules)),
             take: take_late,
             is_busy: is_copying | is_settling,
             refused: refuses.reg(),
         }
     })
+}
+
+/// The modules that a command has chosen.
+fn chosen(copied: Beat, modules: u32) -> Bits {
+    let is_command = copied.tvalid & copied.tdest.is(kind::COMMAND.into());
+    net! {
+        let chooses = is_command & copied.tuser.low(16).is(command::MODULES.into());
+        let chosen_modules = copied.tdata.low(modules).reg_when(chooses);
+    }
+    chosen_modules
 }

@@ -40,6 +40,17 @@ impl WordBus {
         }
     }
 
+    /// The bus, without a word unless it is wanted.
+    pub fn when(self, wanted: Bits) -> WordBus {
+        WordBus {
+            object: self.object & wanted,
+            volume: self.volume & wanted,
+            shading: self.shading & wanted,
+            material: self.material & wanted,
+            ..self
+        }
+    }
+
     /// The words of objects.
     pub fn objects(&self) -> Load {
         Load {

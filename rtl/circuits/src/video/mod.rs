@@ -3,6 +3,7 @@
 mod accumulator;
 mod frame_scan;
 mod frame_store;
+mod line_merger;
 mod overlay;
 mod pixel_fifo;
 mod pixel_place;
@@ -16,6 +17,7 @@ mod video_timing;
 pub use accumulator::{PassPixel, accumulator};
 pub use frame_scan::{Scanned, frame_scan};
 pub use frame_store::{Asked, FRAME_LATENCY, PixelStream, frame_store};
+pub use line_merger::{Group, Merged, ModuleStream, line_merger};
 pub use overlay::{BitPlane, OVERLAY_LATENCY, overlay};
 pub use pixel_fifo::{Queue, Queued, pixel_fifo};
 pub use pixel_place::pixel_place;

@@ -50,6 +50,8 @@ fn machine() -> BeamMachine {
             tables: None,
         },
         loader_places: 3,
+        modules: 1,
+        line_shift: 0,
     }
 }
 

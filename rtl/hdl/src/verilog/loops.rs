@@ -3,6 +3,7 @@
 use super::expressions::Writer;
 use super::rows::{Row, Source};
 use super::text::filled;
+use crate::scope::is_reserved;
 use crate::tree::{Direction, Net};
 use std::fmt::Write;
 
@@ -39,7 +40,8 @@ impl Writer<'_> {
         }
         let outputs = own.ports_of(Direction::Out).enumerate();
         values.extend(outputs.map(|(output, _)| row.element(module, output)));
-        let one = row.base.strip_suffix('s').unwrap_or("one");
+        let one = row.base.strip_suffix('s');
+        let one = one.filter(|name| !is_reserved(name)).unwrap_or("one");
         let (base, count) = (&row.base, row.instances.len());
         text + &format!("    for (k = 0; k < {count}; k = k + 1) begin : {base}\n")
             + &self.instance(own, one, values.into_iter(), 8)

@@ -146,6 +146,22 @@ fn verilog_is_written_as_people_read_it() {
     assert_parts(&text, &parts);
 }
 
+/// An element of a row is called by the row's name without its `s`, if Verilog takes that.
+#[test]
+fn no_element_of_a_row_is_a_reserved_word() {
+    let design = Design::of(|| {
+        module("pair", "top", ("value", Bits::input(1)), |value| {
+            let late = |value: Bits| ("late", value.reg());
+            let next = |value, index: u32| {
+                module("step", &format!("modules_{index}"), ("value", value), late)
+            };
+            ("later", (0..2).fold(value, next))
+        });
+    });
+    let text = verilog::write(&design.top, "");
+    assert_parts(&text, &["begin : modules\n        step one ("]);
+}
+
 /// A literal stands on the right of a comparison, whichever way it was asked.
 #[test]
 fn what_is_compared_with_a_literal_stands_before_it() {

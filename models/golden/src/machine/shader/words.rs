@@ -101,11 +101,13 @@ impl ShaderWords {
         }
     }
 
-    /// The words for the lines `first, first + 2, ..` of the picture alone.
-    pub fn on_field(self, first: u16) -> ShaderWords {
+    /// The words for evenly spaced lines of the picture from `first` on; a machine whose lines are more than two apart
+    /// tells its shader how many twos.
+    pub fn on_lines(self, first: u16) -> ShaderWords {
         let [columns, lines] = self.size;
         ShaderWords {
-            size: [columns, lines - 2 * first],
+            // Half pixels in 13 bits, as places are counted.
+            size: [columns, lines.wrapping_sub(2 * first) & 0x1fff],
             is_field: true,
             ..self
         }

@@ -4,6 +4,7 @@ mod csg;
 mod decider;
 mod frame_store;
 mod lighting;
+mod line_merger;
 mod overlay;
 mod pixel_fifo;
 mod post_filter;
