@@ -4,8 +4,9 @@
 pub const POSITION: usize = 13;
 /// Clocks of the pipeline that the video units of the catalogue stand around.
 pub const LEAD: usize = 40;
-/// Modules of the merger of the catalogue, and clocks in which a line leaves it.
+/// Modules of the merger of the catalogue.
 pub const MERGED: usize = 4;
+/// Clocks in which a line leaves it.
 pub const MERGED_WORDS: usize = 4;
 
 /// The parts of a line in clocks, or of a frame in lines.
