@@ -8,7 +8,7 @@ use std::path::Path;
 
 /// Characters of a word, of a line and of a message that refuses an input: what a file or a path says is shortened.
 const WORD: usize = 200;
-const LINE: usize = 600;
+const LINE: usize = 1200;
 const MESSAGE: usize = 1_800;
 
 /// A command that did not succeed.

@@ -23,7 +23,7 @@ fn package_writes_every_core_that_it_names() {
     let place = Place::new();
     let value = place.json("package --clocks 20 --out .");
     assert_keys(&value, "cores bytes files");
-    assert_eq!(value["cores"], 51);
+    assert_eq!(value["cores"], 52);
     place.assert_files(&value);
     for file in ["beam.core", "contract.json", "bench/bench.v", "rtl/beam.v"] {
         assert!(place.has(&format!("beam/{file}")), "{file}");
