@@ -53,6 +53,43 @@ fn every_number_of_corrections() {
     }
 }
 
+/// The bits of the excess on which the corrections of the circuits count: of roots of 9 to 11 digits every one, of
+/// longer ones those of a spread, where floors take less beside the radicand.
+#[test]
+fn the_excess_before_a_correction_is_short() {
+    let within = |bits: u32, radicand: u64| {
+        for corrections in 0..=3 {
+            let excess = |method| {
+                let root = root(method, radicand.into(), bits).root;
+                i128::from(root).pow(2) - i128::from(radicand)
+            };
+            let most = |places: u32| 1i128 << (2 * bits - places);
+            let (linear, quadratic) = match corrections {
+                0 => (-most(4)..=most(4), most(6)),
+                _ => (0..=most(5) - 1, most(7)),
+            };
+            let found = excess(Method::Linear { corrections });
+            assert!(
+                linear.contains(&found),
+                "{found} of {radicand}, {bits} bits"
+            );
+            let found = excess(Method::Quadratic { corrections });
+            assert!(
+                found.abs() < quadratic,
+                "{found} of {radicand}, {bits} bits"
+            );
+        }
+    };
+    for bits in 9..=11 {
+        (0..1 << (2 * bits)).for_each(|radicand| within(bits, radicand));
+    }
+    for bits in [12, 16, 24, 31] {
+        radicands(bits)
+            .into_iter()
+            .for_each(|radicand| within(bits, radicand));
+    }
+}
+
 #[test]
 fn every_number_of_digits() {
     for kept in 1..=24 {

@@ -1,7 +1,7 @@
 //! Piecewise linear square root with corrections.
 
 use super::RADICAND;
-use super::root_correction::Estimate;
+use super::root_correction::{Estimate, LINEAR};
 use super::root_length::root_length;
 use imogene_hdl::{Bits, Bundle, Value, module, net};
 
@@ -33,7 +33,7 @@ pub fn square_root_linear(at: &str, radicand: Bits, corrections: u32) -> Bits {
             length,
             root,
         };
-        let root = estimate.registered().corrected(corrections);
+        let root = estimate.registered().corrected(corrections, LINEAR);
         ("root", root, "approximate root, at most 2^W")
     })
 }

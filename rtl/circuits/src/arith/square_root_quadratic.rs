@@ -1,8 +1,8 @@
 //! Piecewise quadratic square root with corrections.
 
 use super::RADICAND;
-use super::fifteenth::fifteenth;
-use super::root_correction::Estimate;
+use super::fifteenth::{FIFTEENTH, fifteenth};
+use super::root_correction::{Estimate, QUADRATIC};
 use super::root_length::{LENGTH, root_length};
 use super::square::square;
 use imogene_hdl::{Bits, Value, module, net};
@@ -18,10 +18,14 @@ pub fn square_root_quadratic(at: &str, radicand: Bits, corrections: u32) -> Bits
     let inputs = ("radicand", radicand, RADICAND);
     module("square_root_quadratic", at, inputs, |radicand| {
         let digits = radicand.width() / 2;
-        let wide = digits + 12;
+        // Fifteen roots are below 2^(W + 4).
+        let wide = (digits + 4).max(FIFTEENTH);
         let one = Bits::new(1, digits + 1);
         let two_places = Bits::new(2, LENGTH);
-        let times_15 = |word: Bits| word.extend(wide).left(4) - word.extend(wide);
+        let times_15 = |word: Bits| {
+            let word = word.extend(digits + 4);
+            word.left(4) - word
+        };
         let length = root_length("measured", radicand);
         net! {
             let radicand_1 = radicand.reg();
@@ -33,11 +37,12 @@ pub fn square_root_quadratic(at: &str, radicand: Bits, corrections: u32) -> Bits
             let shifted = radicand.right_by(length);
             let mask = one.left_by(length) - one;
             let kept_scaled = shifted.low(digits).reg();
-            let kept_rest = (radicand.low(digits + 1) & mask).reg();
+            let kept_rest = (radicand.low(digits) & mask.low(digits)).reg();
             // 15 X does not fit the radicand's width: 15 A, and 15 times the bits below A.
             let scaled_15 = times_15(kept_scaled);
             let rest_15 = times_15(kept_rest);
-            let slope = scaled_15 + rest_15.right_by(length_1);
+            let carried = rest_15.right_by(length_1).low(4);
+            let slope = scaled_15.extend(wide) + carried.extend(wide);
             let offset = Bits::new(4, wide).left_by(length_1);
             let kept_sum = (slope + offset).reg();
             let kept_square = square("squarer", kept_scaled, radicand.width()).reg();
@@ -45,7 +50,7 @@ pub fn square_root_quadratic(at: &str, radicand: Bits, corrections: u32) -> Bits
             let is_short = length_2.less(two_places);
             let places = is_short.select(Bits::new(0, LENGTH), length_2 - two_places);
             let shifted_square = kept_square.right_by(places);
-            let fifteenfold = kept_sum - shifted_square.low(wide);
+            let fifteenfold = kept_sum - shifted_square.low(digits + 2).extend(wide);
         }
         let root = fifteenth(fifteenfold).low(digits + 1).reg();
         let estimate = Estimate {
@@ -53,7 +58,7 @@ pub fn square_root_quadratic(at: &str, radicand: Bits, corrections: u32) -> Bits
             length: length_3,
             root,
         };
-        let root = estimate.corrected(corrections);
+        let root = estimate.corrected(corrections, QUADRATIC);
         ("root", root, "approximate root, at most 2^W")
     })
 }
