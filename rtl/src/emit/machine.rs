@@ -79,7 +79,7 @@ pub struct MachineRequest {
     pub sphere: Option<Tables>,
     /// Pixels of a line that a beam machine that streams draws at once: 1, 2 or 4.
     pub pixels_per_clock: usize,
-    /// Graphics modules of a beam machine that streams, each with every so-manieth line: 1, 2 or 4.
+    /// Graphics modules of a beam machine that streams, 1, 2 or 4: of n modules each draws every n-th line.
     pub modules: usize,
     /// A frame is a field of two: the lines of a module are as many times two apart.
     pub interlaced: bool,

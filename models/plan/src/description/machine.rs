@@ -210,7 +210,7 @@ pub struct MachineDescription {
     /// Pixels of a line that a beam machine draws at once: 1, 2 or 4.
     #[serde(default = "number::<_, 1>", skip_serializing_if = "is_one")]
     pub pixels_per_clock: u32,
-    /// Graphics modules of a beam machine, each with every so-manieth line: 1, 2 or 4.
+    /// Graphics modules of a beam machine, 1, 2 or 4: of n modules each draws every n-th line.
     #[serde(default = "number::<_, 1>", skip_serializing_if = "is_one")]
     pub modules: u32,
     /// A picture of a beam machine is two frames, its even lines and its odd ones.

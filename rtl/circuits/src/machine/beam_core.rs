@@ -31,7 +31,7 @@ pub struct BeamMachine {
     pub shading: Shading,
     /// Address bits of the words that it keeps for the next frame.
     pub loader_places: u32,
-    /// Graphics modules, each with every so-manieth line; a power of two.
+    /// Graphics modules, a power of two: of n modules each draws every n-th line.
     pub modules: u32,
     /// The lines of a module or field are `2^(1 + n)` apart; 0 where they are not apart.
     pub line_shift: u32,

@@ -31,8 +31,8 @@ bundles! {
 /// Several pixels at once are neighbours, pixel 0 the leftmost; they divide the width.
 ///
 /// Several graphics modules run side by side, on the same clocks: each has all that a beam machine has for its objects
-/// and draws every so-manieth line. One loader, one scan and one queue serve them all, and their lines leave one behind
-/// the other, with as many pixels on a clock as all of them draw.
+/// and draws every n-th line, where there are n. One loader, one scan and one queue serve them all, and their lines
+/// leave one behind the other, with as many pixels on a clock as all of them draw.
 ///
 /// Between two frames the pipeline runs empty, and the words of a new frame are copied if its last one has come.
 /// `docs/machines.md`.
