@@ -4,14 +4,13 @@ use super::{BeamMachine, Beat, beam_core, frame_loader};
 use crate::rows::{PerLane, numbered};
 use crate::shade::Shaded;
 use crate::video::{
-    Group, LEVEL, Merged, ModuleStream, Queue, Queued, Scanned, frame_scan, line_merger, pixel_fifo,
+    Group, Merged, ModuleStream, Queue, Queued, Scanned, colours_of_pairs, frame_scan, line_merger,
+    pixel_fifo,
 };
 use imogene_hdl::{Bits, Value, bundles, join, module};
 
 /// Address bits of the queue of pixels at least.
 const QUEUE: u32 = 8;
-/// Bits of a colour.
-const COLOUR: u32 = 3 * LEVEL;
 
 bundles! {
     /// What a machine that streams says.
@@ -137,10 +136,7 @@ fn queues(
         pixel_fifo(&at, queue, places, latency + 1)
     });
     let queues: Vec<Queued> = pairs.collect();
-    let pixels = PerLane::of(shaded.0.len() as u32, |lane| {
-        let low = COLOUR * (lane % 2);
-        let word = queues[lane as usize / 2].m_tdata;
-        word.slice(low + COLOUR - 1, low)
-    });
+    let words: Vec<Bits> = queues.iter().map(|queue| queue.m_tdata).collect();
+    let pixels = colours_of_pairs(&words, shaded.0.len() as u32);
     (queues[0], pixels)
 }

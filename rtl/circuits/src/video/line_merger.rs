@@ -1,6 +1,6 @@
 //! The lines of graphics modules that draw side by side, one after the other.
 
-use super::LEVEL;
+use super::{COLOUR, colours_of_pairs};
 use crate::rows::PerLane;
 use imogene_hdl::{Bits, Value, bundles, join, memory, module, net};
 
@@ -37,9 +37,6 @@ impl Group {
         (self.words - 1).ilog2() + 1
     }
 }
-
-/// Bits of a colour.
-const COLOUR: u32 = 3 * LEVEL;
 
 /// Puts the lines of graphics modules, which come at once, one behind the other: that of the first module, of the
 /// second and so on.
@@ -98,10 +95,7 @@ pub fn line_merger(at: &str, lines: ModuleStream, ready: Bits, group: Group) -> 
         Merged {
             s_tready: is_ready,
             m_tvalid: read.is_there,
-            m_tdata: PerLane::of(2 * leaving.len() as u32, |pixel| {
-                let low = COLOUR * (pixel % 2);
-                leaving[pixel as usize / 2].slice(low + COLOUR - 1, low)
-            }),
+            m_tdata: colours_of_pairs(&leaving, 2 * leaving.len() as u32),
             m_tuser: begins[0].reg_when(read.moves),
             m_tlast: read.ends_line,
         }

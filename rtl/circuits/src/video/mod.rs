@@ -29,11 +29,21 @@ pub use video_output::{Output, OverlayBus, Pins, Wanted, video_output};
 pub use video_timing::{Screen, video_timing};
 
 use crate::raster::COORDINATE;
-use crate::rows::alike;
+use crate::rows::{PerLane, alike};
 use imogene_hdl::{Bits, Value, join};
 
 /// Bits of a level of a colour.
 pub const LEVEL: u32 = 8;
+/// Bits of a colour.
+const COLOUR: u32 = 3 * LEVEL;
+
+/// So many colours of words that have two neighbours each, the left one in the low bits.
+pub(crate) fn colours_of_pairs(words: &[Bits], count: u32) -> PerLane<Bits> {
+    PerLane::of(count, |pixel| {
+        let low = COLOUR * (pixel % 2);
+        words[pixel as usize / 2].slice(low + COLOUR - 1, low)
+    })
+}
 
 alike! {
     /// A colour.

@@ -101,8 +101,8 @@ impl ShaderWords {
         }
     }
 
-    /// The words for evenly spaced lines of the picture from `first` on; a machine whose lines are more than two apart
-    /// tells its shader how many twos.
+    /// The words for the lines `first, first + 2, ..` of the picture alone. A machine whose lines are further apart
+    /// counts them by twos before it shades them.
     pub fn on_lines(self, first: u16) -> ShaderWords {
         let [columns, lines] = self.size;
         ShaderWords {
