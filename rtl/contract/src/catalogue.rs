@@ -231,7 +231,7 @@ units! {
         computes "a queue from a pipeline that cannot stall to an AXI4-Stream receiver that can";
         ties NO_TIES;
         error EXACT;
-    LineMerger "line_merger" [] "2", "the lines of 4 modules of 16 pixels each in 16 clocks, 4 neighbours per clock", "Nyiri 1994, 2.4.4 and 4.1.3";
+    LineMerger "line_merger" [] "3", "the lines of 4 modules of 16 pixels each in 16 clocks, 4 neighbours per clock", "Nyiri 1994, 2.4.4 and 4.1.3";
         computes "the lines of graphics modules that draw side by side, one after the other";
         ties NO_TIES;
         error EXACT;

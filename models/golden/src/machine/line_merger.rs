@@ -29,6 +29,8 @@ pub struct LineMerger {
     whole: VecDeque<VecDeque<Leaving>>,
     /// The next that leaves was read.
     is_read: bool,
+    /// Behind the memories, and at the output.
+    kept: Option<Leaving>,
     seen: Option<Leaving>,
 }
 
@@ -40,6 +42,7 @@ impl LineMerger {
             filling: Group::new(modules),
             whole: VecDeque::new(),
             is_read: false,
+            kept: None,
             seen: None,
         }
     }
@@ -61,9 +64,12 @@ impl LineMerger {
         if ready {
             self.seen = None;
         }
-        if self.seen.is_none() && self.is_read {
+        if self.seen.is_none() {
+            self.seen = self.kept.take();
+        }
+        if self.kept.is_none() && self.is_read {
             let oldest = self.whole.front_mut().expect("a group that was read");
-            self.seen = oldest.pop_front();
+            self.kept = oldest.pop_front();
             if oldest.is_empty() {
                 self.whole.pop_front();
             }

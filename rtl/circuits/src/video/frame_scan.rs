@@ -42,10 +42,10 @@ pub fn frame_scan(
                 let column = Bits::register(COORDINATE);
                 let row = Bits::register(COORDINATE);
                 let issued = paced(running & room, pace);
-                let at_left = column.is(0);
-                let at_right = column.is(width - 1);
-                let at_top = row.is(0);
-                let at_bottom = row.is(height - 1);
+                let at_left = Bits::register(1).initially(1);
+                let at_right = Bits::register(1).initially((width == 1).into());
+                let at_top = Bits::register(1).initially(1);
+                let at_bottom = Bits::register(1).initially((height == 1).into());
                 let line_ends = issued & at_right;
                 let frame_ends = line_ends & at_bottom;
                 let is_empty = waiting.is(0);
@@ -53,7 +53,11 @@ pub fn frame_scan(
                 let begins = !running & is_empty & !retrace & !is_busy;
             }
             column.load_when(issued, at_right.select(word(0), column + word(1)));
+            at_left.load_when(issued, at_right);
+            at_right.load_when(issued, comes_last(column, width));
             row.load_when(line_ends, at_bottom.select(word(0), row + word(1)));
+            at_top.load_when(line_ends, at_bottom);
+            at_bottom.load_when(line_ends, comes_last(row, height));
             running.load_when(frame_ends | begins, begins);
             let next_waiting = drains.select(waiting - clocks(1), waiting);
             waiting.load(frame_ends.select(clocks(drain), next_waiting));
@@ -73,6 +77,14 @@ pub fn frame_scan(
             }
         },
     )
+}
+
+/// Behind this place comes the last of so many.
+fn comes_last(place: Bits, count: u64) -> Bits {
+    match count {
+        1 => Bits::new(1, 1),
+        _ => place.is(count - 2),
+    }
 }
 
 /// What is asked, `pace` clocks after it was 1 or later.

@@ -42,8 +42,8 @@ impl Group {
 /// second and so on.
 ///
 /// A line leaves with as many pixels on a clock as come from all modules: lines leave as fast as they come. Two banks
-/// keep a line of every module each; one fills while the other is read. Latency 2 from the last pixel of lines to the
-/// first that leaves. `docs/machines.md`.
+/// keep a line of every module each; one fills while the other is read. Latency 3 from the last pixel of lines to the
+/// first that leaves: what a memory gives is registered before one of the modules is chosen. `docs/machines.md`.
 pub fn line_merger(at: &str, lines: ModuleStream, ready: Bits, group: Group) -> Merged {
     let ready = ("m_tready", ready, "the receiver takes what leaves");
     let inputs = (("s", lines), ready);
@@ -72,6 +72,9 @@ pub fn line_merger(at: &str, lines: ModuleStream, ready: Bits, group: Group) -> 
         }
         let read = reader(is_filled, ready, group);
         is_full.load(is_filled & !of_bank(read.empties, read.from_second));
+        net! {
+            let chosen_module = read.module.reg_when(read.moves);
+        }
         let lines: Vec<Vec<Bits>> = lines_of_modules(&lines.tdata.0, comes, group);
         let leaving = (0..lines[0].len()).step_by(2).map(|pixel| {
             let kept = lines.iter().enumerate().map(|(module, line)| {
@@ -82,13 +85,13 @@ pub fn line_merger(at: &str, lines: ModuleStream, ready: Bits, group: Group) -> 
                 };
                 let write = (is_whole, write_address, word);
                 let name = format!("line_{module}_from_{pixel}");
-                let read = memory(&name, 2 << group.place_bits(), write, read.address);
-                Value::named(read, &(name + "_read"))
+                let word = memory(&name, 2 << group.place_bits(), write, read.address);
+                Value::named(word.reg_when(read.moves), &(name + "_kept"))
             });
             let kept: Vec<Bits> = kept.collect();
-            let begins = kept[0].top() & read.module.is(0);
+            let begins = kept[0].top() & chosen_module.is(0);
             let pairs = kept.into_iter().map(|word| word.low(2 * COLOUR));
-            let pair = one_of(read.module, pairs.collect()).reg_when(read.moves);
+            let pair = one_of(chosen_module, pairs.collect()).reg_when(read.leaves);
             (Value::named(pair, &format!("leaving_from_{pixel}")), begins)
         });
         let (leaving, begins): (Vec<Bits>, Vec<Bits>) = leaving.unzip();
@@ -96,7 +99,7 @@ pub fn line_merger(at: &str, lines: ModuleStream, ready: Bits, group: Group) -> 
             s_tready: is_ready,
             m_tvalid: read.is_there,
             m_tdata: colours_of_pairs(&leaving, 2 * leaving.len() as u32),
-            m_tuser: begins[0].reg_when(read.moves),
+            m_tuser: begins[0].reg_when(read.leaves),
             m_tlast: read.ends_line,
         }
     })
@@ -139,12 +142,14 @@ fn counted(count: Bits) -> Bits {
 struct Reader {
     /// Where the memories read.
     address: Bits,
-    /// What they have read goes to the output.
+    /// What they have read goes to its registers.
     moves: Bits,
     /// It is of this module, of a line of this bank, and the last of all of them.
     module: Bits,
     from_second: Bits,
     empties: Bits,
+    /// What is in the registers goes to the output.
+    leaves: Bits,
     /// What is at the output: something, the end of a line.
     is_there: Bits,
     ends_line: Bits,
@@ -157,8 +162,10 @@ fn reader(is_filled: Bits, ready: Bits, group: Group) -> Reader {
         let read_module = Bits::register(group.modules.ilog2());
         let read_place = Bits::register(group.place_bits());
         let is_read = Bits::register(1);
+        let is_kept = Bits::register(1);
         let is_there = Bits::register(1);
-        let moves = is_read & (ready | !is_there);
+        let leaves = is_kept & (ready | !is_there);
+        let moves = is_read & (leaves | !is_kept);
         let at_end = read_place.is(group.words - 1);
         let line_ends = moves & at_end;
         let empties = line_ends & read_module.is(u64::from(group.modules) - 1);
@@ -170,14 +177,16 @@ fn reader(is_filled: Bits, ready: Bits, group: Group) -> Reader {
     read_module.load_when(line_ends, counted(read_module));
     from_second.load(next_second);
     is_read.load(next_second.select(is_filled.top(), is_filled.low(1)));
-    is_there.load_when(ready | moves, moves);
+    is_kept.load_when(leaves | moves, moves);
+    is_there.load_when(ready | leaves, leaves);
     Reader {
         address: Value::named(join([next_second, next_place]), "read_address"),
         moves,
         module: read_module,
         from_second,
         empties,
+        leaves,
         is_there,
-        ends_line: at_end.reg_when(moves),
+        ends_line: at_end.reg_when(moves).reg_when(leaves),
     }
 }
