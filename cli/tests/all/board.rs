@@ -75,7 +75,7 @@ fn the_pins_of_a_board_show_colours_from_tables() {
 #[test]
 fn the_pins_of_a_board_show_an_animation() {
     let place = Place::new();
-    let options = "--flat --mode 160x120 --animation 2..3 --frames 14";
+    let options = "--flat --mode 160x120 --animation 2..3 --frames 11";
     let found = board(&place, "simulation", "animation/moon.toml", options);
     assert_eq!(found["images"], 2);
     let first = "board simulation scenes/animation/moon.toml --flat --animation 2..2 --sources-only --out first";
@@ -92,8 +92,8 @@ fn the_pins_of_a_board_show_an_animation() {
     assert_eq!(found["frames_per_image"], 5);
     let pins = &found["pins"];
     // One black frame comes first.
-    assert_eq!(pins["frames"], 15);
-    assert_shown(pins, 15 * 19_200);
+    assert_eq!(pins["frames"], 12);
+    assert_shown(pins, 12 * 19_200);
     let golden = place.bytes("out/golden.png");
     let decoder = png::Decoder::new(std::io::Cursor::new(golden));
     let mut reader = decoder.read_info().expect("a picture");

@@ -385,7 +385,7 @@ fn the_zone_machine_shows_the_mean_of_samples() {
         sharp.supersampling = 1;
         assert_ne!(drawn("teapot.toml", &sharp).picture, images[1].picture);
         for (stalls, late) in [(None, 0), (Some(4), 3000)] {
-            run(&machine, &images, &host(VERILATOR, stalls, late));
+            run(&machine, &images, &host(Engine::BuiltIn, stalls, late));
         }
     }
 }

@@ -8,7 +8,7 @@ use imogene_verif::formal::toolchain::{Driver, Toolchain};
 
 /// Proofs of the default run: each kind of property, each method.
 const REPRESENTATIVE: &str = "root_lemma-64 root-integers pe1-26 pe1-integers pe2-integers \
-    cut_plane-24 quadric_cut-16 raster_control-12 raster_control-integers quadric_processor-n3-r1 \
+    cut_plane-24 raster_control-12 raster_control-integers quadric_processor-n3-r1 \
     visibility_node-24";
 
 /// Jobs whose mutants are in the default run.

@@ -78,12 +78,12 @@ fn every_mutant_is_killed_or_equivalent() {
 fn a_weak_stimulus_has_a_low_score() {
     let (mut subject, emitted) = unit("cut_plane");
     let text = &emitted.bundle();
-    let strong = score(&subject, &emitted, text, 150);
+    let strong = score(&subject, &emitted, text, 60);
     subject.stimulus = Box::new(|subject, clocks| {
         use proptest::strategy::{Just, Strategy};
         Just(vec![vec![1; subject.inputs.len()]; clocks]).boxed()
     });
-    let weak = score(&subject, &emitted, text, 150);
+    let weak = score(&subject, &emitted, text, 60);
     assert_eq!(weak.equivalent, strong.equivalent);
     assert!(weak.score < 60.0, "{}", weak.score);
     assert!(weak.surviving.len() > 10, "{weak:?}");

@@ -31,9 +31,11 @@ fn exhaust(n: usize, levels: &[i64]) -> (usize, usize) {
             for &far in &levels[i..] {
                 let decided = parallel(near, far, true, &planes);
                 for order in &orders {
-                    let place = format!("{near}, {far}, {planes:?} in the order {order:?}");
                     let found = sequential(near, far, true, &planes, order);
-                    assert_eq!(found, decided, "{place}");
+                    assert_eq!(
+                        found, decided,
+                        "{near} {far} {planes:?} in the order {order:?}"
+                    );
                 }
                 configurations += 1;
             }

@@ -1,3 +1,4 @@
+use crate::is_full_run;
 use imogene_contract::Request;
 use imogene_rtl::emit::emit;
 use imogene_tools::{read, scratch, write};
@@ -48,7 +49,10 @@ fn facts_of_roots_are_proven() {
         ("square_root_non_restoring", 3, 6),
         ("quadric_pe", 1, 15),
     ];
-    for (unit, rows_per_stage, facts) in units {
+    for (place, (unit, rows_per_stage, facts)) in units.into_iter().enumerate() {
+        if place % 3 > 0 && !is_full_run() {
+            continue;
+        }
         let (proof, netlist) = assumed(unit, rows_per_stage, unit);
         assert_eq!(proof, Proof::Proven(facts), "{unit}");
         assert!(netlist.matches("cell $assume").count() >= facts, "{unit}");
