@@ -7,7 +7,7 @@ use std::collections::HashSet;
 use std::sync::Arc;
 
 /// Gates of all clocks of a beginning, at most: each register is looked at by itself.
-const GATES: usize = 400_000;
+const GATES: usize = 2_000_000;
 
 /// The value of each bit of each register that never changes.
 pub(crate) type Constants = Vec<Vec<Option<bool>>>;

@@ -9,6 +9,7 @@ use imogene_faults::Contract;
 use imogene_hdl::{Design, Levels, Port, Simulator};
 use rayon::prelude::*;
 use std::collections::HashSet;
+use std::ops::Range;
 
 /// Stimuli from which facts of the states are guessed.
 const SEEN: u64 = 30;
@@ -22,14 +23,21 @@ const BEGINS: [&str; 4] = ["pixel", "start", "go", "valid"];
 /// Words of the memory of a PE2 with one.
 const WORDS: u64 = 9;
 
+/// Words of the view of a shading processor, and addresses of those of its first light.
+const VIEW_WORDS: u64 = 5;
+const LIGHT_WORDS: Range<u64> = 16..26;
+
 /// What a unit may rely on, and what the proofs may: the second differences of a PE2 are even; a margin is at most
-/// half the depths; behind a row of a root stand a remainder and its root.
+/// half the depths; a line to be smoothed has fewer than 2048 pixels; behind a row of a root
+/// stand a remainder and its root.
 pub fn contract(subject: &Subject, design: &Design) -> Contract {
     let zero = |signal: &Signal| {
         let last = signal.name.rsplit('_').next().unwrap_or_default();
         let bit = match last {
             "a2" | "b2" => 0,
             "margin" => signal.width - 1,
+            // Of a smooth picture, below 2048.
+            "x" if subject.name == "post_filter" => signal.width - 1,
             _ => return None,
         };
         Some((signal.name.clone(), bit))
@@ -155,6 +163,12 @@ fn beginning(subject: &Subject) -> Beginning {
         "line_merger" => {
             let pixels = vec![own("s_tvalid", 1), own("s_tlast", 0)];
             (named(&["s_tvalid"]), vec![pixels; MERGED])
+        }
+        // The words of the view and of one light.
+        "lit_sphere" | "lit_sphere_nearest" | "shading_processor" => {
+            let load = |address| vec![own("load_valid", 1), own("load_address", address)];
+            let words = (0..VIEW_WORDS).chain(LIGHT_WORDS).map(load);
+            (named(&["valid", "load_valid"]), words.collect())
         }
         // Two clocks of blanking.
         "tmds_encoder" => (vec![], vec![vec![own("de", 0)]; 2]),

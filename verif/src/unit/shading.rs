@@ -49,7 +49,15 @@ pub(super) fn lit_sphere(format: Format, places: u32, count: u32, nearest: bool)
         words_then_pixels(subject, clocks, 1, move |seed, words| {
             // Words of lights and materials mean nothing to it.
             let view = words.load_words().into_iter().take(20);
-            view.chain(drawn(&tables, seed).load_words()).collect()
+            let mut loads: Vec<_> = view.chain(drawn(&tables, seed).load_words()).collect();
+            // Entries one bit beside, which are others or are not in use.
+            let strays = (0..8u64).map(|n| {
+                let [at, other] = [1, 2].map(|back| loads[loads.len() - back - n as usize]);
+                (at.0 ^ 1 << (seed.rotate_left(8 * n as u32) % 15), other.1)
+            });
+            let strays: Vec<_> = strays.collect();
+            loads.extend(strays);
+            loads
         })
     };
     described(stimulus, words, table_latency(places, nearest))

@@ -265,7 +265,11 @@ pub(super) fn post_filter() -> Description {
             })))
         }
     })
+    .reached_in(LARGE)
 }
+
+/// Clocks of as many lines of one pixel as there can be, with their pauses.
+const LARGE: usize = 4 << COORDINATE;
 
 /// A picture of random colours: columns, lines, a random kernel, random pauses, noise.
 type Picture = (usize, usize, i64, Vec<usize>, Vec<Inputs>);
@@ -297,7 +301,8 @@ fn write((width, height, kernel, pauses, noise): &Picture, clocks: &mut Vec<Inpu
     }
 }
 
-/// Small pictures one after the other.
+/// Small pictures one after the other; where there are clocks enough, now and then first one that is as high or as
+/// wide as can be.
 fn pictures(_: &Subject, clocks: usize) -> Stimuli {
     let up_to = |most: i64| (0..=most).boxed();
     let flags = [up_to(3), up_to(2), up_to(1), up_to(1)];
@@ -306,7 +311,12 @@ fn pictures(_: &Subject, clocks: usize) -> Stimuli {
     let idle = prop_oneof![5 => Just(0usize), 1 => 1usize..4];
     let (pauses, noise) = (list(idle, 41), list(noise, 97));
     let picture = (1usize..8, 1usize..6, 0i64..4, pauses, noise);
-    mapped(list(picture, clocks / 12 + 1), move |pictures| {
+    let large = prop_oneof![2 => Just(None), 1 => Just(Some((1, (1 << COORDINATE) - 1))), 1 => Just(Some((1 << (COORDINATE - 1), 2)))];
+    let drawn = (large, list(picture, clocks / 12 + 1));
+    mapped(drawn, move |(large, mut pictures)| {
+        if let Some(size) = large.filter(|_| clocks >= LARGE) {
+            (pictures[0].0, pictures[0].1) = size;
+        }
         let mut list = Vec::new();
         pictures.iter().for_each(|one| write(one, &mut list));
         list.truncate(clocks);

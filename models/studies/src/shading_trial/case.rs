@@ -109,7 +109,17 @@ pub fn sequence(seed: u64, depth: u32, lights: usize, pixels: usize) -> (ShaderW
     }
     words.lights.truncate(lights);
     words.materials = (0..5).map(|_| material(&mut random)).collect();
-    words.background = [7, 130, 250];
+    words.background = [(); 3].map(|()| random.bits() as u8);
+    // A viewer so far away that coordinates are shifted by all places there are; a distance of one bit.
+    if random.one_in(4) {
+        words.view_shift += 8;
+    }
+    if random.one_in(4) {
+        words.distance = 1 << random.below(17);
+    }
+    if random.one_in(4) {
+        words.size[random.below(2) as usize] = 4096;
+    }
     let far = (1i64 << (depth - 1)) - 1;
     let mut pixel = |_| {
         let mut pixel = case.pixel;
@@ -124,8 +134,12 @@ pub fn sequence(seed: u64, depth: u32, lights: usize, pixels: usize) -> (ShaderW
             let step = random.between(-3, 3) << random.below(8);
             pixel.normal[k] = (i64::from(pixel.normal[k]) + step).clamp(-32768, 32767) as i16;
         }
-        if random.one_in(10) {
-            pixel.depth = far;
+        match random.below(20) {
+            0 | 1 => pixel.depth = far,
+            2 => pixel.depth = far ^ 1 << random.below(u64::from(depth) - 1),
+            // Towards the viewer or away, so that a product has one bit.
+            3 => pixel.normal = [0, 0, [-1, 1][random.below(2) as usize] << random.below(15)],
+            _ => (),
         }
         pixel.material = random.below(5) as u8;
         pixel.flags |= random.bits() as u16;

@@ -190,9 +190,13 @@ fn map_square(at: &str, pixel: Pixel, normal: Normal, eye: Eye, places: u32) -> 
     module("map_square", at, inputs, |(pixel, normal, eye)| {
         let ray = line_of_sight(pixel, eye).1;
         let ray = ray.map(|part| part.high(part.width() - NEAREST_DROPPED));
-        let along = Int::new(1, ray.z.width());
+        // Along parallel lines the sign of the normal alone counts: the distance is no number below 1 then.
+        let along = join([
+            ray.z.high(ray.z.width() - 1).bits(),
+            ray.z.bit(0) | !eye.perspective,
+        ]);
         let ray = Vector {
-            z: eye.perspective.select(ray.z, along).reg(),
+            z: along.int().reg(),
             ..ray
         };
         let [length, sum, difference] = turned(normal.delayed(2), ray);

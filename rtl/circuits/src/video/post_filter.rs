@@ -8,7 +8,7 @@ bundle! {
     Place() {
         valid: Bits(1), "this clock carries one";
         x: Bits(COORDINATE), "column, below 2048";
-        y: Bits(COORDINATE), "line";
+        y: Bits(COORDINATE), "line, below 4095";
         line_end: Bits(1), "last of its line";
         last: Bits(1), "last of the picture";
     }
