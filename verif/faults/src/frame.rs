@@ -154,6 +154,18 @@ impl Frame {
         &self.words[place as usize]
     }
 
+    /// The address that each memory reads.
+    pub(crate) fn read(&self) -> impl Iterator<Item = &Word> {
+        let stores = self.levels.stores.iter();
+        stores.map(|store| self.at(store.address))
+    }
+
+    /// What memories take to write.
+    pub(crate) fn written(&self) -> impl Iterator<Item = &Bit> {
+        let stores = self.end.memories.iter().zip(self.read());
+        stores.flat_map(|(taken, read)| &taken[..taken.len() - read.len()])
+    }
+
     /// The same clock with these upsets, and where these places begin with other words.
     pub(crate) fn with(
         &self,

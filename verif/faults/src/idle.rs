@@ -1,6 +1,6 @@
 //! What a circuit is before its work begins, and what is left of that once the work began.
 
-use crate::frame::{Begin, CONTROL, End, constant};
+use crate::frame::{Begin, CONTROL, End, Word, constant};
 use crate::gates::{Bit, Gates, NO};
 use imogene_hdl::Levels;
 use std::collections::HashSet;
@@ -12,7 +12,7 @@ const GATES: usize = 2_000_000;
 /// The value of each bit of each register that never changes.
 pub(crate) type Constants = Vec<Vec<Option<bool>>>;
 
-/// Bits of registers.
+/// Bits of registers; behind the registers are the memories, of which all that is read counts as one bit.
 type Bits = HashSet<(usize, usize)>;
 
 /// Gives the bits that never change their values; `registers` are those without controls.
@@ -120,18 +120,23 @@ impl Idle {
             .is_some_and(|differs| self.is_gone(levels, &differs, clocks))
     }
 
-    /// What differs before the work if these bits do; nothing if that comes to a memory.
+    /// What differs before the work if these bits do; nothing if that is written into a memory.
     fn spread(&self, levels: &Arc<Levels>, mut differs: Bits) -> Option<Bits> {
         loop {
             let mut gates = Gates::new();
             let (begin, sources) = self.differing(levels, &differs, &mut gates);
-            let end = begin.clock(&mut gates).end;
+            let clock = begin.clock(&mut gates);
             let depends = gates.depending(&sources);
-            if end.memories.iter().flatten().any(|bit| depends[bit.gate()]) {
+            if clock.written().any(|bit| depends[bit.gate()]) {
                 return None;
             }
             let before = differs.len();
-            for (register, word) in end.registers.iter().enumerate() {
+            for (memory, address) in clock.read().enumerate() {
+                if is_any(address, &depends) {
+                    differs.insert((levels.flops.len() + memory, 0));
+                }
+            }
+            for (register, word) in clock.end.registers.iter().enumerate() {
                 let bits = word.iter().enumerate();
                 let reached = bits.filter(|(_, bit)| depends[bit.gate()]);
                 differs.extend(reached.map(|(place, _)| (register, place)));
@@ -145,16 +150,24 @@ impl Idle {
     /// Is a difference of these bits gone after the clocks of the beginning and those after it?
     fn is_gone(&self, levels: &Arc<Levels>, differs: &Bits, clocks: usize) -> bool {
         let mut gates = Gates::new();
-        let (mut begin, sources) = self.differing(levels, differs, &mut gates);
+        let (mut begin, mut sources) = self.differing(levels, differs, &mut gates);
         let mut kept: Vec<Bit> = vec![];
-        for clock in 0..clocks {
-            self.fix(clock, &mut begin);
-            let end = begin.clock(&mut gates).end;
-            kept.extend(end.memories.iter().flatten());
-            if clock + 1 == clocks {
-                kept.extend(end.registers.iter().flatten());
+        for index in 0..clocks {
+            self.fix(index, &mut begin);
+            let clock = begin.clock(&mut gates);
+            kept.extend(clock.written());
+            if index + 1 == clocks {
+                kept.extend(clock.end.registers.iter().flatten());
+                kept.extend(clock.read().flatten());
             }
-            begin = begin.after(&end, &mut gates);
+            begin = begin.after(&clock.end, &mut gates);
+            // What is read where the addresses differ.
+            let depends = gates.depending(&sources);
+            for (store, address) in levels.stores.iter().zip(clock.read()) {
+                if is_any(address, &depends) {
+                    sources.extend(begin.at(store.output).iter().map(|bit| bit.gate()));
+                }
+            }
         }
         let depends = gates.depending(&sources);
         kept.iter().all(|bit| !depends[bit.gate()])
@@ -172,12 +185,25 @@ impl Idle {
         let mut begin = self.begin(any.clone(), &registers);
         let mut sources = vec![];
         for (register, place) in differs {
-            let bit = any.register(*register)[*place];
-            begin.register_mut(*register)[*place] = bit;
-            sources.push(bit.gate());
+            match register.checked_sub(levels.flops.len()) {
+                Some(memory) => {
+                    let read = begin.at(levels.stores[memory].output);
+                    sources.extend(read.iter().map(|bit| bit.gate()));
+                }
+                None => {
+                    let bit = any.register(*register)[*place];
+                    begin.register_mut(*register)[*place] = bit;
+                    sources.push(bit.gate());
+                }
+            }
         }
         (begin, sources)
     }
+}
+
+/// Does a bit of a word depend on something?
+fn is_any(word: &Word, depends: &[bool]) -> bool {
+    word.iter().any(|bit| depends[bit.gate()])
 }
 
 /// What every register holds at power-up.

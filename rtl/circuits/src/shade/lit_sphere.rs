@@ -190,7 +190,7 @@ fn map_square(at: &str, pixel: Pixel, normal: Normal, eye: Eye, places: u32) -> 
     module("map_square", at, inputs, |(pixel, normal, eye)| {
         let ray = line_of_sight(pixel, eye).1;
         let ray = ray.map(|part| part.high(part.width() - NEAREST_DROPPED));
-        // Along parallel lines the sign of the normal alone counts: the distance is no number below 1 then.
+        // Along parallel lines z is any number above 0: the sign of the normal alone counts.
         let along = join([
             ray.z.high(ray.z.width() - 1).bits(),
             ray.z.bit(0) | !eye.perspective,

@@ -236,6 +236,33 @@ fn started() -> Contract {
     }
 }
 
+/// Is the place that a memory reads at power-up forgotten so many clocks after it was given? It may be written, too.
+fn forgets_a_place(latency: usize, is_written: bool) -> bool {
+    let design = Design::of(|| {
+        let inputs = (("start", Bits::input(1)), ("at", Bits::input(2)));
+        let inputs = (inputs, ("write", Bits::input(1)), ("word", Bits::input(2)));
+        module("table", "top", inputs, |((start, at), write, word)| {
+            net! { let place = at.reg_when(start); }
+            let written = if is_written { place } else { word };
+            let read = memory("words", 4, (write, at, written), place);
+            ("y", read.reg())
+        });
+    });
+    let contract = Contract {
+        latency,
+        ..started()
+    };
+    Known::new(&design, &contract).is_forgotten(0, 0)
+}
+
+/// What is read at another place reaches the output a clock later, and another one later it has left.
+#[test]
+fn a_place_of_a_memory_is_forgotten_when_what_it_reads_has_left() {
+    assert!(forgets_a_place(3, false));
+    assert!(!forgets_a_place(2, false));
+    assert!(!forgets_a_place(3, true));
+}
+
 fn verdicts(held: &[&str]) -> Vec<(String, Mutant, Verdict)> {
     let design = keeper();
     let contract = Contract {
