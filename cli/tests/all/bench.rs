@@ -13,6 +13,11 @@ const ZONE: &str = "machine = \"zone\"\nobjects = 2\nzone = { width = 20, height
 const COMMON: &str = "planes = 3\nlights = 2\nrows_per_stage = 6\nmode = { columns = [32, 4, 4, 4], lines = [12, 2, 2, 20] }\n";
 const STREAM: &str = "output = \"stream\"\n";
 
+/// The same without a processor of light, which takes long in an interpreter.
+fn plain() -> String {
+    COMMON.replace("lights = 2", "lights = 0")
+}
+
 /// The files of a machine for two scenes, one after the other, and their description, in a folder.
 fn emitted(place: &Place, description: &str, options: &str) -> (PathBuf, Value) {
     place.write("machine.toml", description);
@@ -67,8 +72,8 @@ fn the_bench_that_is_written_finds_every_pixel() {
     // Words of f2 that are no whole number of hexadecimal digits long.
     let odd = "depth_word = 17\nwidths = { g1 = 10, g2 = 3 }\n";
     for description in [
-        format!("{BEAM}{COMMON}overlay = true\n"),
-        format!("{ZONE}{COMMON}smoothing = \"3x3\"\n"),
+        format!("{BEAM}{}overlay = true\n", plain()),
+        format!("{ZONE}{}smoothing = \"3x3\"\n", plain()),
         format!("{BEAM}{COMMON}{STREAM}"),
         format!("{ZONE}{COMMON}{STREAM}"),
         format!("{ZONE}{COMMON}{STREAM}{odd}"),
@@ -90,10 +95,10 @@ fn the_bench_that_is_written_finds_every_pixel() {
 #[test]
 fn the_bench_of_several_pixels_per_clock_finds_every_pixel() {
     let mode = "mode = { columns = [96, 4, 4, 4], lines = [4, 2, 2, 20] }\n";
-    let lines = COMMON.split_inclusive('\n');
-    // Plain colours: a processor of light for each lane takes long in an interpreter.
-    let lines = lines.filter(|line| !line.starts_with("mode") && !line.starts_with("lights"));
-    let common: String = lines.chain([mode, "lights = 0\n"]).collect();
+    let plain = plain();
+    let lines = plain.split_inclusive('\n');
+    let lines = lines.filter(|line| !line.starts_with("mode"));
+    let common: String = lines.chain([mode]).collect();
     // A whole picture for each scene, or two fields.
     let cases = [
         ("pixels_per_clock = 2\n", 1),
@@ -105,10 +110,12 @@ fn the_bench_of_several_pixels_per_clock_finds_every_pixel() {
         let (out, _) = emitted(&place, &format!("{BEAM}{common}{STREAM}{lanes}"), "");
         let frames = format!("{} frames of {} pixels", 2 * fields, 384 / fields);
         run(&out, "bench.v", true, &[&frames, " 0 differences"]);
-        let pixels = words(&out.join("pixels.hex"));
-        let wrong = [&pixels[..7], &["12_34_56".to_owned()], &pixels[8..]].concat();
-        std::fs::write(out.join("pixels.hex"), wrong.join("\n")).expect("a file");
-        run(&out, "bench.v", false, &["frame 0, column 7, line 0"]);
+        if fields == 2 {
+            let pixels = words(&out.join("pixels.hex"));
+            let wrong = [&pixels[..7], &["12_34_56".to_owned()], &pixels[8..]].concat();
+            std::fs::write(out.join("pixels.hex"), wrong.join("\n")).expect("a file");
+            run(&out, "bench.v", false, &["frame 0, column 7, line 0"]);
+        }
     }
 }
 
@@ -128,7 +135,7 @@ fn the_bench_of_a_quotient_has_the_data_of_its_machine() {
 #[test]
 fn the_bench_that_is_written_sees_what_is_wrong() {
     let place = Place::new();
-    let (out, _) = emitted(&place, &format!("{ZONE}{COMMON}{STREAM}"), "");
+    let (out, _) = emitted(&place, &format!("{ZONE}{}{STREAM}", plain()), "");
     let pixels = words(&out.join("pixels.hex"));
     let mut wrong = pixels.clone();
     wrong[32 * 7 + 5] = "12_34_56".into();

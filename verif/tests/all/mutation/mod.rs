@@ -135,14 +135,18 @@ fn no_mutant_of_an_arithmetic_circuit_survives() {
 #[test]
 fn a_weak_stimulus_leaves_mutants_of_the_circuit() {
     let (mut subject, design) = circuit("pe2", 8);
-    let strong = circuit_score(&subject, &design, &Options::default());
+    let options = Options {
+        stimuli: 3000,
+        ..Options::default()
+    };
+    let strong = circuit_score(&subject, &design, &options);
     subject.stimulus = Box::new(|subject, clocks| {
         use proptest::strategy::{Just, Strategy};
         let mut clock = vec![2; subject.inputs.len()];
         clock[..3].copy_from_slice(&[1, 1, 0]);
         Just(vec![clock; clocks]).boxed()
     });
-    let weak = circuit_score(&subject, &design, &Options::default());
+    let weak = circuit_score(&subject, &design, &options);
     assert!(weak.score < 60.0, "{}", weak.score);
     // What one stimulus kills no proof may call equivalent.
     assert!(strong.equivalent > 0);
