@@ -311,7 +311,11 @@ fn pictures(_: &Subject, clocks: usize) -> Stimuli {
     let idle = prop_oneof![5 => Just(0usize), 1 => 1usize..4];
     let (pauses, noise) = (list(idle, 41), list(noise, 97));
     let picture = (1usize..8, 1usize..6, 0i64..4, pauses, noise);
-    let large = prop_oneof![2 => Just(None), 1 => Just(Some((1, (1 << COORDINATE) - 1))), 1 => Just(Some((1 << (COORDINATE - 1), 2)))];
+    let large = prop_oneof![
+        2 => Just(None),
+        1 => Just(Some((1, (1 << COORDINATE) - 1))),
+        1 => Just(Some((1 << (COORDINATE - 1), 2))),
+    ];
     let drawn = (large, list(picture, clocks / 12 + 1));
     mapped(drawn, move |(large, mut pictures)| {
         if let Some(size) = large.filter(|_| clocks >= LARGE) {
