@@ -4,11 +4,11 @@
 //! perspective. `F = k / (d + k)` where light is halved at a distance k from the eye, else 1. Surfaces are two-sided:
 //! the normal is turned towards the viewer.
 
-use imogene_algebra::vector::{Vector, dot, length};
+use imogene_algebra::vector::{Vector, dot, length, minus};
 use imogene_golden::format::Format;
 use imogene_golden::machine::frame::{Frame, FrameLayer};
 use imogene_golden::machine::lighting::{ALL_SOURCES, Lighting};
-use imogene_scene::{FramedLight, FramedScene, Material};
+use imogene_scene::{FramedLight, FramedScene};
 use rayon::prelude::*;
 
 /// The picture of a frame: 8-bit red, green, blue of every pixel, row-major. A source that does not reach a pixel adds
@@ -21,9 +21,8 @@ pub fn shade(frame: &Frame, lighting: &Lighting, scene: &FramedScene, format: &F
         let at = |object: usize, depth: i64, normal: [i16; 3], flags: u16| -> Vector {
             let depth = depth as f64 * scale;
             let point = scene.projection.antecedent([x + u, y + v], depth);
-            let material = &scene.materials[scene.objects[object].material()];
             let normal = scene.upright(normal.map(f64::from));
-            colour(scene, material, point, normal, flags).map(|v| v.clamp(0.0, 1.0))
+            colour(scene, object, point, normal, flags).map(|v| v.clamp(0.0, 1.0))
         };
         let (normal, flags) = (frame.normal[index], lighting.flags[index]);
         let mut seen = match usize::try_from(frame.id[index]) {
@@ -42,8 +41,7 @@ pub fn shade(frame: &Frame, lighting: &Lighting, scene: &FramedScene, format: &F
     pixels.flat_map_iter(pixel).collect()
 }
 
-/// The transparent objects before what is seen at a pixel, the farthest first; of two at one depth the earlier object
-/// is nearer.
+/// The transparent objects before what is seen, the farthest first; of two at one depth the earlier is nearer.
 fn before(frame: &Frame, index: usize) -> Vec<&FrameLayer> {
     let nearer = |layer: &&FrameLayer| layer.depth[index] < frame.depth[index];
     let mut layers: Vec<&FrameLayer> = frame.layers.iter().filter(nearer).collect();
@@ -51,24 +49,24 @@ fn before(frame: &Frame, index: usize) -> Vec<&FrameLayer> {
     layers
 }
 
-fn colour(
-    scene: &FramedScene,
-    material: &Material,
-    point: Vector,
-    normal: Vector,
-    flags: u16,
-) -> Vector {
+fn colour(scene: &FramedScene, object: usize, point: Vector, normal: Vector, flags: u16) -> Vector {
+    let material = &scene.materials[scene.objects[object].material()];
     let to_eye = scene.projection.towards_viewer(point);
     let part = (scene.attenuation).map_or(1.0, |half| half / (length(to_eye) + half));
     let viewer = unit(to_eye);
-    let normal = facing(unit(normal), viewer);
+    let normal = unit(normal);
+    let turn = if dot(normal, viewer) < 0.0 { -1.0 } else { 1.0 };
+    let normal = normal.map(|v| turn * v);
     let mut sum: Vector =
         std::array::from_fn(|k| material.ambient * scene.ambient[k] * material.colour[k]);
     for (source, light) in scene.lights.iter().enumerate() {
         if flags >> source & 1 == 0 {
             continue;
         }
-        let (direction, intensity) = light_at(light, point);
+        let (direction, intensity) = match light {
+            FramedLight::Directional { towards, colour } => (unit(*towards), colour),
+            FramedLight::Point { position, colour } => (unit(minus(position, point)), colour),
+        };
         let lambert = dot(normal, direction);
         if lambert <= 0.0 {
             continue;
@@ -85,27 +83,8 @@ fn colour(
     sum
 }
 
-/// Unit vector towards a light, and its intensity.
-fn light_at(light: &FramedLight, point: Vector) -> (Vector, Vector) {
-    match light {
-        FramedLight::Directional { towards, colour } => (unit(*towards), *colour),
-        FramedLight::Point { position, colour } => (
-            unit(std::array::from_fn(|k| position[k] - point[k])),
-            *colour,
-        ),
-    }
-}
-
-fn facing(normal: Vector, viewer: Vector) -> Vector {
-    if dot(normal, viewer) < 0.0 {
-        normal.map(|v| -v)
-    } else {
-        normal
-    }
-}
-
 /// The vector at length one; the zero vector stays as it is (the apex of a cone has no normal).
-fn unit(v: Vector) -> Vector {
+pub fn unit(v: Vector) -> Vector {
     match length(v) {
         0.0 => v,
         length => v.map(|x| x / length),

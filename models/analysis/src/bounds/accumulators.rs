@@ -10,7 +10,6 @@ use imogene_golden::format::Format;
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
 use imogene_golden::object::range::{Range, bits};
 use imogene_golden::unit::depth_interval::Class;
-use imogene_golden::unit::normal::NormalWords;
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;
 use imogene_prepare::PreparedQuadric;
@@ -79,8 +78,7 @@ pub struct QuadraticIncrements {
     pub line_value: u32,
 }
 
-/// Bits of the accumulators of a prepared object in a picture of so many columns and lines; `None` if its screen box
-/// is empty.
+/// Bits of the accumulators of an object in a picture of this size; `None` if its screen box is empty.
 pub fn accumulators(
     object: &PreparedQuadric,
     (width, height): (u32, u32),
@@ -94,9 +92,10 @@ pub fn accumulators(
     let screen = ScreenBox::of_screen(width, height);
     let f1 = Range::of_linear(&words.f1, window).dropped(format.guard_linear);
     let f2 = Range::of_quadratic(&words.f2, window).dropped(format.guard_quadratic);
-    let depths = has_depth(words.class).then(|| depths(object, format));
-    let depths = depths.filter(|_| f2.high >= 0);
-    let linear = || words.normal.g.map(|g| linear_bits(&g, window));
+    // The depth of a prism is no root, and it has no normal.
+    let has_depth = words.class != Class::Prism;
+    let depths = (has_depth && f2.high >= 0).then(|| depths(object, format));
+    let linear = || words.normal.g.map(|g| Range::of_linear(&g, window).bits());
     Some(Accumulators {
         f1: f1.bits(),
         f2: f2.bits(),
@@ -104,7 +103,7 @@ pub fn accumulators(
         f1_plus_r: depths.map(|d| d[1].bits()),
         root: depths.map(|_| root_bits(f2.high)),
         planes: plane_bits(words),
-        normal_linear: has_depth(words.class).then(linear),
+        normal_linear: has_depth.then(linear),
         normal_sum: depths.map(|[_, _, normal @ ..]| normal.map(|range| range.bits())),
         increments: Increments {
             f1: linear_increments(&words.f1, &screen),
@@ -116,20 +115,9 @@ pub fn accumulators(
 /// Bits of each plane on the screen box, before saturation.
 pub(super) fn plane_bits(words: &QuadricWords) -> Vec<u32> {
     let window = &words.screen_box;
-    if window.is_empty() {
-        return vec![];
-    }
-    let planes = words.planes.iter();
-    planes.map(|p| linear_bits(&p.depth, window)).collect()
-}
-
-/// The depth of a prism is no root, and it has no normal.
-fn has_depth(class: Class) -> bool {
-    class != Class::Prism
-}
-
-fn linear_bits(form: &Linear, window: &ScreenBox) -> u32 {
-    Range::of_linear(form, window).bits()
+    let planes = words.planes.iter().filter(|_| !window.is_empty());
+    let ranges = planes.map(|p| Range::of_linear(&p.depth, window));
+    ranges.map(|range| range.bits()).collect()
 }
 
 /// Root bits of the greatest f2: the least K with `f2 < 2^(2 K - 1)`.
@@ -137,62 +125,45 @@ pub fn root_bits(greatest: i128) -> u32 {
     bits(greatest).div_ceil(2)
 }
 
-/// At pixels with a root only: f1 - r, f1 + r, and each component of the normal on either face.
-type Depths = [Range; 5];
-
-/// At every pixel of the box.
-fn depths(object: &PreparedQuadric, format: &Format) -> Depths {
-    let window = object.words.screen_box;
-    let line = |y| {
-        let with = |found, x| with_pixel(found, object, format, (x, y));
-        (window.x0..=window.x1).fold([Range::NONE; 5], with)
-    };
-    let lines = (window.y0..window.y1 + 1).into_par_iter().map(line);
-    let merged = |one: Depths, other: Depths| std::array::from_fn(|k| one[k].merged(other[k]));
-    lines.reduce(|| [Range::NONE; 5], merged)
-}
-
-fn with_pixel(
-    found: Depths,
-    object: &PreparedQuadric,
-    format: &Format,
-    (x, y): (i64, i64),
-) -> Depths {
+/// f1 - r, f1 + r, and each component of the normal on either face, at the pixels of the box that have a root.
+fn depths(object: &PreparedQuadric, format: &Format) -> [Range; 5] {
     let words = &object.words;
-    let f2 = words.f2_at(x, y, format);
-    if f2 < 0 {
-        return found;
-    }
-    let f1 = i128::from(words.f1_at(x, y, format));
-    let root = format.root_of(f2);
-    let [near, far, normal @ ..] = found;
-    let parts = root_parts(&words.normal, root, format);
-    // As loaded, not as the register holds it: what is asked is how long that would have to be.
-    let linear = |g: &Linear| g.a * i128::from(x) + g.b * i128::from(y) + g.c;
-    let [u, v, w] = std::array::from_fn(|k| {
-        let g = linear(&words.normal.g[k]);
-        normal[k].with(g + parts[k][0]).with(g + parts[k][1])
-    });
-    let root = i128::from(root);
-    [near.with(f1 - root), far.with(f1 + root), u, v, w]
-}
-
-/// What the normal unit adds to each linear part on the near and on the far face.
-fn root_parts(words: &NormalWords, root: i64, format: &Format) -> [[i128; 2]; 3] {
-    let shifted = (root >> words.shift) & i64::from(format.greatest_normal());
-    words.k.map(|k| {
-        let product = i64::from(k) * shifted;
-        [-product, product].map(|signed| i128::from(signed >> format.product_fraction()))
-    })
+    let window = words.screen_box;
+    let with_pixel = |found: [Range; 5], (x, y): (i64, i64)| {
+        let f2 = words.f2_at(x, y, format);
+        if f2 < 0 {
+            return found;
+        }
+        let f1 = i128::from(words.f1_at(x, y, format));
+        let root = format.root_of(f2);
+        let shifted = (root >> words.normal.shift) & i64::from(format.greatest_normal());
+        let [near, far, normal @ ..] = found;
+        let [u, v, w] = std::array::from_fn(|k| {
+            // As loaded, not as the register holds it: what is asked is how long that would have to be.
+            let linear = words.normal.g[k].from_zone(x, y).c;
+            let product = i64::from(words.normal.k[k]) * shifted;
+            let sum = |product: i64| linear + i128::from(product >> format.product_fraction());
+            normal[k].with(sum(-product)).with(sum(product))
+        });
+        let root = i128::from(root);
+        [near.with(f1 - root), far.with(f1 + root), u, v, w]
+    };
+    let line = |y| {
+        let pixels = (window.x0..=window.x1).map(|x| (x, y));
+        pixels.fold([Range::NONE; 5], with_pixel)
+    };
+    let merged =
+        |one: [Range; 5], other: [Range; 5]| std::array::from_fn(|k| one[k].merged(other[k]));
+    let lines = (window.y0..window.y1 + 1).into_par_iter().map(line);
+    lines.reduce(|| [Range::NONE; 5], merged)
 }
 
 /// Bits of the registers of pe1 over a scan of a screen.
 pub fn linear_increments(q: &Linear, screen: &ScreenBox) -> LinearIncrements {
-    let lines = Range::of_parabola([0, q.b, q.c], screen.y0, screen.y1);
     LinearIncrements {
         a: bits(q.a),
         b: bits(q.b),
-        line_value: lines.bits(),
+        line_value: Range::of_parabola([0, q.b, q.c], screen.y0, screen.y1).bits(),
     }
 }
 
@@ -204,7 +175,7 @@ pub fn quadratic_increments(q: &Quadratic, screen: &ScreenBox) -> QuadraticIncre
         a2: bits(2 * q.a),
         b2: bits(2 * q.b),
         c: bits(q.c),
-        j: linear_bits(&increment, screen),
+        j: Range::of_linear(&increment, screen).bits(),
         p: lines([0, q.c, q.d + q.a]),
         i: lines([0, 2 * q.b, q.e + q.b]),
         line_value: lines([q.b, q.e, q.f]),

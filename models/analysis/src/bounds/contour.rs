@@ -30,9 +30,9 @@
 //!   vanish.
 
 use imogene_golden::format::Format;
-use imogene_golden::object::quadric::QuadricWords;
 use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::depth_interval::Class;
+use imogene_golden::unit::pe1::Linear;
 use imogene_prepare::PreparedQuadric;
 use imogene_prepare::rounding::Anchor;
 use rayon::prelude::*;
@@ -47,7 +47,6 @@ const SPARE: f64 = 1.5;
 /// Relative allowance for the evaluation of gradients in `f64`.
 const FLOAT_MARGIN: f64 = 1e-9;
 
-/// What is known of an object's silhouette.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Displacement {
     /// Greatest displacement in pixels.
@@ -57,7 +56,6 @@ pub(super) struct Displacement {
 }
 
 impl Displacement {
-    /// Of a silhouette that has a direction everywhere.
     const fn straight(pixels: f64) -> Displacement {
         Displacement {
             pixels,
@@ -66,7 +64,6 @@ impl Displacement {
     }
 }
 
-/// Bounds the displacement of the contour on the object's screen box.
 pub(super) fn displacement(object: &PreparedQuadric, format: &Format) -> Displacement {
     if object.words.screen_box.is_empty() {
         return Displacement::straight(0.0);
@@ -89,65 +86,27 @@ pub(super) fn steep_everywhere(object: &PreparedQuadric, format: &Format) -> boo
     4.0 * a * b > c * c * (1.0 + FLOAT_MARGIN) && contour.spot([middle.x, middle.y]) < 1.0
 }
 
-/// A square cell: centre relative to a pixel, and half width.
-#[derive(Clone, Copy)]
-struct Cell {
-    u: f64,
-    v: f64,
-    half: f64,
-}
-
-impl Cell {
-    /// The cell on the screen, around pixel (x, y).
-    fn at(&self, x: i64, y: i64) -> Rectangle {
-        let centre = [x as f64 + self.u, y as f64 + self.v];
-        Rectangle {
-            low: centre.map(|c| c - self.half),
-            high: centre.map(|c| c + self.half),
-        }
-    }
-}
-
-/// A rectangle of the screen.
-#[derive(Clone, Copy)]
-struct Rectangle {
-    low: [f64; 2],
-    high: [f64; 2],
-}
-
-impl Rectangle {
-    const EMPTY: Rectangle = Rectangle {
-        low: [f64::INFINITY; 2],
-        high: [f64::NEG_INFINITY; 2],
-    };
-
-    fn around_both(self, other: Rectangle) -> Rectangle {
-        Rectangle {
-            low: [0, 1].map(|k| self.low[k].min(other.low[k])),
-            high: [0, 1].map(|k| self.high[k].max(other.high[k])),
-        }
-    }
-}
-
-/// What is found on a part of the screen.
 #[derive(Clone, Copy)]
 struct Survey {
     /// Lower bound of the gradient where the part meets the band; infinite if it does not.
     least_gradient: f64,
-    /// The rectangle around the cells on which the gradient may vanish.
-    flat: Rectangle,
+    /// Corners of the rectangle around the cells on which the gradient may vanish.
+    low: [f64; 2],
+    high: [f64; 2],
 }
 
 impl Survey {
     const EMPTY: Survey = Survey {
         least_gradient: f64::INFINITY,
-        flat: Rectangle::EMPTY,
+        low: [f64::INFINITY; 2],
+        high: [f64::NEG_INFINITY; 2],
     };
 
     fn merged(self, other: Survey) -> Survey {
         Survey {
             least_gradient: self.least_gradient.min(other.least_gradient),
-            flat: self.flat.around_both(other.flat),
+            low: [0, 1].map(|k| self.low[k].min(other.low[k])),
+            high: [0, 1].map(|k| self.high[k].max(other.high[k])),
         }
     }
 }
@@ -155,17 +114,10 @@ impl Survey {
 /// All values of f2 in units of the last guard bit.
 struct Contour<'a> {
     object: &'a PreparedQuadric,
-    words: &'a QuadricWords,
     format: &'a Format,
     /// e2.
     error: f64,
     second: [f64; 3],
-}
-
-/// f2' and its gradient at a pixel.
-struct Local {
-    value: f64,
-    gradient: [f64; 2],
 }
 
 impl<'a> Contour<'a> {
@@ -173,7 +125,6 @@ impl<'a> Contour<'a> {
         let q = &object.words.f2;
         Contour {
             object,
-            words: &object.words,
             format,
             error: object.bounds.f2 * f64::from(1u32 << format.guard_quadratic),
             second: [q.a as f64, q.b as f64, q.c as f64],
@@ -181,7 +132,7 @@ impl<'a> Contour<'a> {
     }
 
     fn search(&self, trimmed: bool) -> Displacement {
-        let window = self.words.screen_box;
+        let window = self.object.words.screen_box;
         let line = |y: i64| {
             (window.x0..=window.x1)
                 .filter(|&x| !(trimmed && self.is_removed(x, y)))
@@ -189,16 +140,12 @@ impl<'a> Contour<'a> {
                 .fold(Survey::EMPTY, Survey::merged)
         };
         let lines = (window.y0..=window.y1).into_par_iter().map(line);
-        self.conclude(&lines.reduce(|| Survey::EMPTY, Survey::merged))
-    }
-
-    fn conclude(&self, survey: &Survey) -> Displacement {
-        let steep = self.error / survey.least_gradient * (1.0 + FLOAT_MARGIN);
-        let Rectangle { low, high } = survey.flat;
+        let found = lines.reduce(|| Survey::EMPTY, Survey::merged);
+        let steep = self.error / found.least_gradient * (1.0 + FLOAT_MARGIN);
+        let Survey { low, high, .. } = found;
         if low[0] > high[0] {
             return Displacement::straight(steep);
         }
-        let window = self.words.screen_box;
         let diagonal = ((window.x1 - window.x0) as f64).hypot((window.y1 - window.y0) as f64);
         let middle = [0, 1].map(|k| (0.5 * (low[k] + high[k])).round() as i64);
         let [a, b, c] = self.second;
@@ -224,8 +171,7 @@ impl<'a> Contour<'a> {
         if least_curvature <= 0.0 {
             return f64::INFINITY;
         }
-        let local = self.local(x, y);
-        let (value, [gx, gy]) = (local.value, local.gradient);
+        let (value, [gx, gy]) = self.local(x, y);
         let determinant = 4.0 * a * b - c * c;
         let u = (c * gy - 2.0 * b * gx) / determinant;
         let v = (c * gx - 2.0 * a * gy) / determinant;
@@ -240,59 +186,60 @@ impl<'a> Contour<'a> {
         2.0 * (2.0 * reach / least_curvature).sqrt() * (1.0 + FLOAT_MARGIN)
     }
 
-    fn local(&self, x: i64, y: i64) -> Local {
-        let q = &self.words.f2;
-        let (px, py) = (i128::from(x), i128::from(y));
-        Local {
-            value: q.wrapped_at(x, y, self.format.pe2_width()) as f64,
-            gradient: [
-                (2 * q.a * px + q.c * py + q.d) as f64,
-                (2 * q.b * py + q.c * px + q.e) as f64,
-            ],
-        }
+    /// f2' and its gradient at a pixel.
+    fn local(&self, x: i64, y: i64) -> (f64, [f64; 2]) {
+        let q = &self.object.words.f2;
+        let value = q.wrapped_at(x, y, self.format.pe2_width());
+        let (x, y) = (i128::from(x), i128::from(y));
+        let gx = 2 * q.a * x + q.c * y + q.d;
+        let gy = 2 * q.b * y + q.c * x + q.e;
+        (value as f64, [gx as f64, gy as f64])
     }
 
     /// What the square of one pixel contributes.
     fn survey(&self, x: i64, y: i64) -> Survey {
-        let local = self.local(x, y);
-        let whole = Cell {
-            u: 0.0,
-            v: 0.0,
-            half: 0.5,
+        let (value, [gx, gy]) = self.local(x, y);
+        let [a, b, c] = self.second;
+        // Least gradient on a cell and gradient at its centre; `None` if the cell does not meet the band.
+        let gradient = |[u, v]: [f64; 2], half: f64| {
+            let value = value + (gx + a * u + c * v) * u + (gy + b * v) * v;
+            let (gx, gy) = (gx + 2.0 * a * u + c * v, gy + 2.0 * b * v + c * u);
+            let reach = (gx.abs() + gy.abs()) * half + (a.abs() + b.abs() + c.abs()) * half * half;
+            if value.abs() - reach > self.error {
+                return None;
+            }
+            let low_x = (gx.abs() - (2.0 * a.abs() + c.abs()) * half).max(0.0);
+            let low_y = (gy.abs() - (2.0 * b.abs() + c.abs()) * half).max(0.0);
+            Some((low_x.hypot(low_y), gx.hypot(gy)))
         };
         let mut survey = Survey::EMPTY;
-        let mut open = vec![(whole, 0)];
+        // Square cells: centre relative to the pixel, half width, quarterings.
+        let mut open = vec![([0.0, 0.0], 0.5, 0)];
         let mut examined = 0;
-        while let Some((cell, depth)) = open.pop() {
+        while let Some((centre, half, depth)) = open.pop() {
             examined += 1;
-            match self.cell_gradient(&local, cell) {
+            match gradient(centre, half) {
                 None => {}
-                Some((low, centre)) if low >= 0.5 * centre && low > 0.0 => {
+                Some((low, middle)) if low >= 0.5 * middle && low > 0.0 => {
                     survey.least_gradient = survey.least_gradient.min(low);
                 }
                 Some(_) if depth == DEPTH_OF_SEARCH || examined > CELL_BUDGET => {
-                    survey.flat = survey.flat.around_both(cell.at(x, y));
+                    let centre = [x as f64 + centre[0], y as f64 + centre[1]];
+                    survey = survey.merged(Survey {
+                        low: centre.map(|c| c - half),
+                        high: centre.map(|c| c + half),
+                        ..Survey::EMPTY
+                    });
                 }
-                Some(_) => open.extend(quarters(cell).map(|c| (c, depth + 1))),
+                Some(_) => {
+                    let [u, v] = centre;
+                    let half = 0.5 * half;
+                    let corners = [(-half, -half), (half, -half), (-half, half), (half, half)];
+                    open.extend(corners.map(|(s, t)| ([u + s, v + t], half, depth + 1)));
+                }
             }
         }
         survey
-    }
-
-    /// Least gradient on the cell and gradient at its centre; `None` if the cell does not meet the band.
-    fn cell_gradient(&self, local: &Local, cell: Cell) -> Option<(f64, f64)> {
-        let [a, b, c] = self.second;
-        let Cell { u, v, half } = cell;
-        let [gx, gy] = local.gradient;
-        let value = local.value + (gx + a * u + c * v) * u + (gy + b * v) * v;
-        let (gx, gy) = (gx + 2.0 * a * u + c * v, gy + 2.0 * b * v + c * u);
-        let reach = (gx.abs() + gy.abs()) * half + (a.abs() + b.abs() + c.abs()) * half * half;
-        if value.abs() - reach > self.error {
-            return None;
-        }
-        let low_x = (gx.abs() - (2.0 * a.abs() + c.abs()) * half).max(0.0);
-        let low_y = (gy.abs() - (2.0 * b.abs() + c.abs()) * half).max(0.0);
-        Some((low_x.hypot(low_y), gx.hypot(gy)))
     }
 
     /// True if some plane certainly removes the contour around this pixel. On the contour the depth is f1.
@@ -301,35 +248,25 @@ impl<'a> Contour<'a> {
         let slack = self.object.bounds.f1 + (2.0 * self.object.bounds.f2).sqrt() + 1.0;
         // All in units of the last guard bit of f1, which the planes do not have.
         let guards = self.format.guard_linear;
-        let f1 = &self.words.f1;
-        let planes = self.words.planes.iter().zip(&self.object.bounds.planes);
-        let solid_inside_out = self.words.class == Class::Front;
-        planes.into_iter().any(|(plane, bound)| {
-            let [pa, pb, pc] =
-                [plane.depth.a, plane.depth.b, plane.depth.c].map(|word| word << guards);
-            let (sign, reference) = match plane.kind {
-                PlaneKind::Perpendicular => (1, None),
-                _ if solid_inside_out || self.words.class == Class::Prism => return false,
-                PlaneKind::Front => (-1, Some(f1)),
-                PlaneKind::Back => (1, Some(f1)),
+        let f1 = &self.object.words.f1;
+        let PreparedQuadric { words, bounds, .. } = self.object;
+        let mut planes = words.planes.iter().zip(&bounds.planes);
+        let has_no_planes = matches!(words.class, Class::Front | Class::Prism);
+        planes.any(|(plane, bound)| {
+            let (sign, from, slack) = match plane.kind {
+                PlaneKind::Perpendicular => (1, &Linear::default(), 0.0),
+                _ if has_no_planes => return false,
+                PlaneKind::Front => (-1, f1, slack),
+                PlaneKind::Back => (1, f1, slack),
                 PlaneKind::None => return false,
             };
             // Kept where `sign * (p - f1)` is not negative.
-            let (ra, rb, rc) = reference.map_or((0, 0, 0), |f| (f.a, f.b, f.c));
-            let value = |a: i128, b: i128, c: i128| a * i128::from(x) + b * i128::from(y) + c;
-            let at = sign * value(pa - ra, pb - rb, pc - rc);
-            let reach = SPARE * ((pa - ra) as f64).abs() + SPARE * ((pb - rb) as f64).abs();
-            let error = bound + if reference.is_some() { slack } else { 0.0 };
+            let Linear { a, b, c } = plane.depth;
+            let [a, b, c] = [(a, from.a), (b, from.b), (c, from.c)].map(|(p, f)| (p << guards) - f);
+            let at = sign * (a * i128::from(x) + b * i128::from(y) + c);
+            let reach = SPARE * (a as f64).abs() + SPARE * (b as f64).abs();
+            let error = bound + slack;
             (at as f64) + reach + error * f64::from(1u32 << guards) < 0.0
         })
     }
-}
-
-fn quarters(cell: Cell) -> [Cell; 4] {
-    let half = 0.5 * cell.half;
-    [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)].map(|(s, t)| Cell {
-        u: cell.u + s * half,
-        v: cell.v + t * half,
-        half,
-    })
 }

@@ -49,8 +49,7 @@ impl Range {
         Range::new(value as f64 - error, value as f64 + error)
     }
 
-    /// The values from which a computed integer can come, that is within `error` of a number of which up to `dropped`
-    /// was dropped downwards.
+    /// The values within `error` of a number of which up to `dropped` was dropped to give this integer.
     pub fn of_dropped(value: i64, error: f64, dropped: f64) -> Range {
         Range::new(value as f64 - error, value as f64 + dropped + error)
     }
@@ -91,7 +90,6 @@ pub(super) fn certain(is: bool, is_not: bool) -> Option<bool> {
     (is || is_not).then_some(is)
 }
 
-/// What is known of two statements together.
 pub(super) fn both(one: Option<bool>, other: Option<bool>) -> Option<bool> {
     let known = [one, other];
     certain(known == [Some(true); 2], known.contains(&Some(false)))
@@ -116,14 +114,11 @@ pub(super) fn face_ranges(f1: i64, f2: i64, bounds: &RoundingBounds) -> (Range, 
     let (root, computed) = (root_range(f2, bounds), bounds.root_of(f2) as f64);
     let (low, high) = (root.low.min(computed), root.high.max(computed));
     let f1 = Range::of_dropped(f1, bounds.f1, bounds.dropped_f1);
-    (
-        Range::new(f1.low - high, f1.high - low),
-        Range::new(f1.low + low, f1.high + high),
-    )
+    let near = Range::new(f1.low - high, f1.high - low);
+    (near, Range::new(f1.low + low, f1.high + high))
 }
 
-/// Greatest magnitude of each term of a depth error, in depth words, at a pixel where the f2 processor hands on a given
-/// value.
+/// Greatest magnitude of each term of a depth error, in depth words, at a pixel with a given f2.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct DepthTerms {
     /// Rounding of the coefficients of f1.

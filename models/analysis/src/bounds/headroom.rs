@@ -13,9 +13,8 @@ use imogene_algebra::rational::{integer, power_of_two, to_f64};
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::unit::depth_interval::Class;
-use imogene_golden::unit::pe2::Quadratic;
 use imogene_prepare::forms::{LinearForm, QuadraticForm};
-use imogene_prepare::rounding::{Anchor, round_quadratic};
+use imogene_prepare::rounding::round_quadratic;
 use imogene_prepare::{PreparedQuadric, PreparedScene};
 use num_bigint::{BigInt, Sign};
 use num_traits::{Signed, ToPrimitive};
@@ -52,8 +51,7 @@ pub struct Headroom {
     /// Fewest guard bits of f2 from which on, up to the derived number, no error is counted; none if ties are rounded
     /// away even with the derived number.
     pub confirmed: Option<i32>,
-    /// Errors counted with one bit less; none if no number of bits dropped makes an error, that is without a silhouette
-    /// on the screen.
+    /// Errors counted with one bit less; none without a silhouette on the screen, whatever is dropped.
     pub errors_with_one_less: u64,
 }
 
@@ -87,14 +85,14 @@ pub struct Summary {
 /// Sums up the rows of each size and format, in the order in which these first appear.
 pub fn summaries(rows: &[Headroom]) -> Vec<Summary> {
     let key = |h: &Headroom| (h.width, h.height, h.depth_word);
-    let mut keys: Vec<_> = vec![];
+    let mut groups: Vec<Vec<&Headroom>> = vec![];
     for row in rows {
-        if !keys.contains(&key(row)) {
-            keys.push(key(row));
+        match groups.iter_mut().find(|group| key(group[0]) == key(row)) {
+            Some(group) => group.push(row),
+            None => groups.push(vec![row]),
         }
     }
-    let of = |k| rows.iter().filter(|h| key(h) == k).collect::<Vec<_>>();
-    keys.into_iter().map(|k| summary(&of(k))).collect()
+    groups.iter().map(|group| summary(group)).collect()
 }
 
 fn summary(rows: &[&Headroom]) -> Summary {
@@ -104,7 +102,6 @@ fn summary(rows: &[&Headroom]) -> Summary {
     // `None` if any scene has nothing.
     let needs: Option<Vec<i32>> = rows.iter().map(|h| h.confirmed).collect();
     let confirmed = needs.and_then(|bits| bits.into_iter().max());
-    let derived = rows.iter().map(|h| h.derived).max();
     let limiting = rows.iter().filter(|h| h.confirmed == confirmed);
     Summary {
         width: rows[0].width,
@@ -115,7 +112,7 @@ fn summary(rows: &[&Headroom]) -> Summary {
         scenes_with_errors: rows.iter().filter(|h| h.silhouette_errors > 0).count(),
         depth_max_lsb: rows.iter().map(|h| h.depth_max_lsb).fold(0.0, f64::max),
         depth_rms_lsb: (squares / depths.max(1) as f64).sqrt(),
-        derived: derived.expect("at least one row"),
+        derived: rows.iter().map(|h| h.derived).max().expect("a row"),
         confirmed,
         errors_with_one_less: limiting.map(|h| h.errors_with_one_less).sum(),
     }
@@ -124,24 +121,37 @@ fn summary(rows: &[&Headroom]) -> Summary {
 /// Counts errors and needs; `prepared` must have no guard bits.
 pub fn headroom(prepared: &PreparedScene) -> Headroom {
     let objects = prepared.quadrics().map(|(_, object)| object);
-    let objects = objects.filter(|o| !o.words.screen_box.is_empty());
-    let objects: Vec<Subject> = objects.map(Subject::new).collect();
-    let ties = objects.iter().map(|o| o.signs.ties).sum();
+    let on_screen = objects.filter(|o| !o.words.screen_box.is_empty());
+    let subjects = on_screen.map(|object| {
+        let at = |x, y| ScreenBox::of([x, x], [y, y]);
+        let bound = |x, y| object.anchor.quadratic_bound(&at(x, y));
+        let signs = true_signs(&object.exact.f2, &object.words.screen_box, bound);
+        Subject { object, signs }
+    });
+    let objects: Vec<Subject> = subjects.collect();
     let risk = objects.iter().map(|o| o.signs.risk).fold(0.0, f64::max);
     let derived = bits_above(risk);
     let count = |guards: i32| objects.iter().map(|o| o.errors(guards)).sum::<u64>();
-    let (confirmed, errors_with_one_less) = count_down(derived, &count);
+    let (mut confirmed, mut errors_with_one_less) = (None, 0);
+    for guards in (FEWEST..=derived).rev() {
+        errors_with_one_less = count(guards);
+        if errors_with_one_less > 0 {
+            break;
+        }
+        confirmed = Some(guards);
+    }
+    let boxes = objects.iter().map(|o| &o.object.words.screen_box);
     let depths = |o: &Subject| depth_errors(o.object, &o.signs.present, &prepared.format);
     let depths = DepthErrors::of_all(objects.iter().map(depths));
     Headroom {
         width: prepared.width,
         height: prepared.height,
         depth_word: prepared.format.depth,
-        pixels: objects.iter().map(|o| o.window().pixels()).sum(),
+        pixels: boxes.map(|window| window.pixels()).sum(),
         silhouette_errors: count(0),
-        ties,
+        ties: objects.iter().map(|o| o.signs.ties).sum(),
         depth_max_lsb: depths.most,
-        depth_rms_lsb: depths.rms(),
+        depth_rms_lsb: (depths.squares / depths.count.max(1) as f64).sqrt(),
         depths: depths.count,
         derived,
         confirmed,
@@ -159,54 +169,26 @@ pub(super) fn least_f2(object: &PreparedQuadric) -> f64 {
     signs.risk.recip() * (1.0 - 1e-9)
 }
 
-/// The last number of guard bits without errors on the way down from the derived one, and the errors with one bit less.
-fn count_down(derived: i32, count: &dyn Fn(i32) -> u64) -> (Option<i32>, u64) {
-    let mut last = None;
-    for guards in (FEWEST..=derived).rev() {
-        let errors = count(guards);
-        if errors > 0 {
-            return (last, errors);
-        }
-        last = Some(guards);
-    }
-    (last, 0)
-}
-
-/// The guard bits that a risk asks for: the least g with `risk < 2^g`, up to a last bit of the risk that is counted as
-/// one more.
+/// The guard bits that a risk asks for: the least g with `risk < 2^g`, a last bit of it counted as one more.
 pub fn bits_above(risk: f64) -> i32 {
-    let risk = risk * (1.0 + 1e-9);
-    let mut bits = FEWEST;
-    while f64::exp2(f64::from(bits)) <= risk {
-        bits += 1;
-    }
-    bits
+    let is_above = |bits: &i32| f64::from(*bits).exp2() > risk * (1.0 + 1e-9);
+    (FEWEST..).find(is_above).expect("a finite risk")
 }
 
-/// One object with its true signs.
 struct Subject<'a> {
     object: &'a PreparedQuadric,
     signs: TrueSigns,
 }
 
 impl Subject<'_> {
-    fn new(object: &PreparedQuadric) -> Subject<'_> {
-        let at = |x, y| ScreenBox::of([x, x], [y, y]);
-        let bound = |x, y| object.anchor.quadratic_bound(&at(x, y));
-        Subject {
-            object,
-            signs: true_signs(&object.exact.f2, &object.words.screen_box, bound),
-        }
-    }
-
-    fn window(&self) -> &ScreenBox {
-        &self.object.words.screen_box
-    }
-
-    /// Pixels at which f2 rounded with this many guard bits has the wrong sign.
+    /// Pixels at which f2 rounded with this many guard bits, below zero with bits dropped, has the wrong sign.
     fn errors(&self, guards: i32) -> u64 {
-        let rounded = rounded_with(&self.object.exact.f2, self.object.anchor, guards);
-        let window = self.window();
+        let unit = power_of_two(guards.unsigned_abs());
+        let unit = if guards < 0 { unit.recip() } else { unit };
+        let scaled = self.object.exact.f2.scaled(&unit);
+        let rounded = round_quadratic(&scaled, self.object.anchor);
+        let rounded = rounded.expect("prepared words leave room");
+        let window = &self.object.words.screen_box;
         lines(window, &self.signs.present)
             .map(|(y, line)| {
                 let at = |x: i64| rounded.wrapped_at(x, y, 127);
@@ -224,7 +206,6 @@ impl Subject<'_> {
     }
 }
 
-/// The lines of a box with what is known of their pixels.
 fn lines<'a>(
     window: &ScreenBox,
     present: &'a [bool],
@@ -234,27 +215,17 @@ fn lines<'a>(
     lines.map(move |(row, line)| (first + row as i64, line))
 }
 
-/// f2 rounded with guard bits; below zero, with that many bits dropped.
-fn rounded_with(exact: &QuadraticForm, anchor: Anchor, guards: i32) -> Quadratic {
-    let unit = power_of_two(guards.unsigned_abs());
-    let unit = if guards < 0 { unit.recip() } else { unit };
-    round_quadratic(&exact.scaled(&unit), anchor).expect("prepared words leave room")
-}
-
 /// What is true of f2 on a box; no format and no rounding has a part in it but the scale.
 #[derive(Default)]
 struct TrueSigns {
     /// For each pixel, row by row: f2 >= 0.
-    pub present: Vec<bool>,
-    /// Pixels at which f2 is zero.
-    pub ties: u64,
-    /// Greatest ratio over the pixels, where f2 is not zero, of the error that rounding can have there to the magnitude
-    /// of f2.
-    pub risk: f64,
+    present: Vec<bool>,
+    ties: u64,
+    /// Greatest ratio, over the other pixels, of the error that rounding can have there to the magnitude of f2.
+    risk: f64,
 }
 
-/// Evaluates the exact expression at every pixel. `reach` gives the greatest rounding error of any such expression at a
-/// pixel, in last bits.
+/// Evaluates f2 at every pixel. `reach` gives its greatest rounding error at a pixel, in last bits.
 fn true_signs(
     exact: &QuadraticForm,
     window: &ScreenBox,
@@ -303,15 +274,12 @@ fn magnitude(value: &BigInt, denominator: &BigInt, unit: f64) -> f64 {
     lead(value, n) / lead(denominator, d) * f64::exp2(power as f64)
 }
 
-/// Depth errors in depth words.
+/// Depth errors in depth words: the greatest, the sum of their squares, and how many.
 #[derive(Clone, Copy, Debug, Default)]
 struct DepthErrors {
-    /// The greatest.
-    pub most: f64,
-    /// Sum of squares.
-    pub squares: f64,
-    /// How many.
-    pub count: u64,
+    most: f64,
+    squares: f64,
+    count: u64,
 }
 
 impl DepthErrors {
@@ -328,90 +296,60 @@ impl DepthErrors {
             count: all.count + part.count,
         })
     }
-
-    /// Root of the mean square.
-    pub fn rms(&self) -> f64 {
-        (self.squares / self.count.max(1) as f64).sqrt()
-    }
 }
 
-/// What the rounding of the coefficients adds, from the exact residuals, in coordinates about the anchor.
-struct Residuals {
-    anchor: Anchor,
-    f1: [f64; 3],
-    f2: [f64; 6],
-}
-
-impl Residuals {
-    fn of(object: &PreparedQuadric) -> Residuals {
-        let (words, exact, anchor) = (&object.words, &object.exact, object.anchor);
-        let (x, y) = (integer(anchor.x), integer(anchor.y));
-        let f1 = LinearForm::of_words(&words.f1).minus(&exact.f1);
-        let f1 = f1.about(&x, &y);
-        let f2 = QuadraticForm::of_words(&words.f2).minus(&exact.f2);
-        let f2 = f2.about(&x, &y);
-        Residuals {
-            anchor,
-            f1: f1.factors().each_ref().map(to_f64),
-            f2: f2.factors().each_ref().map(to_f64),
-        }
-    }
-
-    fn at(&self, x: i64, y: i64) -> (f64, f64) {
-        let (u, v) = ((x - self.anchor.x) as f64, (y - self.anchor.y) as f64);
-        let [a, b, c] = self.f1;
-        let linear = a * u + b * v + c;
-        let [a, b, c, d, e, f] = self.f2;
-        (linear, (a * u + c * v + d) * u + (b * v + e) * v + f)
+/// What the rounding of the coefficients adds to f1 and f2 at a pixel, from the exact residuals about the anchor.
+fn residuals(object: &PreparedQuadric) -> impl Fn(i64, i64) -> (f64, f64) + use<> {
+    let (words, exact, anchor) = (&object.words, &object.exact, object.anchor);
+    let (x, y) = (integer(anchor.x), integer(anchor.y));
+    let f1 = LinearForm::of_words(&words.f1).minus(&exact.f1);
+    let f2 = QuadraticForm::of_words(&words.f2).minus(&exact.f2);
+    let (f1, f2) = (f1.about(&x, &y), f2.about(&x, &y));
+    let [p, q, r] = f1.factors().each_ref().map(to_f64);
+    let [a, b, c, d, e, f] = f2.factors().each_ref().map(to_f64);
+    move |x, y| {
+        let (u, v) = ((x - anchor.x) as f64, (y - anchor.y) as f64);
+        let quadratic = (a * u + c * v + d) * u + (b * v + e) * v + f;
+        (p * u + q * v + r, quadratic)
     }
 }
 
 /// Errors of both roots within the depth range, at the pixels where computed and true f2 are not negative; `present`
 /// says where the true one is.
 fn depth_errors(object: &PreparedQuadric, present: &[bool], format: &Format) -> DepthErrors {
-    if object.words.class == Class::Prism {
+    let words = &object.words;
+    if words.class == Class::Prism {
         return DepthErrors::default();
     }
-    let window: ScreenBox = object.words.screen_box;
-    let residuals = Residuals::of(object);
+    let residuals = residuals(object);
+    let is_visible = |depth: i64| depth >= format.z_low() && depth < format.z_max();
     let line = |(y, line): (i64, &[bool])| {
         let mut found = DepthErrors::default();
-        for (x, _) in (window.x0..).zip(line).filter(|(_, present)| **present) {
-            add_pixel(object, &residuals, format, (x, y), &mut found);
+        let columns = (words.screen_box.x0..).zip(line);
+        for (x, _) in columns.filter(|(_, present)| **present) {
+            let (f1, f2) = (words.f1_at(x, y, format), words.f2_at(x, y, format));
+            if f2 < 0 {
+                continue;
+            }
+            let root = format.root_of(f2);
+            let (linear, quadratic) = residuals(x, y);
+            let true_root = (f2 as f64 - quadratic).max(0.0).sqrt();
+            // true root - root, without cancellation
+            let below = (f2 - root * root) as f64 - quadratic;
+            let root_error = match below == 0.0 {
+                true => 0.0,
+                false => below / (true_root + root as f64),
+            };
+            if is_visible(f1 - root) {
+                found.add(linear + root_error);
+            }
+            if is_visible(f1 + root) {
+                found.add(linear - root_error);
+            }
         }
         found
     };
-    let lines: Vec<DepthErrors> = lines(&window, present).map(line).collect();
+    let lines: Vec<DepthErrors> = lines(&words.screen_box, present).map(line).collect();
     // Added in order, so that the sum is the same in every run.
     DepthErrors::of_all(lines.into_iter())
-}
-
-fn add_pixel(
-    object: &PreparedQuadric,
-    residuals: &Residuals,
-    format: &Format,
-    (x, y): (i64, i64),
-    found: &mut DepthErrors,
-) {
-    let f1 = object.words.f1_at(x, y, format);
-    let f2 = object.words.f2_at(x, y, format);
-    if f2 < 0 {
-        return;
-    }
-    let root = format.root_of(f2);
-    let (linear, quadratic) = residuals.at(x, y);
-    let true_root = (f2 as f64 - quadratic).max(0.0).sqrt();
-    // true root - root, without cancellation
-    let below = (f2 - root * root) as f64 - quadratic;
-    let root_error = match below == 0.0 {
-        true => 0.0,
-        false => below / (true_root + root as f64),
-    };
-    let visible = |depth: i64| depth >= format.z_low() && depth < format.z_max();
-    if visible(f1 - root) {
-        found.add(linear + root_error);
-    }
-    if visible(f1 + root) {
-        found.add(linear - root_error);
-    }
 }

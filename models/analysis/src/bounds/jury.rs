@@ -17,11 +17,9 @@ use std::collections::BTreeSet;
 pub struct Jury<'a> {
     prepared: &'a PreparedScene,
     judges: Vec<Judge<'a>>,
-    /// The objects that something is seen through.
     transparent: BTreeSet<usize>,
 }
 
-/// What is proven of one object.
 pub(super) enum Judge<'a> {
     /// From the rounding bounds of its words.
     Words(&'a PreparedQuadric, Format),
@@ -62,8 +60,7 @@ impl<'a> Jury<'a> {
         }
     }
 
-    /// By the rounding bounds of the words alone, of the objects that nothing is seen through. Those of other
-    /// processors than quadric and patch are left out.
+    /// By the rounding bounds of the words alone: opaque objects of the quadric and the patch processor.
     pub fn of_words(prepared: &'a PreparedScene) -> Jury<'a> {
         Jury::of_some_words(prepared, |id| !prepared.transparent.contains(&id))
     }
@@ -104,9 +101,9 @@ impl<'a> Jury<'a> {
 
     /// The pixels at which an outline is adrift and not hidden behind something else.
     pub(super) fn adrift(&self, silhouette: &Silhouette) -> Vec<(i64, i64)> {
-        let adrift = silhouette.adrift();
-        let open = |&(x, y): &(i64, i64)| self.is_undecided(x, y);
-        adrift.into_iter().filter(open).collect()
+        let mut adrift = silhouette.adrift();
+        adrift.retain(|&(x, y)| self.is_undecided(x, y));
+        adrift
     }
 
     pub(super) fn line(&self, y: i64) -> Vec<Contest> {
@@ -115,26 +112,23 @@ impl<'a> Jury<'a> {
 
     fn contests(&self, y: i64, columns: Columns) -> Vec<Contest> {
         let first = *columns.start();
-        let place = |x: i64| (x - first) as usize;
         let count = columns.clone().count();
         let mut contests = vec![Contest::EMPTY; count];
-        let judges = self.judges.iter().enumerate();
-        let (before, opaque): (Vec<_>, Vec<_>) =
-            judges.partition(|(id, _)| self.transparent.contains(id));
-        for (id, judge) in opaque {
-            let enter = |x, verdict| contests[place(x)].enter(id, &verdict);
-            judge.for_each(y, columns.clone(), enter);
-        }
-        if before.is_empty() {
-            return contests;
-        }
         let mut layers: Vec<Vec<Verdict>> = vec![vec![]; count];
-        for (_, judge) in before {
-            let stand = |x, verdict| layers[place(x)].push(verdict);
-            judge.for_each(y, columns.clone(), stand);
+        for (id, judge) in self.judges.iter().enumerate() {
+            let is_layer = self.transparent.contains(&id);
+            judge.for_each(y, columns.clone(), |x, verdict| {
+                let place = (x - first) as usize;
+                match is_layer {
+                    true => layers[place].push(verdict),
+                    false => contests[place].enter(id, &verdict),
+                }
+            });
         }
-        let both = contests.iter_mut().zip(&layers);
-        both.for_each(|(contest, layers)| contest.see_through(layers));
+        if !self.transparent.is_empty() {
+            let both = contests.iter_mut().zip(&layers);
+            both.for_each(|(contest, layers)| contest.see_through(layers));
+        }
         contests
     }
 }
@@ -154,16 +148,14 @@ impl<'a> Judge<'a> {
             return Judge::Nothing;
         }
         // A mesh may be there where its rounded facets are not; any other object is nowhere beside its box.
-        let is_mesh = matches!(framed, FramedObject::Mesh(_));
-        if words.is_empty() && !is_mesh {
+        if words.is_empty() && !matches!(framed, FramedObject::Mesh(_)) {
             return Judge::Nothing;
         }
         let truth = Truth::new(framed, scene, format);
         let window = match truth.window() {
             Some(own) => {
-                let (width, height) = (i64::from(scene.width), i64::from(scene.height));
                 let both = own.around(object.screen_box());
-                both.in_zone(0, 0, width, height)
+                both.in_zone(0, 0, scene.width.into(), scene.height.into())
             }
             None => *object.screen_box(),
         };
@@ -200,10 +192,8 @@ impl<'a> Judge<'a> {
                 columns.for_each(|x| sink(x, decide(object, format, x, y)));
             }
             Judge::Truth(comparison) => {
-                let first = *columns.start();
-                let line = comparison.line(y, columns).into_iter();
-                let line = line.zip(first..);
-                line.for_each(|(found, x)| sink(x, found.verdict()));
+                let line = (*columns.start()..).zip(comparison.line(y, columns));
+                line.for_each(|(x, found)| sink(x, found.verdict()));
             }
         }
     }
@@ -213,10 +203,9 @@ impl Comparison {
     /// Golden and true picture of a part of a line.
     pub fn line(&self, y: i64, columns: Columns) -> Vec<Compared> {
         let first = *columns.start();
-        let truth = self.truth.line(y, columns).into_iter();
         let golden = None;
-        let apart = |truth| Compared { golden, truth };
-        let mut line: Vec<Compared> = truth.map(apart).collect();
+        let truth = self.truth.line(y, columns).into_iter();
+        let mut line: Vec<Compared> = truth.map(|truth| Compared { golden, truth }).collect();
         for words in &self.words {
             words.for_each_present(&self.format, y, |x, pixel| {
                 let index = usize::try_from(x - first).ok();

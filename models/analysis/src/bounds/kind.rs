@@ -13,17 +13,8 @@ use num_traits::{Signed, Zero};
 pub fn quadric_kind(quadric: &Quadric) -> &'static str {
     let (whole, _) = common_denominator(quadric.coefficients());
     let matrix = symmetric(whole.each_ref()).map(Vec::from).to_vec();
-    let part: Vec<Vec<BigInt>> = matrix[..3].iter().map(|r| r[..3].to_vec()).collect();
-    named(unsigned(inertia(part)), unsigned(inertia(matrix)))
-}
-
-/// The surface is the same for -Q: the greater count first.
-fn unsigned((positive, negative): (usize, usize)) -> (usize, usize) {
-    (positive.max(negative), positive.min(negative))
-}
-
-fn named(part: (usize, usize), whole: (usize, usize)) -> &'static str {
-    match (part, whole) {
+    let part = matrix[..3].iter().map(|r| r[..3].to_vec()).collect();
+    match (inertia(part), inertia(matrix)) {
         ((3, 0), (3, 1)) => "ellipsoid",
         ((2, 1), (2, 2)) => "hyperboloid_one_sheet",
         ((2, 1), (3, 1)) => "hyperboloid_two_sheets",
@@ -42,43 +33,34 @@ fn named(part: (usize, usize), whole: (usize, usize)) -> &'static str {
     }
 }
 
-/// Numbers of positive and negative squares of a symmetric matrix, by symmetric elimination.
+/// Numbers of squares of either sign in a symmetric matrix, by symmetric elimination; the greater one first, since the
+/// surface is the same for -Q.
 fn inertia(mut m: Vec<Vec<BigInt>>) -> (usize, usize) {
-    let mut counts = (0, 0);
+    let [mut positive, mut negative] = [0, 0];
     while !m.is_empty() {
         let n = m.len();
         let Some(pivot) = (0..n).find(|&k| !m[k][k].is_zero()) else {
             // Without a square, a product x_i x_j becomes two by x_i := x_i + x_j.
-            let Some((i, j)) = first_product(&m) else {
-                return counts;
+            let mut pairs = (0..n).flat_map(|i| (0..i).map(move |j| (i, j)));
+            let Some((i, j)) = pairs.find(|&(i, j)| !m[i][j].is_zero()) else {
+                break;
             };
-            add_row_and_column(&mut m, i, j);
+            for (k, added) in m[j].clone().into_iter().enumerate() {
+                m[i][k] += added;
+            }
+            for row in &mut m {
+                let added = row[j].clone();
+                row[i] += added;
+            }
             continue;
         };
-        if m[pivot][pivot].is_positive() {
-            counts.0 += 1;
-        } else {
-            counts.1 += 1;
+        match m[pivot][pivot].is_positive() {
+            true => positive += 1,
+            false => negative += 1,
         }
         m = schur_complement(&m, pivot);
     }
-    counts
-}
-
-fn first_product(m: &[Vec<BigInt>]) -> Option<(usize, usize)> {
-    let pairs = (0..m.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
-    pairs.into_iter().find(|&(i, j)| !m[i][j].is_zero())
-}
-
-fn add_row_and_column(m: &mut [Vec<BigInt>], i: usize, j: usize) {
-    let row = m[j].clone();
-    for (to, from) in m[i].iter_mut().zip(&row) {
-        *to += from;
-    }
-    for row in m.iter_mut() {
-        let from = row[j].clone();
-        row[i] += from;
-    }
+    (positive.max(negative), positive.min(negative))
 }
 
 /// Times the magnitude of the pivot, so that nothing is divided.

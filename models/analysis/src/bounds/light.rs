@@ -25,27 +25,25 @@ pub(super) fn undecided(prepared: &PreparedScene, jury: &Jury) -> Vec<bool> {
     }
     let volumes: Vec<Volume> = prepared.volumes.iter().map(Volume::new).collect();
     let line = |y: i64| {
-        let contests = jury.line(y).into_iter().zip(0..);
-        let open = |contest: Contest, x| {
-            let seen = contest.winner.filter(|_| contest.is_decided())?;
-            Some(is_open(&volumes, &seen, &prepared.format, (x, y)))
+        let is_open = |(contest, x): (Contest, i64)| {
+            let seen = contest.winner.filter(|_| contest.is_decided());
+            seen.is_some_and(|seen| is_open(&volumes, &seen, &prepared.format, (x, y)))
         };
-        let line = contests.map(|(c, x)| open(c, x).unwrap_or(false));
-        line.collect::<Vec<bool>>()
+        let contests = jury.line(y).into_iter().zip(0..);
+        contests.map(is_open).collect::<Vec<bool>>()
     };
     let lines = (0..i64::from(prepared.height)).into_par_iter();
     lines.flat_map_iter(line).collect()
 }
 
-/// Whether any source may reach the point in one picture alone. A source is dark behind one volume, whatever the
-/// others say.
+/// Whether any source may reach the point in one picture alone; behind one volume a source is dark.
 fn is_open(volumes: &[Volume], seen: &Seen, format: &Format, at: (i64, i64)) -> bool {
     let (mut dark, mut open) = (0u16, 0u16);
     for volume in volumes {
-        let bit = 1 << volume.prepared.words.source;
-        let is_shadow = volume.prepared.words.kind == VolumeKind::Shadow;
+        let words = &volume.prepared.words;
+        let bit = 1 << words.source;
         match volume.holds(seen, format, at) {
-            Some(inside) if inside == is_shadow => dark |= bit,
+            Some(inside) if inside == (words.kind == VolumeKind::Shadow) => dark |= bit,
             Some(_) => {}
             None => open |= bit,
         }
@@ -86,8 +84,7 @@ impl Volume<'_> {
         let parts = words.planes.iter().zip(&self.prepared.bounds.planes);
         for (index, (plane, &bound)) in parts.enumerate() {
             let value = plane.depth.wrapped_at(x, y, format.plane) as i64;
-            let error = bound + f64::from(words.margin);
-            let value = Range::around(value, error);
+            let value = Range::around(value, bound + f64::from(words.margin));
             let kept = match plane.kind {
                 PlaneKind::None => Some(true),
                 PlaneKind::Front if index == 0 && self.begins_at(seen) => Some(false),
@@ -101,7 +98,6 @@ impl Volume<'_> {
         both(all, self.in_quadric(&seen.depth, format, (x, y)))
     }
 
-    /// Whether the face that is seen is the one at which the volume begins.
     fn begins_at(&self, seen: &Seen) -> bool {
         match self.prepared.caster {
             Some((object, Beginning::Cut(index))) => {
@@ -129,10 +125,8 @@ impl Volume<'_> {
             Class::Prism => met,
             Class::Side => both(met, both(behind_near, before_far)),
             Class::Front => {
-                let between = both(
-                    not(depth.is_before(&near)),
-                    not(self.is_behind(depth, &far)),
-                );
+                let behind = not(depth.is_before(&near));
+                let between = both(behind, not(self.is_behind(depth, &far)));
                 not(both(met, between))
             }
             Class::Patch => Some(false),

@@ -10,7 +10,6 @@ pub mod accumulators;
 mod check;
 mod contour;
 pub mod depth;
-mod guards;
 pub mod headroom;
 mod jury;
 mod kind;
@@ -19,28 +18,24 @@ mod needs;
 mod normal;
 mod object;
 pub mod outline;
-mod parts;
-mod pixels;
 pub mod quick;
 mod report;
 pub mod silhouette;
-mod summary;
 mod truth;
 mod verdict;
 
 pub use accumulators::{
     Accumulators, Increments, LinearIncrements, QuadraticIncrements, accumulators,
 };
-pub use check::{CheckReport, SceneBounds, Widths, check, undecided_pixels};
+pub use check::{CheckReport, SceneBounds, Summary, Widths, check, undecided_pixels};
 pub use depth::{DepthTerms, depth_bound, depth_terms, face_bound, worst_case};
-pub use guards::{ExactGuards, exact_guards};
 pub use jury::Jury;
 pub use kind::quadric_kind;
-pub use needs::{MachineNeeds, machine_needs};
+pub use needs::{ExactGuards, MachineNeeds, exact_guards, machine_needs};
 pub use normal::{constant_normal_bound, normal_bound, quadric_sine};
-pub use pixels::{Shows, Undecided};
 pub use quick::{Failing, failing};
-pub use report::{Detail, ObjectBounds, ObjectReport, PartsBounds, PartsReport, QuadricReport};
+pub use report::{
+    Detail, ObjectBounds, ObjectReport, PartsBounds, PartsReport, QuadricReport, Shows, Undecided,
+};
 pub use silhouette::displacement_at;
-pub use summary::Summary;
 pub use truth::interval;

@@ -41,8 +41,7 @@ pub fn constant_normal_bound(normal: [i16; 3]) -> f64 {
     degrees(0.75f64.sqrt() / length(normal.map(f64::from)))
 }
 
-/// Greatest sine of the angle between a quadric's golden normal and the true gradient; the direction is not determined
-/// if it is not below 1.
+/// Greatest sine of the angle between golden normal and true gradient; not below 1 if nothing is determined.
 pub fn quadric_sine(
     words: &NormalWords,
     bounds: &RoundingBounds,

@@ -1,22 +1,25 @@
-//! The check of one object: a golden pass over its screen box, with the bounds at every pixel.
+//! The check of one object: a pass over its screen box, with the bounds, or beside the truth, at every pixel.
 
 use super::accumulators::{accumulators, plane_bits};
 use super::contour::{Displacement, displacement};
 use super::depth::{depth_bound, worst_case, worst_terms};
-use super::jury::Jury;
+use super::jury::{Judge, Jury};
 use super::kind::quadric_kind;
 use super::normal::normal_bound;
 use super::outline::{Presence, Silhouette};
-use super::pixels::{Findings, adrift_problem, unshown_problem};
-use super::report::{Detail, ObjectBounds, QuadricReport, Reviewed};
+use super::report::{
+    Detail, Findings, ObjectBounds, PartsBounds, PartsReport, QuadricReport, Reviewed,
+    adrift_problem, unshown_problem,
+};
 use super::verdict::decide;
+use crate::metrics::Spread;
 use imogene_golden::format::Format;
 use imogene_golden::object::line::for_each_present;
 use imogene_golden::object::quadric::{ObjectPixel, QuadricWords, ScreenBox};
 use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::depth_interval::{Class, FACE_NEAR_END};
-use imogene_prepare::{PreparedQuadric, PreparedScene};
-use imogene_scene::FramedQuadric;
+use imogene_prepare::{PreparedObject, PreparedQuadric, PreparedScene};
+use imogene_scene::{FramedObject, FramedQuadric};
 use rayon::prelude::*;
 
 pub(super) fn review(
@@ -27,9 +30,9 @@ pub(super) fn review(
 ) -> Reviewed {
     let format = &prepared.format;
     let window = object.words.screen_box;
-    let mut found = lines(&window)
-        .map(|y| pass_line(object, format, y))
-        .reduce(Findings::default, Findings::merged);
+    let line = |y| pass_line(object, format, y);
+    let found = lines(&window).map(line);
+    let mut found = found.reduce(Findings::default, Findings::merged);
     let silhouette = displacement(object, format);
     let size = (prepared.width, prepared.height);
     let adrift = match silhouette.pixels {
@@ -42,6 +45,7 @@ pub(super) fn review(
         }),
     };
     found.undecided.adrift = adrift.len();
+    let angles = Spread::of(found.angles.iter().copied().map(f64::from).collect());
     let bounds = ObjectBounds {
         f1: object.bounds.f1,
         f2: object.bounds.f2,
@@ -51,41 +55,45 @@ pub(super) fn review(
         depth_terms: worst_terms(&object.bounds),
         silhouette_px: silhouette.pixels,
         silhouette_singular: silhouette.singular.is_some(),
-        normal_deg: found.angles.iter().copied().fold(0.0, f32::max).into(),
-        normal_deg_999: quantile_999(&mut found.angles),
+        normal_deg: angles.max,
+        normal_deg_999: angles.quantile_999,
         normals_undetermined: found.undetermined,
     };
     let kind = quadric_kind(&framed.quadric);
+    let words = &object.words;
+    // None of an object that no pixel shows.
+    let is_idle = |&index: &usize| {
+        found.pixels > 0
+            && words.planes[index].kind != PlaneKind::None
+            && is_without_effect(words, index, format)
+    };
+    let idle: Vec<usize> = (0..words.planes.len()).filter(is_idle).collect();
+    let problems = problems(object, format, &idle, &found, silhouette, &adrift);
+    let planes = object.words.planes.iter().enumerate();
+    let perpendicular = planes.filter(|(_, plane)| plane.kind == PlaneKind::Perpendicular);
     let report = QuadricReport {
         surface: framed.surface,
         class: object.words.class,
         planes: framed.planes.len(),
         front_view: object.words.class == Class::Front,
         prism: object.words.class == Class::Prism,
-        degenerate: is_degenerate(kind),
-        perpendicular_planes: perpendicular_planes(&object.words),
+        degenerate: matches!(
+            kind,
+            "plane_pair" | "double_plane" | "plane" | "line" | "point" | "empty"
+        ),
+        perpendicular_planes: perpendicular.map(|(index, _)| index).collect(),
         needed: object.needed.clone(),
         accumulators: accumulators(object, size, format),
         bounds,
-        planes_without_effect: planes_without_effect(object, &found, format),
+        planes_without_effect: idle,
         angles: std::mem::take(&mut found.angles),
     };
-    let without_effect = &report.planes_without_effect;
     Reviewed {
         kind,
-        problems: problems(object, format, without_effect, &found, silhouette, &adrift),
+        problems,
         found,
         detail: Detail::Quadric(Box::new(report)),
     }
-}
-
-/// The angle that all but one in a thousand of the values stay within; zero if there are none.
-pub(super) fn quantile_999(angles: &mut [f32]) -> f64 {
-    if angles.is_empty() {
-        return 0.0;
-    }
-    let index = (angles.len() * 999).div_ceil(1000) - 1;
-    f64::from(*angles.select_nth_unstable_by(index, f32::total_cmp).1)
 }
 
 fn lines(window: &ScreenBox) -> impl ParallelIterator<Item = i64> + use<> {
@@ -161,34 +169,6 @@ fn problems(
     problems
 }
 
-/// Kinds of quadrics that are no curved surface.
-fn is_degenerate(kind: &str) -> bool {
-    matches!(
-        kind,
-        "plane_pair" | "double_plane" | "plane" | "line" | "point" | "empty"
-    )
-}
-
-fn perpendicular_planes(words: &QuadricWords) -> Vec<usize> {
-    let is = |&index: &usize| words.planes[index].kind == PlaneKind::Perpendicular;
-    (0..words.planes.len()).filter(is).collect()
-}
-
-/// None of an object that no pixel shows.
-fn planes_without_effect(
-    object: &PreparedQuadric,
-    found: &Findings,
-    format: &Format,
-) -> Vec<usize> {
-    let words = &object.words;
-    let idle = |&index: &usize| {
-        words.planes[index].kind != PlaneKind::None && is_without_effect(words, index, format)
-    };
-    let is_shown = found.pixels > 0;
-    let planes = 0..words.planes.len();
-    planes.filter(|at| is_shown && idle(at)).collect()
-}
-
 /// True if the golden processor sees the same on every pixel of the box without this plane.
 fn is_without_effect(words: &QuadricWords, index: usize, format: &Format) -> bool {
     let mut without = words.clone();
@@ -200,4 +180,70 @@ fn line_of(words: &QuadricWords, format: &Format, y: i64) -> Vec<(i64, ObjectPix
     let mut line = vec![];
     for_each_present(words, format, y, |x, pixel| line.push((x, pixel)));
     line
+}
+
+/// Of an object of another processor than quadric or patch, which is held against the truth at every pixel.
+pub(super) fn review_parts(
+    framed: &FramedObject,
+    object: &PreparedObject,
+    judge: &Judge,
+    prepared: &PreparedScene,
+    jury: &Jury,
+) -> Reviewed {
+    let window = judge.window();
+    let line = |y: i64| {
+        let mut found = Findings::default();
+        let Judge::Truth(comparison) = judge else {
+            return found;
+        };
+        for compared in comparison.line(y, window.x0..=window.x1) {
+            let verdict = compared.verdict();
+            found.pixels += usize::from(compared.is_drawn());
+            found.depth = found.depth.max(compared.depth_error().unwrap_or(0.0));
+            found.undecided.count(&verdict);
+            found.presence.push(Presence::of(&verdict));
+        }
+        found
+    };
+    let found = lines(&window).map(line);
+    let mut found = found.reduce(Findings::default, Findings::merged);
+    let adrift = jury.adrift(&Silhouette {
+        window,
+        presence: std::mem::take(&mut found.presence),
+        size: (prepared.width, prepared.height),
+    });
+    found.undecided.adrift = adrift.len();
+    let mut problems = object.notes().to_vec();
+    problems.extend(unshown_problem(object.screen_box(), found.pixels));
+    problems.extend(adrift_problem(&adrift));
+    let report = PartsReport {
+        processors: object.words().len(),
+        needed: match object {
+            PreparedObject::Parts(parts) => parts.needed.clone(),
+            _ => vec![],
+        },
+        bounds: PartsBounds {
+            depth_lsb: found.depth,
+        },
+    };
+    Reviewed {
+        kind: kind(framed),
+        found,
+        problems,
+        detail: Detail::Parts(report),
+    }
+}
+
+fn kind(framed: &FramedObject) -> &'static str {
+    match framed {
+        FramedObject::Unseen(_) => "unseen",
+        FramedObject::Polyhedron(_) => "polyhedron",
+        FramedObject::Mesh(_) => "mesh",
+        FramedObject::Sphere(_) | FramedObject::CurvedSphere(_) => "sphere",
+        FramedObject::Cylinder(_) => "elliptic_cylinder",
+        FramedObject::Quadric(q)
+        | FramedObject::Patch(q)
+        | FramedObject::FirstGeneration(q)
+        | FramedObject::CurvedFacet(q) => quadric_kind(&q.quadric),
+    }
 }

@@ -50,28 +50,19 @@ impl Silhouette {
         pixels.filter(|&at| self.is_adrift(at)).collect()
     }
 
-    fn is_adrift(&self, at: (i64, i64)) -> bool {
-        if self.at(at) != Some(Presence::Open) {
+    fn is_adrift(&self, (x, y): (i64, i64)) -> bool {
+        let is_open = |u: i64, v: i64| self.at((x + u, y + v)) == Some(Presence::Open);
+        // One of the four squares of four pixels that hold this one is all open.
+        let mut squares = [(-1, -1), (-1, 1), (1, -1), (1, 1)].into_iter();
+        let is_square = |(u, v)| is_open(u, 0) && is_open(0, v) && is_open(u, v);
+        if !is_open(0, 0) || !squares.any(is_square) {
             return false;
         }
-        let has = |what| {
-            self.around(at)
-                .any(|found| found.is_none_or(|found| found == what))
-        };
-        self.is_of_a_square(at) && !(has(Presence::Absent) && has(Presence::Present))
-    }
-
-    /// Whether one of the four squares of four pixels that hold this one is all open.
-    fn is_of_a_square(&self, (x, y): (i64, i64)) -> bool {
-        let open = |u: i64, v: i64| self.at((x + u, y + v)) == Some(Presence::Open);
-        let mut squares = [(-1, -1), (-1, 1), (1, -1), (1, 1)].into_iter();
-        squares.any(|(u, v)| open(u, 0) && open(0, v) && open(u, v))
-    }
-
-    fn around(&self, (x, y): (i64, i64)) -> impl Iterator<Item = Option<Presence>> + '_ {
-        let steps = (-1..=1).flat_map(|v| (-1..=1).map(move |u| (u, v)));
-        let steps = steps.filter(|&step| step != (0, 0));
-        steps.map(move |(u, v)| self.at((x + u, y + v)))
+        // This pixel is open itself, so it is neither of both.
+        let around = ScreenBox::of([x - 1, x + 1], [y - 1, y + 1]);
+        let is = |at, what| self.at(at).is_none_or(|found| found == what);
+        let has = |what| around.each().any(|at| is(at, what));
+        !(has(Presence::Absent) && has(Presence::Present))
     }
 
     /// Nothing beyond the picture.

@@ -9,7 +9,7 @@ use super::accumulators::plane_bits;
 use super::contour::{displacement, steep_everywhere};
 use super::jury::Jury;
 use super::outline::{Presence, Silhouette};
-use super::pixels::adrift_problem;
+use super::report::adrift_problem;
 use super::verdict::decide;
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::ScreenBox;
@@ -37,8 +37,8 @@ pub struct Failing {
 pub fn failing(scene: &FramedScene, prepared: &PreparedScene) -> Vec<Failing> {
     let jury = OnceLock::new();
     let jury = || jury.get_or_init(|| Jury::new(scene, prepared));
-    let quadrics: Vec<&PreparedQuadric> = prepared.quadrics().map(|(_, object)| object).collect();
-    let found = quadrics.into_par_iter().filter_map(|object| {
+    let found = prepared.objects.par_iter().filter_map(|object| {
+        let object = object.quadric()?;
         let reason = wraps(object, &prepared.format).or_else(|| {
             let silhouette = open_part(object, prepared)?;
             let adrift = jury().adrift(&silhouette);
@@ -54,12 +54,10 @@ pub fn failing(scene: &FramedScene, prepared: &PreparedScene) -> Vec<Failing> {
 }
 
 fn wraps(object: &PreparedQuadric, format: &Format) -> Option<String> {
-    let needed = &object.needed;
-    let fits = needed.sum <= format.sum
-        && needed.quadratic <= format.quadratic
-        && plane_bits(&object.words)
-            .iter()
-            .all(|&bits| bits <= format.plane);
+    let planes = plane_bits(&object.words);
+    let fits = object.needed.sum <= format.sum
+        && object.needed.quadratic <= format.quadratic
+        && planes.iter().all(|&bits| bits <= format.plane);
     (!fits).then(|| "a word does not fit and wraps".to_owned())
 }
 
@@ -96,8 +94,7 @@ fn open_part(object: &PreparedQuadric, prepared: &PreparedScene) -> Option<Silho
     })
 }
 
-/// Intervals of the columns of line `y`, first and last, that hold all pixels at which f2 may be within its error of
-/// zero.
+/// Intervals of columns, first and last, that hold all pixels of line `y` with f2 within its error of zero.
 pub fn near_zero(object: &PreparedQuadric, format: &Format, y: i64) -> Vec<[i64; 2]> {
     let words = &object.words;
     let ScreenBox { x0, x1, .. } = words.screen_box;
@@ -108,29 +105,22 @@ pub fn near_zero(object: &PreparedQuadric, format: &Format, y: i64) -> Vec<[i64;
     let unit = f64::from(1u32 << format.guard_quadratic);
     let error = (object.bounds.f2 + 1.0) * unit;
     let (first, last) = ((x0 - middle) as f64, (x1 - middle) as f64);
-    let mut ends = vec![first, last];
-    for level in [-error, error] {
-        ends.extend(
-            real_roots(a, b, c - level)
-                .into_iter()
-                .filter(|u| (first..last).contains(u)),
-        );
-    }
+    let mut ends = [real_roots(a, b, c + error), real_roots(a, b, c - error)].concat();
+    ends.retain(|u| (first..last).contains(u));
+    ends.extend([first, last]);
     ends.sort_by(f64::total_cmp);
     let scale = (a.abs() * last.max(-first) + b.abs()) * last.max(-first) + c.abs();
     let near = |u: f64| ((a * u + b) * u + c).abs() <= error + 1e-12 * scale;
-    let gaps = ends.windows(2).filter(|gap| near(0.5 * (gap[0] + gap[1])));
-    let inner = gaps.map(|gap| [gap[0], gap[1]]);
+    let columns = |[low, high]: [f64; 2]| {
+        let low = (low - SPARE).ceil() as i64 + middle;
+        let high = (high + SPARE).floor() as i64 + middle;
+        (low <= high).then_some([low.max(x0), high.min(x1)])
+    };
+    let gaps = ends.windows(2).map(|gap| [gap[0], gap[1]]);
+    let gaps = gaps.filter(|[low, high]| near(0.5 * (low + high)));
     // A root by itself, where the band is narrower than two roots can tell.
     let alone = ends.iter().map(|&u| [u, u]);
-    inner
-        .chain(alone)
-        .filter_map(|[low, high]| {
-            let low = (low - SPARE).ceil() as i64 + middle;
-            let high = (high + SPARE).floor() as i64 + middle;
-            (low <= high).then_some([low.max(x0), high.min(x1)])
-        })
-        .collect()
+    gaps.chain(alone).filter_map(columns).collect()
 }
 
 /// The real roots of `a u^2 + b u + c`; a pair that is barely complex counts as double.

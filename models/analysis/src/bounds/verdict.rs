@@ -4,7 +4,7 @@
 //! Where the ranges are apart, true and computed picture agree on presence and face; where they overlap the pixel
 //! is *undecided*.
 
-use super::depth::{Range, certain, face_ranges};
+use super::depth::{Range, both, certain, face_ranges};
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::PlaneWords;
 use imogene_golden::unit::cut_plane::PlaneKind;
@@ -26,7 +26,6 @@ pub(super) enum Verdict {
     },
 }
 
-/// The number of a face, and the range of its depth.
 pub(super) type Bounded = (u8, Range);
 
 /// The values of one object at one pixel, each with the range in which true and computed one lie.
@@ -50,8 +49,7 @@ pub(super) fn decide(object: &PreparedQuadric, format: &Format, x: i64, y: i64) 
         return Verdict::Absent;
     }
     let f2 = words.f2_at(x, y, format);
-    let radicand = Range::of_dropped(f2, bounds.f2, bounds.dropped_f2);
-    let seen = radicand.not_negative();
+    let seen = Range::of_dropped(f2, bounds.f2, bounds.dropped_f2).not_negative();
     if seen == Some(false) && words.class != Class::Front {
         return Verdict::Absent;
     }
@@ -83,7 +81,11 @@ impl Pixel {
             Class::Side => self.side(),
             Class::Front => self.front(),
             Class::Patch => self.patch(),
-            Class::Prism => self.prism(),
+            Class::Prism => match (self.seen, self.convex(&self.entries(), self.exit())) {
+                (Some(false), _) => Verdict::Absent,
+                (None, Verdict::Face(_, depth)) => self.undecided(depth.low),
+                (_, line) => line,
+            },
         };
         match verdict {
             Verdict::Face(_, depth) if sides.is_none() => self.undecided(depth.low),
@@ -100,17 +102,14 @@ impl Pixel {
 
     fn planes_of(&self, kind: PlaneKind) -> impl Iterator<Item = (usize, Range)> + '_ {
         let planes = self.planes.iter().enumerate();
-        let of_kind = planes.filter(move |(_, plane)| plane.0 == kind);
-        of_kind.map(|(i, plane)| (i, plane.1))
+        planes.filter_map(move |(i, plane)| (plane.0 == kind).then_some((i, plane.1)))
     }
 
-    /// Whether all perpendicular planes keep the pixel.
     fn half_planes(&self) -> Option<bool> {
-        let mut planes = self.planes_of(PlaneKind::Perpendicular);
-        let kept = |(_, value): (usize, Range)| value.low >= 0.0;
-        let gone = |(_, value): (usize, Range)| value.high < 0.0;
-        let is_gone = self.planes_of(PlaneKind::Perpendicular).any(gone);
-        certain(planes.all(kept), is_gone)
+        let planes = self.planes_of(PlaneKind::Perpendicular);
+        planes.fold(Some(true), |all, (_, value)| {
+            both(all, value.not_negative())
+        })
     }
 
     /// The near end and the front planes: the ray is kept behind the farthest of them.
@@ -123,9 +122,8 @@ impl Pixel {
 
     /// The ray is kept before the nearest back plane.
     fn exit(&self) -> Range {
-        let planes = self.planes_of(PlaneKind::Back);
-        let nearer = |exit: Range, (_, depth): (usize, Range)| exit.min(&depth);
-        planes.fold(Range::point(f64::INFINITY), nearer)
+        let depths = self.planes_of(PlaneKind::Back).map(|(_, depth)| depth);
+        depths.fold(Range::point(f64::INFINITY), |exit, depth| exit.min(&depth))
     }
 
     /// The solid between the farthest of `entries` and `exit`.
@@ -177,15 +175,6 @@ impl Pixel {
         self.undecided(entry.low)
     }
 
-    fn prism(&self) -> Verdict {
-        let line = self.convex(&self.entries(), self.exit());
-        match (self.seen, line) {
-            (Some(false), _) => Verdict::Absent,
-            (None, Verdict::Face(_, depth)) => self.undecided(depth.low),
-            _ => line,
-        }
-    }
-
     /// The first of the two roots that every plane and both ends keep.
     fn patch(&self) -> Verdict {
         if self.seen == Some(false) {
@@ -211,22 +200,20 @@ impl Pixel {
 }
 
 fn farthest(faces: &[Bounded]) -> Range {
-    let depths = faces.iter().map(|f| f.1);
-    let farthest = depths.reduce(|a, b| a.max(&b));
+    let farthest = faces.iter().map(|f| f.1).reduce(|a, b| a.max(&b));
     farthest.expect("the near end is always there")
 }
 
 /// The face that is certainly the farthest, if there is one.
 fn winner(faces: &[Bounded]) -> Option<Bounded> {
-    let last = faces.iter().enumerate();
-    let last = last.max_by(|(_, a), (_, b)| a.1.low.total_cmp(&b.1.low));
+    let all = faces.iter().enumerate();
+    let last = all.max_by(|(_, a), (_, b)| a.1.low.total_cmp(&b.1.low));
     let (index, best) = last.expect("the near end is always there");
     let mut others = faces.iter().enumerate().filter(|(i, _)| *i != index);
     let alone = others.all(|(_, face)| face.1.below(&best.1));
     alone.then_some(*best)
 }
 
-/// A face of an object, with the range of its depth.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Seen {
     pub id: usize,

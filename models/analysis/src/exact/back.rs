@@ -1,11 +1,11 @@
 //! Where objects end along a line of sight, behind the point at which they are first seen.
 
+use super::number::SurdReal;
 use super::ray::{Hit, RayObject, is_visible, ordered_roots};
-use super::real::SurdReal;
 use super::render::{DEPTH_FRACTION, Found};
 use imogene_golden::format::Format;
 use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR};
-use imogene_scene::{FramedScene, Surface};
+use imogene_scene::{FramedObject, FramedScene, Surface};
 use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive, Zero};
 use rayon::prelude::*;
@@ -23,8 +23,8 @@ pub struct ExactBack {
 impl RayObject {
     /// The end of the solid part that begins at the first visible point, or the last kept face of a patch.
     pub fn back_of(&self, hit: &Hit, x: i64, y: i64) -> Hit {
-        let [a, b, c] = self.polynomial(x, y);
-        let roots = ordered_roots(&a, &b, &c);
+        let polynomial = self.polynomial(x, y);
+        let roots = ordered_roots(&polynomial);
         match self.surface {
             Surface::Patch => {
                 let kept = |w: &SurdReal| is_visible(w) && self.planes_keep(w, x, y);
@@ -33,33 +33,27 @@ impl RayObject {
             }
             Surface::Solid => {
                 let kept = self.kept_interval(x, y);
-                let [_, high] = kept.expect("a solid that is seen has an interval");
-                let end = SurdReal::ratio(high.w.0, high.w.1);
-                match left_at(&a, &b, &c, roots, hit) {
-                    Some((leaving, number)) if leaving < end => Hit::new(leaving, number),
-                    _ => Hit::new(end, high.number),
+                let [_, ((n, d), number)] = kept.expect("a solid that is seen has an interval");
+                let end = SurdReal::ratio(n, d);
+                // Where the line of sight leaves the unbounded quadric that it is in at the first visible point.
+                let [a, b, c] = &polynomial;
+                let left = match roots {
+                    Some([_, second]) if a.is_positive() => Some((second, FACE_FAR)),
+                    // Outside between the roots: behind the second one it is inside for ever.
+                    Some([first, _]) => {
+                        (hit.number != FACE_FAR && hit.w <= first).then_some((first, FACE_NEAR))
+                    }
+                    None if a.is_zero() && b.is_positive() => {
+                        Some((SurdReal::ratio(-c, b.clone()), FACE_NEAR))
+                    }
+                    None => None,
+                };
+                match left {
+                    Some((leaving, face)) if leaving < end => Hit::new(leaving, face),
+                    _ => Hit::new(end, number),
                 }
             }
         }
-    }
-}
-
-/// Where the line of sight leaves the unbounded quadric that it is in at the first visible point, if it does.
-fn left_at(
-    a: &BigInt,
-    b: &BigInt,
-    c: &BigInt,
-    roots: Option<[SurdReal; 2]>,
-    hit: &Hit,
-) -> Option<(SurdReal, u8)> {
-    match roots {
-        Some([_, second]) if a.is_positive() => Some((second, FACE_FAR)),
-        // Outside between the roots: behind the second one it is inside for ever.
-        Some([first, _]) => {
-            (hit.number != FACE_FAR && hit.w <= first).then_some((first, FACE_NEAR))
-        }
-        None if a.is_zero() && b.is_positive() => Some((SurdReal::ratio(-c, b.clone()), FACE_NEAR)),
-        None => None,
     }
 }
 
@@ -67,12 +61,12 @@ fn left_at(
 pub fn backs(pixels: &[Found], scene: &FramedScene, format: &Format) -> Vec<Option<ExactBack>> {
     let members: Vec<usize> = scene.solids.iter().flat_map(|s| s.tree.objects()).collect();
     let seen: BTreeSet<u32> = pixels.iter().flatten().map(|pixel| pixel.id).collect();
-    let rays = scene.objects.iter().enumerate().map(|(id, object)| {
+    let rays = |(id, object): (usize, &FramedObject)| {
         let is_alone = seen.contains(&(id as u32)) && !members.contains(&id);
         let alone = object.quadric().filter(|_| is_alone);
         Some(RayObject::new(alone?, scene))
-    });
-    let rays: Vec<Option<RayObject>> = rays.collect();
+    };
+    let rays: Vec<Option<RayObject>> = scene.objects.iter().enumerate().map(rays).collect();
     let full = BigInt::from(format.z_max());
     let back = |(index, pixel): (usize, &Found)| {
         let pixel = pixel.as_ref()?;

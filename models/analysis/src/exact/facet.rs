@@ -1,7 +1,7 @@
 //! A mesh along one line of sight: flat facets with corners where they truly are, in exact integers.
 
+use super::number::SurdReal;
 use super::ray::{Hit, coprime, dot, first_degree, is_visible, ray_points};
-use super::real::SurdReal;
 use imogene_algebra::rational::{integer, to_f64};
 use imogene_algebra::vector::{self, Vector, cross, minus};
 use imogene_algebra::whole::common_denominator;
@@ -35,14 +35,25 @@ impl RayMesh {
     pub fn new(mesh: &FramedMesh, scene: &FramedScene) -> RayMesh {
         let rays = ray_points(scene);
         let first = [scene.width, scene.height].map(|n| -integer(i64::from(n)) / integer(2));
-        let seen = |vertex| on_screen(vertex, &scene.projection, &first);
+        // Column and line at which a point is seen; `None` if it is not before the viewer.
+        let seen = |[x, y, z]: &Point| {
+            let closer = match &scene.projection {
+                Projection::Perspective { distance } if !(distance + z).is_positive() => {
+                    return None;
+                }
+                Projection::Perspective { distance } => distance / (distance + z),
+                Projection::Orthographic { .. } => integer(1),
+            };
+            Some([x * &closer - &first[0], y * &closer - &first[1]])
+        };
         let seen: Vec<Option<[BigRational; 2]>> = mesh.vertices.iter().map(seen).collect();
         let facet = |(index, facet): (usize, &FramedFacet)| {
             let corners: Option<Vec<[BigRational; 2]>> =
                 facet.corners.iter().map(|&k| seen[k].clone()).collect();
             let [p, q, r] = [0, 1, 2].map(|k| &mesh.vertices[facet.corners[k]]);
-            let plane = plane_through(p, q, r);
-            let (factors, _) = common_denominator(plane.each_ref());
+            let [a, b, c] = &cross(minus(q, p), minus(r, p));
+            let d = -vector::dot([a, b, c].map(Clone::clone), p);
+            let (factors, _) = common_denominator([a, b, c, &d]);
             let (constant, slope) = &rays;
             Some(RayFacet {
                 index,
@@ -83,21 +94,6 @@ impl RayFacet {
     }
 }
 
-/// Column and line at which a point is seen; `None` if it is not before the viewer.
-fn on_screen(
-    point: &Point,
-    projection: &Projection,
-    first: &[BigRational; 2],
-) -> Option<[BigRational; 2]> {
-    let [x, y, z] = point;
-    let closer = match projection {
-        Projection::Perspective { distance } if !(distance + z).is_positive() => return None,
-        Projection::Perspective { distance } => distance / (distance + z),
-        Projection::Orthographic { .. } => integer(1),
-    };
-    Some([x * &closer - &first[0], y * &closer - &first[1]])
-}
-
 /// The sides, not negative inside; `None` if the corners are in a line.
 fn edges(corners: &[[BigRational; 2]]) -> Option<Vec<[BigInt; 3]>> {
     let n = corners.len();
@@ -131,16 +127,7 @@ fn window(corners: &[[BigRational; 2]]) -> ScreenBox {
     ScreenBox::of(bound(0), bound(1))
 }
 
-/// The factors of the plane through three points.
-fn plane_through(p: &Point, q: &Point, r: &Point) -> [BigRational; 4] {
-    let normal = cross(minus(q, p), minus(r, p));
-    let d = -vector::dot(&normal, p);
-    let [a, b, c] = normal;
-    [a, b, c, d]
-}
-
-/// Normals of a mesh in floating point: those of its corners, weighted by the place within the facet, or the facet's
-/// own.
+/// Normals of a mesh: those of its corners, weighted by the place within the facet, or the facet's own.
 pub(super) struct MeshNormals<'a> {
     mesh: &'a FramedMesh,
     vertices: Vec<[f64; 3]>,
@@ -171,14 +158,9 @@ impl MeshNormals<'_> {
             });
             (least, sum)
         };
-        let (least, sum) = weigh([0, 1, 2]);
-        if facet.corners.len() == 4 {
-            let (other, other_sum) = weigh([0, 2, 3]);
-            if other > least {
-                return other_sum;
-            }
-        }
-        sum
+        let one = weigh([0, 1, 2]);
+        let other = (facet.corners.len() == 4).then(|| weigh([0, 2, 3]));
+        other.filter(|other| other.0 > one.0).unwrap_or(one).1
     }
 }
 

@@ -4,10 +4,7 @@
 //! -2 <= w < 0. In perspective `w = -1/t` for the point `eye + t (pixel - eye)`; in an orthographic view `z =
 //! half_depth (1 + w)`.
 
-use super::ball::{Ball, exponent};
-use super::number::Number;
-use super::real::SurdReal;
-use super::surd::order;
+use super::number::{Ball, Number, SurdReal, exponent, order};
 use imogene_algebra::matrix::{Matrix4, symmetric};
 use imogene_algebra::whole::{common_denominator, common_divisor};
 use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
@@ -44,8 +41,7 @@ impl Hit {
 #[derive(Clone, Debug)]
 pub struct RayObject {
     pub(crate) surface: Surface,
-    /// Factors of w^2, w and 1, each `a x^2 + b y^2 + c xy + d x + e y + f`, with one common positive denominator
-    /// dropped.
+    /// Factors of w^2, w and 1, each `a x^2 + b y^2 + c xy + d x + e y + f`, over a common positive denominator.
     pub(crate) along: [[BigInt; 6]; 3],
     /// The same, divided by a power of two, near enough to tell most of the pixels at which there is no root.
     near: [[Ball; 6]; 3],
@@ -82,7 +78,6 @@ impl RayObject {
         }
     }
 
-    /// Factors of w^2, w and 1 at a pixel.
     pub(super) fn polynomial(&self, x: i64, y: i64) -> [BigInt; 3] {
         self.along.each_ref().map(|p| second_degree(p, x, y))
     }
@@ -131,11 +126,11 @@ impl RayObject {
     /// else where the ray next enters the quadric.
     fn solid_hit(&self, x: i64, y: i64) -> Option<Hit> {
         let [low, high] = self.kept_interval(x, y)?;
-        let (start, end) = (&low.w, &high.w);
+        let ((start, number), (end, _)) = (&low, &high);
         let polynomial = self.polynomial(x, y);
         if at_ratio(&polynomial, start) <= Ordering::Equal {
             let w = SurdReal::ratio(start.0.clone(), start.1.clone());
-            return Some(Hit::new(w, low.number));
+            return Some(Hit::new(w, *number));
         }
         let kept = |w: &SurdReal| {
             w.cmp_ratio(&start.0, &start.1) != Ordering::Less
@@ -145,13 +140,10 @@ impl RayObject {
         first_of(&polynomial, kept)
     }
 
-    /// The part of the ray that the planes, the near and the far end leave: a start and an end, each with the face that
-    /// bounds it.
+    /// The start and the end of what planes, near end and far end leave of the ray, each with its face.
     pub(super) fn kept_interval(&self, x: i64, y: i64) -> Option<[End; 2]> {
-        let [mut low, mut high] = [-2, 0].map(|w| End {
-            w: (BigInt::from(w), BigInt::one()),
-            number: FACE_NEAR_END,
-        });
+        let end = |w: i32| ((BigInt::from(w), BigInt::one()), FACE_NEAR_END);
+        let [mut low, mut high] = [-2, 0].map(end);
         for (i, plane) in self.planes.iter().enumerate() {
             let [slope, constant] = plane.each_ref().map(|p| first_degree(p, x, y));
             if slope.is_zero() {
@@ -160,21 +152,19 @@ impl RayObject {
                 }
                 continue;
             }
-            let bound = End {
-                w: (-&constant * slope.signum(), slope.abs()),
-                number: FACE_PLANE + i as u8,
-            };
+            let w = (-&constant * slope.signum(), slope.abs());
+            let number = FACE_PLANE + i as u8;
             if slope.is_positive() {
-                if less(&bound.w, &high.w) {
-                    high = bound;
+                if less(&w, &high.0) {
+                    high = (w, number);
                 }
-            } else if less(&low.w, &bound.w) {
-                low = bound;
+            } else if less(&low.0, &w) {
+                low = (w, number);
             }
         }
         // The end is closed at a plane and open at infinity.
         let zero = (BigInt::zero(), BigInt::one());
-        (!less(&high.w, &low.w) && less(&low.w, &zero)).then_some([low, high])
+        (!less(&high.0, &low.0) && less(&low.0, &zero)).then_some([low, high])
     }
 }
 
@@ -183,20 +173,15 @@ pub(super) fn is_visible(w: &SurdReal) -> bool {
     w.cmp_ratio(&BigInt::from(-2), &BigInt::one()) != Ordering::Less && w.signum() == Ordering::Less
 }
 
-/// A rational with positive denominator.
 pub(super) type Ratio = (BigInt, BigInt);
 
 /// An end of what is left of a ray, and the face that bounds it.
-pub(super) struct End {
-    pub(super) w: Ratio,
-    pub(super) number: u8,
-}
+pub(super) type End = (Ratio, u8);
 
 fn less(a: &Ratio, b: &Ratio) -> bool {
     &a.0 * &b.1 < &b.0 * &a.1
 }
 
-/// Sign of `a w^2 + b w + c` at a rational.
 fn at_ratio([a, b, c]: &[BigInt; 3], w: &Ratio) -> Ordering {
     let value = (a * &w.0 + b * &w.1) * &w.0 + c * &w.1 * &w.1;
     value.cmp(&BigInt::zero())
@@ -204,10 +189,11 @@ fn at_ratio([a, b, c]: &[BigInt; 3], w: &Ratio) -> Ordering {
 
 /// The first root of `a w^2 + b w + c` that is kept. What a line of sight meets once, such as a non-planar facet, has a
 /// near face alone, and is entered there.
-fn first_of([a, b, c]: &[BigInt; 3], kept: impl Fn(&SurdReal) -> bool) -> Option<Hit> {
+fn first_of(polynomial: &[BigInt; 3], kept: impl Fn(&SurdReal) -> bool) -> Option<Hit> {
+    let [a, b, c] = polynomial;
     let roots = match a.is_zero() && !b.is_zero() {
         true => vec![SurdReal::ratio(-c, b.clone())],
-        false => ordered_roots(a, b, c)?.to_vec(),
+        false => ordered_roots(polynomial)?.to_vec(),
     };
     let mut faces = roots.into_iter().zip([FACE_NEAR, FACE_FAR]);
     let (w, number) = faces.find(|(w, _)| kept(w))?;
@@ -215,7 +201,7 @@ fn first_of([a, b, c]: &[BigInt; 3], kept: impl Fn(&SurdReal) -> bool) -> Option
 }
 
 /// The real roots of `a w^2 + b w + c` in ascending order; none if there are no two (or one double).
-pub(super) fn ordered_roots(a: &BigInt, b: &BigInt, c: &BigInt) -> Option<[SurdReal; 2]> {
+pub(super) fn ordered_roots([a, b, c]: &[BigInt; 3]) -> Option<[SurdReal; 2]> {
     if a.is_zero() {
         return None;
     }

@@ -1,8 +1,8 @@
 //! A whole picture from the exact reference.
 
 use super::facet::{MeshNormals, RayMesh};
+use super::number::SurdReal;
 use super::ray::{Hit, RayObject};
-use super::real::SurdReal;
 use imogene_algebra::rational::to_f64;
 use imogene_algebra::vector::length;
 use imogene_algebra::whole::greatest;
@@ -10,7 +10,7 @@ use imogene_golden::format::Format;
 use imogene_golden::machine::frame::{Frame, FrameLayer};
 use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
 use imogene_golden::unit::normal::NEAR_END_NORMAL;
-use imogene_scene::{FramedObject, FramedQuadric, FramedScene, FramedSolid, Tree};
+use imogene_scene::{FramedObject, FramedScene, FramedSolid, Tree};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
@@ -38,7 +38,6 @@ pub struct ExactPixel {
 /// What is seen at a pixel; nothing on the background.
 pub type Found = Option<ExactPixel>;
 
-/// An object along the rays of a screen.
 pub(super) enum Rays {
     Cut(Box<RayObject>),
     Mesh(RayMesh),
@@ -121,45 +120,39 @@ fn pixels(
 }
 
 /// All that can be seen along the rays of a screen.
-pub(super) struct View<'a> {
+pub struct View<'a> {
     objects: Vec<Option<Rays>>,
     solids: &'a [FramedSolid],
-    /// Objects of each solid.
     members: Vec<BTreeSet<usize>>,
     /// Objects in none.
     alone: Vec<usize>,
 }
 
 impl View<'_> {
-    pub(super) fn new(scene: &FramedScene) -> View<'_> {
+    /// Sets up the rays of a scene's screen.
+    pub fn new(scene: &FramedScene) -> View<'_> {
         let of = |solid: &FramedSolid| solid.tree.objects().into_iter().collect();
         let members: Vec<BTreeSet<usize>> = scene.solids.iter().map(of).collect();
         let is_alone = |id: &usize| !members.iter().any(|members| members.contains(id));
         let opaque = (0..scene.objects.len()).filter(|id| !scene.is_transparent(*id));
-        let alone = opaque.filter(is_alone).collect();
         View {
             objects: scene.objects.iter().map(|o| Rays::new(o, scene)).collect(),
             solids: &scene.solids,
-            alone,
+            alone: opaque.filter(is_alone).collect(),
             members,
         }
     }
 
-    /// The nearest hit, with its object; where two are exactly equal an object goes before a solid, then the earlier
-    /// one.
-    pub(super) fn visible(&self, x: i64, y: i64) -> Option<(u32, Hit)> {
-        let alone = self.alone.iter();
-        let alone = alone.filter_map(|&id| Some((id, self.objects[id].as_ref()?.first_hit(x, y)?)));
+    /// The nearest hit, with its object; of equal ones an object goes before a solid, then the earlier one.
+    pub fn visible(&self, x: i64, y: i64) -> Option<(u32, Hit)> {
+        let hit = |&id: &usize| Some((id, self.objects[id].as_ref()?.first_hit(x, y)?));
+        let interval = |&id: &usize| Some((id, self.objects[id].as_ref()?.interval(x, y)?));
         let solids = self.solids.iter().zip(&self.members);
         let solids = solids.filter_map(|(solid, members)| {
-            let met = members
-                .iter()
-                .filter_map(|&id| Some((id, self.objects[id].as_ref()?.interval(x, y)?)));
-            first_point(&solid.tree, &met.collect())
+            first_point(&solid.tree, &members.iter().filter_map(interval).collect())
         });
-        let all = alone.chain(solids);
-        let nearest = all.reduce(|best, hit| if hit.1.w < best.1.w { hit } else { best });
-        nearest.map(|(id, hit)| (id as u32, hit))
+        let all = self.alone.iter().filter_map(hit).chain(solids);
+        nearest(all).map(|(id, hit)| (id as u32, hit))
     }
 }
 
@@ -170,11 +163,8 @@ type Interval = [Hit; 2];
 /// contains the line. Of two faces there a front goes first, then the smaller index.
 fn first_point(tree: &Tree, met: &BTreeMap<usize, Interval>) -> Option<(usize, Hit)> {
     let is_within = |w: &SurdReal| {
-        let inside = |object: usize| {
-            met.get(&object)
-                .is_some_and(|[front, back]| front.w <= *w && *w < back.w)
-        };
-        tree.contains(&inside)
+        let holds = |[front, back]: &Interval| front.w <= *w && *w < back.w;
+        tree.contains(&|object| met.get(&object).is_some_and(holds))
     };
     let front = |(&id, [front, _]): (&usize, &Interval)| (id, front.clone());
     let back = |(&id, [_, back]): (&usize, &Interval)| {
@@ -191,9 +181,12 @@ fn first_point(tree: &Tree, met: &BTreeMap<usize, Interval>) -> Option<(usize, H
         (id, turned)
     };
     let faces = met.iter().map(front).chain(met.iter().map(back));
-    let seen = faces.filter(|(_, hit)| is_within(&hit.w));
-    // Of equal ones the first stays.
-    seen.reduce(|best, face| if face.1.w < best.1.w { face } else { best })
+    nearest(faces.filter(|(_, hit)| is_within(&hit.w)))
+}
+
+/// Of equally near ones the first.
+fn nearest(hits: impl Iterator<Item = (usize, Hit)>) -> Option<(usize, Hit)> {
+    hits.reduce(|best, hit| if hit.1.w < best.1.w { hit } else { best })
 }
 
 /// The exact picture rounded to a frame, for shading and comparison: depths floored, normals in full 16-bit words.
@@ -213,7 +206,6 @@ pub fn to_frame(pixels: &[Found], scene: &FramedScene, format: &Format) -> Frame
     frame
 }
 
-/// A transparent object by itself.
 fn layer(id: usize, scene: &FramedScene, format: &Format) -> FrameLayer {
     let object = Rays::new(&scene.objects[id], scene);
     let hit = |x, y| Some((id as u32, object.as_ref()?.first_hit(x, y)?));
@@ -243,33 +235,44 @@ pub fn directions(pixels: &[Found], scene: &FramedScene, format: &Format) -> Vec
         let point = scene.projection.antecedent(centre, depth);
         let normals = normals[pixel.id as usize].as_ref();
         let normals = normals.expect("no pixel shows what is unseen");
-        let direction = normals.at(pixel, point);
-        match pixel.is_back {
-            true => direction.map(|part| -part),
-            false => direction,
-        }
+        let turn = if pixel.is_back { -1.0 } else { 1.0 };
+        normals.at(pixel, point).map(|part| turn * part)
     };
     pixels.iter().enumerate().map(direction).collect()
 }
 
-/// Where the normals of an object come from.
+/// Where the normals of an object come from, in floating point.
 enum Normals<'a> {
-    Cut(Box<Gradient>),
+    /// Coefficients of the quadric, and normals of the planes.
+    Cut([f64; 10], Vec<[f64; 3]>),
     Mesh(MeshNormals<'a>),
 }
 
 impl Normals<'_> {
     fn new(object: &FramedObject) -> Option<Normals<'_>> {
-        Some(match object {
-            FramedObject::Mesh(mesh) => Normals::Mesh(MeshNormals::new(mesh)),
-            _ => Normals::Cut(Box::new(Gradient::new(&object.cut_quadric()?))),
-        })
+        if let FramedObject::Mesh(mesh) = object {
+            return Some(Normals::Mesh(MeshNormals::new(mesh)));
+        }
+        let cut = object.cut_quadric()?;
+        let planes = cut.planes.iter().map(|p| scaled([&p.a, &p.b, &p.c]));
+        let quadric = scaled(cut.quadric.coefficients());
+        Some(Normals::Cut(quadric, planes.collect()))
     }
 
     fn at(&self, pixel: &ExactPixel, point: [f64; 3]) -> [f64; 3] {
-        match self {
-            Normals::Cut(gradient) => gradient.direction(pixel.number, point),
-            Normals::Mesh(mesh) => mesh.at(pixel.part as usize, point),
+        let (quadric, planes) = match self {
+            Normals::Mesh(mesh) => return mesh.at(pixel.part as usize, point),
+            Normals::Cut(quadric, planes) => (quadric, planes),
+        };
+        match pixel.number {
+            FACE_NEAR_END => NEAR_END_NORMAL.map(f64::from),
+            n if n >= FACE_PLANE => planes[usize::from(n - FACE_PLANE)],
+            _ => {
+                let [a, b, c, d, e, f, g, h, i, _] = *quadric;
+                let [x, y, z] = point;
+                let rows = [[a, d, e, g], [d, b, f, h], [e, f, c, i]];
+                rows.map(|[u, v, w, one]| u * x + v * y + w * z + one)
+            }
         }
     }
 }
@@ -279,40 +282,8 @@ fn full_length(direction: [f64; 3]) -> [i16; 3] {
     direction.map(|v| (v / length * 32767.0).round() as i16)
 }
 
-/// An object's equation in floating point, for the direction of its normal only.
-struct Gradient {
-    quadric: [f64; 10],
-    planes: Vec<[f64; 3]>,
-}
-
-impl Gradient {
-    fn new(object: &FramedQuadric) -> Gradient {
-        let normals = object.planes.iter().map(|p| scaled([&p.a, &p.b, &p.c]));
-        Gradient {
-            quadric: scaled(object.quadric.coefficients()),
-            planes: normals.collect(),
-        }
-    }
-
-    fn direction(&self, number: u8, point: [f64; 3]) -> [f64; 3] {
-        match number {
-            FACE_NEAR_END => NEAR_END_NORMAL.map(f64::from),
-            n if n >= FACE_PLANE => self.planes[usize::from(n - FACE_PLANE)],
-            _ => {
-                let [a, b, c, d, e, f, g, h, i, _] = self.quadric;
-                let [x, y, z] = point;
-                [
-                    a * x + d * y + e * z + g,
-                    d * x + b * y + f * z + h,
-                    e * x + f * y + c * z + i,
-                ]
-            }
-        }
-    }
-}
-
-/// Numbers over the greatest of them.
-fn scaled<const N: usize>(coefficients: [&BigRational; N]) -> [f64; N] {
+/// Numbers over the greatest of them; all zero where that is.
+pub fn scaled<const N: usize>(coefficients: [&BigRational; N]) -> [f64; N] {
     let greatest = greatest(coefficients);
     match greatest.is_zero() {
         true => [0.0; N],

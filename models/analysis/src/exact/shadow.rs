@@ -11,12 +11,9 @@
 //! the source and one of its sides; of its own points if the viewer sees its other side. The signs are first told in
 //! ball arithmetic, and in exact numbers where that leaves one open.
 
-use super::ball::{Ball, balls, exponent};
-use super::number::Number;
+use super::number::{Ball, Number, Surd, SurdReal, balls, exponent};
 use super::ray::{first_degree, ray_points};
-use super::real::SurdReal;
 use super::render::View;
-use super::surd::Surd;
 use imogene_algebra::rational::integer;
 use imogene_algebra::vector;
 use imogene_algebra::whole::common_denominator;
@@ -31,10 +28,10 @@ use rayon::prelude::*;
 use std::cmp::Ordering;
 
 type Vector<F> = [F; 4];
+type Whole = Vector<BigInt>;
 
 /// The flags of a picture's sources; `line_done` is called once a line, from any thread.
 pub fn lighting(scene: &FramedScene, line_done: impl Fn() + Sync) -> Lighting {
-    let (width, height) = (scene.width, scene.height);
     let view = View::new(scene);
     let objects = scene.objects.iter().enumerate();
     let casters: Vec<Caster> = objects.filter_map(Caster::of).collect();
@@ -43,42 +40,38 @@ pub fn lighting(scene: &FramedScene, line_done: impl Fn() + Sync) -> Lighting {
         _ => None,
     });
     let meshes: Vec<&FramedMesh> = meshes.collect();
-    let sources = scene.sources.iter();
-    let sources: Vec<Source> = sources
-        .map(|source| Source::new(source, &casters, (&meshes, &viewer(scene))))
-        .collect();
+    let viewer = viewer(scene);
+    let source = |source| Source::new(source, &casters, &meshes, &viewer);
+    let sources: Vec<Source> = scene.sources.iter().map(source).collect();
     let (constant, slope) = ray_points(scene);
+    let flags_at = |x: i64, y: i64| {
+        let Some((object, hit)) = view.visible(x, y) else {
+            return ALL_SOURCES;
+        };
+        let ray = [&constant, &slope].map(|p| p.each_ref().map(|p| first_degree(p, x, y)));
+        let point = Seen {
+            exact: exact_point(&ray, &hit.w),
+            near: near_point(&ray, &hit.w),
+            object: object as usize,
+            face: hit.number,
+        };
+        let sources = sources.iter().enumerate();
+        let dark = sources.filter(|(_, source)| !source.reaches(&point, &casters));
+        dark.fold(ALL_SOURCES, |flags, (bit, _)| flags & !(1 << bit))
+    };
     let line = |y: i64| {
-        let flags: Vec<u16> = (0..i64::from(width))
-            .map(|x| {
-                let Some((object, hit)) = view.visible(x, y) else {
-                    return ALL_SOURCES;
-                };
-                let ray = [&constant, &slope].map(|p| p.each_ref().map(|p| first_degree(p, x, y)));
-                let point = Seen {
-                    exact: exact_point(&ray, &hit.w),
-                    near: near_point(&ray, &hit.w),
-                    object: object as usize,
-                    face: hit.number,
-                };
-                let sources = sources.iter().enumerate();
-                let dark = sources.filter(|(_, source)| !source.reaches(&point, &casters));
-                dark.fold(ALL_SOURCES, |flags, (bit, _)| flags & !(1 << bit))
-            })
-            .collect();
+        let flags = (0..i64::from(scene.width)).map(|x| flags_at(x, y));
+        let flags: Vec<u16> = flags.collect();
         line_done();
         flags
     };
+    let lines = (0..i64::from(scene.height)).into_par_iter();
     Lighting {
-        flags: (0..i64::from(height))
-            .into_par_iter()
-            .flat_map_iter(line)
-            .collect(),
+        flags: lines.flat_map_iter(line).collect(),
     }
 }
 
-/// The viewer as a homogeneous point.
-fn viewer(scene: &FramedScene) -> Vector<BigInt> {
+fn viewer(scene: &FramedScene) -> Whole {
     let [zero, one] = [0, 1].map(integer);
     let point = match &scene.projection {
         Projection::Perspective { distance } => [&zero, &zero, &-distance, &one],
@@ -87,7 +80,6 @@ fn viewer(scene: &FramedScene) -> Vector<BigInt> {
     common_denominator(point).0
 }
 
-/// A visible point.
 struct Seen {
     exact: Vector<Surd>,
     near: Vector<Ball>,
@@ -96,13 +88,13 @@ struct Seen {
 }
 
 /// `d (from + w along)` for `w = n / d`, d > 0.
-fn exact_point([from, along]: &[Vector<BigInt>; 2], w: &SurdReal) -> Vector<Surd> {
+fn exact_point([from, along]: &[Whole; 2], w: &SurdReal) -> Vector<Surd> {
     let (n, d) = w.as_surd();
     std::array::from_fn(|k| n.times(&along[k]).plus(&n.of(&(&from[k] * &d))))
 }
 
 /// `from + w along`, times a positive factor.
-fn near_point([from, along]: &[Vector<BigInt>; 2], w: &SurdReal) -> Vector<Ball> {
+fn near_point([from, along]: &[Whole; 2], w: &SurdReal) -> Vector<Ball> {
     let exponent = exponent(from.iter().chain(along));
     let [from, along] = [from, along].map(|v| v.each_ref().map(|v| Ball::scaled(v, exponent)));
     let w = w.ball();
@@ -128,10 +120,9 @@ impl Solid<BigInt> {
         }
     }
 
-    /// The same solid, near enough.
     fn near(&self) -> Solid<Ball> {
         let exponent = exponent(self.q.iter().flatten());
-        let row = |row: &Vector<BigInt>| row.each_ref().map(|v| Ball::scaled(v, exponent));
+        let row = |row: &Whole| row.each_ref().map(|v| Ball::scaled(v, exponent));
         Solid {
             q: self.q.each_ref().map(row),
             planes: self.planes.iter().map(balls).collect(),
@@ -165,9 +156,13 @@ impl Both {
         let near = exact.near();
         Both { exact, near }
     }
+
+    fn contains(&self, point: &Seen) -> bool {
+        let exact = || self.exact.contains(&point.exact).expect(EXACT);
+        self.near.contains(&point.near).unwrap_or_else(exact)
+    }
 }
 
-/// An object that casts a shadow.
 struct Caster {
     object: usize,
     solid: Both,
@@ -198,18 +193,14 @@ struct Source {
 /// What is beyond a facet as a source sees it: where the first plane, its own, is negative and the others, through the
 /// source and one side each, are not positive.
 struct Facet {
-    exact: Vec<Vector<BigInt>>,
+    exact: Vec<Whole>,
     near: Vec<Vector<Ball>>,
     /// The viewer and the source see different sides of it.
     is_unlit: bool,
 }
 
 impl Facet {
-    fn new(
-        corners: &[Vector<BigInt>],
-        source: &Vector<BigInt>,
-        viewer: &Vector<BigInt>,
-    ) -> Option<Facet> {
+    fn new(corners: &[Whole], source: &Whole, viewer: &Whole) -> Option<Facet> {
         let own = through([&corners[0], &corners[1], &corners[2]]);
         let at_source = vector::dot(&own, source).signum();
         if at_source.is_zero() {
@@ -253,19 +244,17 @@ impl Facet {
     }
 }
 
-/// The plane through three homogeneous points.
-fn through([u, v, w]: [&Vector<BigInt>; 3]) -> Vector<BigInt> {
+fn through([u, v, w]: [&Whole; 3]) -> Whole {
     std::array::from_fn(|k| {
         let [a, b, c] = [1, 2, 3].map(|ahead| (k + ahead) % 4);
-        let part = |p: &Vector<BigInt>| [a, b, c].map(|at| p[at].clone());
+        let part = |p: &Whole| [a, b, c].map(|at| p[at].clone());
         let minor = vector::dot(part(u), vector::cross(part(v), part(w)));
         // Turning four columns by one changes the sign of a determinant.
         if k % 2 == 0 { minor } else { -minor }
     })
 }
 
-/// The corners of each facet, as homogeneous points.
-fn facets(mesh: &FramedMesh) -> impl Iterator<Item = Vec<Vector<BigInt>>> {
+fn facets(mesh: &FramedMesh) -> impl Iterator<Item = Vec<Whole>> {
     let homogeneous = |&corner: &usize| {
         let ([x, y, z], w) = common_denominator(mesh.vertices[corner].each_ref());
         [x, y, z, w]
@@ -282,11 +271,7 @@ struct Lit<F> {
 }
 
 impl<F> Lit<F> {
-    fn new(
-        solid: &Solid<F>,
-        source: &Vector<F>,
-        dot: impl Fn(&Vector<F>, &Vector<F>) -> F,
-    ) -> Self {
+    fn new(solid: &Solid<F>, source: &Vector<F>, dot: fn(&Vector<F>, &Vector<F>) -> F) -> Self {
         let polar = solid.q.each_ref().map(|row| dot(row, source));
         Lit {
             value: dot(&polar, source),
@@ -300,31 +285,28 @@ impl Source {
     fn new(
         source: &FramedSource,
         casters: &[Caster],
-        (meshes, viewer): (&[&FramedMesh], &Vector<BigInt>),
+        meshes: &[&FramedMesh],
+        viewer: &Whole,
     ) -> Source {
         let (point, _) = common_denominator(source.point.each_ref());
         debug_assert!(point.iter().any(|v| !v.is_zero()));
-        let near = balls(&point);
-        let exact =
-            |caster: &Caster| Lit::new(&caster.solid.exact, &point, |u, v| vector::dot(u, v));
-        let cone = source.cone.as_ref();
+        let near_point = balls(&point);
+        let exact = |c: &Caster| Lit::new(&c.solid.exact, &point, |u, v| vector::dot(u, v));
+        let near = |c: &Caster| Lit::new(&c.solid.near, &near_point, dot);
+        let facet = |corners: Vec<_>| Facet::new(&corners, &point, viewer);
         let facets = meshes.iter().flat_map(|mesh| facets(mesh));
+        let cone = source.cone.as_ref();
         Source {
-            facets: facets
-                .filter_map(|corners| Facet::new(&corners, &point, viewer))
-                .collect(),
             casts: source.shadows,
             cone: cone.map(|c| Both::new(&c.quadric, std::slice::from_ref(&c.plane))),
             exact: casters.iter().map(exact).collect(),
-            near: casters
-                .iter()
-                .map(|caster| Lit::new(&caster.solid.near, &near, dot))
-                .collect(),
+            near: casters.iter().map(near).collect(),
+            facets: facets.filter_map(facet).collect(),
         }
     }
 
     fn reaches(&self, point: &Seen, casters: &[Caster]) -> bool {
-        self.cone.as_ref().is_none_or(|cone| contains(cone, point))
+        self.cone.as_ref().is_none_or(|cone| cone.contains(point))
             && !(self.casts && self.is_blocked(point, casters))
     }
 
@@ -352,14 +334,6 @@ impl Source {
 /// Of numbers whose signs are all known.
 const EXACT: &str = "an exact answer";
 
-fn contains(solid: &Both, point: &Seen) -> bool {
-    let exact = || solid.exact.contains(&point.exact).expect(EXACT);
-    solid.near.contains(&point.near).unwrap_or_else(exact)
-}
-
-/// The factors a and b of a point `a source + b point` of the segment.
-type Weights<N> = [N; 2];
-
 /// Does the segment from the source to the point, the point itself left out, meet the solid; `face` is that of the
 /// solid on which the point lies, if it is one of its own. None where the signs leave it open.
 fn is_in_the_way<N: Number>(
@@ -370,7 +344,7 @@ fn is_in_the_way<N: Number>(
 ) -> Option<bool> {
     let like = &point[0];
     let number = |v: i8| like.whole(v);
-    // From the source towards the point, b / a grows.
+    // Factors a and b of points `a source + b point`: from the source towards the point, b / a grows.
     let mut start = [number(1), number(0)];
     let mut end = [number(0), number(1)];
     let mut end_is_point = true;
@@ -402,24 +376,27 @@ fn is_in_the_way<N: Number>(
     if is_before(&end, &start)? {
         return Some(false);
     }
-    let form = Form {
-        aa: like.of(&lit.value),
-        ab: dot(&lit.polar, point),
-        bb: match face {
-            Some(FACE_NEAR | FACE_FAR) => number(0),
-            _ => value(&solid.q, point),
-        },
+    // The solid's quadric on the segment: `aa a^2 + 2 ab a b + bb b^2`.
+    let (aa, ab) = (like.of(&lit.value), dot(&lit.polar, point));
+    let bb = match face {
+        Some(FACE_NEAR | FACE_FAR) => number(0),
+        _ => value(&solid.q, point),
+    };
+    let form = |u: &[N; 2], v: &[N; 2]| {
+        let mixed = u[0].product(&v[1]).plus(&u[1].product(&v[0]));
+        let ends = [(&aa, 0), (&bb, 1)].map(|(x, k)| x.product(&u[k].product(&v[k])));
+        ends[0].plus(&ab.product(&mixed)).plus(&ends[1])
     };
     if start[0].known_sign()? == Ordering::Equal {
         // Only the point itself is left.
         return Some(false);
     }
-    let at_start = form.at(&start, &start);
+    let at_start = form(&start, &start);
     if !is_positive(&at_start)? {
         return Some(true);
     }
-    let at_end = form.at(&end, &end);
-    let mixed = form.at(&start, &end);
+    let at_end = form(&end, &end);
+    let mixed = form(&start, &end);
     Some(match at_end.known_sign()? {
         Ordering::Less => true,
         // Only the point itself unless the form falls below zero before it.
@@ -440,34 +417,21 @@ fn is_negative<N: Number>(number: &N) -> Option<bool> {
 }
 
 /// Is the first nearer to the source: b1 / a1 < b2 / a2.
-fn is_before<N: Number>(first: &Weights<N>, second: &Weights<N>) -> Option<bool> {
+fn is_before<N: Number>(first: &[N; 2], second: &[N; 2]) -> Option<bool> {
     let (left, right) = (first[1].product(&second[0]), second[1].product(&first[0]));
     is_negative(&left.minus(&right))
 }
 
-/// The solid's quadric on the segment: `aa a^2 + 2 ab a b + bb b^2`.
-struct Form<N> {
-    aa: N,
-    ab: N,
-    bb: N,
-}
-
-impl<N: Number> Form<N> {
-    fn at(&self, u: &Weights<N>, v: &Weights<N>) -> N {
-        let mixed = u[0].product(&v[1]).plus(&u[1].product(&v[0]));
-        let aa = self.aa.product(&u[0].product(&v[0]));
-        let bb = self.bb.product(&u[1].product(&v[1]));
-        aa.plus(&self.ab.product(&mixed)).plus(&bb)
-    }
-}
-
 fn dot<N: Number>(plane: &Vector<N::Factor>, point: &Vector<N>) -> N {
-    let terms = plane.iter().zip(point).map(|(p, x)| x.times(p));
-    terms.reduce(|a, b| a.plus(&b)).expect("four terms")
+    sum(std::array::from_fn(|k| point[k].times(&plane[k])))
 }
 
 fn value<N: Number>(q: &[Vector<N::Factor>; 4], point: &Vector<N>) -> N {
-    let rows = q.iter().zip(point);
-    let terms = rows.map(|(row, x)| dot(row, point).product(x));
-    terms.reduce(|a, b| a.plus(&b)).expect("four terms")
+    sum(std::array::from_fn(|k| {
+        dot(&q[k], point).product(&point[k])
+    }))
+}
+
+fn sum<N: Number>([a, b, c, d]: Vector<N>) -> N {
+    a.plus(&b).plus(&c).plus(&d)
 }

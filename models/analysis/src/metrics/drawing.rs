@@ -54,15 +54,30 @@ impl Drawing {
         Drawing::decided(frame, backs, prepared, shade)
     }
 
-    /// The picture of a scene that was prepared anew for each zone; shadow and light volumes are those of the first
-    /// zone.
+    /// The picture of a scene prepared anew for each zone; shadow and light volumes are those of the first one.
     pub fn in_zones(zones: &[ZoneScene], scene: &FramedScene) -> Drawing {
         let whole = &zones[0].prepared;
         let (width, height) = (scene.width as usize, scene.height as usize);
         let mut frame = Frame::background(width, height, whole.format.z_max());
         let mut backs = frame.depth.clone();
-        for zone in zones {
-            paste(zone, &mut frame, &mut backs);
+        for ZoneScene {
+            first: (x0, y0),
+            size: (columns, lines),
+            prepared,
+        } in zones
+        {
+            let mut slots = prepared.slots();
+            for Slot { words, .. } in &mut slots {
+                *words = words.for_zone(*x0 as i64, *y0 as i64, *columns as i64, *lines as i64);
+            }
+            let (part, part_backs) =
+                beam::render_with_backs(&slots, &prepared.format, *columns, *lines, || ());
+            for line in 0..*lines {
+                let (from, to) = (line * columns, (y0 + line) * width + x0);
+                let (from, to) = (from..from + columns, to..to + columns);
+                copy(&mut frame, to.clone(), &part, from.clone());
+                backs[to].copy_from_slice(&part_backs[from]);
+            }
         }
         let shade = |frame: &Frame, lit: &Lighting| shade(frame, lit, scene, &whole.format);
         Drawing::decided(frame, backs, whole, shade)
@@ -71,26 +86,27 @@ impl Drawing {
     /// The same picture with `side x side` pixels for each of its own.
     pub fn enlarged(&self, side: usize) -> Drawing {
         let Frame { width, height, .. } = self.frame;
-        self.shown((width * side, height * side), |x, y| (x / side, y / side))
+        self.shown([width * side, height * side], |x, y| {
+            y / side * width + x / side
+        })
     }
 
     /// The same picture with every even line in the place of the odd one below it as well.
     pub fn of_even_lines(&self) -> Drawing {
         let Frame { width, height, .. } = self.frame;
-        self.shown((width, height), |x, y| (x, y / 2 * 2))
+        self.shown([width, height], |x, y| y / 2 * 2 * width + x)
     }
 
-    /// A picture of another size, each of whose pixels is that of this one at a place.
+    /// A picture of another size, each of whose pixels is that of this one at an index.
     fn shown(
         &self,
-        (columns, lines): (usize, usize),
-        place: impl Fn(usize, usize) -> (usize, usize),
+        [columns, lines]: [usize; 2],
+        place: impl Fn(usize, usize) -> usize,
     ) -> Drawing {
         let mut shown = Frame::background(columns, lines, 0);
         let (mut backs, mut rgb) = (vec![], vec![]);
         for at in 0..columns * lines {
-            let (x, y) = place(at % columns, at / columns);
-            let from = y * self.frame.width + x;
+            let from = place(at % columns, at / columns);
             copy(&mut shown, at..at + 1, &self.frame, from..from + 1);
             backs.push(self.backs[from]);
             rgb.extend(&self.rgb[3 * from..3 * from + 3]);
@@ -123,25 +139,6 @@ impl Drawing {
     }
 }
 
-/// Draws a zone and puts it in its place.
-fn paste(zone: &ZoneScene, frame: &mut Frame, backs: &mut [i64]) {
-    let ((x0, y0), (columns, lines)) = (zone.first, zone.size);
-    let corner = (x0 as i64, y0 as i64);
-    let mut slots = zone.prepared.slots();
-    for Slot { words, .. } in &mut slots {
-        *words = words.for_zone(corner.0, corner.1, columns as i64, lines as i64);
-    }
-    let (part, part_backs) =
-        beam::render_with_backs(&slots, &zone.prepared.format, columns, lines, || ());
-    for line in 0..lines {
-        let (from, to) = (line * columns, (y0 + line) * frame.width + x0);
-        let (from, to) = (from..from + columns, to..to + columns);
-        copy(frame, to.clone(), &part, from.clone());
-        backs[to].copy_from_slice(&part_backs[from]);
-    }
-}
-
-/// Puts some pixels of a picture in a place of another.
 fn copy(frame: &mut Frame, to: Range<usize>, part: &Frame, from: Range<usize>) {
     frame.depth[to.clone()].copy_from_slice(&part.depth[from.clone()]);
     frame.id[to.clone()].copy_from_slice(&part.id[from.clone()]);

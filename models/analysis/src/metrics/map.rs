@@ -63,23 +63,19 @@ pub fn map(pixels: &[PixelError], cracks: &[usize]) -> Vec<u8> {
 }
 
 /// What the colours of a map mean: text and colour.
-pub fn legend() -> Vec<(String, [u8; 3])> {
-    let named = [
+pub fn legend() -> Vec<(&'static str, [u8; 3])> {
+    vec![
         ("nothing in both", BACKGROUND),
         ("missing or extra", PRESENCE),
         ("wrong object", OBJECT),
         ("wrong face", FACE),
         ("crack", CRACK),
-    ];
-    let named = named.map(|(text, colour)| (text.to_owned(), colour));
-    let depths = [-4, 0, 4, 8, 12, 16, 19].map(|class| {
-        let text = match class {
-            -4 => "depth within 1/16 word".to_owned(),
-            0 => "1 word".to_owned(),
-            19 => "2^19 words and more".to_owned(),
-            _ => format!("{} words", 1 << class),
-        };
-        (text, class_colour(class))
-    });
-    named.into_iter().chain(depths).collect()
+        ("depth within 1/16 word", class_colour(-4)),
+        ("1 word", class_colour(0)),
+        ("16 words", class_colour(4)),
+        ("256 words", class_colour(8)),
+        ("4096 words", class_colour(12)),
+        ("65536 words", class_colour(16)),
+        ("2^19 words and more", class_colour(19)),
+    ]
 }

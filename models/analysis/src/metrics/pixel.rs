@@ -156,19 +156,16 @@ fn is_crack(truth: &Truth, golden: Golden, x: usize, y: usize) -> bool {
         return false;
     };
     let id = golden.frame.id[index];
-    let same_object = id == exact.id as i32;
-    if same_object && (!golden.numbered[id as usize] || golden.frame.number[index] == exact.number)
-    {
+    let is_same_face =
+        || !golden.numbered[id as usize] || golden.frame.number[index] == exact.number;
+    if id == exact.id as i32 && is_same_face() {
         return false;
     }
     let lines = (y - 1..=y + 1).map(|line| line * truth.width + x);
     let mut around = lines.flat_map(|index| &truth.pixels[index - 1..=index + 1]);
-    let deepest = around.try_fold(i64::MIN, |most, pixel| {
-        Some(most.max(pixel.as_ref()?.depth))
-    });
-    let Some(deepest) = deepest else {
-        return false;
-    };
+    let deepest = around.try_fold(i64::MIN, |most, pixel| Some(most.max((*pixel)?.depth)));
     let margin = truth.words_per_pixel.max(one_word(golden.format));
-    id < 0 || word_error(golden.frame.depth[index], deepest, golden.format) > margin
+    deepest.is_some_and(|deepest| {
+        id < 0 || word_error(golden.frame.depth[index], deepest, golden.format) > margin
+    })
 }

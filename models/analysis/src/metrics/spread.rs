@@ -66,11 +66,9 @@ const FINEST: i32 = -3;
 pub fn histogram(values: &[f64]) -> Vec<Class> {
     let mut classes: Vec<Class> = vec![];
     let greatest = values.iter().copied().fold(0.0, f64::max);
-    let mut below = f64::from(FINEST).exp2();
-    let mut from = 0.0;
+    let (mut from, mut below) = (0.0, f64::from(FINEST).exp2());
     loop {
-        let within = values.iter().filter(|v| (from..below).contains(*v));
-        let count = within.count();
+        let count = values.iter().filter(|v| (from..below).contains(*v)).count();
         classes.push(Class { below, count });
         if greatest < below {
             return classes;

@@ -70,10 +70,16 @@ pub fn measure(truth: &Truth, drawing: &Drawing) -> (Metrics, Vec<u8>) {
     let depth_histogram = histogram(&depths);
     let depth_words = Spread::of(depths);
     let back_words = Spread::of(same().filter_map(back).collect());
+    let channels = truth.rgb.chunks_exact(3).zip(drawing.rgb.chunks_exact(3));
+    let difference = |(truth, drawn): (&[u8], &[u8])| {
+        let channels = truth.iter().zip(drawn).map(|(a, b)| a.abs_diff(*b));
+        channels.max().unwrap_or(0)
+    };
+    let differences: Vec<u8> = channels.map(difference).collect();
     let colour = |wanted: fn(&PixelError) -> bool| {
-        let indices = pixels.iter().enumerate().filter(|(_, p)| wanted(p));
-        let errors = indices.map(|(index, _)| difference(truth, drawing, index));
-        Spread::of(errors.collect())
+        let pixels = pixels.iter().zip(&differences).filter(|(p, _)| wanted(p));
+        let differences = pixels.map(|(_, difference)| f64::from(*difference));
+        Spread::of(differences.collect())
     };
     let metrics = Metrics {
         covered: truth.covered(),
@@ -95,12 +101,4 @@ pub fn measure(truth: &Truth, drawing: &Drawing) -> (Metrics, Vec<u8>) {
         colour_same_face: colour(|p| p.same().is_some()),
     };
     (metrics, map(&pixels, &cracks))
-}
-
-/// The greatest difference of a channel of a pixel.
-fn difference(truth: &Truth, drawing: &Drawing, index: usize) -> f64 {
-    let channels = 3 * index..3 * index + 3;
-    let (truth, drawn) = (&truth.rgb[channels.clone()], &drawing.rgb[channels]);
-    let pairs = truth.iter().zip(drawn);
-    f64::from(pairs.map(|(a, b)| a.abs_diff(*b)).max().unwrap_or(0))
 }

@@ -29,7 +29,6 @@ pub struct Toggles {
     pub total: f64,
 }
 
-/// Lines that are counted at most.
 const SAMPLE: u32 = 8;
 
 /// The lines of the sample: the middles of eight bands of equal height, or all lines of a picture of no more.
@@ -59,10 +58,8 @@ pub fn count(parts: &[Part], format: &Format, rows_per_stage: u32, height: u32) 
     let mut changes = 0;
     for part in parts {
         let ((x, y), (width, height)) = (part.first, part.size);
-        for line in lines
-            .iter()
-            .filter(|l| (y..y + height).contains(&(**l as usize)))
-        {
+        let is_within = |line: &&u32| (y..y + height).contains(&(**line as usize));
+        for line in lines.iter().filter(is_within) {
             changes += width - 1;
             for words in &part.slots {
                 let zone = words.for_zone(x as i64, i64::from(*line), width as i64, 1);
@@ -85,13 +82,12 @@ pub fn count(parts: &[Part], format: &Format, rows_per_stage: u32, height: u32) 
 
 /// Bits that change on a line: in pe1, in pe2, in the root, in depths.
 fn count_line(words: &QuadricWords, format: &Format, rows: u32, width: u32) -> [u64; 4] {
-    let mut pe1 = first_degree(&words.f1, format.pe1_width(), width);
-    for plane in &words.planes {
-        pe1 += first_degree(&plane.depth, format.plane, width);
-    }
-    for g in &words.normal.g {
-        pe1 += first_degree(g, format.normal_linear, width);
-    }
+    let planes = words.planes.iter();
+    let planes = planes.map(|plane| (&plane.depth, format.plane));
+    let normal = words.normal.g.iter().map(|g| (g, format.normal_linear));
+    let f1 = [(&words.f1, format.pe1_width())];
+    let all = planes.chain(normal).chain(f1);
+    let changes = all.map(|(form, bits)| first_degree(form, bits, width));
     let (mut root, mut depth) = (0, 0);
     let (mut stages, mut depths) = (Bits::default(), Bits::default());
     for x in 0..width {
@@ -108,7 +104,7 @@ fn count_line(words: &QuadricWords, format: &Format, rows: u32, width: u32) -> [
         depth += depths.change(own.map(|(v, width)| masked(i128::from(v), width)).into());
     }
     let pe2 = second_degree(&words.f2, format.pe2_width(), width);
-    [pe1, pe2, root, depth]
+    [changes.sum(), pe2, root, depth]
 }
 
 /// Bits that the value of a pe1 of so many bits changes over so many pixels of a line.

@@ -6,13 +6,12 @@ use crate::exact::shadow;
 use crate::phong::shade;
 use imogene_algebra::rational::{integer, to_f64};
 use imogene_golden::format::Format;
-use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::Lighting;
 use imogene_golden::unit::depth_interval::{FACE_NEAR_END, FACE_PLANE};
 use imogene_prepare::perspective::full_depth;
 use imogene_scene::FramedScene;
 
-/// Index of an object that no picture shows; that of the background is another.
+/// Of an object that no picture shows; the index of the background is another.
 const NO_OBJECT: u32 = u32::MAX - 1;
 /// Number of a face that no picture shows.
 const NO_FACE: u8 = u8::MAX;
@@ -56,11 +55,10 @@ impl Truth {
     /// Takes planes with these indices out of an object: those behind them move up, and a point of theirs is seen all
     /// the same, as one of a face that no picture shows.
     pub fn renumber_planes(&mut self, object: u32, out: &[usize]) {
-        let of_object = self.pixels.iter_mut().flatten();
-        for pixel in of_object.filter(|pixel| pixel.id == object) {
-            if !(FACE_PLANE..FACE_NEAR_END).contains(&pixel.number) {
-                continue;
-            }
+        let planes = FACE_PLANE..FACE_NEAR_END;
+        let is_of_plane = |pixel: &ExactPixel| pixel.id == object && planes.contains(&pixel.number);
+        let pixels = self.pixels.iter_mut().flatten();
+        for pixel in pixels.filter(|pixel| is_of_plane(pixel)) {
             let plane = usize::from(pixel.number - FACE_PLANE);
             pixel.number = match out.contains(&plane) {
                 true => NO_FACE,
@@ -77,7 +75,11 @@ impl Truth {
         let format = Self::FORMAT;
         let pixels = render(scene, &format, line_done);
         let frame = to_frame(&pixels, scene, &format);
-        let rgb = shade(&frame, &lighting(scene, &frame), scene, &format);
+        let lighting = match scene.sources.iter().any(|s| s.shadows || s.cone.is_some()) {
+            true => shadow::lighting(scene, || ()),
+            false => Lighting::full(&frame),
+        };
+        let rgb = shade(&frame, &lighting, scene, &format);
         let scale = integer(format.z_max()) / full_depth(&scene.projection);
         Truth {
             width: scene.width as usize,
@@ -93,13 +95,5 @@ impl Truth {
     /// Pixels that show an object.
     pub fn covered(&self) -> usize {
         self.pixels.iter().flatten().count()
-    }
-}
-
-fn lighting(scene: &FramedScene, frame: &Frame) -> Lighting {
-    if scene.sources.iter().any(|s| s.shadows || s.cone.is_some()) {
-        shadow::lighting(scene, || ())
-    } else {
-        Lighting::full(frame)
     }
 }

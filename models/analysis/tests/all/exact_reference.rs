@@ -159,7 +159,7 @@ fn agrees_with_a_slow_ray_caster_wherever_floats_can_tell() {
             );
             for (object, ray) in objects().zip(&rays) {
                 let exact = ray.first_hit(x as i64, y as i64);
-                let depth = |w: &imogene_analysis::exact::real::SurdReal| {
+                let depth = |w: &imogene_analysis::exact::number::SurdReal| {
                     let fixed = w.fixed(&BigInt::from(1), &BigInt::from(1), 50);
                     let fixed: i64 = fixed.try_into().expect("visible");
                     fixed as f64 / 2f64.powi(50)

@@ -72,7 +72,7 @@ fn embedded(data: &Value) -> String {
 }
 
 fn legend(trade: &Trade) -> Vec<Value> {
-    let entry = |(text, [r, g, b]): &(String, [u8; 3])| json!({ "text": text, "colour": format!("rgb({r},{g},{b})") });
+    let entry = |(text, [r, g, b]): &(&str, [u8; 3])| json!({ "text": text, "colour": format!("rgb({r},{g},{b})") });
     trade.legend.iter().map(entry).collect()
 }
 

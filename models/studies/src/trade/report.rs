@@ -23,7 +23,7 @@ pub struct Trade {
     /// File of the true picture.
     pub truth: String,
     /// Colours of the error maps: what they mean, and red, green, blue.
-    pub legend: Vec<(String, [u8; 3])>,
+    pub legend: Vec<(&'static str, [u8; 3])>,
     /// What the hardware is measured by in the fronts: `cells`, or `toggles` if no point has a cost.
     pub measure: &'static str,
     /// How far estimated clocks are from those that were placed and routed; none without such.

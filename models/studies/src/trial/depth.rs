@@ -5,7 +5,7 @@ use super::exact::at_most;
 use super::tally::{Tally, Term};
 use imogene_algebra::rational::from_f64_exact;
 use imogene_analysis::bounds::{depth_terms, face_bound, worst_case};
-use imogene_analysis::exact::real::SurdReal;
+use imogene_analysis::exact::number::SurdReal;
 use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR};
 use imogene_prepare::rounding::Anchor;
 use num_bigint::BigInt;

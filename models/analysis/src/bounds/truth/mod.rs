@@ -25,13 +25,10 @@ use num_traits::{Signed, ToPrimitive, Zero};
 /// The face that is truly seen, if there is one.
 pub(super) type True = Option<Bounded>;
 
-/// Columns of a line, first and last.
 pub(super) type Columns = std::ops::RangeInclusive<i64>;
 
-/// An object along the lines of sight of a picture.
 pub(super) struct Truth {
     shape: Shape,
-    /// The depth word of the far end.
     full: i64,
 }
 
@@ -103,10 +100,8 @@ struct CutShape {
     /// Sign of a, which is the same for all lines of sight, and its value.
     a: (i8, Range),
     b: Line,
-    /// Whether b is zero for all lines of sight.
     b_is_zero: bool,
     c: Conic,
-    /// `b^2 - 4 a c`.
     discriminant: Conic,
     planes: Vec<PlaneShape>,
 }
@@ -135,11 +130,7 @@ impl PlaneShape {
             return Some((PlaneKind::Perpendicular, -constant));
         };
         let slope = slope.at(at);
-        let kind = if slope.sign()? > 0 {
-            PlaneKind::Back
-        } else {
-            PlaneKind::Front
-        };
+        let kind = [PlaneKind::Front, PlaneKind::Back][usize::from(slope.sign()? > 0)];
         Some((kind, depth(-constant / slope, full)))
     }
 }
@@ -177,14 +168,13 @@ impl CutShape {
     /// All that is compared at a pixel; `None` if a plane or a single root is nearly along the line of sight.
     fn pixel(&self, at: [Range; 2], full: i64) -> Option<Pixel> {
         let planes = self.planes.iter().map(|plane| plane.at(at, full));
-        let planes: Option<Vec<(PlaneKind, Range)>> = planes.collect();
         let (class, seen, [near, far]) = self.roots(at)?;
         Some(Pixel {
             class,
             seen,
             near: depth(near, full),
             far: depth(far, full),
-            planes: planes?,
+            planes: planes.collect::<Option<_>>()?,
             near_end: -full as f64,
             far_end: full as f64,
         })
@@ -253,11 +243,9 @@ fn at(x: i64, y: i64) -> [Range; 2] {
 fn discriminant(a: &BigInt, b: &[BigInt; 6], c: &[BigInt; 6]) -> [BigInt; 6] {
     let [_, _, _, d, e, f] = b;
     let square = [d * d, e * e, d * e * 2, d * f * 2, e * f * 2, f * f];
-    let mut terms = c.iter();
-    square.map(|term| term - a * terms.next().expect("six terms") * 4)
+    std::array::from_fn(|k| &square[k] - a * &c[k] * 4)
 }
 
-/// The facets of a mesh by the lines of the picture that they meet.
 struct MeshShape {
     window: ScreenBox,
     facets: Vec<FacetShape>,
@@ -272,13 +260,13 @@ struct FacetShape {
 
 impl MeshShape {
     fn new(mesh: RayMesh, height: i64) -> MeshShape {
-        let facet = |ray: RayFacet| FacetShape {
-            edges: ray.edges.iter().map(|e| line(e, excess(e))).collect(),
-            plane: {
-                let shorter = excess(ray.plane.iter().flatten());
-                ray.plane.each_ref().map(|form| line(form, shorter))
-            },
-            ray,
+        let facet = |ray: RayFacet| {
+            let shorter = excess(ray.plane.iter().flatten());
+            FacetShape {
+                edges: ray.edges.iter().map(|e| line(e, excess(e))).collect(),
+                plane: ray.plane.each_ref().map(|form| line(form, shorter)),
+                ray,
+            }
         };
         let facets: Vec<FacetShape> = mesh.facets.into_iter().map(facet).collect();
         let mut by_line = vec![vec![]; height as usize];

@@ -11,7 +11,7 @@ mod silhouette;
 
 use imogene_algebra::rational::{fraction, from_f64_exact, integer, power_of_two};
 use imogene_analysis::bounds::depth_bound;
-use imogene_analysis::exact::real::SurdReal;
+use imogene_analysis::exact::number::SurdReal;
 use imogene_contract::{MachineWords, RootForm};
 use imogene_golden::format::Format;
 use imogene_golden::unit::depth_interval::{Class, FACE_FAR, FACE_NEAR};

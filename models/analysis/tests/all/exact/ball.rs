@@ -1,5 +1,4 @@
-use imogene_analysis::exact::ball::Ball;
-use imogene_analysis::exact::number::Number;
+use imogene_analysis::exact::number::{Ball, Number};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use proptest::prelude::*;

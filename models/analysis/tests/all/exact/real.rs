@@ -1,4 +1,4 @@
-use imogene_analysis::exact::real::SurdReal;
+use imogene_analysis::exact::number::SurdReal;
 use num_bigint::BigInt;
 use proptest::prelude::*;
 

@@ -1,5 +1,4 @@
-use imogene_analysis::exact::number::Number;
-use imogene_analysis::exact::surd::Surd;
+use imogene_analysis::exact::number::{Number, Surd};
 use num_bigint::BigInt;
 use proptest::prelude::*;
 use std::cmp::Ordering;
