@@ -3,9 +3,8 @@
 //! Any first-degree f1 and second-degree f2 are the two parts of the depth of a quadric, `z^2 - 2 f1 z + f1^2 - f2 =
 //! 0`; so the expressions are drawn themselves, at the scales and in the positions where errors are greatest.
 
-use super::exact::{ExactLinear, ExactQuadratic, rounded};
+use super::exact::{ExactLinear, ExactQuadratic, draw_linear, draw_quadratic, reach_of, rounded};
 use super::random::Random;
-use super::shape::{draw_linear, draw_quadratic};
 use imogene_algebra::rational::to_f64_up;
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
@@ -15,7 +14,6 @@ use imogene_prepare::RoundingBounds;
 use imogene_prepare::forms::{LinearForm, QuadraticForm};
 use imogene_prepare::rounding::{Anchor, linear_error, quadratic_error};
 
-/// Most pixels of a box along each side.
 const MOST_PIXELS: u64 = 1 << 10;
 
 /// Exact normal: `N_k = g_k -+ K_k s / 2^(shift + 6)`.
@@ -71,7 +69,21 @@ impl Case {
             },
             planes: vec![],
         };
-        let mut case = Case {
+        // As the preparation states them, in last bits without guard bits.
+        let unit = |guards: u32| 0.5f64.powi(guards as i32);
+        let linear = |exact: &ExactLinear| {
+            let form = LinearForm::of_array(exact.form());
+            to_f64_up(&linear_error(&exact.words(), &form, 0, &reach))
+        };
+        let form = QuadraticForm::of_array(f2.form());
+        let quadratic = to_f64_up(&quadratic_error(&f2.words(), &form, 0, &reach));
+        let bounds = RoundingBounds {
+            f1: linear(&f1) * unit(format.guard_linear),
+            f2: quadratic * unit(format.guard_quadratic),
+            normal: normal.g.iter().map(linear).fold(0.0, f64::max),
+            ..RoundingBounds::of_format(format)
+        };
+        Case {
             format: *format,
             anchor,
             reach,
@@ -79,25 +91,9 @@ impl Case {
             f2,
             normal,
             words,
-            bounds: RoundingBounds::of_format(format),
+            bounds,
             on_silhouette,
-        };
-        case.state_bounds();
-        case
-    }
-
-    /// The bounds as the preparation states them, in last bits without guard bits.
-    fn state_bounds(&mut self) {
-        let unit = |guards: u32| 0.5f64.powi(guards as i32);
-        let linear = |exact: &ExactLinear| {
-            let form = LinearForm::of_array(exact.form());
-            to_f64_up(&linear_error(&exact.words(), &form, 0, &self.reach))
-        };
-        let form = QuadraticForm::of_array(self.f2.form());
-        let f2 = to_f64_up(&quadratic_error(&self.f2.words(), &form, 0, &self.reach));
-        self.bounds.normal = self.normal.g.iter().map(linear).fold(0.0, f64::max);
-        self.bounds.f1 = linear(&self.f1) * unit(self.format.guard_linear);
-        self.bounds.f2 = f2 * unit(self.format.guard_quadratic);
+        }
     }
 
     /// The pixel of the screen at a place centred on the anchor.
@@ -135,20 +131,18 @@ fn draw_box(most: u64, random: &mut Random) -> (ScreenBox, Anchor, ScreenBox) {
     (window, anchor, reach)
 }
 
-/// Bits that hold the greatest root on the box, of the rounded f2: where the exact one is next to nothing, rounding
-/// makes most of the root.
+/// Bits of the greatest root of the rounded f2: where the exact one is tiny, rounding makes most of it.
 fn root_bits(f2: &ExactQuadratic, reach: &ScreenBox, format: &Format) -> u32 {
     let rounded = ExactQuadratic {
         factors: f2.rounded(),
         denominator: 1,
     };
-    let most = super::shape::reach_of(&rounded, reach) + 1;
+    let most = reach_of(&rounded, reach) + 1;
     let root = ((most >> format.guard_quadratic) as f64).sqrt() + 2.0;
     64 - (root as u64).leading_zeros()
 }
 
-/// A normal whose components stay within their words (24 bits in the base format), with factors that use as much of
-/// theirs as that allows.
+/// A normal within its words (24 bits in the base format), with factors as great as that allows.
 fn draw_normal(
     format: &Format,
     root_bits: u32,

@@ -8,12 +8,9 @@
 //! smaller they are compared in big integers, squares against squares.
 
 pub mod case;
-pub mod depth;
 pub mod exact;
-mod normals;
-mod outline;
+pub mod place;
 pub mod random;
-mod shape;
 pub mod tally;
 
 pub use tally::{Fared, Term, Violation};
@@ -27,7 +24,6 @@ use random::Random;
 use serde::Serialize;
 use tally::Tally;
 
-/// Cases of one piece of parallel work.
 const PIECE: u64 = 500;
 
 /// Widths that are tried. Fourteen formats of the catalogue, by depth word and guard bits: the 28-bit word has room for
@@ -124,8 +120,7 @@ pub struct TrialReport {
 }
 
 impl TrialReport {
-    /// The format in a few characters: depth word and guard bits, and of a fitted machine what else is not as in the
-    /// catalogue.
+    /// The format in short: depth word and guard bits, and of a fitted machine what is not as in the catalogue.
     pub fn label(&self) -> String {
         let (g1, g2) = (self.guard_linear, self.guard_quadratic);
         let mut label = format!("{}, {g1}:{g2}", self.depth);
@@ -160,21 +155,43 @@ pub fn run(
         tally
     });
     let tally = tallies.into_iter().fold(Tally::default(), Tally::merged);
-    report(format, cases, tally)
+    let fared = |(term, _)| TermReport {
+        term,
+        fared: tally.fared(term),
+    };
+    let terms = Term::ALL.map(fared).to_vec();
+    TrialReport {
+        depth: format.depth,
+        guard_linear: format.guard_linear,
+        guard_quadratic: format.guard_quadratic,
+        root: format.root,
+        normal: format.normal,
+        dropped_rows: format.dropped_rows,
+        widths: widths::print(&format.widths()),
+        cases,
+        pixels: tally.pixels,
+        comparisons: terms.iter().map(|t| t.fared.comparisons).sum(),
+        decided_exactly: tally.decided_exactly,
+        sign_differences: tally.signs,
+        normals_undetermined: tally.undetermined,
+        violations: tally.violated,
+        first_violations: tally.violations,
+        terms,
+    }
 }
 
 fn try_case(format: &Format, seed: u64, number: u64, tally: &mut Tally) {
     let mut random = Random::of_case(seed, number);
     let case = Case::draw(format, &mut random);
     tally.case = number;
-    depth::try_beforehand(&case, tally);
-    outline::try_outline(&case, tally);
+    place::try_beforehand(&case, tally);
+    place::try_outline(&case, tally);
     let places = places(&case, &mut random);
     for &place in &places {
-        depth::try_pixel(&case, place, tally);
+        place::try_pixel(&case, place, tally);
     }
     for &place in &places[places.len() - 3..] {
-        normals::try_normals(&case, place, tally);
+        place::try_normals(&case, place, tally);
     }
 }
 
@@ -205,30 +222,4 @@ pub fn places(case: &Case, random: &mut Random) -> Vec<(i64, i64)> {
     }
     places.extend([(); 3].map(|()| random.place(reach)));
     places
-}
-
-fn report(format: &Format, cases: u64, tally: Tally) -> TrialReport {
-    let fared = |(term, _)| TermReport {
-        term,
-        fared: tally.fared(term),
-    };
-    let terms = Term::ALL.map(fared).to_vec();
-    TrialReport {
-        depth: format.depth,
-        guard_linear: format.guard_linear,
-        guard_quadratic: format.guard_quadratic,
-        root: format.root,
-        normal: format.normal,
-        dropped_rows: format.dropped_rows,
-        widths: widths::print(&format.widths()),
-        cases,
-        pixels: tally.pixels,
-        comparisons: terms.iter().map(|t| t.fared.comparisons).sum(),
-        decided_exactly: tally.decided_exactly,
-        sign_differences: tally.signs,
-        normals_undetermined: tally.undetermined,
-        violations: tally.violated,
-        first_violations: tally.violations,
-        terms,
-    }
 }

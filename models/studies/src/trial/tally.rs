@@ -5,7 +5,6 @@ use serde::Serialize;
 /// An error below this part of its bound is within it whatever the rounding of the few operations in `f64` that
 /// computed both (each of them relative to the term it makes); above it the comparison is made in exact integers.
 const CLEARLY_WITHIN: f64 = 1.0 - 1e-9;
-/// Violations that are kept for the report.
 const KEPT: usize = 8;
 
 /// The terms whose bounds are tried.
@@ -86,7 +85,6 @@ pub struct Fared {
     pub observed: f64,
     /// The bound where that was.
     pub bound: f64,
-    /// Comparisons with a bound that is not zero.
     #[serde(skip)]
     bounded: u64,
 }
@@ -106,15 +104,12 @@ impl Fared {
     }
 
     fn merged(self, other: Fared) -> Fared {
-        let tighter = match other.tightness > self.tightness {
-            true => other,
-            false => self,
-        };
+        let is_tighter = other.tightness > self.tightness;
         Fared {
             comparisons: self.comparisons + other.comparisons,
             bounded: self.bounded + other.bounded,
             mean: self.mean + other.mean,
-            ..tighter
+            ..if is_tighter { other } else { self }
         }
     }
 }
@@ -143,8 +138,7 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// Compares an error with its bound. `exactly` makes the same comparison in integers and is asked whenever `f64`
-    /// cannot tell.
+    /// Compares an error with its bound; `exactly` does so in integers, asked whenever `f64` cannot tell.
     pub fn compare(
         &mut self,
         term: Term,
@@ -153,8 +147,7 @@ impl Tally {
         exactly: impl FnOnce() -> bool,
     ) {
         self.counts[term as usize].add(observed, bound);
-        let clear = observed < bound * CLEARLY_WITHIN;
-        if clear && !self.always_exactly {
+        if observed < bound * CLEARLY_WITHIN && !self.always_exactly {
             return;
         }
         self.decided_exactly += 1;

@@ -12,7 +12,7 @@ use imogene_prepare::rounding::{linear_error, quadratic_error, round_linear, rou
 use imogene_studies::trial::case::Case;
 use imogene_studies::trial::random::Random;
 use imogene_studies::trial::tally::{Tally, Term};
-use imogene_studies::trial::{FORMATS, TrialReport, depth, places, run};
+use imogene_studies::trial::{FORMATS, TrialReport, place, places, run};
 use imogene_testkit::is_full;
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -133,8 +133,8 @@ fn a_bound_that_is_too_small_is_found() {
             let mut case = Case::draw(&format, &mut random);
             case.bounds.f1 *= 0.999;
             case.bounds.f2 *= 0.999;
-            for place in places(&case, &mut random) {
-                depth::try_pixel(&case, place, &mut tally);
+            for at in places(&case, &mut random) {
+                place::try_pixel(&case, at, &mut tally);
             }
         }
         assert!(tally.violated > 50, "{format:?}");
