@@ -29,8 +29,7 @@ pub struct Accuracy {
     /// The nearest entry of a table is the colour.
     #[serde(default)]
     pub nearest_entry: bool,
-    /// A machine of the catalogue instead of one that is as narrow as the scene allows: all other widths follow from
-    /// the depth word, and all slots are alike.
+    /// A machine of the catalogue: all widths follow from the depth word, and all slots are alike.
     pub catalogue: bool,
     /// Samples of a pixel along each side, 1, 2 or 4.
     pub supersampling: u32,
@@ -187,12 +186,7 @@ const NO_ZONES: InZones = (&[], &[]);
 
 /// The points of the same pixels: beam machines of so many pixels per clock, zone machines of all these processors and
 /// sides, each with these rows to a stage.
-fn points(
-    accuracy: Accuracy,
-    lanes: &[u32],
-    (processors, sides): InZones,
-    rows: &[u32],
-) -> Vec<Design> {
+fn points(accuracy: Accuracy, lanes: &[u32], shared: InZones, rows: &[u32]) -> Vec<Design> {
     let mut all = vec![];
     let mut add = |zones, lanes: &[u32]| {
         for &rows_per_stage in rows {
@@ -205,15 +199,14 @@ fn points(
         }
     };
     add(None, lanes);
-    for &side in sides {
-        for &processors in processors {
+    for &side in shared.1 {
+        for &processors in shared.0 {
             add(Some(Zones { processors, side }), &[1]);
         }
     }
     all
 }
 
-/// A fitted machine of a depth word that is changed.
 fn changed(depth: u32, change: impl FnOnce(&mut Accuracy)) -> Accuracy {
     let mut accuracy = Accuracy::of_depth(depth);
     change(&mut accuracy);
@@ -247,20 +240,14 @@ fn lit(depth: u32, table_side: u32) -> Accuracy {
     changed(depth, |a| a.table_side = table_side)
 }
 
-/// The nearest entry of a table is the colour.
-fn nearest(accuracy: Accuracy) -> Accuracy {
-    Accuracy {
-        nearest_entry: true,
-        ..accuracy
-    }
+fn nearest(mut accuracy: Accuracy) -> Accuracy {
+    accuracy.nearest_entry = true;
+    accuracy
 }
 
 /// A machine that draws a pixel in as many clocks as roots have digits.
-fn serial(accuracy: Accuracy) -> Vec<Design> {
-    let accuracy = Accuracy {
-        root_form: RootForm::Iterative,
-        ..accuracy
-    };
+fn serial(mut accuracy: Accuracy) -> Vec<Design> {
+    accuracy.root_form = RootForm::Iterative;
     points(accuracy, &[1], NO_ZONES, &[1])
 }
 
@@ -281,27 +268,24 @@ fn quick() -> Vec<Design> {
 }
 
 fn roots() -> Vec<Design> {
-    let corrected = (0..=2).flat_map(|count| [RootForm::Linear(count), RootForm::Quadratic(count)]);
-    let leading = [4, 6, 8, 12].map(RootForm::Leading);
-    let exact = [
+    let mut forms = vec![
         RootForm::Restoring,
         RootForm::NonRestoring,
         RootForm::Iterative,
     ];
-    let forms = exact.into_iter().chain(corrected).chain(leading);
-    let forms: Vec<RootForm> = forms.collect();
-    let of = |depth| {
-        let of_form = move |&form: &RootForm| changed(depth, |a| a.root_form = form);
-        forms.iter().map(of_form)
-    };
-    let accuracies = [24, 16].into_iter().flat_map(of);
-    let designs = accuracies.flat_map(|accuracy| points(accuracy, &[1], NO_ZONES, &[4]));
-    designs.collect()
+    forms.extend((0..=2).flat_map(|count| [RootForm::Linear(count), RootForm::Quadratic(count)]));
+    forms.extend([4, 6, 8, 12].map(RootForm::Leading));
+    let mut all = vec![];
+    for depth in [24, 16] {
+        for &form in &forms {
+            let accuracy = changed(depth, |a| a.root_form = form);
+            all.extend(points(accuracy, &[1], NO_ZONES, &[4]));
+        }
+    }
+    all
 }
 
-/// Pixels per clock.
 const LANES: [u32; 3] = [1, 2, 4];
-/// Rows of the root network to a stage.
 const ROWS: [u32; 2] = [1, 4];
 /// Guard bits of f1 and f2, and digits not computed.
 const EXACTNESS: [((u32, u32), u32); 5] = [

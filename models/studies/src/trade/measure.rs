@@ -24,8 +24,7 @@ pub struct Measured<'a> {
     pub widths: MachineWords,
     /// How far what is drawn is from the truth, sample by sample.
     pub metrics: Metrics,
-    /// How far the picture is from the ideal one: root of the mean square of the differences of all channels, in
-    /// percent of the whole scale.
+    /// Root mean square of the differences of all channels from the ideal picture, in percent of the whole scale.
     pub picture_error: f64,
     /// The picture.
     pub rgb: Vec<u8>,
@@ -68,8 +67,7 @@ fn first_samples(rgb: &[u8], columns: usize, samples: usize) -> Vec<u8> {
 }
 
 impl Measured<'_> {
-    /// The smallest machine of these words and of the form of a point that shows the scene, and streams its pictures as
-    /// fast as they are taken; or why there is none.
+    /// The smallest machine of these words and of the form of a point that shows the scene; or why there is none.
     pub fn machine(&self, design: &Design) -> Result<MachineDescription, String> {
         let samples = design.accuracy.supersampling;
         let size = (self.scene.width / samples, self.scene.height / samples);
@@ -113,8 +111,7 @@ impl Measured<'_> {
 
     /// Clocks from frame to frame, every frame with new words.
     pub fn clocks(&self, machine: &MachineDescription, timing: &Timing) -> Result<u64, String> {
-        let clocks = clocks_per_frame(machine, self.scene, &self.prepared, timing);
-        clocks.map_err(|e| e.to_string())
+        clocks_per_frame(machine, self.scene, &self.prepared, timing).map_err(|e| e.to_string())
     }
 
     /// Bits that change from clock to clock while objects are drawn.
@@ -125,10 +122,8 @@ impl Measured<'_> {
         if machine.machine == MachineKind::Beam {
             let step = machine.pixels_per_clock;
             let lane = |first: u32| {
-                let pixels = Lattice {
-                    dy: fields[0].dy,
-                    ..Lattice::columns(step.into(), first.into())
-                };
+                let mut pixels = Lattice::columns(step.into(), first.into());
+                pixels.dy = fields[0].dy;
                 let slots = self.prepared.quadrics();
                 Part {
                     slots: slots.map(|(_, object)| object.words.on(&pixels)).collect(),
@@ -155,7 +150,6 @@ impl Measured<'_> {
     }
 }
 
-/// The scene in the narrowest words that take it.
 fn prepared(
     scene: &FramedScene,
     accuracy: &Accuracy,

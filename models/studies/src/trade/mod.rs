@@ -2,11 +2,10 @@
 //! truth.
 //!
 //! [`design`] says what points there are, [`measure`](mod@measure) draws one, compares it and says what is built for
-//! it, [`clock`] estimates its clock, [`run`](mod@run) does all of them and keeps each in a file of its own, [`report`]
-//! sums them up, [`speed`], [`plot`] and [`page`] show them.
+//! it, [`run`](mod@run) does all of them and keeps each in a file of its own, [`report`] sums them up, [`speed`],
+//! [`plot`] and [`page`](mod@page) show them.
 //! `docs/trade.md` is the user's page.
 
-pub mod clock;
 pub mod design;
 pub mod measure;
 pub mod page;
@@ -15,7 +14,6 @@ pub mod point;
 mod prices;
 pub mod report;
 pub mod run;
-pub mod shrink;
 pub mod speed;
 pub mod view;
 

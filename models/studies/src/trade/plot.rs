@@ -8,27 +8,34 @@ use plotters::prelude::*;
 const SIZE: (u32, u32) = (420, 270);
 /// Share of the values that is room around them.
 const ROOM: f64 = 0.06;
-/// Silhouette-exact points.
 const EXACT: RGBColor = RGBColor(10, 120, 80);
 const OTHER: RGBColor = RGBColor(190, 90, 20);
-/// The line through a front.
 const FRONT: RGBColor = RGBColor(170, 170, 170);
+/// Errors below this are drawn as this.
+const LEAST: f64 = 1e-6;
 const GRID: RGBColor = RGBColor(230, 230, 230);
 
-/// A point of the picture.
-struct Dot<'a> {
-    entry: &'a Entry,
-    x: f64,
-    y: f64,
-}
+/// A point of the picture, and its place.
+type Dot<'a> = (&'a Entry, (f64, f64));
 
 /// Draws a front as SVG. The mark of a point is a circle with its name as `data-point`: green if silhouette-exact, else
 /// orange; filled if on the front. The first circles are the marks, in the order of the points that have both figures.
 pub fn draw(trade: &Trade, front: &Front) -> Result<String, TradeError> {
-    let dots = dots(trade, front);
+    let dots = trade.points.iter().filter_map(|entry| {
+        let point = &entry.point;
+        let error = (front.error)(point.errors.as_ref()?);
+        // Its power of ten, or for counts the power of two of one more.
+        let place = match front.counts {
+            true => (1.0 + error).log2(),
+            false => error.max(LEAST).log10(),
+        };
+        Some((entry, (hardware(point, trade.measure)?, place)))
+    });
+    let dots: Vec<Dot> = dots.collect();
     let draw = |area: &Area| draw_dots(area, trade, front, &dots);
     let text = svg("cannot draw a plot", SIZE, draw)?;
-    Ok(marked(&text, dots.iter().map(|dot| &*dot.entry.point.id)))
+    let names = dots.iter().map(|(entry, _)| &*entry.point.id);
+    Ok(marked(&text, names))
 }
 
 /// The plot with the names of points at its first circles.
@@ -50,35 +57,10 @@ pub(super) fn hardware_title(trade: &Trade) -> String {
     }
 }
 
-fn dots<'a>(trade: &'a Trade, front: &Front) -> Vec<Dot<'a>> {
-    let dot = |entry: &'a Entry| {
-        let error = (front.error)(entry.point.errors.as_ref()?);
-        Some(Dot {
-            entry,
-            x: hardware(&entry.point, trade.measure)?,
-            y: place(front, error),
-        })
-    };
-    trade.points.iter().filter_map(dot).collect()
-}
-
-/// Errors below this are drawn as this.
-const LEAST: f64 = 1e-6;
-
-/// Where an error stands on its axis: its power of ten, or for counts the power of two of one more.
-fn place(front: &Front, error: f64) -> f64 {
-    if front.counts {
-        (1.0 + error).log2()
-    } else {
-        error.max(LEAST).log10()
-    }
-}
-
 fn label(front: &Front, place: f64) -> String {
-    let value = if front.counts {
-        place.exp2() - 1.0
-    } else {
-        10f64.powf(place)
+    let value = match front.counts {
+        true => place.exp2() - 1.0,
+        false => 10f64.powf(place),
     };
     match value {
         v if v >= 10.0 || front.counts => format!("{v:.0}"),
@@ -88,8 +70,8 @@ fn label(front: &Front, place: f64) -> String {
 }
 
 fn draw_dots(area: &Area, trade: &Trade, front: &Front, dots: &[Dot]) -> Outcome {
-    let x = roomy(dots.iter().map(|dot| dot.x), ROOM);
-    let y = roomy(dots.iter().map(|dot| dot.y), ROOM);
+    let x = roomy(dots.iter().map(|(_, at)| at.0), ROOM);
+    let y = roomy(dots.iter().map(|(_, at)| at.1), ROOM);
     let mut chart = chart(area, 10, (front.title, 15), [36, 46]).build_cartesian_2d(x, y)?;
     chart
         .configure_mesh()
@@ -102,23 +84,20 @@ fn draw_dots(area: &Area, trade: &Trade, front: &Front, dots: &[Dot]) -> Outcome
         .x_desc(hardware_title(trade))
         .label_style((FONT, 12))
         .draw()?;
-    let circle = |dot: &Dot| {
-        let colour = [OTHER, EXACT][usize::from(dot.entry.silhouette_exact)];
-        let (radius, style) = match dot.entry.pareto.contains(&front.name) {
+    let is_on = |entry: &Entry| entry.pareto.contains(&front.name);
+    let circle = |(entry, at): &Dot| {
+        let colour = [OTHER, EXACT][usize::from(entry.silhouette_exact)];
+        let (radius, style) = match is_on(entry) {
             true => (5, colour.filled()),
             false => (3, colour.stroke_width(1)),
         };
-        Circle::new((dot.x, dot.y), radius, style)
+        Circle::new(*at, radius, style)
     };
-    chart.draw_series(LineSeries::new(steps(front, dots), FRONT))?;
+    // From the smallest machine on.
+    let line = dots.iter().filter(|dot| is_on(dot.0));
+    let mut line: Vec<(f64, f64)> = line.map(|dot| dot.1).collect();
+    line.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.total_cmp(&a.1)));
+    chart.draw_series(LineSeries::new(line, FRONT))?;
     chart.draw_series(dots.iter().map(circle))?;
     Ok(())
-}
-
-/// The front as a line, from the smallest machine on.
-fn steps(front: &Front, dots: &[Dot]) -> Vec<(f64, f64)> {
-    let on = dots.iter().filter(|d| d.entry.pareto.contains(&front.name));
-    let mut on: Vec<(f64, f64)> = on.map(|d| (d.x, d.y)).collect();
-    on.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.total_cmp(&a.1)));
-    on
 }

@@ -126,7 +126,6 @@ pub struct Point {
     pub emit: Option<String>,
 }
 
-/// What a result depends on besides its point.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct Key {
     /// Digest of the scene.
@@ -155,8 +154,7 @@ pub(super) struct Store<'a> {
 impl Store<'_> {
     /// The file of a point.
     pub fn path(&self, id: &str) -> PathBuf {
-        let points = self.request.out.join("points");
-        points.join(format!("{id}.json"))
+        self.request.out.join("points").join(format!("{id}.json"))
     }
 
     /// A point that is finished and belongs to this run.

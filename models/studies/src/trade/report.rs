@@ -1,7 +1,7 @@
 //! The results of a run: what stands in `trade.json` and `trade.csv`.
 
 use super::point::Point;
-use imogene_analysis::metrics::Metrics;
+use imogene_analysis::metrics::{Metrics, Spread};
 use serde::Serialize;
 use serde_json::Value;
 
@@ -161,12 +161,11 @@ impl EstimateError {
     /// Of pairs of an estimate and what is known.
     pub fn of(pairs: impl Iterator<Item = Option<(f64, f64)>>) -> Option<EstimateError> {
         let percent = |(estimated, known): (f64, f64)| 100.0 * (estimated - known).abs() / known;
-        let all: Vec<f64> = pairs.flatten().map(percent).collect();
-        let squares: f64 = all.iter().map(|p| p * p).sum();
-        (!all.is_empty()).then(|| EstimateError {
-            points: all.len(),
-            max_percent: all.iter().copied().fold(0.0, f64::max),
-            rms_percent: (squares / all.len() as f64).sqrt(),
+        let all = Spread::of(pairs.flatten().map(percent).collect());
+        (all.count > 0).then_some(EstimateError {
+            points: all.count,
+            max_percent: all.max,
+            rms_percent: all.rms,
         })
     }
 }
@@ -216,9 +215,8 @@ impl Trade {
             Some((hardware(&entry.point, self.measure)?, -speed))
         };
         let places: Vec<Option<(f64, f64)>> = self.points.iter().map(place).collect();
-        let on = undominated(&places).into_iter().enumerate();
-        on.filter_map(|(index, is_on)| is_on.then_some(index))
-            .collect()
+        let is_on = undominated(&places);
+        (0..is_on.len()).filter(|index| is_on[*index]).collect()
     }
 
     /// The points as a table.
@@ -243,8 +241,8 @@ fn figure(value: Option<&Value>) -> String {
         None | Some(Value::Null) => String::new(),
         Some(Value::String(text)) => text.clone(),
         Some(Value::Array(list)) => {
-            let words: Vec<String> = list.iter().map(|word| figure(Some(word))).collect();
-            words.join(" ")
+            let words = list.iter().map(|word| figure(Some(word)));
+            words.collect::<Vec<String>>().join(" ")
         }
         Some(Value::Number(number)) if number.is_f64() => {
             number.as_f64().unwrap_or_default().to_string()
@@ -255,9 +253,8 @@ fn figure(value: Option<&Value>) -> String {
 
 /// A field of a table, in quotes if it holds a comma, a quote or the end of a line.
 pub fn csv_field(text: &str) -> String {
-    if text.contains([',', '"', '\n']) {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text.to_owned()
+    match text.contains([',', '"', '\n']) {
+        true => format!("\"{}\"", text.replace('"', "\"\"")),
+        false => text.to_owned(),
     }
 }

@@ -1,11 +1,11 @@
 //! All points of a design space, in any order, on any number of programs, each kept when it is finished.
 
 use super::TradeError;
-use super::clock;
 use super::design::Design;
 use super::measure::{Measured, measure};
 pub use super::point::Request;
 use super::point::{Key, Point, Store};
+use super::prices::clock;
 use super::report::Trade;
 use super::view::Views;
 use crate::kit::picture::{write_png, write_whole};
@@ -24,13 +24,10 @@ pub struct Shard {
     pub of: usize,
 }
 
-/// Points of the same pixels, at least one.
 type Group<'a> = &'a [Design];
 
-/// The picture and the map of some points.
 type Files = (String, String);
 
-/// A scene.
 struct Subject<'a> {
     views: Views,
     store: Store<'a>,
@@ -41,8 +38,10 @@ struct Subject<'a> {
 pub fn run(request: &Request) -> Result<Trade, TradeError> {
     let subject = Subject::new(request)?;
     let truth = subject.truth_file();
-    if !request.out.join(&truth).is_file() {
-        subject.write_truth()?;
+    let path = request.out.join(&truth);
+    if !path.is_file() {
+        let truth = subject.views.whole_truth();
+        write_png(&path, truth.width, truth.height, &truth.rgb)?;
     }
     subject.finish(&groups(&request.designs).collect::<Vec<_>>())?;
     let empty = Trade {
@@ -107,16 +106,10 @@ impl<'a> Subject<'a> {
         format!("pictures/truth-{width}x{height}-{}.png", &own[..8])
     }
 
-    fn write_truth(&self) -> Result<(), TradeError> {
-        let truth = self.views.whole_truth();
-        let path = self.store.request.out.join(self.truth_file());
-        Ok(write_png(&path, truth.width, truth.height, &truth.rgb)?)
-    }
-
-    /// Every point of the groups, kept.
     fn finish(&self, groups: &[Group]) -> Result<(), TradeError> {
         groups.par_iter().try_for_each(|group| {
-            if !self.is_kept(group) {
+            let is_kept = |design: &Design| self.store.take(&design.name()).is_some();
+            if !group.iter().all(is_kept) {
                 self.measure(group)?;
             }
             (self.store.request.done)(group.len() as u64);
@@ -124,12 +117,6 @@ impl<'a> Subject<'a> {
         })
     }
 
-    fn is_kept(&self, group: Group) -> bool {
-        let mut names = group.iter().map(Design::name);
-        names.all(|id| self.store.take(&id).is_some())
-    }
-
-    /// All points, which are finished.
     fn points(&self) -> Result<Vec<Point>, TradeError> {
         let point = |design: &Design| {
             let id = design.name();
@@ -161,7 +148,7 @@ impl<'a> Subject<'a> {
                 refused: Some(problem),
                 ..Point::default()
             });
-            if let Some((file, machine)) = point.machine_file.as_ref().zip(point.machine.as_ref()) {
+            if let (Some(file), Some(machine)) = (&point.machine_file, &point.machine) {
                 let (id, machine) = (&point.id, machine.to_toml());
                 let text = format!("# The machine of the point {id}\n{machine}");
                 let path = self.store.request.out.join(file);
@@ -177,6 +164,9 @@ impl<'a> Subject<'a> {
         let timing = (self.store.request.timing)(&machine);
         let is_beam = machine.machine == MachineKind::Beam;
         let id = design.name();
+        // The registers of the restoring network are those that are counted.
+        let is_counted = design.accuracy.root_form.is_usual();
+        let toggles = is_counted.then(|| measured.toggles(&machine));
         Ok(Point {
             unit: ["zone_machine", "beam_stream"][usize::from(is_beam)].into(),
             design: *design,
@@ -185,12 +175,8 @@ impl<'a> Subject<'a> {
             clocks_per_frame: Some(measured.clocks(&machine, &timing)?),
             errors: Some(measured.metrics.clone()),
             picture_error: Some(measured.picture_error),
-            // The registers of the restoring network are those that are counted.
-            toggles: match design.accuracy.root_form.is_usual() {
-                true => Some(measured.toggles(&machine)?),
-                false => None,
-            },
-            mhz_estimated: clock::estimate(&machine, self.store.request.target),
+            toggles: toggles.transpose()?,
+            mhz_estimated: clock(&machine, self.store.request.target),
             picture: Some(files.0.clone()),
             map: Some(files.1.clone()),
             machine_file: Some(format!("machines/{id}.toml")),
@@ -224,10 +210,9 @@ impl<'a> Subject<'a> {
 /// A word of a command line, in quotes where a shell would not leave it as it is.
 pub fn quoted(text: &str) -> String {
     let plain = |c: char| c.is_alphanumeric() || "/._-+:@%".contains(c);
-    if !text.is_empty() && text.chars().all(plain) {
-        text.to_owned()
-    } else {
-        format!("'{}'", text.replace('\'', "'\\''"))
+    match !text.is_empty() && text.chars().all(plain) {
+        true => text.to_owned(),
+        false => format!("'{}'", text.replace('\'', "'\\''")),
     }
 }
 

@@ -16,9 +16,7 @@ const ROOM: f64 = 0.05;
 const TITLE: &str = "The fastest machines of every area and accuracy";
 /// Room on the right, for the names of the classes.
 const NAMES: i32 = 260;
-/// Lines of a name.
 const LINE: i32 = 16;
-/// Colours of the classes, the best first.
 const COLOURS: [RGBColor; 5] = [
     RGBColor(20, 60, 140),
     RGBColor(20, 130, 170),
@@ -126,7 +124,6 @@ impl Class {
     }
 }
 
-/// What the machines of a class draw.
 fn in_words(accuracy: &Accuracy) -> String {
     let pixels = match (accuracy.undersampling, accuracy.supersampling) {
         (1, 1) if accuracy.interlaced => "every other line".into(),
@@ -181,7 +178,6 @@ fn draw_plane(area: &Area, trade: &Trade, dots: &[Dot], classes: &[Class]) -> Ou
     name(area, ends.collect())
 }
 
-/// Lines of the powers of ten, and of a screen.
 fn levels(area: &Area, plane: &mut Plane, x: &Range<f64>, y: &Range<f64>) -> Outcome {
     let line = |at: f64| vec![(x.start, at), (x.end, at)];
     let right = |vertical| Pos::new(HPos::Right, vertical);
@@ -211,8 +207,7 @@ fn name(area: &Area, mut ends: Vec<((i32, i32), &Class)>) -> Outcome {
         least = height + 2 * LINE + 4;
         for (row, text) in class.names.iter().enumerate() {
             let weight = [FontStyle::Bold, FontStyle::Normal][row];
-            let font = (FONT, 13, weight).into_font();
-            let style = font.color(&COLOURS[class.class]);
+            let style = (FONT, 13, weight).into_font().color(&COLOURS[class.class]);
             let style = style.pos(Pos::new(HPos::Left, VPos::Center));
             let place = (right + 8, height + LINE * row as i32);
             area.draw(&Text::new(text.clone(), place, style))?;

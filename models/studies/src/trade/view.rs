@@ -11,7 +11,6 @@ const IDEAL: u32 = 4;
 /// Sizes, in quarters of that of the picture.
 const SIZES: [u32; 5] = [1, 2, 4, 8, 16];
 
-/// The scene at a size.
 struct View {
     /// None if the size is not a whole number of pixels.
     scene: Option<FramedScene>,
@@ -30,22 +29,14 @@ pub struct Ideal {
 }
 
 impl Views {
-    /// The scene in pictures of `width` by `height` pixels.
-    ///
-    /// # Errors
-    ///
-    /// When the scene cannot be framed.
+    /// The scene in pictures of `width` by `height` pixels. Fails when it cannot be framed.
     pub fn new(file: &SceneFile, (width, height): (u32, u32)) -> Result<Views, SceneError> {
         let view = |quarters: u32| {
             let (width, height) = (width * quarters, height * quarters);
-            let scene = match width.is_multiple_of(4) && height.is_multiple_of(4) {
-                true => Some(file.frame(width / 4, height / 4)?),
-                false => None,
-            };
-            Ok(View {
-                scene,
-                truth: OnceLock::new(),
-            })
+            let is_whole = width.is_multiple_of(4) && height.is_multiple_of(4);
+            let scene = is_whole.then(|| file.frame(width / 4, height / 4));
+            let (scene, truth) = (scene.transpose()?, OnceLock::new());
+            Ok(View { scene, truth })
         };
         let views = SIZES.into_iter().map(view);
         Ok(Views {

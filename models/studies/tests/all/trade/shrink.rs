@@ -1,4 +1,4 @@
-use imogene_studies::trade::shrink::{Reducer, exact_png};
+use imogene_studies::trade::page::{Reducer, exact_png};
 
 fn decoded(bytes: &[u8]) -> Vec<u8> {
     let mut decoder = png::Decoder::new(std::io::Cursor::new(bytes));
