@@ -27,7 +27,6 @@ pub struct Sweep {
     pub(super) values: fn() -> Vec<String>,
     /// The scene of a series at a value.
     pub(super) scene: fn(usize, &BigRational) -> SceneFile,
-    /// What is special.
     pub(super) rule: Rule,
 }
 
@@ -43,7 +42,6 @@ pub(super) enum Rule {
     Formats(fn(usize, u32) -> Result<Format, String>),
 }
 
-/// One scene of a sweep.
 struct Step {
     series: usize,
     parameter: String,
@@ -116,31 +114,28 @@ impl Sweep {
     }
 
     fn record(&self, step: &Step) -> Record {
-        let drawn = draw(step);
+        let measured = || {
+            let format = step.format.clone()?;
+            let image = step.scene.image;
+            let framed = step.scene.frame(image.width, image.height);
+            let framed = framed.map_err(|error| error.to_string())?;
+            let prepared = prepare_for_roots(&framed, format).map_err(|error| error.to_string())?;
+            Ok(measure(&framed, &prepared))
+        };
+        let measured: Result<Figures, String> = measured();
         let with_naive = matches!(self.rule, Rule::Naive);
         Record {
             series: self.series[step.series],
             parameter: step.parameter.clone(),
             value: step.parameter.parse().expect("parameters are decimals"),
-            refused: drawn.as_ref().err().cloned(),
-            figures: drawn.ok(),
+            refused: measured.as_ref().err().cloned(),
+            figures: measured.ok(),
             naive: with_naive.then(|| naive::compare(&step.scene)),
         }
     }
 }
 
-/// The figures, or the refusal.
-fn draw(step: &Step) -> Result<Figures, String> {
-    let format = step.format.clone()?;
-    let image = step.scene.image;
-    let framed = step.scene.frame(image.width, image.height);
-    let framed = framed.map_err(|error| error.to_string())?;
-    let prepared = prepare_for_roots(&framed, format).map_err(|error| error.to_string())?;
-    Ok(measure(&framed, &prepared))
-}
-
-fn violations(record: &Record) -> Vec<String> {
+fn violations(record: &Record) -> impl Iterator<Item = String> {
     let found = record.figures.iter().flat_map(|f| &f.violations);
-    let placed = found.map(|v| format!("{}, {}: {v}", record.series, record.parameter));
-    placed.collect()
+    found.map(|v| format!("{}, {}: {v}", record.series, record.parameter))
 }

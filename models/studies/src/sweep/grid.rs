@@ -76,11 +76,9 @@ pub fn looking(
 
 /// A scene without lights on the usual screen.
 pub fn scene(title: &str, camera: Camera, objects: Vec<Object>) -> SceneFile {
+    let (width, height) = SCREEN;
     SceneFile {
-        image: ImageSize {
-            width: SCREEN.0,
-            height: SCREEN.1,
-        },
+        image: ImageSize { width, height },
         materials: vec![Material {
             name: "plain".into(),
             colour: [0.5; 3],

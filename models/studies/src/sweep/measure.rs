@@ -1,14 +1,18 @@
 //! One prepared scene: the golden picture against the truth, beside the bounds that were proven before.
 
-use super::contour::displaced;
 use super::truth::{DEPTH_BITS, TruePixel, Truth};
-use imogene_algebra::rational::to_f64;
-use imogene_algebra::vector::{Vector, cross, dot, length};
+use imogene_algebra::rational::{from_f64_exact, power_of_two, to_f64};
+use imogene_algebra::vector::{cross, dot, length};
 use imogene_analysis::bounds::{check, depth_bound, normal_bound, undecided_pixels};
-use imogene_golden::machine::beam;
+use imogene_golden::format::Format;
 use imogene_golden::machine::frame::Frame;
-use imogene_prepare::{NeededWidths, PreparedScene};
+use imogene_golden::unit::cut_plane::PlaneKind;
+use imogene_golden::unit::depth_interval::Class;
+use imogene_prepare::forms::QuadraticForm;
+use imogene_prepare::{NeededWidths, PreparedQuadric, PreparedScene};
 use imogene_scene::FramedScene;
+use num_rational::BigRational;
+use num_traits::Signed;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -98,9 +102,11 @@ pub struct Figures {
 pub fn measure(scene: &FramedScene, prepared: &PreparedScene) -> Figures {
     let report = check(scene, prepared);
     let words_per_pixel = to_f64(&prepared.depth_scale);
-    let problems = report.objects.iter();
-    let problems =
-        problems.flat_map(|o| o.problems.iter().map(move |p| format!("{}: {p}", o.name)));
+    let mut problems = vec![];
+    for object in &report.objects {
+        let named = |problem| format!("{}: {problem}", object.name);
+        problems.extend(object.problems.iter().map(named));
+    }
     let mut figures = Figures {
         depth_word: prepared.format.depth,
         guards: [prepared.format.guard_linear, prepared.format.guard_quadratic],
@@ -120,7 +126,7 @@ pub fn measure(scene: &FramedScene, prepared: &PreparedScene) -> Figures {
                 report.bounds.silhouette_px
             )
         }),
-        problems: problems.collect(),
+        problems,
         ..Figures::default()
     };
     compare_pixels(&mut figures, scene, prepared);
@@ -161,11 +167,10 @@ fn hold(
 }
 
 fn compare_pixels(figures: &mut Figures, scene: &FramedScene, prepared: &PreparedScene) {
-    let format = &prepared.format;
     let (width, height) = (prepared.width as usize, prepared.height as usize);
-    let golden = beam::render(&prepared.slots(), format, width, height, || ());
+    let golden = prepared.frame(|| ());
     let undecided = undecided_pixels(scene, prepared);
-    let truth = Truth::new(scene, format.z_max());
+    let truth = Truth::new(scene, prepared.format.z_max());
     let at = |index: usize| truth.at((index % width) as i64, (index / width) as i64);
     let exact: Vec<Option<TruePixel>> = (0..width * height).into_par_iter().map(at).collect();
     figures.covered = golden.covered();
@@ -217,7 +222,9 @@ fn compare_faces(
     if bound >= 180.0 {
         return;
     }
-    let angle = degrees_between(normal.map(f64::from), exact.normal);
+    let drawn = normal.map(f64::from);
+    let sine = length(cross(drawn, exact.normal));
+    let angle = sine.atan2(dot(drawn, exact.normal)).to_degrees();
     observed.normals += 1;
     observed.normal_deg = observed.normal_deg.max(angle);
     let held = [angle, bound, ANGLE_MARGIN];
@@ -226,6 +233,74 @@ fn compare_faces(
     });
 }
 
-fn degrees_between(u: Vector, v: Vector) -> f64 {
-    length(cross(u, v)).atan2(dot(u, v)).to_degrees()
+/// How far the computed contour is from the true one, to first order: `|q2 - f2|` over the length of the gradient of
+/// q2, at every point in which it crosses a line or a column of the screen box and that the planes keep. The numerator
+/// is exact; the bound of the check divides the greatest such difference by the least gradient.
+fn displaced(object: &PreparedQuadric, format: &Format) -> Option<f64> {
+    let window = object.words.screen_box;
+    if window.is_empty() {
+        return None;
+    }
+    let unit = power_of_two(format.guard_quadratic);
+    let residual = QuadraticForm::of_words(&object.words.f2).minus(&object.exact.f2.scaled(&unit));
+    let lines = (window.y0..=window.y1).flat_map(|y| crossings(object, y, false));
+    let columns = (window.x0..=window.x1).flat_map(|x| crossings(object, x, true));
+    let off = |(at, slope): Crossing| {
+        let [x, y] = at.map(from_f64_exact);
+        let off = to_f64(&residual.at(&x, &y)).abs();
+        is_kept(object, &x, &y).then(|| off / slope)
+    };
+    lines.chain(columns).filter_map(off).reduce(f64::max)
+}
+
+/// A point of the computed contour, with the length of the gradient there.
+type Crossing = ([f64; 2], f64);
+
+/// Where the computed contour crosses a line of the screen box, or a column of it.
+fn crossings(object: &PreparedQuadric, number: i64, is_column: bool) -> Vec<Crossing> {
+    /// What belongs to columns and to lines as what is along and across, or the other way round.
+    fn turned<T>([first, second]: [T; 2], is_column: bool) -> [T; 2] {
+        if is_column {
+            [second, first]
+        } else {
+            [first, second]
+        }
+    }
+    let window = object.words.screen_box;
+    let sides = [[window.x0, window.x1], [window.y0, window.y1]];
+    let [[first, last], _] = turned(sides, is_column);
+    // About the middle, so that no digits are lost.
+    let middle = (first + last) / 2;
+    let [x, y] = turned([middle, number], is_column);
+    let q = object.words.f2.from_zone(x, y);
+    let [square, _] = turned([q.a, q.b], is_column);
+    let [linear, across] = turned([q.d, q.e], is_column);
+    let [a, b, c, across, mixed] = [square, linear, q.f, across, q.c].map(|v| v as f64);
+    let root = (b * b - 4.0 * a * c).sqrt();
+    // The root that does not cancel, and the other from the product of both.
+    let steady = -0.5 * (b + root.copysign(b));
+    let found = [steady / a, c / steady].map(|u| {
+        let at = turned([middle as f64 + u, number as f64], is_column);
+        (at, (2.0 * a * u + b).hypot(mixed * u + across))
+    });
+    let crossed = |(at, slope): &Crossing| {
+        let mut places = sides.iter().zip(at);
+        *slope > 0.0 && places.all(|(side, at)| (side[0] as f64..=side[1] as f64).contains(at))
+    };
+    found.into_iter().filter(crossed).collect()
+}
+
+fn is_kept(object: &PreparedQuadric, x: &BigRational, y: &BigRational) -> bool {
+    let depth = object.exact.f1.at(x, y);
+    let has_depth = !matches!(object.words.class, Class::Front | Class::Prism);
+    let mut planes = object.words.planes.iter().zip(&object.exact.planes);
+    planes.all(|(words, exact)| {
+        let value = exact.at(x, y);
+        match words.kind {
+            PlaneKind::Perpendicular => !value.is_negative(),
+            PlaneKind::Front if has_depth => depth >= value,
+            PlaneKind::Back if has_depth => depth <= value,
+            _ => true,
+        }
+    })
 }

@@ -6,7 +6,6 @@
 //! sweep fails: no error exceeds its bound; every pixel that shows another face than the truth was announced as
 //! undecided; and where the format gives out the scene is refused.
 
-mod contour;
 mod family;
 pub mod grid;
 pub mod measure;
@@ -20,8 +19,7 @@ mod views;
 pub use family::Sweep;
 pub use measure::{Bounds, Figures, Observed, Ratios};
 pub use plot::plot;
-pub use record::Axis;
-pub use record::{GivesOut, Notice, Record, SweepResult, section};
+pub use record::{Axis, GivesOut, Notice, Record, SweepResult, section};
 use thiserror::Error;
 
 /// Every sweep, in the order of the documentation.

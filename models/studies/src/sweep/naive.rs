@@ -33,14 +33,6 @@ pub struct FloatError {
     pub silhouette_pixels: usize,
 }
 
-/// The observer of a perspective scene that looks along -z.
-struct Viewer {
-    eye: [f64; 3],
-    distance: f64,
-    /// Scene units to the pixel in the screen plane.
-    unit: f64,
-}
-
 /// Draws the first object of a scene as a whole quadric: one without cuts, seen in perspective along -z.
 pub fn compare(file: &SceneFile) -> Naive {
     let Lens::Perspective {
@@ -53,28 +45,27 @@ pub fn compare(file: &SceneFile) -> Naive {
     let quadric = Quadric::from_shape(&object.shape).expect("a quadric");
     let quadric = quadric.transformed(&Transform::placement(&object.place));
     let coefficients = quadric.coefficients().map(to_f64);
-    let viewer = Viewer {
-        eye: file.camera.eye,
-        distance: viewer_distance,
-        unit: file.camera.view_height / f64::from(file.image.height),
-    };
     Naive {
-        single: error(file, &viewer, coefficients.map(|c| c as f32)),
-        double: error(file, &viewer, coefficients),
+        single: error(file, viewer_distance, coefficients.map(|c| c as f32)),
+        double: error(file, viewer_distance, coefficients),
     }
 }
 
-fn error<T: Float>(file: &SceneFile, viewer: &Viewer, quadric: [T; 10]) -> FloatError {
+fn error<T: Float>(file: &SceneFile, viewer_distance: f64, quadric: [T; 10]) -> FloatError {
     let (width, height) = (file.image.width, file.image.height);
     let scene = file.frame(width, height).expect("sweeps are valid");
     let format = Format::BASE;
     let truth = Truth::new(&scene, format.z_max());
-    let distance = to_f64(&(from_decimal(viewer.distance) / from_decimal(viewer.unit)));
+    // Scene units to the pixel in the screen plane.
+    let unit = file.camera.view_height / f64::from(height);
+    let distance = to_f64(&(from_decimal(viewer_distance) / from_decimal(unit)));
     let word = distance / format.z_max() as f64;
     let mut found = FloatError::default();
     for (x, y) in ScreenBox::of_screen(width, height).each() {
-        let place = [2 * x - i64::from(width), i64::from(height) - 2 * y].map(|v| v as f64 / 2.0);
-        let seen = first_depth(&quadric, viewer, place);
+        let [px, py] = [2 * x - i64::from(width), i64::from(height) - 2 * y];
+        let [px, py] = [px, py].map(|v| v as f64 / 2.0 * unit);
+        let along = [px, py, -viewer_distance];
+        let seen = first_depth(&quadric, file.camera.eye.map(cast), along.map(cast));
         match (seen, truth.at(x, y)) {
             (Some(parts), Some(exact)) => {
                 let exact = exact.depth as f64 / (1u64 << DEPTH_BITS) as f64 * word;
@@ -89,27 +80,20 @@ fn error<T: Float>(file: &SceneFile, viewer: &Viewer, quadric: [T; 10]) -> Float
     found
 }
 
+fn cast<T: Float>(value: f64) -> T {
+    T::from(value).expect("a finite number")
+}
+
 /// Projected depth of the near root in viewer distances, all in the precision of the coefficients.
-fn first_depth<T: Float>(quadric: &[T; 10], viewer: &Viewer, place: [f64; 2]) -> Option<f64> {
-    let cast = |value: f64| T::from(value).expect("a finite number");
-    let eye = viewer.eye.map(cast);
-    let [px, py] = place.map(|p| cast(p * viewer.unit));
-    let along = [px, py, cast(-viewer.distance)];
-    let two = cast(2.0);
+fn first_depth<T: Float>(quadric: &[T; 10], eye: [T; 3], along: [T; 3]) -> Option<f64> {
     let [a, b, c, d, e, f, g, h, i, j] = *quadric;
-    // Rows of the matrix times a vector.
-    let times = |[x, y, z]: [T; 3]| {
-        [
-            a * x + d * y + e * z,
-            d * x + b * y + f * z,
-            e * x + f * y + c * z,
-        ]
-    };
     let dot = |[x, y, z]: [T; 3], [u, v, w]: [T; 3]| x * u + y * v + z * w;
+    // The matrix times a vector.
+    let times = |v: [T; 3]| [[a, d, e], [d, b, f], [e, f, c]].map(|row| dot(row, v));
     let linear = [g, h, i];
     let square = dot(times(along), along);
     let mixed = dot(times(eye), along) + dot(linear, along);
-    let constant = dot(times(eye), eye) + two * dot(linear, eye) + j;
+    let constant = dot(times(eye), eye) + cast::<T>(2.0) * dot(linear, eye) + j;
     let discriminant = mixed * mixed - square * constant;
     if discriminant < T::zero() {
         return None;

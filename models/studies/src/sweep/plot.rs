@@ -4,8 +4,7 @@
 //! value 0.
 
 use super::measure::Figures;
-use super::record::Axis;
-use super::record::{Notice, Record, SweepResult};
+use super::record::{Axis, Notice, Record, SweepResult};
 use crate::kit::DrawError;
 use crate::kit::plot::{Area, COLOURS, FONT, GREY, Outcome, chart, span, svg};
 use plotters::prelude::*;
@@ -43,12 +42,15 @@ const PANELS: [Panel; 3] = [
 /// Draws a sweep as SVG.
 pub fn plot(result: &SweepResult) -> Result<String, DrawError> {
     let what = format!("the plot of the sweep `{}` cannot be drawn", result.name);
+    let title = match result.depth_word {
+        Some(word) => format!("{} (depth word of {word} bits)", result.title),
+        None => result.title.to_owned(),
+    };
     let legend = legend(result);
     let foot = FOOT * legend.len() as u32 + 16;
     let size = (PANEL.0 * PANELS.len() as u32, PANEL.1 + 40 + foot);
     svg(what, size, |area| {
-        let area = area.margin(10, 0, 0, 0);
-        let area = area.titled(&title(result), (FONT, 22))?;
+        let area = area.margin(10, 0, 0, 0).titled(&title, (FONT, 22))?;
         let (panels, below) = area.split_vertically(PANEL.1);
         let parts = panels.split_evenly((1, PANELS.len()));
         for (part, panel) in parts.iter().zip(&PANELS) {
@@ -58,14 +60,6 @@ pub fn plot(result: &SweepResult) -> Result<String, DrawError> {
     })
 }
 
-fn title(result: &SweepResult) -> String {
-    match result.depth_word {
-        Some(word) => format!("{} (depth word of {word} bits)", result.title),
-        None => result.title.to_owned(),
-    }
-}
-
-/// A line of a panel: its points in axis coordinates.
 struct Line {
     colour: RGBColor,
     kind: Kind,
@@ -89,14 +83,6 @@ impl Axis {
             (true, false) => Some(value.log10()),
             (true, true) => Some(-value.log10()),
         }
-    }
-
-    /// The value at a place, if it is one that is worth a label.
-    fn label_at(&self, place: f64) -> String {
-        if !self.logarithmic {
-            return format!("{place:.0}");
-        }
-        power_label(if self.falling { -place } else { place })
     }
 }
 
@@ -144,7 +130,8 @@ impl Places {
     fn label(&self, place: f64) -> String {
         match self.zero {
             Some(zero) if (place - zero).abs() < 1e-6 => "0".into(),
-            _ => self.axis.label_at(place),
+            _ if !self.axis.logarithmic => format!("{place:.0}"),
+            _ => power_label(if self.axis.falling { -place } else { place }),
         }
     }
 }
@@ -196,9 +183,10 @@ fn draw_panel(area: &Area<'_>, panel: &Panel, result: &SweepResult) -> Outcome {
     let mut chart =
         chart(area, 12, (panel.title, 17), [44, 56]).build_cartesian_2d(left..right, low..top)?;
     let decades = |span: f64| span as usize + 2;
-    let columns = match result.axis.logarithmic {
-        true => decades(right - left),
-        false => 10,
+    let columns = if result.axis.logarithmic {
+        decades(right - left)
+    } else {
+        10
     };
     chart
         .configure_mesh()
@@ -255,12 +243,12 @@ fn draw_panel(area: &Area<'_>, panel: &Panel, result: &SweepResult) -> Outcome {
 type Entry = (String, Option<RGBColor>);
 
 fn legend(result: &SweepResult) -> Vec<Entry> {
-    let colours = result.series.iter().zip(COLOURS);
-    let series = colours.map(|(name, colour)| ((*name).to_owned(), Some(colour)));
-    let floats = "the same in floating point and scene coordinates: f32 triangles, f64 dots";
-    let with_floats = result.records.iter().any(|r| r.naive.is_some());
-    let mut entries: Vec<Entry> = series.collect();
-    entries.extend(with_floats.then(|| (floats.into(), None)));
+    let series = result.series.iter().map(|name| (*name).to_owned());
+    let mut entries: Vec<Entry> = series.zip(COLOURS.map(Some)).collect();
+    if result.records.iter().any(|r| r.naive.is_some()) {
+        let floats = "the same in floating point and scene coordinates: f32 triangles, f64 dots";
+        entries.push((floats.into(), None));
+    }
     entries[0].0 += ": proven bound (line), observed (circles); at the top: refused (crosses), check fails (triangles)";
     entries
 }

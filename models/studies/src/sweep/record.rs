@@ -121,27 +121,23 @@ impl Record {
             return Some((Notice::Refused, message.clone()));
         }
         let figures = self.figures.as_ref()?;
-        match &figures.check_failed {
-            Some(message) => Some((Notice::CheckFails, message.clone())),
-            None if figures.covered == 0 => {
-                Some((Notice::NothingDrawn, figures.problems.join("; ")))
-            }
-            None => None,
-        }
-    }
-
-    /// What notices for the same reason have in common: everything but the figures of the message.
-    fn reason(&self) -> Option<(Notice, String)> {
-        let (by, message) = self.notice()?;
-        let words = message.chars().filter(|c| c.is_alphabetic());
-        Some((by, words.collect()))
+        let check = figures.check_failed.clone();
+        let check = check.map(|message| (Notice::CheckFails, message));
+        let nothing = || (Notice::NothingDrawn, figures.problems.join("; "));
+        check.or_else(|| (figures.covered == 0).then(nothing))
     }
 }
 
 /// The runs of records with the same notice, or with none.
 fn runs<'a>(records: &[&'a Record]) -> Vec<Vec<&'a Record>> {
-    let same = |a: &&Record, b: &&Record| a.reason() == b.reason();
-    records.chunk_by(same).map(<[_]>::to_vec).collect()
+    // For the same reason if the messages are alike, but for their figures.
+    let reason = |record: &Record| {
+        let (by, mut message) = record.notice()?;
+        message.retain(char::is_alphabetic);
+        Some((by, message))
+    };
+    let runs = records.chunk_by(|a, b| reason(a) == reason(b));
+    runs.map(<[_]>::to_vec).collect()
 }
 
 /// Every run of values with a notice.
@@ -169,7 +165,6 @@ pub(super) fn gives_out(series: &[&'static str], records: &[Record]) -> Vec<Give
     found
 }
 
-/// What stands in the template.
 #[derive(Serialize)]
 struct Section<'a> {
     #[serde(flatten)]

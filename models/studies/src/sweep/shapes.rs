@@ -6,7 +6,7 @@ use super::record::Axis;
 use crate::kit::words::widest;
 use imogene_algebra::rational::{fraction, from_decimal, integer, power_of_two, to_f64};
 use imogene_golden::format::Format;
-use imogene_scene::{Axis as Turn, Cut, Object, Rotation, Scale, SceneFile, Shape, Step as Place};
+use imogene_scene::{Axis as Turn, Cut, Rotation, Scale, SceneFile, Shape, Step as Place};
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
@@ -74,7 +74,6 @@ fn large_ball(series: usize, radius: &BigRational) -> SceneFile {
     scene("ball", camera, vec![ball])
 }
 
-/// Radius in pixels.
 const RADIUS: i64 = 2048;
 /// The root of f2, up to R, stays below 2^23.5 depth words.
 const HALF_DEPTH: f64 = 1500.0;
@@ -124,7 +123,6 @@ fn cap(series: usize, k: &BigRational) -> SceneFile {
     scene("cut ball", orthographic(HALF_DEPTH), vec![ball])
 }
 
-/// Direction of the thickness, a unit vector in decimals.
 const ACROSS: [(i64, i64); 3] = [(3, 5), (0, 1), (4, 5)];
 
 /// Solids that become thinner than a depth word.
@@ -142,10 +140,23 @@ pub const THIN: Sweep = Sweep {
 };
 
 fn thin_solid(series: usize, thickness: &BigRational) -> SceneFile {
+    // The points at half the thickness to both sides of the middle.
+    let [front, back] =
+        [1, -1].map(|half| ACROSS.map(|(n, d)| decimal(&(fraction(half * n, 2 * d) * thickness))));
+    let ball = Shape::Sphere { radius: 30.0 };
     let mut objects = match series {
-        0 => slab(thickness),
-        1 => lune(thickness),
-        _ => leaf(thickness),
+        0 => {
+            let cuts = vec![cut(front, [0.6, 0.0, 0.8]), cut(back, [-0.6, 0.0, -0.8])];
+            vec![solid("slab", ball, cuts)]
+        }
+        1 => vec![
+            moved("back", ball.clone(), vec![], back),
+            moved("front", ball, vec![], front),
+        ],
+        _ => {
+            let half = decimal(&(thickness * fraction(1, 2)));
+            vec![solid("leaf", Shape::Ellipsoid([30.0, 30.0, half]), vec![])]
+        }
     };
     for object in &mut objects {
         object.place.push(Place::Translate(BESIDE));
@@ -153,31 +164,6 @@ fn thin_solid(series: usize, thickness: &BigRational) -> SceneFile {
     scene("thin", orthographic(64.0), objects)
 }
 
-/// The points at half the thickness to both sides of the middle.
-fn across(thickness: &BigRational) -> [[f64; 3]; 2] {
-    let at = |half: i64| ACROSS.map(|(n, d)| decimal(&(fraction(half * n, 2 * d) * thickness)));
-    [at(1), at(-1)]
-}
-
-fn slab(thickness: &BigRational) -> Vec<Object> {
-    let [front, back] = across(thickness);
-    let cuts = vec![cut(front, [0.6, 0.0, 0.8]), cut(back, [-0.6, 0.0, -0.8])];
-    vec![solid("slab", Shape::Sphere { radius: 30.0 }, cuts)]
-}
-
-fn lune(thickness: &BigRational) -> Vec<Object> {
-    let [front, back] = across(thickness);
-    let ball = |name, place| moved(name, Shape::Sphere { radius: 30.0 }, vec![], place);
-    vec![ball("back", back), ball("front", front)]
-}
-
-fn leaf(thickness: &BigRational) -> Vec<Object> {
-    let half = decimal(&(thickness * fraction(1, 2)));
-    let shape = Shape::Ellipsoid([30.0, 30.0, half]);
-    vec![solid("leaf", shape, vec![])]
-}
-
-/// Guard bits of f1 and f2.
 const GUARDS: [(u32, u32); 4] = [(0, 0), (2, 4), (4, 8), (8, 16)];
 
 /// One scene in every depth word and with guard bits.

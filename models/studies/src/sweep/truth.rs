@@ -3,12 +3,13 @@
 //! [`imogene_analysis::exact::render`] gives depths with 20 fraction bits and takes gradients in floating point; where
 //! a quadric all but degenerates that is not enough.
 
-use imogene_analysis::exact::ray::RayObject;
+use imogene_algebra::matrix::image;
+use imogene_analysis::exact::render::{View, scaled};
 use imogene_golden::unit::depth_interval::{FACE_NEAR_END, FACE_PLANE};
 use imogene_scene::{FramedQuadric, FramedScene, Projection};
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{Signed, ToPrimitive};
+use num_traits::ToPrimitive;
 
 /// Fraction bits of an exact depth in depth words.
 pub const DEPTH_BITS: u32 = 40;
@@ -30,7 +31,8 @@ pub struct TruePixel {
 /// A scene of cut quadrics along its lines of sight.
 pub struct Truth<'a> {
     scene: &'a FramedScene,
-    objects: Vec<(&'a FramedQuadric, RayObject, Gradient)>,
+    view: View<'a>,
+    objects: Vec<(&'a FramedQuadric, Gradient)>,
     greatest_depth: BigInt,
 }
 
@@ -39,11 +41,11 @@ impl<'a> Truth<'a> {
     pub fn new(scene: &'a FramedScene, greatest_depth: i64) -> Truth<'a> {
         let objects = scene.objects.iter().map(|object| {
             let object = object.quadric().expect("sweeps draw quadrics alone");
-            let rays = RayObject::new(object, scene);
-            (object, rays, Gradient::new(object, scene))
+            (object, Gradient::new(object, scene))
         });
         Truth {
             scene,
+            view: View::new(scene),
             objects: objects.collect(),
             greatest_depth: BigInt::from(greatest_depth),
         }
@@ -51,18 +53,17 @@ impl<'a> Truth<'a> {
 
     /// What is seen at a pixel; the smaller id where two are exactly equal.
     pub fn at(&self, x: i64, y: i64) -> Option<TruePixel> {
-        let hits = self.objects.iter().enumerate();
-        let hits = hits.filter_map(|(id, (_, rays, _))| Some((id, rays.first_hit(x, y)?)));
-        let (id, hit) = hits.reduce(|best, next| if next.1.w < best.1.w { next } else { best })?;
+        let (id, hit) = self.view.visible(x, y)?;
+        let id = id as usize;
         let full = &self.greatest_depth;
         let depth = hit.w.fixed(full, full, DEPTH_BITS).to_i128();
         let one = BigInt::from(1);
-        let (object, _, gradient) = &self.objects[id];
+        let (object, gradient) = &self.objects[id];
         let normal = match hit.number {
             FACE_NEAR_END => [0.0, 0.0, -1.0],
             number if number >= FACE_PLANE => {
                 let plane = &object.planes[usize::from(number - FACE_PLANE)];
-                direction([&plane.a, &plane.b, &plane.c].map(Clone::clone))
+                scaled([&plane.a, &plane.b, &plane.c])
             }
             _ => {
                 // Twice the pixel's place, so that the middle of an odd screen is whole.
@@ -80,11 +81,8 @@ impl<'a> Truth<'a> {
     }
 }
 
-/// Half the gradient of a quadric, in whole numbers.
 struct Gradient {
-    /// Rows of the quadric's matrix for x, y and z.
     rows: [[BigInt; 4]; 3],
-    /// Full depth in pixels as a fraction.
     full: BigRational,
     is_perspective: bool,
 }
@@ -116,19 +114,7 @@ impl Gradient {
             one
         };
         let t = shrunk * self.full.denom() * 2;
-        let point = [x, y, z, t];
-        direction(self.rows.each_ref().map(|row| {
-            let terms = row.iter().zip(&point).map(|(a, b)| a * b);
-            BigRational::from_integer(terms.sum())
-        }))
+        let normal = image(&self.rows, &[x, y, z, t]);
+        scaled(normal.map(BigRational::from_integer).each_ref())
     }
-}
-
-/// A vector in units of its greatest component.
-fn direction(vector: [BigRational; 3]) -> [f64; 3] {
-    let greatest = vector.iter().map(Signed::abs).max().expect("three");
-    if *greatest.numer() == BigInt::from(0) {
-        return [0.0; 3];
-    }
-    vector.map(|value| imogene_algebra::rational::to_f64(&(value / &greatest)))
 }
