@@ -63,14 +63,12 @@ pub fn numbers<const N: usize>(values: [f64; N]) -> [Counted; N] {
     values.map(number)
 }
 
-/// Notes an operation.
 fn note(kind: fn(&mut Tally) -> &mut u64) {
     let mut tally = DONE.get();
     *kind(&mut tally) += 1;
     DONE.set(tally);
 }
 
-/// A number that is the result of an operation.
 fn counted(kind: fn(&mut Tally) -> &mut u64, value: f64) -> Counted {
     note(kind);
     number(value)
@@ -140,7 +138,6 @@ impl Counted {
     }
 }
 
-/// An operation between two numbers, counted among those of a kind.
 macro_rules! operation {
     ($operator:ident, $name:ident, $kind:ident) => {
         impl $operator for Counted {

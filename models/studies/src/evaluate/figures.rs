@@ -3,7 +3,7 @@
 use super::EvaluateError;
 use super::duplication::{Edges, planned, touched};
 use super::hardware::{
-    DEVICE, GATES, Hardware, MACHINE_PLANES, MACHINE_PROCESSORS, PLAIN_DEVICE, Resources,
+    self, DEVICE, GATES, Hardware, MACHINE_PLANES, MACHINE_PROCESSORS, PLAIN_DEVICE,
 };
 use super::scenes::{Moving, OBJECT_SIDE, balls, others, zone_machine};
 use super::steps;
@@ -58,7 +58,7 @@ pub fn counts(hardware: &Hardware) -> Result<Environment<'static>, EvaluateError
 
 /// The table of resources, as functions of a unit.
 fn resources(names: &mut Environment) -> Result<(), EvaluateError> {
-    let table = Arc::new(Resources::compiled_in()?);
+    let table = Arc::new(hardware::resources()?);
     let figures = [
         ("cells", DEVICE, ["cells", "cells"]),
         ("transistors", GATES, ["transistors", "transistors"]),
@@ -68,7 +68,7 @@ fn resources(names: &mut Environment) -> Result<(), EvaluateError> {
     for (name, usual, figure) in figures {
         let table = Arc::clone(&table);
         let of = move |unit: &str, target: Option<&str>, planes: Option<usize>| {
-            let found = table.figure(figure, unit, target.unwrap_or(usual), planes);
+            let found = hardware::figure(&table, figure, unit, target.unwrap_or(usual), planes);
             found.map_err(|problem| Error::new(ErrorKind::InvalidOperation, problem.to_string()))
         };
         names.add_function(name, of);
@@ -117,17 +117,10 @@ pub fn numbers(of: &impl Serialize) -> f64 {
     leaves(&json!(of)) as f64
 }
 
-/// Reals of a facet with its normals, unshared, and of a whole mesh with shared corners.
-fn reals(mesh: &Mesh) -> [f64; 2] {
-    let corner = (mesh.vertices[0].len() + mesh.normals[0].len()) as f64;
-    [3.0 * corner, mesh.vertices.len() as f64 * corner]
-}
-
 /// Reals of a quadric with so many planes.
 fn quadric_reals(planes: usize) -> f64 {
-    let zero = from_decimal(0.0);
-    let quadric = Quadric::from_array(std::array::from_fn(|_| zero.clone()));
-    let [a, b, c, d] = std::array::from_fn(|_| zero.clone());
+    let quadric = Quadric::from_array(std::array::from_fn(|_| from_decimal(0.0)));
+    let [a, b, c, d] = std::array::from_fn(|_| from_decimal(0.0));
     let plane = Plane { a, b, c, d };
     (quadric.coefficients().len() + planes * plane.coefficients().len()) as f64
 }
@@ -141,8 +134,7 @@ fn mesh_of(object: &Object, sides: usize) -> Mesh {
     }
 }
 
-/// Facets of a ball of 80 pixels whose sides are within half a pixel of its outline: around, and those that face the
-/// viewer.
+/// Facets of a ball of 80 pixels, within half a pixel of its outline: around, and facing the viewer.
 pub fn fair_ball() -> Result<[f64; 2], EvaluateError> {
     let scene = SceneFile::parse(SOLIDS, "three-solids.toml")?;
     let mut objects = scene.objects.iter();
@@ -151,21 +143,24 @@ pub fn fair_ball() -> Result<[f64; 2], EvaluateError> {
     let mesh = mesh_of(ball.expect("the scene has a ball"), sides);
     // Seen along z, a facet faces the viewer if the normals of its corners do so on the whole.
     let towards = |face: &Vec<usize>| face.iter().map(|&corner| mesh.normals[corner][2]).sum();
-    let seen = mesh.faces.iter().map(towards);
-    let seen = seen.filter(|&sum: &f64| sum > 0.0).count();
+    let sums = mesh.faces.iter().map(towards);
+    let seen = sums.filter(|&sum: &f64| sum > 0.0).count();
     Ok([sides as f64, seen as f64])
 }
 
 /// Mean of the reals of a mesh with 20 sides over those of the quadric, and the reals of a facet.
 fn file_ratio() -> Result<[f64; 2], EvaluateError> {
     let scene = SceneFile::parse(SOLIDS, "three-solids.toml")?;
-    let reals = scene.objects.iter().map(|object| {
-        let [facet, mesh] = reals(&mesh_of(object, 20));
-        [facet, mesh / quadric_reals(object.cuts.len())]
-    });
-    let reals: Vec<[f64; 2]> = reals.collect();
-    let sum: f64 = reals.iter().map(|[_, ratio]| ratio).sum();
-    Ok([sum / reals.len() as f64, reals[0][0]])
+    // Corners are shared in a mesh, and not by a facet alone.
+    let mut facet = 0.0;
+    let ratio = |object: &Object| {
+        let mesh = mesh_of(object, 20);
+        let corner = (mesh.vertices[0].len() + mesh.normals[0].len()) as f64;
+        facet = 3.0 * corner;
+        mesh.vertices.len() as f64 * corner / quadric_reals(object.cuts.len())
+    };
+    let sum: f64 = scene.objects.iter().map(ratio).sum();
+    Ok([sum / scene.objects.len() as f64, facet])
 }
 
 /// Bits of load words, without those that a patch processor does not read: the constant normals of planes.

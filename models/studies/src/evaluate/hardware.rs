@@ -2,9 +2,7 @@
 
 use super::EvaluateError;
 use imogene_plan::zone::clocks::ZoneTiming;
-use serde::Deserialize;
 use serde_json::Value;
-use std::collections::BTreeMap;
 
 /// The parts of a processor as it is emitted.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -31,57 +29,38 @@ pub const MACHINE_PROCESSORS: usize = 100;
 /// Their cut planes.
 pub const MACHINE_PLANES: usize = 4;
 
-/// The published figures, compiled in.
-const TABLE: &str = include_str!("../../../../docs/resources.json");
 /// The device of the figures that have a clock.
 pub const DEVICE: &str = "ecp5-45k";
 /// A device without multipliers: they are made of its cells.
 pub const PLAIN_DEVICE: &str = "ice40-hx8k";
 pub const GATES: &str = "transistors";
 
-/// The resource table, as far as it is needed.
-#[derive(Clone, Debug, Deserialize)]
-pub struct Resources {
-    rows: Vec<Line>,
+/// The published table of resources, which is compiled in.
+pub fn resources() -> Result<Value, EvaluateError> {
+    let table = serde_json::from_str(include_str!("../../../../docs/resources.json"));
+    table.map_err(|error| format!("docs/resources.json: {error}").into())
 }
 
-#[derive(Clone, Debug, Deserialize)]
-struct Line {
-    section: String,
-    unit: String,
-    parameters: BTreeMap<String, usize>,
-    target: String,
-    figures: BTreeMap<String, Value>,
-}
-
-impl Resources {
-    /// The table that is compiled in.
-    pub fn compiled_in() -> Result<Resources, EvaluateError> {
-        serde_json::from_str(TABLE).map_err(|error| format!("docs/resources.json: {error}").into())
-    }
-
-    /// A figure, as it is called and by its key, of a unit on a device, in the table of all units or of those with so
-    /// many planes.
-    pub fn figure(
-        &self,
-        [what, key]: [&str; 2],
-        unit: &str,
-        target: &str,
-        planes: Option<usize>,
-    ) -> Result<f64, EvaluateError> {
-        let section = match (target, planes) {
-            (GATES, _) => "transistors",
-            (_, Some(_)) => "planes",
-            (_, None) => "units",
-        };
-        let is_wanted = |line: &&Line| {
-            let planes = planes.is_none_or(|n| line.parameters.get("planes") == Some(&n));
-            line.section == section && line.unit == unit && line.target == target && planes
-        };
-        let missing = |figure: &str| format!("no {figure} of `{unit}` for {target}");
-        let line = self.rows.iter().find(is_wanted);
-        let line = line.ok_or_else(|| missing("row"))?;
-        let figure = line.figures.get(key).and_then(Value::as_f64);
-        figure.ok_or_else(|| missing(what).into())
-    }
+/// A figure of the table, by its name and its key, of a unit on a device, or of the unit with so many planes.
+pub fn figure(
+    table: &Value,
+    [what, key]: [&str; 2],
+    unit: &str,
+    target: &str,
+    planes: Option<usize>,
+) -> Result<f64, EvaluateError> {
+    let section = match (target, planes) {
+        (GATES, _) => "transistors",
+        (_, Some(_)) => "planes",
+        (_, None) => "units",
+    };
+    let is_wanted = |row: &&Value| {
+        let planes = planes.is_none_or(|n| row["parameters"]["planes"] == n);
+        row["section"] == section && row["unit"] == unit && row["target"] == target && planes
+    };
+    let missing = |figure: &str| format!("no {figure} of `{unit}` for {target}");
+    let mut rows = table["rows"].as_array().into_iter().flatten();
+    let row = rows.find(is_wanted).ok_or_else(|| missing("row"))?;
+    let figure = row["figures"][key].as_f64();
+    figure.ok_or_else(|| missing(what).into())
 }

@@ -11,26 +11,19 @@ const SIZE: (u32, u32) = (760, 460);
 const THERE: RGBColor = RGBColor(150, 160, 172);
 const HERE: RGBColor = COLOURS[0];
 const WARM: RGBColor = COLOURS[1];
-/// Side of the zones that are counted.
 const SIDE: u64 = 32;
 /// Box over zone, and the duplication factor as printed (thesis chapter 5).
 const PRINTED: [(f64, f64); 2] = [(0.625, 2.641), (1.25, 5.0)];
 
-/// The duplication factor over the size of a box: the formula, rectangles counted, whole pixels counted, and what is
-/// printed.
+/// The duplication factor over the size of a box: by the formula, counted in two ways, and printed.
 pub fn duplication_plot() -> Result<String, EvaluateError> {
     let what = "the plot of the duplication cannot be made";
     Ok(svg(what, SIZE, draw_duplication)?)
 }
 
 fn draw_duplication(area: &Area) -> Outcome {
-    let mut chart = chart(
-        area,
-        14,
-        ("Zones that a box touches, mean over all places", 20),
-        [44, 58],
-    )
-    .build_cartesian_2d(0.0..1.5, 0.0..6.5)?;
+    let title = ("Zones that a box touches, mean over all places", 20);
+    let mut chart = chart(area, 14, title, [44, 58]).build_cartesian_2d(0.0..1.5, 0.0..6.5)?;
     chart
         .configure_mesh()
         .x_desc("side of the box over side of the zone")

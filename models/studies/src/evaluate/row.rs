@@ -31,13 +31,13 @@ pub struct Printed {
 impl From<f64> for Printed {
     fn from(value: f64) -> Printed {
         // As many digits as are printed.
-        let text = if value == value.round() {
-            number(value)
-        } else {
-            value.to_string()
-        };
+        let is_whole = value == value.round();
         Printed {
-            text,
+            text: if is_whole {
+                number(value)
+            } else {
+                value.to_string()
+            },
             value: Some(value),
         }
     }

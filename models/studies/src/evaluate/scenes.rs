@@ -6,10 +6,9 @@ use crate::detail;
 use imogene_contract::slots::FittedSlot;
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::ZoneMachine;
-use imogene_golden::object::slot::{ProcessorWords, Slot};
+use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::object::words::Words;
-use imogene_prepare::Framing;
-use imogene_prepare::{PreparedObject, PreparedQuadric, PreparedScene, prepare};
+use imogene_prepare::{Framing, PreparedObject, PreparedQuadric, PreparedScene, prepare};
 use imogene_scene::SceneFile;
 
 /// Side of the source's greater zones.
@@ -26,9 +25,6 @@ pub fn zone_machine(object_processors: usize) -> ZoneMachine {
         ..detail::machine(ZONE_SIDE)
     }
 }
-
-/// A ball of 80 pixels, a solid and a patch of it.
-const BALLS: &str = include_str!("balls.toml");
 
 fn prepared(text: &str, name: &str, size: (u32, u32)) -> Result<PreparedScene, EvaluateError> {
     let framed = SceneFile::parse(text, name)?.frame(size.0, size.1)?;
@@ -60,31 +56,29 @@ impl Moving {
     }
 }
 
-/// The ball, the solid of three planes and the patch of four.
+/// A ball of 80 pixels, and of it the solid of three planes and the patch of four.
 pub fn balls() -> Result<[Moving; 3], EvaluateError> {
-    let scene = prepared(BALLS, "balls.toml", (OBJECT_SIDE, OBJECT_SIDE))?;
-    let object = |index: usize| {
-        let object = scene.objects[index].quadric();
-        Moving {
-            scene: PreparedScene {
-                objects: vec![],
-                volumes: vec![],
-                ..scene.clone()
-            },
-            object: object.expect("a quadric or a patch").clone(),
-        }
+    let balls = include_str!("balls.toml");
+    let scene = prepared(balls, "balls.toml", (OBJECT_SIDE, OBJECT_SIDE))?;
+    let empty = PreparedScene {
+        objects: vec![],
+        volumes: vec![],
+        ..scene.clone()
     };
-    Ok([0, 1, 2].map(object))
+    Ok([0, 1, 2].map(|index: usize| {
+        let object = scene.objects[index].quadric();
+        let object = object.expect("a quadric or a patch").clone();
+        let scene = empty.clone();
+        Moving { scene, object }
+    }))
 }
 
 /// Words of the other processors: a facet, a sphere and a cylinder.
 pub fn others() -> Result<Vec<ProcessorWords>, EvaluateError> {
     let mesh = include_str!("../../../../scenes/processors/mesh.toml");
     let round = include_str!("../../../../scenes/processors/paraboloids.toml");
-    let mut words = vec![];
-    for (text, name) in [(mesh, "mesh.toml"), (round, "paraboloids.toml")] {
-        let slots: Vec<Slot> = prepared(text, name, (160, 120))?.slots();
-        words.extend(slots.into_iter().map(|slot| slot.words));
-    }
-    Ok(words)
+    let mesh = prepared(mesh, "mesh.toml", (160, 120))?.slots();
+    let round = prepared(round, "paraboloids.toml", (160, 120))?.slots();
+    let all = mesh.into_iter().chain(round);
+    Ok(all.map(|slot| slot.words).collect())
 }

@@ -46,7 +46,6 @@ const TETRAHEDRON: [[f64; 2]; 4] = [[0.0, 0.0], [40.0, 9.0], [13.0, 30.0], [53.0
 /// The exponent up to 128 whose power takes most products.
 const WORST_EXPONENT: u32 = 127;
 
-/// Every step by its name, with what it costs.
 fn steps() -> Vec<(&'static str, Tally)> {
     let (m, q, vector) = (MATRIX.map(numbers), numbers(QUADRIC), numbers(POINT));
     let (corners, quantities) = (CORNERS.map(numbers), QUANTITIES.map(numbers));
@@ -142,8 +141,7 @@ fn step<T>(name: &'static str, work: impl FnOnce() -> T) -> (&'static str, Tally
     (name, cost(|| drop(work())))
 }
 
-/// What each step costs. Without products, where a factor is a power of two and they are shifts, a step costs its
-/// additions.
+/// What each step costs; with factors that are powers of two, and shifts, a moved expression its additions.
 pub fn costs() -> Map<String, Value> {
     let costs = steps();
     let weighted = |(name, cost): &(&str, Tally)| ((*name).into(), json!(cost.weighted()));
@@ -173,7 +171,6 @@ fn is_edge(i: usize, j: usize) -> bool {
     (i ^ j).is_power_of_two()
 }
 
-/// Light at three corners.
 fn lit_corners(source: fn([Counted; 3]) -> Place, viewer: fn([Counted; 3]) -> Place) {
     let direction = numbers([0.0, 0.6, 0.8]);
     let colours = Colours {

@@ -114,12 +114,12 @@ impl<'a> Sums<'a> {
     fn value(&self, expression: &str) -> Result<f64, EvaluateError> {
         let compiled = self.0.compile_expression(expression);
         let value = compiled.and_then(|compiled| f64::try_from(compiled.eval(())?));
-        value.map_err(|problem| failed(expression, &problem))
+        value.map_err(failed(expression))
     }
 
     fn text(&self, template: &str) -> Result<String, EvaluateError> {
         let text = self.0.render_str(template, ());
-        text.map_err(|problem| failed(template, &problem))
+        text.map_err(failed(template))
     }
 
     fn row(&self, line: &Line, Subject { usual, .. }: &Subject) -> Result<Row, EvaluateError> {
@@ -131,29 +131,24 @@ impl<'a> Sums<'a> {
         };
         let corrected = line.corrected.as_ref().map(|sum| self.value(sum));
         let section = of(&line.section, &usual.section);
-        let names = [&*line.name, &*section, &*of(&line.unit, &usual.unit)];
+        let unit = of(&line.unit, &usual.unit);
         let ours = self.value(&line.ours)?;
+        let names = [&*line.name, &section, &unit];
         let mut row = Row::new(names, printed, ours, corrected.transpose()?);
         row.why = self.text(&of(&line.why, &usual.why))?;
         Ok(row)
     }
 }
 
-fn failed(expression: &str, problem: &minijinja::Error) -> EvaluateError {
-    format!("evaluation.toml, `{expression}`: {problem:#}").into()
-}
-
-/// Additions of the elementary processors at a pixel: one of a PE1, two of a PE2.
-fn additions([pe1, pe2, ..]: [usize; 4]) -> f64 {
-    (pe1 + 2 * pe2) as f64
+fn failed(expression: &str) -> impl Fn(minijinja::Error) -> EvaluateError {
+    move |problem| format!("evaluation.toml, `{expression}`: {problem:#}").into()
 }
 
 impl Processor {
     fn rows(&self, all: &[Parts]) -> Result<Vec<Row>, EvaluateError> {
         let own = |p: &&Parts| p.unit == self.unit && p.parameters == self.parameters;
         let missing = || format!("no parts of `{}` for {}", self.unit, self.parameters);
-        let parts = all.iter().find(own).ok_or_else(missing)?;
-        let ours = parts.counts;
+        let ours = all.iter().find(own).ok_or_else(missing)?.counts;
         let row = |what: &str, unit: &str, printed: Printed, ours: f64, corrected: Option<f64>| {
             let name = format!("{}: {what}", self.name);
             let mut row = Row::new([&*name, &*self.section, unit], printed, ours, corrected);
@@ -163,16 +158,19 @@ impl Processor {
             };
             row
         };
+        let mut rows = vec![];
         let kinds = ["PE1", "PE2", "roots", "multipliers"];
-        let counts = kinds.iter().zip(self.counts.into_iter().zip(ours));
-        let counts = counts.filter(|(_, (there, here))| there + here > 0);
-        let counts = counts.map(|(kind, (there, here))| {
-            let there = Printed::from(there as f64);
-            row(kind, "units", there, here as f64, None)
-        });
-        let (there, here) = (additions(self.counts), additions(ours));
+        for (k, kind) in kinds.into_iter().enumerate() {
+            let (there, here) = (self.counts[k], ours[k]);
+            if there + here > 0 {
+                rows.push(row(kind, "units", (there as f64).into(), here as f64, None));
+            }
+        }
+        // Of the elementary processors at a pixel: one of a PE1, two of a PE2.
+        let additions = |[pe1, pe2, ..]: [usize; 4]| (pe1 + 2 * pe2) as f64;
+        let (there, here) = (Some(additions(self.counts)), additions(ours));
         let what = "additions of its expressions";
-        let sum = row(what, "a pixel", Printed::from("nothing"), here, Some(there));
-        Ok(counts.chain([sum]).collect())
+        rows.push(row(what, "a pixel", "nothing".into(), here, there));
+        Ok(rows)
     }
 }

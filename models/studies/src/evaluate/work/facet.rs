@@ -43,11 +43,11 @@ pub fn contour(mut corners: Corners) -> Option<Contour> {
             corners.swap(i, j);
         }
     }
-    let difference = |i: usize, j: usize| [0, 1].map(|axis| corners[j][axis] - corners[i][axis]);
-    let sides = [difference(0, 1), difference(0, 2)];
-    let third = difference(1, 2);
-    let slope = |[dx, dy]: [Counted; 2]| (!dy.is_zero()).then(|| dx / dy);
-    let slopes = [slope(sides[0]), slope(sides[1]), slope(third)];
+    let difference =
+        |(i, j): (usize, usize)| [0, 1].map(|axis| corners[j][axis] - corners[i][axis]);
+    let [one, two, third] = [(0, 1), (0, 2), (1, 2)].map(difference);
+    let sides = [one, two];
+    let slopes = [one, two, third].map(|[dx, dy]| (!dy.is_zero()).then(|| dx / dy));
     let area = sides[0][0] * sides[1][1] - sides[1][0] * sides[0][1];
     if area.is_zero() {
         return None;
@@ -84,16 +84,15 @@ fn steps(
     slopes: &[Option<Counted>; 3],
 ) -> Vec<Counted> {
     let left: &[usize] = if middle_is_right { &[1] } else { &[0, 2] };
-    let sides = left.iter().filter_map(|&side| slopes[side]);
-    sides.map(|slope| down + slope * across).collect()
+    let slopes = left.iter().filter_map(|&side| slopes[side]);
+    slopes.map(|slope| down + slope * across).collect()
 }
 
 /// A quantity for contour following: change per column, and per line along the left.
 pub fn followed(contour: &Contour, w: [Counted; 3]) -> Vec<Counted> {
     let slope = gradient(&contour.shape, w);
-    let mut all = vec![slope[0]];
-    all.extend(steps(slope, contour.middle_is_right, &contour.slopes));
-    all
+    let steps = steps(slope, contour.middle_is_right, &contour.slopes);
+    [vec![slope[0]], steps].concat()
 }
 
 /// A facet as expressions.
@@ -179,11 +178,11 @@ pub fn contour_words(
     let first = contour.corners[0];
     let ends = contour.slopes.iter().flatten().chain(&first[..2]);
     let mut words: Vec<Counted> = ends.map(|v| v.scaled(subpixels)).collect();
-    let depth = [first[2], contour.depth[0]].into_iter();
-    let depth = depth.chain(contour.depth_steps.iter().copied());
+    let depth = [first[2], contour.depth[0]];
+    let depth = depth.iter().chain(&contour.depth_steps);
     words.extend(depth.map(|v| v.scaled(depth_scale)));
     for w in quantities {
-        let values = w.into_iter().take(1).chain(followed(contour, w));
+        let values = [w[0]].into_iter().chain(followed(contour, w));
         words.extend(values.map(|v| v.scaled(quantity_scale)));
     }
     words

@@ -14,7 +14,6 @@ pub struct Scan {
     pub pixels: [u64; 2],
     /// Weighted operations at each of both.
     costs: [u64; 2],
-    /// Of steps from line to line.
     line_cost: u64,
     lines: u64,
     /// Depths, line by line; none where the object is not seen.
@@ -39,7 +38,6 @@ impl Scan {
     }
 }
 
-/// First-degree forward differences.
 struct Linear {
     across: Counted,
     down: Counted,
@@ -70,7 +68,6 @@ impl Linear {
 
 /// Second-degree ones: two additions a pixel, three a line.
 struct Quadratic {
-    /// From pixel to pixel.
     step: Linear,
     b2: Counted,
     line_step: Counted,
@@ -141,7 +138,6 @@ pub const FACET: [[f64; 3]; 7] = [
 /// A facet on a box of so many pixels a side: sides not negative inside, depth, three components of the normal. Each
 /// pixel inside is compared with a z-buffer.
 pub fn facet(side: u64, expressions: [[f64; 3]; 7]) -> Scan {
-    let state = expressions.map(Linear::new);
     let far = number(f64::MAX);
     let pixel = |state: &mut [Linear; 7]| {
         let inside = state[..3].iter().all(|e| !e.value.is_negative());
@@ -150,9 +146,8 @@ pub fn facet(side: u64, expressions: [[f64; 3]; 7]) -> Scan {
         state.iter_mut().for_each(Linear::pixel_step);
         seen.then_some(depth.value)
     };
-    scan(side, state, pixel, |state| {
-        state.iter_mut().for_each(Linear::line_step)
-    })
+    let line = |state: &mut [Linear; 7]| state.iter_mut().for_each(Linear::line_step);
+    scan(side, expressions.map(Linear::new), pixel, line)
 }
 
 /// A quadric and its planes in pixels of its box.
@@ -197,23 +192,10 @@ struct State {
     planes: Vec<(Kind, Linear)>,
     g: [Linear; 3],
     k: [Counted; 3],
-    /// The z-buffer.
     far: Counted,
 }
 
 impl State {
-    fn new(object: &Object) -> State {
-        let planes = object.planes.iter();
-        State {
-            f1: Linear::new(object.f1),
-            f2: Quadratic::new(object.f2),
-            planes: planes.map(|(kind, e)| (*kind, Linear::new(*e))).collect(),
-            g: object.normal.0.map(Linear::new),
-            k: numbers(object.normal.1),
-            far: number(f64::MAX),
-        }
-    }
-
     fn linear(&mut self) -> impl Iterator<Item = &mut Linear> {
         let planes = self.planes.iter_mut().map(|(_, plane)| plane);
         planes.chain(&mut self.g).chain([&mut self.f1])
@@ -241,75 +223,78 @@ impl State {
     }
 }
 
-/// Scans an object; `depth` is that of what is seen at a pixel.
 fn object(side: u64, object: &Object, depth: impl Fn(&State) -> Option<Counted>) -> Scan {
     let pixel = |state: &mut State| {
         let depth = depth(state).map(|z| z.value);
         state.pixel_step();
         depth
     };
-    let state = State::new(object);
+    let planes = object.planes.iter();
+    let state = State {
+        f1: Linear::new(object.f1),
+        f2: Quadratic::new(object.f2),
+        planes: planes.map(|(kind, e)| (*kind, Linear::new(*e))).collect(),
+        g: object.normal.0.map(Linear::new),
+        k: numbers(object.normal.1),
+        far: number(f64::MAX),
+    };
     scan(side, state, pixel, State::line_step)
 }
 
 /// A solid seen from the side: its interval is cut by plane after plane.
 pub fn solid(side: u64, solid: &Object) -> Scan {
-    object(side, solid, front_of_solid)
-}
-
-fn front_of_solid(state: &State) -> Option<Counted> {
-    let root = state.root()?;
-    let (mut zf, mut zb) = (state.f1.value - root, state.f1.value + root);
-    let mut is_quadric = true;
-    for (kind, plane) in &state.planes {
-        let zp = plane.value;
-        match kind {
-            Kind::Perpendicular if zp.is_negative() => return None,
-            Kind::Front if zf.is_below(zp) => {
-                if zb.is_below(zp) {
-                    return None;
+    object(side, solid, |state| {
+        let root = state.root()?;
+        let (mut zf, mut zb) = (state.f1.value - root, state.f1.value + root);
+        let mut is_quadric = true;
+        for (kind, plane) in &state.planes {
+            let zp = plane.value;
+            match kind {
+                Kind::Perpendicular if zp.is_negative() => return None,
+                Kind::Front if zf.is_below(zp) => {
+                    if zb.is_below(zp) {
+                        return None;
+                    }
+                    zf = zp;
+                    is_quadric = false;
                 }
-                zf = zp;
-                is_quadric = false;
-            }
-            Kind::Back if zp.is_below(zb) => {
-                if zp.is_below(zf) {
-                    return None;
+                Kind::Back if zp.is_below(zb) => {
+                    if zp.is_below(zf) {
+                        return None;
+                    }
+                    zb = zp;
                 }
-                zb = zp;
+                _ => {}
             }
-            _ => {}
         }
-    }
-    if !zf.is_below(state.far) {
-        return None;
-    }
-    if is_quadric {
-        state.normal(-root);
-    }
-    Some(zf)
+        if !zf.is_below(state.far) {
+            return None;
+        }
+        if is_quadric {
+            state.normal(-root);
+        }
+        Some(zf)
+    })
 }
 
 /// A patch: the near face if all planes keep it, else the far one.
 pub fn patch(side: u64, patch: &Object) -> Scan {
-    object(side, patch, face_of_patch)
-}
-
-fn face_of_patch(state: &State) -> Option<Counted> {
-    let root = state.root()?;
-    let kept = |signed: &Counted| {
-        let z = state.f1.value + *signed;
-        let keeps = |(kind, plane): &(Kind, Linear)| match kind {
-            Kind::Front => !z.is_below(plane.value),
-            Kind::Back => !plane.value.is_below(z),
-            Kind::Perpendicular => !plane.value.is_negative(),
+    object(side, patch, |state| {
+        let root = state.root()?;
+        let kept = |signed: &Counted| {
+            let z = state.f1.value + *signed;
+            let keeps = |(kind, plane): &(Kind, Linear)| match kind {
+                Kind::Front => !z.is_below(plane.value),
+                Kind::Back => !plane.value.is_below(z),
+                Kind::Perpendicular => !plane.value.is_negative(),
+            };
+            state.planes.iter().all(keeps).then_some((*signed, z))
         };
-        state.planes.iter().all(keeps).then_some((*signed, z))
-    };
-    let (signed, z) = [-root, root].iter().find_map(kept)?;
-    if !z.is_below(state.far) {
-        return None;
-    }
-    state.normal(signed);
-    Some(z)
+        let (signed, z) = [-root, root].iter().find_map(kept)?;
+        if !z.is_below(state.far) {
+            return None;
+        }
+        state.normal(signed);
+        Some(z)
+    })
 }

@@ -102,8 +102,7 @@ pub fn depth_words(depth: &Depth, scale: Counted, square: Counted) -> [Counted; 
     })
 }
 
-/// Words of the normal with a scale Kn of its own; the factors of the root, which comes with the scale Kp, take Kn /
-/// Kp.
+/// Words of the normal with a scale Kn of its own; the factors of the root, which is scaled by Kp, take Kn / Kp.
 pub fn normal_words(normal: &Normal, greatest: Counted, over_depth_scale: Counted) -> Vec<Counted> {
     let full = number(32_767.0 * 256.0);
     let scale = full / greatest;
