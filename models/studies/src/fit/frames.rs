@@ -16,8 +16,7 @@ use imogene_prepare::lit_sphere::SphereForm;
 use imogene_prepare::{LocatedScene, Options, PreparedScene};
 use imogene_scene::{FramedScene, SceneFile};
 
-/// Object and volume processors of a beam machine at most, if nobody says which machine: more share their processors
-/// zone by zone.
+/// Processors of a beam machine at most, if nobody says which machine: more are shared zone by zone.
 pub(super) const MOST_OF_BEAM: usize = 16;
 /// Guard bits of f1 and f2 at most: as many as keep the depth of every facet, and more than help any scene known.
 pub(super) const MOST_GUARDS: (u32, u32) = (10, 16);
@@ -34,7 +33,6 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// A framed scene with its truth.
     pub(super) fn new(name: &str, scene: FramedScene, truth: Truth) -> Frame {
         Frame {
             name: name.to_owned(),
@@ -50,21 +48,15 @@ impl Frame {
 
     /// In the base format with guard bits for every facet.
     pub(super) fn prepare_wide(&self) -> Result<PreparedScene, FitError> {
-        let prepared = self.prepare(wide());
-        prepared.map_err(|source| self.refused(source))
+        self.prepare(wide()).map_err(|source| self.refused(source))
     }
 
-    /// What the machine shows.
     fn draw(&self, prepared: &PreparedScene) -> Result<Drawing, FitError> {
         let drawing = drawn(&self.scene, prepared, None);
         drawing.map_err(|source| self.refused(DisplayError::from(source)))
     }
 
-    /// The map of the errors of the picture: red, green and blue of every pixel.
-    ///
-    /// # Errors
-    ///
-    /// When the shading processor cannot be loaded.
+    /// The map of a picture's errors: red, green, blue of every pixel. Fails without words for the shading processor.
     pub fn errors(&self, prepared: &PreparedScene) -> Result<Vec<u8>, FitError> {
         Ok(measure(&self.truth, &self.draw(prepared)?).1)
     }
@@ -74,7 +66,6 @@ impl Frame {
     }
 }
 
-/// The base format with guard bits for every facet.
 fn wide() -> Format {
     let wide = Format::BASE.with_guards(MOST_GUARDS.0, 0);
     wide.expect("guard bits of f1 within their range")
@@ -94,7 +85,6 @@ pub struct Frames {
     pub has_bounds: bool,
     /// Nothing is left out of the scene: the bounds are those of all that is seen.
     pub is_whole: bool,
-    /// Which machine they are for.
     pub(super) kind: MachineKind,
     pub(super) is_for_zones: bool,
     /// Its tables of lit-sphere shading, in the place of a shading processor.
@@ -135,12 +125,21 @@ impl Frames {
     ) -> Result<Frames, FitError> {
         let scenes = files.iter().map(|(name, file)| {
             let (width, height) = size.unwrap_or((file.image.width, file.image.height));
-            let framed = file.frame(width, height);
-            framed.map_err(|source| FitError::of(name, source))
+            file.frame(width, height)
+                .map_err(|source| FitError::of(name, source))
         });
         let scenes: Vec<FramedScene> = scenes.collect::<Result<_, _>>()?;
+        let expected = scenes[0].objects.len();
         for ((name, _), scene) in files.iter().zip(&scenes) {
-            check(name, scene, scenes[0].objects.len())?;
+            let problem = match scene.objects.len() {
+                0 => "there is no object, and no machine to fit".to_owned(),
+                count if count == expected => continue,
+                count => format!(
+                    "{}, but the first frame has {expected}; the frames of an animation have the same objects in the same order",
+                    counted(count, "object")
+                ),
+            };
+            return Err(FitError::of(name, problem));
         }
         let frames = files.iter().zip(scenes).map(|((name, _), scene)| {
             let truth = Truth::new(&scene, &line_done);
@@ -164,10 +163,10 @@ impl Frames {
         for frame in &self.all {
             // What this format refuses no other words take: f2 and the planes grow with the depth word.
             let prepared = frame.prepare_wide()?;
-            let zone = needs::check_any(MachineKind::Zone, &frame.scene, &prepared);
-            let zone = zone.map_err(|source| frame.refused(source));
-            let beam = needs::check_any(MachineKind::Beam, &frame.scene, &prepared);
-            let beam = beam.map_err(|source| frame.refused(source));
+            let [zone, beam] = [MachineKind::Zone, MachineKind::Beam].map(|kind| {
+                let shown = needs::check_any(kind, &frame.scene, &prepared);
+                shown.map_err(|source| frame.refused(source))
+            });
             match kind {
                 Some(MachineKind::Zone) => zone?,
                 // What processors of quadrics do not draw is for a beam machine, however many there are.
@@ -197,12 +196,15 @@ impl Frames {
     /// Fails if a frame cannot be drawn by any machine.
     pub fn draw(&self, wide: &MachineWords, budget: &Budget) -> Result<Option<Drawn>, FitError> {
         let in_widths = |widths: &MachineWords| self.in_widths(widths);
+        // Without bounds all widths but the guard bits follow from the depth word.
+        let following = MachineWords {
+            guard_linear: wide.guard_linear,
+            guard_quadratic: wide.guard_quadratic,
+            ..MachineWords::of(wide.depth)
+        };
         let found = match self.has_bounds {
             true => narrowest(wide, in_widths)?,
-            false => {
-                let widths = following(wide);
-                in_widths(&widths)?.map(|prepared| (widths, prepared))
-            }
+            false => in_widths(&following)?.map(|prepared| (following, prepared)),
         };
         let Some((widths, prepared)) = found else {
             return Ok(None);
@@ -242,26 +244,5 @@ impl Frames {
             }
         }
         Ok(Some(all))
-    }
-}
-
-fn check(name: &str, scene: &FramedScene, expected: usize) -> Result<(), FitError> {
-    let problem = match scene.objects.len() {
-        0 => "there is no object, and no machine to fit".to_owned(),
-        count if count == expected => return Ok(()),
-        count => format!(
-            "{}, but the first frame has {expected}; the frames of an animation have the same objects in the same order",
-            counted(count, "object")
-        ),
-    };
-    Err(FitError::of(name, problem))
-}
-
-/// Widths that follow from the depth word, with the guard bits of others.
-fn following(wide: &MachineWords) -> MachineWords {
-    MachineWords {
-        guard_linear: wide.guard_linear,
-        guard_quadratic: wide.guard_quadratic,
-        ..MachineWords::of(wide.depth)
     }
 }

@@ -22,9 +22,7 @@ use imogene_plan::zone::plan::ZonePlan;
 use imogene_prepare::PreparedScene;
 use imogene_scene::FramedScene;
 
-/// Processors of a zone machine that are tried, of a kind.
 const PROCESSORS: [usize; 5] = [1, 2, 4, 8, 16];
-/// Sides of its zones that are tried.
 const SIDES: [u32; 3] = [16, 32, 64];
 /// Blanking of a screen of no published mode: front porch, synchronisation, back porch of a line and of a frame.
 const BLANKING: [[u64; 3]; 2] = [[8, 16, 16], [2, 2, 12]];
@@ -55,12 +53,8 @@ impl Fitted {
     }
 }
 
-/// The smallest machine of these words that shows all frames; `timing` gives the clocks of the passes of a zone
-/// machine.
-///
-/// # Errors
-///
-/// When no machine shows them, or is as fast as asked for.
+/// The smallest machine of these words that shows all frames; `timing` gives the clocks of a zone machine's passes.
+/// Fails when none shows them, or none is as fast as asked for.
 pub fn machine(
     frames: &Frames,
     drawn: &Drawn,
@@ -158,8 +152,7 @@ pub fn smallest(
     }
 }
 
-/// An empty slot for each part of the frames that is in no solid, of the smallest processor that draws it in all of
-/// them.
+/// For each part of the frames in no solid an empty slot of the smallest processor that draws it in all.
 fn kinds(frames: &[PreparedScene]) -> Vec<FittedSlot> {
     let mut kinds: Vec<FittedSlot> = vec![];
     for frame in frames {
@@ -184,21 +177,18 @@ fn smallest_kind(words: &ProcessorWords) -> FittedSlot {
 fn mode((width, height): (u32, u32)) -> Mode {
     let (width, height) = (u64::from(width), u64::from(height));
     let is_of_size = |mode: &VideoMode| (mode.line.active, mode.frame.active) == (width, height);
-    match VideoMode::ALL.iter().any(is_of_size) {
-        true => Mode::Named(format!("{width}x{height}")),
-        false => {
-            let span = |active: u64, [front, sync, back]: [u64; 3]| [active, front, sync, back];
-            Mode::Own(OwnMode {
-                columns: span(width, BLANKING[0]),
-                lines: span(height, BLANKING[1]),
-                hsync_high: false,
-                vsync_high: false,
-            })
-        }
+    if VideoMode::ALL.iter().any(is_of_size) {
+        return Mode::Named(format!("{width}x{height}"));
     }
+    let span = |active: u64, [front, sync, back]: [u64; 3]| [active, front, sync, back];
+    Mode::Own(OwnMode {
+        columns: span(width, BLANKING[0]),
+        lines: span(height, BLANKING[1]),
+        hsync_high: false,
+        vsync_high: false,
+    })
 }
 
-/// All frames in the words that were found for them.
 fn scenes<'a>(frames: &'a Frames, drawn: &'a Drawn) -> Vec<(&'a FramedScene, &'a PreparedScene)> {
     let scenes = frames.all.iter().map(|frame| &frame.scene);
     scenes.zip(&drawn.prepared).collect()
@@ -257,19 +247,21 @@ fn of_zones(
     pace: Option<Pace>,
     timing: &dyn Fn(&MachineDescription) -> ZoneTiming,
 ) -> Result<Fitted, FitError> {
-    let sizes = PROCESSORS.map(|objects| PROCESSORS.map(|volumes| (objects, volumes)));
-    let sizes = sizes.as_flattened();
     let mut tried: Vec<(MachineDescription, Vec<InZones>)> = vec![];
-    let own = own_kinds(&drawn.prepared).map(Some);
-    for slots in std::iter::once(None).chain(own) {
+    let parts = drawn.prepared.iter().flat_map(PreparedScene::slots_alone);
+    let own = one_of_each(parts.map(|part| smallest_kind(&part.words)));
+    let has_others = own.iter().any(|slot| slot.kind != Kind::Quadric);
+    let mut kinds = vec![None];
+    kinds.extend(has_others.then_some(Some(Slots(own))));
+    for slots in kinds {
         let one = MachineDescription {
             machine: MachineKind::Zone,
             objects: 1,
             slots,
             ..with_side(smallest, SIDES[0])
         };
-        let base = enough(&one, &scenes(frames, drawn));
-        let base = base.map_err(|source| frames.all[0].refused(source))?;
+        let refused = |source| frames.all[0].refused(source);
+        let base = enough(&one, &scenes(frames, drawn)).map_err(refused)?;
         // Words that do not follow from the depth word are for quadrics and patches alone.
         if !tried.is_empty() && base.check("").is_err() {
             continue;
@@ -278,11 +270,26 @@ fn of_zones(
         let plans: Result<_, FitError> = SIDES.into_iter().map(in_zones).collect();
         tried.push((base, plans?));
     }
-    let machines = tried.iter().flat_map(|(base, plans)| {
-        let sizes = sizes.iter().filter(|of| base.volumes > 0 || of.1 == 1);
-        sizes.map(move |of| (with_processors(base, *of), plans))
-    });
-    let mut machines: Vec<_> = machines.collect();
+    let mut machines = vec![];
+    for (base, plans) in &tried {
+        for objects in PROCESSORS {
+            // Beside the processors of products.
+            let machine = base.zone_machine().with_processors(objects);
+            let slots = [machine.slots, machine.layers].concat();
+            let machine = MachineDescription {
+                objects: slots.len(),
+                slots: base.slots.is_some().then_some(Slots(slots)),
+                ..base.clone()
+            };
+            for volumes in PROCESSORS {
+                if base.volumes > 0 || volumes == 1 {
+                    let mut machine = machine.clone();
+                    machine.volumes = volumes.min(base.volumes * volumes);
+                    machines.push((machine, plans));
+                }
+            }
+        }
+    }
     machines.sort_by(|(a, _), (b, _)| cells(a).total_cmp(&cells(b)));
     let mut slower: Vec<Fitted> = vec![];
     for (machine, plans) in machines {
@@ -299,27 +306,14 @@ fn of_zones(
     Ok(fastest)
 }
 
-/// Slots of the smallest processors that draw the parts of the frames in no solid, one of each kind; none if these are
-/// quadrics alone.
-fn own_kinds(frames: &[PreparedScene]) -> Option<Slots> {
-    let parts = frames.iter().flat_map(PreparedScene::slots_alone);
-    let slots = one_of_each(parts.map(|part| smallest_kind(&part.words)));
-    let others = slots.iter().any(|slot| slot.kind != Kind::Quadric);
-    others.then_some(Slots(slots))
-}
-
-/// A machine with zones of this side.
 pub(crate) fn with_side(machine: &MachineDescription, side: u32) -> MachineDescription {
+    let (width, height) = (side, side);
     MachineDescription {
-        zone: Some(ZoneSize {
-            width: side,
-            height: side,
-        }),
+        zone: Some(ZoneSize { width, height }),
         ..machine.clone()
     }
 }
 
-/// The frames in zones of a side.
 fn plans(
     base: &MachineDescription,
     side: u32,
@@ -332,21 +326,6 @@ fn plans(
         plan.map_err(|source| frame.refused(DisplayError::Plan(source)))
     };
     frames.all.iter().zip(&drawn.prepared).map(plan).collect()
-}
-
-/// A machine of so many processors of each kind beside those of products.
-fn with_processors(
-    base: &MachineDescription,
-    (objects, volumes): (usize, usize),
-) -> MachineDescription {
-    let machine = base.zone_machine().with_processors(objects);
-    let slots = [machine.slots, machine.layers].concat();
-    MachineDescription {
-        objects: slots.len(),
-        slots: base.slots.is_some().then_some(Slots(slots)),
-        volumes: volumes.min(base.volumes * volumes),
-        ..base.clone()
-    }
 }
 
 /// Side of zones, and the frames in them.
@@ -367,8 +346,8 @@ fn in_zones(
         };
         plans.iter().map(of_frame).max().unwrap_or(0)
     };
-    let timed = plans.iter().map(|of| (slowest(of), of.0));
-    let (clocks, side) = timed.min().expect("there are sides");
+    let timed = plans.iter().map(|of| (slowest(of), of.0)).min();
+    let (clocks, side) = timed.expect("there are sides");
     Fitted {
         clocks: clocks.max(screen_clocks(&machine)),
         description: with_side(&machine, side),
@@ -378,7 +357,6 @@ fn in_zones(
 /// Logic cells around an object processor at 24 bits: its store of words and its node of the decider.
 const AROUND_SLOT: f64 = 210.0;
 
-/// Logic cells of the processors of a machine, roughly.
 fn cells(machine: &MachineDescription) -> f64 {
     let of = |slot: &FittedSlot| estimate::of_slot(&machine.words(), slot);
     let around = AROUND_SLOT / 24.0 * f64::from(machine.depth_word);

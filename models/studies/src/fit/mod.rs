@@ -70,7 +70,6 @@ pub enum FitError {
 }
 
 impl FitError {
-    /// A scene is in the way.
     fn of(scene: &str, source: impl Into<Cause>) -> FitError {
         FitError::Scene {
             scene: scene.to_owned(),

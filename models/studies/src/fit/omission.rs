@@ -13,7 +13,6 @@ use super::spare::{View, spare_planes};
 use imogene_contract::MachineWords;
 use imogene_contract::slots::FittedSlot;
 use imogene_golden::format::Format;
-use imogene_golden::machine::beam;
 use imogene_golden::slots::{own_kind, required};
 use imogene_plan::description::MachineKind;
 use imogene_prepare::{Framing, PreparedScene};
@@ -39,9 +38,11 @@ impl FromStr for LeaveOut {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let number = || text.parse().map(Self::Below).ok();
-        let found = (text == AUTO).then_some(Self::Auto).or_else(number);
-        found.ok_or_else(|| format!("expected a number of pixels such as 60, or {AUTO}"))
+        match text {
+            AUTO => Ok(Self::Auto),
+            _ => (text.parse().map(Self::Below))
+                .map_err(|_| format!("expected a number of pixels such as 60, or {AUTO}")),
+        }
     }
 }
 
@@ -68,8 +69,8 @@ impl LeaveOut {
 impl fmt::Display for LeaveOut {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Below(pixels) => write!(f, "{pixels}"),
-            Self::Auto => write!(f, "{AUTO}"),
+            Self::Below(pixels) => pixels.fmt(f),
+            Self::Auto => AUTO.fmt(f),
         }
     }
 }
@@ -112,11 +113,7 @@ pub struct Omission<'a> {
 }
 
 impl<'a> Omission<'a> {
-    /// Of these files, for a machine of the kind that is asked for.
-    ///
-    /// # Errors
-    ///
-    /// When a frame cannot be prepared.
+    /// Of these files, for a machine of the kind that is asked for. Fails when a frame cannot be prepared.
     pub fn new(
         frames: &'a Frames,
         files: &'a [(String, SceneFile)],
@@ -134,26 +131,18 @@ impl<'a> Omission<'a> {
                 *most = own.max(*most);
             }
             let prepared = frame.prepare_wide()?;
-            let mut is_alone = vec![false; count];
-            for slot in prepared.slots_alone() {
-                is_alone[slot.object] = true;
-            }
-            for (may_go, is_alone) in may_go.iter_mut().zip(is_alone) {
-                *may_go &= is_alone;
+            let slots = prepared.slots_alone();
+            for (object, may_go) in may_go.iter_mut().enumerate() {
+                *may_go &= slots.iter().any(|slot| slot.object == object);
             }
             cells = cells_of(&prepared, count);
-            let size = [frame.scene.width, frame.scene.height].map(|side| side as usize);
-            let picture =
-                beam::render(&prepared.slots(), &prepared.format, size[0], size[1], || ());
-            pictures.push(picture);
+            pictures.push(prepared.frame(|| ()));
         }
         let most_seen = seen.iter().copied().max().unwrap_or(0);
         let planes = (0..count).into_par_iter().filter(|object| may_go[*object]);
         let planes = planes.flat_map_iter(|object| {
-            let all = frames.all.iter().zip(files).zip(&pictures);
-            let views =
-                all.map(|((frame, (_, file)), picture)| View::of(object, frame, file, picture));
-            let views: Option<Vec<View>> = views.collect();
+            let view = |k: usize| View::of(object, &frames.all[k], &files[k].1, &pictures[k]);
+            let views: Option<Vec<View>> = (0..pictures.len()).map(view).collect();
             let spare = views.map_or(vec![], |views| spare_planes(&views, over));
             let spare = spare.into_iter();
             spare.map(move |(pixels, plane)| (pixels, (object, Some(plane))))
@@ -184,10 +173,7 @@ impl<'a> Omission<'a> {
 
     /// What can be left out within a budget: in quarters of the most, from nothing on, and in quarters of the most
     /// objects alone, since an object can hide what another one's plane takes away.
-    ///
-    /// # Errors
-    ///
-    /// When a frame cannot be drawn.
+    /// Fails when a frame cannot be drawn.
     pub fn within(&self, budget: &Budget) -> Result<Vec<Vec<Part>>, FitError> {
         let objects = self.may_go.iter().filter(|(_, plane)| plane.is_none());
         let objects: Vec<Part> = objects.copied().collect();
@@ -204,8 +190,7 @@ impl<'a> Omission<'a> {
         Ok(found)
     }
 
-    /// The parts of these, from the first on, that can be left out within a budget; some that are too much are passed
-    /// over.
+    /// The first of these parts that can be left out within a budget; a few that are too much are passed over.
     fn most_within(&self, budget: &Budget, parts: &[Part]) -> Result<Vec<Part>, FitError> {
         let mut parts = parts.to_vec();
         let mut most = 0;
@@ -227,11 +212,7 @@ impl<'a> Omission<'a> {
         Ok(parts)
     }
 
-    /// The frames without these parts.
-    ///
-    /// # Errors
-    ///
-    /// When a frame cannot be framed without them.
+    /// The frames without these parts. Fails when a frame cannot be framed without them.
     pub fn without(&self, parts: &[Part]) -> Result<(Frames, LeftOut), FitError> {
         let frames = self.frames;
         let mut goes = vec![false; frames.all[0].scene.objects.len()];
@@ -244,8 +225,12 @@ impl<'a> Omission<'a> {
         }
         planes.retain(|object, _| !goes[*object]);
         let name = |object: usize| frames.all[0].scene.objects[object].name().to_owned();
-        let out = goes.iter().enumerate().filter(|(_, goes)| **goes);
-        let names: Vec<String> = out.map(|(object, _)| name(object)).collect();
+        let out = (0..goes.len()).filter(|object| goes[*object]);
+        let names: Vec<String> = out.map(name).collect();
+        // Of each object among those that stay.
+        let mut next = 0..;
+        let index = |goes: &bool| if *goes { None } else { next.next() };
+        let indices: Vec<Option<u32>> = goes.iter().map(index).collect();
         let (mut all, mut scenes) = (vec![], vec![]);
         for (frame, (file_name, file)) in frames.all.iter().zip(self.files) {
             let mut file = file.clone();
@@ -255,9 +240,12 @@ impl<'a> Omission<'a> {
                 truth.renumber_planes(object as u32, out);
                 let name = name(object);
                 let cut = file.objects.iter_mut().find(|cut| cut.name == name);
-                without(&mut cut.expect("an object that stays").cuts, out);
+                let mut index = 0..;
+                let mut is_out = || index.next().is_some_and(|index| out.contains(&index));
+                let cut = cut.expect("an object that stays");
+                cut.cuts.retain(|_| !is_out());
             }
-            truth.renumber(&indices(&goes));
+            truth.renumber(&indices);
             let scene = file.frame(frame.scene.width, frame.scene.height);
             let scene = scene.map_err(|source| FitError::of(file_name, source))?;
             all.push(Frame::new(file_name, scene, truth));
@@ -304,21 +292,4 @@ fn cells_of(prepared: &PreparedScene, objects: usize) -> Vec<[f64; 2]> {
         *each += with(own.planes) - with(own.planes.saturating_sub(1));
     }
     cells
-}
-
-/// Takes the items with these indices out.
-fn without<T>(items: &mut Vec<T>, out: &[usize]) {
-    let mut index = 0..;
-    items.retain(|_| !index.next().is_some_and(|index| out.contains(&index)));
-}
-
-/// The index that each object has among those that stay.
-fn indices(goes: &[bool]) -> Vec<Option<u32>> {
-    let mut next = 0;
-    let index = |&goes: &bool| {
-        let index = (!goes).then_some(next);
-        next += u32::from(!goes);
-        index
-    };
-    goes.iter().map(index).collect()
 }

@@ -15,11 +15,9 @@ use imogene_golden::format::Format;
 use imogene_golden::slots::required_of_quadric;
 use rayon::prelude::*;
 
-/// Depth words that are tried.
 const DEPTHS: (u32, u32) = (8, 30);
 /// Depth words beyond the least that meets the budget: a longer word can need fewer guard bits.
 const MORE_DEPTHS: u32 = 3;
-/// Bits of a normal component.
 const NORMALS: (u32, u32) = (10, 16);
 
 /// What was found.
@@ -43,21 +41,19 @@ pub fn search(
         budget,
         tried: &tried,
     };
-    let Some(least) = search.least_depth()? else {
+    if !search.fits(&most_exact(DEPTHS.1))? {
         return search.unreachable();
-    };
-    let last = (least + MORE_DEPTHS).min(DEPTHS.1);
-    let found = (least..=last).into_par_iter();
-    let found = found.map(|depth| search.fewest(depth));
-    let found = found.collect::<Result<Vec<Option<Drawn>>, FitError>>()?;
-    let mut found: Vec<Drawn> = found.into_iter().flatten().collect();
+    }
+    let least = search.least(DEPTHS, most_exact)?;
+    let depths = (least..=(least + MORE_DEPTHS).min(DEPTHS.1)).into_par_iter();
+    let found = depths.map(|depth| search.fewest(depth).transpose());
+    let mut found: Vec<Drawn> = found.flatten_iter().collect::<Result<_, FitError>>()?;
     let cells = |drawn: &Drawn| {
-        let slots = drawn.prepared[0].quadrics();
-        let slots = slots.map(|(_, object)| {
+        let each = drawn.prepared[0].quadrics().map(|(_, object)| {
             let required = required_of_quadric(&object.words);
-            object.needed.slot(required, &drawn.widths)
+            let slot = object.needed.slot(required, &drawn.widths);
+            estimate::of_slot(&drawn.widths, &slot)
         });
-        let each = slots.map(|slot| estimate::of_slot(&drawn.widths, &slot));
         // Where there are none, the words alone count.
         each.sum::<f64>() + f64::from(drawn.widths.depth)
     };
@@ -71,20 +67,19 @@ pub(super) fn is_possible(frames: &Frames, budget: &Budget) -> Result<bool, FitE
     Ok(drawn.is_some_and(|drawn| drawn.fits()))
 }
 
-struct Search<'a, T: Fn() + Sync> {
+struct Search<'a> {
     frames: &'a Frames,
     budget: &'a Budget,
-    tried: &'a T,
+    tried: &'a (dyn Fn() + Sync),
 }
 
-/// The most exact words of a depth word.
 fn most_exact(depth: u32) -> MachineWords {
     // The second-degree processor has at most 64 bits, and the root as many as the depth unless the scene needs fewer.
     let guard_quadratic = MOST_GUARDS.1.min(64 - 2 * depth.min(32));
     widest(depth, NORMALS.1, (MOST_GUARDS.0, guard_quadratic), 0)
 }
 
-impl<T: Fn() + Sync> Search<'_, T> {
+impl Search<'_> {
     fn draw(&self, words: &MachineWords) -> Result<Option<Drawn>, FitError> {
         let drawn = self.frames.draw(words, self.budget)?;
         (self.tried)();
@@ -96,27 +91,16 @@ impl<T: Fn() + Sync> Search<'_, T> {
     }
 
     /// The least number in a range that fits, if the greatest does.
-    fn least(
-        &self,
-        (mut low, mut high): (u32, u32),
-        of: impl Fn(u32) -> MachineWords,
-    ) -> Result<u32, FitError> {
+    fn least(&self, range: (u32, u32), of: impl Fn(u32) -> MachineWords) -> Result<u32, FitError> {
+        let (mut low, mut high) = range;
         while low < high {
             let middle = (low + high) / 2;
-            if self.fits(&of(middle))? {
-                high = middle;
-            } else {
-                low = middle + 1;
+            match self.fits(&of(middle))? {
+                true => high = middle,
+                false => low = middle + 1,
             }
         }
         Ok(high)
-    }
-
-    fn least_depth(&self) -> Result<Option<u32>, FitError> {
-        if !self.fits(&most_exact(DEPTHS.1))? {
-            return Ok(None);
-        }
-        self.least(DEPTHS, most_exact).map(Some)
     }
 
     /// The fewest bits with a depth word, if it meets the budget at all.
@@ -143,7 +127,6 @@ impl<T: Fn() + Sync> Search<'_, T> {
         Ok(self.draw(&words)?.filter(Drawn::fits))
     }
 
-    /// What the most exact machine reaches.
     fn unreachable(&self) -> Result<Outcome, FitError> {
         let mut nearest = None;
         // The longest words may leave no room for guard bits; of all depth words the one that breaks the fewest limits

@@ -10,14 +10,11 @@ use imogene_prepare::{Framing, PreparedScene};
 use imogene_scene::SceneFile;
 use std::collections::BTreeMap;
 
-/// The pixels of the frame that shows most of the loss of a cut plane, with the planes lost before it, and the index of
-/// the plane among the cuts of its object.
+/// Pixels that show the loss of a plane, after those lost before it, in the worst frame; its index among the cuts.
 type SparePlane = (u64, usize);
 
-/// An object in a frame.
 pub(super) struct View<'a> {
     picture: &'a Picture,
-    /// Id of the object's pixels in the picture.
     object: i32,
     /// The scene with this object alone.
     file: SceneFile,
@@ -58,23 +55,23 @@ impl<'a> View<'a> {
         })
     }
 
-    fn planes(&self) -> usize {
-        self.file.objects[0].cuts.len()
-    }
-
-    /// Pixels of the picture that are of another face or object with these of its planes alone; none where no machine
-    /// draws it so.
+    /// Pixels that change with these planes alone; none where no machine draws it so.
     fn changed(&self, kept: &[usize]) -> Option<u64> {
         let mut file = self.file.clone();
         let cuts = &self.file.objects[0].cuts;
         file.objects[0].cuts = kept.iter().map(|&plane| cuts[plane].clone()).collect();
         let after = drawn(&file, self.size, kept.len())?;
-        let number = |pixel: &ObjectPixel| old_number(kept, pixel.number);
+        // The number of a face when all planes were there.
+        let number = |number: u8| {
+            let plane = number.checked_sub(FACE_PLANE).map(usize::from);
+            let plane = plane.and_then(|plane| kept.get(plane));
+            plane.map_or(number, |&plane| FACE_PLANE + plane as u8)
+        };
         let lost = self.whole.keys().filter(|at| !after.contains_key(at));
         let lost = lost.filter(|at| self.is_seen(at)).count();
         let other = after.iter().filter(|(at, pixel)| {
             let before = self.whole.get(at);
-            let is_same = before.is_some_and(|before| before.number == number(pixel));
+            let is_same = before.is_some_and(|before| before.number == number(pixel.number));
             !is_same && (self.is_seen(at) || pixel.zf < self.picture.depth[self.index(at)])
         });
         Some((lost + other.count()) as u64)
@@ -87,13 +84,6 @@ impl<'a> View<'a> {
     fn is_seen(&self, at: &(i64, i64)) -> bool {
         self.picture.id[self.index(at)] == self.object
     }
-}
-
-/// The number of a face when all planes were there.
-fn old_number(kept: &[usize], number: u8) -> u8 {
-    let plane = number.checked_sub(FACE_PLANE).map(usize::from);
-    let plane = plane.and_then(|plane| kept.get(plane));
-    plane.map_or(number, |&plane| FACE_PLANE + plane as u8)
 }
 
 /// What a scene of one object draws; none where no machine draws it, or its processor is not one of so many planes that
@@ -123,7 +113,7 @@ fn drawn(file: &SceneFile, size: (u32, u32), planes: usize) -> Option<Pixels> {
 /// The planes that an object can lose, the one that is missed least first, as long as fewer than `over` pixels of every
 /// frame are other than they were. Its views are those of all frames.
 pub(super) fn spare_planes(views: &[View], over: u64) -> Vec<SparePlane> {
-    let mut kept: Vec<usize> = (0..views[0].planes()).collect();
+    let mut kept: Vec<usize> = (0..views[0].file.objects[0].cuts.len()).collect();
     let mut spare: Vec<SparePlane> = vec![];
     while !kept.is_empty() {
         let without = |plane: usize| kept.iter().copied().filter(move |kept| *kept != plane);
