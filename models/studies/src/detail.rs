@@ -9,7 +9,6 @@ use imogene_golden::machine::lighting::Lighting;
 use imogene_golden::machine::transparency::MOST_LAYERS;
 use imogene_golden::machine::zone::ZoneMachine;
 use imogene_golden::object::quadric::MAX_PLANES;
-use imogene_golden::object::slot::Slot;
 use imogene_plan::culling::reduce::{Fate, Reduced, ReducedObject};
 use imogene_plan::culling::zones::{Touches, ZoneTouches};
 use imogene_plan::zone::clocks::{ZoneTiming, clocks};
@@ -32,18 +31,6 @@ pub struct WorkSaved {
     pub planes: [u64; 2],
     /// Depths of planes that are computed.
     pub plane_depths: [u64; 2],
-}
-
-impl WorkSaved {
-    fn add(&mut self, object: &ReducedObject) {
-        for when in [0, 1] {
-            self.objects[when] += u64::from(object.processors[when] > 0);
-            self.processors[when] += object.processors[when];
-            self.object_pixels[when] += object.visited[when];
-            self.planes[when] += object.planes[when];
-            self.plane_depths[when] += object.plane_depths[when];
-        }
-    }
 }
 
 /// Pixels of the picture that are not what they were.
@@ -89,8 +76,7 @@ pub struct Report {
     pub work: WorkSaved,
     /// Objects that are drawn but hidden by others at every pixel.
     pub hidden: u64,
-    /// Zones of each object, and objects of each zone: by boxes and by bounds of the scene as it is, by the pixels of
-    /// what is left.
+    /// Zones of each object and objects of each zone: boxes and bounds of the scene, pixels of what is left.
     pub touches: ZoneTouches,
     /// The same of all objects.
     pub loads: Touches,
@@ -126,14 +112,10 @@ struct Drawn {
     picture: Vec<u8>,
 }
 
-fn draw(
-    scene: &PreparedScene,
-    framed: &FramedScene,
-    slots: &[Slot],
-    reduced: Option<&Reduced>,
-) -> Drawn {
+fn draw(scene: &PreparedScene, framed: &FramedScene, reduced: Option<&Reduced>) -> Drawn {
+    let slots = reduced.map_or_else(|| scene.slots(), Reduced::slots);
     let (width, height) = (scene.width as usize, scene.height as usize);
-    let mut frame = beam::render(slots, &scene.format, width, height, || ());
+    let mut frame = beam::render(&slots, &scene.format, width, height, || ());
     if let Some(reduced) = reduced {
         reduced.restore_faces(&mut frame);
     }
@@ -149,26 +131,29 @@ fn draw(
 impl Report {
     /// Of a scene, with square zones of `side` pixels; up to `pixels` pixels of each object may change.
     pub fn of(framed: &FramedScene, scene: &PreparedScene, side: u32, pixels: u64) -> Report {
-        let slots = scene.slots();
-        let whole = draw(scene, framed, &slots, None);
+        let whole = draw(scene, framed, None);
         let reduced = Reduced::of(scene, &whole.frame, pixels);
-        let left = reduced.slots();
-        let again = draw(scene, framed, &left, Some(&reduced));
+        let again = draw(scene, framed, Some(&reduced));
         let mut work = WorkSaved::default();
-        reduced.objects.iter().for_each(|object| work.add(object));
+        for object in &reduced.objects {
+            for when in [0, 1] {
+                work.objects[when] += u64::from(object.processors[when] > 0);
+                work.processors[when] += object.processors[when];
+                work.object_pixels[when] += object.visited[when];
+                work.planes[when] += object.planes[when];
+                work.plane_depths[when] += object.plane_depths[when];
+            }
+        }
         let hidden = |o: &&ReducedObject| o.fate == Fate::Drawn && o.seen == 0;
         let size = (scene.width, scene.height);
         let objects = scene.objects.len();
         // Boxes and bounds of the scene as it is, pixels of what is left of it.
-        let before = ZoneTouches::of(&slots, objects, &scene.format, size, side);
-        let mut touches = ZoneTouches::of(&left, objects, &scene.format, size, side);
-        let by_words = |to: &mut [Touches], from: &[Touches]| {
-            for (to, from) in to.iter_mut().zip(from) {
-                (to.boxes, to.bounds) = (from.boxes, from.bounds);
-            }
-        };
-        by_words(&mut touches.objects, &before.objects);
-        by_words(&mut touches.zones, &before.zones);
+        let before = ZoneTouches::of(&scene.slots(), objects, &scene.format, size, side);
+        let mut touches = ZoneTouches::of(&reduced.slots(), objects, &scene.format, size, side);
+        let objects = touches.objects.iter_mut().zip(&before.objects);
+        for (to, from) in objects.chain(touches.zones.iter_mut().zip(&before.zones)) {
+            (to.boxes, to.bounds) = (from.boxes, from.bounds);
+        }
         let mut loads = Touches::default();
         touches.objects.iter().for_each(|one| loads += *one);
         let (streams, volumes_of_zones) = match streams(scene, side) {
@@ -210,35 +195,28 @@ fn changed(before: &Drawn, after: &Drawn) -> Changed {
 }
 
 /// The streams, and the volumes of each zone.
-type Streams = ([ZoneStream; 3], Vec<[u64; 3]>);
-
-fn streams(scene: &PreparedScene, side: u32) -> Result<Streams, PlanError> {
+fn streams(
+    scene: &PreparedScene,
+    side: u32,
+) -> Result<([ZoneStream; 3], Vec<[u64; 3]>), PlanError> {
     let plan = ZonePlan::of(scene, machine(side))?;
-    let mut volumes = vec![[0; 3]; plan.zones.len()];
     let refinements = [Refinement::Box, Refinement::Bounds, Refinement::Pixels];
-    let mut place = 0;
-    let streams = refinements.map(|refinement| {
-        let plan = plan.clone().refined(refinement);
-        for (counts, zone) in volumes.iter_mut().zip(&plan.zones) {
-            counts[place] = zone.volumes.len() as u64;
+    let plans = refinements.map(|refinement| (refinement, plan.clone().refined(refinement)));
+    let volumes_of = |zone: usize| [0, 1, 2].map(|k| plans[k].1.zones[zone].volumes.len() as u64);
+    let volumes = (0..plan.zones.len()).map(volumes_of).collect();
+    let stream = |(refinement, plan): &(Refinement, ZonePlan)| {
+        let counted = clocks(plan, &ZoneTiming::default());
+        let zones = plan.zones.iter();
+        let parts = zones.clone().map(|zone| zone.all_parts().count() as u64);
+        ZoneStream {
+            refinement: *refinement,
+            parts: parts.sum(),
+            volumes: zones.map(|zone| zone.volumes.len() as u64).sum(),
+            draw_passes: counted.draw_passes,
+            light_passes: counted.light_passes,
+            pass_pixels: counted.draw + counted.light + counted.show,
+            beats: counted.beats,
         }
-        place += 1;
-        stream(&plan, refinement)
-    });
-    Ok((streams, volumes))
-}
-
-fn stream(plan: &ZonePlan, refinement: Refinement) -> ZoneStream {
-    let counted = clocks(plan, &ZoneTiming::default());
-    let zones = plan.zones.iter();
-    let parts = zones.clone().map(|zone| zone.all_parts().count() as u64);
-    ZoneStream {
-        refinement,
-        parts: parts.sum(),
-        volumes: zones.map(|zone| zone.volumes.len() as u64).sum(),
-        draw_passes: counted.draw_passes,
-        light_passes: counted.light_passes,
-        pass_pixels: counted.draw + counted.light + counted.show,
-        beats: counted.beats,
-    }
+    };
+    Ok((plans.each_ref().map(stream), volumes))
 }

@@ -7,12 +7,10 @@ use plotters::prelude::*;
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-const SIZE: (u32, u32) = (760, 520);
-
 /// Draws rows as SVG: a curve for each number of object processors, both axes in powers of two.
 pub fn plot(title: &str, rows: &[Growth]) -> Result<String, DrawError> {
     let what = "the plot of the clocks cannot be drawn";
-    svg(what, SIZE, |area| draw(area, title, rows))
+    svg(what, (760, 520), |area| draw(area, title, rows))
 }
 
 fn draw(area: &Area, title: &str, rows: &[Growth]) -> Outcome {

@@ -47,8 +47,7 @@ pub struct RootError {
     pub mean_percent: f64,
 }
 
-/// Steps of the root between neighbouring radicands X - 1 and X, where X is a measured place or begins a new scaled
-/// argument.
+/// Steps of the root between radicands X - 1 and X: measured places, and where a scaled argument begins.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Steps {
     /// No step down was found.
@@ -91,8 +90,8 @@ pub fn family(format: &Format) -> Vec<Method> {
     let mut family = vec![Method::Restoring, Method::NonRestoring, Method::Iterative];
     family.extend([0, 1, 2].map(|corrections| Method::Linear { corrections }));
     family.extend([0, 1, 2].map(|corrections| Method::Quadratic { corrections }));
-    let kept = [6, 8, 10, 12, 14, 16, 20, 24].into_iter();
-    let kept = kept.filter(|kept| *kept < format.root);
+    let kept = [6, 8, 10, 12, 14, 16, 20, 24];
+    let kept = kept.into_iter().filter(|kept| *kept < format.root);
     family.extend(kept.clone().map(|kept| Method::Rows { kept }));
     family.extend(kept.map(|kept| Method::Leading { kept }));
     family
@@ -100,12 +99,7 @@ pub fn family(format: &Format) -> Vec<Method> {
 
 /// The measured table of the family at the widths of a format.
 pub fn table(format: &Format) -> Vec<RootRow> {
-    let family = family(format).into_par_iter();
-    family.map(|method| row(method, format)).collect()
-}
-
-fn row(method: Method, format: &Format) -> RootRow {
-    RootRow {
+    let row = |method: Method| RootRow {
         method,
         label: method.to_string(),
         exact: method.is_exact(),
@@ -113,7 +107,8 @@ fn row(method: Method, format: &Format) -> RootRow {
         steps: steps(method, format.root),
         sphere: (*format == Format::BASE).then(|| sphere(method)),
         cost: cost(method, format.root),
-    }
+    };
+    family(format).into_par_iter().map(row).collect()
 }
 
 /// Radicands of the upper half of the octaves, from `root_bits` to `2 root_bits` significant bits.
@@ -215,8 +210,7 @@ fn row_cells(rows: u32) -> u32 {
     (rows * (rows + 5) / 2).saturating_sub(1)
 }
 
-/// Products of 15-bit digits, each pair once, that a square of `bits` bits takes; a top digit of one or two bits is
-/// gates.
+/// Products of 15-bit digits, each pair once, of a square; a top digit of one or two bits is gates.
 fn square_products(bits: u32) -> u32 {
     let digits = bits.div_ceil(15);
     let digits = digits - u32::from(bits % 15 <= 2);
@@ -225,11 +219,9 @@ fn square_products(bits: u32) -> u32 {
 
 /// What a member with roots of so many bits is built of.
 pub fn cost(method: Method, root_bits: u32) -> Cost {
-    let corrections_of = |corrections: u32| {
-        // The excess, and what it takes from the root.
-        let cells = corrections * (2 * root_bits + root_bits + 1);
-        (cells, corrections * square_products(root_bits + 1))
-    };
+    // The excess, and what it takes from the root.
+    let cells_of = |corrections: u32| corrections * (2 * root_bits + root_bits + 1);
+    let products_of = |corrections: u32| corrections * square_products(root_bits + 1);
     let (adder_cells, multipliers, shifters) = match method {
         Method::Restoring => (row_cells(root_bits), 0, 0),
         // The remainder's last addition besides the rows.
@@ -238,16 +230,15 @@ pub fn cost(method: Method, root_bits: u32) -> Cost {
         Method::Rows { kept } => (row_cells(kept), 0, 0),
         Method::Leading { kept } => (row_cells(kept), 0, 2),
         Method::Linear { corrections } => {
-            let (cells, products) = corrections_of(corrections);
-            (root_bits + cells, products, 1 + corrections)
+            let cells = root_bits + cells_of(corrections);
+            (cells, products_of(corrections), 1 + corrections)
         }
         Method::Quadratic { corrections } => {
-            let (cells, products) = corrections_of(corrections);
             // 15 A, 15 times the rest of X, two sums of 15 R; the fifteenth: two parts of ones, the sum of parts and
             // their joining.
             let estimate = 4 * (root_bits + 4) + 8 * 24;
-            let own = square_products(root_bits);
-            (estimate + cells, own + products, 3 + corrections)
+            let products = square_products(root_bits) + products_of(corrections);
+            (estimate + cells_of(corrections), products, 3 + corrections)
         }
     };
     Cost {

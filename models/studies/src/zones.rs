@@ -9,10 +9,7 @@ use imogene_prepare::{Options, prepare_with};
 use imogene_scene::FramedScene;
 
 /// The scene prepared for zones of `side` columns and lines, each with its middle as the anchor of all words.
-///
-/// # Errors
-///
-/// When it cannot be prepared in the format.
+/// Fails when it cannot be prepared in the format.
 pub fn zones(
     scene: &FramedScene,
     format: Format,
@@ -25,10 +22,8 @@ pub fn zones(
             x: i64::from(piece.x0 + piece.width / 2),
             y: i64::from(piece.y0 + piece.height / 2),
         };
-        let options = Options {
-            anchor: Some(anchor),
-            ..Options::ROOTS
-        };
+        let mut options = Options::ROOTS;
+        options.anchor = Some(anchor);
         Ok(ZoneScene {
             first: (piece.x0 as usize, piece.y0 as usize),
             size: (piece.width as usize, piece.height as usize),

@@ -13,11 +13,11 @@ pub fn rendered(what: &str, template: &str, values: Value) -> Result<String, Dra
     // By its name the text is escaped.
     let page = environment.add_template("page.html", template);
     let page = page.and_then(|()| environment.get_template("page.html")?.render(values));
-    page.map_err(|error| failed(what, &error))
+    page.map_err(failed(what))
 }
 
-fn failed(what: &str, error: &Error) -> DrawError {
-    DrawError(what.into(), format!("{error:#}"))
+fn failed(what: &str) -> impl Fn(Error) -> DrawError {
+    move |error| DrawError(what.into(), format!("{error:#}"))
 }
 
 /// A text from its template, over values by their keys in JSON; `what` begins the message if it cannot be made.
@@ -29,7 +29,7 @@ pub fn text(what: &str, template: &str, values: impl Serialize) -> Result<String
     syntax.trim_blocks(true).lstrip_blocks(true);
     let syntax = syntax.keep_trailing_newline(true).build();
     let mut environment = Environment::new();
-    environment.set_syntax(syntax.map_err(|error| failed(what, &error))?);
+    environment.set_syntax(syntax.map_err(failed(what))?);
     environment.set_undefined_behavior(UndefinedBehavior::Strict);
     environment.add_filter("fixed", fixed);
     environment.add_filter("power", power);
@@ -42,7 +42,7 @@ pub fn text(what: &str, template: &str, values: impl Serialize) -> Result<String
         wrapped(prose, indent.unwrap_or_default())
     });
     let text = environment.render_str(template, Serde(values));
-    text.map_err(|error| failed(what, &error))
+    text.map_err(failed(what))
 }
 
 /// A number with so many digits after the point, or as many as it has; a dash if it is none.
@@ -68,7 +68,6 @@ fn printed(value: &Value, print: impl FnOnce(f64) -> String) -> Result<String, E
     f64::try_from(value.clone()).map(print)
 }
 
-/// So many significant digits, without an exponent.
 fn digits(value: f64, count: i32) -> String {
     if value == 0.0 {
         return "0".into();

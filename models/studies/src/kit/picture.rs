@@ -17,7 +17,6 @@ fn opened(path: &Path, how: png::Transformations) -> Result<png::Reader<BufReade
     decoder.read_info().map_err(|e| e.to_string())
 }
 
-/// The picture behind the head.
 fn samples(mut reader: png::Reader<BufReader<File>>) -> Result<(png::OutputInfo, Vec<u8>), String> {
     let size = reader.output_buffer_size().ok_or("it is too large")?;
     let mut samples = vec![0; size];
@@ -48,14 +47,10 @@ pub fn read_mask(path: &Path) -> Result<(usize, usize, Vec<bool>), String> {
         colour.iter().any(|&c| c > 0) && alpha.iter().all(|&a| a >= 128)
     };
     let pixels = samples[..info.buffer_size()].chunks_exact(each);
-    Ok((
-        width as usize,
-        height as usize,
-        pixels.map(is_set).collect(),
-    ))
+    let mask = pixels.map(is_set).collect();
+    Ok((width as usize, height as usize, mask))
 }
 
-/// Longest side of a mask that is read.
 const MAX_MASK_SIDE: u32 = 4096;
 
 /// Writes an 8-bit RGB picture to a file of its own.
@@ -133,22 +128,16 @@ impl Preview {
     ///
     /// The format takes times to a tenth of a millisecond; beyond 6.5 seconds to a millisecond.
     pub fn frame(&mut self, rgb: &[u8], seconds: f64) -> io::Result<()> {
-        let (numerator, denominator) = delay(seconds);
-        let set = self.0.set_frame_delay(numerator, denominator);
+        let denominator = if seconds <= 6.5 { 10_000 } else { 1_000 };
+        let numerator = (seconds * f64::from(denominator)).round();
+        let numerator = numerator.clamp(0.0, 65_535.0);
+        let set = self.0.set_frame_delay(numerator as u16, denominator);
         let written = set.and_then(|()| self.0.write_image_data(rgb));
         written.map_err(io::Error::other)
     }
 
-    /// Ends the file.
-    /// Fails if it cannot be written, or has not as many frames as were announced.
+    /// Ends the file; fails if it has not as many frames as were announced, or cannot be written.
     pub fn finish(self) -> io::Result<()> {
         self.0.finish().map_err(io::Error::other)
     }
-}
-
-/// A time as numerator and denominator in seconds.
-fn delay(seconds: f64) -> (u16, u16) {
-    let denominator = if seconds <= 6.5 { 10_000 } else { 1_000 };
-    let numerator = (seconds * f64::from(denominator)).round();
-    (numerator.clamp(0.0, 65_535.0) as u16, denominator)
 }

@@ -1,6 +1,5 @@
 //! Pictures side by side, with maps of their errors below.
 
-/// White pixels between two panels.
 const GAP: usize = 4;
 
 /// A sheet of pictures.
@@ -27,16 +26,12 @@ impl Sheet {
         for (place, panels) in pairs.iter().enumerate() {
             let left = place % band * (width + GAP);
             for (row, panel) in (2 * (place / band)..).zip(panels) {
-                sheet.paste(panel, width, [left, row * (height + GAP)]);
+                for (y, line) in (row * (height + GAP)..).zip(panel.chunks(3 * width)) {
+                    let start = 3 * (y * sheet.width + left);
+                    sheet.rgb[start..start + line.len()].copy_from_slice(line);
+                }
             }
         }
         sheet
-    }
-
-    fn paste(&mut self, panel: &[u8], width: usize, [left, top]: [usize; 2]) {
-        for (y, line) in panel.chunks(3 * width).enumerate() {
-            let start = 3 * ((top + y) * self.width + left);
-            self.rgb[start..start + line.len()].copy_from_slice(line);
-        }
     }
 }

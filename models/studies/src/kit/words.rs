@@ -41,8 +41,7 @@ pub const fn widest(
     }
 }
 
-/// The narrowest widths that take all scenes, and the scenes in them. `prepared` gives the scenes, or nothing if a word
-/// is too short for one.
+/// The narrowest widths that take all scenes, and these; `prepared` gives nothing where a word is too short.
 pub fn narrowest<E>(
     wide: &MachineWords,
     prepared: impl Fn(&MachineWords) -> Result<Option<Vec<PreparedScene>>, E>,

@@ -115,8 +115,7 @@ impl Subject {
         })
     }
 
-    /// Draws a variant.
-    /// Fails if an object of it does not fit the machine.
+    /// Draws a variant; fails if an object of it does not fit the machine.
     pub fn draw(&self, variant: Variant) -> Result<Drawn, FrameProblem> {
         let sides = |object: usize| match variant {
             Variant::Facets(sides) => Some(sides),
@@ -150,7 +149,6 @@ impl Subject {
     }
 }
 
-/// The scene with another processor for all objects.
 fn by(file: &SceneFile, processor: Processor) -> SceneFile {
     let mut file = file.clone();
     for object in &mut file.objects {

@@ -52,28 +52,16 @@ pub struct Speed {
     pub processor_model_pixels_per_second: f64,
     /// The first over the second.
     pub ratio: f64,
-    /// Clock in MHz at which one facet processor that visits the screen boxes one after the other, a pixel a clock, is
-    /// as fast as contour following.
+    /// Clock in MHz at which one facet processor, a pixel of a box a clock, is as fast as contour following.
     pub break_even_mhz: f64,
 }
 
 /// Times both, about `time` each, on one thread.
 pub fn measure(facets: &[&FacetWords], format: &Format, time: Duration) -> Speed {
-    let contour = rate(time, || {
-        let mut sum = Sum::default();
-        for words in facets {
-            let contour = FacetContour::new(black_box(words), format);
-            contour.for_each_pixel(|_, _, pixel| sum.add(&pixel));
-        }
-        sum
+    let contour = rate(facets, time, |words, sum| {
+        FacetContour::new(words, format).for_each_pixel(|_, _, pixel| sum.add(&pixel));
     });
-    let model = rate(time, || {
-        let mut sum = Sum::default();
-        for words in facets {
-            scan(black_box(words), format, &mut sum);
-        }
-        sum
-    });
+    let model = rate(facets, time, |words, sum| scan(words, format, sum));
     let boxes: u64 = facets.iter().map(|f| f.screen_box.pixels()).sum();
     let drawn = work(facets, format, 0).contour.pixels.max(1);
     Speed {
@@ -114,13 +102,16 @@ fn scan(words: &FacetWords, format: &Format, sum: &mut Sum) {
     }
 }
 
-/// Pixels per second, repeated until the time is over.
-fn rate(time: Duration, draw: impl Fn() -> Sum) -> f64 {
+/// Pixels per second of all facets, drawn again and again until the time is over.
+fn rate(facets: &[&FacetWords], time: Duration, draw: impl Fn(&FacetWords, &mut Sum)) -> f64 {
     let started = Instant::now();
     let mut pixels = 0;
     loop {
-        let sum = black_box(draw());
-        pixels += sum.pixels;
+        let mut sum = Sum::default();
+        for words in facets {
+            draw(black_box(words), &mut sum);
+        }
+        pixels += black_box(sum).pixels;
         let elapsed = started.elapsed();
         if elapsed >= time {
             return pixels as f64 / elapsed.as_secs_f64();

@@ -2,7 +2,7 @@
 
 use imogene_scene::{FramedObject, FramedScene, Mesh, Object, Shape};
 use num_rational::BigRational;
-use num_traits::{Signed, Zero};
+use num_traits::Signed;
 use std::f64::consts::TAU;
 
 /// Replaces a sphere, or a circular cylinder along y between two cuts across it, by a mesh with its corners on the
@@ -84,8 +84,8 @@ pub fn cylinder(radii: [f64; 2], [low, high]: [f64; 2], sides: usize) -> Mesh {
     ] {
         for k in 0..sides {
             let [x, z] = direction(k, sides);
-            mesh.vertices
-                .push([short(radii[0] * x), y, short(radii[1] * z)]);
+            let vertex = [short(radii[0] * x), y, short(radii[1] * z)];
+            mesh.vertices.push(vertex);
             // Of an ellipse the normal leans to the short axis.
             let wall = [short(x * radii[1] / radii[0]), 0.0, short(z)];
             mesh.normals.push(end.map_or(wall, |up| [0.0, up, 0.0]));
@@ -110,24 +110,17 @@ pub fn drop_turned_away(scene: &mut FramedScene) -> usize {
     for object in &mut scene.objects {
         if let FramedObject::Mesh(mesh) = object {
             faces += mesh.facets.len();
-            let vertices = std::mem::take(&mut mesh.vertices);
-            mesh.facets
-                .retain(|facet| is_seen(&vertices, &facet.corners));
-            mesh.vertices = vertices;
+            let vertices = &mesh.vertices;
+            // Seen are corners that go round counter-clockwise on the screen, whose y is downwards.
+            mesh.facets.retain(|facet| {
+                let corners = facet.corners.iter().map(|&k| &vertices[k]);
+                let next = corners.clone().cycle().skip(1);
+                let turn =
+                    |([x, y, _], [u, v, _]): (&[BigRational; 3], &[BigRational; 3])| x * v - u * y;
+                let area: BigRational = corners.zip(next).map(turn).sum();
+                area.is_negative()
+            });
         }
     }
     faces
-}
-
-/// True if the corners go round counter-clockwise on the screen, whose y is downwards.
-fn is_seen(vertices: &[[BigRational; 3]], corners: &[usize]) -> bool {
-    let place = |k: usize| {
-        let [x, y, _] = &vertices[corners[k % corners.len()]];
-        (x, y)
-    };
-    let area = (0..corners.len()).fold(BigRational::zero(), |sum, k| {
-        let ((x, y), (u, v)) = (place(k), place(k + 1));
-        sum + x * v - u * y
-    });
-    area.is_negative()
 }

@@ -189,26 +189,23 @@ fn material(random: &mut Random) -> MaterialWords {
 }
 
 fn direction(random: &mut Random) -> Vector {
+    let sign = |random: &mut Random| if random.one_in(2) { 1.0 } else { -1.0 };
     match random.below(4) {
         0 => {
             let mut v = [0.0; 3];
-            v[random.below(3) as usize] = if random.one_in(2) { 1.0 } else { -1.0 };
+            v[random.below(3) as usize] = sign(random);
             v
         }
-        1 => {
-            [(); 3].map(|()| random.magnitude(1.0, 20) * if random.one_in(2) { 1.0 } else { -1.0 })
-        }
+        1 => [(); 3].map(|()| random.magnitude(1.0, 20) * sign(random)),
         _ => [(); 3].map(|()| random.signed()),
     }
 }
 
 /// A vector with its longest component at `length`.
 fn scaled(v: Vector, length: f64) -> Vector {
-    let most = v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-    if most == 0.0 {
-        v
-    } else {
-        v.map(|x| x / most * length)
+    match v.iter().fold(0.0, |m: f64, x| m.max(x.abs())) {
+        0.0 => v,
+        most => v.map(|x| x / most * length),
     }
 }
 

@@ -4,6 +4,7 @@
 //! exact.
 
 use imogene_algebra::vector::{Vector, dot};
+use imogene_analysis::phong::unit;
 use imogene_golden::machine::shader::{LightWords, MaterialWords, Pixel, ShaderWords};
 
 /// Levels of red, green, blue before they are clamped and rounded. The pixel shows an object.
@@ -45,7 +46,6 @@ pub(super) fn place(words: &ShaderWords, pixel: &Pixel) -> [i64; 2] {
     ]
 }
 
-/// Away from the viewer.
 pub(super) fn ray(words: &ShaderWords, pixel: &Pixel) -> Vector {
     let distance = f64::from(words.distance);
     if !words.perspective {
@@ -80,12 +80,4 @@ fn attenuation(words: &ShaderWords, pixel: &Pixel, ray: Vector) -> f64 {
     let far = (far << (32 - words.depth)) as f64;
     let unit = (f64::from(offset) / f64::from(1u32 << 22)).exp2();
     1.0 / (1.0 + dot(ray, ray).sqrt() / far * unit)
-}
-
-/// The vector at length one; the zero vector stays as it is.
-fn unit(v: Vector) -> Vector {
-    match dot(v, v).sqrt() {
-        0.0 => v,
-        length => v.map(|x| x / length),
-    }
 }

@@ -1,7 +1,6 @@
 //! How far lit-sphere shading is from the shading processor and from its own formula, on the pictures of a scene.
 
 use imogene_algebra::vector::{Vector, dot, length};
-use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::Lighting;
 use imogene_golden::machine::shader::{ShaderWords, shade_picture};
@@ -11,7 +10,6 @@ use imogene_prepare::shader::{ShaderError, material_numbers, shader_words};
 use imogene_scene::FramedScene;
 use serde::Serialize;
 
-/// Bits of a coordinate of the tables that are tried.
 const PLACES: [u32; 4] = [4, 5, 6, 7];
 
 /// Differences of the pixels that show an object, each the greatest of its three levels.
@@ -40,18 +38,14 @@ pub struct SphereErrors {
 
 /// The errors of tables of every size, between entries or of the nearest one, on the picture of a scene, with its
 /// shadows.
-///
-/// # Errors
-///
-/// When the scene has no words for the shading processor.
+/// Fails when the scene has no words for the shading processor.
 pub fn sphere_errors(
     scene: &FramedScene,
     prepared: &PreparedScene,
     nearest: bool,
 ) -> Result<Vec<SphereErrors>, ShaderError> {
-    let (width, height) = (prepared.width as usize, prepared.height as usize);
     let format = &prepared.format;
-    let mut frame = beam::render(&prepared.slots(), format, width, height, || ());
+    let mut frame = prepared.frame(|| ());
     frame.layers.clear();
     let materials = material_numbers(scene);
     let lighting = prepared.light(&frame, || ());
@@ -97,12 +91,12 @@ fn far_picture(frame: &Frame, lighting: &Lighting, scene: &FramedScene, z_max: i
 fn differences(frame: &Frame, own: &[u8], other: &[u8]) -> LevelErrors {
     let pixels = own.chunks_exact(3).zip(other.chunks_exact(3));
     let shown = pixels.zip(&frame.id).filter(|(_, id)| **id >= 0);
-    let greatest = shown.map(|((own, other), _)| {
+    let greatest = |((own, other), _): ((&[u8], &[u8]), _)| {
         let levels = own.iter().zip(other);
         let levels = levels.map(|(own, other)| own.abs_diff(*other));
         levels.max().unwrap_or(0)
-    });
-    let mut all: Vec<u8> = greatest.collect();
+    };
+    let mut all: Vec<u8> = shown.map(greatest).collect();
     all.sort_unstable();
     let Some(greatest) = all.last().copied() else {
         return LevelErrors::default();

@@ -105,8 +105,7 @@ impl ShadingErrors {
     }
 }
 
-/// Compares so many random cases, and a search from the worst of every few thousand of them; `done` is told of cases as
-/// they pass.
+/// Compares random cases, and a search from the worst of each batch; `done` is told of cases as they pass.
 pub fn errors(
     widths: &ShaderWidths,
     cases: u64,
@@ -115,7 +114,6 @@ pub fn errors(
 ) -> ShadingErrors {
     let shader = Shader::with_widths(&Default::default(), widths);
     let batch = |cases| ShadingErrors::batch(&shader, seed, cases);
-    let batches = in_pieces(cases, BATCH, done, batch);
-    let none = ShadingErrors::default();
-    batches.into_iter().fold(none, ShadingErrors::merge)
+    let batches = in_pieces(cases, BATCH, done, batch).into_iter();
+    batches.fold(ShadingErrors::default(), ShadingErrors::merge)
 }
