@@ -106,10 +106,11 @@ impl Pixel {
     }
 
     fn half_planes(&self) -> Option<bool> {
-        let planes = self.planes_of(PlaneKind::Perpendicular);
-        planes.fold(Some(true), |all, (_, value)| {
-            both(all, value.not_negative())
-        })
+        let mut all = Some(true);
+        for (_, value) in self.planes_of(PlaneKind::Perpendicular) {
+            all = both(all, value.not_negative());
+        }
+        all
     }
 
     /// The near end and the front planes: the ray is kept behind the farthest of them.

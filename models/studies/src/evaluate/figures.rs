@@ -151,16 +151,14 @@ pub fn fair_ball() -> Result<[f64; 2], EvaluateError> {
 /// Mean of the reals of a mesh with 20 sides over those of the quadric, and the reals of a facet.
 fn file_ratio() -> Result<[f64; 2], EvaluateError> {
     let scene = SceneFile::parse(SOLIDS, "three-solids.toml")?;
-    // Corners are shared in a mesh, and not by a facet alone.
-    let mut facet = 0.0;
-    let ratio = |object: &Object| {
-        let mesh = mesh_of(object, 20);
-        let corner = (mesh.vertices[0].len() + mesh.normals[0].len()) as f64;
-        facet = 3.0 * corner;
+    let meshes: Vec<Mesh> = scene.objects.iter().map(|o| mesh_of(o, 20)).collect();
+    // A corner with its normal, which the facets of a mesh share.
+    let corner = (meshes[0].vertices[0].len() + meshes[0].normals[0].len()) as f64;
+    let ratio = |(object, mesh): (&Object, &Mesh)| {
         mesh.vertices.len() as f64 * corner / quadric_reals(object.cuts.len())
     };
-    let sum: f64 = scene.objects.iter().map(ratio).sum();
-    Ok([sum / scene.objects.len() as f64, facet])
+    let sum: f64 = scene.objects.iter().zip(&meshes).map(ratio).sum();
+    Ok([sum / meshes.len() as f64, 3.0 * corner])
 }
 
 /// Bits of load words, without those that a patch processor does not read: the constant normals of planes.

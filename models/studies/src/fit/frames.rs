@@ -129,7 +129,7 @@ impl Frames {
                 .map_err(|source| FitError::of(name, source))
         });
         let scenes: Vec<FramedScene> = scenes.collect::<Result<_, _>>()?;
-        let expected = scenes[0].objects.len();
+        let expected = scenes.first().map_or(0, |scene| scene.objects.len());
         for ((name, _), scene) in files.iter().zip(&scenes) {
             let problem = match scene.objects.len() {
                 0 => "there is no object, and no machine to fit".to_owned(),

@@ -38,11 +38,11 @@ impl FromStr for LeaveOut {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        match text {
-            AUTO => Ok(Self::Auto),
-            _ => (text.parse().map(Self::Below))
-                .map_err(|_| format!("expected a number of pixels such as 60, or {AUTO}")),
+        if text == AUTO {
+            return Ok(Self::Auto);
         }
+        let number = text.parse().map(Self::Below);
+        number.map_err(|_| format!("expected a number of pixels such as 60, or {AUTO}"))
     }
 }
 
