@@ -54,11 +54,7 @@ pub struct Arguments {
     pub command: Command,
 }
 
-/// A size in bytes, with a unit of 1024, 1024^2 or 1024^3 of them or none.
-///
-/// # Errors
-///
-/// When the text is no such number, or 0.
+/// A size in bytes, more than 0, with a unit of 1024, 1024^2 or 1024^3 of them or none.
 pub fn bytes(text: &str) -> Result<u64, String> {
     let (digits, unit) = match text.char_indices().last() {
         Some((at, letter)) if letter.is_ascii_alphabetic() => (&text[..at], letter),

@@ -41,10 +41,6 @@ impl Failure {
     }
 
     /// A check that fails unless it holds.
-    ///
-    /// # Errors
-    ///
-    /// When it does not hold.
     pub fn unless(holds: bool, problem: impl FnOnce() -> String) -> Result {
         match holds {
             true => Ok(()),

@@ -6,10 +6,6 @@ use imogene_studies::shading_trial::ShadingErrors;
 use imogene_studies::trial::TrialReport;
 
 /// The widths of the hardware have to keep every level within one.
-///
-/// # Errors
-///
-/// When a level is farther off.
 pub fn of_levels(errors: &ShadingErrors) -> Result {
     let (beyond, greatest, worst) = (errors.beyond, errors.greatest, &errors.worst);
     Failure::unless(beyond == 0, || {
@@ -20,10 +16,6 @@ pub fn of_levels(errors: &ShadingErrors) -> Result {
 }
 
 /// No error may be beyond its bound in any format; the seed makes the cases again.
-///
-/// # Errors
-///
-/// When one is.
 pub fn of_bounds(seed: u64, formats: &[TrialReport]) -> Result {
     let violations: u64 = formats.iter().map(|format| format.violations).sum();
     if violations == 0 {

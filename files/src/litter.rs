@@ -112,11 +112,7 @@ pub fn end_process_at_once(code: i32) -> ! {
 pub struct Scratch(TempDir);
 
 impl Scratch {
-    /// A new one in a folder, whose name begins with the prefix.
-    ///
-    /// # Errors
-    ///
-    /// When it cannot be made.
+    /// A new one in a folder, whose name begins with the prefix. Fails when it cannot be made.
     pub fn new_in(folder: &Path, prefix: &str) -> io::Result<Scratch> {
         let mut litter = litter();
         let made = tempfile::Builder::new().prefix(prefix).tempdir_in(folder);
@@ -126,11 +122,7 @@ impl Scratch {
     }
 
     /// A new one in the system's temporary folder, in which all further temporary files and folders of this process
-    /// are made: [`end_process`] removes them with it.
-    ///
-    /// # Errors
-    ///
-    /// When it cannot be made.
+    /// are made: [`end_process`] removes them with it. Fails when it cannot be made.
     pub fn of_process() -> io::Result<Scratch> {
         let scratch = Scratch::new_in(&std::env::temp_dir(), "imogene-")?;
         let set = tempfile::env::override_temp_dir(scratch.path());

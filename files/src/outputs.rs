@@ -60,11 +60,7 @@ impl Outputs {
         set
     }
 
-    /// Adds a file; missing folders are made.
-    ///
-    /// # Errors
-    ///
-    /// When it cannot be written, is an input, or is in the set already.
+    /// Adds a file; missing folders are made. Fails when it cannot be written, is an input, or is in the set already.
     pub fn add(
         &mut self,
         path: &Path,
@@ -78,20 +74,12 @@ impl Outputs {
         })
     }
 
-    /// Adds a text.
-    ///
-    /// # Errors
-    ///
-    /// As [`Outputs::add`].
+    /// Adds a text. Fails as [`Outputs::add`] does.
     pub fn add_text(&mut self, path: &Path, text: &str) -> Result<(), WriteError> {
         self.add(path, |out| out.write_all(text.as_bytes()))
     }
 
-    /// Adds a file that the caller fills before the set is finished.
-    ///
-    /// # Errors
-    ///
-    /// As [`Outputs::add`].
+    /// Adds a file that the caller fills before the set is finished. Fails as [`Outputs::add`] does.
     pub fn open(&mut self, path: &Path) -> Result<File, WriteError> {
         self.stage(path).map_err(WriteError::at(path))
     }
@@ -144,11 +132,8 @@ impl Outputs {
         self.staged.iter().map(|one| one.path.clone()).collect()
     }
 
-    /// Lets all files appear and returns their paths.
-    ///
-    /// # Errors
-    ///
-    /// When one cannot be written. Devices and pipes are written to first, for they can refuse; then no file appears.
+    /// Lets all files appear and returns their paths. Fails when one cannot be written. Devices and pipes are written
+    /// to first, for they can refuse; then no file appears.
     pub fn finish(mut self) -> Result<Vec<PathBuf>, WriteError> {
         let paths = self.paths();
         for one in &self.staged {
@@ -204,11 +189,7 @@ fn keep_mode(real: &Path, file: &File) -> io::Result<()> {
     file.set_permissions(old.permissions())
 }
 
-/// Writes one file whole or not at all; missing folders are made.
-///
-/// # Errors
-///
-/// When it cannot be written.
+/// Writes one file whole or not at all; missing folders are made. Fails when it cannot be written.
 pub fn write_whole(
     path: &Path,
     fill: impl FnOnce(&mut dyn Write) -> io::Result<()>,

@@ -4,11 +4,7 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-/// The bytes of a file of at most `limit` bytes.
-///
-/// # Errors
-///
-/// When it cannot be read, is a folder, or is larger.
+/// The bytes of a file of at most `limit` bytes. Fails when it cannot be read, is a folder, or is larger.
 pub fn read(path: &Path, limit: u64) -> io::Result<Vec<u8>> {
     let file = File::open(path)?;
     let facts = file.metadata()?;
@@ -26,11 +22,7 @@ pub fn read(path: &Path, limit: u64) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// The same of a text in UTF-8.
-///
-/// # Errors
-///
-/// As [`read`], and when it is no such text.
+/// The same of a text in UTF-8. Fails as [`read`] does, and when it is no such text.
 pub fn read_text(path: &Path, limit: u64) -> io::Result<String> {
     let text = String::from_utf8(read(path, limit)?);
     text.map_err(|error| {

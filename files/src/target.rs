@@ -32,11 +32,7 @@ pub enum Identity {
 }
 
 impl Target {
-    /// What a path names.
-    ///
-    /// # Errors
-    ///
-    /// When nothing can be written there.
+    /// What a path names. Fails when nothing can be written there.
     pub fn of(path: &Path) -> Result<Target> {
         if path == Path::new("-") {
             return Ok(Target::Standard);
@@ -54,11 +50,8 @@ impl Target {
         Err(Error::other("its symbolic links lead in a circle"))
     }
 
-    /// What no other output may share; none of a device, to which much can be written.
-    ///
-    /// # Errors
-    ///
-    /// When the system does not tell.
+    /// What no other output may share; none of a device, to which much can be written. Fails when the system does not
+    /// tell.
     pub fn identity(&self) -> Result<Option<Identity>> {
         match self {
             Target::Standard => Ok(Some(Identity::Standard)),
@@ -66,11 +59,8 @@ impl Target {
         }
     }
 
-    /// Refuses what nothing can be written to. Nothing is left there.
-    ///
-    /// # Errors
-    ///
-    /// When the folder of the file cannot be made, or takes no file.
+    /// Refuses what nothing can be written to. Nothing is left there. Fails when the folder of the file cannot be
+    /// made, or takes no file.
     pub fn check(&self) -> Result<()> {
         match self {
             Target::File(path) => check_folder(folder_of(path)),
@@ -80,11 +70,7 @@ impl Target {
 }
 
 impl Identity {
-    /// Of a file, for which a name with links does as well.
-    ///
-    /// # Errors
-    ///
-    /// When the system does not tell.
+    /// Of a file, for which a name with links does as well. Fails when the system does not tell.
     pub fn of(path: &Path) -> Result<Option<Identity>> {
         match fs::metadata(path) {
             Ok(facts) if facts.file_type().is_char_device() => Ok(None),
@@ -99,11 +85,8 @@ impl Identity {
     }
 }
 
-/// Refuses a folder that takes no files, or cannot be made. Nothing is left there.
-///
-/// # Errors
-///
-/// When it is a file, lies below one, or is closed to us.
+/// Refuses a folder that takes no files, or cannot be made. Nothing is left there. Fails when it is a file, lies below
+/// one, or is closed to us.
 pub fn check_folder(folder: &Path) -> Result<()> {
     let there = existing(folder);
     if !there.is_dir() {

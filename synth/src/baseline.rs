@@ -39,12 +39,8 @@ pub struct CheckOptions {
     pub cache: Cache,
 }
 
-/// Synthesises rows and compares them with their baseline; `done` is called after each.
-///
-/// # Errors
-///
-/// When the baseline lacks a row or was made with other tools, which is found before anything runs, or a synthesis
-/// fails.
+/// Synthesises rows and compares them with their baseline; `done` is called after each. Fails when the baseline lacks
+/// a row or was made with other tools, which is found before anything runs, or a synthesis fails.
 pub fn check(
     rows: &[Row],
     baseline: &Table,

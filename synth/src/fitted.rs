@@ -60,11 +60,7 @@ const CRITICAL: [&str; 14] = [
 const OWN_CELLS: &str = "own cells of parts";
 
 /// The costs of machines, in their order, as sums of such parts; `done` is called with how many of how many modules
-/// and clocks are known.
-///
-/// # Errors
-///
-/// When a tool is missing or fails, or its report cannot be read.
+/// and clocks are known. Fails when a tool is missing or fails, or its report cannot be read.
 pub fn machine_costs(
     machines: &[Emitted],
     parts: Parts,

@@ -14,11 +14,7 @@ use std::collections::BTreeMap;
 use std::time::Instant;
 
 /// Synthesises a unit for a target, and places and routes it with so many seeds, from 1; with none the clock is not
-/// measured.
-///
-/// # Errors
-///
-/// When the request is not legal, a tool is missing or fails, or its report cannot be read.
+/// measured. Fails when the request is not legal, a tool is missing or fails, or its report cannot be read.
 pub fn synthesise(
     request: &Request,
     target: Target,
@@ -32,11 +28,8 @@ pub fn synthesise(
     })
 }
 
-/// The same of any design, whose parameters are not known.
-///
-/// # Errors
-///
-/// When a tool is missing or fails, or its report cannot be read.
+/// The same of any design, whose parameters are not known. Fails when a tool is missing or fails, or its report cannot
+/// be read.
 pub fn synthesise_design(
     emitted: &Emitted,
     target: Target,

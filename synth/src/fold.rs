@@ -60,11 +60,8 @@ impl Target {
     }
 }
 
-/// Changes a netlist in a file, which Yosys wrote as JSON; the cells that each of its modules does without.
-///
-/// # Errors
-///
-/// When the file is no such netlist, or cannot be read or written.
+/// Changes a netlist in a file, which Yosys wrote as JSON; the cells that each of its modules does without. Fails when
+/// the file is no such netlist, or cannot be read or written.
 pub fn fold(path: &Path) -> Result<BTreeMap<String, Folded>, SynthError> {
     let text = imogene_tools::read(path)?;
     let mut netlist: Value =

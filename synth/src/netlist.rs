@@ -25,11 +25,8 @@ const STATISTICS: &str = "netlist.stat";
 const SYNTHESISED: &str = "netlist.json";
 const NETLIST: &str = "netlist.v";
 
-/// Synthesises a unit, without a harness, before place and route.
-///
-/// # Errors
-///
-/// When the request is not legal, the target has no models of its cells, Yosys is missing or fails.
+/// Synthesises a unit, without a harness, before place and route. Fails when the request is not legal, the target has
+/// no models of its cells, Yosys is missing or fails.
 pub fn netlist(request: &Request, target: Target) -> Result<Netlist, SynthError> {
     libraries(target)?;
     let emitted = emit(request)?;
@@ -59,11 +56,7 @@ pub fn netlist(request: &Request, target: Target) -> Result<Netlist, SynthError>
     })
 }
 
-/// The simulation models of cells, from the library of Yosys.
-///
-/// # Errors
-///
-/// When there are none, or Yosys is missing or fails.
+/// The simulation models of cells, from the library of Yosys. Fails when there are none, or Yosys is missing or fails.
 pub fn cell_models(cells: &[&str], target: Target) -> Result<String, SynthError> {
     let libraries = libraries(target)?;
     let folder = scratch()?;
@@ -134,11 +127,7 @@ fn is_word(c: char) -> bool {
     c.is_ascii_alphanumeric() || c == '_'
 }
 
-/// The models of the cells in a netlist, and of the cells in those.
-///
-/// # Errors
-///
-/// When a cell has no model.
+/// The models of the cells in a netlist, and of the cells in those. Fails when a cell has no model.
 pub fn used<'a>(
     models: &'a BTreeMap<String, String>,
     cells: &[&str],

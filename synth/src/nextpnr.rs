@@ -88,11 +88,7 @@ struct ReportedPath {
     path: Vec<Value>,
 }
 
-/// Reads a report of nextpnr.
-///
-/// # Errors
-///
-/// When it is none.
+/// Reads a report of nextpnr. Fails when it is none.
 pub fn parse_report(text: &str) -> Result<RouteReport, SynthError> {
     let document: Document =
         serde_json::from_str(text).map_err(|error| SynthError::report("nextpnr", error))?;

@@ -55,12 +55,8 @@ pub struct Measured {
     pub verilog: String,
 }
 
-/// Measures a peer and a unit.
-///
-/// # Errors
-///
-/// When a file of the peer is missing, Yosys refuses it, it has no such top or clock, the request is not legal or a
-/// tool fails.
+/// Measures a peer and a unit. Fails when a file of the peer is missing, Yosys refuses it, it has no such top or
+/// clock, the request is not legal or a tool fails.
 pub fn compare(
     peer: &Peer,
     request: &Request,

@@ -68,12 +68,8 @@ pub struct Measured {
     pub verilog: String,
 }
 
-/// Measures all rows; `done` is called after each. A row whose Verilog and tools are those of `known` is taken from it,
-/// unless kept results do not count.
-///
-/// # Errors
-///
-/// When one of the syntheses fails.
+/// Measures all rows; `done` is called after each. A row whose Verilog and tools are those of `known` is taken from
+/// it, unless kept results do not count. Fails when one of the syntheses fails.
 pub fn make(
     rows: &[Row],
     known: Option<&Table>,
@@ -107,11 +103,7 @@ impl Table {
         }
     }
 
-    /// Reads its file.
-    ///
-    /// # Errors
-    ///
-    /// When there is none, or it is no table of this version.
+    /// Reads its file. Fails when there is none, or it is no table of this version.
     pub fn read(path: &Path) -> Result<Self, SynthError> {
         let bad = |problem: String| SynthError::Baseline(path.display().to_string(), problem);
         let text =
@@ -154,11 +146,8 @@ impl Table {
         Ok(known.filter(|known| known.tools == tools && known.synthesis == row.synthesis()))
     }
 
-    /// Where it differs from the rows and the Verilog of today; empty if it is current. Needs no tool.
-    ///
-    /// # Errors
-    ///
-    /// When a unit of the table cannot be emitted.
+    /// Where it differs from the rows and the Verilog of today; empty if it is current. Needs no tool. Fails when a
+    /// unit of the table cannot be emitted.
     pub fn out_of_date(&self) -> Result<Vec<String>, SynthError> {
         let today = rows();
         let mut problems = Vec::new();

@@ -127,11 +127,7 @@ impl Target {
         Self::ALL.iter().map(|target| target.name()).collect()
     }
 
-    /// The target of a name.
-    ///
-    /// # Errors
-    ///
-    /// When there is none; the error lists the names.
+    /// The target of a name. Fails when there is none; the error lists the names.
     pub fn from_name(name: &str) -> Result<Self, UnknownTarget> {
         let found = Self::ALL.into_iter().find(|target| target.name() == name);
         found.ok_or_else(|| UnknownTarget(name.to_owned()))

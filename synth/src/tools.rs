@@ -41,11 +41,8 @@ const fn router(family: Family) -> Option<Program> {
 }
 
 impl Tool {
-    /// Finds a program and asks for its version; in one folder the packaged program comes before the native one.
-    ///
-    /// # Errors
-    ///
-    /// When it is missing or does not tell its version.
+    /// Finds a program and asks for its version; in one folder the packaged program comes before the native one. Fails
+    /// when it is missing or does not tell its version.
     pub fn find(program: Program) -> Result<Self, SynthError> {
         let Program { name, package } = program;
         let path = find(&search_folders(), &[package, name]);
@@ -57,11 +54,8 @@ impl Tool {
         })
     }
 
-    /// Finds a program that comes with another one, in the same package and version: `yowasp-NAME` or `NAME`.
-    ///
-    /// # Errors
-    ///
-    /// When it is missing.
+    /// Finds a program that comes with another one, in the same package and version: `yowasp-NAME` or `NAME`. Fails
+    /// when it is missing.
     pub fn beside(other: Program, name: &'static str) -> Result<Self, SynthError> {
         let path = find(&search_folders(), &[&format!("yowasp-{name}"), name]);
         let path = path.ok_or(SynthError::MissingTool(name, other.package))?;
@@ -72,11 +66,7 @@ impl Tool {
         })
     }
 
-    /// Runs it in a folder.
-    ///
-    /// # Errors
-    ///
-    /// When it does not start, or fails.
+    /// Runs it in a folder. Fails when it does not start or fails itself.
     pub fn run(&self, arguments: &[impl AsRef<OsStr>], folder: &Path) -> Result<(), SynthError> {
         let mut program = Command::new(&self.path);
         let said =

@@ -58,11 +58,8 @@ pub struct Statistics {
 /// The pass that makes products by Booth's recoding. A Yosys without it makes them of all digits.
 const BOOTH: &str = "booth; ";
 
-/// Runs a script of Yosys in a folder; file names in it are relative to the folder.
-///
-/// # Errors
-///
-/// When Yosys refuses its input.
+/// Runs a script of Yosys in a folder; file names in it are relative to the folder. Fails when Yosys refuses its
+/// input.
 pub fn run(tool: &Tool, folder: &Path, script: &str) -> Result<(), SynthError> {
     match run_all(tool, folder, script) {
         Err(SynthError::Tool { message, .. }) if message.contains("No such command: booth") => {
@@ -84,11 +81,7 @@ fn run_all(tool: &Tool, folder: &Path, script: &str) -> Result<(), SynthError> {
     })
 }
 
-/// Reads what `stat -json` wrote.
-///
-/// # Errors
-///
-/// When it is none, or the transistors do not count every cell.
+/// Reads what `stat -json` wrote. Fails when it is none, or the transistors do not count every cell.
 pub fn parse_statistics(text: &str) -> Result<Statistics, SynthError> {
     let bad = |problem: String| SynthError::report("yosys", problem);
     // `tee` may put the heading of the command before the document.

@@ -23,29 +23,17 @@ impl FileError {
     }
 }
 
-/// Reads a text file.
-///
-/// # Errors
-///
-/// When it cannot be read.
+/// Reads a text file. Fails when it cannot be read.
 pub fn read(path: &Path) -> Result<String, FileError> {
     std::fs::read_to_string(path).map_err(FileError::at(path))
 }
 
-/// Writes a text file.
-///
-/// # Errors
-///
-/// When it cannot be written.
+/// Writes a text file. Fails when it cannot be written.
 pub fn write(path: &Path, text: &str) -> Result<(), FileError> {
     std::fs::write(path, text).map_err(FileError::at(path))
 }
 
-/// A temporary folder for a program to work in.
-///
-/// # Errors
-///
-/// When it cannot be made.
+/// A temporary folder for a program to work in. Fails when it cannot be made.
 pub fn scratch() -> Result<TempDir, FileError> {
     tempfile::tempdir().map_err(FileError::at(std::env::temp_dir()))
 }

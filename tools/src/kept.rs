@@ -19,11 +19,7 @@ pub fn digest<'a>(parts: impl IntoIterator<Item = &'a str>) -> String {
 }
 
 /// Makes a file unless it is there: whole or not at all. `make` works in a folder beside it, and names its result
-/// there.
-///
-/// # Errors
-///
-/// When it cannot be made.
+/// there. Fails when it cannot be made.
 pub fn made<E: From<FileError>>(
     path: &Path,
     make: impl FnOnce(&Path) -> Result<&'static str, E>,
@@ -63,15 +59,7 @@ impl Kept {
         serde_json::from_str(&text).ok()
     }
 
-    /// Keeps a result.
-    ///
-    /// # Errors
-    ///
-    /// When it cannot be written.
-    ///
-    /// # Panics
-    ///
-    /// If its keys are no texts.
+    /// Keeps a result. Fails when it cannot be written. Panics if its keys are no texts.
     pub fn store(&self, result: &impl Serialize) -> Result<(), FileError> {
         let Some(path) = &self.0 else {
             return Ok(());

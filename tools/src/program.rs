@@ -73,11 +73,7 @@ impl Said {
     }
 }
 
-/// Runs a command to its end.
-///
-/// # Errors
-///
-/// When it does not start.
+/// Runs a command to its end. Fails when it does not start.
 pub fn call(command: &mut Command) -> io::Result<Said> {
     let output = command.output()?;
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
@@ -101,11 +97,8 @@ impl Program {
         Program { name, package }
     }
 
-    /// Runs the program in a folder; returns what it printed.
-    ///
-    /// # Errors
-    ///
-    /// When the program is missing or ends with a failure.
+    /// Runs the program in a folder; returns what it printed. Fails when the program is missing or ends with a
+    /// failure.
     pub fn run<A: AsRef<OsStr>>(
         &self,
         arguments: impl IntoIterator<Item = A>,
@@ -133,11 +126,7 @@ impl Program {
     }
 }
 
-/// Runs a script of Yosys in a folder; returns what it printed.
-///
-/// # Errors
-///
-/// When Yosys is missing or refuses its input.
+/// Runs a script of Yosys in a folder; returns what it printed. Fails when Yosys is missing or refuses its input.
 pub fn yosys(folder: &Path, script: &str, text: &str) -> Result<String, ToolError> {
     write(&folder.join(script), text)?;
     YOSYS.run(["-s", script], folder)

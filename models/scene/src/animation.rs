@@ -59,11 +59,7 @@ pub struct Playback<'a> {
 }
 
 impl<'a> Playback<'a> {
-    /// The frames of a checked scene: those of its active images, in their order.
-    ///
-    /// # Errors
-    ///
-    /// Without any active image.
+    /// The frames of a checked scene: those of its active images, in their order. Fails without any active image.
     pub fn new(file: &'a SceneFile) -> Result<Playback<'a>, PlaybackError> {
         let images = || file.images.iter().enumerate();
         let named: HashMap<&str, usize> = images().map(|(i, own)| (&*own.name, i)).collect();
@@ -92,11 +88,7 @@ impl<'a> Playback<'a> {
         self.frames.len()
     }
 
-    /// What a frame is, counted from 0.
-    ///
-    /// # Panics
-    ///
-    /// If there is no such frame.
+    /// What a frame is, counted from 0. Panics if there is no such frame.
     pub fn frame(&self, index: usize) -> FrameOf {
         let (image, part) = self.frames[index];
         let image = &self.file.images[image];
@@ -111,15 +103,8 @@ impl<'a> Playback<'a> {
     /// The scene in a frame, counted from 0, as a scene file without images.
     ///
     /// It is the scene as it is written, with the actions of the chain of parents done, and then the frame's part of
-    /// those of its own image.
-    ///
-    /// # Errors
-    ///
-    /// If the chain adds more than [`MAX_MOVES`] steps to a placement.
-    ///
-    /// # Panics
-    ///
-    /// If there is no such frame.
+    /// those of its own image. Fails if the chain adds more than [`MAX_MOVES`] steps to a placement. Panics if there
+    /// is no such frame.
     pub fn scene(&self, index: usize) -> Result<SceneFile, PlaybackError> {
         let (image, part) = self.frames[index];
         let chain = std::iter::successors(Some(image), |image| self.parents[*image]);

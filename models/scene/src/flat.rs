@@ -20,11 +20,7 @@ impl SceneFile {
         active.unwrap_or(&self.camera)
     }
 
-    /// Looks through another camera, in all images.
-    ///
-    /// # Errors
-    ///
-    /// If no camera has this name.
+    /// Looks through another camera, in all images. Fails if no camera has this name.
     pub fn look_through(&mut self, name: &str) -> Result<(), SceneError> {
         check_camera_name(self, "camera", name)?;
         self.active_camera = Some(name.to_owned());

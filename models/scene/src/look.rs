@@ -96,11 +96,8 @@ impl Look {
     /// The scene flattened and as its active camera sees it then, in a picture of so many columns and lines; and the
     /// names of the endless objects that were not fitted.
     ///
-    /// A range of the depth word that the camera has does not hold for another place, and is chosen anew there.
-    ///
-    /// # Errors
-    ///
-    /// If the camera would not be accepted, or nothing with an end is there to be fitted.
+    /// A range of the depth word that the camera has does not hold for another place, and is chosen anew there. Fails
+    /// if the camera would not be accepted, or nothing with an end is there to be fitted.
     pub fn applied(
         &self,
         scene: &SceneFile,
@@ -143,11 +140,7 @@ impl SceneFile {
     /// Side of a pixel, in scene units, at the depth of the nearest point of all objects with an end; `lines` is the
     /// height of the picture. What is shorter than this is less than a pixel of the picture, wherever it is.
     ///
-    /// An object that reaches behind a perspective eye makes it 0.
-    ///
-    /// # Errors
-    ///
-    /// If the camera would not be accepted.
+    /// An object that reaches behind a perspective eye makes it 0. Fails if the camera would not be accepted.
     pub fn nearest_pixel(&self, lines: u32) -> Result<f64, SceneError> {
         let scene = self.flattened();
         let sight = Sight::of(&scene.camera)?;

@@ -22,15 +22,8 @@ const MORE_TABLES: [(&str, u64); 7] = [
     ("RAM256X1S", 3),
 ];
 
-/// What the sources of a board take of its part by Yosys, used and available by kind.
-///
-/// # Errors
-///
-/// When Yosys is missing or fails, or the part has too little.
-///
-/// # Panics
-///
-/// When the board has no part.
+/// What the sources of a board take of its part by Yosys, used and available by kind. Fails when Yosys is missing or
+/// fails, or the part has too little. Panics when the board has no part.
 pub fn count(board: &Board, sources: &Sources) -> Result<BTreeMap<String, (u64, u64)>, BoardError> {
     let part = board.part.as_ref().expect("a board with a part");
     let yosys = Tool::find(YOSYS)?;

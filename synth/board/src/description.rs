@@ -201,11 +201,7 @@ impl Board {
         BOARDS.iter().map(|(name, _)| *name).collect()
     }
 
-    /// The board of a name.
-    ///
-    /// # Errors
-    ///
-    /// When there is none; the error lists the names.
+    /// The board of a name. Fails when there is none; the error lists the names.
     pub fn named(name: &str) -> Result<Board, BoardError> {
         let found = BOARDS.iter().find(|(known, _)| *known == name);
         let (name, text) =
@@ -213,11 +209,7 @@ impl Board {
         Board::parse(text, name)
     }
 
-    /// The board of a text of `boards/NAME.toml`.
-    ///
-    /// # Errors
-    ///
-    /// When it is none.
+    /// The board of a text of `boards/NAME.toml`. Fails when it is none.
     pub fn parse(text: &str, name: &str) -> Result<Board, BoardError> {
         let file = format!("boards/{name}.toml");
         let mut board: Board = toml::from_str(text).map_err(|error| {

@@ -184,11 +184,7 @@ impl Tools {
 }
 
 impl Board {
-    /// Its part, and what leads to a bitstream of it.
-    ///
-    /// # Panics
-    ///
-    /// When it is a board without a bitstream.
+    /// Its part, and what leads to a bitstream of it. Panics when it is a board without a bitstream.
     pub(crate) fn routed(&self) -> (&Part, Tools) {
         let part = self.part.as_ref();
         let routed = part.and_then(|part| Some((part, part.tools()?)));
@@ -202,11 +198,8 @@ impl Board {
     }
 }
 
-/// Finds what leads from the sources of the board to its bitstream, and back to the text of place and route.
-///
-/// # Errors
-///
-/// When a tool is missing.
+/// Finds what leads from the sources of the board to its bitstream, and back to the text of place and route. Fails
+/// when a tool is missing.
 pub fn find_tools(board: &Board) -> Result<(), BoardError> {
     let Some(part) = &board.part else {
         return Ok(());
@@ -237,16 +230,9 @@ pub struct Built {
     pub netlist: Option<Result<String, String>>,
 }
 
-/// Synthesises, places, routes and packs a board. Every clock has to reach what is asked for. What was made of the same
-/// sources with the same tools is kept.
-///
-/// # Errors
-///
-/// When a tool is missing or fails, the part has too little, or a clock is not reached.
-///
-/// # Panics
-///
-/// When the board has no part that is placed and routed here.
+/// Synthesises, places, routes and packs a board. Every clock has to reach what is asked for. What was made of the
+/// same sources with the same tools is kept. Fails when a tool is missing or fails, the part has too little, or a
+/// clock is not reached. Panics when the board has no part that is placed and routed here.
 pub fn route(board: &Board, pll: &Pll, sources: &Sources) -> Result<Built, BoardError> {
     let (part, tools) = board.routed();
     let (yosys, router) = (Tool::find(YOSYS)?, Tool::find(tools.router)?);
@@ -334,11 +320,7 @@ fn packed(
     excess.map_or(Ok(()), |excess| Err(too_little(part, excess)))
 }
 
-/// Places and routes the design with the first seed that reaches every clock; the seed.
-///
-/// # Errors
-///
-/// That of the last seed.
+/// Places and routes the design with the first seed that reaches every clock; the seed, or the error of the last one.
 fn placed(
     part: &Part,
     pll: &Pll,

@@ -30,11 +30,8 @@ struct Tiles<'a> {
     rows: HashMap<Tile, Vec<&'a str>>,
 }
 
-/// Verilog of a bitstream, with a cell for each multiplier whose product something reads.
-///
-/// # Errors
-///
-/// When the database is missing.
+/// Verilog of a bitstream, with a cell for each multiplier whose product something reads. Fails when the database is
+/// missing.
 pub(crate) fn with_multipliers(verilog: &str, unpacked: &str) -> Result<String, BoardError> {
     Ok(added(verilog, unpacked, &read(Path::new(DATABASE))?))
 }

@@ -68,11 +68,7 @@ const MODELLED: [Model; 8] = [
 ];
 
 /// Verilog of the netlist that the router wrote to a file of the folder; why there is none where it has a cell without
-/// a model, or one that does what its model does not.
-///
-/// # Errors
-///
-/// When the file is no netlist, or Yosys fails.
+/// a model, or one that does what its model does not. Fails when the file is no netlist, or Yosys fails.
 pub(crate) fn routed_verilog(
     yosys: &Tool,
     folder: &Path,
@@ -104,12 +100,8 @@ pub(crate) fn routed_models() -> Result<String, BoardError> {
     Ok(format!("{MODELS}{cells}"))
 }
 
-/// Gives the open inputs of a cell their levels, and leaves it the parameters that its model takes. A cell is as
-/// Yosys writes it in JSON.
-///
-/// # Errors
-///
-/// When there is no model of the cell, or it does what its model does not.
+/// Gives the open inputs of a cell their levels, and leaves it the parameters that its model takes. A cell is as Yosys
+/// writes it in JSON. Fails when there is no model of the cell, or it does what its model does not.
 pub fn settle(cell: &mut Value) -> Result<(), String> {
     let kind = text(&cell["type"]);
     let model = MODELLED.iter().find(|model| model.0 == kind);

@@ -8,11 +8,7 @@ use minijinja::{Environment, Value, context};
 use serde::Serialize;
 use serde_json::json;
 
-/// The page of a board, of the keys of its report.
-///
-/// # Errors
-///
-/// When the report lacks what the page says.
+/// The page of a board, of the keys of its report. Fails when the report lacks what the page says.
 pub fn page(board: &Board, report: &impl Serialize) -> Result<String, BoardError> {
     let values = context! {
         name => board.name.clone(), bitstream => board.bitstream(), report => Value::from(Serde(report)),
@@ -22,10 +18,6 @@ pub fn page(board: &Board, report: &impl Serialize) -> Result<String, BoardError
 }
 
 /// The core file by which FuseSoC makes a bitstream of the sources; none of a board without a part.
-///
-/// # Errors
-///
-/// A defect of its template, if any.
 pub fn core_file(board: &Board, pll: &Pll, command: &str) -> Result<Option<String>, BoardError> {
     let Some(part) = &board.part else {
         return Ok(None);

@@ -32,11 +32,7 @@ pub struct Pll {
 }
 
 impl Pll {
-    /// The PLL of a board whose pixels come nearest to a clock.
-    ///
-    /// # Errors
-    ///
-    /// When no dividers keep to the limits of the part.
+    /// The PLL of a board whose pixels come nearest to a clock. Fails when no dividers keep to the limits of the part.
     pub fn of(board: &Board, wanted_hertz: u64) -> Result<Pll, BoardError> {
         let (input, wanted) = (i128::from(board.clock.hertz), i128::from(wanted_hertz));
         let ratio = i128::from(board.fast_ratio());

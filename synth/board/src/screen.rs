@@ -71,11 +71,7 @@ impl<'a> Screen<'a> {
         }
     }
 
-    /// One clock of the pixels.
-    ///
-    /// # Errors
-    ///
-    /// When the pins are not as the mode has them.
+    /// One clock of the pixels. Fails when the pins are not as the mode has them.
     pub fn see(&mut self, tick: &Tick) -> Result<(), ScreenError> {
         let is_in_vsync = tick.vsync == self.mode.vsync_high;
         if is_in_vsync && !self.was_in_vsync {
@@ -103,11 +99,7 @@ impl<'a> Screen<'a> {
         Ok(())
     }
 
-    /// What was shown.
-    ///
-    /// # Errors
-    ///
-    /// When there was no whole frame.
+    /// What was shown. Fails when there was no whole frame.
     pub fn shown(mut self) -> Result<Shown, ScreenError> {
         if self.shown.pictures.is_empty() {
             return Err(ScreenError::NoFrame(self.ticks));

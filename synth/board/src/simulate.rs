@@ -39,10 +39,7 @@ impl Pins {
 }
 
 /// Simulates a board for so many clocks of the pixels. `models` are those of the cells that the Verilog instantiates.
-///
-/// # Errors
-///
-/// When Verilator is missing or refuses the Verilog, the pins carry no words, or they are against the mode.
+/// Fails when Verilator is missing or refuses the Verilog, the pins carry no words, or they are against the mode.
 pub fn simulate(
     (board, mode): (&Board, &VideoMode),
     verilog: &str,
@@ -66,11 +63,8 @@ pub fn simulate(
     seen(board, mode, folder)
 }
 
-/// Simulates a board of gates with the delays of their models for so many clocks, from unknown states on.
-///
-/// # Errors
-///
-/// When Icarus Verilog is missing or refuses the Verilog, or the pins are against the mode.
+/// Simulates a board of gates with the delays of their models for so many clocks, from unknown states on. Fails when
+/// Icarus Verilog is missing or refuses the Verilog, or the pins are against the mode.
 pub fn simulate_gates(
     (board, mode): (&Board, &VideoMode),
     verilog: &str,

@@ -48,15 +48,7 @@ pub struct Tile {
 }
 
 impl Tile {
-    /// The tile of these words.
-    ///
-    /// # Errors
-    ///
-    /// When a text cannot be made of its template.
-    ///
-    /// # Panics
-    ///
-    /// When the board has no tiles.
+    /// The tile of these words. Fails when a text cannot be made of its template. Panics when the board has no tiles.
     pub fn new(board: &Board, words: &TileWords, about: &About) -> Result<Tile, BoardError> {
         let top = format!("tt_um_imogene_{}", about.name);
         let prefix = format!("{}_", about.name);

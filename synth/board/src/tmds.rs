@@ -60,11 +60,7 @@ pub struct Decoder {
 }
 
 impl Decoder {
-    /// The next sample, and the clock of the pixels that it ends.
-    ///
-    /// # Errors
-    ///
-    /// When the channels carry no words of DVI.
+    /// The next sample, and the clock of the pixels that it ends. Fails when the channels carry no words of DVI.
     pub fn see(&mut self, sample: u8) -> Result<Option<Tick>, TmdsError> {
         if self.word.is_none() {
             let rises = sample & 8 != 0 && self.before.is_some_and(|before| before & 8 == 0);
@@ -89,11 +85,7 @@ impl Decoder {
         self.take(word, words)
     }
 
-    /// What was found, after all samples.
-    ///
-    /// # Errors
-    ///
-    /// When no word began.
+    /// What was found, after all samples. Fails when no word began.
     pub fn found(self) -> Result<Channels, TmdsError> {
         self.word.map(|_| self.found).ok_or(TmdsError::NoClock)
     }

@@ -39,11 +39,7 @@ pub struct Sources {
     pub constraints: Option<(&'static str, String)>,
 }
 
-/// The top level of a board that shows a scene.
-///
-/// # Errors
-///
-/// When there are more words than a sequencer can address.
+/// The top level of a board that shows a scene. Fails when there are more words than a sequencer can address.
 pub fn sources(board: &Board, pll: &Pll, display: &Display) -> Result<Sources, BoardError> {
     let mut verilog = display.machine.bundle();
     for unit in units(board) {

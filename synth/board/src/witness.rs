@@ -34,16 +34,9 @@ const GOWIN_CELLS: [&str; 8] = [
 /// Reads a bitstream of a Gowin.
 const READER: &str = include_str!("top/gowin_reader.py");
 
-/// Unpacks a bitstream, and packs it again: the same bits have to come out. What was unpacked, as text; of a Gowin
-/// it is Verilog, which no packer reads.
-///
-/// # Errors
-///
-/// When a tool is missing or fails, or other bits come out.
-///
-/// # Panics
-///
-/// When the board has no part that is placed and routed here.
+/// Unpacks a bitstream, and packs it again: the same bits have to come out. What was unpacked, as text; of a Gowin it
+/// is Verilog, which no packer reads. Fails when a tool is missing or fails, or other bits come out. Panics when the
+/// board has no part that is placed and routed here.
 pub fn unpack(board: &Board, sources: &Sources, bitstream: &[u8]) -> Result<String, BoardError> {
     let (part, tools) = board.routed();
     let folder = scratch()?;
@@ -104,15 +97,8 @@ fn value<'a>(verilog: &'a str, key: &str) -> &'a str {
 }
 
 /// Verilog of a board and the models of its cells for [`simulate`](crate::simulate): of an iCE40 made of what was
-/// unpacked, of a Gowin that itself, of an ECP5 the routed netlist.
-///
-/// # Errors
-///
-/// When a tool is missing or fails, or there is no model of a cell.
-///
-/// # Panics
-///
-/// When the board has no part.
+/// unpacked, of a Gowin that itself, of an ECP5 the routed netlist. Fails when a tool is missing or fails, or there is
+/// no model of a cell. Panics when the board has no part.
 pub fn witness(
     board: &Board,
     sources: &Sources,

@@ -11,13 +11,10 @@ use std::collections::BTreeMap;
 /// Modules of a kind, by the bits that they declare.
 pub type Kin = BTreeMap<u64, Resources>;
 
-/// The costs of machines, in their order, from the modules of `known` ones, which are synthesised: each module from the
-/// next smaller and the next larger one of its kind, in proportion of the bits that they declare. A module whose kind
-/// the known machines have not got counts nothing. Known machines have the same rows to a stage, and are of all forms.
-///
-/// # Errors
-///
-/// As [`machine_costs`](super::machine_costs).
+/// The costs of machines, in their order, from the modules of `known` ones, which are synthesised: each module from
+/// the next smaller and the next larger one of its kind, in proportion of the bits that they declare. A module whose
+/// kind the known machines have not got counts nothing. Known machines have the same rows to a stage, and are of all
+/// forms. Fails as [`machine_costs`](super::machine_costs) does.
 pub fn estimated_costs(
     known: &[Emitted],
     machines: &[Emitted],

@@ -19,11 +19,8 @@ pub struct Peer {
 }
 
 impl Peer {
-    /// Checks everything that needs no tool.
-    ///
-    /// # Errors
-    ///
-    /// When a file or folder is missing, or a name, a value or an ending is not legal.
+    /// Checks everything that needs no tool. Fails when a file or folder is missing, or a name, a value or an ending
+    /// is not legal.
     pub fn check(&self) -> Result<(), PeerError> {
         for file in &self.files {
             if !file.is_file() {

@@ -105,11 +105,8 @@ pub fn modules(listed: &str) -> Vec<String> {
     names.map(|name| name.trim().to_owned()).collect()
 }
 
-/// Reads the ports of the top module from a netlist of Yosys, and which of them is the clock.
-///
-/// # Errors
-///
-/// When it is no netlist of that module, the module has no such clock, no input or no output, or has an inout.
+/// Reads the ports of the top module from a netlist of Yosys, and which of them is the clock. Fails when it is no
+/// netlist of that module, the module has no such clock, no input or no output, or has an inout.
 pub fn ports_and_clock(peer: &Peer, netlist: &str) -> Result<(Vec<Port>, String), PeerError> {
     let netlist: Value = serde_json::from_str(netlist)
         .map_err(|error| PeerError::Refused(format!("its netlist: {error}")))?;

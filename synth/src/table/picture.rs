@@ -37,11 +37,8 @@ const PANELS: [Panel; 4] = [
 ];
 
 impl Table {
-    /// The networks over their rows per stage as an SVG picture; `None` without a clock of each.
-    ///
-    /// # Errors
-    ///
-    /// When it cannot be drawn.
+    /// The networks over their rows per stage as an SVG picture; `None` without a clock of each. Fails when it cannot
+    /// be drawn.
     pub fn picture(&self) -> Result<Option<String>, SynthError> {
         let panels: Option<Vec<_>> = PANELS.iter().map(|panel| lines(self, panel)).collect();
         let Some(panels) = panels else {

@@ -56,11 +56,7 @@ impl Library {
         }
     }
 
-    /// Puts a tile into the cells of the library.
-    ///
-    /// # Errors
-    ///
-    /// When Yosys or the library is missing, or Yosys fails.
+    /// Puts a tile into the cells of the library. Fails when Yosys or the library is missing, or Yosys fails.
     pub fn map(self, tile: &Tile) -> Result<Mapped, BoardError> {
         let folder = scratch()?;
         let path = |name: &str| folder.path().join(name);
@@ -84,11 +80,7 @@ impl Library {
     }
 }
 
-/// Verilog models of the 180 nm cells, with their delays.
-///
-/// # Errors
-///
-/// When the library is missing.
+/// Verilog models of the 180 nm cells, with their delays. Fails when the library is missing.
 pub fn cell_delays() -> Result<String, BoardError> {
     osu018("osu018_stdcells.v")
 }

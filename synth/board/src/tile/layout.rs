@@ -57,15 +57,7 @@ pub struct LayoutTexts {
 }
 
 /// Places and routes a tile that is in the cells of 180 nm. What was made of the same netlist is kept. Errors in a
-/// layout are counted.
-///
-/// # Errors
-///
-/// When a tool is missing or fails.
-///
-/// # Panics
-///
-/// When the tile is in other cells.
+/// layout are counted. Fails when a tool is missing or fails. Panics when the tile is in other cells.
 pub fn lay_out(tile: &Tile, mapped: &Mapped) -> Result<(Layout, LayoutTexts), BoardError> {
     assert_eq!(mapped.library, Library::Osu018, "cells with a layout");
     let place = kept(&[&mapped.verilog, &STEPS.join(" "), SETTINGS]);
@@ -123,11 +115,8 @@ pub fn with_short_names(verilog: &str) -> String {
     before.to_owned() + &short.collect::<String>()
 }
 
-/// What the texts of the flow say: layout, netlist, reports of routing, times, rules and comparison.
-///
-/// # Errors
-///
-/// What they do not say.
+/// What the texts of the flow say: layout, netlist, reports of routing, times, rules and comparison. The error is
+/// what they do not say.
 pub fn layout(
     [def, verilog, route, times, rules, comparison]: [&str; 6],
 ) -> Result<Layout, &'static str> {
