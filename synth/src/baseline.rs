@@ -6,7 +6,7 @@ use crate::flow::synthesise;
 use crate::regression::{Change, Tolerance, Verdict, compare, worst};
 use crate::report::Figures;
 use crate::table::{Measured, Row, Table};
-use crate::tools::Programs;
+use crate::tools::{Programs, listed};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -66,15 +66,10 @@ fn comparable<'a>(row: &Row, baseline: &'a Table) -> Result<&'a Measured, SynthE
     if known.tools == here && known.synthesis == synthesis {
         return Ok(known);
     }
-    let list = |tools: &BTreeMap<String, String>, synthesis: &str| {
-        let tools = tools.iter();
-        let tools = tools.map(|(tool, version)| format!("{tool} {version}"));
-        format!("{} and `{synthesis}`", tools.collect::<Vec<_>>().join(", "))
-    };
     Err(SynthError::OtherTools {
         row: row.name(),
-        baseline: list(&known.tools, &known.synthesis),
-        here: list(&here, &synthesis),
+        baseline: format!("{} and `{}`", listed(&known.tools), known.synthesis),
+        here: format!("{} and `{synthesis}`", listed(&here)),
     })
 }
 

@@ -2,7 +2,7 @@
 
 use crate::error::SynthError;
 use crate::harness;
-use crate::nextpnr::{self, RouteReport};
+use crate::nextpnr;
 use crate::report::{SeedResult, SynthReport, median};
 use crate::target::{Family, Target};
 use crate::tools::Programs;
@@ -98,19 +98,6 @@ impl<'a> Bench<'a> {
             return Ok(());
         }
         report.goal_mhz = Some(device.goal_mhz);
-        self.synthesise_harness()?;
-        report.does_not_fit = run(HARNESS_NETLIST, None)?.excess();
-        if report.does_not_fit.is_some() {
-            return Ok(());
-        }
-        let routed = |seed| seed_result(seed, run(HARNESS_NETLIST, Some(seed))?);
-        let seeds = (1..=seeds).into_par_iter();
-        report.seeds = seeds.map(routed).collect::<Result<_, _>>()?;
-        report.fmax_mhz = median(&report.seeds);
-        Ok(())
-    }
-
-    fn synthesise_harness(&self) -> Result<(), SynthError> {
         let script = format!(
             "{}; {}; delete t:$scopeinfo; write_json {HARNESS_NETLIST}",
             self.read_with_harness,
@@ -118,16 +105,22 @@ impl<'a> Bench<'a> {
         );
         yosys::run(&self.programs.yosys, self.folder, &script)?;
         self.target.fold(&self.folder.join(HARNESS_NETLIST))?;
+        report.does_not_fit = run(HARNESS_NETLIST, None)?.excess();
+        if report.does_not_fit.is_some() {
+            return Ok(());
+        }
+        let routed = |seed| {
+            let report = run(HARNESS_NETLIST, Some(seed))?;
+            let no_clock = || SynthError::report("nextpnr", "it has no clock");
+            Ok::<_, SynthError>(SeedResult {
+                seed,
+                fmax_mhz: report.fmax_mhz.ok_or_else(no_clock)?,
+                critical_path: report.critical_path,
+            })
+        };
+        let seeds = (1..=seeds).into_par_iter();
+        report.seeds = seeds.map(routed).collect::<Result<_, _>>()?;
+        report.fmax_mhz = median(&report.seeds);
         Ok(())
     }
-}
-
-fn seed_result(seed: usize, report: RouteReport) -> Result<SeedResult, SynthError> {
-    let clock = report.fmax_mhz;
-    let fmax_mhz = clock.ok_or_else(|| SynthError::report("nextpnr", "it has no clock"))?;
-    Ok(SeedResult {
-        seed,
-        fmax_mhz,
-        critical_path: report.critical_path,
-    })
 }

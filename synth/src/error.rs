@@ -121,9 +121,8 @@ pub enum PeerError {
 }
 
 fn list(names: &[String]) -> String {
-    if names.is_empty() {
-        "none".to_owned()
-    } else {
-        names.join(", ")
+    match names {
+        [] => "none".to_owned(),
+        names => names.join(", "),
     }
 }

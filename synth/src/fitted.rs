@@ -16,12 +16,12 @@ use crate::target::{Family, Target};
 use crate::tools::Programs;
 use crate::yosys::{self, Resources};
 use imogene_rtl::emit::Emitted;
-use imogene_tools::{Kept, read, scratch, write};
+use imogene_tools::{read, scratch, write};
 pub use modules::Parts;
 use modules::{Module, below, is_of, modules, ports};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::atomic::AtomicUsize;
 use std::sync::atomic::Ordering::Relaxed;
 
@@ -94,16 +94,16 @@ impl Knowledge {
         with_clock: bool,
         done: &(dyn Fn(usize, usize) + Sync),
     ) -> Result<Knowledge, SynthError> {
-        let programs = if with_clock {
-            Programs::find(target)?
-        } else {
-            Programs::find_yosys()?
-        };
+        let yosys = Programs::find_yosys()?;
         // Cells depend on Yosys alone, clocks on the router too.
-        let yosys = format!("{:?}", Programs::find_yosys()?.versions());
+        let of_cells = format!("{:?}", yosys.versions());
+        let programs = match with_clock {
+            true => Programs::find(target)?,
+            false => yosys,
+        };
         let all = format!("{:?}{}", programs.versions(), target.steps());
         let key = |kind: &str, digest: &str| {
-            let versions = if kind == OWN_CELLS { &yosys } else { &all };
+            let versions = if kind == OWN_CELLS { &of_cells } else { &all };
             kept(&[
                 kind,
                 digest,
@@ -116,7 +116,7 @@ impl Knowledge {
         let mut own = HashMap::new();
         // Missing modules of each machine, which are read together.
         let mut missing: Vec<(&Emitted, Vec<Module>)> = Vec::new();
-        let mut wanted = std::collections::HashSet::new();
+        let mut wanted = HashSet::new();
         for machine in machines {
             let mut of_machine = modules(machine, parts);
             of_machine.retain(|module| {
@@ -152,31 +152,34 @@ impl Knowledge {
             .collect::<Result<_, SynthError>>()?;
         own.extend(found.into_iter().flatten());
         let clock = |(digest, unit): (String, Emitted)| {
-            let kept = key("clock, 1 seed", &digest);
-            let clock = clock_of(&unit, target, &programs, &kept)?;
+            // None if the unit, placed and routed alone, does not fit.
+            let clock: Option<f64> = key("clock, 1 seed", &digest).or_made(|| {
+                let (folder, harness) = (scratch()?, harness::verilog(&unit));
+                let bench = Bench::of(&programs, target, folder.path(), &unit, &harness)?;
+                Ok::<_, SynthError>(bench.report(1)?.fmax_mhz)
+            })?;
             tell(1);
             Ok(clock.map(|clock| (digest, clock)))
         };
         let clocks: Result<Vec<_>, SynthError> = units.into_par_iter().map(clock).collect();
-        let clocks = clocks?.into_iter().flatten().collect();
         Ok(Knowledge {
             parts,
             target,
             own,
-            clocks,
+            clocks: clocks?.into_iter().flatten().collect(),
         })
     }
 
     fn cost(&self, machine: &Emitted) -> MachineCost {
         let own = modules(machine, self.parts).into_iter();
         let own = own.map(|module| (module.instances, self.own[&module.digest]));
-        let units = critical(machine);
+        let units = critical(machine).into_iter();
         // One that does not fit has no clock, nor has the machine then.
-        let clocks = units.iter().map(|(digest, _)| self.clocks.get(digest));
-        let clocks: Option<Vec<&f64>> = clocks.collect();
-        let clock = clocks.and_then(|clocks| clocks.into_iter().copied().reduce(f64::min));
+        let clocks: Option<Vec<f64>> = units
+            .map(|(digest, _)| self.clocks.get(&digest).copied())
+            .collect();
         MachineCost {
-            fmax_mhz: clock,
+            fmax_mhz: clocks.and_then(|clocks| clocks.into_iter().reduce(f64::min)),
             ..MachineCost::of(own, self.target)
         }
     }
@@ -282,22 +285,4 @@ fn unit_digest(unit: &Emitted) -> String {
         }
         _ => digest(&unit.bundle()),
     }
-}
-
-/// The clock of a unit placed and routed alone with one seed, or what is kept of it; none if it does not fit.
-fn clock_of(
-    unit: &Emitted,
-    target: Target,
-    programs: &Programs,
-    kept: &Kept,
-) -> Result<Option<f64>, SynthError> {
-    if let Some(clock) = kept.load::<Option<f64>>() {
-        return Ok(clock);
-    }
-    let folder = scratch()?;
-    let harness = harness::verilog(unit);
-    let bench = Bench::of(programs, target, folder.path(), unit, &harness)?;
-    let clock = bench.report(1)?.fmax_mhz;
-    kept.store(&clock)?;
-    Ok(clock)
 }

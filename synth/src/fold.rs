@@ -93,6 +93,14 @@ fn is_bit(port: &str, name: &str) -> bool {
     number.is_some_and(|number| number.parse::<u8>().is_ok())
 }
 
+/// The nets among the bits of a port.
+fn nets(bits: &Value) -> impl Iterator<Item = u64> {
+    bits.as_array()
+        .into_iter()
+        .flatten()
+        .filter_map(Value::as_u64)
+}
+
 /// Cells by name.
 type Cells = Map<String, Value>;
 
@@ -102,12 +110,7 @@ type Readers = HashMap<u64, Vec<(Option<String>, String)>>;
 fn readers(module: &Value) -> Readers {
     let mut readers = Readers::new();
     let mut add = |bits: &Value, cell: Option<&str>, port: &str| {
-        for bit in bits
-            .as_array()
-            .into_iter()
-            .flatten()
-            .filter_map(Value::as_u64)
-        {
+        for bit in nets(bits) {
             let reader = (cell.map(str::to_owned), port.to_owned());
             readers.entry(bit).or_default().push(reader);
         }

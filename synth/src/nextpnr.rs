@@ -96,22 +96,22 @@ pub fn parse_report(text: &str) -> Result<RouteReport, SynthError> {
     let utilisation = document.utilization.into_iter();
     let utilisation = utilisation.map(|(name, cells)| (name, (cells.used, cells.available)));
     let paths = document.critical_paths.iter();
-    let mut between = paths.clone().filter(|path| path.is_between_registers());
+    // Both ends on the same clock edge; a path from or to a pin is `<async>` at one end.
+    let is_between_registers =
+        |path: &&ReportedPath| path.from == path.to && path.from.starts_with("posedge");
     Ok(RouteReport {
         utilisation: utilisation.collect(),
         fmax_mhz: slowest.reduce(f64::min).map(thousandths),
-        critical_path: between.next().map(ReportedPath::summary),
+        critical_path: paths
+            .clone()
+            .find(is_between_registers)
+            .map(ReportedPath::summary),
         crossings: paths.filter_map(ReportedPath::crossing).collect(),
         clocks: document.fmax,
     })
 }
 
 impl ReportedPath {
-    /// Both ends on the same clock edge; a path from or to a pin is `<async>` at one end.
-    fn is_between_registers(&self) -> bool {
-        self.from == self.to && self.from.starts_with("posedge")
-    }
-
     /// Both clocks of a path from one to another, and its length.
     fn crossing(&self) -> Option<((String, String), f64)> {
         let clock = |edge: &str| edge.strip_prefix("posedge ").map(str::to_owned);

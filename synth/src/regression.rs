@@ -12,15 +12,6 @@ pub struct Tolerance {
     pub clock: f64,
 }
 
-impl Default for Tolerance {
-    fn default() -> Self {
-        Self {
-            resources: 2.0,
-            clock: 10.0,
-        }
-    }
-}
-
 /// What a change means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -57,9 +48,8 @@ pub fn compare(
     is_clock_measured: bool,
     tolerance: Tolerance,
 ) -> Vec<Change> {
-    let latency = |clocks: usize| Some(clocks as u64);
     // Latency is part of the contract of a unit: every clock more is one too many.
-    let latency = count("latency", latency(baseline.0), latency(now.0), 0.0);
+    let latency = count("latency", Some(baseline.0 as u64), Some(now.0 as u64), 0.0);
     let counts = baseline.1.counts().into_iter().zip(now.1.counts());
     let counts = counts
         .filter_map(|((name, before), (_, now))| count(name, before, now, tolerance.resources));

@@ -78,13 +78,9 @@ pub fn make(
 ) -> Result<Table, SynthError> {
     let known = known.filter(|_| cache == Cache::Use);
     let rows = rows.par_iter().map(|row| {
-        let kept = known.map_or(Ok(None), |known| known.current(row))?;
-        let measured = match kept {
+        let measured = match known.map_or(Ok(None), |known| known.current(row))? {
             Some(measured) => measured.clone(),
-            None => {
-                let report = synthesise(&row.request, row.target, row.seeds, cache)?;
-                Measured::of(row, report)
-            }
+            None => Measured::of(row, synthesise(&row.request, row.target, row.seeds, cache)?),
         };
         done(row);
         Ok(measured)
@@ -115,11 +111,9 @@ impl Table {
             })?;
         let table: Self = serde_json::from_str(&text)
             .map_err(|error| bad(format!("{error}; `imogene synth --table` writes it again")))?;
-        if table.version == VERSION {
-            Ok(table)
-        } else {
-            let found = table.version;
-            Err(bad(format!("version {found}, expected {VERSION}")))
+        match table.version {
+            VERSION => Ok(table),
+            found => Err(bad(format!("version {found}, expected {VERSION}"))),
         }
     }
 
@@ -141,40 +135,16 @@ impl Table {
 
     /// What it has of a row, if today's Verilog and tools would give the same.
     fn current(&self, row: &Row) -> Result<Option<&Measured>, SynthError> {
-        let (verilog, tools) = (verilog(row)?, Programs::find(row.target)?.versions());
+        let verilog = digest(&emit(&row.request)?.bundle());
+        let tools = Programs::find(row.target)?.versions();
         let known = self.find(row).filter(|known| known.verilog == verilog);
         Ok(known.filter(|known| known.tools == tools && known.synthesis == row.synthesis()))
-    }
-
-    /// Where it differs from the rows and the Verilog of today; empty if it is current. Needs no tool. Fails when a
-    /// unit of the table cannot be emitted.
-    pub fn out_of_date(&self) -> Result<Vec<String>, SynthError> {
-        let today = rows();
-        let mut problems = Vec::new();
-        for row in &today {
-            match self.find(row) {
-                None => problems.push(format!("{}: no row", row.name())),
-                Some(known) if known.verilog != verilog(row)? => {
-                    problems.push(format!("{}: other Verilog", row.name()));
-                }
-                Some(_) => {}
-            }
-        }
-        if self.rows.len() != today.len() {
-            problems.push(format!("{} rows of {}", self.rows.len(), today.len()));
-        }
-        Ok(problems)
     }
 
     fn section(&self, section: Section, target: Target) -> impl Iterator<Item = &Measured> {
         let rows = self.rows.iter();
         rows.filter(move |row| row.section == section && row.target == target.name())
     }
-}
-
-/// Digest of the Verilog of a row.
-fn verilog(row: &Row) -> Result<String, SynthError> {
-    Ok(digest(&emit(&row.request)?.bundle()))
 }
 
 impl Measured {

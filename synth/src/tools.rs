@@ -31,15 +31,6 @@ pub struct Tool {
     pub version: String,
 }
 
-/// The place and route program of a family.
-const fn router(family: Family) -> Option<Program> {
-    match family {
-        Family::Ice40 => Some(NEXTPNR_ICE40),
-        Family::Ecp5 => Some(NEXTPNR_ECP5),
-        Family::Xilinx7 | Family::Gowin | Family::Gates => None,
-    }
-}
-
 impl Tool {
     /// Finds a program and asks for its version; in one folder the packaged program comes before the native one. Fails
     /// when it is missing or does not tell its version.
@@ -66,6 +57,11 @@ impl Tool {
         })
     }
 
+    /// Its name and its version.
+    pub fn named_version(&self) -> (String, String) {
+        (self.name.to_owned(), self.version.clone())
+    }
+
     /// Runs it in a folder. Fails when it does not start or fails itself.
     pub fn run(&self, arguments: &[impl AsRef<OsStr>], folder: &Path) -> Result<(), SynthError> {
         let mut program = Command::new(&self.path);
@@ -87,9 +83,14 @@ pub(crate) struct Programs {
 
 impl Programs {
     pub fn find(target: Target) -> Result<Self, SynthError> {
+        let router = match target.family() {
+            Family::Ice40 => Some(NEXTPNR_ICE40),
+            Family::Ecp5 => Some(NEXTPNR_ECP5),
+            Family::Xilinx7 | Family::Gowin | Family::Gates => None,
+        };
         Ok(Self {
             yosys: Tool::find(YOSYS)?,
-            router: router(target.family()).map(Tool::find).transpose()?,
+            router: router.map(Tool::find).transpose()?,
         })
     }
 
@@ -100,12 +101,17 @@ impl Programs {
             router: None,
         })
     }
+
     pub fn versions(&self) -> BTreeMap<String, String> {
         let tools = std::iter::once(&self.yosys).chain(&self.router);
-        tools
-            .map(|tool| (tool.name.to_owned(), tool.version.clone()))
-            .collect()
+        tools.map(Tool::named_version).collect()
     }
+}
+
+/// Tools with their versions, as texts list them.
+pub(crate) fn listed<'a>(tools: impl IntoIterator<Item = (&'a String, &'a String)>) -> String {
+    let tool = |(tool, version): (&String, &String)| format!("{tool} {version}");
+    tools.into_iter().map(tool).collect::<Vec<_>>().join(", ")
 }
 
 /// The version, asked for once per process: a program takes longer to answer than a kept result to load.

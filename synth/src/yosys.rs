@@ -91,23 +91,19 @@ pub fn parse_statistics(text: &str) -> Result<Statistics, SynthError> {
     let document: Value =
         serde_json::from_str(&text[start..]).map_err(|error| bad(error.to_string()))?;
     // Of one module there is no sum over the design.
-    let one = document["modules"]
-        .as_object()
-        .and_then(|all| all.values().next());
-    let design = match &document["design"] {
-        Value::Null => one.unwrap_or(&Value::Null),
-        design => design,
+    let design = match (&document["design"], document["modules"].as_object()) {
+        (Value::Null, Some(modules)) => modules.values().next().unwrap_or(&Value::Null),
+        (design, _) => design,
     };
     let cells = CellCounts::deserialize(&design["num_cells_by_type"])
         .map_err(|error| bad(format!("design.num_cells_by_type: {error}")))?;
     let transistors = match &design["estimated_num_transistors"] {
         Value::Null => None,
         // A number followed by `+` leaves cells out.
-        Value::String(count) => Some(
-            count
-                .parse()
-                .map_err(|_| bad(format!("`{count}` transistors do not count every cell")))?,
-        ),
+        Value::String(count) => {
+            let partial = |_| bad(format!("`{count}` transistors do not count every cell"));
+            Some(count.parse().map_err(partial)?)
+        }
         other => return Err(bad(format!("{other} transistors"))),
     };
     Ok(Statistics {

@@ -59,6 +59,19 @@ impl Kept {
         serde_json::from_str(&text).ok()
     }
 
+    /// The result, or else what `make` gives, which is kept. Fails when that does, or it cannot be written.
+    pub fn or_made<T: DeserializeOwned + Serialize, E: From<FileError>>(
+        &self,
+        make: impl FnOnce() -> Result<T, E>,
+    ) -> Result<T, E> {
+        if let Some(result) = self.load() {
+            return Ok(result);
+        }
+        let result = make()?;
+        self.store(&result)?;
+        Ok(result)
+    }
+
     /// Keeps a result. Fails when it cannot be written. Panics if its keys are no texts.
     pub fn store(&self, result: &impl Serialize) -> Result<(), FileError> {
         let Some(path) = &self.0 else {

@@ -106,7 +106,10 @@ impl Program {
     ) -> Result<String, ToolError> {
         let mut command = Command::new(self.name);
         let said = call(command.args(arguments).current_dir(folder));
-        let said = said.map_err(|error| self.not_started(error))?;
+        let said = said.map_err(|error| match error.kind() {
+            io::ErrorKind::NotFound => ToolError::Missing(*self),
+            _ => FileError::at(self.name)(error).into(),
+        })?;
         if said.succeeded() {
             return Ok(said.output);
         }
@@ -116,13 +119,6 @@ impl Program {
             program: self.name,
             message: lines[lines.len().saturating_sub(KEPT_LINES)..].join("\n"),
         })
-    }
-
-    fn not_started(&self, error: io::Error) -> ToolError {
-        match error.kind() {
-            io::ErrorKind::NotFound => ToolError::Missing(*self),
-            _ => FileError::at(self.name)(error).into(),
-        }
     }
 }
 

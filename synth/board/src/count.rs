@@ -32,23 +32,16 @@ pub fn count(board: &Board, sources: &Sources) -> Result<BTreeMap<String, (u64, 
         part.synthesis()
     );
     let place = kept(&[&digest(&sources.verilog), &script, &yosys.version]);
-    let cells: CellCounts = match place.load() {
-        Some(cells) => cells,
-        None => {
-            let folder = scratch()?;
-            let folder = folder.path();
-            write(&folder.join("board.v"), &sources.verilog)?;
-            run_yosys(&yosys, folder, &script)?;
-            let cells = parse_statistics(&read(&folder.join(REPORT))?)?.cells;
-            place.store(&cells)?;
-            cells
-        }
-    };
-    let kinds = part.cells.iter();
-    let kinds = kinds.map(|(kind, &there)| (kind.clone(), (used(&cells, kind), there)));
-    let used: BTreeMap<_, _> = kinds.collect();
-    let too_few = used.iter().find(|(_, (used, there))| used > there);
-    match too_few {
+    let cells = place.or_made(|| {
+        let folder = scratch()?;
+        write(&folder.path().join("board.v"), &sources.verilog)?;
+        run_yosys(&yosys, folder.path(), &script)?;
+        let report = read(&folder.path().join(REPORT))?;
+        Ok::<_, BoardError>(parse_statistics(&report)?.cells)
+    })?;
+    let of_kind = |(kind, &there): (&String, &u64)| (kind.clone(), (used(&cells, kind), there));
+    let used: BTreeMap<_, _> = part.cells.iter().map(of_kind).collect();
+    match used.iter().find(|(_, (used, there))| used > there) {
         Some((kind, (used, there))) => Err(too_little(part, format!("{used} {kind} of {there}"))),
         None => Ok(used),
     }

@@ -51,10 +51,9 @@ impl TryFrom<String> for BoardMode {
     type Error = String;
 
     fn try_from(text: String) -> Result<BoardMode, String> {
-        let (name, rate) = text.split_once('@').unwrap_or((&text, ""));
-        let rate = match rate {
-            "" if !text.contains('@') => Ok(USUAL_RATE),
-            rate => rate.parse(),
+        let (name, rate) = match text.split_once('@') {
+            Some((name, rate)) => (name, rate.parse()),
+            None => (text.as_str(), Ok(USUAL_RATE)),
         };
         match rate {
             Ok(rate @ 1..=240) => Ok(BoardMode {
@@ -270,8 +269,7 @@ impl Board {
 
     /// A cell of the part sends the ten bits of a word of DVI; of others it sends pairs.
     pub(crate) fn serialises(&self) -> bool {
-        let part = self.part.as_ref();
-        part.is_some_and(|part| part.family == Family::Gowin)
+        matches!(&self.part, Some(part) if part.family == Family::Gowin)
     }
 
     /// The clock that pixels are sent with beside their own: five times as fast with two bits an edge, or none.
@@ -305,11 +303,7 @@ impl Video {
                 red,
                 clock,
                 ..
-            } => [blue, green, red, clock]
-                .into_iter()
-                .enumerate()
-                .map(|(index, pin)| (format!("channel_{index}"), pin.as_str()))
-                .collect(),
+            } => numbered("channel", [blue, green, red, clock]).collect(),
             Video::Parallel {
                 hsync,
                 vsync,
@@ -325,14 +319,11 @@ impl Video {
                     ("vsync".to_owned(), vsync.as_str()),
                 ];
                 for (name, colour) in [("red", red), ("green", green), ("blue", blue)] {
-                    let each = colour.iter().enumerate();
-                    pins.extend(each.map(|(index, pin)| (format!("{name}_{index}"), pin.as_str())));
+                    pins.extend(numbered(name, colour));
                 }
-                let optional = [("de", de), ("pixel_clock_out", clock)];
-                let there = optional
-                    .into_iter()
-                    .filter_map(|(name, pin)| Some((name.to_owned(), pin.as_deref()?)));
-                pins.extend(there);
+                for (name, pin) in [("de", de), ("pixel_clock_out", clock)] {
+                    pins.extend(pin.iter().map(|pin| (name.to_owned(), pin.as_str())));
+                }
                 pins
             }
         }
@@ -344,4 +335,13 @@ impl Video {
             Video::Tmds { io, .. } | Video::Parallel { io, .. } => io,
         }
     }
+}
+
+/// The bits of an output with their pins.
+fn numbered<'a>(
+    name: &str,
+    pins: impl IntoIterator<Item = &'a String>,
+) -> impl Iterator<Item = (String, &'a str)> {
+    let pins = pins.into_iter().enumerate();
+    pins.map(move |(index, pin)| (format!("{name}_{index}"), pin.as_str()))
 }

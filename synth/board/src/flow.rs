@@ -155,14 +155,6 @@ impl Part {
             _ => TEXT,
         }
     }
-
-    /// The options of the router for the constraints.
-    fn constrained(&self, kind: &str, file: &str) -> [String; 2] {
-        match self.family {
-            Family::Gowin => ["--vopt".to_owned(), format!("{kind}={file}")],
-            _ => [format!("--{kind}"), file.to_owned()],
-        }
-    }
 }
 
 /// What leads from a netlist to a bitstream, and back.
@@ -193,8 +185,7 @@ impl Board {
 
     /// Open programs place and route its part.
     pub fn has_bitstream(&self) -> bool {
-        let part = self.part.as_ref();
-        part.is_some_and(|part| part.tools().is_some())
+        self.part.as_ref().and_then(Part::tools).is_some()
     }
 }
 
@@ -240,7 +231,10 @@ pub fn route(board: &Board, pll: &Pll, sources: &Sources) -> Result<Built, Board
     let pins = format!("pins.{kind}");
     let script = part.script();
     let mut arguments = part.arguments();
-    arguments.extend(part.constrained(kind, &pins));
+    arguments.extend(match part.family {
+        Family::Gowin => ["--vopt".to_owned(), format!("{kind}={pins}")],
+        _ => [format!("--{kind}"), pins.clone()],
+    });
     let common = ["--json", NETLIST, "-q", "--report", REPORT];
     arguments.extend(common.map(str::to_owned));
     // The clock of the pixels is derived from that of the board; where nothing is derived it is asked for.
@@ -257,67 +251,51 @@ pub fn route(board: &Board, pll: &Pll, sources: &Sources) -> Result<Built, Board
         &yosys.version,
         &router.version,
     ]);
-    if let Some(routed) = place.load() {
-        return Ok(routed);
-    }
-    let folder = scratch()?;
-    let folder = folder.path();
-    write(&folder.join("board.v"), &sources.verilog)?;
-    write(&folder.join(&pins), constraints)?;
-    run_yosys(&yosys, folder, &script)?;
-    if part.family == Family::Ecp5 {
-        fold(&folder.join(NETLIST))?;
-    }
-    packed(part, &router, &arguments, folder)?;
-    if part.text() == TEXT {
-        arguments.extend([tools.option, TEXT].map(str::to_owned));
-    }
-    let (seed, report) = placed(part, pll, &router, (&arguments, folder))?;
-    let bitstream = packed_text(board, part.text(), folder)?;
-    let netlist = match part.family {
-        Family::Ecp5 => Some(routed_verilog(&yosys, folder, ROUTED)?),
-        _ => None,
-    };
-    let built = Built {
-        routed: report_of(report, seed, &[yosys, router], bitstream.len()),
-        bitstream,
-        netlist,
-    };
-    place.store(&built)?;
-    Ok(built)
-}
-
-fn report_of(report: RouteReport, seed: &str, tools: &[Tool], bytes: usize) -> Routed {
-    let clocks = report.clocks.into_iter();
-    let clocks = clocks.map(|(clock, routed)| ClockReport {
-        clock,
-        achieved_mhz: routed.achieved,
-        wanted_mhz: routed.constraint,
-    });
-    let crossings = report.crossings.into_iter();
-    let tools = tools.iter();
-    let tools = tools.map(|tool| (tool.name.to_owned(), tool.version.clone()));
-    Routed {
-        utilisation: report.utilisation,
-        seed: seed.to_owned(),
-        clocks: clocks.collect(),
-        crossings: crossings.map(|((from, to), ns)| (from, to, ns)).collect(),
-        tools: tools.collect(),
-        bytes,
-    }
-}
-
-/// Packs the design, to say first what the part has too little of.
-fn packed(
-    part: &Part,
-    router: &Tool,
-    arguments: &[String],
-    folder: &Path,
-) -> Result<(), BoardError> {
-    router.run(&[arguments, &["--pack-only".to_owned()]].concat(), folder)?;
-    let report = parse_report(&read(&folder.join(REPORT))?)?;
-    let excess = report.excess();
-    excess.map_or(Ok(()), |excess| Err(too_little(part, excess)))
+    place.or_made(|| {
+        let folder = scratch()?;
+        let folder = folder.path();
+        write(&folder.join("board.v"), &sources.verilog)?;
+        write(&folder.join(&pins), constraints)?;
+        run_yosys(&yosys, folder, &script)?;
+        if part.family == Family::Ecp5 {
+            fold(&folder.join(NETLIST))?;
+        }
+        // Packed first, to say what the part has too little of.
+        let packing = [&arguments[..], &["--pack-only".to_owned()]].concat();
+        router.run(&packing, folder)?;
+        if let Some(excess) = parse_report(&read(&folder.join(REPORT))?)?.excess() {
+            return Err(too_little(part, excess));
+        }
+        if part.text() == TEXT {
+            arguments.extend([tools.option, TEXT].map(str::to_owned));
+        }
+        let (seed, report) = placed(part, pll, &router, (&arguments, folder))?;
+        let bitstream = packed_text(board, part.text(), folder)?;
+        let netlist = match part.family {
+            Family::Ecp5 => Some(routed_verilog(&yosys, folder, ROUTED)?),
+            _ => None,
+        };
+        let clocks = report.clocks.into_iter();
+        let clocks = clocks.map(|(clock, routed)| ClockReport {
+            clock,
+            achieved_mhz: routed.achieved,
+            wanted_mhz: routed.constraint,
+        });
+        let crossings = report.crossings.into_iter();
+        let routed = Routed {
+            utilisation: report.utilisation,
+            seed: seed.to_owned(),
+            clocks: clocks.collect(),
+            crossings: crossings.map(|((from, to), ns)| (from, to, ns)).collect(),
+            tools: [&yosys, &router].map(Tool::named_version).into(),
+            bytes: bitstream.len(),
+        };
+        Ok(Built {
+            routed,
+            bitstream,
+            netlist,
+        })
+    })
 }
 
 /// Places and routes the design with the first seed that reaches every clock; the seed, or the error of the last one.
@@ -361,8 +339,7 @@ fn placed_once(
     };
     let report = parse_report(&text)?;
     let mut clocks = report.clocks.iter();
-    let slow = clocks.find(|(_, clock)| clock.achieved < clock.constraint);
-    if let Some((name, clock)) = slow {
+    if let Some((name, clock)) = clocks.find(|(_, clock)| clock.achieved < clock.constraint) {
         let (part, achieved, wanted) = (part.name(), clock.achieved, clock.constraint);
         return Err(BoardError::Slow(format!(
             "the clock {name} reaches {achieved:.2} MHz on {part}, {wanted:.2} MHz are asked for"
@@ -396,11 +373,11 @@ pub(crate) fn packed_text(board: &Board, text: &str, folder: &Path) -> Result<Ve
 /// that changes it, or two where that edge comes a little early.
 fn cross_in_time(part: &Part, pll: &Pll, report: &RouteReport) -> Result<(), BoardError> {
     let most = 2000.0 / pll.fast_mhz();
-    let late = report.crossings.iter().find(|(_, length)| **length > most);
-    late.map_or(Ok(()), |((from, to), length)| {
-        Err(BoardError::Slow(format!(
+    match report.crossings.iter().find(|(_, length)| **length > most) {
+        Some(((from, to), length)) => Err(BoardError::Slow(format!(
             "a path from {from} to {to} takes {length:.2} ns on {}, {most:.2} ns are between their edges",
             part.name()
-        )))
-    })
+        ))),
+        None => Ok(()),
+    }
 }

@@ -125,8 +125,7 @@ fn nets(verilog: &str) -> HashMap<(Tile, &str), &str> {
     let mut found = HashMap::new();
     for line in verilog.lines() {
         let mut kinds = ["wire ", "reg "].iter();
-        let declared = kinds.find_map(|kind| line.strip_prefix(kind));
-        if let Some(name) = declared {
+        if let Some(name) = kinds.find_map(|kind| line.strip_prefix(kind)) {
             net = name.split([' ', ';']).next().unwrap_or(name);
         } else if let Some(wire) = line.strip_prefix("// (") {
             let mut parts = wire.trim_end_matches("')").splitn(3, ", ");
@@ -156,15 +155,12 @@ fn places(database: &str) -> HashMap<&str, [usize; 2]> {
 
 /// The rows of bits of each tile that has some of a multiplier.
 fn rows(unpacked: &str) -> HashMap<Tile, Vec<&str>> {
+    let tile = |(start, _): (usize, &str)| {
+        let mut lines = unpacked[start..].lines();
+        let mut words = lines.next()?.split(' ').skip(1);
+        let tile = [words.next()?.parse().ok()?, words.next()?.parse().ok()?];
+        Some((tile, lines.take_while(|line| !line.is_empty()).collect()))
+    };
     let heads = [".dsp", ".ipcon_tile"].map(|head| unpacked.match_indices(head));
-    let heads = heads.into_iter().flatten();
-    heads
-        .filter_map(|(start, _)| {
-            let mut lines = unpacked[start..].lines();
-            let mut words = lines.next()?.split(' ').skip(1);
-            let tile = [words.next()?.parse().ok()?, words.next()?.parse().ok()?];
-            let rows = lines.take_while(|line| !line.is_empty());
-            Some((tile, rows.collect()))
-        })
-        .collect()
+    heads.into_iter().flatten().filter_map(tile).collect()
 }

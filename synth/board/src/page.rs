@@ -33,10 +33,9 @@ pub fn core_file(board: &Board, pll: &Pll, command: &str) -> Result<Option<Strin
     let mut options = if is_gowin { vec![] } else { part.arguments() };
     let is_vivado = part.family == Family::Xilinx7;
     let vivado = is_vivado.then(|| part.number());
-    let file_type = if is_vivado {
-        kind.to_owned()
-    } else {
-        kind.to_uppercase()
+    let file_type = match is_vivado {
+        true => kind.to_owned(),
+        false => kind.to_uppercase(),
     };
     options.extend(["--freq".to_owned(), format!("{:.6}", pll.pixel_mhz())]);
     let synthesis: Vec<&str> = part.synthesis().split(' ').skip(1).collect();

@@ -84,7 +84,7 @@ fn mhz(hertz: Hertz) -> f64 {
 }
 
 /// Is the frequency between these numbers of kHz?
-fn within(hertz: Hertz, least: i128, most: i128) -> bool {
+fn within(hertz: Hertz, (least, most): (i128, i128)) -> bool {
     (Ratio::from(1000 * least)..=Ratio::from(1000 * most)).contains(&hertz)
 }
 
@@ -92,10 +92,10 @@ fn within(hertz: Hertz, least: i128, most: i128) -> bool {
 fn within_each(
     dividers: std::ops::RangeInclusive<i128>,
     clock: impl Fn(i128) -> Hertz,
-    (least, most): (i128, i128),
+    limits: (i128, i128),
 ) -> impl Iterator<Item = (i128, Hertz)> {
     let each = dividers.map(move |divider| (divider, clock(divider)));
-    each.filter(move |(_, clock)| within(*clock, least, most))
+    each.filter(move |(_, clock)| within(*clock, limits))
 }
 
 /// ECP5: the oscillator runs at input / `reference` x `feedback` x `looped`, the fast clock at its `fast`th part, the
@@ -114,8 +114,10 @@ fn ecp5(input: i128, wanted: i128, ratio: i128) -> Vec<Candidate> {
             for product in [exact.floor().to_integer(), exact.ceil().to_integer()] {
                 let oscillator = detected * product;
                 let outputs = [oscillator / fast, oscillator / (fast * ratio)];
-                let is_legal = within(oscillator, 400_000, 800_000)
-                    && outputs.iter().all(|&output| within(output, 3_125, 400_000));
+                let is_legal = within(oscillator, (400_000, 800_000))
+                    && outputs
+                        .iter()
+                        .all(|&output| within(output, (3_125, 400_000)));
                 let factors = factors(product, fast, oscillator).filter(|_| is_legal);
                 if let Some((feedback, looped)) = factors {
                     let dividers = Dividers::from([
@@ -138,7 +140,7 @@ fn factors(product: i128, fast: i128, oscillator: Hertz) -> Option<(i128, i128)>
     let mut loops = std::iter::once(fast).chain(1..=128);
     let fits = |looped: &i128| {
         let output = oscillator / looped;
-        product % looped == 0 && product / looped <= 80 && within(output, 3_125, 400_000)
+        product % looped == 0 && product / looped <= 80 && within(output, (3_125, 400_000))
     };
     let looped = loops.find(fits)?;
     Some((product / looped, looped))
@@ -156,12 +158,11 @@ fn ice40(input: i128) -> Vec<Candidate> {
         for (divf, oscillator) in within_each(0..=127, oscillator, (533_000, 1_066_000)) {
             let output = |by: i128| oscillator / (1 << by);
             for (divq, output) in within_each(1..=6, output, (16_000, 275_000)) {
-                let filter = filter(detected);
                 let dividers = [
                     ("divr", divr),
                     ("divf", divf),
                     ("divq", divq),
-                    ("filter", filter),
+                    ("filter", filter(detected)),
                 ];
                 found.push((output, (divr, false), Dividers::from(dividers)));
             }
@@ -185,7 +186,7 @@ fn xilinx7(input: i128, wanted: i128) -> Vec<Candidate> {
             let exact = oscillator * 8 / wanted;
             for output in [exact.floor().to_integer(), exact.ceil().to_integer()] {
                 let made = oscillator * 8 / output.max(1);
-                if (16..=1024).contains(&output) && within(made, 4_690, 800_000) {
+                if (16..=1024).contains(&output) && within(made, (4_690, 800_000)) {
                     let dividers = [
                         ("reference", reference),
                         ("feedback", feedback),
@@ -229,14 +230,12 @@ fn gowin(board: &Board, input: i128, ratio: i128) -> Vec<Candidate> {
     else {
         return vec![];
     };
-    let keeps = |hertz: Hertz, (least, most): (i128, i128)| within(hertz, least, most);
     let hertz = Ratio::from(input);
     let mut found = Vec::new();
     for (input, detected) in within_each(0..=63, |by| hertz / (by + 1), detector) {
         for (feedback, made) in within_each(0..=63, |by| detected * (by + 1), fast) {
             let mut outputs = GOWIN_OUTPUTS.into_iter();
-            let output = outputs.find(|&output| keeps(made * output, oscillator));
-            if let Some(output) = output {
+            if let Some(output) = outputs.find(|&output| within(made * output, oscillator)) {
                 let dividers = [("input", input), ("feedback", feedback), ("output", output)];
                 found.push((made / ratio, (input, false), Dividers::from(dividers)));
             }

@@ -80,22 +80,15 @@ impl<'a> Screen<'a> {
         }
         self.was_in_vsync = is_in_vsync;
         if let Some(start) = self.starts[1] {
-            self.place(tick, self.ticks - start)?;
+            let at = self.ticks - start;
+            if at < self.end && self.check(tick, at)? {
+                self.picture.extend(tick.colour);
+            }
+            if at + 1 == self.end {
+                self.shown.pictures.push(std::mem::take(&mut self.picture));
+            }
         }
         self.ticks += 1;
-        Ok(())
-    }
-
-    fn place(&mut self, tick: &Tick, at: usize) -> Result<(), ScreenError> {
-        if at >= self.end {
-            return Ok(());
-        }
-        if self.check(tick, at)? {
-            self.picture.extend(tick.colour);
-        }
-        if at + 1 == self.end {
-            self.shown.pictures.push(std::mem::take(&mut self.picture));
-        }
         Ok(())
     }
 
@@ -125,10 +118,11 @@ impl<'a> Screen<'a> {
             ("vsync", tick.vsync, in_vsync == self.mode.vsync_high),
             ("de", tick.de.unwrap_or(is_shown), is_shown),
         ];
-        for (pin, found, wanted) in levels {
-            if found != wanted {
-                return Err(ScreenError::Sync(pin, found, at));
-            }
+        if let Some((pin, found, _)) = levels
+            .into_iter()
+            .find(|(_, found, wanted)| found != wanted)
+        {
+            return Err(ScreenError::Sync(pin, found, at));
         }
         if !is_shown && tick.colour != [0; 3] {
             return Err(ScreenError::Colour(tick.colour, at));

@@ -5,10 +5,11 @@ use crate::error::BoardError;
 use crate::screen::{Screen, Shown, Tick};
 use crate::tmds::{Channels, Decoder};
 use imogene_contract::video::VideoMode;
-use imogene_tools::{FileError, ICARUS, VERILATOR, VVP, scratch, write};
+use imogene_tools::{FileError, ICARUS, ToolError, VERILATOR, VVP, call, scratch, write};
 use minijinja::{Environment, context};
 use std::io::{BufRead, Read};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
+use std::process::Command;
 use tempfile::TempDir;
 
 const BENCH: &str = include_str!("top/bench.v");
@@ -57,9 +58,14 @@ pub fn simulate(
         Video::Tmds { .. } => ["2", "1"],
         Video::Parallel { .. } => ["1", "4"],
     };
-    let arguments = [&clocks.to_string(), edges, bytes, SAMPLES];
     let program = folder.path().join("cpp/Vboard_bench");
-    run(&program, &arguments, folder.path())?;
+    let mut command = Command::new(&program);
+    command.args([&clocks.to_string(), edges, bytes, SAMPLES]);
+    let said = call(command.current_dir(folder.path())).map_err(FileError::at(program))?;
+    if !said.succeeded() {
+        let (program, message) = (VERILATOR.name, said.all());
+        return Err(ToolError::Refused { program, message }.into());
+    }
     seen(board, mode, folder)
 }
 
@@ -102,7 +108,9 @@ fn seen(board: &Board, mode: &VideoMode, folder: TempDir) -> Result<Pins, BoardE
                 Some(tick(board, pins))
             }
         };
-        tick.map_or(Ok(()), |tick| screen.see(&tick))?;
+        if let Some(tick) = tick {
+            screen.see(&tick)?;
+        }
     }
     Ok(Pins {
         channels: decoder.map(Decoder::found).transpose()?,
@@ -125,20 +133,6 @@ fn bench(board: &Board, verilog: &str, models: &str) -> Result<TempDir, BoardErr
         write(&folder.path().join(name), text)?;
     }
     Ok(folder)
-}
-
-fn run(program: &Path, arguments: &[&str], folder: &Path) -> Result<(), BoardError> {
-    let mut command = std::process::Command::new(program);
-    let said = imogene_tools::call(command.args(arguments).current_dir(folder));
-    let said = said.map_err(FileError::at(program))?;
-    match said.succeeded() {
-        true => Ok(()),
-        false => Err(imogene_tools::ToolError::Refused {
-            program: VERILATOR.name,
-            message: said.all(),
-        }
-        .into()),
-    }
 }
 
 /// What parallel pins show; levels have the bits of the pins, in the highest places of eight.

@@ -56,12 +56,9 @@ impl Tile {
         let values = values(board, words, about, &top);
         let text = |template: &str| rendered(template, &values);
         let files = PROJECT.map(|(place, template)| Ok((place, text(template)?)));
+        let project = text(include_str!("tile/project.v"))?;
         Ok(Tile {
-            verilog: format!(
-                "{}\n{}",
-                emitted.bundle(),
-                text(include_str!("tile/project.v"))?
-            ),
+            verilog: format!("{}\n{project}", emitted.bundle()),
             files: files.into_iter().collect::<Result<_, BoardError>>()?,
             bench: text(include_str!("tile/bench.v"))?,
             top,

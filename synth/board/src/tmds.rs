@@ -142,8 +142,6 @@ impl Decoder {
 }
 
 fn bits(samples: &[u8], channel: u32) -> u16 {
-    let each = samples.iter().enumerate();
-    each.fold(0, |word, (place, sample)| {
-        word | u16::from(sample >> channel & 1) << place
-    })
+    let bit = |word, sample: &u8| word << 1 | u16::from(sample >> channel & 1);
+    samples.iter().rev().fold(0, bit)
 }

@@ -67,37 +67,27 @@ pub(super) fn kind_of(name: &str) -> &str {
     }
 }
 
-fn is_composite(machine: &Emitted, parts: Parts, name: &str) -> bool {
-    let composites = parts.composites();
-    name == machine.top || composites.iter().any(|kind| is_of(name, kind))
-}
-
 /// The modules of a machine that are synthesised apart, the top first.
 pub fn modules(machine: &Emitted, parts: Parts) -> Vec<Module> {
-    let names: BTreeSet<&str> = machine.modules.iter().map(|(name, _)| &**name).collect();
-    let mut list: Vec<Module> = machine
-        .modules
-        .iter()
-        .rev()
-        .map(|(name, text)| {
-            let is_composite = is_composite(machine, parts, name);
-            let own = match is_composite {
-                true => text.clone(),
-                false => below(machine, name).map(|(_, text)| &**text).collect(),
-            };
-            Module {
-                name: name.clone(),
-                digest: digest(&own),
-                bits: declared_bits(&own),
-                instances: u64::from(*name == machine.top),
-                children: if is_composite {
-                    children(text, &names)
-                } else {
-                    BTreeMap::new()
-                },
+    let composites = parts.composites();
+    let module = |(name, text): &(String, String)| {
+        let is_top = *name == machine.top;
+        let (own, children) = match is_top || composites.iter().any(|kind| is_of(name, kind)) {
+            true => (text.clone(), children(text, machine)),
+            false => {
+                let texts = below(machine, name).map(|(_, text)| &**text);
+                (texts.collect(), BTreeMap::new())
             }
-        })
-        .collect();
+        };
+        Module {
+            name: name.clone(),
+            digest: digest(&own),
+            bits: declared_bits(&own),
+            instances: u64::from(is_top),
+            children,
+        }
+    };
+    let mut list: Vec<Module> = machine.modules.iter().rev().map(module).collect();
     // Leaves stand first in the text, so every module comes before those below it here.
     for index in 0..list.len() {
         let (times, children) = (list[index].instances, list[index].children.clone());
@@ -128,16 +118,12 @@ pub fn declared_bits(text: &str) -> u64 {
         let is_declaration = ["input", "output", "wire", "reg"]
             .iter()
             .any(|word| body.starts_with(word));
-        let (before, ranges) = body.split_once('[').map_or((body, ""), |(a, b)| (a, b));
+        let (before, ranges) = body.split_once('[').unwrap_or((body, ""));
         let mut ranges = ranges.split('[').filter_map(span);
         if is_declaration {
             let is_array = before.split_whitespace().count() > 2 && !before.contains("signed");
-            let own = if is_array {
-                1
-            } else {
-                ranges.next().unwrap_or(1)
-            };
-            width = Some(own);
+            let own = (!is_array).then(|| ranges.next()).flatten();
+            width = Some(own.unwrap_or(1));
         }
         if let Some(width) = width {
             bits += width * ranges.next().unwrap_or(1);
@@ -157,7 +143,7 @@ fn span(range: &str) -> Option<u64> {
 }
 
 /// Instances in a text: lines of the form `module instance (`, as often as the loop around them runs.
-fn children(text: &str, names: &BTreeSet<&str>) -> BTreeMap<String, u64> {
+fn children(text: &str, machine: &Emitted) -> BTreeMap<String, u64> {
     let mut children = BTreeMap::new();
     let mut times = 1;
     for line in text.lines() {
@@ -169,7 +155,7 @@ fn children(text: &str, names: &BTreeSet<&str>) -> BTreeMap<String, u64> {
         }
         let words: Vec<&str> = line.split_whitespace().collect();
         if let [module, _, "("] = words[..]
-            && names.contains(module)
+            && machine.modules.iter().any(|(name, _)| name == module)
         {
             *children.entry(module.to_owned()).or_insert(0) += times;
         }
@@ -179,12 +165,11 @@ fn children(text: &str, names: &BTreeSet<&str>) -> BTreeMap<String, u64> {
 
 /// A module and all below it.
 pub fn closure(machine: &Emitted, name: &str) -> BTreeSet<String> {
-    let names: BTreeSet<&str> = machine.modules.iter().map(|(name, _)| &**name).collect();
     let mut needed = BTreeSet::from([name.to_owned()]);
     // A module stands behind those below it.
     for (module, text) in machine.modules.iter().rev() {
         if needed.contains(module) {
-            needed.extend(children(text, &names).into_keys());
+            needed.extend(children(text, machine).into_keys());
         }
     }
     needed

@@ -4,7 +4,7 @@
 //! delays another register or a constant leaves the way to the multiplier the whole clock instead.
 
 use super::registers::{Control, control, has_output_register};
-use super::{Cells, FLIP_FLOP, Readers, is_bit};
+use super::{Cells, FLIP_FLOP, Readers, is_bit, nets};
 use serde_json::{Value, json};
 use std::collections::HashMap;
 
@@ -19,10 +19,10 @@ fn parameter(side: &str) -> String {
 /// Moves the flip-flops of a module; how many there were. One that others read too stays, and is counted as none.
 pub(super) fn fold(cells: &mut Cells, readers: &Readers) -> u64 {
     let drivers = drivers(cells);
-    let named = cells.iter().filter(|(_, cell)| cell["type"] == MULTIPLIER);
-    let found =
-        named.filter_map(|(name, cell)| Some((name.clone(), factors(cell, cells, &drivers)?)));
-    let found: Vec<(String, Vec<Factor>)> = found.collect();
+    let multipliers = cells.iter().filter(|(_, cell)| cell["type"] == MULTIPLIER);
+    let of =
+        |(name, cell): (&String, &Value)| Some((name.clone(), factors(cell, cells, &drivers)?));
+    let found: Vec<(String, Vec<Factor>)> = multipliers.filter_map(of).collect();
     let mut left: HashMap<String, usize> = HashMap::new();
     for (name, factors) in found {
         let cell = &mut cells[&name];
@@ -51,20 +51,15 @@ struct Factor {
 type Drivers = HashMap<u64, String>;
 
 fn drivers(cells: &Cells) -> Drivers {
-    let ports = cells.iter().flat_map(|(name, cell)| {
-        let connections = cell["connections"].as_object().into_iter().flatten();
-        let outputs =
-            connections.filter(|(port, _)| cell["port_directions"][port.as_str()] == "output");
-        outputs.flat_map(move |(_, bits)| {
-            bits.as_array()
-                .into_iter()
-                .flatten()
-                .map(move |bit| (bit, name))
-        })
-    });
-    ports
-        .filter_map(|(bit, name)| Some((bit.as_u64()?, name.clone())))
-        .collect()
+    let mut drivers = Drivers::new();
+    for (name, cell) in cells {
+        for (port, bits) in cell["connections"].as_object().into_iter().flatten() {
+            if cell["port_directions"][port] == "output" {
+                drivers.extend(nets(bits).map(|net| (net, name.clone())));
+            }
+        }
+    }
+    drivers
 }
 
 /// The bits of both factors that come from flip-flops; none unless the multiplier can have the registers of all.

@@ -27,7 +27,9 @@ impl Peer {
                 return Err(missing(file, "file"));
             }
             is_system_verilog(file)?;
-            check_file_name(file)?;
+            // Without its folder it goes into a command of Yosys.
+            let name = file.file_name().and_then(|name| name.to_str());
+            check_word(name.unwrap_or_default(), "file name", is_value)?;
         }
         if let Some(folder) = self.include.iter().find(|folder| !folder.is_dir()) {
             return Err(missing(folder, "folder"));
@@ -51,12 +53,6 @@ pub(super) fn is_system_verilog(file: &Path) -> Result<bool, PeerError> {
         Some("sv") => Ok(true),
         _ => Err(PeerError::Ending(file.display().to_string())),
     }
-}
-
-/// The name without its folder: it goes into a command of Yosys.
-fn check_file_name(file: &Path) -> Result<(), PeerError> {
-    let name = file.file_name().and_then(|name| name.to_str());
-    check_word(name.unwrap_or_default(), "file name", is_value)
 }
 
 fn is_name(c: char) -> bool {

@@ -47,9 +47,8 @@ impl<'a> Source<'a> {
         }
         commands.push(format!("tee -q -o {MODULES} ls"));
         if !peer.parameters.is_empty() {
-            let set = peer.parameters.iter();
-            let set = set.map(|(name, value)| format!(" -set {name} {value}"));
-            let set: String = set.collect();
+            let set = |(name, value): &(String, String)| format!(" -set {name} {value}");
+            let set: String = peer.parameters.iter().map(set).collect();
             // A module with parameters set is called by them once the hierarchy is known; it gets its own name back.
             let top = &peer.top;
             commands.push(format!(
@@ -70,24 +69,19 @@ impl<'a> Source<'a> {
             "{}; hierarchy -check -top {}; proc; write_json {PORTS}",
             self.read, self.peer.top
         );
-        let outcome = yosys::run(yosys, self.folder, &script);
-        let listed = std::fs::read_to_string(self.folder.join(MODULES));
-        let modules = modules(&listed.unwrap_or_default());
-        match outcome {
-            Err(SynthError::Tool { message, .. }) => Err(self.refusal(&message, modules).into()),
-            Err(error) => Err(error),
-            Ok(()) => {
-                let text = read(&self.folder.join(PORTS))?;
-                Ok(ports_and_clock(self.peer, &text)?)
-            }
-        }
+        yosys::run(yosys, self.folder, &script).map_err(|error| match error {
+            SynthError::Tool { message, .. } => self.refusal(&message).into(),
+            error => error,
+        })?;
+        let text = read(&self.folder.join(PORTS))?;
+        Ok(ports_and_clock(self.peer, &text)?)
     }
 
-    fn refusal(&self, message: &str, modules: Vec<String>) -> PeerError {
-        let is_read = !modules.is_empty();
-        let top = self.peer.top.clone();
-        if is_read && !modules.contains(&top) {
-            return PeerError::Top(top, modules);
+    fn refusal(&self, message: &str) -> PeerError {
+        let listed = std::fs::read_to_string(self.folder.join(MODULES));
+        let modules = modules(&listed.unwrap_or_default());
+        if !modules.is_empty() && !modules.contains(&self.peer.top) {
+            return PeerError::Top(self.peer.top.clone(), modules);
         }
         let mut lines = message.lines().rev();
         let line = lines.find(|line| line.contains("ERROR"));

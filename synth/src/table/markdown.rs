@@ -4,6 +4,7 @@ use super::rows::{self, Section};
 use super::{Measured, PICTURE, Table};
 use crate::report::{CriticalPath, Figures};
 use crate::target::Target;
+use crate::tools::listed;
 use imogene_contract::Unit;
 use imogene_files::text::{counted, wrapped_page};
 use std::collections::BTreeMap;
@@ -39,16 +40,6 @@ The radicand has 48 bits, the root 24. 24 rows per stage are the whole network b
 remainder where the divisor is too large, `square_root_non_restoring` adds it back in the next row; both hand on root and remainder.
 ";
 
-/// Heading of a section.
-const fn title(section: Section) -> &'static str {
-    match section {
-        Section::Units => "The units",
-        Section::Planes => "Object processors and their cut planes or sides",
-        Section::Rows => "Root networks and their register stages",
-        Section::Transistors => "Transistors",
-    }
-}
-
 impl Table {
     /// The page that shows it, as Markdown.
     pub fn markdown(&self) -> String {
@@ -67,8 +58,7 @@ impl Table {
         for target in rows::DEVICES {
             text += &devices(self, Section::Rows, target);
         }
-        let _ = write!(
-            text,
+        text += &format!(
             "\n![Cells, clock and latency of both root networks over the rows of a stage]({PICTURE})\n"
         );
         text += &opening(Section::Transistors, "");
@@ -78,7 +68,13 @@ impl Table {
 }
 
 fn opening(section: Section, text: &str) -> String {
-    format!("\n## {}\n{text}", title(section))
+    let title = match section {
+        Section::Units => "The units",
+        Section::Planes => "Object processors and their cut planes or sides",
+        Section::Rows => "Root networks and their register stages",
+        Section::Transistors => "Transistors",
+    };
+    format!("\n## {title}\n{text}")
 }
 
 fn heading(table: &Table) -> String {
@@ -86,10 +82,6 @@ fn heading(table: &Table) -> String {
     for row in &table.rows {
         tools.extend(&row.tools);
     }
-    let tools: Vec<String> = tools
-        .into_iter()
-        .map(|(tool, version)| format!("{tool} {version}"))
-        .collect();
     format!(
         "# Resources
 
@@ -109,7 +101,7 @@ are made and how to compare with another design is in [synthesis.md](synthesis.m
 * **Slowest path** is that of the median seed; `inputs` and `results` are registers of the harness or nets to them.
 * Verilog: {}
 ",
-        tools.join(", "),
+        listed(tools),
         rows::SEEDS,
         Target::Ecp5With45k
             .place_and_route()
@@ -163,10 +155,8 @@ fn ratios(table: &Table) -> String {
 
 /// The units that the table does not have.
 fn without_figures(table: &Table) -> String {
-    let missing: Vec<String> = (Unit::ALL.iter())
-        .filter(|unit| !table.has(**unit))
-        .map(|unit| format!("`{}`", unit.name()))
-        .collect();
+    let missing = Unit::ALL.into_iter().filter(|unit| !table.has(*unit));
+    let missing: Vec<String> = missing.map(|unit| format!("`{}`", unit.name())).collect();
     format!(
         "\nUnits without figures here, and without a baseline for `imogene synth --check`: {}.\n",
         missing.join(", ")
@@ -175,18 +165,18 @@ fn without_figures(table: &Table) -> String {
 
 /// Block memory has no column while no unit uses any.
 fn block_memory(table: &Table) -> String {
-    let rows = table.rows.iter();
-    let users: Vec<String> = rows
-        .filter(|row| row.figures.bram > Some(0))
-        .map(|row| {
-            let memories = count(row.figures.bram);
-            format!("`{}` for {}: {memories}", row.unit, row.target)
-        })
-        .collect();
-    if users.is_empty() {
-        "No unit of this table uses block memory.\n".to_owned()
-    } else {
-        format!("Block memories: {}.\n", users.join(", "))
+    let users = table.rows.iter().filter(|row| row.figures.bram > Some(0));
+    let user = |row: &Measured| {
+        format!(
+            "`{}` for {}: {}",
+            row.unit,
+            row.target,
+            count(row.figures.bram)
+        )
+    };
+    match users.map(user).collect::<Vec<_>>().join(", ") {
+        none if none.is_empty() => "No unit of this table uses block memory.\n".to_owned(),
+        users => format!("Block memories: {users}.\n"),
     }
 }
 

@@ -11,36 +11,25 @@ use plotters::prelude::*;
 const SIZE: (u32, u32) = (960, 720);
 const FONT: &str = "sans-serif";
 
-/// A measure over the rows of a stage.
-struct Panel {
-    title: &'static str,
-    measure: fn(&Measured) -> Option<f64>,
-}
+/// A measure of a row.
+type Measure = fn(&Measured) -> Option<f64>;
 
-const PANELS: [Panel; 4] = [
-    Panel {
-        title: "area (logic cells)",
-        measure: |row| row.figures.cells.map(|cells| cells as f64),
-    },
-    Panel {
-        title: "Fmax (MHz)",
-        measure: |row| row.figures.fmax_mhz,
-    },
-    Panel {
-        title: "latency (clocks)",
-        measure: |row| Some(row.latency as f64),
-    },
-    Panel {
-        title: "latency (ns) = clocks / Fmax",
-        measure: |row| Some(row.latency as f64 * 1000.0 / row.figures.fmax_mhz?),
-    },
+/// The measures that are shown over the rows of a stage, with their titles.
+const PANELS: [(&str, Measure); 4] = [
+    ("area (logic cells)", |row| Some(row.figures.cells? as f64)),
+    ("Fmax (MHz)", |row| row.figures.fmax_mhz),
+    ("latency (clocks)", |row| Some(row.latency as f64)),
+    ("latency (ns) = clocks / Fmax", |row| {
+        Some(row.latency as f64 * 1000.0 / row.figures.fmax_mhz?)
+    }),
 ];
 
 impl Table {
     /// The networks over their rows per stage as an SVG picture; `None` without a clock of each. Fails when it cannot
     /// be drawn.
     pub fn picture(&self) -> Result<Option<String>, SynthError> {
-        let panels: Option<Vec<_>> = PANELS.iter().map(|panel| lines(self, panel)).collect();
+        let lines = |(_, measure)| lines(self, measure);
+        let panels: Option<Vec<_>> = PANELS.into_iter().map(lines).collect();
         let Some(panels) = panels else {
             return Ok(None);
         };
@@ -58,8 +47,8 @@ fn draw_panels(text: &mut String, panels: &[Vec<Line>]) -> Drawn {
     area.fill(&WHITE)?;
     let parts = area.split_evenly((2, 2));
     let panels = PANELS.iter().zip(panels).enumerate();
-    for (part, (index, (panel, lines))) in parts.iter().zip(panels) {
-        draw_panel(part, panel.title, lines, index == 0)?;
+    for (part, (index, ((title, _), lines))) in parts.iter().zip(panels) {
+        draw_panel(part, title, lines, index == 0)?;
     }
     Ok(area.present()?)
 }
@@ -71,27 +60,24 @@ struct Line {
     values: Vec<f64>,
 }
 
-fn lines(table: &Table, panel: &Panel) -> Option<Vec<Line>> {
-    let pairs = DEVICES
-        .into_iter()
-        .flat_map(|target| ROOTS.map(|root| (root, target)));
-    pairs
-        .map(|(root, target)| {
-            let value = |rows: &usize| {
-                let mut found = table.section(Section::Rows, target);
-                let row = found.find(|row| {
-                    row.unit == root.name() && row.parameters["rows-per-stage"] == *rows
-                })?;
-                (panel.measure)(row)
+fn lines(table: &Table, measure: Measure) -> Option<Vec<Line>> {
+    let line = |(root, target): (Unit, Target)| {
+        let value = |rows: &usize| {
+            let mut found = table.section(Section::Rows, target);
+            let is_meant = |row: &&Measured| {
+                row.unit == root.name() && row.parameters["rows-per-stage"] == *rows
             };
-            let values = ROWS_PER_STAGE.iter().map(value).collect::<Option<_>>()?;
-            Some(Line {
-                root,
-                target,
-                values,
-            })
+            measure(found.find(is_meant)?)
+        };
+        let values = ROWS_PER_STAGE.iter().map(value).collect::<Option<_>>()?;
+        Some(Line {
+            root,
+            target,
+            values,
         })
-        .collect()
+    };
+    let pairs = DEVICES.map(|target| ROOTS.map(|root| (root, target)));
+    pairs.into_iter().flatten().map(line).collect()
 }
 
 impl Line {

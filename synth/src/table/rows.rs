@@ -1,8 +1,10 @@
 //! The rows of the resource table and its figures.
 
+use crate::flow::parameters;
 use crate::target::Target;
 use imogene_contract::{Request, Unit};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// Section of the table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -82,61 +84,52 @@ pub fn units() -> impl Iterator<Item = Unit> {
 
 /// All rows, in their order.
 pub fn rows() -> Vec<Row> {
-    let units = DEVICES
-        .into_iter()
-        .flat_map(|target| units().map(move |unit| unit_row(unit, target)));
-    // A plane adds a stage of its own beside the others: it costs cells, and the clock is that of the units table.
-    let cells = |section, target| move |request| row(section, request, target, 0);
-    let over_planes = |unit| {
-        let planes = PLANES.map(|planes| planes as u32).into_iter();
-        planes.map(move |planes| Request {
-            planes,
-            ..Request::new(unit)
-        })
+    let mut rows = vec![];
+    let mut add = |section, request, target, seeds| {
+        rows.push(Row {
+            section,
+            request,
+            target,
+            seeds,
+        });
     };
-    let sides = [3, 4].map(|sides| Request {
-        sides,
-        ..Request::new(Unit::FacetProcessor)
-    });
-    let planes = CUT.into_iter().flat_map(over_planes).chain(sides);
-    let planes = planes.map(cells(Section::Planes, Target::Ecp5With45k));
-    let rooted = |unit, target| {
-        ROWS_PER_STAGE.map(|rows| {
-            let request = Request {
-                rows_per_stage: rows as u32,
-                ..Request::new(unit)
-            };
-            row(Section::Rows, request, target, SEEDS)
-        })
-    };
-    let roots = DEVICES
-        .into_iter()
-        .flat_map(|target| ROOTS.into_iter().flat_map(move |unit| rooted(unit, target)));
-    let transistors = GATES.map(Request::new).into_iter();
-    let transistors = transistors.map(cells(Section::Transistors, Target::Transistors));
-    units
-        .chain(planes)
-        .chain(roots)
-        .chain(transistors)
-        .collect()
-}
-
-fn row(section: Section, request: Request, target: Target, seeds: usize) -> Row {
-    Row {
-        section,
-        request,
-        target,
-        seeds,
+    for target in DEVICES {
+        for unit in units() {
+            // The machine is its units side by side; placing it takes longer than everything else together. So does
+            // placing the object processors beside the quadric processor on the small device, of which they fill most.
+            let is_small = target == Target::Ice40Hx8k;
+            let is_too_long = unit == Unit::Beam || is_small && OTHER_PROCESSORS.contains(&unit);
+            let seeds = if is_too_long { 0 } else { SEEDS };
+            add(Section::Units, Request::new(unit), target, seeds);
+        }
     }
-}
-
-fn unit_row(unit: Unit, target: Target) -> Row {
-    // The machine is its units side by side; placing it takes longer than everything else together. So does placing the
-    // object processors beside the quadric processor on the small device, of which they fill most.
-    let is_too_long =
-        unit == Unit::Beam || target == Target::Ice40Hx8k && OTHER_PROCESSORS.contains(&unit);
-    let seeds = if is_too_long { 0 } else { SEEDS };
-    row(Section::Units, Request::new(unit), target, seeds)
+    // A plane adds a stage of its own beside the others: it costs cells, and the clock is that of the units table.
+    let mut add_planes = |request| add(Section::Planes, request, Target::Ecp5With45k, 0);
+    for of in CUT.map(Request::new) {
+        for planes in PLANES.map(|planes| planes as u32) {
+            add_planes(Request { planes, ..of });
+        }
+    }
+    let facets = Request::new(Unit::FacetProcessor);
+    for sides in [3, 4] {
+        add_planes(Request { sides, ..facets });
+    }
+    for target in DEVICES {
+        for of in ROOTS.map(Request::new) {
+            for rows_per_stage in ROWS_PER_STAGE.map(|rows| rows as u32) {
+                let request = Request {
+                    rows_per_stage,
+                    ..of
+                };
+                add(Section::Rows, request, target, SEEDS);
+            }
+        }
+    }
+    let target = Target::Transistors;
+    for unit in GATES {
+        add(Section::Transistors, Request::new(unit), target, 0);
+    }
+    rows
 }
 
 /// The rows of a unit and of a target, or of all of them.
@@ -149,19 +142,18 @@ pub fn select(unit: Option<Unit>, target: Option<Target>) -> Vec<Row> {
     rows
 }
 
+/// What messages call a unit with parameters and a target.
+pub fn called(unit: &str, parameters: &BTreeMap<String, usize>, target: &str) -> String {
+    let option = |(option, value): (&String, &usize)| format!("--{option} {value}");
+    let options: Vec<String> = parameters.iter().map(option).collect();
+    format!("{unit} {} for {target}", options.join(" "))
+}
+
 impl Row {
     /// What it is, for messages.
     pub(crate) fn name(&self) -> String {
-        let parameters: Vec<String> = crate::flow::parameters(&self.request)
-            .iter()
-            .map(|(option, value)| format!("--{option} {value}"))
-            .collect();
-        format!(
-            "{} {} for {}",
-            self.request.unit.name(),
-            parameters.join(" "),
-            self.target.name()
-        )
+        let parameters = parameters(&self.request);
+        called(self.request.unit.name(), &parameters, self.target.name())
     }
 
     /// How it is synthesised in its harness, placed and routed.

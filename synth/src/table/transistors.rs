@@ -62,14 +62,13 @@ root, negates products and chooses the normals of planes.
 pub fn write(table: &Table) -> String {
     let mut text = INTRODUCTION.to_owned();
     for row in table.section(Section::Transistors, Target::Transistors) {
-        let here = row.figures.transistors.unwrap_or_default();
-        text += &line(&row.unit, here);
+        text += &line(&row.unit, row.figures.transistors.unwrap_or_default());
     }
     text + COMPARABILITY
 }
+
 fn line(unit: &str, here: u64) -> String {
-    let found = COUNTERPARTS.iter().find(|known| known.0 == unit);
-    match found {
+    match COUNTERPARTS.iter().find(|known| known.0 == unit) {
         Some((_, name, there, Some((bits_there, bits)))) => format!(
             "| `{unit}` | {name} | {bits} | {here} | {} | {bits_there} | {there} | {} |\n",
             here / bits,

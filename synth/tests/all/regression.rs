@@ -2,6 +2,12 @@ use imogene_synth::Figures;
 use imogene_synth::regression::Verdict::{Better, Same, Within, Worse};
 use imogene_synth::regression::{Change, Tolerance, Verdict, compare, worst};
 
+/// What may be worse unless the command line says otherwise.
+pub const USUAL: Tolerance = Tolerance {
+    resources: 2.0,
+    clock: 10.0,
+};
+
 fn figures() -> Figures {
     Figures {
         lut: Some(100),
@@ -23,7 +29,7 @@ fn with(change: impl Fn(&mut Figures)) -> Figures {
 }
 
 fn changes(before: &Figures, now: &Figures) -> Vec<Change> {
-    compare((3, before), (3, now), true, Tolerance::default())
+    compare((3, before), (3, now), true, USUAL)
 }
 
 fn verdicts(now: &Figures) -> Vec<(&'static str, Verdict)> {
@@ -82,7 +88,7 @@ fn the_first_multiplier_is_worse_at_every_tolerance() {
 fn a_clock_more_of_latency_is_worse_and_one_less_better() {
     for (latency, verdict) in [(101, Worse), (99, Better)] {
         let now = (latency, &figures());
-        let changes = compare((100, &figures()), now, true, Tolerance::default());
+        let changes = compare((100, &figures()), now, true, USUAL);
         assert_eq!(changes[0].verdict, verdict);
     }
 }
@@ -104,6 +110,6 @@ fn a_design_that_fits_again_is_better_and_one_that_still_does_not_the_same() {
 #[test]
 fn a_clock_that_was_not_measured_is_not_compared() {
     let now = with(|now| now.fmax_mhz = None);
-    let changes = compare((3, &figures()), (3, &now), false, Tolerance::default());
+    let changes = compare((3, &figures()), (3, &now), false, USUAL);
     assert!(changes.iter().all(|change| change.measure != "Fmax"));
 }

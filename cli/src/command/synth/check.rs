@@ -8,6 +8,7 @@ use imogene_files::text::counted;
 use imogene_synth::Target;
 use imogene_synth::baseline::{CheckOptions, RowCheck, check};
 use imogene_synth::regression::{Change, Tolerance, Verdict};
+use imogene_synth::table::rows::called;
 use imogene_synth::table::{self, Row, Table};
 
 /// Synthesises rows of the table and compares them with the baseline.
@@ -65,10 +66,7 @@ fn select(options: &Synth, baseline: &Table) -> Result<Vec<Row>> {
 }
 
 fn name(check: &RowCheck) -> String {
-    let parameters = check.parameters.iter();
-    let parameters = parameters.map(|(option, value)| format!("--{option} {value}"));
-    let parameters = output::joined(parameters, " ");
-    format!("{} {parameters} for {}", check.unit, check.target)
+    called(&check.unit, &check.parameters, &check.target)
 }
 
 /// A row: every figure, with its baseline where they differ.

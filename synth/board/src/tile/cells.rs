@@ -48,19 +48,15 @@ impl Mapped {
 }
 
 impl Library {
-    /// The Liberty text.
-    fn liberty(self) -> Result<String, BoardError> {
-        match self {
-            Library::Sky130 => Ok(SKY130.to_owned()),
-            Library::Osu018 => osu018("osu018_stdcells.lib"),
-        }
-    }
-
     /// Puts a tile into the cells of the library. Fails when Yosys or the library is missing, or Yosys fails.
     pub fn map(self, tile: &Tile) -> Result<Mapped, BoardError> {
         let folder = scratch()?;
         let path = |name: &str| folder.path().join(name);
-        write(&path("cells.lib"), &self.liberty()?)?;
+        let liberty = match self {
+            Library::Sky130 => SKY130.to_owned(),
+            Library::Osu018 => osu018("osu018_stdcells.lib")?,
+        };
+        write(&path("cells.lib"), &liberty)?;
         write(&path("tile.v"), &tile.verilog)?;
         let script = format!(
             "read_verilog tile.v; synth -flatten -top {}; dfflibmap -liberty cells.lib; abc -liberty cells.lib; \

@@ -61,13 +61,7 @@ pub struct LayoutTexts {
 pub fn lay_out(tile: &Tile, mapped: &Mapped) -> Result<(Layout, LayoutTexts), BoardError> {
     assert_eq!(mapped.library, Library::Osu018, "cells with a layout");
     let place = kept(&[&mapped.verilog, &STEPS.join(" "), SETTINGS]);
-    if let Some(known) = place.load() {
-        return Ok(known);
-    }
-    let folder = scratch()?;
-    let layout = made(tile, mapped, folder.path())?;
-    place.store(&layout)?;
-    Ok(layout)
+    place.or_made(|| made(tile, mapped, scratch()?.path()))
 }
 
 fn made(tile: &Tile, mapped: &Mapped, folder: &Path) -> Result<(Layout, LayoutTexts), BoardError> {
@@ -123,12 +117,11 @@ pub fn layout(
     let whole = |text: &str, label: &'static str| {
         number(text, label).map(|number| number as u64).ok_or(label)
     };
-    let area: Vec<f64> = line(def, "DIEAREA")
-        .ok_or("DIEAREA")?
-        .split_whitespace()
-        .filter_map(|word| word.parse().ok())
-        .collect();
-    let [left, bottom, right, top] = area[..] else {
+    let mut lines = def.lines().map(str::trim_start);
+    let area = lines.find_map(|line| line.strip_prefix("DIEAREA"));
+    let numbers = area.unwrap_or_default().split_whitespace();
+    let numbers: Vec<f64> = numbers.filter_map(|word| word.parse().ok()).collect();
+    let [left, bottom, right, top] = numbers[..] else {
         return Err("DIEAREA");
     };
     let unit = number(def, "UNITS DISTANCE MICRONS").ok_or("UNITS")?;
@@ -145,12 +138,6 @@ pub fn layout(
         rule_errors: whole(rules, "drc =")?,
         differences: whole(comparison, "Total errors =")?,
     })
-}
-
-/// The line that begins with a label, behind it.
-fn line<'a>(text: &'a str, label: &str) -> Option<&'a str> {
-    text.lines()
-        .find_map(|line| line.trim_start().strip_prefix(label))
 }
 
 /// The first number behind a label.
