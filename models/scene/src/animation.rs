@@ -3,6 +3,7 @@
 //! [`Playback`] says which frames there are and what the scene is in each of them, again as a
 //! [`SceneFile`].
 
+use super::camera::Camera;
 use super::file::SceneFile;
 use super::image::{Action, KeyImage, MoveFrame};
 use super::step::{Rotation, Scale, Step};
@@ -167,13 +168,18 @@ impl<'a> State<'a> {
                 self.shown.insert(target, *show);
             }
             Action::Intensity { light, intensity } => {
-                let now = self.intensities.entry(light);
-                let now = now.or_insert_with(|| intensity_of(scene, light));
+                let now = self.intensities.entry(light).or_insert_with(|| {
+                    let mut lights = scene.lights.iter();
+                    let own = lights.find(|own| own.node.name.as_ref() == Some(light));
+                    own.expect("checked: the light exists").intensity
+                });
                 *now = part.between(*now, *intensity);
             }
             Action::Focal { camera, focal } => {
-                let now = self.focals.entry(camera);
-                let now = now.or_insert_with(|| focal_of(scene, camera));
+                let now = self.focals.entry(camera).or_insert_with(|| {
+                    let own = scene.camera_named(camera).and_then(Camera::focal);
+                    own.expect("checked: a perspective camera")
+                });
                 *now = part.between(*now, *focal);
             }
             Action::ActiveCamera { active_camera } => self.active_camera = Some(active_camera),
@@ -212,9 +218,8 @@ impl<'a> State<'a> {
                 camera.set_focal(*focal);
             }
         }
-        if let Some(name) = self.active_camera {
-            scene.active_camera = Some(name.to_owned());
-        }
+        let active = self.active_camera.map(str::to_owned);
+        scene.active_camera = active.or(scene.active_camera);
         scene
     }
 
@@ -229,19 +234,6 @@ impl<'a> State<'a> {
             *visible = *show;
         }
     }
-}
-
-fn intensity_of(scene: &SceneFile, name: &str) -> f64 {
-    let mut lights = scene.lights.iter();
-    let light = lights.find(|light| light.node.name.as_deref() == Some(name));
-    light.expect("checked: the light exists").intensity
-}
-
-fn focal_of(scene: &SceneFile, name: &str) -> f64 {
-    let mut cameras = scene.all_cameras();
-    let camera = cameras.find(|camera| camera.node.name.as_deref() == Some(name));
-    let focal = camera.and_then(|camera| camera.focal());
-    focal.expect("checked: a perspective camera")
 }
 
 /// `done` of `steps` equal parts, `0 < done <= steps`; all of them are what is written, unchanged.
@@ -323,8 +315,7 @@ impl Moves {
 
     /// The whole placement.
     pub fn around(&self, place: &[Step]) -> Vec<Step> {
-        let all = self.own.iter().chain(place).chain(&self.parent);
-        all.cloned().collect()
+        [&self.own, place, &self.parent].concat()
     }
 }
 

@@ -4,7 +4,7 @@
 
 use super::error::SceneError;
 use super::group::Node;
-use super::keys::{is_default, numbers, refuse_keys, require, upwards};
+use super::keys::{is_default, numbers, present, refuse_keys, require, upwards};
 use super::limits::check_up;
 use super::step::Step;
 use super::transform::Transform;
@@ -140,30 +140,24 @@ pub(super) struct Sight {
 
 impl Sight {
     pub fn of(camera: &Camera) -> Result<Sight, SceneError> {
-        let place = &camera.node.place;
-        let exact = [camera.eye, camera.target].map(|point| point.map(from_decimal));
-        if place.is_empty() {
-            let [eye, target] = exact;
-            return Ok(Sight {
-                eye,
-                target,
-                view: minus(camera.target, camera.eye),
-                up: camera.up,
-            });
+        let mut sight = Sight {
+            eye: camera.eye.map(from_decimal),
+            target: camera.target.map(from_decimal),
+            view: minus(camera.target, camera.eye),
+            up: camera.up,
+        };
+        if !camera.node.place.is_empty() {
+            let placed = Transform::placement(&camera.node.place);
+            sight.eye = placed.point(&sight.eye);
+            sight.target = placed.point(&sight.target);
+            sight.view = minus(&sight.target, &sight.eye).map(|v| to_f64(&v));
+            sight.up = placed
+                .vector(&camera.up.map(from_decimal))
+                .map(|v| to_f64(&v));
+            let name = camera.node.name.as_deref().unwrap_or_default();
+            check_up(&format!("camera `{name}`, up"), sight.view, sight.up)?;
         }
-        let placed = Transform::placement(place);
-        let [eye, target] = exact.map(|point| placed.point(&point));
-        let view = minus(&target, &eye).map(|v| to_f64(&v));
-        let up = placed.vector(&camera.up.map(from_decimal));
-        let up = up.map(|v| to_f64(&v));
-        let name = camera.node.name.as_deref().unwrap_or_default();
-        check_up(&format!("camera `{name}`, up"), view, up)?;
-        Ok(Sight {
-            eye,
-            target,
-            view,
-            up,
-        })
+        Ok(sight)
     }
 
     /// Directions to the right, down and along the view.
@@ -255,10 +249,9 @@ enum CameraKind {
 impl CameraKeys {
     fn perspective(&self) -> Result<(Lens, f64), String> {
         let owner = "a perspective camera";
-        let (half_depth, far) = (self.half_depth.is_some(), self.far.is_some());
-        refuse_keys([("half_depth", half_depth)], owner, "`viewer_distance`")?;
+        refuse_keys(present!(self; half_depth), owner, "`viewer_distance`")?;
         let wanted = "`near` alone; its depth reaches to infinity";
-        refuse_keys([("far", far)], owner, wanted)?;
+        refuse_keys(present!(self; far), owner, wanted)?;
         let missing = "missing field `viewer_distance`: a perspective camera with `view_height` needs the distance \
                        from the eye to the screen plane, on which that height is measured; \
                        `field_of_view` or `focal` need none";
@@ -302,14 +295,9 @@ impl CameraKeys {
 
     fn orthographic(&self) -> Result<(Lens, f64), String> {
         let owner = "an orthographic camera";
-        let distance = ("viewer_distance", self.viewer_distance.is_some());
-        refuse_keys([distance], owner, "`half_depth`")?;
+        refuse_keys(present!(self; viewer_distance), owner, "`half_depth`")?;
         let wanted = "`view_height`, the height of the picture in scene units";
-        let others = [
-            ("focal", self.focal.is_some()),
-            ("field_of_view", self.field_of_view.is_some()),
-        ];
-        refuse_keys(others, owner, wanted)?;
+        refuse_keys(present!(self; focal, field_of_view), owner, wanted)?;
         let missing = "missing field `view_height`: an orthographic camera";
         let view_height = require(self.view_height, missing, wanted)?;
         let lens = Lens::Orthographic {

@@ -6,26 +6,14 @@ use thiserror::Error;
 /// A scene that is refused. Every message says what is wrong, where, and what would be accepted.
 #[derive(Debug, Error)]
 pub enum SceneError {
-    /// The file cannot be opened or read.
+    /// The file, by its path as given, cannot be opened or read, for the system's reason.
     #[error(
-        "{file}: the scene file cannot be read ({source}); give the path of a readable TOML scene file"
+        "{0}: the scene file cannot be read ({1}); give the path of a readable TOML scene file"
     )]
-    Unreadable {
-        /// Path as given by the caller.
-        file: String,
-        /// The system's reason.
-        source: std::io::Error,
-    },
-    /// The file is not text.
-    #[error("{file}:{line}: byte {offset} is not UTF-8 text; a scene file is a TOML text in UTF-8")]
-    NotText {
-        /// Path as given by the caller.
-        file: String,
-        /// Line that holds the first bad byte, from 1.
-        line: usize,
-        /// Position of the first bad byte in the file, from 0.
-        offset: usize,
-    },
+    Unreadable(String, #[source] std::io::Error),
+    /// The file, by its path, is not text: the line of the first bad byte, from 1, and its place in the file, from 0.
+    #[error("{0}:{1}: byte {2} is not UTF-8 text; a scene file is a TOML text in UTF-8")]
+    NotText(String, usize, usize),
     /// The text is not TOML, or a key or a value is not one of the format.
     #[error("{file}:{line}:{column}: {problem}\n  {line} | {text}")]
     Syntax {
@@ -50,20 +38,12 @@ pub enum SceneError {
         /// What would be accepted.
         accepted: String,
     },
-    /// An error inside a named file.
-    #[error("{file}: {error}")]
-    InFile {
-        /// Path as given by the caller.
-        file: String,
-        /// The error itself.
-        error: Box<SceneError>,
-    },
-    /// The scene cannot be written as TOML.
-    #[error("the scene cannot be written as TOML ({source})")]
-    Unwritable {
-        /// The writer's reason.
-        source: toml::ser::Error,
-    },
+    /// An error inside a file, by its path as given.
+    #[error("{0}: {1}")]
+    InFile(String, Box<SceneError>),
+    /// The scene cannot be written as TOML, for the writer's reason.
+    #[error("the scene cannot be written as TOML ({0})")]
+    Unwritable(#[source] toml::ser::Error),
 }
 
 impl SceneError {
@@ -82,10 +62,7 @@ impl SceneError {
     /// The same error with the name of the file it was found in.
     pub(super) fn in_file(self, file: &str) -> Self {
         match self {
-            Self::Value { .. } => Self::InFile {
-                file: file.to_owned(),
-                error: Box::new(self),
-            },
+            Self::Value { .. } => Self::InFile(file.to_owned(), Box::new(self)),
             located => located,
         }
     }
@@ -143,9 +120,8 @@ const WORDS: [(&str, &str); 9] = [
 
 /// The reader's message on one line, with its names of Rust types put into words.
 pub fn in_plain_words(message: &str) -> String {
-    let message = message.trim_end().to_owned();
-    let words = WORDS.into_iter();
-    words.fold(message, |said, (word, plain)| said.replace(word, plain))
+    let plain = |said: String, (word, plain)| said.replace(word, plain);
+    WORDS.into_iter().fold(message.trim_end().to_owned(), plain)
 }
 
 /// Line and column, from 1, of the character at byte `offset` of `text`.

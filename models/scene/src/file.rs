@@ -157,4 +157,10 @@ impl SceneFile {
     pub fn all_cameras(&self) -> impl Iterator<Item = &Camera> {
         std::iter::once(&self.camera).chain(&self.cameras)
     }
+
+    /// The observer of a name.
+    pub(super) fn camera_named(&self, name: &str) -> Option<&Camera> {
+        let mut cameras = self.all_cameras();
+        cameras.find(|camera| camera.node.name.as_deref() == Some(name))
+    }
 }

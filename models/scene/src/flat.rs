@@ -15,8 +15,7 @@ impl SceneFile {
     /// The observer who is looked through.
     pub fn active(&self) -> &Camera {
         let name = self.active_camera.as_deref();
-        let named = |camera: &&Camera| camera.node.name.as_deref() == name;
-        let active = name.and_then(|_| self.all_cameras().find(named));
+        let active = name.and_then(|name| self.camera_named(name));
         active.unwrap_or(&self.camera)
     }
 
@@ -48,7 +47,16 @@ impl SceneFile {
         let active = self.active();
         let mut camera = active.clone();
         groups.flatten(&mut camera.node, active.node.group.as_deref());
-        let mut flat = SceneFile::new(&self.title, camera);
+        let mut flat = SceneFile {
+            format: self.format,
+            background: self.background,
+            ambient: self.ambient,
+            attenuation: self.attenuation,
+            image: self.image,
+            materials: self.materials.clone(),
+            solids: self.solids.clone(),
+            ..SceneFile::new(&self.title, camera)
+        };
         for light in &self.lights {
             let group = light.node.group.as_deref();
             if light.node.visible && groups.shows(group) {
@@ -66,15 +74,6 @@ impl SceneFile {
                 flat.objects.push(object);
             }
         }
-        Cow::Owned(SceneFile {
-            format: self.format,
-            background: self.background,
-            ambient: self.ambient,
-            attenuation: self.attenuation,
-            image: self.image,
-            materials: self.materials.clone(),
-            solids: self.solids.clone(),
-            ..flat
-        })
+        Cow::Owned(flat)
     }
 }

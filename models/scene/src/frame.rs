@@ -105,7 +105,13 @@ impl SceneFile {
             [0.0, 0.0] => upright.clone(),
             _ => moved(sample_at, &projection).after(&upright),
         };
-        let (lights, sources) = (self.lights.iter(), self.lights.iter());
+        let lights = self.lights.iter();
+        // An object that is not visible is nowhere.
+        let index = |name: &str| self.objects.iter().position(|object| object.name == name);
+        let solid = |solid: &Solid| FramedSolid {
+            name: solid.name.clone(),
+            tree: Tree::of(&solid.of, &index),
+        };
         let attenuation = match &projection {
             Projection::Perspective { distance } => {
                 let pixels_per_unit = to_f64(&(distance / (integer(2) * &range.near)));
@@ -121,10 +127,10 @@ impl SceneFile {
             range: range.clone(),
             sample_at,
             objects: self.framed_objects(&camera, kept)?,
-            solids: self.framed_solids(),
+            solids: self.solids.iter().map(solid).collect(),
             materials: self.materials.clone(),
-            lights: lights.map(|light| framed_light(light, &upright)).collect(),
-            sources: sources.map(|l| FramedSource::new(l, &camera)).collect(),
+            lights: lights.clone().map(|l| framed_light(l, &upright)).collect(),
+            sources: lights.map(|l| FramedSource::new(l, &camera)).collect(),
             ambient: self.ambient,
             attenuation,
             background: self.background.map(|value| (value * 255.0).round() as u8),
@@ -150,16 +156,6 @@ impl SceneFile {
         let objects = self.objects.par_iter().enumerate();
         let framed: Vec<Result<FramedObject, SceneError>> = objects.map(framed).collect();
         framed.into_iter().collect()
-    }
-
-    /// The solids of a flat scene; an object that is not visible is nowhere.
-    fn framed_solids(&self) -> Vec<FramedSolid> {
-        let index = |name: &str| self.objects.iter().position(|object| object.name == name);
-        let framed = |solid: &Solid| FramedSolid {
-            name: solid.name.clone(),
-            tree: Tree::of(&solid.of, &index),
-        };
-        self.solids.iter().map(framed).collect()
     }
 }
 

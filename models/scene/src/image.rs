@@ -1,6 +1,6 @@
 //! Key images of an animation: what each changes, and how long it is shown (source: animator, images and actions).
 
-use super::keys::{Three, is_default, is_yes, number, require, yes};
+use super::keys::{Three, is_default, is_yes, number, present, require, yes};
 use super::step::{Rotation, Scale, Step, StepKeys};
 use serde::{Deserialize, Serialize};
 
@@ -125,27 +125,13 @@ const FORMS: [(&str, &[&str], &str); 4] = [
 ];
 
 impl ActionKeys {
-    fn present(&self) -> Vec<&'static str> {
-        let keys = [
-            ("target", self.target.is_some()),
-            ("translate", self.translate.is_some()),
-            ("rotate", self.rotate.is_some()),
-            ("scale", self.scale.is_some()),
-            ("frame", self.frame.is_some()),
-            ("show", self.show.is_some()),
-            ("light", self.light.is_some()),
-            ("intensity", self.intensity.is_some()),
-            ("camera", self.camera.is_some()),
-            ("focal", self.focal.is_some()),
-            ("active_camera", self.active_camera.is_some()),
-        ];
-        let present = keys.into_iter().filter(|(_, present)| *present);
-        present.map(|(key, _)| key).collect()
-    }
-
     /// Refuses keys that do not go together.
     fn check_form(&self) -> Result<(), String> {
-        let present = self.present();
+        let keys = present!(
+            self; target, translate, rotate, scale, frame, show, light, intensity, camera, focal, active_camera
+        );
+        let present = keys.into_iter().filter(|(_, present)| *present);
+        let present: Vec<&str> = present.map(|(key, _)| key).collect();
         let form = FORMS.iter().find(|(key, ..)| present.contains(key));
         let Some((name, others, written)) = form else {
             let forms: Vec<_> = FORMS.iter().map(|(.., written)| *written).collect();

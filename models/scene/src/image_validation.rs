@@ -112,13 +112,14 @@ fn with_article(words: &str) -> String {
 
 fn check_focal(place: &str, name: &str, focal: f64, file: &SceneFile) -> Checked {
     check_camera_name(file, &format!("{place}.camera"), name)?;
-    let mut cameras = file.all_cameras();
-    let camera = cameras.find(|camera| camera.node.name.as_deref() == Some(name));
-    unless(camera.is_none_or(Camera::is_perspective), || {
-        let problem = format!("`{name}` is an orthographic camera and has no lens");
-        let accepted = "a perspective camera is needed";
-        (format!("{place}.camera"), problem, accepted)
-    })?;
+    unless(
+        file.camera_named(name).is_none_or(Camera::is_perspective),
+        || {
+            let problem = format!("`{name}` is an orthographic camera and has no lens");
+            let accepted = "a perspective camera is needed";
+            (format!("{place}.camera"), problem, accepted)
+        },
+    )?;
     check_number(&format!("{place}.focal"), focal)?;
     let accepted =
         format!("a focal length from {SHORTEST_FOCAL} to {LONGEST_FOCAL} millimetres is possible");

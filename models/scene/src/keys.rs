@@ -38,6 +38,14 @@ pub(crate) fn require<T>(value: Option<T>, owner: &str, wanted: &str) -> Result<
     value.ok_or_else(|| format!("{owner} needs {wanted}"))
 }
 
+/// The names of keys, and whether each of them is there.
+macro_rules! present {
+    ($keys:expr; $($key:ident),+) => {
+        [$((stringify!($key), $keys.$key.is_some())),+]
+    };
+}
+pub(crate) use present;
+
 /// Refuses the first key that is present and not taken.
 pub(crate) fn refuse_keys<'a>(
     keys: impl IntoIterator<Item = (&'a str, bool)>,

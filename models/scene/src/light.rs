@@ -1,7 +1,7 @@
 //! Light sources, and their keys in the file.
 
 use super::group::Node;
-use super::keys::{Three, number, numbers, refuse_keys, require, white, yes};
+use super::keys::{Three, number, numbers, present, refuse_keys, require, white, yes};
 use super::step::Step;
 use serde::{Deserialize, Serialize};
 use std::ops::Not;
@@ -114,13 +114,7 @@ impl LightKeys {
             LightKind::Point => ("a point light", "`position`"),
             LightKind::Spot => ("a spot", of_spot),
         };
-        let present = [
-            ("from", self.from.is_some()),
-            ("position", self.position.is_some()),
-            ("target", self.target.is_some()),
-            ("towards", self.towards.is_some()),
-            ("half_angle", self.half_angle.is_some()),
-        ];
+        let present = present!(self; from, position, target, towards, half_angle);
         let is_other = |(key, _): &(&str, bool)| !taken.contains(&format!("`{key}`"));
         refuse_keys(present.into_iter().filter(is_other), owner, taken)?;
         Ok(owner)

@@ -1,6 +1,6 @@
 //! Another look at a scene: from a side, turned, nearer, or so that all of it fills the picture.
 
-use super::camera::{Camera, Lens, Sight};
+use super::camera::{Lens, Sight};
 use super::error::SceneError;
 use super::file::SceneFile;
 use super::light::Beam;
@@ -108,29 +108,37 @@ impl Look {
         let [eye, target] = [&sight.eye, &sight.target].map(|p| p.each_ref().map(to_f64));
         let distance = length(minus(eye, target));
         let [right, down, forward] = sight.axes();
-        let axes = [right, down.map(|v| 0.0 - v), forward.map(|v| 0.0 - v)];
-        let before = axes;
-        let axes = self.side.map_or(axes, |side| side.axes(sight.up));
+        let before = [right, down.map(|v| 0.0 - v), forward.map(|v| 0.0 - v)];
+        let axes = self.side.map_or(before, |side| side.axes(sight.up));
         let axes = self.turn.map_or(axes, |degrees| turned(axes, degrees));
         let mut pose = Pose {
             axes,
             target,
             distance,
         };
-        let mut left_out = vec![];
-        if self.fit {
-            let shape = f64::from(width) / f64::from(height);
-            left_out = pose.fit(&mut scene, shape)?;
-        }
+        let shape = f64::from(width) / f64::from(height);
+        let left_out = match self.fit {
+            true => pose.fit(&mut scene, shape)?,
+            false => vec![],
+        };
         for light in scene.lights.iter_mut().filter(|_| self.lights) {
             if let Beam::Directional { from } = &mut light.beam {
                 *from = combined(axes, before.map(|axis| dot(axis, *from)));
             }
         }
+        let camera = &mut scene.camera;
         if self.side.is_some() || self.turn.is_some() || self.fit {
-            pose.take(&mut scene.camera);
+            let [_, upwards, towards] = pose.axes;
+            camera.node.place.clear();
+            match &mut camera.lens {
+                Lens::Perspective { near, .. } => *near = None,
+                Lens::Orthographic { half_depth, ends } => (*half_depth, *ends) = (None, None),
+            }
+            camera.target = pose.target;
+            camera.eye = std::array::from_fn(|k| pose.target[k] + distance * towards[k]);
+            camera.up = upwards;
         }
-        scene.camera.view_height /= self.zoom.unwrap_or(1.0);
+        camera.view_height /= self.zoom.unwrap_or(1.0);
         scene.validate()?;
         Ok((scene, left_out))
     }
@@ -174,18 +182,6 @@ struct Pose {
 }
 
 impl Pose {
-    fn take(&self, camera: &mut Camera) {
-        let [_, upwards, towards] = self.axes;
-        camera.node.place.clear();
-        match &mut camera.lens {
-            Lens::Perspective { near, .. } => *near = None,
-            Lens::Orthographic { half_depth, ends } => (*half_depth, *ends) = (None, None),
-        }
-        camera.target = self.target;
-        camera.eye = std::array::from_fn(|k| self.target[k] + self.distance * towards[k]);
-        camera.up = upwards;
-    }
-
     /// Moves until the scene fills the picture; in a parallel view the window also takes another height. Gives the
     /// names of what is endless.
     fn fit(&mut self, scene: &mut SceneFile, shape: f64) -> Result<Vec<String>, SceneError> {

@@ -82,11 +82,12 @@ fn check_group(file: &SceneFile, group: &Option<String>, place: impl Fn() -> Str
 }
 
 pub(super) fn check_camera_name(file: &SceneFile, place: &str, name: &str) -> Checked {
-    let cameras = || file.all_cameras();
-    let names = || cameras().filter_map(|camera| camera.node.name.as_deref());
-    unless(names().any(|known| known == name), || {
+    unless(file.camera_named(name).is_some(), || {
+        let names = file
+            .all_cameras()
+            .filter_map(|camera| camera.node.name.as_deref());
         let problem = format!("`{name}` is not a camera of this scene");
-        (place, problem, known(names(), "camera with a `name`"))
+        (place, problem, known(names, "camera with a `name`"))
     })
 }
 

@@ -1,6 +1,6 @@
 //! Objects: a shape, its place and its cuts, and their keys in the file.
 
-use super::keys::{fixed, is_yes, refuse_keys, require, yes};
+use super::keys::{fixed, is_yes, present, refuse_keys, require, yes};
 use super::shape::{Cut, Kind, Mesh, Processor, Shape, Surface};
 use super::step::Step;
 use serde::{Deserialize, Serialize};
@@ -73,16 +73,9 @@ impl ObjectKeys {
     fn shape(&mut self) -> Result<Shape, String> {
         let owner = format!("object `{}`: this kind", self.name);
         let (keys, wanted) = self.kind.parameters();
-        let present = [
-            ("radius", self.radius.is_some()),
-            ("radii", self.radii.is_some()),
-            ("coefficients", self.coefficients.is_some()),
-            ("vertices", self.vertices.is_some()),
-            ("faces", self.faces.is_some()),
-            ("normals", self.normals.is_some()),
-            ("corners", self.corners.is_some()),
-            ("weights", self.weights.is_some()),
-        ];
+        let present = present!(
+            self; radius, radii, coefficients, vertices, faces, normals, corners, weights
+        );
         let others = present.into_iter().filter(|(key, _)| !keys.contains(key));
         refuse_keys(others, &owner, wanted)?;
         let radii = self.radii.take();

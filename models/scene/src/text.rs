@@ -16,17 +16,13 @@ impl SceneFile {
     /// Reads and checks a scene file.
     pub fn read(path: &Path) -> Result<Self, SceneError> {
         let file = path.display().to_string();
-        let unreadable = |source| SceneError::Unreadable {
-            file: file.clone(),
-            source,
-        };
+        let unreadable = |source| SceneError::Unreadable(file.clone(), source);
         let bytes = imogene_files::read(path, MAX_BYTES).map_err(unreadable)?;
         check_memory(bytes.len() as u64).map_err(unreadable)?;
         let text = std::str::from_utf8(&bytes).map_err(|error| {
             let offset = error.valid_up_to();
             let (line, _) = line_and_column(&String::from_utf8_lossy(&bytes[..offset]), offset);
-            let file = file.clone();
-            SceneError::NotText { file, line, offset }
+            SceneError::NotText(file.clone(), line, offset)
         })?;
         Self::parse(text, &file)
     }
@@ -53,18 +49,17 @@ impl SceneFile {
     /// The scene as the text of a scene file; [`SceneFile::parse`] reads it back as the same scene.
     pub fn to_toml(&self) -> Result<String, SceneError> {
         self.validate_text()?;
-        toml::to_string(self).map_err(|source| SceneError::Unwritable { source })
+        toml::to_string(self).map_err(SceneError::Unwritable)
     }
 }
 
 /// Refuses a text whose parts do not fit into memory, before the system ends the process for it.
 fn check_memory(bytes: u64) -> std::io::Result<()> {
     let needed = bytes * MEMORY_PER_BYTE;
-    let gib = |bytes: u64| bytes as f64 / f64::from(1 << 30);
     let Some(free) = imogene_files::free_memory().filter(|free| needed > *free) else {
         return Ok(());
     };
-    let (needed, free) = (gib(needed), gib(free));
+    let [needed, free] = [needed, free].map(|bytes| bytes as f64 / f64::from(1 << 30));
     Err(std::io::Error::other(format!(
         "it takes {needed:.1} GiB of memory and more, and {free:.1} GiB are free"
     )))

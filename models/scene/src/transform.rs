@@ -133,10 +133,8 @@ impl WholeTransform {
 
     /// The steps of a placement, the first applied first, and then `camera`.
     pub fn of_steps(camera: &Self, steps: &[Step]) -> Self {
-        let steps = steps.iter().rev();
-        steps.fold(camera.clone(), |then, step| {
-            then.after(&Self::new(&Transform::from_step(step)))
-        })
+        let after = |then: Self, step| then.after(&Self::new(&Transform::from_step(step)));
+        steps.iter().rev().fold(camera.clone(), after)
     }
 
     fn after(&self, first: &Self) -> Self {
@@ -200,8 +198,7 @@ pub fn rotation_matrix(rotation: &Rotation) -> [[f64; 3]; 3] {
 
 /// Sine and cosine of an angle in degrees, exact at the quarter turns where `f64` radians are not.
 pub(super) fn sine_and_cosine(degrees: f64) -> (f64, f64) {
-    let turned = degrees.rem_euclid(360.0);
-    match turned {
+    match degrees.rem_euclid(360.0) {
         0.0 => (0.0, 1.0),
         90.0 => (1.0, 0.0),
         180.0 => (0.0, -1.0),

@@ -38,12 +38,25 @@ impl SceneFile {
         check_colour("ambient", self.ambient)?;
         check_image_size(self.image.width, self.image.height)?;
         self.all_cameras().try_for_each(check_camera)?;
-        self.check_attenuation()?;
+        if let Some(half) = self.attenuation {
+            check_length("attenuation", half)?;
+            unless(self.all_cameras().all(Camera::is_perspective), || {
+                let problem = "a parallel view has no distance from an eye";
+                let accepted = "take it out, or make every camera a perspective one";
+                ("attenuation", problem, accepted)
+            })?;
+        }
         check_count("lights", self.lights.len(), "lights", MAX_LIGHTS)?;
         for (index, light) in self.lights.iter().enumerate() {
             check_light(&format!("lights[{index}]"), light)?;
         }
-        self.check_materials()?;
+        let mut names = HashSet::new();
+        for (index, material) in self.materials.iter().enumerate() {
+            check_name(&format!("materials[{index}].name"), &material.name)?;
+            let place = format!("material `{}`", material.name);
+            check_new(names.insert(&material.name), &place, "material")?;
+            check_material(&place, material)?;
+        }
         let names = check_names(self)?;
         check_members(self)?;
         for group in &self.groups {
@@ -58,30 +71,6 @@ impl SceneFile {
         Ok(())
     }
 
-    fn check_attenuation(&self) -> Checked {
-        let Some(half) = self.attenuation else {
-            return Ok(());
-        };
-        check_length("attenuation", half)?;
-        let is_central = |camera: &Camera| matches!(camera.lens, Lens::Perspective { .. });
-        unless(self.all_cameras().all(is_central), || {
-            let problem = "a parallel view has no distance from an eye".to_owned();
-            let accepted = "take it out, or make every camera a perspective one";
-            ("attenuation", problem, accepted)
-        })
-    }
-
-    fn check_materials(&self) -> Checked {
-        let mut names = HashSet::new();
-        for (index, material) in self.materials.iter().enumerate() {
-            check_name(&format!("materials[{index}].name"), &material.name)?;
-            let place = format!("material `{}`", material.name);
-            check_new(names.insert(&material.name), &place, "material")?;
-            check_material(&place, material)?;
-        }
-        Ok(())
-    }
-
     fn check_objects(&self) -> Checked {
         let is_empty = self.objects.is_empty() && self.molecules.is_empty();
         unless(!is_empty, || {
@@ -92,7 +81,12 @@ impl SceneFile {
         // The first that is wrong, in the order of the file, whoever finds one first.
         let problem = |object: &Object| {
             let place = format!("object `{}`", object.name);
-            self.check_material_name(&place, object)?;
+            let names = || self.materials.iter().map(|m| m.name.as_str());
+            unless(names().any(|name| name == object.material), || {
+                let problem = format!("`{}` is not a material of this scene", object.material);
+                let accepted = known_all(names(), "`[[materials]]`");
+                (format!("{place}, material"), problem, accepted)
+            })?;
             check_object(&place, object)?;
             let mut placed = Cow::Borrowed(object);
             if object.group.is_some() {
@@ -111,15 +105,6 @@ impl SceneFile {
         let place = format!("object `{}`", object.name);
         check_place(&place, &object.place)?;
         check_kind(&place, object, &self.camera)
-    }
-
-    fn check_material_name(&self, place: &str, object: &Object) -> Checked {
-        let names = || self.materials.iter().map(|m| m.name.as_str());
-        unless(names().any(|name| name == object.material), || {
-            let problem = format!("`{}` is not a material of this scene", object.material);
-            let accepted = known_all(names(), "`[[materials]]`");
-            (format!("{place}, material"), problem, accepted)
-        })
     }
 }
 
