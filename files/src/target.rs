@@ -116,8 +116,7 @@ pub(crate) fn folder_of(path: &Path) -> &Path {
 /// The innermost part of a path that is there.
 fn existing(path: &Path) -> &Path {
     let there = |path: &&Path| fs::symlink_metadata(path).is_ok();
-    let first = path.ancestors().find(there);
-    first.unwrap_or(Path::new("."))
+    path.ancestors().find(there).unwrap_or(Path::new("."))
 }
 
 fn end_of_links(path: PathBuf) -> Result<Target> {

@@ -208,7 +208,18 @@ fn check_material(place: &str, material: &Material) -> Checked {
 }
 
 fn check_object(place: &str, object: &Object) -> Checked {
-    check_shape(place, object)?;
+    match &object.shape {
+        Shape::Sphere { radius } => check_positive(&format!("{place}, radius"), *radius)?,
+        Shape::Quadric { coefficients } => {
+            let cut_surface = object.mode == Surface::Patch && !object.cuts.is_empty();
+            check_coefficients(place, coefficients, cut_surface)?;
+        }
+        shape => {
+            for (index, radius) in shape.radii().into_iter().flatten().enumerate() {
+                check_positive(&format!("{place}, radii[{index}]"), *radius)?;
+            }
+        }
+    }
     check_place(place, &object.place)?;
     let (key, count) = (format!("{place}, cuts"), object.cuts.len());
     check_count(&key, count, "cut planes", MAX_CUTS)?;
@@ -217,21 +228,6 @@ fn check_object(place: &str, object: &Object) -> Checked {
         check_direction(&format!("{place}, cuts[{index}].normal"), *normal)?;
     }
     Ok(())
-}
-
-fn check_shape(place: &str, object: &Object) -> Checked {
-    match &object.shape {
-        Shape::Sphere { radius } => return check_positive(&format!("{place}, radius"), *radius),
-        Shape::Quadric { coefficients } => {
-            let cut_surface = object.mode == Surface::Patch && !object.cuts.is_empty();
-            return check_coefficients(place, coefficients, cut_surface);
-        }
-        _ => {}
-    }
-    let mut radii = object.shape.radii().into_iter().flatten().enumerate();
-    radii.try_for_each(|(index, radius)| {
-        check_positive(&format!("{place}, radii[{index}]"), *radius)
-    })
 }
 
 /// A surface of first degree is a plane, which is a cut of a solid; as a surface it is a part of a plane that cuts

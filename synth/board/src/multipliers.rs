@@ -111,7 +111,6 @@ impl Tiles<'_> {
     }
 }
 
-/// Reads a line of a cell.
 fn cell_line(line: &str) -> Option<Line<'_>> {
     let mut words = line.split(' ');
     let name = words.next().filter(|name| !name.is_empty())?;
