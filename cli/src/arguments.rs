@@ -17,7 +17,7 @@ pub use fit::{Fit, MACHINE_FILE, Trade, TradeEngine, lit_sphere};
 pub use given::Given;
 pub use import::{Deviation, Import, Terrain, kind_name};
 pub use machine::{Board, Machine};
-pub use parse::{FrameRange, option};
+pub use parse::{FrameRange, option, pair};
 pub use scene::{
     Check, Detail, LookOptions, Model, New, Primitives, Render, Scene, SceneWords, Size, Split,
     View,

@@ -30,14 +30,14 @@ pub enum Failure {
 pub type Result<T = (), E = Failure> = std::result::Result<T, E>;
 
 impl Failure {
-    /// Bad input, from any error.
-    pub fn input(error: impl fmt::Display) -> Failure {
-        Failure::Input(error.to_string())
-    }
-
     /// Something is wrong with a file.
     pub fn at(path: &Path, problem: impl fmt::Display) -> Failure {
         Failure::Input(format!("{}: {problem}", path.display()))
+    }
+
+    /// The same of any error that says what is wrong.
+    pub fn in_file<E: fmt::Display>(path: &Path) -> impl Fn(E) -> Failure {
+        move |error| Failure::at(path, error)
     }
 
     /// A check that fails unless it holds.

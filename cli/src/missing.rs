@@ -82,7 +82,7 @@ pub fn reduced(
         return Ok(file);
     };
     if policy() == Policy::Strict || list.len() == framed.objects.len() {
-        return Err(Failure::input(first));
+        return Err(Failure::Input(first.to_string()));
     }
     let names = list.iter().map(|(index, _)| framed.objects[*index].name());
     let names: Vec<&str> = names.collect();

@@ -59,7 +59,6 @@ pub fn read_scene(path: &Path) -> Result<SceneFile> {
         };
         pdb::add(&mut scene, molecule, &bytes, format, &name)?;
     }
-    let valid = scene.validate();
-    valid.map_err(|error| Failure::at(path, error))?;
+    scene.validate().map_err(Failure::in_file(path))?;
     Ok(scene)
 }

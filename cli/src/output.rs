@@ -70,13 +70,20 @@ pub struct Written<T> {
 
 /// The same, with the files that were written.
 pub fn written(json: bool, report: impl Serialize, files: Vec<PathBuf>, template: &str) -> Result {
-    if json {
-        self::json(&Written { report, files });
-        return Ok(());
-    }
-    text(page(template, &report)?);
-    wrote(&files);
+    let page = match json {
+        true => String::new(),
+        false => page(template, &report)?,
+    };
+    paged(json, report, files, &page);
     Ok(())
+}
+
+/// The same with the page that a person is told.
+pub fn paged(json: bool, report: impl Serialize, files: Vec<PathBuf>, page: &str) {
+    self::report(json, &Written { report, files }, |written| {
+        text(page);
+        wrote(&written.files);
+    });
 }
 
 /// What a template makes of values, without the end of its last line.

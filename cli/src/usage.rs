@@ -40,15 +40,11 @@ pub fn parse() -> Result<Arguments, (bool, Result)> {
 
 /// A negative number is the value of an option, which refuses it in its own words if it has to.
 fn command() -> Command {
+    let with_negative_numbers = |argument: Arg| {
+        let takes_value = !argument.is_positional() && argument.get_action().takes_values();
+        argument.allow_negative_numbers(takes_value)
+    };
     help::command().mut_subcommands(|command| command.mut_args(with_negative_numbers))
-}
-
-fn with_negative_numbers(argument: Arg) -> Arg {
-    let takes_value = !argument.is_positional() && argument.get_action().takes_values();
-    match takes_value {
-        true => argument.allow_negative_numbers(true),
-        false => argument,
-    }
 }
 
 /// The parser's message in plain words.

@@ -144,7 +144,7 @@ impl Fit {
             false => "",
         };
         let scenes = match written {
-            [] => self.scenes(),
+            [] => listed(&self.scenes),
             written => listed(written),
         };
         let machine = self.out.join(MACHINE_FILE);
@@ -160,7 +160,7 @@ impl Fit {
         let machine = self.machine.map(|kind| name(MACHINES, kind));
         let flag = |is_given: bool, flag: &str| if is_given { flag } else { "" }.to_owned();
         [
-            format!("imogene fit {}", self.scenes()),
+            format!("imogene fit {}", listed(&self.scenes)),
             option("size", size),
             budget.options(),
             option("machine", machine),
@@ -176,10 +176,6 @@ impl Fit {
             option("out", Some(self.out.display())),
         ]
         .concat()
-    }
-
-    fn scenes(&self) -> String {
-        listed(&self.scenes)
     }
 }
 

@@ -11,8 +11,7 @@ pub type Choices<T> = &'static [(T, &'static str, &'static str)];
 
 /// Reads one of these names.
 pub fn choice<T: Copy + Send + Sync>(table: Choices<T>) -> impl TypedValueParser<Value = T> {
-    let names = table.iter();
-    let names = names.map(|(_, name, help)| {
+    let names = table.iter().map(|(_, name, help)| {
         let name = PossibleValue::new(*name).help(*help);
         name.hide(help.is_empty())
     });

@@ -61,11 +61,6 @@ pub struct SceneWords {
 }
 
 impl SceneWords {
-    /// True if all words follow from the depth word.
-    pub fn is_none(&self) -> bool {
-        self.guards == (0, 0) && self.widths.is_none()
-    }
-
     /// The format with a depth word that holds where no widths are given.
     pub fn format(&self, depth: u32) -> Result<Format, FittedError> {
         if let Some(widths) = self.widths {
@@ -84,11 +79,10 @@ impl SceneWords {
         if let Some(widths) = self.widths {
             return format!(" --widths {}", widths::print(&widths));
         }
-        let guards = match self.is_none() {
-            true => String::new(),
-            false => format!(" --guards {}:{}", self.guards.0, self.guards.1),
-        };
-        format!(" --format {depth}{guards}")
+        match self.guards {
+            (0, 0) => format!(" --format {depth}"),
+            (linear, quadratic) => format!(" --format {depth} --guards {linear}:{quadratic}"),
+        }
     }
 }
 
@@ -290,26 +284,22 @@ impl LookOptions {
             turn: self.rotate,
             fit: self.fit,
             zoom: self.zoom,
-            lights,
+            lights: false,
         };
-        let plain = Look {
-            lights,
-            ..Look::default()
-        };
-        (look != plain).then_some(look)
+        (look != Look::default()).then_some(Look { lights, ..look })
     }
 }
 
 fn angles(text: &str) -> Result<[f64; 3], String> {
-    match parse::list::<f64>(text).as_deref() {
-        Some(&[x, y]) => Ok([x, y, 0.0]),
-        Some(&[x, y, z]) => Ok([x, y, z]),
-        _ => Err("two or three angles in degrees such as 20,-35 are expected".to_owned()),
-    }
-    .and_then(|angles| match angles.iter().all(|v| v.abs() <= 1e6) {
+    let angles = match parse::list::<f64>(text).as_deref() {
+        Some(&[x, y]) => [x, y, 0.0],
+        Some(&[x, y, z]) => [x, y, z],
+        _ => return Err("two or three angles in degrees such as 20,-35 are expected".to_owned()),
+    };
+    match angles.iter().all(|v| v.abs() <= 1e6) {
         true => Ok(angles),
         false => Err("angles up to 1000000 degrees are accepted".to_owned()),
-    })
+    }
 }
 
 fn factor(text: &str) -> Result<f64, String> {

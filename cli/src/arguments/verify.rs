@@ -125,9 +125,8 @@ impl Waves {
 
     /// The files that may be written.
     pub fn files(&self) -> Vec<PathBuf> {
-        let files = self.vcd.iter();
-        let files = files.flat_map(|path| [path.clone(), save_path(path)]);
-        files.collect()
+        let files = |path: &PathBuf| [path.clone(), save_path(path)];
+        self.vcd.iter().flat_map(files).collect()
     }
 }
 

@@ -6,7 +6,7 @@ mod report;
 mod tile;
 
 use crate::arguments::{self, MACHINE_FILE};
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::output;
 use choice::{command, hertz, machine, mode_of, rate_of, unknown_mode};
 use film::{Film, views};
@@ -16,14 +16,13 @@ use imogene_board::{
 };
 use imogene_contract::video::VideoMode;
 use imogene_files::{Outputs, WriteError};
-use imogene_plan::description::MachineDescription;
 use imogene_rtl::emit::machine::emit_machine;
 use imogene_studies::picture::Preview;
 use imogene_verif::display::request::request_for;
 use report::{BoardReport, SLACK, Shown, finish};
+use std::path::PathBuf;
 
-/// Makes a board that shows a scene.
-pub fn run(options: &arguments::Board, json: bool) -> Result<(), Failure> {
+pub fn run(options: &arguments::Board, json: bool) -> Result {
     let board = Board::named(&options.board)?;
     check(options, &board)?;
     if board.tiles.is_some() {
@@ -55,16 +54,39 @@ pub fn run(options: &arguments::Board, json: bool) -> Result<(), Failure> {
         pll,
     };
     let mut files = output::files();
-    let mut report = work.report(&machine, command);
-    work.add_sources(&machine, &mut files)?;
+    files.add_text(&work.out(MACHINE_FILE), &machine.to_toml())?;
+    files.add_text(&work.out("board.v"), &work.sources.verilog)?;
+    if let Some((kind, text)) = &work.sources.constraints {
+        files.add_text(&work.out(&format!("board.{kind}")), text)?;
+    }
+    work.add_pictures("golden", &work.film.pictures, &mut files)?;
+    let mut report = BoardReport {
+        board: &work.board,
+        machine: &machine,
+        pixel_hertz: work.pll.pixel_hertz.to_string(),
+        pixel_deviation_percent: work.pll.deviation_percent(),
+        fast_mhz: work.pll.fast_mhz(),
+        words: work.film.words.len(),
+        images: work.film.pictures.len(),
+        frames_per_image: work.film.stay,
+        pins: None,
+        synthesised: None,
+        routed: None,
+        bitstream: None,
+        netlist: None,
+        command,
+    };
     if !options.sources_only {
-        report.pins = work.pins(&mut files)?;
+        if !options.no_simulation {
+            let verilog = &work.sources.verilog;
+            report.pins = Some(work.shown("pins", verilog, MODELS, &mut files)?);
+        }
         work.bitstream(&mut report, &mut files)?;
     }
-    files.add_text(&options.out.join("board.md"), &page(&work.board, &report)?)?;
+    files.add_text(&work.out("board.md"), &page(&work.board, &report)?)?;
     if let Some(text) = core_file(&work.board, &work.pll, &report.command)? {
         let name = format!("{}.core", work.board.name);
-        files.add_text(&options.out.join(name), &text)?;
+        files.add_text(&work.out(&name), &text)?;
     }
     let template = concat!(
         include_str!("board/pins.txt"),
@@ -75,7 +97,7 @@ pub fn run(options: &arguments::Board, json: bool) -> Result<(), Failure> {
 }
 
 /// Refuses what the board has not: a mode, or what an option is for.
-fn check(options: &arguments::Board, board: &Board) -> Result<(), Failure> {
+fn check(options: &arguments::Board, board: &Board) -> Result {
     let is_tile = board.tiles.is_some();
     let is_dvi = matches!(board.video, Video::Tmds { .. });
     let mode = options.mode.as_ref();
@@ -113,38 +135,8 @@ struct Work<'a> {
 }
 
 impl Work<'_> {
-    /// What is told of it before anything is shown.
-    fn report<'a>(&'a self, machine: &'a MachineDescription, command: String) -> BoardReport<'a> {
-        BoardReport {
-            board: &self.board,
-            machine,
-            pixel_hertz: self.pll.pixel_hertz.to_string(),
-            pixel_deviation_percent: self.pll.deviation_percent(),
-            fast_mhz: self.pll.fast_mhz(),
-            words: self.film.words.len(),
-            images: self.film.pictures.len(),
-            frames_per_image: self.film.stay,
-            pins: None,
-            synthesised: None,
-            routed: None,
-            bitstream: None,
-            netlist: None,
-            command,
-        }
-    }
-
-    fn add_sources(
-        &self,
-        machine: &MachineDescription,
-        files: &mut Outputs,
-    ) -> Result<(), Failure> {
-        let out = |name: &str| self.options.out.join(name);
-        files.add_text(&out(MACHINE_FILE), &machine.to_toml())?;
-        files.add_text(&out("board.v"), &self.sources.verilog)?;
-        if let Some((kind, text)) = &self.sources.constraints {
-            files.add_text(&out(&format!("board.{kind}")), text)?;
-        }
-        self.add_pictures("golden", &self.film.pictures, files)
+    fn out(&self, name: &str) -> PathBuf {
+        self.options.out.join(name)
     }
 
     /// A picture, or an animated one: what the pins show of each image for the first time.
@@ -153,9 +145,9 @@ impl Work<'_> {
         name: &str,
         pictures: &[impl AsRef<[u8]>],
         files: &mut Outputs,
-    ) -> Result<(), Failure> {
+    ) -> Result {
         let size = [self.mode.line, self.mode.frame].map(|span| span.active as usize);
-        let path = self.options.out.join(format!("{name}.png"));
+        let path = self.out(&format!("{name}.png"));
         if let [picture] = pictures {
             return Ok(output::add_picture(files, &path, size, picture.as_ref())?);
         }
@@ -171,22 +163,8 @@ impl Work<'_> {
         preview.finish().map_err(failed)
     }
 
-    /// What the pins show in simulation of the sources.
-    fn pins(&self, files: &mut Outputs) -> Result<Option<Shown>, Failure> {
-        if self.options.no_simulation {
-            return Ok(None);
-        }
-        let shown = self.shown("pins", &self.sources.verilog, MODELS, files)?;
-        Ok(Some(shown))
-    }
-
-    fn shown(
-        &self,
-        name: &str,
-        verilog: &str,
-        models: &str,
-        files: &mut Outputs,
-    ) -> Result<Shown, Failure> {
+    /// What the pins show in simulation of Verilog with models of its cells.
+    fn shown(&self, name: &str, verilog: &str, models: &str, files: &mut Outputs) -> Result<Shown> {
         // The words of the first image are on their way in the first frame.
         let frames = self.options.frames.map_or(self.film.frames(), u64::from);
         let clocks = (1 + frames) * self.mode.clocks() + SLACK;
@@ -195,13 +173,12 @@ impl Work<'_> {
         let firsts: Vec<_> = shown.step_by(self.film.stay as usize).collect();
         self.add_pictures(name, &firsts, files)?;
         if self.options.samples {
-            let out = |name: &str| self.options.out.join(name);
             let samples = pins.samples();
-            files.add(&out("pins.bin"), |out| {
+            files.add(&self.out("pins.bin"), |out| {
                 std::io::copy(&mut std::fs::File::open(&samples)?, out).map(|_| ())
             })?;
             let golden = self.film.picture(pins.shown.pictures.len() - 1);
-            files.add(&out("golden.rgb"), |out| out.write_all(golden))?;
+            files.add(&self.out("golden.rgb"), |out| out.write_all(golden))?;
         }
         let golden = (0..=frames as usize).map(|frame| self.film.picture(frame));
         let golden: Vec<&[u8]> = golden.collect();
@@ -210,7 +187,7 @@ impl Work<'_> {
 
     /// Places and routes the board, packs its bitstream, and shows what that shows; or counts what it takes, where no
     /// open program places and routes it.
-    fn bitstream(&self, report: &mut BoardReport, files: &mut Outputs) -> Result<(), Failure> {
+    fn bitstream(&self, report: &mut BoardReport, files: &mut Outputs) -> Result {
         if self.board.part.is_none() || self.options.no_bitstream {
             return Ok(());
         }
@@ -220,7 +197,7 @@ impl Work<'_> {
         }
         let built = route(&self.board, &self.pll, &self.sources)?;
         let unpacked = unpack(&self.board, &self.sources, &built.bitstream)?;
-        let path = self.options.out.join(self.board.bitstream());
+        let path = self.out(&self.board.bitstream());
         files.add(&path, |out| out.write_all(&built.bitstream))?;
         if !self.options.no_simulation {
             let (name, shown) = match built.netlist {
@@ -228,7 +205,7 @@ impl Work<'_> {
                 None => ("bitstream", &mut report.bitstream),
             };
             let [verilog, models] = witness(&self.board, &self.sources, &built, &unpacked)?;
-            files.add_text(&self.options.out.join(format!("{name}.v")), &verilog)?;
+            files.add_text(&self.out(&format!("{name}.v")), &verilog)?;
             *shown = Some(self.shown(name, &verilog, &models, files)?);
         }
         report.routed = Some(built.routed);

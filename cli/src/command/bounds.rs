@@ -15,12 +15,10 @@ use serde::Serialize;
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
-/// Tries the bounds on random cases, or shows the headroom of scenes.
 pub fn run(options: &Bounds, json: bool) -> Result {
-    if options.scenes.is_empty() {
-        try_bounds(options, json)
-    } else {
-        show_headroom(options, json)
+    match options.scenes.is_empty() {
+        true => try_bounds(options, json),
+        false => show_headroom(options, json),
     }
 }
 
@@ -148,6 +146,9 @@ fn page(table: &Table) -> Result<String, DrawError> {
     let stems = table.scenes.iter().map(|row| row.scene.file_stem());
     let names = stems.map(|stem| stem.unwrap_or_default().to_string_lossy());
     let names = names.collect();
-    let page = Page { table, names };
-    text("no tables", include_str!("bounds.md"), page)
+    text(
+        "no tables",
+        include_str!("bounds.md"),
+        Page { table, names },
+    )
 }

@@ -8,7 +8,6 @@ use imogene_analysis::bounds::{CheckReport, check};
 use imogene_studies::picture;
 use std::path::Path;
 
-/// Shows what a scene needs and how exact its picture is.
 pub fn run(options: &Check, json: bool) -> Result {
     let map = options.map.as_deref();
     let is_picture = map.map(is_picture).transpose()?;

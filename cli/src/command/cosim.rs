@@ -86,10 +86,26 @@ fn run_scene(options: &Cosim) -> Result<Report> {
     let format = options.words.format(options.shape.format);
     let (_, prepared) = frame_in(&file, options.size, format?)?;
     prepared.refuse_composed()?;
+    let rows = options.shape.rows_per_stage();
     let mut report = if slots::is_for_beam(&prepared) {
-        run_whole(options, &prepared)?
+        let run_options = scene::Options {
+            rows_per_stage: rows,
+            threads: threads(),
+            trace: options.waves.request(),
+            traced: options.trace_object,
+            fault: options.inject_fault,
+        };
+        run_beam(&prepared, &run_options, options.engine)?.0
     } else {
-        run_alone(options, &prepared)?
+        // Processors that a beam machine does not have: each by itself.
+        let waves = options.waves.vcd.as_ref().map(|_| "--vcd");
+        let fault = options.inject_fault.map(|_| "--inject-fault");
+        if let Some(option) = waves.or(fault) {
+            return Err(Failure::Input(format!(
+                "{option} takes a scene of quadric processors alone, which a beam machine draws; this one has others, and each is run by itself"
+            )));
+        }
+        run_slots(&prepared, rows, options.engine)?.0
     };
     run_volumes(options, &prepared, &mut report)?;
     report.engine = options.engine.name().into();
@@ -101,38 +117,11 @@ fn run_scene(options: &Cosim) -> Result<Report> {
         prepared.width,
         prepared.height,
         options.words.options(options.shape.format),
-        options.shape.rows_per_stage()
+        rows
     );
     report.reproduce += &options.view.options();
     report.reproduce += &option("inject-fault", options.inject_fault);
     Ok(report)
-}
-
-/// A scene of quadric processors: the beam machine.
-fn run_whole(options: &Cosim, prepared: &PreparedScene) -> Result<Report> {
-    let run_options = scene::Options {
-        rows_per_stage: options.shape.rows_per_stage(),
-        threads: threads(),
-        trace: options.waves.request(),
-        traced: options.trace_object,
-        fault: options.inject_fault,
-    };
-    Ok(run_beam(prepared, &run_options, options.engine)?.0)
-}
-
-/// A scene with processors that a beam machine does not have: each processor by itself.
-fn run_alone(options: &Cosim, prepared: &PreparedScene) -> Result<Report> {
-    for (option, given) in [
-        ("--vcd", options.waves.vcd.is_some()),
-        ("--inject-fault", options.inject_fault.is_some()),
-    ] {
-        if given {
-            return Err(Failure::Input(format!(
-                "{option} takes a scene of quadric processors alone, which a beam machine draws; this one has others, and each is run by itself"
-            )));
-        }
-    }
-    Ok(run_slots(prepared, options.shape.rows_per_stage(), options.engine)?.0)
 }
 
 /// The shadow and light volumes of a scene, on the depths of its golden frame, into the report of the rest.

@@ -10,8 +10,6 @@ use imogene_oracle::inject::{Breakable, Score, Sort};
 use imogene_oracle::paint;
 use imogene_oracle::plot::plot;
 use imogene_oracle::trace::Tracer;
-use imogene_prepare::PreparedScene;
-use imogene_scene::DepthRange;
 use serde::Serialize;
 
 /// Minimum distances that are tried with cracks made on purpose, as powers of two of the one asked for.
@@ -36,7 +34,6 @@ struct ScoreRow {
     precision: f64,
 }
 
-/// Searches the golden picture for cracks.
 pub fn run(options: &Cracks, json: bool) -> Result {
     let file = read_scene(&options.scene.scene, &options.scene.view)?;
     let (framed, prepared) = frame_in(&file, options.scene.size, options.scene.format()?)?;
@@ -59,12 +56,27 @@ pub fn run(options: &Cracks, json: bool) -> Result {
         output::add_picture(&mut files, path, [frame.width, frame.height], &rgb)?;
     }
     let scores = options.inject.map_or(vec![], |count| {
-        scores(options, count, &prepared, &framed.range, rule)
+        let breakable = Breakable::new(&prepared);
+        let sorts = [Sort::Points, Sort::Lines, Sort::Joints];
+        let all = sorts.map(|sort| POWERS.map(move |power| (sort, power)));
+        let score = |(sort, power)| {
+            let rule = Rule {
+                min_distance: rule.min_distance * 2f64.powi(power),
+                ..rule
+            };
+            let (range, count) = (&framed.range, count as usize);
+            let score = breakable.score(range, sort, count, options.seed, &rule);
+            ScoreRow {
+                recall: score.recall(),
+                precision: score.precision(),
+                score,
+            }
+        };
+        all.into_iter().flatten().map(score).collect()
     });
     if let Some(path) = &options.plot {
         let scores: Vec<Score> = scores.iter().map(|row| row.score).collect();
-        let text = plot(&scores)?;
-        files.add_text(path, &text)?;
+        files.add_text(path, &plot(&scores)?)?;
     }
     let report = CrackReport {
         width: prepared.width,
@@ -88,29 +100,4 @@ pub fn run(options: &Cracks, json: bool) -> Result {
     Failure::unless(pixels == 0, || {
         format!("cracks: {}", counted(pixels, "pixel"))
     })
-}
-
-fn scores(
-    options: &Cracks,
-    count: u32,
-    prepared: &PreparedScene,
-    range: &DepthRange,
-    rule: Rule,
-) -> Vec<ScoreRow> {
-    let breakable = Breakable::new(prepared);
-    let sorts = [Sort::Points, Sort::Lines, Sort::Joints];
-    let all = sorts.map(|sort| POWERS.map(move |power| (sort, power)));
-    let score = |(sort, power)| {
-        let rule = Rule {
-            min_distance: rule.min_distance * 2f64.powi(power),
-            ..rule
-        };
-        let score = breakable.score(range, sort, count as usize, options.seed, &rule);
-        ScoreRow {
-            recall: score.recall(),
-            precision: score.precision(),
-            score,
-        }
-    };
-    all.into_iter().flatten().map(score).collect()
 }

@@ -1,7 +1,7 @@
 //! `imogene demo`.
 
 use super::machine::{add_verilog, write_pictures};
-use super::{describe, frame_in, run_beam, threads, verdict};
+use super::{describe, frame_in, negation, run_beam, threads, verdict};
 use crate::arguments::{Demo, Size};
 use crate::failure::{Failure, Result};
 use crate::output;
@@ -109,11 +109,7 @@ fn inside(file: &SceneFile, format: Format) -> Result<Report> {
 }
 
 fn tell(summary: &Summary) {
-    let not = if summary.pictures_identical {
-        ""
-    } else {
-        "NOT "
-    };
+    let not = negation(summary.pictures_identical);
     output::text(describe(&summary.report));
     output::text(format!(
         "{} object processors of {} cut planes on a screen of {} x {}: {} clocks a frame, 16.7 ms at 25.175 MHz; \

@@ -84,18 +84,16 @@ pub fn run(options: &Detail, json: bool) -> Result {
 }
 
 fn rows<'a>(report: &'a Report, prepared: &PreparedScene) -> Vec<Row<'a>> {
-    let objects = report.reduced.objects.iter().enumerate();
-    objects
-        .map(|(index, object)| {
-            let window = prepared.objects[index].screen_box();
-            let side = (window.x1 - window.x0).max(window.y1 - window.y0) + 1;
-            Row {
-                object,
-                zones: report.touches.objects[index],
-                guards: guard_bits(side.max(1) as u64),
-            }
-        })
-        .collect()
+    let row = |(index, object): (usize, &'a ReducedObject)| {
+        let window = prepared.objects[index].screen_box();
+        let side = (window.x1 - window.x0).max(window.y1 - window.y0) + 1;
+        Row {
+            object,
+            zones: report.touches.objects[index],
+            guards: guard_bits(side.max(1) as u64),
+        }
+    };
+    report.reduced.objects.iter().enumerate().map(row).collect()
 }
 
 fn write_maps(report: &Report, prepared: &PreparedScene, out: &Path) -> Result<Vec<PathBuf>> {

@@ -2,9 +2,8 @@
 
 use super::fitted;
 use crate::arguments::Emit;
-use crate::failure::{Failure, Result};
+use crate::failure::Result;
 use crate::output;
-use imogene_contract::Request;
 use imogene_files::Outputs;
 use imogene_files::text::counted;
 use imogene_rtl::emit::machine::emit_machine;
@@ -31,19 +30,18 @@ pub struct PortEntry {
     signed: bool,
 }
 
-/// Writes the Verilog of a unit.
 pub fn run(options: &Emit, json: bool) -> Result {
     let prefix = options.prefix.as_deref();
     let (unit, emitted) = match (&options.machine, &options.unit) {
-        (Some(file), _) => {
-            let machine = fitted::described(file, prefix)?;
-            (None, emit_machine(&machine)?)
-        }
+        (Some(file), _) => (None, emit_machine(&fitted::described(file, prefix)?)?),
         (None, unit) => {
             let request = options.shape.request(unit.as_deref().unwrap_or_default())?;
             let emitted = match fitted::asked(&options.fitted, &request, prefix)? {
                 Some(machine) => emit_machine(&machine)?,
-                None => emitted(&request, prefix)?,
+                None => match prefix {
+                    Some(prefix) => emit_with_prefix(&request, prefix)?,
+                    None => emit(&request)?,
+                },
             };
             (Some(request.unit.name()), emitted)
         }
@@ -67,15 +65,6 @@ pub fn run(options: &Emit, json: bool) -> Result {
         output::text(format!("top {top}, {modules}, {ports}, latency {latency}"));
     });
     Ok(())
-}
-
-/// The Verilog of a unit of the catalogue.
-pub fn emitted(request: &Request, prefix: Option<&str>) -> Result<Emitted> {
-    let emitted = match prefix {
-        Some(prefix) => emit_with_prefix(request, prefix),
-        None => emit(request),
-    };
-    emitted.map_err(Failure::from)
 }
 
 /// Adds one file, or one for each module and a list of them.

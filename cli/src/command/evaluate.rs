@@ -2,7 +2,7 @@
 
 use crate::arguments::Evaluate;
 use crate::failure::{Failure, Result};
-use crate::output::{self, Written};
+use crate::output;
 use imogene_golden::format::Format;
 use imogene_package::processors::processors;
 use imogene_studies::evaluate::{
@@ -12,29 +12,19 @@ use imogene_studies::evaluate::{
 use imogene_verif::display::request::{core_request, zone_timing};
 use std::path::{Path, PathBuf};
 
-/// Counts the cost tables of the sources again, prints them, and writes page, figures and pictures if there is a folder
-/// for them.
 pub fn run(options: &Evaluate, json: bool) -> Result {
     let evaluation = evaluate(&hardware()?).map_err(defect)?;
     let page = markdown(&evaluation).map_err(defect)?;
     let out = options.out.as_ref();
     let files = out.map(|folder| write(folder, &evaluation, &page));
     let files = files.transpose()?.unwrap_or_default();
-    let report = Written {
-        report: evaluation,
-        files,
-    };
-    output::report(json, &report, |report| {
-        output::text(page.trim_end());
-        output::wrote(&report.files);
-    });
+    output::paged(json, evaluation, files, page.trim_end());
     Ok(())
 }
 
 /// Parts of the processors as they are emitted, and the clocks of the zone machine.
 fn hardware() -> Result<Hardware> {
-    let list = processors()?;
-    let parts = list.into_iter().map(|p| Parts {
+    let parts = processors()?.into_iter().map(|p| Parts {
         unit: p.unit.into(),
         parameters: p.parameters,
         counts: [

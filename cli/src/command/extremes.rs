@@ -1,5 +1,6 @@
 //! `imogene cosim extremes/NAME`, and `imogene cosim extremes` for all of them.
 
+use super::negation;
 use crate::failure::{Failure, Result};
 use crate::output;
 use imogene_files::text::counted;
@@ -49,9 +50,8 @@ fn chosen(subject: &str) -> Result<Vec<&'static Extreme>> {
 }
 
 fn print(finding: &Finding) {
-    let negation = if finding.held { "" } else { "NOT " };
-    let (name, outcome) = (&finding.name, &finding.outcome);
-    output::text(format!("{name}: {negation}as stated\n  {outcome}"));
+    let (name, not, outcome) = (&finding.name, negation(finding.held), &finding.outcome);
+    output::text(format!("{name}: {not}as stated\n  {outcome}"));
     if let Some(report) = &finding.cosimulation {
         output::text(format!(
             "  {}, {} of hardware and golden model compared, {}",

@@ -45,24 +45,13 @@ struct Choice<'a> {
     cost: Option<MachineCost>,
 }
 
-/// Frames with the words that keep to the budget, those first that should make the smallest machine.
-struct Search {
-    frames: Frames,
-    left_out: LeftOut,
-    found: Vec<Drawn>,
-}
-
 /// Finds, proves, emits and co-simulates the smallest machine; where a beam machine has too many cells, that of a zone
 /// machine.
 pub fn run(options: &Fit, json: bool) -> Result {
     let started = Instant::now();
     let target = Target::from_name(&options.target)?;
     let budget = options.budget();
-    let Search {
-        mut frames,
-        left_out,
-        mut found,
-    } = searched(options)?;
+    let (mut frames, left_out, mut found) = searched(options)?;
     let mut too_large: Vec<String> = vec![];
     loop {
         let choice = choose(&frames, &found, options, target, json)?;
@@ -98,9 +87,8 @@ fn finish(
     started: Instant,
 ) -> Result {
     let budget = options.budget();
-    let scenes = left_out.scenes.into_iter().enumerate();
-    let scenes =
-        scenes.map(|(index, scene)| (frame_file(options, frames, "scene", index, "toml"), scene));
+    let named = |index| frame_file(options, frames, "scene", index, "toml");
+    let scenes = (0..).map(named).zip(left_out.scenes);
     let scenes: Vec<(PathBuf, SceneFile)> = scenes.collect();
     let written: Vec<PathBuf> = scenes.iter().map(|(path, _)| path.clone()).collect();
     let command = options.command(frames, &written);
@@ -115,7 +103,12 @@ fn finish(
     let bounds = has_bounds.then(|| proof::bounds(frames, choice.drawn));
     let limits = proof::proofs(frames, &budget, choice.drawn, bounds.as_ref());
     let truth = &frames.all[0].truth;
-    let saving = choice.cost.zip(base_cost);
+    let percent = |own: u64, base: u64| 100.0 * (1.0 - own as f64 / base.max(1) as f64);
+    let saving = |(own, base): (MachineCost, MachineCost)| Saving {
+        cells: percent(own.cells, base.cells),
+        lut: percent(own.resources.lut, base.resources.lut),
+        ff: percent(own.resources.ff, base.resources.ff),
+    };
     let mut report = FitReport {
         scenes: frames.all.iter().map(|f| f.name.clone()).collect(),
         width: truth.width,
@@ -136,7 +129,7 @@ fn finish(
         target: target.name(),
         cost: choice.cost,
         base_cost,
-        saving_percent: saving.map(|(cost, base)| saved(&cost, &base)),
+        saving_percent: choice.cost.zip(base_cost).map(saving),
         cosim,
         command,
         reproduce: options.reproduce(&budget),
@@ -153,23 +146,12 @@ fn finish(
 
 /// The machine that should be smallest, without its cost and unchecked.
 pub fn smallest(options: &Fit) -> Result<MachineDescription> {
-    let Search { frames, found, .. } = searched(options)?;
+    let (frames, _, found) = searched(options)?;
     let drawn = found.first().expect("a machine was found");
     Ok(fitted(&frames, drawn, ROWS[0], options)?.description)
 }
 
-impl Search {
-    fn new(frames: Frames, left_out: LeftOut, budget: &Budget) -> Result<Search> {
-        let found = found(&frames, budget)?;
-        Ok(Search {
-            frames,
-            left_out,
-            found,
-        })
-    }
-}
-
-/// The words that keep to a budget.
+/// The words that keep to a budget, those first that should make the smallest machine.
 fn found(frames: &Frames, budget: &Budget) -> Result<Vec<Drawn>> {
     let outcome = output::during(0, "machines drawn", |bar| {
         search(frames, budget, || bar.inc(1))
@@ -181,7 +163,7 @@ fn found(frames: &Frames, budget: &Budget) -> Result<Vec<Drawn>> {
 }
 
 /// The frames, what is left out of them, and the words that keep to the budget.
-fn searched(options: &Fit) -> Result<Search> {
+fn searched(options: &Fit) -> Result<(Frames, LeftOut, Vec<Drawn>)> {
     let budget = options.budget();
     budget.check()?;
     if let Some(leave_out) = options.leave_out {
@@ -196,8 +178,7 @@ fn searched(options: &Fit) -> Result<Search> {
             let file = missing::reduced(file, size, Format::BASE, Options::HARDWARE)?;
             files.push((name, file));
         } else {
-            let playback = Playback::new(&file)?;
-            files.extend(playback.scenes(&name)?);
+            files.extend(Playback::new(&file)?.scenes(&name)?);
         }
     }
     if options.leave_out.is_some() {
@@ -214,26 +195,27 @@ fn searched(options: &Fit) -> Result<Search> {
     frames.lit_sphere = options.lit_sphere;
     frames.pixels_per_clock = options.pixels_per_clock.unwrap_or(1);
     let Some(leave_out) = options.leave_out else {
-        return Search::new(frames, LeftOut::default(), &budget);
+        let found = found(&frames, &budget)?;
+        return Ok((frames, LeftOut::default(), found));
     };
     let omission = Omission::new(&frames, &files, options.kind(), (leave_out, &budget))?;
     let choices = match leave_out {
         LeaveOut::Below(_) => vec![omission.all().to_vec()],
         LeaveOut::Auto => omission.within(&budget)?,
     };
-    let tried = choices.iter().map(|parts| -> Result<(Fitted, Search)> {
+    let tried = choices.iter().map(|parts| {
         let (frames, left_out) = omission.without(parts)?;
-        let search = Search::new(frames, left_out, &budget)?;
-        let machine = fitted(&search.frames, &search.found[0], ROWS[0], options)?;
-        Ok((machine, search))
+        let found = found(&frames, &budget)?;
+        let machine = fitted(&frames, &found[0], ROWS[0], options)?;
+        Ok::<_, Failure>((machine, (frames, left_out, found)))
     });
     let smallest = tried.reduce(|least, next| match (&least, &next) {
         (Ok((smallest, _)), Ok((machine, _))) if !machine.is_smaller(smallest) => least,
         (_, Ok(_)) => next,
         _ => least,
     });
-    let (_, search) = smallest.expect("something is tried")?;
-    Ok(search)
+    let (_, searched) = smallest.expect("something is tried")?;
+    Ok(searched)
 }
 
 /// The message of a budget that no machine meets.
@@ -330,15 +312,6 @@ fn cheapest(priced: Vec<Choice<'_>>, min_mhz: Option<f64>, target: Target) -> Re
         let (least, target) = (min_mhz.unwrap_or_default(), target.name());
         Failure::Check(format!("no machine reaches {least} MHz on {target}: {why}"))
     })
-}
-
-fn saved(cost: &MachineCost, base: &MachineCost) -> Saving {
-    let percent = |own: u64, base: u64| 100.0 * (1.0 - own as f64 / base.max(1) as f64);
-    Saving {
-        cells: percent(cost.cells, base.cells),
-        lut: percent(cost.resources.lut, base.resources.lut),
-        ff: percent(cost.resources.ff, base.resources.ff),
-    }
 }
 
 /// What the machine shows of every frame, and that compared with the pins on every clock.

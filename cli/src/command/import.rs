@@ -7,7 +7,7 @@ use crate::molecules::{check_memory, load};
 use crate::{missing, output};
 use imogene_files::text::counted;
 use imogene_import::faces::{FaceOptions, read, read_step};
-use imogene_import::pdb::{self, Format};
+use imogene_import::pdb;
 use imogene_import::terrain::{self, TerrainOptions};
 use imogene_import::{ImportError, Imported, Kind, is_scene, kinds};
 use pathdiff::diff_paths;
@@ -29,7 +29,6 @@ struct ImportReport {
     files: Vec<PathBuf>,
 }
 
-/// Reads a file and writes its scene.
 pub fn run(options: &Import, json: bool) -> Result {
     let bytes = load(&options.file)?;
     let kind = match options.kind {
@@ -37,7 +36,10 @@ pub fn run(options: &Import, json: bool) -> Result {
         None => kind_of(&bytes, &options.file)?,
     };
     let mut imported = match kind {
-        Kind::Structure(format) => structure(&bytes, format, options)?,
+        Kind::Structure(format) => {
+            check_memory(&bytes, &options.file)?;
+            pdb::read(&bytes, format, &name(options), &options.molecule.options())?
+        }
         Kind::Faces => within(options, |asked| read(&bytes, &name(options), asked))?,
         Kind::Step => step(&bytes, options)?,
         Kind::Heights => heights(&bytes, options)?,
@@ -68,10 +70,9 @@ pub fn run(options: &Import, json: bool) -> Result {
 fn kind_of(bytes: &[u8], file: &Path) -> Result<Kind> {
     let found = Kind::of(bytes, &file.to_string_lossy());
     found.ok_or_else(|| {
-        let problem = if is_scene(bytes) {
-            "this is a scene already, which every command takes as it is"
-        } else {
-            "it is nothing that is known"
+        let problem = match is_scene(bytes) {
+            true => "this is a scene already, which every command takes as it is",
+            false => "it is nothing that is known",
         };
         Failure::Input(format!(
             "{}: {problem}; {} is read, each also compressed with gzip, or what --as says it is",
@@ -79,13 +80,6 @@ fn kind_of(bytes: &[u8], file: &Path) -> Result<Kind> {
             kinds()
         ))
     })
-}
-
-/// The scene of a molecule.
-fn structure(bytes: &[u8], format: Format, options: &Import) -> Result<Imported> {
-    check_memory(bytes, &options.file)?;
-    let asked = options.molecule.options();
-    Ok(pdb::read(bytes, format, &name(options), &asked)?)
 }
 
 /// The same scene, which names its structure file instead of listing the objects, if that is asked for or the list
@@ -121,7 +115,6 @@ fn relative(file: &Path, other: &Path) -> Result<String> {
     Ok(text.replace('\\', "/"))
 }
 
-/// The scene of a STEP file.
 fn step(bytes: &[u8], options: &Import) -> Result<Imported> {
     let folder = options.file.parent().unwrap_or(Path::new(""));
     let beside = |name: &str| load(&folder.join(name)).ok();
@@ -160,7 +153,7 @@ fn within(
     }
     let pixel = scene.nearest_pixel(height)?;
     if !(pixel.is_finite() && pixel > 0.0) {
-        return Err(Failure::input(format!(
+        return Err(Failure::Input(format!(
             "--max-deviation {pixels}px: a pixel has no size where the nearest face is, because the camera is within the \
              part; a length, as in --max-deviation 0.01, or a camera outside would be accepted"
         )));
@@ -173,7 +166,6 @@ fn within(
     Ok(imported)
 }
 
-/// The scene of a terrain.
 fn heights(bytes: &[u8], options: &Import) -> Result<Imported> {
     let asked = &options.terrain;
     let factor = asked.height_factor;

@@ -9,7 +9,6 @@ use crate::failure::{Failure, Result};
 use crate::output;
 use files::{Scene, add_bench, grow};
 pub use files::{add_verilog, write_pictures};
-use imogene_files::Outputs;
 use imogene_files::text::counted;
 use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_plan::description::{MachineDescription, Output};
@@ -26,12 +25,10 @@ use report::{MachineReport, tell};
 use std::fmt::Display;
 use std::path::Path;
 
-/// Shows scenes on the pins of a machine.
 pub fn run(options: &Machine, json: bool) -> Result {
     let machine = MachineDescription::read(&options.machine)?;
     let overlay = overlay_of(&machine, options)?;
-    let views = views(options)?;
-    let scenes = all_prepared(&views, &machine)?;
+    let scenes = all_prepared(&views(options)?, &machine)?;
     let images = images(&scenes, &machine, &options.machine, options.refine)?;
     let command = command_of(options);
     let request = request_for(&machine, &images[0].tables, &command);
@@ -43,14 +40,21 @@ pub fn run(options: &Machine, json: bool) -> Result {
         let scene = &scenes[0].prepared;
         growth = grow(scene, &machine, timing, &options.out, &mut files)?;
     }
+    let overlay = overlay.as_ref();
     let mut outcome = match options.emit_only {
         true => None,
-        false => Some(show(&machine, &images, overlay.as_ref(), options)?),
+        false => Some(show(&machine, &images, overlay, options)?),
     };
     if let Some((outcome, path)) = outcome.as_mut().zip(options.waves.vcd.as_ref()) {
-        add_waves(outcome, path, options, &mut files)?;
+        if let Some(trace) = outcome.report.trace.take() {
+            trace.add_to(&mut files, path)?;
+        } else if let Some(place) = options.waves.vcd_from {
+            output::warning(format!(
+                "no waveforms: the run ended before {place}; it showed {}, and --frames shows more",
+                counted(outcome.shown.len(), "frame")
+            ));
+        }
     }
-    let overlay = overlay.as_ref();
     let golden = images.last().map(|image| match overlay {
         Some(plane) => plane.over(&image.picture),
         None => image.picture.clone(),
@@ -64,7 +68,6 @@ pub fn run(options: &Machine, json: bool) -> Result {
     let clocks_per_frame = machine.video_mode().map(|mode| mode.clocks());
     let (columns, lines) = machine.frame_size().unwrap_or_default();
     let fields = machine.fields().len();
-    let scene_of = |image: &Option<usize>| image.map(|image| image / fields);
     let plans = images.iter().filter_map(|image| image.plan.as_ref());
     let mut summary = MachineReport {
         machine: &machine,
@@ -76,21 +79,24 @@ pub fn run(options: &Machine, json: bool) -> Result {
         zone_clocks: plans
             .filter_map(|plan| timing.map(|timing| clocks(plan, &timing)))
             .collect(),
-        taking: outcome.as_ref().map_or(vec![], |o| o.taking.clone()),
-        loading: outcome.as_ref().map_or(vec![], |o| o.loading.clone()),
-        shown: outcome
-            .as_ref()
-            .map_or(vec![], |o| o.shown.iter().map(scene_of).collect()),
-        equal: outcome
-            .as_ref()
-            .map(|o| golden.as_ref() == Some(&o.picture)),
+        taking: vec![],
+        loading: vec![],
+        shown: vec![],
+        equal: None,
         growth,
-        report: outcome.map(|o| Report {
-            reproduce: command,
-            ..o.report
-        }),
+        report: None,
         files: files.paths(),
     };
+    if let Some(outcome) = outcome {
+        (summary.taking, summary.loading) = (outcome.taking, outcome.loading);
+        let scene_of = |image: Option<usize>| image.map(|image| image / fields);
+        summary.shown = outcome.shown.into_iter().map(scene_of).collect();
+        summary.equal = Some(golden.as_ref() == Some(&outcome.picture));
+        summary.report = Some(Report {
+            reproduce: command,
+            ..outcome.report
+        });
+    }
     let path = options.out.join("summary.json");
     summary.files.push(path.clone());
     files.add_text(&path, &output::json_text(&summary))?;
@@ -104,12 +110,13 @@ fn views(options: &Machine) -> Result<Vec<(&Path, View)>> {
     let mut views = vec![];
     for path in &options.scenes {
         let as_written = as_written(options);
-        let Some(range) = options.animation else {
-            views.push((path.as_path(), as_written));
-            continue;
-        };
-        let frames = frames_of(path, &as_written, range)?;
-        views.extend(frames.into_iter().map(|(view, _)| (path.as_path(), view)));
+        match options.animation {
+            Some(range) => {
+                let frames = frames_of(path, &as_written, range)?;
+                views.extend(frames.into_iter().map(|(view, _)| (path.as_path(), view)));
+            }
+            None => views.push((path, as_written)),
+        }
     }
     Ok(views)
 }
@@ -117,9 +124,9 @@ fn views(options: &Machine) -> Result<Vec<(&Path, View)>> {
 /// The frames of the animation of a scene, and the seconds that each is shown.
 pub fn frames_of(path: &Path, as_written: &View, range: FrameRange) -> Result<Vec<(View, f64)>> {
     let file = read_scene(path, as_written)?;
-    let playback = Playback::new(&file).map_err(|error| Failure::at(path, error))?;
+    let playback = Playback::new(&file).map_err(Failure::in_file(path))?;
     let frames = range.of("--animation", playback.count());
-    let frames = frames.map_err(|error| Failure::at(path, error))?;
+    let frames = frames.map_err(Failure::in_file(path))?;
     let frame = |number: usize| {
         let view = View {
             frame: Some(number as u32),
@@ -141,21 +148,18 @@ pub fn images_of(
 }
 
 fn all_prepared(views: &[(&Path, View)], machine: &MachineDescription) -> Result<Vec<Scene>> {
-    let scenes = views.iter();
-    let scenes = scenes.map(|(path, view)| prepared(path, view, machine));
-    scenes.collect()
-}
-
-fn prepared(path: &Path, view: &View, machine: &MachineDescription) -> Result<Scene> {
-    let file = read_scene(path, view)?;
-    let size = machine.drawn_size();
-    let size = size.ok_or_else(|| Failure::Input("no video mode".into()))?;
-    let (framed, prepared) = frame_in(&file, Some(size), machine.format()?)?;
-    Ok(Scene {
-        name: format!("{}{}", path.display(), view.options()),
-        framed,
-        prepared,
-    })
+    let scene = |(path, view): &(&Path, View)| {
+        let file = read_scene(path, view)?;
+        let size = machine.drawn_size();
+        let size = size.ok_or_else(|| Failure::Input("no video mode".into()))?;
+        let (framed, prepared) = frame_in(&file, Some(size), machine.format()?)?;
+        Ok(Scene {
+            name: format!("{}{}", path.display(), view.options()),
+            framed,
+            prepared,
+        })
+    };
+    views.iter().map(scene).collect()
 }
 
 /// The images of all scenes. What the machine lacks is said at once for all of them.
@@ -177,12 +181,11 @@ fn images(
     let all: Vec<_> = scenes.iter().map(Scene::parts).collect();
     needs::check(machine, &all)
         .map_err(|error| Failure::Advice(format!("{}: {error}", path.display())))?;
-    let of_scene = |scene: &Scene| {
-        let images = images_on(&scene.framed, &scene.prepared, machine, refine);
-        images.map_err(|error| named(&scene.name, &error))
-    };
-    let images = scenes.iter().map(of_scene).collect::<Result<Vec<_>, _>>()?;
-    let images = images.concat();
+    let mut images = vec![];
+    for scene in scenes {
+        let shown = images_on(&scene.framed, &scene.prepared, machine, refine);
+        images.extend(shown.map_err(|error| named(&scene.name, &error))?);
+    }
     let scene_of = |image: usize| &scenes[image / machine.fields().len()];
     check_tables(&images).map_err(|error| named(&scene_of(error.image).name, &error))?;
     Ok(images)
@@ -241,24 +244,6 @@ fn as_written(options: &Machine) -> View {
     }
 }
 
-/// Adds the waveforms; says so if the run did not come to where they begin.
-fn add_waves(
-    outcome: &mut PinsOutcome,
-    path: &Path,
-    options: &Machine,
-    files: &mut Outputs,
-) -> Result {
-    if let Some(trace) = outcome.report.trace.take() {
-        trace.add_to(files, path)?;
-    } else if let Some(place) = options.waves.vcd_from {
-        output::warning(format!(
-            "no waveforms: the run ended before {place}; it showed {}, and --frames shows more",
-            counted(outcome.shown.len(), "frame")
-        ));
-    }
-    Ok(())
-}
-
 fn show(
     machine: &MachineDescription,
     images: &[Image],
@@ -276,8 +261,7 @@ fn show(
         stops: None,
     };
     let steps = images.len() as u64 + u64::from(options.frames);
-    let outcome = output::during(steps, "frames on the pins", |bar| {
+    Ok(output::during(steps, "frames on the pins", |bar| {
         run_pins(machine, images, &run, || bar.inc(1))
-    });
-    Ok(outcome?)
+    })?)
 }

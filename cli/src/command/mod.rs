@@ -47,14 +47,17 @@ use imogene_verif::report::Report;
 use imogene_verif::scene::{self, Options, slots};
 use std::path::Path;
 
+/// A scene in the camera frame, and its words.
+type Framed = (FramedScene, PreparedScene);
+
 /// A scene file in the camera frame and prepared for a format.
-fn load_scene(scene: &Scene) -> Result<(FramedScene, PreparedScene)> {
+fn load_scene(scene: &Scene) -> Result<Framed> {
     let file = read_scene(&scene.scene, &scene.view)?;
     frame_in(&file, scene.size, scene.format()?)
 }
 
 /// A scene of which only the picture counts, framed and prepared: without the objects that nobody sees.
-fn load_seen(file: SceneFile, scene: &Scene) -> Result<(FramedScene, PreparedScene)> {
+fn load_seen(file: SceneFile, scene: &Scene) -> Result<Framed> {
     let ((width, height), format) = (size_of(&file, scene.size), scene.format()?);
     let bar = output::progress(file.frame_steps(), "framing");
     let seen = Seen::of(&file, (width, height), &format, &|| bar.inc(1))?;
@@ -70,13 +73,12 @@ fn load_seen(file: SceneFile, scene: &Scene) -> Result<(FramedScene, PreparedSce
 fn read_scene(path: &Path, view: &View) -> Result<SceneFile> {
     let mut file = molecules::read_scene(path)?;
     if let Some(name) = &view.camera {
-        let found = file.look_through(name);
-        found.map_err(|error| Failure::at(path, error))?;
+        file.look_through(name).map_err(Failure::in_file(path))?;
     }
     let Some(frame) = view.frame else {
         return Ok(file);
     };
-    let playback = Playback::new(&file).map_err(|error| Failure::at(path, error))?;
+    let playback = Playback::new(&file).map_err(Failure::in_file(path))?;
     let count = playback.count();
     if frame as usize > count {
         let frames = counted(count, "frame");
@@ -85,8 +87,9 @@ fn read_scene(path: &Path, view: &View) -> Result<SceneFile> {
         );
         return Err(Failure::at(path, problem));
     }
-    let found = playback.scene(frame as usize - 1);
-    found.map_err(|error| Failure::at(path, error))
+    playback
+        .scene(frame as usize - 1)
+        .map_err(Failure::in_file(path))
 }
 
 /// The scene as it is looked at; with a warning of what is endless and does not fit into a picture.
@@ -108,17 +111,13 @@ fn size_of(file: &SceneFile, size: Option<Size>) -> (u32, u32) {
     size.unwrap_or((file.image.width, file.image.height))
 }
 
-fn frame_in(
-    file: &SceneFile,
-    size: Option<Size>,
-    format: Format,
-) -> Result<(FramedScene, PreparedScene)> {
+fn frame_in(file: &SceneFile, size: Option<Size>, format: Format) -> Result<Framed> {
     let (width, height) = size_of(file, size);
     has_room(memory::of_scene(file), file.objects.len())?;
     let framed = output::during(file.frame_steps(), "framing", |bar| {
         file.frame_reporting(width, height, &|| bar.inc(1))
-    });
-    prepared(framed?, format)
+    })?;
+    prepared(framed, format)
 }
 
 /// Refuses a preparation that would not fit into memory.
@@ -140,39 +139,30 @@ fn has_room(needed: u64, objects: usize) -> Result {
     )))
 }
 
-/// A framed scene and its words.
-fn prepared(framed: FramedScene, format: Format) -> Result<(FramedScene, PreparedScene)> {
+fn prepared(framed: FramedScene, format: Format) -> Result<Framed> {
     let prepared = output::during(steps(&framed), "preparation", |bar| {
         prepare_reporting(&framed, format, missing::options(), &|| bar.inc(1))
-    });
-    let prepared = prepared?;
+    })?;
     missing::tell("", &framed, &prepared)?;
     Ok((framed, prepared))
 }
 
 /// The report of a scene and the frame that the hardware drew.
-fn run_beam(
-    prepared: &PreparedScene,
-    options: &Options,
-    engine: Engine,
-) -> Result<(Report, Frame)> {
+type Drawn = (Report, Frame);
+
+fn run_beam(prepared: &PreparedScene, options: &Options, engine: Engine) -> Result<Drawn> {
     let pixels = u64::from(prepared.width) * u64::from(prepared.height);
-    let outcome = output::during(pixels, "hardware in simulation", |bar| {
+    Ok(output::during(pixels, "hardware in simulation", |bar| {
         scene::run(prepared, options, engine, || bar.inc(1))
-    });
-    Ok(outcome?)
+    })?)
 }
 
 /// The same with processors that a beam machine does not have, each by itself.
-fn run_slots(
-    prepared: &PreparedScene,
-    rows_per_stage: usize,
-    engine: Engine,
-) -> Result<(Report, Frame)> {
-    let outcome = output::during(slots::pixels(prepared), "processors in simulation", |bar| {
+fn run_slots(prepared: &PreparedScene, rows_per_stage: usize, engine: Engine) -> Result<Drawn> {
+    let pixels = slots::pixels(prepared);
+    Ok(output::during(pixels, "processors in simulation", |bar| {
         slots::run(prepared, rows_per_stage, engine, |n| bar.inc(n))
-    });
-    Ok(outcome?)
+    })?)
 }
 
 /// Threads for independent work.
@@ -200,6 +190,11 @@ fn describe(report: &Report) -> String {
         text += &format!("\n  wrote {}", file.display());
     }
     text
+}
+
+/// What stands before the outcome of a comparison.
+fn negation(holds: bool) -> &'static str {
+    if holds { "" } else { "NOT " }
 }
 
 /// Success if hardware and golden model agree, else the report of the first differences.

@@ -93,20 +93,17 @@ fn of_machine(path: &Path, options: &Mutate, json: bool) -> Result {
 
 fn of_circuit(request: &Request, options: &Options) -> Result<MutationReport> {
     let (subject, design) = (subject(request)?, design(request)?);
-    let report = output::during(circuit::count(&design), "mutants", |bar| {
+    Ok(output::during(circuit::count(&design), "mutants", |bar| {
         circuit::run(&subject, &design, options, || bar.inc(1))
-    });
-    Ok(report?)
+    })?)
 }
 
 fn of_netlist(request: &Request, options: &Options) -> Result<MutationReport> {
     let (subject, emitted) = (subject(request)?, emit(request)?);
     let text = emitted.bundle();
-    let design = (&emitted.top[..], &text[..]);
-    let report = output::during(options.mutants as u64, "mutants", |bar| {
-        netlist::run(&subject, design, options, || bar.inc(1))
-    });
-    Ok(report?)
+    Ok(output::during(options.mutants as u64, "mutants", |bar| {
+        netlist::run(&subject, (&emitted.top, &text), options, || bar.inc(1))
+    })?)
 }
 
 /// A report in one line.

@@ -10,7 +10,6 @@ use std::io::{ErrorKind, Write};
 /// The scene that is written.
 const SCENE: &str = include_str!("new.toml");
 
-/// Writes a scene to begin with.
 pub fn run(options: &New, json: bool) -> Result {
     let path = options.file.display();
     let mut file = File::create_new(&options.file).map_err(|error| {

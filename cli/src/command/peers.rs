@@ -6,7 +6,6 @@ use crate::output;
 use imogene_synth::Target;
 use imogene_synth::peer::{Peer, compare};
 
-/// Measures a design of another project beside a unit.
 pub fn run(options: &Peers, json: bool) -> Result {
     let request = options.shape.request(&options.against)?;
     request.check()?;

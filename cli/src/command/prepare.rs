@@ -51,7 +51,6 @@ struct PartsReport<'a> {
     screen_box: &'a ScreenBox,
 }
 
-/// Shows the coefficient words of every object.
 pub fn run(options: &Scene, json: bool) -> Result {
     let (framed, scene) = load_scene(options)?;
     let object = |(framed, o)| {
@@ -179,9 +178,8 @@ fn tell(heading: &str, b: &ScreenBox, lines: Vec<String>, notes: &[String]) {
             b.x0, b.x1, b.y0, b.y1
         )),
     }
-    lines.iter().for_each(output::text);
     let notes = notes.iter().map(|note| format!("  note: {note}"));
-    notes.for_each(output::text);
+    lines.into_iter().chain(notes).for_each(output::text);
 }
 
 fn quadric(f1: &Linear, f2: &Quadratic) -> [String; 2] {

@@ -15,7 +15,6 @@ use imogene_studies::primitives::errors::{Bulge, Errors, bulge, errors, pixel_er
 use imogene_studies::primitives::speed::{FacetWork, Speed, facets, measure, work};
 use imogene_studies::primitives::{Drawn, Subject, Variant, sheet};
 use serde::Serialize;
-use std::path::Path;
 use std::time::Duration;
 
 /// The scene, compiled in so that the command needs no file.
@@ -25,8 +24,6 @@ const TIMED: Variant = Variant::Facets(20);
 /// For each of the two programs that are timed.
 const TIME: Duration = Duration::from_millis(400);
 
-/// Draws the scene in every way, measures, and writes the page, the picture and the figures if there is a folder for
-/// them.
 pub fn run(options: &Primitives, json: bool) -> Result {
     let (width, height) = options.size;
     let file = SceneFile::parse(SCENE, "three-solids.toml")?;
@@ -43,6 +40,8 @@ pub fn run(options: &Primitives, json: bool) -> Result {
     bar.finish_and_clear();
     let rows = drawn.iter();
     let rows = rows.map(|(one, pixels)| row(&subject, one, pixels, &format));
+    let timed = drawn.iter().find(|(one, _)| one.variant == TIMED);
+    let (timed, _) = timed.expect("a variant of the comparison");
     let comparison = Comparison {
         scene: subject.framed.title.clone(),
         width,
@@ -51,11 +50,20 @@ pub fn run(options: &Primitives, json: bool) -> Result {
         words_per_pixel: subject.truth.words_per_pixel,
         radii_px: subject.radii.clone(),
         variants: rows.collect::<Result<_, _>>()?,
-        speed: speed(&drawn, &format),
+        speed: measure(&facets(&timed.slots), &format, TIME),
     };
     let text = markdown(&comparison)?;
     if let Some(folder) = &options.out {
-        write(folder, &comparison, &text, &subject, &drawn)?;
+        let panels = drawn.iter().map(|(one, pixels)| (one, pixels.as_slice()));
+        let panels: Vec<(&Drawn, &[PixelError])> = panels.collect();
+        let sheet = sheet(&panels, subject.truth.words_per_pixel);
+        let figures = output::json_text(&comparison) + "\n";
+        let mut files = output::files();
+        let (path, size) = (folder.join("comparison.png"), [sheet.width, sheet.height]);
+        output::add_picture(&mut files, &path, size, &sheet.rgb)?;
+        files.add_text(&folder.join("comparison.json"), &figures)?;
+        files.add_text(&folder.join("comparison.md"), &text)?;
+        files.finish()?;
     }
     output::report(json, &comparison, |comparison| {
         output::text(text.trim_end());
@@ -77,32 +85,6 @@ fn row(subject: &Subject, drawn: &Drawn, pixels: &[PixelError], format: &Format)
         hardware: hardware::of(&drawn.slots, screen)?,
         facet_work: (!facets.is_empty()).then(|| work(&facets, format, screen)),
     })
-}
-
-fn speed(drawn: &[(Drawn, Vec<PixelError>)], format: &Format) -> Speed {
-    let timed = drawn.iter().find(|(one, _)| one.variant == TIMED);
-    let (one, _) = timed.expect("a variant of the comparison");
-    measure(&facets(&one.slots), format, TIME)
-}
-
-fn write(
-    folder: &Path,
-    comparison: &Comparison,
-    text: &str,
-    subject: &Subject,
-    drawn: &[(Drawn, Vec<PixelError>)],
-) -> Result {
-    let panels = drawn.iter().map(|(one, pixels)| (one, pixels.as_slice()));
-    let panels: Vec<(&Drawn, &[PixelError])> = panels.collect();
-    let sheet = sheet(&panels, subject.truth.words_per_pixel);
-    let figures = output::json_text(comparison) + "\n";
-    let mut files = output::files();
-    let (path, size) = (folder.join("comparison.png"), [sheet.width, sheet.height]);
-    output::add_picture(&mut files, &path, size, &sheet.rgb)?;
-    files.add_text(&folder.join("comparison.json"), &figures)?;
-    files.add_text(&folder.join("comparison.md"), text)?;
-    files.finish()?;
-    Ok(())
 }
 
 /// All that is measured; the keys are stable.
@@ -143,15 +125,9 @@ struct Page<'a> {
 
 /// The page: what is drawn, then a table for each question.
 fn markdown(comparison: &Comparison) -> Result<String, DrawError> {
-    let page = Page {
-        comparison,
-        target: TARGET,
-    };
-    text(
-        "cannot tell of it",
-        include_str!("primitives/comparison.md"),
-        page,
-    )
+    let template = include_str!("primitives/comparison.md");
+    let target = TARGET;
+    text("cannot tell of it", template, Page { comparison, target })
 }
 
 /// The timing, which depends on the machine.

@@ -9,26 +9,23 @@ use imogene_verif::formal::toolchain::Toolchain;
 
 pub fn run(options: &Prove, json: bool) -> Result {
     let jobs = select(&options.name, options.full)?;
-    let tasks: Vec<Task> = if options.mutants {
-        let of_job = |job| {
-            let task = move |mutant| Task {
-                job: Clone::clone(job),
+    let mut tasks = vec![];
+    for job in jobs {
+        if options.mutants {
+            tasks.extend(mutants::of(&job.name).map(|mutant| Task {
+                job: job.clone(),
                 mutant: Some(mutant),
-            };
-            mutants::of(&job.name).map(task)
-        };
-        jobs.iter().flat_map(of_job).collect()
-    } else {
-        let task = |job| Task { job, mutant: None };
-        jobs.into_iter().map(task).collect()
-    };
+            }));
+        } else {
+            tasks.push(Task { job, mutant: None });
+        }
+    }
     if tasks.is_empty() {
-        let message = format!(
+        return Err(Failure::Input(format!(
             "the proofs of `{}` have no mutants; the mutants are of {}",
             options.name,
             mutants::jobs().join(", ")
-        );
-        return Err(Failure::Input(message));
+        )));
     }
     let tools = Toolchain::find()?;
     let bar = output::progress(tasks.len() as u64, "proofs");

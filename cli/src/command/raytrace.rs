@@ -7,7 +7,7 @@ use crate::{missing, output};
 use imogene_files::text::counted;
 use imogene_golden::format::Format;
 use imogene_golden::machine::frame::Frame;
-use imogene_oracle::compare::{CLOSE_LEVELS, Comparison, Mark};
+use imogene_oracle::compare::{CLOSE_LEVELS, Mark, Seen};
 use imogene_oracle::ordinary::scene_text;
 use imogene_oracle::paint;
 use imogene_oracle::run::{Outcome, run as trace};
@@ -26,7 +26,6 @@ struct TraceReport {
     files: Vec<PathBuf>,
 }
 
-/// Compares the golden pictures of scenes with traced ones.
 pub fn run(options: &Raytrace, json: bool) -> Result {
     if options.output.is_some() && options.scenes.len() > 1 {
         return Err(Failure::Input(
@@ -40,8 +39,12 @@ pub fn run(options: &Raytrace, json: bool) -> Result {
     let (mut rows, mut files) = (vec![], output::files());
     for path in &options.scenes {
         let (row, picture) = one(path, options, &format)?;
+        let in_folder = options.out.as_ref().map(|folder| {
+            let name = path.file_stem().unwrap_or(path.as_os_str());
+            folder.join(name).with_extension("png")
+        });
         if let Some((frame, marks)) = picture
-            && let Some(file) = picture_of(path, options)
+            && let Some(file) = options.output.clone().or(in_folder)
         {
             let rgb = paint::comparison(&frame, format.z_max(), &marks);
             output::add_picture(&mut files, &file, [frame.width, frame.height], &rgb)?;
@@ -79,10 +82,8 @@ fn random(scenes: u64, options: &Raytrace, format: Format, json: bool) -> Result
     });
     if let Some(folder) = &options.out {
         let mut files = output::files();
-        for finding in [&found.refused, &found.check_fails, &found.differing]
-            .into_iter()
-            .flatten()
-        {
+        let findings = [&found.refused, &found.check_fails, &found.differing];
+        for finding in findings.into_iter().flatten() {
             let file = folder.join(format!("{}-{}.toml", options.seed, finding.number));
             let text = scene_text(options.seed, finding.number);
             files.add_text(&file, &text)?;
@@ -128,14 +129,6 @@ fn one(path: &Path, options: &Raytrace, format: &Format) -> Result<(Row, Drawn)>
     })
 }
 
-fn picture_of(scene: &Path, options: &Raytrace) -> Option<PathBuf> {
-    let folder = options.out.as_ref().map(|folder| {
-        let name = scene.file_stem().unwrap_or(scene.as_os_str());
-        folder.join(name).with_extension("png")
-    });
-    options.output.clone().or(folder)
-}
-
 fn tell(row: &Row) {
     let (size, scene) = (format!("{} x {}", row.width, row.height), &row.scene);
     let Some(c) = &row.comparison else {
@@ -164,12 +157,8 @@ fn tell(row: &Row) {
         c.colour_error,
         c.colours_beyond_bound
     ));
-    first(c);
-}
-
-fn first(c: &Comparison) {
     for d in &c.first {
-        let side = |s: &imogene_oracle::compare::Seen| match s.object {
+        let side = |s: &Seen| match s.object {
             -1 => "the background".to_owned(),
             id => format!("object {id}, face {}, depth {:.3}", s.number, s.depth),
         };

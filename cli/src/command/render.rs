@@ -8,13 +8,12 @@ use crate::arguments::{Model, Render};
 use crate::failure::{Failure, Result};
 use crate::output;
 use imogene_analysis::bounds::{Failing, failing};
-use imogene_analysis::metrics::{Drawing, ZoneScene};
+use imogene_analysis::metrics::Drawing;
 use imogene_analysis::phong;
 use imogene_golden::machine::accumulator::{Accumulator, PassPixel};
 use imogene_golden::machine::frame::Frame;
 use imogene_plan::split::{Divided, Division, Duplication, Work, Worker};
-use imogene_prepare::PreparedScene;
-use imogene_scene::{Absent, FramedScene, RangeReport, SceneFile};
+use imogene_scene::{Absent, RangeReport, SceneFile};
 use imogene_studies::picture;
 use imogene_studies::zones::zones;
 use models::draw;
@@ -44,33 +43,6 @@ struct RenderReport {
     split: Option<SplitReport>,
 }
 
-/// Writes what was drawn, and tells of it.
-fn finish(
-    options: &Render,
-    (framed, prepared): (&FramedScene, &PreparedScene),
-    (frame, rgb): (&Frame, &[u8]),
-    [prepare_seconds, seconds]: [f64; 2],
-    split: Option<SplitReport>,
-    json: bool,
-) -> Result {
-    let (width, height) = (prepared.width, prepared.height);
-    let report = RenderReport {
-        model: options.model,
-        width,
-        height,
-        prepare_seconds,
-        seconds,
-        pixels_per_second: f64::from(width) * f64::from(height) / seconds.max(1e-9),
-        covered_pixels: frame.covered(),
-        volumes: prepared.volumes.len(),
-        absent: Absent::of(&framed.objects),
-        range: framed.range.report(prepared.format.z_max()),
-        split,
-    };
-    let files = write(options, frame, rgb)?;
-    output::written(json, report, files, include_str!("render/picture.txt"))
-}
-
 pub fn run(options: &Render, json: bool) -> Result {
     if let Some(range) = options.frames {
         return frames::run(options, range, json);
@@ -87,8 +59,14 @@ pub fn run(options: &Render, json: bool) -> Result {
         true => load_seen(file, scene)?,
         false => frame_in(&file, scene.size, scene.format()?)?,
     };
-    let zones = zone.map(|zone| rounded_anew(options, zone, &framed, &prepared));
-    let zones = zones.transpose()?;
+    // With coefficients that are rounded anew for each zone.
+    let zones = match zone {
+        Some(zone) => {
+            check_golden(options, "zones are", "--zone")?;
+            Some(zones(&framed, prepared.format, zone)?)
+        }
+        None => None,
+    };
     let prepare_seconds = started.elapsed().as_secs_f64();
     let started = Instant::now();
     let mut split = None;
@@ -99,7 +77,13 @@ pub fn run(options: &Render, json: bool) -> Result {
             (frame, lighting)
         }
         (None, Some(division)) => {
-            let divided = draw_divided(options, division, &prepared)?;
+            check_golden(options, "a divided picture is", "--split")?;
+            prepared.refuse_transparent()?;
+            let workers = options.split.workers.map_or_else(threads, usize::from);
+            let pieces = division.pieces(prepared.width, prepared.height).len() as u64;
+            let divided = output::during(pieces, "pieces of the screen", |bar| {
+                Divided::draw(&prepared, division, workers, || bar.inc(1))
+            });
             split = Some(SplitReport::of(&divided, division));
             (divided.frame, divided.lighting)
         }
@@ -109,9 +93,23 @@ pub fn run(options: &Render, json: bool) -> Result {
         Some((count, file)) => sampled(options, &file, count)?,
         None => phong::shade(&frame, &lighting, &framed, &prepared.format),
     };
-    let seconds = [prepare_seconds, started.elapsed().as_secs_f64()];
-    let scene = (&framed, &prepared);
-    finish(options, scene, (&frame, &rgb), seconds, split, json)?;
+    let seconds = started.elapsed().as_secs_f64();
+    let (width, height) = (prepared.width, prepared.height);
+    let report = RenderReport {
+        model: options.model,
+        width,
+        height,
+        prepare_seconds,
+        seconds,
+        pixels_per_second: f64::from(width) * f64::from(height) / seconds.max(1e-9),
+        covered_pixels: frame.covered(),
+        volumes: prepared.volumes.len(),
+        absent: Absent::of(&framed.objects),
+        range: framed.range.report(prepared.format.z_max()),
+        split,
+    };
+    let files = write(options, &frame, &rgb)?;
+    output::written(json, report, files, include_str!("render/picture.txt"))?;
     match is_picture && options.model == Model::Golden {
         true => drawn_as_it_is(&failing(&framed, &prepared)),
         false => Ok(()),
@@ -129,17 +127,6 @@ fn drawn_as_it_is(failing: &[Failing]) -> Result {
             "{count} of the objects may not be drawn as they are; `imogene check` says more, and a longer depth word (--format) may help"
         )
     })
-}
-
-/// The scene with coefficients that are rounded anew for each zone.
-fn rounded_anew(
-    options: &Render,
-    zone: u32,
-    framed: &FramedScene,
-    prepared: &PreparedScene,
-) -> Result<Vec<ZoneScene>> {
-    check_golden(options, "zones are", "--zone")?;
-    Ok(zones(framed, prepared.format, zone)?)
 }
 
 /// Refuses another model where only the golden one draws.
@@ -213,19 +200,6 @@ struct SplitReport {
     balance_of_seconds: f64,
     duplication: Duplication,
     workers: Vec<Worker>,
-}
-
-/// The picture that workers draw piece by piece.
-fn draw_divided(options: &Render, division: Division, prepared: &PreparedScene) -> Result<Divided> {
-    check_golden(options, "a divided picture is", "--split")?;
-    prepared.refuse_transparent()?;
-    let workers = options.split.workers.map_or_else(threads, usize::from);
-    let pieces = division.pieces(prepared.width, prepared.height).len();
-    Ok(output::during(
-        pieces as u64,
-        "pieces of the screen",
-        |bar| Divided::draw(prepared, division, workers, || bar.inc(1)),
-    ))
 }
 
 impl SplitReport {

@@ -38,7 +38,6 @@ struct Exact {
     differing_after: usize,
 }
 
-/// Draws in short words and repairs exactly what they leave open.
 pub fn run(options: &Repair, json: bool) -> Result {
     let (framed, prepared) = load_scene(&options.scene)?;
     let repaired = output::during(u64::from(prepared.height), "exact repair", |bar| {

@@ -51,10 +51,13 @@ pub fn run(options: &Shading, json: bool) -> Result {
     let mut sets = vec![("of the hardware".to_string(), widths)];
     if options.sweep {
         for (name, width) in widths.named() {
-            sets.extend((1..=MOST_LESS).map(|less| {
-                let text = format!("{name} {} - {less}", width);
-                (text, widths.shorter(name, less))
-            }));
+            let shorter = |less| {
+                (
+                    format!("{name} {width} - {less}"),
+                    widths.shorter(name, less),
+                )
+            };
+            sets.extend((1..=MOST_LESS).map(shorter));
         }
     }
     let bar = output::progress(options.cases * sets.len() as u64, "random cases");
@@ -76,12 +79,12 @@ pub fn run(options: &Shading, json: bool) -> Result {
         rows.push(row);
     }
     bar.finish_and_clear();
-    let verdict = verdict::of_levels(&rows[0].errors);
+    let seed = options.seed;
+    let table = Table { seed, rows };
     if json {
-        let seed = options.seed;
-        output::json(&Table { seed, rows });
+        output::json(&table);
     }
-    verdict
+    verdict::of_levels(&table.rows[0].errors)
 }
 
 /// Lit-sphere shading of a scene; the keys are stable.
@@ -94,13 +97,13 @@ struct SphereScene {
 
 fn on_scenes(paths: &[PathBuf], nearest: bool, json: bool) -> Result {
     let scene = |path: &PathBuf| {
-        let (framed, prepared) =
-            frame_in(&read_scene(path, &View::default())?, None, Format::BASE)?;
+        let file = read_scene(path, &View::default())?;
+        let (framed, prepared) = frame_in(&file, None, Format::BASE)?;
         let tables = sphere_errors(&framed, &prepared, nearest);
         Ok(SphereScene {
             scene: path.clone(),
             materials: framed.materials.len(),
-            tables: tables.map_err(|error| Failure::at(path, error))?,
+            tables: tables.map_err(Failure::in_file(path))?,
         })
     };
     let scenes: Vec<SphereScene> = paths.iter().map(scene).collect::<Result<_>>()?;

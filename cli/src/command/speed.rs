@@ -12,7 +12,6 @@ use serde_json::json;
 use std::path::Path;
 use std::time::Duration;
 
-/// Measures how fast the engines run a unit, or the machine of a scene, side by side.
 pub fn run(options: &Speed, json: bool) -> Result {
     let path = Path::new(&options.unit);
     let is_scene = Unit::from_name(&options.unit).is_err() && path.extension().is_some();

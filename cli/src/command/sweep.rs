@@ -12,35 +12,27 @@ use std::path::{Path, PathBuf};
 #[derive(Serialize)]
 struct Report {
     sweeps: Vec<SweepResult>,
-    files: Vec<PathBuf>,
 }
 
-/// Runs the sweeps, prints their tables, and writes plots and figures if there is a folder for them.
 pub fn run(options: &arguments::Sweep, json: bool) -> Result {
     let chosen = chosen(&options.names)?;
     let format = Format::new(options.format)?;
     let steps: usize = chosen.iter().map(|sweep| sweep.scenes(format).len()).sum();
     let sweeps: Vec<SweepResult> = output::during(steps as u64, "steps", |bar| {
-        let sweeps = chosen
-            .iter()
-            .map(|sweep| sweep.run(format, |_| true, || bar.inc(1)));
-        sweeps.collect()
+        let run = |sweep: &&Sweep| sweep.run(format, |_| true, || bar.inc(1));
+        chosen.iter().map(run).collect()
     });
     let files = options.out.as_ref().map(|folder| write(folder, &sweeps));
     let files = files.transpose()?.unwrap_or_default();
-    let page = page(&sweeps, None)?;
-    let report = Report { sweeps, files };
-    output::report(json, &report, |report| {
-        output::text(page.trim_end());
-        output::wrote(&report.files);
-    });
+    let (page, report) = (page(&sweeps, None)?, Report { sweeps });
+    output::paged(json, &report, files, page.trim_end());
     verdict(&report.sweeps)
 }
 
 /// The sweeps named, each once, in the order of the documentation; all if none is named.
 fn chosen(names: &[String]) -> Result<Vec<&'static Sweep>> {
-    let named: Result<Vec<&Sweep>, _> = names.iter().map(|name| sweep::find(name)).collect();
-    let named = named?;
+    let named = names.iter().map(|name| sweep::find(name));
+    let named = named.collect::<Result<Vec<&Sweep>, _>>()?;
     let wanted = |sweep: &&Sweep| named.is_empty() || named.iter().any(|n| n.name == sweep.name);
     Ok(sweep::ALL.iter().filter(wanted).collect())
 }

@@ -11,9 +11,8 @@ use imogene_synth::fitted::{MachineCost, Parts};
 use imogene_synth::table::{self, Table};
 use imogene_synth::{Target, synthesise, synthesise_design};
 use serde::Serialize;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-/// Synthesises a unit, makes the resource table, or checks against it.
 pub fn run(options: &Synth, json: bool) -> Result {
     if options.check {
         return check::run(options, json);
@@ -27,20 +26,19 @@ pub fn run(options: &Synth, json: bool) -> Result {
 
 /// A whole machine, placed and routed as one.
 fn run_design(file: &Path, target: &str, options: &Synth, json: bool) -> Result {
-    let (target, seeds) = (Target::from_name(target)?, options.seeds);
+    let target = Target::from_name(target)?;
     let machine = emit_machine(&fitted::described(file, None)?)?;
-    let report = synthesise_design(&machine, target, seeds, options.cache())?;
+    let report = synthesise_design(&machine, target, options.seeds, options.cache())?;
     output::told(json, &report, include_str!("synth/report.txt"))
 }
 
 fn run_unit(unit: &str, target: &str, options: &Synth, json: bool) -> Result {
     let request = options.shape.request(unit)?;
     let target = Target::from_name(target)?;
-    let seeds = options.seeds;
     if let Some(machine) = fitted::asked(&options.fitted, &request, None)? {
         return run_machine(&machine, target, json);
     }
-    let report = synthesise(&request, target, seeds, options.cache())?;
+    let report = synthesise(&request, target, options.seeds, options.cache())?;
     output::told(json, &report, include_str!("synth/report.txt"))
 }
 
@@ -75,7 +73,9 @@ fn run_table(options: &Synth, json: bool) -> Result {
     files.add_text(&options.out, &table.markdown())?;
     files.add_text(&figures, &table.json())?;
     if let Some(picture) = table.picture()? {
-        files.add_text(&beside(&options.out, table::PICTURE), &picture)?;
+        // A path that the page names, seen from here.
+        let folder = options.out.parent().unwrap_or(Path::new(""));
+        files.add_text(&folder.join(table::PICTURE), &picture)?;
     }
     let files = files.finish()?;
     output::report(json, &table, |_| {
@@ -83,9 +83,4 @@ fn run_table(options: &Synth, json: bool) -> Result {
         output::text(format!("wrote {files}"));
     });
     Ok(())
-}
-
-/// A path that the page names, seen from here.
-fn beside(page: &Path, name: &str) -> PathBuf {
-    page.parent().unwrap_or(Path::new("")).join(name)
 }

@@ -19,7 +19,6 @@ struct TerrainReport {
     files: Vec<PathBuf>,
 }
 
-/// Makes a grid of heights and writes it.
 pub fn run(options: &Terrain, json: bool) -> Result {
     let distance = options.node_distance;
     if !(distance > 0.0 && distance <= 1e6) {

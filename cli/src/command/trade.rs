@@ -7,7 +7,6 @@ use crate::{missing, molecules, output};
 use imogene_files::text::counted;
 use imogene_golden::format::Format;
 use imogene_plan::description::MachineDescription;
-use imogene_plan::pace::Timing;
 use imogene_prepare::Options;
 use imogene_studies::picture;
 use imogene_studies::sheet::Sheet;
@@ -27,7 +26,6 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Instant;
 
-/// Measures the points of the design space and shows them.
 pub fn run(options: &Trade, json: bool) -> Result {
     let started = Instant::now();
     let file = molecules::read_scene(&options.scene)?;
@@ -37,6 +35,9 @@ pub fn run(options: &Trade, json: bool) -> Result {
     let designs = options.points.designs(size.0);
     let bar = output::progress(designs.len() as u64, "points");
     let version = env!("CARGO_PKG_VERSION");
+    // What tells this program from any other: results of another one are measured again.
+    let bytes = std::env::current_exe().and_then(std::fs::read);
+    let unread = |error| Failure::Input(format!("cannot read the program itself: {error}"));
     let asked = Request {
         file: &file,
         name: &options.scene.display().to_string(),
@@ -45,10 +46,12 @@ pub fn run(options: &Trade, json: bool) -> Result {
         designs,
         out: &options.out,
         version,
-        program: &format!("{version} {}", own_digest()?),
+        program: &format!("{version} {}", run::digest(bytes.map_err(unread)?)),
         costs: &|machines, pricing| costs(machines, target, pricing, options),
         with_clock: options.clock,
-        timing: &timing_of,
+        timing: &|machine| {
+            timing(&request_for(machine, &[], "")).expect("a machine that is within its ranges")
+        },
         done: &|points| {
             bar.inc(points);
             if Some(bar.position()) == bar.length() {
@@ -100,12 +103,6 @@ pub fn run(options: &Trade, json: bool) -> Result {
     }
 }
 
-/// What the hardware of a machine takes.
-fn timing_of(machine: &MachineDescription) -> Timing {
-    timing(&request_for(machine, &[], "")).expect("a machine that is within its ranges")
-}
-
-/// What machines cost.
 fn costs(
     machines: &[MachineDescription],
     target: Target,
@@ -131,13 +128,6 @@ fn costs(
         is_estimated: matches!(pricing, Pricing::Estimated(_)),
     };
     Ok(costs.iter().map(cost).collect())
-}
-
-/// What tells this program from any other: results of another one are measured again.
-fn own_digest() -> Result<String> {
-    let unread = |error| Failure::Input(format!("cannot read the program itself: {error}"));
-    let bytes = std::env::current_exe().and_then(std::fs::read);
-    Ok(run::digest(bytes.map_err(unread)?))
 }
 
 fn write(trade: &report::Trade, folder: &Path, points: Space) -> Result<Vec<PathBuf>> {
@@ -168,7 +158,7 @@ fn sheet(trade: &report::Trade, folder: &Path) -> Result<Sheet> {
     let read = |file: &String| {
         let path = folder.join(file);
         let picture = picture::read_png(&path).map(|(_, rgb)| rgb);
-        picture.map_err(|problem| Failure::at(&path, problem))
+        picture.map_err(Failure::in_file(&path))
     };
     let points = trade.points.iter().map(|entry| &entry.point);
     let depth = |point: &Point| point.design.accuracy.depth;
@@ -228,7 +218,9 @@ fn run_in_parts(options: &Trade) -> Result {
         "workers": options.workers,
         "server": options.server,
     });
-    let said = call(Command::new(python()).args(["-c", DRIVER, &request.to_string()]))
+    // The Python of the folder of tools, which `IMOGENE_TOOLS` may name, or the system's.
+    let python = find(&own_folders(), &["python"]).unwrap_or_else(|| "python3".into());
+    let said = call(Command::new(python).args(["-c", DRIVER, &request.to_string()]))
         .map_err(|error| Failure::Input(format!("cannot run Python: {error}; {HOW}")))?;
     if said.succeeded() {
         return Ok(());
@@ -246,8 +238,3 @@ fn run_in_parts(options: &Trade) -> Result {
 }
 
 const HOW: &str = "scripts/setup --parts installs it in target/tools";
-
-/// The Python of the folder of tools, which `IMOGENE_TOOLS` may name, or the system's.
-fn python() -> PathBuf {
-    find(&own_folders(), &["python"]).unwrap_or_else(|| "python3".into())
-}

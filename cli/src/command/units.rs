@@ -4,7 +4,7 @@ use crate::arguments::{Contract, Processors, Roots};
 use crate::failure::Result;
 use crate::output;
 use imogene_contract::Unit;
-use imogene_contract::parameters::PARAMETERS;
+use imogene_contract::parameters::{PARAMETERS, Parameter};
 use imogene_golden::format::Format;
 use imogene_package::{contract, processors};
 use imogene_studies::kit::page::text;
@@ -29,9 +29,8 @@ struct ParameterEntry {
 
 pub fn units(json: bool) -> Result {
     let units: Vec<UnitEntry> = Unit::ALL.into_iter().map(entry).collect();
-    let symbols = PARAMETERS.iter();
-    let symbols = symbols.map(|p| format!("{} --{}", p.symbol, p.option));
-    let symbols: Vec<String> = symbols.collect();
+    let symbol = |p: &Parameter| format!("{} --{}", p.symbol, p.option);
+    let symbols: Vec<String> = PARAMETERS.iter().map(symbol).collect();
     let page = json!({ "units": units, "symbols": symbols });
     let page = output::page(include_str!("units.txt"), page)?;
     output::report(json, &units, |_| output::text(page));
@@ -57,7 +56,6 @@ fn entry(unit: Unit) -> UnitEntry {
     }
 }
 
-/// Lists the object processors with their parts, or writes the list to a file.
 pub fn processors(options: &Processors, json: bool) -> Result {
     let list = processors::processors()?;
     if let Some(path) = &options.out {
@@ -69,10 +67,8 @@ pub fn processors(options: &Processors, json: bool) -> Result {
     Ok(())
 }
 
-/// Prints the contract of a unit, or writes it to a file.
 pub fn contract(options: &Contract, json: bool) -> Result {
-    let request = options.shape.request(&options.unit)?;
-    let contract = contract::contract(&request)?;
+    let contract = contract::contract(&options.shape.request(&options.unit)?)?;
     let text = match json {
         true => contract.json(),
         false => contract.markdown(),
@@ -86,7 +82,6 @@ pub fn contract(options: &Contract, json: bool) -> Result {
     }
 }
 
-/// Prints the measured table of the family of square root networks, as Markdown or JSON.
 pub fn roots(options: &Roots, json: bool) -> Result {
     let rows = table(&Format::new(options.format)?);
     let values = json!({ "rows": rows });

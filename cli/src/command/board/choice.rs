@@ -2,7 +2,7 @@
 
 use crate::arguments::{self, Fit, Size, lit_sphere, option};
 use crate::command::fit;
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::output;
 use imogene_board::{Board, Family};
 use imogene_contract::video::VideoMode;
@@ -15,10 +15,7 @@ const PERCENT: f64 = 0.1;
 const LEVELS: f64 = 2.0;
 
 /// The machine: the one that is given, or one that is fitted to the scene.
-pub(super) fn machine(
-    options: &arguments::Board,
-    board: &Board,
-) -> Result<MachineDescription, Failure> {
+pub(super) fn machine(options: &arguments::Board, board: &Board) -> Result<MachineDescription> {
     let Some(path) = &options.machine else {
         return fitted(options, board);
     };
@@ -30,7 +27,7 @@ pub(super) fn machine(
     Ok(machine)
 }
 
-fn fitted(options: &arguments::Board, board: &Board) -> Result<MachineDescription, Failure> {
+fn fitted(options: &arguments::Board, board: &Board) -> Result<MachineDescription> {
     let fit = Fit {
         scenes: vec![options.scene.clone()],
         out: options.out.clone(),
@@ -64,21 +61,15 @@ fn target(board: &Board) -> Target {
 }
 
 /// Columns and lines of the mode that is asked for, or else the first of the board.
-pub(super) fn screen(options: &arguments::Board, board: &Board) -> Result<Size, Failure> {
+pub(super) fn screen(options: &arguments::Board, board: &Board) -> Result<Size> {
     let name = options.mode.as_ref().unwrap_or(&board.modes[0].name);
-    let size = name.split_once('x').and_then(|(width, height)| {
-        let [width, height] = [width, height].map(|side| side.parse().ok());
-        width.zip(height)
-    });
+    let size = arguments::pair(name, 'x');
     size.ok_or_else(|| unknown_mode(board, name))
 }
 
 /// The mode of a machine and its frames per second, if it is one of the board; any blanking where there is no
 /// connector.
-pub(super) fn mode_of(
-    board: &Board,
-    machine: &MachineDescription,
-) -> Result<(VideoMode, u32), Failure> {
+pub(super) fn mode_of(board: &Board, machine: &MachineDescription) -> Result<(VideoMode, u32)> {
     let mode = machine.video_mode();
     let name = match (&machine.mode, mode) {
         (Mode::Own(_), Some(mode)) if board.part.is_none() => {

@@ -3,7 +3,7 @@
 use crate::arguments::{self, FrameRange, View};
 use crate::command::machine::{frames_of, images_of};
 use crate::command::read_scene;
-use crate::failure::Failure;
+use crate::failure::Result;
 use imogene_board::{Board, stays};
 use imogene_contract::slots::FittedSlot;
 use imogene_golden::machine::zone::beat::{Beat, kind};
@@ -36,7 +36,7 @@ impl Film {
         board: &Board,
         machine: &MachineDescription,
         rate: u32,
-    ) -> Result<Film, Failure> {
+    ) -> Result<Film> {
         let scene = options.scene.as_path();
         let rate = rate.into();
         let (views, seconds): (Vec<View>, Vec<f64>) = views.into_iter().unzip();
@@ -95,7 +95,7 @@ fn changes<'a>(images: impl Iterator<Item = &'a [Beat]>, slots: &[FittedSlot]) -
 }
 
 /// The frames of an animated scene, or the scene as it is written, each for so many seconds.
-pub(super) fn views(scene: &Path, range: Option<FrameRange>) -> Result<Vec<(View, f64)>, Failure> {
+pub(super) fn views(scene: &Path, range: Option<FrameRange>) -> Result<Vec<(View, f64)>> {
     let as_written = View::default();
     let is_still = range.is_none() && read_scene(scene, &as_written)?.images.is_empty();
     if is_still {

@@ -1,7 +1,7 @@
 //! What is told of a board.
 
 use crate::arguments;
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::output::{self, Written};
 use imogene_board::{Board, Pins, Routed};
 use imogene_files::Outputs;
@@ -83,7 +83,7 @@ impl Shown {
 
 impl BoardReport<'_> {
     /// Fails where pins do not show the golden picture.
-    pub(super) fn verdict(&self) -> Result<(), Failure> {
+    pub(super) fn verdict(&self) -> Result {
         let shown = [&self.pins, &self.bitstream, &self.netlist]
             .into_iter()
             .flatten();
@@ -103,7 +103,7 @@ pub(super) fn finish(
     mut files: Outputs,
     json: bool,
     template: &str,
-) -> Result<(), Failure> {
+) -> Result {
     #[derive(Serialize)]
     struct Told<'a, T> {
         name: &'a str,

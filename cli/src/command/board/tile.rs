@@ -4,7 +4,7 @@ use super::choice::{command, machine, mode_of, screen};
 use super::report::{SLACK, Shown, finish};
 use crate::arguments::{self, MACHINE_FILE, Size, View};
 use crate::command::{frame_in, read_scene};
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::output;
 use imogene_board::{
     About, Board, Layout, Library, Mapped, Pins, Tile, cell_delays, lay_out, simulate,
@@ -52,8 +52,7 @@ struct TileReport<'a> {
     command: String,
 }
 
-/// Makes a tile that shows a scene.
-pub fn run(options: &arguments::Board, board: &Board, json: bool) -> Result<(), Failure> {
+pub fn run(options: &arguments::Board, board: &Board, json: bool) -> Result {
     if options.machine.is_none() {
         refuse_early(options, screen(options, board)?)?;
     }
@@ -61,7 +60,13 @@ pub fn run(options: &arguments::Board, board: &Board, json: bool) -> Result<(), 
     let (mode, _) = mode_of(board, &machine)?;
     let words = words(options, &machine, mode)?;
     let command = command(options);
-    let name = name_of(options);
+    // The name of the scene as a part of that of a module.
+    let stem = options.scene.file_stem().unwrap_or_default();
+    let plain = |c: char| match c.is_ascii_alphanumeric() {
+        true => c.to_ascii_lowercase(),
+        false => '_',
+    };
+    let name: String = stem.to_string_lossy().chars().map(plain).collect();
     let frames = options.frames.unwrap_or(FRAMES);
     let about = About {
         title: format!("imogene: {name}"),
@@ -79,7 +84,15 @@ pub fn run(options: &arguments::Board, board: &Board, json: bool) -> Result<(), 
         tile,
     };
     let mut files = output::files();
-    work.add_project(&machine, &mut files)?;
+    files.add_text(&work.out(MACHINE_FILE), &machine.to_toml())?;
+    files.add_text(&work.out("src/project.v"), &work.tile.verilog)?;
+    for (place, text) in &work.tile.files {
+        files.add_text(&work.out(place), text)?;
+    }
+    for (number, picture) in work.golden.iter().enumerate() {
+        let name = format!("test/reference/frame{number}.png");
+        work.add_picture(&name, picture, &mut files)?;
+    }
     let mut report = TileReport {
         board,
         machine: &machine,
@@ -102,7 +115,7 @@ pub fn run(options: &arguments::Board, board: &Board, json: bool) -> Result<(), 
 }
 
 /// Refuses what no words make a tile of, ahead of the fit, which takes seconds. What the words decide is left to it.
-fn refuse_early(options: &arguments::Board, (width, height): Size) -> Result<(), Failure> {
+fn refuse_early(options: &arguments::Board, (width, height): Size) -> Result {
     let file = read_scene(&options.scene, &View::default())?;
     let framed = file.frame(width, height).ok();
     let prepared = framed.and_then(|framed| prepare_for_roots(&framed, Format::BASE).ok());
@@ -117,23 +130,13 @@ fn words(
     options: &arguments::Board,
     machine: &MachineDescription,
     mode: VideoMode,
-) -> Result<TileWords, Failure> {
+) -> Result<TileWords> {
     let file = read_scene(&options.scene, &View::default())?;
     let mut widths = machine.words();
     widths.normal = NORMAL;
     let format = Format::fitted(&widths)?;
     let (framed, prepared) = frame_in(&file, machine.drawn_size(), format)?;
-    tile_words(&framed, &prepared, mode).map_err(|error| Failure::at(&options.scene, error))
-}
-
-/// The name of the scene as a part of that of a module.
-fn name_of(options: &arguments::Board) -> String {
-    let stem = options.scene.file_stem().unwrap_or_default();
-    let plain = |c: char| match c.is_ascii_alphanumeric() {
-        true => c.to_ascii_lowercase(),
-        false => '_',
-    };
-    stem.to_string_lossy().chars().map(plain).collect()
+    tile_words(&framed, &prepared, mode).map_err(Failure::in_file(&options.scene))
 }
 
 /// A tile on its way.
@@ -151,31 +154,15 @@ impl Work<'_> {
         self.options.out.join(name)
     }
 
-    fn add_project(
-        &self,
-        machine: &MachineDescription,
-        files: &mut Outputs,
-    ) -> Result<(), Failure> {
-        files.add_text(&self.out(MACHINE_FILE), &machine.to_toml())?;
-        files.add_text(&self.out("src/project.v"), &self.tile.verilog)?;
-        for (place, text) in &self.tile.files {
-            files.add_text(&self.out(place), text)?;
-        }
-        for (number, picture) in self.golden.iter().enumerate() {
-            self.add_picture(&format!("test/reference/frame{number}.png"), picture, files)?;
-        }
-        Ok(())
-    }
-
     /// A picture of levels as the pins have them.
-    fn add_picture(&self, name: &str, levels: &[u8], files: &mut Outputs) -> Result<(), Failure> {
+    fn add_picture(&self, name: &str, levels: &[u8], files: &mut Outputs) -> Result {
         let size = [self.mode.line, self.mode.frame].map(|span| span.active as usize);
         let most = (1 << PIN_BITS) - 1;
         let pixels: Vec<u8> = levels.iter().map(|level| level * (255 / most)).collect();
         Ok(output::add_picture(files, &self.out(name), size, &pixels)?)
     }
 
-    fn check(&self, report: &mut TileReport, files: &mut Outputs) -> Result<(), Failure> {
+    fn check(&self, report: &mut TileReport, files: &mut Outputs) -> Result {
         let clocks = self.golden.len() as u64 * self.mode.clocks() + SLACK;
         let is_shown = !self.options.no_simulation;
         let (tile, board) = (&self.tile, self.board);
@@ -194,14 +181,13 @@ impl Work<'_> {
         report.cells = Some(cells);
         let gates = Library::Osu018.map(tile)?;
         files.add_text(&self.out("gates.v"), &gates.verilog)?;
-        let on_pins = |netlist: &str| -> Result<Pins, Failure> {
-            let netlist = format!("{netlist}\n{}", tile.bench);
-            let board = (board, &self.mode);
-            Ok(simulate_gates(board, &netlist, &cell_delays()?, clocks)?)
+        let on_pins = |name: &str, netlist: &str, files: &mut Outputs| -> Result<Shown> {
+            let (netlist, board) = (format!("{netlist}\n{}", tile.bench), (board, &self.mode));
+            let pins = simulate_gates(board, &netlist, &cell_delays()?, clocks)?;
+            self.shown(name, &pins, clocks, files)
         };
         if is_shown {
-            let pins = on_pins(&gates.verilog)?;
-            report.gate_pins = Some(self.shown("gates", &pins, clocks, files)?);
+            report.gate_pins = Some(on_pins("gates", &gates.verilog, files)?);
         }
         if self.options.layout {
             let (layout, texts) = lay_out(tile, &gates)?;
@@ -209,28 +195,20 @@ impl Work<'_> {
             files.add_text(&self.out("layout.def"), &texts.def)?;
             report.layout = Some(layout);
             if is_shown {
-                let pins = on_pins(&texts.verilog)?;
-                report.layout_pins = Some(self.shown("layout", &pins, clocks, files)?);
+                report.layout_pins = Some(on_pins("layout", &texts.verilog, files)?);
             }
         }
         report.gates = Some(gates);
         Ok(())
     }
 
-    fn shown(
-        &self,
-        name: &str,
-        pins: &Pins,
-        clocks: u64,
-        files: &mut Outputs,
-    ) -> Result<Shown, Failure> {
-        let golden = |levels: &Vec<u8>| -> Vec<u8> {
-            levels.iter().map(|level| level << (8 - PIN_BITS)).collect()
-        };
-        let golden: Vec<Vec<u8>> = self.golden.iter().map(golden).collect();
+    fn shown(&self, name: &str, pins: &Pins, clocks: u64, files: &mut Outputs) -> Result<Shown> {
+        let spare = 8 - PIN_BITS;
+        let golden = self.golden.iter();
+        let golden = golden.map(|levels| levels.iter().map(|level| level << spare).collect());
+        let golden: Vec<Vec<u8>> = golden.collect();
         for (number, picture) in pins.shown.pictures.iter().take(golden.len()).enumerate() {
-            let levels = picture.iter().map(|level| level >> (8 - PIN_BITS));
-            let levels: Vec<u8> = levels.collect();
+            let levels: Vec<u8> = picture.iter().map(|level| level >> spare).collect();
             self.add_picture(&format!("{name}{number}.png"), &levels, files)?;
         }
         Ok(Shown::of(pins, &golden, clocks))
@@ -239,7 +217,7 @@ impl Work<'_> {
 
 impl TileReport<'_> {
     /// Fails where pins do not show the golden frames, or the layout is none.
-    fn verdict(&self) -> Result<(), Failure> {
+    fn verdict(&self) -> Result {
         let shown = [&self.pins, &self.gate_pins, &self.layout_pins].into_iter();
         let differing: usize = shown.flatten().map(|shown| shown.differing).sum();
         let of = |layout: &Layout| layout.unrouted + layout.differences;

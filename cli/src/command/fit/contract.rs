@@ -72,7 +72,6 @@ fn named(scenes: &[String]) -> String {
     }
 }
 
-/// A kind of machines.
 pub const fn kind(machine: MachineKind) -> &'static str {
     match machine {
         MachineKind::Beam => "beam machine",

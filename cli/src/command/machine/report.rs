@@ -1,6 +1,6 @@
 //! What is told of a run.
 
-use crate::command::describe;
+use crate::command::{describe, negation};
 use crate::output;
 use imogene_files::text::counted;
 use imogene_plan::description::MachineDescription;
@@ -59,16 +59,11 @@ pub(super) fn tell(summary: &MachineReport) {
         output::text(describe(report));
         let shown = summary.shown.iter().flatten().count();
         let frames = counted(summary.shown.len(), "frame");
-        let not = if summary.equal == Some(true) {
-            ""
-        } else {
-            "NOT "
-        };
+        let not = negation(summary.equal == Some(true));
         output::text(format!(
             "  {frames}, {shown} of a scene; the last one is {not}the golden picture"
         ));
     }
-    for file in &summary.files {
-        output::text(format!("  wrote {}", file.display()));
-    }
+    let files = summary.files.iter();
+    files.for_each(|file| output::text(format!("  wrote {}", file.display())));
 }

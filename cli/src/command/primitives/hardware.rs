@@ -76,39 +76,35 @@ pub fn of(slots: &[Slot], screen: u64) -> Result<Hardware> {
         *kinds.entry(loaded.request).or_default() += 1;
     }
     let boxes: u64 = slots.iter().map(|s| s.words.screen_box().pixels()).sum();
-    let mut sum = Hardware {
-        processors: slots.len(),
-        kinds: kinds.iter().map(|(kind, n)| (name(kind), *n)).collect(),
-        census: Census::default(),
-        lut: Some(0),
-        ff: Some(0),
-        cells: Some(0),
-        dsp: Some(0),
-        frame_clocks: 0,
-        one_by_one_clocks: slots.len() as u64 * screen,
-        one_by_one_box_clocks: boxes,
-    };
-    let mut latency = 0;
+    let mut all = Census::default();
+    let mut sums = [Some(0); 4];
+    let mut slowest = 0;
     for (request, number) in &kinds {
         let parts = census(request)?;
-        sum.census.pe1 += number * parts.pe1;
-        sum.census.pe2 += number * parts.pe2;
-        sum.census.roots += number * parts.roots;
-        sum.census.multipliers += number * parts.multipliers;
-        latency = latency.max(request.latency() as u64);
+        all.pe1 += number * parts.pe1;
+        all.pe2 += number * parts.pe2;
+        all.roots += number * parts.roots;
+        all.multipliers += number * parts.multipliers;
+        slowest = slowest.max(request.latency() as u64);
         let figures = row(request, &table.rows).map(|row| &row.figures);
-        let add = |sum: &mut Option<u64>, figure: Option<u64>| {
+        let figures = figures.map_or([None; 4], |f| [f.lut, f.ff, f.cells, f.dsp]);
+        for (sum, figure) in sums.iter_mut().zip(figures) {
             *sum = sum.zip(figure).map(|(sum, one)| sum + *number as u64 * one);
-        };
-        add(&mut sum.lut, figures.and_then(|f| f.lut));
-        add(&mut sum.ff, figures.and_then(|f| f.ff));
-        add(&mut sum.cells, figures.and_then(|f| f.cells));
-        add(&mut sum.dsp, figures.and_then(|f| f.dsp));
+        }
     }
+    let [lut, ff, cells, dsp] = sums;
     // Raster control, processor, decider: as in the beam machine.
-    let latency = 1 + latency + u64::from(decider::latency(slots.len().max(1)));
-    sum.frame_clocks = screen + latency;
-    sum.one_by_one_clocks += latency;
-    sum.one_by_one_box_clocks += latency;
-    Ok(sum)
+    let latency = 1 + slowest + u64::from(decider::latency(slots.len().max(1)));
+    Ok(Hardware {
+        processors: slots.len(),
+        kinds: kinds.iter().map(|(kind, n)| (name(kind), *n)).collect(),
+        census: all,
+        lut,
+        ff,
+        cells,
+        dsp,
+        frame_clocks: screen + latency,
+        one_by_one_clocks: slots.len() as u64 * screen + latency,
+        one_by_one_box_clocks: boxes + latency,
+    })
 }

@@ -62,9 +62,9 @@ pub fn run(options: &Render, range: FrameRange, json: bool) -> Result {
     let size = size_of(&file, options.scene.size);
     let format = options.scene.format()?;
     let animator = Animator::new(&file, size, format, missing::options());
-    let animator = animator.map_err(|error| Failure::at(path, error))?;
+    let animator = animator.map_err(Failure::in_file(path))?;
     let range = range.of("--frames", animator.playback.count());
-    let range = range.map_err(|error| Failure::at(path, error))?;
+    let range = range.map_err(Failure::in_file(path))?;
     let preview_path = options.output().join("animation.png");
     let count = range.clone().count();
     let failed = |error| Failure::from(WriteError::at(&preview_path)(error));
@@ -144,14 +144,14 @@ fn draw(
 /// Red, green and blue of every pixel, and how many pixels show an object.
 fn picture_of(options: &Render, frame: &PreparedFrame) -> (Vec<u8>, usize) {
     let (framed, prepared) = (&frame.framed, &frame.prepared);
-    let (drawn, lighting) = if options.model == Model::Exact {
-        let drawn = exact_frame(framed, prepared);
-        let lighting = exact_lighting(framed, &drawn);
-        (drawn, lighting)
-    } else {
-        let drawn = prepared.frame(|| ());
-        let lighting = prepared.light(&drawn, || ());
-        (drawn, lighting)
+    let is_exact = options.model == Model::Exact;
+    let drawn = match is_exact {
+        true => exact_frame(framed, prepared),
+        false => prepared.frame(|| ()),
+    };
+    let lighting = match is_exact {
+        true => exact_lighting(framed, &drawn),
+        false => prepared.light(&drawn, || ()),
     };
     let rgb = phong::shade(&drawn, &lighting, framed, &prepared.format);
     (rgb, drawn.covered())

@@ -11,7 +11,6 @@ use imogene_synth::regression::{Change, Tolerance, Verdict};
 use imogene_synth::table::rows::called;
 use imogene_synth::table::{self, Row, Table};
 
-/// Synthesises rows of the table and compares them with the baseline.
 pub fn run(options: &Synth, json: bool) -> Result {
     let baseline = Table::read(&options.baseline)?;
     let rows = select(options, &baseline)?;
