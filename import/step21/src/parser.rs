@@ -9,7 +9,7 @@ use std::collections::HashMap;
 const DEEPEST: usize = 32;
 
 /// A file that has been taken apart.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Exchange<'a> {
     /// Its bytes: ASCII, apart from what stands in strings and comments.
     pub bytes: &'a [u8],
@@ -27,9 +27,7 @@ impl<'a> Exchange<'a> {
         let mut parser = Tokens::new(bytes);
         let mut file = Exchange {
             bytes,
-            header: vec![],
-            instances: vec![],
-            index: HashMap::new(),
+            ..Exchange::default()
         };
         let not_step = |_| {
             let accepted = "a file that begins with `ISO-10303-21;` is needed";
@@ -75,8 +73,7 @@ impl<'a> Tokens<'a> {
         while self.token != Token::Keyword("ENDSEC") {
             if is_data {
                 let entity = self.entity()?;
-                let place = file.instances.len();
-                if file.index.insert(entity.id, place).is_some() {
+                if file.index.insert(entity.id, file.instances.len()).is_some() {
                     let problem = format!("`#{}` is there already", entity.id);
                     let accepted = "every entity needs a number of its own";
                     return Err(Error::at(file.bytes, entity.at, problem, accepted));
@@ -172,19 +169,15 @@ impl<'a> Tokens<'a> {
 
     fn value(&mut self, depth: usize) -> Result<Value<'a>> {
         let at = self.at;
-        let kind = match self.token {
+        let kind = match &self.token {
             Token::Sign(b'(') => Kind::List(self.list(depth + 1)?),
             Token::Keyword(_) => Kind::Typed(self.record(depth + 1)?),
-            ref simple => {
-                let kind = match simple {
-                    Token::Sign(b'$') => Kind::Omitted,
-                    Token::Sign(b'*') => Kind::Derived,
-                    Token::Value(kind) => kind.clone(),
-                    _ => return Err(self.unexpected("a parameter")),
-                };
+            Token::Value(kind) => {
+                let kind = kind.clone();
                 self.step()?;
                 kind
             }
+            _ => return Err(self.unexpected("a parameter")),
         };
         Ok(Value { at, kind })
     }

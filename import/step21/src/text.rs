@@ -39,19 +39,15 @@ fn directive(text: &str) -> Option<(usize, String)> {
         let groups = digits.as_bytes().chunks(width);
         groups.map(number).collect::<Option<Vec<u32>>>()
     };
-    if text.starts_with("\\\\") {
-        return Some((2, "\\".into()));
-    }
-    if text.starts_with("\\N\\") || text.starts_with("\\F\\") {
-        return Some((3, " ".into()));
+    match text.as_bytes() {
+        [b'\\', b'\\', ..] => return Some((2, "\\".into())),
+        [b'\\', b'N' | b'F', b'\\', ..] => return Some((3, " ".into())),
+        [b'\\', b'P', _, b'\\', ..] => return Some((4, String::new())),
+        _ => {}
     }
     if let Some(rest) = text.strip_prefix("\\S\\") {
         let letter = rest.chars().next().filter(char::is_ascii)?;
-        let shifted = char::from_u32(u32::from(letter) + 128)?;
-        return Some((4, shifted.into()));
-    }
-    if text.starts_with("\\P") && text.get(3..4) == Some("\\") {
-        return Some((4, String::new()));
+        return Some((4, char::from_u32(u32::from(letter) + 128)?.into()));
     }
     for (start, width) in [("\\X2\\", 4), ("\\X4\\", 8)] {
         if let Some(rest) = text.strip_prefix(start) {
@@ -67,6 +63,5 @@ fn directive(text: &str) -> Option<(usize, String)> {
         }
     }
     let code = text.strip_prefix("\\X\\")?.get(..2)?;
-    let unit = hexadecimal(code, 2)?;
-    Some((5, char::from_u32(unit[0])?.into()))
+    Some((5, char::from_u32(hexadecimal(code, 2)?[0])?.into()))
 }

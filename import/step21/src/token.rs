@@ -7,7 +7,7 @@ use super::value::Kind;
 /// What a word is.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Token<'a> {
-    /// `( ) , ; = $ *`
+    /// `( ) , ; =`
     Sign(u8),
     /// The name of an entity or of a section, and `ISO-10303-21`.
     Keyword(&'a str),
@@ -76,7 +76,11 @@ impl<'a> Tokens<'a> {
         match first {
             b'(' | b')' | b',' | b';' | b'=' | b'$' | b'*' => {
                 self.next += 1;
-                Ok(Token::Sign(first))
+                Ok(match first {
+                    b'$' => Token::Value(Kind::Omitted),
+                    b'*' => Token::Value(Kind::Derived),
+                    _ => Token::Sign(first),
+                })
             }
             b'#' => self.reference(),
             b'\'' => self.text(),
@@ -100,8 +104,7 @@ impl<'a> Tokens<'a> {
     /// White space, comments and the print directives `\N\` and `\F\`.
     fn skip(&mut self) -> Result<()> {
         loop {
-            let rest = self.rest();
-            match rest {
+            match self.rest() {
                 [b' ' | b'\t' | b'\r' | b'\n' | 0x0b | 0x0c, ..] => self.next += 1,
                 [b'/', b'*', inside @ ..] => {
                     let Some(end) = inside.windows(2).position(|pair| pair == b"*/") else {
@@ -153,8 +156,7 @@ impl<'a> Tokens<'a> {
     }
 
     fn word(&mut self) -> Result<Token<'a>> {
-        let is_part = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_';
-        let word = self.take_while(1, is_part);
+        let word = self.take_while(1, |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_');
         if word.is_empty() || self.rest().first() != Some(&b'.') {
             return Err(self.error(
                 "`.` begins no word",
@@ -172,8 +174,7 @@ impl<'a> Tokens<'a> {
         while self.rest().first() == Some(&b'\'') {
             self.quoted(b'\'', "a string")?;
         }
-        let text = &self.bytes[start..self.next - 1];
-        Ok(Token::Value(Kind::Text(text)))
+        Ok(Token::Value(Kind::Text(&self.bytes[start..self.next - 1])))
     }
 
     fn quoted(&mut self, quote: u8, what: &str) -> Result<()> {
