@@ -9,8 +9,7 @@ pub use step21::{Error, Place};
 pub struct ImportError {
     /// Name of the file.
     pub file: String,
-    /// What is wrong with it, and where its text is not what its format asks for; nowhere if it cannot be used as a
-    /// whole.
+    /// What is wrong with it, and where; nowhere if it cannot be used as a whole.
     pub error: Error,
 }
 

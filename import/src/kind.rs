@@ -39,21 +39,16 @@ const RECORDS: [&str; 26] = [
     "CRYST1", "ORIGX1", "SCALE1", "MODEL", "ATOM", "HETATM", "USER", "ANISOU",
 ];
 
-/// Bytes that are looked at.
 const LOOKED_AT: usize = 1 << 16;
 
 impl Kind {
     /// What the bytes of a file, not compressed, and its name say; the bytes count for more.
     pub fn of(bytes: &[u8], file: &str) -> Option<Kind> {
-        Kind::of_bytes(bytes).or_else(|| Kind::of_name(file))
-    }
-
-    fn of_name(file: &str) -> Option<Kind> {
         let name = file.to_lowercase();
         let name = name.strip_suffix(".gz").unwrap_or(&name);
         let ends = |endings: &str| endings.split(", ").any(|e| name.ends_with(e));
-        let row = KINDS.iter().find(|(.., endings)| ends(endings));
-        row.map(|(kind, ..)| *kind)
+        let named = KINDS.iter().find(|(.., endings)| ends(endings));
+        Kind::of_bytes(bytes).or(named.map(|(kind, ..)| *kind))
     }
 
     fn of_bytes(bytes: &[u8]) -> Option<Kind> {
@@ -140,8 +135,7 @@ pub fn is_compressed(bytes: &[u8]) -> bool {
     bytes.starts_with(&[0x1f, 0x8b])
 }
 
-/// What was compressed, if it takes at most so many bytes; several members are one file. `file` is the name that
-/// messages give it.
+/// What was compressed, in one member or several, if it takes at most `limit` bytes; messages name `file`.
 pub fn unpack(bytes: &[u8], limit: u64, file: &str) -> Result<Vec<u8>, ImportError> {
     let mut unpacked = vec![];
     let mut decoder = MultiGzDecoder::new(bytes).take(limit + 1);

@@ -37,12 +37,8 @@ impl Names {
 }
 
 /// An opaque material with its shares of ambient, diffused and mirrored light, and the sharpness of the highlight.
-pub(crate) fn material(
-    name: String,
-    colour: [f64; 3],
-    [ambient, diffuse, specular]: [f64; 3],
-    exponent: u32,
-) -> Material {
+pub(crate) fn material(name: String, colour: [f64; 3], light: [f64; 3], exponent: u32) -> Material {
+    let [ambient, diffuse, specular] = light;
     Material {
         name,
         colour,

@@ -63,12 +63,10 @@ impl Edge {
     }
 }
 
-/// `height - z00 - a u - c v - e u v = 0`, e zero where the cell is a plane; `None` if the numbers have too many
-/// digits for a scene file.
+/// `height - z00 - a u - c v - e u v = 0`, e 0 for a plane; `None` if a scene file has too few digits for it.
 pub fn bilinear(z: &Corners) -> Option<[f64; 10]> {
     let (a, c) = (&z[0][1] - &z[0][0], &z[1][0] - &z[0][0]);
-    let constant = integer(-2) * &z[0][0];
-    surface(&[-twist(z), -a, integer(1), -c, constant])
+    surface(&[-twist(z), -a, integer(1), -c, integer(-2) * &z[0][0]])
 }
 
 /// The coefficients of a surface from half the factors of uv, u, height and v, and the constant, all doubled.
@@ -80,8 +78,7 @@ pub fn surface([uv, u, height, v, constant]: &[BigRational; 5]) -> Option<[f64; 
 /// The bilinear patch of a cell, its cuts moved outwards by a part of the cell at each edge.
 pub fn bilinear_piece(z: &Corners, outwards: [f64; 4]) -> Option<Piece> {
     let edges = Edge::ALL.into_iter().zip(outwards);
-    let cuts = edges.map(|(edge, by)| edge.cut(by));
-    Some((bilinear(z)?, cuts.collect()))
+    Some((bilinear(z)?, edges.map(|(edge, by)| edge.cut(by)).collect()))
 }
 
 /// The cell as flat facets: one if it is a plane, else two that meet in the diagonal from its north-western corner.

@@ -9,8 +9,7 @@ use num_traits::One;
 /// Largest whole number that a scene file takes.
 const LARGEST: i64 = 1_000_000_000_000;
 
-/// The numbers times one positive factor, each a decimal that reads back as exactly what it stands for; `None` if 15
-/// digits cannot hold them.
+/// The numbers times one positive factor, as decimals that read back exactly; `None` if 15 digits are too few.
 pub fn proportional<const N: usize>(values: [&BigRational; N]) -> Option<[f64; N]> {
     let whole = primitive(values.map(BigRational::clone));
     let greatest = greatest(whole.each_ref());
@@ -18,8 +17,7 @@ pub fn proportional<const N: usize>(values: [&BigRational; N]) -> Option<[f64; N
     while greatest.numer() / &unit > BigInt::from(LARGEST) {
         unit *= 10;
     }
-    let scaled = whole.map(|value| value / &unit);
-    decimals(scaled.each_ref())
+    decimals(whole.map(|value| value / &unit).each_ref())
 }
 
 /// The numbers themselves, if each is a decimal that reads back as exactly what it stands for.

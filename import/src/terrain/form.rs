@@ -12,7 +12,6 @@ use imogene_prepare::{Framing, Options, refused};
 /// Pixels by which a patch may bulge from its two facets (C17 of the source's systems).
 const FLAT: f64 = 0.5;
 
-/// How a cell is drawn at last.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
     Surfaces,
@@ -20,7 +19,6 @@ pub(super) enum Form {
     LeftOut,
 }
 
-/// One cell with four heights.
 pub(super) struct Cell {
     pub column: usize,
     pub row: usize,
@@ -76,8 +74,7 @@ impl Map<'_> {
             if along <= 0.0 {
                 return None;
             }
-            // A displacement d moves a point on the screen by at most d (1 + tan) / depth of the distance to the
-            // screen.
+            // A displacement d moves a point on the screen by at most d (1 + tan) / depth of the distance to it.
             let aside = (square - along * along).max(0.0).sqrt() / along;
             most = most.max(up * (1.0 + aside) / along);
         }
@@ -95,8 +92,7 @@ impl Map<'_> {
         })
     }
 
-    /// Facets for the cells whose surfaces the base format refuses, and nothing for those that lie behind the eye; how
-    /// many of each.
+    /// Facets for cells whose surfaces the base format refuses, nothing for those behind the eye; how many of each.
     pub fn replace_refused(&self, cells: &mut [Cell]) -> Result<(usize, usize)> {
         let facets_before = count(cells, Form::Facets);
         for cell in cells.iter_mut() {
@@ -120,8 +116,7 @@ impl Map<'_> {
                 break;
             }
             let framed = scene.frame(scene.image.width, scene.image.height);
-            let framed =
-                framed.map_err(|e| Error::whole(e.to_string(), "see docs/scene-format.md"))?;
+            let framed = framed.map_err(|e| Error::whole(e, "see docs/scene-format.md"))?;
             let mut again = vec![];
             for (object, _) in refused(&framed, Format::BASE, Options::default()) {
                 let cell = owners[object];

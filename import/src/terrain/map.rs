@@ -59,7 +59,6 @@ impl<'a> Map<'a> {
         let middle = 0.5 * (heights.0 + heights.1);
         let (above, behind) = (heights.1 + 0.3 * extent, half[1] + 0.45 * extent);
         let eye = options.eye.unwrap_or([0.0, short(above), short(behind)]);
-        let target = options.target.unwrap_or([0.0, short(middle), 0.0]);
         // The range of the depth begins at half the viewer distance unless more of it is needed.
         let outside = |value: f64, low: f64, high: f64| (low - value).max(value - high).max(0.0);
         let nearest = length([
@@ -72,7 +71,7 @@ impl<'a> Map<'a> {
             first,
             heights,
             eye,
-            target,
+            target: options.target.unwrap_or([0.0, short(middle), 0.0]),
             viewer_distance: short(nearest.clamp(extent / 200.0, extent / 8.0)),
             step,
         })

@@ -1,5 +1,4 @@
-//! Terrain: a grid of heights as quadric cells (thesis of Coquillart, sections 2.2 to 2.5), and heights made at random
-//! (section 4.2).
+//! Terrain as quadric cells (thesis of Coquillart, sections 2.2 to 2.5), and random heights (section 4.2).
 
 mod cell;
 pub mod exact;
@@ -38,8 +37,7 @@ pub struct TerrainOptions {
     pub region: Option<Region>,
     /// Every how many-th node is taken, from 1.
     pub every: usize,
-    /// The eye, in scene units: x east and z south of the middle of the terrain, y the height. Chosen to see all of it
-    /// if none is given.
+    /// The eye, in scene units: x east and z south of the middle, y the height. One that sees all if none is given.
     pub eye: Option<[f64; 3]>,
     /// What the eye looks at; the middle of the terrain if none is given.
     pub target: Option<[f64; 3]>,

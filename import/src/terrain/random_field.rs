@@ -40,8 +40,7 @@ pub struct Field {
     pub most_edges: usize,
 }
 
-/// Makes a field; the same options give the same field. An error says which option is out of its range, and what is
-/// accepted.
+/// Makes a field; the same options give the same field. An error says which option is out of its range, and the range.
 pub fn field(options: &FieldOptions) -> Result<Field, String> {
     let FieldOptions { levels, relief, .. } = *options;
     let smoothness = options.smoothness;
@@ -69,7 +68,18 @@ pub fn field(options: &FieldOptions) -> Result<Field, String> {
         vertices: Slab::new(),
         edges: Slab::new(),
     };
-    maker.whole(relief, levels);
+    let far = side - 1;
+    let [sw, se, nw, ne] = [[0, 0], [far, 0], [0, far], [far, far]].map(|at| {
+        let value = maker.displacement(relief);
+        maker.vertex(at, value)
+    });
+    let area = [[sw, nw], [sw, se], [nw, ne], [se, ne]].map(|ends| maker.edge(ends));
+    maker.region(area, relief, levels);
+    // The sides to the north and east belong to no later region.
+    let mut open = area[2..].to_vec();
+    while let Some(edge) = open.pop() {
+        open.extend(maker.free(edge).into_iter().flatten());
+    }
     Ok(maker.made)
 }
 
@@ -88,9 +98,6 @@ enum Edge {
     /// With its halves and the vertex between them.
     Divided([usize; 2], usize),
 }
-
-/// Edges W, S, N, E, or what belongs to each.
-type Area = [usize; 4];
 
 struct Maker {
     random: ChaCha8Rng,
@@ -158,9 +165,8 @@ impl Maker {
         halves
     }
 
-    /// The new inner edges between the middles of the sides: the vertical one with its halves, the horizontal one with
-    /// its halves. Their common middle is the mean of two estimates.
-    fn inner(&mut self, [w, s, n, e]: Area, deviation: f64) -> [(usize, [usize; 2]); 2] {
+    /// New edges between the middles of the sides, upright and flat, with their halves, about the mean of two estimates.
+    fn inner(&mut self, [w, s, n, e]: [usize; 4], deviation: f64) -> [(usize, [usize; 2]); 2] {
         let [centre, twin] = [[s, n], [w, e]].map(|ends| self.middle(ends, deviation));
         let other = self.vertices.remove(twin).value;
         let centre_value = &mut self.vertices[centre].value;
@@ -169,22 +175,6 @@ impl Maker {
             let edge = self.edge(ends);
             (edge, self.divide_at(edge, ends, centre))
         })
-    }
-
-    fn whole(&mut self, relief: f64, levels: u32) {
-        let far = self.made.side - 1;
-        let corners = [[0, 0], [far, 0], [0, far], [far, far]].map(|at| {
-            let value = self.displacement(relief);
-            self.vertex(at, value)
-        });
-        let [sw, se, nw, ne] = corners;
-        let area = [[sw, nw], [sw, se], [nw, ne], [se, ne]].map(|ends| self.edge(ends));
-        self.region(area, relief, levels);
-        // The sides to the north and east belong to no later region.
-        let mut open = area[2..].to_vec();
-        while let Some(edge) = open.pop() {
-            open.extend(self.free(edge).into_iter().flatten());
-        }
     }
 
     /// Gives back an edge with its ends; the halves of a divided one stay.
@@ -198,8 +188,8 @@ impl Maker {
         }
     }
 
-    /// Fills a region, and gives back its sides to the west and south: no later region has them.
-    fn region(&mut self, area: Area, deviation: f64, levels: u32) {
+    /// Fills a region with edges W, S, N, E, and gives back its sides to the west and south: no later region has them.
+    fn region(&mut self, area: [usize; 4], deviation: f64, levels: u32) {
         if levels > 0 {
             let (next, below) = (deviation * self.factor, levels - 1);
             let sides = area.map(|edge| self.divide(edge, next));
@@ -217,8 +207,7 @@ impl Maker {
     }
 }
 
-/// A field as the text of a file of heights: a comment that says how it was made, the distance of nodes and the rows.
-/// Heights are rounded to a thousandth.
+/// A file of heights: a comment that says how it was made, the distance of nodes, and rows rounded to a thousandth.
 pub fn heights_text(field: &Field, options: &FieldOptions, step: f64) -> String {
     let mut text = format!(
         "# imogene terrain --levels {} --roughness {} --relief {} --seed {}\nstep {step} {step}\n",

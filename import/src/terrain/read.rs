@@ -11,8 +11,7 @@ const MAX_NUMBER: f64 = 1e8;
 /// Reads a grid of either format. A text that begins with a keyword of the header is an ESRI ASCII grid.
 pub fn read(bytes: &[u8]) -> Result<HeightGrid> {
     let reader = Reader(text(bytes, "a grid of heights is plain text")?);
-    let first = reader.words().next();
-    let grid = match first.is_some_and(is_grid_keyword) {
+    let grid = match reader.words().next().is_some_and(is_grid_keyword) {
         true => reader.esri()?,
         false => reader.plain()?,
     };
@@ -26,7 +25,6 @@ pub fn read(bytes: &[u8]) -> Result<HeightGrid> {
 /// The header of an ESRI ASCII grid so far; index as in [`KEYS`].
 type Header = [Option<f64>; KEYS.len()];
 
-/// The text of a grid.
 struct Reader<'a>(&'a str);
 
 impl<'a> Reader<'a> {
@@ -40,7 +38,6 @@ impl<'a> Reader<'a> {
         self.malformed(word, format!("{} {problem}", shown(word)), accepted)
     }
 
-    /// Every word of the text.
     fn words(&self) -> impl Iterator<Item = &'a str> + use<'a> {
         self.0.lines().flat_map(words)
     }
@@ -75,9 +72,8 @@ impl<'a> Reader<'a> {
         let (columns, rows) = (self.count(&header, 0)?, self.count(&header, 1)?);
         let step = self.esri_step(&header)?;
         if columns.saturating_mul(rows) > MAX_NODES {
-            let problem = format!("{columns} x {rows} nodes");
             let accepted = format!("at most {MAX_NODES} are read");
-            return Err(Error::whole(problem, accepted));
+            return Err(Error::whole(format!("{columns} x {rows} nodes"), accepted));
         }
         let mut heights = Vec::with_capacity(columns * rows);
         let mut last = &self.0[..0];
@@ -89,8 +85,7 @@ impl<'a> Reader<'a> {
             }
             // The mark of missing data may be of any magnitude.
             let is_known = header[9].is_none() || word.parse::<f64>().ok() != header[9];
-            let known = is_known.then(|| self.number(word, "height"));
-            heights.push(known.transpose()?);
+            heights.push(is_known.then(|| self.number(word, "height")).transpose()?);
         }
         let count = heights.len();
         if count < columns * rows {
@@ -110,10 +105,7 @@ impl<'a> Reader<'a> {
         let accepted = "ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize (or dx and dy) and NODATA_value are expected once each";
         match KEYS.iter().position(|key| *key == name) {
             Some(key) if header[key].is_none() => Ok(key),
-            Some(_) => {
-                let problem = format!("{name} for the second time");
-                Err(self.malformed(word, problem, accepted))
-            }
+            Some(_) => Err(self.malformed(word, format!("{name} for the second time"), accepted)),
             None => Err(self.refused(word, "is no keyword of the header and no height", accepted)),
         }
     }
@@ -127,8 +119,7 @@ impl<'a> Reader<'a> {
                 count.map(f64::from).ok_or_else(refused)
             }
             "cellsize" | "dx" | "dy" => self.distance(word),
-            // Missing data is often marked by the least number of a format, beyond every height; the place on the
-            // globe is not used.
+            // Missing data is often marked by the least number of a format; the place on the globe is not used.
             _ => {
                 let value = word.parse::<f64>().ok().filter(|v| v.is_finite());
                 value.ok_or_else(|| self.refused(word, "is no number", "a number is expected"))
@@ -201,16 +192,12 @@ impl<'a> Reader<'a> {
         })
     }
 
-    fn plain_step<'w>(
-        &self,
-        first: &str,
-        mut values: impl Iterator<Item = &'w str>,
-    ) -> Result<[f64; 2]> {
+    fn plain_step(&self, first: &str, mut rest: impl Iterator<Item = &'a str>) -> Result<[f64; 2]> {
         let accepted = "`step EAST SOUTH`, two distances of nodes, is expected";
         let missing = || self.malformed(first, "a distance is missing", accepted);
-        let mut next = || self.distance(values.next().ok_or_else(missing)?);
+        let mut next = || self.distance(rest.next().ok_or_else(missing)?);
         let step = [next()?, next()?];
-        match values.next() {
+        match rest.next() {
             None => Ok(step),
             Some(word) => Err(self.refused(word, "too many", accepted)),
         }

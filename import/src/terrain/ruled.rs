@@ -2,9 +2,8 @@
 //! its implicit form derived).
 //!
 //! Seen from above, the lines of sight through the corners divide the cell into up to three sectors. In the middle one
-//! they pass opposite edges, and the surface is swept by the lines that rest on both edges and on the vertical through
-//! the eye: that vertical is one of its lines, so the eye lies on it. In the outer ones they pass adjacent edges, and
-//! the surface is the plane of the two.
+//! they pass opposite edges; lines that rest on both and on the vertical through the eye sweep the surface, so that the
+//! eye lies on it. In the outer ones they pass adjacent edges, and the surface is their plane.
 
 use super::cell::{Corner, Edge, Piece, bilinear_piece, surface};
 use super::exact::proportional;
@@ -18,16 +17,13 @@ use num_traits::{Signed, Zero};
 /// A place by its u and v: from 0 to 1 within the cell.
 pub type Point = [BigRational; 2];
 
-/// The pieces of a cell as an eye sees it that stands at `eye` (u, v), moved outwards as `bilinear_piece` is; the
-/// bilinear patch where the cell is a plane or the eye stands over it; nothing if the numbers have too many digits for
-/// a scene file.
+/// The pieces of a cell as an eye at (u, v) sees it, moved outwards as `bilinear_piece` is; the bilinear patch for a
+/// plane or below the eye; nothing if the numbers have too many digits for a scene file.
 pub fn ruled_pieces(z: &Corners, eye: &Point, outwards: [f64; 4]) -> Option<Vec<Piece>> {
-    let over = eye.iter().all(|e| *e >= integer(0) && *e <= integer(1));
-    if is_plane(z) || over {
+    if is_plane(z) || eye.iter().all(|e| *e >= integer(0) && *e <= integer(1)) {
         return Some(vec![bilinear_piece(z, outwards)?]);
     }
-    // The corners (u, v) as their lines of sight turn: the eye is outside of a convex cell, so that all turns are less
-    // than half a circle.
+    // The corners (u, v) as their lines of sight turn, by less than half a circle: the eye is outside of a convex cell.
     let mut order = [[0, 0], [1, 0], [1, 1], [0, 1]];
     order.sort_by(|p, q| integer(0).cmp(&turn(eye, &at(*p), &at(*q))));
     let sectors = order.windows(2).filter_map(|pair| {
@@ -88,8 +84,7 @@ fn piece(
     Some((coefficients, cuts))
 }
 
-/// The vertical plane through the eye and a corner; what is before it in the order of corners is removed, or what is
-/// behind it.
+/// The vertical plane through the eye and a corner; it removes what is before it in the order of corners, or behind.
 fn sector_cut(eye: &Point, corner: Corner, before: bool) -> Option<Cut> {
     let [u, v] = at(corner);
     let (du, dv) = (u - &eye[0], v - &eye[1]);
@@ -112,8 +107,7 @@ fn plane(z: &Corners, [u, v]: Corner) -> Option<[f64; 10]> {
 
 /// On the northern and the southern edge, y = 0 and y = 1: with z as height,
 /// `[b + ye (a - b)] xy - ye a x + [xe (b - a) + c] y^2 - y z + [xe (a - b) - ye c + z00] y + ye z - ye z00`. The
-/// factor of the height over the cell is `ye - y`; its sign is made positive, so that the ground is below as in other
-/// forms.
+/// factor `ye - y` of the height is made positive over the cell, so that the ground is below as in other forms.
 fn ruled(z: &Corners, [xe, ye]: &Point) -> Option<[f64; 10]> {
     debug_assert!(!twist(z).is_zero());
     let low = &z[0][0];
@@ -130,7 +124,6 @@ fn ruled(z: &Corners, [xe, ye]: &Point) -> Option<[f64; 10]> {
 
 /// On the western and the eastern edge: the same with u and v exchanged.
 fn ruled_between_sides(z: &Corners, [xe, ye]: &Point) -> Option<[f64; 10]> {
-    let turned = transposed(z);
-    let [a, b, c, d, e, f, g, h, i, j] = ruled(&turned, &[ye.clone(), xe.clone()])?;
+    let [a, b, c, d, e, f, g, h, i, j] = ruled(&transposed(z), &[ye.clone(), xe.clone()])?;
     Some([c, b, a, f, e, d, i, h, g, j])
 }

@@ -15,7 +15,6 @@ use serde_json::json;
 
 pub const MAX_CELLS: usize = 1 << 14;
 
-/// The scene of a grid.
 pub fn scene_of(grid: &HeightGrid, options: &TerrainOptions) -> Result<Imported> {
     let grid = chosen(grid, options)?;
     let map = Map::new(&grid, options)?;
@@ -35,7 +34,16 @@ pub fn scene_of(grid: &HeightGrid, options: &TerrainOptions) -> Result<Imported>
         return Err(Error::whole("every cell lies behind the eye", accepted));
     }
     let holes = (grid.columns - 1) * (grid.rows - 1) - cells.len();
-    let notes = notes(holes, flat, by_facets, left_out);
+    let bulging = "cells that bulge by less than half a pixel are drawn by facets";
+    let too_near =
+        "cells whose surface passes too near the eye for the depth word are drawn by facets";
+    let notes = [
+        (holes, "cells without a height at every corner are holes"),
+        (flat, bulging),
+        (by_facets, too_near),
+        (left_out, "cells are not in front of the eye and left out"),
+    ];
+    let said = notes.iter().filter(|(count, _)| *count > 0);
     let of = |form: Form| count(&cells, form);
     let report = json!({
         "columns": grid.columns,
@@ -54,26 +62,12 @@ pub fn scene_of(grid: &HeightGrid, options: &TerrainOptions) -> Result<Imported>
     Ok(Imported {
         scene,
         report,
-        notes,
+        notes: said
+            .map(|(count, text)| format!("{count} {text}"))
+            .collect(),
     })
 }
 
-fn notes(holes: usize, flat: usize, by_facets: usize, left_out: usize) -> Vec<String> {
-    let bulging = "cells that bulge by less than half a pixel are drawn by facets";
-    let too_near =
-        "cells whose surface passes too near the eye for the depth word are drawn by facets";
-    let texts = [
-        (holes, "cells without a height at every corner are holes"),
-        (flat, bulging),
-        (by_facets, too_near),
-        (left_out, "cells are not in front of the eye and left out"),
-    ];
-    let said = texts.into_iter().filter(|(count, _)| *count > 0);
-    said.map(|(count, text)| format!("{count} {text}"))
-        .collect()
-}
-
-/// The nodes that are asked for.
 fn chosen(grid: &HeightGrid, options: &TerrainOptions) -> Result<HeightGrid> {
     let whole = [grid.columns, grid.rows];
     let (first, nodes) = ([0, 0], whole);
@@ -104,21 +98,18 @@ fn chosen(grid: &HeightGrid, options: &TerrainOptions) -> Result<HeightGrid> {
     Ok(part)
 }
 
-/// Part of a cell by which a patch reaches beyond an edge that it shares with facets, whose corners are rounded to a
-/// sixteenth of a pixel.
+/// Part of a cell by which a patch reaches over an edge to facets, whose corners are rounded to a 16th of a pixel.
 const OVERLAP: f64 = 1.0 / 16.0;
 
 /// Part of a cell by which a surface reaches beyond an edge that it shares with another surface. Both pass through the
 /// edge, but their depths are rounded, each by itself, and a pixel on the edge could fall to neither.
 const SEAM: f64 = 1.0 / 256.0;
 
-/// By how much of a cell its surfaces reach beyond its edges in the west, east, north and south; `cells` are in rows
-/// from the north, each from the west.
+/// Parts of a cell by which its surfaces reach over its edges in the west, east, north and south; `cells` are sorted.
 fn outwards(cell: &Cell, cells: &[Cell]) -> [f64; 4] {
     let (c, r) = (cell.column, cell.row);
     let (west, north) = (c.wrapping_sub(1), r.wrapping_sub(1));
-    let neighbours = [(r, west), (r, c + 1), (north, c), (r + 1, c)];
-    neighbours.map(|place| {
+    [(r, west), (r, c + 1), (north, c), (r + 1, c)].map(|place| {
         let found = cells.binary_search_by_key(&place, |cell| (cell.row, cell.column));
         match found.map(|index| cells[index].form) {
             Ok(Form::Facets) => OVERLAP,
@@ -178,8 +169,7 @@ impl Map<'_> {
 
     fn digits(&self) -> Error {
         let problem = "the heights, the distance of nodes and the eye have too many digits together for exact surfaces";
-        let accepted = "about 5 significant digits each are possible";
-        Error::whole(problem, accepted)
+        Error::whole(problem, "about 5 significant digits each are possible")
     }
 
     /// Index of the colour of a cell: its mean height.
