@@ -39,7 +39,6 @@ impl Operator {
             .map(|[a, b, c, d]| short(a * x + b * y + c * z + d))
     }
 
-    /// Whether it leaves points where they are.
     pub fn is_identity(&self) -> bool {
         self.rows == IDENTITY
     }
@@ -58,7 +57,6 @@ impl Operator {
 }
 
 /// How a file says which operators.
-#[derive(Debug)]
 pub enum Copies {
     /// One after another.
     List(Vec<Operator>),
@@ -67,7 +65,6 @@ pub enum Copies {
 }
 
 /// Chains, and what is made of them.
-#[derive(Debug)]
 pub struct Part {
     pub assembly: String,
     /// Its chains; all if there are none.
@@ -79,7 +76,7 @@ pub struct Part {
 pub type Moved = (Vec<Word>, Vec<Operator>);
 
 /// What can be put together of copies of the chains of a file.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub struct Assemblies {
     pub parts: Vec<Part>,
     pub operators: HashMap<String, Rows>,
@@ -88,13 +85,11 @@ pub struct Assemblies {
 }
 
 impl Assemblies {
-    /// Their names in the order of the file.
     pub fn names(&self) -> Vec<&str> {
         let names: IndexSet<&str> = self.parts.iter().map(|p| p.assembly.as_str()).collect();
         names.into_iter().collect()
     }
 
-    /// Chains and operators of the parts of one of them.
     pub fn find(&mut self, name: &str) -> Result<Vec<Moved>> {
         if let Some(problem) = self.problem.take() {
             return Err(problem);
@@ -105,8 +100,7 @@ impl Assemblies {
         }
         if !names.contains(&name) {
             let accepted = format!("--assembly {} would be accepted", listed(names));
-            let problem = format!("it has no assembly {name}");
-            return Err(Error::whole(problem, accepted));
+            return Err(Error::whole(format!("it has no assembly {name}"), accepted));
         }
         let parts = self.parts.iter().filter(|part| part.assembly == name);
         let moved = |part: &Part| {
@@ -199,7 +193,6 @@ pub struct Biomt {
     problem: Option<Error>,
 }
 
-/// Chains and operators of some molecules.
 #[derive(Default)]
 struct Lines {
     molecules: Vec<String>,
@@ -273,7 +266,6 @@ impl Biomt {
         }
     }
 
-    /// What the remarks say.
     pub fn assemblies(mut self, words: &mut Words) -> Assemblies {
         let mut parts = vec![];
         for lines in self.parts {

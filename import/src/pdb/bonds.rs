@@ -5,15 +5,13 @@ use crate::error::{Error, Result};
 use imogene_algebra::vector::{length, minus};
 use std::collections::{HashMap, HashSet};
 
-/// A bond is at most this much longer than the sum of the covalent radii, in angstroms (the tolerance of Open Babel
-/// and Jmol).
+/// Most by which a bond is longer than the sum of the covalent radii, angstroms (as in Open Babel and Jmol).
 pub const TOLERANCE: f64 = 0.45;
 /// Atoms nearer than this are two locations of one, in angstroms: the shortest bond, that of H2, has 0.74.
 pub const NEAREST: f64 = 0.4;
 /// Most bonds of an atom; a metal in a cluster has twelve.
 const MOST_BONDS: usize = 16;
-/// Most atoms in a cell of the grid, which is a few angstroms wide; a crystal has about one for each six cubic
-/// angstroms.
+/// Most atoms in a cell of the grid, a few angstroms wide; a crystal has about one in six cubic angstroms.
 const MOST_IN_A_CELL: usize = 256;
 
 #[derive(Debug, Default)]
@@ -28,14 +26,12 @@ pub struct Bonds {
 
 type Cell = [i64; 3];
 
-/// Finds the bonds of the atoms of one model, which are copies that end at `copies`; what the file says holds within
-/// each copy.
+/// Finds the bonds of one model's copies, which end at `copies`; what the file says holds within each copy.
 pub fn find(atoms: &[Atom], copies: &[usize], connections: &[[End; 2]]) -> Result<Bonds> {
     let mut pairs = by_distance(atoms)?;
     let mut said: Vec<[usize; 2]> = vec![];
     if !connections.is_empty() {
-        let starts = std::iter::once(&0).chain(copies);
-        for (start, end) in starts.zip(copies) {
+        for (start, end) in std::iter::once(&0).chain(copies).zip(copies) {
             let found = said_of(&atoms[*start..*end], connections);
             said.extend(found.into_iter().map(|pair| pair.map(|k| k + start)));
         }
@@ -105,8 +101,7 @@ fn distance(a: &Atom, b: &Atom) -> f64 {
 /// Near enough, not two hydrogens, and not of different alternates.
 fn are_bonded(a: &Atom, b: &Atom) -> bool {
     let hydrogens = a.element.is_hydrogen() && b.element.is_hydrogen();
-    let given = !a.alternate.is_empty() && !b.alternate.is_empty();
-    let apart = given && a.alternate != b.alternate;
+    let apart = !a.alternate.is_empty() && !b.alternate.is_empty() && a.alternate != b.alternate;
     let longest = a.element.covalent() + b.element.covalent() + TOLERANCE;
     let distance = distance(a, b);
     !hydrogens && !apart && distance >= NEAREST && distance <= longest

@@ -9,23 +9,16 @@ use crate::error::{Error, Result};
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
-/// Most atoms of a picture.
 const MOST_ATOMS: usize = 50_000_000;
 
 /// Atoms that are not drawn, by reason.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct LeftOut {
-    /// In models that were not asked for.
     pub other_models: usize,
-    /// In chains that were not asked for.
     pub other_chains: usize,
-    /// In residues that were not asked for.
     pub other_residues: usize,
-    /// Another location of an atom that is drawn elsewhere.
     pub alternate_locations: usize,
-    /// Hydrogens, if they are left out.
     pub hydrogens: usize,
-    /// Atoms of water, if it is left out.
     pub water: usize,
 }
 
@@ -37,7 +30,6 @@ pub struct Chosen {
     pub copies: Vec<usize>,
 }
 
-/// The models and atoms that the options ask for.
 pub fn choose(structure: &mut Structure, options: &Options) -> Result<(Vec<Chosen>, LeftOut)> {
     let mut left_out = LeftOut::default();
     let wanted = models(structure, options.model)?;
@@ -78,7 +70,6 @@ pub fn choose(structure: &mut Structure, options: &Options) -> Result<(Vec<Chose
     Ok((chosen, left_out))
 }
 
-/// Why nothing is left, and what would leave something.
 fn nothing_left(left_out: &LeftOut, options: &Options) -> Error {
     let hydrogens = "hydrogens are drawn without --without-hydrogens";
     let as_they_stand = "the coordinates as they stand without --assembly";
@@ -94,7 +85,6 @@ fn nothing_left(left_out: &LeftOut, options: &Options) -> Error {
     Error::whole("the options leave no atom", ways.join(", "))
 }
 
-/// Places of the models asked for.
 fn models(structure: &Structure, choice: ModelChoice) -> Result<Vec<usize>> {
     match choice {
         ModelChoice::First => Ok(vec![0]),
@@ -118,8 +108,7 @@ fn keep(atoms: &mut Vec<Atom>, asked: impl FnMut(&Atom) -> bool) -> usize {
     before - atoms.len()
 }
 
-/// The copies of an assembly, and where each ends. Their chains are called as the archive calls them: `A-2` is what
-/// operator 2 makes of chain A.
+/// The copies of an assembly, and where each ends. As in the archive `A-2` is what operator 2 makes of chain A.
 fn copied(atoms: &[Atom], parts: &[Moved], words: &mut Words) -> Result<(Vec<Atom>, Vec<usize>)> {
     let (mut copies, mut ends) = (vec![], vec![]);
     for (chains, operators) in parts {
@@ -218,8 +207,7 @@ fn matches(residues: &Residues, (number, name): (Word, Word), words: &Words) -> 
             is(number) || is(name)
         }
         Residues::Range(first, last) => {
-            let number = digits(words.text(number));
-            number.is_some_and(|n| (*first..=*last).contains(&n))
+            digits(words.text(number)).is_some_and(|n| (*first..=*last).contains(&n))
         }
     }
 }
@@ -242,8 +230,7 @@ fn no_residue(residues: &Residues, there: &BTreeSet<(Word, Word)>, words: &Words
     Error::whole(problem, accepted)
 }
 
-/// Leaves one location of each atom, all of a residue from the same alternate as far as it has them; how many others
-/// there were.
+/// Leaves one location of each atom, of one alternate for a residue if it can be; how many others there were.
 fn locate(atoms: &mut Vec<Atom>, choice: &Alternates, words: &Words) -> usize {
     let asked = match choice {
         Alternates::All => return 0,
@@ -279,9 +266,7 @@ fn ranking(groups: &BTreeMap<Word, Vec<usize>>, atoms: &[Atom], asked: Option<Wo
     let mut alternates: BTreeMap<Word, Vec<(usize, usize)>> = BTreeMap::new();
     for members in groups.values() {
         // An atom with one location and no letter belongs to all alternates.
-        if let [only] = members[..]
-            && atoms[only].alternate.is_empty()
-        {
+        if matches!(members[..], [only] if atoms[only].alternate.is_empty()) {
             continue;
         }
         for (k, index) in members.iter().enumerate() {
@@ -291,10 +276,8 @@ fn ranking(groups: &BTreeMap<Word, Vec<usize>>, atoms: &[Atom], asked: Option<Wo
     }
     let mut ranked: Vec<Word> = alternates.keys().copied().collect();
     let mean = |own: &[(usize, usize)]| {
-        let occupancies = own
-            .iter()
-            .map(|(index, _)| f64::from(atoms[*index].occupancy));
-        occupancies.sum::<f64>() / own.len() as f64
+        let occupancy = |(index, _): &(usize, usize)| f64::from(atoms[*index].occupancy);
+        own.iter().map(occupancy).sum::<f64>() / own.len() as f64
     };
     let firsts = |own: &[(usize, usize)]| own.iter().filter(|(_, k)| *k == 0).count();
     ranked.sort_by(|a, b| {
@@ -320,8 +303,7 @@ fn one_location(atoms: &[Atom], members: &[usize], asked: Option<Word>, keep: &m
     let residue = best.map(|atom| atom.residue);
     for locations in groups.values() {
         let rank = |index: &usize| {
-            let alternate = atoms[*index].alternate;
-            let place = ranked.iter().position(|a| *a == alternate);
+            let place = ranked.iter().position(|a| *a == atoms[*index].alternate);
             place.unwrap_or(ranked.len())
         };
         let of_residue =

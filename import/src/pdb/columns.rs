@@ -10,7 +10,6 @@ pub struct Columns<'a> {
     text: Cow<'a, [u8]>,
 }
 
-/// A control character is written as `?`.
 fn plain(c: u8) -> u8 {
     if c.is_ascii_control() { b'?' } else { c }
 }
@@ -67,8 +66,7 @@ impl<'a> Columns<'a> {
         decimal(self.bytes(first, last).trim_ascii(), b"+-.")
     }
 
-    /// One coordinate of an atom. A line that ends within it has been cut off, and what is left of the number is not
-    /// to be trusted.
+    /// One coordinate of an atom. What is left of a number where a line has been cut off is not to be trusted.
     pub fn coordinate(&self, axis: char, first: usize, last: usize) -> Result<f64> {
         let whole = self.text.len() >= last;
         let number = self.number(first, last).filter(|_| whole);

@@ -15,8 +15,7 @@ pub struct Element {
     colour: u32,
 }
 
-/// What stands in for an element that the tables do not have: about the middle of the metals, and a pink that no other
-/// element has.
+/// What stands in for elements that the tables lack: about the middle of the metals, in a pink that no other has.
 pub const UNKNOWN: Element = element("?", [150, 0, 200], 0xff1493);
 
 const fn element(symbol: &'static str, radii: [u16; 3], colour: u32) -> Element {
@@ -161,8 +160,7 @@ impl Element {
 
 /// The first radius that the sources have, or that of what is unknown, in angstroms.
 fn known(radii: &[u16], unknown: u16) -> f64 {
-    let radius = radii.iter().find(|radius| **radius > 0);
-    f64::from(*radius.unwrap_or(&unknown)) / 100.0
+    f64::from(*radii.iter().find(|radius| **radius > 0).unwrap_or(&unknown)) / 100.0
 }
 
 /// The element of a symbol in any case; deuterium and tritium are hydrogen.
@@ -182,11 +180,10 @@ const STANDARD: [&str; 44] = [
     "CYX", "ACE",
 ];
 
-/// The element of an atom whose element columns say nothing, from its name as it stands in columns 13 to 16: the symbol
-/// is right-justified in the first two, so that ` CA ` is carbon and `CA  ` calcium. A name of four characters has no
-/// room for that, and is hydrogen if it begins with H or D (`HG11`). In the residues of proteins and nucleic acids the
-/// first letter decides, because programs shift names to the left; an ion has the name of its residue, wherever that
-/// stands.
+/// The element of an atom by its name in columns 13 to 16: the symbol is right-justified in the first two, so that
+/// ` CA ` is carbon and `CA  ` calcium. A name of four characters has no room for that, and is hydrogen if it begins
+/// with H or D (`HG11`). In residues of proteins and nucleic acids the first letter decides, because programs shift
+/// names to the left; an ion has the name of its residue, wherever that stands.
 pub fn of_name(name: [u8; 4], residue: &str) -> Option<&'static Element> {
     let standard = STANDARD.iter().any(|r| r.eq_ignore_ascii_case(residue));
     let text = std::str::from_utf8(&name).ok()?.trim();

@@ -4,8 +4,7 @@ use crate::kit::short;
 use imogene_algebra::vector::{cross, length, minus};
 use imogene_scene::{Body, Camera, ImageSize, fitting_from};
 
-/// The viewer is this many radii of the bounding sphere away: the depth word is finest when the scene is not deeper
-/// than a third of the distance.
+/// Distance of the viewer: the depth word is finest when the scene is not deeper than a third of it.
 pub const DISTANCE_IN_RADII: f64 = 6.0;
 pub const IMAGE: ImageSize = ImageSize {
     width: 960,
@@ -56,8 +55,7 @@ pub fn bounding_box(balls: &[Ball]) -> ([f64; 3], [f64; 3]) {
 }
 
 /// A camera of which the balls fill the picture, and the directions to the right, upwards and towards the viewer. It
-/// looks along the shortest side of the bounding box, with the longest across the picture: along a coordinate axis, so
-/// that the camera frame is exact.
+/// looks along the shortest side of the bounding box with the longest across: along axes, so that its frame is exact.
 pub fn frame(balls: &[Ball]) -> (Camera, [[f64; 3]; 3]) {
     let (middle, radius) = bounding_sphere(balls);
     let (low, high) = bounding_box(balls);

@@ -93,10 +93,14 @@ impl Reading {
         let residue = again(&mut self.residue, 18, 20);
         let number = again(&mut self.number, 23, 27);
         let chain = words.keep_bytes(columns.bytes(22, 22).trim_ascii());
+        // A sixth digit of a serial number stands in front or behind.
+        let digit = |column| columns.character(column).is_ascii_digit();
+        let first = if digit(6) { 6 } else { 7 };
+        let last = if digit(11) && digit(12) { 12 } else { 11 };
         let atom = Atom {
             place,
             element,
-            serial: Serial::of(serial(columns), words),
+            serial: Serial::of(columns.bytes(first, last).trim_ascii(), words),
             occupancy,
             name: words.keep_bytes(columns.bytes(13, 16).trim_ascii()),
             alternate: words.keep_bytes(columns.bytes(17, 17).trim_ascii()),
@@ -125,14 +129,6 @@ impl Reading {
             }
         }
     }
-}
-
-/// The serial number, with a sixth digit in front or behind if there is one.
-fn serial<'a>(columns: &'a Columns) -> &'a [u8] {
-    let digit = |column| columns.character(column).is_ascii_digit();
-    let first = if digit(6) { 6 } else { 7 };
-    let last = if digit(11) && digit(12) { 12 } else { 11 };
-    columns.bytes(first, last).trim_ascii()
 }
 
 /// Adds the text of a continued record, which keeps what is not ASCII.

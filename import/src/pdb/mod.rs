@@ -42,10 +42,9 @@ impl Format {
         let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         match self {
             Format::Bcif => bcif::read(bytes),
-            _ if text.starts_with(&[0xff, 0xfe]) || text.starts_with(&[0xfe, 0xff]) => {
-                let accepted = "text in UTF-8 would be accepted";
-                Err(Error::whole("this is text in UTF-16", accepted))
-            }
+            _ if text.starts_with(&[0xff, 0xfe]) || text.starts_with(&[0xfe, 0xff]) => Err(
+                Error::whole("this is text in UTF-16", "text in UTF-8 would be accepted"),
+            ),
             Format::Pdb => lines::read(text),
             Format::Mmcif => cif::read(text),
         }

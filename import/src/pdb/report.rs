@@ -50,7 +50,6 @@ pub fn report(
         *elements.entry(atom.element.symbol).or_default() += 1;
         chains.insert(structure.words.text(atom.chain));
     }
-    let remarks = &structure.remarks;
     let spheres = atoms().count();
     let shown: Vec<i64> = chosen.iter().map(|c| c.number).collect();
     let (low, high) = (drawn.extent.0.map(short), drawn.extent.1.map(short));
@@ -68,8 +67,8 @@ pub fn report(
         "assembly_drawn": options.assembly,
         "chains": chains,
         "elements": elements,
-        "elements_from_names": remarks.named_element,
-        "elements_unknown": remarks.no_element,
+        "elements_from_names": structure.named_element,
+        "elements_unknown": structure.no_element,
         "bonds": drawn.bonds.pairs.len(),
         "bonds_from_file_alone": drawn.bonds.connected,
         "spheres": spheres,
@@ -95,8 +94,8 @@ pub fn report(
     };
     let assemblies = listed(read.assemblies.iter().cloned());
     let as_they_stand = options.assembly.is_none() && !read.assemblies.is_empty();
-    let no_occupancy = remarks.no_occupancy;
-    let guessed = Vec::from_iter(guessed).join(", ");
+    let no_occupancy = structure.no_occupancy;
+    let names = Vec::from_iter(guessed).join(", ");
     let models = "of other models left out; --model N or --model all draws them";
     let residues = "of other residues left out";
     let stand = format!(
@@ -104,12 +103,11 @@ pub fn report(
     );
     let blocks = "further data blocks left out: the first that has atoms is drawn";
     let cells = "to other cells of the crystal left out";
-    let alternates = "left out; --alternates all draws them";
+    let draws = "left out; --alternates all draws them";
     let from_name = "without an element's symbol: element from the atom's name";
     let unknown = "of no known element: drawn with a van der Waals radius of 2.0 and a covalent one of 1.5 angstroms, in pink";
     let occupancies = format!("occupancies that are no numbers, taken as 1: {no_occupancy}");
-    let radius =
-        format!("no published radius of {guessed}: 2.0 angstroms, or 1.5 covalent, instead");
+    let radius = format!("no published radius of {names}: 2.0 angstroms, or 1.5 covalent, instead");
     let farther = format!(
         "that only the file says: farther apart than the covalent radii and {TOLERANCE} angstroms, or of a kind that is not looked for"
     );
@@ -119,19 +117,15 @@ pub fn report(
         told(left_out.other_chains, "atom", "of other chains left out"),
         told(left_out.other_residues, "atom", residues),
         as_they_stand.then_some(stand),
-        remarks.other_blocks.then(|| blocks.to_owned()),
-        told(remarks.other_cells, "bond", cells),
-        told(
-            left_out.alternate_locations,
-            "alternate location",
-            alternates,
-        ),
+        structure.other_blocks.then(|| blocks.to_owned()),
+        told(structure.other_cells, "bond", cells),
+        told(left_out.alternate_locations, "alternate location", draws),
         told(left_out.hydrogens, "hydrogen", "left out"),
         told(left_out.water, "atom", "of water left out"),
-        told(remarks.named_element, "atom", from_name),
-        told(remarks.no_element, "atom", unknown),
+        told(structure.named_element, "atom", from_name),
+        told(structure.no_element, "atom", unknown),
         (no_occupancy > 0).then_some(occupancies),
-        (!guessed.is_empty()).then_some(radius),
+        (!names.is_empty()).then_some(radius),
         told(drawn.bonds.connected, "bond", &farther),
         told(drawn.bonds.left_out, "bond", thinned),
     ];

@@ -9,7 +9,7 @@ use super::words::{Word, Words};
 use crate::error::Result;
 use crate::kit::{Names, material, object, short};
 use imogene_algebra::vector::{dot, length, minus};
-use imogene_scene::{Axis, Camera, Cut, Light, Material, Object, Rotation, SceneFile, Shape, Step};
+use imogene_scene::{Axis, Cut, Light, Material, Object, Rotation, SceneFile, Shape, Step};
 use std::collections::HashMap;
 
 /// Radius of a ball in a ball-and-stick picture, as a share of the van der Waals radius.
@@ -21,7 +21,6 @@ const LEAST_SINE: f64 = 0.1;
 /// Colours of chains or models beyond which they repeat; the shading processor holds 256 materials.
 const MOST_COLOURS: usize = 240;
 
-/// What became of the chosen atoms.
 pub struct Drawn {
     /// The spheres of all atoms, then the cylinders of bonds; a bond between two colours has two.
     pub scene: SceneFile,
@@ -30,7 +29,6 @@ pub struct Drawn {
     pub extent: ([f64; 3], [f64; 3]),
 }
 
-/// What gives an atom its colour.
 #[derive(PartialEq, Eq, Hash)]
 enum Key {
     Element(&'static str),
@@ -101,11 +99,18 @@ pub fn build(
     for model in chosen {
         let number = (chosen.len() > 1).then_some(model.number);
         for atom in &model.atoms {
-            let radius = radius(atom, options.style);
+            let radius = match options.style {
+                Style::SpaceFilling => atom.element.van_der_waals(),
+                Style::BallAndStick => short(atom.element.van_der_waals() * BALL),
+            };
             let material = materials.of(atom, model.number, &structure.words);
             balls.push((atom.place, radius));
             let name = atom_name(&mut names, atom, &structure.words, number);
-            objects.push(sphere(name, atom.place, radius, material.name.clone()));
+            objects.push(Object {
+                // The sum turns -0 into 0.
+                place: vec![Step::Translate(atom.place.map(|v| v + 0.0))],
+                ..object(name, Shape::Sphere { radius }, material.name.clone())
+            });
         }
     }
     let (camera, axes) = framing::frame(&balls);
@@ -128,20 +133,31 @@ pub fn build(
         all.left_out += found.left_out;
     }
     objects.extend(sticks);
-    let title = title(structure, file);
+    let light = |[right, up, towards]: [f64; 3], colour: [f64; 3], intensity: f64| {
+        let from = std::array::from_fn(|k| {
+            right * axes[0][k] + up * axes[1][k] + towards * axes[2][k] + 0.0
+        });
+        Light {
+            colour,
+            ..Light::directional(from, intensity)
+        }
+    };
     Ok(Drawn {
-        scene: scene(title, camera, axes, materials.list, objects),
+        scene: SceneFile {
+            background: [0.06, 0.08, 0.13],
+            ambient: [0.55, 0.55, 0.6],
+            image: framing::IMAGE,
+            lights: vec![
+                light([-3.0, 5.0, 7.0], [1.0, 0.97, 0.9], 0.9),
+                light([6.0, 1.0, 4.0], [0.6, 0.75, 1.0], 0.35),
+            ],
+            materials: materials.list,
+            objects,
+            ..SceneFile::new(&title(structure, file), camera)
+        },
         bonds: all,
         extent: framing::bounding_box(&balls),
     })
-}
-
-fn radius(atom: &Atom, style: Style) -> f64 {
-    let radius = atom.element.van_der_waals();
-    match style {
-        Style::SpaceFilling => radius,
-        Style::BallAndStick => short(radius * BALL),
-    }
 }
 
 fn title(structure: &Structure, file: &str) -> String {
@@ -151,14 +167,6 @@ fn title(structure: &Structure, file: &str) -> String {
         ("", title) => title.to_owned(),
         (entry, "") => entry.to_owned(),
         (entry, title) => format!("{entry}: {title}"),
-    }
-}
-
-fn sphere(name: String, place: [f64; 3], radius: f64, material: String) -> Object {
-    Object {
-        // The sum turns -0 into 0.
-        place: vec![Step::Translate(place.map(|v| v + 0.0))],
-        ..object(name, Shape::Sphere { radius }, material)
     }
 }
 
@@ -200,9 +208,8 @@ fn cylinders(mut ends: [(&Atom, &Object); 2], eye: [f64; 3], names: &mut Names) 
 }
 
 /// Normal of the cuts, in the cylinder's own coordinates: its axis, unless the planes would then nearly hold the line
-/// of sight. Such a plane has a depth so steep that it does not fit its word and can be refused; it is tilted until
-/// the line of sight rises from it by [`LEAST_SINE`], which the balls hide at the ends and nobody sees in the middle
-/// of a stick.
+/// of sight. Such a plane is too steep for its depth word; it is tilted until the line of sight rises from it by
+/// [`LEAST_SINE`], which the balls hide at the ends and nobody sees in the middle.
 fn normal(along: [f64; 3], length: f64, to_eye: [f64; 3]) -> [f64; 3] {
     let away = self::length(to_eye);
     let (axis, sight) = (along.map(|v| v / length), to_eye.map(|v| v / away));
@@ -214,8 +221,7 @@ fn normal(along: [f64; 3], length: f64, to_eye: [f64; 3]) -> [f64; 3] {
     let tilted: [f64; 3] = std::array::from_fn(|k| axis[k] + tilt * sight[k]);
     // Half a turn is its own inverse: it takes the direction back to the y axis.
     let line = turn_line(along, length);
-    let square = dot(line, line);
-    let share = 2.0 * dot(line, tilted) / square;
+    let share = 2.0 * dot(line, tilted) / dot(line, line);
     std::array::from_fn(|k| short(share * line[k] - tilted[k]) + 0.0)
 }
 
@@ -234,36 +240,6 @@ fn placed(along: [f64; 3], length: f64, origin: [f64; 3]) -> Vec<Step> {
     }
     let (axis, degrees) = (Axis::Vector(line), 180.0);
     vec![Step::Rotate(Rotation { axis, degrees }), translate]
-}
-
-fn scene(
-    title: String,
-    camera: Camera,
-    axes: [[f64; 3]; 3],
-    materials: Vec<Material>,
-    objects: Vec<Object>,
-) -> SceneFile {
-    let light = |[right, up, towards]: [f64; 3], colour: [f64; 3], intensity: f64| {
-        let from = std::array::from_fn(|k| {
-            right * axes[0][k] + up * axes[1][k] + towards * axes[2][k] + 0.0
-        });
-        Light {
-            colour,
-            ..Light::directional(from, intensity)
-        }
-    };
-    SceneFile {
-        background: [0.06, 0.08, 0.13],
-        ambient: [0.55, 0.55, 0.6],
-        image: framing::IMAGE,
-        lights: vec![
-            light([-3.0, 5.0, 7.0], [1.0, 0.97, 0.9], 0.9),
-            light([6.0, 1.0, 4.0], [0.6, 0.75, 1.0], 0.35),
-        ],
-        materials,
-        objects,
-        ..SceneFile::new(&title, camera)
-    }
 }
 
 fn numbered(name: &str, count: usize) -> String {

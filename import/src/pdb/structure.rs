@@ -4,7 +4,6 @@ use super::assembly::Assemblies;
 use super::element::{Element, UNKNOWN, of_name, of_symbol};
 use super::words::{Word, Words};
 
-/// An atom.
 #[derive(Clone, Debug)]
 pub struct Atom {
     /// Place in angstroms.
@@ -22,8 +21,7 @@ pub struct Atom {
     pub number: Word,
     /// Chain as its authors name it, or nothing.
     pub chain: Word,
-    /// Chain as the archive names it, by which assemblies are put together; that of the authors where a file has one
-    /// name.
+    /// Chain as the archive names it, if it does, else as its authors do; assemblies are put together by it.
     pub part: Word,
 }
 
@@ -39,7 +37,6 @@ pub fn is_water(residue: &str) -> bool {
     WATER.iter().any(|n| n.eq_ignore_ascii_case(residue))
 }
 
-#[derive(Debug)]
 pub struct Model {
     pub number: i64,
     pub atoms: Vec<Atom>,
@@ -54,8 +51,7 @@ pub enum End {
     Names([Word; 4]),
 }
 
-/// What a file holds.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub struct Structure {
     /// Title, or the classification of the header, or nothing.
     pub title: String,
@@ -68,13 +64,8 @@ pub struct Structure {
     /// What can be put together of copies of its chains.
     pub assemblies: Assemblies,
     pub words: Words,
-    pub remarks: Remarks,
-}
-
-/// What a reader may want to know of a file: in how many places it is unusual.
-#[derive(Debug, Default)]
-pub struct Remarks {
-    /// Element from the atom's name.
+    // In how many places it is unusual.
+    /// Elements from the names of atoms.
     pub named_element: usize,
     pub no_element: usize,
     pub no_occupancy: usize,
@@ -87,7 +78,7 @@ pub struct Remarks {
 impl Structure {
     /// The occupancy of an atom; 1 if the file does not give it, or no number.
     pub fn occupancy(&mut self, is_given: bool, number: Option<f64>) -> f32 {
-        self.remarks.no_occupancy += usize::from(is_given && number.is_none());
+        self.no_occupancy += usize::from(is_given && number.is_none());
         number.unwrap_or(1.0) as f32
     }
 
@@ -100,14 +91,13 @@ impl Structure {
         // A charge may stand behind the symbol; in files before 1996 there are digits.
         let end = symbol.iter().position(|c| !c.is_ascii_alphabetic());
         let letters = &symbol[..end.unwrap_or(symbol.len())];
-        let letters = std::str::from_utf8(letters).expect("letters");
-        if let Some(element) = of_symbol(letters) {
+        if let Some(element) = of_symbol(std::str::from_utf8(letters).expect("letters")) {
             return element;
         }
         let (columns, residue) = name();
         let found = of_name(columns, &residue);
-        self.remarks.named_element += usize::from(found.is_some());
-        self.remarks.no_element += usize::from(found.is_none());
+        self.named_element += usize::from(found.is_some());
+        self.no_element += usize::from(found.is_none());
         found.unwrap_or(&UNKNOWN)
     }
 }

@@ -12,7 +12,6 @@ impl Word {
     }
 }
 
-#[derive(Debug)]
 pub struct Words(IndexSet<Box<str>>);
 
 impl Default for Words {

@@ -4,7 +4,6 @@ use rmpv::ValueRef;
 use std::fmt::Write;
 
 /// A column's values, without its mask.
-#[derive(Debug, PartialEq)]
 pub enum Values<'a> {
     Whole(Vec<i64>),
     Numbers(Vec<f64>),
@@ -12,14 +11,133 @@ pub enum Values<'a> {
     Texts(Vec<&'a str>, Vec<i64>),
 }
 
+/// What is read, or what is wrong with it.
+pub type Read<T> = Result<T, String>;
+
 /// Values that may still be decoded: a short file must not fill the memory.
 pub struct Budget(pub usize);
 
 impl Budget {
-    fn take(&mut self, count: usize) -> Result<(), String> {
+    fn take(&mut self, count: usize) -> Read<()> {
         let rest = self.0.checked_sub(count);
         self.0 = rest.ok_or("it holds more values than a file of its size can")?;
         Ok(())
+    }
+
+    fn count(&mut self, map: &ValueRef, key: &str) -> Read<usize> {
+        let count = usize::try_from(whole(map, key)?);
+        let count = count.map_err(|_| format!("its `{key}` is negative"))?;
+        self.take(count)?;
+        Ok(count)
+    }
+
+    /// Decodes `data`: its bytes went through the encodings from the first to the last, and come back the other way.
+    pub fn decode<'a>(&mut self, data: &ValueRef<'a>) -> Read<Values<'a>> {
+        self.chain(get(data, "data")?, array(get(data, "encoding")?)?)
+    }
+
+    fn chain<'a>(&mut self, bytes: &ValueRef<'a>, encodings: &[ValueRef<'a>]) -> Read<Values<'a>> {
+        let ValueRef::Binary(bytes) = bytes else {
+            return Err("its bytes are missing".to_owned());
+        };
+        let (last, before) = encodings.split_last().ok_or("it has no encoding")?;
+        let mut values = match text(get(last, "kind")?)? {
+            "ByteArray" => self.byte_array(bytes, whole(last, "type")?)?,
+            "StringArray" => self.string_array(bytes, last)?,
+            other => return Err(format!("its last encoding is `{other}`")),
+        };
+        for encoding in before.iter().rev() {
+            let kind = text(get(encoding, "kind")?)?;
+            let Values::Whole(numbers) = values else {
+                return Err(format!("its encoding `{kind}` is not of whole numbers"));
+            };
+            values = match kind {
+                "FixedPoint" => match number(encoding, "factor")? {
+                    0.0 => return Err("its `factor` is zero".to_owned()),
+                    factor => Values::Numbers(numbers.iter().map(|n| *n as f64 / factor).collect()),
+                },
+                "IntervalQuantization" => Values::Numbers(interval(&numbers, encoding)?),
+                "RunLength" => {
+                    Values::Whole(run_length(&numbers, self.count(encoding, "srcSize")?)?)
+                }
+                "Delta" => Values::Whole(delta(&numbers, whole(encoding, "origin")?)),
+                "IntegerPacking" => Values::Whole(self.packed(&numbers, encoding)?),
+                other => return Err(format!("its encoding `{other}` is not known")),
+            };
+        }
+        Ok(values)
+    }
+
+    fn each<const N: usize, T>(
+        &mut self,
+        bytes: &[u8],
+        value: impl Fn([u8; N]) -> T,
+    ) -> Read<Vec<T>> {
+        let (chunks, rest) = bytes.as_chunks::<N>();
+        if !rest.is_empty() {
+            return Err(format!("its bytes are no multiple of {N}"));
+        }
+        self.take(chunks.len())?;
+        Ok(chunks.iter().map(|c| value(*c)).collect())
+    }
+
+    fn byte_array<'a>(&mut self, bytes: &[u8], kind: i64) -> Read<Values<'a>> {
+        // The shortest decimal that a short number can be, as its writer meant it.
+        let short = |bytes| {
+            let text = f32::from_le_bytes(bytes).to_string();
+            text.parse().unwrap_or(f64::NAN)
+        };
+        Ok(match kind {
+            1 => Values::Whole(self.each(bytes, |b| i64::from(i8::from_le_bytes(b)))?),
+            2 => Values::Whole(self.each(bytes, |b| i64::from(i16::from_le_bytes(b)))?),
+            3 => Values::Whole(self.each(bytes, |b| i64::from(i32::from_le_bytes(b)))?),
+            4 => Values::Whole(self.each(bytes, |b| i64::from(u8::from_le_bytes(b)))?),
+            5 => Values::Whole(self.each(bytes, |b| i64::from(u16::from_le_bytes(b)))?),
+            6 => Values::Whole(self.each(bytes, |b| i64::from(u32::from_le_bytes(b)))?),
+            32 => Values::Numbers(self.each(bytes, short)?),
+            33 => Values::Numbers(self.each(bytes, f64::from_le_bytes)?),
+            other => return Err(format!("its type {other} is not known")),
+        })
+    }
+
+    fn string_array<'a>(&mut self, bytes: &[u8], encoding: &ValueRef<'a>) -> Read<Values<'a>> {
+        let all = text(get(encoding, "stringData")?)?;
+        let mut decoded = |bytes: &_, key| self.chain(bytes, array(get(encoding, key)?)?);
+        let offsets = decoded(get(encoding, "offsets")?, "offsetEncoding")?;
+        let places = decoded(&ValueRef::Binary(bytes), "dataEncoding")?;
+        let (Values::Whole(offsets), Values::Whole(places)) = (offsets, places) else {
+            return Err("its texts have no whole offsets".to_owned());
+        };
+        let text = |pair: &[i64]| {
+            let [from, to] = [pair[0], pair[1]].map(|offset| usize::try_from(offset).ok());
+            all.get(from?..to?)
+        };
+        let texts: Option<Vec<&str>> = offsets.windows(2).map(text).collect();
+        let texts = texts.ok_or("its texts have wrong offsets")?;
+        Ok(Values::Texts(texts, places))
+    }
+
+    /// Small numbers; the least and the greatest of their size say that the next one is added.
+    fn packed(&mut self, numbers: &[i64], encoding: &ValueRef) -> Read<Vec<i64>> {
+        let is_unsigned = matches!(get(encoding, "isUnsigned")?, ValueRef::Boolean(true));
+        let size = self.count(encoding, "srcSize")?;
+        let ends = match (whole(encoding, "byteCount")?, is_unsigned) {
+            (1, true) => [i64::MIN, 0xff],
+            (1, false) => [-0x80, 0x7f],
+            (2, true) => [i64::MIN, 0xffff],
+            (2, false) => [-0x8000, 0x7fff],
+            (other, _) => return Err(format!("its `byteCount` is {other}")),
+        };
+        let mut values = Vec::with_capacity(size.min(numbers.len()));
+        let mut sum = 0i64;
+        for number in numbers {
+            sum = sum.wrapping_add(*number);
+            if !ends.contains(number) {
+                values.push(sum);
+                sum = 0;
+            }
+        }
+        Ok(values)
     }
 }
 
@@ -46,7 +164,7 @@ impl Values<'_> {
     }
 }
 
-pub fn get<'a, 'v>(map: &'v ValueRef<'a>, key: &str) -> Result<&'v ValueRef<'a>, String> {
+pub fn get<'a, 'v>(map: &'v ValueRef<'a>, key: &str) -> Read<&'v ValueRef<'a>> {
     let found = match map {
         ValueRef::Map(pairs) => pairs.iter().find(|(name, _)| text(name) == Ok(key)),
         _ => None,
@@ -55,7 +173,7 @@ pub fn get<'a, 'v>(map: &'v ValueRef<'a>, key: &str) -> Result<&'v ValueRef<'a>,
     value.ok_or_else(|| format!("it has no `{key}`"))
 }
 
-pub fn text<'a>(value: &ValueRef<'a>) -> Result<&'a str, String> {
+pub fn text<'a>(value: &ValueRef<'a>) -> Read<&'a str> {
     let text = match value {
         ValueRef::String(text) => text.into_str(),
         _ => None,
@@ -63,14 +181,14 @@ pub fn text<'a>(value: &ValueRef<'a>) -> Result<&'a str, String> {
     text.ok_or_else(|| "a text is missing".to_owned())
 }
 
-pub fn array<'a, 'v>(value: &'v ValueRef<'a>) -> Result<&'v [ValueRef<'a>], String> {
+pub fn array<'a, 'v>(value: &'v ValueRef<'a>) -> Read<&'v [ValueRef<'a>]> {
     match value {
         ValueRef::Array(members) => Ok(members),
         _ => Err("an array is missing".to_owned()),
     }
 }
 
-fn number(map: &ValueRef, key: &str) -> Result<f64, String> {
+fn number(map: &ValueRef, key: &str) -> Read<f64> {
     let value = match get(map, key)? {
         ValueRef::Integer(whole) => whole.as_f64(),
         ValueRef::F32(value) => Some(f64::from(*value)),
@@ -81,118 +199,14 @@ fn number(map: &ValueRef, key: &str) -> Result<f64, String> {
     value.ok_or_else(|| format!("its `{key}` is no number"))
 }
 
-fn whole(map: &ValueRef, key: &str) -> Result<i64, String> {
+fn whole(map: &ValueRef, key: &str) -> Read<i64> {
     let value = number(map, key)?;
     let is_whole = value.fract() == 0.0 && value.abs() < 1e15;
     let value = is_whole.then_some(value as i64);
     value.ok_or_else(|| format!("its `{key}` is no whole number"))
 }
 
-fn count(map: &ValueRef, key: &str, budget: &mut Budget) -> Result<usize, String> {
-    let count = usize::try_from(whole(map, key)?);
-    let count = count.map_err(|_| format!("its `{key}` is negative"))?;
-    budget.take(count)?;
-    Ok(count)
-}
-
-/// Decodes `data`: its bytes went through the encodings from the first to the last, and come back the other way.
-pub fn decode<'a>(data: &ValueRef<'a>, budget: &mut Budget) -> Result<Values<'a>, String> {
-    chain(get(data, "data")?, array(get(data, "encoding")?)?, budget)
-}
-
-fn chain<'a>(
-    bytes: &ValueRef<'a>,
-    encodings: &[ValueRef<'a>],
-    budget: &mut Budget,
-) -> Result<Values<'a>, String> {
-    let ValueRef::Binary(bytes) = bytes else {
-        return Err("its bytes are missing".to_owned());
-    };
-    let (last, before) = encodings.split_last().ok_or("it has no encoding")?;
-    let mut values = match text(get(last, "kind")?)? {
-        "ByteArray" => byte_array(bytes, whole(last, "type")?, budget)?,
-        "StringArray" => string_array(bytes, last, budget)?,
-        other => return Err(format!("its last encoding is `{other}`")),
-    };
-    for encoding in before.iter().rev() {
-        let kind = text(get(encoding, "kind")?)?;
-        let Values::Whole(numbers) = values else {
-            return Err(format!("its encoding `{kind}` is not of whole numbers"));
-        };
-        values = match kind {
-            "FixedPoint" => Values::Numbers(fixed_point(&numbers, number(encoding, "factor")?)?),
-            "IntervalQuantization" => Values::Numbers(interval(&numbers, encoding)?),
-            "RunLength" => {
-                Values::Whole(run_length(&numbers, count(encoding, "srcSize", budget)?)?)
-            }
-            "Delta" => Values::Whole(delta(&numbers, whole(encoding, "origin")?)),
-            "IntegerPacking" => Values::Whole(packed(&numbers, encoding, budget)?),
-            other => return Err(format!("its encoding `{other}` is not known")),
-        };
-    }
-    Ok(values)
-}
-
-fn byte_array<'a>(bytes: &[u8], kind: i64, budget: &mut Budget) -> Result<Values<'a>, String> {
-    fn each<const N: usize, T>(
-        bytes: &[u8],
-        budget: &mut Budget,
-        value: impl Fn([u8; N]) -> T,
-    ) -> Result<Vec<T>, String> {
-        let (chunks, rest) = bytes.as_chunks::<N>();
-        if !rest.is_empty() {
-            return Err(format!("its bytes are no multiple of {N}"));
-        }
-        budget.take(chunks.len())?;
-        Ok(chunks.iter().map(|c| value(*c)).collect())
-    }
-    // The shortest decimal that a short number can be, as its writer meant it.
-    let short = |bytes| {
-        let text = f32::from_le_bytes(bytes).to_string();
-        text.parse().unwrap_or(f64::NAN)
-    };
-    Ok(match kind {
-        1 => Values::Whole(each(bytes, budget, |b| i64::from(i8::from_le_bytes(b)))?),
-        2 => Values::Whole(each(bytes, budget, |b| i64::from(i16::from_le_bytes(b)))?),
-        3 => Values::Whole(each(bytes, budget, |b| i64::from(i32::from_le_bytes(b)))?),
-        4 => Values::Whole(each(bytes, budget, |b| i64::from(u8::from_le_bytes(b)))?),
-        5 => Values::Whole(each(bytes, budget, |b| i64::from(u16::from_le_bytes(b)))?),
-        6 => Values::Whole(each(bytes, budget, |b| i64::from(u32::from_le_bytes(b)))?),
-        32 => Values::Numbers(each(bytes, budget, short)?),
-        33 => Values::Numbers(each(bytes, budget, f64::from_le_bytes)?),
-        other => return Err(format!("its type {other} is not known")),
-    })
-}
-
-fn string_array<'a>(
-    bytes: &[u8],
-    encoding: &ValueRef<'a>,
-    budget: &mut Budget,
-) -> Result<Values<'a>, String> {
-    let all = text(get(encoding, "stringData")?)?;
-    let mut decoded = |bytes: &_, key| chain(bytes, array(get(encoding, key)?)?, budget);
-    let offsets = decoded(get(encoding, "offsets")?, "offsetEncoding")?;
-    let places = decoded(&ValueRef::Binary(bytes), "dataEncoding")?;
-    let (Values::Whole(offsets), Values::Whole(places)) = (offsets, places) else {
-        return Err("its texts have no whole offsets".to_owned());
-    };
-    let text = |pair: &[i64]| {
-        let [from, to] = [pair[0], pair[1]].map(|offset| usize::try_from(offset).ok());
-        all.get(from?..to?)
-    };
-    let texts: Option<Vec<&str>> = offsets.windows(2).map(text).collect();
-    let texts = texts.ok_or("its texts have wrong offsets")?;
-    Ok(Values::Texts(texts, places))
-}
-
-fn fixed_point(numbers: &[i64], factor: f64) -> Result<Vec<f64>, String> {
-    if factor == 0.0 {
-        return Err("its `factor` is zero".to_owned());
-    }
-    Ok(numbers.iter().map(|n| *n as f64 / factor).collect())
-}
-
-fn interval(numbers: &[i64], encoding: &ValueRef) -> Result<Vec<f64>, String> {
+fn interval(numbers: &[i64], encoding: &ValueRef) -> Read<Vec<f64>> {
     let (low, high) = (number(encoding, "min")?, number(encoding, "max")?);
     let step = match whole(encoding, "numSteps")? as f64 - 1.0 {
         steps if steps > 0.0 => (high - low) / steps,
@@ -201,7 +215,7 @@ fn interval(numbers: &[i64], encoding: &ValueRef) -> Result<Vec<f64>, String> {
     Ok(numbers.iter().map(|n| low + step * *n as f64).collect())
 }
 
-fn run_length(numbers: &[i64], size: usize) -> Result<Vec<i64>, String> {
+fn run_length(numbers: &[i64], size: usize) -> Read<Vec<i64>> {
     let mut values = Vec::with_capacity(size);
     for pair in numbers.chunks(2) {
         let [value, times] = *pair else {
@@ -221,27 +235,4 @@ fn delta(numbers: &[i64], mut sum: i64) -> Vec<i64> {
         sum
     };
     numbers.iter().map(add).collect()
-}
-
-/// Small numbers; the least and the greatest of their size say that the next one is added.
-fn packed(numbers: &[i64], encoding: &ValueRef, budget: &mut Budget) -> Result<Vec<i64>, String> {
-    let is_unsigned = matches!(get(encoding, "isUnsigned")?, ValueRef::Boolean(true));
-    let size = count(encoding, "srcSize", budget)?;
-    let ends = match (whole(encoding, "byteCount")?, is_unsigned) {
-        (1, true) => [i64::MIN, 0xff],
-        (1, false) => [-0x80, 0x7f],
-        (2, true) => [i64::MIN, 0xffff],
-        (2, false) => [-0x8000, 0x7fff],
-        (other, _) => return Err(format!("its `byteCount` is {other}")),
-    };
-    let mut values = Vec::with_capacity(size.min(numbers.len()));
-    let mut sum = 0i64;
-    for number in numbers {
-        sum = sum.wrapping_add(*number);
-        if !ends.contains(number) {
-            values.push(sum);
-            sum = 0;
-        }
-    }
-    Ok(values)
 }

@@ -7,12 +7,11 @@ use super::cif::{
 };
 use super::structure::Structure;
 use crate::error::{Error, Result};
-use decode::{Budget, Values, array, decode, get, text};
+use decode::{Budget, Read, Values, array, get, text};
 use rmpv::ValueRef;
 
 /// Values for each byte of a file, at most; real files have fewer than ten.
 const MOST_VALUES_PER_BYTE: usize = 100;
-/// Values that any file may have.
 const ALWAYS: usize = 1 << 20;
 
 /// A column that is read: its name, its values, and which of them the file does not give.
@@ -49,7 +48,7 @@ pub fn read(bytes: &[u8]) -> Result<Structure> {
         if structure.models.is_empty() {
             continue;
         }
-        structure.remarks.other_blocks = place + 1 < blocks.len();
+        structure.other_blocks = place + 1 < blocks.len();
         let blame = |_: usize, problem: String, accepted: &str| Error::whole(problem, accepted);
         finish(&mut structure, &tables, &blame);
         return Ok(structure);
@@ -63,7 +62,7 @@ fn read_block(
     structure: &mut Structure,
     other: &mut Option<&'static str>,
     budget: &mut Budget,
-) -> Result<Tables, String> {
+) -> Read<Tables> {
     let mut tables = Tables::default();
     for category in array(get(block, "categories")?)? {
         let name = text(get(category, "name")?)?.to_ascii_lowercase();
@@ -92,7 +91,7 @@ fn read_columns<'a>(
     name: &str,
     rows: usize,
     budget: &mut Budget,
-) -> Result<Vec<Column<'a>>, String> {
+) -> Read<Vec<Column<'a>>> {
     let mut columns = vec![];
     for column in array(get(category, "columns")?)? {
         let item = text(get(column, "name")?)?.to_ascii_lowercase();
@@ -100,11 +99,11 @@ fn read_columns<'a>(
             continue;
         }
         let named = |problem: String| format!("{item}: {problem}");
-        let values = get(column, "data").and_then(|data| decode(data, budget));
+        let values = get(column, "data").and_then(|data| budget.decode(data));
         let values = values.map_err(named)?;
         let mask = match get(column, "mask") {
             Ok(ValueRef::Nil) | Err(_) => None,
-            Ok(mask) => match decode(mask, budget).map_err(named)? {
+            Ok(mask) => match budget.decode(mask).map_err(named)? {
                 Values::Whole(mask) => Some(mask),
                 _ => return Err(named("its mask is not of whole numbers".to_owned())),
             },
@@ -129,12 +128,11 @@ fn table(columns: &[Column], rows: usize) -> Vec<Row> {
         row
     };
     // A category without columns has no rows, whatever it says.
-    (0..if columns.is_empty() { 0 } else { rows })
-        .map(row)
-        .collect()
+    let rows = if columns.is_empty() { 0 } else { rows };
+    (0..rows).map(row).collect()
 }
 
-fn push_atoms(given: &[Column], rows: usize, structure: &mut Structure) -> Result<(), String> {
+fn push_atoms(given: &[Column], rows: usize, structure: &mut Structure) -> Read<()> {
     let items: Vec<String> = given.iter().map(|column| column.item.clone()).collect();
     let Some(columns) = columns(&items) else {
         return Ok(());
@@ -148,8 +146,7 @@ fn push_atoms(given: &[Column], rows: usize, structure: &mut Structure) -> Resul
             }
         }
         let cells = texts.each_ref().map(|text| text.as_bytes());
-        let pushed = atoms.push(structure, &cells);
-        pushed.map_err(|defect| {
+        atoms.push(structure, &cells).map_err(|defect| {
             let (item, row) = (WANTED[defect.column], row + 1);
             let (problem, accepted) = (defect.problem, defect.accepted);
             format!("{ATOMS}.{item}, row {row}: {problem}; {accepted}")

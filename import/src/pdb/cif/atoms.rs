@@ -30,7 +30,6 @@ pub const WANTED: [&str; 17] = [
 const MOST: f64 = 1e8;
 
 /// A value that cannot be used: its place in [`WANTED`], what is wrong, and what would be accepted.
-#[derive(Debug)]
 pub struct Defect {
     pub column: usize,
     pub problem: String,
@@ -59,19 +58,14 @@ impl Atoms {
         let [x, y, z, id, symbol, name, own_name, alternate, rest @ ..] = *row;
         let [own_residue, residue, own_chain, chain, rest @ ..] = rest;
         let [own_number, number, insertion, occupancy, model] = rest;
-        let place = [
-            coordinate(x, 0, 'x')?,
-            coordinate(y, 1, 'y')?,
-            coordinate(z, 2, 'z')?,
-        ];
+        let place = [coordinate(x, 0)?, coordinate(y, 1)?, coordinate(z, 2)?];
         let model = self.model(structure, model)?;
         let name = given(name, own_name);
         let residue = given(own_residue, residue);
         let element = structure.element(symbol, || (in_columns(name), plain(residue)));
         let occupancy = structure.occupancy(!occupancy.is_empty(), self::number(occupancy));
         let words = &mut structure.words;
-        let mut again =
-            |known: &mut Repeated, text: &[u8]| known.of(text, || words.keep_bytes(text));
+        let mut again = |last: &mut Repeated, text: &[u8]| last.of(text, || words.keep_bytes(text));
         let residue = again(&mut self.residue, residue);
         let part = again(&mut self.part, given(chain, own_chain));
         let chain = again(&mut self.chain, given(own_chain, chain));
@@ -133,7 +127,8 @@ pub fn number(text: &[u8]) -> Option<f64> {
     value.filter(|value| value.abs() <= MOST)
 }
 
-fn coordinate(text: &[u8], column: usize, axis: char) -> Result<f64, Defect> {
+fn coordinate(text: &[u8], column: usize) -> Result<f64, Defect> {
+    let axis = ["x", "y", "z"][column];
     number(text).ok_or_else(|| Defect {
         column,
         problem: match plain(text).as_str() {

@@ -1,7 +1,6 @@
 //! The PDBx/mmCIF format: categories of items in a CIF text.
 //!
-//! Only the categories that a picture needs are kept; the atoms, by far the largest, go from the text into the
-//! structure row by row.
+//! Only categories that a picture needs are kept; the atoms go from the text into the structure row by row.
 
 mod atoms;
 mod table;
@@ -53,7 +52,6 @@ pub fn read(bytes: &[u8]) -> Result<Structure> {
     Ok(structure)
 }
 
-/// Why a file without atoms is refused.
 pub fn no_atoms(other: Option<&str>) -> Error {
     let problem = other.unwrap_or("it has no atom in the category _atom_site");
     let accepted = "a structure in the PDBx/mmCIF format, with atoms in _atom_site.Cartn_x, _y and _z, would be accepted";
@@ -79,7 +77,6 @@ struct Reader<'a> {
     /// Name and tables of the block.
     name: String,
     tables: Tables,
-    /// What stands instead of atoms.
     other: Option<&'static str>,
     structure: Structure,
 }
@@ -93,7 +90,6 @@ fn parts(tag: &[u8]) -> (String, String) {
     }
 }
 
-/// Its name in [`KEPT`].
 pub fn kept(category: &str) -> Option<&'static str> {
     KEPT.into_iter().find(|name| *name == category)
 }
@@ -119,7 +115,7 @@ impl<'a> Reader<'a> {
                 Token::Data(name) => {
                     self.only_atom()?;
                     if !self.structure.models.is_empty() {
-                        self.structure.remarks.other_blocks = true;
+                        self.structure.other_blocks = true;
                         return Ok(());
                     }
                     self.name = plain(name);
@@ -145,17 +141,13 @@ impl<'a> Reader<'a> {
             let accepted = "a value behind each name, such as ?, would be accepted";
             return Err(self.tokens.malformed(at, problem, accepted));
         };
-        self.notice(&category);
+        self.other = self.other.or_else(|| instead_of_atoms(&category));
         if let Some(name) = kept(&category) {
             let rows = self.tables.entry(name).or_default();
             rows.resize_with(rows.len().max(1), Row::default);
             rows[0].set(&item, value);
         }
         Ok(())
-    }
-
-    fn notice(&mut self, category: &str) {
-        self.other = self.other.or_else(|| instead_of_atoms(category));
     }
 
     /// Takes over the atom whose items stood one by one.
@@ -186,7 +178,7 @@ impl<'a> Reader<'a> {
                 break;
             };
             let (of, item) = parts(tag);
-            self.notice(&of);
+            self.other = self.other.or_else(|| instead_of_atoms(&of));
             category = of;
             items.push(item);
         }
@@ -209,10 +201,9 @@ impl<'a> Reader<'a> {
                 let mut table = vec![];
                 self.rows(width, |_, cells| {
                     let mut row = Row::default();
-                    items
-                        .iter()
-                        .zip(cells)
-                        .for_each(|(item, cell)| row.set(item, *cell));
+                    for (item, cell) in items.iter().zip(cells) {
+                        row.set(item, *cell);
+                    }
                     table.push(row);
                     Ok(())
                 })?;
@@ -222,7 +213,6 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Hands on the rows of a loop.
     fn rows(
         &mut self,
         width: usize,

@@ -13,8 +13,7 @@ pub type Cell<'a> = (&'a [u8], usize);
 /// The categories of a block by their names, with a row for each entry.
 pub type Tables = HashMap<&'static str, Vec<Row>>;
 
-/// An entry of a category: values by their items, with where they begin. Of an item that is there twice the first
-/// counts.
+/// An entry of a category: values by their items, with where they begin. The first of two equal items counts.
 #[derive(Debug, Default)]
 pub struct Row(HashMap<String, (String, usize)>);
 
@@ -24,7 +23,6 @@ impl Row {
         self.0.entry(item.to_owned()).or_insert_with(text);
     }
 
-    /// A value and where it begins; nothing if there is no such item.
     pub fn value(&self, item: &str) -> (&str, usize) {
         self.0.get(item).map_or(("", 0), |(text, at)| (text, *at))
     }
@@ -77,7 +75,7 @@ fn connection(structure: &mut Structure, row: &Row) {
     }
     let symmetries = ["ptnr1_symmetry", "ptnr2_symmetry"].map(|item| row.text(item));
     if symmetries.iter().any(|s| !s.is_empty() && *s != HERE) {
-        structure.remarks.other_cells += 1;
+        structure.other_cells += 1;
         return;
     }
     let words = &mut structure.words;

@@ -7,7 +7,6 @@ use crate::error::{Error, Place, Result};
 pub enum Token<'a> {
     /// `data_NAME`.
     Data(&'a [u8]),
-    /// `loop_`.
     Loop,
     /// `save_NAME`, `save_`, `global_` or `stop_`: of dictionaries.
     Other,
@@ -19,7 +18,6 @@ pub enum Token<'a> {
     Quoted(&'a [u8]),
 }
 
-/// A whole text.
 pub struct Tokens<'a> {
     pub bytes: &'a [u8],
     /// Where the next word is looked for.
@@ -92,9 +90,8 @@ impl<'a> Tokens<'a> {
         let line = &line[..line_length(line)];
         let ends = |k: &usize| line[*k] == quote && line.get(k + 1).is_none_or(|b| is_blank(*b));
         let Some(end) = (1..line.len()).find(ends) else {
-            let problem = "the quote is not closed on its line";
             let accepted = "a value such as 'two words' would be accepted";
-            return Err(self.malformed(self.at, problem, accepted));
+            return Err(self.malformed(self.at, "the quote is not closed on its line", accepted));
         };
         self.at += end + 1;
         Ok(Token::Quoted(&line[1..end]))
@@ -124,17 +121,12 @@ impl<'a> Tokens<'a> {
     }
 
     /// What is wrong at a byte, and what would be accepted there.
-    pub fn malformed(
-        &self,
-        offset: usize,
-        problem: impl ToString,
-        accepted: impl ToString,
-    ) -> Error {
+    pub fn malformed(&self, at: usize, problem: impl ToString, accepted: impl ToString) -> Error {
         // Old Macintosh files end their lines with a carriage return alone.
         let bytes = self.bytes;
         let end = if bytes.contains(&b'\n') { b'\n' } else { b'\r' };
         Error {
-            place: Some(Place::of(bytes, offset, end)),
+            place: Some(Place::of(bytes, at, end)),
             ..Error::whole(problem, accepted)
         }
     }
