@@ -1,15 +1,14 @@
-//! The pieces into which separators divide a surface: one point of each, its side of every separator, and whether the
-//! face has it.
+//! The pieces into which separators divide a surface: a point of each, its sides, and whether the face has it.
 //!
 //! The lines u = constant through all places where separators meet, turn or end divide the surface into slabs; within a
 //! slab the separators keep their order, so that each piece of a slab is one strip between two of them. Every connected
 //! region of the surface is open and thus has a strip in some slab: no region is without a sample, whatever its shape.
 
-use super::cell::Separator;
-use super::chart::{Chart, nearest_turn};
-use super::curve::Curve;
-use super::surface::{Form, Surface};
+use super::chart::nearest_turn;
+use super::cover::{Sample, Term};
 use super::vector::{Vector, between, dot, positive_angle};
+use super::{Chart, Curve, Form, Implicit, PlaneOf, Planes, Separator, Surface};
+use std::collections::HashMap;
 use std::f64::consts::TAU;
 
 /// Most separators of one face: a sample has one bit for each.
@@ -27,46 +26,134 @@ pub struct Boundary {
     pub forward: bool,
 }
 
-/// A point of a piece.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sample {
-    /// Bit k: it is on the positive side of separator k.
-    pub sides: u128,
-    /// It belongs to the face.
-    pub inside: bool,
-    /// The point.
-    pub point: Vector,
-}
-
 /// Loops of a sphere contradict each other in what is on their left.
 const CONTRADICTION: &str =
     "its loops contradict each other: the face has to be on the left of every edge";
 
-/// The angles over which a curve runs on a cylinder or cone, where a plane has one point at every angle: the first, and
-/// how far from there, less than 0 if it runs backwards.
-type Span = [f64; 2];
+/// A conic as a quadric that meets the plane in it.
+#[derive(Clone, Debug)]
+pub struct Conic {
+    pub implicit: Implicit,
+    pub centre: Vector,
+    /// Least and greatest distance of the conic from it.
+    pub radii: [f64; 2],
+}
 
-/// The span of a curve that is given by points; others know their extent themselves.
-fn span(chart: &Chart, curve: &Curve) -> Option<Span> {
-    let Curve::Points(_) = curve else {
-        return None;
-    };
+#[derive(Clone, Debug, Default)]
+pub struct Parting {
+    pub separators: Vec<Separator>,
+    /// For each: the plane, or nothing for a quadric.
+    pub planes: Vec<Option<usize>>,
+    /// For each: separators of the lower rank are dropped first.
+    pub ranks: Vec<u8>,
+    pub boundaries: Vec<Boundary>,
+    /// The conics of quadrics on a plane, by their separators.
+    pub shapes: HashMap<usize, Conic>,
+}
+
+/// Rank of a quadric that bounds a plane, of which a cell can have one alone.
+const CONIC: u8 = 0;
+/// Rank of a plane that is no edge.
+pub const AUXILIARY: u8 = 1;
+/// Rank of a plane that has an edge.
+pub const EDGE: u8 = 2;
+
+impl Parting {
+    /// Adds a separator; its index.
+    pub fn push(&mut self, separator: Separator, plane: Option<usize>, rank: u8) -> usize {
+        self.separators.push(separator);
+        self.planes.push(plane);
+        self.ranks.push(rank);
+        self.separators.len() - 1
+    }
+
+    /// Index of the separator of a plane.
+    pub fn plane(&mut self, planes: &Planes, plane: usize, rank: u8) -> usize {
+        let Some(index) = self.planes.iter().position(|p| *p == Some(plane)) else {
+            return self.push(planes.separator(plane), Some(plane), rank);
+        };
+        self.ranks[index] = self.ranks[index].max(rank);
+        index
+    }
+
+    pub fn quadric(&mut self, implicit: Implicit) -> usize {
+        let separator = Separator::Quadric(implicit);
+        let known = self.separators.iter().position(|s| *s == separator);
+        known.unwrap_or_else(|| self.push(separator, None, CONIC))
+    }
+
+    pub fn border(&mut self, separator: usize, curve: Curve, forward: bool) {
+        self.boundaries.push(Boundary {
+            separator,
+            curve,
+            forward,
+        });
+    }
+
+    /// Adds planes that divide and are no edges; false if all are there already, or too many.
+    pub fn split(&mut self, planes: &Planes, new: &[PlaneOf]) -> bool {
+        let before = self.separators.len();
+        for (point, normal) in new {
+            self.plane(planes, planes.find_or_add(*point, *normal), AUXILIARY);
+        }
+        self.separators.len() > before && self.separators.len() <= MAX_SEPARATORS
+    }
+
+    /// One sample of every piece of a surface, of a part of a size.
+    pub fn samples(&self, surface: &Surface, size: f64) -> Result<Vec<Sample>, &'static str> {
+        let chart = Chart::free(surface, &self.separators);
+        let boundaries = self.boundaries.iter();
+        let division = Division {
+            parting: self,
+            spans: boundaries.map(|own| span(&chart, &own.curve)).collect(),
+            chart,
+            size,
+        };
+        let line = |u| (u, division.crossings(u));
+        let lines: Vec<_> = division.middles().into_iter().map(line).collect();
+        let pole = division.pole(&lines)?;
+        let strips = lines.iter().map(|(u, all)| division.strips(*u, all, pole));
+        Ok(strips.collect::<Result<Vec<_>, _>>()?.concat())
+    }
+
+    pub fn cuts(&self, term: &Term) -> Vec<(usize, bool)> {
+        let cut = |(k, positive): (usize, bool)| self.planes[k].map(|plane| (plane, positive));
+        term.literals().filter_map(cut).collect()
+    }
+
+    pub fn conics(&self, term: &Term) -> Vec<(usize, bool)> {
+        let own = term.literals().filter(|(k, _)| self.planes[*k].is_none());
+        own.collect()
+    }
+
+    /// One object has one conic, and so many sides at most.
+    pub fn fits(&self, term: &Term, most: usize) -> bool {
+        let own = self.conics(term).len();
+        own <= 1 && term.count() as usize - own <= most
+    }
+}
+
+/// The angles over which a curve given by points runs on a cylinder or cone: the first, and how far from there, less
+/// than 0 backwards. Other curves know their extent.
+fn span(chart: &Chart, curve: &Curve) -> Option<[f64; 2]> {
     let is_upright = matches!(chart.surface.form, Form::Cylinder(_) | Form::Cone(_));
+    if !is_upright || !matches!(curve, Curve::Points(_)) {
+        return None;
+    }
     let points = curve.sampled(1).into_iter();
     let angles: Vec<f64> = points.map(|p| chart.u_of(p)).collect();
     let turn = |pair: &[f64]| nearest_turn(pair[1] - pair[0], 0.0);
-    is_upright.then(|| [angles[0], angles.windows(2).map(turn).sum()])
+    Some([angles[0], angles.windows(2).map(turn).sum()])
 }
 
-pub struct Division<'a> {
-    pub surface: &'a Surface,
-    pub separators: &'a [Separator],
-    pub boundaries: &'a [Boundary],
+struct Division<'a> {
+    parting: &'a Parting,
+    chart: Chart,
+    spans: Vec<Option<[f64; 2]>>,
     /// Size of the part, scene units.
-    pub size: f64,
+    size: f64,
 }
 
-/// A crossing of the line u.
 #[derive(Default)]
 struct Crossing {
     w: f64,
@@ -76,27 +163,14 @@ struct Crossing {
 }
 
 impl Division<'_> {
-    /// One sample of every piece.
-    pub fn samples(&self) -> Result<Vec<Sample>, &'static str> {
-        let chart = Chart::free(self.surface, self.separators);
-        let curves = self.boundaries.iter().map(|own| &own.curve);
-        let spans: Vec<Option<Span>> = curves.map(|curve| span(&chart, curve)).collect();
-        let line = |u| (u, self.crossings(&chart, u, &spans));
-        let lines: Vec<_> = self.middles(&chart).into_iter().map(line).collect();
-        let pole = self.pole(&lines)?;
-        let mut samples = vec![];
-        for (u, crossings) in &lines {
-            self.strips(&chart, *u, crossings, pole, &mut samples)?;
-        }
-        Ok(samples)
-    }
-
-    fn middles(&self, chart: &Chart) -> Vec<f64> {
-        let ends = self.boundaries.iter().flat_map(|own| own.curve.ends());
+    fn middles(&self) -> Vec<f64> {
+        let chart = &self.chart;
+        let (separators, boundaries) = (&self.parting.separators, &self.parting.boundaries);
+        let ends = boundaries.iter().flat_map(|own| own.curve.ends());
         let mut limits: Vec<f64> = ends.map(|end| chart.u_of(end)).collect();
-        for (index, separator) in self.separators.iter().enumerate() {
+        for (index, separator) in separators.iter().enumerate() {
             limits.extend(chart.turns(separator));
-            for other in &self.separators[index + 1..] {
+            for other in &separators[index + 1..] {
                 limits.extend(chart.meetings(separator, other));
             }
         }
@@ -113,14 +187,14 @@ impl Division<'_> {
             limits.push(last + self.size);
         }
         let smallest = SMALLEST_PIECE * if chart.is_round() { 1.0 } else { self.size };
-        let pairs = limits.windows(2).map(|pair| (pair[0], pair[1]));
-        let wide = pairs.filter(|(from, to)| to - from > smallest);
-        wide.map(|(from, to)| 0.5 * (from + to)).collect()
+        let wide = |pair: &&[f64]| pair[1] - pair[0] > smallest;
+        let middle = |pair: &[f64]| 0.5 * (pair[0] + pair[1]);
+        limits.windows(2).filter(wide).map(middle).collect()
     }
 
-    fn crossings(&self, chart: &Chart, u: f64, spans: &[Option<Span>]) -> Vec<Crossing> {
-        let mut all = vec![];
-        for (index, separator) in self.separators.iter().enumerate() {
+    fn crossings(&self, u: f64) -> Vec<Crossing> {
+        let (chart, mut all) = (&self.chart, vec![]);
+        for (index, separator) in self.parting.separators.iter().enumerate() {
             for w in chart.crossings(u, separator) {
                 if !w.is_finite() {
                     continue;
@@ -131,8 +205,8 @@ impl Division<'_> {
                 };
                 let p = chart.point(u, w);
                 // The other nappe of a cone has no edge.
-                let is_there = !self.surface.is_cone() || w > 0.0;
-                let edges = self.boundaries.iter().zip(spans);
+                let is_there = !chart.surface.is_cone() || w > 0.0;
+                let edges = self.parting.boundaries.iter().zip(&self.spans);
                 for (own, span) in edges.filter(|(own, _)| is_there && own.separator == index) {
                     if let Some([from, sweep]) = span {
                         let way = positive_angle((u - from) * sweep.signum());
@@ -152,7 +226,7 @@ impl Division<'_> {
 
     /// Whether the south pole of a sphere is in the face: what all lines that meet an edge say.
     fn pole(&self, lines: &[(f64, Vec<Crossing>)]) -> Result<bool, &'static str> {
-        if !self.surface.is_sphere() {
+        if !self.chart.surface.is_sphere() {
             return Ok(false);
         }
         let all = lines.iter().map(|(_, all)| all.iter());
@@ -163,25 +237,19 @@ impl Division<'_> {
         agree.then_some(pole).ok_or(CONTRADICTION)
     }
 
-    fn strips(
-        &self,
-        chart: &Chart,
-        u: f64,
-        crossings: &[Crossing],
-        pole: bool,
-        samples: &mut Vec<Sample>,
-    ) -> Result<(), &'static str> {
-        let (cone, sphere) = (self.surface.is_cone(), self.surface.is_sphere());
-        let total: usize = crossings.iter().map(|c| c.edges).sum();
-        // A cone is entered from its open end, since its apex may belong to the face; all others from below.
-        let mut inside = if cone { total % 2 == 1 } else { pole };
-        if !(cone || sphere) && total % 2 == 1 {
+    fn strips(&self, u: f64, all: &[Crossing], pole: bool) -> Result<Vec<Sample>, &'static str> {
+        let surface = &self.chart.surface;
+        let (cone, sphere) = (surface.is_cone(), surface.is_sphere());
+        let is_odd = all.iter().map(|c| c.edges).sum::<usize>() % 2 == 1;
+        if is_odd && !(cone || sphere) {
             return Err("its loops are not closed on the surface");
         }
-        let [low, high] = chart.reach();
-        let mut from = low;
-        for crossing in crossings {
-            samples.extend(self.strip(chart, u, [from, crossing.w], inside));
+        // A cone is entered from its open end, since its apex may belong to the face; all others from below.
+        let mut inside = if cone { is_odd } else { pole };
+        let [mut from, high] = self.chart.reach();
+        let mut samples = vec![];
+        for crossing in all {
+            samples.extend(self.strip(u, [from, crossing.w], inside));
             if crossing.edges % 2 == 1 {
                 inside = !inside;
                 if sphere && inside != crossing.inside_above {
@@ -190,25 +258,22 @@ impl Division<'_> {
             }
             from = crossing.w;
         }
-        samples.extend(self.strip(chart, u, [from, high], inside));
-        Ok(())
+        samples.extend(self.strip(u, [from, high], inside));
+        Ok(samples)
     }
 
-    fn strip(&self, chart: &Chart, u: f64, [from, to]: [f64; 2], inside: bool) -> Option<Sample> {
-        let is_sphere = chart.surface.is_sphere();
-        let unit = if is_sphere { 1.0 } else { self.size };
+    fn strip(&self, u: f64, [from, to]: [f64; 2], inside: bool) -> Option<Sample> {
+        let surface = &self.chart.surface;
+        let unit = if surface.is_sphere() { 1.0 } else { self.size };
         if to - from <= SMALLEST_PIECE * unit {
             return None;
         }
         let w = between(from, to, unit);
-        let nappe = !self.surface.is_cone() || w > 0.0;
-        let point = chart.point(u, w);
-        let mut sides = 0;
-        for (index, separator) in self.separators.iter().enumerate() {
-            sides |= u128::from(separator.is_positive(point)) << index;
-        }
+        let nappe = !surface.is_cone() || w > 0.0;
+        let point = self.chart.point(u, w);
+        let separators = self.parting.separators.iter().rev();
         Some(Sample {
-            sides,
+            sides: separators.fold(0, |all, own| all << 1 | u128::from(own.is_positive(point))),
             inside: inside && nappe,
             point,
         })

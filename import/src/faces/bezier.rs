@@ -1,5 +1,4 @@
-//! Rational Bezier patches, and polynomials over them in the Bernstein basis: what bounds a polynomial over a whole
-//! patch is its greatest coefficient.
+//! Rational Bezier patches, and polynomials over them: the greatest Bernstein coefficient bounds a polynomial.
 
 use super::vector::Vector;
 
@@ -28,8 +27,15 @@ pub struct Patch {
 impl Patch {
     /// One coordinate or a combination of the four, as a polynomial.
     pub fn polynomial(&self, weights: Pole) -> Bernstein {
-        let value = |pole: &Pole| pole.iter().zip(weights).map(|(p, w)| p * w).sum();
-        Bernstein::of(self.degrees, self.poles.iter().map(value))
+        let degrees = self.degrees;
+        let [rows, columns] = degrees.map(binomials);
+        let width = columns.len();
+        let scaled = |(k, pole): (usize, &Pole)| {
+            let value: f64 = pole.iter().zip(weights).map(|(p, w)| p * w).sum();
+            value * rows[k / width] * columns[k % width]
+        };
+        let scaled = self.poles.iter().enumerate().map(scaled).collect();
+        Bernstein { degrees, scaled }
     }
 
     /// The place of two parameters from 0 to 1, and the directions of growing u and v there.
@@ -67,8 +73,7 @@ fn casteljau(poles: &[Pole], t: f64) -> (Pole, Pole) {
     (points[0], slope)
 }
 
-/// A polynomial in two variables; coefficients of the Bernstein basis times their binomials, so that products are
-/// convolutions.
+/// A polynomial in two variables: Bernstein coefficients times their binomials, so that products are convolutions.
 #[derive(Clone, Debug)]
 pub struct Bernstein {
     degrees: [usize; 2],
@@ -84,15 +89,6 @@ fn binomials(degree: usize) -> Vec<f64> {
 }
 
 impl Bernstein {
-    fn of(degrees: [usize; 2], plain: impl Iterator<Item = f64>) -> Bernstein {
-        let [rows, columns] = degrees.map(binomials);
-        let width = columns.len();
-        let each = plain.enumerate();
-        let scaled = each.map(|(k, value)| value * rows[k / width] * columns[k % width]);
-        let scaled = scaled.collect();
-        Bernstein { degrees, scaled }
-    }
-
     /// The product.
     pub fn times(&self, other: &Bernstein) -> Bernstein {
         let [p, q] = self.degrees;

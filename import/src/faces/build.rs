@@ -1,10 +1,9 @@
 //! From the words of a face list to a model; every refusal names its line and column.
 
-use super::curve::{Curve, Ellipse};
 use super::keys::*;
-use super::model::{COINCIDENT, Edge, EdgeUse, Face, Model, Solid};
-use super::surface::{Form, Surface};
+use super::model::COINCIDENT;
 use super::vector::{Vector, across, distance, frame, hull, length, minus, reach, unit};
+use super::{Curve, Edge, EdgeUse, Ellipse, Face, Form, Model, Solid, Surface};
 use crate::error::{Error, Result};
 use imogene_scene::Material;
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -14,7 +13,6 @@ use toml::Spanned;
 /// Most faces, and most edges, of a list.
 pub const MAX_PARTS: usize = 20_000;
 
-/// The model of a face list.
 pub fn build(text: &str) -> Result<Model> {
     let read = toml::from_str(text).map_err(|error| {
         let problem = error.message().trim_end().replace('\n', ", ");
@@ -37,8 +35,7 @@ fn model(keys: ListKeys) -> Checked<Model> {
         let accepted = format!("this program reads `format = {FORMAT_VERSION}`");
         return Err(flaw(&keys.format, problem, accepted));
     }
-    let vertices = Vertices::of(&keys.vertices)?;
-    let edges = edges(&keys, &vertices)?;
+    let edges = edges(&keys, &Vertices::of(&keys.vertices)?)?;
     let faces = faces(&keys.faces, &edges)?;
     let materials = materials(&keys.materials)?;
     let solids = solids(&keys, &materials)?;
@@ -98,8 +95,7 @@ fn faces(keys: &[FaceKeys], edges: &[Edge]) -> Checked<Vec<Face>> {
         let edge_loop = |list| edge_loop(list, &by_name, edges);
         let loops: Vec<Vec<EdgeUse>> = key.loops.iter().map(edge_loop).collect::<Checked<_>>()?;
         let form = &surface.form;
-        let is_endless = matches!(form, Form::Plane | Form::Cylinder(_) | Form::Cone(_));
-        if loops.is_empty() && is_endless {
+        if loops.is_empty() && matches!(form, Form::Plane | Form::Cylinder(_) | Form::Cone(_)) {
             let surface = surface.name();
             let problem = format!("face `{name}` has no loop, and a {surface} is endless");
             let accepted = "`loops = [[\"edge\", ...], ...]` is needed; a whole sphere or torus alone has none";
@@ -116,7 +112,6 @@ fn faces(keys: &[FaceKeys], edges: &[Edge]) -> Checked<Vec<Face>> {
     Ok(faces)
 }
 
-/// The edges of a loop, each of which begins where the one before it ends.
 fn edge_loop(
     list: &Spanned<Vec<Name>>,
     by_name: &HashMap<&str, usize>,
@@ -303,7 +298,6 @@ fn size(key: &str, value: &Spanned<f64>) -> Checked<f64> {
 pub const MISSED: f64 = 1e-5;
 const MAX_POINTS: usize = 2000;
 
-/// Kinds of edges with the keys that they have.
 const EDGE_KINDS: [(&str, &[&str]); 4] = [
     ("line", &[]),
     ("circle", &["centre", "axis", "radius"]),
@@ -311,7 +305,6 @@ const EDGE_KINDS: [(&str, &[&str]); 4] = [
     ("points", &["points"]),
 ];
 
-/// Names and places of the vertices of a list.
 pub struct Vertices {
     index: HashMap<String, usize>,
     points: Vec<Vector>,
@@ -345,7 +338,14 @@ fn needed<T>(value: &Option<T>) -> &T {
 
 impl EdgeKeys {
     pub fn edge(&self, all: &Vertices) -> Checked<Edge> {
-        let vertices = self.vertices(all)?;
+        let vertices = match (&self.start, &self.end) {
+            (None, None) => None,
+            (Some(start), Some(end)) => Some([all.find(start)?, all.find(end)?]),
+            _ => {
+                let accepted = "both are needed, or none for a closed edge";
+                return Err(self.error("it has one of `start` and `end`", accepted));
+            }
+        };
         let kind = self.kind.as_ref();
         let Some((kind, allowed)) = EDGE_KINDS.iter().find(|(name, _)| name == kind) else {
             let problem = format!("`{kind}` is not a kind of edge");
@@ -363,13 +363,13 @@ impl EdgeKeys {
             }
         }
         let ends = vertices.map(|ends| ends.map(|index| all.points[index]));
-        let one_vertex = vertices.is_some_and(|[a, b]| a == b);
         let curve = match *kind {
             "line" => self.line(ends, all)?,
             "points" => self.points(ends)?,
             _ => {
                 let ellipse = self.ellipse(ends)?;
                 let missed = MISSED * ellipse.radii[0].max(ellipse.radii[1]);
+                let one_vertex = vertices.is_some_and(|[a, b]| a == b);
                 let arc = ellipse.arc(ends, one_vertex, [missed, 1e-7 * all.size]);
                 arc.map_err(|(problem, accepted)| self.error(problem, accepted))?
             }
@@ -388,22 +388,9 @@ impl EdgeKeys {
         flaw(name, problem, accepted)
     }
 
-    fn vertices(&self, all: &Vertices) -> Checked<Option<[usize; 2]>> {
-        let find = |name| all.find(name);
-        match (&self.start, &self.end) {
-            (None, None) => Ok(None),
-            (Some(start), Some(end)) => Ok(Some([find(start)?, find(end)?])),
-            _ => {
-                let accepted = "both are needed, or none for a closed edge";
-                Err(self.error("it has one of `start` and `end`", accepted))
-            }
-        }
-    }
-
     fn line(&self, ends: Option<[Vector; 2]>, all: &Vertices) -> Checked<Curve> {
         let Some([from, to]) = ends else {
-            let accepted = "`start` and `end` are needed";
-            return Err(self.error("a line has two ends", accepted));
+            return Err(self.error("a line has two ends", "`start` and `end` are needed"));
         };
         if distance(from, to) <= COINCIDENT * all.size {
             let accepted = "two vertices at different places are needed";
@@ -431,8 +418,7 @@ impl EdgeKeys {
         } else {
             let x = across(direction(needed(&self.x))?, normal);
             if length(x) < 1e-9 {
-                let accepted = "a direction across it is needed";
-                return Err(self.error("`x` is along `axis`", accepted));
+                return Err(self.error("`x` is along `axis`", "a direction across it is needed"));
             }
             let radii = needed(&self.radii);
             lengths(radii, radii.as_ref())?;
@@ -452,17 +438,15 @@ impl EdgeKeys {
         let closed = ends.is_none();
         let least = if closed { 3 } else { 2 };
         if !(least..=MAX_POINTS).contains(&points.len()) {
-            let problem = format!("{} points", points.len());
             let accepted = "at least three for a closed edge, with the ends at least two otherwise, and at most 2000 are possible";
-            return Err(self.error(problem, accepted));
+            return Err(self.error(format!("{} points", points.len()), accepted));
         }
         let size = reach(points.iter().copied(), points[0]);
         for k in 0..points.len() - usize::from(!closed) {
             if distance(points[k], points[(k + 1) % points.len()]) <= 1e-9 * size.max(1e-9) {
-                let problem = format!("{:?} follows itself", points[k]);
                 let accepted =
                     "different points are needed, and a closed edge does not repeat its first";
-                return Err(self.error(problem, accepted));
+                return Err(self.error(format!("{:?} follows itself", points[k]), accepted));
             }
         }
         Ok(Curve::through(points, closed, COINCIDENT * size))

@@ -1,12 +1,11 @@
-//! Quadrics and tori in disguise: free-form surfaces that are planes, cylinders, cones, spheres or tori but for the
-//! digits of their file.
+//! Free-form surfaces that are planes, cylinders, cones, spheres or tori but for the digits of their file.
 //!
 //! A candidate is fitted to places and normals; what it is off is then bounded over the whole surface, not at places:
 //! the equation of the candidate is a polynomial over every patch, whose coefficients in the Bernstein basis bound it.
 
 use super::bezier::{Bernstein, Patch};
-use super::surface::{Form, Surface};
 use super::vector::*;
+use super::{Form, Surface};
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Vector3, Vector6};
 use std::f64::consts::PI;
 
@@ -14,7 +13,6 @@ use std::f64::consts::PI;
 const PLACES: usize = 5;
 /// Most patches from which places are taken.
 const MOST_SAMPLED: usize = 40;
-/// Steps of the search for the best of a kind.
 const STEPS: usize = 6;
 /// Smallest and greatest angle of a cone, degrees.
 const ANGLES: [f64; 2] = [0.1, 89.9];
@@ -199,7 +197,6 @@ fn numbers(surface: &Surface) -> Vec<f64> {
     [&origin[..], axis, sizes].concat()
 }
 
-/// A surface of the same kind with other numbers.
 fn with_numbers(surface: &Surface, n: &[f64]) -> Surface {
     let origin = [n[0], n[1], n[2]];
     if surface.is_sphere() {
@@ -282,8 +279,7 @@ pub fn bound(patch: &Patch, surface: &Surface) -> f64 {
     let [e, f] = frame(axis, 0.0);
     // The difference of squares over the sum.
     let round = |axes: &[Vector], radius: f64| {
-        let rest = squares(axes).plus(-radius * radius, &unit);
-        rest.bound() / (weight * weight * radius)
+        squares(axes).plus(-radius * radius, &unit).bound() / (weight * weight * radius)
     };
     match surface.form {
         Form::Plane => heights().map(f64::abs).fold(0.0, f64::max),
@@ -293,8 +289,7 @@ pub fn bound(patch: &Patch, surface: &Surface) -> f64 {
             let (sine, cosine) = half_angle.sin_cos();
             let scaled = squares(&[e, f]).plus(-(sine / cosine).powi(2), &square(&axis));
             let product = cosine * cosine * scaled.bound() / (weight * weight);
-            // The product of the distances from the cone and from its mirror image, which is at least the height times
-            // twice the sine.
+            // The distance from the cone times that from its mirror image, at least the height times twice the sine.
             let height = heights().fold(f64::INFINITY, f64::min);
             if height < -product.sqrt() {
                 return f64::INFINITY;

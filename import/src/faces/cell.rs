@@ -1,5 +1,4 @@
-//! What faces become: cells, parts of one quadric or of one plane, each bounded by the AND of cut planes. Each plane of
-//! a part has one description that all faces use.
+//! What faces become: cells, parts of a quadric or plane within cut planes. A plane has one description for all faces.
 
 use super::curve::PlaneOf;
 use super::surface::Implicit;

@@ -139,8 +139,7 @@ impl Chart {
         (self.on_axis(height), self.surface.axis)
     }
 
-    /// The cone, cylinder or nothing that joins the circles of two parallels, and that is `None` if both are in one
-    /// plane.
+    /// The cone or cylinder that joins the circles of two parallels; `None` if both are in one plane.
     pub fn chord(&self, low: f64, high: f64) -> Option<Surface> {
         let Surface { origin, axis, .. } = self.surface;
         let [(out, up), (other, higher)] = [self.meridian(low), self.meridian(high)];
@@ -215,19 +214,13 @@ impl Chart {
             }
             path.push(next);
         }
-        self.settle_poles(&mut path, points);
-        path
-    }
-
-    /// A point of the axis has every u: that of its neighbour is taken.
-    fn settle_poles(&self, path: &mut [[f64; 2]], points: &[Vector]) {
         if !self.is_round() || path.len() < 2 {
-            return;
+            return path;
         }
+        // A point of the axis has every u: that of its neighbour is taken.
         let on_axis = |p: Vector| {
             let from = minus(p, self.surface.origin);
-            let out = dot(from, self.e[0]).hypot(dot(from, self.e[1]));
-            out <= 1e-9 * length(from).max(1e-3)
+            dot(from, self.e[0]).hypot(dot(from, self.e[1])) <= 1e-9 * length(from).max(1e-3)
         };
         let last = path.len() - 1;
         for (end, beside) in [(0, 1), (last, last - 1)] {
@@ -235,6 +228,7 @@ impl Chart {
                 path[end][0] = path[beside][0];
             }
         }
+        path
     }
 }
 

@@ -1,16 +1,15 @@
 //! From a face to cells: faces on quadrics and tori.
 
-use super::cell::{Cell, Compiled, Made, Planes};
-use super::chart::Chart;
+use super::arrangement::{AUXILIARY, EDGE, Parting};
 use super::cover::Term;
-use super::curve::{Curve, PlaneOf, arc_through};
-use super::model::{COINCIDENT, EdgeUse, Face, Model};
-use super::parting::{AUXILIARY, EDGE, Parting, terms};
+use super::curve::arc_through;
+use super::model::COINCIDENT;
+use super::parting::terms;
 use super::rings::{Band, MOST, Rings};
 use super::slabs;
-use super::surface::Surface;
-use super::task::Task;
+use super::task::{Part, Task};
 use super::vector::*;
+use super::{Cell, Chart, Compiled, Curve, EdgeUse, Made, PlaneOf, Surface};
 use imogene_scene::MAX_CUTS;
 
 impl Task<'_> {
@@ -19,33 +18,40 @@ impl Task<'_> {
         let surface = &self.face().surface;
         let mut parting = Parting::default();
         for edge_use in self.face().border() {
-            for curve in &self.courses.of(edge_use.edge)?.pieces {
+            for curve in &self.part.courses.of(edge_use.edge)?.pieces {
                 let plane = self.plane_of(edge_use, curve)?;
-                let separator = parting.plane(self.planes, plane, EDGE);
+                let separator = parting.plane(&self.part.planes, plane, EDGE);
                 let course = on_sphere(curve, surface).unwrap_or_else(|| curve.clone());
                 parting.border(separator, course, edge_use.forward);
             }
         }
         if surface.is_cone() {
-            let nappes = self.planes.find_or_add(surface.origin, surface.axis);
-            parting.plane(self.planes, nappes, AUXILIARY);
+            let planes = &self.part.planes;
+            let nappes = planes.find_or_add(surface.origin, surface.axis);
+            parting.plane(planes, nappes, AUXILIARY);
         }
         Ok(parting)
     }
 
     fn plane_of(&self, edge_use: EdgeUse, curve: &Curve) -> Made<usize> {
         let surface = &self.face().surface;
+        let planes = &self.part.planes;
         if let Some((point, normal)) = curve.plane() {
-            return Ok(self.planes.find_or_add(point, normal));
+            return Ok(planes.find_or_add(point, normal));
         }
-        let generator = self.courses.generator(self.index, edge_use.edge);
-        let plane = generator.or_else(|| upright(curve, surface, self.planes));
-        plane.ok_or_else(|| {
-            let edge = &self.model.edges[edge_use.edge].name;
-            format!(
-                "edge `{edge}` is straight and no line of a {}",
-                surface.name()
-            )
+        let generators = &self.part.courses.generators;
+        let generator = generators.get(&(self.index, edge_use.edge)).copied();
+        // Else the plane across the surface, which the edge follows within the accepted deviation.
+        let upright = || {
+            let [from, to] = curve.ends();
+            let middle = surface.nearest(times(0.5, plus(from, to)))?;
+            let across = cross(minus(to, from), surface.normal_at(middle)?);
+            (length(across) > 0.0).then(|| planes.find_or_add(from, unit(across)))
+        };
+        generator.or_else(upright).ok_or_else(|| {
+            let edge = &self.part.model.edges[edge_use.edge].name;
+            let kind = surface.name();
+            format!("edge `{edge}` is straight and no line of a {kind}")
         })
     }
 }
@@ -57,13 +63,13 @@ pub fn quadric_face(task: Task) -> Made<Compiled> {
     let deviation = task.deviation()?;
     let border = task.parting()?;
     let mut parting = border.clone();
-    parting.split(task.planes, &between_loops(task.model, task.face()));
+    parting.split(&task.part.planes, &between_loops(task));
     let cell = |parting: &Parting, term: &Term| Cell {
         quadric: Some(implicit),
         flat: None,
         cuts: parting.cuts(term),
     };
-    let cells = match terms(task, &mut parting, MAX_CUTS, &[]) {
+    let cells = match terms(task, &mut parting, MAX_CUTS) {
         Ok(terms) => Ok(terms.iter().map(|term| cell(&parting, term)).collect()),
         Err(_) => slabs::cells(task, &border, &Band::whole(surface), None),
     };
@@ -71,35 +77,25 @@ pub fn quadric_face(task: Task) -> Made<Compiled> {
 }
 
 pub fn torus_face(task: Task) -> Made<Compiled> {
-    if task.courses.max_deviation == 0.0 {
+    let Part { model, courses, .. } = task.part;
+    if courses.max_deviation == 0.0 {
         return Err("a torus is not exact, and a deviation of 0 is accepted".into());
     }
-    let (surface, most) = (&task.face().surface, task.courses.bands);
-    let rings = Rings::of(task.model, surface, most)
+    let (surface, most) = (&task.face().surface, courses.bands);
+    let rings = Rings::of(model, surface, most)
         .ok_or_else(|| format!("more than {MOST} bands would be needed to be within {most:.3e}"))?;
     let off = task.deviation()?;
-    let parting = task.parting()?;
     let bands = rings.bands(&Chart::of(surface, None));
-    let cells = slabs::cells(task, &parting, &bands, None);
+    let cells = slabs::cells(task, &task.parting()?, &bands, None);
     task.compiled(cells, off.max(rings.deviation))
 }
 
-/// The plane through a straight edge across its surface, which it follows within the accepted deviation.
-fn upright(curve: &Curve, surface: &Surface, planes: &Planes) -> Option<usize> {
-    let [from, to] = curve.ends();
-    let middle = surface.nearest(times(0.5, plus(from, to)))?;
-    let across = cross(minus(to, from), surface.normal_at(middle)?);
-    (length(across) > 0.0).then(|| planes.find_or_add(from, unit(across)))
-}
-
-/// Planes halfway between loops with edges that are taken apart: what bounds one has nothing to do with what bounds
-/// the other.
-fn between_loops(model: &Model, face: &Face) -> Vec<PlaneOf> {
-    let spatial = |own: &EdgeUse| {
-        let curve = &model.edges[own.edge].curve;
-        matches!(curve, Curve::Points(line) if line.plane.is_none())
-    };
-    let own = face.loops.iter().filter(|own| own.iter().any(spatial));
+/// Planes halfway between loops with edges that are taken apart: the bounds of one have nothing to do with the other.
+fn between_loops(task: Task) -> Vec<PlaneOf> {
+    let model = &task.part.model;
+    let spatial = |own: &EdgeUse| matches!(&model.edges[own.edge].curve, Curve::Points(line) if line.plane.is_none());
+    let loops = task.face().loops.iter();
+    let own = loops.filter(|own| own.iter().any(spatial));
     let middles: Vec<Vector> = own.map(|own| mean(&model.places(own, 16))).collect();
     let mut planes = vec![];
     for (index, p) in middles.iter().enumerate().take(8) {

@@ -1,14 +1,14 @@
 //! What a file says in a wrong or a long way: which side of its border a face of a sphere or a torus is on, where its
 //! words contradict themselves, and splines that are lines, lie in a plane or are circles but for its digits.
 //!
-//! Both sides of such a border are bounded, so that the direction of the loops alone says which is the face. Some
-//! systems write surfaces with left-handed frames, which a file cannot express, and with them loops that run the wrong
-//! way round. Two things tell: a seam lies within its face, and an edge is passed in opposite directions by the two
-//! faces that have it.
+//! Both sides of such a border are bounded: the direction of the loops alone says which is the face. Some systems
+//! write left-handed surfaces, which a file cannot express, with loops that run the wrong way round. Two things tell: a
+//! seam lies within its face, and the two faces of an edge pass it in opposite directions.
 
-use super::curve::{Curve, PlaneOf, Polyline, arc_through, common_plane};
-use super::model::{EdgeUse, Face, Model, reversed};
+use super::curve::{arc_through, common_plane};
+use super::model::reversed;
 use super::vector::*;
+use super::{Curve, EdgeUse, Face, Model, PlaneOf, Polyline};
 
 /// Turns round the loops of faces that are on the other side of their borders.
 pub fn orient(model: &mut Model) {
@@ -133,8 +133,7 @@ fn line(own: &Polyline, tolerance: f64) -> Option<(Curve, f64)> {
     if own.closed || distance(from, to) <= 10.0 * tolerance {
         return None;
     }
-    let course = unit(minus(to, from));
-    let off = off_line(&own.points, from, course);
+    let off = off_line(&own.points, from, unit(minus(to, from)));
     (off <= tolerance).then_some((Curve::Line { from, to }, off))
 }
 

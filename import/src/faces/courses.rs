@@ -1,11 +1,9 @@
 //! What edges become: one planar piece each, or several for an edge that is in no plane.
 
-use super::cell::Planes;
-use super::curve::{Curve, Polyline, common_plane};
-use super::model::Model;
+use super::curve::common_plane;
 use super::rings::chords;
-use super::surface::{Form, Surface};
 use super::vector::*;
+use super::{Curve, Form, Model, Planes, Polyline, Surface};
 use std::collections::HashMap;
 
 /// Most pieces of an edge.
@@ -22,11 +20,9 @@ const MARGIN: f64 = 1.05;
 pub struct Course {
     /// Straight or planar curves, one after the other.
     pub pieces: Vec<Curve>,
-    /// What a plane face has in the place of the pieces, if that is not the same, and how far it is off them, scene
-    /// units: chords of an edge about a torus.
+    /// Chords of an edge about a torus, which a plane face has instead, and how far off they are, scene units.
     pub chords: Option<(Vec<Curve>, f64)>,
-    /// Greatest distance between the edge and the curve in which a plane of a piece meets a surface of the edge, scene
-    /// units; 0 if the edge is planar.
+    /// Greatest distance of the edge from where planes of its pieces meet its surfaces, scene units; 0 if planar.
     pub deviation: f64,
 }
 
@@ -34,7 +30,8 @@ pub struct Course {
 #[derive(Debug)]
 pub struct Courses {
     courses: Vec<Result<Course, String>>,
-    generators: Generators,
+    /// The planes of straight edges of cylinders and cones.
+    pub generators: Generators,
     /// Largest deviation that is accepted, scene units.
     pub max_deviation: f64,
     /// Largest deviation of the bands of a torus, scene units.
@@ -60,11 +57,6 @@ impl Courses {
     /// The course of an edge, or why it has none.
     pub fn of(&self, edge: usize) -> Result<&Course, String> {
         self.courses[edge].as_ref().map_err(Clone::clone)
-    }
-
-    /// The plane of a straight edge of a cylinder or cone.
-    pub fn generator(&self, face: usize, edge: usize) -> Option<usize> {
-        self.generators.get(&(face, edge)).copied()
     }
 }
 
@@ -172,7 +164,6 @@ fn piece(run: &[Vector], surfaces: &[&Surface]) -> Option<(Curve, f64)> {
     let best = normals.iter().filter_map(off);
     let (most, normal) = best.min_by(|a, b| a.0.total_cmp(&b.0))?;
     let steps = run.windows(2).map(|pair| distance(pair[0], pair[1]));
-    let slack = steps.fold(4.0 * most, f64::max);
     let closed = distance(first, last) == 0.0;
     let mut points = run.to_vec();
     if closed {
@@ -182,13 +173,12 @@ fn piece(run: &[Vector], surfaces: &[&Surface]) -> Option<(Curve, f64)> {
         points,
         closed,
         plane: Some((first, normal)),
-        slack,
+        slack: steps.fold(4.0 * most, f64::max),
     };
     Some((Curve::Points(line), most))
 }
 
-/// Normals of planes through the ends of a run that meet both surfaces as steeply as one plane can: halfway between
-/// the normals of the surfaces.
+/// Normals of planes through the ends of a run: halfway between those of the surfaces, so that it meets both steeply.
 ///
 /// The plane of the least deviation would be the osculating one; but that is often nearly tangent to one of the
 /// surfaces, follows the edge far beyond its piece, and leaves slivers between the continued pieces.
@@ -217,8 +207,7 @@ pub fn trace(q: Vector, surface: &Surface, origin: Vector, normal: Vector) -> Op
     let mut p = q;
     for _ in 0..60 {
         let off = dot(minus(p, origin), normal);
-        let on = surface.normal_at(p)?;
-        let slope = across(normal, on);
+        let slope = across(normal, surface.normal_at(p)?);
         let square = dot(slope, slope);
         if square < 1e-6 {
             return None;
@@ -229,8 +218,7 @@ pub fn trace(q: Vector, surface: &Surface, origin: Vector, normal: Vector) -> Op
         }
         p = next;
     }
-    let off = dot(minus(p, origin), normal).abs();
-    (off <= 1e-9 * (1.0 + length(p))).then_some(p)
+    (dot(minus(p, origin), normal).abs() <= 1e-9 * (1.0 + length(p))).then_some(p)
 }
 
 /// The plane of each generator, by face and edge.
@@ -254,10 +242,8 @@ pub fn pair_generators(model: &Model, face: usize, planes: &Planes, found: &mut 
     let mut lines = lines(model, face);
     let first = lines.first().map_or([0.0; 3], |line| line.out);
     let side = cross(axis, first);
-    let angle = |line: &Line| {
-        let angle = dot(line.out, side).atan2(dot(line.out, first));
-        positive_angle(angle + 1e-9)
-    };
+    let angle =
+        |line: &Line| positive_angle(dot(line.out, side).atan2(dot(line.out, first)) + 1e-9);
     lines.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
     // Lines that are one and the same generator.
     let distinct = lines.chunk_by(|a, b| angle(b) - angle(a) <= 1e-8);

@@ -1,13 +1,22 @@
 //! Terms: sets of sides that together say exactly which pieces a face has.
 //!
 //! A machine that draws a quadric with cut planes knows AND alone; a face is therefore a union of terms, each the AND
-//! of some sides. A term is shortened as long as it takes no piece that the face lacks, so that it has no side it does
-//! not need.
+//! of some sides. A term loses every side without which it still takes no piece that the face lacks.
 
-use super::arrangement::Sample;
-use super::vector::distance;
+use super::vector::{Vector, distance};
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
+
+/// A point of a piece.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// Bit k: it is on the positive side of separator k.
+    pub sides: u128,
+    /// It belongs to the face.
+    pub inside: bool,
+    /// The point.
+    pub point: Vector,
+}
 
 /// The AND of sides: those of `mask`, each as in `sides`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -38,21 +47,14 @@ impl Term {
 }
 
 /// Two samples that have the same sides, one in the face and one not.
-#[derive(Clone, Copy, Debug)]
-pub struct Conflict {
-    /// The one in the face.
-    pub inside: Sample,
-    /// The other one.
-    pub outside: Sample,
-}
+pub type Conflict = [Sample; 2];
 
 /// Most conflicts that are resolved at once.
 const MAX_CONFLICTS: usize = 8;
 /// Most patterns from which a term is grown.
 const MAX_SEEDS: usize = 400;
 
-/// Terms that take every piece of the face and no other. `ranks` has one number for each separator: those of the lower
-/// rank are dropped first.
+/// Terms that take every piece of the face and no other. Separators of a lower rank are dropped first.
 ///
 /// With `fits`, which says whether a term is one object, a term that does not fit is not taken where others do: those
 /// others keep planes of a low rank and drop edges, and so are parts of the term.
@@ -103,9 +105,8 @@ fn sides(samples: &[Sample], inside: bool) -> BTreeSet<u128> {
 }
 
 fn candidates(kept: &BTreeSet<u128>, lost: &[u128], ranks: &[u8]) -> Vec<Term> {
-    let step = kept.len().div_ceil(MAX_SEEDS).max(1);
     let mut all = BTreeSet::new();
-    for seed in kept.iter().step_by(step) {
+    for seed in kept.iter().step_by(kept.len().div_ceil(MAX_SEEDS).max(1)) {
         for backwards in [false, true] {
             all.insert(shortened(*seed, lost, ranks, backwards));
         }
@@ -141,9 +142,8 @@ fn nearest_conflict(samples: &[Sample], sides: u128) -> Conflict {
         own.filter(move |s| s.sides == sides && s.inside == inside)
             .take(200)
     };
-    let pairs =
-        of(true).flat_map(|inside| of(false).map(move |outside| Conflict { inside, outside }));
-    let apart = |pair: &Conflict| distance(pair.inside.point, pair.outside.point);
+    let pairs = of(true).flat_map(|inside| of(false).map(move |outside| [inside, outside]));
+    let apart = |[p, q]: &Conflict| distance(p.point, q.point);
     let nearest = pairs.min_by(|p, q| apart(p).total_cmp(&apart(q)));
     nearest.expect("both have these sides")
 }

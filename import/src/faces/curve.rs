@@ -91,8 +91,7 @@ impl Ellipse {
     }
 
     /// The part from the first end to the second; the whole without ends, or if both are one vertex. An end may miss
-    /// the ellipse by `missed`, and an arc is longer than `shortest`, scene units. An error is what is wrong, and what
-    /// would be accepted.
+    /// the ellipse by `missed`, an arc is longer than `shortest`, scene units. An error is the problem and the remedy.
     pub fn arc(
         self,
         ends: Option<[Vector; 2]>,
@@ -141,8 +140,7 @@ pub fn arc_through(
         let from = minus(p, centre);
         positive_angle(dot(from, cross(normal, x)).atan2(dot(from, x)))
     };
-    let end = before.map_or(0.5 * TAU, |p| angle(p, normal));
-    let forward = angle(second, normal) < end;
+    let forward = angle(second, normal) < before.map_or(0.5 * TAU, |p| angle(p, normal));
     let normal = if forward { normal } else { opposite(normal) };
     Curve::Arc(Arc {
         ellipse: Ellipse::new(centre, normal, x, [radius; 2]),
@@ -230,20 +228,17 @@ impl Curve {
         }
     }
 
-    /// Points along the curve from its start to its end, `count` steps for an arc; a closed curve comes back to its
-    /// start.
+    /// Points from start to end, `count` steps for an arc; a closed curve comes back to its start.
     pub fn sampled(&self, count: usize) -> Vec<Vector> {
         let steps = (0..=count).map(|k| k as f64);
         let all = count as f64;
         match self {
-            Self::Line { from, to } => {
-                let course = minus(*to, *from);
-                steps.map(|k| along(*from, k / all, course)).collect()
-            }
-            Self::Arc(arc) => {
-                let place = |k| arc.ellipse.at(arc.start + arc.sweep * k / all);
-                steps.map(place).collect()
-            }
+            Self::Line { from, to } => steps
+                .map(|k| along(*from, k / all, minus(*to, *from)))
+                .collect(),
+            Self::Arc(arc) => steps
+                .map(|k| arc.ellipse.at(arc.start + arc.sweep * k / all))
+                .collect(),
             Self::Points(line) => {
                 let again = line.points[..1].iter().filter(|_| line.closed);
                 line.points.iter().chain(again).copied().collect()
@@ -251,8 +246,7 @@ impl Curve {
         }
     }
 
-    /// If `p`, a point of the curve's endless continuation, is between its ends: the direction in which the curve
-    /// passes it.
+    /// The direction in which the curve passes `p`, a point of its endless continuation, if that is between its ends.
     pub fn direction_at(&self, p: Vector, tolerance: f64) -> Option<Vector> {
         match self {
             Self::Line { from, to } => {
@@ -278,8 +272,7 @@ impl Curve {
 /// The plane in which all points lie within a length; `None` if they do not, or lie in a line.
 pub fn common_plane(points: &[Vector], tolerance: f64) -> Option<PlaneOf> {
     let first = *points.first()?;
-    let second = farthest(points, |p| distance(p, first))?;
-    let line = unit(minus(second, first));
+    let line = unit(minus(farthest(points, |p| distance(p, first))?, first));
     let third = farthest(points, |p| length(cross(minus(p, first), line)))?;
     let normal = cross(line, minus(third, first));
     if length(normal) <= 100.0 * tolerance {

@@ -6,7 +6,6 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use toml::Spanned;
 
-/// The version this code reads.
 pub const FORMAT_VERSION: i64 = 1;
 
 pub type Name = Spanned<String>;
@@ -71,7 +70,6 @@ pub struct SurfaceKeys {
     pub minor: Option<Spanned<f64>>,
 }
 
-/// A solid: named faces of one material.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SolidKeys {
@@ -120,7 +118,6 @@ impl SurfaceKeys {
         vectors.into_iter().chain(numbers).flatten().collect()
     }
 
-    /// A point or direction by its key.
     pub fn vector(&self, key: &str) -> Option<&Spanned<[f64; 3]>> {
         self.vectors().into_iter().find(|(name, _)| *name == key)?.1
     }
@@ -168,7 +165,6 @@ pub fn direction(value: &Spanned<Vector>) -> Checked<Vector> {
     Ok(unit(vector))
 }
 
-/// Lengths above 0.
 pub fn lengths<T>(value: &Spanned<T>, lengths: &[f64]) -> Checked<()> {
     for length in lengths {
         checked(value, &[*length])?;

@@ -1,10 +1,8 @@
 //! Where separators turn and meet on a surface, by the coordinate u of its chart.
 
-use super::cell::Separator;
-use super::chart::Chart;
 use super::polynomial::{harmonic, quadratic, roots_between};
-use super::surface::{Form, Implicit, Surface};
 use super::vector::{Vector, along, cross, dot, length, minus, plus, positive_angle, times};
+use super::{Chart, Form, Implicit, Separator, Surface};
 use std::f64::consts::PI;
 
 impl Chart {

@@ -1,7 +1,6 @@
 //! Faces of CAD parts: a list of faces on planes, cylinders, cones and spheres becomes quadrics with cut planes.
 //!
-//! Every face is reported *exact*, *approximated* with its deviation, or *rejected* with the reason.
-//! `docs/cad-faces.md` is the user's page.
+//! Every face is *exact*, *approximated* with its deviation, or *rejected* with the reason; see `docs/cad-faces.md`.
 
 mod arrangement;
 pub mod bezier;
@@ -30,18 +29,21 @@ mod task;
 pub mod vector;
 mod volume;
 
-pub use arrangement::Sample;
 pub use cell::{Cell, Compilation, Compiled, Planes, Separator, Verdict};
+pub use cover::Sample;
 pub use curve::{Arc, Curve, Ellipse, PlaneOf, Polyline};
 pub use step::Beside;
 pub use surface::{Form, Implicit, Surface};
+pub use task::Part;
 
 use crate::error::{Error, ImportError, Result, text};
 use crate::kit::Imported;
+use cell::Made;
+use chart::Chart;
 use compile::{quadric_face, torus_face};
 use courses::Courses;
 use imogene_files::text::counted;
-use model::Model;
+use model::{Edge, EdgeUse, Face, Model, Solid};
 use step21::with_article;
 use task::Task;
 
@@ -54,17 +56,6 @@ pub struct FaceOptions {
     pub no_volumes: bool,
 }
 
-/// A part with all its solids compiled.
-pub struct Part {
-    /// The checked list.
-    pub model: Model,
-    /// The planes that cells refer to.
-    pub planes: Planes,
-    /// Each solid.
-    pub solids: Vec<Compilation>,
-    courses: Courses,
-}
-
 /// Share of the part's size that borders may be off by if the user does not say.
 const DEFAULT_DEVIATION: f64 = 1e-3;
 /// The same of tori: a silhouette shows more than a border.
@@ -72,8 +63,7 @@ const DEFAULT_BANDS: f64 = 2e-4;
 
 /// Reads a face list and compiles it to a scene.
 pub fn read(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Imported, ImportError> {
-    let part = compile(bytes, file, options)?;
-    imported(&part, file, &[]).map_err(ImportError::of(file))
+    imported(&compile(bytes, file, options)?, file, &[]).map_err(ImportError::of(file))
 }
 
 /// Reads a STEP file and compiles it to a scene; what the file says of itself is the entry `step` of the report.
@@ -96,9 +86,8 @@ pub fn read_step(
 }
 
 fn imported(part: &Part, file: &str, missing: &[String]) -> Result<Imported> {
-    let (report, mut notes) = report::report(&part.model, &part.courses, &part.solids);
-    let scene = scene::scene(&part.model, &part.planes, &part.solids);
-    let mut scene = scene.ok_or_else(|| {
+    let (report, mut notes) = report::report(part);
+    let mut scene = scene::scene(part).ok_or_else(|| {
         let problem = format!("no face can be drawn: {}", notes.join("; "));
         let accepted = "at least one face on a plane, cylinder, cone, sphere or torus is needed";
         Error::whole(problem, accepted)
@@ -110,13 +99,12 @@ fn imported(part: &Part, file: &str, missing: &[String]) -> Result<Imported> {
         scene.incomplete = Some(format!("{} of {name} missing", lacks.join(" and ")));
     }
     let valid = scene.validate();
-    valid.map_err(|error| Error::whole(error.to_string(), "another part is needed"))?;
+    valid.map_err(|error| Error::whole(error, "another part is needed"))?;
     let too_large = scene::look_from_elsewhere(&mut scene, &part.model);
     if !too_large.is_empty() {
         let names = too_large.join(", ");
-        notes.push(format!(
-            "too large for the words of the base format: {names}"
-        ));
+        let note = format!("too large for the words of the base format: {names}");
+        notes.push(note);
     }
     Ok(Imported {
         scene,
@@ -150,37 +138,28 @@ fn compile_model(mut model: Model, options: &FaceOptions) -> Part {
         planes.find_or_add(origin, normal);
     }
     let courses = Courses::new(&model, &planes, asked, bands);
-    let solid = |solid| compile_solid(&model, solid, &courses, &planes, options);
-    let solids = (0..model.solids.len()).map(solid).collect();
-    Part {
+    let solids = 0..model.solids.len();
+    let mut part = Part {
         model,
         planes,
-        solids,
         courses,
-    }
+        solids: vec![],
+    };
+    let compiled = |solid| compile_solid(&part, solid, options.no_volumes);
+    part.solids = solids.map(compiled).collect();
+    part
 }
 
-fn compile_solid(
-    model: &Model,
-    solid: usize,
-    courses: &Courses,
-    planes: &Planes,
-    options: &FaceOptions,
-) -> Compilation {
-    if !options.no_volumes
-        && model.one_material(solid)
-        && let Some(cell) = volume::volume(model, solid, courses, planes)
-    {
+fn compile_solid(part: &Part, solid: usize, no_volumes: bool) -> Compilation {
+    let material = |face: usize| part.model.material(solid, face);
+    let mut pairs = part.model.solids[solid].faces.windows(2);
+    let is_tried = !no_volumes && pairs.all(|pair| material(pair[0]) == material(pair[1]));
+    if let Some(Some(cell)) = is_tried.then(|| volume::volume(part, solid)) {
         return Compilation::Volume(cell);
     }
-    let compiled = |index: &usize| {
-        let face = &model.faces[*index];
-        let task = Task {
-            model,
-            courses,
-            planes,
-            index: *index,
-        };
+    let compiled = |&index: &usize| {
+        let task = Task { part, index };
+        let face = task.face();
         let made = match (&face.refused, &face.surface.form) {
             (Some(reason), _) => Err(reason.clone()),
             (_, Form::Plane) => plane_face::plane_face(task),
@@ -193,5 +172,6 @@ fn compile_solid(
             cells: vec![],
         })
     };
-    Compilation::Faces(model.solids[solid].faces.iter().map(compiled).collect())
+    let faces = part.model.solids[solid].faces.iter();
+    Compilation::Faces(faces.map(compiled).collect())
 }

@@ -5,8 +5,7 @@ use super::surface::{Form, Surface};
 use super::vector::{Vector, distance, hull, plus, times};
 use imogene_scene::Material;
 
-/// Share of the size of a part within which two things that should coincide do: ten times the last digits of a number
-/// of 15.
+/// Share of a part's size within which two things coincide: ten times the last digits of a number of 15.
 pub const COINCIDENT: f64 = 1e-9;
 
 /// Share of the size of a part by which a surface may be off the quadric that it is taken for.
@@ -192,12 +191,6 @@ impl Model {
     pub fn material(&self, solid: usize, face: usize) -> &str {
         let own = self.faces[face].material.as_ref();
         own.unwrap_or(&self.solids[solid].material)
-    }
-
-    /// All faces of a solid are of one material.
-    pub fn one_material(&self, solid: usize) -> bool {
-        let mut faces = self.solids[solid].faces.windows(2);
-        faces.all(|pair| self.material(solid, pair[0]) == self.material(solid, pair[1]))
     }
 
     /// Middle of that box.

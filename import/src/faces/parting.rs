@@ -1,106 +1,11 @@
-//! How a face is divided: separators with what they are in the scene, and straight lines that part two conics in the
-//! plane of a face.
+//! How a face is divided: terms of few separators, and straight lines that part two conics in a plane.
 
-use super::arrangement::{Boundary, Division, MAX_SEPARATORS, Sample};
-use super::cell::{Planes, Separator};
-use super::cover::{Conflict, Term, cover};
-use super::curve::{Curve, Ellipse, PlaneOf};
-use super::surface::{Form, Implicit, Surface};
+use super::arrangement::{Conic, MAX_SEPARATORS, Parting};
+use super::cover::{Conflict, Sample, Term, cover};
 use super::task::Task;
 use super::vector::*;
+use super::{Curve, Ellipse, Form, Implicit, PlaneOf, Surface};
 use std::f64::consts::PI;
-
-#[derive(Clone, Debug, Default)]
-pub struct Parting {
-    pub separators: Vec<Separator>,
-    /// For each: the plane, or nothing for a quadric.
-    pub planes: Vec<Option<usize>>,
-    /// For each: separators of the lower rank are dropped first.
-    pub ranks: Vec<u8>,
-    pub boundaries: Vec<Boundary>,
-}
-
-/// Rank of a quadric that bounds a plane, of which a cell can have one alone.
-const CONIC: u8 = 0;
-/// Rank of a plane that is no edge.
-pub const AUXILIARY: u8 = 1;
-/// Rank of a plane that has an edge.
-pub const EDGE: u8 = 2;
-
-impl Parting {
-    /// Adds a separator; its index.
-    pub fn push(&mut self, separator: Separator, plane: Option<usize>, rank: u8) -> usize {
-        self.separators.push(separator);
-        self.planes.push(plane);
-        self.ranks.push(rank);
-        self.separators.len() - 1
-    }
-
-    /// Index of the separator of a plane.
-    pub fn plane(&mut self, planes: &Planes, plane: usize, rank: u8) -> usize {
-        let Some(index) = self.planes.iter().position(|p| *p == Some(plane)) else {
-            return self.push(planes.separator(plane), Some(plane), rank);
-        };
-        self.ranks[index] = self.ranks[index].max(rank);
-        index
-    }
-
-    /// Index of the separator of a quadric.
-    pub fn quadric(&mut self, implicit: Implicit) -> usize {
-        let separator = Separator::Quadric(implicit);
-        let known = self.separators.iter().position(|s| *s == separator);
-        known.unwrap_or_else(|| self.push(separator, None, CONIC))
-    }
-
-    /// Adds a piece of the border.
-    pub fn border(&mut self, separator: usize, curve: Curve, forward: bool) {
-        self.boundaries.push(Boundary {
-            separator,
-            curve,
-            forward,
-        });
-    }
-
-    /// Adds planes that divide and are no edges; false if all are there already, or too many.
-    pub fn split(&mut self, planes: &Planes, new: &[PlaneOf]) -> bool {
-        let before = self.separators.len();
-        for (point, normal) in new {
-            let index = planes.find_or_add(*point, *normal);
-            self.plane(planes, index, AUXILIARY);
-        }
-        self.separators.len() > before && self.separators.len() <= MAX_SEPARATORS
-    }
-
-    /// One sample of every piece of a surface, of a part of a size.
-    pub fn samples(&self, surface: &Surface, size: f64) -> Result<Vec<Sample>, &'static str> {
-        let division = Division {
-            surface,
-            separators: &self.separators,
-            boundaries: &self.boundaries,
-            size,
-        };
-        division.samples()
-    }
-
-    /// The planes of a term.
-    pub fn cuts(&self, term: &Term) -> Vec<(usize, bool)> {
-        let cut = |(k, positive): (usize, bool)| self.planes[k].map(|plane| (plane, positive));
-        term.literals().filter_map(cut).collect()
-    }
-
-    /// The quadrics of a term.
-    pub fn conics(&self, term: &Term) -> Vec<(usize, bool)> {
-        let literals = term.literals();
-        let own = literals.filter(|(k, _)| self.planes[*k].is_none());
-        own.collect()
-    }
-
-    /// One object has one conic, and so many sides at most.
-    fn fits(&self, term: &Term, most: usize) -> bool {
-        let own = self.conics(term).len();
-        own <= 1 && term.count() as usize - own <= most
-    }
-}
 
 /// Planes that take apart what one object cannot be: two conics in one term, more sides than there may be.
 fn refined(
@@ -108,16 +13,15 @@ fn refined(
     terms: &[Term],
     samples: &[Sample],
     most: usize,
-    conics: &[(usize, Conic)],
     surface: &Surface,
 ) -> Vec<PlaneOf> {
     let mut new = vec![];
-    let of = |k: usize| conics.iter().find(|(index, _)| *index == k).map(|(_, c)| c);
+    let of = |k: &usize| parting.shapes.get(k);
     for term in terms {
         let own = parting.conics(term);
         for (i, (one, _)) in own.iter().enumerate() {
             for (other, _) in &own[i + 1..] {
-                if let (Some(a), Some(b)) = (of(*one), of(*other)) {
+                if let (Some(a), Some(b)) = (of(one), of(other)) {
                     new.extend(between_conics(a, b, surface.axis));
                 }
             }
@@ -155,27 +59,21 @@ pub const MAX_ROUNDS: usize = 13;
 /// Most pieces of a border from which a search for few terms is worth its time.
 const MOST_SEARCHED: usize = 128;
 
-/// Most pieces of a surface that are searched.
 const MOST_SAMPLES: usize = 100_000;
 
 /// Terms of a parting with conics, split until each is one object with so many sides at most.
 ///
 /// First with the fewest sides for every term, which drops a plane that only halves a convex piece; where that does
 /// not end on a plane, once more with the halves.
-pub fn terms(
-    task: Task,
-    parting: &mut Parting,
-    most: usize,
-    conics: &[(usize, Conic)],
-) -> Result<Vec<Term>, String> {
+pub fn terms(task: Task, parting: &mut Parting, most: usize) -> Result<Vec<Term>, String> {
     if parting.separators.len() > MOST_SEARCHED {
         return Err("its border has too many pieces for the search".into());
     }
     let start = parting.clone();
-    match attempt(task, parting, most, conics, false) {
+    match attempt(task, parting, most, false) {
         Err(Trouble::Unresolved(_)) if task.face().surface.is_plane() => {
             *parting = start;
-            attempt(task, parting, most, conics, true)
+            attempt(task, parting, most, true)
         }
         other => other,
     }
@@ -187,7 +85,6 @@ pub fn terms(
     })
 }
 
-/// Why there are no terms.
 enum Trouble {
     /// Its loops make no face.
     Wrong(&'static str),
@@ -199,13 +96,12 @@ fn attempt(
     task: Task,
     parting: &mut Parting,
     most: usize,
-    conics: &[(usize, Conic)],
     halves: bool,
 ) -> Result<Vec<Term>, Trouble> {
     let surface = &task.face().surface;
     let mut trouble = "";
     for _ in 0..MAX_ROUNDS {
-        let samples = parting.samples(surface, task.model.size());
+        let samples = parting.samples(surface, task.part.model.size());
         let samples = samples.map_err(Trouble::Wrong)?;
         if samples.len() > MOST_SAMPLES {
             break;
@@ -220,7 +116,7 @@ fn attempt(
                 conflicts.iter().map(|c| between(c, surface)).collect()
             }
             Ok(terms) => {
-                let new = refined(parting, &terms, &samples, most, conics, surface);
+                let new = refined(parting, &terms, &samples, most, surface);
                 if new.is_empty() {
                     return Ok(terms);
                 }
@@ -228,7 +124,7 @@ fn attempt(
                 new
             }
         };
-        if !parting.split(task.planes, &new) {
+        if !parting.split(&task.part.planes, &new) {
             break;
         }
     }
@@ -237,21 +133,12 @@ fn attempt(
 
 /// A plane between two pieces that no separator tells apart.
 fn between(conflict: &Conflict, surface: &Surface) -> PlaneOf {
-    let (p, q) = (conflict.inside.point, conflict.outside.point);
+    let [p, q] = conflict.map(|sample| sample.point);
     (times(0.5, plus(p, q)), unit(within(minus(q, p), surface)))
 }
 
 /// Most sides of a polygon between two circles, one in the other.
 const MAX_SIDES: usize = 60;
-
-/// A conic as a quadric that meets the plane in it.
-#[derive(Clone, Debug)]
-pub struct Conic {
-    pub implicit: Implicit,
-    pub centre: Vector,
-    /// Least and greatest distance of the conic from it.
-    pub radii: [f64; 2],
-}
 
 impl Conic {
     /// The conic of an edge in which a quadric meets the plane.
@@ -273,9 +160,7 @@ impl Conic {
 
     /// The cylinder upright on an ellipse.
     pub fn upright(ellipse: &Ellipse, normal: Vector) -> Conic {
-        let Ellipse {
-            centre, x, radii, ..
-        } = *ellipse;
+        let (centre, x, radii) = (ellipse.centre, ellipse.x, ellipse.radii);
         let round = Surface::new(centre, normal, Form::Cylinder(radii[0])).implicit();
         let round = round.filter(|_| radii[0] == radii[1]);
         Conic {
@@ -347,8 +232,7 @@ fn between_conics(one: &Conic, other: &Conic, normal: Vector) -> Vec<PlaneOf> {
     line((d * d + r * r - s * s) / (2.0 * d))
 }
 
-/// Sides of a regular polygon around a conic within a circle of a radius about its centre; too many sides end at the
-/// most there may be.
+/// A regular polygon around a conic and within a circle about its centre; nothing if it had too many sides.
 fn polygon(small: &Conic, within: f64, normal: Vector) -> Vec<PlaneOf> {
     let inner = small.radii[1];
     let fits = |n: &usize| (PI / *n as f64).cos() * within > inner * 1.000_001;

@@ -1,16 +1,14 @@
-//! Faces in a plane: solids without thickness, two opposite cut planes with one more quadric at most, which are drawn
-//! exactly.
+//! Faces in a plane: two opposite cut planes with one more quadric at most, which are drawn exactly.
 
-use super::cell::{Cell, Compiled, Made, Separator};
+use super::arrangement::{Conic, EDGE, Parting};
 use super::courses::MAX_PIECES;
 use super::cover::Term;
-use super::curve::{Curve, PlaneOf};
-use super::model::EdgeUse;
-use super::parting::{Conic, EDGE, Parting, terms};
+use super::parting::terms;
 use super::rings::Band;
 use super::slabs;
-use super::task::Task;
+use super::task::{Part, Task};
 use super::vector::{Vector, along, cross, distance, dot, minus, unit};
+use super::{Cell, Compiled, Curve, EdgeUse, Made, PlaneOf, Separator};
 use imogene_scene::MAX_CUTS;
 
 /// Cut planes that are left beside the two of the face itself.
@@ -21,11 +19,11 @@ const TOO_FLAT: f64 = 0.99;
 
 pub fn plane_face(task: Task) -> Made<Compiled> {
     let surface = &task.face().surface;
-    let flat = task.planes.find_or_add(surface.origin, surface.axis);
+    let flat = task.part.planes.find_or_add(surface.origin, surface.axis);
     let border = border(task, true)?;
     let mut searched = border.parting.clone();
-    searched.split(task.planes, &border.chords);
-    if let Ok(terms) = terms(task, &mut searched, SIDES, &border.conics) {
+    searched.split(&task.part.planes, &border.chords);
+    if let Ok(terms) = terms(task, &mut searched, SIDES) {
         let cells = terms.iter().map(|term| cell(&searched, term, flat));
         return task.compiled(Ok(cells.collect()), border.deviation);
     }
@@ -45,7 +43,6 @@ fn border<'a>(task: Task<'a>, conics: bool) -> Made<Border<'a>> {
         task,
         with_conics: conics,
         parting: Parting::default(),
-        conics: vec![],
         chords: vec![],
         deviation: task.deviation()?,
     };
@@ -70,10 +67,8 @@ fn cell(parting: &Parting, term: &Term, flat: usize) -> Cell {
 /// The border of a plane face while its edges are collected.
 struct Border<'a> {
     task: Task<'a>,
-    /// Curves may be conics.
     with_conics: bool,
     parting: Parting,
-    conics: Vec<(usize, Conic)>,
     chords: Vec<PlaneOf>,
     deviation: f64,
 }
@@ -83,24 +78,23 @@ impl Border<'_> {
         self.task.face().surface.axis
     }
 
-    /// Not too flat on the face.
     fn is_steep(&self, normal: Vector) -> bool {
         dot(normal, self.normal()).abs() < TOO_FLAT
     }
 
-    /// The plane upright on the face through two points.
     fn upright(&self, from: Vector, to: Vector) -> PlaneOf {
         (from, unit(cross(minus(to, from), self.normal())))
     }
 
     /// The separator of a plane that has an edge.
     fn wall(&mut self, (point, normal): PlaneOf) -> usize {
-        let plane = self.task.planes.find_or_add(point, normal);
-        self.parting.plane(self.task.planes, plane, EDGE)
+        let planes = &self.task.part.planes;
+        self.parting
+            .plane(planes, planes.find_or_add(point, normal), EDGE)
     }
 
     fn edge(&mut self, edge_use: EdgeUse) -> Made<()> {
-        let course = self.task.courses.of(edge_use.edge)?;
+        let course = self.task.part.courses.of(edge_use.edge)?;
         let pieces = match &course.chords {
             Some((chords, off)) => {
                 self.deviation = self.deviation.max(*off);
@@ -116,41 +110,42 @@ impl Border<'_> {
                 _ => self.conic(edge_use.edge, curve),
             };
             match separator {
-                Some(separator) => self
-                    .parting
-                    .border(separator, curve.clone(), edge_use.forward),
+                Some(wall) => self.parting.border(wall, curve.clone(), edge_use.forward),
                 None => self.chords_of(edge_use, curve)?,
             }
         }
         Ok(())
     }
 
-    /// The separator of a straight edge: the neighbour's plane if it has one that is not too flat, or one upright on
-    /// the face.
+    /// The separator of a straight edge: the neighbour's plane if that is steep, or one upright on the face.
     fn side(&mut self, edge: usize, from: Vector, to: Vector) -> usize {
-        let Task { model, courses, .. } = self.task;
+        let Part { model, planes, .. } = self.task.part;
         let mut own = None;
         for other in model.neighbours(self.task.index, edge) {
             own = own.or(match model.faces[other].surface.plane() {
-                Some((origin, normal)) => Some(self.task.planes.find_or_add(origin, normal)),
-                None => courses.generator(other, edge),
+                Some((origin, normal)) => Some(planes.find_or_add(origin, normal)),
+                None => self
+                    .task
+                    .part
+                    .courses
+                    .generators
+                    .get(&(other, edge))
+                    .copied(),
             });
         }
-        let steep = own.filter(|plane| self.is_steep(self.task.planes.get(*plane).1));
-        match steep {
-            Some(plane) => self.parting.plane(self.task.planes, plane, EDGE),
+        match own.filter(|plane| self.is_steep(planes.get(*plane).1)) {
+            Some(plane) => self.parting.plane(planes, plane, EDGE),
             None => self.wall(self.upright(from, to)),
         }
     }
 
-    /// The separator of a curved edge in the plane: the neighbour's quadric, or the cylinder upright on a circle or
-    /// ellipse.
+    /// The separator of a curved edge: the neighbour's quadric, or the cylinder upright on a circle or ellipse.
     fn conic(&mut self, edge: usize, curve: &Curve) -> Option<usize> {
         if !self.with_conics {
             return None;
         }
-        let Task { model, index, .. } = self.task;
-        let mut neighbours = model.neighbours(index, edge);
+        let model = &self.task.part.model;
+        let mut neighbours = model.neighbours(self.task.index, edge);
         let neighbour = neighbours.find_map(|other| model.faces[other].surface.implicit());
         let surface = &self.task.face().surface;
         let conic = match (neighbour, curve) {
@@ -159,9 +154,7 @@ impl Border<'_> {
             _ => return None,
         };
         let separator = self.parting.quadric(conic.implicit);
-        if !self.conics.iter().any(|(index, _)| *index == separator) {
-            self.conics.push((separator, conic));
-        }
+        self.parting.shapes.entry(separator).or_insert(conic);
         let [from, to] = curve.ends();
         if !curve.is_closed() && distance(from, to) > 0.0 {
             self.chords.push(self.upright(from, to));
@@ -171,10 +164,10 @@ impl Border<'_> {
 
     /// A curve in the plane that is no conic becomes a chain of chords within the accepted deviation.
     fn chords_of(&mut self, edge_use: EdgeUse, curve: &Curve) -> Made<()> {
-        let most = self.task.courses.max_deviation;
+        let most = self.task.part.courses.max_deviation;
         let (chain, off) = chain(&curve.sampled(64), most);
         if chain.len() > MAX_PIECES || off > most {
-            let edge = &self.task.model.edges[edge_use.edge].name;
+            let edge = &self.task.part.model.edges[edge_use.edge].name;
             return Err(format!(
                 "edge `{edge}` is no conic and is not within {most:.3e} of {MAX_PIECES} chords"
             ));

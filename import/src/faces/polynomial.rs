@@ -10,8 +10,7 @@ pub fn quadratic(a: f64, b: f64, c: f64) -> Vec<f64> {
         return if is_linear { vec![-c / b] } else { vec![] };
     }
     let discriminant = b * b - 4.0 * a * c;
-    let scale = (b * b).max((4.0 * a * c).abs());
-    if discriminant < -1e-14 * scale {
+    if discriminant < -1e-14 * (b * b).max((4.0 * a * c).abs()) {
         return vec![];
     }
     let root = discriminant.max(0.0).sqrt();
@@ -41,8 +40,7 @@ fn value(coefficients: &[f64], x: f64) -> f64 {
     coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c)
 }
 
-/// Real roots of a polynomial, lowest power first, between `from` and `to`, and the places where it touches zero
-/// without passing.
+/// Real roots between `from` and `to` of a polynomial, lowest power first, double ones among them.
 pub fn roots_between(coefficients: &[f64], from: f64, to: f64) -> Vec<f64> {
     if coefficients.len() < 2 {
         return vec![];

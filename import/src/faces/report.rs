@@ -1,9 +1,8 @@
 //! Counts and verdicts of a compiled part.
 
-use super::cell::{Compilation, Verdict};
 use super::courses::Courses;
-use super::curve::Curve;
-use super::model::Model;
+use super::task::Part;
+use super::{Compilation, Curve, Model, Verdict};
 use imogene_files::text::counted;
 use indexmap::IndexMap;
 use serde::Serialize;
@@ -50,7 +49,6 @@ struct Counts {
     rejected: usize,
 }
 
-/// Edges by what they are.
 #[derive(Debug, Default, Serialize)]
 struct EdgeCounts {
     total: usize,
@@ -62,15 +60,15 @@ struct EdgeCounts {
     pieces: usize,
 }
 
-/// The report of a part and its lines for a person.
-pub fn report(model: &Model, courses: &Courses, solids: &[Compilation]) -> (Report, Vec<String>) {
+pub fn report(part: &Part) -> (Report, Vec<String>) {
+    let Part { model, courses, .. } = part;
     let mut report = Report {
         solids: model.solids.len(),
         max_deviation: courses.max_deviation,
         edges: edges(model, courses),
         ..Report::default()
     };
-    for (index, compilation) in solids.iter().enumerate() {
+    for (index, compilation) in part.solids.iter().enumerate() {
         report.solid(model, index, compilation);
     }
     let notes = notes(&report);
@@ -158,7 +156,6 @@ fn edges(model: &Model, courses: &Courses) -> EdgeCounts {
     counts
 }
 
-/// Most names that a line for a person has.
 const MOST_NAMES: usize = 4;
 
 /// The summary first, then what is rejected by its reasons, and the worst of what is approximated.

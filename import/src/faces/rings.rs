@@ -1,14 +1,10 @@
 //! Bands, parts of a surface between two parallels, and those of cones for a torus, which meet in circles of it.
 //!
-//! The bands are the same for all faces of one torus, and as far as the angles are quarters of a turn for all tori
-//! with one radius of the tube. An edge across them, a circle about the tube, becomes the chords of the bands for the
-//! plane face beside it.
+//! The bands are the same for all faces of one torus, and at quarters of a turn for all tori with one radius of the
+//! tube. A circle about the tube becomes the chords of the bands for the plane face beside it.
 
-use super::chart::Chart;
-use super::curve::Curve;
-use super::model::{Face, Model};
-use super::surface::{Form, Implicit, Surface};
 use super::vector::{Vector, dot, minus, range};
+use super::{Chart, Curve, Face, Form, Implicit, Model, Surface};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Share of its height by which a band goes on under or over the next, so that the rounding of both leaves no pixel to
@@ -16,7 +12,6 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 pub const OVERLAP: f64 = 0.02;
 
 /// A part of the surface between two parallels, drawn as one quadric.
-#[derive(Clone, Debug)]
 pub struct Band {
     /// Its quadric; nothing on a plane.
     pub quadric: Option<Implicit>,
@@ -44,7 +39,6 @@ pub const MOST: usize = 1000;
 const SAME_ANGLE: f64 = 1e-7;
 
 /// The bands of a torus, by the angles between them.
-#[derive(Clone, Debug)]
 pub struct Rings {
     /// Ascending, from 0 up to a whole turn, the first again at the end.
     angles: Vec<f64>,
@@ -60,12 +54,11 @@ impl Rings {
         let Form::Torus(_, minor) = surface.form else {
             return None;
         };
-        let chart = Chart::of(surface, None);
         // Half the angle of a chord of this sagitta.
         let half = (1.0 - (max_deviation / minor).min(0.25)).acos();
         let count = (0.5 * FRAC_PI_2 / half).ceil().clamp(1.0, MAX_BANDS);
         let step = FRAC_PI_2 / count;
-        let (edges, ranges) = reached(model, surface, &chart);
+        let (edges, ranges) = reached(model, surface, &Chart::of(surface, None));
         let ends = |k: &usize| [*k as f64 * step, (*k + 1) as f64 * step];
         let is_reached = |k: &usize| {
             let [low, high] = ends(k);
@@ -103,11 +96,10 @@ impl Rings {
         let band = |pair: &[f64]| {
             let surface = chart.chord(pair[0], pair[1])?;
             let [(out, up), (other, higher)] = [pair[0], pair[1]].map(|v| chart.meridian(v));
-            let chord = (other - out).hypot(higher - up);
             Some(Band {
                 quadric: Some(surface.implicit()?),
                 ends: [pair[0], pair[1]],
-                beyond: OVERLAP.min(0.5 * self.deviation / chord),
+                beyond: OVERLAP.min(0.5 * self.deviation / (other - out).hypot(higher - up)),
             })
         };
         let pairs = self.angles.windows(2);

@@ -1,9 +1,8 @@
 //! The scene of a compiled part.
 
-use super::cell::{Cell, Compilation, Planes};
-use super::model::Model;
-use super::surface::Implicit;
+use super::task::Part;
 use super::vector::{Vector, along, cross, opposite, unit};
+use super::{Cell, Compilation, Implicit, Model, Planes};
 use imogene_golden::format::Format;
 use imogene_prepare::{Framing, Options, refused};
 use imogene_scene::{
@@ -11,9 +10,10 @@ use imogene_scene::{
 };
 
 /// The scene; `None` if no object is left.
-pub fn scene(model: &Model, planes: &Planes, solids: &[Compilation]) -> Option<SceneFile> {
+pub fn scene(part: &Part) -> Option<SceneFile> {
+    let Part { model, planes, .. } = part;
     let mut objects = vec![];
-    for (index, (solid, compilation)) in model.solids.iter().zip(solids).enumerate() {
+    for (index, (solid, compilation)) in model.solids.iter().zip(&part.solids).enumerate() {
         match compilation {
             Compilation::Volume(cell) => {
                 let material = model.material(index, solid.faces[0]);
@@ -35,24 +35,23 @@ pub fn scene(model: &Model, planes: &Planes, solids: &[Compilation]) -> Option<S
         }
     }
     let used = |material: &&Material| objects.iter().any(|o| o.material == material.name);
-    let materials = model.materials.iter().filter(used).cloned().collect();
     if objects.is_empty() {
         return None;
     }
     let camera = camera(model, VIEWS[0], &objects);
+    let light = |from, intensity| Light::directional(turned(model.z_up, from), intensity);
     Some(SceneFile {
         background: [0.09, 0.11, 0.15],
         ambient: [1.0; 3],
         image: ImageSize::default(),
-        lights: lights(model.z_up),
-        materials,
+        lights: vec![light([-3.0, 5.0, 7.0], 0.75), light([6.0, 2.0, 1.0], 0.35)],
+        materials: model.materials.iter().filter(used).cloned().collect(),
         objects,
         ..SceneFile::new(&model.title, camera)
     })
 }
 
-/// Moves the eye of a checked scene to where the words of all objects fit the base format; if it is nowhere, the scene
-/// stays as it is, and the names of the objects that do not fit are given.
+/// Moves the eye of a checked scene to where all objects fit the base format; if that is nowhere, says which do not.
 pub fn look_from_elsewhere(scene: &mut SceneFile, model: &Model) -> Vec<String> {
     let first = refusals(scene);
     if first.is_empty() {
@@ -71,7 +70,6 @@ pub fn look_from_elsewhere(scene: &mut SceneFile, model: &Model) -> Vec<String> 
     first
 }
 
-/// The objects that the base format has no words for.
 fn refusals(scene: &SceneFile) -> Vec<String> {
     let ImageSize { width, height } = scene.image;
     let Ok(framed) = scene.frame(width, height) else {
@@ -107,10 +105,9 @@ fn object(name: &str, material: &str, cell: &Cell, planes: &Planes, volume: bool
     }
 }
 
-/// Where a part may be looked at from: the direction of the eye, in a picture in which y points up, and its distance
-/// in sizes of the part. The first from which all objects fit their words is taken, and the first of all, above on the
-/// right, if there is none. A cone that is seen nearly along its side has great words: the eye is near the endless
-/// cone.
+/// Where a part is looked at from: the direction of the eye, in a picture in which y points up, and its distance in
+/// sizes of the part. The first from which all objects fit their words is taken, else the first of all. A cone has
+/// great words where the eye is near the endless cone.
 const VIEWS: [(Vector, f64); 5] = [
     ([0.55, 0.62, 0.85], 2.2),
     ([0.5, 0.95, 0.75], 2.2),
@@ -152,12 +149,6 @@ fn turned(z_up: bool, [x, y, z]: Vector) -> Vector {
 
 /// To a ten-thousandth of the size, for people who read the file.
 fn rounded(value: f64, size: f64) -> f64 {
-    let digits = (4.0 - size.log10().floor()).clamp(-9.0, 15.0);
-    let step = 10_f64.powf(digits);
+    let step = 10_f64.powf((4.0 - size.log10().floor()).clamp(-9.0, 15.0));
     (value * step).round() / step + 0.0
-}
-
-fn lights(z_up: bool) -> Vec<Light> {
-    let light = |from, intensity| Light::directional(turned(z_up, from), intensity);
-    vec![light([-3.0, 5.0, 7.0], 0.75), light([6.0, 2.0, 1.0], 0.35)]
 }

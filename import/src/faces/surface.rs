@@ -7,8 +7,7 @@ use super::vector::*;
 pub struct Surface {
     /// A point of a plane or of the axis; the apex of a cone, the centre of a sphere or torus.
     pub origin: Vector,
-    /// Unit vector: the normal of a plane, which points outside; the direction of the axis, from the apex of a cone
-    /// into its nappe; of a sphere one of its poles.
+    /// Unit vector: the outer normal of a plane, the axis (of a cone into its nappe), or a pole of a sphere.
     pub axis: Vector,
     /// Its kind with its sizes.
     pub form: Form,
@@ -86,8 +85,7 @@ impl Implicit {
         let [[a, d, e], [_, b, f], [_, _, c]] = matrix;
         let linear = matrix.map(|row| -dot(row, centre));
         let [g, h, i] = linear;
-        let constant = constant - dot(linear, centre);
-        Implicit([a, b, c, d, e, f, g, h, i, constant])
+        Implicit([a, b, c, d, e, f, g, h, i, constant - dot(linear, centre)])
     }
 }
 
@@ -139,8 +137,7 @@ impl Surface {
         matches!(self.form, Form::Torus(..))
     }
 
-    /// The quadric, negative on the side of the axis or centre; nothing for a plane or another surface. That of a cone
-    /// has both nappes.
+    /// The quadric, negative inside, of a cone with both nappes; nothing for a plane or another surface.
     pub fn implicit(&self) -> Option<Implicit> {
         let Surface { origin, axis, .. } = *self;
         match self.form {
@@ -257,8 +254,7 @@ fn outwards(out: Vector) -> Option<Vector> {
     (length(out) > 0.0).then(|| unit(out))
 }
 
-/// The tangent of an angle, exactly 1 at 45 degrees: its square is a coefficient, and the rounding of pi does not
-/// belong in it.
+/// The tangent of an angle, exactly 1 at 45 degrees: the rounding of pi does not belong in a coefficient.
 pub fn clean_tangent(angle: f64) -> f64 {
     let tangent = angle.tan();
     let rounded = (tangent * 1e12).round() / 1e12;

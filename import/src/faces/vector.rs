@@ -47,8 +47,7 @@ pub fn across(v: Vector, axis: Vector) -> Vector {
     along(v, -dot(v, axis), axis)
 }
 
-/// Two unit vectors that make a right-handed frame (e1, e2, axis), turned by `turn` radians about the unit vector
-/// `axis`.
+/// Two unit vectors of a right-handed frame (e1, e2, axis), turned by `turn` radians about the unit vector `axis`.
 pub fn frame(axis: Vector, turn: f64) -> [Vector; 2] {
     let smallest = (0..3).min_by(|i, j| axis[*i].abs().total_cmp(&axis[*j].abs()));
     let mut other = [0.0; 3];
@@ -56,10 +55,8 @@ pub fn frame(axis: Vector, turn: f64) -> [Vector; 2] {
     let e1 = unit(across(other, axis));
     let e2 = cross(axis, e1);
     let (sine, cosine) = turn.sin_cos();
-    [
-        plus(times(cosine, e1), times(sine, e2)),
-        plus(times(-sine, e1), times(cosine, e2)),
-    ]
+    let turned = |a: f64, b: f64| plus(times(a, e1), times(b, e2));
+    [turned(cosine, sine), turned(-sine, cosine)]
 }
 
 /// The point of the plane through `origin` with the unit vector `normal` nearest to `p`.

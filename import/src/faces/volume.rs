@@ -1,16 +1,12 @@
 //! A whole solid as one volume: a quadric, its inside or its outside, cut by the planes of the plane faces.
 //!
-//! The form is not guessed but proven: on every surface of the solid the pieces that the AND of all half-spaces keeps
-//! are the faces.
+//! The form is proven: on every surface of the solid the AND of all half-spaces keeps the faces and nothing else.
 
-use super::cell::{Cell, Planes, Separator};
-use super::courses::Courses;
-use super::curve::Curve;
-use super::model::{COINCIDENT, Model, border};
-use super::parting::{EDGE, Parting};
-use super::surface::Surface;
-use super::task::Task;
+use super::arrangement::{EDGE, Parting};
+use super::model::{COINCIDENT, border};
+use super::task::{Part, Task};
 use super::vector::{Vector, distance, dot, minus};
+use super::{Cell, Curve, Model, Separator, Surface};
 use imogene_scene::MAX_CUTS;
 
 /// The half-spaces of a solid, and the surface of its quadric.
@@ -21,22 +17,18 @@ struct Body {
 }
 
 /// The one cell that is the whole solid, if there is one.
-pub fn volume(model: &Model, solid: usize, courses: &Courses, planes: &Planes) -> Option<Cell> {
+pub fn volume(part: &Part, solid: usize) -> Option<Cell> {
+    let Part { model, planes, .. } = part;
     let faces = &model.solids[solid].faces;
-    let exact = |index: &usize| {
-        let task = Task {
-            model,
-            courses,
-            planes,
-            index: *index,
-        };
-        task.deviation().is_ok_and(|off| off <= model.rounding())
+    let exact = |&index: &usize| {
+        let deviation = Task { part, index }.deviation();
+        deviation.is_ok_and(|off| off <= model.rounding())
     };
     if faces.is_empty() || !faces.iter().all(exact) {
         return None;
     }
-    let mut body = body(model, faces, planes)?;
-    if proven(model, faces, &body, planes) {
+    let mut body = body(part, faces)?;
+    if proven(part, faces, &body) {
         return Some(body.cell);
     }
     // A cone goes on beyond its apex unless something keeps its other nappe off.
@@ -44,11 +36,11 @@ pub fn volume(model: &Model, solid: usize, courses: &Courses, planes: &Planes) -
     let nappes = planes.find_or_add(origin, axis);
     let positive = dot(planes.get(nappes).1, axis) > 0.0;
     body.cell.cuts.push((nappes, positive));
-    let fits = body.cell.cuts.len() <= MAX_CUTS;
-    (fits && proven(model, faces, &body, planes)).then_some(body.cell)
+    (body.cell.cuts.len() <= MAX_CUTS && proven(part, faces, &body)).then_some(body.cell)
 }
 
-fn body(model: &Model, faces: &[usize], planes: &Planes) -> Option<Body> {
+fn body(part: &Part, faces: &[usize]) -> Option<Body> {
+    let Part { model, planes, .. } = part;
     let mut body = Body::default();
     let cuts = &mut body.cell.cuts;
     for face in faces.iter().map(|face| &model.faces[*face]) {
@@ -67,9 +59,8 @@ fn body(model: &Model, faces: &[usize], planes: &Planes) -> Option<Body> {
         let implicit = face.surface.implicit()?.kept(face.reversed);
         let known = *body.cell.quadric.get_or_insert(implicit);
         let surface = body.surface.get_or_insert_with(|| face.surface.clone());
-        let same = surface.same(&face.surface, COINCIDENT * model.size());
         let [a, b] = [known, implicit].map(|q| q.value(model.middle()) > 0.0);
-        if !same || a != b {
+        if !surface.same(&face.surface, COINCIDENT * model.size()) || a != b {
             return None;
         }
     }
@@ -77,27 +68,28 @@ fn body(model: &Model, faces: &[usize], planes: &Planes) -> Option<Body> {
 }
 
 /// Whether the AND of all half-spaces keeps of every surface exactly its faces.
-fn proven(model: &Model, faces: &[usize], body: &Body, planes: &Planes) -> bool {
+fn proven(part: &Part, faces: &[usize], body: &Body) -> bool {
+    let Part { model, planes, .. } = part;
     let is_flat = |face: &&usize| model.faces[**face].surface.is_plane();
     let (flat, curved): (Vec<usize>, Vec<usize>) = faces.iter().partition(is_flat);
-    let on_quadric = curved.is_empty() || keeps(model, &curved, body, None, planes);
+    let on_quadric = curved.is_empty() || keeps(part, &curved, body, None);
     let on_cut = |(index, (plane, _)): (usize, &(usize, bool))| {
         let (point, normal) = planes.get(*plane);
         let is_on = |face: &&usize| {
             let Surface { origin, axis, .. } = model.faces[**face].surface;
             let off = dot(minus(origin, point), normal).abs();
-            let along = dot(axis, normal).abs() > 1.0 - 1e-12;
-            along && off <= COINCIDENT * model.size()
+            dot(axis, normal).abs() > 1.0 - 1e-12 && off <= COINCIDENT * model.size()
         };
         let own: Vec<usize> = flat.iter().filter(is_on).copied().collect();
         // The plane between the nappes of a cone has no face of its own.
-        own.is_empty() || keeps(model, &own, body, Some(index), planes)
+        own.is_empty() || keeps(part, &own, body, Some(index))
     };
     on_quadric && body.cell.cuts.iter().enumerate().all(on_cut)
 }
 
 /// The same on one surface: that of cut number `cut`, or of the quadric.
-fn keeps(model: &Model, faces: &[usize], body: &Body, cut: Option<usize>, planes: &Planes) -> bool {
+fn keeps(part: &Part, faces: &[usize], body: &Body, cut: Option<usize>) -> bool {
+    let Part { model, planes, .. } = part;
     let surface = &model.faces[faces[0]].surface;
     let mut parting = Parting::default();
     let mut wanted: u128 = 0;
@@ -123,7 +115,6 @@ fn keeps(model: &Model, faces: &[usize], body: &Body, cut: Option<usize>, planes
     samples.is_ok_and(|all| all.iter().all(|own| (own.sides == wanted) == own.inside))
 }
 
-/// The separator on which a curve lies.
 fn carrier(model: &Model, curve: &Curve, separators: &[Separator], body: &Body) -> Option<usize> {
     let tolerance = COINCIDENT * model.size();
     let points = curve.sampled(16);

@@ -1,10 +1,9 @@
 //! The planes and the quadric that bound a strip within a slab.
 
 use super::strips::{Crossing, Slabs, Strip};
-use crate::faces::cell::Separator;
 use crate::faces::rings::OVERLAP;
-use crate::faces::surface::Form;
 use crate::faces::vector::Vector;
+use crate::faces::{Form, Separator};
 use std::f64::consts::TAU;
 
 /// What a band has of a strip.
@@ -14,7 +13,6 @@ pub struct Part {
     pub ends: [f64; 2],
     /// A point of both.
     pub sample: Vector,
-    /// Whether the strip goes on beyond each end.
     pub goes_on: [bool; 2],
 }
 
@@ -57,8 +55,7 @@ impl Slabs<'_> {
         found
     }
 
-    /// What bounds a strip in a band, besides the slab: one cell, or two if it lies between two conics; `None` if
-    /// these are too near.
+    /// What bounds a strip in a band: one cell, or two between two conics; `None` if these are too near.
     pub fn keys(&self, strip: &Strip, part: &Part) -> Option<Vec<Key>> {
         let separators = &self.parting.separators;
         let side = |crossing: &Crossing| -> Side {
@@ -104,9 +101,8 @@ impl Slabs<'_> {
             if (end == 0 && near >= beyond) || (end == 1 && beyond >= near) {
                 return None;
             }
-            let parts = [(beyond, Some(own)), (near, None)];
             let part = |key: Key| match key.sides.contains(&own) {
-                true => self.halves(&key, strip, parts),
+                true => self.halves(&key, strip, [(beyond, Some(own)), (near, None)]),
                 false => vec![key],
             };
             keys = keys.into_iter().flat_map(part).collect();
@@ -127,19 +123,16 @@ impl Slabs<'_> {
         if low >= high {
             return None;
         }
-        let below = self.rails[strip.ends[0]?.rail].separator;
-        let (lower, upper) = match below == one.0 {
+        let (lower, upper) = match self.rails[strip.ends[0]?.rail].separator == one.0 {
             true => (one, other),
             false => (other, one),
         };
-        let parts = [(low, Some(upper)), (high, Some(lower))];
-        Some(self.halves(&key, strip, parts))
+        Some(self.halves(&key, strip, [(low, Some(upper)), (high, Some(lower))]))
     }
 
     /// A cell as two, parted by the parallel half way between a v in each, and each without one of the sides.
     fn halves(&self, key: &Key, strip: &Strip, parts: [(f64, Option<Side>); 2]) -> Vec<Key> {
-        let at = 0.5 * (parts[0].0 + parts[1].0);
-        let plane = self.chart.parallel_plane(at);
+        let plane = self.chart.parallel_plane(0.5 * (parts[0].0 + parts[1].0));
         let half = |(v, without): (f64, Option<Side>)| {
             let mut half = key.clone();
             half.sides.retain(|side| Some(*side) != without);
@@ -156,8 +149,7 @@ impl Slabs<'_> {
         let (from, to) = (self.limits[strip.slab], self.limits[strip.slab + 1]);
         let mut back: Option<[f64; 2]> = None;
         for share in [0.001, 0.25, 0.5, 0.75, 0.999] {
-            let u = from + share * (to - from);
-            let all = self.chart.crossings(u, separator);
+            let all = self.chart.crossings(from + share * (to - from), separator);
             let near = |v: &f64| (v - crossing.v).abs();
             let each = all.iter().copied();
             let own = each.min_by(|a, b| near(a).total_cmp(&near(b)));

@@ -1,14 +1,10 @@
-//! A face divided by lines u = constant: its border on its way over the surface, the slabs, and what lies in a slab
-//! between the crossings with the border.
+//! The border of a face on its way over the surface, the slabs, and what a slab has between crossings with the border.
 
-use crate::faces::arrangement::{Boundary, SMALLEST_PIECE};
-use crate::faces::cell::Planes;
-use crate::faces::chart::{Chart, nearest_turn};
-use crate::faces::curve::{Curve, PlaneOf};
-use crate::faces::parting::Parting;
+use crate::faces::arrangement::{Boundary, Parting, SMALLEST_PIECE};
+use crate::faces::chart::nearest_turn;
 use crate::faces::rings::Band;
-use crate::faces::surface::Form;
 use crate::faces::vector::{Vector, between, range};
+use crate::faces::{Chart, Curve, Form, PlaneOf, Planes};
 use std::f64::consts::TAU;
 
 /// Greatest gap between the ends of two pieces of a border that follow each other, in sizes of the part or radians.
@@ -74,7 +70,6 @@ impl Rail {
     }
 }
 
-/// A face divided by lines u = constant.
 pub struct Slabs<'a> {
     pub planes: &'a Planes,
     pub parting: &'a Parting,
@@ -97,8 +92,6 @@ pub struct Crossing {
     pub v: f64,
     pub rail: usize,
     pub east: bool,
-    /// The face is above, as the direction of the border says.
-    pub above: bool,
 }
 
 /// What is between two crossings of a slab; a side without one is open.
@@ -130,12 +123,11 @@ impl Slabs<'_> {
         let middles = (0..self.slabs()).map(|slab| self.middle(slab));
         let crossings: Vec<Vec<Crossing>> = middles.map(|u| self.crossings(u)).collect();
         let surface = &self.chart.surface;
-        let oriented = surface.is_sphere() || surface.is_torus();
         let has_end = surface.is_cone() || surface.is_sphere();
         if !has_end && crossings.iter().any(|all| all.len() % 2 == 1) {
             return Err("its loops are not closed on the surface".into());
         }
-        let below = match oriented {
+        let below = match surface.is_sphere() || surface.is_torus() {
             true => self.below(&crossings),
             false => vec![false; crossings.len()],
         };
@@ -152,12 +144,10 @@ impl Slabs<'_> {
         for (index, rail) in self.rails.iter().enumerate() {
             for (v, east) in rail.crossings(u, self.chart.is_round()) {
                 let turned = self.chart.surface.is_torus().then(|| v.rem_euclid(TAU));
-                let v = turned.unwrap_or(v);
                 all.push(Crossing {
-                    v,
+                    v: turned.unwrap_or(v),
                     rail: index,
                     east,
-                    above: east == rail.forward,
                 });
             }
         }
@@ -165,14 +155,13 @@ impl Slabs<'_> {
         all
     }
 
-    /// For each slab whether what is below its first crossing is of the face: what most of its crossings say, or what
-    /// the slab beside it says.
+    /// For each slab whether the face is below its first crossing, as most of its crossings say, or the slab beside.
     fn below(&self, crossings: &[Vec<Crossing>]) -> Vec<bool> {
         let votes = |all: &[Crossing]| -> i64 {
             let vote = |(index, crossing): (usize, &Crossing)| {
-                // Every other crossing is entered.
-                let says = crossing.above == (index % 2 == 1);
-                if says { 1 } else { -1 }
+                // As the direction of the border says; every other crossing is entered.
+                let above = crossing.east == self.rails[crossing.rail].forward;
+                if above == (index % 2 == 1) { 1 } else { -1 }
             };
             all.iter().enumerate().map(vote).sum()
         };
@@ -195,18 +184,15 @@ impl Slabs<'_> {
         let narrow = self.narrow();
         for step in 0..slabs {
             let own = (slab + slabs - step) % slabs;
-            if step > 0
-                && let Some(below) = said[own]
-            {
+            if let (1.., Some(below)) = (step, said[own]) {
                 // The widest strip goes on where the others end.
                 let strips = self.between(own, &crossings[own], below);
                 let width = |strip: &&Strip| strip.at[1] - strip.at[0];
                 let widest = strips.iter().max_by(|a, b| width(a).total_cmp(&width(b)));
                 return widest.is_some_and(|strip| strip.inside);
             }
-            let at = self.limits[own];
             let upright = self.rails.iter().find(|rail| {
-                let off = (rail.path[0][0] - at).rem_euclid(TAU);
+                let off = (rail.path[0][0] - self.limits[own]).rem_euclid(TAU);
                 rail.is_upright(narrow) && (off <= 2.0 * narrow || off >= TAU - 2.0 * narrow)
             });
             if let Some(rail) = upright {
@@ -266,8 +252,7 @@ impl Slabs<'_> {
                 Form::Torus(..) => nearest_turn(v, at),
                 _ => v,
             });
-            let nearest = v.min_by(|v, w| (v - at).abs().total_cmp(&(w - at).abs()));
-            if let Some(v) = nearest {
+            if let Some(v) = v.min_by(|v, w| (v - at).abs().total_cmp(&(w - at).abs())) {
                 range = [range[0].min(v), range[1].max(v)];
             }
         }
@@ -312,8 +297,7 @@ impl Slabs<'_> {
         self.without_gaps(limits)
     }
 
-    /// Limits without slabs between two ends that should be one: there a line crosses the border an odd number of
-    /// times.
+    /// Limits without slabs between ends that should be one: a line there crosses the border an odd number of times.
     fn without_gaps(&self, mut limits: Vec<f64>) -> Vec<f64> {
         let is_round = self.chart.is_round();
         let widest = WIDEST_GAP * if is_round { 1.0 } else { self.size };

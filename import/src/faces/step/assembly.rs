@@ -1,7 +1,7 @@
 //! Representations, and where they are placed in each other (ISO 10303-43, -44).
 
 use super::placement::{Placement, placement};
-use super::units::{Context, Measure, context};
+use super::units::{Context, context};
 use indexmap::IndexMap;
 use std::collections::{HashMap, HashSet};
 use step21::{Args, Entity, Error, Exchange, Result};
@@ -9,7 +9,6 @@ use step21::{Args, Entity, Error, Exchange, Result};
 const DEEPEST: usize = 64;
 const MOST_PLACED: usize = 10_000;
 
-/// A representation where it is placed.
 #[derive(Clone, Copy, Debug)]
 pub struct Placed<'a> {
     pub representation: Args<'a>,
@@ -33,10 +32,10 @@ struct Link {
 type Ends = [(usize, Placement); 2];
 
 /// The representations of a file. Those that a relationship without a placement joins are one group.
-#[derive(Debug)]
 pub struct Assembly<'a> {
     file: &'a Exchange<'a>,
-    measure: Measure,
+    /// Without units.
+    context: Context,
     /// By the numbers of their entities.
     representations: IndexMap<u64, Args<'a>>,
     group: Vec<usize>,
@@ -51,11 +50,11 @@ pub struct Assembly<'a> {
     pub notes: Vec<String>,
 }
 
-/// Relationships with a placement.
 const PLACING: [&str; 2] = [
     "REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION",
     "SHAPE_REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION",
 ];
+const PLACED: &str = "CONTEXT_DEPENDENT_SHAPE_REPRESENTATION";
 /// What says of what a representation is.
 const DEFINING: [&str; 2] = [
     "SHAPE_DEFINITION_REPRESENTATION",
@@ -68,15 +67,11 @@ fn relation<'a>(args: &Args<'a>) -> Result<[Entity<'a>; 2]> {
     Ok([args.entity(2)?, args.entity(3)?])
 }
 
-fn is_shape(name: &str) -> bool {
-    name.ends_with("SHAPE_REPRESENTATION") && name != "CONTEXT_DEPENDENT_SHAPE_REPRESENTATION"
-}
-
 impl<'a> Assembly<'a> {
     pub fn read(file: &'a Exchange<'a>) -> Self {
         let mut all = Assembly {
             file,
-            measure: Measure::of(file),
+            context: Context::of(file),
             representations: IndexMap::new(),
             group: vec![],
             links: HashMap::new(),
@@ -86,6 +81,7 @@ impl<'a> Assembly<'a> {
             notes: vec![],
         };
         for entity in file.entities() {
+            let is_shape = |name: &str| name.ends_with("SHAPE_REPRESENTATION") && name != PLACED;
             let Some(record) = entity.records.iter().find(|r| is_shape(r.name)) else {
                 continue;
             };
@@ -121,8 +117,7 @@ impl<'a> Assembly<'a> {
         ];
         let joined = self.file.all(&names);
         for args in joined.filter(|args| args.entity.find(&PLACING).is_none()) {
-            let found = relation(&args);
-            let Some(ends) = self.keep("a relationship is left out", found) else {
+            let Some(ends) = self.keep("a relationship is left out", relation(&args)) else {
                 continue;
             };
             let ends = ends.map(|end| self.representations.get_index_of(&end.id));
@@ -145,11 +140,9 @@ impl<'a> Assembly<'a> {
         index
     }
 
-    /// What product a representation is of, or that it is of none: CAD systems hang shapes on properties for
-    /// validation.
+    /// The product of a representation, or that it has none: CAD systems hang shapes on properties for validation.
     fn name_products(&mut self) {
-        let file = self.file;
-        for args in file.all(&DEFINING) {
+        for args in self.file.all(&DEFINING) {
             // Words that name no representation name no part either.
             let Ok(Some(group)) = args.entity(1).map(|entity| self.find(entity)) else {
                 continue;
@@ -163,13 +156,13 @@ impl<'a> Assembly<'a> {
     }
 
     pub fn context(&self, representation: &Args) -> Result<Context> {
-        context(representation.maybe(2)?, self.measure)
+        context(representation.maybe(2)?, self.context)
     }
 
     /// `NEXT_ASSEMBLY_USAGE_OCCURRENCE` and what places it.
     fn place_components(&mut self) {
         let file = self.file;
-        let usages = file.all(&["CONTEXT_DEPENDENT_SHAPE_REPRESENTATION"]);
+        let usages = file.all(&[PLACED]);
         let wholes: HashMap<u64, u64> = usages.filter_map(|args| usage(&args)).collect();
         for placed in file.all(&PLACING) {
             let ends = relation(&placed).ok();

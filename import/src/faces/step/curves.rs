@@ -4,9 +4,9 @@ use super::placement::{Placement, conic, line};
 use super::spline::Spline;
 use super::units::Context;
 use crate::faces::build::MISSED;
-use crate::faces::curve::{Arc, Curve, Ellipse, PlaneOf, Polyline};
 use crate::faces::model::COINCIDENT;
 use crate::faces::vector::*;
+use crate::faces::{Arc, Curve, Ellipse, PlaneOf, Polyline};
 use step21::{Args, Entity, Result, with_article};
 
 /// Most curves that are defined by each other.
@@ -63,8 +63,7 @@ impl<'a> Span<'a> {
         Err(entity.error(problem, accepted).into())
     }
 
-    /// By how much an end may miss a curve of this size, by its numbers and by what the file takes for the same place,
-    /// and the least length of a curve.
+    /// How far an end may miss a curve of this size, by its digits and the file's uncertainty, and its least length.
     fn tolerance(&self, size: f64) -> [f64; 2] {
         let [from, to] = self.ends;
         let numbers = COINCIDENT * length(from).max(length(to)).max(size);
@@ -87,10 +86,9 @@ impl<'a> Span<'a> {
     fn ellipse(&self, args: &Args<'a>) -> Found {
         let (place, [first, second]) = conic(args, self.context)?;
         let [x, _, z] = place.axes;
-        let circle = args.record.name == "CIRCLE";
         let normal = if self.forward { z } else { opposite(z) };
         let towards = across(minus(self.ends[0], place.origin), normal);
-        let is_off = circle && length(towards) > COINCIDENT * first;
+        let is_off = args.record.name == "CIRCLE" && length(towards) > COINCIDENT * first;
         let x = if is_off { unit(towards) } else { x };
         let ellipse = Ellipse::new(place.origin, normal, x, [first, second]);
         let tolerance = self.tolerance(first.max(second));
@@ -122,8 +120,7 @@ impl<'a> Span<'a> {
         let [off, other] = [0, 1].map(|k| distance(at([from, to][k]), self.ends[k]));
         on_curve(off.max(other), missed)?;
         let step = |k: usize| from + (to - from) * k as f64 / CONIC_STEPS as f64;
-        let points = (0..=CONIC_STEPS).map(|k| at(step(k))).collect();
-        self.through(points, false)
+        self.through((0..=CONIC_STEPS).map(|k| at(step(k))).collect(), false)
     }
 
     fn spline(&self, entity: Entity) -> Found {
@@ -175,8 +172,7 @@ impl<'a> Span<'a> {
 
     /// The curve through points, of which those that repeat the one before are left out.
     fn through(&self, mut points: Vec<Vector>, closed: bool) -> Found {
-        let first = points[0];
-        let size = reach(points.iter().copied(), first);
+        let size = reach(points.iter().copied(), points[0]);
         let [_, least] = self.tolerance(size);
         if !closed {
             let last = points.len() - 1;
@@ -200,7 +196,6 @@ fn on_curve(off: f64, missed: f64) -> Result<(), String> {
     }
 }
 
-/// A curve where its part is placed.
 pub fn placed(curve: Curve, place: &Placement) -> Curve {
     let turned = |(p, n): PlaneOf| (place.point(p), place.direction(n));
     match curve {

@@ -1,7 +1,6 @@
 //! STEP files (ISO 10303-21) with boundary representations of AP203, AP214 and AP242.
 //!
-//! The structure of the file is read by [`step21`], what its entities mean by the other modules; the result is the
-//! model that a face list gives. Lengths become millimetres.
+//! [`step21`] reads the structure of a file; the result is the model that a face list gives, in millimetres.
 
 mod assembly;
 mod colours;
@@ -22,7 +21,7 @@ use placement::Placement;
 use serde::Serialize;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use step21::{Entity, Exchange, Kind, Value, decoded};
-use topology::{Known, Origin, SHELLS, Space, Topology};
+use topology::{Known, SHELLS, Space, Topology};
 
 /// Most files that place each other's parts.
 const DEEPEST_FILE: usize = 8;
@@ -51,7 +50,6 @@ pub fn build(bytes: &[u8], beside: Beside) -> Result<(Model, Summary)> {
     Ok((model, summary))
 }
 
-/// Why a file has no face.
 fn nothing(summary: &Summary) -> String {
     if !summary.missing.is_empty() {
         return format!("no part is left: {}", summary.missing.join("; "));
@@ -61,14 +59,8 @@ fn nothing(summary: &Summary) -> String {
 }
 
 /// Reads a file that is placed, and those whose parts it places.
-fn read(
-    found: &mut Found,
-    bytes: &[u8],
-    base: Placement,
-    beside: Beside,
-    depth: usize,
-) -> Result<()> {
-    let exchange = Exchange::parse(bytes)?;
+fn read(found: &mut Found, file: &[u8], at: Placement, beside: Beside, depth: usize) -> Result<()> {
+    let exchange = Exchange::parse(file)?;
     let assembly = Assembly::read(&exchange);
     let placed = assembly.placed()?;
     let (colours, grey) = colours(&exchange);
@@ -88,7 +80,7 @@ fn read(
         placed: HashMap::new(),
     };
     for part in &placed {
-        reader.representation(part, base.after(&part.place));
+        reader.representation(part, at.after(&part.place));
     }
     reader.finish(&exchange);
     let title = &mut found.topology.model.title;
@@ -98,7 +90,7 @@ fn read(
     let mut done = HashSet::new();
     for part in placed.iter().filter(|part| done.insert(part.occurrence)) {
         for name in external(&exchange, assembly.product_of(part.group)) {
-            let place = base.after(&part.place);
+            let place = at.after(&part.place);
             let Some(bytes) = beside(&name).filter(|_| depth < DEEPEST_FILE) else {
                 found.summary.missing.push(format!(
                     "part `{}` is in the file `{name}`, which is not beside this one",
@@ -168,9 +160,7 @@ struct Found {
     names: Names,
 }
 
-/// Of a file.
 struct Reader<'f, 'a> {
-    /// What is found is added to it.
     found: &'f mut Found,
     assembly: &'f Assembly<'a>,
     colours: HashMap<u64, Colour>,
@@ -231,7 +221,7 @@ impl<'a> Reader<'_, 'a> {
         let material = material(&mut topology.model.materials, own);
         let origins = topology.solid(space, &shells, name, material)?;
         self.placed.insert(item.id, origins.len());
-        self.colour(own, &shells, first, &origins);
+        self.colour(own, first, &origins);
         Ok(())
     }
 
@@ -262,11 +252,11 @@ impl<'a> Reader<'_, 'a> {
     }
 
     /// The colours of faces that are not that of their solid: their own, or that of their shell.
-    fn colour(&mut self, own: Option<Colour>, shells: &[Entity], first: usize, origins: &[Origin]) {
+    fn colour(&mut self, own: Option<Colour>, first: usize, origins: &[[u64; 2]]) {
         let of = |id: u64| self.colours.get(&id).copied();
         let model = &mut self.found.topology.model;
-        for (face, (id, shell)) in model.faces[first..].iter_mut().zip(origins) {
-            let colour = of(*id).or_else(|| of(shells[*shell].id));
+        for (face, [id, shell]) in model.faces[first..].iter_mut().zip(origins) {
+            let colour = of(*id).or_else(|| of(*shell));
             if colour.is_some() && colour != own {
                 face.material = Some(material(&mut model.materials, colour));
             }
@@ -274,7 +264,6 @@ impl<'a> Reader<'_, 'a> {
     }
 }
 
-/// The shells of an item; none if it is of another kind.
 fn shells(item: Entity) -> Result<Vec<Entity>> {
     if let Some(args) = item.find(&["SHELL_BASED_SURFACE_MODEL"]) {
         return args.entities(args.first());
@@ -292,7 +281,6 @@ fn shells(item: Entity) -> Result<Vec<Entity>> {
 /// What the reader says of a file besides its model; the keys are stable.
 #[derive(Debug, Default, Serialize)]
 pub struct Summary {
-    /// What the header calls the schema.
     schema: Vec<String>,
     entities: usize,
     /// Faces of the file that are part of a shell, each counted once.

@@ -9,7 +9,6 @@ use step21::{Args, Entity, Result};
 /// Turned and moved: coordinates along three axes become those of the space around.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
-    /// Where the origin comes to be.
     pub origin: Vector,
     /// Where the axes come to be, right-handed and of length 1.
     pub axes: [Vector; 3],
@@ -54,7 +53,6 @@ impl Placement {
     }
 }
 
-/// The numbers of a point or a direction.
 fn triple(args: &Args, index: usize) -> Result<Vector> {
     let numbers = args.numbers(index)?;
     numbers.try_into().map_err(|numbers: Vec<f64>| {
@@ -112,8 +110,7 @@ pub fn placement(entity: Entity, context: &Context) -> Result<Placement> {
 /// A point and the direction of a line.
 pub fn line(args: &Args, context: &Context) -> Result<(Vector, Vector)> {
     let origin = point(args.entity(1)?, context)?;
-    let course = direction(args.named(2, &["VECTOR"])?.entity(1)?)?;
-    Ok((origin, course))
+    Ok((origin, direction(args.named(2, &["VECTOR"])?.entity(1)?)?))
 }
 
 /// Where a conic is, and its two sizes; that of a circle or a parabola twice.

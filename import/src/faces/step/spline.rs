@@ -11,7 +11,6 @@ const MOST_OF_CURVE: usize = 10_000;
 /// Places at which the nearest one to a point is looked for first.
 const PLACES: std::ops::RangeInclusive<usize> = 64..=2048;
 
-#[derive(Clone, Debug)]
 pub struct Spline {
     pub degree: usize,
     /// Each as often as it counts.
@@ -40,8 +39,8 @@ impl Spline {
         let degree = curve.whole(first)?;
         let points = curve.entities(first + 1)?;
         let count = points.len();
-        if !(1..=HIGHEST_DEGREE).contains(&degree) || !(degree + 1..=MOST_OF_CURVE).contains(&count)
-        {
+        let (degrees, counts) = (1..=HIGHEST_DEGREE, degree + 1..=MOST_OF_CURVE);
+        if !degrees.contains(&degree) || !counts.contains(&count) {
             return Err(curve.error(
                 format!("{count} control points for degree {degree}"),
                 "degrees 1 to 25 and more control points than the degree, up to 10000, are possible",
@@ -103,7 +102,6 @@ impl Spline {
     }
 }
 
-/// Weights of control points, checked.
 pub fn weights(args: &Args, weights: Vec<f64>, count: usize) -> Result<Vec<f64>> {
     if weights.len() != count {
         let problem = format!("{} weights for {count} control points", weights.len());
@@ -116,8 +114,7 @@ pub fn weights(args: &Args, weights: Vec<f64>, count: usize) -> Result<Vec<f64>>
     Ok(weights)
 }
 
-/// The knots of a curve or surface in one direction: as they are written, at these two places the multiplicities and
-/// the knots, or as they follow from the kind.
+/// The knots in one direction: as written, the multiplicities and the values at these places, or implied by the kind.
 pub fn knots(args: &Args, places: [usize; 2], degree: usize, count: usize) -> Result<Vec<f64>> {
     if !args.record.name.ends_with("_WITH_KNOTS") {
         return implied_knots(args, degree, count);
@@ -128,10 +125,8 @@ pub fn knots(args: &Args, places: [usize; 2], degree: usize, count: usize) -> Re
     let rising = values.windows(2).all(|pair| pair[0] < pair[1]);
     let bounded = values.iter().all(|value| value.abs() <= 1e15);
     let possible = times.iter().all(|times| (1..=degree + 1).contains(times));
-    if times.len() != values.len()
-        || total != count + degree + 1
-        || !(rising && bounded && possible)
-    {
+    let enough = times.len() == values.len() && total == count + degree + 1;
+    if !(enough && rising && bounded && possible) {
         return Err(args.error(
             format!(
                 "{} knots, {total} with their multiplicities, for {count} control points of degree {degree}",
@@ -149,7 +144,6 @@ pub fn knots(args: &Args, places: [usize; 2], degree: usize, count: usize) -> Re
     Ok(knots)
 }
 
-/// Knots that follow from the kind of the curve or surface.
 fn implied_knots(args: &Args, degree: usize, count: usize) -> Result<Vec<f64>> {
     let total = count + degree + 1;
     let is = |kind: &str| args.record.name.starts_with(kind);
@@ -172,7 +166,6 @@ const MOST_POLES: usize = 40_000;
 /// How far a swept surface goes on both sides of its curve, in sizes of it: faces are a part of that.
 const REACH: f64 = 50.0;
 
-/// Kinds of surfaces that say what their knots are.
 const SURFACES: [&str; 4] = [
     "B_SPLINE_SURFACE_WITH_KNOTS",
     "BEZIER_SURFACE",
@@ -324,9 +317,8 @@ fn revolution<'a>(args: &Args<'a>, context: &Context) -> Result<Option<Vec<Patch
 
 fn turned(pole: &Pole, origin: Vector, axis: Vector) -> Vec<Vec<Pole>> {
     let from = minus(plain(pole), origin);
-    let centre = along(origin, dot(from, axis), axis);
     let out = across(from, axis);
-    let mut circle = arcs(centre, out, cross(axis, out));
+    let mut circle = arcs(along(origin, dot(from, axis), axis), out, cross(axis, out));
     for own in circle.iter_mut().flatten() {
         *own = own.map(|value| value * pole[3]);
     }

@@ -4,8 +4,9 @@ use super::placement::{Placement, placement, radius};
 use super::spline::{freeform, placed};
 use super::units::Context;
 use crate::faces::canonical::{Found, canonical};
-use crate::faces::surface::{Form, Surface, clean_tangent};
+use crate::faces::surface::clean_tangent;
 use crate::faces::vector::{along, opposite};
+use crate::faces::{Form, Surface};
 use step21::{Args, Entity, Result};
 
 impl Found {
@@ -28,12 +29,10 @@ const KNOWN: [&str; 6] = [
 ];
 /// Surfaces that are a part of another.
 const PARTS: [&str; 2] = ["RECTANGULAR_TRIMMED_SURFACE", "CURVE_BOUNDED_SURFACE"];
-/// Most surfaces that are defined by each other.
 const DEEPEST: usize = 8;
 
-/// The surface of a face, placed. The axis of a cone goes into the nappe that its radius is on. A free-form surface
-/// that is a quadric, a plane or a torus within `tolerance`, millimetres, is taken for it; `depth` others are defined
-/// by it.
+/// The surface of a face, placed; the axis of a cone goes into the nappe that its radius is on. A free-form surface is
+/// taken for what it is within `tolerance`, millimetres; `depth` others are defined by it.
 pub fn surface(
     entity: Entity,
     context: &Context,
@@ -67,12 +66,10 @@ pub fn surface(
             None => Found::exact(Surface::other("offset surface")),
         });
     }
-    if let Some(patches) = freeform(entity, context)?
-        && let Some(found) = canonical(&placed(patches, place), tolerance)
-    {
-        return Ok(found);
+    match freeform(entity, context)?.and_then(|all| canonical(&placed(all, place), tolerance)) {
+        Some(found) => Ok(found),
+        None => Ok(Found::exact(Surface::other(other(entity)?))),
     }
-    other(entity).map(|name| Found::exact(Surface::other(name)))
 }
 
 fn known(args: &Args, context: &Context, place: &Placement) -> Result<Found> {

@@ -6,15 +6,13 @@ use super::surfaces::surface;
 use super::units::Context;
 use crate::faces::build::MAX_PARTS;
 use crate::faces::canonical::Found;
-use crate::faces::curve::Curve;
-use crate::faces::model::{Edge, EdgeUse, Face, Model, Solid, border, reversed};
-use crate::faces::surface::{Form, Surface};
+use crate::faces::model::{border, reversed};
 use crate::faces::vector::{Vector, distance, dot, length, minus};
+use crate::faces::{Curve, Edge, EdgeUse, Face, Form, Model, Solid, Surface};
 use std::collections::HashMap;
 use step21::{Args, Entity, Error, Result};
 
-/// Share of the extent of all points of a file within which a surface may be a quadric; what a part allows is known
-/// when it has been read.
+/// Share of a file's extent by which a surface may be off a quadric; what a part allows is known when it is read.
 const CANONICAL: f64 = 1e-5;
 /// Share of their distance from the origin, or of a millimetre, within which two vertices are at one place.
 const SAME_PLACE: f64 = 1e-7;
@@ -28,7 +26,6 @@ pub struct Space {
     pub known: Known,
 }
 
-/// What has been read of a representation.
 #[derive(Default)]
 pub struct Known {
     /// Edges by their number, or why they are none.
@@ -40,9 +37,6 @@ pub struct Known {
 }
 
 pub const SHELLS: [&str; 3] = ["CLOSED_SHELL", "OPEN_SHELL", "CONNECTED_FACE_SET"];
-
-/// The number of the entity of a face, and its shell among those of its solid.
-pub type Origin = (u64, usize);
 
 /// What has been read of the part.
 #[derive(Debug, Default)]
@@ -71,19 +65,19 @@ impl Topology {
         self.most = [edges, faces, self.uses + MAX_USES];
     }
 
-    /// Adds the faces of shells as one solid.
+    /// Adds the faces of shells as one solid; the numbers of each face and its shell.
     pub fn solid(
         &mut self,
         space: &mut Space,
         shells: &[Entity],
         name: String,
         material: String,
-    ) -> Result<Vec<Origin>> {
+    ) -> Result<Vec<[u64; 2]>> {
         let first = self.model.faces.len();
         let mut origins = vec![];
-        for (index, shell) in shells.iter().enumerate() {
+        for shell in shells {
             let faces = self.shell(space, *shell)?;
-            origins.extend(faces.into_iter().map(|face| (face, index)));
+            origins.extend(faces.into_iter().map(|face| [face, shell.id]));
         }
         self.model.solids.push(Solid {
             name,
@@ -106,7 +100,7 @@ impl Topology {
                 return Err(too_many("faces", MAX_PARTS));
             }
             let (id, face) = match shell.as_entity(value) {
-                Ok(entity) => (entity.id, self.oriented_face(space, entity, outwards)),
+                Ok(entity) => (entity.id, self.face(space, entity, outwards)),
                 Err(error) => (0, Err(error)),
             };
             // A bad face costs itself.
@@ -122,32 +116,21 @@ impl Topology {
         Ok(ids)
     }
 
-    fn oriented_face(&mut self, space: &mut Space, entity: Entity, outwards: bool) -> Result<Face> {
-        match entity.find(&["ORIENTED_FACE"]) {
-            Some(args) => {
-                let own = args.flag(3)?;
-                self.face(space, args.entity(2)?, outwards == own)
-            }
-            None => self.face(space, entity, outwards),
-        }
-    }
-
     /// A face; `outwards` says that its normal leaves the solid.
-    fn face(&mut self, space: &mut Space, entity: Entity, outwards: bool) -> Result<Face> {
+    fn face(&mut self, space: &mut Space, mut entity: Entity, mut outwards: bool) -> Result<Face> {
+        if let Some(args) = entity.find(&["ORIENTED_FACE"]) {
+            outwards = outwards == args.flag(3)?;
+            entity = args.entity(2)?;
+        }
         let args = entity.need(&["ADVANCED_FACE", "FACE_SURFACE"])?;
         let same_sense = args.flag(3)?;
-        let Found {
-            mut surface,
-            mut refused,
-            off,
-            opposite,
-        } = self.surface(space, args.entity(2)?)?;
+        let found = self.surface(space, args.entity(2)?)?;
+        let (mut surface, mut refused) = (found.surface, found.refused);
         // The surface's own normal is that of the quadric from here on.
-        let same_sense = same_sense != opposite;
+        let same_sense = same_sense != found.opposite;
         let mut loops = vec![];
         for bound in args.entities(1)? {
-            let bound = bound.need(&["FACE_BOUND", "FACE_OUTER_BOUND"])?;
-            match self.bound(space, &bound)? {
+            match self.bound(space, &bound.need(&["FACE_BOUND", "FACE_OUTER_BOUND"])?)? {
                 Ok(uses) if uses.is_empty() => {}
                 // The left of a loop is that of the face's own normal.
                 Ok(uses) if same_sense => loops.push(uses),
@@ -155,17 +138,22 @@ impl Topology {
                 Err(reason) => refused = refused.or(Some(reason)),
             }
         }
-        let bare = border(loops.iter().flatten().copied()).is_empty();
+        let border = border(loops.iter().flatten().copied());
         match surface.form {
             // Its seam alone bounds nothing.
-            Form::Sphere(_) | Form::Torus(..) if bare => loops.clear(),
+            Form::Sphere(_) | Form::Torus(..) if border.is_empty() => loops.clear(),
             Form::Other(_) => {}
-            _ if bare && refused.is_none() => {
+            _ if border.is_empty() && refused.is_none() => {
                 let name = surface.name();
                 refused = Some(format!("it has no border, and a {name} is endless"));
             }
-            Form::Cone(_) if self.is_behind(&loops, &surface) => {
-                surface.axis = surface.axis.map(|v| 0.0 - v);
+            Form::Cone(_) => {
+                // The axis goes to the side of the apex on which the edges are.
+                let height = |p: &Vector| dot(minus(*p, surface.origin), surface.axis);
+                let places = self.model.places(&border, 8);
+                if places.iter().map(height).sum::<f64>() < 0.0 {
+                    surface.axis = surface.axis.map(|v| 0.0 - v);
+                }
             }
             Form::Torus(major, minor) => {
                 surface.form = self.nearer_part(&surface, major, minor, &loops);
@@ -185,7 +173,7 @@ impl Topology {
             loops,
             reversed: same_sense != outwards,
             material: None,
-            off,
+            off: found.off,
             refused,
         })
     }
@@ -199,14 +187,6 @@ impl Topology {
         let found = surface(entity, &space.context, &space.place, tolerance, 0)?;
         space.known.surfaces.insert(entity.id, found.clone());
         Ok(found)
-    }
-
-    /// Whether edges are on the side of an apex from which the axis comes.
-    fn is_behind(&self, loops: &[Vec<EdgeUse>], cone: &Surface) -> bool {
-        let border = border(loops.iter().flatten().copied());
-        let points = self.model.places(&border, 8).into_iter();
-        let heights = points.map(|p| dot(minus(p, cone.origin), cone.axis));
-        heights.sum::<f64>() < 0.0
     }
 
     /// A torus that meets its axis has an outer and an inner part: that on which the border is.
@@ -316,8 +296,7 @@ impl Topology {
     /// Two vertices that the digits of their file do not tell apart.
     fn same_place(&self, one: usize, other: usize) -> bool {
         let [p, q] = [self.vertices[one], self.vertices[other]];
-        let size = length(p).max(length(q)).max(1.0);
-        distance(p, q) <= SAME_PLACE * size
+        distance(p, q) <= SAME_PLACE * length(p).max(length(q)).max(1.0)
     }
 
     fn vertex(&mut self, space: &mut Space, args: &Args, index: usize) -> Result<usize> {

@@ -6,7 +6,7 @@ use step21::{Args, Entity, Exchange, Kind, Result};
 const LONGEST_CHAIN: usize = 8;
 
 /// What the numbers of a representation mean.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Context {
     /// Millimetres in a unit of length.
     pub length: f64,
@@ -16,20 +16,16 @@ pub struct Context {
     pub uncertainty: f64,
     /// The greatest difference of two coordinates of the file along an axis, millimetres.
     pub extent: f64,
-    /// What the digits of the file's coordinates leave open, millimetres.
+    /// The last digit of its coordinates, millimetres; 0 if all have so few decimals that they may be exact.
     pub precision: f64,
 }
 
 /// Most that a file may take for the same place, millimetres: more would hide what does not fit.
 const MOST_UNCERTAIN: f64 = 0.01;
 
-/// The context that a representation names, if it does; without units lengths are millimetres and angles radians.
-pub fn context(entity: Option<Entity>, measure: Measure) -> Result<Context> {
-    let mut context = Context {
-        length: 1.0,
-        angle: 1.0,
-        ..Context::default()
-    };
+/// The context that a representation of a file names, if it does.
+pub fn context(entity: Option<Entity>, file: Context) -> Result<Context> {
+    let mut context = file;
     let args = |name| entity.and_then(|entity| entity.find(&[name]));
     if let Some(args) = args("GLOBAL_UNIT_ASSIGNED_CONTEXT") {
         for unit in args.entities(0)? {
@@ -46,13 +42,12 @@ pub fn context(entity: Option<Entity>, measure: Measure) -> Result<Context> {
             }
         }
     }
-    context.extent = measure.extent * context.length;
-    context.precision = measure.last_digit * context.length;
+    context.extent *= context.length;
+    context.precision *= context.length;
     Ok(context)
 }
 
-/// A kind of unit: the part that says so, its name in the SI, and how many of what is returned one of it is, as a power
-/// of ten.
+/// A kind of unit: its part, its name in the SI, and the power of ten from that to what is returned.
 type Quantity = (&'static str, &'static str, i32);
 
 const LENGTH: Quantity = ("LENGTH_UNIT", "METRE", 3);
@@ -123,22 +118,12 @@ const PREFIXES: [(&str, i32); 9] = [
     ("NANO", -9),
 ];
 
-/// Coordinates with fewer decimals than this are taken for exact: a round number says nothing of how numbers are
-/// rounded.
+/// Fewer decimals than this are taken for exact: a round number says nothing of how numbers are rounded.
 const FEWEST_DECIMALS: usize = 5;
 
-/// What is known of the coordinates of a file, in its units of length.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Measure {
-    /// The last digit of its coordinates: 0.000001 if none has more than six decimals; 0 if all have so few that they
-    /// may be exact.
-    pub last_digit: f64,
-    /// The greatest difference of two coordinates along an axis.
-    pub extent: f64,
-}
-
-impl Measure {
-    pub fn of(file: &Exchange) -> Measure {
+impl Context {
+    /// Of a file without units: lengths are millimetres and angles radians.
+    pub fn of(file: &Exchange) -> Context {
         let mut bounds = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
         let mut most = 0;
         for point in file.all(&["CARTESIAN_POINT"]).filter(|p| !p.entity.complex) {
@@ -153,9 +138,12 @@ impl Measure {
         }
         let extents = bounds.map(|[low, high]| high - low);
         let digits = Some(most).filter(|most| *most >= FEWEST_DECIMALS);
-        Measure {
-            last_digit: digits.map_or(0.0, |most| 10_f64.powi(-(most as i32))),
+        Context {
+            length: 1.0,
+            angle: 1.0,
+            uncertainty: 0.0,
             extent: extents.into_iter().fold(0.0, f64::max),
+            precision: digits.map_or(0.0, |most| 10_f64.powi(-(most as i32))),
         }
     }
 }

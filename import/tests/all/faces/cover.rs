@@ -32,8 +32,8 @@ proptest! {
 #[test]
 fn a_piece_on_both_sides_is_a_conflict() {
     let samples = [sample((5, true)), sample((5, false)), sample((1, true))];
-    let conflict = cover(&samples, &[0; 3], None).unwrap_err()[0];
-    assert!(conflict.inside.inside && !conflict.outside.inside && conflict.inside.sides == 5);
+    let [inside, outside] = cover(&samples, &[0; 3], None).unwrap_err()[0];
+    assert!(inside.inside && !outside.inside && inside.sides == 5);
 }
 
 #[test]
