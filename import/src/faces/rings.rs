@@ -94,10 +94,9 @@ impl Rings {
 
     pub fn bands(&self, chart: &Chart) -> Vec<Band> {
         let band = |pair: &[f64]| {
-            let surface = chart.chord(pair[0], pair[1])?;
             let [(out, up), (other, higher)] = [pair[0], pair[1]].map(|v| chart.meridian(v));
             Some(Band {
-                quadric: Some(surface.implicit()?),
+                quadric: Some(chart.chord(pair[0], pair[1])?.implicit()?),
                 ends: [pair[0], pair[1]],
                 beyond: OVERLAP.min(0.5 * self.deviation / (other - out).hypot(higher - up)),
             })
@@ -135,9 +134,7 @@ fn reached(model: &Model, surface: &Surface, chart: &Chart) -> (Vec<f64>, Vec<[f
 /// The chords of an edge about the tube of a torus, from its start to its end; nothing for other edges.
 pub fn chords(model: &Model, edge: usize, max_deviation: f64) -> Option<(Vec<Curve>, f64)> {
     let curve = &model.edges[edge].curve;
-    let Curve::Arc(arc) = curve else {
-        return None;
-    };
+    let Curve::Arc(arc) = curve else { return None };
     let of_torus = |face: &usize| {
         let surface = &model.faces[*face].surface;
         let Form::Torus(_, minor) = surface.form else {

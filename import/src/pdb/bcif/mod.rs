@@ -67,9 +67,7 @@ fn read_block(
     for category in array(get(block, "categories")?)? {
         let name = text(get(category, "name")?)?.to_ascii_lowercase();
         *other = other.or_else(|| instead_of_atoms(&name));
-        let Some(name) = kept(&name) else {
-            continue;
-        };
+        let Some(name) = kept(&name) else { continue };
         let rows = match get(category, "rowCount")? {
             ValueRef::Integer(count) => count.as_u64().and_then(|n| usize::try_from(n).ok()),
             _ => None,
